@@ -1,0 +1,34 @@
+//! Embeds the data folders: every file of `layouts/` and `styles/` becomes a (name, text) pair of a table in
+//! `OUT_DIR`, which `layout` and `style` include.
+
+use std::fmt::Write as _;
+use std::path::Path;
+use std::{env, fs, io};
+
+fn main() -> io::Result<()> {
+    embed("layouts", "LAYOUT_FILES")?;
+    embed("styles", "STYLE_FILES")
+}
+
+/// Writes `OUT_DIR/<folder>.rs` with `static <table>: &[(&str, &str)]`, sorted by file name.
+fn embed(folder: &str, table: &str) -> io::Result<()> {
+    println!("cargo:rerun-if-changed={folder}");
+    let root = env::var("CARGO_MANIFEST_DIR").map_err(io::Error::other)?;
+    let folder_path = Path::new(&root).join(folder);
+    let mut files: Vec<_> = fs::read_dir(&folder_path)?
+        .filter_map(Result::ok)
+        .map(|entry| entry.path())
+        .filter(|path| path.extension().is_some_and(|extension| extension == "json"))
+        .collect();
+    files.sort();
+    let mut source = format!("static {table}: &[(&str, &str)] = &[\n");
+    for path in &files {
+        let name = path.file_name().unwrap_or_default().to_string_lossy();
+        println!("cargo:rerun-if-changed={}", path.display());
+        writeln!(source, "    ({name:?}, include_str!({:?})),", path.display().to_string())
+            .map_err(io::Error::other)?;
+    }
+    source.push_str("];\n");
+    let out = env::var("OUT_DIR").map_err(io::Error::other)?;
+    fs::write(Path::new(&out).join(format!("{folder}.rs")), source)
+}

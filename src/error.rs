@@ -1,0 +1,126 @@
+//! The one error type. Every variant has a stable `code()` for programs and a sentence for people.
+
+use std::fmt;
+
+/// Shorthand for results of this crate.
+pub type Result<T> = std::result::Result<T, Error>;
+
+/// Everything that can go wrong with what a person gives us.
+#[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
+pub enum Error {
+    /// The bytes are not an image of a format that we read.
+    #[error("this is not an image that Inkpanel can read (JPEG, PNG, WebP, GIF, BMP or TIFF)")]
+    UnknownFormat,
+    /// The file starts like an image but cannot be decoded.
+    #[error("the {format} file is damaged or cut short: {reason}")]
+    Damaged {
+        /// Name of the format, as people know it.
+        format: &'static str,
+        /// What the decoder said.
+        reason: String,
+    },
+    /// A sound file of a kind that we do not read.
+    #[error("this kind of {format} file cannot be read: {reason}")]
+    Unsupported {
+        /// Name of the format, as people know it.
+        format: &'static str,
+        /// What the decoder said.
+        reason: String,
+    },
+    /// The header announces more pixels, a longer side or more memory than the limits allow.
+    #[error("the image is too large: {width} x {height} pixels, the limit is {limit}")]
+    TooLarge {
+        /// Announced width in pixels.
+        width: u64,
+        /// Announced height in pixels.
+        height: u64,
+        /// The limit that was passed, in words.
+        limit: String,
+    },
+    /// A pixel buffer does not have the size that its width and height ask for.
+    #[error("{width} x {height} pixels need {expected} bytes, got {actual}")]
+    BufferSize {
+        /// Width in pixels.
+        width: usize,
+        /// Height in pixels.
+        height: usize,
+        /// Bytes needed.
+        expected: usize,
+        /// Bytes given.
+        actual: usize,
+    },
+    /// A style file breaks its schema.
+    #[error("style {file}: {location}: {reason}")]
+    InvalidStyle {
+        /// File name or id of the style.
+        file: String,
+        /// Where: `background[2] (gaussian), sigma`.
+        location: String,
+        /// What is wrong and what would be right.
+        reason: String,
+    },
+    /// A layout file breaks its schema.
+    #[error("layout {file}: {location}: {reason}")]
+    InvalidLayout {
+        /// File name or id of the layout.
+        file: String,
+        /// Path of the field: `tree.rows[1].weight`.
+        location: String,
+        /// What is wrong and what would be right.
+        reason: String,
+    },
+    /// A document or request from the page breaks its schema.
+    #[error("{location}: {reason}")]
+    InvalidDocument {
+        /// Path of the field.
+        location: String,
+        /// What is wrong and what would be right.
+        reason: String,
+    },
+    /// No style of this id.
+    #[error("there is no style called \"{0}\"")]
+    UnknownStyle(String),
+    /// No layout of this id.
+    #[error("there is no layout called \"{0}\"")]
+    UnknownLayout(String),
+    /// A page refers to a photo whose pixels are not at hand.
+    #[error("the photo \"{0}\" is not loaded")]
+    MissingPhoto(String),
+    /// Nothing to make a page of.
+    #[error("there is no usable photo")]
+    NoPhotos,
+    /// The caller asked to stop.
+    #[error("cancelled")]
+    Cancelled,
+    /// A page could not be encoded.
+    #[error("the page could not be encoded: {0}")]
+    Encode(String),
+}
+
+impl Error {
+    /// Stable, machine-readable name of the error.
+    #[must_use]
+    pub fn code(&self) -> &'static str {
+        match self {
+            Self::UnknownFormat => "unknown-format",
+            Self::Damaged { .. } => "damaged",
+            Self::Unsupported { .. } => "unsupported",
+            Self::TooLarge { .. } => "too-large",
+            Self::BufferSize { .. } => "buffer-size",
+            Self::InvalidStyle { .. } => "invalid-style",
+            Self::InvalidLayout { .. } => "invalid-layout",
+            Self::InvalidDocument { .. } => "invalid-document",
+            Self::UnknownStyle(_) => "unknown-style",
+            Self::UnknownLayout(_) => "unknown-layout",
+            Self::MissingPhoto(_) => "missing-photo",
+            Self::NoPhotos => "no-photos",
+            Self::Cancelled => "cancelled",
+            Self::Encode(_) => "encode",
+        }
+    }
+
+    /// A damaged file of the given format, with the decoder's own words.
+    pub(crate) fn damaged(format: &'static str, reason: impl fmt::Display) -> Self {
+        Self::Damaged { format, reason: reason.to_string() }
+    }
+}

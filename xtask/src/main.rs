@@ -1,0 +1,81 @@
+//! `cargo xtask`: builds, serves, tests and measures the project. It fetches what it needs and skips what did
+//! not change, so the only prerequisites are rustup and Node.
+
+mod bench;
+mod bless;
+mod budget;
+mod chromium;
+mod npm;
+mod project;
+mod site;
+mod stamp;
+mod tally;
+mod test;
+mod tools;
+mod wasm;
+
+use std::process::ExitCode;
+
+use anyhow::Result;
+use clap::{Parser, Subcommand};
+
+use project::Project;
+
+#[derive(Parser)]
+#[command(
+    name = "cargo xtask",
+    bin_name = "cargo xtask",
+    about = "Builds, serves, tests and measures Inkpanel."
+)]
+struct Arguments {
+    #[command(subcommand)]
+    task: Task,
+}
+
+#[derive(Subcommand)]
+enum Task {
+    /// Build the wasm core and the site into www/dist
+    Build,
+    /// Build, then serve the site on this machine and print its address
+    Serve {
+        /// First port to try; the next free one is taken
+        #[arg(long, default_value_t = 4173)]
+        port: u16,
+    },
+    /// Run every test: format, lint, rust, build, size, types, unit, wasm, page
+    Test {
+        /// Only these suites
+        suites: Vec<String>,
+    },
+    /// Time every block beside other libraries, and the page; writes target/bench.json and the README's table
+    Bench {
+        /// Time only rows whose name has one of these words, and write nothing
+        rows: Vec<String>,
+        /// Leave the other libraries out, and write nothing
+        #[arg(long)]
+        alone: bool,
+    },
+    /// Regenerate the stored images in tests/goldens and list what changed
+    Bless,
+}
+
+fn main() -> ExitCode {
+    match run(&Arguments::parse().task) {
+        Ok(()) => ExitCode::SUCCESS,
+        Err(error) => {
+            eprintln!("error: {error:#}");
+            ExitCode::FAILURE
+        }
+    }
+}
+
+fn run(task: &Task) -> Result<()> {
+    let project = Project::locate()?;
+    match task {
+        Task::Build => site::build(&project),
+        Task::Serve { port } => site::serve(&project, *port),
+        Task::Test { suites } => test::run(&project, suites),
+        Task::Bench { rows, alone } => bench::run(&project, rows, *alone),
+        Task::Bless => bless::run(&project),
+    }
+}

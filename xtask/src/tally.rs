@@ -1,0 +1,113 @@
+//! Counts what passed and failed from the summary lines of cargo test, Vitest and Playwright.
+
+use std::io::{BufRead, BufReader, IsTerminal, stdout};
+use std::ops::AddAssign;
+use std::process::{Command, Stdio};
+
+use anyhow::{Context, Result};
+
+use crate::tools;
+
+/// Tests of one suite, or of all.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub(crate) struct Tally {
+    pub(crate) passed: usize,
+    pub(crate) failed: usize,
+}
+
+impl AddAssign for Tally {
+    fn add_assign(&mut self, other: Self) {
+        self.passed += other.passed;
+        self.failed += other.failed;
+    }
+}
+
+/// Runs a program with its output on this terminal and adds up the summaries it prints. The second value tells
+/// whether the program itself ended well.
+pub(crate) fn count(command: &mut Command) -> Result<(Tally, bool)> {
+    if stdout().is_terminal() {
+        command.env("CARGO_TERM_COLOR", "always").env("FORCE_COLOR", "1");
+    }
+    let mut child =
+        command.stdout(Stdio::piped()).spawn().map_err(|error| tools::cannot_start(command, &error))?;
+    let printed = child.stdout.take().context("the output of a child is a pipe")?;
+    let mut tally = Tally::default();
+    for line in BufReader::new(printed).split(b'\n') {
+        let line = line?;
+        let line = String::from_utf8_lossy(&line);
+        println!("{line}");
+        tally += summary(&without_colour(&line));
+    }
+    Ok((tally, child.wait()?.success()))
+}
+
+/// The counts of one line: `test result: ok. 5 passed; 0 failed; …` of cargo, `Tests  1 failed | 4 passed (5)`
+/// of Vitest, or `5 passed (2.1s)` and `1 failed` of Playwright. Any other line counts nothing.
+fn summary(line: &str) -> Tally {
+    let words: Vec<&str> = line.split_whitespace().collect();
+    let number = |word: &str| word.parse::<usize>().ok();
+    let of_runner = line.starts_with("test result:")
+        || words.first() == Some(&"Tests")
+        || matches!(words.as_slice(), [n, "failed"] | [n, "passed", _] if number(n).is_some());
+    let mut tally = Tally::default();
+    if of_runner {
+        for pair in words.windows(2) {
+            match (number(pair[0]), pair[1].trim_end_matches(';')) {
+                (Some(passed), "passed") => tally.passed += passed,
+                (Some(failed), "failed") => tally.failed += failed,
+                _ => {}
+            }
+        }
+    }
+    tally
+}
+
+/// The line without its terminal colours.
+fn without_colour(line: &str) -> String {
+    let mut plain = String::with_capacity(line.len());
+    let mut rest = line;
+    while let Some((before, sequence)) = rest.split_once("\u{1b}[") {
+        plain.push_str(before);
+        rest = sequence.split_once(|c: char| c.is_ascii_alphabetic()).map_or("", |(_, after)| after);
+    }
+    plain + rest
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn counts(line: &str) -> (usize, usize) {
+        let Tally { passed, failed } = summary(&without_colour(line));
+        (passed, failed)
+    }
+
+    #[test]
+    fn each_runner_is_understood() {
+        assert_eq!(
+            counts("test result: FAILED. 5 passed; 2 failed; 1 ignored; 0 measured; 0 filtered out"),
+            (5, 2)
+        );
+        assert_eq!(
+            counts("\u{1b}[2m      Tests \u{1b}[22m \u{1b}[1m\u{1b}[32m12 passed\u{1b}[39m\u{1b}[22m (12)"),
+            (12, 0)
+        );
+        assert_eq!(counts("      Tests  1 failed | 11 passed (12)"), (11, 1));
+        assert_eq!(counts("  7 passed (3.4s)"), (7, 0));
+        assert_eq!(counts("  2 failed"), (0, 2));
+    }
+
+    #[test]
+    fn other_lines_count_nothing() {
+        assert_eq!(counts(" Test Files  3 passed (3)"), (0, 0));
+        assert_eq!(counts("test gives::3 passed ... ok"), (0, 0));
+        assert_eq!(counts("expected 3 passed photos, 1 failed"), (0, 0));
+    }
+
+    #[test]
+    fn a_programs_failure_is_told_apart_from_its_counts() {
+        let mut script = Command::new("node");
+        script.args(["-e", "console.log('  3 passed (1s)'); process.exit(1)"]);
+        assert_eq!(count(&mut script).unwrap(), (Tally { passed: 3, failed: 0 }, false));
+    }
+}

@@ -1,0 +1,70 @@
+//! Runs other programs. What goes wrong is told in one sentence that names the program and, where it is missing,
+//! what to install.
+
+use std::io::ErrorKind;
+use std::process::{Command, Stdio};
+
+use anyhow::{Result, anyhow, bail};
+
+/// Runs a program with its output on this terminal.
+///
+/// # Errors
+/// When it is missing or ends with a failure.
+pub(crate) fn run(command: &mut Command) -> Result<()> {
+    let status = command.status().map_err(|error| cannot_start(command, &error))?;
+    if !status.success() {
+        bail!("`{}` failed ({status})", line(command));
+    }
+    Ok(())
+}
+
+/// Runs a program and returns what it printed on standard output; its standard error goes to this terminal.
+///
+/// # Errors
+/// When it is missing, ends with a failure or prints no UTF-8.
+pub(crate) fn output(command: &mut Command) -> Result<String> {
+    let output = command.stderr(Stdio::inherit()).output().map_err(|error| cannot_start(command, &error))?;
+    if !output.status.success() {
+        bail!("`{}` failed ({})", line(command), output.status);
+    }
+    Ok(String::from_utf8(output.stdout)?)
+}
+
+/// The command as one would type it, without the folders of the program's path.
+pub(crate) fn line(command: &Command) -> String {
+    let program = std::path::Path::new(command.get_program()).file_name().unwrap_or(command.get_program());
+    let mut words = vec![program.to_string_lossy().into_owned()];
+    words.extend(command.get_args().map(|argument| argument.to_string_lossy().into_owned()));
+    words.join(" ")
+}
+
+/// Why a program did not start, with what to install when it is missing.
+pub(crate) fn cannot_start(command: &Command, error: &std::io::Error) -> anyhow::Error {
+    let program = command.get_program().to_string_lossy();
+    if error.kind() != ErrorKind::NotFound {
+        return anyhow!("`{program}` could not be started: {error}");
+    }
+    match &*program {
+        "node" | "npm" | "npm.cmd" => anyhow!("Node is missing: install Node 20.19 or newer, with npm"),
+        "rustup" => anyhow!("rustup is missing: install it from https://rustup.rs"),
+        _ => anyhow!("`{program}` is missing: install it and try again"),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_missing_program_is_named_with_what_to_install() {
+        let error = run(&mut Command::new("no-such-program")).unwrap_err().to_string();
+        assert_eq!(error, "`no-such-program` is missing: install it and try again");
+    }
+
+    #[test]
+    fn a_failure_names_the_command_line() {
+        let error =
+            run(Command::new("cargo").arg("no-such-task").stderr(Stdio::null())).unwrap_err().to_string();
+        assert!(error.starts_with("`cargo no-such-task` failed"), "{error}");
+    }
+}
