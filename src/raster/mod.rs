@@ -1,0 +1,15 @@
+//! Pixels: containers, decoding, resampling and colour. Lies under every stage and knows none of them.
+
+mod axis;
+pub mod color;
+pub mod decode;
+mod exif;
+pub mod image;
+mod jpeg;
+mod orient;
+pub mod plane;
+pub mod resize;
+mod separable;
+
+pub use image::Image;
+pub use plane::Plane;

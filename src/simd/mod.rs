@@ -1,0 +1,20 @@
+//! Row kernels on lanes: the only folder that knows how many pixels an instruction holds.
+//!
+//! Everything here is integer arithmetic, so wasm, x86 and ARM give the same bytes. The lane types come from
+//! the `wide` crate: one source for simd128, SSE and NEON.
+//!
+//! | module | for |
+//! |---|---|
+//! | [`point`] | operations on a pixel's own three channels, sixteen pixels at a time |
+//! | [`table`] | 256-entry tables, run as compares where a table has few steps |
+//! | [`mix`] | weighted sums of rows, for resampling |
+//! | [`fine`] | planes of 1/64 grey steps, in which blurs keep their precision |
+//! | [`fir`] | symmetric convolutions of rows and columns of fine planes |
+//! | [`gaussian`] | Gaussian smoothing at a cost that does not grow with sigma |
+
+pub mod fine;
+pub mod fir;
+pub mod gaussian;
+pub mod mix;
+pub mod point;
+pub mod table;
