@@ -1,0 +1,59 @@
+//! Near-duplicates put together.
+
+use super::fingerprint::distance;
+
+/// The group number of each fingerprint, numbered in the order of their first members.
+///
+/// Leader clustering: the first member leads its group; whoever comes later joins the nearest leader (of equals the
+/// first) within `threshold`, or leads a new group. Every group is asked, not only the last one, so that what
+/// comes back later in a video or an album is found too.
+#[must_use]
+pub fn leaders(fingerprints: &[u64], threshold: u32) -> Vec<usize> {
+    let mut leaders: Vec<u64> = Vec::new();
+    let mut groups = Vec::with_capacity(fingerprints.len());
+    for &fingerprint in fingerprints {
+        let nearest = (0..leaders.len()).min_by_key(|&group| distance(leaders[group], fingerprint));
+        let group = nearest.filter(|&group| distance(leaders[group], fingerprint) <= threshold);
+        groups.push(group.unwrap_or(leaders.len()));
+        if group.is_none() {
+            leaders.push(fingerprint);
+        }
+    }
+    groups
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use proptest::prelude::*;
+
+    #[test]
+    fn the_nearest_leader_wins_wherever_it_stands() {
+        let fingerprints = [0, u64::MAX, 0b111, 0b111 << 61, 0b1_1111_1111, 0];
+        // The fifth is 9 from the first leader; at 8 it leads, and the last still joins the first.
+        assert_eq!(leaders(&fingerprints, 9), [0, 1, 0, 0, 0, 0]);
+        assert_eq!(leaders(&fingerprints, 8), [0, 1, 0, 0, 2, 0]);
+        assert_eq!(leaders(&fingerprints, 0), [0, 1, 2, 3, 4, 0]);
+        assert_eq!(leaders(&[0, 0xFFFF, 0xFFF], 12), [0, 1, 1]);
+    }
+
+    proptest! {
+        #[test]
+        fn members_are_near_their_leader_and_leaders_apart(
+            fingerprints in prop::collection::vec(0u64..4096, 0..60), threshold in 0u32..17,
+        ) {
+            let groups = leaders(&fingerprints, threshold);
+            let count = groups.iter().max().map_or(0, |most| most + 1);
+            let first: Vec<usize> = (0..count).map(|g| groups.iter().position(|&x| x == g).unwrap()).collect();
+            prop_assert!(first.is_sorted());
+            for (i, &group) in groups.iter().enumerate() {
+                prop_assert!(distance(fingerprints[i], fingerprints[first[group]]) <= threshold);
+            }
+            for (a, &i) in first.iter().enumerate() {
+                for &j in &first[..a] {
+                    prop_assert!(distance(fingerprints[i], fingerprints[j]) > threshold);
+                }
+            }
+        }
+    }
+}

@@ -1,0 +1,138 @@
+//! Which photos are kept, and why.
+
+use super::Measures;
+use super::groups::leaders;
+
+/// Below this part of the album's median [`laplacian`](super::sharpness::laplacian) a photo counts as blurred.
+/// Of 150 varied photos one lies below (a bare pyramid in the haze), and every one of them once it is blurred
+/// with a sigma of 2 pixels of 640.
+const BLURRED: f32 = 0.04;
+/// So few photos have no median to speak of.
+const FEW: usize = 4;
+
+/// How photos are chosen.
+#[derive(Debug, Clone)]
+pub struct Settings {
+    /// Largest distance of two fingerprints of the same picture; 4..=16 make sense.
+    pub threshold: u32,
+}
+
+impl Default for Settings {
+    /// 10: of 2145 pairs of different photos none comes so near.
+    fn default() -> Self {
+        Self { threshold: 10 }
+    }
+}
+
+/// What became of a photo.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Verdict {
+    /// Number of its group of near-duplicates, from 0 in the order of their first members.
+    pub group: usize,
+    /// Whether it is used.
+    pub kept: bool,
+    /// A few words: `only one like it`, `sharpest of 5`, `same as NAME`, `blurred`.
+    pub why: String,
+}
+
+/// Judges photos: of each group of near-duplicates the sharpest is kept, unless it is far blurrier than the
+/// album. There is a verdict for each of `measures`, in their order; where all would go, the sharpest stays.
+#[must_use]
+pub fn choose(names: &[&str], measures: &[Measures], settings: &Settings) -> Vec<Verdict> {
+    let fingerprints: Vec<u64> = measures.iter().map(|measure| measure.fingerprint).collect();
+    let groups = leaders(&fingerprints, settings.threshold);
+    let count = groups.iter().max().map_or(0, |most| most + 1);
+    let floor = blur_floor(measures);
+    // What is not blurred goes before what is, whatever the gradient of noise says.
+    let rank = |i: usize| (measures[i].laplacian >= floor, measures[i].gradient);
+    let mut sizes = vec![0; count];
+    let mut best = vec![usize::MAX; count];
+    for (i, &group) in groups.iter().enumerate() {
+        sizes[group] += 1;
+        if best[group] == usize::MAX || rank(i) > rank(best[group]) {
+            best[group] = i;
+        }
+    }
+    let verdict = |i: usize, group: usize| {
+        let chosen = best[group];
+        let (kept, why) = if i != chosen {
+            (false, format!("same as {}", names.get(chosen).unwrap_or(&"another")))
+        } else if measures[i].laplacian < floor {
+            (false, "blurred".to_owned())
+        } else if sizes[group] > 1 {
+            (true, format!("sharpest of {}", sizes[group]))
+        } else {
+            (true, "only one like it".to_owned())
+        };
+        Verdict { group, kept, why }
+    };
+    groups.iter().enumerate().map(|(i, &group)| verdict(i, group)).collect()
+}
+
+/// The Laplacian below which a photo of this album counts as blurred.
+fn blur_floor(measures: &[Measures]) -> f32 {
+    if measures.len() < FEW {
+        return 0.0;
+    }
+    let mut sorted: Vec<f32> = measures.iter().map(|measure| measure.laplacian).collect();
+    sorted.sort_by(f32::total_cmp);
+    BLURRED * sorted[sorted.len() / 2]
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use proptest::prelude::*;
+
+    fn photo(fingerprint: u64, gradient: f32, laplacian: f32) -> Measures {
+        Measures { fingerprint, gradient, paper: 1.0, laplacian }
+    }
+
+    #[test]
+    fn each_verdict_says_why() {
+        let names = ["a.jpg", "b.jpg", "c.jpg", "d.jpg", "e.jpg"];
+        let measures = [
+            photo(0, 1.0, 900.0),
+            photo(0xFFFF_FFFF, 2.0, 800.0),
+            photo(0b11, 3.0, 900.0),
+            photo(0xFFFF_FFFF << 32, 0.1, 20.0),
+            photo(0b111, 2.0, 950.0),
+        ];
+        let verdicts = choose(&names, &measures, &Settings::default());
+        let seen: Vec<_> = verdicts.iter().map(|v| (v.group, v.kept, v.why.as_str())).collect();
+        let expected = [
+            (0, false, "same as c.jpg"),
+            (1, true, "only one like it"),
+            (0, true, "sharpest of 3"),
+            (2, false, "blurred"),
+            (0, false, "same as c.jpg"),
+        ];
+        assert_eq!(seen, expected);
+    }
+
+    #[test]
+    fn an_album_of_little_detail_is_not_blurred() {
+        let measures: Vec<_> = (0..3).map(|i| photo(0xFFFF << (16 * i), 1.0, 0.0)).collect();
+        assert!(choose(&["", "", ""], &measures, &Settings::default()).iter().all(|verdict| verdict.kept));
+        let flat: Vec<_> = (0..4).map(|i| photo(0xFFFF << (16 * i), 1.0, 0.0)).collect();
+        assert!(choose(&[""; 4], &flat, &Settings::default()).iter().all(|verdict| verdict.kept));
+    }
+
+    proptest! {
+        #[test]
+        fn every_group_keeps_one_or_is_blurred_and_something_is_always_kept(
+            photos in prop::collection::vec((0u64..64, 0.0f32..9.0, 0.0f32..2000.0), 1..40), threshold in 0u32..17,
+        ) {
+            let measures: Vec<_> = photos.into_iter().map(|(f, g, l)| photo(f, g, l)).collect();
+            let names = vec!["x"; measures.len()];
+            let verdicts = choose(&names, &measures, &Settings { threshold });
+            prop_assert_eq!(verdicts.len(), measures.len());
+            prop_assert!(verdicts.iter().any(|verdict| verdict.kept));
+            for group in 0..=verdicts.iter().map(|verdict| verdict.group).max().unwrap() {
+                let members = verdicts.iter().filter(|verdict| verdict.group == group);
+                prop_assert!(members.clone().filter(|verdict| verdict.kept).count() <= 1);
+                prop_assert!(members.clone().any(|verdict| verdict.kept || verdict.why == "blurred"));
+            }
+        }
+    }
+}
