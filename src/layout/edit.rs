@@ -1,0 +1,302 @@
+//! Changes to a template by hand: a cut is moved or slanted, a panel is split or removed.
+//!
+//! Each change gives a new template of the family `custom`, which passes the same checks as a file. Only
+//! templates made of cuts can be changed; those of polygons have no cut to take hold of.
+
+use serde_json::{Value, json};
+
+use super::polygon::Point;
+use super::resolve::Page;
+use super::settings::PageSettings;
+use super::template::{Body, Panel, Template};
+use super::tree::{Axis, Node, PAGE, Quad, Split};
+use crate::error::{Error, Result};
+
+/// The least distance, as a fraction of the cell, that a moved cut keeps from its neighbours.
+const LEAST_STEP: f64 = 0.06;
+
+/// A cut of a template on a page.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Cut {
+    /// Which way the cells that it parts are laid out: it runs across for rows, down for columns.
+    pub axis: Axis,
+    /// Its left or upper end, in page widths.
+    pub from: Point,
+    /// Its right or lower end, in page widths.
+    pub to: Point,
+    /// Where it lies in its cell, 0..1.
+    pub fraction: f64,
+    /// Its slant, as in the file.
+    pub slant: f64,
+    /// The extent of its cell along the way that it can move, in page widths: moved by `d` page widths, its
+    /// fraction changes by `d / length`.
+    pub length: f64,
+}
+
+impl Cut {
+    /// The cut as JSON: `{axis: "rows" | "columns", from: [x, y], to: [x, y], fraction, slant, length}`.
+    #[must_use]
+    pub fn to_value(&self) -> Value {
+        let axis = if self.axis == Axis::Rows { "rows" } else { "columns" };
+        json!({
+            "axis": axis,
+            "from": [self.from.x, self.from.y],
+            "to": [self.to.x, self.to.y],
+            "fraction": self.fraction,
+            "slant": self.slant,
+            "length": self.length,
+        })
+    }
+}
+
+/// All cuts of a template on a page of that aspect, outer ones before those inside; empty for a template of
+/// polygons and for a single panel.
+#[must_use]
+pub fn cuts(template: &Template, page_aspect: f64, settings: &PageSettings) -> Vec<Cut> {
+    let page = Page::new(page_aspect, settings);
+    let gutter = page.largest_gutter(template);
+    let mut found = Vec::new();
+    if let Body::Tree(node) = template.body() {
+        collect(node, &PAGE, &|p| page.place(p, gutter), &mut found);
+    }
+    found
+}
+
+/// The template with one cut (an index into [`cuts`]) moved to `fraction` of its cell and slanted by `slant`,
+/// both as near to what is asked as the neighbouring cuts allow.
+///
+/// # Errors
+/// `invalid-layout` when there is no such cut or a number is not finite.
+pub fn move_cut(template: &Template, cut: usize, fraction: f64, slant: f64) -> Result<Template> {
+    if !fraction.is_finite() || !slant.is_finite() {
+        return Err(refused(template, format!("cut {cut}"), "needs a finite place and slant"));
+    }
+    let mut node = tree(template)?.clone();
+    let Some((split, index)) = nth_cut(&mut node, &mut { cut }) else {
+        return Err(refused(template, format!("cut {cut}"), "does not exist"));
+    };
+    let places = split.cuts();
+    let before = if index == 0 { (0.0, 0.0) } else { places[index - 1] };
+    let after = places.get(index + 1).copied().unwrap_or((1.0, 1.0));
+    let bound = |at: f64, low: f64, high: f64| {
+        let (low, high) = (low + LEAST_STEP, high - LEAST_STEP);
+        if low < high { at.clamp(low, high) } else { f64::midpoint(low, high) }
+    };
+    let left = bound(fraction - slant / 2.0, before.0, after.0);
+    let right = bound(fraction + slant / 2.0, before.1, after.1);
+    let mut middles: Vec<f64> = places.iter().map(|(left, right)| f64::midpoint(*left, *right)).collect();
+    middles[index] = f64::midpoint(left, right);
+    split.slants[index] = right - left;
+    let ends = middles.iter().copied().chain([1.0]);
+    split.shares = ends.scan(0.0, |from, to| Some(to - std::mem::replace(from, to))).collect();
+    rebuilt(template, node, true)
+}
+
+/// The template with a base panel cut in two equal halves, below one another (`Axis::Rows`) or side by side.
+///
+/// # Errors
+/// `invalid-layout` when there is no such panel, or the page would be cut too finely.
+pub fn split_panel(template: &Template, panel: usize, axis: Axis) -> Result<Template> {
+    change_panel(template, panel, |node| {
+        let halves = vec![Node::Panel, Node::Panel];
+        *node = Node::Split(Split { axis, shares: vec![1.0; 2], slants: vec![0.0], children: halves });
+    })
+}
+
+/// The template without a base panel; the cells beside it take its room.
+///
+/// # Errors
+/// `invalid-layout` when there is no such panel or it is the only one.
+pub fn remove_panel(template: &Template, panel: usize) -> Result<Template> {
+    let mut node = tree(template)?.clone();
+    let at = in_tree(template, panel)?;
+    if !remove(&mut node, at) {
+        return Err(refused(template, format!("panel {panel}"), "is the only one"));
+    }
+    rebuilt(template, node, false)
+}
+
+fn change_panel(template: &Template, panel: usize, change: impl FnOnce(&mut Node)) -> Result<Template> {
+    let mut node = tree(template)?.clone();
+    let at = in_tree(template, panel)?;
+    if let Some(leaf) = nth_panel(&mut node, &mut { at }) {
+        change(leaf);
+    }
+    rebuilt(template, node, false)
+}
+
+/// The place in the tree of a panel of the reading order.
+fn in_tree(template: &Template, panel: usize) -> Result<usize> {
+    let at = template.order.get(panel).copied();
+    at.ok_or_else(|| refused(template, format!("panel {panel}"), "is no base panel"))
+}
+
+fn tree(template: &Template) -> Result<&Node> {
+    match template.body() {
+        Body::Tree(node) => Ok(node),
+        Body::Polygons(_) => Err(refused(template, "polygons".into(), "have no cuts that could be changed")),
+    }
+}
+
+fn refused(template: &Template, location: String, reason: &str) -> Error {
+    Error::InvalidLayout { file: template.id().into(), location, reason: reason.into() }
+}
+
+/// A template of the changed tree, checked like a file. Overlays stay; weights stay where the panels do.
+fn rebuilt(template: &Template, mut node: Node, same_panels: bool) -> Result<Template> {
+    tidy(&mut node);
+    let id = format!("custom-{}", node.fingerprint());
+    let mut changed =
+        Template::assemble(&id, template.name(), "custom", template.aspect(), Body::Tree(node.clone()));
+    if same_panels {
+        let cells = std::mem::take(&mut changed.panels);
+        let weighed = template.order.iter().zip(&template.panels);
+        changed.panels = weighed.map(|(&i, old)| Panel { weight: old.weight, ..cells[i].clone() }).collect();
+        changed.order.clone_from(&template.order);
+    }
+    changed.panels.extend(template.panels.iter().filter(|panel| panel.overlay).cloned());
+    Template::parse(&id, &changed.to_json())
+}
+
+/// Four digits are finer than a printed dot, and keep files readable.
+fn tidy(node: &mut Node) {
+    if let Node::Split(split) = node {
+        let round = |value: f64| (value * 10_000.0).round() / 10_000.0;
+        split.shares.iter_mut().for_each(|share| *share = round(*share));
+        split.slants.iter_mut().for_each(|slant| *slant = round(*slant));
+        split.children.iter_mut().for_each(tidy);
+    }
+}
+
+fn collect(node: &Node, cell: &Quad, place: &impl Fn(Point) -> Point, found: &mut Vec<Cut>) {
+    let Node::Split(split) = node else { return };
+    let cells = split.cells(cell);
+    let [a, b, c, d] = cell.map(place);
+    let length = match split.axis {
+        Axis::Rows => f64::midpoint(d.y - a.y, c.y - b.y),
+        Axis::Columns => f64::midpoint(b.x - a.x, c.x - d.x),
+    };
+    for (i, (before, (left, right))) in cells.iter().zip(split.cuts()).enumerate() {
+        let [_, upper_right, lower_right, lower_left] = *before;
+        let (from, to) =
+            if split.axis == Axis::Rows { (lower_left, lower_right) } else { (upper_right, lower_right) };
+        found.push(Cut {
+            axis: split.axis,
+            from: place(from),
+            to: place(to),
+            fraction: f64::midpoint(left, right),
+            slant: split.slants[i],
+            length,
+        });
+    }
+    for (child, cell) in split.children.iter().zip(&cells) {
+        collect(child, cell, place, found);
+    }
+}
+
+/// The split that has the n-th cut in the order of [`cuts`], and which of its cuts it is.
+fn nth_cut<'a>(node: &'a mut Node, left: &mut usize) -> Option<(&'a mut Split, usize)> {
+    let Node::Split(split) = node else { return None };
+    if *left < split.slants.len() {
+        return Some((split, *left));
+    }
+    *left -= split.slants.len();
+    split.children.iter_mut().find_map(|child| nth_cut(child, left))
+}
+
+fn nth_panel<'a>(node: &'a mut Node, left: &mut usize) -> Option<&'a mut Node> {
+    if let Node::Split(split) = node {
+        return split.children.iter_mut().find_map(|child| nth_panel(child, left));
+    }
+    if *left == 0 {
+        return Some(node);
+    }
+    *left -= 1;
+    None
+}
+
+/// Takes the n-th panel out of the tree; false when the tree is that panel.
+fn remove(node: &mut Node, at: usize) -> bool {
+    let Node::Split(split) = node else { return false };
+    let mut first = 0;
+    let holds = |child: &Node| {
+        first += child.count();
+        at < first
+    };
+    let Some(index) = split.children.iter().position(holds) else { return false };
+    let inside = at + split.children[index].count() - first;
+    if remove(&mut split.children[index], inside) {
+        return true;
+    }
+    split.children.remove(index);
+    split.shares.remove(index);
+    // The cut before the panel goes, or the first one where there is none before.
+    split.slants.remove(index.saturating_sub(1));
+    if let [only] = &mut split.children[..] {
+        *node = std::mem::replace(only, Node::Panel);
+    }
+    true
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::layout::{catalogue, find};
+
+    fn on_a4(template: &Template) -> Vec<Cut> {
+        let settings = PageSettings::default();
+        cuts(template, settings.aspect(), &settings)
+    }
+
+    #[test]
+    fn a_cut_moves_where_it_is_dragged() {
+        let before = find("manga-action-5").unwrap();
+        for (i, cut) in on_a4(before).iter().enumerate() {
+            let after = move_cut(before, i, cut.fraction + 0.05, cut.slant - 0.04).unwrap();
+            let moved = &on_a4(&after)[i];
+            assert!((moved.fraction - cut.fraction - 0.05).abs() < 2e-4, "{moved:?}");
+            assert!((moved.slant - cut.slant + 0.04).abs() < 2e-4, "{moved:?}");
+            assert!((moved.length - cut.length).abs() < 0.2);
+            let weights = |t: &Template| t.panels().iter().map(|p| p.weight).collect::<Vec<_>>();
+            assert_eq!((after.family(), weights(&after)), ("custom", weights(before)));
+        }
+    }
+
+    #[test]
+    fn cuts_stop_at_their_neighbours() {
+        let before = find("cinema-5").unwrap();
+        for (fraction, slant) in [(-3.0, 0.0), (9.0, 0.0), (0.4, 5.0), (0.4, -5.0)] {
+            let after = move_cut(before, 1, fraction, slant).unwrap();
+            assert_eq!(after.panels().len(), 5);
+            assert_eq!(on_a4(&after).len(), 4);
+        }
+        assert_eq!(move_cut(before, 4, 0.5, 0.0).unwrap_err().code(), "invalid-layout");
+        assert!(move_cut(before, 0, f64::NAN, 0.0).is_err());
+        assert!(move_cut(find("mosaic-y").unwrap(), 0, 0.5, 0.0).is_err());
+    }
+
+    #[test]
+    fn every_panel_of_every_tree_can_be_split_and_removed() {
+        for template in catalogue().iter().filter(|t| matches!(t.body(), Body::Tree(_))) {
+            let (base, all) = (template.base_count(), template.panels().len());
+            for panel in 0..base {
+                for axis in [Axis::Rows, Axis::Columns] {
+                    let more = split_panel(template, panel, axis).unwrap();
+                    assert_eq!(more.panels().len(), all + 1, "{}", template.id());
+                }
+                let fewer = remove_panel(template, panel);
+                assert_eq!(fewer.is_ok(), base > 1, "{}", template.id());
+                assert!(fewer.is_err() || fewer.unwrap().panels().len() == all - 1);
+            }
+            assert!(split_panel(template, base, Axis::Rows).is_err());
+            assert!(remove_panel(template, base).is_err());
+        }
+    }
+
+    #[test]
+    fn removing_what_was_split_off_gives_the_page_back() {
+        let before = find("rows-1-2-1").unwrap();
+        let after = remove_panel(&split_panel(before, 1, Axis::Columns).unwrap(), 2).unwrap();
+        assert_eq!(after.body(), before.body());
+    }
+}

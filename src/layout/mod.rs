@@ -1,0 +1,50 @@
+//! Layout: page templates and their geometry.
+//!
+//! A [`Template`] comes from a file of `layouts/` ([`catalogue`]), from a person or from a generator. It
+//! lives in unit coordinates and knows neither gutters nor pixels; [`resolve`] lays it on a page with
+//! [`PageSettings`].
+
+mod aesthetics;
+mod catalogue;
+pub mod edit;
+mod generate;
+mod json;
+pub mod merge;
+mod parse;
+pub mod polygon;
+mod resolve;
+mod settings;
+mod template;
+pub mod tree;
+mod write;
+
+pub use aesthetics::score;
+pub use catalogue::{catalogue, find};
+pub use generate::generate;
+pub use polygon::{Bounds, Point};
+pub use resolve::{ResolvedPanel, ResolvedShape, resolve};
+pub use settings::{DEFAULT_GUTTER, PRESETS, PagePreset, PageSettings};
+pub use template::{Body, LEAST_THICKNESS, Panel, Shape, Template};
+
+/// The families of templates, in the order in which they are listed. `custom` holds what people make,
+/// `generated` what the generator makes.
+pub const FAMILIES: [&str; 18] = [
+    "splash",
+    "hero",
+    "cinema",
+    "grid",
+    "rows",
+    "columns",
+    "slanted",
+    "manga",
+    "inset",
+    "circle",
+    "mosaic",
+    "overlap",
+    "strip",
+    "landscape",
+    "square",
+    "tall",
+    "custom",
+    "generated",
+];

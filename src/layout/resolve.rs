@@ -1,0 +1,142 @@
+//! A template on a page: gutters and margins taken off, in page-width units.
+
+use serde_json::Value;
+
+use super::polygon::{Bounds, Point, eroded};
+use super::settings::PageSettings;
+use super::template::{Shape, Template, circle_radius};
+
+/// The least part of a panel's half thickness that gutters leave.
+const KEPT: f64 = 0.5;
+/// The most of the page's shorter side that one margin takes.
+const MOST_MARGIN: f64 = 0.25;
+
+/// The outline of a panel on the page, in page-width units: x from 0 to 1, y from 0 to height / width.
+#[derive(Debug, Clone, PartialEq)]
+pub enum ResolvedShape {
+    /// A convex polygon, clockwise on the screen.
+    Polygon(Vec<Point>),
+    /// A circle.
+    Circle {
+        /// Its centre.
+        center: Point,
+        /// Its radius.
+        radius: f64,
+    },
+}
+
+/// A panel on the page.
+#[derive(Debug, Clone, PartialEq)]
+pub struct ResolvedPanel {
+    /// The outline, on which the border runs.
+    pub shape: ResolvedShape,
+    /// The rectangle round the outline.
+    pub bounds: Bounds,
+    /// How much the panel draws the eye.
+    pub weight: f32,
+    /// True when it lies on top of others.
+    pub overlay: bool,
+    /// Width of the paper-coloured ring outside the outline, in page widths; 0 when there is none.
+    pub halo: f64,
+}
+
+impl ResolvedPanel {
+    /// The panel as JSON: `{polygon | circle, bounds: {x, y, width, height}, overlay, halo}`.
+    #[must_use]
+    pub fn to_value(&self) -> Value {
+        super::write::resolved(self)
+    }
+}
+
+/// The panels of a template on a page of the aspect `page_aspect` (width over height), in the order in which
+/// they are painted: base panels in reading order, then overlays.
+///
+/// The unit square is laid over the area inside the margins, widened by half a gutter all round; then every
+/// edge moves inward by half a gutter. So edges at the page's rim come to lie exactly on the margin, gutters
+/// are even, and the columns of a grid stay equal, which they would not if panels at the rim paid for the
+/// margin alone. Gutters and margins too large for the template are reduced, all alike, until every panel
+/// keeps half of its thickness.
+#[must_use]
+pub fn resolve(template: &Template, page_aspect: f64, settings: &PageSettings) -> Vec<ResolvedPanel> {
+    let page = Page::new(page_aspect, settings);
+    let gutter = page.largest_gutter(template);
+    let panels = template.panels().iter().map(|panel| {
+        let (shape, bounds) = match &panel.shape {
+            Shape::Polygon(cell) => page.polygon(cell, gutter),
+            Shape::Circle { center, radius } => page.circle(*center, *radius, template.aspect(), gutter),
+        };
+        let halo = panel.halo * gutter;
+        ResolvedPanel { shape, bounds, weight: panel.weight, overlay: panel.overlay, halo }
+    });
+    panels.collect()
+}
+
+/// The measures of a page, all in page widths.
+pub(super) struct Page {
+    aspect: f64,
+    height: f64,
+    margin: f64,
+    gutter: f64,
+}
+
+impl Page {
+    pub(super) fn new(aspect: f64, settings: &PageSettings) -> Self {
+        let aspect = if aspect.is_finite() { aspect.clamp(0.05, 20.0) } else { 1.0 };
+        let height = 1.0 / aspect;
+        let margin = settings.margin.clamp(0.0, MOST_MARGIN * height.min(1.0));
+        Self { aspect, height, margin, gutter: settings.gutter.max(0.0) }
+    }
+
+    /// Where a point of the unit square lies on the page.
+    pub(super) fn place(&self, p: Point, gutter: f64) -> Point {
+        let origin = self.margin - gutter / 2.0;
+        let scale = |length: f64| length - 2.0 * self.margin + gutter;
+        Point::new(origin + p.x * scale(1.0), origin + p.y * scale(self.height))
+    }
+
+    fn cell(&self, cell: &[Point], gutter: f64) -> Vec<Point> {
+        cell.iter().map(|&p| self.place(p, gutter)).collect()
+    }
+
+    /// The gutter of the settings, or less when a panel would lose more than half of its thickness.
+    pub(super) fn largest_gutter(&self, template: &Template) -> f64 {
+        let fits = |gutter: f64| {
+            template.panels().iter().all(|panel| match &panel.shape {
+                Shape::Polygon(cell) => eroded(&self.cell(cell, gutter), gutter / 2.0 / KEPT).is_some(),
+                Shape::Circle { radius, .. } => {
+                    circle_radius(*radius, template.aspect(), self.aspect) > gutter / 2.0 / KEPT
+                }
+            })
+        };
+        if fits(self.gutter) {
+            return self.gutter;
+        }
+        let (mut low, mut high) = (0.0, self.gutter);
+        for _ in 0..40 {
+            let middle = f64::midpoint(low, high);
+            if fits(middle) { low = middle } else { high = middle }
+        }
+        low
+    }
+
+    fn polygon(&self, cell: &[Point], gutter: f64) -> (ResolvedShape, Bounds) {
+        let cell = self.cell(cell, gutter);
+        let outline = eroded(&cell, gutter / 2.0).unwrap_or(cell);
+        let bounds = Bounds::of(&outline);
+        (ResolvedShape::Polygon(outline), bounds)
+    }
+
+    /// A circle inside the margins; a panel like any other, it gives half a gutter away.
+    fn circle(&self, center: Point, radius: f64, drawn_for: f64, gutter: f64) -> (ResolvedShape, Bounds) {
+        let room = f64::midpoint(self.height.min(1.0), -2.0 * self.margin);
+        let radius = (circle_radius(radius, drawn_for, self.aspect) - gutter / 2.0).min(room);
+        let inside = |at: f64, length: f64| {
+            let (low, high) = (self.margin + radius, length - self.margin - radius);
+            if low < high { at.clamp(low, high) } else { length / 2.0 }
+        };
+        let at = self.place(center, gutter);
+        let center = Point::new(inside(at.x, 1.0), inside(at.y, self.height));
+        let (x, y, side) = (center.x - radius, center.y - radius, radius * 2.0);
+        (ResolvedShape::Circle { center, radius }, Bounds { x, y, width: side, height: side })
+    }
+}

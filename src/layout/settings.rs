@@ -1,0 +1,192 @@
+//! What belongs to the page and not to the template: size, gutter, margin, border, corners, colours.
+
+use serde::{Deserialize, Serialize};
+
+use crate::error::{Error, Result};
+
+/// Gutter of a page that says nothing else, in page widths.
+pub const DEFAULT_GUTTER: f64 = 0.018;
+
+/// The settings of one page. Lengths are fractions of the page's width unless a unit is given.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[serde(rename_all = "camelCase", default, deny_unknown_fields)]
+pub struct PageSettings {
+    /// Width of the exported page in pixels, 64..=14000.
+    pub width: u32,
+    /// Height of the exported page in pixels, 64..=14000.
+    pub height: u32,
+    /// Pixels an inch that the file announces to a printer, 36..=1200.
+    pub dpi: u32,
+    /// Distance between two panels, 0..=0.1.
+    pub gutter: f64,
+    /// Distance between the panels and the edge of the page, 0..=0.2.
+    pub margin: f64,
+    /// Width of the line round a panel, 0..=0.05.
+    pub border: f64,
+    /// Radius of the panels' corners, 0..=0.2.
+    pub corner_radius: f64,
+    /// Colour of the paper, `#rrggbb`.
+    pub paper: String,
+    /// Colour of the line round a panel, `#rrggbb`.
+    pub border_color: String,
+}
+
+impl Default for PageSettings {
+    /// A4 upright at 300 dots an inch.
+    fn default() -> Self {
+        Self {
+            width: 2480,
+            height: 3508,
+            dpi: 300,
+            gutter: DEFAULT_GUTTER,
+            margin: 0.027,
+            border: 0.004,
+            corner_radius: 0.0,
+            paper: "#ffffff".into(),
+            border_color: "#111111".into(),
+        }
+    }
+}
+
+/// A page size that people know by name.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
+pub struct PagePreset {
+    /// Stable name.
+    pub id: &'static str,
+    /// The name that people see.
+    pub name: &'static str,
+    /// Width in pixels.
+    pub width: u32,
+    /// Height in pixels.
+    pub height: u32,
+    /// Pixels an inch.
+    pub dpi: u32,
+}
+
+const fn preset(id: &'static str, name: &'static str, width: u32, height: u32, dpi: u32) -> PagePreset {
+    PagePreset { id, name, width, height, dpi }
+}
+
+/// The page sizes that are offered, the default first.
+pub const PRESETS: [PagePreset; 8] = [
+    preset("a4", "A4", 2480, 3508, 300),
+    preset("a4-landscape", "A4 landscape", 3508, 2480, 300),
+    preset("letter", "Letter", 2550, 3300, 300),
+    preset("square", "Square", 2400, 2400, 300),
+    preset("wide", "Screen 16:9", 3840, 2160, 96),
+    preset("story", "Story 9:16", 1440, 2560, 96),
+    preset("portrait", "Portrait 4:5", 2160, 2700, 96),
+    preset("webtoon", "Webtoon", 1600, 4000, 96),
+];
+
+/// The most pixels of an exported page: A1 at 300 dots an inch.
+const MOST_PIXELS: u64 = 72_000_000;
+
+impl PageSettings {
+    /// Width over height.
+    #[must_use]
+    pub fn aspect(&self) -> f64 {
+        f64::from(self.width) / f64::from(self.height.max(1))
+    }
+
+    /// The paper's colour as R, G, B; white when it was never validated.
+    #[must_use]
+    pub fn paper_rgb(&self) -> [u8; 3] {
+        rgb(&self.paper).unwrap_or([255; 3])
+    }
+
+    /// The border's colour as R, G, B; black when it was never validated.
+    #[must_use]
+    pub fn border_rgb(&self) -> [u8; 3] {
+        rgb(&self.border_color).unwrap_or([0; 3])
+    }
+
+    /// Checks every field.
+    ///
+    /// # Errors
+    /// `invalid-document` naming the field as `page.gutter`.
+    pub fn validate(&self) -> Result<()> {
+        let sides = [("width", self.width, 64, 14_000), ("height", self.height, 64, 14_000)];
+        for (field, value, least, most) in sides.into_iter().chain([("dpi", self.dpi, 36, 1200)]) {
+            if !(least..=most).contains(&value) {
+                return Err(invalid(field, format!("must be from {least} to {most}, not {value}")));
+            }
+        }
+        if u64::from(self.width) * u64::from(self.height) > MOST_PIXELS {
+            let most = MOST_PIXELS / 1_000_000;
+            return Err(invalid("width", format!("times height must be at most {most} million pixels")));
+        }
+        let lengths = [
+            ("gutter", self.gutter, 0.1),
+            ("margin", self.margin, 0.2),
+            ("border", self.border, 0.05),
+            ("cornerRadius", self.corner_radius, 0.2),
+        ];
+        for (field, value, most) in lengths {
+            if !(0.0..=most).contains(&value) {
+                return Err(invalid(
+                    field,
+                    format!("must be from 0 to {most} of the page's width, not {value}"),
+                ));
+            }
+        }
+        for (field, value) in [("paper", &self.paper), ("borderColor", &self.border_color)] {
+            if rgb(value).is_none() {
+                return Err(invalid(field, format!("must be a colour like #f4efe6, not \"{value}\"")));
+            }
+        }
+        Ok(())
+    }
+}
+
+fn invalid(field: &str, reason: String) -> Error {
+    Error::InvalidDocument { location: format!("page.{field}"), reason }
+}
+
+fn rgb(text: &str) -> Option<[u8; 3]> {
+    let digits =
+        text.strip_prefix('#').filter(|d| d.len() == 6 && d.bytes().all(|b| b.is_ascii_hexdigit()))?;
+    let value = u32::from_str_radix(digits, 16).ok()?;
+    Some([(value >> 16) as u8, (value >> 8) as u8, value as u8])
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_defaults_and_every_preset_are_valid() {
+        assert_eq!(PageSettings::default().validate(), Ok(()));
+        for PagePreset { width, height, dpi, .. } in PRESETS {
+            let page = PageSettings { width, height, dpi, ..PageSettings::default() };
+            assert_eq!(page.validate(), Ok(()));
+        }
+    }
+
+    #[test]
+    fn a_value_out_of_range_names_its_field() {
+        let bad = [
+            (r#"{"gutter": 0.2}"#, "page.gutter"),
+            (r#"{"margin": -0.1}"#, "page.margin"),
+            (r#"{"border": 1}"#, "page.border"),
+            (r#"{"cornerRadius": 9}"#, "page.cornerRadius"),
+            (r##"{"paper": "#fff"}"##, "page.paper"),
+            (r#"{"borderColor": "black"}"#, "page.borderColor"),
+            (r#"{"width": 3}"#, "page.width"),
+            (r#"{"width": 14000, "height": 14000}"#, "page.width"),
+            (r#"{"dpi": 0}"#, "page.dpi"),
+        ];
+        for (json, field) in bad {
+            let page: PageSettings = serde_json::from_str(json).unwrap();
+            let Err(Error::InvalidDocument { location, .. }) = page.validate() else { panic!("{json}") };
+            assert_eq!(location, field);
+        }
+        assert!(serde_json::from_str::<PageSettings>(r#"{"guter": 0.01}"#).is_err());
+    }
+
+    #[test]
+    fn colours_are_read() {
+        let page = PageSettings { paper: "#F4efe6".into(), ..PageSettings::default() };
+        assert_eq!(page.paper_rgb(), [0xf4, 0xef, 0xe6]);
+    }
+}

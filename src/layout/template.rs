@@ -1,0 +1,198 @@
+//! A page template: where the panels are, in unit coordinates, and where the eye goes first.
+
+use serde_json::Value;
+
+use super::parse;
+use super::polygon::{Bounds, Point, area, eroded, normalised, thickness};
+use super::settings::DEFAULT_GUTTER;
+use super::tree::{Node, PAGE};
+use crate::error::Result;
+
+/// The least thickness of a panel, in page widths, where a template is still offered.
+pub const LEAST_THICKNESS: f64 = 0.12;
+/// The most elongated panels (width over height, height over width) where a template is still offered: near
+/// the aspect that it was drawn for, and on pages of quite another aspect, where nobody chose them.
+const MOST_ELONGATED: [(f64, f64); 2] = [(4.6, 3.2), (3.2, 2.1)];
+/// How far an aspect may be from another and still be near.
+const NEAR: f64 = 1.35;
+
+/// The outline of a panel.
+#[derive(Debug, Clone, PartialEq)]
+pub enum Shape {
+    /// A convex polygon, clockwise on the screen.
+    Polygon(Vec<Point>),
+    /// A circle.
+    Circle {
+        /// Its centre, in unit coordinates.
+        center: Point,
+        /// Its radius in widths of a page of the template's own aspect. On wider pages the circle keeps its
+        /// share of the page's area, on taller ones its share of the width.
+        radius: f64,
+    },
+}
+
+/// One panel of a template.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Panel {
+    /// Its cell in unit coordinates (0..1 across and down the page), before gutters.
+    pub shape: Shape,
+    /// How much it draws the eye: the strongest photo belongs into the panel of the greatest weight.
+    pub weight: f32,
+    /// True for a panel that lies on top of others; the rest tile the page.
+    pub overlay: bool,
+    /// The paper-coloured ring that sets an overlay off from what lies below, in gutters. 0 for the rest.
+    pub halo: f64,
+}
+
+impl Panel {
+    /// A panel that tiles the page together with `count - 1` others.
+    pub(super) fn base(cell: &[Point], count: usize) -> Self {
+        // Cells of a tree are convex by construction, polygons are checked; the fall-back cannot be reached.
+        let corners = normalised(cell).unwrap_or_else(|| cell.to_vec());
+        let weight = natural_weight(cell, count);
+        Self { shape: Shape::Polygon(corners), weight, overlay: false, halo: 0.0 }
+    }
+}
+
+/// How the base panels of a template are given; kept so that a template can be edited and written back.
+#[derive(Debug, Clone, PartialEq)]
+pub enum Body {
+    /// A tree of cuts.
+    Tree(Node),
+    /// Convex polygons that tile the page.
+    Polygons(Vec<Vec<Point>>),
+}
+
+/// A page template that has passed every check of its schema (see `layouts/README.md`).
+#[derive(Debug, Clone, PartialEq)]
+pub struct Template {
+    pub(super) id: String,
+    pub(super) name: String,
+    pub(super) family: String,
+    pub(super) aspect: f64,
+    pub(super) body: Body,
+    pub(super) order: Vec<usize>,
+    pub(super) panels: Vec<Panel>,
+}
+
+impl Template {
+    /// Reads a template from the text of a layout file; `file_name` is only used to name it in errors.
+    ///
+    /// # Errors
+    /// `invalid-layout` with the file, the path of the field and the reason.
+    pub fn parse(file_name: &str, json: &str) -> Result<Self> {
+        parse::template(file_name, &super::json::read(file_name, json)?)
+    }
+
+    /// Reads a template that stands inside another document; `file_name` names it in errors.
+    ///
+    /// # Errors
+    /// `invalid-layout`, as [`Template::parse`].
+    pub fn from_value(file_name: &str, value: &Value) -> Result<Self> {
+        parse::template(file_name, value)
+    }
+
+    /// The template as the text of a layout file, which [`Template::parse`] reads back to an equal template.
+    #[must_use]
+    pub fn to_json(&self) -> String {
+        super::write::file(self)
+    }
+
+    /// A template without overlays, in the order of its body, whose parts are known to be valid.
+    pub(super) fn assemble(id: &str, name: &str, family: &str, aspect: f64, body: Body) -> Self {
+        let cells = base_cells(&body);
+        let panels = cells.iter().map(|cell| Panel::base(cell, cells.len())).collect();
+        let order = (0..cells.len()).collect();
+        Self { id: id.into(), name: name.into(), family: family.into(), aspect, body, order, panels }
+    }
+
+    /// What the list of layouts shows: `{id, name, family, aspect, count, panels: [{shape, weight, overlay}]}`
+    /// with `shape` either `{polygon: [[x, y], ...]}` or `{circle: {x, y, radius}}`, in unit coordinates.
+    #[must_use]
+    pub fn descriptor(&self) -> Value {
+        super::write::descriptor(self)
+    }
+
+    /// Unique name in kebab-case; the name of its file.
+    #[must_use]
+    pub fn id(&self) -> &str {
+        &self.id
+    }
+
+    /// The name that people see.
+    #[must_use]
+    pub fn name(&self) -> &str {
+        &self.name
+    }
+
+    /// The family, one of [`FAMILIES`](super::FAMILIES).
+    #[must_use]
+    pub fn family(&self) -> &str {
+        &self.family
+    }
+
+    /// Width over height of the page that it was drawn for.
+    #[must_use]
+    pub fn aspect(&self) -> f64 {
+        self.aspect
+    }
+
+    /// The base panels in reading order, then the overlays: the order in which they are painted.
+    #[must_use]
+    pub fn panels(&self) -> &[Panel] {
+        &self.panels
+    }
+
+    /// The number of panels that tile the page.
+    #[must_use]
+    pub fn base_count(&self) -> usize {
+        self.order.len()
+    }
+
+    /// How the base panels were given.
+    #[must_use]
+    pub fn body(&self) -> &Body {
+        &self.body
+    }
+
+    /// Whether the template stays good on a page of that aspect (width over height): no panel thinner than
+    /// 12 % of the page's width, gutters taken off, and none drawn out to a ribbon.
+    #[must_use]
+    pub fn good_for(&self, page_aspect: f64) -> bool {
+        let stretch = (page_aspect / self.aspect).max(self.aspect / page_aspect);
+        let (wide, tall) = MOST_ELONGATED[usize::from(stretch > NEAR)];
+        page_aspect.is_finite()
+            && page_aspect > 0.0
+            && self.panels.iter().all(|panel| match &panel.shape {
+                Shape::Circle { radius, .. } => {
+                    let radius = circle_radius(*radius, self.aspect, page_aspect);
+                    radius * 2.0 >= LEAST_THICKNESS && radius <= 0.5f64.min(0.5 / page_aspect) * 0.8
+                }
+                Shape::Polygon(cell) => {
+                    let cell: Vec<_> = cell.iter().map(|p| Point::new(p.x, p.y / page_aspect)).collect();
+                    let drawn_out = Bounds::of(&cell).aspect();
+                    let Some(panel) = eroded(&cell, DEFAULT_GUTTER / 2.0) else { return false };
+                    thickness(&panel) >= LEAST_THICKNESS && (1.0 / tall..=wide).contains(&drawn_out)
+                }
+            })
+    }
+}
+
+/// The radius of a circle, in page widths, on a page of another aspect than the template was drawn for. It
+/// never grows, so that circles which stand side by side do not run into one another.
+pub(super) fn circle_radius(radius: f64, drawn_for: f64, page_aspect: f64) -> f64 {
+    radius * (drawn_for / page_aspect).sqrt().min(1.0)
+}
+
+/// The base cells of a body in the order of the file.
+pub(super) fn base_cells(body: &Body) -> Vec<Vec<Point>> {
+    match body {
+        Body::Tree(node) => node.cells(&PAGE).iter().map(|cell| cell.to_vec()).collect(),
+        Body::Polygons(polygons) => polygons.clone(),
+    }
+}
+
+/// The weight of a panel that its file does not weigh: its area in shares of an even page.
+pub(super) fn natural_weight(cell: &[Point], count: usize) -> f32 {
+    (area(cell) * count as f64) as f32
+}
