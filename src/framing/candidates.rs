@@ -1,0 +1,254 @@
+//! Which crops of a photo are worth a look: the whole of it, places of high energy, and the surroundings of
+//! what was found in it.
+//!
+//! The expansions of a box follow the framing of "Graphic Narrative with Interactive Stylization Design"
+//! (Garcia-Dorado et al.): by a fixed amount, by 10 % or 50 %, or to the whole photo, in width and in height
+//! independently. Each is then brought to the panel's exact aspect.
+
+use super::frame::Target;
+use super::photo::{Crop, FACE, PhotoMeta, Subject};
+
+/// Where the centre of a face stands in the height of a crop.
+const EYE_LINE: f64 = 0.42;
+/// The paper's 40 pixels, as a fraction of the photo's longer side.
+const FIXED_EXPANSION: f64 = 0.04;
+/// Subjects that are looked at; the largest count.
+const MOST_SUBJECTS: usize = 12;
+/// Zoom steps of the rule without detection, as parts of the widest crop.
+const STEPS: [f64; 3] = [1.0, 0.8, 0.6];
+/// Places across and down that the rule without detection tries at each step.
+const PLACES: u32 = 7;
+/// Closer looks, for a photo that is used again.
+const CLOSER_STEPS: [f64; 2] = [0.5, 0.4];
+
+/// A rectangle in pixels of the photo.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct Area {
+    pub(super) x: f64,
+    pub(super) y: f64,
+    pub(super) width: f64,
+    pub(super) height: f64,
+}
+
+impl Area {
+    fn union(self, other: Self) -> Self {
+        let (x, y) = (self.x.min(other.x), self.y.min(other.y));
+        let right = (self.x + self.width).max(other.x + other.width);
+        let bottom = (self.y + self.height).max(other.y + other.height);
+        Self { x, y, width: right - x, height: bottom - y }
+    }
+
+    /// The area that two rectangles share.
+    pub(super) fn shared(self, other: Self) -> f64 {
+        let overlap = |a: f64, al: f64, b: f64, bl: f64| ((a + al).min(b + bl) - a.max(b)).max(0.0);
+        overlap(self.x, self.width, other.x, other.width)
+            * overlap(self.y, self.height, other.y, other.height)
+    }
+}
+
+/// A photo seen through a panel: everything in pixels of the photo.
+pub(super) struct View<'a> {
+    pub(super) width: f64,
+    pub(super) height: f64,
+    pub(super) target: &'a Target,
+    /// The largest subjects, faces first.
+    pub(super) subjects: Vec<(Area, &'a Subject)>,
+    pub(super) focus: Option<(f64, f64)>,
+    aspect: f64,
+}
+
+impl<'a> View<'a> {
+    pub(super) fn new(photo: &'a PhotoMeta, target: &'a Target) -> Self {
+        let (width, height) = (f64::from(photo.width.max(1)), f64::from(photo.height.max(1)));
+        let aspect = if target.aspect.is_finite() { target.aspect.clamp(1e-3, 1e3) } else { 1.0 };
+        let inside = |low: f64, length: f64| {
+            let (from, to) = (low.clamp(0.0, 1.0), (low + length).clamp(0.0, 1.0));
+            (from, to - from)
+        };
+        let mut subjects: Vec<(Area, &Subject)> = photo
+            .subjects
+            .iter()
+            .filter(|s| [s.x, s.y, s.width, s.height, s.score].iter().all(|v| v.is_finite()))
+            .map(|s| {
+                let ((x, w), (y, h)) = (inside(s.x, s.width), inside(s.y, s.height));
+                (Area { x: x * width, y: y * height, width: w * width, height: h * height }, s)
+            })
+            .filter(|(area, _)| area.width > 0.0 && area.height > 0.0)
+            .collect();
+        let rank = |(area, s): &(Area, &Subject)| {
+            let size = area.width * area.height * s.score.clamp(0.0, 1.0);
+            if s.label == FACE { size + width * height } else { size }
+        };
+        subjects.sort_by(|a, b| rank(b).total_cmp(&rank(a)));
+        subjects.truncate(MOST_SUBJECTS);
+        let focus = photo.focus.filter(|f| f.x.is_finite() && f.y.is_finite());
+        let focus = focus.map(|f| (f.x.clamp(0.0, 1.0) * width, f.y.clamp(0.0, 1.0) * height));
+        Self { width, height, target, subjects, focus, aspect }
+    }
+
+    /// The widest crop, at that place along the side on which it can move (0 left or top, 1 right or bottom).
+    pub(super) fn widest(&self, across: f64, down: f64) -> Crop {
+        let width = self.widest_width();
+        let (x, y) = ((self.width - width) * across, (self.height - width / self.aspect) * down);
+        self.crop(x, y, width)
+    }
+
+    /// The crop in pixels.
+    pub(super) fn area(&self, crop: &Crop) -> Area {
+        Area {
+            x: crop.x * self.width,
+            y: crop.y * self.height,
+            width: crop.width * self.width,
+            height: crop.height * self.height,
+        }
+    }
+
+    /// The faces among the subjects.
+    pub(super) fn faces(&self) -> impl Iterator<Item = Area> + '_ {
+        self.subjects.iter().filter(|(_, s)| s.label == FACE).map(|(area, _)| *area)
+    }
+
+    /// True when the crop cuts a part off the face; a face outside altogether is not cut.
+    pub(super) fn cuts(&self, crop: Area, face: Area) -> bool {
+        if self.target.round {
+            let (near, far) = reach(crop, face);
+            return near < 1.0 && far > 1.0;
+        }
+        let shared = crop.shared(face);
+        shared > 0.0 && shared < face.width * face.height * (1.0 - 1e-9)
+    }
+
+    fn widest_width(&self) -> f64 {
+        self.width.min(self.height * self.aspect)
+    }
+
+    /// A crop of that width moved inside the photo.
+    fn crop(&self, x: f64, y: f64, width: f64) -> Crop {
+        let width = width.min(self.widest_width());
+        let fraction = (width / self.width, width / self.aspect / self.height);
+        // The sum of place and size is at most 1 also after rounding.
+        let place = |at: f64, side: f64, fraction: f64| (at / side).min(1.0 - fraction).max(0.0);
+        let (across, down) = (fraction.0.min(1.0), fraction.1.min(1.0));
+        Crop { x: place(x, self.width, across), y: place(y, self.height, down), width: across, height: down }
+    }
+
+    /// A crop of that width about a point, which comes to stand at `level` of its height.
+    fn about(&self, at: (f64, f64), width: f64, level: f64) -> Crop {
+        let width = width.min(self.widest_width());
+        self.crop(at.0 - width / 2.0, at.1 - width / self.aspect * level, width)
+    }
+}
+
+/// Distances of the nearest point of a box and of its rounded-off corners from the centre of a round
+/// crop, in its radii. Heads are round, so their corners may stick out a little.
+pub(super) fn reach(crop: Area, inner: Area) -> (f64, f64) {
+    let radius = crop.width.min(crop.height) / 2.0;
+    let (cx, cy) = (crop.x + crop.width / 2.0, crop.y + crop.height / 2.0);
+    let near_x = cx.clamp(inner.x, inner.x + inner.width) - cx;
+    let near_y = cy.clamp(inner.y, inner.y + inner.height) - cy;
+    let (ix, iy) = (inner.x + inner.width / 2.0, inner.y + inner.height / 2.0);
+    let far = (ix - cx).hypot(iy - cy) + inner.width.max(inner.height) * 0.55;
+    (near_x.hypot(near_y) / radius, far / radius)
+}
+
+/// All crops worth a look; `again` adds closer ones for a photo that is used before.
+pub(super) fn all(view: &View, again: bool) -> Vec<Crop> {
+    let closer = if again { &CLOSER_STEPS[..] } else { &[] };
+    let steps: Vec<f64> = STEPS.iter().chain(closer).map(|step| step * view.widest_width()).collect();
+    let mut crops = Vec::new();
+    for &width in &steps {
+        let (right, bottom) = (view.width - width, view.height - width / view.aspect);
+        for (across, down) in (0..PLACES * PLACES).map(|i| (i % PLACES, i / PLACES)) {
+            let part = |place: u32| f64::from(place) / f64::from(PLACES - 1);
+            crops.push(view.crop(right * part(across), bottom * part(down), width));
+        }
+        if let Some(at) = view.focus {
+            crops.push(view.about(at, width, 0.5));
+        }
+    }
+    let faces: Vec<Area> = view.faces().collect();
+    for subject in boxes(view, &faces) {
+        expansions(view, subject, faces.contains(&subject), &mut crops);
+    }
+    if !faces.is_empty() && !view.target.round {
+        let settled: Vec<Crop> = crops.iter().filter_map(|crop| settled(view, crop, &faces)).collect();
+        crops.extend(settled);
+    }
+    crops.dedup();
+    crops
+}
+
+/// What a crop may be drawn round: each subject, all faces, as many of them as fit, all subjects.
+fn boxes(view: &View, faces: &[Area]) -> Vec<Area> {
+    let mut boxes: Vec<Area> = view.subjects.iter().map(|(area, _)| *area).collect();
+    let (widest, highest) = (view.widest_width(), view.widest_width() / view.aspect);
+    let groups = [faces.to_vec(), boxes.clone()];
+    for group in groups.iter().filter(|group| group.len() > 1) {
+        let whole = group.iter().copied().reduce(Area::union);
+        let fitting = group.iter().copied().reduce(|kept, next| {
+            let both = kept.union(next);
+            if both.width <= widest && both.height <= highest { both } else { kept }
+        });
+        boxes.extend(whole);
+        boxes.extend(fitting);
+    }
+    boxes
+}
+
+/// The paper's sixteen expansions of a box, brought to the panel's aspect.
+fn expansions(view: &View, inner: Area, face: bool, crops: &mut Vec<Crop>) {
+    let fixed = FIXED_EXPANSION * view.width.max(view.height);
+    // A crop draws the eye to the upper part; in a circle the centre is what one sees.
+    let level = if face && !view.target.round { EYE_LINE } else { 0.5 };
+    let centre = (inner.x + inner.width / 2.0, inner.y + inner.height / 2.0);
+    for width in [inner.width + fixed, inner.width * 1.1, inner.width * 1.5, view.width] {
+        for height in [inner.height + fixed, inner.height * 1.1, inner.height * 1.5, view.height] {
+            crops.push(view.about(centre, width.max(height * view.aspect), level));
+        }
+    }
+    if view.target.round {
+        // A box is inside a circle when the circle goes round its diagonal.
+        for room in [1.1, 1.6, 2.2] {
+            crops.push(view.about(centre, inner.width.hypot(inner.height) * room, level));
+        }
+    }
+}
+
+/// The crop moved as little as possible so that it cuts no face; `None` when it cuts none, or in any case.
+fn settled(view: &View, crop: &Crop, faces: &[Area]) -> Option<Crop> {
+    let area = view.area(crop);
+    let cuts = |area: Area| faces.iter().filter(|face| view.cuts(area, **face)).count();
+    if cuts(area) == 0 {
+        return None;
+    }
+    let mut best: Option<(f64, Area)> = None;
+    let across: Vec<f64> =
+        stops(area.x, area.width, view.width, faces.iter().map(|f| (f.x, f.width))).collect();
+    for y in stops(area.y, area.height, view.height, faces.iter().map(|f| (f.y, f.height))) {
+        for &x in &across {
+            let moved = Area { x, y, ..area };
+            let way = (x - area.x).hypot(y - area.y);
+            if best.is_none_or(|(least, _)| way < least) && cuts(moved) == 0 {
+                best = Some((way, moved));
+            }
+        }
+    }
+    best.map(|(_, moved)| view.crop(moved.x, moved.y, moved.width))
+}
+
+/// Places of one side of a crop at which a face just begins to be whole, or just to be gone.
+fn stops(
+    at: f64,
+    length: f64,
+    limit: f64,
+    faces: impl Iterator<Item = (f64, f64)>,
+) -> impl Iterator<Item = f64> {
+    let room = (limit - length).max(0.0);
+    faces
+        .flat_map(move |(low, side)| {
+            let air = side * 0.15;
+            [low, low - air, low + side - length, low + side + air - length, low - length, low + side]
+        })
+        .chain([at])
+        .map(move |place| place.clamp(0.0, room))
+}

@@ -1,0 +1,189 @@
+//! The crop of one photo for one panel.
+
+use super::candidates::{View, all};
+use super::photo::{Crop, PhotoMeta};
+use super::score::Judge;
+
+/// Crops of one photo that differ; a photo used still more often starts again.
+const VARIANTS: u32 = 8;
+
+/// What a crop is wanted for.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Target {
+    /// Width over height of the panel's bounds.
+    pub aspect: f64,
+    /// Width of the panel in pixels of the exported page; 0 when it does not matter.
+    pub width: f64,
+    /// True for a circle: only the inscribed circle of the crop will be seen.
+    pub round: bool,
+}
+
+impl Target {
+    /// A rectangular panel of that aspect, whatever its size.
+    #[must_use]
+    pub fn of_aspect(aspect: f64) -> Self {
+        Self { aspect, width: 0.0, round: false }
+    }
+}
+
+/// The crop of `photo` that suits the panel best. Its aspect in pixels of the photo is that of the panel, and
+/// it lies inside the photo.
+///
+/// With `variant` 0 it is the best one; with 1, 2, ... the next best that differs from those before, for a
+/// photo that is used again: other subjects if there are any, else another place or a closer look. Without
+/// subjects and focus the crop follows the energy of the photo; faces are not cut when a crop exists that
+/// keeps them; the focus is always inside.
+#[must_use]
+pub fn frame(photo: &PhotoMeta, target: &Target, variant: u32) -> Crop {
+    let view = View::new(photo, target);
+    let mut judge = Judge::new(photo, &view);
+    let candidates = judge.admitted(all(&view, variant > 0));
+    let mut shown: Vec<Crop> = Vec::new();
+    for _ in 0..=variant % VARIANTS {
+        let best = candidates
+            .iter()
+            .map(|crop| (judge.score(crop, &shown), crop))
+            .max_by(|a, b| a.0.total_cmp(&b.0))
+            .map_or_else(|| view.widest(0.5, 0.5), |(_, crop)| *crop);
+        judge.remember(&best);
+        shown.push(best);
+    }
+    shown.last().copied().unwrap_or_else(|| view.widest(0.5, 0.5))
+}
+
+#[cfg(test)]
+mod tests {
+    use proptest::prelude::*;
+
+    use super::*;
+    use crate::framing::{EnergyMap, FACE, Focus, Subject};
+
+    fn photo(width: u32, height: u32, subjects: Vec<Subject>) -> PhotoMeta {
+        PhotoMeta {
+            id: "photo".into(),
+            width,
+            height,
+            fingerprint: 0,
+            sharpness: 1.0,
+            energy: EnergyMap::flat(),
+            taken: None,
+            subjects,
+            focus: None,
+        }
+    }
+
+    fn subject(label: &str, x: f64, y: f64, width: f64, height: f64) -> Subject {
+        Subject { x, y, width, height, label: label.into(), score: 0.9 }
+    }
+
+    fn keeps(crop: &Crop, s: &Subject) -> bool {
+        let inside = |a: f64, al: f64, b: f64, bl: f64| a <= b + 1e-9 && b + bl <= a + al + 1e-9;
+        inside(crop.x, crop.width, s.x, s.width) && inside(crop.y, crop.height, s.y, s.height)
+    }
+
+    #[test]
+    fn a_flat_photo_is_cropped_about_its_centre_and_not_zoomed() {
+        let crop = frame(&photo(4000, 3000, Vec::new()), &Target::of_aspect(1.0), 0);
+        assert!((crop.height - 1.0).abs() < 1e-12, "{crop:?}");
+        assert!((crop.x + crop.width / 2.0 - 0.5).abs() < 1e-9, "{crop:?}");
+    }
+
+    #[test]
+    fn a_face_at_the_edge_is_kept_whole() {
+        for x in [0.0, 0.2, 0.45, 0.86] {
+            let face = subject(FACE, x, 0.1, 0.14, 0.2);
+            let crop = frame(&photo(4000, 3000, vec![face.clone()]), &Target::of_aspect(0.4), 0);
+            assert!(keeps(&crop, &face), "{crop:?} cuts the face at {x}");
+        }
+    }
+
+    #[test]
+    fn a_group_is_kept_together_when_it_fits() {
+        let faces = [0.1, 0.4, 0.7].map(|x| subject(FACE, x, 0.3, 0.1, 0.15));
+        let crop = frame(&photo(4000, 3000, faces.to_vec()), &Target::of_aspect(1.4), 0);
+        assert!(faces.iter().all(|face| keeps(&crop, face)), "{crop:?}");
+    }
+
+    #[test]
+    fn the_second_use_shows_another_subject() {
+        let subjects = vec![subject("cat", 0.05, 0.4, 0.2, 0.3), subject("dog", 0.7, 0.35, 0.25, 0.4)];
+        let photo = photo(4000, 3000, subjects);
+        let target = Target::of_aspect(0.7);
+        let (first, second) = (frame(&photo, &target, 0), frame(&photo, &target, 1));
+        assert!(first.overlap(&second) < 0.2, "{first:?} {second:?}");
+    }
+
+    #[test]
+    fn the_focus_is_inside_and_near_the_centre() {
+        let mut photo = photo(4000, 3000, Vec::new());
+        photo.focus = Some(Focus { x: 0.8, y: 0.3 });
+        let crop = frame(&photo, &Target::of_aspect(0.5), 0);
+        let centre = crop.x + crop.width / 2.0;
+        assert!((centre - 0.8).abs() < 0.1, "{crop:?}");
+    }
+
+    #[test]
+    fn a_circle_centres_its_subject() {
+        let face = subject(FACE, 0.3, 0.35, 0.1, 0.15);
+        let target = Target { aspect: 1.0, width: 0.0, round: true };
+        let crop = frame(&photo(4000, 3000, vec![face]), &target, 0);
+        assert!((crop.x + crop.width / 2.0 - 0.35).abs() < 0.01, "{crop:?}");
+        assert!((crop.y + crop.height / 2.0 - 0.425).abs() < 0.03, "{crop:?}");
+    }
+
+    fn any_subject() -> impl Strategy<Value = Subject> {
+        let label = prop_oneof![Just(FACE), Just("person"), Just("car")];
+        (0.0..0.98, 0.0..0.98, 0.01..0.6, 0.01..0.6, label).prop_map(
+            |(x, y, w, h, label): (f64, f64, f64, f64, _)| {
+                subject(label, x, y, w.min(1.0 - x), h.min(1.0 - y))
+            },
+        )
+    }
+
+    proptest! {
+        #[test]
+        fn crops_lie_inside_and_have_the_exact_aspect(
+            width in prop_oneof![Just(1u32), 1u32..10_000],
+            height in prop_oneof![Just(1u32), Just(10_000), 1u32..10_000],
+            aspect in 0.05f64..20.0,
+            panel in 0.0f64..4000.0,
+            round: bool,
+            variant in 0u32..10,
+            subjects in prop::collection::vec(any_subject(), 0..6),
+            focus in prop::option::of((0.0f64..=1.0, 0.0f64..=1.0)),
+        ) {
+            let mut photo = photo(width, height, subjects);
+            photo.focus = focus.map(|(x, y)| Focus { x, y });
+            let target = Target { aspect: if round { 1.0 } else { aspect }, width: panel, round };
+            let crop = frame(&photo, &target, variant);
+            prop_assert_eq!(crop, frame(&photo, &target, variant));
+            prop_assert!(crop.x >= 0.0 && crop.y >= 0.0 && crop.width > 0.0 && crop.height > 0.0);
+            prop_assert!(crop.x + crop.width <= 1.0 && crop.y + crop.height <= 1.0, "{:?}", crop);
+            let shown = (crop.width * f64::from(width)) / (crop.height * f64::from(height));
+            prop_assert!((shown / target.aspect - 1.0).abs() < 1e-9, "{} for {}", shown, target.aspect);
+            if let Some((x, y)) = focus {
+                prop_assert!(x >= crop.x - 1e-9 && x <= crop.x + crop.width + 1e-9);
+                prop_assert!(y >= crop.y - 1e-9 && y <= crop.y + crop.height + 1e-9);
+            }
+        }
+
+        #[test]
+        fn one_face_is_never_cut_when_it_fits(
+            width in 200u32..6000,
+            height in 200u32..6000,
+            aspect in 0.3f64..3.5,
+            x in 0.0f64..1.0,
+            y in 0.0f64..1.0,
+            size in 0.02f64..0.5,
+        ) {
+            let (w, h) = (f64::from(width), f64::from(height));
+            let side = size * w.min(h);
+            let (fw, fh) = (side / w, (side * 1.2).min(h) / h);
+            let face = subject(FACE, x * (1.0 - fw), y * (1.0 - fh), fw, fh);
+            let photo = photo(width, height, vec![face.clone()]);
+            let crop = frame(&photo, &Target::of_aspect(aspect), 0);
+            let fits = fw * w <= w.min(h * aspect) && fh * h <= h.min(w / aspect);
+            prop_assert!(!fits || keeps(&crop, &face), "{:?} cuts {:?}", crop, face);
+        }
+    }
+}

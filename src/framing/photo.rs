@@ -1,0 +1,116 @@
+//! What framing knows of a photo, and what it answers.
+
+use serde::{Deserialize, Deserializer, Serialize, Serializer};
+
+use super::energy::EnergyMap;
+
+/// The label of a face among the subjects.
+pub const FACE: &str = "face";
+
+/// Facts about a photo, measured once at import. All positions are fractions of the oriented photo.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[serde(rename_all = "camelCase")]
+pub struct PhotoMeta {
+    /// Unique name within the album.
+    pub id: String,
+    /// Width of the oriented original, in pixels.
+    pub width: u32,
+    /// Height of the oriented original, in pixels.
+    pub height: u32,
+    /// The 64-bit fingerprint; 16 hexadecimal digits in JSON.
+    #[serde(with = "hexadecimal")]
+    pub fingerprint: u64,
+    /// Sharpness by the default metric; comparable within an album only.
+    pub sharpness: f32,
+    /// Where the photo has something to see.
+    pub energy: EnergyMap,
+    /// When it was taken, `YYYY:MM:DD HH:MM:SS`, where the file says so.
+    #[serde(default)]
+    pub taken: Option<String>,
+    /// Faces and objects found in it; empty until detection has run.
+    #[serde(default)]
+    pub subjects: Vec<Subject>,
+    /// The point that a person marked as the one that matters.
+    #[serde(default)]
+    pub focus: Option<Focus>,
+}
+
+impl PhotoMeta {
+    /// Width over height; sides of 0 count as 1.
+    #[must_use]
+    pub fn aspect(&self) -> f64 {
+        f64::from(self.width.max(1)) / f64::from(self.height.max(1))
+    }
+}
+
+/// A detected face or object.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct Subject {
+    /// Left edge, 0..1.
+    pub x: f64,
+    /// Top edge, 0..1.
+    pub y: f64,
+    /// Width, 0..1.
+    pub width: f64,
+    /// Height, 0..1.
+    pub height: f64,
+    /// [`FACE`] or the name of an object.
+    pub label: String,
+    /// The detector's confidence, 0..1.
+    pub score: f64,
+}
+
+/// A point of a photo.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+pub struct Focus {
+    /// From the left, 0..1.
+    pub x: f64,
+    /// From the top, 0..1.
+    pub y: f64,
+}
+
+/// The part of a photo that a panel shows, in fractions of the oriented photo. It lies inside the photo.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+pub struct Crop {
+    /// Left edge, 0..1.
+    pub x: f64,
+    /// Top edge, 0..1.
+    pub y: f64,
+    /// Width, 0..1.
+    pub width: f64,
+    /// Height, 0..1.
+    pub height: f64,
+}
+
+impl Crop {
+    /// The area that two crops share, over the area that either covers: 0 apart, 1 the same.
+    #[must_use]
+    pub fn overlap(&self, other: &Self) -> f64 {
+        let shared = |a: f64, al: f64, b: f64, bl: f64| ((a + al).min(b + bl) - a.max(b)).max(0.0);
+        let both = shared(self.x, self.width, other.x, other.width)
+            * shared(self.y, self.height, other.y, other.height);
+        let either = self.width * self.height + other.width * other.height - both;
+        if either > 0.0 { both / either } else { 0.0 }
+    }
+}
+
+mod hexadecimal {
+    use super::{Deserialize, Deserializer, Serializer};
+    use serde::de::Error as _;
+
+    #[allow(
+        clippy::trivially_copy_pass_by_ref,
+        reason = "the signature that serde asks for, on 64-bit machines"
+    )]
+    pub(super) fn serialize<S: Serializer>(value: &u64, serializer: S) -> Result<S::Ok, S::Error> {
+        serializer.collect_str(&format_args!("{value:016x}"))
+    }
+
+    pub(super) fn deserialize<'de, D: Deserializer<'de>>(deserializer: D) -> Result<u64, D::Error> {
+        let text = String::deserialize(deserializer)?;
+        u64::from_str_radix(&text, 16)
+            .ok()
+            .filter(|_| text.len() == 16)
+            .ok_or_else(|| D::Error::custom("a fingerprint has 16 hexadecimal digits"))
+    }
+}

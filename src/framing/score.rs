@@ -1,0 +1,161 @@
+//! How good a crop is.
+//!
+//! The terms are those of the paper's framing (cover of what was found, size of the subject in the crop,
+//! enough pixels, faces cut, same subject shown before); energy stands in where nothing was found. They are
+//! taken over the finished crop and all subjects together, not over the box that it was drawn round, so that
+//! crops of any origin can be compared.
+
+use super::candidates::{Area, View, reach};
+use super::photo::{Crop, FACE, PhotoMeta};
+use super::sums::Sums;
+
+/// More enlargement than this is only taken when nothing else fits.
+const MOST_ENLARGED: f64 = 2.0;
+/// What a crop's area costs against the energy that it holds: the less, the less crops zoom in.
+const AREA_COST: f64 = 0.35;
+/// What one edge through a place of ordinary energy costs.
+const CUT_COST: f64 = 0.022;
+
+/// Scores the crops of one photo for one panel.
+pub(super) struct Judge<'a> {
+    view: &'a View<'a>,
+    sums: Sums,
+    /// The weight of each subject of the view; falls when the subject has been shown.
+    weights: Vec<f64>,
+}
+
+impl<'a> Judge<'a> {
+    pub(super) fn new(photo: &PhotoMeta, view: &'a View<'a>) -> Self {
+        let whole = view.width * view.height;
+        let weight = |(area, subject): &(Area, &super::photo::Subject)| {
+            let size = (area.width * area.height / whole).sqrt();
+            let kind = match subject.label.as_str() {
+                FACE => 1.5,
+                "person" => 1.0,
+                "cat" | "dog" | "bird" | "horse" => 0.9,
+                _ => 0.6,
+            };
+            kind * (0.2 + size) * subject.score.clamp(0.05, 1.0)
+        };
+        Self { view, sums: photo.energy.sums(), weights: view.subjects.iter().map(weight).collect() }
+    }
+
+    /// The candidates that break no rule, or as few rules as possible: the focus inside, a face kept and none
+    /// cut, not enlarged too much.
+    pub(super) fn admitted(&self, candidates: Vec<Crop>) -> Vec<Crop> {
+        let rules: [&dyn Fn(&Crop) -> bool; 3] =
+            [&|crop| self.holds_focus(crop), &|crop| self.spares_faces(crop), &|crop| {
+                self.enlargement(crop) <= MOST_ENLARGED
+            }];
+        let mut rest = candidates;
+        for rule in rules {
+            let passed: Vec<Crop> = rest.iter().copied().filter(|crop| rule(crop)).collect();
+            if !passed.is_empty() {
+                rest = passed;
+            }
+        }
+        rest
+    }
+
+    /// The score; higher is better. `shown` are the crops of the photo that the page has already.
+    pub(super) fn score(&self, crop: &Crop, shown: &[Crop]) -> f64 {
+        let area = self.view.area(crop);
+        let part = crop.width * crop.height;
+        let (off_x, off_y) = (crop.x + crop.width / 2.0 - 0.5, crop.y + crop.height / 2.0 - 0.5);
+        let mut score = self.sums.share(crop) - AREA_COST * part - 0.1 * (off_x * off_x + off_y * off_y);
+        score -= CUT_COST * self.sums.cut(crop);
+        score += 0.5 * (1.0 / self.enlargement(crop)).min(1.0);
+        score += self.subjects(area);
+        if let Some((x, y)) = self.view.focus {
+            let (cx, cy) = (area.x + area.width / 2.0, area.y + area.height / 2.0);
+            score += 1.5 * (1.0 - (x - cx).hypot(y - cy) / area.width.hypot(area.height));
+        }
+        let seen = shown.iter().map(|other| crop.overlap(other)).fold(0.0, f64::max);
+        score - 1.5 * seen
+    }
+
+    /// Takes note that a crop is on the page, so that the next one prefers other subjects.
+    pub(super) fn remember(&mut self, crop: &Crop) {
+        let area = self.view.area(crop);
+        for ((subject, _), weight) in self.view.subjects.iter().zip(&mut self.weights) {
+            let size = subject.width * subject.height;
+            if area.shared(*subject) > 0.7 * size && size > 0.03 * area.width * area.height {
+                *weight *= 0.25;
+            }
+        }
+    }
+
+    /// Cover of the subjects by weight, comfort of their size, air round faces.
+    fn subjects(&self, crop: Area) -> f64 {
+        let total: f64 = self.weights.iter().sum();
+        if total <= 0.0 {
+            return 0.0;
+        }
+        let (mut cover, mut size, mut cut, mut off_line) = (0.0, 0.0f64, 0.0, 0.0f64);
+        for ((area, subject), weight) in self.view.subjects.iter().zip(&self.weights) {
+            let inside = self.inside(crop, *area);
+            cover += inside * weight / total;
+            if inside > 0.9 {
+                size = size.max(area.width * area.height / (crop.width * crop.height));
+            }
+            if subject.label == FACE {
+                cut += f64::from(u8::from(self.view.cuts(crop, *area)));
+                let level = (area.y + area.height / 2.0 - crop.y) / crop.height;
+                off_line = off_line.max(inside * (level - 0.42).abs());
+            }
+        }
+        2.0 * cover + 0.6 * comfort(size) - 2.0 * cut - 0.4 * off_line
+    }
+
+    /// The part of a subject that the panel shows.
+    fn inside(&self, crop: Area, subject: Area) -> f64 {
+        if self.view.target.round {
+            let (near, far) = reach(crop, subject);
+            return ((1.0 - near) / (far - near).max(1e-9)).clamp(0.0, 1.0);
+        }
+        crop.shared(subject) / (subject.width * subject.height)
+    }
+
+    fn holds_focus(&self, crop: &Crop) -> bool {
+        let area = self.view.area(crop);
+        self.view.focus.is_none_or(|(x, y)| {
+            let slack = 1e-9 * (self.view.width + self.view.height);
+            let within = |at: f64, low: f64, side: f64| at >= low - slack && at <= low + side + slack;
+            within(x, area.x, area.width) && within(y, area.y, area.height)
+        })
+    }
+
+    /// No face cut, and at least one in the crop if the photo has any.
+    fn spares_faces(&self, crop: &Crop) -> bool {
+        let area = self.view.area(crop);
+        let mut faces = self.view.faces().peekable();
+        if faces.peek().is_none() {
+            return true;
+        }
+        let (mut cut, mut kept) = (false, false);
+        for face in faces {
+            let cuts = self.view.cuts(area, face);
+            cut |= cuts;
+            kept |= !cuts && self.inside(area, face) > 0.99;
+        }
+        kept && !cut
+    }
+
+    /// How much the panel enlarges the crop; at least a tiny number.
+    fn enlargement(&self, crop: &Crop) -> f64 {
+        let width = if self.view.target.width.is_finite() { self.view.target.width } else { 0.0 };
+        (width / (crop.width * self.view.width)).max(1e-6)
+    }
+}
+
+/// How well a subject of that share of the crop's area sits in it: lost below a tenth, at ease up to a half,
+/// too close when it fills the crop.
+fn comfort(share: f64) -> f64 {
+    if share < 0.1 {
+        share / 0.1
+    } else if share < 0.5 {
+        1.0
+    } else {
+        (1.0 - (share - 0.5) / 0.45).max(0.0)
+    }
+}
