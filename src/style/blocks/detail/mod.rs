@@ -1,0 +1,67 @@
+//! Image Detail Control: in + delta / 100 (in - B(in)), where B is a bilateral filter: -100 gives the smooth
+//! base itself, positive values bring texture forward.
+//!
+//! B runs on a bilateral grid: pixels are gathered in cells of space and tone, the cells are blurred and read
+//! back by interpolation.
+//!
+//! ```text
+//! splat   every second pixel of every second row into the nearest cell of space, shared by two of tone
+//! blur    [1 4 6 4 1] / 16 along both axes of space and tone; then value / weight
+//! slice   one row of cells interpolated for a row of pixels, then along it and in tone
+//! ```
+//!
+//! Source: Chen, Paris and Durand, "Real-time edge-aware image processing with the bilateral grid", 2007.
+
+mod grid;
+
+use super::{Block, Channels, Kernel};
+use crate::style::params::{Unit, number};
+use grid::Grid;
+
+pub(super) static BLOCK: Block = Block {
+    id: "detail",
+    label: "Image Detail Control",
+    help: "Smooths texture away or brings it forward, and leaves edges alone.",
+    input: Channels::Any,
+    output: Channels::Any,
+    params: &[
+        number(
+            "delta",
+            "Detail",
+            "-100 removes all texture, 0 changes nothing, 100 doubles it.",
+            (50.0, -100.0, 300.0, 1.0),
+            Unit::Percent,
+        ),
+        number("sigma_s", "Radius", "Size of what counts as texture.", (8.0, 1.0, 32.0, 0.5), Unit::Pixels),
+        number(
+            "sigma_r",
+            "Edge height",
+            "Steps of tone above this are edges.",
+            (25.0, 1.0, 128.0, 1.0),
+            Unit::Grey,
+        ),
+    ],
+    kernel: Kernel::Luma(|args, mut plane, context| {
+        let amount = args.number(0) / 100.0;
+        if amount == 0.0 {
+            return Ok(plane);
+        }
+        let size = (plane.width(), plane.height());
+        let mut grid = Grid::new(size, args.pixels(1), args.number(2), context);
+        grid.splat(&plane);
+        context.check_cancelled()?;
+        grid.blur(context);
+        let mut base = context.take_floats(plane.width());
+        for y in 0..plane.height() {
+            let row = plane.row_mut(y);
+            grid.slice_row(y, row, &mut base);
+            for (sample, &base) in row.iter_mut().zip(&base) {
+                let value = f32::from(*sample);
+                *sample = (value + amount * (value - base) + 0.5).clamp(0.0, 255.0) as u8;
+            }
+        }
+        context.give_floats(base);
+        grid.release(context);
+        Ok(plane)
+    }),
+};

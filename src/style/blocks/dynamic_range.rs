@@ -1,0 +1,32 @@
+//! Histogram Minimum Dynamic Range: where the 5 and 95 percentiles of luma are closer than the range asked
+//! for, tones are scaled about their midpoint until they are not, and shifted so that both lie in 0..=255.
+
+use super::{Block, Channels, Kernel, equalize};
+use crate::simd::table::Table;
+use crate::style::params::{Unit, number};
+
+pub(super) static BLOCK: Block = Block {
+    id: "dynamic_range",
+    label: "Histogram Minimum Dynamic Range",
+    help: "Gives dull photos a least contrast and leaves the others alone.",
+    input: Channels::Any,
+    output: Channels::Any,
+    params: &[number(
+        "range",
+        "Least range",
+        "Distance between the darkest and the lightest tone.",
+        (128.0, 0.0, 255.0, 1.0),
+        Unit::Grey,
+    )],
+    kernel: Kernel::Histogram(|args, histogram| {
+        let range = args.number(0);
+        let low = equalize::percentile(histogram, 5.0) as f32;
+        let high = equalize::percentile(histogram, 95.0) as f32;
+        if high <= low || high - low >= range {
+            return Table::from_fn(|v| v);
+        }
+        let middle = f32::midpoint(low, high);
+        let start = (middle - range / 2.0).clamp(0.0, 255.0 - range);
+        Table::from_fn(|v| start + (v - low) * range / (high - low))
+    }),
+};

@@ -1,0 +1,151 @@
+//! The registry of filter blocks. A new block is one file here and one line in [`ALL`]: controls, style
+//! files, their check, the procedural generator and the documentation follow from its descriptor.
+
+mod brightness;
+mod colorize;
+mod detail;
+mod dynamic_range;
+mod equalize;
+mod gaussian;
+mod halftone;
+mod hue;
+mod luma_posterize;
+mod pattern;
+mod posterize;
+mod saturation;
+mod size;
+mod sobel;
+mod soft_threshold;
+mod to_color;
+mod to_gray;
+mod tvf;
+mod xdog;
+
+use super::context::Context;
+use super::params::{Args, Param};
+use crate::error::Result;
+use crate::raster::{Image, Plane};
+use crate::simd::table::Table;
+use wide::i16x8;
+
+/// All blocks, in the order in which people are shown them.
+pub static ALL: &[&Block] = &[
+    &to_gray::BLOCK,
+    &to_color::BLOCK,
+    &posterize::BLOCK,
+    &luma_posterize::BLOCK,
+    &brightness::BLOCK,
+    &soft_threshold::BLOCK,
+    &saturation::BLOCK,
+    &hue::BLOCK,
+    &colorize::BLOCK,
+    &gaussian::BLOCK,
+    &tvf::BLOCK,
+    &detail::BLOCK,
+    &sobel::BLOCK,
+    &xdog::BLOCK,
+    &size::BLOCK,
+    &pattern::BLOCK,
+    &halftone::BLOCK,
+    &equalize::BLOCK,
+    &dynamic_range::BLOCK,
+];
+
+/// The block with this id.
+#[must_use]
+pub fn find(id: &str) -> Option<&'static Block> {
+    ALL.iter().copied().find(|block| block.id == id)
+}
+
+/// A filter block: data and a function pointer.
+#[derive(Debug)]
+pub struct Block {
+    /// Name in style files.
+    pub id: &'static str,
+    /// Name for people.
+    pub label: &'static str,
+    /// What it does, in one line.
+    pub help: &'static str,
+    /// What it takes.
+    pub input: Channels,
+    /// What it gives.
+    pub output: Channels,
+    /// Its parameters, in the order of [`Args`].
+    pub params: &'static [Param],
+    /// How it runs.
+    pub kernel: Kernel,
+}
+
+/// Which images a block takes or gives.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Channels {
+    /// One luma plane.
+    Luma,
+    /// R, G and B.
+    Color,
+    /// Either; as an output, what came in.
+    Any,
+}
+
+/// How a block runs, which decides what the chain can fuse it with.
+#[derive(Debug, Clone, Copy)]
+pub enum Kernel {
+    /// Looks at one pixel only: joins its neighbours in the chain in one pass.
+    Point(fn(Args<'_>) -> PointOp),
+    /// A table made from the histogram of luma and applied to every plane.
+    Histogram(fn(Args<'_>, &[u32; 256]) -> Table),
+    /// Looks at neighbours, plane by plane.
+    Planes(fn(Args<'_>, Plane, &mut Context<'_>) -> Result<Plane>),
+    /// Looks at the luma of neighbours; a colour image keeps its colours and takes the new luma.
+    Luma(fn(Args<'_>, Plane, &mut Context<'_>) -> Result<Plane>),
+    /// Needs the whole image.
+    Image(fn(Args<'_>, Image, &mut Context<'_>) -> Result<Image>),
+}
+
+/// An operation on single pixels.
+#[derive(Debug, Clone)]
+pub enum PointOp {
+    /// One table on every plane.
+    Table(Table),
+    /// A table on luma; colour images keep their colour differences.
+    LumaTable(Table),
+    /// R, G, B from R, G, B.
+    Color(ColorOp),
+    /// Luma from R, G, B; U and V are kept where a later To Color wants them.
+    ToGray,
+    /// R, G, B from luma and the kept U and V.
+    ToColor,
+    /// R, G, B from luma: Y plus these shares (Q15) of 255 - |2 Y - 255|.
+    Tint([i16; 3]),
+}
+
+/// Linear maps of colour, in the arithmetic of the lanes.
+#[derive(Debug, Clone)]
+pub enum ColorOp {
+    /// Y + amount * (rgb - Y), the amount as Q13.
+    Saturation(i16),
+    /// A 3 x 3 matrix (Q13, row by row) and a bias (1/16 grey steps).
+    Matrix([[i16; 3]; 3], [i16; 3]),
+}
+
+impl ColorOp {
+    /// Eight pixels.
+    #[inline]
+    #[must_use]
+    pub fn apply(&self, r: i16x8, g: i16x8, b: i16x8) -> (i16x8, i16x8, i16x8) {
+        match self {
+            Self::Saturation(amount) => saturation::lanes(*amount, r, g, b),
+            Self::Matrix(rows, bias) => {
+                let term = |channel: i16x8, weight: i16| (channel << 6u32).mul_scale_round_n(weight);
+                let row = |i: usize| {
+                    let sum = term(r, rows[i][0])
+                        .saturating_add(term(g, rows[i][1]))
+                        .saturating_add(term(b, rows[i][2]))
+                        .saturating_add(i16x8::splat(bias[i]));
+                    crate::simd::point::round::<4>(sum)
+                };
+                (row(0), row(1), row(2))
+            }
+        }
+    }
+}

@@ -1,0 +1,36 @@
+//! Soft Threshold: 255 (1 + tanh(min(0, phi (v - epsilon)))): white from epsilon on, falling off below.
+//! A colour image takes the new luma and keeps its colours.
+//!
+//! Source: Winnemöller et al., "`XDoG`: an `eXtended` difference-of-Gaussians compendium", 2012.
+
+use super::{Block, Channels, Kernel, PointOp};
+use crate::simd::table::Table;
+use crate::style::params::{Unit, number};
+
+pub(super) static BLOCK: Block = Block {
+    id: "soft_threshold",
+    label: "Soft Threshold",
+    help: "White above a brightness, soft black below: turns XDoG into ink.",
+    input: Channels::Any,
+    output: Channels::Any,
+    params: &[
+        number(
+            "phi",
+            "Softness",
+            "How steeply gray falls to black; small is soft.",
+            (0.03, 0.001, 1.0, 0.001),
+            Unit::None,
+        ),
+        number(
+            "epsilon",
+            "Threshold",
+            "Brightness from which on all is white.",
+            (80.0, 0.0, 255.0, 1.0),
+            Unit::Grey,
+        ),
+    ],
+    kernel: Kernel::Point(|args| {
+        let (phi, epsilon) = (args.number(0), args.number(1));
+        PointOp::LumaTable(Table::from_fn(|v| 255.0 * (1.0 + (phi * (v - epsilon)).min(0.0).tanh())))
+    }),
+};

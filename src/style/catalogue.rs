@@ -1,0 +1,39 @@
+//! The designed styles that ship in `styles/`, read at build time.
+
+use super::file::Style;
+use crate::error::{Error, Result};
+use std::sync::OnceLock;
+
+include!(concat!(env!("OUT_DIR"), "/styles.rs"));
+
+/// All designed styles in the order of their file names. A test parses every file; one that does not parse
+/// is left out here.
+#[must_use]
+pub fn catalogue() -> &'static [Style] {
+    static STYLES: OnceLock<Vec<Style>> = OnceLock::new();
+    STYLES
+        .get_or_init(|| STYLE_FILES.iter().filter_map(|(file, json)| Style::parse(file, json).ok()).collect())
+}
+
+/// The designed style with this id.
+///
+/// # Errors
+/// `unknown-style`.
+pub fn find(id: &str) -> Result<&'static Style> {
+    catalogue().iter().find(|style| style.id == id).ok_or_else(|| Error::UnknownStyle(id.to_owned()))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn every_file_parses_and_is_called_like_its_id() {
+        for (file, json) in STYLE_FILES {
+            let style = Style::parse(file, json).unwrap();
+            assert_eq!(*file, format!("{}.json", style.id));
+            assert!(!style.tags.is_empty(), "{file} has no family");
+        }
+        assert_eq!(catalogue().len(), STYLE_FILES.len());
+    }
+}

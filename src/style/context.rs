@@ -1,0 +1,101 @@
+//! What a run gives to its blocks: scale, scratch memory, cancellation.
+
+use crate::error::{Error, Result};
+use crate::raster::{Image, Plane};
+use crate::simd::gaussian::Buffers;
+
+/// Pixels of the image that spatial parameters are told for.
+const REFERENCE_PIXELS: f64 = 1920.0 * 1080.0;
+
+/// One render's scale, its scratch memory (kept between renders, so that nothing is allocated again while a
+/// slider moves) and a question that stops it.
+#[derive(Default)]
+pub struct Context<'a> {
+    scale: f32,
+    /// Buffers of the blurs.
+    pub blurs: Buffers,
+    /// Floats of the iterative blocks.
+    pub floats: Vec<Vec<f32>>,
+    planes: Vec<Vec<u8>>,
+    cancelled: Option<&'a dyn Fn() -> bool>,
+}
+
+impl<'a> Context<'a> {
+    /// A context for an image of its own, scaled by its size.
+    #[must_use]
+    pub fn for_image(image: &Image) -> Self {
+        let mut context = Self::default();
+        context.fit_scale(image);
+        context
+    }
+
+    /// Sets the scale for an image that is rendered by itself.
+    pub fn fit_scale(&mut self, image: &Image) {
+        self.scale = scale_of(image.width() as f64 * image.height() as f64);
+    }
+
+    /// Sets the scale: pixels of this render for one pixel of a 1920 x 1080 image.
+    pub fn set_scale(&mut self, scale: f32) {
+        self.scale = scale;
+    }
+
+    /// Pixels of this render for one pixel of a 1920 x 1080 image.
+    #[must_use]
+    pub fn scale(&self) -> f32 {
+        self.scale
+    }
+
+    /// Asks `cancelled` between blocks.
+    pub fn stop_when(&mut self, cancelled: &'a dyn Fn() -> bool) {
+        self.cancelled = Some(cancelled);
+    }
+
+    /// # Errors
+    /// `cancelled` when the caller no longer wants the result.
+    pub fn check_cancelled(&self) -> Result<()> {
+        if self.cancelled.is_some_and(|cancelled| cancelled()) { Err(Error::Cancelled) } else { Ok(()) }
+    }
+
+    /// A plane with arbitrary content.
+    pub fn take_plane(&mut self, width: usize, height: usize) -> Plane {
+        let mut samples = self.planes.pop().unwrap_or_default();
+        samples.resize(width.max(1) * height.max(1), 0);
+        Plane::from_samples(width.max(1), height.max(1), samples)
+            .unwrap_or_else(|_| Plane::filled(width, height, 0))
+    }
+
+    /// Takes a plane back for reuse.
+    pub fn give_plane(&mut self, plane: Plane) {
+        // A handful covers any chain; more would only hold memory.
+        if self.planes.len() < 8 {
+            self.planes.push(plane.into_samples());
+        }
+    }
+
+    /// A copy of a plane in reused memory.
+    pub fn copy_plane(&mut self, plane: &Plane) -> Plane {
+        let mut copy = self.take_plane(plane.width(), plane.height());
+        copy.samples_mut().copy_from_slice(plane.samples());
+        copy
+    }
+
+    /// A buffer of floats with arbitrary content.
+    pub fn take_floats(&mut self, count: usize) -> Vec<f32> {
+        let mut floats = self.floats.pop().unwrap_or_default();
+        floats.resize(count, 0.0);
+        floats
+    }
+
+    /// Takes floats back for reuse.
+    pub fn give_floats(&mut self, floats: Vec<f32>) {
+        if self.floats.len() < 8 {
+            self.floats.push(floats);
+        }
+    }
+}
+
+/// The scale of an image of so many pixels: sqrt(pixels / (1920 * 1080)).
+#[must_use]
+pub fn scale_of(pixels: f64) -> f32 {
+    (pixels / REFERENCE_PIXELS).sqrt() as f32
+}

@@ -1,0 +1,340 @@
+//! The style file: two layers of blocks with their parameters, as people save, share and edit it.
+//!
+//! The schema is `styles/README.md`. Nothing is guessed: an unknown block or parameter, a wrong type or a value
+//! out of range is an error that names the file, the block's position and the parameter.
+
+use super::blocks::{self, Block, Channels};
+use super::params::{Kind, Param};
+use crate::error::{Error, Result};
+use serde_json::{Map, Value, json};
+
+/// Blocks that one layer may hold; far beyond what looks good, and a bound on the work that a file can ask for.
+const MAX_BLOCKS: usize = 32;
+
+/// A style: a background layer and, where there is one, a foreground layer of lines.
+#[derive(Debug, Clone)]
+pub struct Style {
+    /// Name for programs.
+    pub id: String,
+    /// Name for people.
+    pub name: String,
+    /// Families it belongs to; the first is the main one.
+    pub tags: Vec<String>,
+    /// The colour layer. Empty means the photo as it is.
+    pub background: Vec<Step>,
+    /// The line layer; its luma is the alpha of the background over the ink.
+    pub foreground: Option<Vec<Step>>,
+    /// Colour of the lines.
+    pub ink: [u8; 3],
+    /// Score from 0 to 1 of a generated style.
+    pub score: Option<f64>,
+}
+
+/// One block of a layer with its values.
+#[derive(Debug, Clone)]
+pub struct Step {
+    /// What runs.
+    pub block: &'static Block,
+    /// Its values in the order of the descriptor.
+    pub values: Vec<f32>,
+    /// Kept in the file but left out of the chain.
+    pub bypass: bool,
+}
+
+impl Style {
+    /// Reads a style file. `file` names it in errors, and gives the id where the file has none.
+    ///
+    /// # Errors
+    /// `invalid-style`, naming file, place and reason.
+    pub fn parse(file: &str, json: &str) -> Result<Self> {
+        let value: Value = serde_json::from_str(json)
+            .map_err(|error| invalid(file, "file", format!("is no JSON: {error}")))?;
+        Self::from_value(file, &value)
+    }
+
+    /// The same from JSON that is parsed already.
+    ///
+    /// # Errors
+    /// `invalid-style`, naming file, place and reason.
+    pub fn from_value(file: &str, value: &Value) -> Result<Self> {
+        let Value::Object(map) = value else {
+            return Err(invalid(file, "file", "must be an object with a \"background\" list"));
+        };
+        for key in map.keys() {
+            if !["id", "name", "tags", "background", "foreground", "ink", "score"].contains(&key.as_str()) {
+                return Err(invalid(file, key, "is no field of a style"));
+            }
+        }
+        let stem = file.rsplit('/').next().unwrap_or(file).trim_end_matches(".json");
+        let id = text(file, map, "id")?.unwrap_or_else(|| stem.to_owned());
+        let background = layer(file, map, "background")?
+            .ok_or_else(|| invalid(file, "background", "is missing; it is the list of blocks"))?;
+        Ok(Self {
+            name: text(file, map, "name")?.unwrap_or_else(|| id.clone()),
+            id,
+            tags: tags(file, map)?,
+            background,
+            foreground: layer(file, map, "foreground")?,
+            ink: ink(file, map)?,
+            score: match map.get("score") {
+                None => None,
+                Some(score) => {
+                    Some(score.as_f64().ok_or_else(|| invalid(file, "score", "must be a number"))?)
+                }
+            },
+        })
+    }
+
+    /// The file's JSON. Values that are the default are left out.
+    #[must_use]
+    pub fn to_value(&self) -> Value {
+        let mut map = Map::new();
+        map.insert("id".into(), json!(self.id));
+        map.insert("name".into(), json!(self.name));
+        map.insert("tags".into(), json!(self.tags));
+        map.insert("background".into(), self.background.iter().map(Step::to_value).collect());
+        if let Some(foreground) = &self.foreground {
+            map.insert("foreground".into(), foreground.iter().map(Step::to_value).collect());
+        }
+        if self.ink != [0; 3] {
+            let [r, g, b] = self.ink;
+            map.insert("ink".into(), json!(format!("#{r:02x}{g:02x}{b:02x}")));
+        }
+        if let Some(score) = self.score {
+            map.insert("score".into(), json!(score));
+        }
+        Value::Object(map)
+    }
+}
+
+impl Step {
+    /// A block with its default values.
+    #[must_use]
+    pub fn new(block: &'static Block) -> Self {
+        let values = block.params.iter().map(|param| param.kind.default()).collect();
+        Self { block, values, bypass: false }
+    }
+
+    fn to_value(&self) -> Value {
+        let mut map = Map::new();
+        map.insert("block".into(), json!(self.block.id));
+        for (param, &value) in self.block.params.iter().zip(&self.values) {
+            if (value - param.kind.default()).abs() > f32::EPSILON {
+                map.insert(param.id.into(), param.value_to_json(value));
+            }
+        }
+        if self.bypass {
+            map.insert("bypass".into(), json!(true));
+        }
+        Value::Object(map)
+    }
+}
+
+impl Param {
+    fn value_to_json(&self, value: f32) -> Value {
+        match self.kind {
+            // Through the shortest decimal, so that 1.2 is not written as 1.2000000476837158.
+            Kind::Number { .. } => json!(value.to_string().parse::<f64>().unwrap_or(f64::from(value))),
+            Kind::Integer { .. } => json!(value as i64),
+            Kind::Flag { .. } => json!(value != 0.0),
+            Kind::Choice { names } => json!(names.get(value as usize)),
+        }
+    }
+
+    /// Reads a value, or says what would be right.
+    fn value_from_json(&self, value: &Value) -> std::result::Result<f32, String> {
+        let in_range = |number: f64| {
+            let (min, max) = self.kind.range();
+            if (f64::from(min)..=f64::from(max)).contains(&number) {
+                Ok(number as f32)
+            } else {
+                Err(format!("is {number}, it must be from {min} to {max}"))
+            }
+        };
+        match self.kind {
+            Kind::Number { .. } => {
+                in_range(value.as_f64().ok_or(format!("is {value}, it must be a number"))?)
+            }
+            Kind::Integer { .. } => {
+                let number = value.as_f64().filter(|number| number.fract() == 0.0);
+                in_range(number.ok_or(format!("is {value}, it must be a whole number"))?)
+            }
+            Kind::Flag { .. } => {
+                let flag = value.as_bool().ok_or(format!("is {value}, it must be true or false"))?;
+                Ok(f32::from(u8::from(flag)))
+            }
+            Kind::Choice { names } => {
+                let position = value.as_str().and_then(|name| names.iter().position(|n| *n == name));
+                Ok(position.ok_or(format!("is {value}, it must be one of: {}", names.join(", ")))? as f32)
+            }
+        }
+    }
+}
+
+fn invalid(file: &str, location: &str, reason: impl Into<String>) -> Error {
+    Error::InvalidStyle { file: file.to_owned(), location: location.to_owned(), reason: reason.into() }
+}
+
+fn text(file: &str, map: &Map<String, Value>, key: &str) -> Result<Option<String>> {
+    match map.get(key) {
+        None => Ok(None),
+        Some(Value::String(text)) if !text.trim().is_empty() && text.len() <= 200 => Ok(Some(text.clone())),
+        Some(_) => Err(invalid(file, key, "must be a text of 1 to 200 letters")),
+    }
+}
+
+fn tags(file: &str, map: &Map<String, Value>) -> Result<Vec<String>> {
+    let bad = || invalid(file, "tags", "must be a list of at most 20 words");
+    match map.get("tags") {
+        None => Ok(Vec::new()),
+        Some(Value::Array(tags)) if tags.len() <= 20 => {
+            tags.iter().map(|tag| tag.as_str().map(str::to_owned).ok_or_else(bad)).collect()
+        }
+        Some(_) => Err(bad()),
+    }
+}
+
+fn ink(file: &str, map: &Map<String, Value>) -> Result<[u8; 3]> {
+    let Some(value) = map.get("ink") else { return Ok([0; 3]) };
+    value
+        .as_str()
+        .and_then(crate::raster::color::parse_hex)
+        .ok_or_else(|| invalid(file, "ink", format!("is {value}, it must be a colour like \"#101014\"")))
+}
+
+fn layer(file: &str, map: &Map<String, Value>, key: &str) -> Result<Option<Vec<Step>>> {
+    let Some(value) = map.get(key) else { return Ok(None) };
+    let Value::Array(items) = value else {
+        return Err(invalid(file, key, "must be a list of blocks"));
+    };
+    if items.len() > MAX_BLOCKS {
+        return Err(invalid(
+            file,
+            key,
+            format!("has {} blocks, at most {MAX_BLOCKS} are allowed", items.len()),
+        ));
+    }
+    let mut steps = Vec::with_capacity(items.len());
+    let mut channels = Channels::Color;
+    for (i, item) in items.iter().enumerate() {
+        let step = step(file, &format!("{key}[{i}]"), item)?;
+        if !step.bypass {
+            channels = check_channels(file, &format!("{key}[{i}]"), step.block, channels)?;
+        }
+        steps.push(step);
+    }
+    Ok(Some(steps))
+}
+
+fn step(file: &str, place: &str, value: &Value) -> Result<Step> {
+    let Value::Object(map) = value else {
+        return Err(invalid(file, place, "must be an object like { \"block\": \"posterize\" }"));
+    };
+    let Some(id) = map.get("block").and_then(Value::as_str) else {
+        return Err(invalid(file, place, "needs a \"block\" with the id of a filter block"));
+    };
+    let block =
+        blocks::find(id).ok_or_else(|| invalid(file, place, format!("there is no block \"{id}\"")))?;
+    let mut step = Step::new(block);
+    for (key, value) in map {
+        let place = format!("{place} ({id}), {key}");
+        if key == "block" {
+            continue;
+        }
+        if key == "bypass" {
+            step.bypass = value.as_bool().ok_or_else(|| invalid(file, &place, "must be true or false"))?;
+            continue;
+        }
+        let Some(i) = block.params.iter().position(|param| param.id == key) else {
+            let known: Vec<&str> = block.params.iter().map(|param| param.id).collect();
+            let known = if known.is_empty() { "it has none".to_owned() } else { known.join(", ") };
+            return Err(invalid(file, &place, format!("is no parameter of this block ({known})")));
+        };
+        step.values[i] =
+            block.params[i].value_from_json(value).map_err(|reason| invalid(file, &place, reason))?;
+    }
+    Ok(step)
+}
+
+/// What comes out of a block that is given `channels`, or why it cannot take them.
+fn check_channels(file: &str, place: &str, block: &Block, channels: Channels) -> Result<Channels> {
+    let place = format!("{place} ({})", block.id);
+    match (block.input, channels) {
+        (Channels::Luma, Channels::Color) => {
+            Err(invalid(file, &place, "needs gray: put To GrayScale (to_gray) before it"))
+        }
+        (Channels::Color, Channels::Luma) => {
+            Err(invalid(file, &place, "needs colour: put To Color (to_color) or Colorize before it"))
+        }
+        _ if block.output == Channels::Any => Ok(channels),
+        _ => Ok(block.output),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn error(json: &str) -> String {
+        let error = Style::parse("bad.json", json).unwrap_err();
+        assert_eq!(error.code(), "invalid-style");
+        error.to_string()
+    }
+
+    #[test]
+    fn a_missing_parameter_is_its_default() {
+        let style = Style::parse("x.json", r#"{"background":[{"block":"xdog","sigma":2}]}"#).unwrap();
+        assert_eq!((style.id.as_str(), style.background[0].values.as_slice()), ("x", [2.0, 20.0].as_slice()));
+        assert!(style.foreground.is_none());
+    }
+
+    #[test]
+    fn what_is_written_reads_back_the_same() {
+        let json = r##"{"id":"a","name":"A","tags":["ink"],"background":[{"block":"posterize","levels":5,
+            "bypass":true},{"block":"gaussian","sigma":1.2}],"foreground":[{"block":"sobel","invert":true}],
+            "ink":"#101014"}"##;
+        let value = Style::parse("a.json", json).unwrap().to_value();
+        assert_eq!(value, serde_json::from_str::<Value>(json).unwrap());
+    }
+
+    #[test]
+    fn errors_name_the_file_the_place_and_the_reason() {
+        let cases = [
+            ("", "is no JSON"),
+            ("[]", "must be an object"),
+            ("{}", "background: is missing"),
+            (r#"{"background":5}"#, "background: must be a list"),
+            (r#"{"background":[5]}"#, "background[0]: must be an object"),
+            (r#"{"background":[{}]}"#, "background[0]: needs a \"block\""),
+            (r#"{"background":[{"block":"nope"}]}"#, "there is no block \"nope\""),
+            (
+                r#"{"background":[{"block":"posterize","level":4}]}"#,
+                "background[0] (posterize), level: is no parameter of this block (levels)",
+            ),
+            (r#"{"background":[{"block":"posterize","levels":1}]}"#, "is 1, it must be from 2 to 64"),
+            (r#"{"background":[{"block":"posterize","levels":2.5}]}"#, "must be a whole number"),
+            (r#"{"background":[{"block":"gaussian","sigma":"2"}]}"#, "must be a number"),
+            (r#"{"background":[{"block":"gaussian","sigma":1e9}]}"#, "must be from 0.3 to 50"),
+            (r#"{"background":[{"block":"sobel","invert":1}]}"#, "must be true or false"),
+            (r#"{"background":[{"block":"sobel","bypass":1}]}"#, "bypass: must be true or false"),
+            (r#"{"background":[],"ink":"red"}"#, "ink: is \"red\", it must be a colour"),
+            (r#"{"background":[],"id":""}"#, "id: must be a text"),
+            (r#"{"background":[],"tags":[1]}"#, "tags: must be a list"),
+            (r#"{"background":[],"layers":[]}"#, "layers: is no field of a style"),
+            (
+                r#"{"background":[{"block":"to_gray"},{"block":"saturation"}]}"#,
+                "background[1] (saturation): needs colour",
+            ),
+        ];
+        for (json, expected) in cases {
+            let message = error(json);
+            assert!(message.contains("bad.json") && message.contains(expected), "{json}: {message}");
+        }
+    }
+
+    #[test]
+    fn a_bypassed_block_does_not_count_for_the_channel_rules() {
+        let json = r#"{"background":[{"block":"to_gray","bypass":true},{"block":"saturation"}]}"#;
+        assert!(Style::parse("x", json).is_ok());
+    }
+}

@@ -1,0 +1,37 @@
+//! Style: chains of filter blocks in two layers.
+//!
+//! | module | for |
+//! |---|---|
+//! | [`params`] | what a parameter is: kind, default, range, step, unit |
+//! | [`blocks`] | the registry and one file a block |
+//! | [`file`] | the style file: parsing with exact error places, writing |
+//! | [`chain`] | a layer compiled into passes and run |
+//! | [`context`] | scale, scratch memory and cancellation that a run gives to its blocks |
+//! | [`catalogue`] | the designed styles that ship in `styles/` |
+
+pub mod blocks;
+pub mod catalogue;
+pub mod chain;
+pub mod context;
+pub mod file;
+pub mod params;
+
+pub use context::Context;
+pub use file::Style;
+
+use crate::error::Result;
+use crate::raster::Image;
+
+/// Runs a style on an image: the background layer, and the foreground layer laid over it as ink.
+///
+/// The result has the size of `image`; it is luma when nothing in it has colour.
+///
+/// # Errors
+/// `cancelled` when the context says so.
+pub fn stylize(image: &Image, style: &Style, context: &mut Context<'_>) -> Result<Image> {
+    let background = chain::run(&style.background, image, context)?;
+    let Some(foreground) = &style.foreground else { return Ok(background) };
+    let lines = chain::run(foreground, image, context)?;
+    context.check_cancelled()?;
+    Ok(chain::lay_ink(background, &lines, style.ink))
+}

@@ -1,0 +1,167 @@
+//! What a block's parameter is. Controls, the JSON check, the procedural generator and the documentation all
+//! come from these descriptors.
+
+/// One parameter of a block.
+#[derive(Debug)]
+pub struct Param {
+    /// Key in a style file.
+    pub id: &'static str,
+    /// Name of the control.
+    pub label: &'static str,
+    /// One line for people.
+    pub help: &'static str,
+    /// Type, default and range.
+    pub kind: Kind,
+}
+
+/// Type, default and range of a parameter. At run time every value is an f32: a flag is 0 or 1, a choice its
+/// position.
+#[derive(Debug)]
+pub enum Kind {
+    /// A number of `min..=max`.
+    Number {
+        /// Used where a style file says nothing.
+        default: f32,
+        /// Smallest value.
+        min: f32,
+        /// Largest value.
+        max: f32,
+        /// Step of the slider.
+        step: f32,
+        /// Unit; pixels scale with the size of the render.
+        unit: Unit,
+    },
+    /// A whole number of `min..=max`.
+    Integer {
+        /// Used where a style file says nothing.
+        default: i32,
+        /// Smallest value.
+        min: i32,
+        /// Largest value.
+        max: i32,
+    },
+    /// True or false.
+    Flag {
+        /// Used where a style file says nothing.
+        default: bool,
+    },
+    /// One of some names; the first is the default.
+    Choice {
+        /// The names.
+        names: &'static [&'static str],
+    },
+}
+
+/// Unit of a number.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Unit {
+    /// A plain number.
+    None,
+    /// Pixels of a 1920 x 1080 image, scaled by sqrt(w h / (1920 * 1080)).
+    Pixels,
+    /// Per cent.
+    Percent,
+    /// Degrees of an angle.
+    Degrees,
+    /// Grey steps of 0..=255.
+    Grey,
+}
+
+impl Unit {
+    /// Sign shown behind the number.
+    #[must_use]
+    pub fn sign(self) -> &'static str {
+        match self {
+            Self::None | Self::Grey => "",
+            Self::Pixels => "px",
+            Self::Percent => "%",
+            Self::Degrees => "°",
+        }
+    }
+}
+
+impl Kind {
+    /// The default as an f32.
+    #[must_use]
+    pub fn default(&self) -> f32 {
+        match *self {
+            Self::Number { default, .. } => default,
+            Self::Integer { default, .. } => default as f32,
+            Self::Flag { default } => f32::from(u8::from(default)),
+            Self::Choice { .. } => 0.0,
+        }
+    }
+
+    /// Smallest and largest value as f32.
+    #[must_use]
+    pub fn range(&self) -> (f32, f32) {
+        match *self {
+            Self::Number { min, max, .. } => (min, max),
+            Self::Integer { min, max, .. } => (min as f32, max as f32),
+            Self::Flag { .. } => (0.0, 1.0),
+            Self::Choice { names } => (0.0, names.len().saturating_sub(1) as f32),
+        }
+    }
+}
+
+/// A number parameter; the shorthand in which the blocks declare theirs.
+#[must_use]
+pub const fn number(
+    id: &'static str,
+    label: &'static str,
+    help: &'static str,
+    (default, min, max, step): (f32, f32, f32, f32),
+    unit: Unit,
+) -> Param {
+    Param { id, label, help, kind: Kind::Number { default, min, max, step, unit } }
+}
+
+/// A whole-number parameter.
+#[must_use]
+pub const fn integer(
+    id: &'static str,
+    label: &'static str,
+    help: &'static str,
+    (default, min, max): (i32, i32, i32),
+) -> Param {
+    Param { id, label, help, kind: Kind::Integer { default, min, max } }
+}
+
+/// What a block is given: its values in the order of its descriptor, and the scale of the render.
+#[derive(Debug, Clone, Copy)]
+pub struct Args<'a> {
+    values: &'a [f32],
+    scale: f32,
+}
+
+impl<'a> Args<'a> {
+    /// `values` in the order of the descriptor; `scale` = sqrt(w h / (1920 * 1080)) of the render.
+    #[must_use]
+    pub fn new(values: &'a [f32], scale: f32) -> Self {
+        Self { values, scale }
+    }
+
+    /// Parameter `i` as it stands.
+    #[must_use]
+    pub fn number(&self, i: usize) -> f32 {
+        self.values[i]
+    }
+
+    /// Parameter `i`, in pixels of this render.
+    #[must_use]
+    pub fn pixels(&self, i: usize) -> f32 {
+        self.values[i] * self.scale
+    }
+
+    /// Parameter `i` as true or false.
+    #[must_use]
+    pub fn flag(&self, i: usize) -> bool {
+        self.values[i] != 0.0
+    }
+
+    /// Parameter `i` as a position in its names.
+    #[must_use]
+    pub fn choice(&self, i: usize) -> usize {
+        self.values[i] as usize
+    }
+}
