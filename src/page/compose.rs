@@ -1,0 +1,247 @@
+//! Panels rendered to patches, patches laid on paper.
+//!
+//! A patch is a panel with its mask and its border as straight-alpha RGBA. Painting all patches in their order
+//! over the paper colour gives the page; the browser does that on a canvas, [`Sheet`] does it for files.
+
+use super::mask::{self, PixelRect};
+use super::scene::{Scene, ScenePanel};
+use crate::error::{Error, Result};
+use crate::layout::Bounds;
+use crate::raster::Image;
+use crate::raster::resize::{Region, resample_image};
+use crate::style::{Context, stylize};
+
+/// A rectangle of straight-alpha RGBA pixels at a place of the page.
+pub struct Patch {
+    /// Pixels of the page that it covers.
+    pub area: PixelRect,
+    /// `4 * width * height` bytes.
+    pub rgba: Vec<u8>,
+}
+
+/// Renders one panel. `photo` is what its `photo` names, at any resolution; without one the panel is an empty
+/// frame.
+///
+/// # Errors
+/// `invalid-document` for an index that the page does not have; `cancelled`.
+pub fn render_panel(
+    scene: &Scene,
+    index: usize,
+    photo: Option<&Image>,
+    context: &mut Context<'_>,
+) -> Result<Patch> {
+    let panel = scene.panels.get(index).ok_or_else(|| Error::InvalidDocument {
+        location: format!("panels[{index}]"),
+        reason: "there is no such panel".into(),
+    })?;
+    let area = panel.area;
+    let mut rgba = vec![0; area.width * area.height * 4];
+    let inside = mask::inside(&panel.shape, scene.corner_radius, area);
+    context.check_cancelled()?;
+    match photo {
+        Some(photo) => {
+            context.set_scale(scene.scale);
+            let (image, at) = panel_image(panel, photo, scene, context)?;
+            fill_image(&mut rgba, area, &image, at);
+        }
+        None => rgba.chunks_exact_mut(4).for_each(|pixel| pixel[..3].copy_from_slice(&EMPTY)),
+    }
+    for (pixel, &coverage) in rgba.chunks_exact_mut(4).zip(&inside) {
+        pixel[3] = coverage;
+    }
+    if panel.halo >= 0.05 {
+        let ring = mask::border(&panel.shape, scene.corner_radius, 2.0 * panel.halo, area);
+        lay_under(&mut rgba, &ring, scene.paper);
+    }
+    if scene.border >= 0.05 {
+        let line = mask::border(&panel.shape, scene.corner_radius, scene.border, area);
+        lay_over(&mut rgba, &line, scene.border_color);
+    }
+    Ok(Patch { area, rgba })
+}
+
+/// Gray of a panel that has no photo yet.
+const EMPTY: [u8; 3] = [226, 226, 228];
+
+/// The stylised image of a panel and the place of its first pixel. The image of a merged group is stylised as
+/// a whole, so that tones agree across the gutter, and then cut.
+fn panel_image(
+    panel: &ScenePanel,
+    photo: &Image,
+    scene: &Scene,
+    context: &mut Context<'_>,
+) -> Result<(Image, PixelRect)> {
+    let at = PixelRect::around(panel.image_bounds, 0.0);
+    let Bounds { x, y, width, height } = panel.image_bounds;
+    let (photo_width, photo_height) = (photo.width() as f64, photo.height() as f64);
+    // The crop belongs to the exact bounds; whole pixels reach a little further on each side.
+    let (step_x, step_y) =
+        (panel.crop.width * photo_width / width, panel.crop.height * photo_height / height);
+    let span = |start: f64, step: f64, from: f64, pixel: i64, count: usize, limit: f64| {
+        let low = (start + (pixel as f64 - from) * step).clamp(0.0, limit - 1e-3);
+        let high = (start + ((pixel + count as i64) as f64 - from) * step).clamp(low + 1e-3, limit);
+        (low, high - low)
+    };
+    let (left, region_width) = span(panel.crop.x * photo_width, step_x, x, at.x, at.width, photo_width);
+    let (top, region_height) = span(panel.crop.y * photo_height, step_y, y, at.y, at.height, photo_height);
+    let region = Region { x: left, y: top, width: region_width, height: region_height };
+    let image = resample_image(photo, region, at.width, at.height);
+    context.check_cancelled()?;
+    Ok((stylize(&image, &scene.style, context)?, at))
+}
+
+/// Copies the pixels that `area` and the image share.
+fn fill_image(rgba: &mut [u8], area: PixelRect, image: &Image, at: PixelRect) {
+    let left = area.x.max(at.x);
+    let right = (area.x + area.width as i64).min(at.x + at.width as i64);
+    let top = area.y.max(at.y);
+    let bottom = (area.y + area.height as i64).min(at.y + at.height as i64);
+    if right <= left {
+        return;
+    }
+    let count = (right - left) as usize;
+    let last = image.planes().len() - 1;
+    for y in top..bottom {
+        let start = (left - at.x) as usize;
+        let [r, g, b] =
+            [0, 1, 2].map(|i| &image.planes()[i.min(last)].row((y - at.y) as usize)[start..start + count]);
+        let offset = ((y - area.y) as usize * area.width + (left - area.x) as usize) * 4;
+        let pixels = rgba[offset..offset + count * 4].chunks_exact_mut(4);
+        for (pixel, ((&r, &g), &b)) in pixels.zip(r.iter().zip(g).zip(b)) {
+            (pixel[0], pixel[1], pixel[2]) = (r, g, b);
+        }
+    }
+}
+
+/// Lays a colour under straight-alpha pixels.
+fn lay_under(rgba: &mut [u8], coverage: &[u8], color: [u8; 3]) {
+    for (pixel, &coverage) in rgba.chunks_exact_mut(4).zip(coverage).filter(|(_, c)| **c > 0) {
+        let own = u32::from(pixel[3]) * 255;
+        let added = u32::from(coverage) * (255 - u32::from(pixel[3]));
+        let alpha = (own + added).max(1);
+        for (channel, color) in pixel.iter_mut().zip(color) {
+            *channel = ((u32::from(*channel) * own + u32::from(color) * added + alpha / 2) / alpha) as u8;
+        }
+        pixel[3] = ((alpha + 127) / 255) as u8;
+    }
+}
+
+/// Lays a colour over straight-alpha pixels.
+fn lay_over(rgba: &mut [u8], line: &[u8], color: [u8; 3]) {
+    for (pixel, &line) in rgba.chunks_exact_mut(4).zip(line).filter(|(_, line)| **line > 0) {
+        let (line, below) = (u32::from(line), u32::from(pixel[3]));
+        let kept = below * (255 - line);
+        let alpha = line * 255 + kept;
+        for (channel, color) in pixel.iter_mut().zip(color) {
+            let sum = u32::from(color) * line * 255 + u32::from(*channel) * kept;
+            *channel = ((sum + alpha / 2) / alpha) as u8;
+        }
+        pixel[3] = ((alpha + 127) / 255) as u8;
+    }
+}
+
+/// The whole page as opaque RGB while patches are laid on it.
+pub struct Sheet {
+    width: usize,
+    height: usize,
+    rgb: Vec<u8>,
+}
+
+impl Sheet {
+    /// Empty paper.
+    #[must_use]
+    pub fn new(scene: &Scene) -> Self {
+        let mut rgb = vec![0; scene.width * scene.height * 3];
+        rgb.chunks_exact_mut(3).for_each(|pixel| pixel.copy_from_slice(&scene.paper));
+        Self { width: scene.width, height: scene.height, rgb }
+    }
+
+    /// Lays a patch on what is there. Pixels outside of the page are left out.
+    ///
+    /// # Errors
+    /// `buffer-size` when the patch does not hold the pixels of its area.
+    pub fn lay(&mut self, area: PixelRect, rgba: &[u8]) -> Result<()> {
+        let expected = area.width.saturating_mul(area.height).saturating_mul(4);
+        if rgba.len() != expected {
+            let (width, height) = (area.width, area.height);
+            return Err(Error::BufferSize { width, height, expected, actual: rgba.len() });
+        }
+        let left = area.x.max(0);
+        let right = (area.x + area.width as i64).min(self.width as i64);
+        for y in area.y.max(0)..(area.y + area.height as i64).min(self.height as i64) {
+            if right <= left {
+                break;
+            }
+            let source = ((y - area.y) as usize * area.width + (left - area.x) as usize) * 4;
+            let target = (y as usize * self.width + left as usize) * 3;
+            let count = (right - left) as usize;
+            lay_row(&mut self.rgb[target..target + count * 3], &rgba[source..source + count * 4]);
+        }
+        Ok(())
+    }
+
+    /// Width in pixels.
+    #[must_use]
+    pub fn width(&self) -> usize {
+        self.width
+    }
+
+    /// Height in pixels.
+    #[must_use]
+    pub fn height(&self) -> usize {
+        self.height
+    }
+
+    /// Interleaved RGB.
+    #[must_use]
+    pub fn rgb(&self) -> &[u8] {
+        &self.rgb
+    }
+
+    /// Interleaved RGBA with an alpha of 255.
+    #[must_use]
+    pub fn to_rgba(&self) -> Vec<u8> {
+        let mut rgba = vec![255; self.width * self.height * 4];
+        for (rgba, rgb) in rgba.chunks_exact_mut(4).zip(self.rgb.chunks_exact(3)) {
+            rgba[..3].copy_from_slice(rgb);
+        }
+        rgba
+    }
+}
+
+fn lay_row(rgb: &mut [u8], rgba: &[u8]) {
+    for (below, above) in rgb.chunks_exact_mut(3).zip(rgba.chunks_exact(4)) {
+        match above[3] {
+            255 => below.copy_from_slice(&above[..3]),
+            0 => {}
+            alpha => {
+                let alpha = u32::from(alpha);
+                for (below, &above) in below.iter_mut().zip(above) {
+                    let sum = u32::from(above) * alpha + u32::from(*below) * (255 - alpha);
+                    *below = ((sum + 127) / 255) as u8;
+                }
+            }
+        }
+    }
+}
+
+/// Renders a whole page. `photo` finds the pixels of an id.
+///
+/// # Errors
+/// `missing-photo` for an id that `photo` does not know; `cancelled`.
+pub fn compose<'p>(
+    scene: &Scene,
+    photo: impl Fn(&str) -> Option<&'p Image>,
+    context: &mut Context<'_>,
+) -> Result<Sheet> {
+    let mut sheet = Sheet::new(scene);
+    for (i, panel) in scene.panels.iter().enumerate() {
+        let image = match &panel.photo {
+            Some(id) => Some(photo(id).ok_or_else(|| Error::MissingPhoto(id.clone()))?),
+            None => None,
+        };
+        let patch = render_panel(scene, i, image, context)?;
+        sheet.lay(patch.area, &patch.rgba)?;
+    }
+    Ok(sheet)
+}

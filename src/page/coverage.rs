@@ -1,0 +1,130 @@
+//! Exact area coverage of pixels by closed contours.
+//!
+//! A library's anti-aliasing with 4 x 4 samples a pixel is off by up to 19 of 255 on the edges of slanted
+//! panels; the exact area costs no more. Each segment deposits, in the pixels of a row that it crosses, how
+//! much the area to its right changes; the running sum along the row is the coverage.
+//!
+//! Source: the signed-area accumulation of font rasterisers (Levien, "Inside the fastest font renderer in the
+//! world", 2016), one row at a time.
+
+use super::mask::PixelRect;
+use crate::layout::Point;
+
+/// A closed line; its area is added to the coverage, or taken off it.
+pub struct Contour {
+    /// Corners in page pixels, in either direction.
+    pub points: Vec<Point>,
+    /// False takes the area off.
+    pub adds: bool,
+}
+
+/// Pixels that are tested for a change of coverage at once.
+const BLOCK: usize = 32;
+
+/// Coverage 0..=255 of the pixels of `area`. Contours may overlap only to take off what others add.
+#[must_use]
+pub fn coverage(contours: &[Contour], area: PixelRect) -> Vec<u8> {
+    let segments: Vec<Segment> = contours.iter().flat_map(|contour| segments(contour, area)).collect();
+    let mut samples = vec![0; area.width * area.height];
+    let mut changes = vec![0.0; area.width + 2];
+    for (y, row) in samples.chunks_exact_mut(area.width).enumerate() {
+        let mut touched = false;
+        for segment in &segments {
+            touched |= segment.deposit(y as f32, &mut changes, area.width as f32);
+        }
+        if touched {
+            sum_up(&mut changes, row);
+        }
+    }
+    samples
+}
+
+/// Runs along a row; stretches without a change are filled at once. Leaves `changes` zero.
+fn sum_up(changes: &mut [f32], row: &mut [u8]) {
+    let mut sum = 0.0f32;
+    for (changes, row) in changes.chunks_mut(BLOCK).zip(row.chunks_mut(BLOCK)) {
+        if changes.iter().all(|&change| change == 0.0) {
+            row.fill(quantised(sum));
+            continue;
+        }
+        for (sample, change) in row.iter_mut().zip(changes.iter()) {
+            sum += change;
+            *sample = quantised(sum);
+        }
+        changes.fill(0.0);
+    }
+    changes.fill(0.0);
+}
+
+fn quantised(sum: f32) -> u8 {
+    (sum.clamp(0.0, 1.0) * 255.0 + 0.5) as u8
+}
+
+/// A segment that runs down the page, and what lies to its right: +1 for inside, -1 for outside.
+struct Segment {
+    x: f32,
+    top: f32,
+    bottom: f32,
+    slope: f32,
+    sign: f32,
+}
+
+fn segments(contour: &Contour, area: PixelRect) -> impl Iterator<Item = Segment> + '_ {
+    let points = &contour.points;
+    let next = move |i: usize| points[(i + 1) % points.len()];
+    let doubled: f64 = (0..points.len()).map(|i| points[i].x * next(i).y - next(i).x * points[i].y).sum();
+    // Clockwise on the screen has a positive area, and its left edges run up.
+    let sign = if (doubled > 0.0) == contour.adds { -1.0 } else { 1.0 };
+    (0..points.len()).filter_map(move |i| {
+        let local = |p: Point| (p.x - area.x as f64, p.y - area.y as f64);
+        let ((x0, y0), (x1, y1)) = (local(points[i]), local(next(i)));
+        let (x, top, bottom, sign) = if y0 < y1 { (x0, y0, y1, sign) } else { (x1, y1, y0, -sign) };
+        let slope = (x1 - x0) / (y1 - y0);
+        (bottom > top).then_some(Segment {
+            x: x as f32,
+            top: top as f32,
+            bottom: bottom as f32,
+            slope: slope as f32,
+            sign,
+        })
+    })
+}
+
+impl Segment {
+    /// Adds the segment's part in row `y`; false where it does not reach the row.
+    fn deposit(&self, y: f32, changes: &mut [f32], width: f32) -> bool {
+        let (top, bottom) = (self.top.max(y), self.bottom.min(y + 1.0));
+        if bottom <= top {
+            return false;
+        }
+        let at = |y: f32| (self.x + (y - self.top) * self.slope).clamp(0.0, width);
+        let (a, b) = (at(top), at(bottom));
+        let (left, right) = (a.min(b), a.max(b));
+        let amount = (bottom - top) * self.sign;
+        let first = left.floor();
+        let i = first as usize;
+        if right <= first + 1.0 {
+            let beyond = amount * (f32::midpoint(left, right) - first);
+            changes[i] += amount - beyond;
+            changes[i + 1] += beyond;
+            return true;
+        }
+        // Across several pixels the covered area grows as a parabola, a line, a parabola.
+        let rate = amount / (right - left);
+        let mut before = 0.0;
+        let mut taken = 0.0;
+        let mut x = first;
+        while x < right {
+            let (from, to) = (left.max(x), right.min(x + 1.0));
+            let step = rate * (to - from);
+            // Area to the right of the segment within this pixel, for what has come so far and what crosses it.
+            let covered = before + step * (x + 1.0 - f32::midpoint(from, to));
+            changes[x as usize] += covered - taken;
+            taken = covered;
+            before += step;
+            x += 1.0;
+        }
+        changes[x as usize] += amount - taken;
+        true
+    }
+}

@@ -1,0 +1,122 @@
+//! Fills the panels of a template with photos, keeping what a person locked.
+
+use super::document::{Document, PanelContent};
+use super::shuffle::{Mode, Request};
+use crate::framing::{Assignment, Order, PhotoMeta, Slot, Target, assign, frame, slots};
+use crate::layout::merge::merged_bounds;
+use crate::layout::{PageSettings, ResolvedPanel, Template, resolve};
+
+/// The photos of all panels, framed: locked panels and photos that stay first, the gaps by chance. Also their
+/// order, with the photos that have no panel now at its end.
+pub(super) fn choose_photos(
+    request: &Request,
+    template: &Template,
+    merges: &[Vec<usize>],
+    same_layout: bool,
+) -> (Vec<String>, Vec<PanelContent>) {
+    let page = &request.page;
+    let resolved = resolve(template, page.aspect(), page);
+    let leader = |i: usize| leader_of(merges, i);
+    let heads: Vec<usize> = (0..resolved.len()).filter(|&i| leader(i) == i).collect();
+    let current = request.current.as_ref();
+    let mut slots = merged_slots(&resolved, merges, page);
+    if let Some(current) = current {
+        lock_slots(&mut slots, current, request, same_layout);
+    }
+    let mut slots: Vec<Slot> = heads.iter().map(|&i| slots[i].clone()).collect();
+    let photos = &request.photos;
+    let mut assigned: Vec<Option<Assignment>> = match current.filter(|_| request.keep.photos) {
+        Some(current) => kept(current, &slots, photos),
+        None => vec![None; slots.len()],
+    };
+    if assigned.iter().any(Option::is_none) {
+        // What is already decided counts as locked, so that only the gaps are filled.
+        for (slot, assigned) in slots.iter_mut().zip(&assigned) {
+            slot.locked = slot.locked.or(*assigned);
+        }
+        let order = if request.mode == Mode::Photos { Order::Free } else { Order::Kept };
+        assigned = assign(photos, &slots, order, u64::from(request.seed)).into_iter().map(Some).collect();
+    }
+    let locked = |i: usize| same_layout && current.is_some_and(|c| c.panels.get(i).is_some_and(|p| p.locked));
+    let panels: Vec<PanelContent> = (0..resolved.len())
+        .map(|i| {
+            let head = heads.iter().position(|&head| head == leader(i));
+            let assigned = head.and_then(|head| assigned[head]);
+            PanelContent {
+                photo: assigned.map(|a| photos[a.photo].id.clone()),
+                crop: assigned.map(|a| a.crop),
+                locked: locked(i),
+            }
+        })
+        .collect();
+    (order_of(&panels, current, photos), panels)
+}
+
+/// The panel that stands for `panel`: the first of its group.
+fn leader_of(merges: &[Vec<usize>], panel: usize) -> usize {
+    merges.iter().find(|group| group.contains(&panel)).map_or(panel, |group| group[0])
+}
+
+/// The panels as slots; the leader of a merged group wants a crop for the whole group, gutters included.
+fn merged_slots(resolved: &[ResolvedPanel], merges: &[Vec<usize>], page: &PageSettings) -> Vec<Slot> {
+    let width = f64::from(page.width);
+    let mut slots = slots(resolved, width);
+    for group in merges {
+        if let (Some(bounds), Some(slot)) = (merged_bounds(resolved, group), slots.get_mut(group[0])) {
+            slot.target = Target { aspect: bounds.aspect(), width: bounds.width * width, round: false };
+            slot.bounds = bounds;
+        }
+    }
+    slots
+}
+
+/// Panels that a person locked keep photo and crop, where the layout is the same.
+fn lock_slots(slots: &mut [Slot], current: &Document, request: &Request, same_layout: bool) {
+    if !same_layout {
+        return;
+    }
+    for (slot, panel) in slots.iter_mut().zip(&current.panels).filter(|(_, panel)| panel.locked) {
+        let photo = panel.photo.as_ref().and_then(|id| request.photos.iter().position(|p| &p.id == id));
+        if let (Some(photo), Some(crop)) = (photo, panel.crop) {
+            slot.locked = Some(Assignment { photo, crop });
+        }
+    }
+}
+
+/// The photos of the current page in their order, framed anew for these panels. A panel beyond the order, and
+/// one whose photo is gone, stays open.
+fn kept(current: &Document, slots: &[Slot], photos: &[PhotoMeta]) -> Vec<Option<Assignment>> {
+    let position = |id: &str| photos.iter().position(|photo| photo.id == id);
+    let mut used = vec![0u32; photos.len()];
+    let heads = current.panels.iter().enumerate().filter(|(i, _)| leader_of(&current.merges, *i) == *i);
+    let shown: Vec<Option<&str>> = heads.map(|(_, panel)| panel.photo.as_deref()).collect();
+    // The panels say what is shown; the order goes on with what a page of fewer panels left out.
+    let rest = current.order.iter().map(String::as_str).filter(|id| !shown.contains(&Some(id))).map(Some);
+    let mut sequence = shown.iter().copied().chain(rest);
+    slots
+        .iter()
+        .map(|slot| {
+            let photo = sequence.next().flatten().and_then(position);
+            if slot.locked.is_some() {
+                return slot.locked;
+            }
+            let photo = photo?;
+            let crop = frame(&photos[photo], &slot.target, used[photo]);
+            used[photo] += 1;
+            Some(Assignment { photo, crop })
+        })
+        .collect()
+}
+
+/// The photos of the panels, then those of the order before that have no panel now.
+fn order_of(panels: &[PanelContent], current: Option<&Document>, photos: &[PhotoMeta]) -> Vec<String> {
+    let before = current.map(|current| current.order.clone()).unwrap_or_default();
+    let in_use = |id: &String| photos.iter().any(|photo| &photo.id == id);
+    let mut order: Vec<String> = Vec::new();
+    for id in panels.iter().filter_map(|panel| panel.photo.clone()).chain(before.into_iter().filter(in_use)) {
+        if !order.contains(&id) {
+            order.push(id);
+        }
+    }
+    order
+}

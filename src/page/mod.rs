@@ -1,0 +1,29 @@
+//! Page: composes panels, borders and paper, and encodes the result. The last stage; imports all the others.
+//!
+//! | module | for |
+//! |---|---|
+//! | [`document`] | the page as plain data: what the front end holds, undoes and saves |
+//! | [`import`] | a file turned into what the page needs of a photo |
+//! | [`catalogue`] | blocks, layouts and styles as JSON |
+//! | [`shuffle`] | a new document from photos, locks and a seed |
+//! | `fill` | the panels of a template filled with photos |
+//! | [`scene`] | a document resolved to pixels of one size |
+//! | [`mask`] | the inside of a panel and its border |
+//! | [`coverage`] | exact area coverage of pixels |
+//! | [`compose`] | panels rendered to patches, patches laid on paper |
+//! | [`png`] | the file that people download |
+
+pub mod catalogue;
+pub mod compose;
+pub mod coverage;
+pub mod document;
+mod fill;
+pub mod import;
+pub mod mask;
+pub mod png;
+pub mod scene;
+pub mod shuffle;
+
+pub use compose::Patch;
+pub use document::Document;
+pub use scene::Scene;

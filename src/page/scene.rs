@@ -1,0 +1,129 @@
+//! A document resolved to pixels of one size: what the renderer needs to know and nothing of how it came
+//! about.
+
+use super::document::Document;
+use super::mask::PixelRect;
+use crate::error::{Error, Result};
+use crate::framing::Crop;
+use crate::layout::{self, Bounds, Point, ResolvedShape};
+use crate::style::Style;
+use crate::style::context::scale_of;
+use std::borrow::Cow;
+
+/// Longest page side that is rendered, in pixels: A3 at 600 dpi and a tall strip fit.
+const MAX_SIDE: f64 = 20_000.0;
+
+/// The crop of a panel that says none.
+const WHOLE: Crop = Crop { x: 0.0, y: 0.0, width: 1.0, height: 1.0 };
+
+/// A page at one size.
+pub struct Scene {
+    /// Width of the page in pixels.
+    pub width: usize,
+    /// Height of the page in pixels.
+    pub height: usize,
+    /// Panels in paint order.
+    pub panels: Vec<ScenePanel>,
+    /// The style of all panels.
+    pub style: Cow<'static, Style>,
+    /// Scale of spatial parameters: that of the page's average panel, so that lines are equally wide all over
+    /// a page, and alike in thumbnail, preview and print.
+    pub scale: f32,
+    /// Colour of the paper.
+    pub paper: [u8; 3],
+    /// Colour of the borders.
+    pub border_color: [u8; 3],
+    /// Width of the borders in pixels.
+    pub border: f64,
+    /// Radius of rounded corners in pixels.
+    pub corner_radius: f64,
+}
+
+/// One panel in pixels.
+pub struct ScenePanel {
+    /// Its shape in page pixels.
+    pub shape: ResolvedShape,
+    /// Bounds of the image that it shows a part of: its own, or those of the group it is merged into.
+    pub image_bounds: Bounds,
+    /// Width in pixels of the ring of paper that sets it off from what lies below.
+    pub halo: f64,
+    /// Pixels that its image and border touch.
+    pub area: PixelRect,
+    /// Id of the photo, none for an empty panel.
+    pub photo: Option<String>,
+    /// Part of the photo that fills `image_bounds`.
+    pub crop: Crop,
+}
+
+impl Scene {
+    /// Resolves a document at a page width in pixels.
+    ///
+    /// # Errors
+    /// `unknown-layout`, `unknown-style` and their `invalid-` kin; `invalid-document` when the page would be
+    /// larger than 20,000 pixels or the panels do not fit the layout.
+    pub fn new(document: &Document, width: usize) -> Result<Self> {
+        let invalid =
+            |location: &str, reason: String| Error::InvalidDocument { location: location.to_owned(), reason };
+        let page = &document.page;
+        let template = document.template()?;
+        let height = (width as f64 * f64::from(page.height) / f64::from(page.width)).round().max(1.0);
+        if width == 0 || width as f64 > MAX_SIDE || height > MAX_SIDE {
+            return Err(invalid("page", format!("cannot be rendered at {width} x {height} pixels")));
+        }
+        let resolved = layout::resolve(&template, width as f64 / height, page);
+        if resolved.len() != document.panels.len() {
+            let (has, wants) = (document.panels.len(), resolved.len());
+            return Err(invalid("panels", format!("has {has} entries, the layout has {wants} panels")));
+        }
+        let pixels = width as f64;
+        let border = page.border * pixels;
+        let bounds: Vec<Bounds> = resolved.iter().map(|panel| scaled_bounds(panel.bounds, pixels)).collect();
+        let base = template.base_count().max(1);
+        let panels = resolved
+            .into_iter()
+            .enumerate()
+            .map(|(i, panel)| {
+                let content = &document.panels[i];
+                let leader = document.merge_of(i).and_then(|group| group.first().copied()).unwrap_or(i);
+                let halo = panel.halo * pixels;
+                ScenePanel {
+                    shape: scaled_shape(panel.shape, pixels),
+                    image_bounds: document.merge_of(i).map_or(bounds[i], |group| union(group, &bounds)),
+                    halo,
+                    area: PixelRect::around(bounds[i], halo.max(border / 2.0) + 1.0),
+                    photo: document.panels[leader].photo.clone(),
+                    crop: document.panels[leader].crop.or(content.crop).unwrap_or(WHOLE),
+                }
+            })
+            .collect();
+        Ok(Self {
+            width,
+            height: height as usize,
+            panels,
+            style: document.style()?,
+            scale: scale_of(pixels * height / base as f64),
+            paper: page.paper_rgb(),
+            border_color: page.border_rgb(),
+            border,
+            corner_radius: page.corner_radius * pixels,
+        })
+    }
+}
+
+fn union(group: &[usize], bounds: &[Bounds]) -> Bounds {
+    group.iter().filter_map(|&i| bounds.get(i).copied()).reduce(Bounds::union).unwrap_or(bounds[0])
+}
+
+fn scaled_bounds(bounds: Bounds, by: f64) -> Bounds {
+    Bounds { x: bounds.x * by, y: bounds.y * by, width: bounds.width * by, height: bounds.height * by }
+}
+
+fn scaled_shape(shape: ResolvedShape, by: f64) -> ResolvedShape {
+    let point = |p: Point| Point::new(p.x * by, p.y * by);
+    match shape {
+        ResolvedShape::Polygon(points) => ResolvedShape::Polygon(points.into_iter().map(point).collect()),
+        ResolvedShape::Circle { center, radius } => {
+            ResolvedShape::Circle { center: point(center), radius: radius * by }
+        }
+    }
+}
