@@ -1,0 +1,302 @@
+//! The command line: batch rendering, goldens and debugging with the same code as the page.
+//!
+//! Progress and complaints go to standard error, results to standard output. Exit codes: 0 done, 1 bad input,
+//! 2 wrong usage (from the argument parser).
+
+use clap::{Parser, Subcommand};
+use inkpanel::layout::{PageSettings, Template};
+use inkpanel::page::import::{Imported, import};
+use inkpanel::page::shuffle::{Keep, Mode, Request, plan};
+use inkpanel::page::{Document, Scene, catalogue, compose, png};
+use inkpanel::raster::Image;
+use inkpanel::raster::decode::{Limits, decode};
+use inkpanel::select::{self, Measures};
+use inkpanel::style::{Context, Style, stylize};
+use inkpanel::{Error, style};
+use rayon::prelude::*;
+use serde_json::{Value, json};
+use std::collections::HashMap;
+use std::path::{Path, PathBuf};
+use std::process::ExitCode;
+
+/// Photos in, stylised storyboard pages out.
+#[derive(Parser)]
+#[command(version, about)]
+struct Cli {
+    #[command(subcommand)]
+    command: Command,
+}
+
+#[derive(Subcommand)]
+enum Command {
+    /// Make a storyboard page of photos.
+    Render(Render),
+    /// Draw one photo in a style.
+    Stylize {
+        /// Id of a designed style, or a style file.
+        #[arg(long, value_name = "ID|FILE")]
+        style: String,
+        /// The photo.
+        input: PathBuf,
+        /// Where the PNG goes.
+        #[arg(short, long)]
+        output: PathBuf,
+    },
+    /// Say which photos are worth a panel, and why.
+    Select {
+        /// The photos.
+        #[arg(required = true)]
+        files: Vec<PathBuf>,
+        /// Answer as JSON.
+        #[arg(long)]
+        json: bool,
+        /// Largest distance of two fingerprints that count as the same picture.
+        #[arg(long, default_value_t = 10, value_parser = clap::value_parser!(u32).range(0..=64))]
+        threshold: u32,
+    },
+    /// List the filter blocks.
+    Blocks(Listing),
+    /// List the page templates.
+    Layouts(Listing),
+    /// List the designed styles.
+    Styles(Listing),
+}
+
+#[derive(clap::Args)]
+struct Listing {
+    /// Answer as JSON.
+    #[arg(long)]
+    json: bool,
+}
+
+#[derive(clap::Args)]
+struct Render {
+    /// Id of a page template, or a layout file.
+    #[arg(long, value_name = "ID|FILE")]
+    layout: Option<String>,
+    /// Id of a designed style, or a style file.
+    #[arg(long, value_name = "ID|FILE")]
+    style: Option<String>,
+    /// Seed of what is left to chance.
+    #[arg(long, default_value_t = 1)]
+    seed: u32,
+    /// Width of the page in pixels; the height follows from A4 upright.
+    #[arg(long, default_value_t = 2480, value_parser = clap::value_parser!(u32).range(64..=9800))]
+    width: u32,
+    /// Number of panels.
+    #[arg(long)]
+    panels: Option<usize>,
+    /// Let two panels share one image.
+    #[arg(long)]
+    merge: bool,
+    /// Where the PNG goes.
+    #[arg(short, long)]
+    output: PathBuf,
+    /// The photos, in their order where they do not say when they were taken.
+    #[arg(required = true)]
+    files: Vec<PathBuf>,
+}
+
+/// A sentence about what went wrong, for people.
+type Complaint = String;
+
+fn main() -> ExitCode {
+    let done = match Cli::parse().command {
+        Command::Render(render) => render_page(&render),
+        Command::Stylize { style, input, output } => stylize_photo(&style, &input, &output),
+        Command::Select { files, json, threshold } => select_photos(&files, json, threshold),
+        Command::Blocks(listing) => list(&catalogue::blocks(), listing.json),
+        Command::Layouts(listing) => list(&catalogue::layouts(), listing.json),
+        Command::Styles(listing) => list(&catalogue::styles(), listing.json),
+    };
+    match done {
+        Ok(()) => ExitCode::SUCCESS,
+        Err(complaint) => {
+            eprintln!("inkpanel: {complaint}");
+            ExitCode::from(1)
+        }
+    }
+}
+
+fn render_page(render: &Render) -> Result<(), Complaint> {
+    let layout = render.layout.as_deref().map(layout_value).transpose()?;
+    let style = render.style.as_deref().map(style_value).transpose()?;
+    let photos = import_all(&render.files);
+    let measures: Vec<Measures> = photos.iter().map(|(_, photo)| photo.measures.clone()).collect();
+    let names: Vec<&str> = photos.iter().map(|(path, _)| name(path)).collect();
+    let verdicts = select::choose(&names, &measures, &select::Settings::default());
+    let mut used: Vec<_> =
+        photos.iter().zip(&verdicts).filter(|(_, v)| v.kept).map(|(p, _)| &p.1.meta).collect();
+    if used.iter().all(|meta| meta.taken.is_some()) {
+        used.sort_by(|a, b| a.taken.cmp(&b.taken));
+    }
+    let mut page = PageSettings::default();
+    let height = f64::from(render.width) * f64::from(page.height) / f64::from(page.width);
+    (page.width, page.height) = (render.width, height.round() as u32);
+    let request = Request {
+        seed: render.seed,
+        photos: used.into_iter().cloned().collect(),
+        page,
+        current: None,
+        keep: Keep::default(),
+        layout,
+        style,
+        panels: render.panels,
+        mode: Mode::Shuffle,
+        merge: Some(render.merge),
+        merges: None,
+    };
+    let document = plan(&request).map_err(|error| error.to_string())?;
+    let png = draw(&document, &photos)?;
+    write(&render.output, &png)
+}
+
+/// Renders a document from the files of its photos, decoded at their full size.
+fn draw(document: &Document, photos: &[(PathBuf, Imported)]) -> Result<Vec<u8>, Complaint> {
+    let scene = Scene::new(document, document.page.width as usize).map_err(|error| error.to_string())?;
+    let wanted: Vec<_> = photos
+        .iter()
+        .filter(|(_, photo)| scene.panels.iter().any(|panel| panel.photo.as_ref() == Some(&photo.meta.id)))
+        .collect();
+    let images: HashMap<&str, Image> = wanted
+        .par_iter()
+        .map(|(path, photo)| Ok((photo.meta.id.as_str(), decode_file(path)?)))
+        .collect::<Result<_, Complaint>>()?;
+    let render = |index: usize| -> inkpanel::Result<compose::Patch> {
+        let photo = scene.panels[index].photo.as_deref().and_then(|id| images.get(id));
+        compose::render_panel(&scene, index, photo, &mut Context::default())
+    };
+    let patches: Vec<_> = (0..scene.panels.len())
+        .into_par_iter()
+        .map(render)
+        .collect::<Result<_, Error>>()
+        .map_err(|error| error.to_string())?;
+    let mut sheet = compose::Sheet::new(&scene);
+    for patch in patches {
+        sheet.lay(patch.area, &patch.rgba).map_err(|error| error.to_string())?;
+    }
+    png::encode(&sheet, document.page.dpi).map_err(|error| error.to_string())
+}
+
+fn stylize_photo(style: &str, input: &Path, output: &Path) -> Result<(), Complaint> {
+    let style = read_style(style)?;
+    let image = decode_file(input)?;
+    let mut context = Context::for_image(&image);
+    let drawn = stylize(&image, &style, &mut context).map_err(|error| error.to_string())?;
+    let rgb: Vec<u8> =
+        drawn.to_rgba().chunks_exact(4).flat_map(|pixel| [pixel[0], pixel[1], pixel[2]]).collect();
+    let png = png::encode_rgb(drawn.width(), drawn.height(), &rgb, 96).map_err(|error| error.to_string())?;
+    write(output, &png)
+}
+
+fn select_photos(files: &[PathBuf], as_json: bool, threshold: u32) -> Result<(), Complaint> {
+    let photos = import_all(files);
+    if photos.is_empty() {
+        return Err(Error::NoPhotos.to_string());
+    }
+    let names: Vec<&str> = photos.iter().map(|(path, _)| name(path)).collect();
+    let measures: Vec<Measures> = photos.iter().map(|(_, photo)| photo.measures.clone()).collect();
+    let settings = select::Settings { threshold };
+    let verdicts = select::choose(&names, &measures, &settings);
+    let rows: Vec<Value> = photos
+        .iter()
+        .zip(&verdicts)
+        .map(|((path, photo), verdict)| {
+            json!({
+                "file": path.display().to_string(),
+                "fingerprint": format!("{:016x}", photo.measures.fingerprint),
+                "sharpness": photo.measures.gradient,
+                "group": verdict.group,
+                "kept": verdict.kept,
+                "why": verdict.why,
+            })
+        })
+        .collect();
+    if as_json {
+        println!("{}", Value::Array(rows));
+    } else {
+        for ((path, _), verdict) in photos.iter().zip(&verdicts) {
+            let mark = if verdict.kept { "keep" } else { "skip" };
+            println!("{mark}  {}  {}", path.display(), verdict.why);
+        }
+    }
+    Ok(())
+}
+
+/// Prints a catalogue; a reader that has gone away is no failure.
+fn list(catalogue: &Value, as_json: bool) -> Result<(), Complaint> {
+    let mut out = std::io::stdout().lock();
+    let print = |out: &mut dyn std::io::Write| -> std::io::Result<()> {
+        if as_json {
+            return writeln!(out, "{catalogue}");
+        }
+        for item in catalogue.as_array().into_iter().flatten() {
+            let text = |key: &str| item[key].as_str().unwrap_or_default();
+            let label = if text("name").is_empty() { text("label") } else { text("name") };
+            writeln!(out, "{:<24}{label}", text("id"))?;
+        }
+        Ok(())
+    };
+    match print(&mut out) {
+        Err(error) if error.kind() != std::io::ErrorKind::BrokenPipe => Err(error.to_string()),
+        _ => Ok(()),
+    }
+}
+
+/// Reads files side by side; names those that cannot be read and goes on without them.
+fn import_all(files: &[PathBuf]) -> Vec<(PathBuf, Imported)> {
+    let limits = Limits::default();
+    let read: Vec<Result<Imported, Complaint>> = files
+        .par_iter()
+        .enumerate()
+        .map(|(i, path)| {
+            let bytes = std::fs::read(path).map_err(|error| error.to_string())?;
+            import(&format!("photo-{i}"), &bytes, &limits).map_err(|error| error.to_string())
+        })
+        .collect();
+    let mut photos = Vec::new();
+    for (path, photo) in files.iter().zip(read) {
+        match photo {
+            Ok(photo) => photos.push((path.clone(), photo)),
+            Err(complaint) => eprintln!("inkpanel: {}: {complaint}; left out", path.display()),
+        }
+    }
+    photos
+}
+
+fn decode_file(path: &Path) -> Result<Image, Complaint> {
+    let complain = |reason: String| format!("{}: {reason}", path.display());
+    let bytes = std::fs::read(path).map_err(|error| complain(error.to_string()))?;
+    decode(&bytes, &Limits::default())
+        .map(|decoded| decoded.image)
+        .map_err(|error| complain(error.to_string()))
+}
+
+fn read_style(id_or_file: &str) -> Result<Style, Complaint> {
+    if !Path::new(id_or_file).is_file() {
+        return style::catalogue::find(id_or_file).cloned().map_err(|error| error.to_string());
+    }
+    let json = std::fs::read_to_string(id_or_file).map_err(|error| format!("{id_or_file}: {error}"))?;
+    Style::parse(id_or_file, &json).map_err(|error| error.to_string())
+}
+
+fn style_value(id_or_file: &str) -> Result<Value, Complaint> {
+    read_style(id_or_file).map(|style| style.to_value())
+}
+
+fn layout_value(id_or_file: &str) -> Result<Value, Complaint> {
+    if !Path::new(id_or_file).is_file() {
+        return Ok(Value::String(id_or_file.to_owned()));
+    }
+    let json = std::fs::read_to_string(id_or_file).map_err(|error| format!("{id_or_file}: {error}"))?;
+    Template::parse(id_or_file, &json).map_err(|error| error.to_string())?;
+    serde_json::from_str(&json).map_err(|error| format!("{id_or_file}: {error}"))
+}
+
+fn name(path: &Path) -> &str {
+    path.file_name().and_then(|name| name.to_str()).unwrap_or("?")
+}
+
+fn write(path: &Path, bytes: &[u8]) -> Result<(), Complaint> {
+    std::fs::write(path, bytes).map_err(|error| format!("{}: {error}", path.display()))
+}

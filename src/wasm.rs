@@ -1,0 +1,381 @@
+//! The web boundary: the only file that names `wasm_bindgen`. It holds no algorithm.
+//!
+//! Structured data crosses as JSON text, pixels as byte arrays. Every error is a JavaScript `Error` with a
+//! `code` beside its `message`. The page calls the functions for planning; a worker holds a [`Studio`].
+
+// Every function that returns a Result throws as the module's documentation says.
+#![allow(clippy::missing_errors_doc)]
+
+#[cfg(feature = "bench")]
+mod bench;
+
+use crate::error::{Error, Result};
+use crate::framing::Crop;
+use crate::layout::{self, PageSettings, Template};
+use crate::page::compose::{Sheet, compose, render_panel};
+use crate::page::document::{self, Document};
+use crate::page::import::import;
+use crate::page::mask::PixelRect;
+use crate::page::{Scene, catalogue, png, shuffle};
+use crate::raster::decode::{Limits, decode};
+use crate::raster::resize::{Region, resample_image};
+use crate::raster::{Image, Plane};
+use crate::style::{Context, Style, stylize};
+use serde::Deserialize;
+use serde_json::{Value, json};
+use std::collections::HashMap;
+use wasm_bindgen::prelude::*;
+
+#[wasm_bindgen(start)]
+fn start() {
+    console_error_panic_hook::set_once();
+}
+
+/// Descriptors of all filter blocks, a JSON array.
+#[wasm_bindgen]
+#[must_use]
+pub fn blocks() -> String {
+    catalogue::blocks().to_string()
+}
+
+/// All page templates in unit coordinates, a JSON array.
+#[wasm_bindgen]
+#[must_use]
+pub fn layouts() -> String {
+    catalogue::layouts().to_string()
+}
+
+/// All designed styles, a JSON array of style files.
+#[wasm_bindgen]
+#[must_use]
+pub fn styles() -> String {
+    catalogue::styles().to_string()
+}
+
+/// Reads a style file and gives it back normalised. Throws `invalid-style`.
+#[wasm_bindgen]
+pub fn check_style(json: &str, file: &str) -> std::result::Result<String, JsValue> {
+    Style::parse(file, json).map(|style| style.to_value().to_string()).map_err(thrown)
+}
+
+/// Reads a layout file and gives it back normalised. Throws `invalid-layout`.
+#[wasm_bindgen]
+pub fn check_layout(json: &str, file: &str) -> std::result::Result<String, JsValue> {
+    Template::parse(file, json).map(|template| template.to_json()).map_err(thrown)
+}
+
+/// Where the panels of `{layout, page}` are, in page widths: `{width: 1, height, panels}`.
+#[wasm_bindgen]
+pub fn page_geometry(json: &str) -> std::result::Result<String, JsValue> {
+    geometry(json).map_err(thrown)
+}
+
+/// A new document from photos, locks and a seed; see `page::shuffle::Request`.
+#[wasm_bindgen]
+pub fn plan(json: &str) -> std::result::Result<String, JsValue> {
+    let plan = || -> Result<String> { to_json(&shuffle::plan(&parse(json, "request")?)?) };
+    plan().map_err(thrown)
+}
+
+/// Which photos of `{photos: [{id, name, measures...}], threshold}` are worth a panel: `[{id, group, kept, why}]`.
+#[wasm_bindgen]
+pub fn choose_photos(json: &str) -> std::result::Result<String, JsValue> {
+    catalogue::choose(json).map_err(thrown)
+}
+
+/// A rectangle of rendered pixels.
+#[wasm_bindgen]
+pub struct Patch {
+    area: PixelRect,
+    rgba: Vec<u8>,
+}
+
+#[wasm_bindgen]
+impl Patch {
+    /// Left edge in page pixels.
+    #[wasm_bindgen(getter)]
+    #[must_use]
+    pub fn x(&self) -> i32 {
+        self.area.x as i32
+    }
+
+    /// Top edge in page pixels.
+    #[wasm_bindgen(getter)]
+    #[must_use]
+    pub fn y(&self) -> i32 {
+        self.area.y as i32
+    }
+
+    /// Width in pixels.
+    #[wasm_bindgen(getter)]
+    #[must_use]
+    pub fn width(&self) -> u32 {
+        self.area.width as u32
+    }
+
+    /// Height in pixels.
+    #[wasm_bindgen(getter)]
+    #[must_use]
+    pub fn height(&self) -> u32 {
+        self.area.height as u32
+    }
+
+    /// Moves the straight-alpha RGBA out; the patch is empty afterwards.
+    #[must_use]
+    pub fn take(&mut self) -> js_sys::Uint8ClampedArray {
+        js_sys::Uint8ClampedArray::from(std::mem::take(&mut self.rgba).as_slice())
+    }
+}
+
+/// A worker's photos and scratch memory.
+#[wasm_bindgen]
+#[derive(Default)]
+pub struct Studio {
+    photos: HashMap<String, Image>,
+    context: Context<'static>,
+    sheet: Option<(Sheet, u32)>,
+}
+
+#[wasm_bindgen]
+impl Studio {
+    /// An empty studio.
+    #[wasm_bindgen(constructor)]
+    #[must_use]
+    pub fn new() -> Self {
+        Self::default()
+    }
+
+    /// Decodes a file into `ID/work` and `ID/small`; gives the photo's facts as JSON.
+    pub fn import_photo(&mut self, id: &str, bytes: &[u8]) -> std::result::Result<String, JsValue> {
+        let photo = import(id, bytes, &Limits::default()).map_err(thrown)?;
+        let size = |image: &Image| json!({ "width": image.width(), "height": image.height() });
+        let mut facts = serde_json::to_value(&photo.meta).map_err(|error| internal(&error))?;
+        facts["format"] = json!(photo.format);
+        facts["work"] = size(&photo.work);
+        facts["small"] = size(&photo.small);
+        facts["measures"] = catalogue::measures(&photo.measures);
+        self.photos.insert(format!("{id}/work"), photo.work);
+        self.photos.insert(format!("{id}/small"), photo.small);
+        Ok(facts.to_string())
+    }
+
+    /// The red, green and blue planes of a photo, one after the other.
+    pub fn photo_planes(&self, key: &str) -> std::result::Result<Vec<u8>, JsValue> {
+        let image = self.photo(key).map_err(thrown)?;
+        Ok(image.planes().iter().flat_map(Plane::samples).copied().collect())
+    }
+
+    /// Takes over the planes of a photo.
+    pub fn put_photo(
+        &mut self,
+        key: &str,
+        width: usize,
+        height: usize,
+        planes: &[u8],
+    ) -> std::result::Result<(), JsValue> {
+        let image = image_of_planes(width, height, planes).map_err(thrown)?;
+        self.photos.insert(key.to_owned(), image);
+        Ok(())
+    }
+
+    /// Decodes a file at its full size into `ID/full`.
+    pub fn import_full(&mut self, id: &str, bytes: &[u8]) -> std::result::Result<(), JsValue> {
+        let decoded = decode(bytes, &Limits::default()).map_err(thrown)?;
+        self.photos.insert(format!("{id}/full"), decoded.image);
+        Ok(())
+    }
+
+    /// Whether a photo is here.
+    #[must_use]
+    pub fn has_photo(&self, key: &str) -> bool {
+        self.photos.contains_key(key)
+    }
+
+    /// Lets a photo go.
+    pub fn drop_photo(&mut self, key: &str) {
+        self.photos.remove(key);
+    }
+
+    /// Bytes of all photos here.
+    #[must_use]
+    pub fn photo_bytes(&self) -> usize {
+        self.photos.values().flat_map(Image::planes).map(|plane| plane.samples().len()).sum()
+    }
+
+    /// One panel of a page that is `width` pixels wide, from the photos of a tier (`small`, `work`, `full`).
+    pub fn render_panel(
+        &mut self,
+        document: &str,
+        index: usize,
+        width: usize,
+        tier: &str,
+    ) -> std::result::Result<Patch, JsValue> {
+        let mut render = || -> Result<Patch> {
+            let scene = Scene::new(&Document::parse(document)?, width)?;
+            let id = scene.panels.get(index).and_then(|panel| panel.photo.as_ref());
+            let photo = id.map(|id| find(&self.photos, id, tier)).transpose()?;
+            let patch = render_panel(&scene, index, photo, &mut self.context)?;
+            Ok(Patch { area: patch.area, rgba: patch.rgba })
+        };
+        render().map_err(thrown)
+    }
+
+    /// A whole page.
+    pub fn compose(
+        &mut self,
+        document: &str,
+        width: usize,
+        tier: &str,
+    ) -> std::result::Result<Patch, JsValue> {
+        let mut render = || -> Result<Patch> {
+            let scene = Scene::new(&Document::parse(document)?, width)?;
+            let sheet = compose(&scene, |id| find(&self.photos, id, tier).ok(), &mut self.context)?;
+            let area = PixelRect { x: 0, y: 0, width: sheet.width(), height: sheet.height() };
+            Ok(Patch { area, rgba: sheet.to_rgba() })
+        };
+        render().map_err(thrown)
+    }
+
+    /// A photo, or a crop of it (JSON, or empty for the whole), in a style.
+    pub fn stylize_photo(
+        &mut self,
+        key: &str,
+        style: &str,
+        width: usize,
+        height: usize,
+        crop: &str,
+    ) -> std::result::Result<Patch, JsValue> {
+        let mut render = || -> Result<Patch> {
+            let photo = self.photos.get(key).ok_or_else(|| Error::MissingPhoto(key.to_owned()))?;
+            let (w, h) = (photo.width() as f64, photo.height() as f64);
+            let mut region = Region::whole(photo.width(), photo.height());
+            if !crop.is_empty() {
+                let crop: Crop = parse(crop, "crop")?;
+                region =
+                    Region { x: crop.x * w, y: crop.y * h, width: crop.width * w, height: crop.height * h };
+            }
+            let image = resample_image(photo, region, width.max(1), height.max(1));
+            self.context.fit_scale(&image);
+            let rgba = stylize(&image, &style_of(style)?, &mut self.context)?.to_rgba();
+            Ok(Patch { area: PixelRect { x: 0, y: 0, width: image.width(), height: image.height() }, rgba })
+        };
+        render().map_err(thrown)
+    }
+
+    /// An image in a style: RGBA in, RGBA of the same size out.
+    pub fn stylize(
+        &mut self,
+        style: &str,
+        width: usize,
+        height: usize,
+        rgba: &[u8],
+    ) -> std::result::Result<Vec<u8>, JsValue> {
+        let mut render = || -> Result<Vec<u8>> {
+            let image = Image::from_rgba(width, height, rgba, [255; 3])?;
+            self.context.fit_scale(&image);
+            Ok(stylize(&image, &style_of(style)?, &mut self.context)?.to_rgba())
+        };
+        render().map_err(thrown)
+    }
+
+    /// Begins a page for the file; patches are laid on it next.
+    pub fn begin_page(&mut self, document: &str, width: usize) -> std::result::Result<(), JsValue> {
+        let begin = || -> Result<(Sheet, u32)> {
+            let document = Document::parse(document)?;
+            Ok((Sheet::new(&Scene::new(&document, width)?), document.page.dpi))
+        };
+        self.sheet = Some(begin().map_err(thrown)?);
+        Ok(())
+    }
+
+    /// Lays a patch on the page that was begun. `index` is for the caller's own order.
+    pub fn add_patch(
+        &mut self,
+        _index: usize,
+        x: i32,
+        y: i32,
+        width: usize,
+        height: usize,
+        rgba: &[u8],
+    ) -> std::result::Result<(), JsValue> {
+        let (sheet, _) = self.sheet.as_mut().ok_or_else(|| thrown(not_begun()))?;
+        sheet.lay(PixelRect { x: i64::from(x), y: i64::from(y), width, height }, rgba).map_err(thrown)
+    }
+
+    /// Encodes the page that was begun.
+    pub fn finish_png(&mut self) -> std::result::Result<Vec<u8>, JsValue> {
+        let (sheet, dpi) = self.sheet.take().ok_or_else(|| thrown(not_begun()))?;
+        png::encode(&sheet, dpi).map_err(thrown)
+    }
+
+    /// Bytes of this instance's memory.
+    #[must_use]
+    pub fn memory(&self) -> f64 {
+        const PAGE: f64 = 65_536.0;
+        core::arch::wasm32::memory_size::<0>() as f64 * PAGE
+    }
+
+    fn photo(&self, key: &str) -> Result<&Image> {
+        self.photos.get(key).ok_or_else(|| Error::MissingPhoto(key.to_owned()))
+    }
+}
+
+fn find<'p>(photos: &'p HashMap<String, Image>, id: &str, tier: &str) -> Result<&'p Image> {
+    photos.get(&format!("{id}/{tier}")).ok_or_else(|| Error::MissingPhoto(id.to_owned()))
+}
+
+fn style_of(json: &str) -> Result<Style> {
+    Ok(document::style_of(&parse(json, "style")?)?.into_owned())
+}
+
+fn image_of_planes(width: usize, height: usize, planes: &[u8]) -> Result<Image> {
+    let count = width.saturating_mul(height);
+    let expected = count.saturating_mul(3);
+    if count == 0 || planes.len() != expected {
+        return Err(Error::BufferSize { width, height, expected, actual: planes.len() });
+    }
+    let plane = |i: usize| Plane::from_samples(width, height, planes[i * count..(i + 1) * count].to_vec());
+    Image::from_rgb([plane(0)?, plane(1)?, plane(2)?])
+}
+
+fn geometry(json: &str) -> Result<String> {
+    #[derive(Deserialize)]
+    struct Wanted {
+        layout: Value,
+        #[serde(default)]
+        page: PageSettings,
+    }
+    let Wanted { layout, page } = parse(json, "request")?;
+    page.validate()?;
+    let template = document::template_of(&layout)?;
+    let panels: Vec<Value> = layout::resolve(&template, page.aspect(), &page)
+        .iter()
+        .map(layout::ResolvedPanel::to_value)
+        .collect();
+    Ok(json!({ "width": 1, "height": 1.0 / page.aspect(), "panels": panels }).to_string())
+}
+
+fn parse<T: for<'a> Deserialize<'a>>(json: &str, location: &str) -> Result<T> {
+    serde_json::from_str(json)
+        .map_err(|error| Error::InvalidDocument { location: location.into(), reason: error.to_string() })
+}
+
+fn to_json(value: &impl serde::Serialize) -> Result<String> {
+    serde_json::to_string(value).map_err(|error| Error::Encode(error.to_string()))
+}
+
+fn not_begun() -> Error {
+    Error::Encode("no page was begun".into())
+}
+
+#[allow(clippy::needless_pass_by_value)] // It is what map_err hands over.
+fn thrown(error: Error) -> JsValue {
+    let object = js_sys::Error::new(&error.to_string());
+    // Setting a property of a fresh object cannot fail.
+    let _ = js_sys::Reflect::set(&object, &"code".into(), &error.code().into());
+    object.into()
+}
+
+fn internal(error: &impl std::fmt::Display) -> JsValue {
+    thrown(Error::Encode(error.to_string()))
+}

@@ -1,0 +1,60 @@
+//! What the benchmark times: blocks or a whole style, again and again on planes that are already here, so that
+//! neither decoding nor copies across the boundary count.
+
+use super::{style_of, thrown};
+use crate::error::Result;
+use crate::raster::Image;
+use crate::style::{Context, Style, chain, stylize};
+use wasm_bindgen::prelude::*;
+
+/// One style, one picture, and the scratch memory that a worker would keep.
+#[wasm_bindgen]
+pub struct Bench {
+    style: Style,
+    /// Blocks of the background that were run beforehand.
+    done: usize,
+    picture: Image,
+    next: Option<Image>,
+    context: Context<'static>,
+}
+
+#[wasm_bindgen]
+impl Bench {
+    /// Takes a style file and RGBA pixels, and runs the first `done` blocks of the background. Throws what a
+    /// style or a size can be wrong in.
+    #[wasm_bindgen(constructor)]
+    pub fn new(
+        style: &str,
+        done: usize,
+        width: usize,
+        height: usize,
+        rgba: &[u8],
+    ) -> std::result::Result<Bench, JsValue> {
+        let make = || -> Result<Bench> {
+            let style = style_of(style)?;
+            let done = done.min(style.background.len());
+            let picture = Image::from_rgba(width, height, rgba, [255; 3])?;
+            let mut context = Context::for_image(&picture);
+            let picture = chain::run_owned(&style.background[..done], picture, &mut context)?;
+            Ok(Bench { style, done, picture, next: None, context })
+        };
+        make().map_err(thrown)
+    }
+
+    /// Copies the picture for the next [`Bench::run`], which changes it in place.
+    pub fn prepare(&mut self) {
+        self.next = Some(self.picture.clone());
+    }
+
+    /// Runs the other blocks of the background once on the prepared copy; does nothing without one.
+    pub fn run(&mut self) -> std::result::Result<(), JsValue> {
+        let Some(picture) = self.next.take() else { return Ok(()) };
+        let steps = &self.style.background[self.done..];
+        chain::run_owned(steps, picture, &mut self.context).map(drop).map_err(thrown)
+    }
+
+    /// Runs the whole style once, both layers and its own copies.
+    pub fn run_style(&mut self) -> std::result::Result<(), JsValue> {
+        stylize(&self.picture, &self.style, &mut self.context).map(drop).map_err(thrown)
+    }
+}
