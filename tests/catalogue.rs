@@ -1,0 +1,97 @@
+//! What people choose from: every data file and every block's file is in the catalogue, and the table of blocks
+//! in `styles/README.md` is what the descriptors say.
+#![allow(clippy::unwrap_used, reason = "a test may stop at the first thing that is not as expected")]
+
+use std::collections::BTreeSet;
+use std::fmt::Write as _;
+use std::fs;
+use std::path::{Path, PathBuf};
+
+use inkpanel::page::catalogue;
+use serde_json::Value;
+
+const START: &str = "<!-- blocks:start -->\n";
+const END: &str = "<!-- blocks:end -->";
+
+fn root(path: &str) -> PathBuf {
+    Path::new(env!("CARGO_MANIFEST_DIR")).join(path)
+}
+
+fn ids(catalogue: &Value) -> BTreeSet<String> {
+    catalogue.as_array().unwrap().iter().map(|entry| text(entry, "id")).collect()
+}
+
+fn text(entry: &Value, field: &str) -> String {
+    entry[field].as_str().unwrap().to_owned()
+}
+
+/// The names in a folder without what follows the first dot, those called `other` left out.
+fn stems(folder: &str, other: &[&str]) -> BTreeSet<String> {
+    fs::read_dir(root(folder))
+        .unwrap()
+        .map(|entry| entry.unwrap().file_name().into_string().unwrap())
+        .filter_map(|name| name.split('.').next().map(str::to_owned))
+        .filter(|stem| !stem.is_empty() && !other.contains(&stem.as_str()))
+        .collect()
+}
+
+#[test]
+fn every_file_is_in_its_catalogue_and_every_entry_has_a_file() {
+    assert_eq!(stems("layouts", &["README", "sheet"]), ids(&catalogue::layouts()));
+    assert_eq!(stems("styles", &["README"]), ids(&catalogue::styles()));
+    assert_eq!(stems("src/style/blocks", &["mod"]), ids(&catalogue::blocks()));
+}
+
+#[test]
+fn every_block_and_parameter_explains_itself() {
+    for block in catalogue::blocks().as_array().unwrap() {
+        for described in std::iter::once(block).chain(block["params"].as_array().unwrap()) {
+            let id = text(described, "id");
+            assert!(!text(described, "label").is_empty(), "{} {id}", block["id"]);
+            assert!(text(described, "help").ends_with('.'), "{} {id}: help is a sentence", block["id"]);
+        }
+    }
+}
+
+/// With `BLESS=1` the table is written anew, and the test fails for once.
+#[test]
+fn the_readme_of_the_styles_lists_the_blocks_as_they_are() {
+    let path = root("styles/README.md");
+    let readme = fs::read_to_string(&path).unwrap();
+    let (before, rest) = readme.split_once(START).unwrap();
+    let (table, after) = rest.split_once(END).unwrap();
+    let expected = blocks_table();
+    if std::env::var_os("BLESS").is_some() && table != expected {
+        fs::write(&path, format!("{before}{START}{expected}{END}{after}")).unwrap();
+    }
+    assert_eq!(table, expected, "`cargo xtask bless` writes the table anew");
+}
+
+fn blocks_table() -> String {
+    let mut table = String::from("| block | parameters | what it does |\n|---|---|---|\n");
+    for block in catalogue::blocks().as_array().unwrap() {
+        let params: Vec<_> = block["params"].as_array().unwrap().iter().map(parameter).collect();
+        let cells = [format!("`{}`", text(block, "id")), params.join("; "), text(block, "help")];
+        writeln!(table, "| {} |", cells.join(" | ")).unwrap();
+    }
+    table
+}
+
+/// `sigma` .3..50 px (2), or the choices with the default first.
+fn parameter(param: &Value) -> String {
+    let default = &param["default"];
+    let domain = match text(param, "kind").as_str() {
+        "boolean" => "true or false".to_owned(),
+        "choice" => {
+            let choices: Vec<_> =
+                param["choices"].as_array().unwrap().iter().map(|c| c.as_str().unwrap_or_default()).collect();
+            choices.join(", ")
+        }
+        _ => {
+            let unit = param["unit"].as_str().filter(|unit| !unit.is_empty());
+            format!("{}..{}{}", param["min"], param["max"], unit.map(|u| format!(" {u}")).unwrap_or_default())
+        }
+    };
+    let default = default.as_str().map_or_else(|| default.to_string(), str::to_owned);
+    format!("`{}` {domain} ({default})", text(param, "id"))
+}

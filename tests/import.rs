@@ -1,0 +1,183 @@
+//! Files in, pixels out: every format against what Pillow sees, and every way to be broken.
+//! The files and the expectations are made by `tests/oracles/decode.py`.
+#![allow(clippy::unwrap_used, reason = "a test may stop at the first thing that is not as expected")]
+
+use std::fs;
+use std::path::{Path, PathBuf};
+
+use inkpanel::Error;
+use inkpanel::raster::Image;
+use inkpanel::raster::decode::{Limits, decode, decode_fit};
+use proptest::prelude::*;
+use serde::Deserialize;
+
+#[derive(Deserialize)]
+struct Expected {
+    file: String,
+    width: usize,
+    height: usize,
+    orientation: u8,
+    taken: Option<String>,
+    offset: usize,
+}
+
+fn root(path: &str) -> PathBuf {
+    Path::new(env!("CARGO_MANIFEST_DIR")).join(path)
+}
+
+fn files(folder: &str) -> Vec<(String, Vec<u8>)> {
+    let paths = fs::read_dir(root(folder)).unwrap().map(|entry| entry.unwrap().path());
+    let photos = paths.filter(|path| !matches!(path.extension().unwrap().to_str(), Some("md" | "json")));
+    let mut files: Vec<_> = photos
+        .map(|path| (path.file_name().unwrap().to_str().unwrap().to_owned(), fs::read(path).unwrap()))
+        .collect();
+    files.sort();
+    files
+}
+
+fn interleaved(image: &Image) -> Vec<u8> {
+    image.to_rgba().chunks_exact(4).flat_map(|rgba| [rgba[0], rgba[1], rgba[2]]).collect()
+}
+
+#[test]
+fn every_format_is_seen_as_pillow_sees_it() {
+    let data = root("tests/oracles/data");
+    let expected: Vec<Expected> =
+        serde_json::from_slice(&fs::read(data.join("expected.json")).unwrap()).unwrap();
+    let pixels = fs::read(data.join("expected.bin")).unwrap();
+    assert_eq!(expected.len(), files("tests/oracles/data/files").len());
+    let mut failures = Vec::new();
+    for expected in expected {
+        let file = &expected.file;
+        let bytes = fs::read(data.join("files").join(file)).unwrap();
+        let decoded = decode(&bytes, &Limits::default()).unwrap_or_else(|error| panic!("{file}: {error}"));
+        assert_eq!(
+            (decoded.image.width(), decoded.image.height()),
+            (expected.width, expected.height),
+            "{file}"
+        );
+        assert_eq!((decoded.orientation, decoded.taken), (expected.orientation, expected.taken), "{file}");
+        let format = decoded.format.to_lowercase();
+        assert!(file.starts_with(&format), "{file} is no {format}");
+        let expected = &pixels[expected.offset..][..expected.width * expected.height * 3];
+        let differences =
+            || interleaved(&decoded.image).into_iter().zip(expected).map(|(a, &b)| a.abs_diff(b));
+        let sum: u32 = differences().map(u32::from).sum();
+        let (mean, most) = (f64::from(sum) / expected.len() as f64, differences().max().unwrap());
+        // What is lossless is exact but for one rounding of alpha; JPEG decoders differ a little in upsampling.
+        let lossy = format == "jpeg" || file.contains("lossy");
+        if mean > if lossy { 2.0 } else { 0.3 } || most > if lossy { 8 } else { 1 } {
+            failures.push(format!("{file}: mean difference {mean:.3}, largest {most}"));
+        }
+    }
+    assert!(failures.is_empty(), "{failures:#?}");
+}
+
+#[test]
+fn a_file_cut_short_anywhere_is_named_damaged() {
+    let folders = ["tests/oracles/data/files", "tests/photos", "www/public/samples"];
+    for (name, bytes) in folders.into_iter().flat_map(files) {
+        for part in 1..40 {
+            let cut = &bytes[..bytes.len() * part / 40];
+            match decode_fit(cut, &Limits::default(), 64) {
+                Err(Error::Damaged { .. } | Error::UnknownFormat) => {}
+                Err(error) => panic!("{name} cut at {part}/40: {error:?}"),
+                // Of an animation the first frame may be whole.
+                Ok(_) if name.contains("animated") && part > 19 => {}
+                Ok(_) => panic!("{name} cut at {part}/40 was read"),
+            }
+        }
+    }
+}
+
+#[test]
+fn a_header_that_lies_is_refused_before_memory_is_taken() {
+    let jpeg = fs::read(root("tests/oracles/data/files/jpeg-420.jpg")).unwrap();
+    let frame = jpeg.windows(2).position(|pair| pair == [0xFF, 0xC0]).unwrap();
+    let sized = |width: u16, height: u16| {
+        let mut file = jpeg.clone();
+        file[frame + 5..frame + 7].copy_from_slice(&height.to_be_bytes());
+        file[frame + 7..frame + 9].copy_from_slice(&width.to_be_bytes());
+        decode(&file, &Limits::default()).unwrap_err().code()
+    };
+    assert_eq!(sized(60_000, 60_000), "too-large");
+    assert_eq!(sized(20_000, 20_000), "too-large");
+    assert_eq!(sized(9_000, 9_000), "damaged");
+    assert_eq!(sized(0, 9_000), "damaged");
+
+    let mut png = fs::read(root("tests/oracles/data/files/png-rgb.png")).unwrap();
+    png[16..24].copy_from_slice(&[0, 0, 0xEA, 0x60, 0, 0, 0xEA, 0x60]);
+    let crc = crc32(&png[12..29]);
+    png[29..33].copy_from_slice(&crc.to_be_bytes());
+    let error = decode(&png, &Limits::default()).unwrap_err();
+    assert_eq!(error.code(), "too-large");
+    assert_eq!(
+        error.to_string(),
+        "the image is too large: 60000 x 60000 pixels, the limit is 32768 pixels a side"
+    );
+}
+
+#[test]
+fn limits_hold_for_every_format() {
+    for (name, bytes) in files("tests/oracles/data/files") {
+        let code = |limits: Limits| decode(&bytes, &limits).map(|_| ()).unwrap_err().code();
+        let free = Limits::default();
+        assert_eq!(code(Limits { max_side: 44, ..free }), "too-large", "{name}");
+        assert_eq!(code(Limits { max_pixels: 45 * 27 - 1, ..free }), "too-large", "{name}");
+        assert_eq!(code(Limits { max_bytes: 45 * 27 * 4, ..free }), "too-large", "{name}");
+    }
+}
+
+#[test]
+fn what_is_no_image_is_unknown() {
+    for bytes in
+        [&b""[..], b"\xFF", b"hello, this is text", b"%PDF-1.7\n", b"\0\0\0\x1CftypheicABCD", b"<svg/>"]
+    {
+        assert_eq!(decode(bytes, &Limits::default()).unwrap_err().code(), "unknown-format");
+    }
+    // The beginning of an image and nothing behind it.
+    for bytes in
+        [&b"\xFF\xD8\xFF\xE0"[..], b"\x89PNG\r\n\x1a\n", b"GIF89a", b"BM", b"II*\0", b"RIFF\x04\0\0\0WEBP"]
+    {
+        assert_eq!(decode(bytes, &Limits::default()).unwrap_err().code(), "damaged");
+    }
+}
+
+#[test]
+fn a_fitted_photo_tells_its_full_size_upright() {
+    let bytes = fs::read(root("tests/oracles/data/files/jpeg-exif-6.jpg")).unwrap();
+    let fitted = decode_fit(&bytes, &Limits::default(), 15).unwrap();
+    assert_eq!((fitted.width, fitted.height), (27, 45));
+    assert_eq!((fitted.image.width(), fitted.image.height()), (9, 15));
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(1500))]
+
+    #[test]
+    fn flipped_bits_never_panic(file in 0usize..100, flips in prop::collection::vec((any::<u32>(), 0u8..8), 1..6)) {
+        let files = files("tests/oracles/data/files");
+        let (_, mut bytes) = files[file % files.len()].clone();
+        for (at, bit) in flips {
+            let at = at as usize % bytes.len();
+            bytes[at] ^= 1 << bit;
+        }
+        let limits = Limits { max_pixels: 1_000_000, max_bytes: 1 << 24, ..Limits::default() };
+        if let Ok(decoded) = decode(&bytes, &limits) {
+            prop_assert!(decoded.image.width() * decoded.image.height() <= 1_000_000);
+        }
+    }
+
+    #[test]
+    fn random_bytes_behind_a_magic_number_never_panic(kind in 0usize..7, tail in prop::collection::vec(any::<u8>(), 0..400)) {
+        let magic: [&[u8]; 7] = [b"\xFF\xD8\xFF", b"\x89PNG\r\n\x1a\n", b"GIF89a", b"BM", b"II*\0", b"MM\0*", b"RIFF\x04\0\0\0WEBPVP8 "];
+        let bytes = [magic[kind], &tail].concat();
+        let _ = decode(&bytes, &Limits { max_pixels: 1_000_000, max_bytes: 1 << 24, ..Limits::default() });
+    }
+}
+
+/// The check sum of PNG chunks, bit by bit.
+fn crc32(bytes: &[u8]) -> u32 {
+    let step = |crc: u32| if crc & 1 == 1 { (crc >> 1) ^ 0xEDB8_8320 } else { crc >> 1 };
+    !bytes.iter().fold(!0, |crc, &byte| (0..8).fold(crc ^ u32::from(byte), |crc, _| step(crc)))
+}
