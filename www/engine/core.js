@@ -1,0 +1,80 @@
+// @ts-check
+/**
+ * The wasm module: compiled once here, instantiated on the main thread for planning and in each worker for pixels.
+ */
+
+import initCore, * as core from '../pkg/inkpanel.js';
+import { failure } from './protocol.js';
+
+const ADDRESS = new URL('../pkg/inkpanel_bg.wasm', import.meta.url);
+
+/** @returns {Promise<WebAssembly.Module>} */
+async function compile() {
+  const response = await fetch(ADDRESS);
+  if (!response.ok) throw failure('core-missing', `The program could not be loaded (${response.status}).`);
+  // A static host may serve wasm under any content type, which streaming would refuse.
+  const streams = response.headers.get('content-type')?.startsWith('application/wasm');
+  return streams ? WebAssembly.compileStreaming(response) : WebAssembly.compile(await response.arrayBuffer());
+}
+
+/** @returns {Promise<{ module: WebAssembly.Module, planner: Planner }>} */
+export async function loadCore() {
+  const module = await compile();
+  await initCore({ module_or_path: module });
+  return { module, planner: createPlanner() };
+}
+
+/** @typedef {ReturnType<typeof createPlanner>} Planner */
+
+/**
+ * The pure functions of the core, with plain objects in place of JSON. Each takes well under a millisecond or
+ * two and throws an error with a `code`.
+ */
+function createPlanner() {
+  return {
+    /** @returns {Block[]} */
+    blocks: () => JSON.parse(core.blocks()),
+    /** @returns {Layout[]} */
+    layouts: () => JSON.parse(core.layouts()),
+    /** @returns {Style[]} */
+    styles: () => JSON.parse(core.styles()),
+    /**
+     * @param {string} json the text of a style file
+     * @param {string} file its name, for the message
+     * @returns {Style}
+     */
+    checkStyle: (json, file) => JSON.parse(core.check_style(json, file)),
+    /**
+     * @param {string} json the text of a layout file
+     * @param {string} file its name, for the message
+     * @returns {Layout}
+     */
+    checkLayout: (json, file) => JSON.parse(core.check_layout(json, file)),
+    /**
+     * @param {string | object} layout
+     * @param {PageSettings} page
+     * @returns {Geometry}
+     */
+    geometry: (layout, page) => JSON.parse(core.page_geometry(JSON.stringify({ layout, page }))),
+    /**
+     * @param {PlanRequest} request
+     * @returns {PageDocument}
+     */
+    plan: (request) => JSON.parse(core.plan(JSON.stringify(request))),
+    /**
+     * @param {object[]} photos
+     * @param {number} threshold
+     * @returns {Verdict[]}
+     */
+    choose: (photos, threshold) => JSON.parse(core.choose_photos(JSON.stringify({ photos, threshold }))),
+  };
+}
+
+/** @typedef {import('./documents.js').Block} Block */
+/** @typedef {import('./documents.js').Layout} Layout */
+/** @typedef {import('./documents.js').Style} Style */
+/** @typedef {import('./documents.js').Geometry} Geometry */
+/** @typedef {import('./documents.js').PageSettings} PageSettings */
+/** @typedef {import('./documents.js').PageDocument} PageDocument */
+/** @typedef {import('./documents.js').PlanRequest} PlanRequest */
+/** @typedef {import('./documents.js').Verdict} Verdict */

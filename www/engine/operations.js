@@ -1,0 +1,153 @@
+// @ts-check
+/**
+ * What a worker does, one function an operation of `protocol.js`. Each answers with the value and the buffers
+ * to hand over.
+ */
+
+import { failure } from './protocol.js';
+
+/** @typedef {import('../pkg/inkpanel.js').Studio} Studio */
+/** @typedef {import('../pkg/inkpanel.js').Patch} Patch */
+/** @typedef {import('./protocol.js').PhotoHandle} PhotoHandle */
+/** @typedef {import('./protocol.js').Operations} Operations */
+/** @typedef {{ ok: any, transfer: Transferable[] }} Answer */
+
+/** No photo is larger; a film that was dropped by mistake must not fill the memory. */
+const MOST_BYTES = 512 * 2 ** 20;
+
+/**
+ * @param {Studio} studio
+ * @param {ReturnType<typeof import('./lru.js').createLru>} held the photos in the studio
+ * @returns {Record<string, (args: any) => Promise<Answer>>}
+ */
+export function createOperations(studio, held) {
+  return { import: importPhoto, panel, page, compose, stylePhoto, stylize, fullPanels, encode };
+
+  /** @param {Operations['import']['args']} args */
+  async function importPhoto({ id, file }) {
+    const { work, small, ...meta } = JSON.parse(studio.import_photo(id, await bytesOf(file)));
+    const ok = { meta, work: keep(`${id}/work`, work), small: keep(`${id}/small`, small) };
+    evict([]);
+    return { ok, transfer: [] };
+  }
+
+  /** @param {Operations['panel']['args']} args */
+  async function panel({ document, index, width, tier, photos }) {
+    await fetchPhotos(photos);
+    return bitmap(studio.render_panel(document, index, width, tier));
+  }
+
+  /** @param {Operations['page']['args']} args */
+  async function page({ document, width, tier, photos }) {
+    await fetchPhotos(photos);
+    return bitmap(studio.compose(document, width, tier));
+  }
+
+  /** @param {Operations['compose']['args']} args */
+  async function compose({ document, width, tier, photos }) {
+    await fetchPhotos(photos);
+    return pixels(studio.compose(document, width, tier));
+  }
+
+  /** @param {Operations['stylePhoto']['args']} args */
+  async function stylePhoto({ photo, style, width, height, crop }) {
+    await fetchPhotos([photo]);
+    return bitmap(studio.stylize_photo(photo.key, style, width, height, crop));
+  }
+
+  /** @param {Operations['stylize']['args']} args */
+  async function stylize({ style, width, height, data }) {
+    const styled = studio.stylize(style, width, height, data);
+    const ok = { x: 0, y: 0, width, height, data: new Uint8ClampedArray(styled.buffer, styled.byteOffset, styled.length) };
+    return { ok, transfer: [styled.buffer] };
+  }
+
+  /**
+   * The panels that show one photo, from its original file at full size, so that it is decoded once for all.
+   * @param {Operations['fullPanels']['args']} args
+   */
+  async function fullPanels({ id, file, document, indexes, width }) {
+    studio.import_full(id, await bytesOf(file));
+    try {
+      const ok = [];
+      for (const index of indexes) ok.push({ ...pixels(studio.render_panel(document, index, width, 'full')).ok, index });
+      return { ok, transfer: ok.map((patch) => patch.data.buffer) };
+    } finally {
+      studio.drop_photo(`${id}/full`);
+    }
+  }
+
+  /** @param {Operations['encode']['args']} args */
+  async function encode({ document, width, patches }) {
+    studio.begin_page(document, width);
+    for (const { index, x, y, width: w, height: h, data } of patches) {
+      studio.add_patch(index, x, y, w, h, new Uint8Array(data.buffer, data.byteOffset, data.length));
+    }
+    const png = /** @type {Uint8Array<ArrayBuffer>} */ (studio.finish_png());
+    return { ok: new Blob([png], { type: 'image/png' }), transfer: [] };
+  }
+
+  /**
+   * Puts the planes of a fresh photo into a Blob, which the page hands to the other workers.
+   * @param {string} key
+   * @param {{ width: number, height: number }} size
+   * @returns {PhotoHandle}
+   */
+  function keep(key, { width, height }) {
+    const planes = /** @type {Uint8Array<ArrayBuffer>} */ (studio.photo_planes(key));
+    held.touch(key, planes.length);
+    return { key, width, height, planes: new Blob([planes]) };
+  }
+
+  /**
+   * Reads into the studio what it lacks.
+   * @param {PhotoHandle[]} photos
+   */
+  async function fetchPhotos(photos) {
+    await Promise.all(photos.map(async ({ key, width, height, planes }) => {
+      if (!studio.has_photo(key)) studio.put_photo(key, width, height, await bytesOf(planes));
+      held.touch(key, planes.size);
+    }));
+    evict(photos.map(({ key }) => key));
+  }
+
+  /** @param {string[]} needed */
+  function evict(needed) {
+    for (const key of held.evict((other) => needed.includes(other))) studio.drop_photo(key);
+  }
+}
+
+/**
+ * @param {Blob} blob
+ * @returns {Promise<Uint8Array>}
+ */
+async function bytesOf(blob) {
+  if (blob.size > MOST_BYTES) throw failure('too-large', `The file is larger than ${MOST_BYTES / 2 ** 20} MB.`);
+  try {
+    return new Uint8Array(await blob.arrayBuffer());
+  } catch (cause) {
+    // The browser throws this when a file was moved, changed or deleted since it was chosen.
+    throw Object.assign(new Error('The file can no longer be read.', { cause }), { code: 'unreadable-file' });
+  }
+}
+
+/**
+ * @param {Patch} patch
+ * @returns {{ ok: import('./protocol.js').PixelPatch, transfer: Transferable[] }}
+ */
+function pixels(patch) {
+  const { x, y, width, height } = patch;
+  const data = /** @type {Uint8ClampedArray<ArrayBuffer>} */ (patch.take());
+  patch.free();
+  return { ok: { x, y, width, height, data }, transfer: [data.buffer] };
+}
+
+/**
+ * @param {Patch} patch
+ * @returns {Promise<Answer>}
+ */
+async function bitmap(patch) {
+  const { ok: { x, y, width, height, data } } = pixels(patch);
+  const image = await createImageBitmap(new ImageData(data, width, height));
+  return { ok: { x, y, width, height, bitmap: image }, transfer: [image] };
+}

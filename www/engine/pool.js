@@ -1,0 +1,199 @@
+// @ts-check
+/**
+ * A pool of workers that each do one job at a time.
+ *
+ * - Jobs wait in priority order; a newer job overtakes an older one of the same key, waiting or running.
+ * - An aborted job leaves the queue at once; a running one is dropped when its answer comes, since wasm cannot be
+ *   interrupted.
+ * - A worker that traps, crashes or exceeds its time is terminated and replaced. The job is tried once more on a
+ *   fresh worker, unless it hung; when that fails too the job rejects with `worker-lost`, naming its photo.
+ * - wasm memory never shrinks: an idle worker whose memory is above the high-water mark is replaced.
+ */
+
+import { TRAP, cancelled, failure } from './protocol.js';
+import { createQueue } from './queue.js';
+
+/** @typedef {import('./protocol.js').Reply} Reply */
+
+/**
+ * @typedef {{
+ *   op: string, args: any, transfer?: Transferable[], priority: number, key?: string, signal?: AbortSignal,
+ *   photo?: string, holds?: string[], timeout?: number,
+ * }} Job `photo` is the name to blame; `holds` are the photo keys that the job needs and leaves in the worker
+ */
+
+/** @typedef {Job & { resolve: (value: any) => void, reject: (error: Error) => void, tries: number, over: boolean, release: () => void }} Entry */
+/** @typedef {{ worker: Worker, entry: Entry | null, held: Set<string>, id: number, timer: any, dead: boolean }} Slot */
+
+/** Longer than any honest job on a slow phone. */
+const TIMEOUT = 30_000;
+const HIGH_WATER = 768 * 2 ** 20;
+
+/**
+ * @param {{ size: number, spawn: () => Worker, highWater?: number }} options
+ */
+export function createPool({ size, spawn, highWater = HIGH_WATER }) {
+  /** @type {ReturnType<typeof createQueue<Entry>>} */
+  const queue = createQueue();
+  /** @type {Slot[]} */
+  const slots = [];
+  let nextId = 1;
+  let closed = false;
+
+  for (let i = 0; i < size; i += 1) slots.push(open({}));
+
+  return { run, dispose, size };
+
+  /**
+   * @param {Job} job
+   * @returns {Promise<any>} the worker's answer
+   */
+  function run(job) {
+    if (closed) return Promise.reject(failure('disposed', 'The engine was disposed of.'));
+    if (job.signal?.aborted) return Promise.reject(cancelled());
+    return new Promise((resolve, reject) => {
+      const abort = () => drop(entry);
+      /** @type {Entry} */
+      const entry = { ...job, resolve, reject, tries: 0, over: false, release: () => job.signal?.removeEventListener('abort', abort) };
+      job.signal?.addEventListener('abort', abort, { once: true });
+      const waiting = queue.push(entry);
+      if (waiting) drop(waiting);
+      for (const slot of slots) {
+        if (entry.key !== undefined && slot.entry?.key === entry.key) drop(slot.entry);
+      }
+      dispatch();
+    });
+  }
+
+  /**
+   * Cancels a job wherever it is.
+   * @param {Entry} entry
+   */
+  function drop(entry) {
+    queue.remove(entry);
+    settle(entry, () => entry.reject(cancelled()));
+  }
+
+  /**
+   * @param {Entry} entry
+   * @param {() => void} how
+   */
+  function settle(entry, how) {
+    if (entry.over) return;
+    entry.over = true;
+    entry.release();
+    how();
+  }
+
+  function dispatch() {
+    for (const slot of slots) {
+      if (slot.entry || queue.length === 0) continue;
+      const entry = queue.take((other) => (other.holds ?? []).filter((key) => slot.held.has(key)).length);
+      if (entry) start(slot, entry);
+    }
+  }
+
+  /**
+   * @param {Slot} slot
+   * @param {Entry} entry
+   */
+  function start(slot, entry) {
+    if (slot.dead) open(slot);
+    slot.entry = entry;
+    slot.id = nextId;
+    nextId += 1;
+    for (const key of entry.holds ?? []) slot.held.add(key);
+    slot.timer = setTimeout(() => lose(slot, false), entry.timeout ?? TIMEOUT);
+    try {
+      slot.worker.postMessage({ id: slot.id, op: entry.op, args: entry.args }, entry.transfer ?? []);
+    } catch (error) {
+      finish(slot);
+      settle(entry, () => entry.reject(/** @type {Error} */ (error)));
+      dispatch();
+    }
+  }
+
+  /**
+   * @param {Slot} slot
+   * @param {Reply} reply
+   */
+  function answer(slot, reply) {
+    if (!slot.entry || reply.id !== slot.id) return;
+    if (reply.error?.code === TRAP) {
+      lose(slot, true);
+      return;
+    }
+    const entry = finish(slot);
+    const { error } = reply;
+    if (error) settle(entry, () => entry.reject(failure(error.code, error.message, { photo: entry.photo })));
+    else settle(entry, () => entry.resolve(reply.ok));
+    if (reply.memory > highWater) open(slot);
+    dispatch();
+  }
+
+  /**
+   * @param {Slot} slot
+   * @returns {Entry}
+   */
+  function finish(slot) {
+    const entry = /** @type {Entry} */ (slot.entry);
+    clearTimeout(slot.timer);
+    slot.entry = null;
+    return entry;
+  }
+
+  /**
+   * Replaces a worker that died in the middle of a job, or between two.
+   * @param {Slot} slot
+   * @param {boolean} again whether the job deserves another try
+   */
+  function lose(slot, again) {
+    const entry = slot.entry && finish(slot);
+    open(slot);
+    if (entry && !entry.over) {
+      entry.tries += 1;
+      // A buffer that was handed over is gone with the worker: such a job cannot be sent again.
+      if (again && entry.tries < 2 && !entry.transfer?.length) queue.unshift(entry);
+      else settle(entry, () => entry.reject(lost(entry)));
+    }
+    dispatch();
+  }
+
+  /**
+   * Gives a slot a fresh worker.
+   * @param {Partial<Slot>} slot
+   * @returns {Slot}
+   */
+  function open(slot) {
+    slot.worker?.terminate();
+    const worker = spawn();
+    const filled = /** @type {Slot} */ (Object.assign(slot, { worker, entry: null, held: new Set(), id: 0, timer: undefined, dead: false }));
+    const mine = () => filled.worker === worker && !closed;
+    worker.onmessage = (event) => mine() && answer(filled, event.data);
+    worker.onerror = (event) => {
+      event.preventDefault();
+      if (!mine()) return;
+      // An idle worker is replaced when it is next needed: one that cannot even load would be replaced for ever.
+      if (filled.entry) lose(filled, true);
+      else filled.dead = true;
+    };
+    worker.onmessageerror = () => mine() && lose(filled, true);
+    return filled;
+  }
+
+  function dispose() {
+    closed = true;
+    const left = [...queue.clear(), ...slots.flatMap((slot) => slot.entry ?? [])];
+    for (const slot of slots) {
+      clearTimeout(slot.timer);
+      slot.worker.terminate();
+    }
+    for (const entry of left) settle(entry, () => entry.reject(cancelled()));
+  }
+}
+
+/** @param {Entry} entry */
+function lost({ photo }) {
+  const what = photo ? `The worker stopped while it was busy with ${photo}.` : 'A worker stopped in the middle of its work.';
+  return failure('worker-lost', what, { photo });
+}

@@ -1,0 +1,92 @@
+// @ts-check
+/**
+ * Every message between the page and its workers, defined once.
+ *
+ * To a worker: `{ id, op, args }`. Back: `{ id, ok, memory }` or `{ id, error: { code, message }, memory }`.
+ * Pixels travel in transferred buffers and bitmaps, photos as Blob handles, which cost nothing to send.
+ */
+
+/**
+ * What a worker needs of a photo before it can draw with it. `key` is `ID/work` or `ID/small`; `planes` holds
+ * the red, green and blue planes one after the other, `width * height` bytes each.
+ * @typedef {{ key: string, width: number, height: number, planes: Blob }} PhotoHandle
+ */
+
+/** @typedef {{ x: number, y: number, width: number, height: number }} Box */
+
+/**
+ * A rendered rectangle of a page, in page pixels.
+ * @typedef {Box & { bitmap: ImageBitmap }} BitmapPatch
+ * @typedef {Box & { data: Uint8ClampedArray<ArrayBuffer> }} PixelPatch
+ */
+
+/**
+ * The operations of a worker: arguments and answer.
+ * @typedef {{
+ *   start: { args: { module: WebAssembly.Module, budget: number }, ok: null },
+ *   import: { args: { id: string, file: Blob }, ok: Imported },
+ *   panel: { args: { document: string, index: number, width: number, tier: Tier, photos: PhotoHandle[] }, ok: BitmapPatch },
+ *   page: { args: { document: string, width: number, tier: Tier, photos: PhotoHandle[] }, ok: BitmapPatch },
+ *   compose: { args: { document: string, width: number, tier: Tier, photos: PhotoHandle[] }, ok: PixelPatch },
+ *   stylePhoto: { args: { photo: PhotoHandle, style: string, width: number, height: number, crop: string }, ok: BitmapPatch },
+ *   stylize: { args: { style: string, width: number, height: number, data: Uint8Array }, ok: PixelPatch },
+ *   fullPanels: { args: { id: string, file: Blob, document: string, indexes: number[], width: number }, ok: (PixelPatch & { index: number })[] },
+ *   encode: { args: { document: string, width: number, patches: (PixelPatch & { index: number })[] }, ok: Blob },
+ * }} Operations
+ */
+
+/** @typedef {'small' | 'work' | 'full'} Tier */
+
+/**
+ * @typedef {{
+ *   id: string, width: number, height: number, fingerprint: string, sharpness: number, taken: string | null,
+ *   energy: { columns: number, rows: number, values: string }, subjects: object[], focus: { x: number, y: number } | null,
+ * }} PhotoMeta
+ */
+
+/**
+ * The answer to `import`: what is known of a photo, and its two reduced copies.
+ * @typedef {{
+ *   meta: PhotoMeta & { format: string, measures: Record<string, number | string> },
+ *   work: PhotoHandle, small: PhotoHandle,
+ * }} Imported
+ */
+
+/** @typedef {{ id: number, op: keyof Operations, args: any }} Request */
+/** @typedef {{ code: string, message: string }} Failure */
+/** @typedef {{ id: number, ok?: any, error?: Failure, memory: number }} Reply */
+
+/** A worker answers with this code when its wasm instance can no longer be trusted. */
+export const TRAP = 'trap';
+
+/**
+ * An error with a stable code, as every failing call of the engine rejects with.
+ * @param {string} code
+ * @param {string} message
+ * @param {{ photo?: string }} [about] the name of the photo at fault, where there is one
+ * @returns {Error & { code: string, photo?: string }}
+ */
+export function failure(code, message, about = {}) {
+  return Object.assign(new Error(message), { code, ...about });
+}
+
+/**
+ * What a call rejects with when it was cancelled or overtaken. Named as a fetch names it; a `DOMException`
+ * would not do, as its `code` is a number that cannot be set.
+ */
+export function cancelled() {
+  const error = failure('cancelled', 'The work was cancelled.');
+  error.name = 'AbortError';
+  return error;
+}
+
+/**
+ * @param {unknown} error
+ * @returns {Failure} the two fields that cross to the page
+ */
+export function describe(error) {
+  if (error instanceof WebAssembly.RuntimeError) return { code: TRAP, message: error.message };
+  if (error instanceof RangeError && /memory|allocation/i.test(error.message)) return { code: TRAP, message: error.message };
+  const { code, message } = /** @type {{ code?: unknown, message?: unknown }} */ (error ?? {});
+  return { code: typeof code === 'string' ? code : 'internal', message: typeof message === 'string' ? message : String(error) };
+}

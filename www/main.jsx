@@ -1,0 +1,53 @@
+// @ts-check
+/**
+ * The wiring: makes the parts, joins them, and keeps `document.body.dataset.idle` true to its word.
+ */
+
+import { effect } from '@preact/signals';
+import { render } from 'preact';
+import { createEngine } from './engine/engine.js';
+import { createAlternatives } from './state/alternatives.js';
+import { createDownload } from './state/download.js';
+import { createKeys } from './state/keys.js';
+import { createMessages } from './state/messages.js';
+import { createPages } from './state/pages.js';
+import { createReading } from './state/reading.js';
+import { createStore } from './state/store.js';
+import { createUi } from './state/ui.js';
+import { strings } from './strings.js';
+import { App } from './views/app.jsx';
+import { AppContext } from './views/context.js';
+import { acceptFiles } from './views/drop.js';
+
+const engine = createEngine();
+const store = createStore();
+const ui = createUi(window);
+const messages = createMessages();
+const pages = createPages(store);
+const reading = createReading({ store, pages, engine, messages });
+const download = createDownload({ store, pages, engine, messages });
+const alternatives = createAlternatives({ store, pages });
+
+engine.ready.then(
+  (planner) => {
+    store.planner.value = planner;
+  },
+  (error) => messages.alert(strings.coreFailed(error.message)),
+);
+
+window.addEventListener('keydown', createKeys({ pages, download, ui }));
+acceptFiles(window, (files) => reading.addFiles(files));
+
+effect(() => {
+  const painted = store.page.value === null || ui.painted.value === store.page.value;
+  const waiting = store.planner.value === null || store.reading.value !== null || store.fetching.value;
+  const idle = !waiting && painted;
+  document.body.dataset.idle = String(idle);
+});
+
+render(
+  <AppContext.Provider value={{ store, pages, reading, download, alternatives, messages, ui, engine }}>
+    <App />
+  </AppContext.Provider>,
+  /** @type {HTMLElement} */ (document.getElementById('app')),
+);

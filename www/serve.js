@@ -1,0 +1,40 @@
+// @ts-check
+/**
+ * Serves the built site below a path, as a plain static host would: `node serve.js PORT PATH`.
+ * Files only, no header beyond the content type, nothing outside that path.
+ */
+import { createReadStream, statSync } from 'node:fs';
+import { createServer } from 'node:http';
+import { extname, join, normalize, sep } from 'node:path';
+import { fileURLToPath } from 'node:url';
+
+/** @type {Record<string, string>} */
+const TYPES = {
+  '.html': 'text/html; charset=utf-8',
+  '.js': 'text/javascript',
+  '.css': 'text/css',
+  '.json': 'application/json',
+  '.wasm': 'application/wasm',
+  '.svg': 'image/svg+xml',
+  '.png': 'image/png',
+  '.jpg': 'image/jpeg',
+  '.webp': 'image/webp',
+  '.webmanifest': 'application/manifest+json',
+};
+
+const port = Number(process.argv[2] ?? 4187);
+const base = process.argv[3] ?? '/';
+const root = fileURLToPath(new URL('./dist/', import.meta.url));
+
+const server = createServer((request, response) => {
+  const path = decodeURIComponent(new URL(request.url ?? '/', 'http://host').pathname);
+  const inside = path.startsWith(base) ? normalize(join(root, path.slice(base.length) || 'index.html')) : '';
+  const found = inside.startsWith(normalize(root + sep)) && statSync(inside, { throwIfNoEntry: false })?.isFile();
+  if (!found) {
+    response.writeHead(404, { 'content-type': 'text/plain' }).end('not found');
+    return;
+  }
+  response.writeHead(200, { 'content-type': TYPES[extname(inside)] ?? 'application/octet-stream' });
+  createReadStream(inside).pipe(response);
+});
+server.listen(port, '127.0.0.1', () => process.stdout.write(`http://127.0.0.1:${port}${base}\n`));

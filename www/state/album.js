@@ -1,0 +1,78 @@
+// @ts-check
+/**
+ * What is known of every photo that was ever added: facts that no edit changes, hence outside of undo.
+ */
+
+/** @typedef {import('../engine/protocol.js').PhotoMeta} PhotoMeta */
+
+/**
+ * `meta` and `measures` are null until the photo was read; `credit` names the author of a sample.
+ * @typedef {{
+ *   id: string, name: string, credit?: string, meta: PhotoMeta | null, measures: Record<string, number | string> | null,
+ * }} Fact
+ * @typedef {ReadonlyMap<string, Fact>} Album
+ */
+
+/**
+ * What the planner is told of a photo that is still being read, so that its place on the page is found at once.
+ * @param {string} id
+ * @returns {PhotoMeta}
+ */
+export function unreadMeta(id) {
+  return {
+    id,
+    width: 1500,
+    height: 1000,
+    fingerprint: unlike(id),
+    sharpness: 0,
+    taken: null,
+    energy: { columns: 1, rows: 1, values: '00' },
+    subjects: [],
+    focus: null,
+  };
+}
+
+/**
+ * A fingerprint that is far from any other, so that photos that nobody has seen do not count as alike (FNV-1a).
+ * @param {string} text
+ */
+function unlike(text) {
+  let hash = 0xcbf29ce484222325n;
+  for (const character of text) hash = ((hash ^ BigInt(character.charCodeAt(0))) * 0x100000001b3n) & 0xffffffffffffffffn;
+  return hash.toString(16).padStart(16, '0');
+}
+
+/**
+ * Photos in the order they were taken when all of them say so, else in the order given. A part of the album being
+ * dated orders nothing: the undated rest would have no place.
+ * @param {readonly Fact[]} facts
+ * @returns {Fact[]}
+ */
+export function chronological(facts) {
+  const when = (/** @type {Fact} */ fact) => fact.meta?.taken ?? '';
+  if (!facts.every((fact) => when(fact) !== '')) return [...facts];
+  return [...facts].sort((a, b) => (when(a) < when(b) ? -1 : when(a) > when(b) ? 1 : 0));
+}
+
+/**
+ * Files in the order a person sees them in a folder: `photo2` before `photo10`.
+ * @template {{ name: string }} T
+ * @param {readonly T[]} files
+ * @returns {T[]}
+ */
+export function byName(files) {
+  const { compare } = new Intl.Collator('en', { numeric: true, sensitivity: 'base' });
+  return [...files].sort((a, b) => compare(a.name, b.name));
+}
+
+/** @typedef {import('../engine/documents.js').Verdict} Verdict */
+
+/**
+ * Whether a photo is used: the person's word, else the selection's, else yes.
+ * @param {import('./project.js').TrayItem} item
+ * @param {ReadonlyMap<string, Verdict>} verdicts
+ * @returns {boolean}
+ */
+export function isUsed(item, verdicts) {
+  return item.use ?? verdicts.get(item.id)?.kept ?? true;
+}

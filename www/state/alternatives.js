@@ -1,0 +1,76 @@
+// @ts-check
+/**
+ * An endless stream of other pages, made as they come into view. It depends on the photos in use, the page
+ * settings, the wanted number of panels and what is locked: while these stand, so does the stream, whichever of its
+ * pages is chosen.
+ */
+
+import { computed, signal } from '@preact/signals';
+
+/** @typedef {import('./store.js').Store} Store */
+/** @typedef {import('./pages.js').Pages} Pages */
+/** @typedef {import('../engine/documents.js').PageDocument} PageDocument */
+/** @typedef {ReturnType<typeof createAlternatives>} Alternatives */
+
+/** Seeds are tried this often for a page that is not in the stream yet; then there are no more. */
+const TRIES = 12;
+
+/**
+ * @param {{ store: Store, pages: Pages }} app
+ */
+export function createAlternatives({ store, pages }) {
+  /** What the stream depends on, as text. */
+  const basis = computed(() => {
+    const { project, photos, reading, planner } = store;
+    const { page, locks, panels, settings } = project.value;
+    // The first page comes first; nothing else is drawn while it waits for photos.
+    if (!planner.value || !page || reading.value) return '';
+    return JSON.stringify([
+      photos.value.map(({ id }) => id), settings, panels, locks, locks.layout && page.layout, locks.style && page.style,
+      locks.photos && [page.order, page.panels],
+    ]);
+  });
+
+  /** @type {import('@preact/signals').Signal<{ basis: string, items: readonly PageDocument[], over: boolean }>} */
+  const stream = signal({ basis: '', items: [], over: false });
+  const empty = { items: /** @type {readonly PageDocument[]} */ ([]), over: false };
+
+  return {
+    basis,
+    /** The pages made so far. */
+    items: computed(() => (stream.value.basis === basis.value ? stream.value : empty).items),
+    more,
+  };
+
+  /**
+   * Makes the stream longer.
+   * @param {number} count
+   */
+  function more(count) {
+    const now = basis.peek();
+    const { items, over } = stream.peek().basis === now ? stream.peek() : empty;
+    if (now === '' || over) return;
+    const fresh = [...items];
+    const known = new Set(items.map(look));
+    let tries = 0;
+    while (fresh.length < items.length + count && tries < TRIES) {
+      const page = pages.plan({ keep: { ...store.project.peek().locks }, mode: 'shuffle' });
+      if (!page || known.has(look(page))) {
+        tries += 1;
+        continue;
+      }
+      tries = 0;
+      known.add(look(page));
+      fresh.push(page);
+    }
+    stream.value = { basis: now, items: fresh, over: tries >= TRIES };
+  }
+}
+
+/**
+ * @param {PageDocument} page
+ * @returns {string} the same for pages that look the same
+ */
+function look(page) {
+  return JSON.stringify({ ...page, seed: 0 });
+}

@@ -1,0 +1,57 @@
+// @ts-check
+/**
+ * The keyboard: one table from key to deed. A key that a control wants for itself is left to it.
+ */
+
+/** @typedef {{ pages: import('./pages.js').Pages, download: import('./download.js').Download, ui: import('./ui.js').Ui }} Deeds */
+
+/**
+ * @param {Deeds} deeds
+ * @returns {(event: KeyboardEvent) => void} a listener for `keydown` on the window
+ */
+export function createKeys({ pages, download, ui }) {
+  return (event) => {
+    if (event.defaultPrevented || ui.dialog.peek() !== null || event.altKey) return;
+    const deed = event.ctrlKey || event.metaKey ? withControl(event) : plain(event);
+    if (!deed) return;
+    event.preventDefault();
+    deed();
+  };
+
+  /** @param {KeyboardEvent} event */
+  function withControl({ key, shiftKey, target }) {
+    if (typesText(target)) return undefined;
+    switch (key.toLowerCase()) {
+      case 'z': return shiftKey ? pages.redo : pages.undo;
+      case 'y': return pages.redo;
+      case 's': return () => download.start();
+      default: return undefined;
+    }
+  }
+
+  /** @param {KeyboardEvent} event */
+  function plain({ key, target }) {
+    if (typesText(target)) return undefined;
+    switch (key) {
+      case ' ': return pressesItself(target) ? undefined : () => pages.shuffle('all');
+      case 'l': case 'L': return () => pages.shuffle('layout');
+      case 's': case 'S': return () => pages.shuffle('style');
+      case 'p': case 'P': return () => pages.shuffle('photos');
+      case '?': return () => void (ui.dialog.value = 'keys');
+      case 'Escape': return ui.sheet.peek() ? () => void (ui.sheet.value = null) : undefined;
+      default: return undefined;
+    }
+  }
+}
+
+/** @param {EventTarget | null} target */
+function typesText(target) {
+  if (!(target instanceof HTMLElement)) return false;
+  const typed = 'input:not([type=checkbox], [type=range], [type=color], [type=file]), textarea, select';
+  return target.isContentEditable || target.matches(typed);
+}
+
+/** @param {EventTarget | null} target */
+function pressesItself(target) {
+  return target instanceof Element && target.closest('button, input, a, select, [role=option], summary') !== null;
+}

@@ -1,0 +1,113 @@
+// @ts-check
+/**
+ * The document that a person edits, and the pure function that changes it.
+ *
+ * A project is plain data: which photos are in the tray and used, the locks, the wanted number of panels, and the
+ * page. What is known of a photo (its name, size, measures) never changes and lives in the album, so that undoing
+ * an edit does not undo what was read meanwhile.
+ */
+
+/** @typedef {import('../engine/documents.js').PageDocument} PageDocument */
+/** @typedef {import('../engine/documents.js').PageSettings} PageSettings */
+/** @typedef {'layout' | 'style' | 'photos'} Part */
+/** @typedef {{ layout: boolean, style: boolean, photos: boolean }} Locks */
+
+/**
+ * A photo in the tray. `use` is what the person chose; null follows the selection's verdict.
+ * @typedef {{ id: string, use: boolean | null }} TrayItem
+ */
+
+/**
+ * @typedef {{
+ *   tray: readonly TrayItem[], locks: Locks, panels: number | null, settings: PageSettings,
+ *   page: PageDocument | null, pageId: number,
+ * }} Project `panels`: the wanted number, null for any; `pageId` names the page among those shown
+ */
+
+/**
+ * @typedef {(
+ *   | { type: 'add-photos', ids: string[] }
+ *   | { type: 'remove-photo', id: string }
+ *   | { type: 'forget-photos', ids: string[] }
+ *   | { type: 'use-photo', id: string, use: boolean }
+ *   | { type: 'lock', part: Part, on: boolean }
+ *   | { type: 'want-panels', count: number | null }
+ *   | { type: 'show-page', page: PageDocument, pageId: number }
+ *   | { type: 'change-page', page: PageDocument }
+ *   | { type: 'change-settings', settings: PageSettings, page: PageDocument | null }
+ *   | { type: 'no-page' }
+ * )} Action
+ */
+
+/** A4 portrait at 300 dpi, as the core has it. */
+export const DEFAULT_SETTINGS = Object.freeze({
+  width: 2480,
+  height: 3508,
+  dpi: 300,
+  gutter: 0.018,
+  margin: 0.027,
+  border: 0.004,
+  cornerRadius: 0,
+  paper: '#ffffff',
+  borderColor: '#111111',
+});
+
+/** @type {Project} */
+export const EMPTY_PROJECT = Object.freeze({
+  tray: Object.freeze([]),
+  locks: Object.freeze({ layout: false, style: false, photos: false }),
+  panels: null,
+  settings: DEFAULT_SETTINGS,
+  page: null,
+  pageId: 0,
+});
+
+/**
+ * @param {Project} project
+ * @param {Action} action
+ * @returns {Project} the same object when nothing changed
+ */
+export function reduce(project, action) {
+  switch (action.type) {
+    case 'add-photos': {
+      const known = new Set(project.tray.map(({ id }) => id));
+      const fresh = [...new Set(action.ids)].filter((id) => !known.has(id));
+      if (fresh.length === 0) return project;
+      return { ...project, tray: [...project.tray, ...fresh.map((id) => ({ id, use: null }))] };
+    }
+    case 'remove-photo':
+      return without(project, [action.id]);
+    case 'forget-photos':
+      return without(project, action.ids);
+    case 'use-photo':
+      return {
+        ...project,
+        tray: project.tray.map((item) => (item.id === action.id ? { ...item, use: action.use } : item)),
+      };
+    case 'lock':
+      if (project.locks[action.part] === action.on) return project;
+      return { ...project, locks: { ...project.locks, [action.part]: action.on } };
+    case 'want-panels':
+      return project.panels === action.count ? project : { ...project, panels: action.count };
+    case 'show-page':
+      return { ...project, page: action.page, pageId: action.pageId, settings: action.page.page };
+    case 'change-page':
+      return project.page === null ? project : { ...project, page: action.page, settings: action.page.page };
+    case 'change-settings':
+      return { ...project, settings: action.settings, page: action.page };
+    case 'no-page':
+      return project.page === null ? project : { ...project, page: null };
+    default:
+      return project;
+  }
+}
+
+/**
+ * @param {Project} project
+ * @param {string[]} ids
+ * @returns {Project}
+ */
+function without(project, ids) {
+  const tray = project.tray.filter((item) => !ids.includes(item.id));
+  return tray.length === project.tray.length ? project : { ...project, tray };
+}

@@ -1,0 +1,112 @@
+// @ts-check
+/**
+ * The state as signals. `change` is the only way to change the history; everything else is derived, or belongs to
+ * the session and is never saved.
+ */
+
+import { computed, signal } from '@preact/signals';
+import { chronological, isUsed, unreadMeta } from './album.js';
+import { EMPTY_HISTORY, advance } from './history.js';
+
+/** @typedef {import('./album.js').Album} Album */
+/** @typedef {import('./album.js').Fact} Fact */
+/** @typedef {import('./album.js').Verdict} Verdict */
+/** @typedef {import('./history.js').Change} Change */
+/** @typedef {import('../engine/core.js').Planner} Planner */
+/** @typedef {ReturnType<typeof createStore>} Store */
+/** @typedef {{ done: number, total: number }} Progress */
+
+/** Fingerprints that differ in at most so many of 64 bits show the same picture. */
+const THRESHOLD = 10;
+
+export function createStore() {
+  const history = signal(EMPTY_HISTORY);
+  /** @type {import('@preact/signals').Signal<Album>} */
+  const album = signal(new Map());
+  /** @type {import('@preact/signals').Signal<Planner | null>} */
+  const planner = signal(null);
+  /** The photos being read; null when all are. @type {import('@preact/signals').Signal<Progress | null>} */
+  const reading = signal(null);
+
+  /** Whether the sample album is on its way. */
+  const fetching = signal(false);
+
+  const project = computed(() => history.value.present);
+  const page = computed(() => project.value.page);
+  const tray = computed(() => project.value.tray);
+  /** Facts of the tray, in its order. */
+  const facts = computed(() => tray.value.flatMap(({ id }) => album.value.get(id) ?? []));
+
+  /** @type {ReadonlyMap<string, Verdict>} */
+  let judged = new Map();
+  /** The selection's word on each photo; it waits until all are read, so that no photo comes and goes. */
+  const verdicts = computed(() => {
+    if (!planner.value || reading.value) return judged;
+    const measured = facts.value.filter((fact) => fact.measures !== null);
+    const photos = measured.map(({ id, name, measures }) => ({ id, name, ...measures }));
+    judged = new Map(planner.value.choose(photos, THRESHOLD).map((verdict) => [verdict.id, verdict]));
+    return judged;
+  });
+
+  /** The photos in use, as the planner wants them: in order of time. */
+  const photos = computed(() => {
+    const used = new Set(tray.value.filter((item) => isUsed(item, verdicts.value)).map(({ id }) => id));
+    const list = facts.value.filter(({ id }) => used.has(id));
+    // While photos arrive the order of the files stands, else the page would be shuffled with each of them.
+    return (reading.value ? list : chronological(list)).map(({ id, meta }) => meta ?? unreadMeta(id));
+  });
+
+  const layouts = computed(() => planner.value?.layouts() ?? []);
+  /** The aspect of the page, the only part of its settings that says which layouts suit. */
+  const aspect = computed(() => project.value.settings.width / project.value.settings.height);
+  const suitable = computed(() => layouts.value.filter((layout) => staysGood(layout, aspect.value)));
+  const styles = computed(() => planner.value?.styles() ?? []);
+  const geometry = computed(() => {
+    if (!planner.value || !page.value) return null;
+    return planner.value.geometry(page.value.layout, page.value.page);
+  });
+
+  return {
+    history,
+    album,
+    planner,
+    reading,
+    fetching,
+    project,
+    page,
+    tray,
+    facts,
+    verdicts,
+    photos,
+    layouts,
+    suitable,
+    styles,
+    geometry,
+    /** @param {Change} change */
+    change: (change) => {
+      history.value = advance(history.value, change);
+    },
+    /** @param {Fact} fact */
+    know: (fact) => {
+      album.value = new Map(album.value).set(fact.id, fact);
+    },
+  };
+}
+
+/** The thinnest that a panel may get, of the page's width. */
+const THINNEST = 0.12;
+
+/**
+ * @param {import('../engine/documents.js').Layout} layout
+ * @param {number} aspect of the page, width over height
+ * @returns {boolean} whether a template made for another aspect keeps panels that one can look at
+ */
+export function staysGood(layout, aspect) {
+  return layout.panels.every(({ shape: { polygon = [], circle } }) => {
+    if (circle) return true;
+    const xs = polygon.map(([x]) => x);
+    const ys = polygon.map(([, y]) => y / aspect);
+    const extent = (/** @type {number[]} */ list) => Math.max(...list) - Math.min(...list);
+    return Math.min(extent(xs), extent(ys)) >= THINNEST;
+  });
+}

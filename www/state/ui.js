@@ -1,0 +1,74 @@
+// @ts-check
+/**
+ * What the window looks like: never part of the document, never undone.
+ */
+
+import { effect, signal } from '@preact/signals';
+
+/** @typedef {'photos' | 'styles' | 'layouts' | 'settings'} Sheet */
+/** @typedef {'light' | 'dark'} Theme */
+/** @typedef {ReturnType<typeof createUi>} Ui */
+
+const THEME_KEY = 'inkpanel.theme';
+
+/** @param {Window} window */
+export function createUi(window) {
+  const wide = mediaSignal(window, '(min-width: 1000px)');
+  const systemDark = mediaSignal(window, '(prefers-color-scheme: dark)');
+  /** The person's choice; null follows the system. @type {import('@preact/signals').Signal<Theme | null>} */
+  const theme = signal(stored(window));
+
+  effect(() => {
+    const root = window.document.documentElement;
+    if (theme.value) root.dataset.theme = theme.value;
+    else delete root.dataset.theme;
+  });
+
+  return {
+    wide,
+    theme,
+    systemDark,
+    /** The sheet that is open on a small screen. @type {import('@preact/signals').Signal<Sheet | null>} */
+    sheet: signal(null),
+    /** @type {import('@preact/signals').Signal<'keys' | 'export' | null>} */
+    dialog: signal(null),
+    /** The page that is on the screen with all its panels; null while work for it is going on.
+     * @type {import('@preact/signals').Signal<import('../engine/documents.js').PageDocument | null>} */
+    painted: signal(null),
+    toggleTheme() {
+      const dark = (theme.value ?? (systemDark.value ? 'dark' : 'light')) === 'dark';
+      theme.value = dark ? 'light' : 'dark';
+      try {
+        window.localStorage.setItem(THEME_KEY, theme.value);
+      } catch {
+        // Storage may be refused; the choice then lasts as long as the page.
+      }
+    },
+  };
+}
+
+/**
+ * @param {Window} window
+ * @returns {Theme | null}
+ */
+function stored(window) {
+  try {
+    const value = window.localStorage.getItem(THEME_KEY);
+    return value === 'light' || value === 'dark' ? value : null;
+  } catch {
+    return null;
+  }
+}
+
+/**
+ * @param {Window} window
+ * @param {string} query
+ */
+function mediaSignal(window, query) {
+  const list = window.matchMedia(query);
+  const value = signal(list.matches);
+  list.addEventListener('change', () => {
+    value.value = list.matches;
+  });
+  return value;
+}

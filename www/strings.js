@@ -1,0 +1,126 @@
+// @ts-check
+/**
+ * Every word on the page, in one place. A translation is another object of this shape.
+ */
+
+export const strings = {
+  name: 'Inkpanel',
+  title: (/** @type {string} */ page) => `${page} – Inkpanel`,
+
+  // Start
+  lead: ['Drop your photos.', 'Get a comic page.'],
+  leadMore: 'Inkpanel picks, crops, inks and lays them out. Shuffle until you love it.',
+  chooseFiles: 'Choose photos or a video',
+  filesLabel: 'Photos or video',
+  trySamples: 'Try the sample album',
+  privacy: 'Nothing leaves this device.',
+  dropHere: 'Drop to add your photos',
+  starting: 'Getting the ink ready',
+
+  // Board
+  page: 'Storyboard page',
+  panel: (/** @type {number} */ n, /** @type {number} */ of) => `Panel ${n} of ${of}`,
+  shuffle: 'Shuffle',
+  shufflePart: { layout: 'Shuffle layout', style: 'Shuffle style', photos: 'Shuffle photos' },
+  lockPart: { layout: 'Lock layout', style: 'Lock style', photos: 'Lock photos' },
+  part: { layout: 'Layout', style: 'Style', photos: 'Photos' },
+  undo: 'Undo',
+  redo: 'Redo',
+  previous: 'Previous page',
+  next: 'Next page',
+  pageOf: (/** @type {number} */ n, /** @type {number} */ of) => `Page ${n} of ${of}`,
+  download: 'Download PNG',
+  export: 'Export',
+  theme: { light: 'Use the light theme', dark: 'Use the dark theme' },
+  keys: 'Keyboard shortcuts',
+  close: 'Close',
+  cancel: 'Cancel',
+  dismiss: 'Dismiss',
+
+  // Side
+  look: 'Look of the page',
+  drawer: 'Drawer',
+  layouts: 'Layouts',
+  styles: 'Styles',
+  alternatives: 'Alternatives',
+  alternative: (/** @type {number} */ n) => `Alternative ${n}`,
+  alternativesWait: 'Other pages appear here',
+  family: 'Family',
+  /** Families are named by the data files. @param {string} id */
+  familyName: (id) => id.charAt(0).toUpperCase() + id.slice(1).replaceAll('-', ' '),
+  anyFamily: 'All families',
+  panels: 'Panels',
+  anyPanels: 'Any number',
+  panelCount: (/** @type {number} */ n) => (n === 1 ? '1 panel' : `${n} panels`),
+  noLayouts: 'No layout of this kind.',
+  otherStyles: 'More',
+  more: 'More',
+
+  // Photos
+  photos: 'Photos',
+  usePhoto: (/** @type {string} */ name) => `Use ${name}`,
+  removePhoto: (/** @type {string} */ name) => `Remove ${name}`,
+  addPhotos: 'Add photos',
+  kept: 'On the table',
+  setAside: 'Set aside',
+  /** @param {{ title: string, author: string, licence: string }} sample */
+  credit: ({ title, author, licence }) => `${title}, by ${author} (${licence})`,
+  photoCount: (/** @type {number} */ used, /** @type {number} */ all) => (used === all ? `${all}` : `${used} of ${all}`),
+  reading: (/** @type {number} */ done, /** @type {number} */ total) => `Reading photos, ${done} of ${total}`,
+
+  // Page settings
+  pageSettings: 'Page settings',
+  pageSize: 'Page size',
+  gutter: 'Gutter',
+  margin: 'Margin',
+  border: 'Border',
+  cornerRadius: 'Corner radius',
+  paper: 'Paper colour',
+  borderColor: 'Border colour',
+  percent: (/** @type {number} */ value) => `${value.toFixed(1)} %`,
+  size: {
+    a4: 'A4', 'a4-landscape': 'A4 landscape', letter: 'Letter', square: 'Square', wide: 'Screen 16:9', story: 'Story 9:16',
+    portrait: 'Portrait 4:5', webtoon: 'Webtoon', custom: 'Custom',
+  },
+
+  // Export
+  exportPage: 'Export the page',
+  resolution: 'Quality',
+  full: (/** @type {number} */ dpi) => (dpi >= 150 ? `Print, ${dpi} dpi` : 'Full size'),
+  half: 'Half, for the web',
+  format: 'Format',
+  png: 'PNG, lossless',
+  pixels: (/** @type {number} */ w, /** @type {number} */ h) => `${w} × ${h} pixels`,
+  save: 'Save the file',
+  exporting: (/** @type {number} */ percent) => `Drawing the page at full size, ${percent} %`,
+  saved: 'The page was saved.',
+
+  // Keys
+  keyList: [
+    { keys: ['Space'], does: 'Shuffle' },
+    { keys: ['L'], does: 'Shuffle layout' },
+    { keys: ['S'], does: 'Shuffle style' },
+    { keys: ['P'], does: 'Shuffle photos' },
+    { keys: ['Ctrl', 'Z'], does: 'Undo' },
+    { keys: ['Shift', 'Ctrl', 'Z'], does: 'Redo' },
+    { keys: ['←', '↑', '→', '↓'], does: 'Move between panels' },
+    { keys: ['Ctrl', 'S'], does: 'Download PNG' },
+    { keys: ['?'], does: 'This list' },
+  ],
+
+  // What went wrong
+  fileFailed: (/** @type {string} */ name, /** @type {string} */ why) => `${name}: ${why}`,
+  /** Reasons in the page's words where it knows better than the core, by error code. @type {Record<string, string>} */
+  reasons: {
+    'worker-lost': 'reading it stopped the program twice, so it was left out.',
+    'unreadable-file': 'the file was moved, changed or deleted since you chose it.',
+  },
+  noVideo: 'videos cannot be read yet.',
+  noUsablePhoto: 'None of these files could be used. Choose JPEG, PNG, WebP, GIF, BMP or TIFF photos.',
+  noSamples: 'The sample album could not be loaded. Check the connection and try again.',
+  noPhotosInUse: 'No photo is in use. Tick one in Photos to get a page.',
+  panelFailed: (/** @type {string} */ why) => `A panel could not be drawn: ${why}`,
+  exportFailed: (/** @type {string} */ why) => `The file could not be made: ${why}`,
+  coreFailed: (/** @type {string} */ why) => `Inkpanel could not start: ${why}`,
+  locked: { layout: 'The layout is locked.', style: 'The style is locked.', photos: 'The photos are locked.' },
+};

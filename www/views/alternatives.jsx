@@ -1,0 +1,65 @@
+// @ts-check
+/**
+ * A strip of other pages that grows as it is scrolled.
+ */
+
+import { useEffect, useRef } from 'preact/hooks';
+import { strings } from '../strings.js';
+import { Bitmap, screenPixels, useInView } from './bitmap.jsx';
+import { useApp } from './context.js';
+
+/** Pages made at a time: more than any strip shows at once. */
+const BATCH = 24;
+
+export function Alternatives() {
+  const { store, alternatives } = useApp();
+  const strip = useRef(/** @type {HTMLUListElement | null} */ (null));
+  const end = useRef(/** @type {HTMLLIElement | null} */ (null));
+  const atEnd = useInView(end);
+  const items = alternatives.items.value;
+  const basis = alternatives.basis.value;
+
+  useEffect(() => {
+    strip.current?.scrollTo({ left: 0 });
+  }, [basis]);
+  useEffect(() => {
+    if (basis !== '' && (atEnd || items.length === 0)) alternatives.more(BATCH);
+  }, [basis, atEnd, items]);
+
+  /** @param {WheelEvent} event */
+  function onWheel(event) {
+    // A wheel that only goes up and down moves the strip sideways.
+    if (event.deltaX === 0 && !event.ctrlKey && strip.current) strip.current.scrollLeft += event.deltaY;
+  }
+
+  return (
+    <section class="alternatives" aria-label={strings.alternatives} aria-busy={basis === ''}>
+      <ul class="strip" ref={strip} onWheel={onWheel}>
+        {items.map((page, i) => <Alternative key={`${basis}/${i}`} page={page} number={i + 1} />)}
+        {items.length === 0 && Array.from({ length: BATCH }, (_, i) => <li key={i} class="alternative"><span class="bitmap" /></li>)}
+        <li class="strip-end" ref={end} aria-hidden="true" />
+      </ul>
+      {store.page.value && items.length === 0 && <span class="visually-hidden">{strings.alternativesWait}</span>}
+    </section>
+  );
+}
+
+/** @param {{ page: import('../engine/documents.js').PageDocument, number: number }} props */
+function Alternative({ page, number }) {
+  const { store, pages, engine } = useApp();
+  const ref = useRef(/** @type {HTMLButtonElement | null} */ (null));
+  const width = () => screenPixels(ref.current?.clientWidth ?? 100);
+  return (
+    <li class="alternative" style={{ '--aspect': page.page.width / page.page.height }}>
+      <button
+        type="button"
+        ref={ref}
+        aria-label={strings.alternative(number)}
+        aria-current={store.page.value === page ? 'true' : undefined}
+        onClick={() => pages.show(page)}
+      >
+        <Bitmap of={page} draw={(call) => engine.renderPage(page, width(), call)} />
+      </button>
+    </li>
+  );
+}

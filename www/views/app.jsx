@@ -1,0 +1,27 @@
+// @ts-check
+import { strings } from '../strings.js';
+import { Board } from './board.jsx';
+import { useApp } from './context.js';
+import { dragging } from './drop.js';
+import { ExportDialog } from './export-dialog.jsx';
+import { KeysDialog } from './keys-dialog.jsx';
+import { Start } from './start.jsx';
+import { Toasts } from './toasts.jsx';
+import { TopBar } from './top-bar.jsx';
+
+/** The whole window. */
+export function App() {
+  const { store, ui } = useApp();
+  const empty = store.tray.value.length === 0;
+  const dialog = ui.dialog.value;
+  return (
+    <div class="app" data-view={empty ? 'start' : 'board'} data-sheet={ui.sheet.value ?? 'none'}>
+      <TopBar />
+      {empty ? <Start /> : <Board />}
+      <Toasts />
+      {dialog === 'keys' && <KeysDialog />}
+      {dialog === 'export' && store.page.value && <ExportDialog />}
+      {dragging.value && <div class="drop-veil"><p>{strings.dropHere}</p></div>}
+    </div>
+  );
+}

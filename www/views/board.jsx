@@ -1,0 +1,71 @@
+// @ts-check
+/**
+ * The board: the page in the middle, everything else around it and quiet. On a small screen the sides become
+ * sheets that open below the page and leave it in view.
+ */
+
+import { strings } from '../strings.js';
+import { Alternatives } from './alternatives.jsx';
+import { BottomBar } from './bottom-bar.jsx';
+import { useApp } from './context.js';
+import { LayoutsList } from './layouts-list.jsx';
+import { PageSettings } from './page-settings.jsx';
+import { Sheet } from './sheet.jsx';
+import { ShuffleButton, ShuffleParts } from './shuffle-bar.jsx';
+import { Stage } from './stage.jsx';
+import { StylesList } from './styles-list.jsx';
+import { Tray } from './tray.jsx';
+
+/** Window heights from which the settings are open from the start, in CSS pixels. */
+const TALL = 760;
+
+export function Board() {
+  const { ui } = useApp();
+  return ui.wide.value ? <WideBoard /> : <NarrowBoard />;
+}
+
+function WideBoard() {
+  return (
+    <>
+      <div class="left"><Tray /></div>
+      <main class="centre">
+        <Stage />
+        <div class="shuffle-bar"><ShuffleButton /><ShuffleParts /></div>
+      </main>
+      <aside class="right" aria-label={strings.look}>
+        <div class="side-section grows">
+          <header class="section-head"><h2>{strings.styles}</h2></header>
+          <StylesList />
+        </div>
+        <div class="side-section grows">
+          <header class="section-head"><h2>{strings.layouts}</h2></header>
+          <LayoutsList />
+        </div>
+        <details class="side-section settings-section" open={globalThis.innerHeight >= TALL}>
+          <summary class="section-head"><h2>{strings.pageSettings}</h2></summary>
+          <PageSettings />
+        </details>
+      </aside>
+      <Alternatives />
+    </>
+  );
+}
+
+function NarrowBoard() {
+  const { ui } = useApp();
+  const sheet = ui.sheet.value;
+  return (
+    <>
+      <main class="centre">
+        <Stage />
+        {sheet === null && <ShuffleParts />}
+      </main>
+      {sheet === null && <Alternatives />}
+      {sheet === 'photos' && <Sheet title={strings.photos} bare><Tray /></Sheet>}
+      {sheet === 'styles' && <Sheet title={strings.styles}><StylesList /></Sheet>}
+      {sheet === 'layouts' && <Sheet title={strings.layouts}><LayoutsList /></Sheet>}
+      {sheet === 'settings' && <Sheet title={strings.pageSettings}><PageSettings /></Sheet>}
+      <BottomBar />
+    </>
+  );
+}

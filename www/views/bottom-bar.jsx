@@ -1,0 +1,34 @@
+// @ts-check
+import { strings } from '../strings.js';
+import { useApp } from './context.js';
+import { Icon } from './icon.jsx';
+import { ShuffleButton } from './shuffle-bar.jsx';
+
+/** @typedef {import('../state/ui.js').Sheet} Sheet */
+
+/** The bar under the thumb: Shuffle in the middle, the sheets beside it. */
+export function BottomBar() {
+  const { store, ui } = useApp();
+  return (
+    <nav class="bottom-bar" aria-label={strings.name}>
+      <Tab sheet="photos" icon="photos" label={strings.photos} />
+      <Tab sheet="styles" icon="style" label={strings.styles} />
+      <ShuffleButton />
+      <Tab sheet="layouts" icon="layout" label={strings.layouts} />
+      <button type="button" class="tab" disabled={store.page.value === null} onClick={() => { ui.dialog.value = 'export'; }}>
+        <Icon name="export" />{strings.export}
+      </button>
+    </nav>
+  );
+}
+
+/** @param {{ sheet: Sheet, icon: string, label: string }} props */
+function Tab({ sheet, icon, label }) {
+  const { ui } = useApp();
+  const open = ui.sheet.value === sheet;
+  return (
+    <button type="button" class="tab" aria-expanded={open} onClick={() => { ui.sheet.value = open ? null : sheet; }}>
+      <Icon name={icon} />{label}
+    </button>
+  );
+}

@@ -1,0 +1,29 @@
+// @ts-check
+/**
+ * What every view may reach: the state, what can be done to it, and the engine. Wired in `main.jsx` only.
+ */
+
+import { createContext } from 'preact';
+import { useContext } from 'preact/hooks';
+
+/**
+ * @typedef {{
+ *   store: import('../state/store.js').Store,
+ *   pages: import('../state/pages.js').Pages,
+ *   reading: import('../state/reading.js').Reading,
+ *   download: import('../state/download.js').Download,
+ *   alternatives: import('../state/alternatives.js').Alternatives,
+ *   messages: import('../state/messages.js').Messages,
+ *   ui: import('../state/ui.js').Ui,
+ *   engine: import('../engine/engine.js').Engine,
+ * }} App
+ */
+
+export const AppContext = createContext(/** @type {App | null} */ (null));
+
+/** @returns {App} */
+export function useApp() {
+  const app = useContext(AppContext);
+  if (!app) throw new Error('A view was rendered outside of AppContext.');
+  return app;
+}

@@ -1,0 +1,34 @@
+// @ts-check
+import { useEffect, useRef } from 'preact/hooks';
+import { strings } from '../strings.js';
+import { IconButton } from './button.jsx';
+
+/**
+ * A modal dialog: the browser keeps the focus inside, Escape closes, so does a click beside it.
+ * @param {{ title: string, onClose: () => void, children: import('preact').ComponentChildren, class?: string }} props
+ */
+export function Dialog({ title, onClose, children, class: extra = '' }) {
+  const ref = useRef(/** @type {HTMLDialogElement | null} */ (null));
+  useEffect(() => {
+    const dialog = ref.current;
+    dialog?.showModal();
+    return () => dialog?.close();
+  }, []);
+  return (
+    <dialog
+      ref={ref}
+      class={`dialog ${extra}`}
+      aria-label={title}
+      onClose={onClose}
+      onClick={(event) => event.target === ref.current && onClose()}
+    >
+      <div class="dialog-body">
+        <header class="section-head">
+          <h2>{title}</h2>
+          <IconButton icon="close" label={strings.close} onClick={onClose} />
+        </header>
+        {children}
+      </div>
+    </dialog>
+  );
+}

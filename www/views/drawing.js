@@ -1,0 +1,93 @@
+// @ts-check
+/**
+ * Draws a page on a canvas from the pictures of its panels.
+ */
+
+/** @typedef {import('./painter.js').Sheet} Sheet */
+/** @typedef {import('./painter.js').Slot} Slot */
+/** @typedef {import('../engine/documents.js').Geometry} Geometry */
+/** @typedef {[number, number][]} Points */
+
+/**
+ * @param {Sheet} sheet
+ * @returns {{ width: number, height: number }} of the canvas
+ */
+export function sheetSize({ document, width }) {
+  return { width, height: Math.max(1, Math.round(width * document.page.height / document.page.width)) };
+}
+
+/**
+ * @param {CanvasRenderingContext2D} context
+ * @param {Sheet} sheet
+ */
+export function drawPage(context, sheet) {
+  const { width, height } = sheetSize(sheet);
+  context.imageSmoothingQuality = 'high';
+  context.fillStyle = sheet.document.page.paper;
+  context.fillRect(0, 0, width, height);
+  sheet.slots.forEach((slot, index) => drawPanel(context, sheet, slot, index));
+}
+
+/**
+ * @param {CanvasRenderingContext2D} context
+ * @param {Sheet} sheet
+ * @param {Slot} slot
+ * @param {number} index
+ */
+function drawPanel(context, { document, geometry, width }, { patch, coarse, older }, index) {
+  const ready = patch ?? coarse;
+  if (ready) {
+    const scale = width / ready.page;
+    context.drawImage(ready.bitmap, ready.x * scale, ready.y * scale, ready.width * scale, ready.height * scale);
+    return;
+  }
+  const panel = geometry.panels[index];
+  if (!panel) return;
+  const { bounds } = panel;
+  context.save();
+  trace(context, panel, width, document.page.cornerRadius);
+  context.clip();
+  context.fillStyle = 'rgb(128 128 136 / 0.16)';
+  context.fill();
+  if (older) {
+    context.drawImage(older.bitmap, bounds.x * width, bounds.y * width, bounds.width * width, bounds.height * width);
+    context.strokeStyle = document.page.borderColor;
+    // Half of the stroke is clipped away.
+    context.lineWidth = 2 * document.page.border * width;
+    if (document.page.border > 0) context.stroke();
+  }
+  context.restore();
+}
+
+/**
+ * @param {CanvasRenderingContext2D} context
+ * @param {Geometry['panels'][number]} panel
+ * @param {number} width
+ * @param {number} radius of the corners, in page widths
+ */
+function trace(context, { polygon, circle }, width, radius) {
+  context.beginPath();
+  if (circle) {
+    context.arc(circle.x * width, circle.y * width, circle.radius * width, 0, 2 * Math.PI);
+    return;
+  }
+  const points = (polygon ?? []).map(([x, y]) => /** @type {[number, number]} */ ([x * width, y * width]));
+  if (points.length === 0) return;
+  const [firstX, firstY] = middle(points[points.length - 1], points[0]);
+  context.moveTo(firstX, firstY);
+  points.forEach((point, i) => {
+    const next = points[(i + 1) % points.length];
+    context.arcTo(point[0], point[1], ...middle(point, next), Math.max(0, radius * width));
+    context.lineTo(...middle(point, next));
+  });
+  context.closePath();
+}
+
+/**
+ * @param {[number, number]} a
+ * @param {[number, number]} b
+ * @returns {[number, number]}
+ */
+function middle(a, b) {
+  return [(a[0] + b[0]) / 2, (a[1] + b[1]) / 2];
+}

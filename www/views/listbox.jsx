@@ -1,0 +1,119 @@
+// @ts-check
+/**
+ * A list box of pictures in a grid: one tab stop, arrows move, Enter or Space or a click chooses.
+ */
+
+import { useEffect, useRef, useState } from 'preact/hooks';
+
+/** @typedef {{ id: string, name: string }} Option */
+
+/**
+ * @template {Option} T
+ * @param {{
+ *   label: string, groups: { name: string, options: T[] }[], selected: string | null, onChoose: (id: string) => void,
+ *   picture: (option: T) => import('preact').ComponentChild, names?: boolean, empty?: string, class?: string,
+ * }} props
+ */
+export function Listbox({ label, groups, selected, onChoose, picture, names = false, empty = '', class: extra = '' }) {
+  const ref = useRef(/** @type {HTMLDivElement | null} */ (null));
+  const [active, setActive] = useState(/** @type {string | null} */ (null));
+  const ids = groups.flatMap(({ options }) => options.map(({ id }) => id));
+  const stop = [active, selected, ids[0]].find((id) => id !== null && ids.includes(id));
+
+  // What is chosen elsewhere, by a shuffle say, is found in the list at a glance.
+  useEffect(() => reveal(ref.current), [selected]);
+
+  /** @param {KeyboardEvent} event */
+  function onKeyDown(event) {
+    const options = [.../** @type {HTMLElement} */ (ref.current).querySelectorAll('[role=option]')];
+    const at = options.indexOf(/** @type {Element} */ (event.target));
+    if (at < 0 || event.ctrlKey || event.metaKey || event.altKey) return;
+    const to = target(event.key, /** @type {HTMLElement[]} */ (options), at);
+    if (to === undefined && event.key !== 'Enter' && event.key !== ' ') return;
+    event.preventDefault();
+    if (to === undefined) onChoose(ids[at]);
+    else {
+      setActive(ids[to]);
+      /** @type {HTMLElement} */ (options[to]).focus();
+    }
+  }
+
+  return (
+    <div ref={ref} class={`listbox ${extra}`} role="listbox" aria-label={label} onKeyDown={onKeyDown}>
+      {ids.length === 0 && <p class="quiet" role="presentation">{empty}</p>}
+      {groups.filter(({ options }) => options.length > 0).map(({ name, options }) => (
+        <div class="listbox-group" role="group" aria-label={name || label} key={name}>
+          {name && <div class="listbox-heading" aria-hidden="true">{name}</div>}
+          {options.map((option) => (
+            <div
+              key={option.id}
+              class="option"
+              role="option"
+              aria-label={option.name}
+              aria-selected={option.id === selected}
+              tabIndex={option.id === stop ? 0 : -1}
+              title={option.name}
+              onFocus={() => setActive(option.id)}
+              onClick={() => onChoose(option.id)}
+            >
+              {picture(option)}
+              {names && <span class="option-name" aria-hidden="true">{option.name}</span>}
+            </div>
+          ))}
+        </div>
+      ))}
+    </div>
+  );
+}
+
+/**
+ * Scrolls the list, and nothing around it, until the chosen option is in view.
+ * @param {HTMLElement | null} list
+ */
+function reveal(list) {
+  const option = list?.querySelector('[aria-selected=true]');
+  if (!list || !option) return;
+  const outer = list.getBoundingClientRect();
+  const inner = option.getBoundingClientRect();
+  if (inner.top < outer.top) list.scrollTop -= outer.top - inner.top + 8;
+  else if (inner.bottom > outer.bottom) list.scrollTop += inner.bottom - outer.bottom + 8;
+}
+
+/**
+ * @param {string} key
+ * @param {HTMLElement[]} options
+ * @param {number} at
+ * @returns {number | undefined} the option that the key leads to; undefined for a key that leads nowhere
+ */
+function target(key, options, at) {
+  const last = options.length - 1;
+  switch (key) {
+    case 'ArrowRight': return Math.min(last, at + 1);
+    case 'ArrowLeft': return Math.max(0, at - 1);
+    case 'ArrowDown': return nearest(options, at, 1);
+    case 'ArrowUp': return nearest(options, at, -1);
+    case 'Home': return 0;
+    case 'End': return last;
+    default: return undefined;
+  }
+}
+
+/**
+ * The option in the next row that is closest to the same column.
+ * @param {HTMLElement[]} options
+ * @param {number} at
+ * @param {1 | -1} way
+ */
+function nearest(options, at, way) {
+  const { left, top } = options[at].getBoundingClientRect();
+  let best = at;
+  let row = NaN;
+  for (let i = at + way; i >= 0 && i < options.length; i += way) {
+    const box = options[i].getBoundingClientRect();
+    if (Math.abs(box.top - top) < 2) continue;
+    if (Number.isNaN(row)) row = box.top;
+    if (Math.abs(box.top - row) > 2) break;
+    if (best === at || Math.abs(box.left - left) < Math.abs(options[best].getBoundingClientRect().left - left)) best = i;
+  }
+  return best;
+}

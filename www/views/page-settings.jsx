@@ -1,0 +1,81 @@
+// @ts-check
+/**
+ * The page's size, lengths and colours, all live. One drag of a slider is one step of the undo.
+ */
+
+import { useRef } from 'preact/hooks';
+import { PAGE_SIZES, sizeId } from '../state/paper.js';
+import { strings } from '../strings.js';
+import { useApp } from './context.js';
+
+/** @typedef {import('../engine/documents.js').PageSettings} PageSettings */
+
+/** Lengths, in hundredths of the page's width. @type {{ name: 'gutter' | 'margin' | 'border' | 'cornerRadius', most: number, step: number }[]} */
+const LENGTHS = [
+  { name: 'gutter', most: 6, step: 0.1 },
+  { name: 'margin', most: 10, step: 0.1 },
+  { name: 'border', most: 1.5, step: 0.05 },
+  { name: 'cornerRadius', most: 6, step: 0.1 },
+];
+
+/** @type {('paper' | 'borderColor')[]} */
+const COLOURS = ['paper', 'borderColor'];
+
+export function PageSettings() {
+  const { store, pages } = useApp();
+  const { settings } = store.project.value;
+  const drags = useRef(0);
+  const size = sizeId(settings);
+
+  /**
+   * @param {keyof PageSettings} name
+   * @param {number | string} value
+   */
+  const change = (name, value) => pages.changeSettings({ [name]: value }, `${name}-${drags.current}`);
+  const rest = () => { drags.current += 1; };
+
+  /** @param {string} id */
+  function resize(id) {
+    const found = PAGE_SIZES.find((other) => other.id === id);
+    if (found) pages.changeSettings({ width: found.width, height: found.height, dpi: found.dpi });
+  }
+
+  return (
+    <section class="settings" aria-label={strings.pageSettings}>
+      <label class="field">
+        <span>{strings.pageSize}</span>
+        <select class="select" value={size} onChange={(event) => resize(event.currentTarget.value)}>
+          {PAGE_SIZES.map(({ id }) => <option key={id} value={id}>{strings.size[/** @type {'a4'} */ (id)]}</option>)}
+          {size === 'custom' && <option value="custom">{strings.size.custom}</option>}
+        </select>
+      </label>
+      {LENGTHS.map(({ name, most, step }) => (
+        <label class="field length" key={name}>
+          <span>{strings[name]}</span>
+          <input
+            type="range"
+            min="0"
+            max={most}
+            step={step}
+            value={settings[name] * 100}
+            aria-valuetext={strings.percent(settings[name] * 100)}
+            onInput={(event) => change(name, Number((event.currentTarget.valueAsNumber / 100).toFixed(5)))}
+            onChange={rest}
+          />
+          <output aria-hidden="true">{strings.percent(settings[name] * 100)}</output>
+        </label>
+      ))}
+      {COLOURS.map((name) => (
+        <label class="field colour" key={name}>
+          <span>{strings[name]}</span>
+          <input
+            type="color"
+            value={settings[name]}
+            onInput={(event) => change(name, event.currentTarget.value)}
+            onChange={rest}
+          />
+        </label>
+      ))}
+    </section>
+  );
+}

@@ -1,0 +1,75 @@
+// @ts-check
+/**
+ * The page, as large as the window allows: a canvas, and over it one focusable element a panel.
+ */
+
+import { useEffect, useRef, useState } from 'preact/hooks';
+import { strings } from '../strings.js';
+import { screenPixels } from './bitmap.jsx';
+import { useApp } from './context.js';
+import { createPainter } from './painter.js';
+import { Panels } from './panels.jsx';
+import { useSwipe } from './swipe.js';
+
+export function Stage() {
+  const { store, pages, engine, messages, ui } = useApp();
+  const canvas = useRef(/** @type {HTMLCanvasElement | null} */ (null));
+  const sheet = useRef(/** @type {HTMLDivElement | null} */ (null));
+  const painter = useRef(/** @type {ReturnType<typeof createPainter> | null} */ (null));
+  const width = useWidth(sheet);
+  const page = store.page.value;
+  const geometry = store.geometry.value;
+  const { settings } = store.project.value;
+  const swipe = useSwipe(sheet, { forth: () => (atEnd(store) ? pages.shuffle('all') : pages.next()), back: pages.previous });
+
+  useEffect(() => {
+    const made = createPainter(/** @type {HTMLCanvasElement} */ (canvas.current), {
+      engine,
+      onPainted: (document) => { ui.painted.value = document; },
+      onError: ({ message, code }) => messages.alert(strings.panelFailed(strings.reasons[code ?? ''] ?? message)),
+    });
+    painter.current = made;
+    return () => {
+      made.dispose();
+      ui.painted.value = null;
+    };
+  }, []);
+
+  // The number of photos read is part of what the page shows: panels fill as they come.
+  const read = store.reading.value?.done;
+  useEffect(() => {
+    if (page && geometry && width > 0) painter.current?.show(page, geometry, screenPixels(width));
+  }, [page, geometry, width, read]);
+
+  return (
+    <section class="stage" aria-label={strings.page} aria-busy={store.reading.value !== null || (page !== null && ui.painted.value !== page)}>
+      <div class="stage-area" {...swipe}>
+        <div class="page" ref={sheet} style={{ '--aspect': settings.width / settings.height }}>
+          <canvas ref={canvas} class="page-canvas" aria-hidden="true" />
+          {page && geometry && <Panels page={page} geometry={geometry} />}
+        </div>
+      </div>
+      {!page && <p class="stage-note">{strings.noPhotosInUse}</p>}
+    </section>
+  );
+}
+
+/** @param {import('../state/store.js').Store} store */
+function atEnd(store) {
+  const { shown, present } = store.history.peek();
+  return shown.at(-1)?.id === present.pageId;
+}
+
+/**
+ * @param {{ current: Element | null }} ref
+ * @returns {number} the width of an element in CSS pixels, as it changes
+ */
+function useWidth(ref) {
+  const [width, setWidth] = useState(0);
+  useEffect(() => {
+    const observer = new ResizeObserver(([entry]) => setWidth(Math.round(entry.contentRect.width)));
+    if (ref.current) observer.observe(ref.current);
+    return () => observer.disconnect();
+  }, []);
+  return width;
+}

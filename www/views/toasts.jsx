@@ -1,0 +1,41 @@
+// @ts-check
+/**
+ * Messages, in live regions that are there from the start: a region that appears with its text is often not read.
+ */
+
+import { strings } from '../strings.js';
+import { IconButton } from './button.jsx';
+import { useApp } from './context.js';
+import { Icon } from './icon.jsx';
+
+export function Toasts() {
+  const { messages, download } = useApp();
+  const list = messages.list.value;
+  const running = download.progress.value;
+  const percent = running ? Math.round(100 * running.done / running.total) : 0;
+  return (
+    <div class="toasts">
+      {running && (
+        <div class="toast" aria-busy="true">
+          <div class="toast-work">
+            <span>{strings.exporting(percent)}</span>
+            <progress class="progress" aria-label={strings.exporting(percent)} value={running.done} max={running.total} />
+          </div>
+          <button type="button" class="button" onClick={download.cancel}>{strings.cancel}</button>
+        </div>
+      )}
+      <div role="alert" class="toast-list">
+        {list.filter(({ kind }) => kind === 'alert').map(({ id, text }) => (
+          <div class="toast bad" key={id}>
+            <Icon name="alert" />
+            <span class="toast-text">{text}</span>
+            <IconButton icon="close" label={strings.dismiss} onClick={() => messages.close(id)} />
+          </div>
+        ))}
+      </div>
+      <div role="status" class="toast-list">
+        {list.filter(({ kind }) => kind === 'note').map(({ id, text }) => <div class="toast" key={id}>{text}</div>)}
+      </div>
+    </div>
+  );
+}

@@ -1,0 +1,65 @@
+// @ts-check
+import { position } from '../state/history.js';
+import { strings } from '../strings.js';
+import { IconButton } from './button.jsx';
+import { useApp } from './context.js';
+import { FileInput } from './file-input.jsx';
+import { Icon } from './icon.jsx';
+
+/** The quiet bar above: the name, the steps through time, the ways out. */
+export function TopBar() {
+  const { store, download, ui } = useApp();
+  const compact = !ui.wide.value;
+  const running = download.progress.value;
+  const page = store.page.value;
+  return (
+    <header class="top-bar">
+      {store.tray.value.length === 0 ? <span class="brand">{strings.name}</span> : <h1 class="brand">{strings.name}</h1>}
+      <FileInput />
+      <div class="top-middle">{page && <Steps />}</div>
+      <div class="top-end">
+        <ThemeButton />
+        {!compact && <IconButton icon="help" label={strings.keys} shortcut="?" onClick={() => { ui.dialog.value = 'keys'; }} />}
+        {compact && page && <IconButton icon="settings" label={strings.pageSettings} pressed={ui.sheet.value === 'settings'}
+          onClick={() => { ui.sheet.value = ui.sheet.value === 'settings' ? null : 'settings'; }} />}
+        {page && compact && <IconButton icon="download" label={strings.download} disabled={running !== null} onClick={() => download.start()} />}
+        {page && !compact && (
+          <>
+            <button type="button" class="button" onClick={() => { ui.dialog.value = 'export'; }}>
+              <Icon name="export" />{strings.export}
+            </button>
+            <button type="button" class="button strong" disabled={running !== null} onClick={() => download.start()}>
+              <Icon name="download" />{strings.download}
+            </button>
+          </>
+        )}
+      </div>
+    </header>
+  );
+}
+
+/** Undo and redo, and the pages shown so far. */
+function Steps() {
+  const { store, pages } = useApp();
+  const history = store.history.value;
+  const at = position(history);
+  const { length } = history.shown;
+  return (
+    <>
+      <IconButton icon="undo" label={strings.undo} shortcut="Ctrl+Z" disabled={history.past.length === 0} onClick={pages.undo} />
+      <IconButton icon="redo" label={strings.redo} shortcut="Shift+Ctrl+Z" disabled={history.future.length === 0} onClick={pages.redo} />
+      <span class="divider" />
+      <IconButton icon="previous" label={strings.previous} disabled={at <= 0} onClick={pages.previous} />
+      <span class="page-number" title={strings.pageOf(at + 1, length)}>{at + 1}<i>/</i>{length}</span>
+      <IconButton icon="next" label={strings.next} disabled={at >= length - 1} onClick={pages.next} />
+    </>
+  );
+}
+
+function ThemeButton() {
+  const { ui } = useApp();
+  const dark = (ui.theme.value ?? (ui.systemDark.value ? 'dark' : 'light')) === 'dark';
+  return (
+    <IconButton icon={dark ? 'sun' : 'moon'} label={dark ? strings.theme.light : strings.theme.dark} onClick={ui.toggleTheme} />
+  );
+}

@@ -1,0 +1,18 @@
+// @ts-check
+import { defineConfig } from 'vitest/config';
+
+// `base: './'` makes every address relative, so the built site runs from any folder of any static host.
+export default defineConfig({
+  base: './',
+  oxc: { jsx: { runtime: 'automatic', importSource: 'preact' } },
+  build: {
+    target: 'es2022',
+    assetsInlineLimit: 0,
+    // The polyfill is an inline script, which the page's Content-Security-Policy forbids.
+    modulePreload: { polyfill: false },
+  },
+  worker: { format: 'es' },
+  test: {
+    include: ['state/**/*.test.js', 'engine/**/*.test.js', 'views/**/*.test.js'],
+  },
+});
