@@ -1,0 +1,30 @@
+// @ts-check
+/** The core's module in a blank page of an origin that only this test knows. */
+
+import { readFileSync } from 'node:fs';
+import { extname } from 'node:path';
+import { fileURLToPath } from 'node:url';
+
+const ORIGIN = 'http://core.test';
+const PKG = fileURLToPath(new URL('../../../www/pkg/', import.meta.url));
+/** @type {Record<string, string>} */
+const TYPES = { '.js': 'text/javascript', '.wasm': 'application/wasm' };
+
+/**
+ * Opens the page with the module's exports in the global `core`.
+ * @param {import('../../../www/node_modules/@playwright/test').Page} page
+ */
+export async function openCore(page) {
+  await page.route(`${ORIGIN}/**`, (route) => {
+    const { pathname } = new URL(route.request().url());
+    if (!pathname.startsWith('/pkg/')) return route.fulfill({ contentType: 'text/html', body: '<!doctype html>' });
+    const body = readFileSync(PKG + pathname.slice('/pkg/'.length));
+    return route.fulfill({ contentType: TYPES[extname(pathname)], body });
+  });
+  await page.goto(ORIGIN);
+  await page.evaluate(async () => {
+    const core = await import(/** @type {any} */ ('/pkg/inkpanel.js'));
+    await core.default();
+    Object.assign(globalThis, { core });
+  });
+}
