@@ -1,0 +1,68 @@
+// @ts-check
+/**
+ * Times one contestant. Its module's `load` takes the picture and gives functions by row id; each runs the
+ * operation once on pixels that the contestant already holds, so that no copy in or out is timed where its
+ * interface allows that.
+ */
+
+/** @typedef {{ width: number, height: number, data: Uint8ClampedArray }} Picture RGBA */
+/**
+ * @typedef {{
+ *   id: string, label: string, luma: boolean, planes: number, done: number | null, style: object,
+ *   params: Record<string, any>,
+ * }} Row
+ * The first word of `id` names the operation. `luma`: runs on a gray picture; `planes`: how many it reads and
+ * writes, on average; `style`: what Inkpanel runs, after the first `done` blocks, or whole if null; `params`: those
+ * of its block, for the peers.
+ */
+/**
+ * @typedef {(() => void) | { prepare: () => any, run: (prepared: any) => void }} Operation
+ * With `prepare` untimed, for libraries that change an image in place.
+ */
+/** @typedef {(picture: Picture) => Promise<(row: Row) => Operation | undefined>} Load */
+
+const RUNS = 15;
+const WARM = 3;
+/** Milliseconds after which five runs are enough. */
+const PATIENCE = 4000;
+
+/**
+ * @param {string} name of a file in `contestants`
+ * @param {Row[]} rows
+ * @param {Picture} picture
+ * @returns {Promise<Record<string, number>>} median milliseconds by row id; rows it cannot do are absent
+ */
+export async function contest(name, rows, picture) {
+  /** @type {{ load: Load }} */
+  const { load } = await import(`./contestants/${name}.js`);
+  const find = await load(picture);
+  /** @type {Record<string, number>} */
+  const times = {};
+  for (const row of rows) {
+    try {
+      const operation = find(row);
+      if (operation) times[row.id] = median(operation);
+    } catch (error) {
+      // OpenCV throws bare numbers.
+      throw new Error(`${row.id}: ${error instanceof Error ? error.message : error}`);
+    }
+  }
+  return times;
+}
+
+/** @param {Operation} operation */
+function median(operation) {
+  const { prepare, run } = typeof operation === 'function' ? { prepare: () => {}, run: operation } : operation;
+  /** @type {number[]} */
+  const times = [];
+  const begin = performance.now();
+  const tired = () => performance.now() - begin > PATIENCE;
+  for (let warm = 0; warm < WARM && !tired(); warm += 1) run(prepare());
+  while (times.length < RUNS && !(times.length >= 5 && tired())) {
+    const prepared = prepare();
+    const start = performance.now();
+    run(prepared);
+    times.push(performance.now() - start);
+  }
+  return times.sort((a, b) => a - b)[times.length >> 1];
+}

@@ -1,0 +1,23 @@
+// @ts-check
+/** This project's core, built with the feature `bench`: blocks and styles on planes in its memory. */
+
+import init, { Bench, blocks, styles } from '/pkg/inkpanel.js';
+
+/** @type {import('../contest.js').Load} */
+export async function load({ width, height, data }) {
+  await init();
+  const rgba = new Uint8Array(data);
+  /** @type {Bench | undefined} */
+  let bench;
+  return ({ style, done }) => {
+    bench?.free();
+    const current = (bench = new Bench(JSON.stringify(style), done ?? 0, width, height, rgba));
+    return done === null ? () => current.run_style() : { prepare: () => current.prepare(), run: () => current.run() };
+  };
+}
+
+/** @returns {Promise<{ blocks: any[], styles: any[] }>} what there is to time */
+export async function catalogue() {
+  await init();
+  return { blocks: JSON.parse(blocks()), styles: JSON.parse(styles()) };
+}

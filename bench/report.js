@@ -1,0 +1,75 @@
+// @ts-check
+/** The results as a Markdown table, and that table's place in the README. */
+
+import { readFileSync, writeFileSync } from 'node:fs';
+
+/** @typedef {import('./page/contest.js').Row} Row */
+/**
+ * @typedef {{
+ *   machine: { cores: number, cpu: string, browser: string, copySpeed: number },
+ *   rows: Row[], times: Record<string, Record<string, number>>, failed: Record<string, string>,
+ *   versions: Record<string, string>, journey: { firstPage: number, shuffle: number, png: number } | null,
+ * }} Results `times` are milliseconds by contestant and row
+ */
+
+const PEERS = { opencv: 'OpenCV.js', canvas: 'canvas 2D', vips: 'wasm-vips', photon: 'photon' };
+const PIXELS = 1920 * 1080;
+
+/** @param {Results} results */
+export function markdown({ machine, rows, times, failed, versions, journey }) {
+  const peers = Object.entries(PEERS);
+  const heads = peers.map(([id, name]) => (versions[id] ? `${name} ${versions[id]}` : name));
+  const lines = [
+    `Milliseconds at 1920x1080 on one thread of ${machine.cpu} (${machine.cores} cores), ${machine.browser}, medians.`,
+    'A peer\'s column has its time and how many times longer it takes; wasm-vips uses all cores. *Of copy* is the time',
+    `to copy the same bytes at the measured ${(machine.copySpeed / 1e9).toFixed(1)} GB/s, as a share of the block's.`,
+    '',
+    `| Block | ms | of copy | ${heads.join(' | ')} |`,
+    `|---|--:|--:|${'--:|'.repeat(heads.length)}`,
+  ];
+  for (const row of rows) {
+    const own = times.inkpanel?.[row.id];
+    if (own === undefined) continue;
+    const share = copyTime(row, machine.copySpeed) / own;
+    const cells = peers.map(([id]) => {
+      const peer = times[id]?.[row.id];
+      return failed[id] ? 'failed' : peer === undefined ? '' : `${short(peer)} (${short(peer / own)}x)`;
+    });
+    lines.push(`| ${row.label} | ${short(own)} | ${Math.round(share * 100)} % | ${cells.join(' | ')} |`);
+  }
+  for (const [id, reason] of Object.entries(failed)) lines.push('', `${PEERS[id] ?? id} failed: ${reason}`);
+  if (journey) {
+    lines.push(
+      '',
+      '| In the page, all workers | |',
+      '|---|--:|',
+      `| Twelve 12-megapixel JPEG files to the first page | ${(journey.firstPage / 1000).toFixed(2)} s |`,
+      `| Shuffle to visible page | ${Math.round(journey.shuffle)} ms |`,
+      `| PNG of 2480 x 3508 from the original photos | ${(journey.png / 1000).toFixed(2)} s |`,
+    );
+  }
+  return lines.join('\n');
+}
+
+/** Milliseconds to copy what a row reads and writes. @param {Row} row @param {number} speed bytes a second */
+function copyTime({ planes }, speed) {
+  return ((PIXELS * planes) / speed) * 1000;
+}
+
+/** Three digits at most. @param {number} value */
+function short(value) {
+  return value >= 100 ? value.toFixed(0) : value >= 10 ? value.toFixed(1) : value.toFixed(2);
+}
+
+/**
+ * Puts the table between the README's markers.
+ * @param {string} path
+ * @param {string} table
+ */
+export function insert(path, table) {
+  const text = readFileSync(path, 'utf8');
+  const [start, end] = ['<!-- bench:start -->', '<!-- bench:end -->'];
+  const [from, to] = [text.indexOf(start), text.indexOf(end)];
+  if (from < 0 || to < from) throw new Error(`${path} lacks the markers ${start} and ${end}`);
+  writeFileSync(path, `${text.slice(0, from + start.length)}\n${table}\n${text.slice(to)}`);
+}

@@ -1,0 +1,112 @@
+// @ts-check
+/**
+ * The benchmark: `cargo xtask bench` starts it with the folders it needs. Times every block and the same
+ * operations by other libraries in one browser session, then the real page; writes JSON and the README's table.
+ */
+
+import { readFileSync, writeFileSync } from 'node:fs';
+import { cpus } from 'node:os';
+import { join } from 'node:path';
+import { fileURLToPath } from 'node:url';
+import { parseArgs } from 'node:util';
+import { chromium } from 'playwright-core';
+import { bigPhotos, journey } from './journey.js';
+import { insert, markdown } from './report.js';
+import { rows as allRows } from './rows.js';
+import { serve } from './server.js';
+
+const PEERS = {
+  opencv: '@techstark/opencv-js',
+  canvas: null,
+  vips: 'wasm-vips',
+  photon: '@silvia-odwyer/photon',
+};
+
+const { values: options, positionals: filter } = parseArgs({
+  allowPositionals: true,
+  options: {
+    root: { type: 'string', default: fileURLToPath(new URL('..', import.meta.url)) },
+    target: { type: 'string', default: fileURLToPath(new URL('../target', import.meta.url)) },
+    alone: { type: 'boolean', default: false },
+  },
+});
+
+const here = fileURLToPath(new URL('.', import.meta.url));
+const album = join(options.root, 'www/public/samples');
+const browser = await chromium.launch({
+  executablePath: process.env.CHROMIUM,
+  args: ['--no-sandbox', '--disable-gpu', '--disable-quic', '--no-first-run', '--disable-background-networking'],
+});
+try {
+  const results = await blocks();
+  const whole = filter.length === 0;
+  results.journey = whole ? await page() : null;
+  const table = markdown(results);
+  console.log(`\n${table}`);
+  if (whole && !options.alone) {
+    writeFileSync(join(options.target, 'bench.json'), `${JSON.stringify(results, null, 2)}\n`);
+    insert(join(options.root, 'README.md'), table);
+  }
+} finally {
+  await browser.close();
+}
+
+/** @returns {Promise<import('./report.js').Results>} */
+async function blocks() {
+  const folders = { page: join(here, 'page'), modules: join(here, 'node_modules'), pkg: join(options.target, 'bench/pkg'), album };
+  const { address, close } = await serve(folders, { isolated: true });
+  const page = await browser.newPage();
+  await page.goto(`${address}/page/index.html`);
+  const { blocks, styles } = await page.evaluate(async () => {
+    const { catalogue } = await import(/** @type {any} */ ('/page/contestants/inkpanel.js'));
+    return catalogue();
+  });
+  const rows = allRows(blocks, styles).filter(({ id }) => !filter.length || filter.some((word) => id.includes(word)));
+  /** @type {import('./report.js').Results} */
+  const results = {
+    machine: {
+      cores: cpus().length,
+      cpu: cpus()[0].model.trim(),
+      browser: `Chromium ${browser.version()}`,
+      copySpeed: await page.evaluate(() => /** @type {any} */ (globalThis).bench.copySpeed()),
+    },
+    rows,
+    times: {},
+    failed: {},
+    versions: {},
+    journey: null,
+  };
+  for (const name of ['inkpanel', ...(options.alone ? [] : Object.keys(PEERS))]) {
+    console.log(`timing ${name}`);
+    const ask = /** @type {const} */ ([name, rows, `${address}/album/06-castle.jpg`]);
+    const timed = page.evaluate((a) => /** @type {any} */ (globalThis).bench.times(...a), ask);
+    // A peer that does not load or breaks down leaves an empty column, not an empty table.
+    const times = await timed.catch((/** @type {Error} */ error) => {
+      if (name === 'inkpanel') throw error;
+      results.failed[name] = error.message.split('\n')[0];
+    });
+    if (times) results.times[name] = times;
+    results.versions[name] = version(PEERS[name]);
+  }
+  await page.close();
+  close();
+  return results;
+}
+
+/** The real site, as any host would serve it. */
+async function page() {
+  console.log('timing the page');
+  const photos = await bigPhotos(browser, album, join(options.target, 'bench/photos'));
+  const { address, close } = await serve({ site: join(options.root, 'www/dist') }, { isolated: false });
+  try {
+    return await journey(browser, `${address}/site/`, photos);
+  } finally {
+    close();
+  }
+}
+
+/** @param {string | null | undefined} name of an installed package */
+function version(name) {
+  if (!name) return '';
+  return JSON.parse(readFileSync(join(here, 'node_modules', name, 'package.json'), 'utf8')).version;
+}
