@@ -39,12 +39,21 @@ export function createPages(store, seed = freshSeed) {
    */
   function plan(wish) {
     const planner = store.planner.peek();
-    const { settings, page, panels } = store.project.peek();
+    const { settings, page } = store.project.peek();
     const photos = store.photos.peek();
     if (!planner || photos.length === 0) return null;
-    // A wanted number of panels speaks only where the layout is free.
-    const count = panels !== null && !wish.keep.layout && wish.layout === undefined ? { panels } : {};
-    return planner.plan({ seed: seed(), photos, page: settings, current: page, ...count, ...wish });
+    const free = !wish.keep.layout && wish.layout === undefined;
+    return planner.plan({ seed: seed(), photos, page: settings, current: page, ...(free ? shape() : {}), ...wish });
+  }
+
+  /**
+   * What a free layout must have: the number of panels that a person wants, or else a place for each locked photo.
+   * @returns {Partial<PlanRequest>}
+   */
+  function shape() {
+    const { page, panels, locks } = store.project.peek();
+    const places = locks.photos && page ? { panels: placesOf(page), merge: false } : {};
+    return panels === null ? places : { ...places, panels };
   }
 
   /**
@@ -167,6 +176,14 @@ export function createPages(store, seed = freshSeed) {
   function redo() {
     store.change({ type: 'redo' });
   }
+}
+
+/**
+ * @param {PageDocument} page
+ * @returns {number} the images on it: merged panels share one
+ */
+function placesOf({ panels, merges }) {
+  return merges.reduce((places, group) => places - group.length + 1, panels.length);
 }
 
 /** @typedef {ReturnType<typeof createPages>} Pages */

@@ -35,6 +35,14 @@ describe('shuffle', () => {
     expect(store.page.value).toBe(before);
   });
 
+  test('with locked photos asks for a place for each of them', async () => {
+    const { pages, planner, store } = await opened();
+    const places = store.page.value?.panels.length;
+    pages.lock('photos', true);
+    pages.shuffle('all');
+    expect(planner.requests.at(-1)).toMatchObject({ panels: places, merge: false, keep: { photos: true } });
+  });
+
   test('respects the wanted number of panels, unless the layout stays', async () => {
     const { pages, planner, store } = await opened();
     pages.wantPanels(2);

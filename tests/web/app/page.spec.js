@@ -28,6 +28,11 @@ test('each part is shuffled alone', async ({ page }) => {
   expect(photos.photos).not.toEqual(layout.photos);
 });
 
+/** Panels that share one image count as one. @param {any} part of what the page is made of */
+function imagesOf(part) {
+  return Array.isArray(part) ? part.filter((photo, i) => photo !== part[i - 1]) : part;
+}
+
 for (const part of /** @type {const} */ (['layout', 'style', 'photos'])) {
   test(`a locked ${part} holds while the rest is shuffled`, async ({ page }) => {
     await openBoard(page);
@@ -38,9 +43,7 @@ for (const part of /** @type {const} */ (['layout', 'style', 'photos'])) {
     for (let i = 0; i < 6; i += 1) {
       await press(page, 'Shuffle');
       const now = await contents(page);
-      // With another number of panels the same order shows more or fewer of the photos.
-      const kept = part === 'photos' ? now.photos.slice(0, before.photos.length) : now[part];
-      expect(kept).toEqual(part === 'photos' ? before.photos.slice(0, now.photos.length) : before[part]);
+      expect(imagesOf(now[part])).toEqual(imagesOf(before[part]));
       if (JSON.stringify(now) !== JSON.stringify(before)) others += 1;
     }
     expect(others).toBeGreaterThan(0);
