@@ -77,6 +77,14 @@ pub enum Error {
         /// What is wrong and what would be right.
         reason: String,
     },
+    /// A trained filter bank breaks its format.
+    #[error("filter bank {name}: {reason}")]
+    InvalidBank {
+        /// Name of the bank.
+        name: String,
+        /// What is wrong and what would be right.
+        reason: String,
+    },
     /// No style of this id.
     #[error("there is no style called \"{0}\"")]
     UnknownStyle(String),
@@ -110,6 +118,7 @@ impl Error {
             Self::InvalidStyle { .. } => "invalid-style",
             Self::InvalidLayout { .. } => "invalid-layout",
             Self::InvalidDocument { .. } => "invalid-document",
+            Self::InvalidBank { .. } => "invalid-bank",
             Self::UnknownStyle(_) => "unknown-style",
             Self::UnknownLayout(_) => "unknown-layout",
             Self::MissingPhoto(_) => "missing-photo",

@@ -145,8 +145,10 @@ impl Param {
     fn value_from_json(&self, value: &Value) -> std::result::Result<f32, String> {
         let in_range = |number: f64| {
             let (min, max) = self.kind.range();
-            if (f64::from(min)..=f64::from(max)).contains(&number) {
-                Ok(number as f32)
+            // As an f32, which the bounds are, too: 0.3 is no less than 0.3.
+            let value = number as f32;
+            if (min..=max).contains(&value) {
+                Ok(value)
             } else {
                 Err(format!("is {number}, it must be from {min} to {max}"))
             }
@@ -286,6 +288,20 @@ mod tests {
         let style = Style::parse("x.json", r#"{"background":[{"block":"xdog","sigma":2}]}"#).unwrap();
         assert_eq!((style.id.as_str(), style.background[0].values.as_slice()), ("x", [2.0, 20.0].as_slice()));
         assert!(style.foreground.is_none());
+    }
+
+    #[test]
+    fn the_ends_of_every_range_are_in_it() {
+        for block in blocks::ALL {
+            for param in block.params.iter().filter(|param| matches!(param.kind, Kind::Number { .. })) {
+                let (min, max) = param.kind.range();
+                for end in [min, max] {
+                    // As people write it: the shortest decimal of this f32.
+                    let value: Value = serde_json::from_str(&end.to_string()).unwrap();
+                    assert_eq!(param.value_from_json(&value), Ok(end), "{} {}", block.id, param.id);
+                }
+            }
+        }
     }
 
     #[test]

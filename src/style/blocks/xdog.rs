@@ -1,7 +1,8 @@
 //! `XDoG`: S = (1 + p) G(sigma) - p G(1.6 sigma), clipped: sharpens toward ink at edges of the scale sigma.
 //!
-//! The wider Gaussian is made from the narrower: 1.6 sigma = sqrt(sigma^2 + (1.249 sigma)^2). Both stay in
-//! 1/64 grey steps, because p multiplies their error. A colour image takes the new luma and keeps its colours.
+//! Both Gaussians are made from the image itself: at a border, one made from the other would repeat an edge that
+//! is already blurred. They stay in 1/64 grey steps, because p multiplies their error. A colour image takes the new
+//! luma and keeps its colours.
 //!
 //! Source: Winnemöller et al., "`XDoG`: an `eXtended` difference-of-Gaussians compendium", 2012.
 
@@ -11,12 +12,6 @@ use crate::simd::fine::{FRACTION, Fine};
 use crate::simd::gaussian::blur;
 use crate::style::context::Context;
 use crate::style::params::{Unit, number};
-
-/// sqrt(1.6^2 - 1).
-const STEP: f32 = 1.249;
-
-/// Below this sigma, sampled Gaussians do not compose: the wider one is made from the image itself.
-const COMPOSES_FROM: f32 = 0.8;
 
 pub(super) static BLOCK: Block = Block {
     id: "xdog",
@@ -38,11 +33,7 @@ fn run(sigma: f32, p: f32, mut plane: Plane, context: &mut Context<'_>) -> Plane
     let mut image = buffers.take(plane.width(), plane.height());
     image.widen(&plane);
     let narrow = blur(&image, sigma, buffers);
-    let wide = if sigma < COMPOSES_FROM {
-        blur(&image, 1.6 * sigma, buffers)
-    } else {
-        blur(&narrow, STEP * sigma, buffers)
-    };
+    let wide = blur(&image, 1.6 * sigma, buffers);
     for y in 0..plane.height() {
         combine(&narrow, &wide, y, p, plane.row_mut(y));
     }
