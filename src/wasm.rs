@@ -8,6 +8,7 @@
 
 #[cfg(feature = "bench")]
 mod bench;
+mod layouts;
 
 use crate::error::{Error, Result};
 use crate::framing::Crop;

@@ -9,9 +9,13 @@ import { createEngine } from './engine/engine.js';
 import { createAlternatives } from './state/alternatives.js';
 import { createDownload } from './state/download.js';
 import { createKeys } from './state/keys.js';
+import { createMerging } from './state/merging.js';
 import { createMessages } from './state/messages.js';
-import { createPages } from './state/pages.js';
+import { createOwnLayouts } from './state/own-layouts.js';
+import { createPages, freshSeed } from './state/pages.js';
 import { createReading } from './state/reading.js';
+import { createReshaping } from './state/reshaping.js';
+import { createSelection } from './state/selection.js';
 import { createStore } from './state/store.js';
 import { createUi } from './state/ui.js';
 import { strings } from './strings.js';
@@ -25,18 +29,27 @@ const ui = createUi(window);
 const messages = createMessages();
 const pages = createPages(store);
 const reading = createReading({ store, pages, engine, messages });
+const selection = createSelection({ store });
+const merging = createMerging({ store, pages, selection });
+const reshaping = createReshaping({ store, pages, seed: freshSeed });
+const ownLayouts = createOwnLayouts({ store, pages, messages, box: () => window.localStorage });
 const download = createDownload({ store, pages, engine, messages });
 const alternatives = createAlternatives({ store, pages });
 
 engine.ready.then(
   (planner) => {
     store.planner.value = planner;
+    ownLayouts.recall();
   },
   (error) => messages.alert(strings.coreFailed(error.message)),
 );
 
-window.addEventListener('keydown', createKeys({ pages, download, ui }));
-acceptFiles(window, (files) => reading.addFiles(files));
+window.addEventListener('keydown', createKeys({ pages, download, ui, selection, reshaping }));
+acceptFiles(window, (files) => {
+  const layouts = files.filter(({ name }) => name.toLowerCase().endsWith('.json'));
+  reading.addFiles(files.filter((file) => !layouts.includes(file)));
+  ownLayouts.open(layouts);
+});
 
 effect(() => {
   const painted = store.page.value === null || ui.painted.value === store.page.value;
@@ -46,7 +59,7 @@ effect(() => {
 });
 
 render(
-  <AppContext.Provider value={{ store, pages, reading, download, alternatives, messages, ui, engine }}>
+  <AppContext.Provider value={{ store, pages, selection, merging, reshaping, ownLayouts, reading, download, alternatives, messages, ui, engine }}>
     <App />
   </AppContext.Provider>,
   /** @type {HTMLElement} */ (document.getElementById('app')),

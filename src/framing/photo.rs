@@ -83,6 +83,23 @@ pub struct Crop {
 }
 
 impl Crop {
+    /// The crop about the same centre and of the same area, as far as the photo reaches, for a panel of that
+    /// aspect (width over height); unchanged where it has that aspect already.
+    #[must_use]
+    pub fn refitted(&self, photo: &PhotoMeta, aspect: f64) -> Self {
+        let sides = (f64::from(photo.width.max(1)), f64::from(photo.height.max(1)));
+        let (width, height) = (self.width * sides.0, self.height * sides.1);
+        if (width / height / aspect - 1.0).abs() < 1e-6 {
+            return *self;
+        }
+        let wanted = (width * height * aspect).sqrt();
+        let width = wanted.min(sides.0).min(sides.1 * aspect);
+        let (width, height) = ((width / sides.0).min(1.0), (width / aspect / sides.1).min(1.0));
+        let place = |middle: f64, length: f64| (middle - length / 2.0).clamp(0.0, 1.0 - length);
+        let (x, y) = (self.x + self.width / 2.0, self.y + self.height / 2.0);
+        Self { x: place(x, width), y: place(y, height), width, height }
+    }
+
     /// The area that two crops share, over the area that either covers: 0 apart, 1 the same.
     #[must_use]
     pub fn overlap(&self, other: &Self) -> f64 {

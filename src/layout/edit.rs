@@ -89,40 +89,54 @@ pub fn move_cut(template: &Template, cut: usize, fraction: f64, slant: f64) -> R
     split.slants[index] = right - left;
     let ends = middles.iter().copied().chain([1.0]);
     split.shares = ends.scan(0.0, |from, to| Some(to - std::mem::replace(from, to))).collect();
-    rebuilt(template, node, true)
+    rebuilt(template, node, template.order.clone(), weights(template))
 }
 
 /// The template with a base panel cut in two equal halves, below one another (`Axis::Rows`) or side by side.
+/// The halves follow each other in the reading order.
 ///
 /// # Errors
 /// `invalid-layout` when there is no such panel, or the page would be cut too finely.
 pub fn split_panel(template: &Template, panel: usize, axis: Axis) -> Result<Template> {
-    change_panel(template, panel, |node| {
-        let halves = vec![Node::Panel, Node::Panel];
-        *node = Node::Split(Split { axis, shares: vec![1.0; 2], slants: vec![0.0], children: halves });
-    })
+    let mut node = tree(template)?.clone();
+    let at = in_tree(template, panel)?;
+    if let Some(leaf) = nth_panel(&mut node, &mut { at }) {
+        let children = vec![Node::Panel, Node::Panel];
+        *leaf = Node::Split(Split { axis, shares: vec![1.0; 2], slants: vec![0.0], children });
+    }
+    let mut order: Vec<usize> = template.order.iter().map(|&i| i + usize::from(i > at)).collect();
+    order.insert(panel + 1, at + 1);
+    let mut weights = weights(template);
+    weights[panel] /= 2.0;
+    weights.insert(panel + 1, weights[panel]);
+    rebuilt(template, node, order, weights)
 }
 
-/// The template without a base panel; the cells beside it take its room.
+/// The template without a panel; the cells beside a base panel take its room, what lay below an overlay shows.
 ///
 /// # Errors
-/// `invalid-layout` when there is no such panel or it is the only one.
+/// `invalid-layout` when there is no such panel, or it is the only one that the page has below overlays.
 pub fn remove_panel(template: &Template, panel: usize) -> Result<Template> {
+    if panel >= template.base_count() && panel < template.panels.len() {
+        let mut changed = template.clone();
+        changed.panels.remove(panel);
+        return checked(changed);
+    }
     let mut node = tree(template)?.clone();
     let at = in_tree(template, panel)?;
     if !remove(&mut node, at) {
         return Err(refused(template, format!("panel {panel}"), "is the only one"));
     }
-    rebuilt(template, node, false)
+    let rest = template.order.iter().filter(|&&i| i != at);
+    let order = rest.map(|&i| i - usize::from(i > at)).collect();
+    let mut weights = weights(template);
+    weights.remove(panel);
+    rebuilt(template, node, order, weights)
 }
 
-fn change_panel(template: &Template, panel: usize, change: impl FnOnce(&mut Node)) -> Result<Template> {
-    let mut node = tree(template)?.clone();
-    let at = in_tree(template, panel)?;
-    if let Some(leaf) = nth_panel(&mut node, &mut { at }) {
-        change(leaf);
-    }
-    rebuilt(template, node, false)
+/// The weights of the base panels.
+fn weights(template: &Template) -> Vec<f32> {
+    template.panels.iter().filter(|panel| !panel.overlay).map(|panel| panel.weight).collect()
 }
 
 /// The place in the tree of a panel of the reading order.
@@ -142,20 +156,33 @@ fn refused(template: &Template, location: String, reason: &str) -> Error {
     Error::InvalidLayout { file: template.id().into(), location, reason: reason.into() }
 }
 
-/// A template of the changed tree, checked like a file. Overlays stay; weights stay where the panels do.
-fn rebuilt(template: &Template, mut node: Node, same_panels: bool) -> Result<Template> {
+/// A template of the changed tree with its base panels in that order; overlays stay.
+fn rebuilt(template: &Template, mut node: Node, order: Vec<usize>, weights: Vec<f32>) -> Result<Template> {
     tidy(&mut node);
-    let id = format!("custom-{}", node.fingerprint());
-    let mut changed =
-        Template::assemble(&id, template.name(), "custom", template.aspect(), Body::Tree(node.clone()));
-    if same_panels {
-        let cells = std::mem::take(&mut changed.panels);
-        let weighed = template.order.iter().zip(&template.panels);
-        changed.panels = weighed.map(|(&i, old)| Panel { weight: old.weight, ..cells[i].clone() }).collect();
-        changed.order.clone_from(&template.order);
-    }
-    changed.panels.extend(template.panels.iter().filter(|panel| panel.overlay).cloned());
+    let (name, aspect) = (template.name(), template.aspect());
+    let mut changed = Template::assemble("custom", name, "custom", aspect, Body::Tree(node));
+    let cells = std::mem::take(&mut changed.panels);
+    let base = order.iter().zip(weights).map(|(&i, weight)| Panel { weight, ..cells[i].clone() });
+    changed.panels = base.chain(template.panels.iter().filter(|panel| panel.overlay).cloned()).collect();
+    changed.order = order;
+    checked(changed)
+}
+
+/// The changed template, checked like a file and named after what is in it.
+fn checked(mut changed: Template) -> Result<Template> {
+    changed.family = "custom".into();
+    changed.id = "custom".into();
+    let id = format!("custom-{}", fingerprint(&changed.to_json()));
+    changed.id.clone_from(&id);
     Template::parse(&id, &changed.to_json())
+}
+
+/// Eight hexadecimal digits that are equal for equal texts (FNV-1a).
+fn fingerprint(text: &str) -> String {
+    let hash = text
+        .bytes()
+        .fold(0xcbf2_9ce4_8422_2325u64, |hash, byte| (hash ^ u64::from(byte)).wrapping_mul(0x0100_0000_01b3));
+    format!("{:08x}", (hash ^ (hash >> 32)) as u32)
 }
 
 /// Four digits are finer than a printed dot, and keep files readable.
@@ -241,7 +268,7 @@ fn remove(node: &mut Node, at: usize) -> bool {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::layout::{catalogue, find};
+    use crate::layout::{Shape, catalogue, find};
 
     fn on_a4(template: &Template) -> Vec<Cut> {
         let settings = PageSettings::default();
@@ -289,8 +316,47 @@ mod tests {
                 assert!(fewer.is_err() || fewer.unwrap().panels().len() == all - 1);
             }
             assert!(split_panel(template, base, Axis::Rows).is_err());
-            assert!(remove_panel(template, base).is_err());
+            assert!(remove_panel(template, all).is_err());
         }
+    }
+
+    #[test]
+    fn the_panels_that_stay_keep_place_and_weight() {
+        for template in catalogue().iter().filter(|t| matches!(t.body(), Body::Tree(_))) {
+            for panel in 0..template.base_count() {
+                let after = split_panel(template, panel, Axis::Columns).unwrap();
+                let shapes = |t: &Template| t.panels().iter().map(|p| p.shape.clone()).collect::<Vec<_>>();
+                let (mut left, mut stayed) = (shapes(template), shapes(&after));
+                left.remove(panel);
+                stayed.drain(panel..panel + 2);
+                assert_eq!(left.len(), stayed.len());
+                assert!(left.iter().zip(&stayed).all(|(a, b)| near(a, b)), "{} {panel}", template.id());
+                let again = remove_panel(&after, panel + 1).unwrap();
+                assert!(shapes(template).iter().zip(&shapes(&again)).all(|(a, b)| near(a, b)));
+            }
+        }
+    }
+
+    /// Shares are rounded when a tree is changed.
+    fn near(a: &Shape, b: &Shape) -> bool {
+        match (a, b) {
+            (Shape::Polygon(a), Shape::Polygon(b)) => a.iter().zip(b).all(|(p, q)| p.distance(*q) < 1e-3),
+            (a, b) => a == b,
+        }
+    }
+
+    #[test]
+    fn an_overlay_is_taken_away_and_the_page_below_it_stays() {
+        let mut seen = 0;
+        for template in catalogue().iter().filter(|t| t.panels().len() > t.base_count()) {
+            let last = template.panels().len() - 1;
+            let after = remove_panel(template, last).unwrap();
+            assert_eq!(after.panels(), &template.panels()[..last]);
+            assert_eq!((after.body(), after.family()), (template.body(), "custom"));
+            assert_ne!(after.id(), template.id());
+            seen += 1;
+        }
+        assert!(seen > 5);
     }
 
     #[test]

@@ -53,6 +53,9 @@ pub struct PanelContent {
     /// Kept by every shuffle.
     #[serde(default)]
     pub locked: bool,
+    /// The crop was made by hand: it stays while the photo stays in this panel.
+    #[serde(default)]
+    pub edited: bool,
 }
 
 impl Document {

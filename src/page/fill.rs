@@ -26,7 +26,7 @@ pub(super) fn choose_photos(
     let mut slots: Vec<Slot> = heads.iter().map(|&i| slots[i].clone()).collect();
     let photos = &request.photos;
     let mut assigned: Vec<Option<Assignment>> = match current.filter(|_| request.keep.photos) {
-        Some(current) => kept(current, &slots, photos),
+        Some(current) => kept(current, &slots, photos, same_layout),
         None => vec![None; slots.len()],
     };
     if assigned.iter().any(Option::is_none) {
@@ -37,7 +37,13 @@ pub(super) fn choose_photos(
         let order = if request.mode == Mode::Photos { Order::Free } else { Order::Kept };
         assigned = assign(photos, &slots, order, u64::from(request.seed)).into_iter().map(Some).collect();
     }
-    let locked = |i: usize| same_layout && current.is_some_and(|c| c.panels.get(i).is_some_and(|p| p.locked));
+    let before = |i: usize| current.filter(|_| same_layout).and_then(|current| current.panels.get(i));
+    let locked = |i: usize| before(i).is_some_and(|panel| panel.locked);
+    // A crop made by hand stays so while its panel keeps the photo, which a locked one always does.
+    let edited = |i: usize, photo: &str| {
+        let stays = |panel: &&PanelContent| request.keep.photos || panel.locked;
+        before(i).filter(stays).is_some_and(|p| p.edited && p.photo.as_deref() == Some(photo))
+    };
     let panels: Vec<PanelContent> = (0..resolved.len())
         .map(|i| {
             let head = heads.iter().position(|&head| head == leader(i));
@@ -46,6 +52,7 @@ pub(super) fn choose_photos(
                 photo: assigned.map(|a| photos[a.photo].id.clone()),
                 crop: assigned.map(|a| a.crop),
                 locked: locked(i),
+                edited: assigned.is_some_and(|a| edited(leader(i), &photos[a.photo].id)),
             }
         })
         .collect();
@@ -78,30 +85,43 @@ fn lock_slots(slots: &mut [Slot], current: &Document, request: &Request, same_la
     for (slot, panel) in slots.iter_mut().zip(&current.panels).filter(|(_, panel)| panel.locked) {
         let photo = panel.photo.as_ref().and_then(|id| request.photos.iter().position(|p| &p.id == id));
         if let (Some(photo), Some(crop)) = (photo, panel.crop) {
+            // The page's lengths may have changed since.
+            let crop = crop.refitted(&request.photos[photo], slot.target.aspect);
             slot.locked = Some(Assignment { photo, crop });
         }
     }
 }
 
-/// The photos of the current page in their order, framed anew for these panels. A panel beyond the order, and
-/// one whose photo is gone, stays open.
-fn kept(current: &Document, slots: &[Slot], photos: &[PhotoMeta]) -> Vec<Option<Assignment>> {
+/// The photos of the current page in their order, framed anew for these panels, but where a person made the crop
+/// and the layout is the same. A panel beyond the order, and one whose photo is gone, stays open.
+fn kept(
+    current: &Document,
+    slots: &[Slot],
+    photos: &[PhotoMeta],
+    same_layout: bool,
+) -> Vec<Option<Assignment>> {
     let position = |id: &str| photos.iter().position(|photo| photo.id == id);
     let mut used = vec![0u32; photos.len()];
     let heads = current.panels.iter().enumerate().filter(|(i, _)| leader_of(&current.merges, *i) == *i);
-    let shown: Vec<Option<&str>> = heads.map(|(_, panel)| panel.photo.as_deref()).collect();
+    let heads: Vec<&PanelContent> = heads.map(|(_, panel)| panel).collect();
+    let shown: Vec<Option<&str>> = heads.iter().map(|panel| panel.photo.as_deref()).collect();
     // The panels say what is shown; the order goes on with what a page of fewer panels left out.
     let rest = current.order.iter().map(String::as_str).filter(|id| !shown.contains(&Some(id))).map(Some);
     let mut sequence = shown.iter().copied().chain(rest);
     slots
         .iter()
-        .map(|slot| {
+        .enumerate()
+        .map(|(i, slot)| {
             let photo = sequence.next().flatten().and_then(position);
             if slot.locked.is_some() {
                 return slot.locked;
             }
             let photo = photo?;
-            let crop = frame(&photos[photo], &slot.target, used[photo]);
+            let by_hand = heads.get(i).filter(|head| same_layout && head.edited).and_then(|head| head.crop);
+            let crop = match by_hand {
+                Some(crop) => crop.refitted(&photos[photo], slot.target.aspect),
+                None => frame(&photos[photo], &slot.target, used[photo]),
+            };
             used[photo] += 1;
             Some(Assignment { photo, crop })
         })

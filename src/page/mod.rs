@@ -5,6 +5,7 @@
 //! | [`document`] | the page as plain data: what the front end holds, undoes and saves |
 //! | [`import`] | a file turned into what the page needs of a photo |
 //! | [`catalogue`] | blocks, layouts and styles as JSON |
+//! | [`layouts`] | layouts listed, made and changed, as JSON |
 //! | [`shuffle`] | a new document from photos, locks and a seed |
 //! | `fill` | the panels of a template filled with photos |
 //! | [`scene`] | a document resolved to pixels of one size |
@@ -19,6 +20,7 @@ pub mod coverage;
 pub mod document;
 mod fill;
 pub mod import;
+pub mod layouts;
 pub mod mask;
 pub mod png;
 pub mod scene;

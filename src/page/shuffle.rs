@@ -312,6 +312,36 @@ mod tests {
     }
 
     #[test]
+    fn a_crop_made_by_hand_stays_while_its_photo_does() {
+        let mut current = plan(&request(12, 7)).unwrap();
+        let by_hand = current.panels[1].crop.map(|c| crate::framing::Crop {
+            x: c.x / 2.0,
+            y: c.y / 2.0,
+            width: c.width / 2.0,
+            height: c.height / 2.0,
+        });
+        (current.panels[1].crop, current.panels[1].edited) = (by_hand, true);
+        let mut next = request(12, 7);
+        next.current = Some(current.clone());
+        next.keep = Keep { layout: true, style: false, photos: true };
+        // What is learnt of the photo meanwhile does not move it.
+        next.photos.iter_mut().for_each(|p| p.focus = Some(crate::framing::Focus { x: 0.9, y: 0.9 }));
+        assert_eq!(plan(&next).unwrap().panels[1], current.panels[1]);
+        // Wider gutters change the panel's aspect; the crop follows about its centre.
+        next.page.gutter = 0.06;
+        let (before, after) = (by_hand.unwrap(), plan(&next).unwrap().panels[1].clone());
+        let (crop, middle) = (after.crop.unwrap(), |at: f64, length: f64| at + length / 2.0);
+        assert!(after.edited && crop != before);
+        assert!((crop.width * crop.height / before.width / before.height - 1.0).abs() < 1e-6);
+        assert!((middle(crop.x, crop.width) - middle(before.x, before.width)).abs() < 0.02);
+        // Other photos and other layouts are framed anew.
+        next.keep = Keep { layout: true, style: true, photos: false };
+        assert!(plan(&next).unwrap().panels.iter().all(|panel| !panel.edited));
+        next.keep = Keep { layout: false, style: true, photos: true };
+        assert!(plan(&next).unwrap().panels.iter().all(|panel| !panel.edited));
+    }
+
+    #[test]
     fn merged_panels_share_one_photo_and_the_others_go_on() {
         for seed in 0..40 {
             let mut wanted = request(12, seed);

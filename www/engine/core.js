@@ -47,7 +47,7 @@ function createPlanner() {
     /**
      * @param {string} json the text of a layout file
      * @param {string} file its name, for the message
-     * @returns {Layout}
+     * @returns {Template}
      */
     checkLayout: (json, file) => JSON.parse(core.check_layout(json, file)),
     /**
@@ -56,6 +56,33 @@ function createPlanner() {
      * @returns {Geometry}
      */
     geometry: (layout, page) => JSON.parse(core.page_geometry(JSON.stringify({ layout, page }))),
+    /**
+     * @param {{ page: Partial<PageSettings>, own: Template[] }} request `own`: a person's own layouts
+     * @returns {LayoutEntry[]} those first, then the catalogue's that are good for the page
+     */
+    listLayouts: (request) => JSON.parse(core.list_layouts(JSON.stringify(request))),
+    /**
+     * @param {string | object} layout
+     * @param {PageSettings} page
+     * @returns {LayoutFacts}
+     */
+    layoutFacts: (layout, page) => JSON.parse(core.layout_facts(JSON.stringify({ layout, page }))),
+    /**
+     * @param {string | object} layout
+     * @returns {Template} in full
+     */
+    layoutFile: (layout) => JSON.parse(core.layout_file(JSON.stringify({ layout }))),
+    /**
+     * @param {{ seed: number, page: PageSettings, least: number, most: number }} request the numbers of panels
+     * @returns {Template}
+     */
+    generateLayout: (request) => JSON.parse(core.generate_layout(JSON.stringify(request))),
+    /**
+     * @param {string | object} layout
+     * @param {LayoutChange} change
+     * @returns {Template}
+     */
+    changeLayout: (layout, change) => JSON.parse(core.change_layout(JSON.stringify({ layout, change }))),
     /**
      * @param {PlanRequest} request
      * @returns {PageDocument}
@@ -72,6 +99,10 @@ function createPlanner() {
 
 /** @typedef {import('./documents.js').Block} Block */
 /** @typedef {import('./documents.js').Layout} Layout */
+/** @typedef {import('./documents.js').Template} Template */
+/** @typedef {import('./documents.js').LayoutEntry} LayoutEntry */
+/** @typedef {import('./documents.js').LayoutFacts} LayoutFacts */
+/** @typedef {import('./documents.js').LayoutChange} LayoutChange */
 /** @typedef {import('./documents.js').Style} Style */
 /** @typedef {import('./documents.js').Geometry} Geometry */
 /** @typedef {import('./documents.js').PageSettings} PageSettings */

@@ -18,6 +18,41 @@
  * @typedef {{ shape: Shape, weight: number, overlay: boolean }} LayoutPanel
  */
 
+/**
+ * A layout file in full.
+ * @typedef {{ id: string, name: string, family: string, aspect: number, tree?: object, polygons?: object, weights?: number[] }} Template
+ */
+
+/**
+ * A layout in the list: `own` is its place among a person's own, else null; `base` and `over` are SVG paths of its
+ * panels and its overlays on a page 100 wide.
+ * @typedef {{ id: string, name: string, family: string, count: number, own: number | null, base: string, over: string }} LayoutEntry
+ */
+
+/**
+ * What can be done to a layout on a page: `base` panels lie below overlays, `adjacent` are those with a common edge,
+ * `editable` says whether it is made of cuts.
+ * @typedef {{
+ *   id: string, name: string, family: string, count: number, base: number, good: boolean, editable: boolean,
+ *   adjacent: [number, number][], cuts: Cut[],
+ * }} LayoutFacts
+ */
+
+/**
+ * A cut between panels, in page widths; moved by `d` of them its `fraction` changes by `d / length`.
+ * @typedef {{
+ *   axis: 'rows' | 'columns', from: [number, number], to: [number, number], fraction: number, slant: number, length: number,
+ * }} Cut
+ */
+
+/**
+ * @typedef {(
+ *   | { type: 'move-cut', cut: number, fraction: number, slant: number }
+ *   | { type: 'split', panel: number, axis: 'rows' | 'columns' }
+ *   | { type: 'remove', panel: number }
+ * )} LayoutChange
+ */
+
 /** @typedef {{ id: string, name: string, tags: string[], background?: object[], foreground?: object[], ink?: string }} Style */
 
 /**
@@ -34,12 +69,15 @@
  * @typedef {{ x: number, y: number, width: number, height: number }} Bounds
  */
 
-/** @typedef {{ photo: string | null, crop: Bounds | null, locked?: boolean }} PanelUse */
+/**
+ * `edited`: the crop was made by hand, and stays while the photo stays in the panel.
+ * @typedef {{ photo: string | null, crop: Bounds | null, locked?: boolean, edited?: boolean }} PanelUse
+ */
 
 /**
  * A page, as plain data: which photo goes where, in which layout and style.
  * @typedef {{
- *   version: number, seed: number, layout: string | { id?: string }, style: string | { id?: string }, order: string[],
+ *   version: number, seed: number, layout: string | { id: string }, style: string | { id?: string }, order: string[],
  *   panels: PanelUse[], merges: number[][], page: PageSettings, captions: object[],
  * }} PageDocument
  */
@@ -49,7 +87,8 @@
 /**
  * @typedef {{
  *   seed: number, photos: import('./protocol.js').PhotoMeta[], page: PageSettings, current: PageDocument | null,
- *   keep: Keep, layout?: string, style?: string | object, panels?: number, mode?: 'shuffle' | 'photos',
+ *   keep: Keep, layout?: string | object, style?: string | object, panels?: number, mode?: 'shuffle' | 'photos',
+ *   merge?: boolean, merges?: number[][],
  * }} PlanRequest
  */
 

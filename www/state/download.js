@@ -5,6 +5,7 @@
 
 import { signal } from '@preact/signals';
 import { strings } from '../strings.js';
+import { save } from './files.js';
 import { sized } from './paper.js';
 
 /** @typedef {import('./store.js').Store} Store */
@@ -68,17 +69,4 @@ export function createDownload({ store, pages, engine, messages }) {
 function fileName({ layout, style, seed }) {
   const name = (/** @type {string | { id?: string }} */ part) => (typeof part === 'string' ? part : part.id ?? 'own');
   return `inkpanel-${name(layout)}-${name(style)}-${seed}.png`;
-}
-
-/**
- * @param {Blob} blob
- * @param {string} name
- */
-function save(blob, name) {
-  const link = document.createElement('a');
-  link.href = URL.createObjectURL(blob);
-  link.download = name;
-  link.click();
-  // The browser reads the address after the click returns; a minute is far more than it needs.
-  setTimeout(() => URL.revokeObjectURL(link.href), 60_000);
 }

@@ -3,13 +3,14 @@
  * The keyboard: one table from key to deed. A key that a control wants for itself is left to it.
  */
 
-/** @typedef {{ pages: import('./pages.js').Pages, download: import('./download.js').Download, ui: import('./ui.js').Ui }} Deeds */
+/** @typedef {{ pages: import('./pages.js').Pages, download: import('./download.js').Download, ui: import('./ui.js').Ui,
+ *   selection: import('./selection.js').Selection, reshaping: import('./reshaping.js').Reshaping }} Deeds */
 
 /**
  * @param {Deeds} deeds
  * @returns {(event: KeyboardEvent) => void} a listener for `keydown` on the window
  */
-export function createKeys({ pages, download, ui }) {
+export function createKeys({ pages, download, ui, selection, reshaping }) {
   return (event) => {
     if (event.defaultPrevented || ui.dialog.peek() !== null || event.altKey) return;
     const deed = event.ctrlKey || event.metaKey ? withControl(event) : plain(event);
@@ -29,6 +30,13 @@ export function createKeys({ pages, download, ui }) {
     }
   }
 
+  /** Escape leaves what was begun last. */
+  function leave() {
+    if (selection.several.peek() || selection.panels.peek().length > 0) return () => selection.choose(false);
+    if (reshaping.editing.peek()) return () => void (reshaping.editing.value = false);
+    return ui.sheet.peek() ? () => void (ui.sheet.value = null) : undefined;
+  }
+
   /** @param {KeyboardEvent} event */
   function plain({ key, target }) {
     if (typesText(target)) return undefined;
@@ -38,7 +46,7 @@ export function createKeys({ pages, download, ui }) {
       case 's': case 'S': return () => pages.shuffle('style');
       case 'p': case 'P': return () => pages.shuffle('photos');
       case '?': return () => void (ui.dialog.value = 'keys');
-      case 'Escape': return ui.sheet.peek() ? () => void (ui.sheet.value = null) : undefined;
+      case 'Escape': return leave();
       default: return undefined;
     }
   }

@@ -4,7 +4,6 @@
  */
 
 import { freshPageId, position } from './history.js';
-import { staysGood } from './store.js';
 
 /** @typedef {import('./store.js').Store} Store */
 /** @typedef {import('./project.js').Part} Part */
@@ -29,7 +28,7 @@ export function freshSeed() {
  */
 export function createPages(store, seed = freshSeed) {
   return {
-    plan, show, refine, reorder, refit, shuffle, chooseLayout, chooseStyle, lock, wantPanels, changeSettings, previous, next, undo, redo,
+    plan, show, amend, refine, reorder, refit, shuffle, chooseLayout, chooseStyle, lock, wantPanels, changeSettings, previous, next, undo, redo,
   };
 
   /**
@@ -63,6 +62,16 @@ export function createPages(store, seed = freshSeed) {
    */
   function show(page, how) {
     if (page) store.change({ type: 'show-page', page, pageId: freshPageId(store.history.peek()), ...how });
+  }
+
+  /**
+   * The page after a change by hand; what it does not touch stays.
+   * @param {PageDocument} changed
+   * @param {{ gesture?: string }} [how]
+   */
+  function amend(changed, how) {
+    const page = plan({ keep: KEEP_ALL, current: changed, seed: changed.seed });
+    if (page) store.change({ type: 'change-page', page, ...how });
   }
 
   /** Fits the crops of the page to what is known of its photos by now. */
@@ -107,9 +116,9 @@ export function createPages(store, seed = freshSeed) {
     else show(plan({ keep: { ...KEEP_ALL, [part]: false } }));
   }
 
-  /** @param {string} id */
-  function chooseLayout(id) {
-    show(plan({ keep: { ...KEEP_ALL }, layout: id }));
+  /** @param {string | object} layout */
+  function chooseLayout(layout) {
+    show(plan({ keep: { ...KEEP_ALL }, layout }));
   }
 
   /** @param {string | object} style */
@@ -140,18 +149,20 @@ export function createPages(store, seed = freshSeed) {
     const changed = { ...settings, ...wish };
     const resized = changed.width * settings.height !== changed.height * settings.width;
     // Another aspect may not suit the layout; the planner then takes one that does, unless it is locked.
-    const keep = { ...KEEP_ALL, layout: !resized || store.project.peek().locks.layout || suits(page, changed.width / changed.height) };
+    const keep = { ...KEEP_ALL, layout: !resized || store.project.peek().locks.layout || suits(page, changed) };
     const next = page && plan({ keep, page: changed, seed: page.seed });
     store.change({ type: 'change-settings', settings: changed, page: next, gesture });
   }
 
   /**
+   * Whether the layout of the page is as good on another page as it is on its own.
    * @param {PageDocument | null} page
-   * @param {number} aspect
+   * @param {PageSettings} changed
    */
-  function suits(page, aspect) {
-    const template = store.layouts.peek().find(({ id }) => id === page?.layout);
-    return !template || staysGood(template, aspect);
+  function suits(page, changed) {
+    const planner = store.planner.peek();
+    if (!page || !planner) return true;
+    return planner.layoutFacts(page.layout, changed).good || !store.layoutFacts.peek()?.good;
   }
 
   /** @param {number} step */

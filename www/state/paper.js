@@ -43,3 +43,49 @@ export function sized(settings, { width = settings.width, height = settings.heig
 export function scaled({ width, height, dpi }, factor) {
   return { width: Math.round(width * factor), height: Math.round(height * factor), dpi: Math.round(dpi * factor) };
 }
+
+/** @typedef {'px' | 'mm' | 'in'} Unit */
+
+/** @type {readonly Unit[]} */
+export const UNITS = ['px', 'mm', 'in'];
+
+/** What the core takes: pixels a side and a page, dots an inch. */
+export const LEAST_SIDE = 64;
+export const MOST_SIDE = 14_000;
+export const MOST_PIXELS = 72_000_000;
+export const LEAST_DPI = 36;
+export const MOST_DPI = 1200;
+
+/**
+ * @param {number} pixels
+ * @param {Unit} unit
+ * @param {number} dpi
+ * @returns {number} the length in the unit, rounded as one would write it
+ */
+export function lengthIn(pixels, unit, dpi) {
+  if (unit === 'px') return pixels;
+  const inches = pixels / dpi;
+  return unit === 'in' ? Math.round(inches * 100) / 100 : Math.round(inches * 254) / 10;
+}
+
+/**
+ * @param {number} length
+ * @param {Unit} unit
+ * @param {number} dpi
+ * @returns {number} whole pixels
+ */
+export function pixelsOf(length, unit, dpi) {
+  if (unit === 'px') return Math.round(length);
+  return Math.round(unit === 'in' ? length * dpi : length / 25.4 * dpi);
+}
+
+/**
+ * @param {{ width: number, height: number, dpi: number }} size
+ * @returns {'' | 'side' | 'pixels' | 'dpi'} what the core would not take
+ */
+export function whyNotSize({ width, height, dpi }) {
+  const within = (/** @type {number} */ value, /** @type {number} */ least, /** @type {number} */ most) => value >= least && value <= most;
+  if (!within(dpi, LEAST_DPI, MOST_DPI)) return 'dpi';
+  if (!within(width, LEAST_SIDE, MOST_SIDE) || !within(height, LEAST_SIDE, MOST_SIDE)) return 'side';
+  return width * height > MOST_PIXELS ? 'pixels' : '';
+}

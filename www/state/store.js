@@ -13,6 +13,7 @@ import { EMPTY_HISTORY, advance } from './history.js';
 /** @typedef {import('./album.js').Verdict} Verdict */
 /** @typedef {import('./history.js').Change} Change */
 /** @typedef {import('../engine/core.js').Planner} Planner */
+/** @typedef {import('../engine/documents.js').Template} Template */
 /** @typedef {ReturnType<typeof createStore>} Store */
 /** @typedef {{ done: number, total: number }} Progress */
 
@@ -56,10 +57,20 @@ export function createStore() {
     return (reading.value ? list : chronological(list)).map(({ id, meta }) => meta ?? unreadMeta(id));
   });
 
-  const layouts = computed(() => planner.value?.layouts() ?? []);
-  /** The aspect of the page, the only part of its settings that says which layouts suit. */
-  const aspect = computed(() => project.value.settings.width / project.value.settings.height);
-  const suitable = computed(() => layouts.value.filter((layout) => staysGood(layout, aspect.value)));
+  /** A person's own layouts, in full. @type {import('@preact/signals').Signal<readonly Template[]>} */
+  const own = signal([]);
+  /** The size of the page, the only part of its settings that says which layouts suit. */
+  const size = computed(() => `${project.value.settings.width} ${project.value.settings.height}`);
+  /** The layouts to choose from: a person's own, and those that are good for the page. */
+  const layouts = computed(() => {
+    const [width, height] = size.value.split(' ').map(Number);
+    return planner.value?.listLayouts({ page: { width, height }, own: [...own.value] }) ?? [];
+  });
+  /** What can be done to the layout of the page. */
+  const layoutFacts = computed(() => {
+    if (!planner.value || !page.value) return null;
+    return planner.value.layoutFacts(page.value.layout, page.value.page);
+  });
   const styles = computed(() => planner.value?.styles() ?? []);
   const geometry = computed(() => {
     if (!planner.value || !page.value) return null;
@@ -78,8 +89,9 @@ export function createStore() {
     facts,
     verdicts,
     photos,
+    own,
     layouts,
-    suitable,
+    layoutFacts,
     styles,
     geometry,
     /** @param {Change} change */
@@ -91,22 +103,4 @@ export function createStore() {
       album.value = new Map(album.value).set(fact.id, fact);
     },
   };
-}
-
-/** The thinnest that a panel may get, of the page's width. */
-const THINNEST = 0.12;
-
-/**
- * @param {import('../engine/documents.js').Layout} layout
- * @param {number} aspect of the page, width over height
- * @returns {boolean} whether a template made for another aspect keeps panels that one can look at
- */
-export function staysGood(layout, aspect) {
-  return layout.panels.every(({ shape: { polygon = [], circle } }) => {
-    if (circle) return true;
-    const xs = polygon.map(([x]) => x);
-    const ys = polygon.map(([, y]) => y / aspect);
-    const extent = (/** @type {number[]} */ list) => Math.max(...list) - Math.min(...list);
-    return Math.min(extent(xs), extent(ys)) >= THINNEST;
-  });
 }

@@ -8,8 +8,10 @@ import { strings } from '../strings.js';
 import { Alternatives } from './alternatives.jsx';
 import { BottomBar } from './bottom-bar.jsx';
 import { useApp } from './context.js';
+import { LayoutTools } from './layout-tools.jsx';
 import { LayoutsList } from './layouts-list.jsx';
 import { PageSettings } from './page-settings.jsx';
+import { PanelTools } from './panel-tools.jsx';
 import { Sheet } from './sheet.jsx';
 import { ShuffleButton, ShuffleParts } from './shuffle-bar.jsx';
 import { Stage } from './stage.jsx';
@@ -30,6 +32,7 @@ function WideBoard() {
       <div class="left"><Tray /></div>
       <main class="centre">
         <Stage />
+        <PanelTools />
         <div class="shuffle-bar"><ShuffleButton /><ShuffleParts /></div>
       </main>
       <aside class="right" aria-label={strings.look}>
@@ -38,7 +41,7 @@ function WideBoard() {
           <StylesList />
         </div>
         <div class="side-section grows">
-          <header class="section-head"><h2>{strings.layouts}</h2></header>
+          <header class="section-head"><h2>{strings.layouts}</h2><LayoutTools /></header>
           <LayoutsList />
         </div>
         <details class="side-section settings-section" open={globalThis.innerHeight >= TALL}>
@@ -52,18 +55,19 @@ function WideBoard() {
 }
 
 function NarrowBoard() {
-  const { ui } = useApp();
+  const { ui, selection, reshaping } = useApp();
   const sheet = ui.sheet.value;
+  const byHand = reshaping.editing.value || selection.several.value || selection.panels.value.length > 0;
   return (
     <>
       <main class="centre">
         <Stage />
-        {sheet === null && <ShuffleParts />}
+        {byHand ? <PanelTools /> : sheet === null && <ShuffleParts />}
       </main>
       {sheet === null && <Alternatives />}
       {sheet === 'photos' && <Sheet title={strings.photos} bare><Tray /></Sheet>}
       {sheet === 'styles' && <Sheet title={strings.styles}><StylesList /></Sheet>}
-      {sheet === 'layouts' && <Sheet title={strings.layouts}><LayoutsList /></Sheet>}
+      {sheet === 'layouts' && <Sheet title={strings.layouts}><LayoutTools /><LayoutsList /></Sheet>}
       {sheet === 'settings' && <Sheet title={strings.pageSettings}><PageSettings /></Sheet>}
       <BottomBar />
     </>

@@ -1,33 +1,17 @@
 // @ts-check
-/**
- * A layout as a small drawing: panels as filled shapes whose outlines, in the colour of the paper, are the gutters.
- */
+/** A layout as a small drawing: its panels on a sheet of paper of the page's shape. */
 
-/** @typedef {import('../engine/documents.js').Layout} Layout */
-/** @typedef {import('../engine/documents.js').Shape} Shape */
+/** Width of the drawing; the core's paths are made for it. */
+const WIDTH = 100;
 
-const WIDTH = 60;
-
-/** @param {{ layout: Layout, aspect: number }} props `aspect`: of the page, width over height */
-export function LayoutPicture({ layout, aspect }) {
+/** @param {{ layout: Pick<import('../engine/documents.js').LayoutEntry, 'base' | 'over'>, aspect: number }} props `aspect`: of the page, width over height */
+export function LayoutPicture({ layout: { base, over }, aspect }) {
   const height = WIDTH / aspect;
   return (
-    <svg class="layout-picture" viewBox={`0 0 ${WIDTH} ${height}`} aria-hidden="true">
+    <svg class="layout-picture" viewBox={`0 0 ${WIDTH} ${height.toFixed(1)}`} aria-hidden="true">
       <rect class="layout-paper" width={WIDTH} height={height} />
-      {layout.panels.map((panel, i) => drawn(panel.shape, height, i))}
+      <path class="layout-panel" d={base} />
+      {over && <path class="layout-panel over" d={over} />}
     </svg>
   );
-}
-
-/**
- * @param {Shape} shape
- * @param {number} height
- * @param {number} key
- */
-function drawn({ polygon, circle }, height, key) {
-  if (circle) {
-    return <circle key={key} class="layout-panel" cx={circle.x * WIDTH} cy={circle.y * height} r={circle.radius * WIDTH} />;
-  }
-  const points = (polygon ?? []).map(([x, y]) => `${(x * WIDTH).toFixed(2)},${(y * height).toFixed(2)}`).join(' ');
-  return <polygon key={key} class="layout-panel" points={points} />;
 }

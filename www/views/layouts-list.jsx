@@ -1,6 +1,7 @@
 // @ts-check
 /**
- * The layouts, drawn, with a filter by family and the wanted number of panels.
+ * The layouts as drawn thumbnails, filtered by family and number of panels: the page's own one when it is in no
+ * list, the person's, and those that are good for the page.
  */
 
 import { useSignal } from '@preact/signals';
@@ -10,23 +11,42 @@ import { useApp } from './context.js';
 import { LayoutPicture } from './layout-picture.jsx';
 import { Listbox } from './listbox.jsx';
 
+/** @typedef {import('../engine/documents.js').LayoutEntry} LayoutEntry */
+
+/** The filter that shows a person's own layouts; no family of the core has a capital. */
+const MINE = 'Mine';
+
 export function LayoutsList() {
   const { store, pages } = useApp();
   const family = useSignal('');
   const { panels, settings } = store.project.value;
-  const layouts = store.suitable.value;
-  const selected = store.page.value?.layout ?? null;
+  const layouts = store.layouts.value;
   const aspect = settings.width / settings.height;
+  const current = useCurrent(layouts);
   // The same drawing is handed over each time, so that a shuffle does not compare hundreds of shapes.
   const pictures = useMemo(
     () => new Map(layouts.map((layout) => [layout.id, <LayoutPicture key={layout.id} layout={layout} aspect={aspect} />])),
     [layouts, aspect],
   );
-  const families = [...new Set(layouts.map((layout) => layout.family))];
+  const own = layouts.filter((layout) => layout.own !== null);
+  const families = [...new Set(layouts.filter((layout) => layout.own === null).map((layout) => layout.family))];
   const counts = [...new Set(layouts.map((layout) => layout.count))].sort((a, b) => a - b);
+  const filter = own.length === 0 && family.value === MINE ? '' : family.value;
   const shown = layouts.filter((layout) => (
-    (family.value === '' || layout.family === family.value) && (panels === null || layout.count === panels)
+    (filter === '' || layout.family === filter || (filter === MINE && layout.own !== null))
+    && (panels === null || layout.count === panels)
   ));
+  const groups = [
+    { name: strings.thisPage, options: current ? [current] : [] },
+    { name: strings.myLayouts, options: shown.filter((layout) => layout.own !== null) },
+    { name: own.length > 0 || current ? strings.allLayouts : '', options: shown.filter((layout) => layout.own === null) },
+  ];
+
+  /** @param {string} id */
+  function choose(id) {
+    const own = layouts.find((layout) => layout.id === id)?.own ?? null;
+    if (id !== current?.id) pages.chooseLayout(own === null ? id : store.own.value[own]);
+  }
 
   return (
     <>
@@ -34,10 +54,11 @@ export function LayoutsList() {
         <select
           class="select"
           aria-label={strings.family}
-          value={family.value}
+          value={filter}
           onChange={(event) => { family.value = event.currentTarget.value; }}
         >
           <option value="">{strings.anyFamily}</option>
+          {own.length > 0 && <option value={MINE}>{strings.myLayouts}</option>}
           {families.map((name) => <option key={name} value={name}>{strings.familyName(name)}</option>)}
         </select>
         <select
@@ -53,12 +74,30 @@ export function LayoutsList() {
       <Listbox
         label={strings.layouts}
         class="layouts-list"
-        groups={[{ name: '', options: shown }]}
-        selected={typeof selected === 'string' ? selected : selected?.id ?? null}
-        onChoose={pages.chooseLayout}
+        groups={groups}
+        selected={store.layoutFacts.value?.id ?? null}
+        onChoose={choose}
         empty={strings.noLayouts}
-        picture={({ id }) => pictures.get(id)}
+        picture={(layout) => pictures.get(layout.id) ?? <LayoutPicture layout={layout} aspect={aspect} />}
       />
     </>
   );
+}
+
+/**
+ * The layout of the page where the list does not have it: a surprise, or one changed by hand.
+ * @param {readonly LayoutEntry[]} layouts
+ * @returns {LayoutEntry | null}
+ */
+function useCurrent(layouts) {
+  const { store } = useApp();
+  const layout = store.page.value?.layout;
+  const { width, height } = store.project.value.settings;
+  const planner = store.planner.value;
+  const listed = typeof layout !== 'object' || layouts.some(({ id }) => id === layout.id);
+  return useMemo(() => {
+    if (listed || !planner) return null;
+    const own = [/** @type {import('../engine/documents.js').Template} */ (layout)];
+    return planner.listLayouts({ page: { width, height }, own })[0];
+  }, [listed, layout, planner, width, height]);
 }

@@ -3,10 +3,11 @@
  * The page's size, lengths and colours, all live. One drag of a slider is one step of the undo.
  */
 
-import { useRef } from 'preact/hooks';
+import { useRef, useState } from 'preact/hooks';
 import { PAGE_SIZES, sizeId } from '../state/paper.js';
 import { strings } from '../strings.js';
 import { useApp } from './context.js';
+import { CustomSize } from './custom-size.jsx';
 
 /** @typedef {import('../engine/documents.js').PageSettings} PageSettings */
 
@@ -25,7 +26,9 @@ export function PageSettings() {
   const { store, pages } = useApp();
   const { settings } = store.project.value;
   const drags = useRef(0);
-  const size = sizeId(settings);
+  /** Whether a size of one's own was asked for; it may be that of a known one for a while. */
+  const [custom, setCustom] = useState(false);
+  const size = custom ? 'custom' : sizeId(settings);
 
   /**
    * @param {keyof PageSettings} name
@@ -36,6 +39,7 @@ export function PageSettings() {
 
   /** @param {string} id */
   function resize(id) {
+    setCustom(id === 'custom');
     const found = PAGE_SIZES.find((other) => other.id === id);
     if (found) pages.changeSettings({ width: found.width, height: found.height, dpi: found.dpi });
   }
@@ -46,9 +50,10 @@ export function PageSettings() {
         <span>{strings.pageSize}</span>
         <select class="select" value={size} onChange={(event) => resize(event.currentTarget.value)}>
           {PAGE_SIZES.map(({ id }) => <option key={id} value={id}>{strings.size[/** @type {'a4'} */ (id)]}</option>)}
-          {size === 'custom' && <option value="custom">{strings.size.custom}</option>}
+          <option value="custom">{strings.size.custom}</option>
         </select>
       </label>
+      {size === 'custom' && <CustomSize />}
       {LENGTHS.map(({ name, most, step }) => (
         <label class="field length" key={name}>
           <span>{strings[name]}</span>

@@ -46,32 +46,33 @@ export function createPainter(canvas, { engine, onPainted, onError }) {
    * @param {PageDocument} document
    * @param {Geometry} geometry
    * @param {number} width of the page on the screen, in its pixels
+   * @param {boolean} [follow] whether the layout is changed by hand, so that the pictures follow its panels
    */
-  function show(document, geometry, width) {
+  function show(document, geometry, width, follow = false) {
     const old = sheet;
-    sheet = { document, geometry, width, slots: document.panels.map((_, i) => slotOf(document, i, width, old)) };
+    sheet = { document, geometry, width, slots: [] };
+    const near = old !== null && (sameShape(old.document, document) || (follow && onlyMoved(old, geometry)));
+    sheet.slots = document.panels.map((_, i) => slotOf(/** @type {Sheet} */ (sheet), i, near ? old : null));
     patches.keepOnly(sheet.slots.map(({ signature }) => signature));
     const slow = patches.expected(document, width) > COARSE_ABOVE;
     sheet.slots.forEach((slot, index) => request(/** @type {Sheet} */ (sheet), slot, index, slow));
     clearTimeout(timer);
-    if (!visible || onlyResized(visible.document, document) || complete(sheet)) paintSoon();
+    if (!visible || (near && sameLook(visible.document, document)) || complete(sheet)) paintSoon();
     else timer = setTimeout(paintSoon, PATIENCE);
     report();
   }
 
   /**
-   * @param {PageDocument} document
+   * @param {Sheet} of
    * @param {number} index
-   * @param {number} width
-   * @param {Sheet | null} old
+   * @param {Sheet | null} near the sheet before where its panels are the same ones
    * @returns {Slot}
    */
-  function slotOf(document, index, width, old) {
-    const signature = patches.signature(document, index, width);
-    const before = old?.slots[index];
+  function slotOf({ document, geometry, width }, index, near) {
+    const signature = patches.signature(document, geometry, index, width);
+    const before = near?.slots[index];
     if (before?.signature === signature) return { ...before, failed: false };
-    const same = old !== null && sameShape(old.document, document);
-    const older = same && before ? before.patch ?? before.coarse ?? before.older : null;
+    const older = before ? before.patch ?? before.coarse ?? before.older : null;
     return { signature, patch: patches.cached(signature), coarse: null, older, failed: false };
   }
 
@@ -161,11 +162,20 @@ function sameShape(a, b) {
 }
 
 /**
+ * @param {Sheet} old
+ * @param {Geometry} geometry
+ * @returns {boolean} whether there are as many panels as before
+ */
+function onlyMoved({ slots }, { panels }) {
+  return slots.length === panels.length;
+}
+
+/**
  * @param {PageDocument} a
  * @param {PageDocument} b
  * @returns {boolean} whether only lengths and colours differ, which must follow the hand at once
  */
-function onlyResized(a, b) {
+function sameLook(a, b) {
   const photos = (/** @type {PageDocument} */ { panels }) => panels.map(({ photo }) => photo);
-  return sameShape(a, b) && JSON.stringify([a.style, photos(a)]) === JSON.stringify([b.style, photos(b)]);
+  return JSON.stringify([a.style, photos(a)]) === JSON.stringify([b.style, photos(b)]);
 }

@@ -18,8 +18,9 @@ beforeEach(() => {
 /** A page of two panels. @param {string} layout @param {object} [rest] @returns {any} */
 const page = (layout, rest) => ({
   layout, style: 's', merges: [], panels: [{ photo: 'a' }, { photo: 'b' }], page: { width: 10, height: 10, gutter: 0 }, ...rest });
-const panel = { polygon: [[0, 0], [1, 0], [1, 1]], bounds: { x: 0, y: 0, width: 1, height: 1 } };
-const geometry = /** @type {any} */ ({ width: 1, height: 1, panels: [panel, panel] });
+const panel = (/** @type {string} */ name) => ({ name, polygon: [[0, 0], [1, 0], [1, 1]], bounds: { x: 0, y: 0, width: 1, height: 1 } });
+/** Each layout has shapes of its own. @param {string} layout @returns {any} */
+const geometry = (layout) => ({ width: 1, height: 1, panels: [panel(layout), panel(layout)] });
 
 function painter(readable = ['a', 'b']) {
   const context = new Proxy({}, {
@@ -54,12 +55,12 @@ const finish = async (/** @type {string} */ name) => {
 
 test('another layout appears at once when all of its panels are there', async () => {
   const { show, painted } = painter();
-  show(page('A'), geometry, 10);
+  show(page('A'), geometry('A'), 10);
   await finish('As0');
   await finish('As1');
   expect(drawn).toEqual(['As0', 'As1']);
   const other = page('B');
-  show(other, geometry, 10);
+  show(other, geometry(other.layout), 10);
   await finish('Bs0');
   expect(drawn).toEqual(['As0', 'As1']);
   expect(painted).toHaveBeenLastCalledWith(null);
@@ -70,10 +71,10 @@ test('another layout appears at once when all of its panels are there', async ()
 
 test('a slow page is shown with what there is, and filled', async () => {
   const { show } = painter();
-  show(page('A'), geometry, 10);
+  show(page('A'), geometry('A'), 10);
   await finish('As0');
   await finish('As1');
-  show(page('B'), geometry, 10);
+  show(page('B'), geometry('B'), 10);
   await finish('Bs0');
   await vi.advanceTimersByTimeAsync(150);
   expect(drawn).toEqual(['Bs0', 'wait']);
@@ -83,20 +84,20 @@ test('a slow page is shown with what there is, and filled', async () => {
 
 test('a length follows the hand with the old pictures', async () => {
   const { show } = painter();
-  show(page('A'), geometry, 10);
+  show(page('A'), geometry('A'), 10);
   await finish('As0');
   await finish('As1');
-  show(page('A', { page: { width: 10, height: 10, gutter: 0.1 } }), geometry, 10);
+  show(page('A', { page: { width: 10, height: 10, gutter: 0.1 } }), geometry('A'), 10);
   await vi.advanceTimersByTimeAsync(20);
   expect(drawn).toEqual(['wait', 'As0', 'wait', 'As1']);
 });
 
 test('pictures that nobody wants any more are cancelled, those still wanted are not asked for twice', async () => {
   const { show } = painter();
-  show(page('A'), geometry, 10);
-  show(page('A', { panels: [{ photo: 'a' }, { photo: 'c' }] }), geometry, 10);
+  show(page('A'), geometry('A'), 10);
+  show(page('A', { panels: [{ photo: 'a' }, { photo: 'c' }] }), geometry('A'), 10);
   expect(jobs.map(({ signal }) => signal.aborted)).toEqual([false, true]);
-  show(page('A', { panels: [{ photo: 'a' }, { photo: 'b' }] }), geometry, 10);
+  show(page('A', { panels: [{ photo: 'a' }, { photo: 'b' }] }), geometry('A'), 10);
   await finish('As0');
   expect(jobs.filter(({ name }) => name === 'As0').length).toBe(1);
 });
@@ -104,12 +105,12 @@ test('pictures that nobody wants any more are cancelled, those still wanted are 
 test('the page before is there without work', async () => {
   const { show } = painter();
   for (const layout of ['A', 'B']) {
-    show(page(layout), geometry, 10);
+    show(page(layout), geometry(layout), 10);
     await finish(`${layout}s0`);
     await finish(`${layout}s1`);
   }
   const asked = jobs.length;
-  show(page('A'), geometry, 10);
+  show(page('A'), geometry('A'), 10);
   await vi.advanceTimersByTimeAsync(20);
   expect(drawn).toEqual(['As0', 'As1']);
   expect(jobs.length).toBe(asked);
@@ -118,7 +119,7 @@ test('the page before is there without work', async () => {
 test('a photo that is still being read leaves its panel empty, and the page counts as painted without it', async () => {
   const { show, painted } = painter(['a']);
   const document = page('A');
-  show(document, geometry, 10);
+  show(document, geometry(document.layout), 10);
   await finish('As0');
   expect(drawn).toEqual(['As0', 'wait']);
   expect(painted).toHaveBeenLastCalledWith(document);
@@ -127,7 +128,7 @@ test('a photo that is still being read leaves its panel empty, and the page coun
 test('a panel that fails is told once, and does not hold the page', async () => {
   const { show, painted, errors } = painter();
   const document = page('A');
-  show(document, geometry, 10);
+  show(document, geometry(document.layout), 10);
   jobs[0].fail('worker-lost');
   await finish('As1');
   expect(errors).toHaveBeenCalledTimes(1);

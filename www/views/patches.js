@@ -6,6 +6,7 @@
 import { Priority } from '../engine/queue.js';
 
 /** @typedef {import('../engine/documents.js').PageDocument} PageDocument */
+/** @typedef {import('../engine/documents.js').Geometry} Geometry */
 /** @typedef {{ x: number, y: number, width: number, height: number, bitmap: ImageBitmap, page: number }} Patch `page`: the width of the page it was drawn for */
 /** @typedef {{ promise: Promise<Patch>, stop: AbortController }} Flight */
 
@@ -25,13 +26,19 @@ export function createPatches(render) {
   return { signature, cached, get, coarse, keepOnly, expected, dispose };
 
   /**
+   * A cut that is moved leaves the panels that it does not touch as they are: what counts is the shape of the panel
+   * and of those that it shares an image with, and how many panels there are, which says how wide lines are.
    * @param {PageDocument} document
+   * @param {Geometry} geometry
    * @param {number} index
    * @param {number} width
    * @returns {string} all that the picture depends on
    */
-  function signature({ layout, style, page, merges, panels }, index, width) {
-    return JSON.stringify([layout, style, page, merges, index, panels[index], width]);
+  function signature({ style, page, merges, panels }, geometry, index, width) {
+    const group = merges.find((other) => other.includes(index)) ?? [index];
+    const { photo, crop } = panels[group[0]];
+    const shapes = group.map((i) => geometry.panels[i]);
+    return JSON.stringify([style, page, photo, crop, geometry.panels[index], shapes, geometry.panels.filter(({ overlay }) => !overlay).length, width]);
   }
 
   /** @param {string} key @returns {Patch | null} */

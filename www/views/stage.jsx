@@ -7,12 +7,13 @@ import { useEffect, useRef, useState } from 'preact/hooks';
 import { strings } from '../strings.js';
 import { screenPixels } from './bitmap.jsx';
 import { useApp } from './context.js';
+import { Cuts } from './cuts.jsx';
 import { createPainter } from './painter.js';
 import { Panels } from './panels.jsx';
 import { useSwipe } from './swipe.js';
 
 export function Stage() {
-  const { store, pages, engine, messages, ui } = useApp();
+  const { store, pages, engine, messages, ui, selection, reshaping } = useApp();
   const canvas = useRef(/** @type {HTMLCanvasElement | null} */ (null));
   const sheet = useRef(/** @type {HTMLDivElement | null} */ (null));
   const painter = useRef(/** @type {ReturnType<typeof createPainter> | null} */ (null));
@@ -38,15 +39,16 @@ export function Stage() {
   // The number of photos read is part of what the page shows: panels fill as they come.
   const read = store.reading.value?.done;
   useEffect(() => {
-    if (page && geometry && width > 0) painter.current?.show(page, geometry, screenPixels(width));
+    if (page && geometry && width > 0) painter.current?.show(page, geometry, screenPixels(width), reshaping.editing.peek());
   }, [page, geometry, width, read]);
 
   return (
     <section class="stage" aria-label={strings.page} aria-busy={store.reading.value !== null || (page !== null && ui.painted.value !== page)}>
-      <div class="stage-area" {...swipe}>
+      <div class="stage-area" {...swipe} onClick={selection.clear}>
         <div class="page" ref={sheet} style={{ '--aspect': settings.width / settings.height }}>
           <canvas ref={canvas} class="page-canvas" aria-hidden="true" />
           {page && geometry && <Panels page={page} geometry={geometry} />}
+          {page && geometry && reshaping.editing.value && <Cuts />}
         </div>
       </div>
       {!page && <p class="stage-note">{strings.noPhotosInUse}</p>}

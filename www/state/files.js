@@ -1,0 +1,15 @@
+// @ts-check
+/** Files that the page gives to the person. */
+
+/**
+ * @param {Blob} blob
+ * @param {string} name
+ */
+export function save(blob, name) {
+  const link = document.createElement('a');
+  link.href = URL.createObjectURL(blob);
+  link.download = name;
+  link.click();
+  // The browser reads the address after the click returns; a minute is far more than it needs.
+  setTimeout(() => URL.revokeObjectURL(link.href), 60_000);
+}

@@ -1,0 +1,109 @@
+// @ts-check
+/**
+ * `My layouts`: kept in this browser, saved as files, opened from files.
+ */
+
+import { strings } from '../strings.js';
+import { save as saveFile } from './files.js';
+
+/** @typedef {import('./store.js').Store} Store */
+/** @typedef {import('./pages.js').Pages} Pages */
+/** @typedef {import('./messages.js').Messages} Messages */
+/** @typedef {import('../engine/documents.js').Template} Template */
+/** @typedef {Pick<Storage, 'getItem' | 'setItem'>} Box */
+/** @typedef {ReturnType<typeof createOwnLayouts>} OwnLayouts */
+
+const KEY = 'inkpanel.layouts';
+/** More would make the list long and the storage full; the oldest go. */
+const MOST = 200;
+/** No layout file is longer, in bytes; the core says so too, but only after all of it was read. */
+const LONGEST = 256 * 1024;
+
+/**
+ * @param {{ store: Store, pages: Pages, messages: Messages, box: () => Box }} app `box` may throw where storage is refused
+ */
+export function createOwnLayouts({ store, pages, messages, box }) {
+  return { recall, save, open, remove, isOwn };
+
+  /** Reads what was kept. One that can no longer be read is left out; it is said nowhere, as nobody asked. */
+  function recall() {
+    const planner = store.planner.peek();
+    if (!planner) return;
+    try {
+      const kept = JSON.parse(box().getItem(KEY) ?? '[]');
+      store.own.value = (Array.isArray(kept) ? kept : []).flatMap((layout) => {
+        try {
+          return [planner.checkLayout(JSON.stringify(layout), 'My layouts')];
+        } catch {
+          return [];
+        }
+      });
+    } catch {
+      // No storage, or nothing that could be read: the list begins empty.
+    }
+  }
+
+  /** The layout of the page as a file, and in the list. */
+  function save() {
+    const layout = full();
+    if (!layout) return;
+    keep(layout);
+    saveFile(new Blob([`${JSON.stringify(layout, null, 2)}\n`], { type: 'application/json' }), `${layout.id}.json`);
+    messages.note(strings.layoutSaved);
+  }
+
+  /**
+   * Takes layouts from files; the last good one becomes the page's.
+   * @param {readonly File[]} files
+   */
+  async function open(files) {
+    const planner = store.planner.peek();
+    if (!planner) return;
+    let last = /** @type {Template | null} */ (null);
+    for (const file of files) {
+      try {
+        if (file.size > LONGEST) throw new Error(strings.layoutTooLong(file.name));
+        last = planner.checkLayout(await file.text(), file.name);
+        keep(last);
+      } catch (error) {
+        messages.alert(/** @type {Error} */ (error).message);
+      }
+    }
+    if (!last) return;
+    if (store.page.peek()) pages.chooseLayout(last);
+    else messages.note(strings.layoutKept);
+  }
+
+  /** @param {string} id */
+  function remove(id) {
+    write(store.own.peek().filter((layout) => layout.id !== id));
+  }
+
+  /** @returns {Template | null} the layout of the page in full */
+  function full() {
+    const page = store.page.peek();
+    return (page && store.planner.peek()?.layoutFile(page.layout)) ?? null;
+  }
+
+  /** @param {string} id */
+  function isOwn(id) {
+    return store.own.value.some((layout) => layout.id === id);
+  }
+
+  /** @param {Template} layout */
+  function keep(layout) {
+    // One of the catalogue is in the list already.
+    if (store.layouts.peek().some(({ id, own }) => id === layout.id && own === null)) return;
+    write([layout, ...store.own.peek().filter(({ id }) => id !== layout.id)].slice(0, MOST));
+  }
+
+  /** @param {readonly Template[]} list */
+  function write(list) {
+    store.own.value = list;
+    try {
+      box().setItem(KEY, JSON.stringify(list));
+    } catch {
+      // Storage may be refused or full; the list then lasts as long as the page.
+    }
+  }
+}

@@ -1,0 +1,43 @@
+// @ts-check
+/** What can be done with the layout as a whole: a surprise, changes by hand, files. */
+
+import { useRef } from 'preact/hooks';
+import { strings } from '../strings.js';
+import { IconButton } from './button.jsx';
+import { useApp } from './context.js';
+import { Icon } from './icon.jsx';
+
+export function LayoutTools() {
+  const { store, reshaping, ownLayouts } = useApp();
+  const file = useRef(/** @type {HTMLInputElement | null} */ (null));
+  const facts = store.layoutFacts.value;
+  const editing = reshaping.editing.value;
+  return (
+    <div class="layout-tools">
+      <button type="button" class="button small" disabled={facts === null} title={strings.surprise} onClick={reshaping.surprise}>
+        <Icon name="surprise" />{strings.surprise}
+      </button>
+      <IconButton icon="edit" label={strings.editLayout} disabled={facts === null} pressed={editing}
+        onClick={() => { reshaping.editing.value = !editing; }} />
+      <IconButton icon="save" label={strings.saveLayout} disabled={facts === null} onClick={ownLayouts.save} />
+      <IconButton icon="open" label={strings.loadLayout} onClick={() => file.current?.click()} />
+      {facts && ownLayouts.isOwn(facts.id) && (
+        <IconButton icon="bin" label={strings.forgetLayout} onClick={() => ownLayouts.remove(facts.id)} />
+      )}
+      <input
+        ref={file}
+        class="visually-hidden"
+        type="file"
+        multiple
+        accept=".json,application/json"
+        aria-label={strings.layoutFile}
+        tabIndex={-1}
+        onChange={({ currentTarget }) => {
+          ownLayouts.open([...(currentTarget.files ?? [])]);
+          // The same file can be chosen again.
+          currentTarget.value = '';
+        }}
+      />
+    </div>
+  );
+}
