@@ -8,6 +8,7 @@ import { join } from 'node:path';
 
 const PHOTOS = 12;
 const SHUFFLES = 15;
+const RESIZES = 8;
 
 /**
  * Twelve JPEG files as a 12-megapixel camera writes them: the sample album enlarged, with grain. Kept between
@@ -59,7 +60,7 @@ async function enlarge(source) {
  * @param {Browser} browser
  * @param {string} address of the site
  * @param {string[]} photos paths
- * @returns {Promise<{ firstPage: number, shuffle: number, png: number }>} milliseconds
+ * @returns {Promise<{ firstPage: number, shuffle: number, png: number, thumbnails: number, listed: number }>} milliseconds
  */
 export async function journey(browser, address, photos) {
   const page = await browser.newPage({ viewport: { width: 1920, height: 1080 }, acceptDownloads: true });
@@ -75,6 +76,13 @@ export async function journey(browser, address, photos) {
     const shuffle = page.getByRole('button', { name: 'Shuffle', exact: true });
     times.push(await shuffle.evaluate((button) => /** @type {any} */ (globalThis).watch.afterPressing(button)));
   }
+  const resizes = [];
+  for (let i = 0; i < RESIZES; i += 1) {
+    const size = page.getByRole('combobox', { name: 'Page size' });
+    resizes.push(await size.evaluate((select, to) => /** @type {any} */ (globalThis).watch.afterChange(select, to), i % 2 ? 'a4' : 'letter'));
+    await page.waitForFunction(() => document.body.dataset.idle === 'true');
+  }
+  const listed = await page.getByRole('listbox', { name: 'Layouts' }).getByRole('option').count();
   const start = performance.now();
   const [download] = await Promise.all([
     page.waitForEvent('download', { timeout: 120_000 }),
@@ -83,7 +91,8 @@ export async function journey(browser, address, photos) {
   await download.path();
   const png = performance.now() - start;
   await page.close();
-  return { firstPage, shuffle: times.sort((a, b) => a - b)[SHUFFLES >> 1], png };
+  const median = (/** @type {number[]} */ list) => list.sort((a, b) => a - b)[list.length >> 1];
+  return { firstPage, shuffle: median(times), png, thumbnails: median(resizes), listed };
 }
 
 /** Runs in the page before its own scripts: clocks that end when what the user waits for has been painted. */
@@ -104,6 +113,20 @@ function watch() {
           document.addEventListener('change', () => resolve(performance.now()), { capture: true, once: true });
         });
         return (await painted()) - start;
+      },
+      /**
+       * Until the frame that shows what the change drew on this thread.
+       * @param {HTMLSelectElement} select
+       * @param {string} value
+       */
+      afterChange: async (select, value) => {
+        const start = performance.now();
+        select.value = value;
+        select.dispatchEvent(new Event('change', { bubbles: true }));
+        await frame();
+        // Runs after the frame was painted.
+        await new Promise((resolve) => setTimeout(resolve));
+        return performance.now() - start;
       },
       /** @param {HTMLElement} button */
       afterPressing: async (button) => {

@@ -8,7 +8,8 @@ import { readFileSync, writeFileSync } from 'node:fs';
  * @typedef {{
  *   machine: { cores: number, cpu: string, browser: string, copySpeed: number },
  *   rows: Row[], times: Record<string, Record<string, number>>, failed: Record<string, string>,
- *   versions: Record<string, string>, journey: { firstPage: number, shuffle: number, png: number } | null,
+ *   versions: Record<string, string>, journey: { firstPage: number, shuffle: number, png: number, thumbnails: number, listed: number } | null,
+ *   masks: { layout: string, ms: number } | null,
  * }} Results `times` are milliseconds by contestant and row
  */
 
@@ -16,7 +17,7 @@ const PEERS = { opencv: 'OpenCV.js', canvas: 'canvas 2D', vips: 'wasm-vips', pho
 const PIXELS = 1920 * 1080;
 
 /** @param {Results} results */
-export function markdown({ machine, rows, times, failed, versions, journey }) {
+export function markdown({ machine, rows, times, failed, versions, journey, masks }) {
   const peers = Object.entries(PEERS);
   const heads = peers.map(([id, name]) => (versions[id] ? `${name} ${versions[id]}` : name));
   const lines = [
@@ -46,6 +47,8 @@ export function markdown({ machine, rows, times, failed, versions, journey }) {
       `| Twelve 12-megapixel JPEG files to the first page | ${(journey.firstPage / 1000).toFixed(2)} s |`,
       `| Shuffle to visible page | ${Math.round(journey.shuffle)} ms |`,
       `| PNG of 2480 x 3508 from the original photos | ${(journey.png / 1000).toFixed(2)} s |`,
+      `| All ${journey.listed} thumbnails of the layouts, for another page size | ${Math.round(journey.thumbnails)} ms |`,
+      ...(masks ? [`| Masks and borders of a page at 2480 x 3508, slowest layout (one thread) | ${short(masks.ms)} ms |`] : []),
     );
   }
   return lines.join('\n');

@@ -75,6 +75,7 @@ async function blocks() {
     failed: {},
     versions: {},
     journey: null,
+    masks: filter.length ? null : await page.evaluate(() => /** @type {any} */ (globalThis).bench.masks()),
   };
   for (const name of ['inkpanel', ...(options.alone ? [] : Object.keys(PEERS))]) {
     console.log(`timing ${name}`);

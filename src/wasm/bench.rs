@@ -3,6 +3,7 @@
 
 use super::{style_of, thrown};
 use crate::error::Result;
+use crate::page::{Document, Scene, mask};
 use crate::raster::Image;
 use crate::style::{Context, Style, chain, stylize};
 use wasm_bindgen::prelude::*;
@@ -56,5 +57,38 @@ impl Bench {
     /// Runs the whole style once, both layers and its own copies.
     pub fn run_style(&mut self) -> std::result::Result<(), JsValue> {
         stylize(&self.picture, &self.style, &mut self.context).map(drop).map_err(thrown)
+    }
+}
+
+/// A page whose masks and borders are drawn again and again.
+#[wasm_bindgen]
+pub struct BenchPage {
+    scene: Scene,
+}
+
+#[wasm_bindgen]
+impl BenchPage {
+    /// Takes a document and the width of its page in pixels. Throws what a document can be wrong in.
+    #[wasm_bindgen(constructor)]
+    pub fn new(document: &str, width: usize) -> std::result::Result<BenchPage, JsValue> {
+        let make = || -> Result<BenchPage> {
+            Ok(BenchPage { scene: Scene::new(&Document::parse(document)?, width)? })
+        };
+        make().map_err(thrown)
+    }
+
+    /// Draws the inside, the border and the halo of every panel as [`render_panel`](crate::page::compose) does;
+    /// gives the pixels drawn.
+    #[must_use]
+    pub fn draw_masks(&self) -> usize {
+        let Scene { corner_radius, border, ref panels, .. } = self.scene;
+        let drawn = panels.iter().map(|panel| {
+            let mut pixels = mask::inside(&panel.shape, corner_radius, panel.area).len();
+            for line in [2.0 * panel.halo, border].into_iter().filter(|&width| width >= 0.05) {
+                pixels += mask::border(&panel.shape, corner_radius, line, panel.area).len();
+            }
+            pixels
+        });
+        drawn.sum()
     }
 }

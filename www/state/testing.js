@@ -17,9 +17,27 @@ export function fakePlanner() {
   const requests = [];
   return {
     requests,
-    layouts: () => LAYOUTS,
     styles: () => [],
     blocks: () => [],
+    listLayouts: (/** @type {{ own: object[] }} */ { own }) => [
+      ...own.map((layout, i) => ({ ...layout, own: i })), ...LAYOUTS.map((layout) => ({ ...layout, own: null })),
+    ],
+    layoutFacts: (/** @type {any} */ layout) => {
+      const id = layout.id ?? layout;
+      const count = Number(id.slice(1));
+      return { id, base: count, count, good: true, editable: true, adjacent: count > 1 ? [[0, 1]] : [], cuts: [] };
+    },
+    layoutFile: (/** @type {any} */ layout) => (layout.id ? layout : { id: layout }),
+    generateLayout: (/** @type {any} */ { least, most }) => ({ id: `g${least + most >> 1}`, family: 'generated' }),
+    changeLayout: (/** @type {any} */ layout, /** @type {any} */ change) => {
+      const count = Number((layout.id ?? layout).slice(1));
+      return { id: `c${count + ({ split: 1, remove: -1 }[/** @type {string} */ (change.type)] ?? 0)}`, family: 'custom', change };
+    },
+    checkLayout: (/** @type {string} */ json, /** @type {string} */ file) => {
+      const layout = JSON.parse(json);
+      if (!layout.id) throw Object.assign(new Error(`layout ${file}: id: is missing`), { code: 'invalid-layout' });
+      return layout;
+    },
     geometry: () => ({ width: 1, height: 1, panels: [] }),
     choose: (/** @type {any[]} */ photos) => photos.map(({ id, twin }) => ({ id, group: 0, kept: !twin, why: twin ? 'same as another' : '' })),
     plan: (/** @type {PlanRequest} */ request) => {
@@ -27,14 +45,14 @@ export function fakePlanner() {
       const { seed, photos, page, current, keep, layout, style, panels } = request;
       const wanted = panels ?? photos.length;
       const nearest = LAYOUTS.reduce((best, other) => (Math.abs(other.count - wanted) < Math.abs(best.count - wanted) ? other : best));
-      const id = layout ?? (keep.layout && current ? /** @type {string} */ (current.layout) : nearest.id);
-      const count = Number(id.slice(1));
+      const taken = /** @type {any} */ (layout ?? (keep.layout && current ? current.layout : nearest.id));
+      const count = Number((taken.id ?? taken).slice(1));
       const ids = photos.map((photo) => photo.id);
       const order = keep.photos && current ? current.order.filter((photo) => ids.includes(photo)) : ids;
       return {
-        version: 1, seed, layout: id, style: style ?? (keep.style && current ? current.style : `s${seed}`), order,
+        version: 1, seed, layout: taken, style: style ?? (keep.style && current ? current.style : `s${seed}`), order,
         panels: Array.from({ length: count }, (_, i) => ({ photo: order[i % order.length], crop: null })),
-        merges: [], page, captions: [],
+        merges: (current && taken === current.layout && current.merges) || [], page, captions: [],
       };
     },
   };

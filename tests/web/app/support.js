@@ -31,7 +31,7 @@ export const test = plain.extend({
   },
 });
 
-export { expect };
+export { PNG, expect };
 
 /**
  * @param {...string} names of files in `tests/photos`
@@ -97,6 +97,19 @@ export async function drop(page, files) {
 export async function press(page, name) {
   await page.getByRole('button', { name, exact: true }).click();
   await idle(page);
+}
+
+/**
+ * Takes a layout by its name.
+ * @param {Page} page
+ * @param {string} family
+ * @param {string} name
+ */
+export async function choose(page, family, name) {
+  await page.getByRole('combobox', { name: 'Family' }).selectOption(family);
+  await page.getByRole('listbox', { name: 'Layouts' }).getByRole('option', { name, exact: true }).click();
+  await idle(page);
+  await page.getByRole('combobox', { name: 'Family' }).selectOption('');
 }
 
 /**

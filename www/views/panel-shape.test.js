@@ -1,6 +1,6 @@
 // @ts-check
 import { expect, test } from 'vitest';
-import { neighbour } from './panels.jsx';
+import { neighbour } from './panel-shape.js';
 
 /** A row of two above one wide panel. @type {any} */
 const PANELS = [

@@ -1,0 +1,192 @@
+// @ts-check
+import { readFile } from 'node:fs/promises';
+import { PNG, choose, contents, drop, expect, idle, openBoard, picture, press, test } from './support.js';
+
+/** @typedef {import('../../../www/testing.js').Page} Page */
+
+/** @param {Page} page */
+const layouts = (page) => page.getByRole('listbox', { name: 'Layouts' });
+const cut = (/** @type {Page} */ page, /** @type {number} */ n = 1) => page.getByRole('slider', { name: new RegExp(`^Cut ${n} of`) });
+
+/**
+ * The layout as a file.
+ * @param {Page} page
+ * @returns {Promise<{ name: string, bytes: Buffer, layout: any }>}
+ */
+async function savedLayout(page) {
+  const [download] = await Promise.all([page.waitForEvent('download'), page.getByRole('button', { name: 'Save layout' }).click()]);
+  const bytes = await readFile(await download.path());
+  return { name: download.suggestedFilename(), bytes, layout: JSON.parse(bytes.toString()) };
+}
+
+/** @param {Page} page @returns {Promise<PNG>} */
+async function exported(page) {
+  const [download] = await Promise.all([
+    page.waitForEvent('download', { timeout: 60_000 }), page.getByRole('button', { name: 'Download PNG' }).click(),
+  ]);
+  return PNG.sync.read(await readFile(await download.path()));
+}
+
+/** A paper that is in no photo. */
+const PAPER = '#ff00fe';
+
+/**
+ * The rows of a picture that are that paper from side to side, as parts of its height: where gutters run across.
+ * @param {PNG} png
+ * @returns {number[]} the middles of the runs
+ */
+function gutters({ data, width, height }) {
+  const paper = (/** @type {number} */ y) => {
+    for (let x = Math.round(width * 0.05); x < width * 0.95; x += 7) {
+      const i = (y * width + x) * 4;
+      if (data[i] !== 255 || data[i + 1] !== 0 || data[i + 2] !== 254) return false;
+    }
+    return true;
+  };
+  /** @type {number[]} */
+  const found = [];
+  let from = -1;
+  for (let y = 0; y <= height; y += 1) {
+    const is = y < height && paper(y);
+    if (is && from < 0) from = y;
+    if (!is && from >= 0) {
+      if (from > 0 && y < height) found.push((from + y) / 2 / height);
+      from = -1;
+    }
+  }
+  return found;
+}
+
+test('a family is chosen, and gutter and page size change the page', async ({ page }) => {
+  await openBoard(page);
+  const family = page.getByRole('combobox', { name: 'Family' });
+  await family.selectOption('grid');
+  const names = await layouts(page).getByRole('option').evaluateAll((list) => list.map((option) => option.getAttribute('aria-label')));
+  expect(names.length).toBeGreaterThan(2);
+  await layouts(page).getByRole('option').nth(1).click();
+  await idle(page);
+  expect((await contents(page)).layout).toBe(names[1]);
+  const before = await picture(page);
+  await page.getByRole('slider', { name: 'Gutter' }).fill('4');
+  await idle(page);
+  expect(await picture(page)).not.toBe(before);
+  // What is too thin on a tall page is not offered there.
+  await family.selectOption('');
+  const all = await layouts(page).getByRole('option').count();
+  await page.getByRole('combobox', { name: 'Page size' }).selectOption('webtoon');
+  await idle(page);
+  const tall = await layouts(page).getByRole('option').count();
+  expect(tall).toBeGreaterThan(5);
+  expect(tall).not.toBe(all);
+});
+
+test('a size of one’s own is typed in millimetres, and a wrong one is said', async ({ page }) => {
+  await openBoard(page);
+  const settings = page.getByRole('region', { name: 'Page settings' });
+  await settings.getByLabel('Page size').selectOption('custom');
+  await settings.getByLabel('Unit').selectOption('mm');
+  await expect(settings.getByLabel('Width')).toHaveValue('210');
+  await settings.getByLabel('Width').fill('148');
+  await settings.getByLabel('Height').fill('105');
+  await idle(page);
+  const box = await page.locator('.page-canvas').boundingBox();
+  expect((box?.width ?? 0) / (box?.height ?? 1)).toBeCloseTo(148 / 105, 1);
+  await settings.getByLabel('Dots an inch').fill('5');
+  await expect(settings.getByText('Dots an inch must be from 36 to 1200.')).toBeVisible();
+  await expect(settings.getByLabel('Dots an inch')).toHaveAttribute('aria-invalid', 'true');
+  await settings.getByLabel('Dots an inch').fill('150');
+  await idle(page);
+  await expect(settings.getByText('Dots an inch must be')).toHaveCount(0);
+  const png = await exported(page);
+  expect([png.width, png.height]).toEqual([874, 620]);
+});
+
+test('a surprise becomes the page’s layout, is saved, kept, and loaded in another session', async ({ page }) => {
+  await openBoard(page);
+  await page.getByRole('combobox', { name: 'Panels' }).selectOption('4');
+  const before = await picture(page);
+  await press(page, 'Surprise layout');
+  expect(await picture(page)).not.toBe(before);
+  const shown = await contents(page);
+  expect(shown.photos.length).toBe(4);
+  expect(shown.layout).toMatch(/^Surprise/);
+  const { name, layout, bytes } = await savedLayout(page);
+  expect(name).toBe(`${layout.id}.json`);
+  const mine = layouts(page).getByRole('group', { name: 'My layouts' });
+  await expect(mine.getByRole('option', { selected: true })).toHaveAccessibleName(layout.name);
+  await press(page, 'Shuffle layout');
+  await mine.getByRole('option', { name: layout.name }).click();
+  await idle(page);
+  expect((await contents(page)).layout).toBe(layout.name);
+  await press(page, 'Remove from My layouts');
+  await expect(mine).toHaveCount(0);
+  // Another day: the file is all there is.
+  await page.evaluate(() => localStorage.clear());
+  await openBoard(page);
+  await page.getByLabel('Layout file').setInputFiles({ name, mimeType: 'application/json', buffer: bytes });
+  await idle(page);
+  expect((await contents(page)).layout).toBe(layout.name);
+  expect((await savedLayout(page)).layout).toEqual(layout);
+  await openBoard(page);
+  await expect(mine.getByRole('option', { name: layout.name })).toBeVisible();
+});
+
+test('a bad layout file is an alert with file, path and reason', async ({ page }) => {
+  await openBoard(page);
+  const before = await contents(page);
+  const bad = { id: 'bad', name: 'Bad', family: 'custom', aspect: 0.7, tree: { rows: ['panel', { columns: ['panel', 'pannel'] }] } };
+  const files = [bad, '{ "id": '].map((text, i) => (
+    { name: `bad-${i}.json`, mimeType: 'application/json', buffer: Buffer.from(typeof text === 'string' ? text : JSON.stringify(text)) }
+  ));
+  await drop(page, files);
+  await expect(page.getByRole('alert')).toContainText(/bad-0\.json.*tree\.rows\[1\]\.columns\[1\]/);
+  await expect(page.getByRole('alert')).toContainText(/bad-1\.json.*line 1/);
+  expect(await contents(page)).toEqual(before);
+});
+
+test('a cut is dragged by mouse and moved by keyboard, and the file shows it', async ({ page }) => {
+  await openBoard(page);
+  await choose(page, 'grid', 'Three thirds');
+  await page.getByLabel('Paper colour').fill(PAPER);
+  await idle(page);
+  const first = gutters(await exported(page));
+  expect(first.length).toBeGreaterThan(0);
+  await page.getByRole('button', { name: 'Edit layout' }).click();
+  const handle = cut(page);
+  const value = async () => Number(await handle.getAttribute('aria-valuenow'));
+  const start = await value();
+  const box = /** @type {NonNullable<Awaited<ReturnType<typeof handle.boundingBox>>>} */ (await handle.boundingBox());
+  const canvas = await page.locator('.page-canvas').boundingBox();
+  const by = (canvas?.height ?? 0) * 0.08;
+  await page.mouse.move(box.x + box.width / 2, box.y + box.height / 2);
+  await page.mouse.down();
+  await page.mouse.move(box.x + box.width / 2, box.y + box.height / 2 + by / 2);
+  // Live: the handle is under the hand before it is let go.
+  expect(await value()).toBeGreaterThan(start);
+  await page.mouse.move(box.x + box.width / 2, box.y + box.height / 2 + by, { steps: 4 });
+  await page.mouse.up();
+  await idle(page);
+  const dragged = await value();
+  expect(dragged - start).toBeGreaterThanOrEqual(6);
+  const second = gutters(await exported(page));
+  expect(second[0] - first[0]).toBeGreaterThan(0.05);
+  expect(second[0] - first[0]).toBeLessThan(0.1);
+  // One drag is one step.
+  await press(page, 'Undo');
+  expect(await value()).toBe(start);
+  await press(page, 'Redo');
+  expect(await value()).toBe(dragged);
+  await handle.focus();
+  await page.keyboard.press('ArrowUp');
+  await idle(page);
+  expect(await value()).toBe(dragged - 1);
+  await page.keyboard.press('Shift+ArrowUp');
+  await idle(page);
+  expect(await value()).toBe(dragged - 6);
+  await page.keyboard.press('Alt+ArrowRight');
+  await idle(page);
+  await expect(handle).toHaveAttribute('aria-valuetext', /slanted by 2 %/);
+  const { layout } = await savedLayout(page);
+  expect(layout.family).toBe('custom');
+  expect(layout.tree.slants[0]).toBeCloseTo(0.02, 3);
+});

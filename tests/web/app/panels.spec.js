@@ -1,0 +1,101 @@
+// @ts-check
+import { accessible, choose, contents, expect, idle, openBoard, picture, press, test } from './support.js';
+
+test('a panel is split into rows and columns and taken away', async ({ page }) => {
+  await openBoard(page);
+  await choose(page, 'grid', 'Four');
+  await page.getByRole('button', { name: 'Edit layout' }).click();
+  const panels = page.getByRole('group', { name: /^Panel \d+ of/ });
+  await expect(page.getByRole('button', { name: 'Split into rows' })).toBeDisabled();
+  await panels.nth(1).click();
+  await press(page, 'Split into rows');
+  await expect(panels).toHaveCount(5);
+  await panels.nth(0).click();
+  await press(page, 'Split into columns');
+  await expect(panels).toHaveCount(6);
+  await panels.nth(5).click();
+  await press(page, 'Remove panel');
+  await expect(panels).toHaveCount(5);
+  for (const count of [6, 5, 4]) {
+    await press(page, 'Undo');
+    await expect(panels).toHaveCount(count);
+  }
+});
+
+test('panels are merged and split by mouse', async ({ page }) => {
+  await openBoard(page);
+  await choose(page, 'grid', 'Four');
+  const panels = page.getByRole('group', { name: /^Panel \d of/ });
+  const merge = page.getByRole('button', { name: 'Merge', exact: true });
+  await expect(merge).toBeDisabled();
+  await expect(merge).toHaveAttribute('title', /select two panels/);
+  await panels.nth(0).click();
+  await panels.nth(3).click({ modifiers: ['Shift'] });
+  await expect(merge).toBeDisabled();
+  await expect(merge).toHaveAttribute('title', /do not touch/);
+  await panels.nth(1).click({ modifiers: ['ControlOrMeta'] });
+  const apart = await picture(page);
+  await press(page, 'Merge');
+  expect(await picture(page)).not.toBe(apart);
+  const { photos } = await contents(page);
+  const shown = photos.map((photo) => photo?.replace(', selected', ''));
+  expect(shown[0]).toBe(shown[1]);
+  expect(shown[1]).toBe(shown[3]);
+  expect(shown[2]).not.toBe(shown[0]);
+  await press(page, 'Split');
+  expect(new Set((await contents(page)).photos).size).toBe(4);
+  await press(page, 'Undo');
+  await press(page, 'Undo');
+  expect(await picture(page)).toBe(apart);
+});
+
+test('panels are merged by keyboard', async ({ page }) => {
+  await openBoard(page);
+  await choose(page, 'grid', 'Four');
+  await page.getByRole('group', { name: 'Panel 1 of 4' }).focus();
+  await page.keyboard.press('Shift+Enter');
+  await page.keyboard.press('ArrowRight');
+  await page.keyboard.press('Shift+Enter');
+  await expect(page.getByText('2 panels selected')).toBeAttached();
+  await page.getByRole('button', { name: 'Merge', exact: true }).focus();
+  await page.keyboard.press('Enter');
+  await idle(page);
+  const { photos } = await contents(page);
+  expect(photos[0]).toBe(photos[1]);
+  await page.keyboard.press('Escape');
+  await expect(page.getByText('panels selected')).toHaveCount(0);
+  // A shuffle leaves at most one merge.
+  await press(page, 'Shuffle');
+});
+
+test('panels are chosen and merged by touch', async ({ browser, baseURL }) => {
+  const context = await browser.newContext({ viewport: { width: 360, height: 740 }, hasTouch: true, isMobile: true, baseURL });
+  const page = await context.newPage();
+  await openBoard(page);
+  await page.getByRole('button', { name: 'Layouts', exact: true }).click();
+  await choose(page, 'grid', 'Four');
+  await page.getByRole('button', { name: 'Close' }).click();
+  const panels = page.getByRole('group', { name: /^Panel \d of/ });
+  await panels.nth(0).tap();
+  await page.getByRole('button', { name: 'Select panels' }).tap();
+  await panels.nth(1).tap();
+  await page.getByRole('button', { name: 'Merge', exact: true }).tap();
+  await idle(page);
+  const photos = await panels.evaluateAll((list) => list.map((panel) => panel.getAttribute('aria-description')));
+  expect(photos[0]).toBe(photos[1]);
+  await accessible(page);
+  await context.close();
+});
+
+for (const colorScheme of /** @type {const} */ (['light', 'dark'])) {
+  test(`axe finds nothing while panels are chosen and cuts are moved, in ${colorScheme}`, async ({ page }) => {
+    await page.emulateMedia({ colorScheme });
+    await openBoard(page);
+    await press(page, 'Surprise layout');
+    await page.getByRole('button', { name: 'Edit layout' }).click();
+    await page.getByRole('group', { name: /^Panel 1 of/ }).click({ position: { x: 20, y: 20 } });
+    await page.getByRole('combobox', { name: 'Page size' }).selectOption('custom');
+    await idle(page);
+    await accessible(page);
+  });
+}

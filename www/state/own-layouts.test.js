@@ -1,0 +1,63 @@
+// @ts-check
+import { expect, test, vi } from 'vitest';
+import { createOwnLayouts } from './own-layouts.js';
+import { lengthIn, pixelsOf, whyNotSize } from './paper.js';
+import { fakeApp } from './testing.js';
+
+vi.mock('./files.js', () => ({ save: vi.fn() }));
+
+function app(kept = /** @type {string | null} */ (null)) {
+  const made = fakeApp();
+  const { store, pages, messages } = made;
+  let text = kept;
+  const box = { getItem: () => text, setItem: (/** @type {string} */ _, /** @type {string} */ value) => { text = value; } };
+  const layouts = createOwnLayouts({ store, pages, messages, box: () => box });
+  return { ...made, layouts, kept: () => JSON.parse(text ?? '[]') };
+}
+
+const file = (/** @type {string} */ name, /** @type {any} */ layout) => new File([typeof layout === 'string' ? layout : JSON.stringify(layout)], name);
+
+test('a layout is opened from a file, shown, kept and forgotten', async () => {
+  const { layouts, store, reading, files, kept } = app();
+  await reading.addFiles(files('a', 'b'));
+  await layouts.open([file('mine.json', { id: 'x2', name: 'Mine' })]);
+  expect(store.page.value?.layout).toEqual({ id: 'x2', name: 'Mine' });
+  expect(kept()).toEqual([{ id: 'x2', name: 'Mine' }]);
+  expect(layouts.isOwn('x2')).toBe(true);
+  layouts.remove('x2');
+  expect([kept(), store.own.value]).toEqual([[], []]);
+});
+
+test('a bad file is named with the reason, and the good ones count', async () => {
+  const { layouts, store, messages } = app();
+  await layouts.open([file('bad.json', {}), file('good.json', { id: 'y1' }), file('long.json', ' '.repeat(300_000))]);
+  const alerts = messages.list.value.filter(({ kind }) => kind === 'alert').map(({ text }) => text);
+  expect(alerts[0]).toMatch(/bad\.json.*id.*missing/);
+  expect(alerts[1]).toMatch(/long\.json.*256 KB/);
+  expect(store.own.value).toEqual([{ id: 'y1' }]);
+});
+
+test('what was kept is there again; what can no longer be read is not', () => {
+  const { layouts, store } = app(JSON.stringify([{ id: 'z1' }, { broken: true }]));
+  layouts.recall();
+  expect(store.own.value).toEqual([{ id: 'z1' }]);
+  const other = app('no json');
+  other.layouts.recall();
+  expect(other.store.own.value).toEqual([]);
+});
+
+test('one of the catalogue is saved as a file and not kept twice', async () => {
+  const { layouts, store, reading, files } = app();
+  await reading.addFiles(files('a', 'b'));
+  layouts.save();
+  expect(store.own.value).toEqual([]);
+});
+
+test('lengths go to pixels and back', () => {
+  expect([pixelsOf(210, 'mm', 300), pixelsOf(297, 'mm', 300)]).toEqual([2480, 3508]);
+  expect([lengthIn(2480, 'mm', 300), lengthIn(2550, 'in', 300), lengthIn(77, 'px', 300)]).toEqual([210, 8.5, 77]);
+  expect(whyNotSize({ width: 2480, height: 3508, dpi: 300 })).toBe('');
+  expect(whyNotSize({ width: 10, height: 3508, dpi: 300 })).toBe('side');
+  expect(whyNotSize({ width: 14_000, height: 14_000, dpi: 300 })).toBe('pixels');
+  expect(whyNotSize({ width: 2480, height: 3508, dpi: NaN })).toBe('dpi');
+});
