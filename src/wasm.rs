@@ -8,7 +8,7 @@
 
 #[cfg(feature = "bench")]
 mod bench;
-mod layouts;
+pub mod layouts;
 
 use crate::error::{Error, Result};
 use crate::framing::Crop;

@@ -57,6 +57,7 @@ export const strings = {
   allLayouts: 'All layouts',
   thisPage: 'This page',
   surprise: 'Surprise layout',
+  surpriseShort: 'Surprise',
   editLayout: 'Edit layout',
   saveLayout: 'Save layout',
   loadLayout: 'Load layout',

@@ -116,9 +116,9 @@ export function createPages(store, seed = freshSeed) {
     else show(plan({ keep: { ...KEEP_ALL, [part]: false } }));
   }
 
-  /** @param {string | object} layout */
+  /** A layout comes as its picture shows it, without merges. @param {string | object} layout */
   function chooseLayout(layout) {
-    show(plan({ keep: { ...KEEP_ALL }, layout }));
+    show(plan({ keep: { ...KEEP_ALL }, layout, merge: false }));
   }
 
   /** @param {string | object} style */

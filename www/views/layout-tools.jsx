@@ -14,8 +14,9 @@ export function LayoutTools() {
   const editing = reshaping.editing.value;
   return (
     <div class="layout-tools">
-      <button type="button" class="button small" disabled={facts === null} title={strings.surprise} onClick={reshaping.surprise}>
-        <Icon name="surprise" />{strings.surprise}
+      <button type="button" class="button small" disabled={facts === null} aria-label={strings.surprise} title={strings.surprise}
+        onClick={reshaping.surprise}>
+        <Icon name="surprise" />{strings.surpriseShort}
       </button>
       <IconButton icon="edit" label={strings.editLayout} disabled={facts === null} pressed={editing}
         onClick={() => { reshaping.editing.value = !editing; }} />
