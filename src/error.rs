@@ -100,6 +100,9 @@ pub enum Error {
     /// The caller asked to stop.
     #[error("cancelled")]
     Cancelled,
+    /// A net is damaged, is another one, or failed.
+    #[error("the detector failed: {0}")]
+    Detector(String),
     /// A page could not be encoded.
     #[error("the page could not be encoded: {0}")]
     Encode(String),
@@ -124,6 +127,7 @@ impl Error {
             Self::MissingPhoto(_) => "missing-photo",
             Self::NoPhotos => "no-photos",
             Self::Cancelled => "cancelled",
+            Self::Detector(_) => "detector",
             Self::Encode(_) => "encode",
         }
     }

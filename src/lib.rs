@@ -8,16 +8,19 @@
 //! | [`raster`] | pixels: planar u8 images, decoding, resampling (under everything) |
 //! | [`simd`] | row kernels on lanes (under `style`) |
 //! | [`select`] | fingerprints, near-duplicate groups, the sharpest of each |
+//! | `detect` | faces and objects, by two nets (feature `detect`) |
 //! | [`layout`] | page templates: split trees, polygons, gutters, merges |
 //! | [`framing`] | which photo goes into which panel, and the crop that fits it |
 //! | [`style`] | chains of filter blocks in two layers |
 //! | [`page`] | panels, borders and paper composed into one page; PNG |
 //!
-//! On top, without algorithms of their own: `wasm` (the web boundary) and `main.rs` (the command line).
+//! On top, without algorithms of their own: `wasm` and `wasm_detect` (the web boundary, in two modules) and `main.rs` (the command line).
 //!
 //! Invariants: no global state, no clock, no randomness but from a seed that the caller gives; every
 //! spatial parameter of a style is in pixels of a 1920 x 1080 image and scaled to the render at hand.
 
+#[cfg(feature = "detect")]
+pub mod detect;
 pub mod error;
 pub mod framing;
 pub mod layout;
@@ -27,7 +30,9 @@ pub mod select;
 pub mod simd;
 pub mod style;
 
-#[cfg(target_arch = "wasm32")]
+#[cfg(all(target_arch = "wasm32", not(feature = "detect")))]
 pub mod wasm;
+#[cfg(all(target_arch = "wasm32", feature = "detect"))]
+pub mod wasm_detect;
 
 pub use error::{Error, Result};

@@ -3,6 +3,8 @@
 //! Progress and complaints go to standard error, results to standard output. Exit codes: 0 done, 1 bad input,
 //! 2 wrong usage (from the argument parser).
 
+mod detectors;
+
 use clap::{Parser, Subcommand};
 use inkpanel::layout::{PageSettings, Template};
 use inkpanel::page::import::{Imported, import};
@@ -54,6 +56,18 @@ enum Command {
         #[arg(long, default_value_t = 10, value_parser = clap::value_parser!(u32).range(0..=64))]
         threshold: u32,
     },
+    /// Find faces and objects.
+    Detect {
+        /// The photos.
+        #[arg(required = true)]
+        files: Vec<PathBuf>,
+        /// Answer as JSON.
+        #[arg(long)]
+        json: bool,
+        /// Folder of faces.onnx and objects.onnx.
+        #[arg(long, value_name = "DIR")]
+        models: Option<PathBuf>,
+    },
     /// List the filter blocks.
     Blocks(Listing),
     /// List the page templates.
@@ -89,6 +103,12 @@ struct Render {
     /// Let two panels share one image.
     #[arg(long)]
     merge: bool,
+    /// Do not look for faces and objects: crops follow the contrast alone.
+    #[arg(long)]
+    no_detect: bool,
+    /// Folder of faces.onnx and objects.onnx.
+    #[arg(long, value_name = "DIR")]
+    models: Option<PathBuf>,
     /// Where the PNG goes.
     #[arg(short, long)]
     output: PathBuf,
@@ -105,6 +125,7 @@ fn main() -> ExitCode {
         Command::Render(render) => render_page(&render),
         Command::Stylize { style, input, output } => stylize_photo(&style, &input, &output),
         Command::Select { files, json, threshold } => select_photos(&files, json, threshold),
+        Command::Detect { files, json, models } => detect_photos(&files, json, models.as_deref()),
         Command::Blocks(listing) => list(&catalogue::blocks(), listing.json),
         Command::Layouts(listing) => list(&catalogue::layouts(), listing.json),
         Command::Styles(listing) => list(&catalogue::styles(), listing.json),
@@ -121,7 +142,10 @@ fn main() -> ExitCode {
 fn render_page(render: &Render) -> Result<(), Complaint> {
     let layout = render.layout.as_deref().map(layout_value).transpose()?;
     let style = render.style.as_deref().map(style_value).transpose()?;
-    let photos = import_all(&render.files);
+    let mut photos = import_all(&render.files);
+    if !render.no_detect {
+        add_subjects(&mut photos, render.models.as_deref());
+    }
     let measures: Vec<Measures> = photos.iter().map(|(_, photo)| photo.measures.clone()).collect();
     let names: Vec<&str> = photos.iter().map(|(path, _)| name(path)).collect();
     let verdicts = select::choose(&names, &measures, &select::Settings::default());
@@ -221,6 +245,40 @@ fn select_photos(files: &[PathBuf], as_json: bool, threshold: u32) -> Result<(),
         }
     }
     Ok(())
+}
+
+fn detect_photos(files: &[PathBuf], as_json: bool, models: Option<&Path>) -> Result<(), Complaint> {
+    let detectors = detectors::load(models)?;
+    let photos = import_all(files);
+    if photos.is_empty() {
+        return Err(Error::NoPhotos.to_string());
+    }
+    let found = detectors::run(&detectors, &photos);
+    let rows = photos.iter().zip(&found).map(|((path, photo), found)| {
+        json!({ "file": path.display().to_string(), "boxes": detectors::boxes(photo, found) })
+    });
+    if as_json {
+        println!("{}", Value::Array(rows.collect()));
+        return Ok(());
+    }
+    for ((path, _), found) in photos.iter().zip(&found) {
+        let words: Vec<String> =
+            found.iter().map(|d| format!("{} {:.0} %", d.label, d.score * 100.0)).collect();
+        println!("{}  {}", path.display(), words.join(", "));
+    }
+    Ok(())
+}
+
+/// Tells framing what is in the photos; without the nets it goes by contrast, which is said once.
+fn add_subjects(photos: &mut [(PathBuf, Imported)], models: Option<&Path>) {
+    let detectors = match detectors::load(models) {
+        Ok(detectors) => detectors,
+        Err(complaint) => return eprintln!("inkpanel: {complaint}; cropping by contrast alone"),
+    };
+    let found = detectors::run(&detectors, photos);
+    for ((_, photo), found) in photos.iter_mut().zip(found) {
+        photo.meta.subjects = found.into_iter().map(Into::into).collect();
+    }
 }
 
 /// Prints a catalogue; a reader that has gone away is no failure.

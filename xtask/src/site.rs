@@ -7,11 +7,12 @@ use anyhow::{Context, Result};
 
 use crate::project::Project;
 use crate::stamp::{Inputs, Stamp};
-use crate::{npm, tools, wasm};
+use crate::{models, npm, tools, wasm};
 
 /// Builds everything that the page needs; each step is skipped when nothing it reads has changed.
 pub(crate) fn build(project: &Project) -> Result<()> {
     npm::install(project)?;
+    models::make_or_warn(project);
     wasm::build(project, &wasm::core(project))?;
     bundle(project)
 }

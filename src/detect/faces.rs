@@ -1,0 +1,144 @@
+//! Faces: BlazeFace (Bazarevsky et al., "BlazeFace: Sub-millisecond Neural Face Detection on Mobile GPUs"), the
+//! full-range net, which looks at 192 x 192 pixels and knows faces from about a tenth of that side.
+
+use super::Detection;
+use super::letterbox::letterbox;
+use super::model::Net;
+use super::ssd::{Candidate, corners, sigmoid, suppress, suppress_parts};
+use crate::error::{Error, Result};
+use crate::raster::Image;
+use crate::raster::resize::Region;
+
+/// What framing calls a face.
+pub(super) const LABEL: &str = "face";
+
+const SIDE: usize = 192;
+/// Cells along each side, with one anchor each.
+const CELLS: usize = 48;
+/// Numbers a cell: the box, and six points of the face, which nobody here needs.
+const NUMBERS: usize = 16;
+const THRESHOLD: f64 = 0.5;
+/// In parts of a photo there is more that merely looks like a face.
+const CLOSER_THRESHOLD: f64 = 0.6;
+const SAME: f64 = 0.3;
+
+/// Sides of a part in sides of the photo; two a side, so neighbours share a fifth of the photo.
+const PART: f64 = 0.6;
+/// A photo of fewer pixels on its longer side has nothing more to show in parts.
+const LARGE: usize = 2 * SIDE;
+/// A face below this many sides of the photo is small: where one is, others may be too small for the first look.
+const SMALL: f64 = 0.12;
+/// A box of a part that ends this near to an inner edge is cut by it, in sides of the photo.
+const EDGE: f64 = 0.004;
+
+/// The face detector.
+pub(super) struct Faces {
+    net: Net,
+}
+
+impl Faces {
+    pub(super) fn new(onnx: &[u8]) -> Result<Self> {
+        Ok(Self { net: Net::new(onnx, SIDE)? })
+    }
+
+    /// The faces of the whole photo, the surest first.
+    pub(super) fn look(&self, photo: &Image) -> Result<Vec<Detection>> {
+        let whole = Region::whole(photo.width(), photo.height());
+        Ok(detections(suppress(self.candidates(photo, whole, THRESHOLD)?, SAME)))
+    }
+
+    /// Those faces and the ones that the overlapping quarters of the photo show.
+    pub(super) fn look_closer(&self, photo: &Image, first: Vec<Detection>) -> Result<Vec<Detection>> {
+        let mut all: Vec<Candidate> = first
+            .iter()
+            .map(|f| Candidate { corners: [f.x, f.y, f.x + f.width, f.y + f.height], score: f.score })
+            .collect();
+        for (across, down) in [(0.0, 0.0), (1.0, 0.0), (0.0, 1.0), (1.0, 1.0)] {
+            let (x, y) = (across * (1.0 - PART), down * (1.0 - PART));
+            let (width, height) = (photo.width() as f64, photo.height() as f64);
+            let region = Region { x: x * width, y: y * height, width: PART * width, height: PART * height };
+            let found = self.candidates(photo, region, CLOSER_THRESHOLD)?;
+            let edges = [x, y, x + PART, y + PART];
+            all.extend(found.into_iter().filter(|candidate| whole_in(candidate.corners, edges)));
+        }
+        Ok(detections(suppress_parts(all, SAME)))
+    }
+
+    fn candidates(&self, photo: &Image, region: Region, threshold: f64) -> Result<Vec<Candidate>> {
+        let (input, place) = letterbox(photo, region, self.net.side());
+        let [boxes, logits] = self.net.run(&input)?;
+        if boxes.len() != CELLS * CELLS * NUMBERS || logits.len() != CELLS * CELLS {
+            return Err(Error::Detector("the file holds another net than the face detector".into()));
+        }
+        let mut found = Vec::new();
+        for (cell, (numbers, logit)) in boxes.chunks_exact(NUMBERS).zip(&logits).enumerate() {
+            let score = sigmoid(*logit);
+            // Not `score < threshold`: a net that gives no numbers finds nothing.
+            if score > threshold {
+                let centre = |at: usize| (at as f64 + 0.5) / CELLS as f64;
+                let [across, down, width, height] =
+                    [0, 1, 2, 3].map(|i| f64::from(numbers[i]) / SIDE as f64);
+                let square =
+                    corners(centre(cell % CELLS) + across, centre(cell / CELLS) + down, width, height);
+                found.push(Candidate { corners: place.to_photo(square), score });
+            }
+        }
+        Ok(found)
+    }
+}
+
+/// Whether parts of the photo may show more faces: when none was found, or the largest is small.
+pub(super) fn worth_a_closer_look(photo: &Image, faces: &[Detection]) -> bool {
+    let largest = faces.iter().map(|face| face.width.max(face.height)).fold(0.0, f64::max);
+    photo.width().max(photo.height()) >= LARGE && largest < SMALL
+}
+
+/// Whether a box is not cut by an edge of its part; the photo's own edges cut nothing.
+fn whole_in(corners: [f64; 4], edges: [f64; 4]) -> bool {
+    (0..4).all(|side| {
+        let of_photo = edges[side] <= 0.0 || edges[side] >= 1.0;
+        of_photo || (corners[side] - edges[side]).abs() > EDGE
+    }) && (corners[0] > edges[0] - EDGE && corners[2] < edges[2] + EDGE)
+        && (corners[1] > edges[1] - EDGE && corners[3] < edges[3] + EDGE)
+}
+
+fn detections(candidates: Vec<Candidate>) -> Vec<Detection> {
+    let detection = |Candidate { corners: [left, top, right, bottom], score }| Detection {
+        label: LABEL,
+        score,
+        x: left,
+        y: top,
+        width: right - left,
+        height: bottom - top,
+    };
+    candidates.into_iter().map(detection).filter(|face| face.width > 0.0 && face.height > 0.0).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::raster::Plane;
+
+    #[test]
+    fn a_face_that_an_inner_edge_cuts_is_left_to_the_other_part() {
+        let left_part = [0.0, 0.0, 0.6, 0.6];
+        assert!(whole_in([0.4, 0.1, 0.58, 0.3], left_part));
+        assert!(!whole_in([0.4, 0.1, 0.6, 0.3], left_part));
+        assert!(!whole_in([0.4, 0.5, 0.5, 0.63], left_part));
+        // At the photo's own edge it is the photo that cuts it.
+        assert!(whole_in([0.0, 0.1, 0.2, 0.3], left_part));
+    }
+
+    #[test]
+    fn a_closer_look_is_for_large_photos_with_small_faces_or_none() {
+        let photo = |side: usize| {
+            let plane = Plane::filled(side, side / 2, 0);
+            Image::from_rgb([plane.clone(), plane.clone(), plane]).unwrap()
+        };
+        let face = |size: f64| Detection { label: LABEL, score: 0.9, x: 0.1, y: 0.1, width: size, height: size };
+        assert!(worth_a_closer_look(&photo(1600), &[]));
+        assert!(worth_a_closer_look(&photo(1600), &[face(0.05)]));
+        assert!(!worth_a_closer_look(&photo(1600), &[face(0.05), face(0.2)]));
+        assert!(!worth_a_closer_look(&photo(300), &[]));
+    }
+}

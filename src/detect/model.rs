@@ -1,0 +1,54 @@
+//! A net from an ONNX file, run by tract.
+
+use std::io::Cursor;
+use std::sync::Arc;
+
+use tract_onnx::prelude::*;
+
+use crate::error::{Error, Result};
+
+/// A net with one input `[1, 3, side, side]` and two outputs.
+pub(super) struct Net {
+    plan: Arc<TypedRunnableModel>,
+    side: usize,
+}
+
+impl Net {
+    /// Reads a net and prepares it for running.
+    pub(super) fn new(onnx: &[u8], side: usize) -> Result<Self> {
+        let shape = [1, 3, side, side];
+        let plan = tract_onnx::onnx()
+            .model_for_read(&mut Cursor::new(onnx))
+            .and_then(|model| model.with_input_fact(0, f32::fact(shape).into()))
+            .and_then(InferenceModelExt::into_optimized)
+            .and_then(IntoRunnable::into_runnable)
+            .map_err(|error| failed(&error))?;
+        if plan.model().outputs.len() != 2 {
+            return Err(Error::Detector("the file holds another net".into()));
+        }
+        Ok(Self { plan, side })
+    }
+
+    /// Side of the square input in pixels.
+    pub(super) fn side(&self) -> usize {
+        self.side
+    }
+
+    /// The two outputs as plain lists, in row-major order. `input` are three planes of `side * side` values.
+    pub(super) fn run(&self, input: &[f32]) -> Result<[Vec<f32>; 2]> {
+        let run = || -> TractResult<[Vec<f32>; 2]> {
+            let input = Tensor::from_shape(&[1, 3, self.side, self.side], input)?;
+            let outputs = self.plan.run(tvec!(input.into()))?;
+            let list = |i: usize| -> TractResult<Vec<f32>> {
+                Ok(outputs[i].to_plain_array_view::<f32>()?.iter().copied().collect())
+            };
+            Ok([list(0)?, list(1)?])
+        };
+        run().map_err(|error| failed(&error))
+    }
+}
+
+/// tract tells the whole story of an error; its root is what helps.
+fn failed(error: &TractError) -> Error {
+    Error::Detector(error.root_cause().to_string())
+}

