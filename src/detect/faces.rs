@@ -1,4 +1,4 @@
-//! Faces: BlazeFace (Bazarevsky et al., "BlazeFace: Sub-millisecond Neural Face Detection on Mobile GPUs"), the
+//! Faces: `BlazeFace` (Bazarevsky et al., "Sub-millisecond Neural Face Detection on Mobile GPUs"), the
 //! full-range net, which looks at 192 x 192 pixels and knows faces from about a tenth of that side.
 
 use super::Detection;
@@ -19,7 +19,7 @@ const CELLS: usize = 48;
 const NUMBERS: usize = 16;
 const THRESHOLD: f64 = 0.5;
 /// In parts of a photo there is more that merely looks like a face.
-const CLOSER_THRESHOLD: f64 = 0.6;
+const CLOSER_THRESHOLD: f64 = 0.7;
 const SAME: f64 = 0.3;
 
 /// Sides of a part in sides of the photo; two a side, so neighbours share a fifth of the photo.
@@ -48,7 +48,7 @@ impl Faces {
     }
 
     /// Those faces and the ones that the overlapping quarters of the photo show.
-    pub(super) fn look_closer(&self, photo: &Image, first: Vec<Detection>) -> Result<Vec<Detection>> {
+    pub(super) fn look_closer(&self, photo: &Image, first: &[Detection]) -> Result<Vec<Detection>> {
         let mut all: Vec<Candidate> = first
             .iter()
             .map(|f| Candidate { corners: [f.x, f.y, f.x + f.width, f.y + f.height], score: f.score })
@@ -76,8 +76,7 @@ impl Faces {
             // Not `score < threshold`: a net that gives no numbers finds nothing.
             if score > threshold {
                 let centre = |at: usize| (at as f64 + 0.5) / CELLS as f64;
-                let [across, down, width, height] =
-                    [0, 1, 2, 3].map(|i| f64::from(numbers[i]) / SIDE as f64);
+                let [across, down, width, height] = [0, 1, 2, 3].map(|i| f64::from(numbers[i]) / SIDE as f64);
                 let square =
                     corners(centre(cell % CELLS) + across, centre(cell / CELLS) + down, width, height);
                 found.push(Candidate { corners: place.to_photo(square), score });
@@ -104,7 +103,7 @@ fn whole_in(corners: [f64; 4], edges: [f64; 4]) -> bool {
 
 fn detections(candidates: Vec<Candidate>) -> Vec<Detection> {
     let detection = |Candidate { corners: [left, top, right, bottom], score }| Detection {
-        label: LABEL,
+        label: LABEL.to_owned(),
         score,
         x: left,
         y: top,
@@ -135,7 +134,14 @@ mod tests {
             let plane = Plane::filled(side, side / 2, 0);
             Image::from_rgb([plane.clone(), plane.clone(), plane]).unwrap()
         };
-        let face = |size: f64| Detection { label: LABEL, score: 0.9, x: 0.1, y: 0.1, width: size, height: size };
+        let face = |size: f64| Detection {
+            label: LABEL.into(),
+            score: 0.9,
+            x: 0.1,
+            y: 0.1,
+            width: size,
+            height: size,
+        };
         assert!(worth_a_closer_look(&photo(1600), &[]));
         assert!(worth_a_closer_look(&photo(1600), &[face(0.05)]));
         assert!(!worth_a_closer_look(&photo(1600), &[face(0.05), face(0.2)]));

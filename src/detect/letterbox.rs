@@ -63,10 +63,10 @@ mod tests {
     fn a_wide_photo_lies_in_the_middle_with_black_above_and_below() {
         let (input, place) = letterbox(&photo(80, 40), Region::whole(80, 40), 40);
         let at = |channel: usize, x: usize, y: usize| input[(channel * 40 + y) * 40 + x];
-        assert_eq!(at(1, 20, 9), -1.0);
+        assert!((at(1, 20, 9) + 1.0).abs() < 1e-6);
         assert!((at(1, 20, 10) - (50.0 / 127.5 - 1.0)).abs() < 1e-6);
         assert!(at(0, 0, 10) > at(0, 1, 10));
-        assert_eq!(at(2, 39, 30), -1.0);
+        assert!((at(2, 39, 30) + 1.0).abs() < 1e-6);
         let back = place.to_photo([0.25, 0.25, 0.5, 0.75]);
         assert!(back.iter().zip([0.25, 0.0, 0.5, 1.0]).all(|(a, b)| (a - b).abs() < 1e-9), "{back:?}");
     }

@@ -10,7 +10,7 @@ mod model;
 mod objects;
 mod ssd;
 
-use serde::Serialize;
+use serde::{Deserialize, Serialize};
 
 use crate::error::Result;
 use crate::raster::Image;
@@ -18,10 +18,10 @@ use faces::Faces;
 use objects::Objects;
 
 /// Something that was found in a photo. Its box lies inside the photo.
-#[derive(Debug, Clone, PartialEq, Serialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct Detection {
     /// `face`, or one of COCO's eighty kinds of objects.
-    pub label: &'static str,
+    pub label: String,
     /// The detector's confidence, 0..1.
     pub score: f64,
     /// Left edge, 0..1.
@@ -69,15 +69,16 @@ impl Detectors {
         Ok(Findings { boxes, closer })
     }
 
-    /// Finds also small faces, in parts of the photo that overlap: the faces to take instead of those of the first
-    /// look.
+    /// Finds also small faces, in parts of the photo that overlap. `first` are the boxes of the first look; the
+    /// answer is what to take in their place.
     ///
     /// # Errors
     /// `detector` when the net fails.
-    pub fn look_closer(&self, photo: &Image, first: &Findings) -> Result<Vec<Detection>> {
-        let faces = first.boxes.iter().filter(|found| found.label == faces::LABEL).cloned().collect();
-        let mut boxes = self.faces.look_closer(photo, faces)?;
-        boxes.extend(first.boxes.iter().filter(|found| found.label != faces::LABEL).cloned());
+    pub fn look_closer(&self, photo: &Image, first: Vec<Detection>) -> Result<Vec<Detection>> {
+        let (faces, objects): (Vec<_>, Vec<_>) =
+            first.into_iter().partition(|found| found.label == faces::LABEL);
+        let mut boxes = self.faces.look_closer(photo, &faces)?;
+        boxes.extend(objects);
         Ok(boxes)
     }
 
@@ -87,6 +88,6 @@ impl Detectors {
     /// `detector` when a net fails.
     pub fn detect(&self, photo: &Image) -> Result<Vec<Detection>> {
         let first = self.look(photo)?;
-        if first.closer { self.look_closer(photo, &first) } else { Ok(first.boxes) }
+        if first.closer { self.look_closer(photo, first.boxes) } else { Ok(first.boxes) }
     }
 }

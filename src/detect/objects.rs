@@ -1,4 +1,4 @@
-//! Objects: SSDLite on MobileNetV2, trained on COCO's eighty kinds of things, at 300 x 300 pixels.
+//! Objects: `SSDLite` on `MobileNetV2`, trained on COCO's eighty kinds of things, at 300 x 300 pixels.
 
 use super::Detection;
 use super::letterbox::letterbox;
@@ -27,8 +27,7 @@ impl Objects {
 
     /// The objects of a photo, the surest first.
     pub(super) fn look(&self, photo: &Image) -> Result<Vec<Detection>> {
-        let (input, place) =
-            letterbox(photo, Region::whole(photo.width(), photo.height()), self.net.side());
+        let (input, place) = letterbox(photo, Region::whole(photo.width(), photo.height()), self.net.side());
         let [boxes, logits] = self.net.run(&input)?;
         let count = self.anchors.len();
         if boxes.len() != 4 * count || logits.len() != CLASSES * count {
@@ -60,7 +59,14 @@ impl Objects {
 
 fn detection(label: &'static str, kept: Candidate) -> Detection {
     let [left, top, right, bottom] = kept.corners;
-    Detection { label, score: kept.score, x: left, y: top, width: right - left, height: bottom - top }
+    Detection {
+        label: label.to_owned(),
+        score: kept.score,
+        x: left,
+        y: top,
+        width: right - left,
+        height: bottom - top,
+    }
 }
 
 /// The name of a class; none where COCO left a number out.

@@ -48,7 +48,7 @@ pub(super) fn corners(x: f64, y: f64, width: f64, height: f64) -> [f64; 4] {
 }
 
 /// The anchors of SSD-MobileNet on a square of 300 pixels: six grids, three boxes a cell on the finest and six on the
-/// others; 1917 in the order of the net's outputs (Liu et al., "SSD: Single Shot MultiBox Detector", with the scales
+/// others; 1917 in the order of the net's outputs (Liu et al., "Single Shot `MultiBox` Detector", with the scales
 /// of TensorFlow's object detection).
 pub(super) fn mobilenet_anchors() -> Vec<Anchor> {
     const GRIDS: [usize; 6] = [19, 10, 5, 3, 2, 1];
@@ -107,7 +107,10 @@ pub(super) fn suppress_parts(candidates: Vec<Candidate>, limit: f64) -> Vec<Cand
     suppress_by(candidates, |a, b| a.overlap(b) > limit || a.containment(b) > 0.6)
 }
 
-fn suppress_by(mut candidates: Vec<Candidate>, same: impl Fn(&Candidate, &Candidate) -> bool) -> Vec<Candidate> {
+fn suppress_by(
+    mut candidates: Vec<Candidate>,
+    same: impl Fn(&Candidate, &Candidate) -> bool,
+) -> Vec<Candidate> {
     candidates.sort_by(|a, b| b.score.total_cmp(&a.score));
     let mut kept: Vec<Candidate> = Vec::new();
     for candidate in candidates {
@@ -132,9 +135,9 @@ mod tests {
         assert_eq!(anchors.len(), 1917);
         assert_eq!(anchors[0], Anchor { x: 0.5 / 19.0, y: 0.5 / 19.0, width: 0.1, height: 0.1 });
         let last = anchors[1916];
-        assert!((last.width - 0.95f64.sqrt()).abs() < 1e-12 && last.x == 0.5);
+        assert!((last.width - 0.95f64.sqrt()).abs() < 1e-12 && (last.x - 0.5).abs() < 1e-12);
         // The second grid begins after 19 * 19 * 3 boxes, with scale .35.
-        assert!((anchors[1083].width - 0.35).abs() < 1e-12 && anchors[1083].x == 0.05);
+        assert!((anchors[1083].width - 0.35).abs() < 1e-12 && (anchors[1083].x - 0.05).abs() < 1e-12);
     }
 
     #[test]

@@ -64,7 +64,7 @@ pub struct Subject {
 impl From<crate::detect::Detection> for Subject {
     fn from(found: crate::detect::Detection) -> Self {
         let crate::detect::Detection { label, score, x, y, width, height } = found;
-        Self { x, y, width, height, label: label.to_owned(), score }
+        Self { x, y, width, height, label, score }
     }
 }
 

@@ -31,7 +31,9 @@ pub(crate) fn install(project: &Project) -> Result<()> {
 pub(crate) fn clean_install(folder: &Path) -> Result<()> {
     // npm's progress and advice is noise here; its errors are not.
     tools::run(
-        Command::new(program()).args(["ci", "--no-audit", "--no-fund", "--loglevel=error"]).current_dir(folder),
+        Command::new(program())
+            .args(["ci", "--no-audit", "--no-fund", "--loglevel=error"])
+            .current_dir(folder),
     )
 }
 

@@ -64,7 +64,8 @@ impl<'a> Table<'a> {
     /// Where a field's value is; none where the file leaves it out.
     fn field(&self, field: usize) -> Result<Option<usize>> {
         let back = number(self.file, self.at, 4)? as i32;
-        let offsets = usize::try_from(self.at as i64 - i64::from(back)).context("an offset before the file")?;
+        let offsets =
+            usize::try_from(self.at as i64 - i64::from(back)).context("an offset before the file")?;
         let entry = 4 + 2 * field;
         if entry >= number(self.file, offsets, 2)? as usize {
             return Ok(None);

@@ -76,7 +76,9 @@ pub(crate) fn make(project: &Project) -> Result<()> {
         fs::create_dir_all(&folder)?;
         // Whoever interrupts the writing finds no half a model.
         let fresh = file.with_extension("fresh");
-        fs::write(&fresh, bytes).and_then(|()| fs::rename(&fresh, &file)).context("cannot write the model")?;
+        fs::write(&fresh, bytes)
+            .and_then(|()| fs::rename(&fresh, &file))
+            .context("cannot write the model")?;
     }
     Ok(())
 }

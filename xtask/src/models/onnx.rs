@@ -70,7 +70,12 @@ impl Graph {
     }
 
     /// An operator with one result; an input that is left out is an empty name.
-    pub(super) fn node(&mut self, operator: &str, inputs: &[&str], attributes: &[(&str, Attribute)]) -> String {
+    pub(super) fn node(
+        &mut self,
+        operator: &str,
+        inputs: &[&str],
+        attributes: &[(&str, Attribute)],
+    ) -> String {
         let name = self.fresh();
         self.add(operator, inputs, attributes, &name);
         name
@@ -139,7 +144,9 @@ impl Graph {
 
 fn tensor(name: &str, kind: i64, shape: &[i64], bytes: &[u8]) -> Message {
     let mut tensor = Message::default();
-    shape.iter().for_each(|side| tensor.integer(1, *side));
+    for side in shape {
+        tensor.integer(1, *side);
+    }
     tensor.integer(2, kind);
     tensor.text(8, name);
     tensor.bytes(9, bytes);

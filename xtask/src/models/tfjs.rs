@@ -162,7 +162,11 @@ impl<'a> Converter<'a> {
                     }
                 };
                 let mut open = self.sole(open, of)?;
-                if operator == "Mul" { open.scale(&constant.values)? } else { open.shift(&constant.values)? }
+                if operator == "Mul" {
+                    open.scale(&constant.values)?;
+                } else {
+                    open.shift(&constant.values)?;
+                }
                 Outcome::Open(open)
             }
             "FusedBatchNorm" => {
@@ -209,7 +213,11 @@ impl<'a> Converter<'a> {
                 let side = |s: &f32| if *s < 0.0 { count / known.max(1) } else { *s as usize };
                 let shape: Vec<usize> = shape.values.iter().map(side).collect();
                 // Boxes come as [1, n, 1, 4], which Squeeze would make [1, n, 4] at the end.
-                let shape = if shape.len() == 4 && shape[2] == 1 { vec![shape[0], shape[1], shape[3]] } else { shape };
+                let shape = if shape.len() == 4 && shape[2] == 1 {
+                    vec![shape[0], shape[1], shape[3]]
+                } else {
+                    shape
+                };
                 Outcome::Tensor(net::reshape(&mut self.graph, &from, shape)?)
             }
             "Squeeze" => {
@@ -222,7 +230,13 @@ impl<'a> Converter<'a> {
     }
 
     /// `order` brings the weights to ONNX's order.
-    fn convolution(&mut self, node: &'a Value, from: &'a str, weights: &'a str, order: [usize; 4]) -> Result<Outcome> {
+    fn convolution(
+        &mut self,
+        node: &'a Value,
+        from: &'a str,
+        weights: &'a str,
+        order: [usize; 4],
+    ) -> Result<Outcome> {
         let mut weights = net::transposed(&self.constant(weights)?, order)?;
         if order[0] == 2 {
             // Depthwise: channels in, times results of each; one channel a group.

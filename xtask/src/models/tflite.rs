@@ -1,4 +1,4 @@
-//! A TensorFlow Lite file to ONNX: nets of convolutions in floating point, as BlazeFace is one. Field numbers and
+//! A TensorFlow Lite file to ONNX: nets of convolutions in floating point, as `BlazeFace` is one. Field numbers and
 //! codes are those of TensorFlow's `schema.fbs`.
 
 use std::collections::HashMap;
@@ -201,7 +201,11 @@ impl<'a> Reader<'a> {
             1 => data.as_chunks::<2>().0.iter().map(|bytes| whole(u16::from_le_bytes(*bytes))).collect(),
             other => bail!("weights of type {other}"),
         };
-        ensure!(values.len() == shape.iter().product::<usize>(), "tensor {index} has {} values", values.len());
+        ensure!(
+            values.len() == shape.iter().product::<usize>(),
+            "tensor {index} has {} values",
+            values.len()
+        );
         Ok(Constant { values, shape })
     }
 

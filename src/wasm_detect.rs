@@ -1,0 +1,81 @@
+//! The web boundary of the detectors' module: with `wasm.rs` the only file that names `wasm_bindgen`. The two are never
+//! in one module, so that the first page does not wait for the nets' code.
+//!
+//! Boxes cross as JSON text, pixels as byte arrays. Every error is a JavaScript `Error` with a `code` beside its
+//! `message`.
+
+// Every function that returns a Result throws as the module's documentation says.
+#![allow(clippy::missing_errors_doc)]
+
+use crate::detect::{Detection, Detectors};
+use crate::error::{Error, Result};
+use crate::raster::{Image, Plane};
+use wasm_bindgen::prelude::*;
+
+#[wasm_bindgen(start)]
+fn start() {
+    console_error_panic_hook::set_once();
+}
+
+/// Both detectors, ready to run.
+#[wasm_bindgen]
+pub struct Detector {
+    nets: Detectors,
+}
+
+#[wasm_bindgen]
+impl Detector {
+    /// Reads the two nets.
+    #[wasm_bindgen(constructor)]
+    pub fn new(faces: &[u8], objects: &[u8]) -> std::result::Result<Self, JsValue> {
+        Ok(Self { nets: Detectors::new(faces, objects).map_err(thrown)? })
+    }
+
+    /// Faces and objects of a photo, given as its red, green and blue planes one after the other:
+    /// `{boxes: [{label, score, x, y, width, height}], closer}` in fractions of the photo.
+    pub fn look(&self, width: usize, height: usize, planes: &[u8]) -> std::result::Result<String, JsValue> {
+        let look = || json(&self.nets.look(&image(width, height, planes)?)?);
+        look().map_err(thrown)
+    }
+
+    /// Also the small faces; `boxes` are those of the first look, the answer is what to take in their place.
+    pub fn look_closer(
+        &self,
+        width: usize,
+        height: usize,
+        planes: &[u8],
+        boxes: &str,
+    ) -> std::result::Result<String, JsValue> {
+        let look = || {
+            let first: Vec<Detection> = serde_json::from_str(boxes).map_err(|error| internal(&error))?;
+            json(&self.nets.look_closer(&image(width, height, planes)?, first)?)
+        };
+        look().map_err(thrown)
+    }
+}
+
+fn image(width: usize, height: usize, planes: &[u8]) -> Result<Image> {
+    let count = width.saturating_mul(height);
+    let expected = count.saturating_mul(3);
+    if count == 0 || planes.len() != expected {
+        return Err(Error::BufferSize { width, height, expected, actual: planes.len() });
+    }
+    let plane = |i: usize| Plane::from_samples(width, height, planes[i * count..(i + 1) * count].to_vec());
+    Image::from_rgb([plane(0)?, plane(1)?, plane(2)?])
+}
+
+fn json(value: &impl serde::Serialize) -> Result<String> {
+    serde_json::to_string(value).map_err(|error| internal(&error))
+}
+
+fn internal(error: &serde_json::Error) -> Error {
+    Error::Detector(error.to_string())
+}
+
+#[allow(clippy::needless_pass_by_value)] // It is what map_err hands over.
+fn thrown(error: Error) -> JsValue {
+    let object = js_sys::Error::new(&error.to_string());
+    // Setting a property of a fresh object cannot fail.
+    let _ = js_sys::Reflect::set(&object, &"code".into(), &error.code().into());
+    object.into()
+}

@@ -1,0 +1,180 @@
+//! Detection on photos against ONNX Runtime and numpy; the values are made by `tests/oracles/detect.py`. And the
+//! command, as it is used.
+#![allow(clippy::unwrap_used, reason = "a test may stop at the first thing that is not as expected")]
+
+use std::collections::BTreeMap;
+use std::fs;
+use std::path::{Path, PathBuf};
+use std::process::Command;
+
+use inkpanel::detect::{Detection, Detectors};
+use inkpanel::raster::Image;
+use inkpanel::raster::decode::{Limits, decode};
+use serde_json::Value;
+
+fn root(path: &str) -> PathBuf {
+    Path::new(env!("CARGO_MANIFEST_DIR")).join(path)
+}
+
+/// The nets; none, with the reason printed, where they could not be made. `cargo xtask test` makes them first.
+fn detectors() -> Option<Detectors> {
+    let read = |name: &str| fs::read(root("www/models").join(name));
+    let (Ok(faces), Ok(objects)) = (read("faces.onnx"), read("objects.onnx")) else {
+        println!("skipped: no models in www/models, `cargo xtask models` makes them");
+        return None;
+    };
+    Some(Detectors::new(&faces, &objects).unwrap())
+}
+
+fn photo(file: &str) -> Image {
+    decode(&fs::read(root(file)).unwrap(), &Limits::default()).unwrap().image
+}
+
+/// COCO's numbers of the labels that the expected boxes have.
+fn numbers() -> BTreeMap<&'static str, u64> {
+    [
+        ("person", 1),
+        ("car", 3),
+        ("boat", 9),
+        ("traffic light", 10),
+        ("bench", 15),
+        ("bird", 16),
+        ("cat", 17),
+        ("dog", 18),
+        ("horse", 19),
+        ("sheep", 20),
+        ("cow", 21),
+        ("bear", 23),
+        ("giraffe", 25),
+        ("frisbee", 34),
+        ("cup", 47),
+        ("sandwich", 54),
+        ("cake", 61),
+        ("chair", 62),
+        ("dining table", 67),
+        ("toothbrush", 90),
+    ]
+    .into()
+}
+
+/// Left, top, right, bottom.
+fn corners(found: &Detection) -> [f64; 4] {
+    [found.x, found.y, found.x + found.width, found.y + found.height]
+}
+
+#[test]
+fn boxes_are_those_of_onnx_runtime() {
+    let Some(detectors) = detectors() else { return };
+    let rows: Vec<Value> =
+        serde_json::from_slice(&fs::read(root("tests/oracles/data/detect.json")).unwrap()).unwrap();
+    assert!(rows.len() >= 35, "{} photos", rows.len());
+    let numbers = numbers();
+    let mut compared = 0;
+    for row in rows {
+        let file = row["file"].as_str().unwrap();
+        let found = detectors.look(&photo(file)).unwrap().boxes;
+        let mut expected: Vec<&Vec<Value>> =
+            row["boxes"].as_array().unwrap().iter().map(|b| b.as_array().unwrap()).collect();
+        for found in &found {
+            let same = |other: &&Vec<Value>| {
+                let label = other[0].as_str() == Some(&found.label)
+                    || other[0].as_u64().is_some_and(|n| numbers.get(found.label.as_str()) == Some(&n));
+                // One of the net's 300 pixels along the longer side of the photo is more on the shorter one.
+                let near = |(a, b): (f64, &Value)| (a - b.as_f64().unwrap()).abs() <= 1.0 / 300.0;
+                label
+                    && (found.score - other[1].as_f64().unwrap()).abs() <= 0.01
+                    && corners(found).into_iter().zip(&other[2..]).all(near)
+            };
+            let at = expected.iter().position(same);
+            assert!(at.is_some(), "{file}: {found:?} is none of {expected:?}");
+            expected.remove(at.unwrap());
+            compared += 1;
+        }
+        assert!(expected.is_empty(), "{file}: {expected:?} was not found");
+    }
+    assert!(compared >= 40, "only {compared} boxes");
+}
+
+#[test]
+fn small_faces_of_a_large_photo_are_found_in_its_parts() {
+    let Some(detectors) = detectors() else { return };
+    // A face that fills 1/25 of a large picture, which is 8 of the net's 192 pixels.
+    let astronaut = photo("www/public/samples/19-astronaut.jpg");
+    let (width, height) = (2400, 2400);
+    let planes = astronaut.planes().iter().map(|plane| {
+        inkpanel::raster::Plane::from_fn(width, height, |x, y| {
+            let inside = (1500..2012).contains(&x) && (300..812).contains(&y);
+            if inside { plane.at(x - 1500, y - 300) } else { 128 }
+        })
+    });
+    let planes: [_; 3] = planes.collect::<Vec<_>>().try_into().unwrap();
+    let photo = Image::from_rgb(planes).unwrap();
+    let first = detectors.look(&photo).unwrap();
+    assert!(first.closer);
+    let faces = |boxes: &[Detection]| boxes.iter().filter(|b| b.label == "face").cloned().collect::<Vec<_>>();
+    let found = faces(&detectors.detect(&photo).unwrap());
+    assert_eq!(found.len(), 1, "{found:?}, at first {first:?}");
+    let [left, top, right, bottom] = corners(&found[0]).map(|side| side * 2400.0);
+    // The astronaut's face, as the whole picture alone gives it.
+    let expected =
+        [1500.0 + 0.339 * 512.0, 300.0 + 0.133 * 512.0, 1500.0 + 0.546 * 512.0, 300.0 + 0.34 * 512.0];
+    for (found, expected) in [left, top, right, bottom].iter().zip(expected) {
+        assert!((found - expected).abs() < 20.0, "{found} for {expected}");
+    }
+}
+
+#[test]
+fn any_picture_gives_boxes_inside_it() {
+    let Some(detectors) = detectors() else { return };
+    for (width, height) in [(1, 1), (1, 700), (700, 3), (67, 41)] {
+        let plane = inkpanel::raster::Plane::from_fn(width, height, |x, y| (x * 7 + y * 13) as u8);
+        let photo = Image::from_rgb([plane.clone(), plane.clone(), plane]).unwrap();
+        for found in detectors.detect(&photo).unwrap() {
+            assert!(corners(&found).iter().all(|side| (0.0..=1.0).contains(side)), "{found:?}");
+        }
+    }
+}
+
+#[test]
+fn another_file_is_no_net() {
+    let Some(_) = detectors() else { return };
+    let faces = fs::read(root("www/models/faces.onnx")).unwrap();
+    let cut = &faces[..faces.len() / 2];
+    for wrong in [&b"no net"[..], b"", cut] {
+        let error = Detectors::new(wrong, wrong).err().unwrap();
+        assert_eq!(error.code(), "detector", "{error}");
+    }
+}
+
+#[test]
+fn the_command_answers_in_pixels_and_passes_over_what_is_no_photo() {
+    if detectors().is_none() {
+        return;
+    }
+    let run = |arguments: &[&str]| {
+        Command::new(env!("CARGO_BIN_EXE_inkpanel"))
+            .args(arguments)
+            .current_dir(env!("CARGO_MANIFEST_DIR"))
+            .output()
+            .unwrap()
+    };
+    let answer = run(&["detect", "--json", "Cargo.toml", "www/public/samples/19-astronaut.jpg"]);
+    assert!(answer.status.success());
+    assert!(String::from_utf8_lossy(&answer.stderr).contains("Cargo.toml"));
+    let rows: Value = serde_json::from_slice(&answer.stdout).unwrap();
+    assert_eq!(rows.as_array().unwrap().len(), 1);
+    assert_eq!(rows[0]["file"], "www/public/samples/19-astronaut.jpg");
+    let face = &rows[0]["boxes"][0];
+    assert_eq!(face["label"], "face");
+    let number = |key: &str| face[key].as_f64().unwrap();
+    assert!(
+        (number("x") - 0.339 * 512.0).abs() < 3.0 && (number("width") - 0.207 * 512.0).abs() < 3.0,
+        "{face}"
+    );
+    assert!(number("score") > 0.9);
+    assert_eq!(run(&["detect", "--json", "Cargo.toml"]).status.code(), Some(1));
+    assert_eq!(run(&["detect"]).status.code(), Some(2));
+    let elsewhere = run(&["detect", "--models", "src", "www/public/samples/19-astronaut.jpg"]);
+    assert_eq!(elsewhere.status.code(), Some(1));
+    assert!(String::from_utf8_lossy(&elsewhere.stderr).contains("faces.onnx"));
+}
