@@ -8,6 +8,7 @@
 
 #[cfg(feature = "bench")]
 mod bench;
+mod frames;
 pub mod layouts;
 
 use crate::error::{Error, Result};
@@ -15,7 +16,7 @@ use crate::framing::Crop;
 use crate::layout::{self, PageSettings, Template};
 use crate::page::compose::{Sheet, compose, render_panel};
 use crate::page::document::{self, Document};
-use crate::page::import::import;
+use crate::page::import::{Imported, import};
 use crate::page::mask::PixelRect;
 use crate::page::{Scene, catalogue, png, shuffle};
 use crate::raster::decode::{Limits, decode};
@@ -135,6 +136,7 @@ pub struct Studio {
     photos: HashMap<String, Image>,
     context: Context<'static>,
     sheet: Option<(Sheet, u32)>,
+    file: Vec<u8>,
 }
 
 #[wasm_bindgen]
@@ -149,15 +151,7 @@ impl Studio {
     /// Decodes a file into `ID/work` and `ID/small`; gives the photo's facts as JSON.
     pub fn import_photo(&mut self, id: &str, bytes: &[u8]) -> std::result::Result<String, JsValue> {
         let photo = import(id, bytes, &Limits::default()).map_err(thrown)?;
-        let size = |image: &Image| json!({ "width": image.width(), "height": image.height() });
-        let mut facts = serde_json::to_value(&photo.meta).map_err(|error| internal(&error))?;
-        facts["format"] = json!(photo.format);
-        facts["work"] = size(&photo.work);
-        facts["small"] = size(&photo.small);
-        facts["measures"] = catalogue::measures(&photo.measures);
-        self.photos.insert(format!("{id}/work"), photo.work);
-        self.photos.insert(format!("{id}/small"), photo.small);
-        Ok(facts.to_string())
+        self.take_in(photo)
     }
 
     /// The red, green and blue planes of a photo, one after the other.
@@ -314,6 +308,19 @@ impl Studio {
     pub fn memory(&self) -> f64 {
         const PAGE: f64 = 65_536.0;
         core::arch::wasm32::memory_size::<0>() as f64 * PAGE
+    }
+
+    /// Keeps both copies of a photo that was read; gives its facts as JSON.
+    fn take_in(&mut self, photo: Imported) -> std::result::Result<String, JsValue> {
+        let size = |image: &Image| json!({ "width": image.width(), "height": image.height() });
+        let mut facts = serde_json::to_value(&photo.meta).map_err(|error| internal(&error))?;
+        facts["format"] = json!(photo.format);
+        facts["work"] = size(&photo.work);
+        facts["small"] = size(&photo.small);
+        facts["measures"] = catalogue::measures(&photo.measures);
+        self.photos.insert(format!("{}/work", photo.meta.id), photo.work);
+        self.photos.insert(format!("{}/small", photo.meta.id), photo.small);
+        Ok(facts.to_string())
     }
 
     fn photo(&self, key: &str) -> Result<&Image> {

@@ -3,6 +3,17 @@
  * Every word on the page, in one place. A translation is another object of this shape.
  */
 
+/**
+ * @param {number} seconds
+ * @returns {string} minutes and seconds, and hours where there are any: `1:02:03.4`
+ */
+function clock(seconds) {
+  const tenths = Math.round(seconds * 10);
+  const [hours, minutes, rest] = [Math.floor(tenths / 36_000), Math.floor(tenths / 600) % 60, (tenths % 600) / 10];
+  const two = (/** @type {number} */ value, digits = 0) => value.toFixed(digits).padStart(digits ? 4 : 2, '0');
+  return `${hours ? `${hours}:${two(minutes)}` : minutes}:${two(rest, 1)}`;
+}
+
 export const strings = {
   name: 'Inkpanel',
   title: (/** @type {string} */ page) => `${page} – Inkpanel`,
@@ -108,6 +119,18 @@ export const strings = {
   credit: ({ title, author, licence }) => `${title}, by ${author} (${licence})`,
   photoCount: (/** @type {number} */ used, /** @type {number} */ all) => (used === all ? `${all}` : `${used} of ${all}`),
   reading: (/** @type {number} */ done, /** @type {number} */ total) => `Reading photos, ${done} of ${total}`,
+  cancelReading: 'Stop reading',
+
+  // Videos
+  videos: 'Videos',
+  /** @param {string} name @param {number} seconds */
+  frameName: (name, seconds) => `${name}, ${clock(seconds)}`,
+  videoFrames: (/** @type {number} */ count) => (count === 1 ? '1 frame' : `${count} frames`),
+  clock,
+  trimStart: 'Start',
+  trimEnd: 'End',
+  frames: 'Frames',
+  takeFrames: 'Take these frames',
 
   // Page settings
   pageSettings: 'Page settings',
@@ -166,8 +189,7 @@ export const strings = {
     'worker-lost': 'reading it stopped the program twice, so it was left out.',
     'unreadable-file': 'the file was moved, changed or deleted since you chose it.',
   },
-  noVideo: 'videos cannot be read yet.',
-  noUsablePhoto: 'None of these files could be used. Choose JPEG, PNG, WebP, GIF, BMP or TIFF photos.',
+  noUsablePhoto: 'None of these files could be used. Choose JPEG, PNG, WebP, GIF, BMP or TIFF photos, or a video.',
   noSamples: 'The sample album could not be loaded. Check the connection and try again.',
   noPhotosInUse: 'No photo is in use. Tick one in Photos to get a page.',
   panelFailed: (/** @type {string} */ why) => `A panel could not be drawn: ${why}`,

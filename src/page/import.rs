@@ -1,10 +1,12 @@
 //! A file turned into what the page needs of a photo: two reduced copies and the facts that selection and
 //! framing work with.
 
+use super::png;
 use crate::error::Result;
 use crate::framing::{EnergyMap, PhotoMeta};
 use crate::raster::Image;
 use crate::raster::decode::{Limits, decode_fit};
+use crate::raster::orient::turned_clockwise;
 use crate::raster::resize::{Region, fit, resample_image};
 use crate::select::{Measures, measure};
 
@@ -15,6 +17,7 @@ pub const WORK_SIDE: usize = 1600;
 pub const SMALL_SIDE: usize = 400;
 
 /// A photo as it was read.
+#[derive(Debug, Clone)]
 pub struct Imported {
     /// Facts for selection and framing.
     pub meta: PhotoMeta,
@@ -34,24 +37,94 @@ pub struct Imported {
 /// `unknown-format`, `damaged`, `too-large`.
 pub fn import(id: &str, bytes: &[u8], limits: &Limits) -> Result<Imported> {
     let decoded = decode_fit(bytes, limits, WORK_SIDE)?;
-    let work = decoded.image;
+    let facts = Facts { size: (decoded.width, decoded.height), format: decoded.format, taken: decoded.taken };
+    Ok(described(id, decoded.image, facts))
+}
+
+/// A frame of a video as a decoder gives it.
+#[derive(Debug, Clone, Copy)]
+pub struct Frame<'a> {
+    /// Width and height in pixels, as they are stored.
+    pub size: (usize, usize),
+    /// Interleaved RGBA, `4 * width * height` bytes; alpha is not looked at.
+    pub rgba: &'a [u8],
+    /// Width and height in square pixels, before the turn.
+    pub square: (usize, usize),
+    /// Degrees that the frame is turned clockwise to stand upright: 0, 90, 180 or 270.
+    pub rotation: u32,
+}
+
+/// Turns a frame upright, reduces and measures it; also gives it as a PNG file of its full size, which stands for
+/// the original from then on.
+///
+/// # Errors
+/// `buffer-size` for pixels that do not fit the size, `too-large` beyond `limits`.
+pub fn import_frame(id: &str, frame: &Frame, limits: &Limits) -> Result<(Imported, Vec<u8>)> {
+    let (width, height) = frame.size;
+    limits.check(width as u32, height as u32, "Video")?;
+    let mut image = Image::from_rgba(width, height, frame.rgba, [255; 3])?;
+    if frame.square != frame.size {
+        limits.check(frame.square.0 as u32, frame.square.1 as u32, "Video")?;
+        image = resample_image(&image, Region::whole(width, height), frame.square.0, frame.square.1);
+    }
+    let image = turned_clockwise(image, frame.rotation)?;
+    let file = png::encode_rgb(image.width(), image.height(), &image.to_rgb(), 72)?;
+    let (width, height) = (image.width(), image.height());
+    let facts = Facts { size: (width as u32, height as u32), format: "Video", taken: None };
+    let work = if width.max(height) > WORK_SIDE { reduced(&image, WORK_SIDE) } else { image };
+    Ok((described(id, work, facts), file))
+}
+
+/// What the file says, besides its pixels.
+struct Facts {
+    size: (u32, u32),
+    format: &'static str,
+    taken: Option<String>,
+}
+
+fn described(id: &str, work: Image, facts: Facts) -> Imported {
     let small = reduced(&work, SMALL_SIDE);
     let measures = measure(&work);
     let meta = PhotoMeta {
         id: id.to_owned(),
-        width: decoded.width,
-        height: decoded.height,
+        width: facts.size.0,
+        height: facts.size.1,
         fingerprint: measures.fingerprint,
         sharpness: measures.gradient,
         energy: EnergyMap::of(&small),
-        taken: decoded.taken,
+        taken: facts.taken,
         subjects: Vec::new(),
         focus: None,
     };
-    Ok(Imported { meta, measures, format: decoded.format, work, small })
+    Imported { meta, measures, format: facts.format, work, small }
 }
 
 fn reduced(image: &Image, longest: usize) -> Image {
     let (width, height) = fit(image.width(), image.height(), longest);
     resample_image(image, Region::whole(image.width(), image.height()), width, height)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::raster::decode::decode;
+
+    #[test]
+    fn a_frame_is_stretched_turned_and_kept_as_a_file() {
+        // Red on the left, blue on the right, in pixels twice as wide as high.
+        let rgba: Vec<u8> =
+            (0..20 * 30).flat_map(|i| if i % 20 < 10 { [255, 0, 0, 0] } else { [0, 0, 255, 0] }).collect();
+        let opaque: Vec<u8> = rgba.chunks(4).flat_map(|p| [p[0], p[1], p[2], 255]).collect();
+        let frame = Frame { size: (20, 30), rgba: &opaque, square: (40, 30), rotation: 90 };
+        let (imported, file) = import_frame("f", &frame, &Limits::default()).unwrap();
+        assert_eq!((imported.meta.width, imported.meta.height), (30, 40));
+        let full = decode(&file, &Limits::default()).unwrap().image;
+        assert_eq!((full.width(), full.height()), (30, 40));
+        assert_eq!(full.planes()[0].at(15, 2), 255, "what was on the left is on top");
+        assert_eq!(full.planes()[2].at(15, 38), 255);
+        let wrong = Frame { rgba: &opaque[4..], ..frame };
+        assert_eq!(import_frame("f", &wrong, &Limits::default()).unwrap_err().code(), "buffer-size");
+        let huge = Frame { square: (100_000, 30), ..frame };
+        assert_eq!(import_frame("f", &huge, &Limits::default()).unwrap_err().code(), "too-large");
+    }
 }

@@ -33,6 +33,16 @@ impl Default for Limits {
     }
 }
 
+impl Limits {
+    /// Checks announced sides before memory is taken for them; `name` is that of the format.
+    ///
+    /// # Errors
+    /// `damaged` for a side of 0, `too-large` for a side or an area beyond the limits.
+    pub fn check(&self, width: u32, height: u32, name: &'static str) -> Result<()> {
+        check_size(width, height, name, self)
+    }
+}
+
 /// A decoded photo.
 #[derive(Clone, Debug)]
 pub struct Decoded {

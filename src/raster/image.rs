@@ -152,6 +152,18 @@ impl Image {
         let _ = self.write_rgba(&mut out);
         out
     }
+
+    /// Interleaved RGB.
+    #[must_use]
+    pub fn to_rgb(&self) -> Vec<u8> {
+        let plane = |i: usize| self.planes[i.min(self.planes.len() - 1)].samples();
+        let mut out = vec![0; self.width() * self.height() * 3];
+        let samples = plane(0).iter().zip(plane(1)).zip(plane(2));
+        for (pixel, ((&r, &g), &b)) in out.chunks_exact_mut(3).zip(samples) {
+            pixel.copy_from_slice(&[r, g, b]);
+        }
+        out
+    }
 }
 
 #[cfg(test)]
@@ -163,6 +175,8 @@ mod tests {
         let rgba: Vec<u8> = (0..5 * 3 * 4).map(|i| if i % 4 == 3 { 255 } else { (i * 7) as u8 }).collect();
         let image = Image::from_rgba(5, 3, &rgba, [255; 3]).unwrap();
         assert_eq!(image.to_rgba(), rgba);
+        let rgb: Vec<u8> = rgba.chunks(4).flat_map(|pixel| pixel[..3].to_vec()).collect();
+        assert_eq!(image.to_rgb(), rgb);
     }
 
     #[test]

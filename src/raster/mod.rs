@@ -6,7 +6,7 @@ pub mod decode;
 mod exif;
 pub mod image;
 mod jpeg;
-mod orient;
+pub mod orient;
 pub mod plane;
 pub mod resize;
 mod separable;

@@ -1,4 +1,4 @@
-//! Turns and mirrors of EXIF: from the way the sensor saw it to the way a person sees it.
+//! Turns and mirrors of EXIF and of videos: from the way the sensor saw it to the way a person sees it.
 
 use super::{Image, Plane};
 use crate::error::Result;
@@ -14,6 +14,20 @@ pub(super) fn upright(image: Image, orientation: u8) -> Result<Image> {
         [r, g, b] => Image::from_rgb([turned(r), turned(g), turned(b)]),
         planes => Ok(Image::from_luma(turned(&planes[0]))),
     }
+}
+
+/// Turns an image clockwise by `degrees`: 90, 180 or 270; anything else leaves it.
+///
+/// # Errors
+/// None that an image with planes of one size can cause.
+pub fn turned_clockwise(image: Image, degrees: u32) -> Result<Image> {
+    let orientation = match degrees {
+        90 => 6,
+        180 => 3,
+        270 => 8,
+        _ => 1,
+    };
+    upright(image, orientation)
 }
 
 /// True when the turn swaps width and height.
@@ -63,6 +77,17 @@ fn transposed(plane: &Plane) -> Plane {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn a_quarter_turn_brings_the_left_column_to_the_top() {
+        let image = Image::from_luma(Plane::from_fn(2, 3, |x, y| (10 * y + x) as u8));
+        let samples =
+            |degrees| turned_clockwise(image.clone(), degrees).unwrap().planes()[0].samples().to_vec();
+        assert_eq!(samples(0), [0, 1, 10, 11, 20, 21]);
+        assert_eq!(samples(90), [20, 10, 0, 21, 11, 1]);
+        assert_eq!(samples(180), [21, 20, 11, 10, 1, 0]);
+        assert_eq!(samples(270), [1, 11, 21, 0, 10, 20]);
+    }
 
     #[test]
     fn the_eight_orientations_put_the_corners_where_exif_says() {

@@ -11,6 +11,7 @@ import { createPool } from './pool.js';
 import { failure } from './protocol.js';
 import { Priority } from './queue.js';
 import { createRenders, nameOf } from './renders.js';
+import { readVideo } from './video.js';
 
 /** @typedef {import('./documents.js').PageDocument} PageDocument */
 /** @typedef {{ signal?: AbortSignal, priority?: number, key?: string }} Call */
@@ -56,6 +57,7 @@ export function createEngine({ workers = navigator.hardwareConcurrency || 2 } = 
     detect,
     dispose,
     importPhoto,
+    importVideo,
     forgetPhoto: photos.forget,
     hasPhoto: photos.has,
     renderPanel: renders.renderPanel,
@@ -142,6 +144,30 @@ export function createEngine({ workers = navigator.hardwareConcurrency || 2 } = 
     const { meta, work, small } = await run({ ...job, priority: Priority.PAGE, ...call });
     photos.add(id, { name, file, work, small });
     return meta;
+  }
+
+  /**
+   * Takes frames out of a video; each becomes a photo, kept under the id given for its place.
+   * @param {Blob} file
+   * @param {{
+   *   ids: string[], start?: number, end?: number, signal?: AbortSignal,
+   *   onAbout?: (about: { duration: number }) => void,
+   *   onPhoto: (id: string, meta: import('./protocol.js').Imported['meta'], time: number) => void,
+   * }} wish one frame an id, between `start` and `end` in seconds; `time` is where in the video the frame is
+   */
+  async function importVideo(file, { ids, start, end, signal, onAbout = () => {}, onPhoto }) {
+    await ready;
+    const name = nameOf(file, 'video');
+    await readVideo(file, { count: ids.length, start, end }, { signal, onAbout, onFrame });
+
+    /** @param {import('./video.js').Frame} frame */
+    async function onFrame({ index, time, ...frame }) {
+      const id = ids[index];
+      const job = { op: 'importFrame', args: { id, frame }, transfer: [frame.data.buffer], photo: name, holds: [`${id}/work`, `${id}/small`] };
+      const { meta, work, small, file: still } = await run({ ...job, priority: Priority.PAGE, signal });
+      photos.add(id, { name, file: still, work, small });
+      onPhoto(id, meta, time);
+    }
   }
 
   function dispose() {

@@ -21,12 +21,22 @@ const MOST_BYTES = 512 * 2 ** 20;
  * @returns {Record<string, (args: any) => Promise<Answer>>}
  */
 export function createOperations(studio, held) {
-  return { import: importPhoto, panel, page, compose, stylePhoto, stylize, fullPanels, encode };
+  return { import: importPhoto, importFrame, panel, page, compose, stylePhoto, stylize, fullPanels, encode };
 
   /** @param {Operations['import']['args']} args */
   async function importPhoto({ id, file }) {
     const { work, small, ...meta } = JSON.parse(studio.import_photo(id, await bytesOf(file)));
     const ok = { meta, work: keep(`${id}/work`, work), small: keep(`${id}/small`, small) };
+    evict([]);
+    return { ok, transfer: [] };
+  }
+
+  /** @param {Operations['importFrame']['args']} args */
+  async function importFrame({ id, frame: { width, height, data, squareWidth, squareHeight, rotation } }) {
+    const { work, small, ...meta } = JSON.parse(studio.import_frame(id, width, height, data, squareWidth, squareHeight, rotation));
+    const png = /** @type {Uint8Array<ArrayBuffer>} */ (studio.take_file());
+    const file = new Blob([png], { type: 'image/png' });
+    const ok = { meta, work: keep(`${id}/work`, work), small: keep(`${id}/small`, small), file };
     evict([]);
     return { ok, transfer: [] };
   }

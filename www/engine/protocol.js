@@ -25,6 +25,7 @@
  * @typedef {{
  *   start: { args: { module: WebAssembly.Module, budget: number }, ok: null },
  *   import: { args: { id: string, file: Blob }, ok: Imported },
+ *   importFrame: { args: { id: string, frame: Omit<import('./video.js').Frame, 'index' | 'time'> }, ok: Imported & { file: Blob } },
  *   panel: { args: { document: string, index: number, width: number, tier: Tier, photos: PhotoHandle[] }, ok: BitmapPatch },
  *   page: { args: { document: string, width: number, tier: Tier, photos: PhotoHandle[] }, ok: BitmapPatch },
  *   compose: { args: { document: string, width: number, tier: Tier, photos: PhotoHandle[] }, ok: PixelPatch },

@@ -6,11 +6,21 @@
 /** @typedef {import('../engine/protocol.js').PhotoMeta} PhotoMeta */
 
 /**
- * `meta` and `measures` are null until the photo was read; `credit` names the author of a sample.
+ * `meta` and `measures` are null until the photo was read; `credit` names the author of a sample; a frame of a video
+ * knows the video's key and its time in seconds.
  * @typedef {{
  *   id: string, name: string, credit?: string, meta: PhotoMeta | null, measures: Record<string, number | string> | null,
+ *   video?: string, time?: number,
  * }} Fact
  * @typedef {ReadonlyMap<string, Fact>} Album
+ */
+
+/**
+ * A video whose frames are photos: `ids`, taken between `start` and `end`. Seconds; `duration` and `end` are null
+ * until the file was opened.
+ * @typedef {{
+ *   key: string, name: string, file: File, ids: readonly string[], duration: number | null, start: number, end: number | null,
+ * }} Video
  */
 
 /**

@@ -28,6 +28,7 @@
  * @typedef {(
  *   | { type: 'add-photos', ids: string[] }
  *   | { type: 'remove-photo', id: string }
+ *   | { type: 'remove-photos', ids: readonly string[] }
  *   | { type: 'forget-photos', ids: string[] }
  *   | { type: 'use-photo', id: string, use: boolean }
  *   | { type: 'lock', part: Part, on: boolean }
@@ -77,6 +78,7 @@ export function reduce(project, action) {
     }
     case 'remove-photo':
       return without(project, [action.id]);
+    case 'remove-photos':
     case 'forget-photos':
       return without(project, action.ids);
     case 'use-photo':
@@ -104,7 +106,7 @@ export function reduce(project, action) {
 
 /**
  * @param {Project} project
- * @param {string[]} ids
+ * @param {readonly string[]} ids
  * @returns {Project}
  */
 function without(project, ids) {

@@ -4,17 +4,19 @@
  * jumps. A file that cannot be read is named, and the rest go on.
  */
 
-import { failure } from '../engine/protocol.js';
-import { Priority } from '../engine/queue.js';
+import { isVideo } from '../engine/video.js';
 import { strings } from '../strings.js';
 import { byName } from './album.js';
+import { createFrames } from './frames.js';
+import { createIntake } from './intake.js';
+import { fetchSamples } from './samples.js';
 
 /** @typedef {import('./store.js').Store} Store */
 /** @typedef {import('./pages.js').Pages} Pages */
 /** @typedef {import('./messages.js').Messages} Messages */
-/** @typedef {import('./album.js').Fact} Fact */
-/** @typedef {{ file: string, title: string, author: string, licence: string }} Sample */
-/** @typedef {Pick<import('../engine/engine.js').Engine, 'importPhoto' | 'forgetPhoto' | 'ready'>} Engine */
+/** @typedef {import('./album.js').Video} Video */
+/** @typedef {{ file: File, ids: readonly string[], video: Video | null }} Source a file, and the photos that it becomes */
+/** @typedef {Pick<import('../engine/engine.js').Engine, 'importPhoto' | 'importVideo' | 'forgetPhoto' | 'ready'>} Engine */
 /** @typedef {ReturnType<typeof createReading>} Reading */
 
 /** The first page shows this many photos at most: large enough to be looked at. */
@@ -24,14 +26,19 @@ const FIRST_PANELS = 6;
  * @param {{ store: Store, pages: Pages, engine: Engine, messages: Messages }} app
  */
 export function createReading({ store, pages, engine, messages }) {
-  let lastId = 0;
   let clicks = 0;
   /** The photos of the last plan, to see whether another is due. */
   let planned = '';
   /** The step of the undo that the photos being read belong to; none for the first, which cannot be undone. */
   let gesture = /** @type {string | null} */ (null);
 
-  return { addFiles, addSamples, use, remove };
+  /** Stops what is being read. @type {AbortController | null} */
+  let stop = null;
+
+  const intake = createIntake({ store, pages, engine, messages });
+  const frames = createFrames({ store, engine, intake });
+
+  return { addFiles, addSamples, resample, cancel, use, remove };
 
   /**
    * @param {readonly File[]} given
@@ -46,12 +53,9 @@ export function createReading({ store, pages, engine, messages }) {
       return;
     }
     const first = store.tray.peek().length === 0;
-    const fresh = byName(given).map((file) => ({ id: `p${(lastId += 1)}`, file }));
-    for (const { id, file } of fresh) {
-      store.know({ id, name: file.name, credit: credits?.get(file.name), meta: null, measures: null });
-    }
-    count(0, fresh.length);
-    const ids = fresh.map(({ id }) => id);
+    const sources = byName(given).map((file) => sourceOf(file, credits?.get(file.name)));
+    const ids = sources.flatMap((source) => source.ids);
+    intake.count(0, ids.length);
     if (first) {
       gesture = null;
       store.change({ type: 'add-photos', ids, silent: true });
@@ -60,44 +64,59 @@ export function createReading({ store, pages, engine, messages }) {
       pages.show(pages.plan({ keep: { layout: false, style: false, photos: false }, panels }), { silent: true });
     } else {
       // A page that is there stays as it is until the new photos are known to be any good.
-      gesture ??= `add-${lastId}`;
+      gesture ??= `add-${ids[0]}`;
       store.change({ type: 'add-photos', ids, gesture });
     }
-    await Promise.all(fresh.map((entry) => read(entry)));
-    if (!store.reading.peek()) settle();
-  }
-
-  /** @param {{ id: string, file: File }} entry */
-  async function read({ id, file }) {
-    try {
-      if (file.type.startsWith('video/')) throw failure('video', strings.noVideo);
-      const visible = store.page.peek()?.panels.some((panel) => panel.photo === id);
-      const meta = await engine.importPhoto(id, file, { priority: visible ? Priority.PAGE : Priority.REST });
-      store.know({ .../** @type {Fact} */ (store.album.peek().get(id)), meta, measures: meta.measures });
-      if (store.page.peek()?.panels.some((panel) => panel.photo === id)) pages.refine();
-    } catch (error) {
-      const { code, message } = /** @type {{ code: string, message: string }} */ (error);
-      messages.alert(strings.fileFailed(file.name, strings.reasons[code] ?? message));
-      store.change({ type: 'forget-photos', ids: [id] });
-    } finally {
-      count(1, 0);
-    }
+    await readAll(sources);
   }
 
   /**
-   * @param {number} done
-   * @param {number} more
+   * @param {File} file
+   * @param {string | undefined} credit
+   * @returns {Source}
    */
-  function count(done, more) {
-    const { done: before, total } = store.reading.peek() ?? { done: 0, total: 0 };
-    const progress = { done: before + done, total: total + more };
-    store.reading.value = progress.done < progress.total ? progress : null;
+  function sourceOf(file, credit) {
+    const video = isVideo(file) ? frames.open(file) : null;
+    const ids = video ? video.ids : intake.freshIds(1);
+    for (const id of ids) store.know({ id, name: file.name, credit, meta: null, measures: null });
+    return { file, ids, video };
+  }
+
+  /** @param {Source[]} sources */
+  async function readAll(sources) {
+    const signal = stopSignal();
+    await Promise.all(sources.map((source) => (source.video ? frames.read(source.video, signal) : intake.readPhoto(source.ids[0], source.file, signal))));
+    if (!store.reading.peek()) settle();
+  }
+
+  /**
+   * Takes other frames of a video in place of those that are there, as one step.
+   * @param {string} key
+   * @param {{ start: number, end: number, frames: number }} wish seconds, and how many
+   */
+  async function resample(key, wish) {
+    if (store.reading.peek()) return;
+    clicks += 1;
+    gesture = `video-${clicks}`;
+    await frames.resample(key, wish, { gesture, signal: stopSignal() });
+    if (!store.reading.peek()) settle();
+  }
+
+  function stopSignal() {
+    stop ??= new AbortController();
+    return stop.signal;
+  }
+
+  /** Stops reading; what was read stays. */
+  function cancel() {
+    stop?.abort();
   }
 
   /** All are read: duplicates are set aside and the order of time is known, which may ask for another page. */
   function settle() {
     const step = gesture;
     gesture = null;
+    stop = null;
     if (store.photos.peek().length === 0) {
       store.change({ type: 'no-page', silent: true });
       messages.alert(strings.noUsablePhoto);
@@ -118,19 +137,10 @@ export function createReading({ store, pages, engine, messages }) {
   async function addSamples() {
     if (store.fetching.peek()) return;
     store.fetching.value = true;
-    try {
-      const base = new URL('./samples/', document.baseURI);
-      /** @type {Sample[]} */
-      const index = await (await fetchOk(new URL('index.json', base))).json();
-      const files = index.map(async ({ file }) => new File([await (await fetchOk(new URL(file, base))).blob()], file));
-      const credits = index.map((sample) => /** @type {[string, string]} */ ([sample.file, strings.credit(sample)]));
-      const album = await Promise.all(files);
-      store.fetching.value = false;
-      await addFiles(album, new Map(credits));
-    } catch {
-      store.fetching.value = false;
-      messages.alert(strings.noSamples);
-    }
+    const album = await fetchSamples().catch(() => null);
+    store.fetching.value = false;
+    if (album) await addFiles(album.files, album.credits);
+    else messages.alert(strings.noSamples);
   }
 
   /**
@@ -160,11 +170,4 @@ export function createReading({ store, pages, engine, messages }) {
     if (page) pages.show(page, step);
     else store.change({ type: 'no-page', ...step });
   }
-}
-
-/** @param {URL} address */
-async function fetchOk(address) {
-  const response = await fetch(address);
-  if (!response.ok) throw new Error(`${address.pathname}: ${response.status}`);
-  return response;
 }

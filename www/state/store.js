@@ -29,6 +29,9 @@ export function createStore() {
   /** The photos being read; null when all are. @type {import('@preact/signals').Signal<Progress | null>} */
   const reading = signal(null);
 
+  /** The videos that photos in the tray were taken from. @type {import('@preact/signals').Signal<ReadonlyMap<string, import('./album.js').Video>>} */
+  const videos = signal(new Map());
+
   /** Whether the sample album is on its way. */
   const fetching = signal(false);
 
@@ -80,6 +83,7 @@ export function createStore() {
   return {
     history,
     album,
+    videos,
     planner,
     reading,
     fetching,

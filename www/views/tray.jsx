@@ -10,6 +10,7 @@ import { IconButton } from './button.jsx';
 import { useApp } from './context.js';
 import { openFiles } from './file-input.jsx';
 import { Icon } from './icon.jsx';
+import { Videos } from './videos.jsx';
 
 /** @typedef {import('../state/project.js').TrayItem} TrayItem */
 
@@ -32,6 +33,7 @@ export function Tray() {
         <IconButton icon="add" label={strings.addPhotos} onClick={openFiles} />
       </header>
       {reading && <Reading done={reading.done} total={reading.total} />}
+      <Videos />
       <ul class="photos">{kept.map((item) => <Photo key={item.id} item={item} used />)}</ul>
       {aside.length > 0 && <h3 class="aside-head">{strings.setAside}</h3>}
       {aside.length > 0 && <ul class="photos">{aside.map((item) => <Photo key={item.id} item={item} used={false} />)}</ul>}
@@ -41,8 +43,14 @@ export function Tray() {
 
 /** @param {import('../state/store.js').Progress} props */
 function Reading({ done, total }) {
+  const { reading } = useApp();
   const label = strings.reading(done, total);
-  return <progress class="progress" aria-label={label} title={label} value={done} max={total} />;
+  return (
+    <div class="reading">
+      <progress class="progress" aria-label={label} title={label} value={done} max={total} />
+      <IconButton icon="close" label={strings.cancelReading} onClick={reading.cancel} />
+    </div>
+  );
 }
 
 /** @param {{ item: TrayItem, used: boolean }} props */

@@ -1,0 +1,87 @@
+// @ts-check
+import { readFile } from 'node:fs/promises';
+import { add, contents, expect, idle, photos, press, test } from './support.js';
+
+/** @typedef {import('./support.js').Page} Page */
+
+const VIDEOS = new URL('../../videos/', import.meta.url);
+
+/** @param {string} name @param {string} mimeType */
+async function video(name, mimeType) {
+  return { name, mimeType, buffer: await readFile(new URL(name, VIDEOS)) };
+}
+
+/** @param {Page} page */
+const frames = (page) => page.getByRole('checkbox', { name: /^Use album/ });
+
+/** Seconds into the film, of the frames in the tray in their order. @param {Page} page */
+async function times(page) {
+  const names = await frames(page).evaluateAll((boxes) => boxes.map((box) => box.getAttribute('aria-label') ?? ''));
+  return names.map((name) => {
+    const [, minutes, seconds] = /(\d+):([\d.]+)$/.exec(name) ?? [];
+    return Number(minutes) * 60 + Number(seconds);
+  });
+}
+
+for (const [name, type] of [['album.mp4', 'video/mp4'], ['album.webm', 'video/webm']]) {
+  test(`the frames of ${name} become a page`, async ({ page }) => {
+    await page.goto('./');
+    await add(page, [await video(name, type)]);
+    await expect(page.getByRole('region', { name: 'Storyboard page' })).toBeVisible();
+    await idle(page);
+    await expect(frames(page)).toHaveCount(24);
+    expect((await times(page)).every((time) => time > 0 && time < 6)).toBe(true);
+    const shown = new Set((await contents(page)).photos);
+    expect(shown.size).toBeGreaterThan(2);
+    await press(page, 'Shuffle');
+  });
+}
+
+test('a film lies on the table beside photos, and frames that look alike are set aside', async ({ page }) => {
+  await page.goto('./');
+  await add(page, [await video('album.mp4', 'video/mp4'), ...(await photos('pagoda.jpg'))]);
+  await expect(page.getByRole('region', { name: 'Storyboard page' })).toBeVisible();
+  await idle(page);
+  await expect(page.getByRole('checkbox', { name: 'Use pagoda.jpg' })).toBeChecked();
+  const used = await frames(page).evaluateAll((boxes) => boxes.filter((box) => /** @type {HTMLInputElement} */ (box).checked).length);
+  // Six scenes of a second each, four frames of each.
+  expect(used).toBeGreaterThanOrEqual(6);
+  expect(used).toBeLessThan(24);
+});
+
+test('other frames are taken of a stretch of the film, and one undo brings the old ones back', async ({ page }) => {
+  await page.goto('./');
+  await add(page, [await video('album.mp4', 'video/mp4')]);
+  await expect(page.getByRole('region', { name: 'Storyboard page' })).toBeVisible();
+  await idle(page);
+  await page.getByText('24 frames').click();
+  await page.getByRole('slider', { name: 'Start' }).fill('2');
+  await page.getByRole('slider', { name: 'End' }).fill('4');
+  await page.getByRole('spinbutton', { name: 'Frames' }).fill('8');
+  await page.getByRole('button', { name: 'Take these frames' }).click();
+  await expect(frames(page)).toHaveCount(8);
+  await idle(page);
+  expect((await times(page)).every((time) => time >= 2 && time <= 4)).toBe(true);
+  await press(page, 'Undo');
+  await expect(frames(page)).toHaveCount(24);
+});
+
+test('a film that was recorded on its side stands upright', async ({ page }) => {
+  await page.goto('./');
+  await add(page, [await video('turned.mov', 'video/quicktime')]);
+  await expect(page.getByRole('region', { name: 'Storyboard page' })).toBeVisible();
+  await idle(page);
+  const [download] = await Promise.all([page.waitForEvent('download'), page.getByRole('button', { name: 'Download PNG' }).click()]);
+  expect(await download.path()).toBeTruthy();
+});
+
+test('a file that is no film is named with the reason', async ({ page }) => {
+  await page.goto('./');
+  await add(page, [
+    { name: 'broken.mp4', mimeType: 'video/mp4', buffer: Buffer.from('this is not a film') },
+    ...(await photos('bee.jpg', 'cat.jpg')),
+  ]);
+  await expect(page.getByRole('alert').getByText(/broken\.mp4: .{8,}/)).toBeVisible();
+  await idle(page);
+  await expect(page.getByRole('checkbox', { name: /^Use broken/ })).toHaveCount(0);
+});

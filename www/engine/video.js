@@ -1,0 +1,71 @@
+// @ts-check
+/**
+ * Frames of a video, one after the other: by WebCodecs in a worker, or, where the browser lacks it or the codec, by a
+ * hidden `<video>` that is wound to each of the times.
+ */
+
+import { cancelled, failure } from './protocol.js';
+import { readByElement } from './video-element.js';
+
+/**
+ * `count` frames between `start` and `end`, in seconds; the whole video unless told.
+ * @typedef {{ count: number, start?: number, end?: number }} Wish
+ * @typedef {{
+ *   index: number, time: number, width: number, height: number, squareWidth: number, squareHeight: number,
+ *   rotation: number, data: Uint8Array<ArrayBuffer>,
+ * }} Frame RGBA of `width` x `height` pixels, to be stretched to the square size and turned clockwise by `rotation`
+ * @typedef {{
+ *   signal?: AbortSignal, onAbout: (about: { duration: number }) => void, onFrame: (frame: Frame) => Promise<void>,
+ * }} Listener the next frame is asked for when the promise of `onFrame` settles
+ */
+
+/** @param {Blob & { name?: string }} file @returns {boolean} */
+export function isVideo(file) {
+  return file.type.startsWith('video/') || /\.(mp4|m4v|mov|webm|mkv)$/i.test(file.name ?? '');
+}
+
+/**
+ * @param {Blob} file
+ * @param {Wish} wish
+ * @param {Listener} listener
+ * @returns {Promise<void>} when all frames were dealt with
+ */
+export async function readVideo(file, wish, listener) {
+  try {
+    await readByWorker(file, wish, listener);
+  } catch (error) {
+    if (/** @type {{ code?: string }} */ (error).code !== 'video-decoder') throw error;
+    await readByElement(file, wish, listener, /** @type {Error} */ (error).message);
+  }
+}
+
+/**
+ * @param {Blob} file
+ * @param {Wish} wish
+ * @param {Listener} listener
+ * @returns {Promise<void>}
+ */
+function readByWorker(file, wish, { signal, onAbout, onFrame }) {
+  if (signal?.aborted) return Promise.reject(cancelled());
+  const worker = new Worker(new URL('./video-worker.js', import.meta.url), { type: 'module', name: 'inkpanel-video' });
+  /** @type {Promise<void>[]} */
+  const busy = [];
+  const read = new Promise((/** @type {(value?: any) => void} */ resolve, reject) => {
+    signal?.addEventListener('abort', () => reject(cancelled()), { once: true });
+    worker.onerror = (event) => {
+      event.preventDefault();
+      reject(failure('video-worker', 'The video reader stopped.'));
+    };
+    worker.onmessage = ({ data: { about, frame, done, error } }) => {
+      if (about) onAbout(about);
+      if (error) reject(failure(error.code, error.message));
+      if (done) Promise.all(busy).then(() => resolve(), reject);
+      if (!frame) return;
+      const dealt = onFrame(frame);
+      busy.push(dealt);
+      dealt.then(() => worker.postMessage({ next: true }), reject);
+    };
+    worker.postMessage({ file, ...wish });
+  });
+  return read.finally(() => worker.terminate());
+}

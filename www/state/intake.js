@@ -1,0 +1,81 @@
+// @ts-check
+/**
+ * What becomes of a file: a photo of the album with its facts, or a message with the reason, and the count of both.
+ */
+
+import { Priority } from '../engine/queue.js';
+import { strings } from '../strings.js';
+
+/** @typedef {import('./album.js').Fact} Fact */
+/** @typedef {ReturnType<typeof createIntake>} Intake */
+
+/**
+ * @param {{
+ *   store: import('./store.js').Store, pages: Pick<import('./pages.js').Pages, 'refine'>,
+ *   engine: Pick<import('../engine/engine.js').Engine, 'importPhoto'>, messages: Pick<import('./messages.js').Messages, 'alert'>,
+ * }} app
+ */
+export function createIntake({ store, pages, engine, messages }) {
+  let lastId = 0;
+
+  return { freshIds, readPhoto, arrived, failed, leaveOut, count };
+
+  /** @param {number} many @returns {string[]} */
+  function freshIds(many) {
+    return Array.from({ length: many }, () => `p${(lastId += 1)}`);
+  }
+
+  /**
+   * @param {string} id
+   * @param {File} file
+   * @param {AbortSignal} signal
+   */
+  async function readPhoto(id, file, signal) {
+    try {
+      const visible = store.page.peek()?.panels.some((panel) => panel.photo === id);
+      arrived(id, await engine.importPhoto(id, file, { priority: visible ? Priority.PAGE : Priority.REST, signal }));
+    } catch (error) {
+      failed(file, error);
+    } finally {
+      leaveOut([id]);
+      count(1, 0);
+    }
+  }
+
+  /**
+   * @param {string} id
+   * @param {import('../engine/protocol.js').Imported['meta']} meta
+   * @param {Partial<Fact>} [more]
+   */
+  function arrived(id, meta, more) {
+    store.know({ .../** @type {Fact} */ (store.album.peek().get(id)), meta, measures: meta.measures, ...more });
+    if (store.page.peek()?.panels.some((panel) => panel.photo === id)) pages.refine();
+  }
+
+  /** @param {File} file @param {unknown} error */
+  function failed(file, error) {
+    const { code, message } = /** @type {{ code: string, message: string }} */ (error);
+    if (code !== 'cancelled') messages.alert(strings.fileFailed(file.name, strings.reasons[code] ?? message));
+  }
+
+  /**
+   * Forgets those of some photos that did not come.
+   * @param {readonly string[]} ids
+   * @returns {string[]} the others
+   */
+  function leaveOut(ids) {
+    const missing = ids.filter((id) => !store.album.peek().get(id)?.meta);
+    if (missing.length > 0) store.change({ type: 'forget-photos', ids: missing });
+    return ids.filter((id) => !missing.includes(id));
+  }
+
+  /**
+   * @param {number} done
+   * @param {number} more
+   */
+  function count(done, more) {
+    const { done: before, total } = store.reading.peek() ?? { done: 0, total: 0 };
+    const progress = { done: before + done, total: total + more };
+    store.reading.value = progress.done < progress.total ? progress : null;
+  }
+}
