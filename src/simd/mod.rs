@@ -11,7 +11,9 @@
 //! | [`fine`] | planes of 1/64 grey steps, in which blurs keep their precision |
 //! | [`fir`] | symmetric convolutions of rows and columns of fine planes |
 //! | [`gaussian`] | Gaussian smoothing at a cost that does not grow with sigma |
+//! | [`blade`] | 7 x 7 filters that change from place to place |
 
+pub mod blade;
 pub mod fine;
 pub mod fir;
 pub mod gaussian;

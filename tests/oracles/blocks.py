@@ -4,7 +4,8 @@
     python3 tests/oracles/blocks.py        (numpy, pillow, scipy, scikit-image, opencv-contrib-python-headless)
 
 Writes tests/oracles/data/blocks/: the photo and its luma, one PNG a block with its cases one below the other, and
-blocks.json, which names each case's block, parameters and rows. tests/blocks.rs compares, with the tolerance and its
+blocks.json, which names each case's block, parameters and rows; similarity.json has one value for tests/preview.rs.
+tests/blocks.rs compares, with the tolerance and its
 reason beside each block. Parameters in pixels are pixels of these files: the test sets the scale to 1.
 """
 
@@ -17,6 +18,7 @@ from etf import reference as etf
 from PIL import Image
 from scipy.ndimage import gaussian_filter
 from scipy.optimize import brentq
+from skimage.metrics import structural_similarity
 from skimage.restoration import denoise_tv_chambolle
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
@@ -246,6 +248,8 @@ def main():
         pad = [[(0, 0), (0, width - part.shape[1]), (0, 0)][: part.ndim] for part in parts]
         sheet = np.concatenate([np.pad(part, p) for part, p in zip(parts, pad)])
         Image.fromarray(sheet).save(OUT / f"{name}.png", optimize=True)
+    similarity = structural_similarity(sources[LUMA].astype(np.uint8), sheets["etf"][0], data_range=255)
+    (OUT / "similarity.json").write_text(json.dumps({"luma_etf": round(similarity, 9)}) + "\n")
     (OUT / "blocks.json").write_text("[\n" + ",\n".join(json.dumps(row) for row in rows) + "\n]\n")
 
 

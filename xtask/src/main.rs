@@ -13,6 +13,7 @@ mod stamp;
 mod tally;
 mod test;
 mod tools;
+mod train;
 mod wasm;
 
 use std::process::ExitCode;
@@ -58,6 +59,13 @@ enum Task {
         #[arg(long)]
         alone: bool,
     },
+    /// Fit a filter bank of src/style/banks again, and print how exact it is
+    Train {
+        /// The bank: etf
+        operator: String,
+        /// Folders with more photos to fit to, beside the sample album
+        folders: Vec<String>,
+    },
     /// Regenerate the stored images in tests/goldens and list what changed
     Bless,
 }
@@ -80,6 +88,7 @@ fn run(task: &Task) -> Result<()> {
         Task::Models => models::make(&project),
         Task::Test { suites } => test::run(&project, suites),
         Task::Bench { rows, alone } => bench::run(&project, rows, *alone),
+        Task::Train { operator, folders } => train::run(&project, operator, folders),
         Task::Bless => bless::run(&project),
     }
 }

@@ -6,6 +6,7 @@ mod colorize;
 mod detail;
 mod dynamic_range;
 mod equalize;
+mod etf;
 mod gaussian;
 mod halftone;
 mod hue;
@@ -40,6 +41,7 @@ pub static ALL: &[&Block] = &[
     &hue::BLOCK,
     &colorize::BLOCK,
     &gaussian::BLOCK,
+    &etf::BLOCK,
     &tvf::BLOCK,
     &detail::BLOCK,
     &sobel::BLOCK,

@@ -9,7 +9,7 @@ pub(super) const NAMES: &[&str] = &["hatch", "cross_hatch", "dots", "lines", "wo
 /// Side of a tile in pixels of a 1920 x 1080 image. Every spacing below divides it.
 const SIDE: f32 = 48.0;
 
-/// A square image that repeats in both directions.
+/// A square image that repeats in both directions, of one or more repeats of the pattern.
 pub(super) struct Tile {
     side: usize,
     samples: Vec<u8>,
@@ -33,32 +33,53 @@ impl Tile {
 /// The tiles of a set for `levels` tones, black first, white last. `scale` is pixels of the render for a pixel
 /// of the reference.
 pub(super) fn draw(pattern: usize, levels: usize, scale: f32) -> Vec<Tile> {
-    let side = ((SIDE * scale).round() as usize).max(4);
+    let (repeats, side) = whole_side(scale);
     (0..levels)
         .map(|level| {
             let darkness = 1.0 - level as f32 / (levels - 1) as f32;
+            let by_rule = |distance: &dyn Fn(f32, f32) -> f32| by_rule(side, repeats, distance);
             let samples = match (level, pattern) {
                 (0, _) => vec![0; side * side],
                 _ if level + 1 == levels => vec![255; side * side],
-                (_, 0) => by_rule(side, |x, y| hatch(x, y, darkness)),
-                (_, 1) => by_rule(side, |x, y| cross_hatch(x, y, darkness)),
-                (_, 2) => by_rule(side, |x, y| dots(x, y, darkness)),
-                (_, 3) => by_rule(side, |_, y| stroke(y, 6.0, 6.0 * darkness)),
-                (_, 4) => by_rule(side, |x, y| woodcut(x, y, darkness)),
-                _ => stipple(side, darkness),
+                (_, 0) => by_rule(&|x, y| hatch(x, y, darkness)),
+                (_, 1) => by_rule(&|x, y| cross_hatch(x, y, darkness)),
+                (_, 2) => by_rule(&|x, y| dots(x, y, darkness)),
+                (_, 3) => by_rule(&|_, y| stroke(y, 6.0, 6.0 * darkness)),
+                (_, 4) => by_rule(&|x, y| woodcut(x, y, darkness)),
+                _ => stipple(side, repeats, darkness),
             };
             Tile { side, samples }
         })
         .collect()
 }
 
+/// How often a tile repeats the pattern, and its side in pixels. A side of one pattern rounded to whole pixels would
+/// space the lines of a small render otherwise than those of a large one; of several, it is nearly exact, and quite
+/// so where the scale is a multiple of 1/40.
+fn whole_side(scale: f32) -> (usize, usize) {
+    /// Share of a length that nobody sees across a page.
+    const DRIFT: f32 = 1e-4;
+    /// Longest side that is worth its memory, and most repeats.
+    const MOST: (f32, usize) = (600.0, 10);
+    let side = (SIDE * scale).max(4.0);
+    let most = ((MOST.0 / side) as usize).clamp(1, MOST.1);
+    let drift = |repeats: usize| {
+        let length = side * repeats as f32;
+        (length.round() - length).abs() / length
+    };
+    let nearest = || (1..=most).min_by(|&a, &b| drift(a).total_cmp(&drift(b))).unwrap_or(1);
+    let repeats = (1..=most).find(|&repeats| drift(repeats) < DRIFT).unwrap_or_else(nearest);
+    (repeats, (side * repeats as f32).round() as usize)
+}
+
 /// Draws a rule that gives the distance to ink in reference pixels, negative inside.
-fn by_rule(side: usize, distance: impl Fn(f32, f32) -> f32) -> Vec<u8> {
-    let unit = SIDE / side as f32;
+fn by_rule(side: usize, repeats: usize, distance: &dyn Fn(f32, f32) -> f32) -> Vec<u8> {
+    let unit = SIDE * repeats as f32 / side as f32;
     let mut samples = Vec::with_capacity(side * side);
     for y in 0..side {
         for x in 0..side {
-            let away = distance((x as f32 + 0.5) * unit, (y as f32 + 0.5) * unit) / unit;
+            let place = |pixel: usize| (pixel as f32 + 0.5) * unit % SIDE;
+            let away = distance(place(x), place(y)) / unit;
             samples.push(((away + 0.5).clamp(0.0, 1.0) * 255.0).round() as u8);
         }
     }
@@ -124,14 +145,17 @@ fn woodcut(x: f32, y: f32, darkness: f32) -> f32 {
 }
 
 /// Points at irregular distances. Darker levels keep the points of the lighter ones and add more.
-fn stipple(side: usize, darkness: f32) -> Vec<u8> {
+fn stipple(side: usize, repeats: usize, darkness: f32) -> Vec<u8> {
     const RADIUS: f32 = 1.25;
-    let unit = SIDE / side as f32;
+    let unit = SIDE * repeats as f32 / side as f32;
     let mut samples = vec![255u8; side * side];
     // Random discs cover 1 - exp(-n area); these keep apart, so they cover a little more.
     let wanted = (-(1.0 - darkness).ln() * SIDE * SIDE / (PI * RADIUS * RADIUS)) as usize;
     for &(px, py) in points().iter().cycle().take(wanted.clamp(1, MAX_POINTS)) {
-        stamp(&mut samples, side, (px / unit, py / unit), RADIUS / unit);
+        for (i, j) in (0..repeats).flat_map(|j| (0..repeats).map(move |i| (i as f32, j as f32))) {
+            let place = ((px + i * SIDE) / unit, (py + j * SIDE) / unit);
+            stamp(&mut samples, side, place, RADIUS / unit);
+        }
     }
     samples
 }
@@ -177,4 +201,19 @@ fn square_distance(a: (f32, f32), b: (f32, f32)) -> f32 {
         d.min(SIDE - d)
     };
     along(a.0, b.0).powi(2) + along(a.1, b.1).powi(2)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn lines_are_spaced_alike_at_every_scale() {
+        for percent in 20..=400u16 {
+            let scale = f32::from(percent) / 100.0;
+            let (repeats, side) = whole_side(scale);
+            let drift = side as f32 / repeats as f32 / (SIDE * scale) - 1.0;
+            assert!(drift.abs() < 0.006, "scale {scale}: {side} / {repeats} is off by {drift}");
+        }
+    }
 }
