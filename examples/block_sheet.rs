@@ -25,7 +25,7 @@ const COLUMNS: usize = 2;
 const LINE: u32 = 20;
 
 /// Quality of the JPEG file.
-const QUALITY: u8 = 72;
+const QUALITY: u8 = 80;
 
 /// Pixels of a cell for a pixel of a parameter.
 const SCALE: f32 = 0.4;
@@ -67,8 +67,7 @@ fn steps(block: &str) -> Vec<Value> {
     match block {
         "to_color" => vec![gray, json!({"block": "posterize", "levels": 3}), json!({"block": block})],
         "pattern" | "colorize" => vec![gray, json!({"block": block})],
-        "posterize" => vec![json!({"block": block, "levels": 4})],
-        "luma_posterize" => vec![json!({"block": block, "levels": 4})],
+        "posterize" | "luma_posterize" => vec![json!({"block": block, "levels": 4})],
         "brightness" => vec![json!({"block": block, "gain": 1.6})],
         "saturation" => vec![json!({"block": block, "amount": 2.2})],
         "hue" => vec![json!({"block": block, "angle": 120})],
