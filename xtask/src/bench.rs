@@ -13,7 +13,7 @@ use crate::{chromium, npm, site, tools, wasm};
 /// nothing is written; `alone` leaves the other libraries out.
 pub(crate) fn run(project: &Project, filter: &[String], alone: bool) -> Result<()> {
     let browser = chromium::find()?;
-    // site::build(project)?;
+    site::build(project)?;
     wasm::build(project, &wasm::bench(project))?;
     install_peers(project)?;
     let mut bench = Command::new("node");
