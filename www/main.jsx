@@ -8,6 +8,7 @@ import { render } from 'preact';
 import { createEngine } from './engine/engine.js';
 import { createAlternatives } from './state/alternatives.js';
 import { createDownload } from './state/download.js';
+import { createFraming } from './state/framing.js';
 import { createKeys } from './state/keys.js';
 import { createMerging } from './state/merging.js';
 import { createMessages } from './state/messages.js';
@@ -31,6 +32,7 @@ const pages = createPages(store);
 const reading = createReading({ store, pages, engine, messages });
 const selection = createSelection({ store });
 const merging = createMerging({ store, pages, selection });
+const framing = createFraming({ store, pages });
 const reshaping = createReshaping({ store, pages, seed: freshSeed });
 const ownLayouts = createOwnLayouts({ store, pages, messages, box: () => window.localStorage });
 const download = createDownload({ store, pages, engine, messages });
@@ -44,7 +46,7 @@ engine.ready.then(
   (error) => messages.alert(strings.coreFailed(error.message)),
 );
 
-window.addEventListener('keydown', createKeys({ pages, download, ui, selection, reshaping }));
+window.addEventListener('keydown', createKeys({ pages, download, ui, selection, framing, reshaping }));
 acceptFiles(window, (files) => {
   const layouts = files.filter(({ name }) => name.toLowerCase().endsWith('.json'));
   reading.addFiles(files.filter((file) => !layouts.includes(file)));
@@ -59,7 +61,7 @@ effect(() => {
 });
 
 render(
-  <AppContext.Provider value={{ store, pages, selection, merging, reshaping, ownLayouts, reading, download, alternatives, messages, ui, engine }}>
+  <AppContext.Provider value={{ store, pages, selection, merging, framing, reshaping, ownLayouts, reading, download, alternatives, messages, ui, engine }}>
     <App />
   </AppContext.Provider>,
   /** @type {HTMLElement} */ (document.getElementById('app')),

@@ -21,9 +21,10 @@ pub(super) fn choose_photos(
     let current = request.current.as_ref();
     let mut slots = merged_slots(&resolved, merges, page);
     if let Some(current) = current {
-        lock_slots(&mut slots, current, request, same_layout);
+        lock_slots(&mut slots, current, request, merges, same_layout);
     }
     let mut slots: Vec<Slot> = heads.iter().map(|&i| slots[i].clone()).collect();
+    let locked: Vec<bool> = slots.iter().map(|slot| slot.locked.is_some()).collect();
     let photos = &request.photos;
     let mut assigned: Vec<Option<Assignment>> = match current.filter(|_| request.keep.photos) {
         Some(current) => kept(current, &slots, photos, same_layout),
@@ -38,7 +39,6 @@ pub(super) fn choose_photos(
         assigned = assign(photos, &slots, order, u64::from(request.seed)).into_iter().map(Some).collect();
     }
     let before = |i: usize| current.filter(|_| same_layout).and_then(|current| current.panels.get(i));
-    let locked = |i: usize| before(i).is_some_and(|panel| panel.locked);
     // A crop made by hand stays so while its panel keeps the photo, which a locked one always does.
     let edited = |i: usize, photo: &str| {
         let stays = |panel: &&PanelContent| request.keep.photos || panel.locked;
@@ -51,7 +51,8 @@ pub(super) fn choose_photos(
             PanelContent {
                 photo: assigned.map(|a| photos[a.photo].id.clone()),
                 crop: assigned.map(|a| a.crop),
-                locked: locked(i),
+                // An empty panel may be locked too.
+                locked: head.is_some_and(|head| locked[head]) || before(i).is_some_and(|panel| panel.locked),
                 edited: assigned.is_some_and(|a| edited(leader(i), &photos[a.photo].id)),
             }
         })
@@ -77,18 +78,27 @@ fn merged_slots(resolved: &[ResolvedPanel], merges: &[Vec<usize>], page: &PageSe
     slots
 }
 
-/// Panels that a person locked keep photo and crop, where the layout is the same.
-fn lock_slots(slots: &mut [Slot], current: &Document, request: &Request, same_layout: bool) {
-    if !same_layout {
-        return;
-    }
-    for (slot, panel) in slots.iter_mut().zip(&current.panels).filter(|(_, panel)| panel.locked) {
+/// Panels that a person locked keep photo and crop. In another layout the photo goes to the panel of the same
+/// place in the reading order, or to the nearest that is free.
+fn lock_slots(
+    slots: &mut [Slot],
+    current: &Document,
+    request: &Request,
+    merges: &[Vec<usize>],
+    same_layout: bool,
+) {
+    let heads: Vec<usize> = (0..slots.len()).filter(|&i| leader_of(merges, i) == i).collect();
+    let locked = current.panels.iter().enumerate().filter(|(_, panel)| panel.locked);
+    // Those that share an image have one place.
+    for (i, panel) in locked.filter(|(i, _)| leader_of(&current.merges, *i) == *i) {
         let photo = panel.photo.as_ref().and_then(|id| request.photos.iter().position(|p| &p.id == id));
-        if let (Some(photo), Some(crop)) = (photo, panel.crop) {
-            // The page's lengths may have changed since.
-            let crop = crop.refitted(&request.photos[photo], slot.target.aspect);
-            slot.locked = Some(Assignment { photo, crop });
-        }
+        let (Some(photo), Some(crop)) = (photo, panel.crop) else { continue };
+        let free = heads.iter().filter(|&&head| slots[head].locked.is_none());
+        let nearest = free.min_by_key(|head| head.abs_diff(i)).copied();
+        let Some(place) = (if same_layout { Some(leader_of(merges, i)) } else { nearest }) else { continue };
+        // The page's lengths may have changed since.
+        let crop = crop.refitted(&request.photos[photo], slots[place].target.aspect);
+        slots[place].locked = Some(Assignment { photo, crop });
     }
 }
 

@@ -197,7 +197,7 @@ fn pick<'a, T>(items: &'a [T], random: &mut Rand64) -> Option<&'a T> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::framing::EnergyMap;
+    use crate::framing::{Crop, EnergyMap, Focus};
 
     fn photos(count: usize) -> Vec<PhotoMeta> {
         (0..count)
@@ -312,20 +312,32 @@ mod tests {
     }
 
     #[test]
+    fn a_locked_photo_finds_a_panel_in_every_layout() {
+        let mut current = plan(&request(12, 7)).unwrap();
+        let last = current.panels.len() - 1;
+        current.panels[last].locked = true;
+        for seed in 8..40 {
+            let mut next = request(12, seed);
+            (next.current, next.panels) = (Some(current.clone()), Some(2 + seed as usize % 6));
+            let page = plan(&next).unwrap();
+            let kept: Vec<_> = page.panels.iter().filter(|panel| panel.locked).collect();
+            assert_eq!(kept.len(), 1, "seed {seed}");
+            assert_eq!(kept[0].photo, current.panels[last].photo);
+        }
+    }
+
+    #[test]
     fn a_crop_made_by_hand_stays_while_its_photo_does() {
         let mut current = plan(&request(12, 7)).unwrap();
-        let by_hand = current.panels[1].crop.map(|c| crate::framing::Crop {
-            x: c.x / 2.0,
-            y: c.y / 2.0,
-            width: c.width / 2.0,
-            height: c.height / 2.0,
-        });
+        let half =
+            |c: Crop| Crop { x: c.x / 2.0, y: c.y / 2.0, width: c.width / 2.0, height: c.height / 2.0 };
+        let by_hand = current.panels[1].crop.map(half);
         (current.panels[1].crop, current.panels[1].edited) = (by_hand, true);
         let mut next = request(12, 7);
         next.current = Some(current.clone());
         next.keep = Keep { layout: true, style: false, photos: true };
         // What is learnt of the photo meanwhile does not move it.
-        next.photos.iter_mut().for_each(|p| p.focus = Some(crate::framing::Focus { x: 0.9, y: 0.9 }));
+        next.photos.iter_mut().for_each(|p| p.focus = Some(Focus { x: 0.9, y: 0.9 }));
         assert_eq!(plan(&next).unwrap().panels[1], current.panels[1]);
         // Wider gutters change the panel's aspect; the crop follows about its centre.
         next.page.gutter = 0.06;

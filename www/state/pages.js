@@ -111,12 +111,13 @@ export function createPages(store, seed = freshSeed) {
   function shuffle(part) {
     const { locks, page } = store.project.peek();
     if (!page || (part !== 'all' && locks[part])) return;
-    if (part === 'all') show(plan({ keep: { ...locks }, mode: 'shuffle' }));
+    // A locked panel stays where it is.
+    if (part === 'all') show(plan({ keep: { ...locks, layout: locks.layout || page.panels.some((panel) => panel.locked) }, mode: 'shuffle' }));
     else if (part === 'photos') show(plan({ keep: { ...KEEP_ALL, photos: false }, mode: 'photos' }));
     else show(plan({ keep: { ...KEEP_ALL, [part]: false } }));
   }
 
-  /** A layout comes as its picture shows it, without merges. @param {string | object} layout */
+  /** As its picture shows it, without merges. @param {string | object} layout */
   function chooseLayout(layout) {
     show(plan({ keep: { ...KEEP_ALL }, layout, merge: false }));
   }

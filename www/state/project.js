@@ -13,8 +13,9 @@
 /** @typedef {{ layout: boolean, style: boolean, photos: boolean }} Locks */
 
 /**
- * A photo in the tray. `use` is what the person chose; null follows the selection's verdict.
- * @typedef {{ id: string, use: boolean | null }} TrayItem
+ * A photo in the tray. `use` is what the person chose; null follows the selection's verdict. `focus` is the point of
+ * the photo that matters, in parts of it, where a person marked one.
+ * @typedef {{ id: string, use: boolean | null, focus?: { x: number, y: number } | null }} TrayItem
  */
 
 /**
@@ -31,6 +32,7 @@
  *   | { type: 'remove-photos', ids: readonly string[] }
  *   | { type: 'forget-photos', ids: string[] }
  *   | { type: 'use-photo', id: string, use: boolean }
+ *   | { type: 'focus-photo', id: string, focus: { x: number, y: number } | null }
  *   | { type: 'lock', part: Part, on: boolean }
  *   | { type: 'want-panels', count: number | null }
  *   | { type: 'show-page', page: PageDocument, pageId: number }
@@ -85,6 +87,11 @@ export function reduce(project, action) {
       return {
         ...project,
         tray: project.tray.map((item) => (item.id === action.id ? { ...item, use: action.use } : item)),
+      };
+    case 'focus-photo':
+      return {
+        ...project,
+        tray: project.tray.map((item) => (item.id === action.id ? { ...item, focus: action.focus } : item)),
       };
     case 'lock':
       if (project.locks[action.part] === action.on) return project;

@@ -54,10 +54,14 @@ export function createStore() {
 
   /** The photos in use, as the planner wants them: in order of time. */
   const photos = computed(() => {
+    const focus = new Map(tray.value.map((item) => [item.id, item.focus ?? null]));
     const used = new Set(tray.value.filter((item) => isUsed(item, verdicts.value)).map(({ id }) => id));
     const list = facts.value.filter(({ id }) => used.has(id));
     // While photos arrive the order of the files stands, else the page would be shuffled with each of them.
-    return (reading.value ? list : chronological(list)).map(({ id, meta }) => meta ?? unreadMeta(id));
+    return (reading.value ? list : chronological(list)).map(({ id, meta }) => {
+      const known = meta ?? unreadMeta(id);
+      return focus.get(id) ? { ...known, focus: focus.get(id) ?? null } : known;
+    });
   });
 
   /** A person's own layouts, in full. @type {import('@preact/signals').Signal<readonly Template[]>} */

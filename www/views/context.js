@@ -13,6 +13,7 @@ import { useContext } from 'preact/hooks';
  *   reading: import('../state/reading.js').Reading,
  *   selection: import('../state/selection.js').Selection,
  *   merging: import('../state/merging.js').Merging,
+ *   framing: import('../state/framing.js').Framing,
  *   reshaping: import('../state/reshaping.js').Reshaping,
  *   ownLayouts: import('../state/own-layouts.js').OwnLayouts,
  *   download: import('../state/download.js').Download,

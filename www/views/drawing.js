@@ -3,9 +3,12 @@
  * Draws a page on a canvas from the pictures of its panels.
  */
 
+import { shown } from './patches.js';
+
 /** @typedef {import('./painter.js').Sheet} Sheet */
 /** @typedef {import('./painter.js').Slot} Slot */
 /** @typedef {import('../engine/documents.js').Geometry} Geometry */
+/** @typedef {import('./patches.js').Patch} Patch */
 /** @typedef {[number, number][]} Points */
 
 /**
@@ -34,7 +37,8 @@ export function drawPage(context, sheet) {
  * @param {Slot} slot
  * @param {number} index
  */
-function drawPanel(context, { document, geometry, width }, { patch, coarse, older }, index) {
+function drawPanel(context, sheet, { patch, coarse, older }, index) {
+  const { document, geometry, width } = sheet;
   const ready = patch ?? coarse;
   if (ready) {
     const scale = width / ready.page;
@@ -43,20 +47,47 @@ function drawPanel(context, { document, geometry, width }, { patch, coarse, olde
   }
   const panel = geometry.panels[index];
   if (!panel) return;
-  const { bounds } = panel;
   context.save();
   trace(context, panel, width, document.page.cornerRadius);
   context.clip();
   context.fillStyle = 'rgb(128 128 136 / 0.16)';
   context.fill();
   if (older) {
-    context.drawImage(older.bitmap, bounds.x * width, bounds.y * width, bounds.width * width, bounds.height * width);
+    drawOlder(context, sheet, older, index);
     context.strokeStyle = document.page.borderColor;
     // Half of the stroke is clipped away.
     context.lineWidth = 2 * document.page.border * width;
     if (document.page.border > 0) context.stroke();
   }
   context.restore();
+}
+
+/**
+ * A picture that no longer fits: where only the crop was moved it is moved along, else stretched to the panel.
+ * @param {CanvasRenderingContext2D} context
+ * @param {Sheet} sheet
+ * @param {Patch} older
+ * @param {number} index
+ */
+function drawOlder(context, { document, geometry, width }, older, index) {
+  const { crop, bounds } = shown(document, geometry, index);
+  const scale = width / older.page;
+  if (crop && older.crop && JSON.stringify(bounds) === JSON.stringify(older.bounds)) {
+    const [zoomX, zoomY] = [older.crop.width / crop.width, older.crop.height / crop.height];
+    const left = (bounds.x + (older.crop.x - crop.x) / crop.width * bounds.width - bounds.x * zoomX) * width;
+    const top = (bounds.y + (older.crop.y - crop.y) / crop.height * bounds.height - bounds.y * zoomY) * width;
+    // Its border must not wander over the picture.
+    const rim = Math.ceil(document.page.border * older.page) + 2;
+    const [w, h] = [older.width - 2 * rim, older.height - 2 * rim];
+    if (w < 1 || h < 1) return;
+    context.drawImage(
+      older.bitmap, rim, rim, w, h,
+      left + (older.x + rim) * scale * zoomX, top + (older.y + rim) * scale * zoomY, w * scale * zoomX, h * scale * zoomY,
+    );
+    return;
+  }
+  const box = geometry.panels[index].bounds;
+  context.drawImage(older.bitmap, box.x * width, box.y * width, box.width * width, box.height * width);
 }
 
 /**

@@ -6,6 +6,7 @@
  */
 
 import { drawPage, sheetSize } from './drawing.js';
+import { onlyMoved, sameLook, sameShape } from './likeness.js';
 import { createPatches } from './patches.js';
 
 /** @typedef {import('../engine/documents.js').PageDocument} PageDocument */
@@ -36,6 +37,8 @@ export function createPainter(canvas, { engine, onPainted, onError }) {
   let sheet = null;
   /** What is on the canvas. @type {Sheet | null} */
   let visible = null;
+  /** What is being drawn of each panel, by its place: a hand that moves it waits for that picture before the next. @type {Map<number, string>} */
+  const running = new Map();
   let frame = 0;
   /** @type {any} */
   let timer;
@@ -53,11 +56,14 @@ export function createPainter(canvas, { engine, onPainted, onError }) {
     sheet = { document, geometry, width, slots: [] };
     const near = old !== null && (sameShape(old.document, document) || (follow && onlyMoved(old, geometry)));
     sheet.slots = document.panels.map((_, i) => slotOf(/** @type {Sheet} */ (sheet), i, near ? old : null));
-    patches.keepOnly(sheet.slots.map(({ signature }) => signature));
+    const moving = near && sameLook(/** @type {Sheet} */ (old).document, document);
+    const wanted = sheet.slots.map(({ signature }) => signature);
+    if (!moving) running.clear();
+    patches.keepOnly([...wanted, ...running.values()]);
     const slow = patches.expected(document, width) > COARSE_ABOVE;
     sheet.slots.forEach((slot, index) => request(/** @type {Sheet} */ (sheet), slot, index, slow));
     clearTimeout(timer);
-    if (!visible || (near && sameLook(visible.document, document)) || complete(sheet)) paintSoon();
+    if (!visible || (moving && sameLook(visible.document, document)) || complete(sheet)) paintSoon();
     else timer = setTimeout(paintSoon, PATIENCE);
     report();
   }
@@ -85,23 +91,51 @@ export function createPainter(canvas, { engine, onPainted, onError }) {
   function request(from, slot, index, slow) {
     const { photo } = from.document.panels[index];
     if (slot.patch || photo === null || !engine.hasPhoto(photo)) return;
+    const before = running.get(index);
+    if (before !== undefined && before !== slot.signature) return;
+    running.set(index, slot.signature);
     if (slow && !slot.coarse && !slot.older) {
-      patches.coarse(from.document, index, from.width).then((patch) => {
+      patches.coarse(from.document, from.geometry, index, from.width).then((patch) => {
         if (!slot.patch && from === sheet) arrive(slot, { coarse: patch });
       }, () => {});
     }
-    patches.get(slot.signature, from.document, index, from.width).then(
+    patches.get(slot.signature, from.document, from.geometry, index, from.width).then(
       (patch) => {
+        if (stale(slot, index)) follow(index, patch);
         // The sheet may have been replaced by one that wants the very same picture.
         const wanted = sheet?.slots.find((other) => other.signature === slot.signature);
         if (wanted) arrive(wanted, { patch });
       },
       (error) => {
+        if (stale(slot, index)) follow(index, null);
         if (error.code === 'cancelled' || from !== sheet) return;
         arrive(slot, { failed: true });
         onError(error);
       },
     );
+  }
+
+  /**
+   * Whether a picture came for a panel that has moved on meanwhile.
+   * @param {Slot} slot
+   * @param {number} index
+   */
+  function stale({ signature }, index) {
+    if (running.get(index) !== signature) return false;
+    running.delete(index);
+    return sheet !== null && sheet.slots[index] !== undefined && sheet.slots[index].signature !== signature;
+  }
+
+  /**
+   * Shows the picture in the place of the one before, and asks for what is wanted by now.
+   * @param {number} index
+   * @param {Patch | null} patch
+   */
+  function follow(index, patch) {
+    const now = /** @type {Sheet} */ (sheet);
+    const slot = now.slots[index];
+    if (patch && !slot.patch) arrive(slot, { older: patch });
+    request(now, slot, index, false);
   }
 
   /**
@@ -150,32 +184,4 @@ export function createPainter(canvas, { engine, onPainted, onError }) {
     patches.dispose();
     sheet = null;
   }
-}
-
-/**
- * @param {PageDocument} a
- * @param {PageDocument} b
- * @returns {boolean} whether the panels of both are the same ones, so that their pictures can follow each other
- */
-function sameShape(a, b) {
-  return JSON.stringify([a.layout, a.merges]) === JSON.stringify([b.layout, b.merges]);
-}
-
-/**
- * @param {Sheet} old
- * @param {Geometry} geometry
- * @returns {boolean} whether there are as many panels as before
- */
-function onlyMoved({ slots }, { panels }) {
-  return slots.length === panels.length;
-}
-
-/**
- * @param {PageDocument} a
- * @param {PageDocument} b
- * @returns {boolean} whether only lengths and colours differ, which must follow the hand at once
- */
-function sameLook(a, b) {
-  const photos = (/** @type {PageDocument} */ { panels }) => panels.map(({ photo }) => photo);
-  return JSON.stringify([a.style, photos(a)]) === JSON.stringify([b.style, photos(b)]);
 }

@@ -23,6 +23,7 @@ export function PanelTools() {
         onClick={() => selection.choose(!selection.several.value)} />
       <Tool icon="merge" label={strings.merge} why={merging.cannotMerge()} onClick={merging.merge} />
       <Tool icon="split" label={strings.split} why={merging.cannotSplit()} onClick={merging.split} />
+      {!editing && chosen.length > 0 && <PhotoTools />}
       {editing && (
         <>
           <span class="rail-line" />
@@ -34,6 +35,32 @@ export function PanelTools() {
       )}
       <span class="visually-hidden" role="status">{chosen.length > 0 ? strings.chosenPanels(chosen.length) : ''}</span>
     </div>
+  );
+}
+
+/** For the photo of the panel that is chosen, or the photos of two. */
+function PhotoTools() {
+  const { store, selection, framing } = useApp();
+  const chosen = selection.panels.value;
+  const [panel, other] = chosen;
+  const mode = framing.mode.value?.kind;
+  const one = oneOf(chosen);
+  const held = chosen.some(framing.isLocked) ? strings.panelLocked : '';
+  const why = one || held;
+  const edited = store.page.value?.panels[panel]?.edited;
+  const swap = () => (other === undefined ? framing.toggle('swap', panel) : framing.swap(panel, other));
+  return (
+    <>
+      <span class="rail-line" />
+      <Tool icon="zoomIn" label={strings.zoomIn} why={why} onClick={() => framing.closer(panel, 1.2)} />
+      <Tool icon="zoomOut" label={strings.zoomOut} why={why} onClick={() => framing.closer(panel, 1 / 1.2)} />
+      <Tool icon="fit" label={strings.fitSubject} why={why} onClick={() => framing.fit(panel)} />
+      <Tool icon="reset" label={strings.resetCrop} why={why || (edited ? '' : strings.unchanged)} onClick={() => framing.reset(panel)} />
+      <Tool icon="swap" label={strings.swapPhoto} why={chosen.length > 2 ? one : held} pressed={mode === 'swap'} onClick={swap} />
+      <Tool icon="focus" label={strings.focusPoint} why={why} pressed={mode === 'focus'} onClick={() => framing.toggle('focus', panel)} />
+      <Tool icon={framing.isLocked(panel) ? 'lock' : 'unlock'} label={strings.lockPanel} why={one} pressed={framing.isLocked(panel)}
+        onClick={() => framing.lock(panel, !framing.isLocked(panel))} />
+    </>
   );
 }
 

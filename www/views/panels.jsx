@@ -2,13 +2,16 @@
 /**
  * The panels of the page for keyboard, pointer and screen reader: transparent elements over the canvas, one tab
  * stop for all, arrows move between them by where they are on the page. A click chooses a panel, with Shift or Ctrl
- * one more.
+ * one more; what else the hand does is in `panel-gestures.js` and `panel-keys.js`.
  */
 
 import { useRef, useState } from 'preact/hooks';
 import { strings } from '../strings.js';
 import { useApp } from './context.js';
-import { WAYS, neighbour, place } from './panel-shape.js';
+import { target, usePanelGestures, within } from './panel-gestures.js';
+import { PanelMarks } from './panel-marks.jsx';
+import { usePanelKeys } from './panel-keys.js';
+import { place } from './panel-shape.js';
 
 /** @typedef {import('../engine/documents.js').PageDocument} PageDocument */
 /** @typedef {import('../engine/documents.js').Geometry} Geometry */
@@ -16,7 +19,7 @@ import { WAYS, neighbour, place } from './panel-shape.js';
 
 /** @param {{ page: PageDocument, geometry: Geometry }} props */
 export function Panels({ page, geometry }) {
-  const { selection } = useApp();
+  const { selection, framing } = useApp();
   const ref = useRef(/** @type {HTMLDivElement | null} */ (null));
   const [active, setActive] = useState(0);
   const [focused, setFocused] = useState(/** @type {number | null} */ (null));
@@ -25,26 +28,36 @@ export function Panels({ page, geometry }) {
   const chosen = selection.panels.value;
   const describe = useDescription(page);
 
-  /** @param {KeyboardEvent} event */
-  function onKeyDown(event) {
-    const way = WAYS[event.key];
-    if (event.ctrlKey || event.metaKey || event.altKey) return;
-    if (way) {
-      const next = neighbour(geometry.panels, stop, way);
-      /** @type {HTMLElement | undefined} */ (ref.current?.children[next])?.focus();
-    } else if (event.key === 'Enter' && (event.shiftKey || selection.several.value)) {
-      selection.toggle(stop);
-    } else if (event.key === ' ' && selection.several.value) {
-      selection.toggle(stop);
+  const gestures = usePanelGestures();
+  const mode = framing.mode.value;
+  const onKey = usePanelKeys({
+    panels: geometry.panels,
+    go: (panel) => /** @type {HTMLElement | undefined} */ (ref.current?.children[panel])?.focus(),
+  });
+
+  function leave() {
+    setFocused(null);
+    if (framing.mode.peek()?.kind === 'frame') framing.mode.value = null;
+  }
+
+  /** @param {MouseEvent} event @param {number} panel */
+  function press(event, panel) {
+    event.stopPropagation();
+    if (gestures.wasDrag()) return;
+    const bounds = framing.boundsOf(panel);
+    if (mode?.kind === 'swap') framing.swapWith(panel);
+    else if (mode?.kind === 'focus' && bounds && ref.current) {
+      framing.mode.value = null;
+      framing.focus(panel, within({ x: event.clientX, y: event.clientY }, ref.current.getBoundingClientRect(), bounds));
     } else {
-      return;
+      framing.mode.value = null;
+      selection.press(panel, event.shiftKey || event.ctrlKey || event.metaKey);
     }
-    event.preventDefault();
   }
 
   return (
     <>
-      <div class="panels" ref={ref} onKeyDown={onKeyDown} onFocusOut={() => setFocused(null)}>
+      <div class="panels" ref={ref} data-mode={mode?.kind} onFocusOut={leave}>
         {geometry.panels.slice(0, count).map((panel, i) => (
           <div
             key={i}
@@ -54,10 +67,9 @@ export function Panels({ page, geometry }) {
             aria-description={describe(i)}
             tabIndex={i === stop ? 0 : -1}
             style={place(panel, geometry.height)}
-            onClick={(event) => {
-              event.stopPropagation();
-              selection.press(i, event.shiftKey || event.ctrlKey || event.metaKey);
-            }}
+            {...gestures.on(i)}
+            onClick={(event) => press(event, i)}
+            onKeyDown={(event) => onKey(event, i)}
             onFocus={() => {
               setActive(i);
               setFocused(i);
@@ -70,7 +82,9 @@ export function Panels({ page, geometry }) {
       </svg>
       <svg class="panel-choice" viewBox={`0 0 1000 ${geometry.height * 1000}`} aria-hidden="true">
         {chosen.map((i) => geometry.panels[i] && outline(geometry.panels[i], i))}
+        {target.value !== null && geometry.panels[target.value] && <g class="panel-target">{outline(geometry.panels[target.value])}</g>}
       </svg>
+      <PanelMarks page={page} geometry={geometry} />
     </>
   );
 }
@@ -84,7 +98,9 @@ function useDescription(page) {
   const { store, selection } = useApp();
   return (panel) => {
     const name = store.album.value.get(page.panels[panel].photo ?? '')?.name;
-    return selection.panels.value.includes(panel) ? strings.chosenPanel(name ?? '') : name;
+    const chosen = selection.panels.value.includes(panel) ? strings.chosenPanel : '';
+    const locked = page.panels[panel].locked ? strings.lockedPanel : '';
+    return [name, chosen, locked].filter(Boolean).join(', ') || undefined;
   };
 }
 

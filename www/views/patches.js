@@ -7,7 +7,8 @@ import { Priority } from '../engine/queue.js';
 
 /** @typedef {import('../engine/documents.js').PageDocument} PageDocument */
 /** @typedef {import('../engine/documents.js').Geometry} Geometry */
-/** @typedef {{ x: number, y: number, width: number, height: number, bitmap: ImageBitmap, page: number }} Patch `page`: the width of the page it was drawn for */
+/** @typedef {{ x: number, y: number, width: number, height: number, bitmap: ImageBitmap, page: number, crop: Bounds | null, bounds: Bounds }} Patch `page`: the width of the page it was drawn for; `crop` of the photo in `bounds` of the page */
+/** @typedef {import('../engine/documents.js').Bounds} Bounds */
 /** @typedef {{ promise: Promise<Patch>, stop: AbortController }} Flight */
 
 /** Pictures kept, in bytes: a dozen pages on a large screen. */
@@ -53,11 +54,12 @@ export function createPatches(render) {
   /**
    * @param {string} key
    * @param {PageDocument} document
+   * @param {Geometry} geometry
    * @param {number} index
    * @param {number} width
    * @returns {Promise<Patch>}
    */
-  function get(key, document, index, width) {
+  function get(key, document, geometry, index, width) {
     const before = flights.get(key);
     if (before) return before.promise;
     const stop = new AbortController();
@@ -65,7 +67,7 @@ export function createPatches(render) {
     const promise = render(document, index, width, { tier: 'work', priority: Priority.PANEL, signal: stop.signal })
       .then((patch) => {
         learn(document, width, performance.now() - start);
-        return keep(key, { ...patch, page: width });
+        return keep(key, { ...patch, page: width, ...shown(document, geometry, index) });
       })
       .finally(() => flights.delete(key));
     flights.set(key, { promise, stop });
@@ -75,14 +77,15 @@ export function createPatches(render) {
   /**
    * A quick picture at half the size, from the small copy of the photo.
    * @param {PageDocument} document
+   * @param {Geometry} geometry
    * @param {number} index
    * @param {number} width
    * @returns {Promise<Patch>}
    */
-  async function coarse(document, index, width) {
+  async function coarse(document, geometry, index, width) {
     const page = Math.ceil(width / 2);
     const key = `coarse/${index}`;
-    return { ...await render(document, index, page, { tier: 'small', priority: Priority.PANEL, key }), page };
+    return { ...await render(document, index, page, { tier: 'small', priority: Priority.PANEL, key }), page, ...shown(document, geometry, index) };
   }
 
   /**
@@ -141,4 +144,20 @@ export function createPatches(render) {
 /** @param {{ bitmap: ImageBitmap }} patch */
 function size({ bitmap }) {
   return bitmap.width * bitmap.height * 4;
+}
+
+/**
+ * The part of the photo that a panel's image shows, and where that image is: its own, or that of its group.
+ * @param {PageDocument} document
+ * @param {Geometry} geometry
+ * @param {number} index
+ * @returns {{ crop: Bounds | null, bounds: Bounds }}
+ */
+export function shown({ panels, merges }, geometry, index) {
+  const group = merges.find((other) => other.includes(index)) ?? [index];
+  const boxes = group.map((i) => geometry.panels[i].bounds);
+  const [x, y] = [Math.min(...boxes.map((box) => box.x)), Math.min(...boxes.map((box) => box.y))];
+  const width = Math.max(...boxes.map((box) => box.x + box.width)) - x;
+  const height = Math.max(...boxes.map((box) => box.y + box.height)) - y;
+  return { crop: panels[group[0]].crop, bounds: { x, y, width, height } };
 }

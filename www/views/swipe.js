@@ -25,7 +25,9 @@ export function useSwipe(moved, { forth, back }) {
   return {
     /** @param {PointerEvent} event */
     onPointerDown: ({ pointerType, pointerId, clientX, clientY, isPrimary }) => {
-      if (pointerType === 'touch' && isPrimary) from.current = { id: pointerId, x: clientX, y: clientY };
+      from.current = pointerType === 'touch' && isPrimary ? { id: pointerId, x: clientX, y: clientY } : null;
+      // A second finger means something else.
+      if (!isPrimary) shift(0);
     },
     /** @param {PointerEvent} event */
     onPointerMove: ({ pointerId, clientX, clientY }) => {

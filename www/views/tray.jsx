@@ -11,6 +11,7 @@ import { useApp } from './context.js';
 import { openFiles } from './file-input.jsx';
 import { Icon } from './icon.jsx';
 import { Videos } from './videos.jsx';
+import { PHOTO } from './panel-gestures.js';
 
 /** @typedef {import('../state/project.js').TrayItem} TrayItem */
 
@@ -55,14 +56,22 @@ function Reading({ done, total }) {
 
 /** @param {{ item: TrayItem, used: boolean }} props */
 function Photo({ item: { id }, used }) {
-  const { store, reading, engine } = useApp();
+  const { store, reading, engine, selection, framing } = useApp();
+  const [panel, ...others] = selection.panels.value;
+  const takes = panel !== undefined && others.length === 0 && !framing.isLocked(panel);
   const fact = store.album.value.get(id);
   const verdict = store.verdicts.value.get(id);
   const name = fact?.name ?? id;
   const ready = fact?.meta !== null && engine.hasPhoto(id);
   const about = [fact?.credit ?? name, verdict?.why].filter(Boolean).join('\n');
   return (
-    <li class="photo" data-used={used} title={about}>
+    <li
+      class="photo"
+      data-used={used}
+      title={about}
+      draggable={ready}
+      onDragStart={(event) => event.dataTransfer?.setData(PHOTO, id)}
+    >
       <label class="photo-picture">
         {ready
           ? <Bitmap of={id} draw={(call) => engine.stylePhoto(id, PLAIN, cover(fact?.meta), call)} />
@@ -84,6 +93,17 @@ function Photo({ item: { id }, used }) {
       >
         <Icon name="close" />
       </button>
+      {takes && ready && (
+        <button
+          type="button"
+          class="photo-put"
+          aria-label={strings.putHere(name, panel + 1)}
+          title={strings.putHere(name, panel + 1)}
+          onClick={() => framing.replace(panel, id)}
+        >
+          <Icon name="put" />
+        </button>
+      )}
       <span class="photo-name">{fact?.credit ?? name}</span>
       {verdict && <span class="photo-why" id={`why-${id}`}>{verdict.why}</span>}
     </li>

@@ -120,7 +120,7 @@ export async function contents(page) {
   const chosen = (/** @type {string} */ list) => (
     page.getByRole('listbox', { name: list }).getByRole('option', { selected: true }).getAttribute('aria-label')
   );
-  const panels = page.getByRole('region', { name: 'Storyboard page' }).getByRole('group', { name: /^Panel / });
+  const panels = page.getByRole('region', { name: 'Storyboard page' }).getByRole('group', { name: /^Panel \d/ });
   return {
     layout: await chosen('Layouts'),
     style: await chosen('Styles'),

@@ -1,0 +1,99 @@
+// @ts-check
+/**
+ * What keys do on a panel: arrows go to the next one, Shift with Enter chooses it, plus and minus zoom its photo.
+ * Enter takes hold of the photo: arrows then move it, until Enter or Escape. The same keys set a focus point.
+ */
+
+import { useRef } from 'preact/hooks';
+import { useApp } from './context.js';
+import { WAYS, neighbour } from './panel-shape.js';
+
+/** What an arrow moves a photo by, in parts of the panel, and with Shift. */
+const STEP = 0.02;
+const LARGE_STEP = 0.1;
+/** What a key press enlarges a photo by. */
+const ZOOM = 1.1;
+
+/**
+ * @param {{ panels: import('./panel-shape.js').PanelShape[], go: (panel: number) => void }} page
+ */
+export function usePanelKeys({ panels, go }) {
+  const { framing, selection } = useApp();
+  /** A key that is held, or pressed again and again, is one step of the undo until another one is pressed. */
+  const last = useRef({ key: '', gesture: '' });
+
+  /** @param {KeyboardEvent} event @param {number} panel */
+  return (event, panel) => {
+    if (event.ctrlKey || event.metaKey || event.altKey) return;
+    const mode = framing.mode.peek();
+    const mine = mode?.panel === panel ? mode : null;
+    const deed = mine ? inMode(event, mine) : plain(event, panel);
+    if (!deed) return;
+    event.preventDefault();
+    event.stopPropagation();
+    if (last.current.key !== `${event.key} ${panel}`) last.current = { key: `${event.key} ${panel}`, gesture: framing.step() };
+    deed(last.current.gesture);
+  };
+
+  /**
+   * @param {KeyboardEvent} event
+   * @param {import('../state/framing.js').Mode} mode
+   * @returns {((gesture: string) => void) | undefined}
+   */
+  function inMode({ key, shiftKey }, mode) {
+    const way = WAYS[key];
+    const step = shiftKey ? LARGE_STEP : STEP;
+    if (way && mode.kind === 'focus') return () => { framing.mode.value = { ...mode, at: moved(mode.at, way, step) }; };
+    if (way && mode.kind === 'frame') return (gesture) => pan(mode.panel, way, step, gesture);
+    if (key === 'Enter' || key === ' ') {
+      return () => {
+        if (mode.kind === 'focus') framing.focus(mode.panel, mode.at ?? [0.5, 0.5]);
+        framing.mode.value = null;
+      };
+    }
+    return way ? plain({ key, shiftKey }, mode.panel) : zoomed(key, mode.panel);
+  }
+
+  /**
+   * @param {{ key: string, shiftKey: boolean }} event
+   * @param {number} panel
+   * @returns {((gesture: string) => void) | undefined}
+   */
+  function plain({ key, shiftKey }, panel) {
+    const way = WAYS[key];
+    const mode = framing.mode.peek();
+    if (way) return () => go(neighbour(panels, panel, way));
+    if (key === 'Enter' || key === ' ') {
+      if (mode?.kind === 'swap') return () => framing.swapWith(panel);
+      if ((key === 'Enter' && shiftKey) || selection.several.peek()) return () => selection.toggle(panel);
+      if (key === 'Enter' && !framing.isLocked(panel)) return () => { framing.mode.value = { kind: 'frame', panel }; };
+    }
+    return zoomed(key, panel);
+  }
+
+  /** @param {string} key @param {number} panel */
+  function zoomed(key, panel) {
+    if (key === '+' || key === '=') return (/** @type {string} */ gesture) => framing.closer(panel, ZOOM, gesture);
+    if (key === '-') return (/** @type {string} */ gesture) => framing.closer(panel, 1 / ZOOM, gesture);
+    if (key === '0') return () => framing.reset(panel);
+    return undefined;
+  }
+
+  /** @param {number} panel @param {[number, number]} way @param {number} step @param {string} gesture */
+  function pan(panel, [x, y], step, gesture) {
+    const crop = framing.cropOf(panel);
+    // An arrow moves the window over the photo, as it moves a caret over a text.
+    if (crop) framing.pan(panel, crop, [-x * step, -y * step], gesture);
+  }
+}
+
+/**
+ * @param {[number, number] | undefined} at
+ * @param {[number, number]} way
+ * @param {number} step
+ * @returns {[number, number]}
+ */
+function moved([u, v] = [0.5, 0.5], [x, y], step) {
+  const clamp = (/** @type {number} */ part) => Math.min(1, Math.max(0, part));
+  return [clamp(u + x * step), clamp(v + y * step)];
+}

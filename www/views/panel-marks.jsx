@@ -1,0 +1,44 @@
+// @ts-check
+/** Small marks on panels: a lock, the point that matters in a photo, what the keys do now. */
+
+import { strings } from '../strings.js';
+import { useApp } from './context.js';
+import { Icon } from './icon.jsx';
+
+/** @typedef {import('../engine/documents.js').PageDocument} PageDocument */
+/** @typedef {import('../engine/documents.js').Geometry} Geometry */
+
+/** @param {{ page: PageDocument, geometry: Geometry }} props */
+export function PanelMarks({ page, geometry }) {
+  const { framing, store, selection } = useApp();
+  const mode = framing.mode.value;
+  const [chosen] = selection.panels.value;
+  const point = focusOf(mode?.kind === 'focus' ? mode.panel : chosen);
+  return (
+    <div class="panel-marks">
+      {page.panels.map((use, i) => use.locked && geometry.panels[i] && (
+        <span key={i} class="panel-lock" aria-hidden="true" style={at(geometry.panels[i].bounds, 0, 0)}><Icon name="lock" /></span>
+      ))}
+      {point && <span class="panel-focus" aria-hidden="true" style={at(point.bounds, point.u, point.v)} />}
+      {mode && <p class="panel-hint" role="status">{strings.modes[mode.kind]}</p>}
+    </div>
+  );
+
+  /** @param {number | undefined} panel @returns {{ bounds: import('../engine/documents.js').Bounds, u: number, v: number } | null} */
+  function focusOf(panel) {
+    if (panel === undefined) return null;
+    const bounds = framing.boundsOf(panel);
+    if (!bounds) return null;
+    if (mode?.kind === 'focus') return { bounds, u: mode.at?.[0] ?? 0.5, v: mode.at?.[1] ?? 0.5 };
+    const crop = framing.cropOf(panel);
+    const focus = store.photos.value.find(({ id }) => id === page.panels[panel]?.photo)?.focus;
+    if (!crop || !focus) return null;
+    const [u, v] = [(focus.x - crop.x) / crop.width, (focus.y - crop.y) / crop.height];
+    return u >= 0 && u <= 1 && v >= 0 && v <= 1 ? { bounds, u, v } : null;
+  }
+
+  /** @param {import('../engine/documents.js').Bounds} bounds @param {number} u @param {number} v */
+  function at({ x, y, width, height }, u, v) {
+    return { left: `${(x + u * width) * 100}%`, top: `${(y + v * height) / geometry.height * 100}%` };
+  }
+}
