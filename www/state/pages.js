@@ -173,13 +173,9 @@ export function createPages(store, seed = freshSeed) {
     if (target) store.change({ type: 'show-page', page: target.page, pageId: target.id });
   }
 
-  function previous() {
-    walk(-1);
-  }
+  function previous() { walk(-1); }
 
-  function next() {
-    walk(1);
-  }
+  function next() { walk(1); }
 
   function undo() {
     store.change({ type: 'undo' });
