@@ -335,7 +335,6 @@ mod tests {
         let mut next = request(12, 7);
         next.current = Some(current.clone());
         next.keep = Keep { layout: true, style: false, photos: true };
-        // What is learnt of the photo meanwhile does not move it.
         next.photos.iter_mut().for_each(|p| p.focus = Some(Focus { x: 0.9, y: 0.9 }));
         assert_eq!(plan(&next).unwrap().panels[1], current.panels[1]);
         // Wider gutters change the panel's aspect; the crop follows about its centre.
