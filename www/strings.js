@@ -3,6 +3,8 @@
  * Every word on the page, in one place. A translation is another object of this shape.
  */
 
+import { panelStrings } from './strings-panels.js';
+
 /**
  * @param {number} seconds
  * @returns {string} minutes and seconds, and hours where there are any: `1:02:03.4`
@@ -78,49 +80,7 @@ export const strings = {
   layoutKept: 'The layout is in My layouts. Add photos to see it.',
   layoutTooLong: (/** @type {string} */ name) => `layout ${name}: file: is longer than 256 KB`,
 
-  // Panels
-  panelTools: 'Tools for panels',
-  selectPanels: 'Select panels',
-  merge: 'Merge',
-  split: 'Split',
-  merging: {
-    few: 'select two panels or more that touch',
-    apart: 'these panels do not touch',
-    overlay: 'panels that lie on top of others cannot be merged',
-    already: 'these panels share one image already',
-    none: 'no merged panels',
-  },
-  chosenPanel: 'selected',
-  lockedPanel: 'locked',
-  chosenPanels: (/** @type {number} */ n) => (n === 1 ? '1 panel selected' : `${n} panels selected`),
-  selectOne: 'select one panel',
-  splitRows: 'Split into rows',
-  splitColumns: 'Split into columns',
-  removePanel: 'Remove panel',
-  notRemoved: (/** @type {boolean} */ editable) => (editable ? 'it is the only one' : 'this layout has no cuts'),
-  noCuts: 'this layout has no cuts',
-  doneEditing: 'Done',
-  zoomIn: 'Zoom in',
-  zoomOut: 'Zoom out',
-  fitSubject: 'Fit subject',
-  resetCrop: 'Reset',
-  swapPhoto: 'Swap photo',
-  lockPanel: 'Lock panel',
-  focusPoint: 'Focus point',
-  panelLocked: 'the panel is locked',
-  unchanged: 'the photo is as the page placed it',
-  putHere: (/** @type {string} */ photo, /** @type {number} */ panel) => `Put ${photo} in panel ${panel}`,
-  modes: {
-    frame: 'Arrows move the photo, + and − zoom, 0 resets, Enter ends',
-    swap: 'Choose the panel to swap with',
-    focus: 'Click what matters in the photo, or move with arrows and press Enter',
-  },
-  cuts: 'Cuts of the layout',
-  cut: (/** @type {number} */ n, /** @type {number} */ of) => `Cut ${n} of ${of}`,
-  cutAt: (/** @type {number} */ at, /** @type {number} */ slant) => (
-    Math.abs(slant) < 0.5 ? `${Math.round(at)} %` : `${Math.round(at)} %, slanted by ${Math.round(slant)} %`
-  ),
-  cutKeys: 'Arrows move it, with Alt they slant it',
+  ...panelStrings,
   otherStyles: 'More',
   more: 'More',
 
