@@ -39,18 +39,16 @@ export function markdown({ machine, rows, times, failed, versions, journey, mask
     lines.push(`| ${row.label} | ${short(own)} | ${Math.round(share * 100)} % | ${cells.join(' | ')} |`);
   }
   for (const [id, reason] of Object.entries(failed)) lines.push('', `${PEERS[id] ?? id} failed: ${reason}`);
+  if (journey || masks) lines.push('', '| In the page, all workers | |', '|---|--:|');
   if (journey) {
     lines.push(
-      '',
-      '| In the page, all workers | |',
-      '|---|--:|',
       `| Twelve 12-megapixel JPEG files to the first page | ${(journey.firstPage / 1000).toFixed(2)} s |`,
       `| Shuffle to visible page | ${Math.round(journey.shuffle)} ms |`,
       `| PNG of 2480 x 3508 from the original photos | ${(journey.png / 1000).toFixed(2)} s |`,
-      `| All ${journey.listed} thumbnails of the layouts, for another page size | ${Math.round(journey.thumbnails)} ms |`,
-      ...(masks ? [`| Masks and borders of a page at 2480 x 3508, slowest layout (one thread) | ${short(masks.ms)} ms |`] : []),
+      `| The ${journey.listed} thumbnails of the layouts, for another page size | ${Math.round(journey.thumbnails)} ms |`,
     );
   }
+  if (masks) lines.push(`| Masks and borders of a page at 2480 x 3508, slowest layout, one thread | ${short(masks.ms)} ms |`);
   return lines.join('\n');
 }
 

@@ -40,7 +40,7 @@ const browser = await chromium.launch({
 try {
   const results = await blocks();
   const whole = filter.length === 0;
-  results.journey = whole ? await page() : null;
+  results.journey = asked('page') ? await page() : null;
   const table = markdown(results);
   console.log(`\n${table}`);
   if (whole && !options.alone) {
@@ -49,6 +49,11 @@ try {
   }
 } finally {
   await browser.close();
+}
+
+/** Whether a part beside the rows is to be timed: without a filter, or by its name. @param {string} part */
+function asked(part) {
+  return filter.length === 0 || filter.includes(part);
 }
 
 /** @returns {Promise<import('./report.js').Results>} */
@@ -75,7 +80,7 @@ async function blocks() {
     failed: {},
     versions: {},
     journey: null,
-    masks: filter.length ? null : await page.evaluate(() => /** @type {any} */ (globalThis).bench.masks()),
+    masks: !asked('masks') ? null : await page.evaluate(() => /** @type {any} */ (globalThis).bench.masks()),
   };
   for (const name of ['inkpanel', ...(options.alone ? [] : Object.keys(PEERS))]) {
     console.log(`timing ${name}`);
