@@ -1,8 +1,8 @@
 // @ts-check
 /**
  * An endless stream of other pages, made as they come into view. It depends on the photos in use, the page
- * settings, the wanted number of panels and what is locked: while these stand, so does the stream, whichever of its
- * pages is chosen.
+ * settings, the wanted number of panels and what is locked, single panels too: while these stand, so does the
+ * stream, whichever of its pages is chosen.
  */
 
 import { computed, signal } from '@preact/signals';
@@ -28,6 +28,7 @@ export function createAlternatives({ store, pages }) {
     return JSON.stringify([
       photos.value.map(({ id }) => id), settings, panels, locks, locks.layout && page.layout, locks.style && page.style,
       locks.photos && [page.order, page.panels],
+      page.panels.filter(({ locked }) => locked).map(({ photo }) => photo),
     ]);
   });
 
