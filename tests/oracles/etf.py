@@ -1,7 +1,7 @@
 """The reference of Edge Tangent Flow in plain numpy: Kang's field and a Gaussian line integral along it.
 
 Source: Kang, Lee and Chui, "Flow-based image abstraction", 2009. The trainer of the filter bank has the same in Rust
-(src/style/blade/reference.rs); tests/blocks.rs compares the two.
+(examples/train_blade/etf.rs).
 """
 
 import numpy as np
