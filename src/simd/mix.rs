@@ -3,6 +3,7 @@
 //! Two sources are interleaved and multiplied in pairs by one 16-bit dot product, which sums them in 32 bits:
 //! nothing is lost before the one rounding at the end.
 
+use super::lanes::{widen_high, widen_low};
 use bytemuck::cast;
 use wide::{i16x8, i32x4, i32x8, u8x16};
 
@@ -73,17 +74,6 @@ fn mix_at<const BITS: u32>(sources: impl Iterator<Item = (Pair, [u8x16; 2])>) ->
     // What is left is far inside an i16; the last step clamps.
     let narrow = |a: i32x4, b: i32x4| i16x8::from_i32x8_truncate(cast::<[i32x4; 2], i32x8>([a, b]));
     u8x16::narrow_i16x8(narrow(a, b), narrow(c, d))
-}
-
-/// The lower eight bytes as 16-bit lanes, little end first as on every platform that has lanes. (The crate's
-/// own conversion goes through scalars on wasm.)
-fn widen_low(bytes: u8x16) -> i16x8 {
-    cast(u8x16::unpack_low(bytes, u8x16::ZERO))
-}
-
-/// The upper eight bytes as 16-bit lanes.
-fn widen_high(bytes: u8x16) -> i16x8 {
-    cast(u8x16::unpack_high(bytes, u8x16::ZERO))
 }
 
 /// `out = sum of weighted rows`, where the rows lie in `source` from the given offsets, two a pair, each at

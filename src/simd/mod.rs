@@ -1,6 +1,7 @@
 //! Row kernels on lanes: the only folder that knows how many pixels an instruction holds.
 //!
-//! Everything here is integer arithmetic, so wasm, x86 and ARM give the same bytes. The lane types come from
+//! Everything here is integer arithmetic, or floats without a rounding that could differ, so wasm, x86 and ARM
+//! give the same bytes. The lane types come from
 //! the `wide` crate: one source for simd128, SSE and NEON.
 //!
 //! | module | for |
@@ -8,6 +9,8 @@
 //! | [`point`] | operations on a pixel's own three channels, sixteen pixels at a time |
 //! | [`table`] | 256-entry tables, run as compares where a table has few steps |
 //! | [`mix`] | weighted sums of rows, for resampling |
+//! | [`lanes`] | moves between lane widths |
+//! | [`flow`] | rows of the dual solver of Total Variation Flow |
 //! | [`fine`] | planes of 1/64 grey steps, in which blurs keep their precision |
 //! | [`fir`] | symmetric convolutions of rows and columns of fine planes |
 //! | [`gaussian`] | Gaussian smoothing at a cost that does not grow with sigma |
@@ -16,7 +19,9 @@
 pub mod blade;
 pub mod fine;
 pub mod fir;
+pub mod flow;
 pub mod gaussian;
+pub mod lanes;
 pub mod mix;
 pub mod point;
 pub mod table;

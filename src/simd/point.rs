@@ -3,6 +3,7 @@
 //! A closure works on eight pixels as 16-bit lanes; narrowing back to u8 saturates, which is the clipping
 //! that the formulas ask for.
 
+use super::lanes::{widen_high, widen_low};
 use crate::raster::{Image, Plane};
 use wide::{i16x8, u8x16};
 
@@ -22,8 +23,8 @@ pub fn map3(
 ) {
     let step = |a: &mut [u8; STEP], b: &mut [u8; STEP], c: &mut [u8; STEP]| {
         let (x, y, z) = (u8x16::new(*a), u8x16::new(*b), u8x16::new(*c));
-        let low = f(i16x8::from_u8x16_low(x), i16x8::from_u8x16_low(y), i16x8::from_u8x16_low(z));
-        let high = f(i16x8::from_u8x16_high(x), i16x8::from_u8x16_high(y), i16x8::from_u8x16_high(z));
+        let low = f(widen_low(x), widen_low(y), widen_low(z));
+        let high = f(widen_high(x), widen_high(y), widen_high(z));
         *a = u8x16::narrow_i16x8(low.0, high.0).to_array();
         *b = u8x16::narrow_i16x8(low.1, high.1).to_array();
         *c = u8x16::narrow_i16x8(low.2, high.2).to_array();
@@ -66,8 +67,8 @@ pub fn round<const BITS: u32>(value: i16x8) -> i16x8 {
 pub fn luma(r: &[u8], g: &[u8], b: &[u8], y: &mut [u8]) {
     let step = |r: &[u8; STEP], g: &[u8; STEP], b: &[u8; STEP], y: &mut [u8; STEP]| {
         let (r, g, b) = (u8x16::new(*r), u8x16::new(*g), u8x16::new(*b));
-        let low = luma_q7(i16x8::from_u8x16_low(r), i16x8::from_u8x16_low(g), i16x8::from_u8x16_low(b));
-        let high = luma_q7(i16x8::from_u8x16_high(r), i16x8::from_u8x16_high(g), i16x8::from_u8x16_high(b));
+        let low = luma_q7(widen_low(r), widen_low(g), widen_low(b));
+        let high = luma_q7(widen_high(r), widen_high(g), widen_high(b));
         *y = u8x16::narrow_i16x8(round::<7>(low), round::<7>(high)).to_array();
     };
     let (y_steps, y_tail) = y.as_chunks_mut::<STEP>();
@@ -167,8 +168,8 @@ pub fn lay_ink(plane: &mut [u8], lines: &[u8], ink: u8) {
 fn zip3(a: &mut [u8], b: &[u8], c: &[u8], f: impl Fn(i16x8, i16x8, i16x8) -> i16x8) {
     let step = |a: &mut [u8; STEP], b: &[u8; STEP], c: &[u8; STEP]| {
         let (x, y, z) = (u8x16::new(*a), u8x16::new(*b), u8x16::new(*c));
-        let low = f(i16x8::from_u8x16_low(x), i16x8::from_u8x16_low(y), i16x8::from_u8x16_low(z));
-        let high = f(i16x8::from_u8x16_high(x), i16x8::from_u8x16_high(y), i16x8::from_u8x16_high(z));
+        let low = f(widen_low(x), widen_low(y), widen_low(z));
+        let high = f(widen_high(x), widen_high(y), widen_high(z));
         *a = u8x16::narrow_i16x8(low, high).to_array();
     };
     let nothing = [0; STEP];

@@ -16,6 +16,8 @@ pub struct Context<'a> {
     pub blurs: Buffers,
     /// Floats of the iterative blocks.
     pub floats: Vec<Vec<f32>>,
+    /// Rows of Total Variation Flow.
+    pub(in crate::style) flow: super::blocks::FlowBuffers,
     planes: Vec<Vec<u8>>,
     cancelled: Option<&'a dyn Fn() -> bool>,
 }
