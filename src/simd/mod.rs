@@ -11,6 +11,7 @@
 //! | [`mix`] | weighted sums of rows, for resampling |
 //! | [`lanes`] | moves between lane widths |
 //! | [`flow`] | rows of the dual solver of Total Variation Flow |
+//! | [`screen`] | halftone: separation of inks, printing through thresholds |
 //! | [`fine`] | planes of 1/64 grey steps, in which blurs keep their precision |
 //! | [`fir`] | symmetric convolutions of rows and columns of fine planes |
 //! | [`gaussian`] | Gaussian smoothing at a cost that does not grow with sigma |
@@ -24,4 +25,5 @@ pub mod gaussian;
 pub mod lanes;
 pub mod mix;
 pub mod point;
+pub mod screen;
 pub mod table;

@@ -49,7 +49,7 @@ const COARSE_FROM: f32 = 7.0;
 /// Iterations after which the result is within the error that is asked for (42 dB against the exact minimum at a
 /// time of 15, 38 dB at 40; measured).
 fn iterations(time: f32) -> usize {
-    (3.0 + time / 13.0).min(12.0) as usize
+    (2.7 + time / 12.0).min(12.0) as usize
 }
 
 /// The same on half the resolution.
