@@ -12,12 +12,15 @@
 //! | [`lanes`] | moves between lane widths |
 //! | [`flow`] | rows of the dual solver of Total Variation Flow |
 //! | [`screen`] | halftone: separation of inks, printing through thresholds |
+//! | [`edge`] | gradient magnitudes |
+//! | [`volume`] | blurs of volumes of floats |
 //! | [`fine`] | planes of 1/64 grey steps, in which blurs keep their precision |
 //! | [`fir`] | symmetric convolutions of rows and columns of fine planes |
 //! | [`gaussian`] | Gaussian smoothing at a cost that does not grow with sigma |
 //! | [`blade`] | 7 x 7 filters that change from place to place |
 
 pub mod blade;
+pub mod edge;
 pub mod fine;
 pub mod fir;
 pub mod flow;
@@ -27,3 +30,4 @@ pub mod mix;
 pub mod point;
 pub mod screen;
 pub mod table;
+pub mod volume;

@@ -1,4 +1,5 @@
-//! Halftone screens on lanes: the separation of inks and the printing of a row through its thresholds.
+//! Screens on lanes: the separation of inks, the printing of a row through its thresholds, and the choice of a
+//! pattern for each tone.
 
 use super::lanes::{narrow, widen_high, widen_low};
 use bytemuck::cast;
@@ -55,6 +56,28 @@ fn print_one(coverage: u8, (start, width, slope): (u8, u8, i16), paper: u8) -> u
     let depth = i32::from(coverage.saturating_sub(start).min(width));
     let rest = 255 - ((depth * i32::from(slope)) >> SLOPE_BITS).min(255);
     ((i32::from(paper) * ((rest << 7) + (rest >> 1)) + 0x4000) >> 15) as u8
+}
+
+/// Samples in `row` become those of their level's row in `patterns`: level floor(sample * levels / 256). The rows
+/// are as long as `row` or longer, and there are at most 255.
+pub fn select(row: &mut [u8], patterns: &[Vec<u8>]) {
+    let levels = patterns.len();
+    // The smallest sample with floor(sample * levels / 256) >= level.
+    let from = |level: usize| (256 * level).div_ceil(levels) as u8;
+    let (chunks, tail) = row.as_chunks_mut::<STEP>();
+    let whole = chunks.len() * STEP;
+    for (i, chunk) in chunks.iter_mut().enumerate() {
+        let samples = u8x16::new(*chunk);
+        let mut out = super::mix::load(&patterns[0], i * STEP);
+        for (level, pattern) in patterns.iter().enumerate().skip(1) {
+            let reached = samples.simd_ge(u8x16::splat(from(level)));
+            out = reached.bitselect(super::mix::load(pattern, i * STEP), out);
+        }
+        *chunk = out.to_array();
+    }
+    for (x, sample) in (whole..).zip(tail) {
+        *sample = patterns[usize::from(*sample) * levels / 256][x];
+    }
 }
 
 fn halves(slope: &[i16; STEP]) -> [i16x8; 2] {
@@ -166,6 +189,19 @@ mod tests {
                     let exact = f32::from(most - row[i]) * 255.0 / f32::from(most.max(1));
                     assert!((f32::from(ink[i]) - exact).abs() <= 1.5, "{} {exact}", ink[i]);
                 }
+            }
+        }
+    }
+
+    #[test]
+    fn each_sample_takes_the_pattern_of_its_level() {
+        for (levels, n) in (2..=8usize).cycle().zip(1..=67).chain((2..=8).map(|levels| (levels, 256))) {
+            let patterns: Vec<Vec<u8>> = (0..levels).map(|level| vec![level as u8; n]).collect();
+            let before: Vec<u8> = (0..n).map(|x| (x * 255 / n.max(255) * 7 % 256) as u8 ^ x as u8).collect();
+            let mut row = before.clone();
+            select(&mut row, &patterns);
+            for (&level, &y) in row.iter().zip(&before) {
+                assert_eq!(usize::from(level), usize::from(y) * levels / 256);
             }
         }
     }

@@ -1,10 +1,14 @@
-//! Tables from one luma value to another. A table is analysed once; one with few steps (posterisation, a
-//! threshold) runs as compares on lanes, the others as look-ups.
+//! Tables from one luma value to another. A table is analysed once, and most run as arithmetic on lanes: a gain, levels
+//! at equal distances, a few steps, a curve over a part of the tones. The others are look-ups.
 
-use wide::{i8x16, u8x16};
+use super::lanes::{interleave_high, interleave_low, narrow, widen_high, widen_low};
+use wide::{i8x16, i16x8, u8x16};
 
 /// More steps than this and look-ups are faster than compares.
 const MAX_STEPS: usize = 12;
+
+/// More blocks than this and look-ups one by one are faster than in registers.
+const MAX_BLOCKS: usize = 8;
 
 /// A 256-entry table in the form in which it runs fastest.
 #[derive(Clone, Debug)]
@@ -18,7 +22,29 @@ enum Form {
     Identity,
     /// The value at 0, then (last input before the step, wrapping difference) of each step.
     Steps(u8, Vec<(u8, u8)>),
+    Levels(Levels),
+    Affine(Affine),
+    /// The commonest value, then (first input, values xored with the commonest) of each block of sixteen inputs
+    /// that are not all like it.
+    Blocks(u8, Vec<(u8, [u8; 16])>),
     Lookup,
+}
+
+/// ((v * count) >> 8) * height + half, from Q7.
+#[derive(Clone, Copy, Debug)]
+struct Levels {
+    count: i16,
+    height: i16,
+    half: i16,
+}
+
+/// (v << shift) * gain + offset, rounded from Q19 and clipped.
+#[derive(Clone, Copy, Debug)]
+struct Affine {
+    shift: u32,
+    gain: i16,
+    /// In units of 2^13.
+    offset: i16,
 }
 
 impl Table {
@@ -31,10 +57,14 @@ impl Table {
             .collect();
         let form = if entries.iter().enumerate().all(|(v, &out)| v == usize::from(out)) {
             Form::Identity
+        } else if let Some(levels) = Levels::of(&entries, steps.len() + 1) {
+            Form::Levels(levels)
         } else if steps.len() <= MAX_STEPS {
             Form::Steps(entries[0], steps)
+        } else if let Some(affine) = Affine::of(&entries) {
+            Form::Affine(affine)
         } else {
-            Form::Lookup
+            blocks(&entries).unwrap_or(Form::Lookup)
         };
         Self { entries, form }
     }
@@ -59,21 +89,143 @@ impl Table {
 
     /// Replaces every sample.
     pub fn apply(&self, samples: &mut [u8]) {
+        if matches!(self.form, Form::Identity) {
+            return;
+        }
+        let (chunks, tail) = samples.as_chunks_mut::<16>();
         match &self.form {
             Form::Identity => {}
-            Form::Steps(first, steps) => {
-                let (chunks, tail) = samples.as_chunks_mut::<16>();
-                apply_steps(*first, steps, chunks);
-                self.look_up(tail);
-            }
-            Form::Lookup => self.look_up(samples),
+            Form::Steps(first, steps) => apply_steps(*first, steps, chunks),
+            Form::Levels(levels) => levels.apply(chunks),
+            Form::Affine(affine) => affine.apply(chunks),
+            Form::Blocks(common, blocks) => apply_blocks(*common, blocks, chunks),
+            Form::Lookup => self.look_up(chunks.as_flattened_mut()),
         }
+        self.look_up(tail);
     }
 
     fn look_up(&self, samples: &mut [u8]) {
         for sample in samples {
             *sample = self.entries[usize::from(*sample)];
         }
+    }
+}
+
+impl Levels {
+    /// The form of a table with so many values, if it has it.
+    fn of(entries: &[u8; 256], count: usize) -> Option<Self> {
+        if !(2..=64).contains(&count) {
+            return None;
+        }
+        let height = (255.0 * 128.0 / (count - 1) as f32).round() as i16;
+        // The height is rounded, too: another half than 64 can make up for it.
+        (32..96).map(|half| Self { count: count as i16, height, half }).find(|levels| {
+            let one =
+                |v: usize| (((v * count) >> 8) as i32 * i32::from(height) + i32::from(levels.half)) >> 7;
+            (0..256).all(|v| one(v) == i32::from(entries[v]))
+        })
+    }
+
+    fn apply(self, chunks: &mut [[u8; 16]]) {
+        let [count, height, half] = [self.count, self.height, self.half].map(i16x8::splat);
+        let level = |v: i16x8| (((v * count) >> 8u32) * height + half) >> 7u32;
+        for chunk in chunks {
+            let v = u8x16::new(*chunk);
+            *chunk = u8x16::narrow_i16x8(level(widen_low(v)), level(widen_high(v))).to_array();
+        }
+    }
+}
+
+impl Affine {
+    const BITS: u32 = 19;
+
+    /// The form of a table that is a straight line, clipped at both ends, if it is one.
+    fn of(entries: &[u8; 256]) -> Option<Self> {
+        // The line between the ends of the part that is not clipped, then its neighbours: rounding hides its slope.
+        let inner = |v: &usize| (1..255).contains(&entries[*v]);
+        let (first, last) = ((0..256).find(inner)?, (0..256).rfind(inner)?);
+        let rise = f64::from(entries[last]) - f64::from(entries[first]);
+        let run = (last - first) as f64;
+        if rise < 8.0 {
+            return None;
+        }
+        let one = f64::from(1u32 << Self::BITS);
+        for slope in (-8..=8).map(|k| (rise + f64::from(k) / 8.0) / run) {
+            // The largest factor below 2^15.
+            let shift = (0..=7).find(|&shift| slope * one / f64::from(1u32 << shift) < 32767.0)?;
+            let gain = (slope * one / f64::from(1u32 << shift)).round();
+            // Offsets at which all entries inside are right.
+            let exact = |v: usize| gain * f64::from(1u32 << shift) / one * v as f64;
+            let ends = (first..=last).map(|v| {
+                let least = f64::from(entries[v]) - 0.5 - exact(v);
+                (least, least + 1.0)
+            });
+            let (low, high) = ends.fold((f64::MIN, f64::MAX), |a, b| (a.0.max(b.0), a.1.min(b.1)));
+            let offset = (f64::midpoint(low, high) * one / 8192.0).round();
+            if low >= high || offset.abs() > 32000.0 {
+                continue;
+            }
+            let affine = Self { shift, gain: gain as i16, offset: offset as i16 };
+            if (0..256).all(|v| affine.one(v as i32) == i32::from(entries[v])) {
+                return Some(affine);
+            }
+        }
+        None
+    }
+
+    fn one(self, v: i32) -> i32 {
+        let sum = (v << self.shift) * i32::from(self.gain) + (i32::from(self.offset) << 13);
+        ((sum + (1 << (Self::BITS - 1))) >> Self::BITS).clamp(0, 255)
+    }
+
+    fn apply(self, chunks: &mut [[u8; 16]]) {
+        // Pairs of lanes: (v, 2^13) and (gain, offset and the half that rounds).
+        let shift = i16x8::splat(1 << self.shift);
+        let one = i16x8::splat(1 << 13);
+        let (gain, offset) = (i16x8::splat(self.gain), i16x8::splat(self.offset + 32));
+        let factors = interleave_low(gain, offset);
+        let line = |v: i16x8| {
+            let v = v * shift;
+            let sum = |pairs: i16x8| pairs.dot(factors) >> Self::BITS;
+            narrow(sum(interleave_low(v, one)), sum(interleave_high(v, one)))
+        };
+        for chunk in chunks {
+            let v = u8x16::new(*chunk);
+            *chunk = u8x16::narrow_i16x8(line(widen_low(v)), line(widen_high(v))).to_array();
+        }
+    }
+}
+
+/// The blocks that are not all the commonest value, unless they are many.
+fn blocks(entries: &[u8; 256]) -> Option<Form> {
+    let mut counts = [0u16; 256];
+    for &entry in entries {
+        counts[usize::from(entry)] += 1;
+    }
+    let common = (0..=255u8).max_by_key(|&v| counts[usize::from(v)])?;
+    let (all, _) = entries.as_chunks::<16>();
+    let blocks: Vec<(u8, [u8; 16])> = (0..=255u8)
+        .step_by(16)
+        .zip(all)
+        .filter(|(_, block)| block.iter().any(|&v| v != common))
+        .map(|(first, block)| (first, block.map(|v| v ^ common)))
+        .collect();
+    (blocks.len() <= MAX_BLOCKS).then_some(Form::Blocks(common, blocks))
+}
+
+fn apply_blocks(common: u8, blocks: &[(u8, [u8; 16])], chunks: &mut [[u8; 16]]) {
+    let mut loaded = [(u8x16::ZERO, u8x16::ZERO); MAX_BLOCKS];
+    for (loaded, &(first, block)) in loaded.iter_mut().zip(blocks) {
+        *loaded = (u8x16::splat(first), u8x16::new(block));
+    }
+    for chunk in chunks {
+        let v = u8x16::new(*chunk);
+        let mut difference = u8x16::ZERO;
+        for &(first, block) in &loaded[..blocks.len()] {
+            // Inputs of other blocks are beyond the sixteen, which gives 0.
+            difference |= block.shuffle_zeroing(v - first);
+        }
+        *chunk = (difference ^ u8x16::splat(common)).to_array();
     }
 }
 
@@ -131,6 +283,39 @@ mod tests {
         let mut all: Vec<u8> = (0..=255).collect();
         Table::from_fn(|v| if v > 127.0 { 0.0 } else { 200.0 }).apply(&mut all);
         assert_eq!((all[0], all[127], all[128], all[255]), (200, 200, 0, 0));
+    }
+
+    #[test]
+    fn every_form_gives_the_entries_of_its_table() {
+        let mut forms = [0; 6];
+        let mut check = |table: &Table| {
+            forms[match table.form {
+                Form::Identity => 0,
+                Form::Steps(..) => 1,
+                Form::Levels(_) => 2,
+                Form::Affine(_) => 3,
+                Form::Blocks(..) => 4,
+                Form::Lookup => 5,
+            }] += 1;
+            let mut all: Vec<u8> = (0..=255).chain(3..19).collect();
+            table.apply(&mut all[..271]);
+            assert_eq!(&all[..256], table.entries(), "{:?}", table.form);
+        };
+        check(&Table::from_fn(|v| v));
+        for gain in 1..=80u8 {
+            check(&Table::from_fn(|v| v * f32::from(gain) * 0.05));
+            let (low, high) = (f32::from(gain), 255.0 - f32::from(gain) * 0.5);
+            check(&Table::from_fn(|v| (v - low) * 255.0 / (high - low)));
+        }
+        for levels in 2..=64u8 {
+            let levels = f32::from(levels);
+            check(&Table::from_fn(|v| (v * levels / 256.0).floor() * 255.0 / (levels - 1.0)));
+            check(&Table::from_fn(|v| 255.0 * (1.0 + (0.03 * (v - 2.0 * levels).min(0.0)).tanh())));
+            check(&Table::from_fn(|v| (v * levels).sin() * 128.0 + 128.0));
+            check(&Table::from_fn(|v| if v < levels { 0.0 } else { 200.0 }));
+        }
+        assert!(forms.iter().all(|&count| count > 0), "{forms:?}");
+        assert!(forms[2] >= 30 && forms[3] >= 90, "{forms:?}");
     }
 
     #[test]

@@ -8,7 +8,7 @@
 
 use super::{Block, Channels, Kernel};
 use crate::error::Result;
-use crate::raster::Image;
+use crate::raster::{Image, Plane};
 use crate::simd::point::luma_plane;
 use crate::simd::screen::{self, Ramps};
 use crate::style::context::Context;
@@ -79,7 +79,7 @@ fn cmyk(mut image: Image, pitch: f32, context: &mut Context<'_>) -> Result<Image
         if y % 64 == 0 {
             context.check_cancelled()?;
         }
-        let [c, m, yellows, k] = inks.each_mut().map(|ink| ink.samples_mut());
+        let [c, m, yellows, k] = inks.each_mut().map(Plane::samples_mut);
         screen::separate([r.row(y), g.row(y), b.row(y)], [c, m, yellows, k]);
         key.samples_mut().fill(255);
         screen::print(inks[3].samples(), black.row(y), key.samples_mut());
@@ -238,7 +238,6 @@ fn growth(radius: f32) -> f32 {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::raster::Plane;
 
     #[test]
     fn a_flat_gray_is_covered_as_it_should_be() {

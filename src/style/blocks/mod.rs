@@ -27,6 +27,7 @@ use super::params::{Args, Param};
 use crate::error::Result;
 use crate::raster::{Image, Plane};
 use crate::simd::table::Table;
+pub(in crate::style) use pattern::Drawn as DrawnTiles;
 pub(in crate::style) use tvf::Buffers as FlowBuffers;
 use wide::i16x8;
 

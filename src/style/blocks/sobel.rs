@@ -2,6 +2,7 @@
 //! an axis gives 255; borders repeat the edge.
 
 use super::{Block, Channels, Kernel};
+use crate::simd::edge::{self, magnitude};
 use crate::style::params::{Kind, Param, Unit, number};
 
 pub(super) static BLOCK: Block = Block {
@@ -46,28 +47,8 @@ fn magnitudes(rows: [&[u8]; 3], gain: f32, flip: u8, out: &mut [u8]) {
     out[0] = pixel(0, 0, 1.min(width - 1));
     if width > 1 {
         out[width - 1] = pixel(width - 2, width - 1, width - 1);
-        interior(rows, gain, flip, &mut out[1..width - 1]);
+        edge::sobel(rows, gain, flip, &mut out[1..width - 1]);
     }
-}
-
-/// Pixels with both neighbours: shifted slices of one length, a loop that compilers turn into lanes.
-fn interior([above, here, below]: [&[u8]; 3], gain: f32, flip: u8, out: &mut [u8]) {
-    let n = out.len();
-    let (a0, a1, a2) = (&above[..n], &above[1..=n], &above[2..n + 2]);
-    let (h0, h2) = (&here[..n], &here[2..n + 2]);
-    let (b0, b1, b2) = (&below[..n], &below[1..=n], &below[2..n + 2]);
-    for i in 0..n {
-        let v = |row: &[u8]| i16::from(row[i]);
-        let dx = v(a2) - v(a0) + 2 * (v(h2) - v(h0)) + v(b2) - v(b0);
-        let dy = v(b0) - v(a0) + 2 * (v(b1) - v(a1)) + v(b2) - v(a2);
-        out[i] = magnitude(dx, dy, gain) ^ flip;
-    }
-}
-
-#[inline]
-fn magnitude(dx: i16, dy: i16, gain: f32) -> u8 {
-    let (dx, dy) = (f32::from(dx), f32::from(dy));
-    ((dx * dx + dy * dy).sqrt() * gain + 0.5).min(255.0) as u8
 }
 
 #[cfg(test)]

@@ -1,6 +1,7 @@
 //! The bilateral grid: a coarse volume of (x, y, tone) that holds sums of tones and how many pixels made them.
 
 use crate::raster::Plane;
+use crate::simd::volume::binomial;
 use crate::style::context::Context;
 
 /// Cells for one sigma: gathering into a cell, the blur of one cell and reading back between cells add up to
@@ -10,10 +11,13 @@ const CELL: f32 = 0.89;
 /// No grid has more cells: tiny sigmas are coarsened until they fit.
 const MAX_CELLS: usize = 6_000_000;
 
-/// Cells in the order (y, x, tone), with a margin of one cell at the far ends for interpolation.
+/// Empty cells behind the tones of a column and behind the columns of a row, so that a blur along one axis is one
+/// sum over the whole volume: what it carries across an end is lost in them.
+const GAP: usize = 2;
+
+/// Cells in the order (y, x, tone), with a margin of one cell at the far ends for interpolation and gaps.
 pub(super) struct Grid {
     columns: usize,
-    rows: usize,
     tones: usize,
     /// Cells for a pixel and for a grey step.
     per_pixel: f32,
@@ -36,7 +40,7 @@ impl Grid {
         let (width, height) = size;
         let mut per_pixel = 1.0 / (CELL * sigma_s.max(0.5));
         let mut per_grey = 1.0 / (CELL * sigma_r);
-        let cells = |length: usize, rate: f32| (length as f32 * rate) as usize + 3;
+        let cells = |length: usize, rate: f32| (length as f32 * rate) as usize + 3 + GAP;
         while cells(width, per_pixel) * cells(height, per_pixel) * cells(255, per_grey) > MAX_CELLS {
             (per_pixel, per_grey) = (per_pixel * 0.9, per_grey * 0.95);
         }
@@ -49,7 +53,6 @@ impl Grid {
         };
         let mut grid = Self {
             columns,
-            rows,
             tones,
             per_pixel,
             per_grey,
@@ -92,20 +95,18 @@ impl Grid {
 
     /// Blurs along all three axes and divides.
     pub(super) fn blur(&mut self, context: &mut Context<'_>) {
-        let (columns, rows, tones) = (self.columns, self.rows, self.tones);
         let mut scratch = context.take_floats(self.cells.len());
-        let size = columns * tones * 2;
-        for (source, target) in self.cells.chunks_exact(tones * 2).zip(scratch.chunks_exact_mut(tones * 2)) {
-            blur_groups(source, target, 2, tones);
-        }
-        for (source, target) in scratch.chunks_exact(size).zip(self.cells.chunks_exact_mut(size)) {
-            blur_groups(source, target, tones * 2, columns);
-        }
-        blur_groups(&self.cells, &mut scratch, size, rows);
+        let column = self.tones * 2;
+        binomial(&self.cells, 2, &mut scratch);
+        binomial(&scratch, column, &mut self.cells);
+        binomial(&self.cells, column * self.columns, &mut scratch);
         let grey = 1.0 / self.per_grey;
-        for (i, (value, cell)) in self.values.iter_mut().zip(scratch.chunks_exact(2)).enumerate() {
-            // A cell far from every pixel says its own tone: nothing reads it but at a weight near zero.
-            *value = if cell[0] > 1e-6 { cell[1] / cell[0] } else { (i % tones) as f32 * grey };
+        let columns = self.values.chunks_exact_mut(self.tones).zip(scratch.chunks_exact(column));
+        for (values, cells) in columns {
+            for (z, (value, cell)) in values.iter_mut().zip(cells.as_chunks::<2>().0).enumerate() {
+                // A cell far from every pixel says its own tone: nothing reads it but at a weight near zero.
+                *value = if cell[0] > 1e-6 { cell[1] / cell[0] } else { z as f32 * grey };
+            }
         }
         context.give_floats(scratch);
     }
@@ -134,23 +135,6 @@ impl Grid {
 #[inline]
 fn pair(values: &[f32], i: usize) -> Option<&[f32; 2]> {
     values.get(i..i + 2)?.first_chunk()
-}
-
-/// [1 4 6 4 1] / 16 along `count` groups of `size` floats; nothing lies beyond the ends.
-fn blur_groups(source: &[f32], target: &mut [f32], size: usize, count: usize) {
-    for (i, out) in target.chunks_exact_mut(size).enumerate() {
-        let group = |k: usize| &source[(i + k - 2) * size..][..size];
-        for (out, &value) in out.iter_mut().zip(group(2)) {
-            *out = 0.375 * value;
-        }
-        for (k, weight) in [(0, 0.0625), (1, 0.25), (3, 0.25), (4, 0.0625)] {
-            if (2..count + 2).contains(&(i + k)) {
-                for (out, &value) in out.iter_mut().zip(group(k)) {
-                    *out += weight * value;
-                }
-            }
-        }
-    }
 }
 
 #[cfg(test)]

@@ -6,6 +6,7 @@ mod tiles;
 use super::{Block, Channels, Kernel};
 use crate::error::Result;
 use crate::raster::Plane;
+use crate::simd::screen::select;
 use crate::style::context::Context;
 use crate::style::params::{Kind, Param, Unit, integer, number};
 use tiles::Tile;
@@ -28,10 +29,21 @@ pub(super) static BLOCK: Block = Block {
     ],
     kernel: Kernel::Planes(|args, plane, context| {
         let scale = args.number(2) * context.scale();
-        let tiles = tiles::draw(args.choice(1), args.number(0) as usize, scale);
-        fill(plane, &tiles, context)
+        let key = (args.choice(1), args.number(0) as usize, scale.to_bits());
+        // Drawing takes longer than filling: a slider elsewhere or another panel finds the tiles as they were.
+        let drawn = context.tiles.take().filter(|drawn| drawn.key == key);
+        let drawn = drawn.unwrap_or_else(|| Drawn { key, tiles: tiles::draw(key.0, key.1, scale) });
+        let filled = fill(plane, &drawn.tiles, context);
+        context.tiles = Some(drawn);
+        filled
     }),
 };
+
+/// Tiles and what they were drawn for: pattern, levels, bits of the scale.
+pub(in crate::style) struct Drawn {
+    key: (usize, usize, u32),
+    tiles: Vec<Tile>,
+}
 
 /// Replaces each pixel by that of the tile of its level: floor(Y levels / 256).
 fn fill(mut plane: Plane, tiles: &[Tile], context: &mut Context<'_>) -> Result<Plane> {
@@ -51,39 +63,9 @@ fn fill(mut plane: Plane, tiles: &[Tile], context: &mut Context<'_>) -> Result<P
     Ok(plane)
 }
 
-/// Samples in `row` become those of the level's row: one compare a level, a loop that runs on lanes.
-fn select(row: &mut [u8], rows: &[Vec<u8>]) {
-    const TILE: usize = 64;
-    let levels = rows.len();
-    let mut out = [0; TILE];
-    for (start, chunk) in row.chunks_mut(TILE).enumerate().map(|(i, chunk)| (i * TILE, chunk)) {
-        let n = chunk.len();
-        out[..n].copy_from_slice(&rows[0][start..start + n]);
-        for (level, pattern) in rows.iter().enumerate().skip(1) {
-            // The smallest Y with floor(Y levels / 256) >= level.
-            let from = (256 * level).div_ceil(levels) as u8;
-            let pattern = &pattern[start..start + n];
-            for ((out, &pattern), &y) in out[..n].iter_mut().zip(pattern).zip(chunk.iter()) {
-                *out = if y >= from { pattern } else { *out };
-            }
-        }
-        chunk.copy_from_slice(&out[..n]);
-    }
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
-
-    #[test]
-    fn each_pixel_takes_the_tile_of_its_level() {
-        for levels in 2..=8usize {
-            let rows: Vec<Vec<u8>> = (0..levels).map(|level| vec![level as u8; 256]).collect();
-            let mut row: Vec<u8> = (0..=255).collect();
-            select(&mut row, &rows);
-            assert!(row.iter().enumerate().all(|(y, &level)| usize::from(level) == y * levels / 256));
-        }
-    }
 
     #[test]
     fn darker_gray_gets_more_ink_in_every_pattern() {
