@@ -159,7 +159,7 @@ fn lattice(degrees: f32, pitch: f32) -> (usize, (i64, i64)) {
         (error, cells, (a as i64, b as i64))
     });
     // Small squares first: a larger one has to be better by more than rounding.
-    let best = choice.reduce(|best, next| if next.0 < best.0 - 0.005 * pitch { next } else { best });
+    let best = choice.reduce(|best, next| if next.0 < best.0 - 0.001 * pitch { next } else { best });
     best.map_or((1, (1, 0)), |(_, cells, side)| (cells, side))
 }
 
@@ -199,7 +199,8 @@ fn ramps(distances: &[f32], pitch: f32) -> Vec<(u8, u8)> {
         let start = (middle - half).round().clamp(0.0, 254.0);
         ramps[i] = (start as u8, (middle + half - start).round().clamp(1.0, 255.0 - start) as u8);
     }
-    for _ in 0..2 {
+    // The ramps of small dots are long for the scale and need it twice.
+    for _ in 0..if pitch < 7.9 { 2 } else { 1 } {
         calibrate(&mut ramps);
     }
     ramps

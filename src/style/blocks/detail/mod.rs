@@ -15,6 +15,7 @@
 mod grid;
 
 use super::{Block, Channels, Kernel};
+use crate::simd::volume::exaggerate;
 use crate::style::params::{Unit, number};
 use grid::Grid;
 
@@ -55,10 +56,7 @@ pub(super) static BLOCK: Block = Block {
         for y in 0..plane.height() {
             let row = plane.row_mut(y);
             grid.slice_row(y, row, &mut base);
-            for (sample, &base) in row.iter_mut().zip(&base) {
-                let value = f32::from(*sample);
-                *sample = (value + amount * (value - base) + 0.5).clamp(0.0, 255.0) as u8;
-            }
+            exaggerate(row, &base, amount);
         }
         context.give_floats(base);
         grid.release(context);
