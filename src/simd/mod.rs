@@ -11,7 +11,7 @@
 //! | [`mix`] | weighted sums of rows, for resampling |
 //! | [`lanes`] | moves between lane widths |
 //! | [`flow`] | rows of the dual solver of Total Variation Flow |
-//! | [`screen`] | halftone: separation of inks, printing through thresholds |
+//! | [`screen`] | the choice of a pattern for each tone |
 //! | [`edge`] | gradient magnitudes |
 //! | [`volume`] | blurs of volumes of floats |
 //! | [`fine`] | planes of 1/64 grey steps, in which blurs keep their precision |
