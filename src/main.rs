@@ -11,9 +11,9 @@ use inkpanel::page::import::{Imported, import};
 use inkpanel::page::shuffle::{Keep, Mode, Request, plan};
 use inkpanel::page::{Document, Scene, catalogue, compose, png};
 use inkpanel::raster::Image;
-use inkpanel::raster::decode::{Limits, decode};
+use inkpanel::raster::decode::{Limits, decode_fit};
 use inkpanel::select::{self, Measures};
-use inkpanel::style::{Context, Style, stylize};
+use inkpanel::style::{Context, Style, aesthetic, procedural, stylize};
 use inkpanel::{Error, style};
 use rayon::prelude::*;
 use serde_json::{Value, json};
@@ -68,6 +68,20 @@ enum Command {
         #[arg(long, value_name = "DIR")]
         models: Option<PathBuf>,
     },
+    /// Invent styles: chains of blocks at random, the same for the same seed.
+    Generate {
+        /// Seed of the first; the others have the seeds that follow.
+        #[arg(long, default_value_t = 1)]
+        seed: u32,
+        /// How many.
+        #[arg(long, default_value_t = 8, value_parser = clap::value_parser!(u32).range(1..=10_000))]
+        count: u32,
+        /// Answer as JSON.
+        #[arg(long)]
+        json: bool,
+        /// A photo to draw them on; each style then has a score from 0 to 1.
+        photo: Option<PathBuf>,
+    },
     /// List the filter blocks.
     Blocks(Listing),
     /// List the page templates.
@@ -117,6 +131,9 @@ struct Render {
     files: Vec<PathBuf>,
 }
 
+/// Long side of the thumbnail that invented styles are scored on, in pixels.
+const SCORING_SIDE: usize = 256;
+
 /// A sentence about what went wrong, for people.
 type Complaint = String;
 
@@ -126,6 +143,7 @@ fn main() -> ExitCode {
         Command::Stylize { style, input, output } => stylize_photo(&style, &input, &output),
         Command::Select { files, json, threshold } => select_photos(&files, json, threshold),
         Command::Detect { files, json, models } => detect_photos(&files, json, models.as_deref()),
+        Command::Generate { seed, count, json, photo } => invent_styles(seed, count, json, photo.as_deref()),
         Command::Blocks(listing) => list(&catalogue::blocks(), listing.json),
         Command::Layouts(listing) => list(&catalogue::layouts(), listing.json),
         Command::Styles(listing) => list(&catalogue::styles(), listing.json),
@@ -269,6 +287,22 @@ fn detect_photos(files: &[PathBuf], as_json: bool, models: Option<&Path>) -> Res
     Ok(())
 }
 
+fn invent_styles(seed: u32, count: u32, as_json: bool, photo: Option<&Path>) -> Result<(), Complaint> {
+    let photo = photo.map(|path| decode_file_fit(path, SCORING_SIDE)).transpose()?;
+    let styles: Vec<Value> = (0..count)
+        .into_par_iter()
+        .map(|i| {
+            let mut style = procedural::invent(seed.wrapping_add(i));
+            if let Some(photo) = &photo {
+                let drawn = stylize(photo, &style, &mut Context::for_image(photo));
+                style.score = Some(drawn.map(|drawn| aesthetic::score(photo, &drawn)).unwrap_or(0.0));
+            }
+            style.to_value()
+        })
+        .collect();
+    list(&Value::Array(styles), as_json)
+}
+
 /// Tells framing what is in the photos; without the nets it goes by contrast, which is said once.
 fn add_subjects(photos: &mut [(PathBuf, Imported)], models: Option<&Path>) {
     let detectors = match detectors::load(models) {
@@ -323,9 +357,13 @@ fn import_all(files: &[PathBuf]) -> Vec<(PathBuf, Imported)> {
 }
 
 fn decode_file(path: &Path) -> Result<Image, Complaint> {
+    decode_file_fit(path, usize::MAX)
+}
+
+fn decode_file_fit(path: &Path, longest: usize) -> Result<Image, Complaint> {
     let complain = |reason: String| format!("{}: {reason}", path.display());
     let bytes = std::fs::read(path).map_err(|error| complain(error.to_string()))?;
-    decode(&bytes, &Limits::default())
+    decode_fit(&bytes, &Limits::default(), longest)
         .map(|decoded| decoded.image)
         .map_err(|error| complain(error.to_string()))
 }

@@ -9,7 +9,10 @@
 //! | [`chain`] | a layer compiled into passes and run |
 //! | [`context`] | scale, scratch memory and cancellation that a run gives to its blocks |
 //! | [`catalogue`] | the designed styles that ship in `styles/` |
+//! | [`procedural`] | styles invented from a seed |
+//! | [`aesthetic`] | the light score that sorts them |
 
+pub mod aesthetic;
 pub mod blade;
 pub mod blocks;
 pub mod catalogue;
@@ -17,6 +20,7 @@ pub mod chain;
 pub mod context;
 pub mod file;
 pub mod params;
+pub mod procedural;
 
 pub use context::Context;
 pub use file::Style;

@@ -104,6 +104,19 @@ impl Kind {
     }
 }
 
+impl Param {
+    /// The nearest value that the control can stand on, in range; numbers go by a tenth of the slider's step.
+    #[must_use]
+    pub fn rounded(&self, value: f32) -> f32 {
+        let (min, max) = self.kind.range();
+        let value = match self.kind {
+            Kind::Number { step, .. } => (value / (step / 10.0)).round() * (step / 10.0),
+            _ => value.round(),
+        };
+        value.clamp(min, max)
+    }
+}
+
 /// A number parameter; the shorthand in which the blocks declare theirs.
 #[must_use]
 pub const fn number(

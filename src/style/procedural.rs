@@ -1,0 +1,144 @@
+//! Styles that nobody designed: chains of blocks drawn at random, by the rules of "Graphic Narrative with Interactive
+//! Stylization Design" (Garcia-Dorado et al., section on procedural styles).
+//!
+//! The same seed gives the same style on every machine and in every release.
+
+use super::blocks::{self, Channels};
+use super::file::{Step, Style};
+use oorandom::Rand64;
+
+/// Blocks of a chain, fewest and most.
+const LENGTH: (u64, u64) = (4, 9);
+
+/// Chance of a gray style.
+const GRAY_CHANCE: f64 = 0.2;
+
+/// A block that may be drawn, and the ranges of its values.
+struct Draw {
+    block: &'static str,
+    /// Parameter, least and most; others keep their default.
+    ranges: &'static [(&'static str, f64, f64)],
+    /// Whether it may come more than once.
+    repeats: bool,
+}
+
+/// What is drawn from. Ranges are the paper's; the sizes stop at 200 per cent, which is 8 megapixels at 1920 x 1080.
+const DRAWS: &[Draw] = &[
+    Draw { block: "xdog", ranges: &[("sigma", 0.5, 8.0), ("p", 1.0, 40.0)], repeats: true },
+    Draw { block: "tvf", ranges: &[("time", 3.0, 40.0)], repeats: true },
+    Draw {
+        block: "soft_threshold",
+        ranges: &[("phi", 0.013, 0.059), ("epsilon", 50.0, 110.0)],
+        repeats: false,
+    },
+    Draw { block: "detail", ranges: &[("delta", -100.0, 60.0)], repeats: false },
+    Draw { block: "luma_posterize", ranges: &[("levels", 5.0, 12.0)], repeats: false },
+    Draw { block: "saturation", ranges: &[("amount", 1.5, 2.2)], repeats: false },
+    Draw { block: "size", ranges: &[("percent", 100.0, 200.0)], repeats: false },
+];
+
+/// First and second words of the names.
+const NAMES: [[&str; 16]; 2] = [
+    [
+        "Quiet", "Bold", "Dusty", "Late", "Wild", "Pale", "Deep", "Loose", "Sharp", "Warm", "Cold", "Rough",
+        "Slow", "Bright", "Faded", "Night",
+    ],
+    [
+        "Etching", "Poster", "Sketch", "Press", "Brush", "Plate", "Print", "Marker", "Charcoal", "Linocut",
+        "Gouache", "Crayon", "Stencil", "Zine", "Mural", "Cartoon",
+    ],
+];
+
+/// The style of a seed: four to nine blocks in one layer. Its id is `invented-SEED`.
+#[must_use]
+pub fn invent(seed: u32) -> Style {
+    // Neighbouring seeds would begin alike.
+    let mut random =
+        Rand64::new(u128::from(seed).wrapping_mul(0x9e37_79b9_7f4a_7c15_f39c_c060_5ced_c835) | 1);
+    let count = random.rand_range(LENGTH.0..LENGTH.1 + 1) as usize;
+    let mut chain: Vec<Step> = Vec::with_capacity(count);
+    let gray = random.rand_float() < GRAY_CHANCE;
+    if gray {
+        chain.extend(blocks::find("to_gray").map(Step::new));
+    }
+    while chain.len() < count {
+        let draw = &DRAWS[random.rand_range(0..DRAWS.len() as u64) as usize];
+        let taken = !draw.repeats && chain.iter().any(|step| step.block.id == draw.block);
+        let Some(block) = blocks::find(draw.block).filter(|_| !taken) else { continue };
+        if gray && block.input == Channels::Color {
+            continue;
+        }
+        let mut step = Step::new(block);
+        for &(name, least, most) in draw.ranges {
+            let at = block.params.iter().position(|param| param.id == name);
+            let value = least + (most - least) * random.rand_float();
+            if let Some(at) = at {
+                step.values[at] = block.params[at].rounded(value as f32);
+            }
+        }
+        chain.push(step);
+    }
+    if gray {
+        // Anywhere but at the very end, where it could only undo what was done to the colours.
+        let to = random.rand_range(0..chain.len() as u64 - 1) as usize;
+        let step = chain.remove(0);
+        chain.insert(to, step);
+    }
+    let word = |list: usize, random: &mut Rand64| NAMES[list][random.rand_range(0..16) as usize];
+    let name = format!("{} {}", word(0, &mut random), word(1, &mut random));
+    Style {
+        id: format!("invented-{seed}"),
+        name,
+        tags: vec!["invented".to_owned()],
+        background: chain,
+        foreground: None,
+        ink: [0; 3],
+        score: None,
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::raster::{Image, Plane};
+    use crate::style::{Context, stylize};
+
+    #[test]
+    fn every_invented_style_is_a_valid_file_by_the_rules() {
+        let mut grays = 0;
+        for seed in 0..2000 {
+            let style = invent(seed);
+            let again = Style::from_value("invented.json", &style.to_value()).unwrap();
+            assert_eq!(again.to_value(), invent(seed).to_value());
+            assert!((4..=9).contains(&style.background.len()));
+            for draw in DRAWS.iter().filter(|draw| !draw.repeats) {
+                assert!(style.background.iter().filter(|step| step.block.id == draw.block).count() <= 1);
+            }
+            grays += u32::from(style.background.iter().any(|step| step.block.id == "to_gray"));
+        }
+        assert!((340..460).contains(&grays), "{grays} of 2000 are gray");
+    }
+
+    #[test]
+    fn neighbouring_seeds_give_different_styles() {
+        let chains: std::collections::BTreeSet<String> = (0..500)
+            .map(|seed| {
+                let value = invent(seed).to_value();
+                value["background"].to_string()
+            })
+            .collect();
+        assert_eq!(chains.len(), 500);
+    }
+
+    #[test]
+    fn two_hundred_of_them_render() {
+        let photo = Image::from_rgb(
+            [3, 5, 7].map(|step| Plane::from_fn(61, 43, |x, y| ((x * step) ^ (y * 4)) as u8)),
+        )
+        .unwrap();
+        for seed in 0..200 {
+            let drawn = stylize(&photo, &invent(seed), &mut Context::for_image(&photo)).unwrap();
+            assert_eq!((drawn.width(), drawn.height()), (61, 43), "seed {seed}");
+        }
+    }
+}
