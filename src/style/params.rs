@@ -110,7 +110,11 @@ impl Param {
     pub fn rounded(&self, value: f32) -> f32 {
         let (min, max) = self.kind.range();
         let value = match self.kind {
-            Kind::Number { step, .. } => (value / (step / 10.0)).round() * (step / 10.0),
+            // In f64, so that 0.91 is the nearest f32 to 0.91.
+            Kind::Number { step, .. } => {
+                let tenth = (f64::from(step) * 1e4).round() / 1e5;
+                ((f64::from(value) / tenth).round() * tenth) as f32
+            }
             _ => value.round(),
         };
         value.clamp(min, max)
