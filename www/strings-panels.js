@@ -36,7 +36,7 @@ export const panelStrings = {
   modes: {
     frame: 'Arrows move the photo, + and − zoom, 0 resets, Enter ends',
     swap: 'Choose the panel to swap with',
-    focus: 'Click what matters in the photo, or move with arrows and press Enter',
+    focus: 'Click what matters, or use arrows and Enter',
   },
   cuts: 'Cuts of the layout',
   cut: (/** @type {number} */ n, /** @type {number} */ of) => `Cut ${n} of ${of}`,

@@ -17,7 +17,7 @@ export function PanelMarks({ page, geometry }) {
   return (
     <div class="panel-marks">
       {page.panels.map((use, i) => use.locked && geometry.panels[i] && (
-        <span key={i} class="panel-lock" aria-hidden="true" style={at(geometry.panels[i].bounds, 0, 0)}><Icon name="lock" /></span>
+        <span key={i} class="panel-lock" aria-hidden="true" style={corner(geometry.panels[i])}><Icon name="lock" /></span>
       ))}
       {point && <span class="panel-focus" aria-hidden="true" style={at(point.bounds, point.u, point.v)} />}
       {mode && <p class="panel-hint" role="status">{strings.modes[mode.kind]}</p>}
@@ -35,6 +35,14 @@ export function PanelMarks({ page, geometry }) {
     if (!crop || !focus) return null;
     const [u, v] = [(focus.x - crop.x) / crop.width, (focus.y - crop.y) / crop.height];
     return u >= 0 && u <= 1 && v >= 0 && v <= 1 ? { bounds, u, v } : null;
+  }
+
+  /** Inside the first corner of a panel, however slanted it is. @param {Geometry['panels'][number]} panel */
+  function corner({ polygon = [], bounds }) {
+    const middle = [bounds.x + bounds.width / 2, bounds.y + bounds.height / 2];
+    const [x, y] = polygon[0] ?? [middle[0], bounds.y];
+    const inward = polygon.length > 0 ? 0.2 : 0.3;
+    return at({ x: x + (middle[0] - x) * inward, y: y + (middle[1] - y) * inward, width: 0, height: 0 }, 0, 0);
   }
 
   /** @param {import('../engine/documents.js').Bounds} bounds @param {number} u @param {number} v */
