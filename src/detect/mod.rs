@@ -8,6 +8,7 @@ mod faces;
 mod letterbox;
 mod model;
 mod objects;
+mod operators;
 mod ssd;
 
 use serde::{Deserialize, Serialize};

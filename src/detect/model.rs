@@ -5,6 +5,7 @@ use std::sync::Arc;
 
 use tract_onnx::prelude::*;
 
+use super::operators;
 use crate::error::{Error, Result};
 
 /// A net with one input `[1, 3, side, side]` and two outputs.
@@ -17,7 +18,7 @@ impl Net {
     /// Reads a net and prepares it for running.
     pub(super) fn new(onnx: &[u8], side: usize) -> Result<Self> {
         let shape = [1, 3, side, side];
-        let plan = tract_onnx::onnx()
+        let plan = operators::reader()
             .model_for_read(&mut Cursor::new(onnx))
             .and_then(|model| model.with_input_fact(0, f32::fact(shape).into()))
             .and_then(InferenceModelExt::into_optimized)

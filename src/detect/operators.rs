@@ -1,0 +1,213 @@
+//! The operators of our two nets, and no others: a list of all that ONNX has would bring all of them into the
+//! browser's module.
+
+use tract_onnx::Onnx;
+use tract_onnx::model::{OnnxOpRegister, ParsingContext};
+use tract_onnx::pb::NodeProto;
+use tract_onnx::tract_hir::internal::*;
+use tract_onnx::tract_hir::ops::cnn::{Conv, HirMaxPool, PaddingSpec, PoolSpec};
+use tract_onnx::tract_hir::ops::identity::Identity;
+use tract_onnx::tract_hir::ops::nn::DataFormat;
+use tract_onnx::tract_hir::ops::{activations, array, math};
+use tract_onnx::tract_hir::tract_core::ops::cast::cast;
+use tract_onnx::tract_hir::tract_core::ops::nn::resize::Interpolator;
+use tract_onnx_opl::resize::{AspectRatio, CoordTransform, Nearest, Resize};
+
+type Built = TractResult<(Box<dyn InferenceOp>, Vec<String>)>;
+
+/// A reader of ONNX files that knows these operators.
+pub(super) fn reader() -> Onnx {
+    let mut known = OnnxOpRegister::default();
+    known.insert("Add", |_, _| built(math::Add.into_hir()));
+    known.insert("Cast", |_, _| built(expand(Float)));
+    known.insert("Clip", |_, _| built(expand(Clip)));
+    known.insert("Concat", |_, node| built(expand(array::Concat::new(node.get_attr("axis")?))));
+    known.insert("Conv", convolution);
+    known.insert("Identity", |_, _| built(Box::<Identity>::default()));
+    known.insert("MaxPool", max_pool);
+    known.insert("Pad", |_, _| built(expand(Pad)));
+    known.insert("Relu", |_, _| built(expand(activations::Clip::new(Some(0.0), None))));
+    known.insert("Reshape", |_, _| built(expand(array::Reshape::new(false))));
+    known.insert("Resize", resize);
+    known.insert("Transpose", |_, node| {
+        let order: Vec<usize> = node.get_attr_vec("perm")?;
+        built(expand(array::PermuteAxes::new(Some(order.into()))))
+    });
+    Onnx { op_register: known, ..Onnx::default() }
+}
+
+fn built(operator: Box<dyn InferenceOp>) -> Built {
+    Ok((operator, Vec::new()))
+}
+
+fn padding(node: &NodeProto) -> TractResult<PaddingSpec> {
+    let pads: TVec<usize> = node.get_attr_tvec("pads")?;
+    let (before, after) = pads.split_at(pads.len() / 2);
+    Ok(PaddingSpec::Explicit(before.into(), after.into()))
+}
+
+fn convolution(_: &ParsingContext, node: &NodeProto) -> Built {
+    let mut operator = Conv::default()
+        .padding(padding(node)?)
+        .kernel_shape(node.get_attr_tvec("kernel_shape")?)
+        .group(node.get_attr("group")?)
+        .dilations(node.get_attr_tvec("dilations")?)
+        .strides(node.get_attr_tvec("strides")?);
+    if node.input.len() == 3 {
+        operator = operator.bias_input(2);
+    }
+    built(expand(operator))
+}
+
+fn max_pool(_: &ParsingContext, node: &NodeProto) -> Built {
+    let (size, strides) = (node.get_attr_tvec("kernel_shape")?, node.get_attr_tvec("strides")?);
+    let pool = PoolSpec::new(DataFormat::NCHW, size, padding(node)?, None, Some(strides), 0, 0);
+    built(expand(HirMaxPool::new(pool, None)))
+}
+
+fn resize(_: &ParsingContext, node: &NodeProto) -> Built {
+    built(expand(Scale(Resize {
+        axes: None,
+        antialias: false,
+        keep_aspect_ratio_policy: AspectRatio::Stretch,
+        coord_transformer: CoordTransform::parse(node.get_attr("coordinate_transformation_mode")?)?,
+        interpolator: Interpolator::parse(node.get_attr("mode")?)?,
+        nearest: Nearest::Floor,
+        cubic_coeff_a_bits: (-0.75f32).to_bits(),
+        exclude_outside: false,
+        extrapolation_value_bits: 0,
+        optional_roi_input: None,
+        optional_scales_input: Some(1),
+        optional_sizes_input: None,
+    })))
+}
+
+/// The constant that an input is.
+fn constant(model: &TypedModel, input: OutletId) -> TractResult<Arc<Tensor>> {
+    model.outlet_fact(input)?.konst.clone().context("an input that should be constant is not")
+}
+
+/// Half precision to f32.
+#[derive(Debug, Clone)]
+struct Float;
+
+impl Expansion for Float {
+    fn name(&self) -> StaticName {
+        "Cast".into()
+    }
+
+    fn rules<'r, 'p: 'r, 's: 'r>(
+        &'s self,
+        s: &mut Solver<'r>,
+        inputs: &'p [TensorProxy],
+        outputs: &'p [TensorProxy],
+    ) -> InferenceResult {
+        check_input_arity(inputs, 1)?;
+        s.equals(&outputs[0].datum_type, f32::datum_type())?;
+        s.equals(&outputs[0].shape, &inputs[0].shape)
+    }
+
+    fn wire(&self, name: &str, model: &mut TypedModel, inputs: &[OutletId]) -> TractResult<TVec<OutletId>> {
+        model.wire_node(name, cast(f32::datum_type()), &inputs[..1])
+    }
+}
+
+/// Limits by two constants.
+#[derive(Debug, Clone)]
+struct Clip;
+
+impl Expansion for Clip {
+    fn name(&self) -> StaticName {
+        "Clip".into()
+    }
+
+    fn rules<'r, 'p: 'r, 's: 'r>(
+        &'s self,
+        s: &mut Solver<'r>,
+        inputs: &'p [TensorProxy],
+        outputs: &'p [TensorProxy],
+    ) -> InferenceResult {
+        check_input_arity(inputs, 3)?;
+        s.equals(&inputs[0].datum_type, &outputs[0].datum_type)?;
+        s.equals(&inputs[0].shape, &outputs[0].shape)
+    }
+
+    fn wire(&self, name: &str, model: &mut TypedModel, inputs: &[OutletId]) -> TractResult<TVec<OutletId>> {
+        let limit = |i: usize| constant(model, inputs[i])?.cast_to_scalar::<f32>();
+        let (low, high) = (limit(1)?, limit(2)?);
+        activations::Clip::new(Some(low), Some(high)).wire(name, model, &inputs[..1])
+    }
+}
+
+/// Zeros round the tensor, as many as a constant says.
+#[derive(Debug, Clone)]
+struct Pad;
+
+impl Expansion for Pad {
+    fn name(&self) -> StaticName {
+        "Pad".into()
+    }
+
+    fn rules<'r, 'p: 'r, 's: 'r>(
+        &'s self,
+        s: &mut Solver<'r>,
+        inputs: &'p [TensorProxy],
+        outputs: &'p [TensorProxy],
+    ) -> InferenceResult {
+        check_input_arity(inputs, 2)?;
+        s.equals(&inputs[0].datum_type, &outputs[0].datum_type)?;
+        s.equals(&inputs[0].rank, &outputs[0].rank)?;
+        s.given(&inputs[1].value, move |s, amounts| {
+            for (axis, (before, after)) in pairs(&amounts)?.into_iter().enumerate() {
+                let grown = inputs[0].shape[axis].bex() + (before + after).to_dim();
+                s.equals(&outputs[0].shape[axis], grown)?;
+            }
+            Ok(())
+        })
+    }
+
+    fn wire(&self, name: &str, model: &mut TypedModel, inputs: &[OutletId]) -> TractResult<TVec<OutletId>> {
+        let amounts = pairs(&*constant(model, inputs[1])?)?;
+        let zero = array::PadMode::Constant(Arc::new(0f32.into()));
+        model.wire_node(name, array::Pad::new(amounts, zero), &inputs[..1])
+    }
+}
+
+/// Before and after each axis, from all befores and then all afters.
+fn pairs(amounts: &Tensor) -> TractResult<Vec<(usize, usize)>> {
+    let amounts = amounts.cast_to::<i64>()?;
+    let list: Vec<usize> = amounts.to_plain_array_view::<i64>()?.iter().map(|amount| *amount as usize).collect();
+    let (before, after) = list.split_at(list.len() / 2);
+    Ok(before.iter().copied().zip(after.iter().copied()).collect())
+}
+
+/// Resizing by constant factors.
+#[derive(Debug, Clone)]
+struct Scale(Resize);
+
+impl Expansion for Scale {
+    fn name(&self) -> StaticName {
+        "Resize".into()
+    }
+
+    fn rules<'r, 'p: 'r, 's: 'r>(
+        &'s self,
+        s: &mut Solver<'r>,
+        inputs: &'p [TensorProxy],
+        outputs: &'p [TensorProxy],
+    ) -> InferenceResult {
+        s.equals(&inputs[0].datum_type, &outputs[0].datum_type)?;
+        s.equals(&inputs[0].rank, &outputs[0].rank)?;
+        s.given_2(&inputs[0].shape, &inputs[1].value, move |s, shape, scales| {
+            let size = self.0.compute_output_shape(&shape, Some(scales.as_ref()), None)?;
+            for (axis, side) in size.iter().enumerate() {
+                s.equals(&outputs[0].shape[axis], side.to_dim())?;
+            }
+            Ok(())
+        })
+    }
+
+    fn wire(&self, name: &str, model: &mut TypedModel, inputs: &[OutletId]) -> TractResult<TVec<OutletId>> {
+        model.wire_node(name, self.0.clone(), inputs)
+    }
+}
