@@ -18,6 +18,7 @@ import { createReading } from './state/reading.js';
 import { createReshaping } from './state/reshaping.js';
 import { createSelection } from './state/selection.js';
 import { createStore } from './state/store.js';
+import { createSubjects } from './state/subjects.js';
 import { createUi } from './state/ui.js';
 import { strings } from './strings.js';
 import { App } from './views/app.jsx';
@@ -35,6 +36,9 @@ const merging = createMerging({ store, pages, selection });
 const framing = createFraming({ store, pages });
 const reshaping = createReshaping({ store, pages, seed: freshSeed });
 const ownLayouts = createOwnLayouts({ store, pages, messages, box: () => window.localStorage });
+const subjects = createSubjects({
+  store, pages, messages, engine, painted: () => ui.painted.value === store.page.value, wanted: ui.detects,
+});
 const download = createDownload({ store, pages, engine, messages });
 const alternatives = createAlternatives({ store, pages });
 
@@ -58,10 +62,12 @@ effect(() => {
   const waiting = store.planner.value === null || store.reading.value !== null || store.fetching.value;
   const idle = !waiting && painted;
   document.body.dataset.idle = String(idle);
+  // Detection refines what is there already, so it is told apart.
+  document.body.dataset.detected = String(idle && subjects.settled.value);
 });
 
 render(
-  <AppContext.Provider value={{ store, pages, selection, merging, framing, reshaping, ownLayouts, reading, download, alternatives, messages, ui, engine }}>
+  <AppContext.Provider value={{ store, pages, selection, merging, framing, reshaping, ownLayouts, subjects, reading, download, alternatives, messages, ui, engine }}>
     <App />
   </AppContext.Provider>,
   /** @type {HTMLElement} */ (document.getElementById('app')),

@@ -108,6 +108,10 @@ export const strings = {
   frames: 'Frames',
   takeFrames: 'Take these frames',
 
+  showSubjects: 'Show subjects',
+  finding: (/** @type {number} */ done, /** @type {number} */ total) => `Finding faces ${done}/${total}`,
+  noDetector: 'Faces cannot be found here, so photos are cropped by contrast.',
+
   // Page settings
   pageSettings: 'Page settings',
   pageSize: 'Page size',

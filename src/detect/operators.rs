@@ -176,7 +176,8 @@ impl Expansion for Pad {
 /// Before and after each axis, from all befores and then all afters.
 fn pairs(amounts: &Tensor) -> TractResult<Vec<(usize, usize)>> {
     let amounts = amounts.cast_to::<i64>()?;
-    let list: Vec<usize> = amounts.to_plain_array_view::<i64>()?.iter().map(|amount| *amount as usize).collect();
+    let list: Vec<usize> =
+        amounts.to_plain_array_view::<i64>()?.iter().map(|amount| *amount as usize).collect();
     let (before, after) = list.split_at(list.len() / 2);
     Ok(before.iter().copied().zip(after.iter().copied()).collect())
 }

@@ -5,10 +5,10 @@
  */
 
 import { loadCore } from './core.js';
+import { createDetector } from './detector.js';
 import { exportPng } from './export.js';
 import { createPhotos } from './photos.js';
 import { createPool } from './pool.js';
-import { failure } from './protocol.js';
 import { Priority } from './queue.js';
 import { createRenders, nameOf } from './renders.js';
 import { readVideo } from './video.js';
@@ -28,6 +28,7 @@ const LEAST_BUDGET = 64 * 2 ** 20;
 export function createEngine({ workers = navigator.hardwareConcurrency || 2 } = {}) {
   const size = Math.max(1, Math.min(MOST_WORKERS, Math.floor(workers)));
   const photos = createPhotos();
+  const detector = createDetector(photos);
   /** @type {ReturnType<typeof createPool> | undefined} */
   let pool;
   let imported = 0;
@@ -58,6 +59,8 @@ export function createEngine({ workers = navigator.hardwareConcurrency || 2 } = 
     dispose,
     importPhoto,
     importVideo,
+    /** Subjects of an imported photo, in fractions of it. */
+    look: detector.look, lookCloser: detector.lookCloser,
     forgetPhoto: photos.forget,
     hasPhoto: photos.has,
     renderPanel: renders.renderPanel,
@@ -124,11 +127,21 @@ export function createEngine({ workers = navigator.hardwareConcurrency || 2 } = 
   }
 
   /**
-   * @param {Blob} _blob
-   * @returns {Promise<{ label: string, score: number, x: number, y: number, width: number, height: number }[]>}
+   * Faces and objects, in pixels of the upright photo.
+   * @param {Blob} blob
+   * @param {{ signal?: AbortSignal }} [call]
+   * @returns {Promise<import('./detector.js').Found[]>}
    */
-  async function detect(_blob) {
-    throw failure('detector-missing', 'The detector is not part of this build.');
+  async function detect(blob, call) {
+    const id = `detect-${(imported += 1)}`;
+    try {
+      const { width, height } = await importPhoto(id, blob, call);
+      const { boxes, closer } = await detector.look(id, call);
+      const found = closer ? await detector.lookCloser(id, boxes, call) : boxes;
+      return found.map((box) => ({ ...box, x: box.x * width, y: box.y * height, width: box.width * width, height: box.height * height }));
+    } finally {
+      photos.forget(id);
+    }
   }
 
   /**
@@ -171,6 +184,7 @@ export function createEngine({ workers = navigator.hardwareConcurrency || 2 } = 
   }
 
   function dispose() {
+    detector.dispose();
     ready.then(() => pool?.dispose(), () => {});
   }
 }

@@ -10,6 +10,7 @@ import { effect, signal } from '@preact/signals';
 /** @typedef {ReturnType<typeof createUi>} Ui */
 
 const THEME_KEY = 'inkpanel.theme';
+const DETECT_KEY = 'inkpanel.detect';
 
 /** @param {Window} window */
 export function createUi(window) {
@@ -30,6 +31,10 @@ export function createUi(window) {
     systemDark,
     /** The sheet that is open on a small screen. @type {import('@preact/signals').Signal<Sheet | null>} */
     sheet: signal(null),
+    /** Whether photos are looked at for faces and objects; `inkpanel.detect` = `off` in the storage says no. */
+    detects: remembered(window, DETECT_KEY) !== 'off',
+    /** Whether the boxes of what was found are drawn. */
+    subjects: signal(false),
     /** @type {import('@preact/signals').Signal<'keys' | 'export' | null>} */
     dialog: signal(null),
     /** The page that is on the screen with all its panels; null while work for it is going on.
@@ -52,9 +57,17 @@ export function createUi(window) {
  * @returns {Theme | null}
  */
 function stored(window) {
+  const value = remembered(window, THEME_KEY);
+  return value === 'light' || value === 'dark' ? value : null;
+}
+
+/**
+ * @param {Window} window
+ * @param {string} key
+ */
+function remembered(window, key) {
   try {
-    const value = window.localStorage.getItem(THEME_KEY);
-    return value === 'light' || value === 'dark' ? value : null;
+    return window.localStorage.getItem(key);
   } catch {
     return null;
   }

@@ -10,6 +10,7 @@ import { useContext } from 'preact/hooks';
  * @typedef {{
  *   store: import('../state/store.js').Store,
  *   pages: import('../state/pages.js').Pages,
+ *   subjects: import('../state/subjects.js').Subjects,
  *   reading: import('../state/reading.js').Reading,
  *   selection: import('../state/selection.js').Selection,
  *   merging: import('../state/merging.js').Merging,

@@ -10,6 +10,7 @@ import { useApp } from './context.js';
 import { Cuts } from './cuts.jsx';
 import { createPainter } from './painter.js';
 import { Panels } from './panels.jsx';
+import { PanelSubjects } from './subject-boxes.jsx';
 import { useSwipe } from './swipe.js';
 
 export function Stage() {
@@ -48,6 +49,7 @@ export function Stage() {
         <div class="page" ref={sheet} style={{ '--aspect': settings.width / settings.height }}>
           <canvas ref={canvas} class="page-canvas" aria-hidden="true" />
           {page && geometry && <Panels page={page} geometry={geometry} />}
+          {page && geometry && ui.subjects.value && <PanelSubjects page={page} geometry={geometry} />}
           {page && geometry && reshaping.editing.value && <Cuts />}
         </div>
       </div>

@@ -10,6 +10,7 @@ import { IconButton } from './button.jsx';
 import { useApp } from './context.js';
 import { openFiles } from './file-input.jsx';
 import { Icon } from './icon.jsx';
+import { PhotoSubjects } from './subject-boxes.jsx';
 import { Videos } from './videos.jsx';
 import { PHOTO } from './panel-gestures.js';
 
@@ -20,17 +21,19 @@ const PLAIN = { id: 'plain', name: 'Plain', tags: [], background: [] };
 const SIDE = 96;
 
 export function Tray() {
-  const { store } = useApp();
+  const { store, subjects, ui } = useApp();
   const tray = store.tray.value;
   const verdicts = store.verdicts.value;
   const reading = store.reading.value;
+  const finding = subjects.progress.value;
   const kept = tray.filter((item) => isUsed(item, verdicts));
   const aside = tray.filter((item) => !isUsed(item, verdicts));
   return (
     <section class="tray" aria-label={strings.photos} aria-busy={reading !== null}>
       <header class="section-head">
         <h2>{strings.photos}</h2>
-        <span class="count">{strings.photoCount(kept.length, tray.length)}</span>
+        <span class="count">{finding ? strings.finding(finding.done, finding.total) : strings.photoCount(kept.length, tray.length)}</span>
+        <IconButton icon="subjects" label={strings.showSubjects} pressed={ui.subjects.value} onClick={() => { ui.subjects.value = !ui.subjects.value; }} />
         <IconButton icon="add" label={strings.addPhotos} onClick={openFiles} />
       </header>
       {reading && <Reading done={reading.done} total={reading.total} />}
@@ -56,7 +59,7 @@ function Reading({ done, total }) {
 
 /** @param {{ item: TrayItem, used: boolean }} props */
 function Photo({ item: { id }, used }) {
-  const { store, reading, engine, selection, framing } = useApp();
+  const { store, reading, engine, selection, framing, ui } = useApp();
   const [panel, ...others] = selection.panels.value;
   const takes = panel !== undefined && others.length === 0 && !framing.isLocked(panel);
   const fact = store.album.value.get(id);
@@ -76,6 +79,7 @@ function Photo({ item: { id }, used }) {
         {ready
           ? <Bitmap of={id} draw={(call) => engine.stylePhoto(id, PLAIN, cover(fact?.meta), call)} />
           : <span class="bitmap" />}
+        {ui.subjects.value && <PhotoSubjects id={id} />}
         <input
           type="checkbox"
           aria-label={strings.usePhoto(name)}

@@ -1,4 +1,4 @@
-//! The size of what a visitor downloads before the first page.
+//! The size of what a visitor downloads: the core before the first page, the detectors after it.
 
 use std::fs;
 use std::io::Write;
@@ -9,16 +9,19 @@ use flate2::{Compression, write::GzEncoder};
 
 use crate::project::Project;
 
-/// The most that the core (module and its script) may take, gzipped, in bytes.
-const CORE: usize = 700_000;
+/// The most that a module and its script may take, gzipped, in bytes.
+const BUDGETS: [(&str, &str, usize); 2] =
+    [("core", "pkg", 700_000), ("detectors", "pkg-detector", 2_500_000)];
 
-/// Fails when the core has outgrown its budget.
+/// Fails when a module has outgrown its budget.
 pub(crate) fn check(project: &Project) -> Result<()> {
-    let folder = project.www().join("pkg");
-    let size = gzipped(&folder.join("inkpanel_bg.wasm"))? + gzipped(&folder.join("inkpanel.js"))?;
-    println!("core module and its script: {size} bytes gzipped, {CORE} allowed");
-    if size > CORE {
-        bail!("the core is {} bytes above its budget", size - CORE);
+    for (name, folder, budget) in BUDGETS {
+        let folder = project.www().join(folder);
+        let size = gzipped(&folder.join("inkpanel_bg.wasm"))? + gzipped(&folder.join("inkpanel.js"))?;
+        println!("{name}, module and its script: {size} bytes gzipped, {budget} allowed");
+        if size > budget {
+            bail!("{name}: {} bytes above the budget", size - budget);
+        }
     }
     Ok(())
 }

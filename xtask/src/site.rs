@@ -14,6 +14,7 @@ pub(crate) fn build(project: &Project) -> Result<()> {
     npm::install(project)?;
     models::make_or_warn(project);
     wasm::build(project, &wasm::core(project))?;
+    wasm::build(project, &wasm::detectors(project))?;
     bundle(project)
 }
 

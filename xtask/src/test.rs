@@ -98,21 +98,26 @@ fn format(project: &Project) -> Result<Outcome> {
     checked(tools::run(project.cargo().args(["fmt", "--all", "--check"])))
 }
 
-/// Clippy for this machine and, as it is compiled nowhere else, the web boundary for wasm.
+/// Clippy for this machine and, as it is compiled nowhere else, the web boundaries for wasm.
 fn lint(project: &Project) -> Result<Outcome> {
     let strict = ["--", "-D", "warnings"];
     tools::run(project.cargo().args(["clippy", "--workspace", "--all-targets"]).args(strict))?;
     crate::wasm::install_target()?;
-    let web = [
-        "clippy",
-        "--package",
-        "inkpanel",
-        "--lib",
-        "--no-default-features",
-        "--target",
-        crate::wasm::TARGET,
-    ];
-    checked(tools::run(project.cargo().args(web).args(strict)))
+    for features in ["", "detect"] {
+        let web = [
+            "clippy",
+            "--package",
+            "inkpanel",
+            "--lib",
+            "--no-default-features",
+            "--target",
+            crate::wasm::TARGET,
+            "--features",
+            features,
+        ];
+        tools::run(project.cargo().args(web).args(strict))?;
+    }
+    checked(Ok(()))
 }
 
 fn rust(project: &Project) -> Result<Outcome> {

@@ -1,4 +1,4 @@
-//! The core as a wasm module: cargo, then wasm-bindgen as a library (so its version is the one in Cargo.lock),
+//! The crate as wasm modules, the core and the detectors: cargo, then wasm-bindgen as a library (so its version is the one in Cargo.lock),
 //! then wasm-opt from the npm package `binaryen`.
 
 use std::fs;
@@ -17,7 +17,6 @@ pub(crate) const TARGET: &str = "wasm32-unknown-unknown";
 
 /// What wasm-opt may use. `.cargo/config.toml` turns the same features on for rustc.
 const OPTIMISE: &[&str] = &[
-    "-O3",
     "--enable-simd",
     "--enable-bulk-memory",
     "--enable-nontrapping-float-to-int",
@@ -35,18 +34,33 @@ pub(crate) struct Module {
     pub(crate) name: &'static str,
     /// Cargo features, without the default ones.
     pub(crate) features: &'static [&'static str],
+    /// Cargo profile.
+    pub(crate) profile: &'static str,
+    /// What wasm-opt shall aim at: `-O3` speed, `-Oz` size.
+    pub(crate) level: &'static str,
     /// Folder of `inkpanel.js`, `inkpanel.d.ts` and `inkpanel_bg.wasm`.
     pub(crate) folder: PathBuf,
 }
 
 /// The module that the page loads.
 pub(crate) fn core(project: &Project) -> Module {
-    Module { name: "core", features: &[], folder: project.www().join("pkg") }
+    fast("core", &[], project.www().join("pkg"))
+}
+
+/// The detectors, which the page loads after its first page is drawn. The time goes into tract's kernels, which the
+/// profile compiles for speed; the rest is large.
+pub(crate) fn detectors(project: &Project) -> Module {
+    let folder = project.www().join("pkg-detector");
+    Module { name: "detector", features: &["detect"], profile: "wasm-detect", level: "-Oz", folder }
 }
 
 /// The same with the benchmark's entry point.
 pub(crate) fn bench(project: &Project) -> Module {
-    Module { name: "bench", features: &["bench"], folder: project.target.join("bench/pkg") }
+    fast("bench", &["bench"], project.target.join("bench/pkg"))
+}
+
+fn fast(name: &'static str, features: &'static [&'static str], folder: PathBuf) -> Module {
+    Module { name, features, profile: "wasm", level: "-O3", folder }
 }
 
 /// Builds a module; the slow steps after cargo are skipped when its output is the same as last time. The npm
@@ -54,7 +68,7 @@ pub(crate) fn bench(project: &Project) -> Module {
 pub(crate) fn build(project: &Project, module: &Module) -> Result<()> {
     install_target()?;
     compile(project, module)?;
-    let compiled = project.target.join(TARGET).join("wasm/inkpanel.wasm");
+    let compiled = project.target.join(TARGET).join(module.profile).join("inkpanel.wasm");
     let mut inputs = Inputs::default();
     inputs.path(&compiled, &[])?.path(&project.www().join("node_modules/binaryen/package.json"), &[])?;
     inputs.path(&project.root.join("Cargo.lock"), &[])?.value(include_str!("wasm.rs"));
@@ -67,7 +81,7 @@ pub(crate) fn build(project: &Project, module: &Module) -> Result<()> {
     let fresh = project.target.join("xtask").join(module.name);
     clear(&fresh)?;
     bind(&compiled, &fresh)?;
-    optimise(project, &fresh.join("inkpanel_bg.wasm"))?;
+    optimise(project, &fresh.join("inkpanel_bg.wasm"), module.level)?;
     clear(&module.folder)?;
     for entry in fs::read_dir(&fresh)? {
         let entry = entry?;
@@ -80,7 +94,16 @@ fn compile(project: &Project, module: &Module) -> Result<()> {
     tools::run(
         project
             .cargo()
-            .args(["build", "--package", "inkpanel", "--lib", "--profile", "wasm", "--target", TARGET])
+            .args([
+                "build",
+                "--package",
+                "inkpanel",
+                "--lib",
+                "--profile",
+                module.profile,
+                "--target",
+                TARGET,
+            ])
             .args(["--no-default-features", "--features", &module.features.join(",")])
             .args(["--config", &without_local_paths(project)]),
     )
@@ -101,10 +124,15 @@ fn bind(compiled: &Path, folder: &Path) -> Result<()> {
     bindgen.generate(folder).context("wasm-bindgen")
 }
 
-fn optimise(project: &Project, module: &Path) -> Result<()> {
+fn optimise(project: &Project, module: &Path, level: &str) -> Result<()> {
     let optimised = module.with_extension("optimised");
     tools::run(
-        npm::tool(project, "binaryen/bin/wasm-opt").args(OPTIMISE).arg(module).arg("-o").arg(&optimised),
+        npm::tool(project, "binaryen/bin/wasm-opt")
+            .arg(level)
+            .args(OPTIMISE)
+            .arg(module)
+            .arg("-o")
+            .arg(&optimised),
     )?;
     fs::rename(optimised, module).context("cannot replace the module by the optimised one")
 }

@@ -14,7 +14,10 @@ const PHOTOS = new URL('../../photos/', import.meta.url);
 
 /** A test whose page made no request to another origin and threw no error, whatever else it checks. */
 export const test = plain.extend({
-  page: async ({ page, baseURL }, use) => {
+  detects: [false, { option: true }],
+  page: async ({ page, baseURL, detects }, use) => {
+    // Faces are looked for where that is the matter: everywhere else it would only take time.
+    if (!detects) await page.addInitScript(() => localStorage.setItem('inkpanel.detect', 'off'));
     const { origin } = new URL(baseURL ?? '');
     /** @type {string[]} */
     const wrong = [];
@@ -46,9 +49,12 @@ export function photos(...names) {
 /** Six photos: a page, and quick to read. */
 export const SIX = ['bee.jpg', 'cat.jpg', 'crab.jpg', 'gateway.jpg', 'macaw.jpg', 'temple.jpg'];
 
-/** @param {Page} page */
+/**
+ * Until the page is drawn and its crops are final: what is found in the photos may still move them.
+ * @param {Page} page
+ */
 export async function idle(page) {
-  await page.waitForFunction(() => document.body.dataset.idle === 'true');
+  await page.waitForFunction(() => document.body.dataset.idle === 'true' && document.body.dataset.detected === 'true');
 }
 
 /**

@@ -1,0 +1,72 @@
+// @ts-check
+import { signal } from '@preact/signals';
+import { describe, expect, it } from 'vitest';
+import { createSubjects } from './subjects.js';
+import { fakeApp } from './testing.js';
+
+const face = { label: 'face', score: 0.9, x: 0.1, y: 0.1, width: 0.2, height: 0.2 };
+
+/** @param {(id: string) => Promise<any>} look */
+function app(look) {
+  const made = fakeApp();
+  /** @type {string[]} */
+  const asked = [];
+  const painted = signal(false);
+  const engine = {
+    hasPhoto: () => true,
+    look: async (/** @type {string} */ id) => {
+      asked.push(id);
+      return look(id);
+    },
+    lookCloser: async (/** @type {string} */ id, /** @type {any[]} */ boxes) => {
+      asked.push(`${id} closer`);
+      return [...boxes, face];
+    },
+  };
+  const subjects = createSubjects({ ...made, engine, painted: () => painted.value });
+  return { ...made, subjects, painted, asked };
+}
+
+const settle = () => new Promise((done) => { setTimeout(done, 10); });
+
+describe('subjects', () => {
+  it('waits for the page, then looks at every photo, closer after all others', async () => {
+    const { reading, files, subjects, painted, asked, store, planner } = app(async (id) => ({ boxes: [face], closer: id === 'p1' }));
+    await reading.addFiles(files('1.jpg', '2.jpg', '3.jpg'));
+    await settle();
+    expect(asked).toEqual([]);
+    expect(subjects.settled.value).toBe(false);
+    painted.value = true;
+    await settle();
+    expect(asked).toEqual(['p1', 'p2', 'p3', 'p1 closer']);
+    expect(subjects.settled.value).toBe(true);
+    expect(store.album.value.get('p1')?.meta?.subjects).toEqual([face, face]);
+    expect(planner.requests.at(-1)?.photos[1].subjects).toEqual([face]);
+    expect(subjects.progress.value).toBeNull();
+  });
+
+  it('says once that there are no detectors, and asks no more', async () => {
+    const { reading, files, subjects, painted, asked, messages } = app(async () => {
+      throw Object.assign(new Error('gone'), { code: 'detector-missing' });
+    });
+    painted.value = true;
+    await reading.addFiles(files('1.jpg', '2.jpg'));
+    await settle();
+    expect(asked).toHaveLength(1);
+    expect(messages.list.value).toHaveLength(1);
+    expect(subjects.settled.value).toBe(true);
+  });
+
+  it('passes over a photo that cannot be looked at', async () => {
+    const { reading, files, subjects, painted, asked, messages } = app(async (id) => {
+      if (id === 'p1') throw Object.assign(new Error('gone'), { code: 'missing-photo' });
+      return { boxes: [], closer: false };
+    });
+    painted.value = true;
+    await reading.addFiles(files('1.jpg', '2.jpg'));
+    await settle();
+    expect(asked).toEqual(['p1', 'p2']);
+    expect(messages.list.value).toEqual([]);
+    expect(subjects.settled.value).toBe(true);
+  });
+});
