@@ -41,7 +41,7 @@
 /**
  * @typedef {{
  *   id: string, width: number, height: number, fingerprint: string, sharpness: number, taken: string | null,
- *   energy: { columns: number, rows: number, values: string }, subjects: object[], focus: { x: number, y: number } | null,
+ *   energy: { columns: number, rows: number, values: string }, subjects: import('./detector.js').Found[], focus: { x: number, y: number } | null,
  * }} PhotoMeta
  */
 

@@ -1,11 +1,9 @@
 // @ts-check
 /** Faces and objects: found after the first page, shown when asked for, and missed without harm. */
 
-import { add, expect, idle, openBoard, photos, press, test } from './support.js';
+import { add, expect, idle, openBoard, photos, press, detectingTest as test } from './support.js';
 
 const SOME = ['camera.jpg', 'cat.jpg', 'horses.jpg', 'macaw.jpg'];
-
-test.use({ detects: true });
 
 test('photos are looked at once the page is there, and what is found can be seen', async ({ page }) => {
   /** @type {string[]} */

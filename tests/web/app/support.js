@@ -12,11 +12,12 @@ import { AxeBuilder, PNG, expect, test as plain } from '../../../www/testing.js'
 /** Photos that are no part of the site. */
 const PHOTOS = new URL('../../photos/', import.meta.url);
 
-/** A test whose page made no request to another origin and threw no error, whatever else it checks. */
-export const test = plain.extend({
-  detects: [false, { option: true }],
-  page: async ({ page, baseURL, detects }, use) => {
-    // Faces are looked for where that is the matter: everywhere else it would only take time.
+/**
+ * A test whose page made no request to another origin and threw no error, whatever else it checks.
+ * @param {{ detects: boolean }} how whether the page looks for faces and objects
+ */
+const watched = ({ detects }) => plain.extend({
+  page: async ({ page, baseURL }, use) => {
     if (!detects) await page.addInitScript(() => localStorage.setItem('inkpanel.detect', 'off'));
     const { origin } = new URL(baseURL ?? '');
     /** @type {string[]} */
@@ -33,6 +34,10 @@ export const test = plain.extend({
     expect(wrong).toEqual([]);
   },
 });
+
+/** Most tests do without the detectors, which would only take time. */
+export const test = watched({ detects: false });
+export const detectingTest = watched({ detects: true });
 
 export { PNG, expect };
 
