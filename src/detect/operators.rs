@@ -4,6 +4,7 @@
 use tract_onnx::Onnx;
 use tract_onnx::model::{OnnxOpRegister, ParsingContext};
 use tract_onnx::pb::NodeProto;
+#[allow(clippy::wildcard_imports, reason = "tract means it as a prelude for operators")]
 use tract_onnx::tract_hir::internal::*;
 use tract_onnx::tract_hir::ops::cnn::{Conv, HirMaxPool, PaddingSpec, PoolSpec};
 use tract_onnx::tract_hir::ops::identity::Identity;
@@ -36,6 +37,7 @@ pub(super) fn reader() -> Onnx {
     Onnx { op_register: known, ..Onnx::default() }
 }
 
+#[allow(clippy::unnecessary_wraps, reason = "it is what every builder answers")]
 fn built(operator: Box<dyn InferenceOp>) -> Built {
     Ok((operator, Vec::new()))
 }
