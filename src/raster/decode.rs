@@ -6,12 +6,13 @@
 use std::borrow::Cow;
 use std::io::Cursor;
 
-use ::image::{ColorType, DynamicImage, ImageDecoder, ImageError, ImageFormat, ImageReader};
+use ::image::{ImageDecoder, ImageError, ImageFormat, ImageReader};
 
 use super::exif::{self, Exif};
 use super::jpeg::Markers;
 use super::orient::{swaps_sides, upright};
 use super::resize::{self, Region};
+use super::samples::{self, Samples};
 use super::{Image, Plane};
 use crate::error::{Error, Result};
 
@@ -146,31 +147,10 @@ fn read(bytes: &[u8], format: ImageFormat, name: &'static str, limits: &Limits) 
     if decoder.total_bytes().saturating_add(4 * pixels) > limits.max_bytes {
         return Err(too_large(width, height, format!("{} MB of memory", limits.max_bytes >> 20)));
     }
-    if matches!(color, ColorType::L8 | ColorType::Rgb8) {
-        let mut samples = vec![0; decoder.total_bytes() as usize];
-        decoder.read_image(&mut samples).map_err(failed)?;
-        return Ok((Pixels { size, samples, grey: color == ColorType::L8 }, exif));
-    }
-    let image = DynamicImage::from_decoder(decoder).map_err(failed)?;
-    let samples = if color.has_alpha() {
-        flattened(image.into_rgba8().into_raw())
-    } else {
-        image.into_rgb8().into_raw()
-    };
-    Ok((Pixels { size, samples, grey: false }, exif))
-}
-
-/// RGBA to RGB on white, in place.
-fn flattened(mut rgba: Vec<u8>) -> Vec<u8> {
-    for i in 0..rgba.len() / 4 {
-        let alpha = u32::from(rgba[4 * i + 3]);
-        for channel in 0..3 {
-            let value = u32::from(rgba[4 * i + channel]);
-            rgba[3 * i + channel] = ((value * alpha + 255 * (255 - alpha) + 127) / 255) as u8;
-        }
-    }
-    rgba.truncate(rgba.len() / 4 * 3);
-    rgba
+    let mut bytes = vec![0; decoder.total_bytes() as usize];
+    decoder.read_image(&mut bytes).map_err(failed)?;
+    let Samples { bytes, grey } = samples::flattened(color, bytes);
+    Ok((Pixels { size, samples: bytes, grey }, exif))
 }
 
 fn check_jpeg<'a>(bytes: &'a [u8], name: &'static str, limits: &Limits) -> Result<Markers<'a>> {

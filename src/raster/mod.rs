@@ -9,6 +9,7 @@ mod jpeg;
 pub mod orient;
 pub mod plane;
 pub mod resize;
+mod samples;
 mod separable;
 
 pub use image::Image;

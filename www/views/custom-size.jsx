@@ -76,7 +76,7 @@ export function CustomSize() {
           {UNITS.map((name) => <option key={name} value={name}>{strings.units[name]}</option>)}
         </select>
       </label>
-      {wrong !== '' && <p class="custom-wrong" id="size-wrong" role="status">{strings.wrongSize[wrong]}</p>}
+      {wrong !== '' && <p class="custom-wrong" id="size-wrong" aria-live="polite">{strings.wrongSize[wrong]}</p>}
     </div>
   );
 }

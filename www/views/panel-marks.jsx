@@ -20,7 +20,7 @@ export function PanelMarks({ page, geometry }) {
         <span key={i} class="panel-lock" aria-hidden="true" style={corner(geometry.panels[i])}><Icon name="lock" /></span>
       ))}
       {point && <span class="panel-focus" aria-hidden="true" style={at(point.bounds, point.u, point.v)} />}
-      {mode && <p class="panel-hint" role="status">{strings.modes[mode.kind]}</p>}
+      {mode && <p class="panel-hint" aria-live="polite">{strings.modes[mode.kind]}</p>}
     </div>
   );
 

@@ -33,7 +33,7 @@ export function PanelTools() {
           <Tool icon="check" label={strings.doneEditing} onClick={() => { reshaping.editing.value = false; }} />
         </>
       )}
-      <span class="visually-hidden" role="status">{chosen.length > 0 ? strings.chosenPanels(chosen.length) : ''}</span>
+      <span class="visually-hidden" aria-live="polite">{chosen.length > 0 ? strings.chosenPanels(chosen.length) : ''}</span>
     </div>
   );
 }
