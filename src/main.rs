@@ -295,7 +295,7 @@ fn invent_styles(seed: u32, count: u32, as_json: bool, photo: Option<&Path>) -> 
             let mut style = procedural::invent(seed.wrapping_add(i));
             if let Some(photo) = &photo {
                 let drawn = stylize(photo, &style, &mut Context::for_image(photo));
-                style.score = Some(drawn.map(|drawn| aesthetic::score(photo, &drawn)).unwrap_or(0.0));
+                style.score = Some(drawn.map_or(0.0, |drawn| aesthetic::score(photo, &drawn)));
             }
             style.to_value()
         })

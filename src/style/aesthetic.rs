@@ -186,7 +186,7 @@ mod tests {
         let mut sorted = designed.clone();
         sorted.sort_by(f64::total_cmp);
         let median = sorted[sorted.len() / 2];
-        assert_eq!(score(&photo, &flat), 0.0);
+        assert!(score(&photo, &flat) < 1e-12);
         assert!(score(&photo, &noise) < median, "noise {} median {median}", score(&photo, &noise));
         assert!(score(&photo, &photo) < median, "itself {} median {median}", score(&photo, &photo));
         assert!(designed.iter().all(|score| (0.0..=1.0).contains(score)));
@@ -194,7 +194,7 @@ mod tests {
 
     #[test]
     fn pictures_of_two_sizes_have_nothing_in_common() {
-        assert_eq!(score(&photo(), &Image::from_luma(Plane::filled(3, 3, 9))), 0.0);
+        assert!(score(&photo(), &Image::from_luma(Plane::filled(3, 3, 9))) < 1e-12);
     }
 
     #[test]
