@@ -89,7 +89,7 @@ export function createPages(store, seed = freshSeed) {
     if (!page) return;
     const { length } = store.photos.peek();
     const layout = length >= page.panels.length;
-    const better = plan({ keep: { layout, style: true, photos: false }, seed: page.seed, ...(layout ? {} : { panels: length }) });
+    const better = plan({ keep: { layout, style: true, photos: false }, seed: page.seed, ...(layout ? {} : { panels: length, merge: false }) });
     if (better) store.change({ type: 'change-page', page: better, silent: true });
   }
 
@@ -102,8 +102,8 @@ export function createPages(store, seed = freshSeed) {
     const { page, locks, panels } = store.project.peek();
     const enough = page !== null && store.photos.peek().length >= page.panels.length;
     const layout = locks.layout || (panels !== null && page?.panels.length === panels) || (enough && !grow);
-    // A photo that was just added is looked for on the page.
-    const all = grow && !layout && panels === null ? { panels: Math.min(store.photos.peek().length, MOST_PANELS) } : {};
+    // A photo that was just added is looked for on the page; a merge by chance would take its place away.
+    const all = grow && !layout && panels === null ? { panels: Math.min(store.photos.peek().length, MOST_PANELS), merge: false } : {};
     return plan({ keep: { layout, style: true, photos: locks.photos || !grow }, ...all });
   }
 
