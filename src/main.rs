@@ -225,9 +225,8 @@ fn stylize_photo(style: &str, input: &Path, output: &Path) -> Result<(), Complai
     let image = decode_file(input)?;
     let mut context = Context::for_image(&image);
     let drawn = stylize(&image, &style, &mut context).map_err(|error| error.to_string())?;
-    let rgb: Vec<u8> =
-        drawn.to_rgba().chunks_exact(4).flat_map(|pixel| [pixel[0], pixel[1], pixel[2]]).collect();
-    let png = png::encode_rgb(drawn.width(), drawn.height(), &rgb, 96).map_err(|error| error.to_string())?;
+    let png = png::encode_rgb(drawn.width(), drawn.height(), &drawn.to_rgb(), 96)
+        .map_err(|error| error.to_string())?;
     write(output, &png)
 }
 

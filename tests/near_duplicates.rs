@@ -71,7 +71,7 @@ fn blurred(image: &Image, part: f64) -> Image {
 }
 
 fn as_jpeg(image: &Image, quality: u8) -> Image {
-    let rgb: Vec<u8> = image.to_rgba().chunks_exact(4).flat_map(|p| [p[0], p[1], p[2]]).collect();
+    let rgb = image.to_rgb();
     let mut file = Vec::new();
     let mut encoder = JpegEncoder::new_with_quality(&mut file, quality);
     encoder
