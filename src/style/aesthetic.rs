@@ -4,6 +4,7 @@
 
 use crate::raster::{Image, Plane};
 use crate::simd::point::luma_plane;
+use crate::simd::table::histogram;
 
 /// Spread of tones that counts as full contrast, in grey steps.
 const FULL_CONTRAST: f64 = 64.0;
@@ -29,7 +30,7 @@ pub fn score(source: &Image, result: &Image) -> f64 {
     if spread < FLAT {
         return 0.0;
     }
-    let histogram = histogram(&after);
+    let shares = shares(&after);
     let structure = correlation(&gradients(&before), &gradients(&after)).max(0.0);
     let contrast = (spread / FULL_CONTRAST).min(1.0);
     let balance = 1.0 - (mean - 127.5).abs() / 127.5;
@@ -39,9 +40,9 @@ pub fn score(source: &Image, result: &Image) -> f64 {
         + 0.2 * contrast
         + 0.15 * balance
         + 0.15 * colour
-        + 0.15 * entropy(&histogram)
+        + 0.15 * entropy(&shares)
         + 0.1 * calm;
-    let clipped = histogram[..3].iter().chain(&histogram[253..]).sum::<f64>();
+    let clipped = shares[..3].iter().chain(&shares[253..]).sum::<f64>();
     let unclipped = 1.0 - ((clipped - FREE_CLIPPING) / (1.0 - FREE_CLIPPING)).max(0.0);
     let alike = similarity(&before, &after);
     let novelty = 1.0 - 0.5 * ((alike - TOO_ALIKE) / (1.0 - TOO_ALIKE)).max(0.0);
@@ -56,18 +57,14 @@ fn mean_and_spread(samples: &[u8]) -> (f64, f64) {
 }
 
 /// Shares of the grey steps; they sum to 1.
-fn histogram(plane: &Plane) -> [f64; 256] {
-    let mut shares = [0.0; 256];
-    let share = 1.0 / plane.samples().len().max(1) as f64;
-    for &v in plane.samples() {
-        shares[usize::from(v)] += share;
-    }
-    shares
+fn shares(plane: &Plane) -> [f64; 256] {
+    let count = plane.samples().len().max(1) as f64;
+    histogram(plane.samples()).map(|n| f64::from(n) / count)
 }
 
 /// Shannon's entropy as a share of 8 bits.
-fn entropy(histogram: &[f64; 256]) -> f64 {
-    -histogram.iter().filter(|&&p| p > 0.0).map(|p| p * p.log2()).sum::<f64>() / 8.0
+fn entropy(shares: &[f64; 256]) -> f64 {
+    -shares.iter().filter(|&&p| p > 0.0).map(|p| p * p.log2()).sum::<f64>() / 8.0
 }
 
 /// Forward differences, the larger of both directions.
