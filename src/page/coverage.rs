@@ -18,42 +18,78 @@ pub struct Contour {
     pub adds: bool,
 }
 
-/// Pixels that are tested for a change of coverage at once.
+/// Pixels whose changes are noted together.
 const BLOCK: usize = 32;
 
 /// Coverage 0..=255 of the pixels of `area`. Contours may overlap only to take off what others add.
 #[must_use]
 pub fn coverage(contours: &[Contour], area: PixelRect) -> Vec<u8> {
-    let segments: Vec<Segment> = contours.iter().flat_map(|contour| segments(contour, area)).collect();
+    let mut waiting: Vec<Segment> = contours.iter().flat_map(|contour| segments(contour, area)).collect();
+    waiting.sort_by(|a, b| b.top.total_cmp(&a.top));
+    let mut crossing: Vec<Segment> = Vec::new();
+    let mut changes = Changes::new(area.width);
     let mut samples = vec![0; area.width * area.height];
-    let mut changes = vec![0.0; area.width + 2];
     for (y, row) in samples.chunks_exact_mut(area.width).enumerate() {
-        let mut touched = false;
-        for segment in &segments {
-            touched |= segment.deposit(y as f32, &mut changes, area.width as f32);
+        let y = y as f32;
+        while let Some(segment) = waiting.pop_if(|segment| segment.top < y + 1.0) {
+            crossing.push(segment);
         }
-        if touched {
-            sum_up(&mut changes, row);
+        crossing.retain(|segment| segment.bottom > y);
+        for segment in &crossing {
+            segment.deposit(y, &mut changes);
         }
+        changes.sum_up(row);
     }
     samples
 }
 
-/// Runs along a row; stretches without a change are filled at once. Leaves `changes` zero.
-fn sum_up(changes: &mut [f32], row: &mut [u8]) {
-    let mut sum = 0.0f32;
-    for (changes, row) in changes.chunks_mut(BLOCK).zip(row.chunks_mut(BLOCK)) {
-        if changes.iter().all(|&change| change == 0.0) {
-            row.fill(quantised(sum));
-            continue;
-        }
-        for (sample, change) in row.iter_mut().zip(changes.iter()) {
-            sum += change;
-            *sample = quantised(sum);
-        }
-        changes.fill(0.0);
+/// How the coverage of a row changes from one pixel to the next.
+struct Changes {
+    width: f32,
+    at: Vec<f32>,
+    /// Which blocks have changes: most of a row has none, and is filled without looking at it.
+    touched: Vec<bool>,
+}
+
+impl Changes {
+    fn new(width: usize) -> Self {
+        // A line on the right edge deposits up to two pixels beyond it.
+        let blocks = (width + 2).div_ceil(BLOCK);
+        Self { width: width as f32, at: vec![0.0; blocks * BLOCK], touched: vec![false; blocks] }
     }
-    changes.fill(0.0);
+
+    fn add(&mut self, pixel: usize, amount: f32) {
+        self.at[pixel] += amount;
+        self.touched[pixel / BLOCK] = true;
+    }
+
+    /// Runs along a row of zeros and leaves no changes.
+    fn sum_up(&mut self, row: &mut [u8]) {
+        let mut sum = 0.0f32;
+        let mut done = 0;
+        for (block, touched) in self.touched.iter_mut().enumerate() {
+            if !std::mem::take(touched) {
+                continue;
+            }
+            let start = (block * BLOCK).min(row.len());
+            fill(&mut row[done..start], quantised(sum));
+            done = (start + BLOCK).min(row.len());
+            let changes = &mut self.at[block * BLOCK..][..BLOCK];
+            for (sample, change) in row[start..done].iter_mut().zip(changes.iter()) {
+                sum += change;
+                *sample = quantised(sum);
+            }
+            changes.fill(0.0);
+        }
+        fill(&mut row[done..], quantised(sum));
+    }
+}
+
+/// Fills a row that has zeros already.
+fn fill(row: &mut [u8], value: u8) {
+    if value != 0 {
+        row.fill(value);
+    }
 }
 
 fn quantised(sum: f32) -> u8 {
@@ -91,13 +127,10 @@ fn segments(contour: &Contour, area: PixelRect) -> impl Iterator<Item = Segment>
 }
 
 impl Segment {
-    /// Adds the segment's part in row `y`; false where it does not reach the row.
-    fn deposit(&self, y: f32, changes: &mut [f32], width: f32) -> bool {
+    /// Adds the segment's part in row `y`, which it crosses.
+    fn deposit(&self, y: f32, changes: &mut Changes) {
         let (top, bottom) = (self.top.max(y), self.bottom.min(y + 1.0));
-        if bottom <= top {
-            return false;
-        }
-        let at = |y: f32| (self.x + (y - self.top) * self.slope).clamp(0.0, width);
+        let at = |y: f32| (self.x + (y - self.top) * self.slope).clamp(0.0, changes.width);
         let (a, b) = (at(top), at(bottom));
         let (left, right) = (a.min(b), a.max(b));
         let amount = (bottom - top) * self.sign;
@@ -105,9 +138,9 @@ impl Segment {
         let i = first as usize;
         if right <= first + 1.0 {
             let beyond = amount * (f32::midpoint(left, right) - first);
-            changes[i] += amount - beyond;
-            changes[i + 1] += beyond;
-            return true;
+            changes.add(i, amount - beyond);
+            changes.add(i + 1, beyond);
+            return;
         }
         // Across several pixels the covered area grows as a parabola, a line, a parabola.
         let rate = amount / (right - left);
@@ -119,12 +152,11 @@ impl Segment {
             let step = rate * (to - from);
             // Area to the right of the segment within this pixel, for what has come so far and what crosses it.
             let covered = before + step * (x + 1.0 - f32::midpoint(from, to));
-            changes[x as usize] += covered - taken;
+            changes.add(x as usize, covered - taken);
             taken = covered;
             before += step;
             x += 1.0;
         }
-        changes[x as usize] += amount - taken;
-        true
+        changes.add(x as usize, amount - taken);
     }
 }
