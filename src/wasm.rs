@@ -72,7 +72,7 @@ pub fn page_geometry(json: &str) -> std::result::Result<String, JsValue> {
     geometry(json).map_err(thrown)
 }
 
-/// A new document from photos, locks and a seed; see `page::shuffle::Request`.
+/// A new document from photos, locks and a seed; see `page::request::Request`.
 #[wasm_bindgen]
 pub fn plan(json: &str) -> std::result::Result<String, JsValue> {
     let plan = || -> Result<String> { to_json(&shuffle::plan(&parse(json, "request")?)?) };

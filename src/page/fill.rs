@@ -1,7 +1,7 @@
 //! Fills the panels of a template with photos, keeping what a person locked.
 
 use super::document::{Document, PanelContent};
-use super::shuffle::{Mode, Request};
+use super::request::{Mode, Request};
 use crate::framing::{Assignment, Order, PhotoMeta, Slot, Target, assign, frame, slots};
 use crate::layout::merge::merged_bounds;
 use crate::layout::{PageSettings, ResolvedPanel, Template, resolve};

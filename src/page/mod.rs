@@ -6,6 +6,7 @@
 //! | [`import`] | a file turned into what the page needs of a photo |
 //! | [`catalogue`] | blocks, layouts and styles as JSON |
 //! | [`layouts`] | layouts listed, made and changed, as JSON |
+//! | [`request`] | what is asked of a new document |
 //! | [`shuffle`] | a new document from photos, locks and a seed |
 //! | `fill` | the panels of a template filled with photos |
 //! | [`scene`] | a document resolved to pixels of one size |
@@ -23,6 +24,7 @@ pub mod import;
 pub mod layouts;
 pub mod mask;
 pub mod png;
+pub mod request;
 pub mod scene;
 pub mod shuffle;
 

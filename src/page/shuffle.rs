@@ -2,76 +2,13 @@
 
 use super::document::{Document, VERSION, style_of, template_of};
 use super::fill::choose_photos;
+use super::request::Request;
 use crate::error::{Error, Result};
-use crate::framing::PhotoMeta;
 use crate::layout::merge::{can_merge, mergeable};
-use crate::layout::{self, PageSettings, Template};
+use crate::layout::{self, Template};
 use crate::style::catalogue;
 use oorandom::Rand64;
-use serde::Deserialize;
 use serde_json::Value;
-
-/// What is asked for. The answer depends on nothing else.
-#[derive(Debug, Clone, Deserialize)]
-#[serde(rename_all = "camelCase")]
-pub struct Request {
-    /// Seed of every choice that is left to chance.
-    pub seed: u32,
-    /// Photos in use, in order of time.
-    pub photos: Vec<PhotoMeta>,
-    /// Size, gutters and colours of the page.
-    #[serde(default)]
-    pub page: PageSettings,
-    /// The page as it is; none when there is none yet.
-    #[serde(default)]
-    pub current: Option<Document>,
-    /// Parts of the page that stay.
-    #[serde(default)]
-    pub keep: Keep,
-    /// A layout to take, by id or in full.
-    #[serde(default)]
-    pub layout: Option<Value>,
-    /// A style to take, by id or in full.
-    #[serde(default)]
-    pub style: Option<Value>,
-    /// Wanted number of panels where the layout is free.
-    #[serde(default)]
-    pub panels: Option<usize>,
-    /// How photos that do not stay are chosen.
-    #[serde(default)]
-    pub mode: Mode,
-    /// Whether a new layout gets panels that share one image: always, never, or by chance where nothing is said.
-    #[serde(default)]
-    pub merge: Option<bool>,
-    /// Exactly these groups of panels share one image each.
-    #[serde(default)]
-    pub merges: Option<Vec<Vec<usize>>>,
-}
-
-/// Parts of the current page that stay.
-#[derive(Debug, Clone, Copy, Default, Deserialize)]
-pub struct Keep {
-    /// The layout.
-    #[serde(default)]
-    pub layout: bool,
-    /// The style.
-    #[serde(default)]
-    pub style: bool,
-    /// The photos and their order.
-    #[serde(default)]
-    pub photos: bool,
-}
-
-/// How photos that do not stay are chosen.
-#[derive(Debug, Clone, Copy, Default, PartialEq, Eq, Deserialize)]
-#[serde(rename_all = "lowercase")]
-pub enum Mode {
-    /// Another choice of photos, still in order of time.
-    #[default]
-    Shuffle,
-    /// Any order: the strongest photo goes where the eye goes first.
-    Photos,
-}
 
 /// Most panels that a page gets unless more are asked for.
 const USUAL_MOST: usize = 9;
@@ -181,7 +118,8 @@ fn choose_merges(
         return Ok(current.merges.clone());
     }
     let groups = mergeable(template);
-    let wanted = request.merge.unwrap_or_else(|| random.rand_float() < MERGE_CHANCE);
+    let free = request.layout.is_none() && request.panels.is_none();
+    let wanted = request.merge.unwrap_or_else(|| free && random.rand_float() < MERGE_CHANCE);
     // A page of two panels that show one image would be a page with a bar across it.
     let wanted = wanted && (template.panels().len() > 3 || request.merge == Some(true));
     Ok(pick(&groups, random).filter(|_| wanted).cloned().into_iter().collect())
@@ -196,8 +134,10 @@ fn pick<'a, T>(items: &'a [T], random: &mut Rand64) -> Option<&'a T> {
 
 #[cfg(test)]
 mod tests {
+    use super::super::request::{Keep, Mode};
     use super::*;
-    use crate::framing::{Crop, EnergyMap, Focus};
+    use crate::framing::{Crop, EnergyMap, Focus, PhotoMeta};
+    use crate::layout::PageSettings;
 
     fn photos(count: usize) -> Vec<PhotoMeta> {
         (0..count)
@@ -368,6 +308,22 @@ mod tests {
             let split = plan(&wanted).unwrap();
             assert!(split.merges.is_empty() && split.layout == page.layout);
         }
+    }
+
+    #[test]
+    fn chance_merges_panels_of_free_pages_only() {
+        let merged = |change: &dyn Fn(&mut Request)| {
+            (0..200)
+                .filter(|&seed| {
+                    let mut wanted = Request { merge: None, ..request(12, seed) };
+                    change(&mut wanted);
+                    !plan(&wanted).unwrap().merges.is_empty()
+                })
+                .count()
+        };
+        assert!((20..100).contains(&merged(&|_| ())));
+        assert_eq!(merged(&|wanted| wanted.panels = Some(6)), 0);
+        assert_eq!(merged(&|wanted| wanted.layout = Some(Value::String("grid-4".into()))), 0);
     }
 
     #[test]

@@ -51,7 +51,7 @@ export function createPages(store, seed = freshSeed) {
    */
   function shape() {
     const { page, panels, locks } = store.project.peek();
-    const places = locks.photos && page ? { panels: placesOf(page), merge: false } : {};
+    const places = locks.photos && page ? { panels: placesOf(page) } : {};
     return panels === null ? places : { ...places, panels };
   }
 
@@ -89,7 +89,7 @@ export function createPages(store, seed = freshSeed) {
     if (!page) return;
     const { length } = store.photos.peek();
     const layout = length >= page.panels.length;
-    const better = plan({ keep: { layout, style: true, photos: false }, seed: page.seed, ...(layout ? {} : { panels: length, merge: false }) });
+    const better = plan({ keep: { layout, style: true, photos: false }, seed: page.seed, ...(layout ? {} : { panels: length }) });
     if (better) store.change({ type: 'change-page', page: better, silent: true });
   }
 
@@ -102,8 +102,8 @@ export function createPages(store, seed = freshSeed) {
     const { page, locks, panels } = store.project.peek();
     const enough = page !== null && store.photos.peek().length >= page.panels.length;
     const layout = locks.layout || (panels !== null && page?.panels.length === panels) || (enough && !grow);
-    // A photo that was just added is looked for on the page; a merge by chance would take its place away.
-    const all = grow && !layout && panels === null ? { panels: Math.min(store.photos.peek().length, MOST_PANELS), merge: false } : {};
+    // A photo that was just added is looked for on the page, so each gets a panel.
+    const all = grow && !layout && panels === null ? { panels: Math.min(store.photos.peek().length, MOST_PANELS) } : {};
     return plan({ keep: { layout, style: true, photos: locks.photos || !grow }, ...all });
   }
 
@@ -117,9 +117,9 @@ export function createPages(store, seed = freshSeed) {
     else show(plan({ keep: { ...KEEP_ALL, [part]: false } }));
   }
 
-  /** As its picture shows it, without merges. @param {string | object} layout */
+  /** @param {string | object} layout */
   function chooseLayout(layout) {
-    show(plan({ keep: { ...KEEP_ALL }, layout, merge: false }));
+    show(plan({ keep: { ...KEEP_ALL }, layout }));
   }
 
   /** @param {string | object} style */

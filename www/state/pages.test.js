@@ -40,7 +40,7 @@ describe('shuffle', () => {
     const places = store.page.value?.panels.length;
     pages.lock('photos', true);
     pages.shuffle('all');
-    expect(planner.requests.at(-1)).toMatchObject({ panels: places, merge: false, keep: { photos: true } });
+    expect(planner.requests.at(-1)).toMatchObject({ panels: places, keep: { photos: true } });
   });
 
   test('respects the wanted number of panels, unless the layout stays', async () => {

@@ -62,7 +62,7 @@ export function createReading({ store, pages, engine, messages }) {
       planned = inUse();
       const panels = Math.min(ids.length, FIRST_PANELS);
       // Each photo once: a first page says what there is.
-      pages.show(pages.plan({ keep: { layout: false, style: false, photos: false }, panels, merge: false }), { silent: true });
+      pages.show(pages.plan({ keep: { layout: false, style: false, photos: false }, panels }), { silent: true });
     } else {
       // A page that is there stays as it is until the new photos are known to be any good.
       gesture ??= `add-${ids[0]}`;

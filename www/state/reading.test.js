@@ -61,7 +61,7 @@ describe('photos added later', () => {
     const before = app.store.page.value;
     await app.reading.addFiles(app.files('b.jpg', 'c.jpg'));
     expect(names(app)).toEqual(['a.jpg', 'b.jpg', 'c.jpg']);
-    expect(app.planner.requests.at(-1)).toMatchObject({ panels: 3, merge: false });
+    expect(app.planner.requests.at(-1)).toMatchObject({ panels: 3 });
     app.pages.undo();
     expect(app.store.page.value).toBe(before);
     expect(app.store.tray.value.length).toBe(1);

@@ -1,0 +1,70 @@
+//! What is asked of [`plan`](super::shuffle::plan).
+
+use super::document::Document;
+use crate::framing::PhotoMeta;
+use crate::layout::PageSettings;
+use serde::Deserialize;
+use serde_json::Value;
+
+/// What is asked for. The answer depends on nothing else.
+#[derive(Debug, Clone, Deserialize)]
+#[serde(rename_all = "camelCase")]
+pub struct Request {
+    /// Seed of every choice that is left to chance.
+    pub seed: u32,
+    /// Photos in use, in order of time.
+    pub photos: Vec<PhotoMeta>,
+    /// Size, gutters and colours of the page.
+    #[serde(default)]
+    pub page: PageSettings,
+    /// The page as it is; none when there is none yet.
+    #[serde(default)]
+    pub current: Option<Document>,
+    /// Parts of the page that stay.
+    #[serde(default)]
+    pub keep: Keep,
+    /// A layout to take, by id or in full.
+    #[serde(default)]
+    pub layout: Option<Value>,
+    /// A style to take, by id or in full.
+    #[serde(default)]
+    pub style: Option<Value>,
+    /// Wanted number of panels where the layout is free.
+    #[serde(default)]
+    pub panels: Option<usize>,
+    /// How photos that do not stay are chosen.
+    #[serde(default)]
+    pub mode: Mode,
+    /// Whether a new layout gets panels that share one image: always, never, or, where nothing is said, by chance.
+    /// Chance has no say in a layout or a number of panels that was asked for: each panel then has its own image.
+    #[serde(default)]
+    pub merge: Option<bool>,
+    /// Exactly these groups of panels share one image each.
+    #[serde(default)]
+    pub merges: Option<Vec<Vec<usize>>>,
+}
+
+/// Parts of the current page that stay.
+#[derive(Debug, Clone, Copy, Default, Deserialize)]
+pub struct Keep {
+    /// The layout.
+    #[serde(default)]
+    pub layout: bool,
+    /// The style.
+    #[serde(default)]
+    pub style: bool,
+    /// The photos and their order.
+    #[serde(default)]
+    pub photos: bool,
+}
+
+/// How photos that do not stay are chosen.
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq, Deserialize)]
+#[serde(rename_all = "lowercase")]
+pub enum Mode {
+    /// Another choice of photos, still in order of time.
+    #[default]
+    Shuffle,
+    /// Any order: the strongest photo goes where the eye goes first.
+    Photos,
+}
