@@ -1,6 +1,6 @@
 //! The templates that ship with the program: every file of `layouts/`, embedded at build time.
 
-use std::sync::OnceLock;
+use std::sync::{Mutex, OnceLock, PoisonError};
 
 use super::template::Template;
 use crate::error::{Error, Result};
@@ -23,6 +23,24 @@ pub fn catalogue() -> &'static [Template] {
         });
         templates
     })
+}
+
+/// The templates that are good for a page of that aspect (width over height), in the order of [`catalogue`].
+///
+/// The last answer is kept: shuffle after shuffle asks for the same page, and to find out takes longer than the
+/// rest of a plan.
+#[must_use]
+pub fn good_for(page_aspect: f64) -> Vec<&'static Template> {
+    static LAST: Mutex<Option<(f64, Vec<&Template>)>> = Mutex::new(None);
+    let mut last = LAST.lock().unwrap_or_else(PoisonError::into_inner);
+    if let Some((aspect, templates)) = &*last
+        && aspect.to_bits() == page_aspect.to_bits()
+    {
+        return templates.clone();
+    }
+    let good: Vec<&Template> = catalogue().iter().filter(|template| template.good_for(page_aspect)).collect();
+    *last = Some((page_aspect, good.clone()));
+    good
 }
 
 /// The template of that id.

@@ -19,7 +19,7 @@ pub mod tree;
 mod write;
 
 pub use aesthetics::score;
-pub use catalogue::{catalogue, find};
+pub use catalogue::{catalogue, find, good_for};
 pub use generate::generate;
 pub use polygon::{Bounds, Point};
 pub use resolve::{ResolvedPanel, ResolvedShape, resolve};

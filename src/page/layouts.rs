@@ -6,20 +6,20 @@ use crate::error::{Error, Result};
 use crate::layout::edit::{Cut, cuts, move_cut, remove_panel, split_panel};
 use crate::layout::merge::adjacent;
 use crate::layout::tree::Axis;
-use crate::layout::{Body, PageSettings, ResolvedShape, Template, catalogue, generate, resolve};
+use crate::layout::{Body, PageSettings, ResolvedShape, Template, generate, good_for, resolve};
 use serde::Deserialize;
 use serde_json::{Value, json};
 use std::fmt::Write as _;
 
-/// Width of a drawn template; its height follows from the page.
-const PICTURE: f64 = 100.0;
+/// Width of a drawn template, large enough for whole numbers; its height follows from the page.
+const PICTURE: f64 = 1000.0;
 /// Gutter and margin of a drawn template, in page widths: wide enough to be seen at the size of a thumbnail.
 const PICTURE_GUTTER: f64 = 0.05;
 const PICTURE_MARGIN: f64 = 0.05;
 
 /// The layouts for `{page, own: [template, ...]}`: those of the catalogue that are good for the page, and all of
 /// a person's own. Gives `[{id, name, family, count, own, base, over}]`: `own` is the place among the own ones or
-/// null; `base` and `over` are SVG paths of the panels and of the overlays on a page 100 wide.
+/// null; `base` and `over` are SVG paths of the panels and of the overlays on a page 1000 wide.
 ///
 /// # Errors
 /// `invalid-document`, and `invalid-layout` for an own one that is not a template.
@@ -35,8 +35,7 @@ pub fn list(json: &str) -> Result<Value> {
     let aspect = page.aspect();
     let own = own.iter().map(template_of).collect::<Result<Vec<_>>>()?;
     let own = own.iter().enumerate().map(|(i, template)| entry(template, Some(i), aspect));
-    let good = catalogue().iter().filter(|template| template.good_for(aspect));
-    Ok(own.chain(good.map(|template| entry(template, None, aspect))).collect())
+    Ok(own.chain(good_for(aspect).into_iter().map(|template| entry(template, None, aspect))).collect())
 }
 
 /// The layout of `{layout, page}`: `{id, name, family, count, base, good, editable, adjacent, cuts}`. `base` is
@@ -158,20 +157,21 @@ fn draw(path: &mut String, shape: &ResolvedShape) {
         ResolvedShape::Polygon(corners) => {
             for (i, p) in corners.iter().enumerate() {
                 let letter = if i == 0 { 'M' } else { 'L' };
-                let _ = write!(path, "{letter}{:.1} {:.1}", p.x * PICTURE, p.y * PICTURE);
+                let _ = write!(path, "{letter}{} {}", drawn(p.x), drawn(p.y));
             }
             path.push('Z');
         }
         ResolvedShape::Circle { center, radius } => {
-            let (x, y, r) = (center.x * PICTURE, center.y * PICTURE, radius * PICTURE);
-            let d = 2.0 * r;
-            let _ = write!(
-                path,
-                "M{:.1} {y:.1}a{r:.1} {r:.1} 0 1 0 {d:.1} 0a{r:.1} {r:.1} 0 1 0-{d:.1} 0Z",
-                x - r
-            );
+            let (left, y, r) = (drawn(center.x - radius), drawn(center.y), drawn(*radius));
+            let d = 2 * r;
+            let _ = write!(path, "M{left} {y}a{r} {r} 0 1 0 {d} 0a{r} {r} 0 1 0-{d} 0Z");
         }
     }
+}
+
+/// A length in page widths as the drawing has it.
+fn drawn(length: f64) -> i32 {
+    (length * PICTURE).round() as i32
 }
 
 fn value_of(template: &Template) -> Result<Value> {
@@ -189,6 +189,7 @@ fn invalid(reason: String) -> Error {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::layout::catalogue;
 
     fn ask(of: &Value, answer: impl Fn(&str) -> Result<Value>) -> Value {
         answer(&of.to_string()).unwrap()

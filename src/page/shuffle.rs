@@ -58,7 +58,7 @@ fn choose_layout(request: &Request, random: &mut Rand64) -> Result<Value> {
         return Ok(current.layout.clone());
     }
     let aspect = request.page.aspect();
-    let good: Vec<&Template> = layout::catalogue().iter().filter(|t| t.good_for(aspect)).collect();
+    let good = layout::good_for(aspect);
     // Every page has at least one template; where none is good the whole list is still better than nothing.
     let good = if good.is_empty() { layout::catalogue().iter().collect() } else { good };
     let wanted = request.panels.unwrap_or_else(|| usual_count(request.photos.len(), &good, random));
