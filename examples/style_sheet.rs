@@ -1,47 +1,169 @@
-//! A contact sheet: one row a style, one column a photo.
+//! The contact sheet of the designed styles, family by family: each on twelve photos, some of them taken in bad light.
 //!
-//!     cargo run --release --example style_sheet -- OUT.png WIDTH STYLE[,STYLE...]|all PHOTOS...
+//!     cargo run --release --example style_sheet
+//!
+//! draws `docs/styles.jpg`. While a style is being made, larger cells show more:
+//!
+//!     cargo run --release --example style_sheet -- -o try.png --cell 400 --across 4 --styles try.json,noir
+//!
+//! A style is drawn on a panel of 400 pixels, as on a page on the screen; `--panel 1920` draws as for print.
+//! Photos may be named too; `photo.jpg@dark` shows one as if taken in that light, see [`LIGHTS`].
 
-use inkpanel::raster::Image;
-use inkpanel::style::{Context, Style, catalogue, stylize};
+#[path = "layout_sheet/font.rs"]
+mod font;
+
 use std::error::Error;
+use std::fs;
 
-fn main() -> Result<(), Box<dyn Error>> {
-    let args: Vec<String> = std::env::args().skip(1).collect();
-    let [out, width, styles, photos @ ..] = args.as_slice() else {
-        return Err("usage: style_sheet OUT.png WIDTH STYLES PHOTOS...".into());
-    };
-    let width: u32 = width.parse()?;
-    let height = width * 3 / 4;
-    let wanted: Vec<&str> = styles.split(',').collect();
-    let read = |id: &str| -> Result<Style, Box<dyn Error>> {
-        match std::fs::read_to_string(id) {
-            Ok(json) => Ok(Style::parse(id, &json)?),
-            Err(_) => Ok(catalogue::find(id)?.clone()),
+use image::RgbImage;
+use image::codecs::jpeg::JpegEncoder;
+use inkpanel::raster::Image;
+use inkpanel::raster::decode::{Limits, decode};
+use inkpanel::raster::resize::{Region, resample_image};
+use inkpanel::style::catalogue::{catalogue, find};
+use inkpanel::style::{Context, Style, stylize};
+use tiny_skia::{Color, Pixmap, PremultipliedColorU8};
+
+type Outcome<T> = Result<T, Box<dyn Error>>;
+
+/// People, animals and buildings; in haze, by night, overexposed and dull ones among them.
+const PHOTOS: [&str; 12] = [
+    "www/public/samples/09-mariachi.jpg",
+    "www/public/samples/19-astronaut.jpg",
+    "www/public/samples/13-didgeridoo.jpg",
+    "www/public/samples/07-red-panda.jpg",
+    "www/public/samples/08-kingfisher.jpg",
+    "www/public/samples/16-gate.jpg",
+    "www/public/samples/12-pyramid.jpg",
+    "www/public/samples/06-castle.jpg@hazy",
+    "www/public/samples/17-festival.jpg",
+    "www/public/samples/02-kitten.jpg@dark",
+    "www/public/samples/11-giraffe.jpg@bright",
+    "tests/photos/cat.jpg@dull",
+];
+
+/// What bad light does to a channel: gain and bias, clipped.
+const LIGHTS: [(&str, f32, f32); 4] =
+    [("hazy", 0.4, 140.0), ("dark", 0.25, 0.0), ("bright", 1.5, 40.0), ("dull", 0.35, 75.0)];
+
+/// Height of a line with an id.
+const LINE: u32 = 16;
+
+/// Quality of a JPEG file.
+const QUALITY: u8 = 40;
+
+fn main() -> Outcome<()> {
+    let options = Options::read(std::env::args().skip(1))?;
+    let photos: Vec<Image> = options.photos.iter().map(|name| photo(name, options.panel)).collect::<Outcome<_>>()?;
+    let (width, height) = (options.cell, options.cell * 3 / 4);
+    let across = options.across.min(photos.len() as u32).max(1);
+    let strip = (photos.len() as u32).div_ceil(across) * height + LINE;
+    let mut sheet = Pixmap::new(across * width, strip * options.styles.len() as u32).ok_or("an empty sheet")?;
+    sheet.fill(Color::WHITE);
+    for (row, style) in options.styles.iter().enumerate() {
+        let top = row as u32 * strip;
+        font::write(&mut sheet, &format!("{} - {}", style.tags.join(" "), style.id), 4, top + 3);
+        for (i, photo) in photos.iter().enumerate() {
+            let drawn = stylize(photo, style, &mut Context::for_image(photo))?;
+            let whole = Region::whole(drawn.width(), drawn.height());
+            let cell = resample_image(&drawn, whole, width as usize, height as usize);
+            let (column, line) = (i as u32 % across, i as u32 / across);
+            paste(&mut sheet, &cell, column * width, top + LINE + line * height);
         }
-    };
-    let styles: Vec<Style> = if wanted == ["all"] {
-        catalogue::catalogue().to_vec()
-    } else {
-        wanted.iter().map(|id| read(id)).collect::<Result<_, _>>()?
-    };
-    let mut sheet = image::RgbImage::new(width * photos.len() as u32, height * styles.len() as u32);
-    for (column, path) in photos.iter().enumerate() {
-        let photo = image::open(path)?.resize_to_fill(width, height, image::imageops::FilterType::Triangle);
-        let photo = Image::from_interleaved_rgb(width as usize, height as usize, photo.to_rgb8().as_raw())?;
-        for (row, style) in styles.iter().enumerate() {
-            let mut context = Context::for_image(&photo);
-            let drawn = stylize(&photo, style, &mut context)?.to_rgba();
-            for (i, pixel) in drawn.chunks_exact(4).enumerate() {
-                let (x, y) = (i as u32 % width, i as u32 / width);
-                let pixel = image::Rgb([pixel[0], pixel[1], pixel[2]]);
-                sheet.put_pixel(column as u32 * width + x, row as u32 * height + y, pixel);
+    }
+    save(&sheet, &options.out)
+}
+
+struct Options {
+    out: String,
+    /// Pixels across in which styles are drawn; cells of the sheet are made from these.
+    panel: usize,
+    cell: u32,
+    across: u32,
+    styles: Vec<Style>,
+    photos: Vec<String>,
+}
+
+impl Options {
+    fn read(mut words: impl Iterator<Item = String>) -> Outcome<Self> {
+        let mut options = Self {
+            out: "docs/styles.jpg".into(),
+            panel: 400,
+            cell: 80,
+            across: PHOTOS.len() as u32,
+            styles: catalogue().to_vec(),
+            photos: Vec::new(),
+        };
+        // Families stay together, each where its first style stands.
+        let order: Vec<String> = options.styles.iter().map(|style| style.tags[0].clone()).collect();
+        options.styles.sort_by_key(|style| order.iter().position(|family| *family == style.tags[0]));
+        while let Some(word) = words.next() {
+            let mut value = || words.next().ok_or_else(|| format!("{word} needs a value"));
+            match word.as_str() {
+                "-o" => options.out = value()?,
+                "--panel" => options.panel = value()?.parse()?,
+                "--cell" => options.cell = value()?.parse()?,
+                "--across" => options.across = value()?.parse()?,
+                "--styles" => options.styles = value()?.split(',').map(style).collect::<Outcome<_>>()?,
+                _ => options.photos.push(word),
             }
         }
+        if options.photos.is_empty() {
+            options.photos = PHOTOS.map(str::to_owned).to_vec();
+        }
+        Ok(options)
     }
-    sheet.save(out)?;
-    for (row, style) in styles.iter().enumerate() {
-        println!("row {row}: {}", style.id);
+}
+
+/// A file, or an id of the catalogue.
+fn style(name: &str) -> Outcome<Style> {
+    match fs::read_to_string(name) {
+        Ok(json) => Ok(Style::parse(name, &json)?),
+        Err(_) => Ok(find(name)?.clone()),
     }
-    Ok(())
+}
+
+/// A photo in the shape of a cell: of wide ones the middle, of tall ones the upper part, where heads are.
+fn photo(name: &str, width: usize) -> Outcome<Image> {
+    let (path, light) = name.split_once('@').unwrap_or((name, ""));
+    let photo = decode(&fs::read(path)?, &Limits::default())?.image;
+    let height = (width * 3 / 4).max(1);
+    let (w, h) = (photo.width() as f64, photo.height() as f64);
+    let scale = (w / width as f64).min(h / height as f64);
+    let (across, down) = (width as f64 * scale, height as f64 * scale);
+    let region = Region { x: (w - across) / 2.0, y: (h - down) * 0.1, width: across, height: down };
+    let photo = resample_image(&photo, region, width, height);
+    match LIGHTS.iter().find(|(known, ..)| *known == light) {
+        Some(&(_, gain, bias)) => lit(&photo, gain, bias),
+        None if light.is_empty() => Ok(photo),
+        None => Err(format!("{name}: no such light").into()),
+    }
+}
+
+fn lit(photo: &Image, gain: f32, bias: f32) -> Outcome<Image> {
+    let light = |value: u8| f32::from(value).mul_add(gain, bias).clamp(0.0, 255.0) as u8;
+    let rgb: Vec<u8> = photo.to_rgb().into_iter().map(light).collect();
+    Ok(Image::from_interleaved_rgb(photo.width(), photo.height(), &rgb)?)
+}
+
+fn paste(sheet: &mut Pixmap, image: &Image, left: u32, top: u32) {
+    let across = sheet.width();
+    for (i, pixel) in image.to_rgba().chunks_exact(4).enumerate() {
+        let (x, y) = (left + (i % image.width()) as u32, top + (i / image.width()) as u32);
+        let color = PremultipliedColorU8::from_rgba(pixel[0], pixel[1], pixel[2], 255);
+        if let (Some(color), Some(target)) = (color, sheet.pixels_mut().get_mut((y * across + x) as usize)) {
+            *target = color;
+        }
+    }
+}
+
+/// PNG where the name ends so, else JPEG.
+fn save(sheet: &Pixmap, path: &str) -> Outcome<()> {
+    let pixels = sheet.pixels().iter().flat_map(|pixel| [pixel.red(), pixel.green(), pixel.blue()]).collect();
+    let picture = RgbImage::from_raw(sheet.width(), sheet.height(), pixels).ok_or("too large")?;
+    if path.ends_with(".png") {
+        return Ok(picture.save(path)?);
+    }
+    let mut file = std::io::BufWriter::new(fs::File::create(path)?);
+    Ok(JpegEncoder::new_with_quality(&mut file, QUALITY).encode_image(&picture)?)
 }
