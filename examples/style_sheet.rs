@@ -14,6 +14,7 @@ mod font;
 
 use std::error::Error;
 use std::fs;
+use std::path::Path;
 
 use image::RgbImage;
 use image::codecs::jpeg::JpegEncoder;
@@ -54,11 +55,13 @@ const QUALITY: u8 = 40;
 
 fn main() -> Outcome<()> {
     let options = Options::read(std::env::args().skip(1))?;
-    let photos: Vec<Image> = options.photos.iter().map(|name| photo(name, options.panel)).collect::<Outcome<_>>()?;
+    let photos: Vec<Image> =
+        options.photos.iter().map(|name| photo(name, options.panel)).collect::<Outcome<_>>()?;
     let (width, height) = (options.cell, options.cell * 3 / 4);
     let across = options.across.min(photos.len() as u32).max(1);
     let strip = (photos.len() as u32).div_ceil(across) * height + LINE;
-    let mut sheet = Pixmap::new(across * width, strip * options.styles.len() as u32).ok_or("an empty sheet")?;
+    let mut sheet =
+        Pixmap::new(across * width, strip * options.styles.len() as u32).ok_or("an empty sheet")?;
     sheet.fill(Color::WHITE);
     for (row, style) in options.styles.iter().enumerate() {
         let top = row as u32 * strip;
@@ -161,7 +164,7 @@ fn paste(sheet: &mut Pixmap, image: &Image, left: u32, top: u32) {
 fn save(sheet: &Pixmap, path: &str) -> Outcome<()> {
     let pixels = sheet.pixels().iter().flat_map(|pixel| [pixel.red(), pixel.green(), pixel.blue()]).collect();
     let picture = RgbImage::from_raw(sheet.width(), sheet.height(), pixels).ok_or("too large")?;
-    if path.ends_with(".png") {
+    if Path::new(path).extension().is_some_and(|kind| kind == "png") {
         return Ok(picture.save(path)?);
     }
     let mut file = std::io::BufWriter::new(fs::File::create(path)?);

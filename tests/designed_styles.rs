@@ -1,0 +1,153 @@
+//! The designed styles: each in a family that `styles/README.md` lists, no two alike, and none that loses the picture
+//! in haze, by night, overexposed or in dull light.
+#![allow(clippy::unwrap_used, reason = "a test may stop at the first thing that is not as expected")]
+
+use std::collections::BTreeSet;
+use std::fmt::Write as _;
+use std::fs;
+use std::path::{Path, PathBuf};
+
+use inkpanel::raster::Image;
+use inkpanel::raster::decode::{Limits, decode};
+use inkpanel::raster::resize::{Region, resample_image};
+use inkpanel::style::{Context, Style, catalogue::catalogue, stylize};
+
+/// A family's tag and what its styles look like, in the order of the README.
+const FAMILIES: &[(&str, &str)] = &[
+    ("ink", "Lines of a pen or a brush, black or brown."),
+    ("noir", "Few tones, deep shadows."),
+    ("manga", "Black lines over screen tone."),
+    ("comic", "Flat colours inside lines."),
+    ("pop", "Loud colours, as on posters."),
+    ("halftone", "Dots of one or four inks."),
+    ("sketch", "Pencil, chalk, charcoal, pen."),
+    ("hatch", "Tones drawn with strokes."),
+    ("woodcut", "Cut in wood or linoleum."),
+    ("watercolour", "Painted: washes, gouache, oil."),
+    ("vintage", "Faded photos and prints."),
+    ("duotone", "Two or three colours from shadow to light."),
+    ("blueprint", "Light lines on a dark ground, screens."),
+    ("paper", "Chains after those that the paper prints."),
+];
+
+/// Fewest designed styles.
+const FEWEST: usize = 50;
+
+/// What bad light does to a channel: gain and bias, clipped.
+const LIGHTS: [(&str, f32, f32); 4] =
+    [("hazy", 0.4, 140.0), ("dark", 0.25, 0.0), ("bright", 1.5, 40.0), ("dull", 0.35, 75.0)];
+
+/// Share of its contrast in good light that a style keeps in bad light.
+const KEPT: f64 = 0.5;
+
+/// Mean difference of a channel, 0..=255, below which two styles are the same to the eye.
+const ALIKE: f64 = 6.0;
+
+const START: &str = "<!-- families:start -->\n";
+const END: &str = "<!-- families:end -->";
+
+fn root(path: &str) -> PathBuf {
+    Path::new(env!("CARGO_MANIFEST_DIR")).join(path)
+}
+
+/// A sample photo at the size of a small panel.
+fn panel(name: &str) -> Image {
+    let bytes = fs::read(root("www/public/samples").join(name)).unwrap();
+    let photo = decode(&bytes, &Limits::default()).unwrap().image;
+    resample_image(&photo, Region::whole(photo.width(), photo.height()), 320, 214)
+}
+
+fn lit(photo: &Image, gain: f32, bias: f32) -> Image {
+    let light = |value: u8| f32::from(value).mul_add(gain, bias).clamp(0.0, 255.0) as u8;
+    let rgb: Vec<u8> = photo.to_rgb().into_iter().map(light).collect();
+    Image::from_interleaved_rgb(photo.width(), photo.height(), &rgb).unwrap()
+}
+
+fn drawn(style: &Style, photo: &Image) -> Vec<u8> {
+    stylize(photo, style, &mut Context::for_image(photo)).unwrap().to_rgb()
+}
+
+/// Standard deviation of all channels.
+fn contrast(rgb: &[u8]) -> f64 {
+    let count = rgb.len() as f64;
+    let mean = rgb.iter().map(|&v| f64::from(v)).sum::<f64>() / count;
+    (rgb.iter().map(|&v| (f64::from(v) - mean).powi(2)).sum::<f64>() / count).sqrt()
+}
+
+fn difference(a: &[u8], b: &[u8]) -> f64 {
+    a.iter().zip(b).map(|(&a, &b)| f64::from(a.abs_diff(b))).sum::<f64>() / a.len() as f64
+}
+
+#[test]
+fn there_are_many_and_each_is_in_its_families() {
+    assert!(catalogue().len() >= FEWEST, "{} styles", catalogue().len());
+    let mut names = BTreeSet::new();
+    for style in catalogue() {
+        assert!(names.insert(&style.name), "two styles are called {}", style.name);
+        let tags: BTreeSet<&str> = style.tags.iter().map(String::as_str).collect();
+        assert_eq!(tags.len(), style.tags.len(), "{} has a tag twice", style.id);
+        for tag in tags {
+            assert!(FAMILIES.iter().any(|(family, _)| *family == tag), "{}: no family {tag}", style.id);
+        }
+    }
+    for (family, _) in FAMILIES {
+        let members = catalogue().iter().filter(|style| style.tags.first().is_some_and(|tag| tag == family));
+        assert!(members.count() >= 3, "{family} is hardly a family");
+    }
+}
+
+/// With `BLESS=1` the table is written anew, and the test fails for once.
+#[test]
+fn the_readme_lists_the_families_as_they_are() {
+    let mut expected = String::from("| family | look | styles |\n|---|---|---|\n");
+    for (family, look) in FAMILIES {
+        let members = catalogue().iter().filter(|style| style.tags.first().is_some_and(|tag| tag == family));
+        let names: Vec<&str> = members.map(|style| style.name.as_str()).collect();
+        writeln!(expected, "| `{family}` | {look} | {} |", names.join(", ")).unwrap();
+    }
+    let path = root("styles/README.md");
+    let readme = fs::read_to_string(&path).unwrap();
+    let (before, rest) = readme.split_once(START).unwrap();
+    let (table, after) = rest.split_once(END).unwrap();
+    if std::env::var_os("BLESS").is_some() && table != expected {
+        fs::write(&path, format!("{before}{START}{expected}{END}{after}")).unwrap();
+    }
+    assert_eq!(table, expected, "`cargo xtask bless` writes the table anew");
+}
+
+#[test]
+fn no_two_look_alike() {
+    let photos = ["07-red-panda.jpg", "09-mariachi.jpg"].map(panel);
+    let looks: Vec<Vec<u8>> = catalogue()
+        .iter()
+        .map(|style| photos.iter().flat_map(|photo| drawn(style, photo)).collect())
+        .collect();
+    let mut alike = Vec::new();
+    for (i, a) in catalogue().iter().enumerate() {
+        for (j, b) in catalogue().iter().enumerate().take(i) {
+            let apart = difference(&looks[i], &looks[j]);
+            if apart < ALIKE {
+                alike.push(format!("{} and {}: {apart:.1}", a.id, b.id));
+            }
+        }
+    }
+    assert!(alike.is_empty(), "hard to tell apart:\n  {}", alike.join("\n  "));
+}
+
+#[test]
+fn bad_light_does_not_lose_the_picture() {
+    let mut lost = Vec::new();
+    for photo in ["06-castle.jpg", "07-red-panda.jpg"] {
+        let good = panel(photo);
+        for style in catalogue() {
+            let wanted = contrast(&drawn(style, &good)) * KEPT;
+            for (light, gain, bias) in LIGHTS {
+                let found = contrast(&drawn(style, &lit(&good, gain, bias)));
+                if found < wanted {
+                    lost.push(format!("{} on {light} {photo}: {found:.0}, wants {wanted:.0}", style.id));
+                }
+            }
+        }
+    }
+    assert!(lost.is_empty(), "pale or black:\n  {}", lost.join("\n  "));
+}
