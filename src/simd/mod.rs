@@ -12,6 +12,7 @@
 //! | [`lanes`] | moves between lane widths |
 //! | [`flow`] | rows of the dual solver of Total Variation Flow |
 //! | [`screen`] | the choice of a pattern for each tone |
+//! | [`dots`] | the dots of a printing screen, and colours taken apart in inks |
 //! | [`edge`] | gradient magnitudes |
 //! | [`volume`] | blurs of volumes of floats |
 //! | [`fine`] | planes of 1/64 grey steps, in which blurs keep their precision |
@@ -20,6 +21,7 @@
 //! | [`blade`] | 7 x 7 filters that change from place to place |
 
 pub mod blade;
+pub mod dots;
 pub mod edge;
 pub mod fine;
 pub mod fir;
