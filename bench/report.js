@@ -8,8 +8,9 @@ import { readFileSync, writeFileSync } from 'node:fs';
  * @typedef {{
  *   machine: { cores: number, cpu: string, browser: string, copySpeed: number },
  *   rows: Row[], times: Record<string, Record<string, number>>, failed: Record<string, string>,
- *   versions: Record<string, string>, journey: { firstPage: number, shuffle: number, png: number, thumbnails: number, listed: number } | null,
- *   masks: { layout: string, ms: number } | null,
+ *   versions: Record<string, string>, journey: { firstPage: number, refined: number, shuffle: number, png: number, thumbnails: number, listed: number } | null,
+ *   masks: { layout: string, ms: number } | null, detect: { faces: number, objects: number, load: number } | null,
+ *   crowd: { photos: number, read: number, found: number, longest: number, long: number } | null,
  * }} Results `times` are milliseconds by contestant and row
  */
 
@@ -17,7 +18,7 @@ const PEERS = { opencv: 'OpenCV.js', canvas: 'canvas 2D', vips: 'wasm-vips', pho
 const PIXELS = 1920 * 1080;
 
 /** @param {Results} results */
-export function markdown({ machine, rows, times, failed, versions, journey, masks }) {
+export function markdown({ machine, rows, times, failed, versions, journey, masks, detect, crowd }) {
   const peers = Object.entries(PEERS);
   const heads = peers.map(([id, name]) => (versions[id] ? `${name} ${versions[id]}` : name));
   const lines = [
@@ -39,16 +40,32 @@ export function markdown({ machine, rows, times, failed, versions, journey, mask
     lines.push(`| ${row.label} | ${short(own)} | ${Math.round(share * 100)} % | ${cells.join(' | ')} |`);
   }
   for (const [id, reason] of Object.entries(failed)) lines.push('', `${PEERS[id] ?? id} failed: ${reason}`);
-  if (journey || masks) lines.push('', '| In the page, all workers | |', '|---|--:|');
+  if (journey || masks || detect || crowd) lines.push('', '| In the page, all workers | |', '|---|--:|');
   if (journey) {
     lines.push(
       `| Twelve 12-megapixel JPEG files to the first page | ${(journey.firstPage / 1000).toFixed(2)} s |`,
+      `| From the first page until its twelve photos are searched for faces and objects | ${(journey.refined / 1000).toFixed(2)} s |`,
       `| Shuffle to visible page | ${Math.round(journey.shuffle)} ms |`,
       `| PNG of 2480 x 3508 from the original photos | ${(journey.png / 1000).toFixed(2)} s |`,
       `| The ${journey.listed} thumbnails of the layouts, for another page size | ${Math.round(journey.thumbnails)} ms |`,
     );
   }
   if (masks) lines.push(`| Masks and borders of a page at 2480 x 3508, slowest layout, one thread | ${short(masks.ms)} ms |`);
+  if (detect) {
+    lines.push(
+      `| Faces of a photo, one worker | ${short(detect.faces)} ms |`,
+      `| Objects of a photo, one worker | ${short(detect.objects)} ms |`,
+      `| The detectors made ready, once | ${Math.round(detect.load)} ms |`,
+    );
+  }
+  if (crowd) {
+    const { photos, read, found, longest, long } = crowd;
+    lines.push(
+      `| An album of ${photos} photos of three megapixels, read and its page drawn | ${(read / 1000).toFixed(1)} s |`,
+      `| The same, all searched for faces and objects | ${(found / 1000).toFixed(1)} s |`,
+      `| The same, longest task of the page's main thread (and tasks above 50 ms) | ${Math.round(longest)} ms (${long}) |`,
+    );
+  }
   return lines.join('\n');
 }
 

@@ -10,6 +10,7 @@ import { join } from 'node:path';
 import { fileURLToPath } from 'node:url';
 import { parseArgs } from 'node:util';
 import { chromium } from 'playwright-core';
+import { crowd, manyPhotos } from './crowd.js';
 import { bigPhotos, journey } from './journey.js';
 import { insert, markdown } from './report.js';
 import { rows as allRows } from './rows.js';
@@ -40,7 +41,16 @@ const browser = await chromium.launch({
 try {
   const results = await blocks();
   const whole = filter.length === 0;
-  results.journey = asked('page') ? await page() : null;
+  if (asked('page')) {
+    console.log('timing the page');
+    const photos = await bigPhotos(browser, album, join(options.target, 'bench/photos'));
+    results.journey = await site((address) => journey(browser, address, photos));
+  }
+  if (asked('album')) {
+    console.log('timing an album');
+    const photos = await manyPhotos(browser, album, join(options.target, 'bench/album'));
+    results.crowd = await site((address) => crowd(browser, address, photos));
+  }
   const table = markdown(results);
   console.log(`\n${table}`);
   if (whole && !options.alone) {
@@ -58,7 +68,11 @@ function asked(part) {
 
 /** @returns {Promise<import('./report.js').Results>} */
 async function blocks() {
-  const folders = { page: join(here, 'page'), modules: join(here, 'node_modules'), pkg: join(options.target, 'bench/pkg'), album };
+  const www = join(options.root, 'www');
+  const folders = {
+    page: join(here, 'page'), modules: join(here, 'node_modules'), album,
+    pkg: join(options.target, 'bench/pkg'), detector: join(www, 'pkg-detector'), models: join(www, 'models'),
+  };
   const { address, close } = await serve(folders, { isolated: true });
   const page = await browser.newPage();
   await page.goto(`${address}/page/index.html`);
@@ -80,6 +94,8 @@ async function blocks() {
     failed: {},
     versions: {},
     journey: null,
+    crowd: null,
+    detect: !asked('detect') ? null : await page.evaluate(() => /** @type {any} */ (globalThis).bench.detect()),
     masks: !asked('masks') ? null : await page.evaluate(() => /** @type {any} */ (globalThis).bench.masks()),
   };
   for (const name of ['inkpanel', ...(options.alone ? [] : Object.keys(PEERS))]) {
@@ -99,13 +115,15 @@ async function blocks() {
   return results;
 }
 
-/** The real site, as any host would serve it. */
-async function page() {
-  console.log('timing the page');
-  const photos = await bigPhotos(browser, album, join(options.target, 'bench/photos'));
+/**
+ * The real site, as any host would serve it.
+ * @template T
+ * @param {(address: string) => Promise<T>} use
+ */
+async function site(use) {
   const { address, close } = await serve({ site: join(options.root, 'www/dist') }, { isolated: false });
   try {
-    return await journey(browser, `${address}/site/`, photos);
+    return await use(`${address}/site/`);
   } finally {
     close();
   }

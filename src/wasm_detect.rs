@@ -31,10 +31,21 @@ impl Detector {
         Ok(Self { nets: Detectors::new(faces, objects).map_err(thrown)? })
     }
 
-    /// Faces and objects of a photo, given as its red, green and blue planes one after the other:
+    /// Faces of a photo, given as its red, green and blue planes one after the other:
     /// `{boxes: [{label, score, x, y, width, height}], closer}` in fractions of the photo.
-    pub fn look(&self, width: usize, height: usize, planes: &[u8]) -> std::result::Result<String, JsValue> {
-        let look = || json(&self.nets.look(&image(width, height, planes)?)?);
+    pub fn faces(&self, width: usize, height: usize, planes: &[u8]) -> std::result::Result<String, JsValue> {
+        let look = || json(&self.nets.look_for_faces(&image(width, height, planes)?)?);
+        look().map_err(thrown)
+    }
+
+    /// Objects of a photo, as an array of boxes.
+    pub fn objects(
+        &self,
+        width: usize,
+        height: usize,
+        planes: &[u8],
+    ) -> std::result::Result<String, JsValue> {
+        let look = || json(&self.nets.look_for_objects(&image(width, height, planes)?)?);
         look().map_err(thrown)
     }
 

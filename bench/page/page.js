@@ -2,6 +2,7 @@
 /** What the runner calls in the page: one contestant after the other, each on its own thread or on this one. */
 
 import { contest } from './contest.js';
+import { detect } from './detect.js';
 import { masks } from './masks.js';
 import { copySpeed } from './memory.js';
 
@@ -50,4 +51,4 @@ async function times(name, rows, photo) {
   }
 }
 
-Object.assign(globalThis, { bench: { times, copySpeed, masks } });
+Object.assign(globalThis, { bench: { times, copySpeed, detect, masks } });

@@ -64,10 +64,26 @@ impl Detectors {
     /// # Errors
     /// `detector` when a net fails.
     pub fn look(&self, photo: &Image) -> Result<Findings> {
-        let mut boxes = self.faces.look(photo)?;
-        let closer = faces::worth_a_closer_look(photo, &boxes);
-        boxes.extend(self.objects.look(photo)?);
-        Ok(Findings { boxes, closer })
+        let mut found = self.look_for_faces(photo)?;
+        found.boxes.extend(self.look_for_objects(photo)?);
+        Ok(found)
+    }
+
+    /// The faces of [`Detectors::look`] alone.
+    ///
+    /// # Errors
+    /// `detector` when the net fails.
+    pub fn look_for_faces(&self, photo: &Image) -> Result<Findings> {
+        let boxes = self.faces.look(photo)?;
+        Ok(Findings { closer: faces::worth_a_closer_look(photo, &boxes), boxes })
+    }
+
+    /// The objects of [`Detectors::look`] alone.
+    ///
+    /// # Errors
+    /// `detector` when the net fails.
+    pub fn look_for_objects(&self, photo: &Image) -> Result<Vec<Detection>> {
+        self.objects.look(photo)
     }
 
     /// Finds also small faces, in parts of the photo that overlap. `first` are the boxes of the first look; the

@@ -105,6 +105,13 @@ mod tests {
     }
 
     #[test]
+    fn a_speck_does_not_become_the_picture() {
+        let sheep = Subject { score: 0.6, ..subject("sheep", 0.48, 0.65, 0.04, 0.04) };
+        let crop = frame(&photo(1600, 1200, vec![sheep]), &Target::of_aspect(1.0), 0);
+        assert!(crop.height > 0.8, "{crop:?}");
+    }
+
+    #[test]
     fn the_second_use_shows_another_subject() {
         let subjects = vec![subject("cat", 0.05, 0.4, 0.2, 0.3), subject("dog", 0.7, 0.35, 0.25, 0.4)];
         let photo = photo(4000, 3000, subjects);

@@ -13,6 +13,9 @@ use super::sums::Sums;
 const MOST_ENLARGED: f64 = 2.0;
 /// What a crop's area costs against the energy that it holds: the less, the less crops zoom in.
 const AREA_COST: f64 = 0.35;
+/// The weight of all subjects together from which on they have their full say. A speck that some detector calls a
+/// sheep is no reason to show a stone in place of the mountains.
+const STRONG: f64 = 0.25;
 /// What one edge through a place of ordinary energy costs.
 const CUT_COST: f64 = 0.022;
 
@@ -104,7 +107,8 @@ impl<'a> Judge<'a> {
                 off_line = off_line.max(inside * (level - 0.42).abs());
             }
         }
-        2.0 * cover + 0.6 * comfort(size) - 2.0 * cut - 0.4 * off_line
+        let say = (total / STRONG).min(1.0);
+        say * (2.0 * cover + 0.6 * comfort(size)) - 2.0 * cut - 0.4 * off_line
     }
 
     /// The part of a subject that the panel shows.

@@ -23,10 +23,14 @@ globalThis.onmessage = async ({ data: { id, op, args: { photo, boxes } } }) => {
     const detector = await started;
     const { width, height } = photo;
     const planes = new Uint8Array(await photo.planes.arrayBuffer());
-    const answer = op === 'look'
-      ? detector.look(width, height, planes)
-      : detector.look_closer(width, height, planes, JSON.stringify(boxes));
-    postMessage({ id, ok: JSON.parse(answer), memory: 0 });
+    if (op === 'look') {
+      const faces = JSON.parse(detector.faces(width, height, planes));
+      const objects = JSON.parse(detector.objects(width, height, planes));
+      postMessage({ id, ok: { ...faces, boxes: [...faces.boxes, ...objects] }, memory: 0 });
+    } else {
+      const answer = detector.look_closer(width, height, planes, JSON.stringify(boxes));
+      postMessage({ id, ok: JSON.parse(answer), memory: 0 });
+    }
   } catch (error) {
     postMessage({ id, error: describe(error), memory: 0 });
   }

@@ -5,6 +5,7 @@ mod bench;
 mod bless;
 mod budget;
 mod chromium;
+mod faces;
 mod models;
 mod npm;
 mod project;
@@ -66,6 +67,8 @@ enum Task {
         /// Folders with more photos to fit to, beside the sample album
         folders: Vec<String>,
     },
+    /// Count the faces found, missed and cut by panels into docs/faces.md, and draw target/faces.jpg
+    Faces,
     /// Regenerate the stored images in tests/goldens and list what changed
     Bless,
 }
@@ -89,6 +92,7 @@ fn run(task: &Task) -> Result<()> {
         Task::Test { suites } => test::run(&project, suites),
         Task::Bench { rows, alone } => bench::run(&project, rows, *alone),
         Task::Train { operator, folders } => train::run(&project, operator, folders),
+        Task::Faces => faces::run(&project),
         Task::Bless => bless::run(&project),
     }
 }

@@ -17,7 +17,7 @@ use anyhow::{Context, Result, ensure};
 use sha2::{Digest, Sha256};
 
 use crate::project::Project;
-use package::Package;
+pub(crate) use package::Package;
 
 /// A net that the page uses.
 struct Model {

@@ -11,16 +11,16 @@ use super::digest;
 use crate::{npm, tools};
 
 /// A package at one version.
-pub(super) struct Package {
+pub(crate) struct Package {
     /// `name@version`.
-    pub(super) name: &'static str,
+    pub(crate) name: &'static str,
     /// SHA-256 of its archive.
-    pub(super) sha256: &'static str,
+    pub(crate) sha256: &'static str,
 }
 
 impl Package {
     /// Fetches the package below `folder` unless it is there, and unpacks it. Gives the folder of its files.
-    pub(super) fn obtain(&self, folder: &Path) -> Result<PathBuf> {
+    pub(crate) fn obtain(&self, folder: &Path) -> Result<PathBuf> {
         let archive = folder.join(self.file_name());
         if !fs::read(&archive).is_ok_and(|bytes| digest(&bytes) == self.sha256) {
             fs::create_dir_all(folder)?;

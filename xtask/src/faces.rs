@@ -1,0 +1,35 @@
+//! The table of faces found and cut, over the photos of the repository and some of people that are for tests only.
+
+use std::fs;
+
+use anyhow::{Context, Result};
+
+use crate::models::{self, Package};
+use crate::project::Project;
+use crate::tools;
+
+/// Photos of people; nothing of it is shipped or shown, so they are in the table only.
+const PEOPLE: Package = Package {
+    name: "@vladmandic/face-api@1.7.15",
+    sha256: "0d77fffeef362ef9c0939cf6c567f3a2e8e177f114fa257a3270cbd2e509b031",
+};
+
+const FOLDERS: [&str; 2] = ["www/public/samples", "tests/photos"];
+
+/// Writes `docs/faces.md`'s table, and a sheet to look at into `target/faces.jpg`.
+pub(crate) fn run(project: &Project) -> Result<()> {
+    models::make(project)?;
+    let people = PEOPLE.obtain(&project.target.join("models"))?.join("demo");
+    let mut photos = Vec::new();
+    for folder in FOLDERS.iter().map(|folder| project.root.join(folder)).chain([people]) {
+        let files = fs::read_dir(&folder).with_context(|| format!("cannot list {}", folder.display()))?;
+        let mut files = files.map(|file| Ok(file?.path())).collect::<Result<Vec<_>>>()?;
+        files.retain(|file| file.extension().is_some_and(|extension| extension == "jpg"));
+        files.sort();
+        photos.extend(files);
+    }
+    let mut cargo = project.cargo();
+    cargo.args(["run", "--example", "face_table", "--", "docs/faces.md"]);
+    cargo.arg(project.target.join("faces.jpg")).args(photos);
+    tools::run(&mut cargo)
+}
