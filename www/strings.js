@@ -109,7 +109,8 @@ export const strings = {
   takeFrames: 'Take these frames',
 
   showSubjects: 'Show subjects',
-  finding: (/** @type {number} */ done, /** @type {number} */ total) => `Finding faces ${done}/${total}`,
+  finding: (/** @type {number} */ done, /** @type {number} */ total) => `Faces ${done}/${total}`,
+  findingLong: (/** @type {number} */ done, /** @type {number} */ total) => `Looking for faces and objects: ${done} of ${total} photos`,
   noDetector: 'Faces cannot be found here, so photos are cropped by contrast.',
 
   // Page settings

@@ -32,7 +32,9 @@ export function Tray() {
     <section class="tray" aria-label={strings.photos} aria-busy={reading !== null}>
       <header class="section-head">
         <h2>{strings.photos}</h2>
-        <span class="count">{finding ? strings.finding(finding.done, finding.total) : strings.photoCount(kept.length, tray.length)}</span>
+        {finding
+          ? <span class="count" title={strings.findingLong(finding.done, finding.total)}>{strings.finding(finding.done, finding.total)}</span>
+          : <span class="count">{strings.photoCount(kept.length, tray.length)}</span>}
         <IconButton icon="subjects" label={strings.showSubjects} pressed={ui.subjects.value} onClick={() => { ui.subjects.value = !ui.subjects.value; }} />
         <IconButton icon="add" label={strings.addPhotos} onClick={openFiles} />
       </header>
