@@ -14,6 +14,8 @@ const EYE_LINE: f64 = 0.42;
 const FIXED_EXPANSION: f64 = 0.04;
 /// Subjects that are looked at; the largest count.
 const MOST_SUBJECTS: usize = 12;
+/// Faces that no crop may cut; a class or a wedding has more than crops are drawn round.
+const MOST_FACES: usize = 40;
 /// Zoom steps of the rule without detection, as parts of the widest crop.
 const STEPS: [f64; 3] = [1.0, 0.8, 0.6];
 /// Places across and down that the rule without detection tries at each step.
@@ -80,7 +82,8 @@ impl<'a> View<'a> {
             if s.label == FACE { size + width * height } else { size }
         };
         subjects.sort_by(|a, b| rank(b).total_cmp(&rank(a)));
-        subjects.truncate(MOST_SUBJECTS);
+        let faces = subjects.iter().filter(|(_, subject)| subject.label == FACE).count();
+        subjects.truncate(MOST_SUBJECTS.max(faces.min(MOST_FACES)));
         let focus = photo.focus.filter(|f| f.x.is_finite() && f.y.is_finite());
         let focus = focus.map(|f| (f.x.clamp(0.0, 1.0) * width, f.y.clamp(0.0, 1.0) * height));
         Self { width, height, target, subjects, focus, aspect }
@@ -180,9 +183,10 @@ pub(super) fn all(view: &View, again: bool) -> Vec<Crop> {
 
 /// What a crop may be drawn round: each subject, all faces, as many of them as fit, all subjects.
 fn boxes(view: &View, faces: &[Area]) -> Vec<Area> {
-    let mut boxes: Vec<Area> = view.subjects.iter().map(|(area, _)| *area).collect();
+    let all: Vec<Area> = view.subjects.iter().map(|(area, _)| *area).collect();
+    let mut boxes: Vec<Area> = all.iter().copied().take(MOST_SUBJECTS).collect();
     let (widest, highest) = (view.widest_width(), view.widest_width() / view.aspect);
-    let groups = [faces.to_vec(), boxes.clone()];
+    let groups = [faces.to_vec(), all];
     for group in groups.iter().filter(|group| group.len() > 1) {
         let whole = group.iter().copied().reduce(Area::union);
         let fitting = group.iter().copied().reduce(|kept, next| {
@@ -217,18 +221,21 @@ fn expansions(view: &View, inner: Area, face: bool, crops: &mut Vec<Crop>) {
 /// The crop moved as little as possible so that it cuts no face; `None` when it cuts none, or in any case.
 fn settled(view: &View, crop: &Crop, faces: &[Area]) -> Option<Crop> {
     let area = view.area(crop);
-    let cuts = |area: Area| faces.iter().filter(|face| view.cuts(area, **face)).count();
-    if cuts(area) == 0 {
+    let cuts = |area: Area| faces.iter().any(|face| view.cuts(area, *face));
+    if !cuts(area) {
         return None;
     }
     let mut best: Option<(f64, Area)> = None;
-    let across: Vec<f64> =
-        stops(area.x, area.width, view.width, faces.iter().map(|f| (f.x, f.width))).collect();
+    let across = stops(area.x, area.width, view.width, faces.iter().map(|f| (f.x, f.width)));
     for y in stops(area.y, area.height, view.height, faces.iter().map(|f| (f.y, f.height))) {
         for &x in &across {
-            let moved = Area { x, y, ..area };
             let way = (x - area.x).hypot(y - area.y);
-            if best.is_none_or(|(least, _)| way < least) && cuts(moved) == 0 {
+            // What follows is farther still.
+            if best.is_some_and(|(least, _)| way >= least) {
+                break;
+            }
+            let moved = Area { x, y, ..area };
+            if !cuts(moved) {
                 best = Some((way, moved));
             }
         }
@@ -236,19 +243,18 @@ fn settled(view: &View, crop: &Crop, faces: &[Area]) -> Option<Crop> {
     best.map(|(_, moved)| view.crop(moved.x, moved.y, moved.width))
 }
 
-/// Places of one side of a crop at which a face just begins to be whole, or just to be gone.
-fn stops(
-    at: f64,
-    length: f64,
-    limit: f64,
-    faces: impl Iterator<Item = (f64, f64)>,
-) -> impl Iterator<Item = f64> {
+/// Places of one side of a crop at which a face just begins to be whole, or just to be gone, the nearest first.
+fn stops(at: f64, length: f64, limit: f64, faces: impl Iterator<Item = (f64, f64)>) -> Vec<f64> {
     let room = (limit - length).max(0.0);
-    faces
+    let mut places: Vec<f64> = faces
         .flat_map(move |(low, side)| {
             let air = side * 0.15;
             [low, low - air, low + side - length, low + side + air - length, low - length, low + side]
         })
         .chain([at])
         .map(move |place| place.clamp(0.0, room))
+        .collect();
+    places.sort_by(|a, b| (a - at).abs().total_cmp(&(b - at).abs()));
+    places.dedup();
+    places
 }

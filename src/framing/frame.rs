@@ -105,6 +105,29 @@ mod tests {
     }
 
     #[test]
+    fn a_class_photo_has_no_cut_heads() {
+        // Three rows of eight, the back rows smaller.
+        let heads: Vec<Subject> = (0..24)
+            .map(|i| {
+                let (column, row) = (f64::from(i % 8), f64::from(i / 8));
+                let size = 0.04 + 0.01 * row;
+                subject(FACE, 0.06 + 0.11 * column + 0.02 * row, 0.2 + 0.17 * row, size, size * 1.3)
+            })
+            .collect();
+        for aspect in [0.4, 0.7, 1.0, 1.6, 2.5] {
+            let crop = frame(&photo(4000, 3000, heads.clone()), &Target::of_aspect(aspect), 0);
+            let cut = |face: &Subject| {
+                let shared = |a: f64, al: f64, b: f64, bl: f64| ((a + al).min(b + bl) - a.max(b)).max(0.0);
+                let part = shared(crop.x, crop.width, face.x, face.width)
+                    * shared(crop.y, crop.height, face.y, face.height)
+                    / (face.width * face.height);
+                (1e-6..1.0 - 1e-6).contains(&part)
+            };
+            assert!(!heads.iter().any(cut), "{aspect}: {crop:?}");
+        }
+    }
+
+    #[test]
     fn a_speck_does_not_become_the_picture() {
         let sheep = Subject { score: 0.6, ..subject("sheep", 0.48, 0.65, 0.04, 0.04) };
         let crop = frame(&photo(1600, 1200, vec![sheep]), &Target::of_aspect(1.0), 0);
