@@ -7,6 +7,7 @@ import { effect } from '@preact/signals';
 import { render } from 'preact';
 import { createEngine } from './engine/engine.js';
 import { createAlternatives } from './state/alternatives.js';
+import { createChoosing } from './state/choosing.js';
 import { createDownload } from './state/download.js';
 import { createFraming } from './state/framing.js';
 import { createKeys } from './state/keys.js';
@@ -31,6 +32,7 @@ const ui = createUi(window);
 const messages = createMessages();
 const pages = createPages(store);
 const reading = createReading({ store, pages, engine, messages });
+const choosing = createChoosing({ store, pages, reading });
 const selection = createSelection({ store });
 const merging = createMerging({ store, pages, selection });
 const framing = createFraming({ store, pages });
@@ -67,7 +69,7 @@ effect(() => {
 });
 
 render(
-  <AppContext.Provider value={{ store, pages, selection, merging, framing, reshaping, ownLayouts, subjects, reading, download, alternatives, messages, ui, engine }}>
+  <AppContext.Provider value={{ store, pages, selection, merging, framing, reshaping, ownLayouts, subjects, reading, choosing, download, alternatives, messages, ui, engine }}>
     <App />
   </AppContext.Provider>,
   /** @type {HTMLElement} */ (document.getElementById('app')),

@@ -91,6 +91,18 @@ export const strings = {
   addPhotos: 'Add photos',
   kept: 'On the table',
   setAside: 'Set aside',
+  choice: 'Choice of photos',
+  alike: 'Set aside look-alikes',
+  alikeValue: (/** @type {number} */ bits) => (
+    bits < 7 ? `${bits}, nearly identical` : bits < 11 ? `${bits}, the same picture` : bits < 14 ? `${bits}, much alike` : `${bits}, somewhat alike`
+  ),
+  alikeKept: (/** @type {number} */ kept, /** @type {number} */ all) => `${kept} of ${all} kept`,
+  order: 'Order',
+  orders: { time: 'By time taken', name: 'By file name' },
+  stackOf: (/** @type {number} */ count) => `${count} alike`,
+  openStack: (/** @type {number} */ count, /** @type {string} */ name) => `Show the ${count} photos like ${name}`,
+  take: 'Take',
+  takeInstead: (/** @type {string} */ name) => `Take ${name} instead`,
   /** @param {{ title: string, author: string, licence: string }} sample */
   credit: ({ title, author, licence }) => `${title}, by ${author} (${licence})`,
   photoCount: (/** @type {number} */ used, /** @type {number} */ all) => (used === all ? `${all}` : `${used} of ${all}`),

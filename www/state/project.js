@@ -18,11 +18,14 @@
  * @typedef {{ id: string, use: boolean | null, focus?: { x: number, y: number } | null }} TrayItem
  */
 
+/** @typedef {'time' | 'name'} Order of the photos: as they were taken where all say so, or as their files are called */
+
 /**
  * @typedef {{
- *   tray: readonly TrayItem[], locks: Locks, panels: number | null, settings: PageSettings,
+ *   tray: readonly TrayItem[], alike: number, order: Order, locks: Locks, panels: number | null, settings: PageSettings,
  *   page: PageDocument | null, pageId: number,
- * }} Project `panels`: the wanted number, null for any; `pageId` names the page among those shown
+ * }} Project `alike`: photos whose fingerprints differ in at most so many of 64 bits show the same picture; `panels`:
+ *   the wanted number, null for any; `pageId` names the page among those shown
  */
 
 /**
@@ -32,6 +35,8 @@
  *   | { type: 'remove-photos', ids: readonly string[] }
  *   | { type: 'forget-photos', ids: string[] }
  *   | { type: 'use-photo', id: string, use: boolean }
+ *   | { type: 'use-photos', uses: ReadonlyMap<string, boolean> }
+ *   | { type: 'choose-by', alike?: number, order?: Order }
  *   | { type: 'focus-photo', id: string, focus: { x: number, y: number } | null }
  *   | { type: 'lock', part: Part, on: boolean }
  *   | { type: 'want-panels', count: number | null }
@@ -58,6 +63,8 @@ export const DEFAULT_SETTINGS = Object.freeze({
 /** @type {Project} */
 export const EMPTY_PROJECT = Object.freeze({
   tray: Object.freeze([]),
+  alike: 10,
+  order: 'time',
   locks: Object.freeze({ layout: false, style: false, photos: false }),
   panels: null,
   settings: DEFAULT_SETTINGS,
@@ -88,6 +95,15 @@ export function reduce(project, action) {
         ...project,
         tray: project.tray.map((item) => (item.id === action.id ? { ...item, use: action.use } : item)),
       };
+    case 'use-photos':
+      return {
+        ...project,
+        tray: project.tray.map((item) => ({ ...item, use: action.uses.get(item.id) ?? item.use })),
+      };
+    case 'choose-by': {
+      const { alike = project.alike, order = project.order } = action;
+      return alike === project.alike && order === project.order ? project : { ...project, alike, order };
+    }
     case 'focus-photo':
       return {
         ...project,

@@ -38,7 +38,7 @@ export function createReading({ store, pages, engine, messages }) {
   const intake = createIntake({ store, pages, engine, messages });
   const frames = createFrames({ store, engine, intake });
 
-  return { addFiles, addSamples, resample, cancel, use, remove };
+  return { addFiles, addSamples, resample, cancel, use, remove, edit };
 
   /**
    * @param {readonly File[]} given
@@ -149,25 +149,29 @@ export function createReading({ store, pages, engine, messages }) {
    * @param {boolean} on
    */
   function use(id, on) {
-    edit({ type: 'use-photo', id, use: on }, on);
+    edit({ type: 'use-photo', id, use: on }, () => pages.refit({ grow: on }));
   }
 
   /** @param {string} id */
   function remove(id) {
-    edit({ type: 'remove-photo', id }, false);
+    edit({ type: 'remove-photo', id }, () => pages.refit({ grow: false }));
   }
 
   /**
    * A change of the tray and the page that follows from it, as one step.
    * @param {import('./project.js').Action} action
-   * @param {boolean} grow
+   * @param {() => import('../engine/documents.js').PageDocument | null | undefined} follow undefined: the page stays
+   * @param {string} [control] whose changes one after the other are one step
    */
-  function edit(action, grow) {
-    clicks += 1;
-    const step = { gesture: `tray-${clicks}` };
+  function edit(action, follow, control) {
+    if (control === undefined) clicks += 1;
+    const step = { gesture: control ?? `tray-${clicks}` };
+    const before = store.project.peek();
     store.change({ ...action, ...step });
+    if (store.project.peek() === before) return;
     planned = inUse();
-    const page = pages.refit({ grow });
+    const page = follow();
+    if (page === undefined) return;
     if (page) pages.show(page, step);
     else store.change({ type: 'no-page', ...step });
   }

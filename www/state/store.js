@@ -17,9 +17,6 @@ import { EMPTY_HISTORY, advance } from './history.js';
 /** @typedef {ReturnType<typeof createStore>} Store */
 /** @typedef {{ done: number, total: number }} Progress */
 
-/** Fingerprints that differ in at most so many of 64 bits show the same picture. */
-const THRESHOLD = 10;
-
 export function createStore() {
   const history = signal(EMPTY_HISTORY);
   /** @type {import('@preact/signals').Signal<Album>} */
@@ -48,17 +45,18 @@ export function createStore() {
     if (!planner.value || reading.value) return judged;
     const measured = facts.value.filter((fact) => fact.measures !== null);
     const photos = measured.map(({ id, name, measures }) => ({ id, name, ...measures }));
-    judged = new Map(planner.value.choose(photos, THRESHOLD).map((verdict) => [verdict.id, verdict]));
+    judged = new Map(planner.value.choose(photos, project.value.alike).map((verdict) => [verdict.id, verdict]));
     return judged;
   });
 
-  /** The photos in use, as the planner wants them: in order of time. */
+  /** The photos in use, as the planner wants them: in their order. */
   const photos = computed(() => {
     const focus = new Map(tray.value.map((item) => [item.id, item.focus ?? null]));
     const used = new Set(tray.value.filter((item) => isUsed(item, verdicts.value)).map(({ id }) => id));
     const list = facts.value.filter(({ id }) => used.has(id));
     // While photos arrive the order of the files stands, else the page would be shuffled with each of them.
-    return (reading.value ? list : chronological(list)).map(({ id, meta }) => {
+    const dated = !reading.value && project.value.order === 'time';
+    return (dated ? chronological(list) : list).map(({ id, meta }) => {
       const known = meta ?? unreadMeta(id);
       return focus.get(id) ? { ...known, focus: focus.get(id) ?? null } : known;
     });

@@ -35,6 +35,8 @@ export function createUi(window) {
     detects: remembered(window, DETECT_KEY) !== 'off',
     /** Whether the boxes of what was found are drawn. */
     subjects: signal(false),
+    /** A photo of the stack that is open. @type {import('@preact/signals').Signal<string | null>} */
+    stack: signal(null),
     /** @type {import('@preact/signals').Signal<'keys' | 'export' | null>} */
     dialog: signal(null),
     /** The page that is on the screen with all its panels; null while work for it is going on.

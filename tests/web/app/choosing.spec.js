@@ -1,0 +1,64 @@
+// @ts-check
+/** Look-alikes as stacks, how alike is too alike, and the order of the photos. */
+
+import { SIX, add, expect, idle, photos, press, test } from './support.js';
+
+/** @param {import('./support.js').Page} page */
+async function openWithCopies(page) {
+  const some = await photos(...SIX);
+  const cat = some.find(({ name }) => name === 'cat.jpg') ?? some[0];
+  await page.goto('./');
+  await add(page, [...some, ...['cat2.jpg', 'cat3.jpg'].map((name) => ({ ...cat, name }))]);
+  await idle(page);
+}
+
+test('a stack opens, another of it is taken, several are kept, and each can be undone', async ({ page }) => {
+  await openWithCopies(page);
+  const tray = page.getByRole('region', { name: 'Photos' });
+  const use = (/** @type {string} */ name) => tray.getByRole('checkbox', { name: `Use ${name}`, exact: true });
+  await expect(tray.getByText('sharpest of 3')).toBeVisible();
+  await expect(use('cat2.jpg')).not.toBeChecked();
+  await press(page, 'Show the 3 photos like cat.jpg');
+  const stack = tray.getByRole('listitem').filter({ has: page.getByRole('button', { name: '3 alike' }) });
+  await expect(stack.getByRole('checkbox')).toHaveCount(3);
+  const shown = await page.locator('.panel').count();
+  await press(page, 'Take cat2.jpg instead');
+  await expect(use('cat2.jpg')).toBeChecked();
+  await expect(use('cat.jpg')).not.toBeChecked();
+  expect(await page.locator('.panel').count()).toBe(shown);
+  await use('cat3.jpg').check();
+  await idle(page);
+  await expect(use('cat2.jpg')).toBeChecked();
+  await press(page, 'Undo');
+  await press(page, 'Undo');
+  await expect(use('cat.jpg')).toBeChecked();
+  await expect(use('cat3.jpg')).not.toBeChecked();
+  await press(page, '3 alike');
+  await expect(stack).toHaveCount(0);
+});
+
+test('by keyboard: a stack is opened and closed, look-alikes are set aside less, the order changes', async ({ page }) => {
+  await openWithCopies(page);
+  const opener = page.getByRole('button', { name: 'Show the 3 photos like cat.jpg' });
+  await opener.focus();
+  await page.keyboard.press('Enter');
+  const head = page.getByRole('button', { name: '3 alike' });
+  await expect(head).toBeFocused();
+  await page.keyboard.press('Enter');
+  await expect(opener).toBeVisible();
+  await page.getByText('Choice of photos').focus();
+  await page.keyboard.press('Enter');
+  const slider = page.getByRole('slider', { name: 'Set aside look-alikes' });
+  await expect(page.getByText('6 of 8 kept')).toBeVisible();
+  await slider.focus();
+  await page.keyboard.press('Home');
+  await idle(page);
+  await expect(slider).toHaveAttribute('aria-valuetext', /nearly identical/);
+  // The copies are the same to the last pixel.
+  await expect(page.getByText('6 of 8 kept')).toBeVisible();
+  const order = page.getByRole('combobox', { name: 'Order' });
+  await order.selectOption('By file name');
+  await idle(page);
+  await press(page, 'Undo');
+  await expect(order).toHaveValue('time');
+});

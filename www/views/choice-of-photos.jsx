@@ -1,0 +1,62 @@
+// @ts-check
+/** How photos are chosen: how alike two may be before one is set aside, and their order. */
+
+import { useState } from 'preact/hooks';
+import { strings } from '../strings.js';
+import { useApp } from './context.js';
+
+const STRICT = 4;
+const LOOSE = 16;
+
+export function ChoiceOfPhotos() {
+  const { store, choosing } = useApp();
+  const { alike, order } = store.project.value;
+  /** Where the slider is while it is dragged. */
+  const [wish, setWish] = useState(/** @type {number | null} */ (null));
+  const shown = wish ?? alike;
+  const busy = store.reading.value !== null;
+  return (
+    <details class="choice">
+      <summary>{strings.choice}</summary>
+      <label class="field">
+        <span>{strings.alike}</span>
+        <input
+          type="range"
+          min={STRICT}
+          max={LOOSE}
+          value={shown}
+          disabled={busy}
+          aria-valuetext={strings.alikeValue(shown)}
+          onInput={({ currentTarget }) => setWish(currentTarget.valueAsNumber)}
+          onChange={({ currentTarget }) => {
+            setWish(null);
+            choosing.setAlike(currentTarget.valueAsNumber);
+          }}
+        />
+        <output aria-hidden="true">{strings.alikeKept(keptAt(store, shown), store.tray.value.length)}</output>
+      </label>
+      <label class="field">
+        <span>{strings.order}</span>
+        <select
+          class="select"
+          value={order}
+          disabled={busy}
+          onChange={({ currentTarget }) => choosing.setOrder(/** @type {import('../state/project.js').Order} */ (currentTarget.value))}
+        >
+          <option value="time">{strings.orders.time}</option>
+          <option value="name">{strings.orders.name}</option>
+        </select>
+      </label>
+    </details>
+  );
+}
+
+/**
+ * How many photos the selection would keep.
+ * @param {import('../state/store.js').Store} store
+ * @param {number} alike
+ */
+function keptAt(store, alike) {
+  const photos = store.facts.value.filter(({ measures }) => measures !== null).map(({ id, name, measures }) => ({ id, name, ...measures }));
+  return store.planner.value?.choose(photos, alike).filter(({ kept }) => kept).length ?? photos.length;
+}

@@ -1,0 +1,103 @@
+// @ts-check
+/** A photo on the table: its picture, whether it is used and why not, and what can be done with it. */
+
+import { strings } from '../strings.js';
+import { Bitmap, screenPixels } from './bitmap.jsx';
+import { useApp } from './context.js';
+import { Icon } from './icon.jsx';
+import { PHOTO } from './panel-gestures.js';
+import { PhotoSubjects } from './subject-boxes.jsx';
+
+/** @typedef {import('../state/project.js').TrayItem} TrayItem */
+
+/** A style without blocks shows the photo as it is. */
+const PLAIN = { id: 'plain', name: 'Plain', tags: [], background: [] };
+const SIDE = 96;
+
+/**
+ * @param {{
+ *   item: TrayItem, used: boolean, stack?: number, onOpen?: () => void, onTake?: () => void,
+ * }} props `stack`: how many it stands for, on top of a closed stack; `onTake`: to take it in place of the others
+ */
+export function PhotoTile({ item: { id }, used, stack = 0, onOpen, onTake }) {
+  const { store, reading, engine, selection, framing, ui } = useApp();
+  const [panel, ...others] = selection.panels.value;
+  const takes = panel !== undefined && others.length === 0 && !framing.isLocked(panel);
+  const fact = store.album.value.get(id);
+  const verdict = store.verdicts.value.get(id);
+  const name = fact?.name ?? id;
+  const ready = fact?.meta !== null && engine.hasPhoto(id);
+  const about = [fact?.credit ?? name, verdict?.why].filter(Boolean).join('\n');
+  return (
+    <li
+      class="photo"
+      data-used={used}
+      data-stack={stack > 1}
+      title={about}
+      draggable={ready}
+      onDragStart={(event) => event.dataTransfer?.setData(PHOTO, id)}
+    >
+      <label class="photo-picture">
+        {ready
+          ? <Bitmap of={id} draw={(call) => engine.stylePhoto(id, PLAIN, cover(fact?.meta), call)} />
+          : <span class="bitmap" />}
+        {ui.subjects.value && <PhotoSubjects id={id} />}
+        <input
+          type="checkbox"
+          aria-label={strings.usePhoto(name)}
+          aria-describedby={verdict && `why-${id}`}
+          checked={used}
+          onChange={(event) => reading.use(id, event.currentTarget.checked)}
+        />
+      </label>
+      <button
+        type="button"
+        class="photo-remove"
+        aria-label={strings.removePhoto(name)}
+        title={strings.removePhoto(name)}
+        onClick={() => reading.remove(id)}
+      >
+        <Icon name="close" />
+      </button>
+      {takes && ready && (
+        <button
+          type="button"
+          class="photo-put"
+          aria-label={strings.putHere(name, panel + 1)}
+          title={strings.putHere(name, panel + 1)}
+          onClick={() => framing.replace(panel, id)}
+        >
+          <Icon name="put" />
+        </button>
+      )}
+      {stack > 1 && (
+        <button
+          type="button"
+          class="photo-stack"
+          aria-expanded="false"
+          aria-label={strings.openStack(stack, name)}
+          title={strings.openStack(stack, name)}
+          onClick={onOpen}
+        >
+          {stack}
+        </button>
+      )}
+      {onTake && (
+        <button type="button" class="photo-take" aria-label={strings.takeInstead(name)} onClick={onTake}>{strings.take}</button>
+      )}
+      <span class="photo-name">{fact?.credit ?? name}</span>
+      {verdict && <span class="photo-why" id={`why-${id}`}>{verdict.why}</span>}
+    </li>
+  );
+}
+
+/**
+ * The square in the middle of a photo.
+ * @param {{ width: number, height: number } | null | undefined} meta
+ */
+function cover(meta) {
+  const { width, height } = meta ?? { width: 1, height: 1 };
+  const side = Math.min(width, height);
+  const crop = { x: (1 - side / width) / 2, y: (1 - side / height) / 2, width: side / width, height: side / height };
+  return { width: screenPixels(SIDE), height: screenPixels(SIDE), crop };
+}
