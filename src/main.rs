@@ -8,7 +8,7 @@ mod detectors;
 use clap::{Parser, Subcommand};
 use inkpanel::layout::{PageSettings, Template};
 use inkpanel::page::import::{Imported, import};
-use inkpanel::page::request::{Keep, Mode, Request};
+use inkpanel::page::request::{Keep, Mode, Request, Styling};
 use inkpanel::page::shuffle::plan;
 use inkpanel::page::{Document, Scene, catalogue, compose, png};
 use inkpanel::raster::Image;
@@ -184,6 +184,7 @@ fn render_page(render: &Render) -> Result<(), Complaint> {
         keep: Keep::default(),
         layout,
         style,
+        styling: Styling::default(),
         panels: render.panels,
         mode: Mode::Shuffle,
         merge: Some(render.merge),

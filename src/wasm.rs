@@ -10,6 +10,7 @@
 mod bench;
 mod frames;
 pub mod layouts;
+pub mod style;
 
 use crate::error::{Error, Result};
 use crate::framing::Crop;
@@ -137,6 +138,7 @@ pub struct Studio {
     context: Context<'static>,
     sheet: Option<(Sheet, u32)>,
     file: Vec<u8>,
+    designs: style::Designs,
 }
 
 #[wasm_bindgen]

@@ -8,6 +8,7 @@
 //! | [`layouts`] | layouts listed, made and changed, as JSON |
 //! | [`request`] | what is asked of a new document |
 //! | [`shuffle`] | a new document from photos, locks and a seed |
+//! | [`styling`] | the style of a page that leaves it to chance |
 //! | `fill` | the panels of a template filled with photos |
 //! | [`scene`] | a document resolved to pixels of one size |
 //! | [`mask`] | the inside of a panel and its border |
@@ -27,6 +28,7 @@ pub mod png;
 pub mod request;
 pub mod scene;
 pub mod shuffle;
+pub mod styling;
 
 pub use compose::Patch;
 pub use document::Document;

@@ -1,6 +1,7 @@
 //! What is asked of [`plan`](super::shuffle::plan).
 
 use super::document::Document;
+pub use super::styling::Styling;
 use crate::framing::PhotoMeta;
 use crate::layout::PageSettings;
 use serde::Deserialize;
@@ -29,6 +30,9 @@ pub struct Request {
     /// A style to take, by id or in full.
     #[serde(default)]
     pub style: Option<Value>,
+    /// How a style is drawn that is left to chance.
+    #[serde(default)]
+    pub styling: Styling,
     /// Wanted number of panels where the layout is free.
     #[serde(default)]
     pub panels: Option<usize>,

@@ -3,10 +3,10 @@
 use super::document::{Document, VERSION, style_of, template_of};
 use super::fill::choose_photos;
 use super::request::Request;
+use super::styling::choose_style;
 use crate::error::{Error, Result};
 use crate::layout::merge::{can_merge, mergeable};
 use crate::layout::{self, Template};
-use crate::style::catalogue;
 use oorandom::Rand64;
 use serde_json::Value;
 
@@ -83,24 +83,6 @@ fn usual_count(photos: usize, good: &[&Template], random: &mut Rand64) -> usize 
     pick(&fitting, random).map_or(most, |count| **count)
 }
 
-fn choose_style(request: &Request, random: &mut Rand64) -> Result<Value> {
-    if let Some(style) = &request.style {
-        return Ok(style.clone());
-    }
-    let current = request.current.as_ref();
-    if let Some(current) = current.filter(|_| request.keep.style) {
-        return Ok(current.style.clone());
-    }
-    let shown = current.and_then(|current| current.style.as_str());
-    let others: Vec<&str> = catalogue::catalogue()
-        .iter()
-        .map(|style| style.id.as_str())
-        .filter(|id| Some(*id) != shown)
-        .collect();
-    let id = pick(&others, random).ok_or_else(|| Error::UnknownStyle("any".into()))?;
-    Ok(Value::String((*id).to_owned()))
-}
-
 fn choose_merges(
     request: &Request,
     template: &Template,
@@ -125,7 +107,7 @@ fn choose_merges(
     Ok(pick(&groups, random).filter(|_| wanted).cloned().into_iter().collect())
 }
 
-fn pick<'a, T>(items: &'a [T], random: &mut Rand64) -> Option<&'a T> {
+pub(super) fn pick<'a, T>(items: &'a [T], random: &mut Rand64) -> Option<&'a T> {
     if items.is_empty() {
         return None;
     }
@@ -165,6 +147,7 @@ mod tests {
             keep: Keep::default(),
             layout: None,
             style: None,
+            styling: crate::page::styling::Styling::default(),
             panels: None,
             mode: Mode::Shuffle,
             merge: Some(false),

@@ -60,6 +60,29 @@ pub fn run_owned(steps: &[Step], mut image: Image, context: &mut Context<'_>) ->
     Ok(image)
 }
 
+/// Runs the last of `steps`: alone, or, where it looks at single pixels, in one pass with the blocks before it in
+/// `steps`, all of the same kind. `chroma_wanted` keeps U and V for a To Color behind. The result keeps the size that
+/// the block gave it.
+///
+/// # Errors
+/// `cancelled` when the context says so.
+pub(in crate::style) fn run_last(
+    steps: &[Step],
+    chroma_wanted: bool,
+    image: Image,
+    context: &mut Context<'_>,
+) -> Result<Image> {
+    let mut ops = Vec::new();
+    for op in steps.iter().filter(|step| !step.bypass).filter_map(|step| point_op(step, context.scale())) {
+        push_fused(&mut ops, op);
+    }
+    match steps.last() {
+        _ if !ops.is_empty() => run_points(&ops, image, chroma_wanted, context),
+        Some(step) => run_block(step, image, context),
+        None => Ok(image),
+    }
+}
+
 /// Lays the luma of `lines` over a background as the alpha of an ink. Both have one size.
 #[must_use]
 pub fn lay_ink(background: Image, lines: &Image, ink: [u8; 3]) -> Image {

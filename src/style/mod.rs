@@ -9,18 +9,24 @@
 //! | [`chain`] | a layer compiled into passes and run |
 //! | [`context`] | scale, scratch memory and cancellation that a run gives to its blocks |
 //! | [`catalogue`] | the designed styles that ship in `styles/` |
+//! | [`stages`] | a chain that keeps the picture after every block, for the designer |
 //! | [`procedural`] | styles invented from a seed |
+//! | [`breeding`] | new styles from two others |
+//! | [`look`] | what kind of look a picture has, and whether two look the same |
 //! | [`aesthetic`] | the light score that sorts them |
 
 pub mod aesthetic;
 pub mod blade;
 pub mod blocks;
+pub mod breeding;
 pub mod catalogue;
 pub mod chain;
 pub mod context;
 pub mod file;
+pub mod look;
 pub mod params;
 pub mod procedural;
+pub mod stages;
 
 pub use context::Context;
 pub use file::Style;

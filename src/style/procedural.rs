@@ -3,7 +3,7 @@
 //!
 //! The same seed gives the same style on every machine and in every release.
 
-use super::blocks::{self, Channels};
+use super::blocks::{self, Block, Channels};
 use super::file::{Step, Style};
 use oorandom::Rand64;
 
@@ -68,15 +68,7 @@ pub fn invent(seed: u32) -> Style {
         if gray && block.input == Channels::Color {
             continue;
         }
-        let mut step = Step::new(block);
-        for &(name, least, most) in draw.ranges {
-            let at = block.params.iter().position(|param| param.id == name);
-            let value = least + (most - least) * random.rand_float();
-            if let Some(at) = at {
-                step.values[at] = block.params[at].rounded(value as f32);
-            }
-        }
-        chain.push(step);
+        chain.push(step_of(draw, block, &mut random));
     }
     if gray {
         // Anywhere but at the very end, where it could only undo what was done to the colours.
@@ -84,17 +76,39 @@ pub fn invent(seed: u32) -> Style {
         let step = chain.remove(0);
         chain.insert(to, step);
     }
-    let word = |list: usize, random: &mut Rand64| NAMES[list][random.rand_range(0..16) as usize];
-    let name = format!("{} {}", word(0, &mut random), word(1, &mut random));
     Style {
         id: format!("invented-{seed}"),
-        name,
+        name: name(&mut random),
         tags: vec!["invented".to_owned()],
         background: chain,
         foreground: None,
         ink: [0; 3],
         score: None,
     }
+}
+
+/// Any block that may be drawn, with values of its ranges.
+pub(super) fn any_step(random: &mut Rand64) -> Option<Step> {
+    let draw = &DRAWS[random.rand_range(0..DRAWS.len() as u64) as usize];
+    blocks::find(draw.block).map(|block| step_of(draw, block, random))
+}
+
+/// Two words.
+pub(super) fn name(random: &mut Rand64) -> String {
+    let mut word = |list: usize| NAMES[list][random.rand_range(0..16) as usize];
+    format!("{} {}", word(0), word(1))
+}
+
+fn step_of(draw: &Draw, block: &'static Block, random: &mut Rand64) -> Step {
+    let mut step = Step::new(block);
+    for &(name, least, most) in draw.ranges {
+        let at = block.params.iter().position(|param| param.id == name);
+        let value = least + (most - least) * random.rand_float();
+        if let Some(at) = at {
+            step.values[at] = block.params[at].rounded(value as f32);
+        }
+    }
+    step
 }
 
 #[cfg(test)]

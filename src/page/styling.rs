@@ -1,0 +1,162 @@
+//! The style of a page that leaves it to chance: one of the designed ones, of those that a person brings, or one
+//! that is invented; as a whole, or only its colour layer or its line layer.
+
+use super::document::style_of;
+use super::request::Request;
+use super::shuffle::pick;
+use crate::error::{Error, Result};
+use crate::style::{Style, catalogue, procedural};
+use oorandom::Rand64;
+use serde::Deserialize;
+use serde_json::Value;
+
+/// How a style is drawn.
+#[derive(Debug, Clone, Default, Deserialize)]
+#[serde(rename_all = "camelCase", default)]
+pub struct Styling {
+    /// Styles in full that are drawn like the designed ones: a person's own and favourites.
+    pub extra: Vec<Value>,
+    /// Share of draws, 0 to 1, that invent a style.
+    pub invented: f64,
+    /// The line layer and its ink stay.
+    pub keep_lines: bool,
+    /// The colour layer stays.
+    pub keep_colours: bool,
+}
+
+/// The style that `request` leaves to chance, or the one that it names or keeps.
+pub(super) fn choose_style(request: &Request, random: &mut Rand64) -> Result<Value> {
+    if let Some(style) = &request.style {
+        return Ok(style.clone());
+    }
+    let current = request.current.as_ref().map(|current| &current.style);
+    let wish = &request.styling;
+    if let Some(current) = current.filter(|_| request.keep.style || (wish.keep_lines && wish.keep_colours)) {
+        return Ok(current.clone());
+    }
+    let drawn = draw(wish, current, random)?;
+    match current {
+        Some(current) if wish.keep_lines => Ok(joined(&*style_of(&drawn)?, &*style_of(current)?)),
+        Some(current) if wish.keep_colours => Ok(joined(&*style_of(current)?, &*style_of(&drawn)?)),
+        _ => Ok(drawn),
+    }
+}
+
+fn draw(wish: &Styling, current: Option<&Value>, random: &mut Rand64) -> Result<Value> {
+    // What is invented has no line layer, so it has nothing to give where only lines are wanted.
+    let lines_only = wish.keep_colours && current.is_some();
+    if wish.invented > 0.0 && !lines_only && random.rand_float() < wish.invented {
+        return Ok(procedural::invent(random.rand_u64() as u32).to_value());
+    }
+    let shown = current.and_then(|style| style.as_str().or_else(|| style["id"].as_str()));
+    let wanted = |id: &str, lines: bool| Some(id) != shown && (lines || !lines_only);
+    let designed = catalogue::catalogue()
+        .iter()
+        .filter(|style| wanted(&style.id, style.foreground.is_some()))
+        .map(|style| Value::String(style.id.clone()));
+    let extra = wish
+        .extra
+        .iter()
+        .filter(|style| wanted(style["id"].as_str().unwrap_or_default(), style.get("foreground").is_some()));
+    let others: Vec<Value> = designed.chain(extra.cloned()).collect();
+    pick(&others, random).cloned().ok_or_else(|| Error::UnknownStyle("any".into()))
+}
+
+/// The colours of one style below the lines of another.
+fn joined(colours: &Style, lines: &Style) -> Value {
+    let mut style = colours.clone();
+    style.foreground.clone_from(&lines.foreground);
+    style.ink = lines.ink;
+    // Joined again and again the names would grow without end.
+    let first = |text: &str, sign: &str| text.split(sign).next().unwrap_or_default().to_owned();
+    let last = |text: &str, sign: &str| text.rsplit(sign).next().unwrap_or_default().to_owned();
+    style.id = format!("{}+{}", first(&colours.id, "+"), last(&lines.id, "+"));
+    style.name = format!("{} + {}", first(&colours.name, " + "), last(&lines.name, " + "));
+    style.score = None;
+    style.to_value()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::framing::{EnergyMap, PhotoMeta};
+    use crate::page::request::{Keep, Mode};
+    use crate::page::shuffle::plan;
+    use std::collections::BTreeSet;
+
+    fn request(seed: u32, styling: Styling) -> Request {
+        let photo = |i: u64| PhotoMeta {
+            id: format!("p{i}"),
+            width: 3000,
+            height: 2000,
+            fingerprint: (i + 1).wrapping_mul(0x9e37_79b9_7f4a_7c15),
+            sharpness: 1.0,
+            energy: EnergyMap::flat(),
+            taken: None,
+            subjects: Vec::new(),
+            focus: None,
+        };
+        Request {
+            seed,
+            photos: (0..4).map(photo).collect(),
+            page: crate::layout::PageSettings::default(),
+            current: None,
+            keep: Keep::default(),
+            layout: None,
+            style: None,
+            styling,
+            panels: None,
+            mode: Mode::Shuffle,
+            merge: Some(false),
+            merges: None,
+        }
+    }
+
+    fn parts(style: &Value) -> (Value, Value, Value) {
+        let style = style_of(style).unwrap().to_value();
+        (style["background"].clone(), style["foreground"].clone(), style["ink"].clone())
+    }
+
+    #[test]
+    fn own_styles_come_as_often_as_others_and_invented_ones_by_their_share() {
+        let own = procedural::invent(7).to_value();
+        let styling = |invented| Styling { extra: vec![own.clone()], invented, ..Styling::default() };
+        let drawn = |invented: f64| -> Vec<Value> {
+            (0..400).map(|seed| plan(&request(seed, styling(invented))).unwrap().style).collect()
+        };
+        let all: BTreeSet<String> = drawn(0.0).iter().map(Value::to_string).collect();
+        assert!(all.contains(&own.to_string()));
+        assert!(all.len() <= catalogue::catalogue().len() + 1);
+        let invented = drawn(0.5).iter().filter(|style| style.is_object() && **style != own).count();
+        assert!((150..250).contains(&invented), "{invented} of 400");
+        assert!(drawn(1.0).iter().all(Value::is_object));
+    }
+
+    #[test]
+    fn each_layer_is_locked_alone() {
+        let current = plan(&request(3, Styling::default())).unwrap();
+        let mut looks = BTreeSet::new();
+        for seed in 0..60 {
+            for (keep_lines, keep_colours) in [(true, false), (false, true), (true, true)] {
+                let styling = Styling { keep_lines, keep_colours, invented: 0.3, ..Styling::default() };
+                let mut next = request(seed, styling);
+                next.current = Some(current.clone());
+                let style = plan(&next).unwrap().style;
+                let (now, before) = (parts(&style), parts(&current.style));
+                assert!(!keep_colours || now.0 == before.0);
+                assert!(!keep_lines || (&now.1, &now.2) == (&before.1, &before.2));
+                looks.insert(style.to_string());
+            }
+        }
+        assert!(looks.len() > 20, "{} looks", looks.len());
+    }
+
+    #[test]
+    fn a_broken_style_of_ones_own_is_an_error() {
+        let extra = vec![serde_json::json!({ "id": "x", "background": [{ "block": "nope" }] })];
+        let broken = (0..200).find_map(|seed| {
+            plan(&request(seed, Styling { extra: extra.clone(), ..Styling::default() })).err()
+        });
+        assert_eq!(broken.unwrap().code(), "invalid-style");
+    }
+}

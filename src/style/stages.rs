@@ -1,0 +1,223 @@
+//! A style as its designer sees it: the picture after every block is kept, so that a change computes only the
+//! changed block and those behind it. The pixels are those of [`stylize`](super::stylize).
+
+use super::blocks::Kernel;
+use super::chain::{lay_ink, run_last};
+use super::context::Context;
+use super::file::{Step, Style};
+use crate::error::Result;
+use crate::raster::Image;
+use crate::raster::resize::{Region, resample_image};
+
+/// One of the two layers.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Layer {
+    /// The colour layer.
+    Background = 0,
+    /// The line layer.
+    Foreground = 1,
+}
+
+const LAYERS: [Layer; 2] = [Layer::Background, Layer::Foreground];
+
+/// A photo and, per layer, the pictures after the blocks that were run.
+pub struct Stages {
+    photo: Image,
+    style: Option<Style>,
+    lanes: [Vec<Stage>; 2],
+}
+
+/// What one block made.
+struct Stage {
+    step: Step,
+    /// Whether U and V were kept for a To Color behind.
+    chroma: bool,
+    /// None for a block that is bypassed: the picture is the one before.
+    picture: Option<Image>,
+}
+
+impl Stages {
+    /// Nothing run yet. A gray photo becomes R, G, B, as every chain begins with colour.
+    #[must_use]
+    pub fn new(photo: Image) -> Self {
+        let photo = match photo.planes() {
+            // Three planes of one size are always an image; the photo stands in where they would not be.
+            [y] => Image::from_rgb([y.clone(), y.clone(), y.clone()]).unwrap_or(photo),
+            _ => photo,
+        };
+        Self { photo, style: None, lanes: [Vec::new(), Vec::new()] }
+    }
+
+    /// Takes a style and forgets the pictures that it changes.
+    pub fn set(&mut self, style: Style) {
+        for layer in LAYERS {
+            let steps = steps_of(&style, layer);
+            let lane = &mut self.lanes[layer as usize];
+            let same = lane.iter().enumerate().take_while(|(i, stage)| {
+                steps.get(*i).is_some_and(|step| {
+                    same_step(step, &stage.step) && (stage.chroma || !chroma_wanted(steps, *i))
+                })
+            });
+            let same = same.count();
+            lane.truncate(same);
+        }
+        self.style = Some(style);
+    }
+
+    /// Runs the first block whose picture is missing, and says which it was; none when all are there.
+    ///
+    /// # Errors
+    /// `cancelled` when the context says so.
+    pub fn advance(&mut self, context: &mut Context<'_>) -> Result<Option<(Layer, usize)>> {
+        let Some(style) = &self.style else { return Ok(None) };
+        for layer in LAYERS {
+            let steps = steps_of(style, layer);
+            let done = self.lanes[layer as usize].len();
+            let Some(step) = steps.get(done) else { continue };
+            context.check_cancelled()?;
+            context.fit_scale(&self.photo);
+            let chroma = chroma_wanted(steps, done);
+            let picture = if step.bypass {
+                None
+            } else {
+                // Blocks of single pixels run as one pass, whose tables round once: the same pass gives the same pixels.
+                let first = if is_point(step) { run_start(steps, done) } else { done };
+                let before = self.before(layer, first).clone();
+                Some(run_last(&steps[first..=done], chroma, before, context)?)
+            };
+            self.lanes[layer as usize].push(Stage { step: step.clone(), chroma, picture });
+            return Ok(Some((layer, done)));
+        }
+        Ok(None)
+    }
+
+    /// The picture after block `index` of a layer; the one before it where that block is not run yet.
+    #[must_use]
+    pub fn picture(&self, layer: Layer, index: usize) -> &Image {
+        self.before(layer, index + 1)
+    }
+
+    /// Both layers together, as large as the photo, from the blocks that were run.
+    #[must_use]
+    pub fn result(&self) -> Image {
+        let whole = |layer: Layer| {
+            let image = self.before(layer, usize::MAX);
+            if (image.width(), image.height()) == (self.photo.width(), self.photo.height()) {
+                return image.clone();
+            }
+            let region = Region::whole(image.width(), image.height());
+            resample_image(image, region, self.photo.width(), self.photo.height())
+        };
+        let background = whole(Layer::Background);
+        match &self.style {
+            Some(style) if style.foreground.is_some() => {
+                lay_ink(background, &whole(Layer::Foreground), style.ink)
+            }
+            _ => background,
+        }
+    }
+
+    fn before(&self, layer: Layer, index: usize) -> &Image {
+        let lane = &self.lanes[layer as usize];
+        let run = &lane[..index.min(lane.len())];
+        run.iter().rev().find_map(|stage| stage.picture.as_ref()).unwrap_or(&self.photo)
+    }
+}
+
+fn steps_of(style: &Style, layer: Layer) -> &[Step] {
+    match layer {
+        Layer::Background => &style.background,
+        Layer::Foreground => style.foreground.as_deref().unwrap_or_default(),
+    }
+}
+
+fn same_step(a: &Step, b: &Step) -> bool {
+    let bits = |step: &Step| step.values.iter().map(|value| value.to_bits()).collect::<Vec<_>>();
+    a.block.id == b.block.id && a.bypass == b.bypass && bits(a) == bits(b)
+}
+
+fn is_point(step: &Step) -> bool {
+    matches!(step.block.kernel, Kernel::Point(_))
+}
+
+/// Where the pass of blocks of single pixels begins that ends at `index`.
+fn run_start(steps: &[Step], index: usize) -> usize {
+    let behind = steps[..index].iter().rev().take_while(|step| step.bypass || is_point(step));
+    index - behind.count()
+}
+
+fn chroma_wanted(steps: &[Step], index: usize) -> bool {
+    steps[index + 1..].iter().any(|step| !step.bypass && step.block.id == "to_color")
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::raster::Plane;
+    use crate::style::{catalogue, procedural, stylize};
+
+    fn photo() -> Image {
+        Image::from_rgb([3, 5, 7].map(|k| Plane::from_fn(64, 48, |x, y| ((x * k) ^ (y * 4)) as u8))).unwrap()
+    }
+
+    fn run(stages: &mut Stages, style: &Style) -> usize {
+        let mut context = Context::default();
+        stages.set(style.clone());
+        std::iter::from_fn(|| stages.advance(&mut context).unwrap()).count()
+    }
+
+    fn parse(json: &str) -> Style {
+        Style::parse("test.json", json).unwrap()
+    }
+
+    #[test]
+    fn the_pixels_are_those_of_the_chain_that_runs_at_once() {
+        let photo = photo();
+        let invented = (0..60).map(procedural::invent);
+        for style in catalogue::catalogue().iter().cloned().chain(invented) {
+            let mut stages = Stages::new(photo.clone());
+            run(&mut stages, &style);
+            let whole = stylize(&photo, &style, &mut Context::for_image(&photo)).unwrap();
+            assert!(stages.result().to_rgba() == whole.to_rgba(), "{}", style.id);
+        }
+    }
+
+    #[test]
+    fn only_the_changed_block_and_those_behind_it_run_again() {
+        let style = |levels: u32, sigma: f32| {
+            parse(&format!(
+                r#"{{"background":[{{"block":"gaussian"}},{{"block":"posterize","levels":{levels}}},{{"block":"saturation"}}],
+                "foreground":[{{"block":"to_gray"}},{{"block":"xdog","sigma":{sigma}}}]}}"#
+            ))
+        };
+        let mut stages = Stages::new(photo());
+        assert_eq!(run(&mut stages, &style(4, 1.0)), 5);
+        assert_eq!(run(&mut stages, &style(4, 1.0)), 0);
+        assert_eq!(run(&mut stages, &style(6, 1.0)), 2);
+        assert_eq!(run(&mut stages, &style(6, 2.0)), 1);
+        let photo = photo();
+        let whole = stylize(&photo, &style(6, 2.0), &mut Context::for_image(&photo)).unwrap();
+        assert!(stages.result().to_rgba() == whole.to_rgba());
+    }
+
+    #[test]
+    fn a_to_color_that_is_added_gets_its_colours_back() {
+        let gray = parse(r#"{"background":[{"block":"to_gray"},{"block":"luma_posterize"}]}"#);
+        let both = r#"{"background":[{"block":"to_gray"},{"block":"luma_posterize"},{"block":"to_color"}]}"#;
+        let mut stages = Stages::new(photo());
+        run(&mut stages, &gray);
+        assert_eq!(run(&mut stages, &parse(both)), 3);
+        assert!(!stages.result().is_luma());
+        let whole = stylize(&photo(), &parse(both), &mut Context::for_image(&photo())).unwrap();
+        assert!(stages.result().to_rgba() == whole.to_rgba());
+    }
+
+    #[test]
+    fn a_bypassed_block_shows_the_picture_before_it() {
+        let json = r#"{"background":[{"block":"posterize"},{"block":"sobel","bypass":true}]}"#;
+        let mut stages = Stages::new(photo());
+        run(&mut stages, &parse(json));
+        assert!(stages.picture(Layer::Background, 1) == stages.picture(Layer::Background, 0));
+        assert!(stages.picture(Layer::Background, 0) != &photo());
+    }
+}
