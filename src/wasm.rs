@@ -334,6 +334,7 @@ fn find<'p>(photos: &'p HashMap<String, Image>, id: &str, tier: &str) -> Result<
     photos.get(&format!("{id}/{tier}")).ok_or_else(|| Error::MissingPhoto(id.to_owned()))
 }
 
+#[inline(never)]
 fn style_of(json: &str) -> Result<Style> {
     Ok(document::style_of(&parse(json, "style")?)?.into_owned())
 }

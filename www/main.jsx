@@ -8,17 +8,20 @@ import { render } from 'preact';
 import { createEngine } from './engine/engine.js';
 import { createAlternatives } from './state/alternatives.js';
 import { createChoosing } from './state/choosing.js';
+import { createDesigner } from './state/designer.js';
 import { createDownload } from './state/download.js';
 import { createFraming } from './state/framing.js';
 import { createKeys } from './state/keys.js';
 import { createMerging } from './state/merging.js';
 import { createMessages } from './state/messages.js';
 import { createOwnLayouts } from './state/own-layouts.js';
+import { createOwnStyles, freshStyleId } from './state/own-styles.js';
 import { createPages, freshSeed } from './state/pages.js';
 import { createReading } from './state/reading.js';
 import { createReshaping } from './state/reshaping.js';
 import { createSelection } from './state/selection.js';
 import { createStore } from './state/store.js';
+import { createStyling } from './state/styling.js';
 import { createSubjects } from './state/subjects.js';
 import { createUi } from './state/ui.js';
 import { strings } from './strings.js';
@@ -38,6 +41,9 @@ const merging = createMerging({ store, pages, selection });
 const framing = createFraming({ store, pages });
 const reshaping = createReshaping({ store, pages, seed: freshSeed });
 const ownLayouts = createOwnLayouts({ store, pages, messages, box: () => window.localStorage });
+const designer = createDesigner({ store, pages, messages, ui, freshId: freshStyleId });
+const ownStyles = createOwnStyles({ store, pages, messages, designer, freshId: freshStyleId, box: () => window.localStorage });
+const styling = createStyling({ store, ownStyles });
 const subjects = createSubjects({
   store, pages, messages, engine, painted: () => ui.painted.value === store.page.value, wanted: ui.detects,
 });
@@ -46,8 +52,9 @@ const alternatives = createAlternatives({ store, pages });
 
 engine.ready.then(
   (planner) => {
-    store.planner.value = planner;
+    store.planner.value = styling.within(planner);
     ownLayouts.recall();
+    ownStyles.recall();
   },
   (error) => messages.alert(strings.coreFailed(error.message)),
 );
@@ -69,7 +76,7 @@ effect(() => {
 });
 
 render(
-  <AppContext.Provider value={{ store, pages, selection, merging, framing, reshaping, ownLayouts, subjects, reading, choosing, download, alternatives, messages, ui, engine }}>
+  <AppContext.Provider value={{ store, pages, selection, merging, framing, reshaping, ownLayouts, designer, ownStyles, styling, subjects, reading, choosing, download, alternatives, messages, ui, engine }}>
     <App />
   </AppContext.Provider>,
   /** @type {HTMLElement} */ (document.getElementById('app')),

@@ -3,6 +3,7 @@
  * Every word on the page, in one place. A translation is another object of this shape.
  */
 
+import { designerStrings } from './strings-designer.js';
 import { panelStrings } from './strings-panels.js';
 
 /**
@@ -81,6 +82,7 @@ export const strings = {
   layoutTooLong: (/** @type {string} */ name) => `layout ${name}: file: is longer than 256 KB`,
 
   ...panelStrings,
+  ...designerStrings,
   otherStyles: 'More',
   more: 'More',
 

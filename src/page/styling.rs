@@ -10,9 +10,9 @@ use oorandom::Rand64;
 use serde::Deserialize;
 use serde_json::Value;
 
-/// How a style is drawn.
+/// How a style is drawn. As JSON `{extra, invented, keepLines, keepColours}`, each of which may be missing.
 #[derive(Debug, Clone, Default, Deserialize)]
-#[serde(rename_all = "camelCase", default)]
+#[serde(from = "Value")]
 pub struct Styling {
     /// Styles in full that are drawn like the designed ones: a person's own and favourites.
     pub extra: Vec<Value>,
@@ -22,6 +22,19 @@ pub struct Styling {
     pub keep_lines: bool,
     /// The colour layer stays.
     pub keep_colours: bool,
+}
+
+impl From<Value> for Styling {
+    fn from(mut value: Value) -> Self {
+        let flag = |key: &str| value[key].as_bool().unwrap_or_default();
+        let (keep_lines, keep_colours) = (flag("keepLines"), flag("keepColours"));
+        let invented = value["invented"].as_f64().unwrap_or_default();
+        let extra = match value.get_mut("extra").map(Value::take) {
+            Some(Value::Array(styles)) => styles,
+            _ => Vec::new(),
+        };
+        Self { extra, invented, keep_lines, keep_colours }
+    }
 }
 
 /// The style that `request` leaves to chance, or the one that it names or keeps.
@@ -68,10 +81,13 @@ fn joined(colours: &Style, lines: &Style) -> Value {
     style.foreground.clone_from(&lines.foreground);
     style.ink = lines.ink;
     // Joined again and again the names would grow without end.
-    let first = |text: &str, sign: &str| text.split(sign).next().unwrap_or_default().to_owned();
-    let last = |text: &str, sign: &str| text.rsplit(sign).next().unwrap_or_default().to_owned();
-    style.id = format!("{}+{}", first(&colours.id, "+"), last(&lines.id, "+"));
-    style.name = format!("{} + {}", first(&colours.name, " + "), last(&lines.name, " + "));
+    let both = |colours: &str, lines: &str, sign: &str| {
+        let first = colours.split('+').next().unwrap_or_default().trim();
+        let last = lines.rsplit('+').next().unwrap_or_default().trim();
+        [first, last].join(sign)
+    };
+    style.id = both(&colours.id, &lines.id, "+");
+    style.name = both(&colours.name, &lines.name, " + ");
     style.score = None;
     style.to_value()
 }

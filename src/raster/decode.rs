@@ -6,7 +6,13 @@
 use std::borrow::Cow;
 use std::io::Cursor;
 
-use ::image::{ImageDecoder, ImageError, ImageFormat, ImageReader};
+use ::image::codecs::bmp::BmpDecoder;
+use ::image::codecs::gif::GifDecoder;
+use ::image::codecs::jpeg::JpegDecoder;
+use ::image::codecs::png::PngDecoder;
+use ::image::codecs::tiff::TiffDecoder;
+use ::image::codecs::webp::WebPDecoder;
+use ::image::{ImageDecoder, ImageError, ImageFormat, ImageResult};
 
 use super::exif::{self, Exif};
 use super::jpeg::Markers;
@@ -121,26 +127,48 @@ impl Pixels {
 }
 
 fn read(bytes: &[u8], format: ImageFormat, name: &'static str, limits: &Limits) -> Result<(Pixels, Exif)> {
-    let failed = |error| explained(error, name);
-    let mut record = None;
+    let file = Cursor::new(bytes);
+    // Each decoder by its own type: behind a common one all that they can do besides would be in the module too.
     match format {
-        ImageFormat::Jpeg => record = check_jpeg(bytes, name, limits)?.exif.map(Cow::Borrowed),
-        ImageFormat::WebP => check_riff(bytes, name)?,
-        ImageFormat::Tiff => record = Some(Cow::Borrowed(bytes)),
-        _ => {}
+        ImageFormat::Jpeg => {
+            let record = check_jpeg(bytes, name, limits)?.exif.map(Cow::Borrowed);
+            read_with(JpegDecoder::new(file), |_| record, name, limits)
+        }
+        ImageFormat::WebP => {
+            check_riff(bytes, name)?;
+            read_with(WebPDecoder::new(file), embedded, name, limits)
+        }
+        ImageFormat::Tiff => read_with(TiffDecoder::new(file), |_| Some(bytes.into()), name, limits),
+        ImageFormat::Gif => read_with(GifDecoder::new(file), |_| None, name, limits),
+        ImageFormat::Bmp => read_with(BmpDecoder::new(file), |_| None, name, limits),
+        _ => read_with(PngDecoder::with_limits(file, allowance(limits)), embedded, name, limits),
     }
-    let mut reader = ImageReader::with_format(Cursor::new(bytes), format);
-    // The sides are checked below, where the error can name them.
+}
+
+/// The EXIF record as a decoder finds it in the file.
+fn embedded<D: ImageDecoder>(decoder: &mut D) -> Option<Cow<'static, [u8]>> {
+    decoder.exif_metadata().ok().flatten().map(Cow::Owned)
+}
+
+fn allowance(limits: &Limits) -> ::image::Limits {
+    // The sides are checked where the error can name them.
     let mut allowance = ::image::Limits::no_limits();
     allowance.max_alloc = Some(limits.max_bytes);
-    reader.limits(allowance);
-    let mut decoder = reader.into_decoder().map_err(failed)?;
+    allowance
+}
+
+fn read_with<'a, D: ImageDecoder>(
+    decoder: ImageResult<D>,
+    record: impl FnOnce(&mut D) -> Option<Cow<'a, [u8]>>,
+    name: &'static str,
+    limits: &Limits,
+) -> Result<(Pixels, Exif)> {
+    let failed = |error| explained(error, name);
+    let mut decoder = decoder.map_err(failed)?;
+    decoder.set_limits(allowance(limits)).map_err(failed)?;
     let (width, height) = decoder.dimensions();
     check_size(width, height, name, limits)?;
-    if record.is_none() {
-        record = decoder.exif_metadata().ok().flatten().map(Cow::Owned);
-    }
-    let exif = record.as_deref().map(exif::read).unwrap_or_default();
+    let exif = record(&mut decoder).as_deref().map(exif::read).unwrap_or_default();
     let size = (width as usize, height as usize);
     let color = decoder.color_type();
     let pixels = size.0 as u64 * size.1 as u64;

@@ -40,6 +40,7 @@ pub fn resample(source: &Plane, region: Region, width: usize, height: usize) -> 
 
 /// Resamples a region of an image. Saved chroma of another size keeps its size ratio to the image.
 #[must_use]
+#[inline(never)]
 pub fn resample_image(source: &Image, region: Region, width: usize, height: usize) -> Image {
     let (width, height) = (width.max(1), height.max(1));
     let plan = plan(source.width(), source.height(), region, width, height);

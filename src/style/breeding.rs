@@ -65,7 +65,7 @@ fn mutate(layer: &mut Vec<Step>, surprise: f64, random: &mut Rand64) {
                     let other = least + (most - least + 1.0) * random.rand_float() as f32;
                     if random.rand_float() < 0.4 * surprise { other.floor().min(most) } else { *value }
                 }
-                _ if least >= 0.0 && *value > 0.0 => *value * (2.0 * push * surprise).exp2() as f32,
+                _ if least >= 0.0 && *value > 0.0 => *value * factor(push * surprise) as f32,
                 _ => *value + (push * surprise) as f32 * 0.3 * (most - least),
             };
             *value = param.rounded(changed);
@@ -84,6 +84,11 @@ fn mutate(layer: &mut Vec<Step>, surprise: f64, random: &mut Rand64) {
             }
         }
     }
+}
+
+/// From 1/4 for -1 over 1 for 0 to 4 for 1, by operations that every machine rounds alike.
+fn factor(push: f64) -> f64 {
+    if push < 0.0 { 1.0 / (1.0 - 3.0 * push) } else { 1.0 + 3.0 * push }
 }
 
 /// Makes a layer valid again: what cannot take the channels before it goes, so does what is bypassed, a second

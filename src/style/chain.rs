@@ -24,6 +24,7 @@ const NEUTRAL: u8 = 128;
 ///
 /// # Errors
 /// `cancelled` when the context says so.
+#[inline(never)]
 pub fn run(steps: &[Step], photo: &Image, context: &mut Context<'_>) -> Result<Image> {
     let image = run_owned(steps, copy(photo, context)?, context)?;
     if (image.width(), image.height()) == (photo.width(), photo.height()) {
@@ -85,6 +86,7 @@ pub(in crate::style) fn run_last(
 
 /// Lays the luma of `lines` over a background as the alpha of an ink. Both have one size.
 #[must_use]
+#[inline(never)]
 pub fn lay_ink(background: Image, lines: &Image, ink: [u8; 3]) -> Image {
     let lines = luma_plane(lines);
     let gray_ink = ink[0] == ink[1] && ink[1] == ink[2];
@@ -125,6 +127,8 @@ fn push_fused(ops: &mut Vec<PointOp>, op: PointOp) {
     }
 }
 
+// Called from several places: a copy in each would only make the module larger.
+#[inline(never)]
 fn run_block(step: &Step, image: Image, context: &mut Context<'_>) -> Result<Image> {
     let args = Args::new(&step.values, context.scale());
     match step.block.kernel {
@@ -190,6 +194,8 @@ enum State {
     Color,
 }
 
+// Called from several places: a copy in each would only make the module larger.
+#[inline(never)]
 fn run_points(
     ops: &[PointOp],
     image: Image,

@@ -40,6 +40,7 @@ use crate::raster::Image;
 ///
 /// # Errors
 /// `cancelled` when the context says so.
+#[inline(never)]
 pub fn stylize(image: &Image, style: &Style, context: &mut Context<'_>) -> Result<Image> {
     let background = chain::run(&style.background, image, context)?;
     let Some(foreground) = &style.foreground else { return Ok(background) };

@@ -2,12 +2,12 @@
 
 use super::{Patch, Studio, parse, style_of, thrown};
 use crate::error::{Error, Result};
+use crate::page::document;
 use crate::page::mask::PixelRect;
 use crate::raster::Image;
 use crate::raster::resize::{Region, fit, resample_image};
 use crate::style::stages::{Layer, Stages};
 use crate::style::{Style, aesthetic, breeding, look, procedural, stylize};
-use serde::Deserialize;
 use serde_json::Value;
 use wasm_bindgen::prelude::*;
 
@@ -28,17 +28,11 @@ pub fn invent_style(seed: u32) -> String {
 /// A child of `{a, b, seed, surprise}`, as JSON; `a` and `b` are styles, by id or in full.
 #[wasm_bindgen]
 pub fn breed_style(json: &str) -> std::result::Result<String, JsValue> {
-    #[derive(Deserialize)]
-    struct Wanted {
-        a: Value,
-        b: Value,
-        seed: u32,
-        surprise: f64,
-    }
     let breed = || -> Result<String> {
-        let Wanted { a, b, seed, surprise } = parse(json, "request")?;
-        let read = |style: &Value| style_of(&style.to_string());
-        Ok(breeding::breed(&read(&a)?, &read(&b)?, seed, surprise).to_value().to_string())
+        let wanted: Value = parse(json, "request")?;
+        let number = |key: &str| wanted[key].as_f64().unwrap_or_default();
+        let (a, b) = (document::style_of(&wanted["a"])?, document::style_of(&wanted["b"])?);
+        Ok(breeding::breed(&a, &b, number("seed") as u32, number("surprise")).to_value().to_string())
     };
     breed().map_err(thrown)
 }

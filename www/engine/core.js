@@ -89,6 +89,16 @@ function createPlanner() {
      */
     plan: (request) => JSON.parse(core.plan(JSON.stringify(request))),
     /**
+     * @param {number} seed
+     * @returns {Style} invented
+     */
+    inventStyle: (seed) => JSON.parse(core.invent_style(seed)),
+    /**
+     * @param {{ a: string | object, b: string | object, seed: number, surprise: number }} request `surprise`: 0 to 1
+     * @returns {Style} a child of both
+     */
+    breedStyle: (request) => JSON.parse(core.breed_style(JSON.stringify(request))),
+    /**
      * @param {object[]} photos
      * @param {number} threshold
      * @returns {Verdict[]}

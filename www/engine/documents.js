@@ -88,7 +88,7 @@
  * @typedef {{
  *   seed: number, photos: import('./protocol.js').PhotoMeta[], page: PageSettings, current: PageDocument | null,
  *   keep: Keep, layout?: string | object, style?: string | object, panels?: number, mode?: 'shuffle' | 'photos',
- *   merge?: boolean, merges?: number[][],
+ *   merge?: boolean, merges?: number[][], styling?: { extra: object[], invented: number, keepLines: boolean, keepColours: boolean },
  * }} PlanRequest
  */
 

@@ -5,6 +5,7 @@
  */
 
 import { loadCore } from './core.js';
+import { createDesign } from './design.js';
 import { createDetector } from './detector.js';
 import { exportPng } from './export.js';
 import { createPhotos } from './photos.js';
@@ -29,6 +30,7 @@ export function createEngine({ workers = navigator.hardwareConcurrency || 2 } = 
   const size = Math.max(1, Math.min(MOST_WORKERS, Math.floor(workers)));
   const photos = createPhotos();
   const detector = createDetector(photos);
+  const design = createDesign(photos);
   /** @type {ReturnType<typeof createPool> | undefined} */
   let pool;
   let imported = 0;
@@ -36,6 +38,7 @@ export function createEngine({ workers = navigator.hardwareConcurrency || 2 } = 
   const ready = loadCore().then(({ module, planner }) => {
     const budget = Math.max(LEAST_BUDGET, PHOTO_BUDGET / size);
     pool = createPool({ size, spawn: () => spawn(module, budget) });
+    design.prepare(() => spawn(module, LEAST_BUDGET));
     return planner;
   });
   // Whoever awaits it is told; nobody has to.
@@ -52,20 +55,13 @@ export function createEngine({ workers = navigator.hardwareConcurrency || 2 } = 
     layouts: async () => (await ready).layouts(),
     /** @returns {Promise<import('./documents.js').Style[]>} */
     styles: async () => (await ready).styles(),
-    stylize,
-    compose,
-    select,
-    detect,
-    dispose,
-    importPhoto,
-    importVideo,
+    stylize, compose, select, detect, dispose, importPhoto, importVideo,
     /** Subjects of an imported photo, in fractions of it. */
     look: detector.look, lookCloser: detector.lookCloser,
     forgetPhoto: photos.forget,
     hasPhoto: photos.has,
-    renderPanel: renders.renderPanel,
-    renderPage: renders.renderPage,
-    stylePhoto: renders.stylePhoto,
+    ...renders,
+    drawDesign: design.draw,
     /**
      * The PNG of a page at its full size, rendered from the original files.
      * @param {PageDocument} document
@@ -185,6 +181,7 @@ export function createEngine({ workers = navigator.hardwareConcurrency || 2 } = 
 
   function dispose() {
     detector.dispose();
+    design.dispose();
     ready.then(() => pool?.dispose(), () => {});
   }
 }

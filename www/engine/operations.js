@@ -5,6 +5,7 @@
  */
 
 import { failure } from './protocol.js';
+import { createStyleOperations } from './style-operations.js';
 
 /** @typedef {import('../pkg/inkpanel.js').Studio} Studio */
 /** @typedef {import('../pkg/inkpanel.js').Patch} Patch */
@@ -21,7 +22,10 @@ const MOST_BYTES = 512 * 2 ** 20;
  * @returns {Record<string, (args: any) => Promise<Answer>>}
  */
 export function createOperations(studio, held) {
-  return { import: importPhoto, importFrame, panel, page, compose, stylePhoto, stylize, fullPanels, encode };
+  return {
+    import: importPhoto, importFrame, panel, page, compose, stylePhoto, stylize, fullPanels, encode,
+    ...createStyleOperations({ studio, fetchPhotos, bitmap }),
+  };
 
   /** @param {Operations['import']['args']} args */
   async function importPhoto({ id, file }) {
@@ -154,7 +158,7 @@ function pixels(patch) {
 
 /**
  * @param {Patch} patch
- * @returns {Promise<Answer>}
+ * @returns {Promise<{ ok: import('./protocol.js').BitmapPatch, transfer: Transferable[] }>}
  */
 async function bitmap(patch) {
   const { ok: { x, y, width, height, data } } = pixels(patch);

@@ -30,6 +30,8 @@
  *   page: { args: { document: string, width: number, tier: Tier, photos: PhotoHandle[] }, ok: BitmapPatch },
  *   compose: { args: { document: string, width: number, tier: Tier, photos: PhotoHandle[] }, ok: PixelPatch },
  *   stylePhoto: { args: { photo: PhotoHandle, style: string, width: number, height: number, crop: string }, ok: BitmapPatch },
+ *   design: { args: { photo: PhotoHandle, style: string, width: number, height: number, stages: number }, ok: import('./design.js').Designed },
+ *   explore: { args: { photo: PhotoHandle, styles: string[], width: number, height: number }, ok: Explored[] },
  *   stylize: { args: { style: string, width: number, height: number, data: Uint8Array }, ok: PixelPatch },
  *   fullPanels: { args: { id: string, file: Blob, document: string, indexes: number[], width: number }, ok: (PixelPatch & { index: number })[] },
  *   encode: { args: { document: string, width: number, patches: (PixelPatch & { index: number })[] }, ok: Blob },
@@ -37,6 +39,12 @@
  */
 
 /** @typedef {'small' | 'work' | 'full'} Tier */
+
+/**
+ * A photo in the style of that index: its score from 0 to 1, its look (`line`, `gray`, `flat` or `wild`), and a
+ * signature that is nearly the same for pictures that look the same.
+ * @typedef {{ index: number, score: number, look: string, signature: Uint8Array, bitmap: ImageBitmap }} Explored
+ */
 
 /**
  * @typedef {{

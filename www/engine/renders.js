@@ -14,7 +14,7 @@ import { Priority } from './queue.js';
  * @param {{ run: (job: import('./pool.js').Job) => Promise<any>, photos: ReturnType<typeof import('./photos.js').createPhotos> }} engine
  */
 export function createRenders({ run, photos }) {
-  return { renderPanel, renderPage, composePixels, stylePhoto };
+  return { renderPanel, renderPage, composePixels, stylePhoto, exploreStyles };
 
   /**
    * One panel of a page.
@@ -57,14 +57,28 @@ export function createRenders({ run, photos }) {
    * A crop of a photo in some style: thumbnails.
    * @param {string} id
    * @param {string | object} style
-   * @param {{ width: number, height: number, crop?: object | null }} size
+   * @param {{ width: number, height: number, crop?: object | null, tier?: 'small' | 'work' }} size
    * @param {Call} [call]
    * @returns {Promise<BitmapPatch>}
    */
-  async function stylePhoto(id, style, { width, height, crop = null }, call) {
-    const [photo] = photos.handles([id], 'small');
+  async function stylePhoto(id, style, { width, height, crop = null, tier = 'small' }, call) {
+    const [photo] = photos.handles([id], tier);
     const args = { photo, style: JSON.stringify(style), width, height, crop: crop ? JSON.stringify(crop) : '' };
     return run({ op: 'stylePhoto', args, photo: photos.names([id]), holds: [photo.key], priority: Priority.VIEW, ...call });
+  }
+
+  /**
+   * A photo in many styles, with what is known of each picture.
+   * @param {string} id
+   * @param {object[]} styles
+   * @param {{ width: number, height: number }} size
+   * @param {Call} [call]
+   * @returns {Promise<import('./protocol.js').Explored[]>}
+   */
+  async function exploreStyles(id, styles, { width, height }, call) {
+    const [photo] = photos.handles([id], 'small');
+    const args = { photo, styles: styles.map((style) => JSON.stringify(style)), width, height };
+    return run({ op: 'explore', args, photo: photos.names([id]), holds: [photo.key], priority: Priority.REST, ...call });
   }
 
   /**

@@ -22,11 +22,11 @@ export function createAlternatives({ store, pages }) {
   /** What the stream depends on, as text. */
   const basis = computed(() => {
     const { project, photos, reading, planner } = store;
-    const { page, locks, panels, settings } = project.value;
+    const { page, locks, panels, settings, styling } = project.value;
     // The first page comes first; nothing else is drawn while it waits for photos.
     if (!planner.value || !page || reading.value) return '';
     return JSON.stringify([
-      photos.value.map(({ id }) => id), settings, panels, locks, locks.layout && page.layout, locks.style && page.style,
+      photos.value.map(({ id }) => id), settings, panels, locks, styling, locks.layout && page.layout, locks.style && page.style,
       locks.photos && [page.order, page.panels],
       page.panels.filter(({ locked }) => locked).map(({ photo }) => photo),
     ]);

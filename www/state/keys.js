@@ -25,7 +25,7 @@ export function createKeys({ pages, download, ui, selection, framing, reshaping 
     switch (key.toLowerCase()) {
       case 'z': return shiftKey ? pages.redo : pages.undo;
       case 'y': return pages.redo;
-      case 's': return () => download.start();
+      case 's': return ui.work.peek() === null ? () => download.start() : undefined;
       default: return undefined;
     }
   }
@@ -41,6 +41,8 @@ export function createKeys({ pages, download, ui, selection, framing, reshaping 
   /** @param {KeyboardEvent} event */
   function plain({ key, target }) {
     if (typesText(target)) return undefined;
+    // Over the board the page is out of sight: nothing shuffles it unseen.
+    if (ui.work.peek() !== null) return key === 'Escape' ? () => void (ui.work.value = null) : undefined;
     switch (key) {
       case ' ': return pressesItself(target) ? undefined : () => pages.shuffle('all');
       case 'l': case 'L': return () => pages.shuffle('layout');

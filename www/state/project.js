@@ -9,7 +9,10 @@
 
 /** @typedef {import('../engine/documents.js').PageDocument} PageDocument */
 /** @typedef {import('../engine/documents.js').PageSettings} PageSettings */
+/** @typedef {import('../engine/documents.js').Style} Style */
+/** @typedef {import('./designer-draft.js').Draft} Draft */
 /** @typedef {'layout' | 'style' | 'photos'} Part */
+/** How a shuffle draws a style: the share of invented ones, and the layers that stay. @typedef {{ invented: number, keepLines: boolean, keepColours: boolean }} Styling */
 /** @typedef {{ layout: boolean, style: boolean, photos: boolean }} Locks */
 
 /**
@@ -23,9 +26,10 @@
 /**
  * @typedef {{
  *   tray: readonly TrayItem[], alike: number, order: Order, locks: Locks, panels: number | null, settings: PageSettings,
- *   page: PageDocument | null, pageId: number,
+ *   page: PageDocument | null, pageId: number, draft: Draft | null, mine: readonly Style[], styling: Styling,
  * }} Project `alike`: photos whose fingerprints differ in at most so many of 64 bits show the same picture; `panels`:
- *   the wanted number, null for any; `pageId` names the page among those shown
+ *   the wanted number, null for any; `pageId` names the page among those shown; `draft`: the style in the designer;
+ *   `mine`: a person's own styles
  */
 
 /**
@@ -44,6 +48,9 @@
  *   | { type: 'change-page', page: PageDocument }
  *   | { type: 'change-settings', settings: PageSettings, page: PageDocument | null }
  *   | { type: 'no-page' }
+ *   | { type: 'design', draft: Draft | null }
+ *   | { type: 'own-styles', mine: readonly Style[] }
+ *   | { type: 'styling', styling: Styling }
  * )} Action
  */
 
@@ -70,6 +77,9 @@ export const EMPTY_PROJECT = Object.freeze({
   settings: DEFAULT_SETTINGS,
   page: null,
   pageId: 0,
+  draft: null,
+  mine: Object.freeze([]),
+  styling: Object.freeze({ invented: 0, keepLines: false, keepColours: false }),
 });
 
 /**
@@ -122,6 +132,12 @@ export function reduce(project, action) {
       return { ...project, settings: action.settings, page: action.page };
     case 'no-page':
       return project.page === null ? project : { ...project, page: null };
+    case 'design':
+      return { ...project, draft: action.draft };
+    case 'own-styles':
+      return { ...project, mine: action.mine };
+    case 'styling':
+      return { ...project, styling: action.styling };
     default:
       return project;
   }

@@ -2,6 +2,7 @@
 import { strings } from '../strings.js';
 import { Board } from './board.jsx';
 import { useApp } from './context.js';
+import { Designer } from './designer/designer.jsx';
 import { dragging } from './drop.js';
 import { ExportDialog } from './export-dialog.jsx';
 import { KeysDialog } from './keys-dialog.jsx';
@@ -15,9 +16,10 @@ export function App() {
   const empty = store.tray.value.length === 0;
   const dialog = ui.dialog.value;
   return (
-    <div class="app" data-view={empty ? 'start' : 'board'} data-sheet={ui.sheet.value ?? 'none'}>
+    <div class="app" data-view={empty ? 'start' : 'board'} data-sheet={ui.sheet.value ?? 'none'} data-work={empty ? undefined : ui.work.value ?? undefined}>
       <TopBar />
       {empty ? <Start /> : <Board />}
+      {!empty && ui.work.value === 'designer' && <Designer />}
       <Toasts />
       {dialog === 'keys' && <KeysDialog />}
       {dialog === 'export' && store.page.value && <ExportDialog />}

@@ -15,6 +15,7 @@ import { PanelTools } from './panel-tools.jsx';
 import { Sheet } from './sheet.jsx';
 import { ShuffleButton, ShuffleParts } from './shuffle-bar.jsx';
 import { Stage } from './stage.jsx';
+import { StyleTools } from './style-tools.jsx';
 import { StylesList } from './styles-list.jsx';
 import { Tray } from './tray.jsx';
 
@@ -37,7 +38,7 @@ function WideBoard() {
       </main>
       <aside class="right" aria-label={strings.look}>
         <div class="side-section grows">
-          <header class="section-head"><h2>{strings.styles}</h2></header>
+          <header class="section-head styles-head"><h2>{strings.styles}</h2><StyleTools /></header>
           <StylesList />
         </div>
         <div class="side-section grows">
@@ -66,7 +67,7 @@ function NarrowBoard() {
       </main>
       {sheet === null && <Alternatives />}
       {sheet === 'photos' && <Sheet title={strings.photos} bare><Tray /></Sheet>}
-      {sheet === 'styles' && <Sheet title={strings.styles}><StylesList /></Sheet>}
+      {sheet === 'styles' && <Sheet title={strings.styles}><div class="styles-head"><StyleTools /></div><StylesList /></Sheet>}
       {sheet === 'layouts' && <Sheet title={strings.layouts}><LayoutTools /><LayoutsList /></Sheet>}
       {sheet === 'settings' && <Sheet title={strings.pageSettings}><PageSettings /></Sheet>}
       <BottomBar />

@@ -1,12 +1,13 @@
 // @ts-check
 /**
- * The styles, as pictures of the person's own photo.
+ * The styles, as pictures of the person's own photo: the page's own one when it is in no list, the person's, the
+ * favourites, and the designed ones by their families.
  */
 
-import { useRef } from 'preact/hooks';
 import { strings } from '../strings.js';
 import { Bitmap, screenPixels } from './bitmap.jsx';
 import { useApp } from './context.js';
+import { useHero } from './hero.js';
 import { Listbox } from './listbox.jsx';
 
 /** @typedef {import('../engine/documents.js').Style} Style */
@@ -15,47 +16,46 @@ const WIDTH = 132;
 const HEIGHT = 99;
 
 export function StylesList() {
-  const { store, pages, engine } = useApp();
+  const { store, pages, engine, ownStyles } = useApp();
   const hero = useHero();
-  const style = store.page.value?.style ?? null;
+  const style = /** @type {string | Style | null} */ (store.page.value?.style ?? null);
   const selected = typeof style === 'string' ? style : style?.id ?? null;
   const size = { width: screenPixels(WIDTH), height: screenPixels(HEIGHT) };
+  const mine = ownStyles.mine.value;
+  const favourites = without(ownStyles.favourites.value, mine);
+  const designed = without(store.styles.value, [...mine, ...favourites]);
+  const listed = [...mine, ...favourites, ...designed].some(({ id }) => id === selected);
+  const groups = [
+    { name: strings.thisPage, options: style !== null && typeof style === 'object' && !listed ? [style] : [] },
+    { name: strings.myStyles, options: [...mine] },
+    { name: strings.favourites, options: favourites },
+    ...families(designed),
+  ];
 
   return (
     <Listbox
       label={strings.styles}
       class="styles-list"
-      groups={families(store.styles.value)}
+      groups={groups}
       selected={selected}
-      onChoose={pages.chooseStyle}
+      onChoose={(id) => pages.chooseStyle(ownStyles.find(id) ?? id)}
       names
       picture={(option) => (
         hero === null
           ? <span class="bitmap" />
-          : <Bitmap of={hero} draw={(call) => engine.stylePhoto(hero, option, size, call)} />
+          : <Bitmap of={designed.includes(option) ? hero : `${hero} ${JSON.stringify(option)}`} draw={(call) => engine.stylePhoto(hero, option, size, call)} />
       )}
     />
   );
 }
 
 /**
- * The photo that the styles are shown on: the first page's largest, for as long as it is in use, so that the
- * pictures stay while pages come and go.
- * @returns {string | null}
+ * @param {readonly Style[]} styles
+ * @param {readonly Style[]} others
+ * @returns {Style[]} those whose id no other has
  */
-function useHero() {
-  const { store, engine } = useApp();
-  const hero = useRef(/** @type {string | null} */ (null));
-  const usable = store.photos.value.map(({ id }) => id).filter(engine.hasPhoto);
-  if (hero.current === null || !usable.includes(hero.current)) {
-    const panels = store.page.value?.panels ?? [];
-    const boxes = store.geometry.value?.panels ?? [];
-    const area = (/** @type {number} */ i) => (boxes[i] ? boxes[i].bounds.width * boxes[i].bounds.height : 0);
-    const order = panels.map((_, i) => i).sort((a, b) => area(b) - area(a));
-    const shown = order.map((i) => panels[i].photo).find((id) => id !== null && usable.includes(id));
-    hero.current = shown ?? usable[0] ?? null;
-  }
-  return hero.current;
+function without(styles, others) {
+  return styles.filter(({ id }) => others.every((other) => other.id !== id));
 }
 
 /**

@@ -18,6 +18,7 @@ export function TopBar() {
       <FileInput />
       <div class="top-middle">{page && <Steps />}</div>
       <div class="top-end">
+        {page && <Workspaces compact={compact} />}
         <ThemeButton />
         {!compact && <IconButton icon="help" label={strings.keys} shortcut="?" onClick={() => { ui.dialog.value = 'keys'; }} />}
         {compact && page && <IconButton icon="settings" label={strings.pageSettings} pressed={ui.sheet.value === 'settings'}
@@ -54,6 +55,18 @@ function Steps() {
       <IconButton icon="next" label={strings.next} disabled={at >= length - 1} onClick={pages.next} />
     </>
   );
+}
+
+/** What lies over the board. @param {{ compact: boolean }} props */
+function Workspaces({ compact }) {
+  const { ui, designer } = useApp();
+  const button = (/** @type {'designer' | 'explorer'} */ work, /** @type {() => void} */ open) => {
+    const on = ui.work.value === work;
+    const press = () => (on ? designer.close() : open());
+    if (compact) return <IconButton key={work} icon={work} label={strings[work]} pressed={on} onClick={press} />;
+    return <button type="button" key={work} class="button" aria-pressed={on} onClick={press}><Icon name={work} />{strings[work]}</button>;
+  };
+  return <>{button('designer', () => designer.open())}</>;
 }
 
 function ThemeButton() {

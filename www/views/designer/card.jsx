@@ -1,0 +1,107 @@
+// @ts-check
+/**
+ * A block of a layer: the picture after it, what it costs, its controls.
+ */
+
+import { useEffect, useRef } from 'preact/hooks';
+import { REMEDIES } from '../../state/designer-draft.js';
+import { strings } from '../../strings.js';
+import { IconButton } from '../button.jsx';
+import { useApp } from '../context.js';
+import { Parameter } from './parameter.jsx';
+
+/** @typedef {import('../../state/designer-draft.js').Step} Step */
+/** @typedef {import('../../state/designer-draft.js').Layer} Layer */
+
+/**
+ * @param {{
+ *   step: Step, layer: Layer, at: number, last: boolean, lacks: '' | 'luma' | 'color', marked: '' | 'before' | 'behind', ms?: number,
+ *   picture?: ImageBitmap, onDragStart: (event: DragEvent) => void, onDragEnd: () => void,
+ * }} props `marked`: a dragged card would land on that side of it
+ */
+export function Card({ step, layer, at, last, lacks, marked, ms, picture, onDragStart, onDragEnd }) {
+  const { designer } = useApp();
+  const ref = useRef(/** @type {HTMLLIElement | null} */ (null));
+  const block = designer.blocks.value.find(({ id }) => id === step.block);
+  if (!block) return null;
+
+  /** Moves the card and keeps the focus where it was, which the browser takes from what is moved. @param {number} to */
+  function move(to) {
+    const focused = /** @type {HTMLElement | null} */ (document.activeElement);
+    designer.change({ type: 'move', layer, at, toLayer: layer, to });
+    requestAnimationFrame(() => {
+      const usable = focused?.isConnected && !(/** @type {HTMLButtonElement} */ (focused).disabled);
+      (usable ? focused : ref.current)?.focus();
+      ref.current?.scrollIntoView({ block: 'nearest' });
+    });
+  }
+
+  function remove() {
+    const cards = [...(ref.current?.parentElement?.children ?? [])];
+    const next = /** @type {HTMLElement | undefined} */ (cards[at + 1] ?? cards[at - 1]);
+    designer.change({ type: 'remove', layer, at });
+    next?.focus();
+  }
+
+  /** @param {KeyboardEvent} event */
+  function onKeyDown(event) {
+    const { key, altKey, target } = event;
+    if (altKey && (key === 'ArrowUp' || key === 'ArrowDown')) move(key === 'ArrowUp' ? at - 1 : at + 1);
+    else if (key === 'Delete' && target === ref.current) remove();
+    else return;
+    event.preventDefault();
+    event.stopPropagation();
+  }
+
+  return (
+    <li class="card" ref={ref} tabIndex={-1} aria-label={strings.card(block.label, at + 1)} data-bypass={step.bypass} data-marked={marked} data-key={step.key} onKeyDown={onKeyDown}>
+      <div class="card-head" draggable title={strings.handle} onDragStart={onDragStart} onDragEnd={onDragEnd}>
+        <Picture bitmap={picture} />
+        <div class="card-name">
+          <h4>{block.label}</h4>
+          <span class="count">{ms !== undefined && !step.bypass ? strings.milliseconds(ms) : ''}</span>
+        </div>
+      </div>
+      <div class="card-tools">
+        <IconButton icon={step.bypass ? 'hidden' : 'shown'} label={strings.bypass} pressed={step.bypass}
+          onClick={() => designer.change({ type: 'bypass', layer, at, on: !step.bypass })} />
+        <IconButton icon="up" label={strings.moveUp} disabled={at === 0} onClick={() => move(at - 1)} />
+        <IconButton icon="down" label={strings.moveDown} disabled={last} onClick={() => move(at + 1)} />
+        <IconButton icon="duplicate" label={strings.duplicate} onClick={() => designer.change({ type: 'duplicate', layer, at })} />
+        <IconButton icon="reset" label={strings.reset} disabled={block.params.length === 0} onClick={() => designer.change({ type: 'reset', layer, at })} />
+        <IconButton icon="bin" label={strings.remove} onClick={remove} />
+      </div>
+      {lacks && (
+        <p class="card-lacks">
+          <span>{strings.lacks[lacks]}</span>
+          <button type="button" class="button small" onClick={() => designer.change({ type: 'add', layer, at, blocks: [REMEDIES[lacks]] })}>
+            {strings.fix[lacks]}
+          </button>
+        </p>
+      )}
+      {block.params.map((param) => (
+        <Parameter
+          key={param.id}
+          param={param}
+          value={step.values[param.id]}
+          onMove={(value) => designer.hold({ type: 'set', layer, at, param: param.id, value })}
+          onSet={(value) => designer.change({ type: 'set', layer, at, param: param.id, value })}
+          onRest={designer.release}
+        />
+      ))}
+    </li>
+  );
+}
+
+/** @param {{ bitmap?: ImageBitmap }} props */
+function Picture({ bitmap }) {
+  const ref = useRef(/** @type {HTMLCanvasElement | null} */ (null));
+  useEffect(() => {
+    const canvas = ref.current;
+    if (!canvas || !bitmap) return;
+    canvas.width = bitmap.width;
+    canvas.height = bitmap.height;
+    canvas.getContext('2d')?.drawImage(bitmap, 0, 0);
+  }, [bitmap]);
+  return <canvas ref={ref} class="bitmap card-picture" aria-hidden="true" />;
+}

@@ -1,0 +1,69 @@
+// @ts-check
+/**
+ * The style designer: the preview, and beside it the two layers as lanes of cards.
+ */
+
+import { useEffect, useRef, useState } from 'preact/hooks';
+import { LAYERS } from '../../state/designer-draft.js';
+import { strings } from '../../strings.js';
+import { useApp } from '../context.js';
+import { Icon } from '../icon.jsx';
+import { Workspace } from '../workspace.jsx';
+import { Lane } from './lane.jsx';
+import { Palette } from './palette.jsx';
+import { Preview } from './preview.jsx';
+import { StyleBar } from './style-bar.jsx';
+
+/** @typedef {import('../../engine/design.js').Designed} Designed */
+
+/** @type {{ times: ReadonlyMap<number, number>, stages: ReadonlyMap<number, ImageBitmap> }} */
+const NOTHING = { times: new Map(), stages: new Map() };
+
+export function Designer() {
+  const { designer } = useApp();
+  const [drawn, setDrawn] = useState(NOTHING);
+  const [adding, setAdding] = useState(false);
+  const opener = useRef(/** @type {HTMLButtonElement | null} */ (null));
+  const draft = designer.draft.value;
+
+  // A drag that is cut short, by leaving say, is kept as far as it went.
+  useEffect(() => designer.release, []);
+  if (!draft) return null;
+
+  /** @param {Designed} designed */
+  function onStages({ times, stages }) {
+    setDrawn({ times: new Map(times), stages: new Map(stages.map(({ place, bitmap }) => [place, bitmap])) });
+  }
+
+  function closePalette() {
+    setAdding(false);
+    opener.current?.focus();
+  }
+
+  const total = [...drawn.times.values()].reduce((sum, ms) => sum + ms, 0);
+  return (
+    <Workspace title={strings.styleDesigner} class="designer" tools={<StyleBar />} onClose={designer.close}>
+      <Preview onStages={onStages} />
+      <div class="lanes-side">
+        <header class="lanes-head">
+          <button type="button" class="button strong" ref={opener} aria-expanded={adding} onClick={() => setAdding(!adding)}>
+            <Icon name="add" />{strings.addBlock}
+          </button>
+          {drawn.times.size > 0 && <span class="count">{strings.totalTime(total)}</span>}
+        </header>
+        {adding
+          ? <Palette onClose={closePalette} onAdded={() => setAdding(false)} />
+          : (
+            <div class="lanes">
+              {LAYERS.map((layer) => (
+                <Lane key={layer} layer={layer} draft={draft} drawn={drawn} onAdd={() => {
+                  designer.layer.value = layer;
+                  setAdding(true);
+                }} />
+              ))}
+            </div>
+          )}
+      </div>
+    </Workspace>
+  );
+}

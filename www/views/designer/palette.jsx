@@ -1,0 +1,115 @@
+// @ts-check
+/**
+ * The blocks that can be added, each as a picture of what it does to the person's own photo at the end of the layer.
+ */
+
+import { useEffect, useMemo, useRef, useState } from 'preact/hooks';
+import { LAYERS, MOST_BLOCKS, remedy, styleOf } from '../../state/designer-draft.js';
+import { strings } from '../../strings.js';
+import { Bitmap, screenPixels } from '../bitmap.jsx';
+import { IconButton } from '../button.jsx';
+import { useApp } from '../context.js';
+import { useHero } from '../hero.js';
+
+/** @typedef {import('../../engine/documents.js').Block} Block */
+/** @typedef {import('../../engine/documents.js').Style} Style */
+/** @typedef {import('../../state/designer-draft.js').Layer} Layer */
+
+const SIZE = { width: 132, height: 99 };
+/** What a picture shows of the blocks whose usual values do nothing. @type {Record<string, Record<string, any>>} */
+const TELLING = { hue: { angle: 90 }, size: { percent: 20 }, dynamic_range: { range: 255 } };
+
+/** @param {{ onClose: () => void, onAdded: () => void }} props */
+export function Palette({ onClose, onAdded }) {
+  const { designer, engine } = useApp();
+  const [words, setWords] = useState('');
+  const search = useRef(/** @type {HTMLInputElement | null} */ (null));
+  const hero = useHero();
+  const blocks = designer.blocks.value;
+  const draft = designer.draft.value;
+  const layer = designer.layer.value;
+  const steps = draft?.[layer] ?? [];
+  const found = blocks.filter((block) => matches(block, words));
+  const pictures = useMemo(() => new Map(blocks.map((block) => [block.id, draft && styleWith(draft, layer, block, blocks)])), [draft, layer, blocks]);
+  useEffect(() => search.current?.focus(), []);
+
+  /** @param {Block} block */
+  function add(block) {
+    const before = remedy(steps, block.id, blocks);
+    designer.change({ type: 'add', layer, at: steps.length, blocks: before ? [before, block.id] : [block.id] });
+    onAdded();
+    requestAnimationFrame(() => {
+      const cards = document.querySelectorAll(`.cards[aria-label="${strings.layerName[layer]}"] .card`);
+      /** @type {HTMLElement | undefined} */ ([...cards].at(-1))?.focus();
+    });
+  }
+
+  return (
+    <section class="palette" aria-label={strings.palette} onKeyDown={(event) => {
+      if (event.key !== 'Escape') return;
+      event.preventDefault();
+      event.stopPropagation();
+      onClose();
+    }}>
+      <div class="palette-head">
+        <input ref={search} class="text" type="search" aria-label={strings.searchBlocks} placeholder={strings.searchBlocks} value={words}
+          onInput={(event) => setWords(event.currentTarget.value)}
+          onKeyDown={(event) => {
+            if (event.key === 'Enter' && found.length > 0 && words !== '') add(found[0]);
+          }} />
+        <IconButton icon="close" label={strings.close} onClick={onClose} />
+      </div>
+      <div class="segments">
+        {LAYERS.map((name) => (
+          <button type="button" key={name} aria-pressed={name === layer} onClick={() => { designer.layer.value = name; }}>{strings.addToLayer[name]}</button>
+        ))}
+      </div>
+      {steps.length >= MOST_BLOCKS - 1 && <p class="quiet">{strings.fullLayer}</p>}
+      <ul class="palette-blocks">
+        {found.map((block) => {
+          const before = remedy(steps, block.id, blocks);
+          const note = before ? strings.brings[before === 'to_gray' ? 'luma' : 'color'] : '';
+          return (
+            <li key={block.id}>
+              <button type="button" class="palette-block" title={block.help} aria-description={[block.help, note].filter(Boolean).join(' ')}
+                disabled={steps.length + (before ? 2 : 1) > MOST_BLOCKS} onClick={() => add(block)}>
+                {hero === null ? <span class="bitmap" /> : (
+                  <Bitmap of={pictures.get(block.id)} draw={(call) => engine.stylePhoto(hero, pictures.get(block.id) ?? {}, size(), call)} />
+                )}
+                <span class="palette-name">{block.label}</span>
+                {note && <span class="palette-note">{note}</span>}
+              </button>
+            </li>
+          );
+        })}
+      </ul>
+      {found.length === 0 && <p class="quiet">{strings.noBlocks}</p>}
+    </section>
+  );
+}
+
+function size() {
+  return { width: screenPixels(SIZE.width), height: screenPixels(SIZE.height) };
+}
+
+/** @param {Block} block @param {string} words */
+function matches({ id, label, help }, words) {
+  const text = `${id} ${label} ${help}`.toLowerCase();
+  return words.toLowerCase().split(/\s+/).every((word) => text.includes(word));
+}
+
+/**
+ * The layer with the block at its end, by itself.
+ * @param {import('../../state/designer-draft.js').Draft} draft
+ * @param {Layer} layer
+ * @param {Block} block
+ * @param {readonly Block[]} blocks
+ * @returns {Style}
+ */
+function styleWith(draft, layer, block, blocks) {
+  const alone = { ...draft, background: draft[layer], foreground: [] };
+  const style = styleOf(alone, blocks, { tolerant: true });
+  const before = remedy(draft[layer], block.id, blocks);
+  const steps = [...(style.background ?? []), ...(before ? [{ block: before }] : []), { block: block.id, ...TELLING[block.id] }];
+  return { id: 'palette', name: 'palette', tags: [], background: steps.slice(-MOST_BLOCKS) };
+}

@@ -1,0 +1,70 @@
+// @ts-check
+/**
+ * What the style does to a photo of the album, or to four at once, beside the photo as it is.
+ */
+
+import { useSignal } from '@preact/signals';
+import { strings } from '../../strings.js';
+import { Bitmap, screenPixels } from '../bitmap.jsx';
+import { useApp } from '../context.js';
+import { useHero } from '../hero.js';
+import { Comparison } from './comparison.jsx';
+
+/** A style without blocks shows the photo as it is. */
+const PLAIN = { id: 'plain', name: 'Plain', tags: [], background: [] };
+const THUMB = 64;
+
+/** @param {{ onStages: (designed: import('../../engine/design.js').Designed) => void }} props */
+export function Preview({ onStages }) {
+  const { store, engine, designer } = useApp();
+  const chosen = useSignal(/** @type {string | null} */ (null));
+  const four = useSignal(false);
+  const compare = useSignal(false);
+  const split = useSignal(0.5);
+  const busy = useSignal(false);
+  const hero = useHero();
+  const facts = store.facts.value.filter(({ id, meta }) => meta && engine.hasPhoto(id));
+  const ids = facts.map(({ id }) => id);
+  const first = chosen.value && ids.includes(chosen.value) ? chosen.value : hero ?? ids[0];
+  const at = Math.max(0, ids.indexOf(first));
+  const shown = four.value ? [...ids.slice(at), ...ids.slice(0, at)].slice(0, 4) : ids.slice(at, at + 1);
+
+  return (
+    <section class="preview" aria-label={strings.preview} aria-busy={busy.value}>
+      <div class="preview-stage" data-count={shown.length}>
+        {shown.map((id, i) => (
+          <Comparison
+            key={`${id}/${shown.length}`}
+            fact={/** @type {any} */ (facts.find((fact) => fact.id === id))}
+            style={designer.shown.value ?? PLAIN}
+            small={shown.length > 1}
+            split={compare.value ? split : null}
+            onStages={i === 0 ? onStages : null}
+            onBusy={(now) => { busy.value = now; }}
+          />
+        ))}
+      </div>
+      <div class="preview-tools">
+        <button type="button" class="button small" aria-pressed={compare.value} onClick={() => { compare.value = !compare.value; }}>{strings.compare}</button>
+        <button type="button" class="button small" aria-pressed={four.value} disabled={ids.length < 2} onClick={() => { four.value = !four.value; }}>{strings.fourPhotos}</button>
+        <ul class="preview-photos" aria-label={strings.previewPhotos}>
+          {facts.map(({ id, name, meta }) => (
+            <li key={id}>
+              <button type="button" aria-label={strings.previewOf(name)} title={name} aria-current={id === first ? 'true' : undefined} onClick={() => { chosen.value = id; }}>
+                <Bitmap of={id} draw={(call) => engine.stylePhoto(id, PLAIN, square(meta), call)} />
+              </button>
+            </li>
+          ))}
+        </ul>
+      </div>
+    </section>
+  );
+}
+
+/** The square in the middle of a photo. @param {{ width: number, height: number } | null} meta */
+function square(meta) {
+  const { width, height } = meta ?? { width: 1, height: 1 };
+  const side = Math.min(width, height);
+  const crop = { x: (1 - side / width) / 2, y: (1 - side / height) / 2, width: side / width, height: side / height };
+  return { width: screenPixels(THUMB), height: screenPixels(THUMB), crop };
+}

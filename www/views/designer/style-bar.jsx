@@ -1,0 +1,92 @@
+// @ts-check
+/** What can be done with the designed style as a whole. */
+
+import { useRef } from 'preact/hooks';
+import { strings } from '../../strings.js';
+import { IconButton } from '../button.jsx';
+import { useApp } from '../context.js';
+import { Icon } from '../icon.jsx';
+
+/** Entries of `Start from` that are no style. */
+const [EMPTY, PAGE] = ['#empty', '#page'];
+
+export function StyleBar() {
+  const { store, designer, ownStyles } = useApp();
+  const file = useRef(/** @type {HTMLInputElement | null} */ (null));
+  const draft = designer.draft.value;
+  if (!draft) return null;
+  const own = ownStyles.mine.value.some(({ id }) => id === draft.id);
+  const empty = draft.background.length + draft.foreground.length === 0;
+
+  /** @param {(style: import('../../engine/documents.js').Style) => void} deed on the style as the core has checked it */
+  const withStyle = (deed) => () => {
+    const style = designer.checked();
+    if (style) deed(style);
+  };
+
+  return (
+    <div class="style-bar">
+      <StartFrom />
+      <input class="text style-name" type="text" aria-label={strings.styleName} maxLength={80} value={draft.name}
+        onChange={(event) => designer.change({ type: 'name', name: event.currentTarget.value })} />
+      <div class="style-tools">
+        <button type="button" class="button" disabled={empty} onClick={withStyle(ownStyles.save)}><Icon name="save" />{strings.saveStyle}</button>
+        <IconButton icon="export" label={strings.exportStyle} onClick={withStyle(ownStyles.exportFile)} />
+        <IconButton icon="open" label={strings.importStyle} onClick={() => file.current?.click()} />
+        <IconButton icon="link" label={strings.copyLink} onClick={withStyle((style) => void ownStyles.copyLink(style, {
+          address: globalThis.location.href,
+          write: async (text) => navigator.clipboard.writeText(text),
+        }))} />
+        <IconButton icon="duplicate" label={strings.duplicateStyle} onClick={withStyle((style) => designer.begin(ownStyles.duplicate(style)))} />
+        <IconButton icon="bin" label={strings.deleteStyle} disabled={!own} onClick={() => ownStyles.remove(draft.id)} />
+        <button type="button" class="button strong" disabled={store.page.value === null} onClick={designer.use}><Icon name="check" />{strings.useStyle}</button>
+      </div>
+      <input
+        ref={file}
+        class="visually-hidden"
+        type="file"
+        multiple
+        accept=".json,application/json"
+        aria-label={strings.styleFile}
+        tabIndex={-1}
+        onChange={({ currentTarget }) => {
+          void ownStyles.open([...(currentTarget.files ?? [])]);
+          // The same file can be chosen again.
+          currentTarget.value = '';
+        }}
+      />
+    </div>
+  );
+}
+
+function StartFrom() {
+  const { store, designer, ownStyles } = useApp();
+  const mine = ownStyles.mine.value;
+  const favourites = ownStyles.favourites.value.filter(({ id }) => mine.every((style) => style.id !== id));
+  const designed = store.planner.value?.styles() ?? [];
+
+  /** @param {HTMLSelectElement} select */
+  function start(select) {
+    const { value } = select;
+    select.value = '';
+    const page = store.page.peek()?.style;
+    const wanted = value === PAGE ? page : value;
+    const style = typeof wanted === 'object' ? wanted : [...mine, ...favourites, ...designed].find(({ id }) => id === wanted);
+    designer.begin(value === EMPTY ? null : /** @type {any} */ (style ?? null));
+  }
+
+  return (
+    <select class="select" aria-label={strings.startFrom} value="" onChange={(event) => start(event.currentTarget)}>
+      <option value="" disabled>{strings.startFromWhat}</option>
+      <option value={EMPTY}>{strings.newStyle}</option>
+      {store.page.value && <option value={PAGE}>{strings.pageStyle}</option>}
+      {[{ name: strings.myStyles, styles: mine }, { name: strings.favourites, styles: favourites }, { name: strings.designedStyles, styles: designed }]
+        .filter(({ styles }) => styles.length > 0)
+        .map(({ name, styles }) => (
+          <optgroup key={name} label={name}>
+            {styles.map((style) => <option key={style.id} value={style.id}>{style.name}</option>)}
+          </optgroup>
+        ))}
+    </select>
+  );
+}
