@@ -15,12 +15,14 @@ import { createKeys } from './state/keys.js';
 import { createMerging } from './state/merging.js';
 import { createMessages } from './state/messages.js';
 import { createOwnLayouts } from './state/own-layouts.js';
+import { openPlans } from './state/plans.js';
 import { createOwnStyles, freshStyleId } from './state/own-styles.js';
 import { createPages, freshSeed } from './state/pages.js';
 import { createReading } from './state/reading.js';
 import { createReshaping } from './state/reshaping.js';
 import { createSelection } from './state/selection.js';
 import { createStore } from './state/store.js';
+import { isStyleLink } from './state/style-link.js';
 import { createStyling } from './state/styling.js';
 import { createSubjects } from './state/subjects.js';
 import { createUi } from './state/ui.js';
@@ -55,16 +57,19 @@ engine.ready.then(
     store.planner.value = styling.within(planner);
     ownLayouts.recall();
     ownStyles.recall();
+    openLink();
   },
   (error) => messages.alert(strings.coreFailed(error.message)),
 );
 
 window.addEventListener('keydown', createKeys({ pages, download, ui, selection, framing, reshaping }));
 acceptFiles(window, (files) => {
-  const layouts = files.filter(({ name }) => name.toLowerCase().endsWith('.json'));
-  reading.addFiles(files.filter((file) => !layouts.includes(file)));
-  ownLayouts.open(layouts);
+  const plans = files.filter(({ name }) => name.toLowerCase().endsWith('.json'));
+  reading.addFiles(files.filter((file) => !plans.includes(file)));
+  void openPlans(plans, { ownLayouts, ownStyles });
 });
+
+window.addEventListener('hashchange', openLink);
 
 effect(() => {
   const painted = store.page.value === null || ui.painted.value === store.page.value;
@@ -81,3 +86,11 @@ render(
   </AppContext.Provider>,
   /** @type {HTMLElement} */ (document.getElementById('app')),
 );
+
+/** Takes the style of the address, which then stands for the page alone again. */
+function openLink() {
+  const { hash } = window.location;
+  if (!isStyleLink(hash)) return;
+  window.history.replaceState(null, '', window.location.href.slice(0, -hash.length));
+  void ownStyles.openLink(hash);
+}

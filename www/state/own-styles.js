@@ -4,7 +4,7 @@
  * project, so a style that was deleted comes back by undo; favourites are marks, and each takes itself back.
  */
 
-import { computed, effect, signal } from '@preact/signals';
+import { computed, effect, signal, untracked } from '@preact/signals';
 import { strings } from '../strings.js';
 import { save as saveFile } from './files.js';
 import { LONGEST_STYLE, isStyleLink, linkOf, textOfLink } from './style-link.js';
@@ -38,7 +38,7 @@ export function createOwnStyles({ store, pages, messages, designer, freshId, box
   // Undo, too, changes what is kept.
   effect(() => {
     const list = mine.value;
-    if (recalled) write(MINE, list);
+    if (recalled) untracked(() => write(MINE, list));
   });
 
   return { mine, favourites, recall, save, remove, duplicate, exportFile, open, openLink, copyLink, favour, isFavourite, find };

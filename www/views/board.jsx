@@ -18,6 +18,7 @@ import { Stage } from './stage.jsx';
 import { StyleTools } from './style-tools.jsx';
 import { StylesList } from './styles-list.jsx';
 import { Tray } from './tray.jsx';
+import { Workspaces } from './workspaces.jsx';
 
 /** Window heights from which the settings are open from the start, in CSS pixels. */
 const TALL = 760;
@@ -67,7 +68,7 @@ function NarrowBoard() {
       </main>
       {sheet === null && <Alternatives />}
       {sheet === 'photos' && <Sheet title={strings.photos} bare><Tray /></Sheet>}
-      {sheet === 'styles' && <Sheet title={strings.styles}><div class="styles-head"><StyleTools /></div><StylesList /></Sheet>}
+      {sheet === 'styles' && <Sheet title={strings.styles}><div class="styles-head"><Workspaces /><StyleTools /></div><StylesList /></Sheet>}
       {sheet === 'layouts' && <Sheet title={strings.layouts}><LayoutTools /><LayoutsList /></Sheet>}
       {sheet === 'settings' && <Sheet title={strings.pageSettings}><PageSettings /></Sheet>}
       <BottomBar />

@@ -5,6 +5,7 @@ import { IconButton } from './button.jsx';
 import { useApp } from './context.js';
 import { FileInput } from './file-input.jsx';
 import { Icon } from './icon.jsx';
+import { Workspaces } from './workspaces.jsx';
 
 /** The quiet bar above: the name, the steps through time, the ways out. */
 export function TopBar() {
@@ -18,7 +19,7 @@ export function TopBar() {
       <FileInput />
       <div class="top-middle">{page && <Steps />}</div>
       <div class="top-end">
-        {page && <Workspaces compact={compact} />}
+        {page && !compact && <Workspaces />}
         <ThemeButton />
         {!compact && <IconButton icon="help" label={strings.keys} shortcut="?" onClick={() => { ui.dialog.value = 'keys'; }} />}
         {compact && page && <IconButton icon="settings" label={strings.pageSettings} pressed={ui.sheet.value === 'settings'}
@@ -55,18 +56,6 @@ function Steps() {
       <IconButton icon="next" label={strings.next} disabled={at >= length - 1} onClick={pages.next} />
     </>
   );
-}
-
-/** What lies over the board. @param {{ compact: boolean }} props */
-function Workspaces({ compact }) {
-  const { ui, designer } = useApp();
-  const button = (/** @type {'designer' | 'explorer'} */ work, /** @type {() => void} */ open) => {
-    const on = ui.work.value === work;
-    const press = () => (on ? designer.close() : open());
-    if (compact) return <IconButton key={work} icon={work} label={strings[work]} pressed={on} onClick={press} />;
-    return <button type="button" key={work} class="button" aria-pressed={on} onClick={press}><Icon name={work} />{strings[work]}</button>;
-  };
-  return <>{button('designer', () => designer.open())}</>;
 }
 
 function ThemeButton() {

@@ -97,14 +97,15 @@ export function Comparison({ fact: { id, name, meta }, style, small, split, onSt
 }
 
 /**
- * Covers 960 x 540, either way up, or half of it for one of several; no larger than what it is drawn from.
+ * Covers 960 x 540, either way up, or half of it for one of several, also where the photo has less: lines are then as
+ * fine as on a large one.
  * @param {{ width: number, height: number }} photo
  * @param {boolean} small
  */
 function liveSize({ width, height }, small) {
   const [long, short] = [Math.max(width, height), Math.min(width, height)];
   const wanted = Math.max(LIVE.long / long, LIVE.short / short) / (small ? 2 : 1);
-  const scale = Math.min(wanted, 1, WORK / long);
+  const scale = Math.min(wanted, WORK / long);
   return { width: Math.max(1, Math.round(width * scale)), height: Math.max(1, Math.round(height * scale)) };
 }
 

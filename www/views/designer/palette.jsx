@@ -23,15 +23,15 @@ const TELLING = { hue: { angle: 90 }, size: { percent: 20 }, dynamic_range: { ra
 export function Palette({ onClose, onAdded }) {
   const { designer, engine } = useApp();
   const [words, setWords] = useState('');
-  const search = useRef(/** @type {HTMLInputElement | null} */ (null));
+  const field = useRef(/** @type {HTMLInputElement | null} */ (null));
   const hero = useHero();
   const blocks = designer.blocks.value;
   const draft = designer.draft.value;
   const layer = designer.layer.value;
   const steps = draft?.[layer] ?? [];
-  const found = blocks.filter((block) => matches(block, words));
+  const found = search(blocks, words);
   const pictures = useMemo(() => new Map(blocks.map((block) => [block.id, draft && styleWith(draft, layer, block, blocks)])), [draft, layer, blocks]);
-  useEffect(() => search.current?.focus(), []);
+  useEffect(() => field.current?.focus(), []);
 
   /** @param {Block} block */
   function add(block) {
@@ -52,7 +52,7 @@ export function Palette({ onClose, onAdded }) {
       onClose();
     }}>
       <div class="palette-head">
-        <input ref={search} class="text" type="search" aria-label={strings.searchBlocks} placeholder={strings.searchBlocks} value={words}
+        <input ref={field} class="text" type="search" aria-label={strings.searchBlocks} placeholder={strings.searchBlocks} value={words}
           onInput={(event) => setWords(event.currentTarget.value)}
           onKeyDown={(event) => {
             if (event.key === 'Enter' && found.length > 0 && words !== '') add(found[0]);
@@ -92,10 +92,16 @@ function size() {
   return { width: screenPixels(SIZE.width), height: screenPixels(SIZE.height) };
 }
 
-/** @param {Block} block @param {string} words */
-function matches({ id, label, help }, words) {
-  const text = `${id} ${label} ${help}`.toLowerCase();
-  return words.toLowerCase().split(/\s+/).every((word) => text.includes(word));
+/**
+ * @param {readonly Block[]} blocks
+ * @param {string} words
+ * @returns {Block[]} those whose names have the words first, then those that are explained with them
+ */
+function search(blocks, words) {
+  const wanted = words.toLowerCase().split(/\s+/);
+  const has = (/** @type {string} */ text) => wanted.every((word) => text.toLowerCase().includes(word));
+  const named = blocks.filter(({ id, label }) => has(`${id} ${label}`));
+  return [...named, ...blocks.filter((block) => !named.includes(block) && has(`${block.label} ${block.help}`))];
 }
 
 /**

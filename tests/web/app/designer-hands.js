@@ -1,0 +1,47 @@
+// @ts-check
+/** The gestures of the designer's tests. */
+
+import { expect, openBoard } from './support.js';
+
+/** @typedef {import('../../../www/testing.js').Page} Page */
+/** @typedef {'Background layer' | 'Foreground layer'} LayerName */
+
+export const FOUR = ['bee.jpg', 'cat.jpg', 'gateway.jpg', 'macaw.jpg'];
+
+/** @param {Page} page */
+export const region = (page) => page.getByRole('region', { name: 'Style designer' });
+
+/** @param {Page} page @param {LayerName} [layer] */
+export const cards = (page, layer = 'Background layer') => region(page).getByRole('list', { name: layer }).getByRole('listitem');
+
+/** The names of the blocks of a layer, in order. @param {Page} page @param {LayerName} [layer] */
+export async function names(page, layer) {
+  return cards(page, layer).getByRole('heading').allTextContents();
+}
+
+/** @param {Page} page */
+export async function openDesigner(page) {
+  await openBoard(page, FOUR);
+  await page.getByRole('button', { name: 'Designer', exact: true }).click();
+  await drawn(page);
+}
+
+/** Until the preview and the pictures of the cards are drawn. @param {Page} page */
+export async function drawn(page) {
+  await expect(page.getByRole('region', { name: 'Preview', exact: true })).toHaveAttribute('aria-busy', 'false');
+}
+
+/** @param {Page} page @param {string} block @param {LayerName} [layer] */
+export async function addBlock(page, block, layer = 'Background layer') {
+  await page.getByRole('button', { name: 'Add block' }).click();
+  await page.getByRole('button', { name: layer === 'Background layer' ? 'Add to colours' : 'Add to lines', exact: true }).click();
+  await page.getByRole('searchbox', { name: 'Search blocks' }).fill(block);
+  await page.getByRole('region', { name: 'Blocks to add' }).getByRole('listitem').getByRole('button').first().click();
+  await drawn(page);
+}
+
+/** The pixels of the preview. @param {Page} page */
+export async function preview(page) {
+  await drawn(page);
+  return region(page).locator('.comparison-styled').first().evaluate((canvas) => /** @type {HTMLCanvasElement} */ (canvas).toDataURL());
+}

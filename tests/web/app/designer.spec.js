@@ -1,0 +1,235 @@
+// @ts-check
+import { readFile } from 'node:fs/promises';
+import { FOUR, addBlock, cards, drawn, names, openDesigner, preview, region } from './designer-hands.js';
+import { accessible, contents, drop, expect, idle, openBoard, picture, pixelsOf, test } from './support.js';
+
+/** @typedef {import('../../../www/testing.js').Page} Page */
+
+/** @param {Page} page @param {string} name */
+const button = (page, name) => region(page).getByRole('button', { name, exact: true });
+
+test('a style is built from nothing by mouse, ordered, bypassed, undone and used', async ({ page }) => {
+  await openDesigner(page);
+  const plain = await preview(page);
+  await addBlock(page, 'Gaussian');
+  await addBlock(page, 'Posterization');
+  await addBlock(page, 'XDoG', 'Foreground layer');
+  expect([await names(page), await names(page, 'Foreground layer')]).toEqual([['Gaussian Smoothing', 'Posterization'], ['XDoG']]);
+  const built = await preview(page);
+  expect(built).not.toBe(plain);
+  await expect(cards(page).first()).toContainText(/\d ms/);
+
+  await cards(page).nth(1).getByRole('button', { name: 'Move up' }).click();
+  expect(await names(page)).toEqual(['Posterization', 'Gaussian Smoothing']);
+  expect(await preview(page)).not.toBe(built);
+  await cards(page).nth(0).locator('.card-head').dragTo(cards(page).nth(1).locator('.parameter').last());
+  expect(await names(page)).toEqual(['Gaussian Smoothing', 'Posterization']);
+  expect(await preview(page)).toBe(built);
+
+  const bypass = cards(page).nth(1).getByRole('button', { name: 'Bypass' });
+  await bypass.click();
+  await expect(bypass).toHaveAttribute('aria-pressed', 'true');
+  expect(await preview(page)).not.toBe(built);
+  await page.getByRole('button', { name: 'Undo', exact: true }).click();
+  await expect(bypass).toHaveAttribute('aria-pressed', 'false');
+  expect(await preview(page)).toBe(built);
+
+  await cards(page).first().getByRole('button', { name: 'Duplicate' }).click();
+  expect(await names(page)).toEqual(['Gaussian Smoothing', 'Gaussian Smoothing', 'Posterization']);
+  await cards(page).first().getByRole('button', { name: 'Remove' }).click();
+  expect(await preview(page)).toBe(built);
+
+  const before = await picture(page);
+  await button(page, 'Use').click();
+  await idle(page);
+  await expect(region(page)).toHaveCount(0);
+  expect(await picture(page)).not.toBe(before);
+  expect((await contents(page)).style).toBe('Untitled style');
+});
+
+test('a slider shows its effect while it moves, and its drag is one step back', async ({ page }) => {
+  await openDesigner(page);
+  await addBlock(page, 'Gaussian');
+  const slider = cards(page).first().getByRole('slider', { name: 'Radius' });
+  const number = cards(page).first().getByRole('spinbutton');
+  const start = await preview(page);
+  const box = await slider.boundingBox();
+  if (!box) throw new Error('no slider');
+  await page.mouse.move(box.x + 12, box.y + box.height / 2);
+  await page.mouse.down();
+  for (let i = 1; i <= 8; i += 1) await page.mouse.move(box.x + 12 + i * 12, box.y + box.height / 2);
+  // Live, before the hand lets go.
+  await expect.poll(() => region(page).locator('.comparison-styled').evaluate((canvas) => /** @type {HTMLCanvasElement} */ (canvas).toDataURL())).not.toBe(start);
+  await page.mouse.up();
+  const { width, height } = pixelsOf(await preview(page));
+  expect(Math.max(width, height)).toBeGreaterThanOrEqual(960);
+  expect(Math.min(width, height)).toBeGreaterThanOrEqual(540);
+  expect(Number(await number.inputValue())).toBeGreaterThan(5);
+  await page.getByRole('button', { name: 'Undo', exact: true }).click();
+  await expect(number).toHaveValue('2');
+  expect(await preview(page)).toBe(start);
+  await number.fill('999');
+  await number.press('Enter');
+  await expect(number).toHaveValue('50');
+  await cards(page).first().getByRole('button', { name: 'Reset' }).click();
+  await expect(number).toHaveValue('2');
+});
+
+test('a block that needs gray says so, and brings it', async ({ page }) => {
+  await openDesigner(page);
+  await page.getByRole('button', { name: 'Add block' }).click();
+  const palette = page.getByRole('region', { name: 'Blocks to add' });
+  await expect(palette.getByRole('button', { name: /Pattern Filling/ })).toContainText('needs gray');
+  await palette.getByRole('button', { name: /Pattern Filling/ }).click();
+  expect(await names(page)).toEqual(['To GrayScale', 'Pattern Filling']);
+  const drawnGray = await preview(page);
+  await cards(page).first().getByRole('button', { name: 'Remove' }).click();
+  await expect(cards(page).first()).toContainText('Needs gray');
+  await button(page, 'Use').click();
+  await expect(page.getByRole('alert')).toContainText(/background\[0\] \(pattern\): needs gray/);
+  await page.getByRole('button', { name: 'Put To GrayScale before it' }).click();
+  expect(await preview(page)).toBe(drawnGray);
+});
+
+test('a style is built, ordered, saved and found again by keyboard alone', async ({ page }) => {
+  await openBoard(page, FOUR);
+  await page.getByRole('button', { name: 'Designer', exact: true }).focus();
+  await page.keyboard.press('Enter');
+  await drawn(page);
+  for (const block of ['posterization', 'saturation']) {
+    await page.getByRole('button', { name: 'Add block' }).focus();
+    await page.keyboard.press('Enter');
+    await page.keyboard.type(block);
+    await page.keyboard.press('Enter');
+    await drawn(page);
+  }
+  // The new card has the focus.
+  await expect(cards(page).nth(1)).toBeFocused();
+  await page.keyboard.press('Alt+ArrowUp');
+  expect(await names(page)).toEqual(['Saturation', 'Posterization']);
+  await expect(cards(page).first()).toBeFocused();
+  const slider = cards(page).first().getByRole('slider');
+  const before = await preview(page);
+  await slider.focus();
+  for (let i = 0; i < 5; i += 1) await page.keyboard.press('ArrowRight');
+  expect(await preview(page)).not.toBe(before);
+  await page.keyboard.press('Control+z');
+  await cards(page).nth(1).focus();
+  await page.keyboard.press('Delete');
+  expect(await names(page)).toEqual(['Saturation']);
+  await page.keyboard.press('Control+z');
+  expect(await names(page)).toEqual(['Saturation', 'Posterization']);
+  await page.getByLabel('Style name').focus();
+  await page.keyboard.press('Control+a');
+  await page.keyboard.type('By keys');
+  await button(page, 'Save style').focus();
+  await page.keyboard.press('Enter');
+  await expect(page.getByRole('status').getByText('By keys is in My styles.')).toBeVisible();
+  await page.reload();
+  await openBoard(page, FOUR);
+  const option = page.getByRole('listbox', { name: 'Styles' }).getByRole('option', { name: 'By keys' });
+  await option.focus();
+  await page.keyboard.press('Enter');
+  await idle(page);
+  expect((await contents(page)).style).toBe('By keys');
+  await page.getByRole('button', { name: 'Edit By keys' }).focus();
+  await page.keyboard.press('Enter');
+  expect(await names(page)).toEqual(['Saturation', 'Posterization']);
+  await page.keyboard.press('Escape');
+  await expect(region(page)).toHaveCount(0);
+});
+
+test('a style goes out as a file and a link, and comes back by both', async ({ page, context }) => {
+  await context.grantPermissions(['clipboard-read', 'clipboard-write']);
+  await openDesigner(page);
+  await addBlock(page, 'Halftone');
+  await addBlock(page, 'XDoG', 'Foreground layer');
+  await page.getByLabel('Style name').fill('Dots & lines');
+  await page.getByLabel('Ink colour').fill('#203050');
+  const [download] = await Promise.all([page.waitForEvent('download'), button(page, 'Export style').click()]);
+  expect(download.suggestedFilename()).toBe('dots-lines.json');
+  const file = JSON.parse(String(await readFile(await download.path())));
+  expect(file).toMatchObject({ name: 'Dots & lines', background: [{ block: 'halftone' }], foreground: [{ block: 'xdog' }], ink: '#203050' });
+  await button(page, 'Copy link').click();
+  await expect(page.getByRole('status').getByText('The link is in the clipboard.')).toBeVisible();
+  const link = await page.evaluate(() => navigator.clipboard.readText());
+  const made = await preview(page);
+
+  const other = await context.newPage();
+  await other.addInitScript(() => localStorage.setItem('inkpanel.detect', 'off'));
+  await other.goto(link);
+  await expect(other.getByText('Dots & lines is in My styles. Add photos to see it.')).toBeVisible();
+  expect(new URL(other.url()).hash).toBe('');
+  await other.close();
+
+  await region(page).getByRole('combobox', { name: 'Start from' }).selectOption({ label: 'An empty style' });
+  await expect(cards(page)).toHaveCount(0);
+  await page.getByLabel('Style file').setInputFiles({ name: 'dots.json', mimeType: 'application/json', buffer: Buffer.from(JSON.stringify(file)) });
+  await expect(cards(page)).toHaveCount(1);
+  expect(await preview(page)).toBe(made);
+  const wrong = { ...file, background: [{ block: 'halftone' }, { block: 'posterize', levels: 900 }] };
+  await page.getByLabel('Style file').setInputFiles({ name: 'wrong.json', mimeType: 'application/json', buffer: Buffer.from(JSON.stringify(wrong)) });
+  await expect(page.getByRole('alert')).toContainText(/wrong\.json.*background\[1\] \(posterize\), levels/);
+});
+
+test('a style file dropped on the window is opened, and a style deleted comes back', async ({ page }) => {
+  await openBoard(page, FOUR);
+  const style = { id: 'dropped', name: 'Dropped', tags: ['ink'], background: [{ block: 'to_gray' }, { block: 'posterize', levels: 3 }] };
+  await drop(page, [{ name: 'dropped.json', mimeType: 'application/json', buffer: Buffer.from(JSON.stringify(style)) }]);
+  await drawn(page);
+  expect(await names(page)).toEqual(['To GrayScale', 'Posterization']);
+  await button(page, 'Use').click();
+  await idle(page);
+  const styles = page.getByRole('listbox', { name: 'Styles' });
+  await expect(styles.getByRole('option', { name: 'Dropped' })).toHaveAttribute('aria-selected', 'true');
+  await page.getByRole('button', { name: 'Designer', exact: true }).click();
+  // The page is in this style, so it follows.
+  const before = await picture(page);
+  await cards(page).nth(1).getByRole('slider', { name: 'Levels' }).fill('6');
+  await idle(page);
+  await expect.poll(() => picture(page)).not.toBe(before);
+  await button(page, 'Delete style').click();
+  await expect(button(page, 'Delete style')).toBeDisabled();
+  await page.getByRole('button', { name: 'Undo', exact: true }).click();
+  await expect(button(page, 'Delete style')).toBeEnabled();
+});
+
+test('before and after, and four photos at once', async ({ page }) => {
+  await openDesigner(page);
+  await addBlock(page, 'Sobel');
+  await button(page, 'Compare with original').click();
+  const divider = page.getByRole('slider', { name: 'Before and after' });
+  await expect(divider).toHaveAttribute('aria-valuenow', '50');
+  await divider.press('PageUp');
+  await expect(divider).toHaveAttribute('aria-valuenow', '60');
+  const box = await region(page).locator('.comparison').boundingBox();
+  if (!box) throw new Error('no preview');
+  await page.mouse.move(box.x + box.width * 0.6, box.y + box.height / 2);
+  await page.mouse.down();
+  await page.mouse.move(box.x + box.width * 0.3, box.y + box.height / 2, { steps: 4 });
+  await page.mouse.up();
+  expect(Number(await divider.getAttribute('aria-valuenow'))).toBeLessThan(50);
+  await button(page, 'Compare with original').click();
+  await button(page, 'Four photos').click();
+  await expect(region(page).locator('.comparison')).toHaveCount(4);
+  await drawn(page);
+  await button(page, 'Four photos').click();
+  const first = await preview(page);
+  await region(page).getByRole('list', { name: 'Photo of the preview' }).getByRole('button').last().click();
+  expect(await preview(page)).not.toBe(first);
+});
+
+for (const colorScheme of /** @type {const} */ (['light', 'dark'])) {
+  test(`axe finds nothing in the designer, in ${colorScheme}`, async ({ page }) => {
+    await page.emulateMedia({ colorScheme });
+    await openDesigner(page);
+    await accessible(page);
+    await addBlock(page, 'Pattern');
+    await addBlock(page, 'Sobel', 'Foreground layer');
+    await cards(page).first().getByRole('button', { name: 'Remove' }).click();
+    await button(page, 'Compare with original').click();
+    await accessible(page);
+    await page.getByRole('button', { name: 'Add block' }).click();
+    await accessible(page);
+  });
+}
