@@ -11,6 +11,9 @@ export const FOUR = ['bee.jpg', 'cat.jpg', 'gateway.jpg', 'macaw.jpg'];
 /** @param {Page} page */
 export const region = (page) => page.getByRole('region', { name: 'Style designer' });
 
+/** @param {Page} page @param {string} name */
+export const button = (page, name) => region(page).getByRole('button', { name, exact: true });
+
 /** @param {Page} page @param {LayerName} [layer] */
 export const cards = (page, layer = 'Background layer') => region(page).getByRole('list', { name: layer }).getByRole('listitem');
 

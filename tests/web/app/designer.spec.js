@@ -1,12 +1,6 @@
 // @ts-check
-import { readFile } from 'node:fs/promises';
-import { FOUR, addBlock, cards, drawn, names, openDesigner, preview, region } from './designer-hands.js';
-import { accessible, contents, drop, expect, idle, openBoard, picture, pixelsOf, test } from './support.js';
-
-/** @typedef {import('../../../www/testing.js').Page} Page */
-
-/** @param {Page} page @param {string} name */
-const button = (page, name) => region(page).getByRole('button', { name, exact: true });
+import { FOUR, addBlock, button, cards, drawn, names, openDesigner, preview, region } from './designer-hands.js';
+import { accessible, contents, expect, idle, openBoard, picture, pixelsOf, test } from './support.js';
 
 test('a style is built from nothing by mouse, ordered, bypassed, undone and used', async ({ page }) => {
   await openDesigner(page);
@@ -137,61 +131,6 @@ test('a style is built, ordered, saved and found again by keyboard alone', async
   expect(await names(page)).toEqual(['Saturation', 'Posterization']);
   await page.keyboard.press('Escape');
   await expect(region(page)).toHaveCount(0);
-});
-
-test('a style goes out as a file and a link, and comes back by both', async ({ page, context }) => {
-  await context.grantPermissions(['clipboard-read', 'clipboard-write']);
-  await openDesigner(page);
-  await addBlock(page, 'Halftone');
-  await addBlock(page, 'XDoG', 'Foreground layer');
-  await page.getByLabel('Style name').fill('Dots & lines');
-  await page.getByLabel('Ink colour').fill('#203050');
-  const [download] = await Promise.all([page.waitForEvent('download'), button(page, 'Export style').click()]);
-  expect(download.suggestedFilename()).toBe('dots-lines.json');
-  const file = JSON.parse(String(await readFile(await download.path())));
-  expect(file).toMatchObject({ name: 'Dots & lines', background: [{ block: 'halftone' }], foreground: [{ block: 'xdog' }], ink: '#203050' });
-  await button(page, 'Copy link').click();
-  await expect(page.getByRole('status').getByText('The link is in the clipboard.')).toBeVisible();
-  const link = await page.evaluate(() => navigator.clipboard.readText());
-  const made = await preview(page);
-
-  const other = await context.newPage();
-  await other.addInitScript(() => localStorage.setItem('inkpanel.detect', 'off'));
-  await other.goto(link);
-  await expect(other.getByText('Dots & lines is in My styles. Add photos to see it.')).toBeVisible();
-  expect(new URL(other.url()).hash).toBe('');
-  await other.close();
-
-  await region(page).getByRole('combobox', { name: 'Start from' }).selectOption({ label: 'An empty style' });
-  await expect(cards(page)).toHaveCount(0);
-  await page.getByLabel('Style file').setInputFiles({ name: 'dots.json', mimeType: 'application/json', buffer: Buffer.from(JSON.stringify(file)) });
-  await expect(cards(page)).toHaveCount(1);
-  expect(await preview(page)).toBe(made);
-  const wrong = { ...file, background: [{ block: 'halftone' }, { block: 'posterize', levels: 900 }] };
-  await page.getByLabel('Style file').setInputFiles({ name: 'wrong.json', mimeType: 'application/json', buffer: Buffer.from(JSON.stringify(wrong)) });
-  await expect(page.getByRole('alert')).toContainText(/wrong\.json.*background\[1\] \(posterize\), levels/);
-});
-
-test('a style file dropped on the window is opened, and a style deleted comes back', async ({ page }) => {
-  await openBoard(page, FOUR);
-  const style = { id: 'dropped', name: 'Dropped', tags: ['ink'], background: [{ block: 'to_gray' }, { block: 'posterize', levels: 3 }] };
-  await drop(page, [{ name: 'dropped.json', mimeType: 'application/json', buffer: Buffer.from(JSON.stringify(style)) }]);
-  await drawn(page);
-  expect(await names(page)).toEqual(['To GrayScale', 'Posterization']);
-  await button(page, 'Use').click();
-  await idle(page);
-  const styles = page.getByRole('listbox', { name: 'Styles' });
-  await expect(styles.getByRole('option', { name: 'Dropped' })).toHaveAttribute('aria-selected', 'true');
-  await page.getByRole('button', { name: 'Designer', exact: true }).click();
-  // The page is in this style, so it follows.
-  const before = await picture(page);
-  await cards(page).nth(1).getByRole('slider', { name: 'Levels' }).fill('6');
-  await idle(page);
-  await expect.poll(() => picture(page)).not.toBe(before);
-  await button(page, 'Delete style').click();
-  await expect(button(page, 'Delete style')).toBeDisabled();
-  await page.getByRole('button', { name: 'Undo', exact: true }).click();
-  await expect(button(page, 'Delete style')).toBeEnabled();
 });
 
 test('before and after, and four photos at once', async ({ page }) => {
