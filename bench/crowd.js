@@ -70,15 +70,20 @@ export async function crowd(browser, address, photos) {
       Object.assign(globalThis, { begun: performance.now() });
     }, { capture: true, once: true });
   });
-  const since = async (/** @type {string} */ test) => (
-    (await page.waitForFunction(`globalThis.begun && ${test} && performance.now() - begun`, null, { polling: 'raf', timeout: 300_000 })).jsonValue()
-  );
+  /** Milliseconds until the body says so. @param {'idle' | 'detected'} flag */
+  const since = async (flag) => {
+    const handle = await page.waitForFunction((name) => {
+      const { begun } = /** @type {any} */ (globalThis);
+      return document.body.dataset[name] === 'true' && performance.now() - begun;
+    }, flag, { polling: 'raf', timeout: 300_000 });
+    return /** @type {number} */ (await handle.jsonValue());
+  };
   await input.setInputFiles(photos);
   // The page leaves its idle state with the first photo.
-  await page.waitForFunction('document.body.dataset.idle !== "true"');
-  const read = /** @type {number} */ (await since('document.body.dataset.idle === "true"'));
-  const found = /** @type {number} */ (await since('document.body.dataset.detected === "true"'));
-  const tasks = /** @type {number[]} */ (await page.evaluate('tasks'));
+  await page.waitForFunction(() => document.body.dataset.idle !== 'true');
+  const read = await since('idle');
+  const found = await since('detected');
+  const tasks = /** @type {number[]} */ (await page.evaluate(() => /** @type {any} */ (globalThis).tasks));
   await page.close();
   return { photos: photos.length, read, found, longest: Math.max(0, ...tasks), long: tasks.length };
 }

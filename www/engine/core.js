@@ -31,6 +31,12 @@ export async function loadCore() {
  * two and throws an error with a `code`.
  */
 function createPlanner() {
+  // An album is the same for many plans, and its text is nearly all of a request.
+  let last = { photos: /** @type {PlanRequest['photos'] | null} */ (null), text: '' };
+  const textOf = (/** @type {PlanRequest['photos']} */ photos) => {
+    if (last.photos !== photos) last = { photos, text: JSON.stringify(photos) };
+    return last.text;
+  };
   return {
     /** @returns {Block[]} */
     blocks: () => JSON.parse(core.blocks()),
@@ -87,7 +93,7 @@ function createPlanner() {
      * @param {PlanRequest} request
      * @returns {PageDocument}
      */
-    plan: (request) => JSON.parse(core.plan(JSON.stringify(request))),
+    plan: ({ photos, ...rest }) => JSON.parse(core.plan(`${JSON.stringify(rest).slice(0, -1)},"photos":${textOf(photos)}}`)),
     /**
      * @param {number} seed
      * @returns {Style} invented

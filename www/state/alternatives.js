@@ -14,6 +14,8 @@ import { computed, signal } from '@preact/signals';
 
 /** Seeds are tried this often for a page that is not in the stream yet; then there are no more. */
 const TRIES = 12;
+/** Milliseconds that pages are made at a stretch: a frame's time, so that nothing else on the page waits. */
+const STRETCH = 12;
 
 /**
  * @param {{ store: Store, pages: Pages }} app
@@ -35,6 +37,7 @@ export function createAlternatives({ store, pages }) {
   /** @type {import('@preact/signals').Signal<{ basis: string, items: readonly PageDocument[], over: boolean }>} */
   const stream = signal({ basis: '', items: [], over: false });
   const empty = { items: /** @type {readonly PageDocument[]} */ ([]), over: false };
+  let running = false;
 
   return {
     basis,
@@ -44,17 +47,41 @@ export function createAlternatives({ store, pages }) {
   };
 
   /**
-   * Makes the stream longer.
+   * Makes the stream longer, a few pages at a stretch.
    * @param {number} count
    */
-  function more(count) {
-    const now = basis.peek();
-    const { items, over } = stream.peek().basis === now ? stream.peek() : empty;
-    if (now === '' || over) return;
-    const fresh = [...items];
-    const known = new Set(items.map(look));
+  async function more(count) {
+    if (running) return;
+    running = true;
+    try {
+      const now = basis.peek();
+      const goal = current(now).items.length + count;
+      while (now !== '' && basis.peek() === now && !current(now).over && current(now).items.length < goal) {
+        stretch(now, goal);
+        await new Promise((resolve) => { setTimeout(resolve); });
+      }
+    } finally {
+      running = false;
+    }
+    // What it depends on has changed meanwhile, and nobody else would begin again.
+    if (basis.peek() !== '' && current(basis.peek()).items.length === 0 && !current(basis.peek()).over) await more(count);
+  }
+
+  /** @param {string} now */
+  function current(now) {
+    return stream.peek().basis === now ? stream.peek() : empty;
+  }
+
+  /**
+   * @param {string} now
+   * @param {number} goal
+   */
+  function stretch(now, goal) {
+    const fresh = [...current(now).items];
+    const known = new Set(fresh.map(look));
+    const end = performance.now() + STRETCH;
     let tries = 0;
-    while (fresh.length < items.length + count && tries < TRIES) {
+    while (fresh.length < goal && tries < TRIES && (performance.now() < end || tries > 0)) {
       const page = pages.plan({ keep: { ...store.project.peek().locks }, mode: 'shuffle' });
       if (!page || known.has(look(page))) {
         tries += 1;

@@ -4,6 +4,7 @@
  * jumps. A file that cannot be read is named, and the rest go on.
  */
 
+import { batch } from '@preact/signals';
 import { isVideo } from '../engine/video.js';
 import { strings } from '../strings.js';
 import { byName } from './album.js';
@@ -53,7 +54,8 @@ export function createReading({ store, pages, engine, messages }) {
       return;
     }
     const first = store.tray.peek().length === 0;
-    const sources = byName(given).map((file) => sourceOf(file, credits?.get(file.name)));
+    // As one change: hundreds one by one would each be looked at by all that depends on the album.
+    const sources = batch(() => byName(given).map((file) => sourceOf(file, credits?.get(file.name))));
     const ids = sources.flatMap((source) => source.ids);
     intake.count(0, ids.length);
     if (first) {

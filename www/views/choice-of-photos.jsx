@@ -13,10 +13,11 @@ export function ChoiceOfPhotos() {
   const { alike, order } = store.project.value;
   /** Where the slider is while it is dragged. */
   const [wish, setWish] = useState(/** @type {number | null} */ (null));
+  const [open, setOpen] = useState(false);
   const shown = wish ?? alike;
   const busy = store.reading.value !== null;
   return (
-    <details class="choice">
+    <details class="choice" onToggle={({ currentTarget }) => setOpen(currentTarget.open)}>
       <summary>{strings.choice}</summary>
       <label class="field">
         <span>{strings.alike}</span>
@@ -33,7 +34,7 @@ export function ChoiceOfPhotos() {
             choosing.setAlike(currentTarget.valueAsNumber);
           }}
         />
-        <output aria-hidden="true">{strings.alikeKept(keptAt(store, shown), store.tray.value.length)}</output>
+        <output aria-hidden="true">{open && !busy && strings.alikeKept(keptAt(store, shown), store.tray.value.length)}</output>
       </label>
       <label class="field">
         <span>{strings.order}</span>

@@ -1,6 +1,7 @@
 // @ts-check
 /** A photo on the table: its picture, whether it is used and why not, and what can be done with it. */
 
+import { useComputed } from '@preact/signals';
 import { strings } from '../strings.js';
 import { Bitmap, screenPixels } from './bitmap.jsx';
 import { useApp } from './context.js';
@@ -16,15 +17,16 @@ const SIDE = 96;
 
 /**
  * @param {{
- *   item: TrayItem, used: boolean, stack?: number, onOpen?: () => void, onTake?: () => void,
+ *   item: TrayItem, used: boolean, stack?: number, onTake?: () => void,
  * }} props `stack`: how many it stands for, on top of a closed stack; `onTake`: to take it in place of the others
  */
-export function PhotoTile({ item: { id }, used, stack = 0, onOpen, onTake }) {
+export function PhotoTile({ item: { id }, used, stack = 0, onTake }) {
   const { store, reading, engine, selection, framing, ui } = useApp();
   const [panel, ...others] = selection.panels.value;
   const takes = panel !== undefined && others.length === 0 && !framing.isLocked(panel);
-  const fact = store.album.value.get(id);
-  const verdict = store.verdicts.value.get(id);
+  // Each photo that arrives makes another album; only its own tile is drawn anew.
+  const fact = useComputed(() => store.album.value.get(id)).value;
+  const verdict = useComputed(() => store.verdicts.value.get(id)).value;
   const name = fact?.name ?? id;
   const ready = fact?.meta !== null && engine.hasPhoto(id);
   const about = [fact?.credit ?? name, verdict?.why].filter(Boolean).join('\n');
@@ -77,7 +79,7 @@ export function PhotoTile({ item: { id }, used, stack = 0, onOpen, onTake }) {
           aria-expanded="false"
           aria-label={strings.openStack(stack, name)}
           title={strings.openStack(stack, name)}
-          onClick={onOpen}
+          onClick={() => { ui.stack.value = id; }}
         >
           {stack}
         </button>

@@ -3,6 +3,7 @@
  * The photos: those on the table, and those set aside with the reason.
  */
 
+import { useRef } from 'preact/hooks';
 import { isUsed } from '../state/album.js';
 import { strings } from '../strings.js';
 import { IconButton } from './button.jsx';
@@ -13,7 +14,10 @@ import { PhotoTile } from './photo-tile.jsx';
 import { Stack, stacks } from './stack.jsx';
 import { Videos } from './videos.jsx';
 
+/** @typedef {import('../state/project.js').TrayItem} TrayItem */
+
 export function Tray() {
+  const tile = useTiles();
   const { store, subjects, ui } = useApp();
   const tray = store.tray.value;
   const verdicts = store.verdicts.value;
@@ -45,13 +49,30 @@ export function Tray() {
           if (item.id === first) return <Stack key="stack" items={stack} />;
           // The first that is used stands for its stack.
           const top = stack.find((other) => isUsed(other, verdicts)) === item;
-          return <PhotoTile key={item.id} item={item} used stack={top ? stack.length : 0} onOpen={() => { ui.stack.value = item.id; }} />;
+          return tile(item, true, top ? stack.length : 0);
         })}
       </ul>
       {aside.length > 0 && <h3 class="aside-head">{strings.setAside}</h3>}
-      {aside.length > 0 && <ul class="photos">{aside.map((item) => <PhotoTile key={item.id} item={item} used={false} />)}</ul>}
+      {aside.length > 0 && <ul class="photos">{aside.map((item) => tile(item, false, 0))}</ul>}
     </section>
   );
+}
+
+/**
+ * The tile of a photo, the same object as long as nothing about it changes: a tray of hundreds is gone through with
+ * every photo that is read.
+ * @returns {(item: TrayItem, used: boolean, stack: number) => import('preact').VNode}
+ */
+function useTiles() {
+  const known = useRef(/** @type {Map<string, { of: string, item: TrayItem, tile: import('preact').VNode }>} */ (new Map()));
+  return (item, used, stack) => {
+    const of = `${used} ${stack}`;
+    const last = known.current.get(item.id);
+    if (last?.of === of && last.item === item) return last.tile;
+    const tile = <PhotoTile key={item.id} item={item} used={used} stack={stack} />;
+    known.current.set(item.id, { of, item, tile });
+    return tile;
+  };
 }
 
 /** @param {import('../state/store.js').Progress} props */
