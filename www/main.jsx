@@ -58,6 +58,8 @@ engine.ready.then(
     ownLayouts.recall();
     ownStyles.recall();
     openLink();
+    // The catalogues are read while nobody waits; the first page would else wait for them.
+    setTimeout(() => [store.layouts.peek(), store.styles.peek()]);
   },
   (error) => messages.alert(strings.coreFailed(error.message)),
 );
