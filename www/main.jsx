@@ -6,6 +6,7 @@
 import { effect } from '@preact/signals';
 import { render } from 'preact';
 import { createEngine } from './engine/engine.js';
+import { unreadMeta } from './state/album.js';
 import { createAlternatives } from './state/alternatives.js';
 import { createChoosing } from './state/choosing.js';
 import { createDesigner } from './state/designer.js';
@@ -58,11 +59,18 @@ engine.ready.then(
     ownLayouts.recall();
     ownStyles.recall();
     openLink();
-    // The catalogues are read while nobody waits; the first page would else wait for them.
-    setTimeout(() => [store.layouts.peek(), store.styles.peek()]);
+    setTimeout(warmUp);
   },
   (error) => messages.alert(strings.coreFailed(error.message)),
 );
+
+/** Reads the catalogues and has the planner compiled while nobody waits; the first page would else wait for both. */
+function warmUp() {
+  store.layouts.peek();
+  store.styles.peek();
+  const keep = { layout: false, style: false, photos: false };
+  store.planner.peek()?.plan({ seed: 0, photos: [unreadMeta('none')], page: store.project.peek().settings, current: null, keep });
+}
 
 window.addEventListener('keydown', createKeys({ pages, download, ui, selection, framing, reshaping }));
 acceptFiles(window, (files) => {
