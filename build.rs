@@ -25,10 +25,23 @@ fn embed(folder: &str, table: &str) -> io::Result<()> {
     for path in &files {
         let name = path.file_name().unwrap_or_default().to_string_lossy();
         println!("cargo:rerun-if-changed={}", path.display());
-        writeln!(source, "    ({name:?}, include_str!({:?})),", path.display().to_string())
-            .map_err(io::Error::other)?;
+        let text = without_space(&fs::read_to_string(path)?);
+        writeln!(source, "    ({name:?}, {text:?}),").map_err(io::Error::other)?;
     }
     source.push_str("];\n");
     let out = env::var("OUT_DIR").map_err(io::Error::other)?;
     fs::write(Path::new(&out).join(format!("{folder}.rs")), source)
+}
+
+/// JSON without what stands between its tokens: every visitor loads these texts.
+fn without_space(json: &str) -> String {
+    let (mut inside, mut escaped) = (false, false);
+    let mut kept = json.to_owned();
+    kept.retain(|letter| {
+        let keep = inside || !letter.is_ascii_whitespace();
+        inside ^= letter == '"' && !escaped;
+        escaped = inside && letter == '\\' && !escaped;
+        keep
+    });
+    kept
 }
