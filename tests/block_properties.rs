@@ -111,7 +111,8 @@ fn no_pixel_depends_on_the_width_of_its_row() {
                 let mut context = Context::default();
                 context.set_scale(1.0);
                 let reach = match block.id {
-                    // The percentiles are those of the whole image, and a grid of cells or of pixels depends on its size.
+                    // The percentiles are those of the whole image, and so are the pixels of another size: they have
+                    // plain references of their own below.
                     "equalize" | "dynamic_range" | "size" => continue,
                     _ => reach(block, &values),
                 };
@@ -122,6 +123,104 @@ fn no_pixel_depends_on_the_width_of_its_row() {
                     for y in 0..3 {
                         assert_eq!(out.row(y)[..upto], expected.row(y)[..upto], "{} width {width}", block.id);
                     }
+                }
+            }
+        }
+    }
+}
+
+/// Percentile of luma by sorting (inverted CDF).
+fn percentile(image: &Image, percent: f64) -> f64 {
+    let mut luma = inkpanel::simd::point::luma_plane(image).into_samples();
+    luma.sort_unstable();
+    let rank = (percent / 100.0 * luma.len() as f64).ceil().max(1.0) as usize;
+    f64::from(luma[rank - 1])
+}
+
+/// The blocks of percentiles as their formulas say, without lanes, at every width.
+#[test]
+fn tones_are_stretched_as_the_formulas_say_at_every_width() {
+    for (id, values) in [
+        ("equalize", [5.0, 95.0]),
+        ("equalize", [20.0, 60.5]),
+        ("dynamic_range", [128.0, 0.0]),
+        ("dynamic_range", [250.0, 0.0]),
+    ] {
+        let block = inkpanel::style::blocks::find(id).unwrap();
+        for width in 1..=67 {
+            for image in inputs(block, width, 3) {
+                let stretch: Box<dyn Fn(f64) -> f64> = if id == "equalize" {
+                    let [low, high] = values.map(|percent| percentile(&image, percent));
+                    Box::new(move |v| if high > low { (v - low) * 255.0 / (high - low) } else { v })
+                } else {
+                    let ([low, high], range) =
+                        ([5.0, 95.0].map(|percent| percentile(&image, percent)), values[0]);
+                    let start = (f64::midpoint(low, high) - range / 2.0).clamp(0.0, 255.0 - range);
+                    let flat = high <= low || high - low >= range;
+                    Box::new(move |v| if flat { v } else { start + (v - low) * range / (high - low) })
+                };
+                let numbers = values.map(|value| value as f32);
+                let out = run(block, &numbers[..block.params.len()], &image, &mut Context::default());
+                for (out, before) in out.planes().iter().zip(image.planes()) {
+                    for (&out, &before) in out.samples().iter().zip(before.samples()) {
+                        let exact = stretch(f64::from(before)).clamp(0.0, 255.0);
+                        // Halves may be rounded either way.
+                        assert!(
+                            (f64::from(out) - exact).abs() < 0.5001,
+                            "{id} {values:?} width {width}: {out} {exact}"
+                        );
+                    }
+                }
+            }
+        }
+    }
+}
+
+/// A line of samples at another length: the area that each covers, or Catmull-Rom on replicated borders.
+fn line(samples: &[f64], count: usize) -> Vec<f64> {
+    let step = samples.len() as f64 / count as f64;
+    let at = |i: isize| samples[i.clamp(0, samples.len() as isize - 1) as usize];
+    let one = |i: usize| {
+        let (from, to) = (i as f64 * step, (i + 1) as f64 * step);
+        if step >= 1.0 {
+            let part = |x: usize| (to.min(x as f64 + 1.0) - from.max(x as f64)).max(0.0);
+            return (0..samples.len()).map(|x| part(x) * samples[x]).sum::<f64>() / step;
+        }
+        let centre = f64::midpoint(from, to) - 0.5;
+        let (k, t) = (centre.floor() as isize, centre - centre.floor());
+        let [a, b, c, d] = [-1, 0, 1, 2].map(|i| at(k + i));
+        b + 0.5 * t * (c - a + t * (2.0 * a - 5.0 * b + 4.0 * c - d + t * (3.0 * (b - c) + d - a)))
+    };
+    (0..count).map(one).collect()
+}
+
+/// Size against the same without lanes, at every width.
+#[test]
+fn sizes_are_those_of_plain_sums_at_every_width() {
+    let block = inkpanel::style::blocks::find("size").unwrap();
+    for percent in [10.0f32, 35.0, 50.0, 75.0, 140.0, 200.0, 300.0] {
+        for (width, height) in (1..=67).map(|width| (width, if width % 2 == 0 { 34 } else { 5 })) {
+            // Far from black and white, Catmull-Rom is not clipped between the axes.
+            let calm = |plane: &Plane| Plane::from_fn(width, height, |x, y| 64 + plane.at(x, y) / 2);
+            let image = Image::from_luma(calm(&plane(width, height, width as u64)));
+            let out = run(block, &[percent], &image, &mut Context::default());
+            let (columns, rows) = (out.width(), out.height());
+            let scaled = |side: usize| ((side as f64 * f64::from(percent) / 100.0).round() as usize).max(1);
+            assert_eq!((columns, rows), (scaled(width), scaled(height)));
+            let across: Vec<Vec<f64>> = (0..height)
+                .map(|y| {
+                    line(&image.planes()[0].row(y).iter().map(|&v| f64::from(v)).collect::<Vec<_>>(), columns)
+                })
+                .collect();
+            for x in 0..columns {
+                let column: Vec<f64> = across.iter().map(|row| row[x]).collect();
+                for (y, exact) in line(&column, rows).into_iter().enumerate() {
+                    let found = f64::from(out.planes()[0].at(x, y));
+                    // Rounded once for each axis.
+                    assert!(
+                        (found - exact).abs() <= 1.14,
+                        "{percent} % of {width} at {x}, {y}: {found} {exact}"
+                    );
                 }
             }
         }

@@ -8,6 +8,7 @@
 //! |---|---|
 //! | [`point`] | operations on a pixel's own three channels, sixteen pixels at a time |
 //! | [`table`] | 256-entry tables, run as compares where a table has few steps |
+//! | [`tones`] | percentiles, by counting |
 //! | [`mix`] | weighted sums of rows, for resampling |
 //! | [`lanes`] | moves between lane widths |
 //! | [`flow`] | rows of the dual solver of Total Variation Flow |
@@ -32,4 +33,5 @@ pub mod mix;
 pub mod point;
 pub mod screen;
 pub mod table;
+pub mod tones;
 pub mod volume;

@@ -12,7 +12,7 @@ use crate::error::Result;
 use crate::raster::resize::{Region, resample};
 use crate::raster::{Image, Plane};
 use crate::simd::point::{self, luma_plane};
-use crate::simd::table;
+use crate::simd::tones::Tones;
 
 /// Pixels of a tile: three channels of it and a scratch row stay in a 32 KB cache.
 const TILE: usize = 4096;
@@ -133,11 +133,18 @@ fn run_block(step: &Step, image: Image, context: &mut Context<'_>) -> Result<Ima
     let args = Args::new(&step.values, context.scale());
     match step.block.kernel {
         Kernel::Point(op) => run_points(&[op(args)], image, false, context),
-        Kernel::Histogram(make) => {
-            let y = luma_plane(&image);
-            let op = PointOp::Table(make(args, &table::histogram(y.samples())));
+        Kernel::Tones(make) => {
+            let table = if let [r, g, b] = image.planes() {
+                let mut y = context.take_plane(image.width(), image.height());
+                point::luma(r.samples(), g.samples(), b.samples(), y.samples_mut());
+                let table = make(args, &Tones::new(y.samples()));
+                context.give_plane(y);
+                table
+            } else {
+                make(args, &Tones::new(image.planes()[0].samples()))
+            };
             let chroma = image.chroma().is_some();
-            run_points(&[op], image, chroma, context)
+            run_points(&[PointOp::Table(table)], image, chroma, context)
         }
         Kernel::Planes(kernel) => {
             let (planes, chroma) = image.into_parts();

@@ -1,7 +1,7 @@
 //! Histogram Minimum Dynamic Range: where the 5 and 95 percentiles of luma are closer than the range asked
 //! for, tones are scaled about their midpoint until they are not, and shifted so that both lie in 0..=255.
 
-use super::{Block, Channels, Kernel, equalize};
+use super::{Block, Channels, Kernel};
 use crate::simd::table::Table;
 use crate::style::params::{Unit, number};
 
@@ -18,10 +18,9 @@ pub(super) static BLOCK: Block = Block {
         (128.0, 0.0, 255.0, 1.0),
         Unit::Grey,
     )],
-    kernel: Kernel::Histogram(|args, histogram| {
+    kernel: Kernel::Tones(|args, tones| {
         let range = args.number(0);
-        let low = equalize::percentile(histogram, 5.0) as f32;
-        let high = equalize::percentile(histogram, 95.0) as f32;
+        let [low, high] = [5.0, 95.0].map(|percent| f32::from(tones.percentile(percent)));
         if high <= low || high - low >= range {
             return Table::from_fn(|v| v);
         }

@@ -22,44 +22,11 @@ pub(super) static BLOCK: Block = Block {
         ),
         number("high", "White from", "Percentile that turns white.", (95.0, 0.0, 100.0, 0.5), Unit::Percent),
     ],
-    kernel: Kernel::Histogram(|args, histogram| {
-        let low = percentile(histogram, args.number(0)) as f32;
-        let high = percentile(histogram, args.number(1)) as f32;
+    kernel: Kernel::Tones(|args, tones| {
+        let [low, high] = [0, 1].map(|i| f32::from(tones.percentile(args.number(i))));
         if high <= low {
             return Table::from_fn(|v| v);
         }
         Table::from_fn(|v| (v - low) * 255.0 / (high - low))
     }),
 };
-
-/// The smallest value that at least `percent` of the pixels do not exceed (inverted CDF).
-pub(super) fn percentile(histogram: &[u32; 256], percent: f32) -> usize {
-    let total: u64 = histogram.iter().map(|&n| u64::from(n)).sum();
-    let rank = (f64::from(percent) / 100.0 * total as f64).ceil().max(1.0) as u64;
-    let mut below = 0;
-    for (value, &count) in histogram.iter().enumerate() {
-        below += u64::from(count);
-        if below >= rank {
-            return value;
-        }
-    }
-    255
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn percentiles_are_those_of_the_inverted_cdf() {
-        let mut histogram = [0; 256];
-        histogram[10] = 5;
-        histogram[20] = 90;
-        histogram[200] = 5;
-        assert_eq!(percentile(&histogram, 5.0), 10);
-        assert_eq!(percentile(&histogram, 5.1), 20);
-        assert_eq!(percentile(&histogram, 95.0), 20);
-        assert_eq!(percentile(&histogram, 100.0), 200);
-        assert_eq!(percentile(&histogram, 0.0), 10);
-    }
-}

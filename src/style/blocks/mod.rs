@@ -27,6 +27,7 @@ use super::params::{Args, Param};
 use crate::error::Result;
 use crate::raster::{Image, Plane};
 use crate::simd::table::Table;
+use crate::simd::tones::Tones;
 pub(in crate::style) use pattern::Drawn as DrawnTiles;
 pub(in crate::style) use tvf::Buffers as FlowBuffers;
 use wide::i16x8;
@@ -96,8 +97,8 @@ pub enum Channels {
 pub enum Kernel {
     /// Looks at one pixel only: joins its neighbours in the chain in one pass.
     Point(fn(Args<'_>) -> PointOp),
-    /// A table made from the histogram of luma and applied to every plane.
-    Histogram(fn(Args<'_>, &[u32; 256]) -> Table),
+    /// A table made from percentiles of luma and applied to every plane.
+    Tones(fn(Args<'_>, &Tones<'_>) -> Table),
     /// Looks at neighbours, plane by plane.
     Planes(fn(Args<'_>, Plane, &mut Context<'_>) -> Result<Plane>),
     /// Looks at the luma of neighbours; a colour image keeps its colours and takes the new luma.
