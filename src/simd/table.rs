@@ -38,13 +38,13 @@ struct Levels {
     half: i16,
 }
 
-/// (v << shift) * gain + offset, rounded from Q19 and clipped.
+/// (v << shift) * gain + offset * unit, from Q19, and clipped. The offset holds the half that rounds.
 #[derive(Clone, Copy, Debug)]
 struct Affine {
     shift: u32,
     gain: i16,
-    /// In units of 2^13.
     offset: i16,
+    unit: i16,
 }
 
 impl Table {
@@ -141,7 +141,6 @@ impl Affine {
 
     /// The form of a table that is a straight line, clipped at both ends, if it is one.
     fn of(entries: &[u8; 256]) -> Option<Self> {
-        // The line between the ends of the part that is not clipped, then its neighbours: rounding hides its slope.
         let inner = |v: &usize| (1..255).contains(&entries[*v]);
         let (first, last) = ((0..256).find(inner)?, (0..256).rfind(inner)?);
         let rise = f64::from(entries[last]) - f64::from(entries[first]);
@@ -150,50 +149,70 @@ impl Affine {
             return None;
         }
         let one = f64::from(1u32 << Self::BITS);
-        for slope in (-8..=8).map(|k| (rise + f64::from(k) / 8.0) / run) {
-            // The largest factor below 2^15.
-            let shift = (0..=7).find(|&shift| slope * one / f64::from(1u32 << shift) < 32767.0)?;
-            let gain = (slope * one / f64::from(1u32 << shift)).round();
-            // Offsets at which all entries inside are right.
-            let exact = |v: usize| gain * f64::from(1u32 << shift) / one * v as f64;
-            let ends = (first..=last).map(|v| {
-                let least = f64::from(entries[v]) - 0.5 - exact(v);
-                (least, least + 1.0)
-            });
-            let (low, high) = ends.fold((f64::MIN, f64::MAX), |a, b| (a.0.max(b.0), a.1.min(b.1)));
-            let offset = (f64::midpoint(low, high) * one / 8192.0).round();
-            if low >= high || offset.abs() > 32000.0 {
-                continue;
+        // Rounding hides the slope; where no offset suits all entries, those in the way say to which side it lies.
+        let (mut least, mut most) = ((rise - 1.0) / run, (rise + 1.0) / run);
+        let shift = (0..=7).find(|&shift| most * one / f64::from(1u32 << shift) < 32767.0)?;
+        for _ in 0..16 {
+            let gain = (f64::midpoint(least, most) * one / f64::from(1u32 << shift)).round();
+            let slope = gain * f64::from(1u32 << shift) / one;
+            let ((low, from), (high, to)) = bounds(entries, slope);
+            if low < high {
+                let affine = Self::new(shift, gain as i16, f64::midpoint(low, high))?;
+                return (0..256).all(|v| affine.one(v as i32) == i32::from(entries[v])).then_some(affine);
             }
-            let affine = Self { shift, gain: gain as i16, offset: offset as i16 };
-            if (0..256).all(|v| affine.one(v as i32) == i32::from(entries[v])) {
-                return Some(affine);
+            if from > to {
+                least = slope;
+            } else {
+                most = slope;
             }
         }
         None
     }
 
+    /// With the finest unit in which the offset fits.
+    fn new(shift: u32, gain: i16, offset: f64) -> Option<Self> {
+        let offset = (offset + 0.5) * f64::from(1u32 << Self::BITS);
+        let unit =
+            (0..15).map(|bits| 1i16 << bits).find(|&unit| (offset / f64::from(unit)).abs() < 32767.0)?;
+        Some(Self { shift, gain, offset: (offset / f64::from(unit)).round() as i16, unit })
+    }
+
     fn one(self, v: i32) -> i32 {
-        let sum = (v << self.shift) * i32::from(self.gain) + (i32::from(self.offset) << 13);
-        ((sum + (1 << (Self::BITS - 1))) >> Self::BITS).clamp(0, 255)
+        let sum = (v << self.shift) * i32::from(self.gain) + i32::from(self.offset) * i32::from(self.unit);
+        (sum >> Self::BITS).clamp(0, 255)
     }
 
     fn apply(self, chunks: &mut [[u8; 16]]) {
-        // Pairs of lanes: (v, 2^13) and (gain, offset and the half that rounds).
+        // Pairs of lanes: (v, unit) and (gain, offset).
         let shift = i16x8::splat(1 << self.shift);
-        let one = i16x8::splat(1 << 13);
-        let (gain, offset) = (i16x8::splat(self.gain), i16x8::splat(self.offset + 32));
-        let factors = interleave_low(gain, offset);
+        let unit = i16x8::splat(self.unit);
+        let factors = interleave_low(i16x8::splat(self.gain), i16x8::splat(self.offset));
         let line = |v: i16x8| {
             let v = v * shift;
             let sum = |pairs: i16x8| pairs.dot(factors) >> Self::BITS;
-            narrow(sum(interleave_low(v, one)), sum(interleave_high(v, one)))
+            narrow(sum(interleave_low(v, unit)), sum(interleave_high(v, unit)))
         };
         for chunk in chunks {
             let v = u8x16::new(*chunk);
             *chunk = u8x16::narrow_i16x8(line(widen_low(v)), line(widen_high(v))).to_array();
         }
     }
+}
+
+/// The offsets between which a line of this slope rounds to all entries, clipping at both ends, and the inputs that set
+/// them.
+fn bounds(entries: &[u8; 256], slope: f64) -> ((f64, usize), (f64, usize)) {
+    let (mut low, mut high) = ((f64::MIN, 0), (f64::MAX, 0));
+    for (v, &entry) in entries.iter().enumerate() {
+        let least = f64::from(entry) - 0.5 - slope * v as f64;
+        if entry > 0 && least > low.0 {
+            low = (least, v);
+        }
+        if entry < 255 && least + 1.0 < high.0 {
+            high = (least + 1.0, v);
+        }
+    }
+    (low, high)
 }
 
 /// The blocks that are not all the commonest value, unless they are many.
@@ -316,7 +335,7 @@ mod tests {
             check(&Table::from_fn(|v| if v < levels { 0.0 } else { 200.0 }));
         }
         assert!(forms.iter().all(|&count| count > 0), "{forms:?}");
-        assert!(forms[2] >= 30 && forms[3] >= 90, "{forms:?}");
+        assert!(forms[2] >= 30 && forms[3] >= 150, "{forms:?}");
     }
 
     #[test]

@@ -11,7 +11,7 @@ const STEP: usize = 16;
 const TRIED: usize = 4;
 
 /// Of so many groups of samples one is looked at for a first guess.
-const SPARSE: usize = 13;
+const SPARSE: usize = 29;
 
 /// Below this many samples the histogram of all of them costs next to nothing.
 const FEW: usize = 1 << 16;
