@@ -21,6 +21,7 @@ import { createOwnStyles, freshStyleId } from './state/own-styles.js';
 import { createPages, freshSeed } from './state/pages.js';
 import { createReading } from './state/reading.js';
 import { createReshaping } from './state/reshaping.js';
+import { createScrubbing } from './state/scrubbing.js';
 import { createSelection } from './state/selection.js';
 import { createStore } from './state/store.js';
 import { isStyleLink } from './state/style-link.js';
@@ -39,6 +40,7 @@ const messages = createMessages();
 const pages = createPages(store);
 const reading = createReading({ store, pages, engine, messages });
 const choosing = createChoosing({ store, pages, reading });
+const scrubbing = createScrubbing({ store, pages, reading, engine, messages });
 const selection = createSelection({ store });
 const merging = createMerging({ store, pages, selection });
 const framing = createFraming({ store, pages });
@@ -91,7 +93,7 @@ effect(() => {
 });
 
 render(
-  <AppContext.Provider value={{ store, pages, selection, merging, framing, reshaping, ownLayouts, designer, ownStyles, styling, subjects, reading, choosing, download, alternatives, messages, ui, engine }}>
+  <AppContext.Provider value={{ store, pages, selection, merging, framing, reshaping, ownLayouts, designer, ownStyles, styling, subjects, reading, choosing, scrubbing, download, alternatives, messages, ui, engine }}>
     <App />
   </AppContext.Provider>,
   /** @type {HTMLElement} */ (document.getElementById('app')),

@@ -30,6 +30,8 @@ export const panelStrings = {
   swapPhoto: 'Swap photo',
   lockPanel: 'Lock panel',
   focusPoint: 'Focus point',
+  earlierFrame: 'Earlier frame',
+  laterFrame: 'Later frame',
   panelLocked: 'the panel is locked',
   unchanged: 'the photo is as the page placed it',
   putHere: (/** @type {string} */ photo, /** @type {number} */ panel) => `Put ${photo} in panel ${panel}`,

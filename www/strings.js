@@ -172,6 +172,7 @@ export const strings = {
     { keys: ['Shift', 'Ctrl', 'Z'], does: 'Redo' },
     { keys: ['←', '↑', '→', '↓'], does: 'Move between panels' },
     { keys: ['Enter'], does: 'Move a panel’s photo with the arrows' },
+    { keys: [',', '.'], does: 'Earlier or later frame of a video, with Shift by a second' },
     { keys: ['+', '−', '0'], does: 'Zoom a panel’s photo, reset it' },
     { keys: ['Shift', 'Enter'], does: 'Select a panel' },
     { keys: ['Alt', '↑', '↓'], does: 'Slant a cut of the layout' },

@@ -40,6 +40,7 @@
  *   | { type: 'forget-photos', ids: string[] }
  *   | { type: 'use-photo', id: string, use: boolean }
  *   | { type: 'use-photos', uses: ReadonlyMap<string, boolean> }
+ *   | { type: 'exchange-photo', id: string, by: string }
  *   | { type: 'choose-by', alike?: number, order?: Order }
  *   | { type: 'focus-photo', id: string, focus: { x: number, y: number } | null }
  *   | { type: 'lock', part: Part, on: boolean }
@@ -109,6 +110,11 @@ export function reduce(project, action) {
       return {
         ...project,
         tray: project.tray.map((item) => ({ ...item, use: action.uses.get(item.id) ?? item.use })),
+      };
+    case 'exchange-photo':
+      return {
+        ...project,
+        tray: project.tray.map((item) => (item.id === action.id ? { ...item, id: action.by, use: true } : item)),
       };
     case 'choose-by': {
       const { alike = project.alike, order = project.order } = action;

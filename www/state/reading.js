@@ -39,7 +39,7 @@ export function createReading({ store, pages, engine, messages }) {
   const intake = createIntake({ store, pages, engine, messages });
   const frames = createFrames({ store, engine, intake });
 
-  return { addFiles, addSamples, resample, cancel, use, remove, edit };
+  return { addFiles, addSamples, resample, cancel, use, remove, edit, freshIds: intake.freshIds };
 
   /**
    * @param {readonly File[]} given

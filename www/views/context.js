@@ -12,6 +12,7 @@ import { useContext } from 'preact/hooks';
  *   pages: import('../state/pages.js').Pages,
  *   subjects: import('../state/subjects.js').Subjects,
  *   reading: import('../state/reading.js').Reading,
+ *   scrubbing: import('../state/scrubbing.js').Scrubbing,
  *   choosing: import('../state/choosing.js').Choosing,
  *   selection: import('../state/selection.js').Selection,
  *   merging: import('../state/merging.js').Merging,

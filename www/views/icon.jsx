@@ -51,6 +51,8 @@ const PATHS = {
   designer: 'M4 5h7v5H4zM13 14h7v5h-7zM7.5 10v6.5H13M16.5 14V7.5H11',
   explorer: 'M4 4h6v6H4zM14 4h6v6h-6zM4 14h6v6H4zM17 14v6M14 17h6',
   breed: 'M6 4v4a6 6 0 0 0 6 6M18 4v4a6 6 0 0 1-6 6M12 14v6',
+  earlier: 'M5 6v12M18.5 6 9 12l9.5 6z',
+  later: 'M19 6v12M5.5 6 15 12l-9.5 6z',
   check: 'M5 12.5l4.5 4.5L19 7.5',
   alert: 'M12 4 2.8 20h18.4zM12 10v4.5M12 17.3v.2',
 };

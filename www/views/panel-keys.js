@@ -5,6 +5,7 @@
  */
 
 import { useRef } from 'preact/hooks';
+import { LARGE_STEP as LARGE_SCRUB, STEP as SCRUB } from '../state/scrubbing.js';
 import { useApp } from './context.js';
 import { WAYS, neighbour } from './panel-shape.js';
 
@@ -18,7 +19,7 @@ const ZOOM = 1.1;
  * @param {{ panels: import('./panel-shape.js').PanelShape[], go: (panel: number) => void }} page
  */
 export function usePanelKeys({ panels, go }) {
-  const { framing, selection } = useApp();
+  const { framing, scrubbing, selection } = useApp();
   /** A key that is held, or pressed again and again, is one step of the undo until another one is pressed. */
   const last = useRef({ key: '', gesture: '' });
 
@@ -68,7 +69,19 @@ export function usePanelKeys({ panels, go }) {
       if ((key === 'Enter' && shiftKey) || selection.several.peek()) return () => selection.toggle(panel);
       if (key === 'Enter' && !framing.isLocked(panel)) return () => { framing.mode.value = { kind: 'frame', panel }; };
     }
-    return zoomed(key, panel);
+    return scrubbed({ key, shiftKey }, panel) ?? zoomed(key, panel);
+  }
+
+  /**
+   * A comma and a full stop, as in film editors; with Shift a second.
+   * @param {{ key: string, shiftKey: boolean }} event
+   * @param {number} panel
+   * @returns {((gesture: string) => void) | undefined}
+   */
+  function scrubbed({ key, shiftKey }, panel) {
+    const way = { ',': -1, '<': -1, '.': 1, '>': 1 }[key];
+    if (way === undefined || framing.isLocked(panel) || !scrubbing.isFrame(panel)) return undefined;
+    return (gesture) => scrubbing.nudge(panel, way * (shiftKey ? LARGE_SCRUB : SCRUB), gesture);
   }
 
   /** @param {string} key @param {number} panel */

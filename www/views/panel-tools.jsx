@@ -4,6 +4,7 @@
  * changed. A tool that cannot be used says why.
  */
 
+import { STEP } from '../state/scrubbing.js';
 import { strings } from '../strings.js';
 import { useApp } from './context.js';
 import { Icon } from './icon.jsx';
@@ -40,15 +41,17 @@ export function PanelTools() {
 
 /** For the photo of the panel that is chosen, or the photos of two. */
 function PhotoTools() {
-  const { store, selection, framing } = useApp();
+  const { store, selection, framing, scrubbing } = useApp();
   const chosen = selection.panels.value;
   const [panel, other] = chosen;
+  const frame = chosen.length === 1 && scrubbing.isFrame(panel);
   const mode = framing.mode.value?.kind;
   const one = oneOf(chosen);
   const held = chosen.some(framing.isLocked) ? strings.panelLocked : '';
   const why = one || held;
   const edited = store.page.value?.panels[panel]?.edited;
   const swap = () => (other === undefined ? framing.toggle('swap', panel) : framing.swap(panel, other));
+  const scrub = (/** @type {number} */ seconds) => scrubbing.nudge(panel, seconds, `scrub-${panel}`);
   return (
     <>
       <span class="rail-line" />
@@ -60,6 +63,13 @@ function PhotoTools() {
       <Tool icon="focus" label={strings.focusPoint} why={why} pressed={mode === 'focus'} onClick={() => framing.toggle('focus', panel)} />
       <Tool icon={framing.isLocked(panel) ? 'lock' : 'unlock'} label={strings.lockPanel} why={one} pressed={framing.isLocked(panel)}
         onClick={() => framing.lock(panel, !framing.isLocked(panel))} />
+      {frame && (
+        <>
+          <span class="rail-line" />
+          <Tool icon="earlier" label={strings.earlierFrame} shortcut="," why={held} onClick={() => scrub(-STEP)} />
+          <Tool icon="later" label={strings.laterFrame} shortcut="." why={held} onClick={() => scrub(STEP)} />
+        </>
+      )}
     </>
   );
 }
@@ -70,17 +80,19 @@ function oneOf(chosen) {
 }
 
 /**
- * @param {{ icon: string, label: string, onClick: () => void, why?: string, pressed?: boolean }} props
+ * @param {{ icon: string, label: string, onClick: () => void, why?: string, pressed?: boolean, shortcut?: string }} props
  *   `why`: the reason that it cannot be used
  */
-export function Tool({ icon, label, onClick, why = '', pressed }) {
+export function Tool({ icon, label, onClick, why = '', pressed, shortcut }) {
+  const name = shortcut ? `${label} (${shortcut})` : label;
   return (
     <button
       type="button"
       class="icon-button tool"
       aria-label={label}
       aria-pressed={pressed}
-      title={why ? `${label}: ${why}` : label}
+      aria-keyshortcuts={shortcut}
+      title={why ? `${name}: ${why}` : name}
       disabled={why !== ''}
       onClick={onClick}
     >

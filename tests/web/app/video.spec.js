@@ -85,3 +85,29 @@ test('a file that is no film is named with the reason', async ({ page }) => {
   await idle(page);
   await expect(page.getByRole('checkbox', { name: /^Use broken/ })).toHaveCount(0);
 });
+
+test('a panel’s frame is exchanged for a later one by the tool and by the keys, each one step', async ({ page }) => {
+  await page.goto('./');
+  await add(page, [await video('album.mp4', 'video/mp4')]);
+  await expect(page.getByRole('region', { name: 'Storyboard page' })).toBeVisible();
+  await idle(page);
+  const shown = async () => (await contents(page)).photos.map((name) => name.replace(', selected', ''));
+  const before = { times: await times(page), photos: await shown() };
+  const panel = page.getByRole('region', { name: 'Storyboard page' }).getByRole('group', { name: /^Panel 1 of/ });
+  await panel.click();
+  const changed = async () => (await times(page)).filter((time) => !before.times.includes(time));
+  await page.getByRole('button', { name: 'Later frame' }).click();
+  await expect.poll(async () => (await changed()).length).toBe(1);
+  await idle(page);
+  const [later] = await changed();
+  expect(before.times.some((time) => Math.abs(later - time - 0.1) < 0.02)).toBe(true);
+  expect((await shown())[0]).not.toBe(before.photos[0]);
+  await press(page, 'Undo');
+  expect(await times(page)).toEqual(before.times);
+  expect(await shown()).toEqual(before.photos);
+  await panel.focus();
+  for (let i = 0; i < 3; i += 1) await page.keyboard.press(',');
+  await expect.poll(async () => (await changed()).length).toBe(1);
+  await press(page, 'Undo');
+  expect(await times(page)).toEqual(before.times);
+});
