@@ -91,7 +91,7 @@ test('a panel’s frame is exchanged for a later one by the tool and by the keys
   await add(page, [await video('album.mp4', 'video/mp4')]);
   await expect(page.getByRole('region', { name: 'Storyboard page' })).toBeVisible();
   await idle(page);
-  const shown = async () => (await contents(page)).photos.map((name) => name.replace(', selected', ''));
+  const shown = async () => (await contents(page)).photos.map((name) => name?.replace(', selected', ''));
   const before = { times: await times(page), photos: await shown() };
   const panel = page.getByRole('region', { name: 'Storyboard page' }).getByRole('group', { name: /^Panel 1 of/ });
   await panel.click();
