@@ -11,6 +11,7 @@ import { createAlternatives } from './state/alternatives.js';
 import { createChoosing } from './state/choosing.js';
 import { createDesigner } from './state/designer.js';
 import { createDownload } from './state/download.js';
+import { createExplorer } from './state/explorer.js';
 import { createFraming } from './state/framing.js';
 import { createKeys } from './state/keys.js';
 import { createMerging } from './state/merging.js';
@@ -48,6 +49,7 @@ const reshaping = createReshaping({ store, pages, seed: freshSeed });
 const ownLayouts = createOwnLayouts({ store, pages, messages, box: () => window.localStorage });
 const designer = createDesigner({ store, pages, messages, ui, freshId: freshStyleId });
 const ownStyles = createOwnStyles({ store, pages, messages, designer, freshId: freshStyleId, box: () => window.localStorage });
+const explorer = createExplorer({ store, engine, messages, ownStyles, seed: freshSeed });
 const styling = createStyling({ store, ownStyles });
 const subjects = createSubjects({
   store, pages, messages, engine, painted: () => ui.painted.value === store.page.value, wanted: ui.detects,
@@ -93,7 +95,7 @@ effect(() => {
 });
 
 render(
-  <AppContext.Provider value={{ store, pages, selection, merging, framing, reshaping, ownLayouts, designer, ownStyles, styling, subjects, reading, choosing, scrubbing, download, alternatives, messages, ui, engine }}>
+  <AppContext.Provider value={{ store, pages, selection, merging, framing, reshaping, ownLayouts, designer, ownStyles, styling, explorer, subjects, reading, choosing, scrubbing, download, alternatives, messages, ui, engine }}>
     <App />
   </AppContext.Provider>,
   /** @type {HTMLElement} */ (document.getElementById('app')),

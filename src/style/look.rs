@@ -14,6 +14,8 @@ const LINE: f64 = 0.72;
 const NEAR: usize = 48;
 /// Mean distance of the largest to the smallest channel, in grey steps, below which a picture is gray.
 const COLOURLESS: f64 = 9.0;
+/// The same for a drawing, whose ink may have a tint.
+const INK: f64 = 26.0;
 /// Share of pixels that equal their right and lower neighbours, from which colours are flat.
 const FLAT: f64 = 0.5;
 /// Differences up to this many grey steps are none.
@@ -52,10 +54,11 @@ pub fn look(picture: &Image) -> Look {
     let pixels = luma.samples().len().max(1) as f64;
     let counts = histogram(luma.samples());
     let ends: u32 = counts[..NEAR].iter().chain(&counts[256 - NEAR..]).sum();
-    if f64::from(ends) / pixels >= LINE {
+    let colour = colour(picture);
+    if f64::from(ends) / pixels >= LINE && colour < INK {
         return Look::Line;
     }
-    if colour(picture) < COLOURLESS {
+    if colour < COLOURLESS {
         return Look::Gray;
     }
     let (width, height) = (luma.width(), luma.height());

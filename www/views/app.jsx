@@ -4,6 +4,7 @@ import { Board } from './board.jsx';
 import { useApp } from './context.js';
 import { Designer } from './designer/designer.jsx';
 import { dragging } from './drop.js';
+import { Explorer } from './explorer/explorer.jsx';
 import { ExportDialog } from './export-dialog.jsx';
 import { KeysDialog } from './keys-dialog.jsx';
 import { Start } from './start.jsx';
@@ -20,6 +21,7 @@ export function App() {
       <TopBar />
       {empty ? <Start /> : <Board />}
       {!empty && ui.work.value === 'designer' && <Designer />}
+      {!empty && ui.work.value === 'explorer' && <Explorer />}
       <Toasts />
       {dialog === 'keys' && <KeysDialog />}
       {dialog === 'export' && store.page.value && <ExportDialog />}

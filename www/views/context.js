@@ -21,6 +21,7 @@ import { useContext } from 'preact/hooks';
  *   ownLayouts: import('../state/own-layouts.js').OwnLayouts,
  *   designer: import('../state/designer.js').Designer,
  *   ownStyles: import('../state/own-styles.js').OwnStyles,
+ *   explorer: import('../state/explorer.js').Explorer,
  *   styling: import('../state/styling.js').StylingDeeds,
  *   download: import('../state/download.js').Download,
  *   alternatives: import('../state/alternatives.js').Alternatives,

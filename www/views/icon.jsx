@@ -50,6 +50,7 @@ const PATHS = {
   heart: 'M12 20S3.5 15 3.5 9.2A4.5 4.5 0 0 1 12 7a4.5 4.5 0 0 1 8.5 2.2C20.5 15 12 20 12 20z',
   designer: 'M4 5h7v5H4zM13 14h7v5h-7zM7.5 10v6.5H13M16.5 14V7.5H11',
   explorer: 'M4 4h6v6H4zM14 4h6v6h-6zM4 14h6v6H4zM17 14v6M14 17h6',
+  more: 'M4 4h9v9H4zM16 8h4v12H8v-4M14 14h6',
   breed: 'M6 4v4a6 6 0 0 0 6 6M18 4v4a6 6 0 0 1-6 6M12 14v6',
   earlier: 'M5 6v12M18.5 6 9 12l9.5 6z',
   later: 'M19 6v12M5.5 6 15 12l-9.5 6z',

@@ -14,5 +14,5 @@ export function Workspaces() {
       </button>
     );
   };
-  return <>{button('designer', () => designer.open())}</>;
+  return <>{button('designer', () => designer.open())}{button('explorer', () => { ui.work.value = 'explorer'; })}</>;
 }

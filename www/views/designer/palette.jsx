@@ -9,6 +9,7 @@ import { strings } from '../../strings.js';
 import { Bitmap, screenPixels } from '../bitmap.jsx';
 import { IconButton } from '../button.jsx';
 import { useApp } from '../context.js';
+import { covering } from '../cover.js';
 import { useHero } from '../hero.js';
 
 /** @typedef {import('../../engine/documents.js').Block} Block */
@@ -21,7 +22,7 @@ const TELLING = { hue: { angle: 90 }, size: { percent: 20 }, dynamic_range: { ra
 
 /** @param {{ onClose: () => void, onAdded: () => void }} props */
 export function Palette({ onClose, onAdded }) {
-  const { designer, engine } = useApp();
+  const { store, designer, engine } = useApp();
   const [words, setWords] = useState('');
   const field = useRef(/** @type {HTMLInputElement | null} */ (null));
   const hero = useHero();
@@ -29,6 +30,8 @@ export function Palette({ onClose, onAdded }) {
   const draft = designer.draft.value;
   const layer = designer.layer.value;
   const steps = draft?.[layer] ?? [];
+  const meta = store.facts.value.find(({ id }) => id === hero)?.meta;
+  const size = { width: screenPixels(SIZE.width), height: screenPixels(SIZE.height), crop: covering(meta, SIZE.width / SIZE.height) };
   const found = search(blocks, words);
   const pictures = useMemo(() => new Map(blocks.map((block) => [block.id, draft && styleWith(draft, layer, block, blocks)])), [draft, layer, blocks]);
   useEffect(() => field.current?.focus(), []);
@@ -74,7 +77,7 @@ export function Palette({ onClose, onAdded }) {
               <button type="button" class="palette-block" title={block.help} aria-description={[block.help, note].filter(Boolean).join(' ')}
                 disabled={steps.length + (before ? 2 : 1) > MOST_BLOCKS} onClick={() => add(block)}>
                 {hero === null ? <span class="bitmap" /> : (
-                  <Bitmap of={pictures.get(block.id)} draw={(call) => engine.stylePhoto(hero, pictures.get(block.id) ?? {}, size(), call)} />
+                  <Bitmap of={pictures.get(block.id)} draw={(call) => engine.stylePhoto(hero, pictures.get(block.id) ?? {}, size, call)} />
                 )}
                 <span class="palette-name">{block.label}</span>
                 {note && <span class="palette-note">{note}</span>}
@@ -86,10 +89,6 @@ export function Palette({ onClose, onAdded }) {
       {found.length === 0 && <p class="quiet">{strings.noBlocks}</p>}
     </section>
   );
-}
-
-function size() {
-  return { width: screenPixels(SIZE.width), height: screenPixels(SIZE.height) };
 }
 
 /**

@@ -7,6 +7,7 @@ import { useSignal } from '@preact/signals';
 import { strings } from '../../strings.js';
 import { Bitmap, screenPixels } from '../bitmap.jsx';
 import { useApp } from '../context.js';
+import { covering } from '../cover.js';
 import { useHero } from '../hero.js';
 import { Comparison } from './comparison.jsx';
 
@@ -51,7 +52,7 @@ export function Preview({ onStages }) {
           {facts.map(({ id, name, meta }) => (
             <li key={id}>
               <button type="button" aria-label={strings.previewOf(name)} title={name} aria-current={id === first ? 'true' : undefined} onClick={() => { chosen.value = id; }}>
-                <Bitmap of={id} draw={(call) => engine.stylePhoto(id, PLAIN, square(meta), call)} />
+                <Bitmap of={id} draw={(call) => engine.stylePhoto(id, PLAIN, { width: screenPixels(THUMB), height: screenPixels(THUMB), crop: covering(meta) }, call)} />
               </button>
             </li>
           ))}
@@ -59,12 +60,4 @@ export function Preview({ onStages }) {
       </div>
     </section>
   );
-}
-
-/** The square in the middle of a photo. @param {{ width: number, height: number } | null} meta */
-function square(meta) {
-  const { width, height } = meta ?? { width: 1, height: 1 };
-  const side = Math.min(width, height);
-  const crop = { x: (1 - side / width) / 2, y: (1 - side / height) / 2, width: side / width, height: side / height };
-  return { width: screenPixels(THUMB), height: screenPixels(THUMB), crop };
 }

@@ -1,0 +1,91 @@
+// @ts-check
+/**
+ * The style explorer: a wall of styles that nobody designed, on the person's own photo, that keeps growing.
+ */
+
+import { useEffect, useRef } from 'preact/hooks';
+import { strings } from '../../strings.js';
+import { screenPixels } from '../bitmap.jsx';
+import { IconButton } from '../button.jsx';
+import { useApp } from '../context.js';
+import { useHero } from '../hero.js';
+import { Icon } from '../icon.jsx';
+import { Workspace } from '../workspace.jsx';
+import { Dials } from './dials.jsx';
+import { WallItem } from './wall-item.jsx';
+
+/** @typedef {import('../../state/explorer.js').Item} Item */
+/** @typedef {import('../../state/explorer.js').Photo} Photo */
+
+/** The size that thumbnails cover, in CSS pixels. */
+const SIZE = { width: 160, height: 120 };
+
+export function Explorer() {
+  const { explorer, designer } = useApp();
+  const photo = usePhoto();
+  const items = explorer.items.value;
+  const shown = explorer.shown.value;
+  const running = explorer.progress.value;
+  const vnodes = useItems(shown, photo);
+
+  useEffect(() => {
+    if (photo) void explorer.showFavourites(photo);
+    return explorer.stop;
+  }, [photo?.id]);
+
+  const tools = (
+    <div class="explorer-bar">
+      {running
+        ? <button type="button" class="button strong" onClick={explorer.stop}><Icon name="close" />{strings.stop}</button>
+        : <button type="button" class="button strong" disabled={!photo} onClick={() => photo && void explorer.generate(photo)}><Icon name="surprise" />{strings.generate}</button>}
+      <button type="button" class="button" aria-pressed={explorer.sorted.value} onClick={() => { explorer.sorted.value = !explorer.sorted.value; }}>{strings.sortByScore}</button>
+      <select class="select" aria-label={strings.looks} value={explorer.look.value} onChange={(event) => { explorer.look.value = event.currentTarget.value; }}>
+        {Object.entries(strings.lookName).map(([id, name]) => <option key={id} value={id}>{name}</option>)}
+      </select>
+      <Dials />
+      <span class="count" title={strings.dropped(explorer.dropped.value)}>{items.length > 0 && strings.inventedCount(shown.length, items.length)}</span>
+      <IconButton icon="bin" label={strings.clearWall} disabled={items.length === 0} onClick={explorer.clear} />
+    </div>
+  );
+  return (
+    <Workspace title={strings.styleExplorer} class="explorer" tools={tools} busy={running !== null} onClose={designer.close}>
+      {running && (
+        <progress class="progress explorer-progress" aria-label={strings.inventing(running.done, running.total)} value={running.done} max={running.total} />
+      )}
+      {explorer.parent.value && <p class="explorer-hint">{strings.breedWith(explorer.parent.value.name)}</p>}
+      <ul class="wall">{vnodes}</ul>
+      {items.length === 0 && !running && <p class="wall-empty">{strings.explorerEmpty}</p>}
+      {items.length > 0 && shown.length === 0 && <p class="wall-empty">{strings.explorerNone}</p>}
+    </Workspace>
+  );
+}
+
+/** The photo that styles are tried on. @returns {Photo | null} */
+function usePhoto() {
+  const { store } = useApp();
+  const hero = useHero();
+  const meta = store.facts.value.find(({ id }) => id === hero)?.meta;
+  if (hero === null || !meta) return null;
+  const scale = Math.max(screenPixels(SIZE.width) / meta.width, screenPixels(SIZE.height) / meta.height);
+  return { id: hero, width: Math.round(meta.width * scale), height: Math.round(meta.height * scale) };
+}
+
+/**
+ * The same element is handed over as long as nothing in it changes, so that a wall of hundreds grows quickly.
+ * @param {readonly Item[]} shown
+ * @param {Photo | null} photo
+ */
+function useItems(shown, photo) {
+  const { explorer, ownStyles } = useApp();
+  const made = useRef(/** @type {Map<string, import('preact').VNode>} */ (new Map()));
+  const parent = explorer.parent.value?.id;
+  return shown.map((item) => {
+    const { id } = item.style;
+    const key = `${id} ${ownStyles.isFavourite(id)} ${parent === id} ${photo?.id}`;
+    const found = made.current.get(key);
+    if (found) return found;
+    const vnode = <WallItem key={id} item={item} photo={photo} favourite={ownStyles.isFavourite(id)} parent={parent === id} />;
+    made.current.set(key, vnode);
+    return vnode;
+  });
+}

@@ -1,0 +1,51 @@
+// @ts-check
+/** A style on the wall, and what can be done with it. */
+
+import { useEffect, useRef } from 'preact/hooks';
+import { strings } from '../../strings.js';
+import { IconButton } from '../button.jsx';
+import { useApp } from '../context.js';
+
+/**
+ * @param {{
+ *   item: import('../../state/explorer.js').Item, photo: import('../../state/explorer.js').Photo | null, favourite: boolean, parent: boolean,
+ * }} props `parent`: it waits for another to breed with
+ */
+export function WallItem({ item: { style, score }, photo, favourite, parent }) {
+  const { explorer, ownStyles, pages, designer, ui } = useApp();
+  const ref = useRef(/** @type {HTMLLIElement | null} */ (null));
+  const canvas = useRef(/** @type {HTMLCanvasElement | null} */ (null));
+
+  useEffect(() => {
+    const bitmap = explorer.pictures.get(style.id);
+    if (!canvas.current || !bitmap) return;
+    canvas.current.width = bitmap.width;
+    canvas.current.height = bitmap.height;
+    canvas.current.getContext('2d')?.drawImage(bitmap, 0, 0);
+  }, [style.id]);
+
+  function use() {
+    pages.chooseStyle(style);
+    ui.work.value = null;
+  }
+
+  /** Children are hung first, and must not be missed. @param {Promise<void>} bred */
+  function atTop(bred) {
+    const wall = ref.current?.parentElement;
+    void bred.then(() => wall?.scrollTo({ top: 0 }));
+  }
+
+  return (
+    <li class="wall-item" ref={ref} aria-label={style.name} data-parent={parent}>
+      <canvas ref={canvas} class="bitmap" aria-hidden="true" onClick={use} title={strings.useStyle} />
+      <span class="wall-score" title={strings.scoreOf(score)} role="img" aria-label={strings.scoreOf(score)}>{strings.score(score)}</span>
+      <IconButton icon="heart" label={strings.favourite} pressed={favourite} class="wall-heart" onClick={() => ownStyles.favour(style)} />
+      <div class="wall-tools">
+        <IconButton icon="check" label={strings.useStyle} onClick={use} />
+        <IconButton icon="designer" label={strings.editInDesigner} onClick={() => designer.open(style)} />
+        <IconButton icon="breed" label={strings.breed} pressed={parent} disabled={!photo} onClick={() => photo && atTop(explorer.breed(style, photo))} />
+        <IconButton icon="more" label={strings.moreLikeThis} disabled={!photo} onClick={() => photo && atTop(explorer.moreLike(style, photo))} />
+      </div>
+    </li>
+  );
+}
