@@ -1,0 +1,145 @@
+// @ts-check
+import { FOUR, drawn, names } from './designer-hands.js';
+import { accessible, contents, expect, idle, openBoard, picture, press, test } from './support.js';
+
+/** @typedef {import('../../../www/testing.js').Page} Page */
+
+/** @param {Page} page */
+const region = (page) => page.getByRole('region', { name: 'Style explorer' });
+/** @param {Page} page */
+const wall = (page) => region(page).getByRole('listitem');
+
+/** Opens the explorer and lets it invent from a seed until there are some. @param {Page} page */
+async function explore(page) {
+  await openBoard(page, FOUR);
+  await page.getByRole('button', { name: 'Explorer', exact: true }).click();
+  const seed = page.getByRole('spinbutton', { name: 'Seed' });
+  await seed.fill('4');
+  await seed.press('Enter');
+  await page.getByRole('button', { name: 'Generate' }).click();
+  await expect.poll(() => wall(page).count()).toBeGreaterThan(24);
+}
+
+/** @param {Page} page @param {number} n @param {string} name */
+async function deed(page, n, name) {
+  await wall(page).nth(n).hover();
+  await wall(page).nth(n).getByRole('button', { name, exact: true }).click();
+}
+
+/** @param {Page} page */
+const scores = (page) => wall(page).getByRole('img').evaluateAll((list) => list.map((label) => Number(label.textContent)));
+
+test('styles are invented, sorted, filtered, favoured, bred and used', async ({ page }) => {
+  await explore(page);
+  await expect(region(page)).toHaveAttribute('aria-busy', 'true');
+  await expect(page.getByRole('progressbar', { name: /Inventing styles/ })).toBeVisible();
+  await page.getByRole('button', { name: 'Stop' }).click();
+  await expect(region(page)).toHaveAttribute('aria-busy', 'false');
+  const count = await wall(page).count();
+  await page.getByRole('button', { name: 'Sort by score' }).click();
+  const sorted = await scores(page);
+  expect(sorted).toEqual([...sorted].sort((a, b) => b - a));
+  const look = page.getByRole('combobox', { name: 'Kind of look' });
+  let parts = 0;
+  for (const kind of ['line', 'flat', 'gray', 'wild']) {
+    await look.selectOption(kind);
+    parts += await wall(page).count();
+  }
+  expect(parts).toBe(count);
+  await look.selectOption('all');
+
+  const [first, second] = [await wall(page).nth(0).getAttribute('aria-label'), await wall(page).nth(1).getAttribute('aria-label')];
+  await deed(page, 0, 'Favourite');
+  await deed(page, 1, 'Favourite');
+  await look.selectOption('favourites');
+  await expect(wall(page)).toHaveCount(2);
+  await deed(page, 0, 'Breed');
+  await expect(region(page)).toContainText(`Choose another style to breed with ${first}`);
+  await deed(page, 1, 'Breed');
+  await look.selectOption('all');
+  await expect(region(page)).toHaveAttribute('aria-busy', 'false');
+  const bred = await wall(page).count();
+  expect(bred).toBeGreaterThan(count);
+  await deed(page, 2, 'More like this');
+  await expect(region(page)).toHaveAttribute('aria-busy', 'false');
+  expect(await wall(page).count()).toBeGreaterThan(bred);
+
+  await page.keyboard.press('Escape');
+  const before = await picture(page);
+  await page.getByRole('button', { name: 'Explorer', exact: true }).click();
+  await deed(page, 0, 'Use');
+  await idle(page);
+  await expect(region(page)).toHaveCount(0);
+  expect(await picture(page)).not.toBe(before);
+  const { style } = await contents(page);
+  const styles = page.getByRole('listbox', { name: 'Styles' });
+  await expect(styles.getByRole('group', { name: 'Favourites' }).getByRole('option', { name: String(second), exact: true })).toBeVisible();
+  await page.getByRole('button', { name: `Edit ${style}` }).click();
+  await drawn(page);
+  expect((await names(page)).length).toBeGreaterThan(2);
+
+  await page.reload();
+  await openBoard(page, FOUR);
+  await page.getByRole('button', { name: 'Explorer', exact: true }).click();
+  await expect(wall(page)).toHaveCount(2);
+});
+
+test('the wall is walked, favoured, bred and used by keyboard alone', async ({ page }) => {
+  await openBoard(page, FOUR);
+  await page.getByRole('button', { name: 'Explorer', exact: true }).focus();
+  await page.keyboard.press('Enter');
+  await page.getByRole('button', { name: 'Generate' }).focus();
+  await page.keyboard.press('Enter');
+  await expect.poll(() => wall(page).count()).toBeGreaterThan(12);
+  await page.getByRole('button', { name: 'Stop' }).focus();
+  await page.keyboard.press('Enter');
+  await expect(region(page)).toHaveAttribute('aria-busy', 'false');
+  const count = await wall(page).count();
+  for (const n of [0, 1]) {
+    await wall(page).nth(n).getByRole('button', { name: 'Favourite' }).focus();
+    await page.keyboard.press('Space');
+    await expect(wall(page).nth(n).getByRole('button', { name: 'Favourite' })).toHaveAttribute('aria-pressed', 'true');
+    await page.keyboard.press('Tab');
+    await page.keyboard.press('Tab');
+    await page.keyboard.press('Tab');
+    await expect(wall(page).nth(n).getByRole('button', { name: 'Breed' })).toBeFocused();
+    await page.keyboard.press('Enter');
+  }
+  await expect.poll(() => wall(page).count()).toBeGreaterThan(count);
+  await expect(region(page)).toHaveAttribute('aria-busy', 'false');
+  const name = await wall(page).first().getAttribute('aria-label');
+  await wall(page).first().getByRole('button', { name: 'Use' }).focus();
+  await page.keyboard.press('Enter');
+  await idle(page);
+  expect((await contents(page)).style).toBe(name);
+});
+
+test('a shuffle keeps the layer that is locked, and mixes invented styles in', async ({ page }) => {
+  await openBoard(page, FOUR);
+  await page.getByRole('button', { name: 'How Shuffle chooses styles' }).click();
+  await page.getByRole('slider', { name: 'Invented styles' }).fill('1');
+  const designed = new Set(await page.getByRole('listbox', { name: 'Styles' }).getByRole('option').evaluateAll((list) => list.map((option) => option.getAttribute('aria-label'))));
+  await press(page, 'Shuffle style');
+  expect(designed.has((await contents(page)).style)).toBe(false);
+  await page.getByRole('slider', { name: 'Invented styles' }).fill('0');
+  await page.getByRole('button', { name: 'Lock colours' }).click();
+  await press(page, 'Shuffle style');
+  expect((await contents(page)).style).toContain(' + ');
+  await page.getByRole('button', { name: 'Lock lines' }).click();
+  const { style } = await contents(page);
+  await press(page, 'Shuffle');
+  expect((await contents(page)).style).toBe(style);
+  await page.getByRole('button', { name: 'Undo', exact: true }).click();
+  await page.getByRole('button', { name: 'Undo', exact: true }).click();
+  await expect(page.getByRole('button', { name: 'Lock lines' })).toHaveAttribute('aria-pressed', 'false');
+});
+
+for (const colorScheme of /** @type {const} */ (['light', 'dark'])) {
+  test(`axe finds nothing in the explorer, in ${colorScheme}`, async ({ page }) => {
+    await page.emulateMedia({ colorScheme });
+    await explore(page);
+    await page.getByRole('button', { name: 'Stop' }).click();
+    await deed(page, 0, 'Breed');
+    await accessible(page);
+  });
+}
