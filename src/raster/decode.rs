@@ -8,14 +8,13 @@ use std::io::Cursor;
 
 use ::image::codecs::bmp::BmpDecoder;
 use ::image::codecs::gif::GifDecoder;
-use ::image::codecs::jpeg::JpegDecoder;
 use ::image::codecs::png::PngDecoder;
 use ::image::codecs::tiff::TiffDecoder;
 use ::image::codecs::webp::WebPDecoder;
 use ::image::{ImageDecoder, ImageError, ImageFormat, ImageResult};
 
 use super::exif::{self, Exif};
-use super::jpeg::Markers;
+use super::jpeg::{self, Markers};
 use super::orient::{swaps_sides, upright};
 use super::resize::{self, Region};
 use super::samples::{self, Samples};
@@ -131,8 +130,12 @@ fn read(bytes: &[u8], format: ImageFormat, name: &'static str, limits: &Limits) 
     // Each decoder by its own type: behind a common one all that they can do besides would be in the module too.
     match format {
         ImageFormat::Jpeg => {
-            let record = check_jpeg(bytes, name, limits)?.exif.map(Cow::Borrowed);
-            read_with(JpegDecoder::new(file), |_| record, name, limits)
+            let exif = check_jpeg(bytes, name, limits)?.exif.map(exif::read).unwrap_or_default();
+            let mut decoder = jpeg::Decoder::new(bytes, name)?;
+            let (size, grey) = (decoder.size(), decoder.is_grey());
+            check_size(size.0 as u32, size.1 as u32, name, limits)?;
+            check_memory(size, if grey { 1 } else { 3 }, limits)?;
+            Ok((Pixels { size, samples: decoder.samples()?, grey }, exif))
         }
         ImageFormat::WebP => {
             check_riff(bytes, name)?;
@@ -171,14 +174,24 @@ fn read_with<'a, D: ImageDecoder>(
     let exif = record(&mut decoder).as_deref().map(exif::read).unwrap_or_default();
     let size = (width as usize, height as usize);
     let color = decoder.color_type();
-    let pixels = size.0 as u64 * size.1 as u64;
-    if decoder.total_bytes().saturating_add(4 * pixels) > limits.max_bytes {
-        return Err(too_large(width, height, format!("{} MB of memory", limits.max_bytes >> 20)));
-    }
+    check_memory(size, u64::from(color.bytes_per_pixel()), limits)?;
     let mut bytes = vec![0; decoder.total_bytes() as usize];
     decoder.read_image(&mut bytes).map_err(failed)?;
     let Samples { bytes, grey } = samples::flattened(color, bytes);
     Ok((Pixels { size, samples: bytes, grey }, exif))
+}
+
+/// The decoder's pixels and ours together must fit.
+fn check_memory((width, height): (usize, usize), bytes_per_pixel: u64, limits: &Limits) -> Result<()> {
+    let pixels = width as u64 * height as u64;
+    if pixels.saturating_mul(bytes_per_pixel + 4) > limits.max_bytes {
+        return Err(too_large(
+            width as u32,
+            height as u32,
+            format!("{} MB of memory", limits.max_bytes >> 20),
+        ));
+    }
+    Ok(())
 }
 
 fn check_jpeg<'a>(bytes: &'a [u8], name: &'static str, limits: &Limits) -> Result<Markers<'a>> {

@@ -1,7 +1,63 @@
 //! What a JPEG file says before its pixels: size, EXIF record, and whether it is whole.
 //!
 //! The decoder paints the missing part of a file that was cut short in grey and says nothing, so the end is
-//! looked for here. Source: ITU-T T.81, annex B.
+//! looked for here. Source: ITU-T T.81, annex B. The pixels are `zune-jpeg`'s.
+
+use crate::error::{Error, Result};
+use zune_jpeg::JpegDecoder;
+use zune_jpeg::errors::DecodeErrors;
+use zune_jpeg::zune_core::bytestream::ZCursor;
+use zune_jpeg::zune_core::colorspace::ColorSpace;
+use zune_jpeg::zune_core::options::DecoderOptions;
+
+/// A file whose headers were read. Grey stays grey; every other colour space becomes RGB.
+pub(super) struct Decoder {
+    /// Of the very type that `tiff` uses for JPEG in TIFF: another one would be in the module a second time.
+    file: JpegDecoder<ZCursor<Vec<u8>>>,
+    size: (usize, usize),
+    grey: bool,
+    name: &'static str,
+}
+
+impl Decoder {
+    /// Reads the headers; `name` is that of the format, for messages.
+    pub(super) fn new(bytes: &[u8], name: &'static str) -> Result<Self> {
+        // Files with small faults are drawn by every other program, too; the sides are checked by the caller.
+        let options = DecoderOptions::default()
+            .set_strict_mode(false)
+            .set_max_width(usize::MAX)
+            .set_max_height(usize::MAX);
+        let mut decoder = JpegDecoder::new_with_options(ZCursor::new(bytes.to_vec()), options);
+        decoder.decode_headers().map_err(|error| explained(error, name))?;
+        let grey = decoder.input_colorspace() == Some(ColorSpace::Luma);
+        let out = if grey { ColorSpace::Luma } else { ColorSpace::RGB };
+        decoder.set_options(options.jpeg_set_out_colorspace(out));
+        let size = decoder.dimensions().ok_or_else(|| Error::damaged(name, "it announces no pixels"))?;
+        Ok(Self { file: decoder, size, grey, name })
+    }
+
+    /// Width and height in pixels.
+    pub(super) fn size(&self) -> (usize, usize) {
+        self.size
+    }
+
+    /// Whether there is one sample a pixel; else there are three.
+    pub(super) fn is_grey(&self) -> bool {
+        self.grey
+    }
+
+    /// The samples, interleaved.
+    pub(super) fn samples(&mut self) -> Result<Vec<u8>> {
+        self.file.decode().map_err(|error| explained(error, self.name))
+    }
+}
+
+fn explained(error: DecodeErrors, format: &'static str) -> Error {
+    match error {
+        DecodeErrors::Unsupported(reason) => Error::Unsupported { format, reason: format!("{reason:?}") },
+        error => Error::damaged(format, error),
+    }
+}
 
 /// The markers of a file.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
