@@ -135,8 +135,9 @@ mod tests {
         let flat = vec![255; n];
         let ramp: Vec<u8> = (0..n).map(|i| (i * 256 / n) as u8).collect();
         // What the sample sees is nothing like the rest.
-        let hidden: Vec<u8> =
-            (0..n).map(|i| if i / STEP % SPARSE == 0 { 3 } else { (100 + i % 90) as u8 }).collect();
+        let hidden: Vec<u8> = (0..n)
+            .map(|i| if (i / STEP).is_multiple_of(SPARSE) { 3 } else { (100 + i % 90) as u8 })
+            .collect();
         for samples in [noise, flat, ramp, hidden] {
             let tones = Tones::new(&samples);
             for percent in [0.0, 0.5, 5.0, 33.3, 50.0, 95.0, 99.9, 100.0] {
