@@ -71,17 +71,15 @@ export function LayoutsList() {
           {counts.map((count) => <option key={count} value={count}>{strings.panelCount(count)}</option>)}
         </select>
       </div>
-      <div class="layouts-sheet" style={{ '--page-aspect': aspect.toFixed(4) }}>
-        <Listbox
-          label={strings.layouts}
-          class="layouts-list"
-          groups={groups}
-          selected={store.layoutFacts.value?.id ?? null}
-          onChoose={choose}
-          empty={strings.noLayouts}
-          picture={(layout) => pictures.get(layout.id) ?? <LayoutPicture layout={layout} aspect={aspect} />}
-        />
-      </div>
+      <Listbox
+        label={strings.layouts}
+        class="layouts-list"
+        groups={groups}
+        selected={store.layoutFacts.value?.id ?? null}
+        onChoose={choose}
+        empty={strings.noLayouts}
+        picture={(layout) => pictures.get(layout.id) ?? <LayoutPicture layout={layout} aspect={aspect} />}
+      />
     </>
   );
 }
