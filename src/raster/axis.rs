@@ -8,6 +8,7 @@ pub(super) struct Axis {
     pairs: Vec<Pair>,
     samples: usize,
     precision: Precision,
+    halved_from: Option<usize>,
 }
 
 /// Pairs `offset..offset + pairs`, the first of them on the source samples `start` and `start + 1`.
@@ -36,7 +37,10 @@ impl Axis {
         // The weights of one axis are alike, but for those at the borders of a Catmull-Rom, which are Coarse anyway.
         taps(0, &mut weights);
         let precision = Precision::for_weight(weights.iter().copied().fold(0.0, f64::max));
-        let mut axis = Self { spans: Vec::with_capacity(count), pairs: Vec::new(), samples, precision };
+        let halved = (step - 2.0).abs() < 1e-12 && origin.fract() == 0.0 && origin + length <= samples as f64;
+        let halved_from = halved.then_some(origin as usize);
+        let mut axis =
+            Self { spans: Vec::with_capacity(count), pairs: Vec::new(), samples, precision, halved_from };
         for i in 0..count {
             let start = taps(i, &mut weights);
             axis.push(start, &weights);
@@ -47,6 +51,11 @@ impl Axis {
     /// Number of outputs.
     pub(super) fn count(&self) -> usize {
         self.spans.len()
+    }
+
+    /// Where every output is the mean of two samples of its own: the first of them all.
+    pub(super) fn halved_from(&self) -> Option<usize> {
+        self.halved_from
     }
 
     /// Precision of the weights.

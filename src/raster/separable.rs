@@ -9,7 +9,7 @@
 
 use super::Plane;
 use super::axis::Axis;
-use crate::simd::mix::{LANES, load, mix, mix_rows, transpose};
+use crate::simd::mix::{LANES, halve_row, load, mix, mix_rows, transpose};
 use wide::u8x16;
 
 /// One resampling of a source of `width` x `height` pixels.
@@ -36,6 +36,12 @@ impl Separable {
     pub(super) fn planes<const C: usize>(&self, source: &[u8]) -> [Plane; C] {
         let (width, height) = (self.across.count(), self.down.count());
         let mut planes = std::array::from_fn(|_| Plane::filled(width, height, 0));
+        if let (1, Some(left), Some(top), [plane]) =
+            (C, self.across.halved_from(), self.down.halved_from(), &mut planes[..])
+        {
+            self.halve(source, (left, top), plane);
+            return planes;
+        }
         let mut block = self.block::<C>();
         for top in (0..height).step_by(LANES) {
             let count = LANES.min(height - top);
@@ -46,6 +52,15 @@ impl Separable {
             }
         }
         planes
+    }
+
+    /// Means of 2 x 2 samples, rounded once.
+    fn halve(&self, source: &[u8], (left, top): (usize, usize), plane: &mut Plane) {
+        for y in 0..plane.height() {
+            let row = |k: usize| &source[(top + 2 * y + k) * self.width + left..][..2 * plane.width()];
+            let (above, below) = (row(0), row(1));
+            halve_row(above, below, plane.row_mut(y));
+        }
     }
 
     fn block<const C: usize>(&self) -> Block {

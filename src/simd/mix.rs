@@ -5,7 +5,7 @@
 
 use super::lanes::{widen_high, widen_low};
 use bytemuck::cast;
-use wide::{i16x8, i32x4, i32x8, u8x16};
+use wide::{i16x8, i32x4, i32x8, u8x16, u16x8};
 
 /// Bytes an operation.
 pub const LANES: usize = 16;
@@ -94,6 +94,36 @@ pub fn mix_rows(source: &[u8], offsets: &[usize], pairs: &[Pair], precision: Pre
     }
 }
 
+/// Means of 2 x 2 bytes of two rows, halves rounded up. The rows are twice as long as `out`.
+pub fn halve_row(above: &[u8], below: &[u8], out: &mut [u8]) {
+    let (above, above_tail) = above.as_chunks::<{ 2 * LANES }>();
+    let (below, below_tail) = below.as_chunks::<{ 2 * LANES }>();
+    let (out, tail) = out.as_chunks_mut::<LANES>();
+    for ((out, above), below) in out.iter_mut().zip(above).zip(below) {
+        *out = halve(above, below).to_array();
+    }
+    if !tail.is_empty() {
+        let padded = |rest: &[u8]| {
+            let mut bytes = [0; 2 * LANES];
+            bytes[..rest.len()].copy_from_slice(rest);
+            bytes
+        };
+        tail.copy_from_slice(&halve(&padded(above_tail), &padded(below_tail)).as_array()[..tail.len()]);
+    }
+}
+
+#[inline]
+fn halve(above: &[u8; 2 * LANES], below: &[u8; 2 * LANES]) -> u8x16 {
+    let sums = |at: usize| {
+        let pairs = |bytes: &[u8]| {
+            let pairs: u16x8 = cast(load(bytes, at));
+            (pairs & u16x8::splat(255)) + (pairs >> 8u32)
+        };
+        cast::<u16x8, i16x8>((pairs(above) + pairs(below) + u16x8::splat(2)) >> 2u32)
+    };
+    u8x16::narrow_i16x8(sums(0), sums(LANES))
+}
+
 /// Sixteen bytes of `source` from `at`. Panics when it holds fewer.
 #[must_use]
 pub fn load(source: &[u8], at: usize) -> u8x16 {
@@ -147,6 +177,25 @@ mod tests {
             for (x, &out) in out.iter().enumerate() {
                 let sum: i32 = weights.iter().enumerate().map(|(k, &w)| i32::from(w) * i32::from(bytes[k * 70 + x])).sum();
                 prop_assert_eq!(i32::from(out), ((sum + 8192) >> 14).clamp(0, 255));
+            }
+        }
+    }
+
+    #[test]
+    fn halves_are_rounded_means_at_every_width() {
+        let mut random = oorandom::Rand32::new(2);
+        for n in 1..=67usize {
+            let [above, below] =
+                [(); 2].map(|()| (0..2 * n).map(|_| random.rand_u32() as u8).collect::<Vec<u8>>());
+            let mut out = vec![0; n];
+            halve_row(&above, &below, &mut out);
+            for (x, &out) in out.iter().enumerate() {
+                let sum: u32 = [&above, &below]
+                    .iter()
+                    .flat_map(|row| &row[2 * x..2 * x + 2])
+                    .map(|&v| u32::from(v))
+                    .sum();
+                assert_eq!(u32::from(out), (sum + 2) / 4);
             }
         }
     }

@@ -5,7 +5,8 @@
 
 use super::lanes::{widen_high, widen_low};
 use crate::raster::{Image, Plane};
-use wide::{i16x8, u8x16};
+use bytemuck::cast;
+use wide::{i16x8, u8x16, u16x8};
 
 /// Pixels a step.
 const STEP: usize = 16;
@@ -21,13 +22,20 @@ pub fn map3(
     c: &mut [u8],
     f: impl Fn(i16x8, i16x8, i16x8) -> (i16x8, i16x8, i16x8),
 ) {
-    let step = |a: &mut [u8; STEP], b: &mut [u8; STEP], c: &mut [u8; STEP]| {
-        let (x, y, z) = (u8x16::new(*a), u8x16::new(*b), u8x16::new(*c));
+    map3_bytes(a, b, c, |x, y, z| {
         let low = f(widen_low(x), widen_low(y), widen_low(z));
         let high = f(widen_high(x), widen_high(y), widen_high(z));
-        *a = u8x16::narrow_i16x8(low.0, high.0).to_array();
-        *b = u8x16::narrow_i16x8(low.1, high.1).to_array();
-        *c = u8x16::narrow_i16x8(low.2, high.2).to_array();
+        let narrow = u8x16::narrow_i16x8;
+        [narrow(low.0, high.0), narrow(low.1, high.1), narrow(low.2, high.2)]
+    });
+}
+
+/// The same on sixteen bytes.
+#[inline]
+fn map3_bytes(a: &mut [u8], b: &mut [u8], c: &mut [u8], f: impl Fn(u8x16, u8x16, u8x16) -> [u8x16; 3]) {
+    let step = |a: &mut [u8; STEP], b: &mut [u8; STEP], c: &mut [u8; STEP]| {
+        let [x, y, z] = f(u8x16::new(*a), u8x16::new(*b), u8x16::new(*c));
+        (*a, *b, *c) = (x.to_array(), y.to_array(), z.to_array());
     };
     let (a, a_tail) = a.as_chunks_mut::<STEP>();
     let (b, b_tail) = b.as_chunks_mut::<STEP>();
@@ -63,13 +71,29 @@ pub fn round<const BITS: u32>(value: i16x8) -> i16x8 {
     value.saturating_add(i16x8::splat(1 << (BITS - 1))) >> BITS
 }
 
+/// The upper bytes of lanes. A value that was clipped by saturating in them needs no clamp here, which LLVM would write
+/// beside the one that narrowing does by itself.
+#[inline]
+fn upper(low: i16x8, high: i16x8) -> u8x16 {
+    let byte = |lanes: i16x8| cast::<u16x8, i16x8>(cast::<i16x8, u16x8>(lanes) >> 8u32);
+    u8x16::narrow_i16x8(byte(low), byte(high))
+}
+
+/// Luma in 1/128 steps, rounded.
+#[inline]
+fn luma_bytes(low: i16x8, high: i16x8) -> u8x16 {
+    // Doubled it still fits, without a sign.
+    let doubled = |y: i16x8| y + y + i16x8::splat(128);
+    upper(doubled(low), doubled(high))
+}
+
 /// Writes the luma of R, G, B into `y`. All slices have one length.
 pub fn luma(r: &[u8], g: &[u8], b: &[u8], y: &mut [u8]) {
     let step = |r: &[u8; STEP], g: &[u8; STEP], b: &[u8; STEP], y: &mut [u8; STEP]| {
         let (r, g, b) = (u8x16::new(*r), u8x16::new(*g), u8x16::new(*b));
         let low = luma_q7(widen_low(r), widen_low(g), widen_low(b));
         let high = luma_q7(widen_high(r), widen_high(g), widen_high(b));
-        *y = u8x16::narrow_i16x8(round::<7>(low), round::<7>(high)).to_array();
+        *y = luma_bytes(low, high).to_array();
     };
     let (y_steps, y_tail) = y.as_chunks_mut::<STEP>();
     let (r_steps, r_tail) = r.as_chunks::<STEP>();
@@ -105,34 +129,54 @@ pub fn to_gray(r: &mut [u8], g: &mut [u8], b: &mut [u8], keep_chroma: bool) {
     // 1 / 1.772 and 1 / 1.402, Q15.
     const U: i16 = 18492;
     const V: i16 = 23372;
-    let middle = i16x8::splat(128);
-    if keep_chroma {
-        map3(r, g, b, |r, g, b| {
-            let y = luma_q7(r, g, b);
-            let difference = |channel: i16x8, weight: i16| {
-                middle + round::<7>(((channel << 7u32) - y).mul_scale_round_n(weight))
-            };
-            (round::<7>(y), difference(b, U), difference(r, V))
-        });
-    } else {
-        map3(r, g, b, |r, g, b| (round::<7>(luma_q7(r, g, b)), g, b));
-    }
+    map3_bytes(r, g, b, |r, g, b| {
+        let low = luma_q7(widen_low(r), widen_low(g), widen_low(b));
+        let high = luma_q7(widen_high(r), widen_high(g), widen_high(b));
+        let y = luma_bytes(low, high);
+        if !keep_chroma {
+            return [y, g, b];
+        }
+        // 1/256 steps about neutral.
+        let difference = |channel: i16x8, y: i16x8, weight: i16| {
+            let half = ((channel << 7u32) - y).mul_scale_round_n(weight);
+            half.saturating_add(half).saturating_add(i16x8::splat(128))
+        };
+        let chroma = |channel: u8x16, weight: i16| {
+            let low = difference(widen_low(channel), low, weight);
+            upper(low, difference(widen_high(channel), high, weight)) ^ u8x16::splat(NEUTRAL)
+        };
+        [y, chroma(b, U), chroma(r, V)]
+    });
 }
 
-/// Luma, U and V (around 128) to R, G, B: BT.601, full range.
+/// Neutral U and V, which is also the sign of a byte about them.
+const NEUTRAL: u8 = 128;
+
+/// Luma, U and V (around 128) to R, G, B: BT.601, full range. U and V are those of colours: where both are at an end,
+/// which no colour has, G may be a few steps off.
 pub fn to_color(y: &mut [u8], u: &mut [u8], v: &mut [u8]) {
     // 1.402 / 2, .344136, .714136 and 1.772 / 2, Q15.
     const RV: i16 = 22970;
     const GU: i16 = 11277;
     const GV: i16 = 23401;
     const BU: i16 = 29032;
-    let middle = i16x8::splat(128);
-    map3(y, u, v, |y, u, v| {
-        let (u, v) = ((u - middle) << 7u32, (v - middle) << 7u32);
-        let r = y + round::<6>(v.mul_scale_round_n(RV));
-        let g = y - round::<7>(u.mul_scale_round_n(GU).saturating_add(v.mul_scale_round_n(GV)));
-        let b = y + round::<6>(u.mul_scale_round_n(BU));
-        (r, g, b)
+    // In 1/256 steps about mid gray, saturating is the clipping that is asked for.
+    let eight = |y: i16x8, u: i16x8, v: i16x8| {
+        let (red, blue) = (v.mul_scale_round_n(RV), u.mul_scale_round_n(BU));
+        let green = u.mul_scale_round_n(GU).saturating_add(v.mul_scale_round_n(GV));
+        let twice = |part: i16x8| y.saturating_add(part).saturating_add(part);
+        (twice(red), y.saturating_sub(green), twice(blue))
+    };
+    map3_bytes(y, u, v, |y, u, v| {
+        let [y, u, v] = [y, u, v].map(|bytes| bytes ^ u8x16::splat(NEUTRAL));
+        // The lower byte of luma is the half that rounds.
+        let (half, zero) = (u8x16::splat(128), u8x16::ZERO);
+        let low = |below: u8x16, bytes: u8x16| cast::<u8x16, i16x8>(u8x16::unpack_low(below, bytes));
+        let high = |below: u8x16, bytes: u8x16| cast::<u8x16, i16x8>(u8x16::unpack_high(below, bytes));
+        let first = eight(low(half, y), low(zero, u), low(zero, v));
+        let last = eight(high(half, y), high(zero, u), high(zero, v));
+        let colors = [upper(first.0, last.0), upper(first.1, last.1), upper(first.2, last.2)];
+        colors.map(|bytes| bytes ^ u8x16::splat(NEUTRAL))
     });
 }
 
@@ -235,6 +279,45 @@ mod tests {
             let after = noise(n, 10);
             let naive = |i: usize| i16::from(plane[i]) + i16::from(after[i]) - i16::from(lines[i]);
             assert!((0..n).all(|i| i16::from(out[i]) == naive(i).clamp(0, 255)));
+        }
+    }
+
+    #[test]
+    fn colours_come_back_from_luma_and_chroma_at_every_width() {
+        let corners = [0, 255].repeat(4);
+        for n in 1..=67 {
+            let [r, g, b] = [1, 2, 3].map(|seed| {
+                let mut channel = noise(n, seed * 100);
+                let period = 1 << (seed - 1);
+                channel.iter_mut().take(8).enumerate().for_each(|(i, v)| *v = corners[i / period % 2]);
+                channel
+            });
+            let (mut y, mut u, mut v) = (r.clone(), g.clone(), b.clone());
+            to_gray(&mut y, &mut u, &mut v, true);
+            let mut gray = r.clone();
+            to_gray(&mut gray, &mut g.clone(), &mut b.clone(), false);
+            assert_eq!(gray, y);
+            for i in 0..n {
+                let [r, g, b] = [r[i], g[i], b[i]].map(f64::from);
+                let exact = 0.299 * r + 0.587 * g + 0.114 * b;
+                let chroma = [(b - exact) / 1.772 + 128.0, (r - exact) / 1.402 + 128.0];
+                for (found, exact) in [y[i], u[i], v[i]].into_iter().zip([exact, chroma[0], chroma[1]]) {
+                    assert!((f64::from(found) - exact.min(255.0)).abs() < 0.53, "{n} {i}: {found} {exact}");
+                }
+            }
+            let before = [y.clone(), u.clone(), v.clone()];
+            to_color(&mut y, &mut u, &mut v);
+            for i in 0..n {
+                let [luma, u_, v_] = [&before[0], &before[1], &before[2]].map(|plane| f64::from(plane[i]));
+                let (u_, v_) = (u_ - 128.0, v_ - 128.0);
+                let exact = [luma + 1.402 * v_, luma - 0.344_136 * u_ - 0.714_136 * v_, luma + 1.772 * u_];
+                for (found, exact) in [y[i], u[i], v[i]].into_iter().zip(exact) {
+                    assert!(
+                        (f64::from(found) - exact.clamp(0.0, 255.0)).abs() < 0.53,
+                        "{n} {i}: {found} {exact}"
+                    );
+                }
+            }
         }
     }
 
