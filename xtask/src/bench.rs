@@ -13,7 +13,12 @@ use crate::{chromium, npm, site, tools, wasm};
 /// `page`, `album`, `detect` or `masks` where they are among them; nothing is written; `alone` leaves the other libraries out.
 pub(crate) fn run(project: &Project, filter: &[String], alone: bool) -> Result<()> {
     let browser = chromium::find()?;
-    site::build(project)?;
+    // Rows need the blocks alone; the site takes minutes.
+    if filter.is_empty() || filter.iter().any(|word| ["page", "album", "detect"].contains(&word.as_str())) {
+        site::build(project)?;
+    } else {
+        npm::install(project)?;
+    }
     wasm::build(project, &wasm::bench(project))?;
     install_peers(project)?;
     let mut bench = Command::new("node");
