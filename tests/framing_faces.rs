@@ -1,21 +1,11 @@
 //! Framing round faces, over arbitrary photos: what a search over very many crops finds possible, `frame` does.
 #![allow(clippy::unwrap_used, reason = "a test may stop at the first thing that is not as expected")]
 
-use inkpanel::framing::{Crop, EnergyMap, FACE, PhotoMeta, Subject, Target, frame};
+use inkpanel::framing::{Crop, FACE, PhotoMeta, Subject, Target, frame};
 use proptest::prelude::*;
 
 fn photo(width: u32, height: u32, subjects: Vec<Subject>) -> PhotoMeta {
-    PhotoMeta {
-        id: "photo".into(),
-        width,
-        height,
-        fingerprint: 0,
-        sharpness: 1.0,
-        energy: EnergyMap::flat(),
-        taken: None,
-        subjects,
-        focus: None,
-    }
+    PhotoMeta { subjects, ..PhotoMeta::unmeasured("photo", width, height) }
 }
 
 /// Whether a crop holds a box whole, and whether it cuts it.

@@ -224,20 +224,16 @@ mod tests {
     use proptest::prelude::*;
 
     use super::*;
-    use crate::framing::{EnergyMap, FACE, Subject};
+    use crate::framing::{FACE, Subject};
     use crate::layout::{PageSettings, catalogue, find, resolve};
 
     fn album(count: usize) -> Vec<PhotoMeta> {
-        let photo = |i: usize| PhotoMeta {
-            id: format!("photo-{i}"),
-            width: if i.is_multiple_of(3) { 3000 } else { 4000 },
-            height: if i.is_multiple_of(3) { 4000 } else { 3000 },
-            fingerprint: (i as u64 + 1).wrapping_mul(0x9e37_79b9_7f4a_7c15),
-            sharpness: 1.0,
-            energy: EnergyMap::flat(),
-            taken: None,
-            subjects: Vec::new(),
-            focus: None,
+        let photo = |i: usize| {
+            let (width, height) = if i.is_multiple_of(3) { (3000, 4000) } else { (4000, 3000) };
+            PhotoMeta {
+                fingerprint: (i as u64 + 1).wrapping_mul(0x9e37_79b9_7f4a_7c15),
+                ..PhotoMeta::unmeasured(&format!("photo-{i}"), width, height)
+            }
         };
         (0..count).map(photo).collect()
     }

@@ -56,20 +56,10 @@ mod tests {
     use proptest::prelude::*;
 
     use super::*;
-    use crate::framing::{EnergyMap, FACE, Focus, Subject};
+    use crate::framing::{FACE, Focus, Subject};
 
     fn photo(width: u32, height: u32, subjects: Vec<Subject>) -> PhotoMeta {
-        PhotoMeta {
-            id: "photo".into(),
-            width,
-            height,
-            fingerprint: 0,
-            sharpness: 1.0,
-            energy: EnergyMap::flat(),
-            taken: None,
-            subjects,
-            focus: None,
-        }
+        PhotoMeta { subjects, ..PhotoMeta::unmeasured("photo", width, height) }
     }
 
     fn subject(label: &str, x: f64, y: f64, width: f64, height: f64) -> Subject {

@@ -36,6 +36,22 @@ pub struct PhotoMeta {
 }
 
 impl PhotoMeta {
+    /// A photo of which nothing is known but its size in pixels.
+    #[must_use]
+    pub fn unmeasured(id: &str, width: u32, height: u32) -> Self {
+        Self {
+            id: id.to_owned(),
+            width,
+            height,
+            fingerprint: 0,
+            sharpness: 1.0,
+            energy: EnergyMap::flat(),
+            taken: None,
+            subjects: Vec::new(),
+            focus: None,
+        }
+    }
+
     /// Width over height; sides of 0 count as 1.
     #[must_use]
     pub fn aspect(&self) -> f64 {

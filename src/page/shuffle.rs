@@ -118,22 +118,15 @@ pub(super) fn pick<'a, T>(items: &'a [T], random: &mut Rand64) -> Option<&'a T> 
 mod tests {
     use super::super::request::{Keep, Mode};
     use super::*;
-    use crate::framing::{Crop, EnergyMap, Focus, PhotoMeta};
+    use crate::framing::{Crop, Focus, PhotoMeta};
     use crate::layout::PageSettings;
 
     fn photos(count: usize) -> Vec<PhotoMeta> {
         (0..count)
             .map(|i| PhotoMeta {
-                id: format!("p{i:02}"),
-                width: 4000,
-                height: if i % 3 == 0 { 6000 } else { 3000 },
                 // Far from each other, so that nothing counts as a near-duplicate.
                 fingerprint: (i as u64 + 1).wrapping_mul(0x9e37_79b9_7f4a_7c15),
-                sharpness: 1.0,
-                energy: EnergyMap::flat(),
-                taken: None,
-                subjects: Vec::new(),
-                focus: None,
+                ..PhotoMeta::unmeasured(&format!("p{i:02}"), 4000, if i % 3 == 0 { 6000 } else { 3000 })
             })
             .collect()
     }

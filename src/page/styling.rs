@@ -95,22 +95,15 @@ fn joined(colours: &Style, lines: &Style) -> Value {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::framing::{EnergyMap, PhotoMeta};
+    use crate::framing::PhotoMeta;
     use crate::page::request::{Keep, Mode};
     use crate::page::shuffle::plan;
     use std::collections::BTreeSet;
 
     fn request(seed: u32, styling: Styling) -> Request {
         let photo = |i: u64| PhotoMeta {
-            id: format!("p{i}"),
-            width: 3000,
-            height: 2000,
             fingerprint: (i + 1).wrapping_mul(0x9e37_79b9_7f4a_7c15),
-            sharpness: 1.0,
-            energy: EnergyMap::flat(),
-            taken: None,
-            subjects: Vec::new(),
-            focus: None,
+            ..PhotoMeta::unmeasured(&format!("p{i}"), 3000, 2000)
         };
         Request {
             seed,

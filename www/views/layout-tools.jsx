@@ -4,6 +4,7 @@
 import { useRef } from 'preact/hooks';
 import { strings } from '../strings.js';
 import { IconButton } from './button.jsx';
+import { ChosenFiles, JSON_FILES } from './chosen-files.jsx';
 import { useApp } from './context.js';
 import { Icon } from './icon.jsx';
 
@@ -25,20 +26,7 @@ export function LayoutTools() {
       {facts && ownLayouts.isOwn(facts.id) && (
         <IconButton icon="bin" label={strings.forgetLayout} onClick={() => ownLayouts.remove(facts.id)} />
       )}
-      <input
-        ref={file}
-        class="visually-hidden"
-        type="file"
-        multiple
-        accept=".json,application/json"
-        aria-label={strings.layoutFile}
-        tabIndex={-1}
-        onChange={({ currentTarget }) => {
-          ownLayouts.open([...(currentTarget.files ?? [])]);
-          // The same file can be chosen again.
-          currentTarget.value = '';
-        }}
-      />
+      <ChosenFiles input={file} accept={JSON_FILES} label={strings.layoutFile} onFiles={ownLayouts.open} />
     </div>
   );
 }

@@ -4,6 +4,7 @@
 import { useRef } from 'preact/hooks';
 import { strings } from '../../strings.js';
 import { IconButton } from '../button.jsx';
+import { ChosenFiles, JSON_FILES } from '../chosen-files.jsx';
 import { useApp } from '../context.js';
 import { Icon } from '../icon.jsx';
 
@@ -41,20 +42,7 @@ export function StyleBar() {
         <IconButton icon="bin" label={strings.deleteStyle} disabled={!own} onClick={() => ownStyles.remove(draft.id)} />
         <button type="button" class="button strong" disabled={store.page.value === null} onClick={designer.use}><Icon name="check" />{strings.useStyle}</button>
       </div>
-      <input
-        ref={file}
-        class="visually-hidden"
-        type="file"
-        multiple
-        accept=".json,application/json"
-        aria-label={strings.styleFile}
-        tabIndex={-1}
-        onChange={({ currentTarget }) => {
-          void ownStyles.open([...(currentTarget.files ?? [])]);
-          // The same file can be chosen again.
-          currentTarget.value = '';
-        }}
-      />
+      <ChosenFiles input={file} accept={JSON_FILES} label={strings.styleFile} onFiles={ownStyles.open} />
     </div>
   );
 }
