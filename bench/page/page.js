@@ -2,7 +2,6 @@
 /** What the runner calls in the page: one contestant after the other, each on its own thread or on this one. */
 
 import { contest } from './contest.js';
-import { detect } from './detect.js';
 import { masks } from './masks.js';
 import { copySpeed } from './memory.js';
 
@@ -50,5 +49,8 @@ async function times(name, rows, photo) {
     worker.terminate();
   }
 }
+
+/** Rows are timed without the detectors' module, which may not be built. */
+const detect = async () => (await import('./detect.js')).detect();
 
 Object.assign(globalThis, { bench: { times, copySpeed, detect, masks } });
