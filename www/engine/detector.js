@@ -16,8 +16,9 @@ const TIMEOUT = 120_000;
 
 /**
  * @param {ReturnType<typeof import('./photos.js').createPhotos>} photos
+ * @param {(workers: number) => void} spare asks that so many other workers stay idle meanwhile, where nobody waits
  */
-export function createDetector(photos) {
+export function createDetector(photos, spare) {
   /** @type {ReturnType<typeof createPool> | undefined} */
   let pool;
   return { look, lookCloser, dispose: () => pool?.dispose() };
@@ -52,7 +53,9 @@ export function createDetector(photos) {
   async function run(op, id, more, call) {
     const { name, work } = photos.get(id);
     pool ??= createPool({ size: 1, spawn });
-    return pool.run({ op, args: { photo: work, ...more }, photo: name, timeout: TIMEOUT, priority: Priority.REST, ...call });
+    spare(1);
+    return pool.run({ op, args: { photo: work, ...more }, photo: name, timeout: TIMEOUT, priority: Priority.REST, ...call })
+      .finally(() => spare(0));
   }
 }
 

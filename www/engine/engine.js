@@ -29,7 +29,7 @@ const LEAST_BUDGET = 64 * 2 ** 20;
 export function createEngine({ workers = navigator.hardwareConcurrency || 2 } = {}) {
   const size = Math.max(1, Math.min(MOST_WORKERS, Math.floor(workers)));
   const photos = createPhotos();
-  const detector = createDetector(photos);
+  const detector = createDetector(photos, (count) => pool?.spare(count));
   const design = createDesign(photos);
   /** @type {ReturnType<typeof createPool> | undefined} */
   let pool;

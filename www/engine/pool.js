@@ -10,8 +10,8 @@
  * - wasm memory never shrinks: an idle worker whose memory is above the high-water mark is replaced.
  */
 
-import { TRAP, cancelled, failure } from './protocol.js';
-import { createQueue } from './queue.js';
+import { TRAP, cancelled, failure, lost } from './protocol.js';
+import { Priority, createQueue } from './queue.js';
 
 /** @typedef {import('./protocol.js').Reply} Reply */
 
@@ -37,12 +37,17 @@ export function createPool({ size, spawn, highWater = HIGH_WATER }) {
   const queue = createQueue();
   /** @type {Slot[]} */
   const slots = [];
-  let nextId = 1;
-  let closed = false;
+  let [nextId, reserved, closed] = [1, 0, false];
 
   for (let i = 0; i < size; i += 1) slots.push(open({}));
 
-  return { run, dispose, size };
+  return { run, spare, dispose, size };
+
+  /** Leaves so many workers idle for all that nobody waits for, as long as others need the cores. @param {number} count */
+  function spare(count) {
+    reserved = Math.min(count, size - 1);
+    dispatch();
+  }
 
   /**
    * @param {Job} job
@@ -88,6 +93,7 @@ export function createPool({ size, spawn, highWater = HIGH_WATER }) {
   function dispatch() {
     for (const slot of slots) {
       if (slot.entry || queue.length === 0) continue;
+      if (queue.urgency > Priority.PAGE && slots.filter(({ entry }) => entry).length >= size - reserved) return;
       const entry = queue.take((other) => (other.holds ?? []).filter((key) => slot.held.has(key)).length);
       if (entry) start(slot, entry);
     }
@@ -154,7 +160,7 @@ export function createPool({ size, spawn, highWater = HIGH_WATER }) {
       entry.tries += 1;
       // A buffer that was handed over is gone with the worker: such a job cannot be sent again.
       if (again && entry.tries < 2 && !entry.transfer?.length) queue.unshift(entry);
-      else settle(entry, () => entry.reject(lost(entry)));
+      else settle(entry, () => entry.reject(lost(entry.photo)));
     }
     dispatch();
   }
@@ -190,10 +196,4 @@ export function createPool({ size, spawn, highWater = HIGH_WATER }) {
     }
     for (const entry of left) settle(entry, () => entry.reject(cancelled()));
   }
-}
-
-/** @param {Entry} entry */
-function lost({ photo }) {
-  const what = photo ? `The worker stopped while it was busy with ${photo}.` : 'A worker stopped in the middle of its work.';
-  return failure('worker-lost', what, { photo });
 }

@@ -51,6 +51,27 @@ describe('order', () => {
     expect(order).toEqual(['busy', 'panel', 'view 1', 'view 2', 'rest']);
   });
 
+  test('thumbnails leave a worker that is spared alone, what a person waits for does not', () => {
+    const fakes = fakeWorkers();
+    const pool = createPool({ size: 2, spawn: fakes.spawn });
+    pool.spare(1);
+    for (const name of ['a', 'b']) pool.run(job(name));
+    const running = () => ['a', 'b', 'page'].filter((name) => fakes.holding(name));
+    expect(running()).toEqual(['a']);
+    pool.run(job('page', { priority: Priority.PANEL }));
+    expect(running()).toEqual(['a', 'page']);
+    fakes.answer('page');
+    expect(running()).toEqual(['a']);
+    pool.spare(0);
+    expect(running()).toEqual(['a', 'b']);
+    // One that is alone cannot be spared.
+    const single = fakeWorkers();
+    const small = createPool({ size: 1, spawn: single.spawn });
+    small.spare(1);
+    small.run(job('only'));
+    expect(!!single.holding('only')).toBe(true);
+  });
+
   test('as many jobs run at once as there are workers', () => {
     const fakes = fakeWorkers();
     const pool = createPool({ size: 2, spawn: fakes.spawn });

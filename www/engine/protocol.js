@@ -99,3 +99,9 @@ export function describe(error) {
   const { code, message } = /** @type {{ code?: unknown, message?: unknown }} */ (error ?? {});
   return { code: typeof code === 'string' ? code : 'internal', message: typeof message === 'string' ? message : String(error) };
 }
+
+/** @param {string | undefined} photo the name of the photo that the worker was busy with */
+export function lost(photo) {
+  const what = photo ? `The worker stopped while it was busy with ${photo}.` : 'A worker stopped in the middle of its work.';
+  return failure('worker-lost', what, { photo });
+}

@@ -33,6 +33,11 @@ export function createQueue() {
       return waiting.length;
     },
 
+    /** @returns {number} the priority of what comes next */
+    get urgency() {
+      return waiting[0]?.priority ?? Infinity;
+    },
+
     /**
      * @param {T} entry
      * @returns {T | undefined} the older entry of the same key that was dropped for this one
