@@ -11,6 +11,7 @@ import { readFileSync, writeFileSync } from 'node:fs';
  *   versions: Record<string, string>, journey: { firstPage: number, refined: number, shuffle: number, png: number, thumbnails: number, listed: number } | null,
  *   masks: { layout: string, ms: number } | null, detect: { faces: number, objects: number, load: number } | null,
  *   crowd: { photos: number, read: number, found: number, longest: number, long: number } | null,
+ *   making: { frames: number, width: number, height: number, styles: number } | null,
  * }} Results `times` are milliseconds by contestant and row
  */
 
@@ -18,7 +19,7 @@ const PEERS = { opencv: 'OpenCV.js', canvas: 'canvas 2D', vips: 'wasm-vips', pho
 const PIXELS = 1920 * 1080;
 
 /** @param {Results} results */
-export function markdown({ machine, rows, times, failed, versions, journey, masks, detect, crowd }) {
+export function markdown({ machine, rows, times, failed, versions, journey, masks, detect, crowd, making }) {
   const peers = Object.entries(PEERS);
   const heads = peers.map(([id, name]) => (versions[id] ? `${name} ${versions[id]}` : name));
   const lines = [
@@ -40,7 +41,7 @@ export function markdown({ machine, rows, times, failed, versions, journey, mask
     lines.push(`| ${row.label} | ${short(own)} | ${Math.round(share * 100)} % | ${cells.join(' | ')} |`);
   }
   for (const [id, reason] of Object.entries(failed)) lines.push('', `${PEERS[id] ?? id} failed: ${reason}`);
-  if (journey || masks || detect || crowd) lines.push('', '| In the page, all workers | |', '|---|--:|');
+  if (journey || masks || detect || crowd || making) lines.push('', '| In the page, all workers | |', '|---|--:|');
   if (journey) {
     lines.push(
       `| Twelve 12-megapixel JPEG files to the first page | ${(journey.firstPage / 1000).toFixed(2)} s |`,
@@ -64,6 +65,13 @@ export function markdown({ machine, rows, times, failed, versions, journey, mask
       `| An album of ${photos} photos of three megapixels, read and its page drawn | ${(read / 1000).toFixed(1)} s |`,
       `| The same, all searched for faces and objects | ${(found / 1000).toFixed(1)} s |`,
       `| The same, longest task of the page's main thread (and tasks above 50 ms) | ${Math.round(longest)} ms (${long}) |`,
+    );
+  }
+  if (making) {
+    const { frames, width, height, styles } = making;
+    lines.push(
+      `| Designer: preview of ${width} x ${height} while a slider of a three-block chain moves, one worker | ${Math.round(frames)} pictures/s |`,
+      `| Explorer: styles invented, drawn as thumbnails, scored and compared | ${Math.round(styles)} a second |`,
     );
   }
   return lines.join('\n');

@@ -12,6 +12,7 @@ import { parseArgs } from 'node:util';
 import { chromium } from 'playwright-core';
 import { crowd, manyPhotos } from './crowd.js';
 import { bigPhotos, journey } from './journey.js';
+import { making } from './making.js';
 import { insert, markdown } from './report.js';
 import { rows as allRows } from './rows.js';
 import { serve } from './server.js';
@@ -50,6 +51,11 @@ try {
     console.log('timing an album');
     const photos = await manyPhotos(browser, album, join(options.target, 'bench/album'));
     results.crowd = await site((address) => crowd(browser, address, photos));
+  }
+  if (asked('making')) {
+    console.log('timing styles in the making');
+    const photos = await bigPhotos(browser, album, join(options.target, 'bench/photos'));
+    results.making = await site((address) => making(browser, address, photos.slice(0, 4)));
   }
   const table = markdown(results);
   console.log(`\n${table}`);
@@ -95,6 +101,7 @@ async function blocks() {
     versions: {},
     journey: null,
     crowd: null,
+    making: null,
     detect: !asked('detect') ? null : await page.evaluate(() => /** @type {any} */ (globalThis).bench.detect()),
     masks: !asked('masks') ? null : await page.evaluate(() => /** @type {any} */ (globalThis).bench.masks()),
   };

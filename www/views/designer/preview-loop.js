@@ -1,7 +1,7 @@
 // @ts-check
 /**
- * Keeps a preview true to the style: one picture at a time is drawn, and the next begins with what is wanted by then, so
- * that a slider's drag never piles up work. When the hand rests the cards get their pictures, and the preview the
+ * Keeps a preview true to the style: one picture is drawn and one waits, and the next begins with what is wanted by
+ * then, so that the worker never idles during a drag and no work piles up. When the hand rests the cards get their pictures, and the preview the
  * full size of its place.
  */
 
@@ -11,6 +11,8 @@
 
 /** The hand rests when nothing changed for so long, in ms. */
 const REST = 140;
+/** Pictures on their way at once. */
+const AHEAD = 2;
 /** The longer side of the pictures on the cards. */
 const CARD = 176;
 
@@ -24,7 +26,9 @@ const CARD = 176;
 export function createPreviewLoop({ engine, cards, onPicture, onStages, onBusy, onError }) {
   /** @type {Wish | null} */
   let wanted = null;
-  let drawing = false;
+  /** What was sent last. @type {Wish | null} */
+  let sent = null;
+  let flying = 0;
   /** @type {any} */
   let timer;
   let stop = new AbortController();
@@ -36,7 +40,7 @@ export function createPreviewLoop({ engine, cards, onPicture, onStages, onBusy, 
       stop.abort();
       clearTimeout(timer);
       onBusy(true);
-      if (!drawing) void draw();
+      next();
     },
     dispose() {
       wanted = null;
@@ -45,22 +49,24 @@ export function createPreviewLoop({ engine, cards, onPicture, onStages, onBusy, 
     },
   };
 
-  async function draw() {
-    drawing = true;
-    let wish = wanted;
-    while (wish) {
-      const { id, style, width, height } = wish;
-      try {
-        const designed = await engine.drawDesign(id, style, { width, height });
-        if (wanted) onPicture(designed);
-      } catch (error) {
-        tell(error);
-      }
-      if (wanted === wish) break;
-      wish = wanted;
+  function next() {
+    if (wanted && sent !== wanted && flying < AHEAD) void draw(wanted);
+    else if (wanted && flying === 0) timer = setTimeout(refine, REST);
+  }
+
+  /** @param {Wish} wish */
+  async function draw(wish) {
+    const { id, style, width, height } = wish;
+    sent = wish;
+    flying += 1;
+    try {
+      const designed = await engine.drawDesign(id, style, { width, height });
+      if (wanted) onPicture(designed);
+    } catch (error) {
+      tell(error);
     }
-    drawing = false;
-    if (wanted) timer = setTimeout(refine, REST);
+    flying -= 1;
+    next();
   }
 
   async function refine() {
