@@ -18,6 +18,8 @@ export function createStyling({ store, ownStyles }) {
     return {
       ...planner,
       plan: (request) => {
+        // A style that stays or is named is not drawn; hundreds of others need not cross to the core.
+        if (request.keep.style || request.style !== undefined) return planner.plan(request);
         const { invented, keepLines, keepColours } = store.project.peek().styling;
         const mine = ownStyles.mine.peek();
         const extra = [...mine, ...ownStyles.favourites.peek().filter(({ id }) => mine.every((style) => style.id !== id))];

@@ -10,7 +10,7 @@ use crate::stamp::{Inputs, Stamp};
 use crate::{chromium, npm, site, tools, wasm};
 
 /// Builds everything, then measures. With words in `filter` only rows whose name has one of them are timed, and
-/// `page`, `album`, `detect` or `masks` where they are among them; nothing is written; `alone` leaves the other libraries out.
+/// `page`, `album`, `making`, `detect` or `masks` where they are among them; nothing is written; `alone` leaves the other libraries out.
 pub(crate) fn run(project: &Project, filter: &[String], alone: bool) -> Result<()> {
     let browser = chromium::find()?;
     // Rows need the blocks alone; the site takes minutes.

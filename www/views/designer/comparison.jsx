@@ -49,7 +49,10 @@ export function Comparison({ fact: { id, name, meta }, style, small, split, onSt
       onError: ({ message }) => messages.alert(message),
     });
     loop.current = made;
-    return made.dispose;
+    return () => {
+      made.dispose();
+      onBusy(false);
+    };
   }, []);
 
   useEffect(() => {

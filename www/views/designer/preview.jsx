@@ -22,7 +22,8 @@ export function Preview({ onStages }) {
   const four = useSignal(false);
   const compare = useSignal(false);
   const split = useSignal(0.5);
-  const busy = useSignal(false);
+  /** The photos that are being drawn. */
+  const busy = useSignal(/** @type {ReadonlySet<string>} */ (new Set()));
   const hero = useHero();
   const facts = store.facts.value.filter(({ id, meta }) => meta && engine.hasPhoto(id));
   const ids = facts.map(({ id }) => id);
@@ -31,7 +32,7 @@ export function Preview({ onStages }) {
   const shown = four.value ? [...ids.slice(at), ...ids.slice(0, at)].slice(0, 4) : ids.slice(at, at + 1);
 
   return (
-    <section class="preview" aria-label={strings.preview} aria-busy={busy.value}>
+    <section class="preview" aria-label={strings.preview} aria-busy={busy.value.size > 0}>
       <div class="preview-stage" data-count={shown.length}>
         {shown.map((id, i) => (
           <Comparison
@@ -41,7 +42,10 @@ export function Preview({ onStages }) {
             small={shown.length > 1}
             split={compare.value ? split : null}
             onStages={i === 0 ? onStages : null}
-            onBusy={(now) => { busy.value = now; }}
+            onBusy={(now) => {
+              const others = [...busy.peek()].filter((other) => other !== id);
+              busy.value = new Set(now ? [...others, id] : others);
+            }}
           />
         ))}
       </div>
