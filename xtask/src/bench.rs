@@ -7,11 +7,14 @@ use anyhow::Result;
 
 use crate::project::Project;
 use crate::stamp::{Inputs, Stamp};
-use crate::{chromium, npm, site, tools, wasm};
+use crate::{chromium, native, npm, site, tools, wasm};
 
 /// Builds everything, then measures. With words in `filter` only rows whose name has one of them are timed, and
 /// `page`, `album`, `making`, `detect` or `masks` where they are among them; nothing is written; `alone` leaves the other libraries out.
 pub(crate) fn run(project: &Project, filter: &[String], alone: bool) -> Result<()> {
+    if filter == ["native"] {
+        return native::run(project);
+    }
     let browser = chromium::find()?;
     // Rows need the blocks alone; the site takes minutes.
     if filter.is_empty() || filter.iter().any(|word| ["page", "album", "detect"].contains(&word.as_str())) {

@@ -7,6 +7,7 @@ mod budget;
 mod chromium;
 mod faces;
 mod models;
+mod native;
 mod npm;
 mod project;
 mod site;
