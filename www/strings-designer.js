@@ -14,6 +14,7 @@ export const designerStrings = {
   startFromWhat: 'Start from…',
   newStyle: 'An empty style',
   pageStyle: 'The style of the page',
+  beginWithPage: 'Begin with the style of the page',
   styleName: 'Style name',
   saveStyle: 'Save style',
   useStyle: 'Use',

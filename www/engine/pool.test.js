@@ -3,35 +3,7 @@ import { describe, expect, test } from 'vitest';
 import { createPool } from './pool.js';
 import { TRAP } from './protocol.js';
 import { Priority } from './queue.js';
-
-/** Workers that answer when the test says so. */
-function fakeWorkers() {
-  /** @type {any[]} */
-  const workers = [];
-  const spawn = () => {
-    const worker = { /** @type {any} */ request: null, dead: false,
-      /** @param {any} request */
-      postMessage(request) { this.request = request; },
-      terminate() { this.dead = true; } };
-    workers.push(worker);
-    return /** @type {any} */ (worker);
-  };
-  const live = () => workers.filter((worker) => !worker.dead);
-  /** @param {string} name */
-  const holding = (name) => live().find((worker) => worker.request?.args === name);
-  /** @param {string} name @param {object} [reply] */
-  const answer = (name, reply = { ok: name }) => {
-    const worker = holding(name);
-    const { id } = worker.request;
-    worker.request = null;
-    worker.onmessage({ data: { id, memory: 0, ...reply } });
-  };
-  return { workers, spawn, live, holding, answer };
-}
-
-/** @param {string} name @param {object} [rest] */
-const job = (name, rest) => ({ op: 'work', args: name, priority: Priority.VIEW, ...rest });
-const caught = (/** @type {Promise<any>} */ promise) => promise.then(() => 'done', (error) => error.code);
+import { caught, fakeWorkers, job } from './testing.js';
 
 describe('order', () => {
   test('what the person looks at comes first, then first come first served', async () => {

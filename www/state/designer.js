@@ -38,7 +38,7 @@ export function createDesigner({ store, pages, messages, ui, freshId }) {
     return typeof style === 'object' && style.id !== undefined && style.id === store.project.value.draft?.id;
   });
 
-  return { blocks, draft, shown, onPage, layer: signal(/** @type {Layer} */ ('background')), open, close, begin, change, hold, release, use, checked };
+  return { blocks, draft, shown, onPage, layer: signal(/** @type {Layer} */ ('background')), open, close, begin, beginWithPage, change, hold, release, use, checked };
 
   /** @param {Style} [style] to begin with; the draft as it was left unless told */
   function open(style) {
@@ -64,6 +64,13 @@ export function createDesigner({ store, pages, messages, ui, freshId }) {
       const designed = store.planner.peek()?.styles().some(({ id }) => id === style.id);
       keep(designed ? { ...fresh, id: freshId(), name: strings.copyOf(style.name) } : fresh);
     }
+  }
+
+  /** A new draft of the style that the page has. */
+  function beginWithPage() {
+    const style = store.page.peek()?.style;
+    const known = typeof style === 'object' ? style : store.planner.peek()?.styles().find(({ id }) => id === style);
+    if (known) begin(/** @type {Style} */ (known));
   }
 
   /** @param {Edit} change */

@@ -20,7 +20,7 @@ import { StyleBar } from './style-bar.jsx';
 const NOTHING = { times: new Map(), stages: new Map() };
 
 export function Designer() {
-  const { designer } = useApp();
+  const { store, designer } = useApp();
   const [drawn, setDrawn] = useState(NOTHING);
   const [adding, setAdding] = useState(false);
   const opener = useRef(/** @type {HTMLButtonElement | null} */ (null));
@@ -40,6 +40,7 @@ export function Designer() {
     opener.current?.focus();
   }
 
+  const empty = LAYERS.every((layer) => draft[layer].length === 0);
   const total = [...drawn.times.values()].reduce((sum, ms) => sum + ms, 0);
   return (
     <Workspace title={strings.styleDesigner} class="designer" tools={<StyleBar />} onClose={designer.close}>
@@ -61,6 +62,11 @@ export function Designer() {
                   setAdding(true);
                 }} />
               ))}
+              {empty && store.page.value && (
+                <button type="button" class="button lanes-begin" onClick={designer.beginWithPage}>
+                  <Icon name="style" />{strings.beginWithPage}
+                </button>
+              )}
             </div>
           )}
       </div>

@@ -57,10 +57,8 @@ function StartFrom() {
   function start(select) {
     const { value } = select;
     select.value = '';
-    const page = store.page.peek()?.style;
-    const wanted = value === PAGE ? page : value;
-    const style = typeof wanted === 'object' ? wanted : [...mine, ...favourites, ...designed].find(({ id }) => id === wanted);
-    designer.begin(value === EMPTY ? null : /** @type {any} */ (style ?? null));
+    if (value === PAGE) designer.beginWithPage();
+    else designer.begin([...mine, ...favourites, ...designed].find(({ id }) => id === value) ?? null);
   }
 
   return (
