@@ -51,14 +51,23 @@ pub fn filter_rows(
     second: &mut [u8],
 ) {
     let width = first.len();
+    // Of one length, so that one check of a block's place serves all rows.
+    let rows = rows.map(|row| &row[..width + MARGIN]);
+    // Pairs of known length: a copy of unknown length is a call, and a slow one in wasm.
+    let ((pairs, last), (second_pairs, second_last)) =
+        (first.as_chunks_mut::<2>(), second.as_chunks_mut::<2>());
     for (block, &place) in places.iter().enumerate() {
         let Some(filter) = filters.get(usize::from(place)) else { continue };
-        let x = block * 2;
-        let out = filter_block(rows, x, filter);
-        let count = (width - x).min(2);
-        first[x..x + count].copy_from_slice(&out[..count]);
-        if let Some(second) = second.get_mut(x..x + count) {
-            second.copy_from_slice(&out[2..2 + count]);
+        let [a, b, c, d] = filter_block(rows, block * 2, filter);
+        if let Some(pair) = pairs.get_mut(block) {
+            *pair = [a, b];
+            if let Some(pair) = second_pairs.get_mut(block) {
+                *pair = [c, d];
+            }
+        } else {
+            for (out, value) in last.iter_mut().zip([a]).chain(second_last.iter_mut().zip([c])) {
+                *out = value;
+            }
         }
     }
 }
