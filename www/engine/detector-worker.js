@@ -23,18 +23,26 @@ globalThis.onmessage = async ({ data: { id, op, args: { photo, boxes } } }) => {
     const detector = await started;
     const { width, height } = photo;
     const planes = new Uint8Array(await photo.planes.arrayBuffer());
-    if (op === 'look') {
-      const faces = JSON.parse(detector.faces(width, height, planes));
-      const objects = JSON.parse(detector.objects(width, height, planes));
-      postMessage({ id, ok: { ...faces, boxes: [...faces.boxes, ...objects] }, memory: 0 });
-    } else {
-      const answer = detector.look_closer(width, height, planes, JSON.stringify(boxes));
-      postMessage({ id, ok: JSON.parse(answer), memory: 0 });
-    }
+    const ok = op === 'look'
+      ? look(detector, width, height, planes)
+      : JSON.parse(detector.look_closer(width, height, planes, JSON.stringify(boxes)));
+    postMessage({ id, ok, memory: 0 });
   } catch (error) {
     postMessage({ id, error: describe(error), memory: 0 });
   }
 };
+
+/**
+ * @param {Detector} detector
+ * @param {number} width
+ * @param {number} height
+ * @param {Uint8Array} planes
+ * @returns {{ boxes: Found[], closer: boolean }} faces first
+ */
+function look(detector, width, height, planes) {
+  const { boxes, closer } = JSON.parse(detector.faces(width, height, planes));
+  return { boxes: [...boxes, ...JSON.parse(detector.objects(width, height, planes))], closer };
+}
 
 async function start() {
   const [module, faces, objects] = await Promise.all([MODULE, FACES, OBJECTS].map(load));

@@ -38,14 +38,17 @@ export function createStore() {
   /** Facts of the tray, in its order. */
   const facts = computed(() => tray.value.flatMap(({ id }) => album.value.get(id) ?? []));
 
+  /** What the selection compares of the photos that were read. */
+  const measured = computed(() => (
+    facts.value.filter((fact) => fact.measures !== null).map(({ id, name, measures }) => ({ id, name, ...measures }))
+  ));
+
   /** @type {ReadonlyMap<string, Verdict>} */
   let judged = new Map();
   /** The selection's word on each photo; it waits until all are read, so that no photo comes and goes. */
   const verdicts = computed(() => {
     if (!planner.value || reading.value) return judged;
-    const measured = facts.value.filter((fact) => fact.measures !== null);
-    const photos = measured.map(({ id, name, measures }) => ({ id, name, ...measures }));
-    judged = new Map(planner.value.choose(photos, project.value.alike).map((verdict) => [verdict.id, verdict]));
+    judged = new Map(planner.value.choose(measured.value, project.value.alike).map((verdict) => [verdict.id, verdict]));
     return judged;
   });
 
@@ -93,6 +96,7 @@ export function createStore() {
     page,
     tray,
     facts,
+    measured,
     verdicts,
     photos,
     own,

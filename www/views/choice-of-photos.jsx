@@ -58,6 +58,6 @@ export function ChoiceOfPhotos() {
  * @param {number} alike
  */
 function keptAt(store, alike) {
-  const photos = store.facts.value.filter(({ measures }) => measures !== null).map(({ id, name, measures }) => ({ id, name, ...measures }));
+  const photos = store.measured.value;
   return store.planner.value?.choose(photos, alike).filter(({ kept }) => kept).length ?? photos.length;
 }

@@ -1,11 +1,30 @@
 // @ts-check
+/** Photos as thumbnails: the part of them that is shown, and how large. */
+
+import { screenPixels } from './bitmap.jsx';
+
+/** @typedef {{ width: number, height: number } | null | undefined} Size of a photo; none while it is not read */
+
+/** A style without blocks shows the photo as it is. */
+export const PLAIN = Object.freeze({ id: 'plain', name: 'Plain', tags: [], background: [] });
+
+/**
+ * A thumbnail of so many CSS pixels, filled by the middle of a photo.
+ * @param {Size} photo
+ * @param {number} width
+ * @param {number} [height] as wide as high unless told
+ */
+export function thumbnail(photo, width, height = width) {
+  return { width: screenPixels(width), height: screenPixels(height), crop: covering(photo, width / height) };
+}
+
 /**
  * The part in the middle of a photo that fills a thumbnail, so that nothing is squeezed.
- * @param {{ width: number, height: number } | null | undefined} photo
- * @param {number} [aspect] of the thumbnail, width over height
+ * @param {Size} photo
+ * @param {number} aspect of the thumbnail, width over height
  * @returns {import('../engine/documents.js').Bounds} in parts of the photo
  */
-export function covering(photo, aspect = 1) {
+function covering(photo, aspect) {
   const { width, height } = photo ?? { width: aspect, height: 1 };
   const part = width / height / aspect;
   const [w, h] = [Math.min(1, 1 / part), Math.min(1, part)];

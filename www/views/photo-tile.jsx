@@ -3,16 +3,15 @@
 
 import { useComputed } from '@preact/signals';
 import { strings } from '../strings.js';
-import { Bitmap, screenPixels } from './bitmap.jsx';
+import { Bitmap } from './bitmap.jsx';
 import { useApp } from './context.js';
+import { PLAIN, thumbnail } from './cover.js';
 import { Icon } from './icon.jsx';
 import { PHOTO } from './panel-gestures.js';
 import { PhotoSubjects } from './subject-boxes.jsx';
 
 /** @typedef {import('../state/project.js').TrayItem} TrayItem */
 
-/** A style without blocks shows the photo as it is. */
-const PLAIN = { id: 'plain', name: 'Plain', tags: [], background: [] };
 const SIDE = 96;
 
 /**
@@ -41,7 +40,7 @@ export function PhotoTile({ item: { id }, used, stack = 0, onTake }) {
     >
       <label class="photo-picture">
         {ready
-          ? <Bitmap of={id} draw={(call) => engine.stylePhoto(id, PLAIN, cover(fact?.meta), call)} />
+          ? <Bitmap of={id} draw={(call) => engine.stylePhoto(id, PLAIN, thumbnail(fact?.meta, SIDE), call)} />
           : <span class="bitmap" />}
         {ui.subjects.value && <PhotoSubjects id={id} />}
         <input
@@ -91,15 +90,4 @@ export function PhotoTile({ item: { id }, used, stack = 0, onTake }) {
       {verdict && <span class="photo-why" id={`why-${id}`}>{verdict.why}</span>}
     </li>
   );
-}
-
-/**
- * The square in the middle of a photo.
- * @param {{ width: number, height: number } | null | undefined} meta
- */
-function cover(meta) {
-  const { width, height } = meta ?? { width: 1, height: 1 };
-  const side = Math.min(width, height);
-  const crop = { x: (1 - side / width) / 2, y: (1 - side / height) / 2, width: side / width, height: side / height };
-  return { width: screenPixels(SIDE), height: screenPixels(SIDE), crop };
 }

@@ -5,9 +5,9 @@
  */
 
 import { strings } from '../strings.js';
-import { Bitmap, screenPixels } from './bitmap.jsx';
+import { Bitmap } from './bitmap.jsx';
 import { useApp } from './context.js';
-import { covering } from './cover.js';
+import { thumbnail } from './cover.js';
 import { useHero } from './hero.js';
 import { Listbox } from './listbox.jsx';
 
@@ -22,7 +22,7 @@ export function StylesList() {
   const style = /** @type {string | Style | null} */ (store.page.value?.style ?? null);
   const selected = typeof style === 'string' ? style : style?.id ?? null;
   const meta = store.facts.value.find(({ id }) => id === hero)?.meta;
-  const size = { width: screenPixels(WIDTH), height: screenPixels(HEIGHT), crop: covering(meta, WIDTH / HEIGHT) };
+  const size = thumbnail(meta, WIDTH, HEIGHT);
   const mine = ownStyles.mine.value;
   const favourites = without(ownStyles.favourites.value, mine);
   const designed = without(store.styles.value, [...mine, ...favourites]);

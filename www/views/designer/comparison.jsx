@@ -7,6 +7,7 @@ import { useEffect, useRef } from 'preact/hooks';
 import { strings } from '../../strings.js';
 import { screenPixels } from '../bitmap.jsx';
 import { useApp } from '../context.js';
+import { PLAIN } from '../cover.js';
 import { createPreviewLoop } from './preview-loop.js';
 
 /** @typedef {import('../../engine/documents.js').Style} Style */
@@ -16,7 +17,6 @@ import { createPreviewLoop } from './preview-loop.js';
 const LIVE = { long: 960, short: 540 };
 /** The long side of the copy of a photo that is drawn from. */
 const WORK = 1600;
-const PLAIN = { id: 'plain', name: 'Plain', tags: [], background: [] };
 /** What the arrow keys and the page keys move the divider by. @type {Record<string, number>} */
 const STEPS = { ArrowLeft: -0.02, ArrowDown: -0.02, ArrowRight: 0.02, ArrowUp: 0.02, PageDown: -0.1, PageUp: 0.1, Home: -1, End: 1 };
 

@@ -6,10 +6,10 @@
 import { useEffect, useMemo, useRef, useState } from 'preact/hooks';
 import { LAYERS, MOST_BLOCKS, remedy, styleOf } from '../../state/designer-draft.js';
 import { strings } from '../../strings.js';
-import { Bitmap, screenPixels } from '../bitmap.jsx';
+import { Bitmap } from '../bitmap.jsx';
 import { IconButton } from '../button.jsx';
 import { useApp } from '../context.js';
-import { covering } from '../cover.js';
+import { thumbnail } from '../cover.js';
 import { useHero } from '../hero.js';
 
 /** @typedef {import('../../engine/documents.js').Block} Block */
@@ -31,7 +31,7 @@ export function Palette({ onClose, onAdded }) {
   const layer = designer.layer.value;
   const steps = draft?.[layer] ?? [];
   const meta = store.facts.value.find(({ id }) => id === hero)?.meta;
-  const size = { width: screenPixels(SIZE.width), height: screenPixels(SIZE.height), crop: covering(meta, SIZE.width / SIZE.height) };
+  const size = thumbnail(meta, SIZE.width, SIZE.height);
   const found = search(blocks, words);
   const pictures = useMemo(() => new Map(blocks.map((block) => [block.id, draft && styleWith(draft, layer, block, blocks)])), [draft, layer, blocks]);
   useEffect(() => field.current?.focus(), []);

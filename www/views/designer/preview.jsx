@@ -5,14 +5,12 @@
 
 import { useSignal } from '@preact/signals';
 import { strings } from '../../strings.js';
-import { Bitmap, screenPixels } from '../bitmap.jsx';
+import { Bitmap } from '../bitmap.jsx';
 import { useApp } from '../context.js';
-import { covering } from '../cover.js';
+import { PLAIN, thumbnail } from '../cover.js';
 import { useHero } from '../hero.js';
 import { Comparison } from './comparison.jsx';
 
-/** A style without blocks shows the photo as it is. */
-const PLAIN = { id: 'plain', name: 'Plain', tags: [], background: [] };
 const THUMB = 64;
 
 /** @param {{ onStages: (designed: import('../../engine/design.js').Designed) => void }} props */
@@ -56,7 +54,7 @@ export function Preview({ onStages }) {
           {facts.map(({ id, name, meta }) => (
             <li key={id}>
               <button type="button" aria-label={strings.previewOf(name)} title={name} aria-current={id === first ? 'true' : undefined} onClick={() => { chosen.value = id; }}>
-                <Bitmap of={id} draw={(call) => engine.stylePhoto(id, PLAIN, { width: screenPixels(THUMB), height: screenPixels(THUMB), crop: covering(meta) }, call)} />
+                <Bitmap of={id} draw={(call) => engine.stylePhoto(id, PLAIN, thumbnail(meta, THUMB), call)} />
               </button>
             </li>
           ))}
