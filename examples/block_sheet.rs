@@ -4,19 +4,24 @@
 //!
 //! Cells are small, so spatial parameters are scaled up: by sqrt(w h / (1920 * 1080)) they would vanish.
 
-#[path = "layout_sheet/font.rs"]
+#[path = "sheets/file.rs"]
+mod file;
+#[path = "sheets/font.rs"]
 mod font;
+#[path = "sheets/picture.rs"]
+mod picture;
 
 use std::error::Error;
+use std::path::Path;
 
-use image::RgbImage;
-use image::codecs::jpeg::JpegEncoder;
+use file::save;
 use inkpanel::raster::Image;
 use inkpanel::raster::decode::{Limits, decode};
 use inkpanel::raster::resize::{Region, resample_image};
 use inkpanel::style::{Context, Style, blocks, chain};
+use picture::paste;
 use serde_json::{Value, json};
-use tiny_skia::{Color, Pixmap, PremultipliedColorU8};
+use tiny_skia::{Color, Pixmap};
 
 /// Blocks side by side.
 const COLUMNS: usize = 2;
@@ -55,10 +60,7 @@ fn main() -> Result<(), Box<dyn Error>> {
             paste(&mut sheet, &drawn, left + column as u32 * width, top + LINE);
         }
     }
-    let pixels = sheet.pixels().iter().flat_map(|pixel| [pixel.red(), pixel.green(), pixel.blue()]).collect();
-    let picture = RgbImage::from_raw(sheet.width(), sheet.height(), pixels).ok_or("too large")?;
-    let mut file = std::io::BufWriter::new(std::fs::File::create(out)?);
-    Ok(JpegEncoder::new_with_quality(&mut file, QUALITY).encode_image(&picture)?)
+    save(&sheet, Path::new(out), QUALITY)
 }
 
 /// The block with parameters that show what it does, behind what it needs.
@@ -92,15 +94,4 @@ fn cell(path: &str, width: u32, height: u32) -> Result<Image, Box<dyn Error>> {
     let (across, down) = (f64::from(width) * scale, f64::from(height) * scale);
     let region = Region { x: (w - across) / 2.0, y: (h - down) / 2.0, width: across, height: down };
     Ok(resample_image(&photo, region, width as usize, height as usize))
-}
-
-fn paste(sheet: &mut Pixmap, image: &Image, left: u32, top: u32) {
-    let across = sheet.width();
-    for (i, pixel) in image.to_rgba().chunks_exact(4).enumerate() {
-        let (x, y) = (left + (i % image.width()) as u32, top + (i / image.width()) as u32);
-        let color = PremultipliedColorU8::from_rgba(pixel[0], pixel[1], pixel[2], 255);
-        if let (Some(color), Some(target)) = (color, sheet.pixels_mut().get_mut((y * across + x) as usize)) {
-            *target = color;
-        }
-    }
 }

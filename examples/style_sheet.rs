@@ -9,21 +9,25 @@
 //! A style is drawn on a panel of 400 pixels, as on a page on the screen; `--panel 1920` draws as for print.
 //! Photos may be named too; `photo.jpg@dark` shows one as if taken in that light, see [`LIGHTS`].
 
-#[path = "layout_sheet/font.rs"]
+#[path = "sheets/file.rs"]
+mod file;
+#[path = "sheets/font.rs"]
 mod font;
+#[path = "sheets/picture.rs"]
+mod picture;
 
 use std::error::Error;
 use std::fs;
 use std::path::Path;
 
-use image::RgbImage;
-use image::codecs::jpeg::JpegEncoder;
+use file::save;
 use inkpanel::raster::Image;
 use inkpanel::raster::decode::{Limits, decode};
 use inkpanel::raster::resize::{Region, resample_image};
 use inkpanel::style::catalogue::{catalogue, find};
 use inkpanel::style::{Context, Style, stylize};
-use tiny_skia::{Color, Pixmap, PremultipliedColorU8};
+use picture::paste;
+use tiny_skia::{Color, Pixmap};
 
 type Outcome<T> = Result<T, Box<dyn Error>>;
 
@@ -74,7 +78,7 @@ fn main() -> Outcome<()> {
             paste(&mut sheet, &cell, column * width, top + LINE + line * height);
         }
     }
-    save(&sheet, &options.out)
+    save(&sheet, Path::new(&options.out), QUALITY)
 }
 
 struct Options {
@@ -147,26 +151,4 @@ fn lit(photo: &Image, gain: f32, bias: f32) -> Outcome<Image> {
     let light = |value: u8| f32::from(value).mul_add(gain, bias).clamp(0.0, 255.0) as u8;
     let rgb: Vec<u8> = photo.to_rgb().into_iter().map(light).collect();
     Ok(Image::from_interleaved_rgb(photo.width(), photo.height(), &rgb)?)
-}
-
-fn paste(sheet: &mut Pixmap, image: &Image, left: u32, top: u32) {
-    let across = sheet.width();
-    for (i, pixel) in image.to_rgba().chunks_exact(4).enumerate() {
-        let (x, y) = (left + (i % image.width()) as u32, top + (i / image.width()) as u32);
-        let color = PremultipliedColorU8::from_rgba(pixel[0], pixel[1], pixel[2], 255);
-        if let (Some(color), Some(target)) = (color, sheet.pixels_mut().get_mut((y * across + x) as usize)) {
-            *target = color;
-        }
-    }
-}
-
-/// PNG where the name ends so, else JPEG.
-fn save(sheet: &Pixmap, path: &str) -> Outcome<()> {
-    let pixels = sheet.pixels().iter().flat_map(|pixel| [pixel.red(), pixel.green(), pixel.blue()]).collect();
-    let picture = RgbImage::from_raw(sheet.width(), sheet.height(), pixels).ok_or("too large")?;
-    if Path::new(path).extension().is_some_and(|kind| kind == "png") {
-        return Ok(picture.save(path)?);
-    }
-    let mut file = std::io::BufWriter::new(fs::File::create(path)?);
-    Ok(JpegEncoder::new_with_quality(&mut file, QUALITY).encode_image(&picture)?)
 }

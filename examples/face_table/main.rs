@@ -8,7 +8,7 @@
 //! box is at least a thirtieth of the photo's longer side, profiles among them.
 
 mod cuts;
-#[path = "../layout_sheet/font.rs"]
+#[path = "../sheets/font.rs"]
 mod font;
 mod sheet;
 

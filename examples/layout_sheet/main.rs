@@ -4,13 +4,15 @@
 //! Without `--page` every layout stands on a page of its own aspect; with it, those that are good for that
 //! page. `--generated 60` draws new ones instead. Without photos it takes the sample album; `--plain` draws none.
 
+#[path = "../sheets/file.rs"]
+mod file;
+#[path = "../sheets/font.rs"]
 mod font;
 
 use std::error::Error;
-use std::fs::File;
-use std::io::{BufWriter, Write};
 use std::path::PathBuf;
 
+use file::save;
 use inkpanel::framing::{EnergyMap, Order, PhotoMeta, assign, slots};
 use inkpanel::layout::{
     PRESETS, PageSettings, ResolvedPanel, ResolvedShape, Template, catalogue, generate, resolve,
@@ -25,6 +27,8 @@ const GAP: f64 = 20.0;
 const LABEL: f64 = 30.0;
 const A4: f64 = 210.0 / 297.0;
 const COLUMNS: usize = 11;
+/// Of a JPEG file.
+const QUALITY: u8 = 70;
 
 type Outcome<T> = Result<T, Box<dyn Error>>;
 
@@ -55,26 +59,9 @@ fn main() -> Outcome<()> {
         sheet.draw_pixmap(at.0, at.1, drawn.as_ref(), &PixmapPaint::default(), Transform::default(), None);
         font::write(&mut sheet, template.id(), at.0 as u32, (place.1 + BOX.1 + 8.0) as u32);
     }
-    save(&sheet, &options.out)?;
+    save(&sheet, &options.out, QUALITY)?;
     println!("{} layouts in {}", shown.len(), options.out.display());
     Ok(())
-}
-
-/// Writes PNG or JPEG, as the file's name ends.
-fn save(sheet: &Pixmap, path: &PathBuf) -> Outcome<()> {
-    // The sheet is opaque, so that premultiplied and straight pixels are the same.
-    let rgb: Vec<u8> = sheet.data().chunks_exact(4).flat_map(|p| [p[0], p[1], p[2]]).collect();
-    let (width, height) = (sheet.width(), sheet.height());
-    let mut file = BufWriter::new(File::create(path)?);
-    if path.extension().is_some_and(|kind| kind == "jpg") {
-        let mut encoder = image::codecs::jpeg::JpegEncoder::new_with_quality(&mut file, 70);
-        encoder.encode(&rgb, width, height, image::ExtendedColorType::Rgb8)?;
-    } else {
-        let mut encoder = png::Encoder::new(&mut file, width, height);
-        encoder.set_color(png::ColorType::Rgb);
-        encoder.write_header()?.write_image_data(&rgb)?;
-    }
-    Ok(file.flush()?)
 }
 
 struct Options {

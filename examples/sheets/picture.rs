@@ -1,0 +1,16 @@
+//! A picture on a sheet.
+
+use inkpanel::raster::Image;
+use tiny_skia::{Pixmap, PremultipliedColorU8};
+
+/// Lays a picture on the sheet; what would lie outside is left out.
+pub(crate) fn paste(sheet: &mut Pixmap, image: &Image, left: u32, top: u32) {
+    let across = sheet.width();
+    for (i, pixel) in image.to_rgba().chunks_exact(4).enumerate() {
+        let (x, y) = (left + (i % image.width()) as u32, top + (i / image.width()) as u32);
+        let color = PremultipliedColorU8::from_rgba(pixel[0], pixel[1], pixel[2], 255);
+        if let (Some(color), Some(target)) = (color, sheet.pixels_mut().get_mut((y * across + x) as usize)) {
+            *target = color;
+        }
+    }
+}
