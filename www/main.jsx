@@ -12,6 +12,7 @@ import { createChoosing } from './state/choosing.js';
 import { createDesigner } from './state/designer.js';
 import { createDownload } from './state/download.js';
 import { createExplorer } from './state/explorer.js';
+import { createShelves } from './state/keeping/shelves.js';
 import { createFraming } from './state/framing.js';
 import { createKeys } from './state/keys.js';
 import { createMerging } from './state/merging.js';
@@ -46,9 +47,10 @@ const selection = createSelection({ store });
 const merging = createMerging({ store, pages, selection });
 const framing = createFraming({ store, pages });
 const reshaping = createReshaping({ store, pages, seed: freshSeed });
-const ownLayouts = createOwnLayouts({ store, pages, messages, box: () => window.localStorage });
+const ownLayouts = createOwnLayouts({ store, pages, messages });
 const designer = createDesigner({ store, pages, messages, ui, freshId: freshStyleId });
-const ownStyles = createOwnStyles({ store, pages, messages, designer, freshId: freshStyleId, box: () => window.localStorage });
+const ownStyles = createOwnStyles({ store, pages, messages, designer, freshId: freshStyleId });
+const shelves = createShelves({ store, messages, box: () => window.localStorage });
 const explorer = createExplorer({ store, engine, messages, ownStyles, seed: freshSeed });
 const styling = createStyling({ store, ownStyles });
 const subjects = createSubjects({
@@ -60,8 +62,7 @@ const alternatives = createAlternatives({ store, pages });
 engine.ready.then(
   (planner) => {
     store.planner.value = styling.within(planner);
-    ownLayouts.recall();
-    ownStyles.recall();
+    shelves.recall();
     openLink();
     setTimeout(warmUp);
   },
@@ -84,6 +85,7 @@ acceptFiles(window, (files) => {
 });
 
 window.addEventListener('hashchange', openLink);
+window.addEventListener('storage', shelves.hear);
 
 effect(() => {
   const painted = store.page.value === null || ui.painted.value === store.page.value;

@@ -67,7 +67,7 @@ export const designerStrings = {
   styleDeleted: (/** @type {string} */ name) => `${name} was deleted. Undo brings it back.`,
   styleKept: (/** @type {string} */ name) => `${name} is in My styles. Add photos to see it.`,
   styleTooLong: (/** @type {string} */ name) => `style ${name}: file: is longer than 256 KB`,
-  stylesNotKept: 'The storage of this browser is full or refused, so your styles last as long as this page. Export what you want to keep.',
+  stylesNotKept: 'The storage of this browser is full or refused, so your styles and layouts last as long as this page. Export what you want to keep.',
   linkedStyle: 'style of the link',
   linkCopied: 'The link is in the clipboard.',
   linkNotCopied: (/** @type {string} */ link) => `The clipboard cannot be used here. The link is: ${link}`,

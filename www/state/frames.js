@@ -74,7 +74,7 @@ export function createFrames({ store, engine, intake }) {
     intake.count(0, frames);
     store.change({ type: 'add-photos', ids: [...video.ids], gesture });
     if ((await read(video, signal)).length === 0) return;
-    forget(key);
+    // The video before stays known: undo brings its frames back.
     store.change({ type: 'remove-photos', ids: old.ids, gesture });
   }
 

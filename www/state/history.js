@@ -5,11 +5,12 @@
  */
 
 import { EMPTY_PROJECT, reduce } from './project.js';
+import { rebased } from './shared-lists.js';
 
 /** @typedef {import('./project.js').Project} Project */
 /** @typedef {import('./project.js').Action} Action */
 /** @typedef {import('./project.js').PageDocument} PageDocument */
-/** @typedef {{ id: number, page: PageDocument }} Shown */
+/** A page that was shown; `from` is the page that it was made from. @typedef {{ id: number, page: PageDocument, from?: number }} Shown */
 
 /**
  * @typedef {{
@@ -22,11 +23,16 @@ import { EMPTY_PROJECT, reduce } from './project.js';
  * What happens to a history: an action on the project, with how it counts, or a step through time.
  * `silent` amends the present without a step (a page that is still growing); a step with the `gesture` of the
  * step before joins it.
- * @typedef {Action & { silent?: boolean, gesture?: string } | { type: 'undo' } | { type: 'redo' }} Change
+ * `share` tells a list that all projects have in common, as it is now outside of this one: no step, at no time undone.
+ * @typedef {(
+ *   | Action & { silent?: boolean, gesture?: string } | { type: 'undo' } | { type: 'redo' }
+ *   | { type: 'share', lists: Partial<import('./shared-lists.js').SharedLists> }
+ * )} Change
  */
 
 const MOST_STEPS = 500;
-const MOST_SHOWN = 500;
+/** Beyond so many the oldest go, favourites never. */
+const MOST_SHOWN = 1000;
 
 /** @type {History} */
 export const EMPTY_HISTORY = Object.freeze({
@@ -45,10 +51,11 @@ export const EMPTY_HISTORY = Object.freeze({
 export function advance(history, change) {
   if (change.type === 'undo') return undo(history);
   if (change.type === 'redo') return redo(history);
+  if (change.type === 'share') return rebased(history, change.lists);
   if (change.type === 'forget-photos') return forget(history, change);
   const present = reduce(history.present, change);
   if (present === history.present) return history;
-  const shown = note(history.shown, present);
+  const shown = note(history.shown, present, history.present.page ? history.present.pageId : undefined);
   if (change.silent) return { ...history, present, shown };
   const joins = change.gesture !== undefined && change.gesture === history.gesture;
   const past = joins ? history.past : [...history.past, history.present].slice(-MOST_STEPS);
@@ -107,12 +114,18 @@ function forget(history, change) {
  * The last state of each page counts: an edited page replaces itself, a new one goes to the end.
  * @param {readonly Shown[]} shown
  * @param {Project} project
+ * @param {number} [from] the page before it
  * @returns {readonly Shown[]}
  */
-function note(shown, { page, pageId }) {
+function note(shown, { page, pageId, loved }, from) {
   if (page === null) return shown;
   const at = shown.findIndex(({ id }) => id === pageId);
-  if (at < 0) return [...shown, { id: pageId, page }].slice(-MOST_SHOWN);
+  if (at < 0) {
+    const all = [...shown, from === undefined ? { id: pageId, page } : { id: pageId, page, from }];
+    if (all.length <= MOST_SHOWN) return all;
+    const oldest = all.findIndex(({ id }) => !loved.includes(id));
+    return all.filter((_, i) => i !== Math.max(0, oldest));
+  }
   if (shown[at].page === page) return shown;
-  return shown.map((entry, i) => (i === at ? { id: pageId, page } : entry));
+  return shown.map((entry, i) => (i === at ? { ...entry, page } : entry));
 }

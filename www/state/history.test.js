@@ -61,6 +61,18 @@ describe('the pages shown', () => {
     expect(position(history)).toBe(2);
   });
 
+  test('know what each was made from, so that going back and shuffling branches', () => {
+    const history = play(EMPTY_HISTORY, show(1), show(2), show(1), show(3));
+    expect(history.shown.map(({ id, from }) => [id, from])).toEqual([[1, undefined], [2, 1], [3, 1]]);
+  });
+
+  test('favourites stay when the oldest go', () => {
+    const loved = play(EMPTY_HISTORY, show(1), show(2), { type: 'love-page', pageId: 1, on: true });
+    const long = play(loved, ...Array.from({ length: 1100 }, (_, i) => show(i + 3)));
+    expect(long.shown.length).toBe(1000);
+    expect(long.shown.map(({ id }) => id).slice(0, 2)).toEqual([1, 104]);
+  });
+
   test('going back to a page is a step, and leaves the list as it is', () => {
     const history = play(EMPTY_HISTORY, show(1), show(2), show(1));
     expect(history.shown.length).toBe(2);
@@ -69,14 +81,41 @@ describe('the pages shown', () => {
   });
 });
 
-const changes = fc.array(fc.oneof(
-  fc.integer({ min: 1, max: 9 }).map(show),
-  fc.constantFrom('undo', 'redo').map((type) => /** @type {Change} */ ({ type })),
-  fc.tuple(fc.constantFrom('layout', 'style', 'photos'), fc.boolean()).map(([part, on]) => /** @type {Change} */ ({ type: 'lock', part, on })),
-  fc.subarray(['a', 'b', 'c']).map((ids) => /** @type {Change} */ ({ type: 'add-photos', ids })),
-  fc.constantFrom('a', 'b', 'c').map((id) => /** @type {Change} */ ({ type: 'remove-photo', id })),
-  fc.tuple(fc.constantFrom('a', 'b', 'c'), fc.boolean()).map(([id, use]) => /** @type {Change} */ ({ type: 'use-photo', id, use })),
-), { maxLength: 40 });
+const photo = fc.constantFrom('a', 'b', 'c');
+const anId = fc.integer({ min: 1, max: 9 });
+const items = fc.subarray(['x', 'y', 'z']).map((ids) => /** @type {any[]} */ (ids.map((id) => ({ id, name: id, tags: [] }))));
+const gesture = fc.constantFrom(undefined, 'drag', 'drag', 'other');
+/** One arbitrary a kind of action: a kind that is missing here does not compile. @type {Record<import('./project.js').Action['type'], fc.Arbitrary<any>>} */
+const actions = {
+  'add-photos': fc.record({ ids: fc.subarray(['a', 'b', 'c']) }),
+  'remove-photo': fc.record({ id: photo }),
+  'remove-photos': fc.record({ ids: fc.subarray(['a', 'b', 'c']) }),
+  // Forgetting is no step; it has tests of its own.
+  'forget-photos': fc.record({ ids: fc.constant([]) }),
+  'use-photo': fc.record({ id: photo, use: fc.boolean() }),
+  'use-photos': fc.record({ uses: fc.dictionary(photo, fc.boolean()).map((uses) => new Map(Object.entries(uses))) }),
+  'exchange-photo': fc.record({ id: photo, by: fc.constantFrom('d', 'e') }),
+  'choose-by': fc.record({ alike: fc.integer({ min: 4, max: 16 }), order: fc.constantFrom('time', 'name') }),
+  'focus-photo': fc.record({ id: photo, focus: fc.constantFrom(null, { x: 0.2, y: 0.7 }) }),
+  lock: fc.record({ part: fc.constantFrom('layout', 'style', 'photos'), on: fc.boolean() }),
+  'want-panels': fc.record({ count: fc.constantFrom(null, 1, 4) }),
+  'show-page': anId.map((id) => ({ page: page(id), pageId: id })),
+  'change-page': anId.map((id) => ({ page: page(id) })),
+  'change-settings': anId.map((id) => ({ page: page(id), settings: { ...DEFAULT_SETTINGS, gutter: id / 100 } })),
+  'no-page': fc.constant({}),
+  design: fc.constantFrom({ draft: null }, { draft: { id: 'd', name: 'D', tags: [], background: [], foreground: [], ink: '#000000' } }),
+  'own-styles': items.map((mine) => ({ mine })),
+  favourites: items.map((favourites) => ({ favourites })),
+  'own-layouts': items.map((ownLayouts) => ({ ownLayouts })),
+  'love-page': fc.record({ pageId: anId, on: fc.boolean() }),
+  rename: fc.record({ name: fc.constantFrom('', 'One', 'Two') }),
+  styling: fc.record({ styling: fc.record({ invented: fc.constantFrom(0, 0.5), keepLines: fc.boolean(), keepColours: fc.boolean() }) }),
+};
+const action = fc.oneof(...Object.entries(actions).map(([type, rest]) => (
+  fc.tuple(rest, gesture).map(([parts, of]) => /** @type {Change} */ ({ type, ...parts, ...(of ? { gesture: of } : {}) }))
+)));
+const step = fc.constantFrom('undo', 'redo').map((type) => /** @type {Change} */ ({ type }));
+const changes = fc.array(fc.oneof({ weight: 4, arbitrary: action }, { weight: 1, arbitrary: step }), { maxLength: 60 });
 
 describe('whatever is done', () => {
   test('undoing everything leads to the start, and redoing everything back', () => {
@@ -89,6 +128,28 @@ describe('whatever is done', () => {
       while (forth.future.length > end.future.length) forth = advance(forth, { type: 'redo' });
       expect(forth.present).toEqual(end.present);
     }));
+  });
+
+  test('two hundred steps go back one by one, and forth again', () => {
+    fc.assert(fc.property(fc.array(action, { minLength: 400, maxLength: 450 }), (list) => {
+      const states = [EMPTY_HISTORY];
+      for (const one of list) {
+        const next = advance(states[states.length - 1], one);
+        // A gesture that goes on amends its step.
+        if (next.past.length > states[states.length - 1].past.length) states.push(next);
+        else states[states.length - 1] = next;
+      }
+      expect(states.length).toBeGreaterThan(200);
+      let now = states[states.length - 1];
+      for (const before of states.slice(0, -1).reverse()) {
+        now = advance(now, { type: 'undo' });
+        expect(now.present).toEqual(before.present);
+      }
+      for (const after of states.slice(1)) {
+        now = advance(now, { type: 'redo' });
+        expect(now.present).toEqual(after.present);
+      }
+    }), { numRuns: 20 });
   });
 
   test('the page is among those shown, no page is shown twice, and a fresh id is fresh', () => {

@@ -1,6 +1,7 @@
 // @ts-check
 /**
- * `My layouts`: kept in this browser, saved as files, opened from files.
+ * `My layouts`: kept in this browser (`keeping/shelves.js`), saved as files, opened from files. They are a part of the
+ * project, so a layout that was removed comes back by undo.
  */
 
 import { strings } from '../strings.js';
@@ -10,38 +11,18 @@ import { save as saveFile } from './files.js';
 /** @typedef {import('./pages.js').Pages} Pages */
 /** @typedef {import('./messages.js').Messages} Messages */
 /** @typedef {import('../engine/documents.js').Template} Template */
-/** @typedef {Pick<Storage, 'getItem' | 'setItem'>} Box */
 /** @typedef {ReturnType<typeof createOwnLayouts>} OwnLayouts */
 
-const KEY = 'inkpanel.layouts';
 /** More would make the list long and the storage full; the oldest go. */
 const MOST = 200;
 /** No layout file is longer, in bytes; the core says so too, but only after all of it was read. */
 const LONGEST = 256 * 1024;
 
 /**
- * @param {{ store: Store, pages: Pages, messages: Messages, box: () => Box }} app `box` may throw where storage is refused
+ * @param {{ store: Store, pages: Pages, messages: Messages }} app
  */
-export function createOwnLayouts({ store, pages, messages, box }) {
-  return { recall, save, open, remove, isOwn };
-
-  /** Reads what was kept. One that can no longer be read is left out; it is said nowhere, as nobody asked. */
-  function recall() {
-    const planner = store.planner.peek();
-    if (!planner) return;
-    try {
-      const kept = JSON.parse(box().getItem(KEY) ?? '[]');
-      store.own.value = (Array.isArray(kept) ? kept : []).flatMap((layout) => {
-        try {
-          return [planner.checkLayout(JSON.stringify(layout), 'My layouts')];
-        } catch {
-          return [];
-        }
-      });
-    } catch {
-      // No storage, or nothing that could be read: the list begins empty.
-    }
-  }
+export function createOwnLayouts({ store, pages, messages }) {
+  return { save, open, remove, isOwn };
 
   /** The layout of the page as a file, and in the list. */
   function save() {
@@ -97,13 +78,8 @@ export function createOwnLayouts({ store, pages, messages, box }) {
     write([layout, ...store.own.peek().filter(({ id }) => id !== layout.id)].slice(0, MOST));
   }
 
-  /** @param {readonly Template[]} list */
-  function write(list) {
-    store.own.value = list;
-    try {
-      box().setItem(KEY, JSON.stringify(list));
-    } catch {
-      // Storage may be refused or full; the list then lasts as long as the page.
-    }
+  /** @param {readonly Template[]} ownLayouts */
+  function write(ownLayouts) {
+    store.change({ type: 'own-layouts', ownLayouts });
   }
 }

@@ -1,5 +1,6 @@
 // @ts-check
 import { expect, test, vi } from 'vitest';
+import { createShelves } from './keeping/shelves.js';
 import { createOwnLayouts } from './own-layouts.js';
 import { lengthIn, pixelsOf, whyNotSize } from './paper.js';
 import { fakeApp } from './testing.js';
@@ -11,14 +12,16 @@ function app(kept = /** @type {string | null} */ (null)) {
   const { store, pages, messages } = made;
   let text = kept;
   const box = { getItem: () => text, setItem: (/** @type {string} */ _, /** @type {string} */ value) => { text = value; } };
-  const layouts = createOwnLayouts({ store, pages, messages, box: () => box });
-  return { ...made, layouts, kept: () => JSON.parse(text ?? '[]') };
+  const layouts = createOwnLayouts({ store, pages, messages });
+  const shelves = createShelves({ store, messages, box: () => box });
+  return { ...made, layouts, shelves, kept: () => JSON.parse(text ?? '[]') };
 }
 
 const file = (/** @type {string} */ name, /** @type {any} */ layout) => new File([typeof layout === 'string' ? layout : JSON.stringify(layout)], name);
 
 test('a layout is opened from a file, shown, kept and forgotten', async () => {
-  const { layouts, store, reading, files, kept } = app();
+  const { layouts, shelves, store, reading, files, kept, pages } = app();
+  shelves.recall();
   await reading.addFiles(files('a', 'b'));
   await layouts.open([file('mine.json', { id: 'x2', name: 'Mine' })]);
   expect(store.page.value?.layout).toEqual({ id: 'x2', name: 'Mine' });
@@ -26,6 +29,8 @@ test('a layout is opened from a file, shown, kept and forgotten', async () => {
   expect(layouts.isOwn('x2')).toBe(true);
   layouts.remove('x2');
   expect([kept(), store.own.value]).toEqual([[], []]);
+  pages.undo();
+  expect([kept().length, layouts.isOwn('x2')]).toEqual([1, true]);
 });
 
 test('a bad file is named with the reason, and the good ones count', async () => {
@@ -38,11 +43,11 @@ test('a bad file is named with the reason, and the good ones count', async () =>
 });
 
 test('what was kept is there again; what can no longer be read is not', () => {
-  const { layouts, store } = app(JSON.stringify([{ id: 'z1' }, { broken: true }]));
-  layouts.recall();
+  const { shelves, store } = app(JSON.stringify([{ id: 'z1' }, { broken: true }]));
+  shelves.recall();
   expect(store.own.value).toEqual([{ id: 'z1' }]);
   const other = app('no json');
-  other.layouts.recall();
+  other.shelves.recall();
   expect(other.store.own.value).toEqual([]);
 });
 

@@ -1,20 +1,17 @@
 // @ts-check
 /**
- * `My styles` and the favourites: kept in this browser, saved as files, shared as links. My styles are a part of the
- * project, so a style that was deleted comes back by undo; favourites are marks, and each takes itself back.
+ * `My styles` and the favourites: kept in this browser (`keeping/shelves.js`), saved as files, shared as links. They are
+ * a part of the project, so a style that was deleted comes back by undo.
  */
 
-import { computed, effect, signal, untracked } from '@preact/signals';
+import { computed } from '@preact/signals';
 import { strings } from '../strings.js';
 import { save as saveFile } from './files.js';
 import { LONGEST_STYLE, isStyleLink, linkOf, textOfLink } from './style-link.js';
 
 /** @typedef {import('../engine/documents.js').Style} Style */
-/** @typedef {Pick<Storage, 'getItem' | 'setItem'>} Box */
 /** @typedef {ReturnType<typeof createOwnStyles>} OwnStyles */
 
-const MINE = 'inkpanel.styles';
-const FAVOURITES = 'inkpanel.favourites';
 /** More would make the lists long and the storage full; the oldest go. */
 const MOST = 300;
 
@@ -26,30 +23,14 @@ export function freshStyleId() {
 /**
  * @param {{
  *   store: import('./store.js').Store, pages: import('./pages.js').Pages, messages: import('./messages.js').Messages,
- *   designer: Pick<import('./designer.js').Designer, 'open' | 'change'>, freshId: () => string, box: () => Box,
- * }} app `box` may throw where storage is refused
+ *   designer: Pick<import('./designer.js').Designer, 'open' | 'change'>, freshId: () => string,
+ * }} app
  */
-export function createOwnStyles({ store, pages, messages, designer, freshId, box }) {
+export function createOwnStyles({ store, pages, messages, designer, freshId }) {
   const mine = computed(() => store.project.value.mine);
-  /** @type {import('@preact/signals').Signal<readonly Style[]>} */
-  const favourites = signal([]);
-  let recalled = false;
+  const favourites = computed(() => store.project.value.favourites);
 
-  // Undo, too, changes what is kept.
-  effect(() => {
-    const list = mine.value;
-    if (recalled) untracked(() => write(MINE, list));
-  });
-
-  return { mine, favourites, recall, save, remove, duplicate, exportFile, open, openLink, copyLink, favour, isFavourite, find };
-
-  /** Reads what was kept. One that can no longer be read is left out; it is said nowhere, as nobody asked. */
-  function recall() {
-    const kept = read(MINE);
-    if (kept.length > 0) store.change({ type: 'own-styles', mine: kept, silent: true });
-    favourites.value = read(FAVOURITES);
-    recalled = true;
-  }
+  return { mine, favourites, save, remove, duplicate, exportFile, open, openLink, copyLink, favour, isFavourite, find };
 
   /** @param {string} id @returns {Style | undefined} one of the person's own or favourite styles */
   function find(id) {
@@ -124,8 +105,8 @@ export function createOwnStyles({ store, pages, messages, designer, freshId, box
   /** Marks a style as a favourite, or no longer. @param {Style} style */
   function favour(style) {
     const others = favourites.peek().filter(({ id }) => id !== style.id);
-    favourites.value = (others.length === favourites.peek().length ? [style, ...others] : others).slice(0, MOST);
-    write(FAVOURITES, favourites.peek());
+    const all = others.length === favourites.peek().length ? [style, ...others] : others;
+    store.change({ type: 'favourites', favourites: all.slice(0, MOST) });
   }
 
   /** @param {string} id */
@@ -159,32 +140,5 @@ export function createOwnStyles({ store, pages, messages, designer, freshId, box
   /** @param {Style} style */
   function put(style) {
     store.change({ type: 'own-styles', mine: [style, ...mine.peek().filter(({ id }) => id !== style.id)].slice(0, MOST) });
-  }
-
-  /** @param {string} key @returns {Style[]} */
-  function read(key) {
-    const planner = store.planner.peek();
-    if (!planner) return [];
-    try {
-      const kept = JSON.parse(box().getItem(key) ?? '[]');
-      return (Array.isArray(kept) ? kept : []).flatMap((style) => {
-        try {
-          return [planner.checkStyle(JSON.stringify(style), 'My styles')];
-        } catch {
-          return [];
-        }
-      });
-    } catch {
-      return [];
-    }
-  }
-
-  /** @param {string} key @param {readonly Style[]} list */
-  function write(key, list) {
-    try {
-      box().setItem(key, JSON.stringify(list));
-    } catch {
-      messages.alert(strings.stylesNotKept);
-    }
   }
 }

@@ -1,6 +1,7 @@
 // @ts-check
 import { deflateRawSync } from 'node:zlib';
 import { describe, expect, it, test, vi } from 'vitest';
+import { createShelves } from './keeping/shelves.js';
 import { createOwnStyles } from './own-styles.js';
 import { isStyleLink, linkOf, textOfLink } from './style-link.js';
 import { fakeApp } from './testing.js';
@@ -31,8 +32,8 @@ function app(kept = {}, full = false) {
   const opened = [];
   let ids = 0;
   const designer = { open: (/** @type {any} */ what) => void opened.push(what), change: () => {} };
-  const styles = createOwnStyles({ ...made, designer, freshId: () => `fresh-${(ids += 1)}`, box: () => box });
-  styles.recall();
+  const styles = createOwnStyles({ ...made, designer, freshId: () => `fresh-${(ids += 1)}` });
+  createShelves({ ...made, box: () => box }).recall();
   return { ...made, styles, opened, kept: (key = MINE) => JSON.parse(kept[key] ?? '[]') };
 }
 

@@ -10,6 +10,7 @@
 /** @typedef {import('../engine/documents.js').PageDocument} PageDocument */
 /** @typedef {import('../engine/documents.js').PageSettings} PageSettings */
 /** @typedef {import('../engine/documents.js').Style} Style */
+/** @typedef {import('../engine/documents.js').Template} Template */
 /** @typedef {import('./designer-draft.js').Draft} Draft */
 /** @typedef {'layout' | 'style' | 'photos'} Part */
 /** How a shuffle draws a style: the share of invented ones, and the layers that stay. @typedef {{ invented: number, keepLines: boolean, keepColours: boolean }} Styling */
@@ -25,11 +26,13 @@
 
 /**
  * @typedef {{
- *   tray: readonly TrayItem[], alike: number, order: Order, locks: Locks, panels: number | null, settings: PageSettings,
- *   page: PageDocument | null, pageId: number, draft: Draft | null, mine: readonly Style[], styling: Styling,
- * }} Project `alike`: photos whose fingerprints differ in at most so many of 64 bits show the same picture; `panels`:
+ *   name: string, tray: readonly TrayItem[], alike: number, order: Order, locks: Locks, panels: number | null, settings: PageSettings,
+ *   page: PageDocument | null, pageId: number, draft: Draft | null, mine: readonly Style[],
+ *   favourites: readonly Style[], ownLayouts: readonly Template[], loved: readonly number[], styling: Styling,
+ * }} Project `name`: what the person calls it, empty until then; `alike`: photos whose fingerprints differ in at most so many of 64 bits show the same picture; `panels`:
  *   the wanted number, null for any; `pageId` names the page among those shown; `draft`: the style in the designer;
- *   `mine`: a person's own styles
+ *   `mine`, `favourites` and `ownLayouts`: a person's own styles and layouts, which all projects share; `loved`: the
+ *   favourites among the pages shown, by their ids
  */
 
 /**
@@ -51,6 +54,10 @@
  *   | { type: 'no-page' }
  *   | { type: 'design', draft: Draft | null }
  *   | { type: 'own-styles', mine: readonly Style[] }
+ *   | { type: 'favourites', favourites: readonly Style[] }
+ *   | { type: 'own-layouts', ownLayouts: readonly Template[] }
+ *   | { type: 'love-page', pageId: number, on: boolean }
+ *   | { type: 'rename', name: string }
  *   | { type: 'styling', styling: Styling }
  * )} Action
  */
@@ -70,6 +77,7 @@ export const DEFAULT_SETTINGS = Object.freeze({
 
 /** @type {Project} */
 export const EMPTY_PROJECT = Object.freeze({
+  name: '',
   tray: Object.freeze([]),
   alike: 10,
   order: 'time',
@@ -80,6 +88,9 @@ export const EMPTY_PROJECT = Object.freeze({
   pageId: 0,
   draft: null,
   mine: Object.freeze([]),
+  favourites: Object.freeze([]),
+  ownLayouts: Object.freeze([]),
+  loved: Object.freeze([]),
   styling: Object.freeze({ invented: 0, keepLines: false, keepColours: false }),
 });
 
@@ -142,6 +153,17 @@ export function reduce(project, action) {
       return { ...project, draft: action.draft };
     case 'own-styles':
       return { ...project, mine: action.mine };
+    case 'favourites':
+      return { ...project, favourites: action.favourites };
+    case 'own-layouts':
+      return { ...project, ownLayouts: action.ownLayouts };
+    case 'love-page': {
+      if (project.loved.includes(action.pageId) === action.on) return project;
+      const others = project.loved.filter((id) => id !== action.pageId);
+      return { ...project, loved: action.on ? [...others, action.pageId] : others };
+    }
+    case 'rename':
+      return project.name === action.name ? project : { ...project, name: action.name };
     case 'styling':
       return { ...project, styling: action.styling };
     default:

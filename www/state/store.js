@@ -4,7 +4,7 @@
  * the session and is never saved.
  */
 
-import { computed, signal } from '@preact/signals';
+import { batch, computed, signal } from '@preact/signals';
 import { chronological, isUsed, unreadMeta } from './album.js';
 import { EMPTY_HISTORY, advance } from './history.js';
 
@@ -28,6 +28,9 @@ export function createStore() {
 
   /** The videos that photos in the tray were taken from. @type {import('@preact/signals').Signal<ReadonlyMap<string, import('./album.js').Video>>} */
   const videos = signal(new Map());
+
+  /** The files of photos that are still being read. @type {Map<string, File>} */
+  const originals = new Map();
 
   /** Whether the sample album is on its way. */
   const fetching = signal(false);
@@ -65,8 +68,8 @@ export function createStore() {
     });
   });
 
-  /** A person's own layouts, in full. @type {import('@preact/signals').Signal<readonly Template[]>} */
-  const own = signal([]);
+  /** A person's own layouts, in full. @type {import('@preact/signals').ReadonlySignal<readonly Template[]>} */
+  const own = computed(() => project.value.ownLayouts);
   /** The size of the page, the only part of its settings that says which layouts suit. */
   const size = computed(() => `${project.value.settings.width} ${project.value.settings.height}`);
   /** The layouts to choose from: a person's own, and those that are good for the page. */
@@ -89,6 +92,7 @@ export function createStore() {
     history,
     album,
     videos,
+    originals,
     planner,
     reading,
     fetching,
@@ -108,6 +112,15 @@ export function createStore() {
     change: (change) => {
       history.value = advance(history.value, change);
     },
+    /**
+     * Puts another project in the place of this one.
+     * @param {{ history: import('./history.js').History, album: Album, videos: ReadonlyMap<string, import('./album.js').Video> }} other
+     */
+    load: (other) => batch(() => {
+      album.value = other.album;
+      videos.value = other.videos;
+      history.value = other.history;
+    }),
     /** @param {Fact} fact */
     know: (fact) => {
       album.value = new Map(album.value).set(fact.id, fact);
