@@ -5,6 +5,7 @@ mod bench;
 mod bless;
 mod budget;
 mod chromium;
+mod clamps;
 mod faces;
 mod models;
 mod native;

@@ -1,5 +1,5 @@
 //! The crate as wasm modules, the core and the detectors: cargo, then wasm-bindgen as a library (so its version is the one in Cargo.lock),
-//! then wasm-opt from the npm package `binaryen`.
+//! then wasm-opt from the npm package `binaryen`, and what it leaves to do.
 
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -10,7 +10,7 @@ use wasm_bindgen_cli_support::Bindgen;
 
 use crate::project::Project;
 use crate::stamp::{Inputs, Stamp};
-use crate::{npm, tools};
+use crate::{clamps, npm, tools};
 
 /// What rustc calls the browser.
 pub(crate) const TARGET: &str = "wasm32-unknown-unknown";
@@ -72,6 +72,7 @@ pub(crate) fn build(project: &Project, module: &Module) -> Result<()> {
     let mut inputs = Inputs::default();
     inputs.path(&compiled, &[])?.path(&project.www().join("node_modules/binaryen/package.json"), &[])?;
     inputs.path(&project.root.join("Cargo.lock"), &[])?.value(include_str!("wasm.rs"));
+    inputs.value(include_str!("clamps.rs"));
     let stamp = Stamp::new(project, module.name, &inputs);
     let optimised = module.folder.join("inkpanel_bg.wasm");
     if stamp.is_current(&optimised) {
@@ -134,7 +135,10 @@ fn optimise(project: &Project, module: &Path, level: &str) -> Result<()> {
             .arg("-o")
             .arg(&optimised),
     )?;
-    fs::rename(optimised, module).context("cannot replace the module by the optimised one")
+    let (clean, removed) = clamps::remove(&fs::read(&optimised)?)?;
+    println!("needless clamps taken out: {removed}");
+    fs::remove_file(&optimised)?;
+    fs::write(module, clean).context("cannot replace the module by the optimised one")
 }
 
 /// An empty folder in place of whatever was there.
