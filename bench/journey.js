@@ -1,60 +1,10 @@
 // @ts-check
 /** What a person waits for, in the real built site: the first page, a shuffle, the file. */
 
-import { existsSync, mkdirSync, readdirSync, writeFileSync } from 'node:fs';
-import { join } from 'node:path';
-
 /** @typedef {import('playwright-core').Browser} Browser */
 
-const PHOTOS = 12;
 const SHUFFLES = 15;
 const RESIZES = 8;
-
-/**
- * Twelve JPEG files as a 12-megapixel camera writes them: the sample album enlarged, with grain. Kept between
- * runs.
- * @param {Browser} browser
- * @param {string} album folder
- * @param {string} folder for the result
- * @returns {Promise<string[]>} paths
- */
-export async function bigPhotos(browser, album, folder) {
-  mkdirSync(folder, { recursive: true });
-  const names = readdirSync(album).filter((name) => name.endsWith('.jpg')).sort().slice(0, PHOTOS);
-  const paths = names.map((name) => join(folder, name));
-  if (paths.every((path) => existsSync(path))) return paths;
-  const page = await browser.newPage();
-  const { readFileSync } = await import('node:fs');
-  for (const [i, name] of names.entries()) {
-    const source = readFileSync(join(album, name)).toString('base64');
-    writeFileSync(paths[i], Buffer.from(await page.evaluate(enlarge, source), 'base64'));
-  }
-  await page.close();
-  return paths;
-}
-
-/** Runs in the page. @param {string} source JPEG in base64 @returns {Promise<string>} the same */
-async function enlarge(source) {
-  const bitmap = await createImageBitmap(await (await fetch(`data:image/jpeg;base64,${source}`)).blob());
-  const [width, height] = bitmap.width >= bitmap.height ? [4000, 3000] : [3000, 4000];
-  const canvas = new OffscreenCanvas(width, height);
-  const context = /** @type {OffscreenCanvasRenderingContext2D} */ (canvas.getContext('2d'));
-  context.imageSmoothingQuality = 'high';
-  context.drawImage(bitmap, 0, 0, width, height);
-  const image = context.getImageData(0, 0, width, height);
-  let seed = 1;
-  for (let i = 0; i < image.data.length; i += 1) {
-    if (i % 4 === 3) continue;
-    seed = (Math.imul(seed, 1664525) + 1013904223) >>> 0;
-    image.data[i] += ((seed >>> 24) - 128) / 24;
-  }
-  context.putImageData(image, 0, 0);
-  const blob = await canvas.convertToBlob({ type: 'image/jpeg', quality: 0.92 });
-  const bytes = new Uint8Array(await blob.arrayBuffer());
-  let text = '';
-  for (let i = 0; i < bytes.length; i += 32768) text += String.fromCharCode(...bytes.subarray(i, i + 32768));
-  return btoa(text);
-}
 
 /**
  * @param {Browser} browser

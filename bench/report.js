@@ -10,7 +10,7 @@ import { readFileSync, writeFileSync } from 'node:fs';
  *   rows: Row[], times: Record<string, Record<string, number>>, failed: Record<string, string>,
  *   versions: Record<string, string>, journey: { firstPage: number, refined: number, shuffle: number, png: number, thumbnails: number, listed: number } | null,
  *   masks: { layout: string, ms: number } | null, detect: { faces: number, objects: number, load: number } | null,
- *   crowd: { photos: number, read: number, found: number, longest: number, long: number } | null,
+ *   crowd: Awaited<ReturnType<typeof import('./crowd.js').crowd>> | null,
  *   making: { frames: number, width: number, height: number, styles: number } | null,
  * }} Results `times` are milliseconds by contestant and row
  */
@@ -60,11 +60,13 @@ export function markdown({ machine, rows, times, failed, versions, journey, mask
     );
   }
   if (crowd) {
-    const { photos, read, found, longest, long } = crowd;
+    const { photos, first, read, found, longest, long, memory } = crowd;
     lines.push(
-      `| An album of ${photos} photos of three megapixels, read and its page drawn | ${(read / 1000).toFixed(1)} s |`,
+      `| An album of ${photos} photos of twelve megapixels, its first page | ${(first / 1000).toFixed(2)} s |`,
+      `| The same, all read and the page drawn | ${(read / 1000).toFixed(1)} s |`,
       `| The same, all searched for faces and objects | ${(found / 1000).toFixed(1)} s |`,
       `| The same, longest task of the page's main thread (and tasks above 50 ms) | ${Math.round(longest)} ms (${long}) |`,
+      ...(memory ? [`| The same, peak memory of the tab's process | ${(memory / 2 ** 30).toFixed(2)} GB |`] : []),
     );
   }
   if (making) {

@@ -10,9 +10,10 @@ import { join } from 'node:path';
 import { fileURLToPath } from 'node:url';
 import { parseArgs } from 'node:util';
 import { chromium } from 'playwright-core';
-import { crowd, manyPhotos } from './crowd.js';
-import { bigPhotos, journey } from './journey.js';
+import { crowd } from './crowd.js';
+import { journey } from './journey.js';
 import { making } from './making.js';
+import { makePhotos } from './photos.js';
 import { insert, markdown } from './report.js';
 import { rows as allRows } from './rows.js';
 import { serve } from './server.js';
@@ -23,6 +24,9 @@ const PEERS = {
   vips: 'wasm-vips',
   photon: '@silvia-odwyer/photon',
 };
+
+/** Photos of an afternoon, and of a journey. */
+const [FEW, MANY] = [12, 300];
 
 const { values: options, positionals: filter } = parseArgs({
   allowPositionals: true,
@@ -44,18 +48,18 @@ try {
   const whole = filter.length === 0;
   if (asked('page')) {
     console.log('timing the page');
-    const photos = await bigPhotos(browser, album, join(options.target, 'bench/photos'));
-    results.journey = await site((address) => journey(browser, address, photos));
+    const files = await photos(FEW);
+    results.journey = await site((address) => journey(browser, address, files));
   }
   if (asked('album')) {
     console.log('timing an album');
-    const photos = await manyPhotos(browser, album, join(options.target, 'bench/album'));
-    results.crowd = await site((address) => crowd(browser, address, photos));
+    const files = await photos(MANY);
+    results.crowd = await site((address) => crowd(browser, address, files));
   }
   if (asked('making')) {
     console.log('timing styles in the making');
-    const photos = await bigPhotos(browser, album, join(options.target, 'bench/photos'));
-    results.making = await site((address) => making(browser, address, photos.slice(0, 4)));
+    const files = await photos(FEW);
+    results.making = await site((address) => making(browser, address, files.slice(0, 4)));
   }
   const table = markdown(results);
   console.log(`\n${table}`);
@@ -65,6 +69,11 @@ try {
   }
 } finally {
   await browser.close();
+}
+
+/** The first of the photos that the page is timed with. @param {number} count */
+function photos(count) {
+  return makePhotos(browser, album, join(options.target, 'bench/photos'), count);
 }
 
 /** Whether a part beside the rows is to be timed: without a filter, or by its name. @param {string} part */

@@ -1,7 +1,7 @@
 // @ts-check
 /** How long the detectors take for a photo, on this thread. */
 
-import init, { Detector } from '/detector/inkpanel.js';
+import init, { FaceDetector, ObjectDetector } from '/detector/inkpanel.js';
 
 const PHOTOS = ['/album/09-mariachi.jpg', '/album/02-kitten.jpg', '/album/13-didgeridoo.jpg'];
 /** Longest side of what the page hands over. */
@@ -14,21 +14,21 @@ export async function detect() {
   const nets = await Promise.all(['/models/faces.onnx', '/models/objects.onnx'].map(bytes));
   const before = performance.now();
   await init();
-  const detector = new Detector(nets[0], nets[1]);
+  const [faces, objects] = [new FaceDetector(nets[0]), new ObjectDetector(nets[1])];
   const load = performance.now() - before;
   const photos = await Promise.all(PHOTOS.map(planesOf));
-  const time = (/** @type {'faces' | 'objects'} */ what) => {
+  const time = (/** @type {FaceDetector | ObjectDetector} */ detector) => {
     const times = [];
     for (let run = 0; run < RUNS; run += 1) {
       for (const { width, height, planes } of photos) {
         const start = performance.now();
-        detector[what](width, height, planes);
+        detector.look(width, height, planes);
         times.push(performance.now() - start);
       }
     }
     return times.sort((a, b) => a - b)[times.length >> 1];
   };
-  return { faces: time('faces'), objects: time('objects'), load };
+  return { faces: time(faces), objects: time(objects), load };
 }
 
 /** @param {string} address */

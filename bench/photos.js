@@ -1,0 +1,59 @@
+// @ts-check
+/** Photos as a camera writes them, made from the sample album: enlarged, with grain. */
+
+import { existsSync, mkdirSync, readFileSync, readdirSync, writeFileSync } from 'node:fs';
+import { join } from 'node:path';
+
+/**
+ * So many 12-megapixel JPEG files, no two alike: the photos of the album, then mirrored parts of them. Kept between
+ * runs.
+ * @param {import('playwright-core').Browser} browser
+ * @param {string} album folder
+ * @param {string} folder for the result
+ * @param {number} count
+ * @returns {Promise<string[]>} paths
+ */
+export async function makePhotos(browser, album, folder, count) {
+  mkdirSync(folder, { recursive: true });
+  const names = readdirSync(album).filter((name) => name.endsWith('.jpg')).sort();
+  const paths = Array.from({ length: count }, (_, i) => join(folder, `${String(i).padStart(3, '0')}.jpg`));
+  const page = await browser.newPage();
+  for (const [i, path] of paths.entries()) {
+    if (existsSync(path)) continue;
+    const source = readFileSync(join(album, names[i % names.length])).toString('base64');
+    const made = await page.evaluate(enlarge, /** @type {const} */ ([source, i < names.length ? 0 : i]));
+    writeFileSync(path, Buffer.from(made, 'base64'));
+  }
+  await page.close();
+  return paths;
+}
+
+/**
+ * Runs in the page.
+ * @param {readonly [string, number]} of JPEG in base64, and a seed for the part; 0: the whole photo
+ * @returns {Promise<string>} JPEG in base64
+ */
+async function enlarge([source, part]) {
+  const bitmap = await createImageBitmap(await (await fetch(`data:image/jpeg;base64,${source}`)).blob());
+  const [width, height] = bitmap.width >= bitmap.height ? [4000, 3000] : [3000, 4000];
+  const canvas = new OffscreenCanvas(width, height);
+  const context = /** @type {OffscreenCanvasRenderingContext2D} */ (canvas.getContext('2d'));
+  context.imageSmoothingQuality = 'high';
+  const random = (/** @type {number} */ n) => { const x = Math.sin(part * 12.9898 + n * 78.233) * 43758.5453; return x - Math.floor(x); };
+  if (part > 0 && random(2) < 0.5) context.setTransform(-1, 0, 0, 1, width, 0);
+  const zoom = part > 0 ? 1.1 + random(1) : 1;
+  context.drawImage(bitmap, width * (1 - zoom) * random(3), height * (1 - zoom) * random(4), width * zoom, height * zoom);
+  const image = context.getImageData(0, 0, width, height);
+  let seed = 1;
+  for (let i = 0; i < image.data.length; i += 1) {
+    if (i % 4 === 3) continue;
+    seed = (Math.imul(seed, 1664525) + 1013904223) >>> 0;
+    image.data[i] += ((seed >>> 24) - 128) / 24;
+  }
+  context.putImageData(image, 0, 0);
+  const blob = await canvas.convertToBlob({ type: 'image/jpeg', quality: 0.92 });
+  const bytes = new Uint8Array(await blob.arrayBuffer());
+  let text = '';
+  for (let i = 0; i < bytes.length; i += 32768) text += String.fromCharCode(...bytes.subarray(i, i + 32768));
+  return btoa(text);
+}
