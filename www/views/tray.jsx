@@ -9,6 +9,7 @@ import { strings } from '../strings.js';
 import { IconButton } from './button.jsx';
 import { useApp } from './context.js';
 import { openFiles } from './file-input.jsx';
+import { useGrowing } from './growing.js';
 import { ChoiceOfPhotos } from './choice-of-photos.jsx';
 import { PhotoTile } from './photo-tile.jsx';
 import { Stack, stacks } from './stack.jsx';
@@ -30,6 +31,8 @@ export function Tray() {
   // What is in the open stack is shown there alone.
   const inside = new Set(first === undefined ? [] : open.map(({ id }) => id));
   const aside = tray.filter((item) => !isUsed(item, verdicts) && !inside.has(item.id));
+  const closed = kept.filter(({ id }) => !inside.has(id) || id === first);
+  const room = useGrowing(closed.length + aside.length);
   return (
     <section class="tray" aria-label={strings.photos} aria-busy={reading !== null}>
       <header class="section-head">
@@ -44,7 +47,7 @@ export function Tray() {
       <Videos />
       {tray.length > 1 && <ChoiceOfPhotos />}
       <ul class="photos">
-        {kept.filter(({ id }) => !inside.has(id) || id === first).map((item) => {
+        {closed.slice(0, room).map((item) => {
           const stack = all.get(item.id) ?? [];
           if (item.id === first) return <Stack key="stack" items={stack} />;
           // The first that is used stands for its stack.
@@ -53,7 +56,7 @@ export function Tray() {
         })}
       </ul>
       {aside.length > 0 && <h3 class="aside-head">{strings.setAside}</h3>}
-      {aside.length > 0 && <ul class="photos">{aside.map((item) => tile(item, false, 0))}</ul>}
+      {aside.length > 0 && <ul class="photos">{aside.slice(0, Math.max(0, room - closed.length)).map((item) => tile(item, false, 0))}</ul>}
     </section>
   );
 }
