@@ -92,6 +92,8 @@ effect(() => {
   const waiting = store.planner.value === null || store.reading.value !== null || store.fetching.value;
   const idle = !waiting && painted;
   document.body.dataset.idle = String(idle);
+  // Of a large album the first page is drawn long before all is read.
+  document.body.dataset.drawn = String(painted && store.page.value !== null);
   // Detection refines what is there already, so it is told apart.
   document.body.dataset.detected = String(idle && subjects.settled.value);
 });
