@@ -7,9 +7,10 @@
 // Every function that returns a Result throws as the module's documentation says.
 #![allow(clippy::missing_errors_doc)]
 
-use crate::detect::{Detection, Detectors};
+use crate::detect::{Detection, Faces, Objects, worth_a_closer_look};
 use crate::error::{Error, Result};
 use crate::raster::{Image, Plane};
+use serde::Serialize;
 use wasm_bindgen::prelude::*;
 
 #[wasm_bindgen(start)]
@@ -17,35 +18,36 @@ fn start() {
     console_error_panic_hook::set_once();
 }
 
-/// Both detectors, ready to run.
+/// What the first look for faces found.
+#[derive(Serialize)]
+struct FirstLook {
+    boxes: Vec<Detection>,
+    /// Whether a closer look may find more.
+    closer: bool,
+}
+
+/// The face detector. Photos are given as their red, green and blue planes one after the other; boxes are
+/// `{label, score, x, y, width, height}` in fractions of the photo.
 #[wasm_bindgen]
-pub struct Detector {
-    nets: Detectors,
+pub struct FaceDetector {
+    net: Faces,
 }
 
 #[wasm_bindgen]
-impl Detector {
-    /// Reads the two nets.
+impl FaceDetector {
+    /// Reads the net.
     #[wasm_bindgen(constructor)]
-    pub fn new(faces: &[u8], objects: &[u8]) -> std::result::Result<Self, JsValue> {
-        Ok(Self { nets: Detectors::new(faces, objects).map_err(thrown)? })
+    pub fn new(onnx: &[u8]) -> std::result::Result<Self, JsValue> {
+        Ok(Self { net: Faces::new(onnx).map_err(thrown)? })
     }
 
-    /// Faces of a photo, given as its red, green and blue planes one after the other:
-    /// `{boxes: [{label, score, x, y, width, height}], closer}` in fractions of the photo.
-    pub fn faces(&self, width: usize, height: usize, planes: &[u8]) -> std::result::Result<String, JsValue> {
-        let look = || json(&self.nets.look_for_faces(&image(width, height, planes)?)?);
-        look().map_err(thrown)
-    }
-
-    /// Objects of a photo, as an array of boxes.
-    pub fn objects(
-        &self,
-        width: usize,
-        height: usize,
-        planes: &[u8],
-    ) -> std::result::Result<String, JsValue> {
-        let look = || json(&self.nets.look_for_objects(&image(width, height, planes)?)?);
+    /// Faces of a photo, `{boxes, closer}`: `closer` tells whether [`Self::look_closer`] may find more.
+    pub fn look(&self, width: usize, height: usize, planes: &[u8]) -> std::result::Result<String, JsValue> {
+        let look = || {
+            let photo = image(width, height, planes)?;
+            let boxes = self.net.look(&photo)?;
+            json(&FirstLook { closer: worth_a_closer_look(&photo, &boxes), boxes })
+        };
         look().map_err(thrown)
     }
 
@@ -59,8 +61,29 @@ impl Detector {
     ) -> std::result::Result<String, JsValue> {
         let look = || {
             let first: Vec<Detection> = serde_json::from_str(boxes).map_err(|error| internal(&error))?;
-            json(&self.nets.look_closer(&image(width, height, planes)?, first)?)
+            json(&self.net.look_closer(&image(width, height, planes)?, &first)?)
         };
+        look().map_err(thrown)
+    }
+}
+
+/// The object detector; photos and boxes as those of [`FaceDetector`].
+#[wasm_bindgen]
+pub struct ObjectDetector {
+    net: Objects,
+}
+
+#[wasm_bindgen]
+impl ObjectDetector {
+    /// Reads the net.
+    #[wasm_bindgen(constructor)]
+    pub fn new(onnx: &[u8]) -> std::result::Result<Self, JsValue> {
+        Ok(Self { net: Objects::new(onnx).map_err(thrown)? })
+    }
+
+    /// Objects of a photo, an array of boxes.
+    pub fn look(&self, width: usize, height: usize, planes: &[u8]) -> std::result::Result<String, JsValue> {
+        let look = || json(&self.net.look(&image(width, height, planes)?)?);
         look().map_err(thrown)
     }
 }

@@ -7,7 +7,7 @@ use std::fs;
 use std::path::{Path, PathBuf};
 use std::process::Command;
 
-use inkpanel::detect::{Detection, Detectors};
+use inkpanel::detect::{Detection, Detectors, worth_a_closer_look};
 use inkpanel::raster::Image;
 use inkpanel::raster::decode::{Limits, decode};
 use serde_json::Value;
@@ -72,7 +72,9 @@ fn boxes_are_those_of_onnx_runtime() {
     let mut compared = 0;
     for row in rows {
         let file = row["file"].as_str().unwrap();
-        let found = detectors.look(&photo(file)).unwrap().boxes;
+        let photo = photo(file);
+        let mut found = detectors.faces.look(&photo).unwrap();
+        found.extend(detectors.objects.look(&photo).unwrap());
         let mut expected: Vec<&Vec<Value>> =
             row["boxes"].as_array().unwrap().iter().map(|b| b.as_array().unwrap()).collect();
         for found in &found {
@@ -109,8 +111,8 @@ fn small_faces_of_a_large_photo_are_found_in_its_parts() {
     });
     let planes: [_; 3] = planes.collect::<Vec<_>>().try_into().unwrap();
     let photo = Image::from_rgb(planes).unwrap();
-    let first = detectors.look(&photo).unwrap();
-    assert!(first.closer);
+    let first = detectors.faces.look(&photo).unwrap();
+    assert!(worth_a_closer_look(&photo, &first));
     let faces = |boxes: &[Detection]| boxes.iter().filter(|b| b.label == "face").cloned().collect::<Vec<_>>();
     let found = faces(&detectors.detect(&photo).unwrap());
     assert_eq!(found.len(), 1, "{found:?}, at first {first:?}");

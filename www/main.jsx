@@ -93,7 +93,8 @@ effect(() => {
   const idle = !waiting && painted;
   document.body.dataset.idle = String(idle);
   // Of a large album the first page is drawn long before all is read.
-  document.body.dataset.drawn = String(painted && store.page.value !== null);
+  const read = store.page.value?.panels.every(({ photo }) => photo === null || store.album.value.get(photo)?.meta);
+  document.body.dataset.drawn = String(painted && !!read);
   // Detection refines what is there already, so it is told apart.
   document.body.dataset.detected = String(idle && subjects.settled.value);
 });

@@ -32,23 +32,33 @@ const SMALL: f64 = 0.12;
 const EDGE: f64 = 0.004;
 
 /// The face detector.
-pub(super) struct Faces {
+pub struct Faces {
     net: Net,
 }
 
 impl Faces {
-    pub(super) fn new(onnx: &[u8]) -> Result<Self> {
+    /// Reads the net (an ONNX file).
+    ///
+    /// # Errors
+    /// `detector` when the file is not the net that it should be.
+    pub fn new(onnx: &[u8]) -> Result<Self> {
         Ok(Self { net: Net::new(onnx, SIDE)? })
     }
 
-    /// The faces of the whole photo, the surest first.
-    pub(super) fn look(&self, photo: &Image) -> Result<Vec<Detection>> {
+    /// The faces that the whole photo shows at once, the surest first.
+    ///
+    /// # Errors
+    /// `detector` when the net fails.
+    pub fn look(&self, photo: &Image) -> Result<Vec<Detection>> {
         let whole = Region::whole(photo.width(), photo.height());
         Ok(detections(suppress(self.candidates(photo, whole, THRESHOLD)?, SAME)))
     }
 
-    /// Those faces and the ones that the overlapping quarters of the photo show.
-    pub(super) fn look_closer(&self, photo: &Image, first: &[Detection]) -> Result<Vec<Detection>> {
+    /// Those faces and the small ones that the overlapping quarters of the photo show; what to take in place of `first`.
+    ///
+    /// # Errors
+    /// `detector` when the net fails.
+    pub fn look_closer(&self, photo: &Image, first: &[Detection]) -> Result<Vec<Detection>> {
         let mut all: Vec<Candidate> = first
             .iter()
             .map(|f| Candidate { corners: [f.x, f.y, f.x + f.width, f.y + f.height], score: f.score })
@@ -87,7 +97,7 @@ impl Faces {
 }
 
 /// Whether parts of the photo may show more faces: when none was found, or the largest is small.
-pub(super) fn worth_a_closer_look(photo: &Image, faces: &[Detection]) -> bool {
+pub fn worth_a_closer_look(photo: &Image, faces: &[Detection]) -> bool {
     let largest = faces.iter().map(|face| face.width.max(face.height)).fold(0.0, f64::max);
     photo.width().max(photo.height()) >= LARGE && largest < SMALL
 }

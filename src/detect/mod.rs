@@ -15,8 +15,8 @@ use serde::{Deserialize, Serialize};
 
 use crate::error::Result;
 use crate::raster::Image;
-use faces::Faces;
-use objects::Objects;
+pub use faces::{Faces, worth_a_closer_look};
+pub use objects::Objects;
 
 /// Something that was found in a photo. Its box lies inside the photo.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
@@ -35,19 +35,12 @@ pub struct Detection {
     pub height: f64,
 }
 
-/// What the first look at a photo found.
-#[derive(Debug, Clone, PartialEq, Serialize)]
-pub struct Findings {
-    /// Faces first, then objects, each from the surest to the least sure.
-    pub boxes: Vec<Detection>,
-    /// Whether [`Detectors::look_closer`] may find more faces.
-    pub closer: bool,
-}
-
-/// Both detectors, ready to run.
+/// Both detectors, ready to run. In the browser each has a worker of its own.
 pub struct Detectors {
-    faces: Faces,
-    objects: Objects,
+    /// The first of the two.
+    pub faces: Faces,
+    /// The second.
+    pub objects: Objects,
 }
 
 impl Detectors {
@@ -59,52 +52,19 @@ impl Detectors {
         Ok(Self { faces: Faces::new(faces)?, objects: Objects::new(objects)? })
     }
 
-    /// Finds faces and objects in a whole photo in colour; a copy of 600 pixels or more a side is enough.
-    ///
-    /// # Errors
-    /// `detector` when a net fails.
-    pub fn look(&self, photo: &Image) -> Result<Findings> {
-        let mut found = self.look_for_faces(photo)?;
-        found.boxes.extend(self.look_for_objects(photo)?);
-        Ok(found)
-    }
-
-    /// The faces of [`Detectors::look`] alone.
-    ///
-    /// # Errors
-    /// `detector` when the net fails.
-    pub fn look_for_faces(&self, photo: &Image) -> Result<Findings> {
-        let boxes = self.faces.look(photo)?;
-        Ok(Findings { closer: faces::worth_a_closer_look(photo, &boxes), boxes })
-    }
-
-    /// The objects of [`Detectors::look`] alone.
-    ///
-    /// # Errors
-    /// `detector` when the net fails.
-    pub fn look_for_objects(&self, photo: &Image) -> Result<Vec<Detection>> {
-        self.objects.look(photo)
-    }
-
-    /// Finds also small faces, in parts of the photo that overlap. `first` are the boxes of the first look; the
-    /// answer is what to take in their place.
-    ///
-    /// # Errors
-    /// `detector` when the net fails.
-    pub fn look_closer(&self, photo: &Image, first: Vec<Detection>) -> Result<Vec<Detection>> {
-        let (faces, objects): (Vec<_>, Vec<_>) =
-            first.into_iter().partition(|found| found.label == faces::LABEL);
-        let mut boxes = self.faces.look_closer(photo, &faces)?;
-        boxes.extend(objects);
-        Ok(boxes)
-    }
-
-    /// Both looks, the second where it is worth it.
+    /// Finds faces and objects in a photo in colour, faces first, each from the surest to the least sure; a copy of
+    /// 600 pixels or more a side is enough. Looks closer for small faces where that is worth it.
     ///
     /// # Errors
     /// `detector` when a net fails.
     pub fn detect(&self, photo: &Image) -> Result<Vec<Detection>> {
-        let first = self.look(photo)?;
-        if first.closer { self.look_closer(photo, first.boxes) } else { Ok(first.boxes) }
+        let first = self.faces.look(photo)?;
+        let mut found = if worth_a_closer_look(photo, &first) {
+            self.faces.look_closer(photo, &first)?
+        } else {
+            first
+        };
+        found.extend(self.objects.look(photo)?);
+        Ok(found)
     }
 }

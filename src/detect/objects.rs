@@ -15,18 +15,25 @@ const THRESHOLD: f64 = 0.4;
 const SAME: f64 = 0.5;
 
 /// The object detector.
-pub(super) struct Objects {
+pub struct Objects {
     net: Net,
     anchors: Vec<Anchor>,
 }
 
 impl Objects {
-    pub(super) fn new(onnx: &[u8]) -> Result<Self> {
+    /// Reads the net (an ONNX file).
+    ///
+    /// # Errors
+    /// `detector` when the file is not the net that it should be.
+    pub fn new(onnx: &[u8]) -> Result<Self> {
         Ok(Self { net: Net::new(onnx, SIDE)?, anchors: mobilenet_anchors() })
     }
 
     /// The objects of a photo, the surest first.
-    pub(super) fn look(&self, photo: &Image) -> Result<Vec<Detection>> {
+    ///
+    /// # Errors
+    /// `detector` when the net fails.
+    pub fn look(&self, photo: &Image) -> Result<Vec<Detection>> {
         let (input, place) = letterbox(photo, Region::whole(photo.width(), photo.height()), self.net.side());
         let [boxes, logits] = self.net.run(&input)?;
         let count = self.anchors.len();

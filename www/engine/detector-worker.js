@@ -1,9 +1,10 @@
 // @ts-check
 /**
- * The detectors' worker: their wasm module and nets, loaded with the first job.
+ * The worker of a detector, of the one for faces or of the one for objects: the module that both have, and one net,
+ * loaded with the first job.
  */
 
-import initDetector, { Detector } from '../pkg-detector/inkpanel.js';
+import initDetector, { FaceDetector, ObjectDetector } from '../pkg-detector/inkpanel.js';
 import { describe, failure } from './protocol.js';
 
 const MODULE = new URL('../pkg-detector/inkpanel_bg.wasm', import.meta.url);
@@ -12,42 +13,46 @@ const OBJECTS = new URL('../models/objects.onnx', import.meta.url);
 
 /** @typedef {import('./protocol.js').PhotoHandle} PhotoHandle */
 /** @typedef {import('./detector.js').Found} Found */
+/** @typedef {'faces' | 'closer' | 'objects'} Op */
 
-/** @type {Promise<Detector> | undefined} */
-let started;
+/** What was loaded. @type {{ faces?: Promise<FaceDetector>, objects?: Promise<ObjectDetector> }} */
+const nets = {};
 
-/** @param {MessageEvent<{ id: number, op: 'look' | 'lookCloser', args: { photo: PhotoHandle, boxes?: Found[] } }>} event */
+/** @param {MessageEvent<{ id: number, op: Op, args: { photo: PhotoHandle, boxes?: Found[] } }>} event */
 globalThis.onmessage = async ({ data: { id, op, args: { photo, boxes } } }) => {
   try {
-    started ??= start();
-    const detector = await started;
-    const { width, height } = photo;
-    const planes = new Uint8Array(await photo.planes.arrayBuffer());
-    const ok = op === 'look'
-      ? look(detector, width, height, planes)
-      : JSON.parse(detector.look_closer(width, height, planes, JSON.stringify(boxes)));
-    postMessage({ id, ok, memory: 0 });
+    const [run, pixels] = await Promise.all([runner(op, boxes), photo.planes.arrayBuffer()]);
+    postMessage({ id, ok: JSON.parse(run(photo.width, photo.height, new Uint8Array(pixels))), memory: 0 });
   } catch (error) {
     postMessage({ id, error: describe(error), memory: 0 });
   }
 };
 
 /**
- * @param {Detector} detector
- * @param {number} width
- * @param {number} height
- * @param {Uint8Array} planes
- * @returns {{ boxes: Found[], closer: boolean }} faces first
+ * @param {Op} op
+ * @param {Found[]} [boxes] of the first look
+ * @returns {Promise<(width: number, height: number, planes: Uint8Array) => string>}
  */
-function look(detector, width, height, planes) {
-  const { boxes, closer } = JSON.parse(detector.faces(width, height, planes));
-  return { boxes: [...boxes, ...JSON.parse(detector.objects(width, height, planes))], closer };
+async function runner(op, boxes) {
+  if (op === 'objects') {
+    nets.objects ??= start(OBJECTS).then((net) => new ObjectDetector(net));
+    const objects = await nets.objects;
+    return (...photo) => objects.look(...photo);
+  }
+  nets.faces ??= start(FACES).then((net) => new FaceDetector(net));
+  const faces = await nets.faces;
+  return (...photo) => (op === 'faces' ? faces.look(...photo) : faces.look_closer(...photo, JSON.stringify(boxes)));
 }
 
-async function start() {
-  const [module, faces, objects] = await Promise.all([MODULE, FACES, OBJECTS].map(load));
+/**
+ * The module, ready.
+ * @param {URL} address of a net
+ * @returns {Promise<Uint8Array>} the net
+ */
+async function start(address) {
+  const [module, net] = await Promise.all([MODULE, address].map(load));
   await initDetector({ module_or_path: module });
-  return new Detector(new Uint8Array(faces), new Uint8Array(objects));
+  return new Uint8Array(net);
 }
 
 /** @param {URL} address */

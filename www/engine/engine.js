@@ -57,7 +57,7 @@ export function createEngine({ workers = navigator.hardwareConcurrency || 2 } = 
     styles: async () => (await ready).styles(),
     stylize, compose, select, detect, dispose, importPhoto, importVideo,
     /** Subjects of an imported photo, in fractions of it. */
-    look: detector.look, lookCloser: detector.lookCloser,
+    findFaces: detector.findFaces, findMoreFaces: detector.findMoreFaces, findObjects: detector.findObjects,
     forgetPhoto: photos.forget,
     hasPhoto: photos.has,
     ...renders,
@@ -132,8 +132,7 @@ export function createEngine({ workers = navigator.hardwareConcurrency || 2 } = 
     const id = `detect-${(imported += 1)}`;
     try {
       const { width, height } = await importPhoto(id, blob, call);
-      const { boxes, closer } = await detector.look(id, call);
-      const found = closer ? await detector.lookCloser(id, boxes, call) : boxes;
+      const found = await detector.detect(id, call);
       return found.map((box) => ({ ...box, x: box.x * width, y: box.y * height, width: box.width * width, height: box.height * height }));
     } finally {
       photos.forget(id);

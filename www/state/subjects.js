@@ -1,7 +1,7 @@
 // @ts-check
 /**
- * What is in the photos: found one by one once the page is on the screen, those on the page first. The page's crops
- * follow; nobody waits for it.
+ * What is in the photos: found once the page is on the screen, those on the page first, faces and objects side by
+ * side. The page's crops follow; nobody waits for it.
  */
 
 import { computed, effect, signal } from '@preact/signals';
@@ -13,93 +13,111 @@ import { strings } from '../strings.js';
 /** @typedef {ReturnType<typeof createSubjects>} Subjects */
 
 /**
+ * What was found in a photo so far; what failed counts as nothing found. `closer`: a look for small faces is due.
+ * @typedef {{ faces?: Found[], objects?: Found[], closer?: boolean }} Looked
+ */
+/** @typedef {'faces' | 'objects'} Lane */
+
+/** Without the detectors none of the other photos can be looked at. */
+const FATAL = new Set(['detector-missing', 'worker-lost', 'detector']);
+
+/**
  * @param {{
  *   store: import('./store.js').Store, pages: import('./pages.js').Pages, messages: import('./messages.js').Messages,
- *   engine: Pick<import('../engine/engine.js').Engine, 'look' | 'lookCloser' | 'hasPhoto'>,
+ *   engine: Pick<import('../engine/engine.js').Engine, 'findFaces' | 'findMoreFaces' | 'findObjects' | 'hasPhoto'>,
  *   painted: () => boolean, wanted?: boolean,
  * }} app `painted` reads signals: whether the page as it is now is on the screen; not `wanted`, nothing is looked at
  */
 export function createSubjects({ store, pages, messages, engine, painted, wanted = true }) {
-  /** How far each photo is; what failed counts as done. @type {Map<string, 'looked' | 'done'>} */
+  /** @type {Map<string, Looked>} */
   const known = new Map();
-  /** What the closer look begins with. @type {Map<string, Found[]>} */
-  const first = new Map();
   /** @type {import('@preact/signals').Signal<Progress | null>} */
   const progress = signal(null);
   const off = signal(!wanted);
-  const running = signal(false);
+  const running = signal(/** @type {ReadonlySet<Lane>} */ (new Set()));
   /** Bumped when `known` changes. */
   const round = signal(0);
 
-  const waiting = computed(() => {
+  const photos = computed(() => {
     round.value;
-    const read = store.facts.value.filter(({ id, meta }) => meta !== null && known.get(id) !== 'done' && engine.hasPhoto(id));
     const shown = new Set(store.page.value?.panels.map(({ photo }) => photo));
-    const rank = (/** @type {Fact} */ { id }) => (known.has(id) ? 2 : 0) + (shown.has(id) ? 0 : 1);
-    return read.sort((a, b) => rank(a) - rank(b));
+    const read = store.facts.value.filter(({ id, meta }) => meta !== null && engine.hasPhoto(id));
+    return [...read.filter(({ id }) => shown.has(id)), ...read.filter(({ id }) => !shown.has(id))].map(({ id }) => id);
   });
   /** Whether everything is found that will be. */
-  const settled = computed(() => off.value || store.page.value === null || (!running.value && waiting.value.length === 0));
+  const settled = computed(() => off.value || store.page.value === null || (running.value.size === 0 && !next('faces') && !next('objects')));
 
   effect(() => {
-    const ready = store.page.value !== null && store.reading.value === null && painted();
-    if (ready && !off.value && !running.value && waiting.value.length > 0) void run();
+    if (off.value || store.page.value === null || store.reading.value !== null || !painted()) return;
+    for (const lane of /** @type {const} */ (['faces', 'objects'])) if (!running.value.has(lane) && next(lane)) void run(lane);
   });
 
   return { progress, settled };
 
-  async function run() {
-    running.value = true;
+  /**
+   * The photo to look at next; a closer look waits until every photo was looked at.
+   * @param {Lane} lane
+   * @returns {string | undefined}
+   */
+  function next(lane) {
+    const looked = (/** @type {string} */ id) => known.get(id) ?? {};
+    const first = photos.value.find((id) => looked(id)[lane] === undefined);
+    return first ?? (lane === 'faces' ? photos.value.find((id) => looked(id).closer) : undefined);
+  }
+
+  /** @param {Lane} lane */
+  async function run(lane) {
+    running.value = new Set([...running.peek(), lane]);
     try {
-      let total = 0;
       // New photos begin another round when their page is drawn.
-      while (waiting.peek().length > 0 && store.reading.peek() === null) {
-        const [{ id }] = waiting.peek();
-        const left = waiting.peek().filter((fact) => !known.has(fact.id)).length;
-        total = Math.max(total, left);
-        progress.value = left > 0 ? { done: total - left, total } : null;
-        await look(id);
+      for (let id = next(lane); id !== undefined && !off.peek() && store.reading.peek() === null; id = next(lane)) {
+        count();
+        known.set(id, { ...known.get(id), ...await look(lane, id) });
+        tell(id);
+        round.value += 1;
       }
     } catch {
+      if (!off.peek()) messages.note(strings.noDetector);
       off.value = true;
-      messages.note(strings.noDetector);
     } finally {
-      progress.value = null;
-      running.value = false;
+      running.value = new Set([...running.peek()].filter((other) => other !== lane));
+      count();
     }
   }
 
-  /** @param {string} id */
-  async function look(id) {
-    try {
-      const before = first.get(id);
-      if (before) {
-        tell(id, await engine.lookCloser(id, before));
-        known.set(id, 'done');
-        first.delete(id);
-      } else {
-        const { boxes, closer } = await engine.look(id);
-        tell(id, boxes);
-        known.set(id, closer ? 'looked' : 'done');
-        if (closer) first.set(id, boxes);
-      }
-    } catch (error) {
-      // One photo that cannot be looked at is framed by contrast; without detectors all are.
-      known.set(id, 'done');
-      const { code } = /** @type {{ code?: string }} */ (error);
-      if (code === 'detector-missing' || code === 'worker-lost' || code === 'detector') throw error;
-    } finally {
-      round.value += 1;
-    }
+  /** Progress of the first looks; the closer ones change little. */
+  function count() {
+    const left = off.peek() ? 0 : photos.peek().filter((id) => !known.get(id)?.faces || !known.get(id)?.objects).length;
+    const total = Math.max(progress.peek()?.total ?? 0, left);
+    progress.value = left > 0 && running.peek().size > 0 ? { done: total - left, total } : null;
   }
 
   /**
+   * @param {Lane} lane
    * @param {string} id
-   * @param {Found[]} subjects
+   * @returns {Promise<Looked>} what is new
    */
-  function tell(id, subjects) {
+  async function look(lane, id) {
+    const before = known.get(id)?.faces;
+    try {
+      if (lane === 'objects') return { objects: await engine.findObjects(id) };
+      if (before) return { faces: await engine.findMoreFaces(id, before), closer: false };
+      const { boxes, closer } = await engine.findFaces(id);
+      return { faces: boxes, closer };
+    } catch (error) {
+      if (FATAL.has(/** @type {{ code: string }} */ (error).code)) throw error;
+      // One photo that cannot be looked at is framed by contrast.
+      return lane === 'objects' ? { objects: [] } : { faces: before ?? [], closer: false };
+    }
+  }
+
+  /** Lets the page follow when both lanes have looked. @param {string} id */
+  function tell(id) {
+    const { faces, objects } = known.get(id) ?? {};
     const fact = store.album.peek().get(id);
-    if (!fact?.meta || JSON.stringify(fact.meta.subjects) === JSON.stringify(subjects)) return;
+    if (!faces || !objects || !fact?.meta) return;
+    const subjects = [...faces, ...objects];
+    if (JSON.stringify(fact.meta.subjects) === JSON.stringify(subjects)) return;
     store.know({ ...fact, meta: { ...fact.meta, subjects } });
     if (store.page.peek()?.panels.some(({ photo }) => photo === id)) pages.refine();
   }

@@ -6,25 +6,36 @@ import { fakeApp } from './testing.js';
 
 const face = { label: 'face', score: 0.9, x: 0.1, y: 0.1, width: 0.2, height: 0.2 };
 
-/** @param {(id: string) => Promise<any>} look */
-function app(look) {
+const dog = { label: 'dog', score: 0.8, x: 0.4, y: 0.4, width: 0.3, height: 0.3 };
+
+/**
+ * @param {(id: string) => Promise<any>} look for faces
+ * @param {any[]} [found] objects of every photo
+ */
+function app(look, found = []) {
   const made = fakeApp();
   /** @type {string[]} */
   const asked = [];
+  /** @type {string[]} */
+  const objects = [];
   const painted = signal(false);
   const engine = {
     hasPhoto: () => true,
-    look: async (/** @type {string} */ id) => {
+    findFaces: async (/** @type {string} */ id) => {
       asked.push(id);
       return look(id);
     },
-    lookCloser: async (/** @type {string} */ id, /** @type {any[]} */ boxes) => {
+    findMoreFaces: async (/** @type {string} */ id, /** @type {any[]} */ boxes) => {
       asked.push(`${id} closer`);
       return [...boxes, face];
     },
+    findObjects: async (/** @type {string} */ id) => {
+      objects.push(id);
+      return found;
+    },
   };
   const subjects = createSubjects({ ...made, engine, painted: () => painted.value });
-  return { ...made, subjects, painted, asked };
+  return { ...made, subjects, painted, asked, objects };
 }
 
 const settle = () => new Promise((done) => { setTimeout(done, 10); });
@@ -43,6 +54,21 @@ describe('subjects', () => {
     expect(store.album.value.get('p1')?.meta?.subjects).toEqual([face, face]);
     expect(planner.requests.at(-1)?.photos[1].subjects).toEqual([face]);
     expect(subjects.progress.value).toBeNull();
+  });
+
+  it('finds objects beside the faces, and tells of a photo when both are known', async () => {
+    /** @type {(value: any) => void} */
+    let answer = () => {};
+    const { reading, files, painted, objects, store } = app(() => new Promise((done) => { answer = done; }), [dog]);
+    await reading.addFiles(files('1.jpg', '2.jpg'));
+    painted.value = true;
+    await settle();
+    expect(objects).toEqual(['p1', 'p2']);
+    expect(store.album.value.get('p1')?.meta?.subjects).toEqual([]);
+    answer({ boxes: [face], closer: false });
+    await settle();
+    expect(store.album.value.get('p1')?.meta?.subjects).toEqual([face, dog]);
+    expect(store.album.value.get('p2')?.meta?.subjects).toEqual([]);
   });
 
   it('says once that there are no detectors, and asks no more', async () => {
