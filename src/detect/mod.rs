@@ -59,11 +59,8 @@ impl Detectors {
     /// `detector` when a net fails.
     pub fn detect(&self, photo: &Image) -> Result<Vec<Detection>> {
         let first = self.faces.look(photo)?;
-        let mut found = if worth_a_closer_look(photo, &first) {
-            self.faces.look_closer(photo, &first)?
-        } else {
-            first
-        };
+        let mut found =
+            if worth_a_closer_look(photo, &first) { self.faces.look_closer(photo, &first)? } else { first };
         found.extend(self.objects.look(photo)?);
         Ok(found)
     }
