@@ -1,29 +1,31 @@
 // @ts-check
-/** Long lists that are shown a piece at a time, so that the page answers between the pieces. */
+/** Long lists whose items are made a few at a time, so that the page answers in between. */
 
-import { useEffect, useState } from 'preact/hooks';
+import { useEffect, useRef, useState } from 'preact/hooks';
 
-/** What is drawn in one task: well below 50 ms, and more than a screen shows at first. */
+/** What is made in one task: well below 50 ms, and more than a screen shows at first. */
 const PIECE = 24;
 
 /**
- * How many of so many items to show now; all of them some frames later.
- * @param {number} total
- * @returns {number}
+ * Which items to show now: those that were there, and some of the new ones; all of them some frames later.
+ * @param {readonly string[]} keys of all items, in order
+ * @returns {ReadonlySet<string>}
  */
-export function useGrowing(total) {
-  const [room, setRoom] = useState(PIECE);
+export function useGrowing(keys) {
+  const last = useRef(/** @type {ReadonlySet<string>} */ (new Set()));
+  const [, again] = useState(0);
+  let room = PIECE;
+  const shown = new Set(keys.filter((key) => last.current.has(key) || (room -= 1) >= 0));
   useEffect(() => {
-    // A list that was emptied begins again.
-    if (total === 0) setRoom(PIECE);
-    if (room >= total) return undefined;
+    last.current = shown;
+    if (shown.size === keys.length) return undefined;
     let task = /** @type {ReturnType<typeof setTimeout> | undefined} */ (undefined);
-    // After the frame that shows the last piece.
-    const frame = requestAnimationFrame(() => { task = setTimeout(() => setRoom(room + PIECE)); });
+    // After the frame that shows this piece.
+    const frame = requestAnimationFrame(() => { task = setTimeout(() => again((n) => n + 1)); });
     return () => {
       cancelAnimationFrame(frame);
       clearTimeout(task);
     };
-  }, [room, total]);
-  return Math.min(room, total);
+  });
+  return shown;
 }

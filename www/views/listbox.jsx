@@ -4,6 +4,7 @@
  */
 
 import { useEffect, useRef, useState } from 'preact/hooks';
+import { useGrowing } from './growing.js';
 
 /** @typedef {{ id: string, name: string }} Option */
 
@@ -17,11 +18,13 @@ import { useEffect, useRef, useState } from 'preact/hooks';
 export function Listbox({ label, groups, selected, onChoose, picture, names = false, empty = '', class: extra = '' }) {
   const ref = useRef(/** @type {HTMLDivElement | null} */ (null));
   const [active, setActive] = useState(/** @type {string | null} */ (null));
-  const ids = groups.flatMap(({ options }) => options.map(({ id }) => id));
+  const there = useGrowing(groups.flatMap(({ name, options }) => options.map(({ id }) => `${name} ${id}`)));
+  const shown = groups.map(({ name, options }) => ({ name, options: options.filter(({ id }) => there.has(`${name} ${id}`)) }));
+  const ids = shown.flatMap(({ options }) => options.map(({ id }) => id));
   const stop = [active, selected, ids[0]].find((id) => id !== null && ids.includes(id));
 
   // What is chosen elsewhere, by a shuffle say, is found in the list at a glance.
-  useEffect(() => reveal(ref.current), [selected]);
+  useEffect(() => reveal(ref.current), [selected, selected !== null && ids.includes(selected)]);
 
   /** @param {KeyboardEvent} event */
   function onKeyDown(event) {
@@ -41,7 +44,7 @@ export function Listbox({ label, groups, selected, onChoose, picture, names = fa
   return (
     <div ref={ref} class={`listbox ${extra}`} role="listbox" aria-label={label} onKeyDown={onKeyDown}>
       {ids.length === 0 && <p class="quiet" role="presentation">{empty}</p>}
-      {groups.filter(({ options }) => options.length > 0).map(({ name, options }) => (
+      {shown.filter(({ options }) => options.length > 0).map(({ name, options }) => (
         <div class="listbox-group" role="group" aria-label={name || label} key={name}>
           {name && <div class="listbox-heading" aria-hidden="true">{name}</div>}
           {options.map((option) => (

@@ -32,7 +32,7 @@ export function Tray() {
   const inside = new Set(first === undefined ? [] : open.map(({ id }) => id));
   const aside = tray.filter((item) => !isUsed(item, verdicts) && !inside.has(item.id));
   const closed = kept.filter(({ id }) => !inside.has(id) || id === first);
-  const room = useGrowing(closed.length + aside.length);
+  const shown = useGrowing([...closed.map(({ id }) => `used ${id}`), ...aside.map(({ id }) => `aside ${id}`)]);
   return (
     <section class="tray" aria-label={strings.photos} aria-busy={reading !== null}>
       <header class="section-head">
@@ -47,7 +47,7 @@ export function Tray() {
       <Videos />
       {tray.length > 1 && <ChoiceOfPhotos />}
       <ul class="photos">
-        {closed.slice(0, room).map((item) => {
+        {closed.filter(({ id }) => shown.has(`used ${id}`)).map((item) => {
           const stack = all.get(item.id) ?? [];
           if (item.id === first) return <Stack key="stack" items={stack} />;
           // The first that is used stands for its stack.
@@ -56,7 +56,7 @@ export function Tray() {
         })}
       </ul>
       {aside.length > 0 && <h3 class="aside-head">{strings.setAside}</h3>}
-      {aside.length > 0 && <ul class="photos">{aside.slice(0, Math.max(0, room - closed.length)).map((item) => tile(item, false, 0))}</ul>}
+      {aside.length > 0 && <ul class="photos">{aside.filter(({ id }) => shown.has(`aside ${id}`)).map((item) => tile(item, false, 0))}</ul>}
     </section>
   );
 }
