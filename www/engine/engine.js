@@ -158,21 +158,21 @@ export function createEngine({ workers = navigator.hardwareConcurrency || 2 } = 
    * Takes frames out of a video; each becomes a photo, kept under the id given for its place.
    * @param {Blob} file
    * @param {{
-   *   ids: string[], start?: number, end?: number, signal?: AbortSignal,
+   *   ids: string[], leading?: string[], start?: number, end?: number, signal?: AbortSignal,
    *   onAbout?: (about: { duration: number }) => void,
    *   onPhoto: (id: string, meta: import('./protocol.js').Imported['meta'], time: number) => void,
-   * }} wish one frame an id, between `start` and `end` in seconds; `time` is where in the video the frame is
+   * }} wish one frame an id, between `start` and `end` in seconds, those `leading` first; `time` is where in the video the frame is
    */
-  async function importVideo(file, { ids, start, end, signal, onAbout = () => {}, onPhoto }) {
+  async function importVideo(file, { ids, leading = [], start, end, signal, onAbout = () => {}, onPhoto }) {
     await ready;
     const name = nameOf(file, 'video');
-    await readVideo(file, { count: ids.length, start, end }, { signal, onAbout, onFrame });
+    await readVideo(file, { count: ids.length, start, end, leading: leading.map((id) => ids.indexOf(id)) }, { signal, onAbout, onFrame });
 
     /** @param {import('./video.js').Frame} frame */
     async function onFrame({ index, time, ...frame }) {
       const id = ids[index];
       const job = { op: 'importFrame', args: { id, frame }, transfer: [frame.data.buffer], photo: name, holds: [`${id}/work`, `${id}/small`] };
-      const { meta, work, small, file: still } = await run({ ...job, priority: Priority.PAGE, signal });
+      const { meta, work, small, file: still } = await run({ ...job, priority: leading.includes(id) ? Priority.PAGE : Priority.REST, signal });
       photos.add(id, { name, file: still, work, small });
       onPhoto(id, meta, time);
     }

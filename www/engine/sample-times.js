@@ -11,3 +11,15 @@ export function sampleTimes({ first, duration, count, start = 0, end = Infinity 
   const to = Math.max(from, Math.min(duration, end));
   return Array.from({ length: Math.max(1, Math.floor(count)) }, (_, i) => from + (i + 0.5) / count * (to - from));
 }
+
+/**
+ * The order in which frames are taken: those that somebody waits for before the others, both as time goes, for a film is
+ * decoded forwards.
+ * @param {number} count
+ * @param {readonly number[]} [leading] the numbers of those that go first
+ * @returns {number[][]} the numbers of all frames, as one or two runs through the film
+ */
+export function runs(count, leading = []) {
+  const all = Array.from({ length: count }, (_, i) => i);
+  return [all.filter((i) => leading.includes(i)), all.filter((i) => !leading.includes(i))].filter((run) => run.length > 0);
+}

@@ -5,7 +5,7 @@
  */
 
 import { cancelled, failure } from './protocol.js';
-import { sampleTimes } from './sample-times.js';
+import { runs, sampleTimes } from './sample-times.js';
 
 /** A frame that does not come within this time, in ms, is taken as it is. */
 const PATIENCE = 1500;
@@ -18,7 +18,7 @@ const OPENING = 10_000;
  * @param {import('./video.js').Listener} listener
  * @param {string} why the fast way failed
  */
-export async function readByElement(file, { count, start, end }, { signal, onAbout, onFrame }, why) {
+export async function readByElement(file, { count, start, end, leading }, { signal, onAbout, onFrame }, why) {
   const video = document.createElement('video');
   video.muted = true;
   video.playsInline = true;
@@ -32,7 +32,8 @@ export async function readByElement(file, { count, start, end }, { signal, onAbo
     const duration = await lengthOf(video);
     onAbout({ duration });
     const times = sampleTimes({ first: 0, duration, count, start, end });
-    for (const [index, time] of times.entries()) {
+    for (const index of runs(times.length, leading).flat()) {
+      const time = times[index];
       if (signal?.aborted) throw cancelled();
       await wind(video, time);
       await onFrame({ index, time, rotation: 0, ...await pixelsOf(video) });

@@ -4,13 +4,13 @@
  * them from the nearest key frame. The file is read in pieces, and a frame is closed as soon as it is copied, so a
  * long video takes no more memory than a short one. A worker of its own, so that it can be stopped at any moment.
  *
- * In: `{ file, count, start, end }`, then one `{ next: true }` for each frame that was dealt with.
+ * In: `{ file, count, start, end, leading }`, then one `{ next: true }` for each frame that was dealt with.
  * Out: `{ about }`, then `{ frame }` for each, then `{ done: true }`; or `{ error: { code, message } }`.
  */
 
 import { ALL_FORMATS, BlobSource, Input, VideoSampleSink } from 'mediabunny';
 import { describe, failure } from './protocol.js';
-import { sampleTimes } from './sample-times.js';
+import { runs, sampleTimes } from './sample-times.js';
 
 /** @typedef {import('./video.js').Wish} Wish */
 
@@ -37,7 +37,7 @@ globalThis.onmessage = async ({ data }) => {
 };
 
 /** @param {Wish & { file: Blob }} wish */
-async function read({ file, count, start, end }) {
+async function read({ file, count, start, end, leading }) {
   if (typeof VideoDecoder === 'undefined') throw failure('video-decoder', 'This browser has no WebCodecs.');
   const input = new Input({ source: new BlobSource(file), formats: ALL_FORMATS });
   try {
@@ -46,19 +46,21 @@ async function read({ file, count, start, end }) {
     const duration = await track.computeDuration();
     const times = sampleTimes({ first, duration, count, start, end });
     postMessage({ about: { duration } });
-    let index = 0;
-    let last = Number.NaN;
-    for await (const sample of new VideoSampleSink(track).samplesAtTimestamps(times)) {
-      const time = times[index];
-      index += 1;
-      // A slow film may show one frame at two of the times.
-      if (!sample || sample.timestamp === last) {
-        sample?.close();
-        continue;
+    // A slow film may show one frame at two of the times.
+    const sent = new Set();
+    for (const run of runs(times.length, leading)) {
+      let next = 0;
+      for await (const sample of new VideoSampleSink(track).samplesAtTimestamps(run.map((index) => times[index]))) {
+        const index = run[next];
+        next += 1;
+        if (!sample || sent.has(sample.timestamp)) {
+          sample?.close();
+          continue;
+        }
+        sent.add(sample.timestamp);
+        await mayGoOn();
+        await send(sample, index, times[index]);
       }
-      last = sample.timestamp;
-      await mayGoOn();
-      await send(sample, index - 1, time);
     }
   } finally {
     input.dispose();

@@ -8,8 +8,9 @@ import { cancelled, failure } from './protocol.js';
 import { readByElement } from './video-element.js';
 
 /**
- * `count` frames between `start` and `end`, in seconds; the whole video unless told.
- * @typedef {{ count: number, start?: number, end?: number }} Wish
+ * `count` frames between `start` and `end`, in seconds; the whole video unless told. `leading` are the numbers of those
+ * that are wanted first.
+ * @typedef {{ count: number, start?: number, end?: number, leading?: readonly number[] }} Wish
  * @typedef {{
  *   index: number, time: number, width: number, height: number, squareWidth: number, squareHeight: number,
  *   rotation: number, data: Uint8Array<ArrayBuffer>,

@@ -41,6 +41,7 @@ export function createFrames({ store, engine, intake }) {
     try {
       await engine.importVideo(file, {
         ids: [...ids],
+        leading: ids.filter(intake.isShown),
         start,
         end: end ?? undefined,
         signal,

@@ -18,11 +18,16 @@ import { strings } from '../strings.js';
 export function createIntake({ store, pages, engine, messages }) {
   let lastId = 0;
 
-  return { freshIds, readPhoto, arrived, failed, leaveOut, count };
+  return { freshIds, isShown, readPhoto, arrived, failed, leaveOut, count };
 
   /** @param {number} many @returns {string[]} */
   function freshIds(many) {
     return Array.from({ length: many }, () => `p${(lastId += 1)}`);
+  }
+
+  /** Whether a photo is on the page, where somebody waits for it. @param {string} id @returns {boolean} */
+  function isShown(id) {
+    return !!store.page.peek()?.panels.some((panel) => panel.photo === id);
   }
 
   /**
@@ -32,8 +37,7 @@ export function createIntake({ store, pages, engine, messages }) {
    */
   async function readPhoto(id, file, signal) {
     try {
-      const visible = store.page.peek()?.panels.some((panel) => panel.photo === id);
-      arrived(id, await engine.importPhoto(id, file, { priority: visible ? Priority.PAGE : Priority.REST, signal }));
+      arrived(id, await engine.importPhoto(id, file, { priority: isShown(id) ? Priority.PAGE : Priority.REST, signal }));
     } catch (error) {
       failed(file, error);
     } finally {
@@ -49,7 +53,7 @@ export function createIntake({ store, pages, engine, messages }) {
    */
   function arrived(id, meta, more) {
     store.know({ .../** @type {Fact} */ (store.album.peek().get(id)), meta, measures: meta.measures, ...more });
-    if (store.page.peek()?.panels.some((panel) => panel.photo === id)) pages.refine();
+    if (isShown(id)) pages.refine();
   }
 
   /** @param {File} file @param {unknown} error */
