@@ -15,7 +15,7 @@
 //! | [`screen`] | the choice of a pattern for each tone |
 //! | [`dots`] | the dots of a printing screen, and colours taken apart in inks |
 //! | [`edge`] | gradient magnitudes |
-//! | [`volume`] | blurs of volumes of floats |
+//! | [`volume`] | rows of cells over x and tone: gathered, blurred, read between |
 //! | [`fine`] | planes of 1/64 grey steps, in which blurs keep their precision |
 //! | [`fir`] | symmetric convolutions of rows and columns of fine planes |
 //! | [`gaussian`] | Gaussian smoothing at a cost that does not grow with sigma |

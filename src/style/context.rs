@@ -18,6 +18,8 @@ pub struct Context<'a> {
     pub floats: Vec<Vec<f32>>,
     /// Rows of Total Variation Flow.
     pub(in crate::style) flow: super::blocks::FlowBuffers,
+    /// Rows of the bilateral grid.
+    pub(in crate::style) grid: super::blocks::GridBuffers,
     /// The tiles of the last Pattern Filling.
     pub(in crate::style) tiles: Option<super::blocks::DrawnTiles>,
     planes: Vec<Vec<u8>>,

@@ -28,6 +28,7 @@ use crate::error::Result;
 use crate::raster::{Image, Plane};
 use crate::simd::table::Table;
 use crate::simd::tones::Tones;
+pub(in crate::style) use detail::Buffers as GridBuffers;
 pub(in crate::style) use pattern::Drawn as DrawnTiles;
 pub(in crate::style) use tvf::Buffers as FlowBuffers;
 use wide::i16x8;

@@ -7,16 +7,18 @@
 //! ```text
 //! splat   every second pixel of every second row into the nearest cell of space, shared by two of tone
 //! blur    [1 4 6 4 1] / 16 along both axes of space and tone; then value / weight
-//! slice   one row of cells interpolated for a row of pixels, then along it and in tone
+//! slice   between the eight cells about a pixel
 //! ```
+//!
+//! All three run in one sweep over the rows, so only a few rows of cells are in memory.
 //!
 //! Source: Chen, Paris and Durand, "Real-time edge-aware image processing with the bilateral grid", 2007.
 
 mod grid;
 
 use super::{Block, Channels, Kernel};
-use crate::simd::volume::exaggerate;
 use crate::style::params::{Unit, number};
+pub(in crate::style) use grid::Buffers;
 use grid::Grid;
 
 pub(super) static BLOCK: Block = Block {
@@ -48,18 +50,11 @@ pub(super) static BLOCK: Block = Block {
             return Ok(plane);
         }
         let size = (plane.width(), plane.height());
-        let mut grid = Grid::new(size, args.pixels(1), args.number(2), context);
-        grid.splat(&plane);
-        context.check_cancelled()?;
-        grid.blur(context);
-        let mut base = context.take_floats(plane.width());
-        for y in 0..plane.height() {
-            let row = plane.row_mut(y);
-            grid.slice_row(y, row, &mut base);
-            exaggerate(row, &base, amount);
-        }
-        context.give_floats(base);
-        grid.release(context);
+        let buffers = std::mem::take(&mut context.grid);
+        let mut grid = Grid::new(size, args.pixels(1), args.number(2), buffers);
+        let done = grid.run(&mut plane, amount, context);
+        context.grid = grid.into_buffers();
+        done?;
         Ok(plane)
     }),
 };
