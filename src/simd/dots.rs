@@ -12,7 +12,7 @@
 //! The ramp is a pixel wide, and linear in the area rather than in the distance: no roots, and it covers what the dot
 //! without a ramp does. Before dots meet, r^2 is v / pi of the ink v; from there on a polynomial makes up for what they share.
 
-use super::lanes::{widen_high, widen_low};
+use super::lanes::{narrow, widen_high, widen_low};
 use super::mix::load;
 use bytemuck::cast;
 use wide::{f32x4, i16x8, i32x4, u8x16, u16x8};
@@ -20,14 +20,14 @@ use wide::{f32x4, i16x8, i32x4, u8x16, u16x8};
 /// Pixels a step.
 const STEP: usize = 16;
 
-/// Pixels whose lanes are of 16 bits.
-const LANES: usize = 8;
-
 /// Pixels whose phases are stored relative to the first of them.
 const SEGMENT: usize = 64;
 
 /// A cell, in the units of a position.
 const CELL: f64 = 4_294_967_296.0;
+
+/// 2^15 / (255 pi): the area of one step of ink.
+const AREA: i16 = 41;
 
 /// The sharpness of the ramp: at half of its width the product with the slope is this.
 const HALF: f32 = 1024.0;
@@ -42,8 +42,8 @@ pub struct Screen {
     across: [u32; 2],
     /// The same for a pixel down.
     down: [u32; 2],
-    /// Phases of a segment's pixels relative to its first, for both coordinates; even.
-    phases: [[[i16; LANES]; SEGMENT / LANES]; 2],
+    /// Phases of a segment's pixels relative to its first, both coordinates in turn, for four pixels at a time; even.
+    phases: [[[i16; 8]; STEP / 4]; SEGMENT / STEP],
     /// Differences of area beyond this are all ink or none.
     limit: i16,
     /// A power of two that brings the limit near the largest lane.
@@ -75,9 +75,11 @@ impl Screen {
         Self {
             across,
             down: [fraction(sin), fraction(cos)],
-            phases: across.map(|step| {
-                let relative = |x: usize| phase(step.wrapping_mul(x as u32)) & !1;
-                std::array::from_fn(|group| std::array::from_fn(|i| relative(group * LANES + i)))
+            phases: std::array::from_fn(|step| {
+                std::array::from_fn(|group| {
+                    let x = (step * STEP + group * 4) as u32;
+                    std::array::from_fn(|i| phase(across[i % 2].wrapping_mul(x + i as u32 / 2)) & !1)
+                })
             }),
             limit: (32767 >> zoom) as i16,
             zoom: 1 << zoom,
@@ -88,66 +90,85 @@ impl Screen {
 
     /// Writes what is left white of row `y`: 255 where no ink falls. `ink` is 0..=255; both have one length.
     pub fn print(&self, y: usize, ink: &[u8], paper: &mut [u8]) {
-        self.run(y, ink, paper, |_, white| white);
+        self.run::<false>(y, ink, paper);
     }
 
     /// Multiplies a row by the paper of row `y`.
     pub fn overprint(&self, y: usize, ink: &[u8], row: &mut [u8]) {
-        self.run(y, ink, row, multiply);
+        self.run::<true>(y, ink, row);
     }
 
-    /// `out = f(out, paper)`, sixteen pixels at a time.
-    #[inline]
-    fn run(&self, y: usize, ink: &[u8], out: &mut [u8], f: impl Fn(u8x16, u8x16) -> u8x16) {
+    /// The paper, or what is there multiplied by it where `OVER`.
+    fn run<const OVER: bool>(&self, y: usize, ink: &[u8], out: &mut [u8]) {
         for (i, (ink, out)) in ink.chunks(SEGMENT).zip(out.chunks_mut(SEGMENT)).enumerate() {
-            let start = self.start(i * SEGMENT, y);
-            let (inks, ink_tail) = ink.as_chunks::<STEP>();
-            let (outs, out_tail) = out.as_chunks_mut::<STEP>();
-            for (k, (ink, out)) in inks.iter().zip(outs).enumerate() {
-                let white = self.white(start, k * STEP, u8x16::new(*ink));
-                *out = f(u8x16::new(*out), white).to_array();
-            }
-            if !ink_tail.is_empty() {
-                let [mut ink, mut last] = [[0; STEP]; 2];
-                ink[..ink_tail.len()].copy_from_slice(ink_tail);
-                last[..out_tail.len()].copy_from_slice(out_tail);
-                let white = self.white(start, inks.len() * STEP, u8x16::new(ink));
-                let last = f(u8x16::new(last), white).to_array();
-                out_tail.copy_from_slice(&last[..out_tail.len()]);
-            }
+            self.segment::<OVER>(self.start(i * SEGMENT, y), 0, ink, out);
         }
     }
 
-    /// Phases of a pixel, on all lanes.
-    fn start(&self, x: usize, y: usize) -> [i16x8; 2] {
-        [0, 1].map(|i| {
-            let position =
-                self.across[i].wrapping_mul(x as u32).wrapping_add(self.down[i].wrapping_mul(y as u32));
-            // A cell's centre is at half of it, so there the phase is 0. An odd phase is never the least lane, whose
-            // square does not fit.
-            i16x8::splat(phase(position.wrapping_add(1 << 31)) | 1)
-        })
+    /// The same for pixels of a segment, from the one `at` pixels into it on. `start` are the phases of its first.
+    fn segment<const OVER: bool>(&self, start: i16x8, at: usize, ink: &[u8], out: &mut [u8]) {
+        let (inks, ink_tail) = ink.as_chunks::<STEP>();
+        let (outs, out_tail) = out.as_chunks_mut::<STEP>();
+        for (k, (&ink, out)) in inks.iter().zip(outs).enumerate() {
+            // One colour ink in three is in no pixel, often for many pixels in a row.
+            if u128::from_ne_bytes(ink) == 0 {
+                if !OVER {
+                    *out = [255; STEP];
+                }
+                continue;
+            }
+            let (ink, at) = (u8x16::new(ink), at + k * STEP);
+            let over = ink.saturating_sub(u8x16::splat(MEETING));
+            let white = if cast::<u8x16, u128>(over) == 0 {
+                self.white(start, at, ink, |ink, _| ink * i16x8::splat(AREA))
+            } else {
+                let over = [raise_low(over), raise_high(over)];
+                self.white(start, at, ink, |ink, half| self.size(ink, over[half]))
+            };
+            *out = if OVER { multiply(u8x16::new(*out), white) } else { white }.to_array();
+        }
+        if !ink_tail.is_empty() {
+            let [mut ink, mut last] = [[0; STEP]; 2];
+            ink[..ink_tail.len()].copy_from_slice(ink_tail);
+            last[..out_tail.len()].copy_from_slice(out_tail);
+            // Through the same loop: a second copy of it would only make the module larger.
+            self.segment::<OVER>(start, at + inks.len() * STEP, &ink, &mut last);
+            out_tail.copy_from_slice(&last[..out_tail.len()]);
+        }
     }
 
-    /// The paper of sixteen pixels, `at` pixels into the segment that begins with the phases `start`.
+    /// Both phases of a pixel, in turn.
+    fn start(&self, x: usize, y: usize) -> i16x8 {
+        let [u, v] = [0, 1].map(|i| {
+            let position =
+                self.across[i].wrapping_mul(x as u32).wrapping_add(self.down[i].wrapping_mul(y as u32));
+            // A cell's centre is at half of it, so there the phase is 0. An odd phase is never the least lane: the sum
+            // of two squares fits.
+            phase(position.wrapping_add(1 << 31)) | 1
+        });
+        i16x8::new([u, v, u, v, u, v, u, v])
+    }
+
+    /// The paper of sixteen pixels, `at` pixels into the segment that begins with the phases `start`. `size` gives
+    /// 2^15 r^2 of the radius that covers an ink, for the lower and the upper eight.
     #[inline]
-    fn white(&self, start: [i16x8; 2], at: usize, ink: u8x16) -> u8x16 {
+    fn white(&self, start: i16x8, at: usize, ink: u8x16, size: impl Fn(i16x8, usize) -> i16x8) -> u8x16 {
         let slope =
             self.slopes[0].shuffle_zeroing(ink) | self.slopes[1].shuffle_zeroing(ink.unbounded_shr_scalar(4));
-        let over = ink.saturating_sub(u8x16::splat(MEETING));
-        let half = |group: usize, ink: i16x8, over: i16x8, slope: i16x8| {
-            let square = |i: usize| {
-                let phase = start[i] + i16x8::new(self.phases[i][group % (SEGMENT / LANES)]);
-                cast::<i16x8, u16x8>(phase.mul_scale_round(phase))
+        let groups = &self.phases[at / STEP % (SEGMENT / STEP)];
+        let half = |half: usize, ink: i16x8, slope: i16x8| {
+            let four = |group: usize| {
+                let phases = start + i16x8::new(groups[group]);
+                phases.dot(phases) >> 17u32
             };
-            let reach = cast::<u16x8, i16x8>((square(0) + square(1)) >> 2u32);
+            let reach = narrow(four(2 * half), four(2 * half + 1));
             let beyond =
-                (reach - self.size(ink, over)).max(i16x8::splat(-self.limit)).min(i16x8::splat(self.limit))
+                (reach - size(ink, half)).max(i16x8::splat(-self.limit)).min(i16x8::splat(self.limit))
                     * i16x8::splat(self.zoom);
             beyond.mul_scale_round(slope).saturating_add(i16x8::splat(HALF as i16)) >> 3u32
         };
-        let low = half(at / LANES, widen_low(ink), raise_low(over), raise_low(slope));
-        let high = half(at / LANES + 1, widen_high(ink), raise_high(over), raise_high(slope));
+        let low = half(0, widen_low(ink), raise_low(slope));
+        let high = half(1, widen_high(ink), raise_high(slope));
         // No ink leaves no dot, also in the middle of a cell, and full ink no gap in its corners.
         let white = u8x16::narrow_i16x8(low, high) | ink.simd_eq(u8x16::ZERO);
         ink.simd_eq(u8x16::splat(255)).bitselect(u8x16::ZERO, white)
@@ -159,7 +180,7 @@ impl Screen {
         let [first, fourth] = self.meeting;
         let half = over.mul_scale_round(over);
         let square = half + half;
-        ink * i16x8::splat(41)
+        ink * i16x8::splat(AREA)
             + over.mul_scale_round(i16x8::splat(first))
             + square.mul_scale_round(square).mul_scale_round(i16x8::splat(fourth))
     }
@@ -277,7 +298,7 @@ mod tests {
         let over = f64::from(ink.saturating_sub(MEETING));
         let [first, fourth] = meeting(pitch).map(f64::from);
         let more = first / 128.0 * over + fourth / f64::from(1 << 26) * over.powi(4);
-        let square = (41.0 * f64::from(ink) + more) / 32768.0;
+        let square = (f64::from(AREA) * f64::from(ink) + more) / 32768.0;
         let stored = if ink < 16 { f64::from(ink) } else { f64::from(ink / 16 * 16 + 8) };
         let radius = (stored / (255.0 * std::f64::consts::PI)).sqrt();
         255.0 - (((square - u * u - v * v) * pitch / (2.0 * radius) + 0.5) * 255.0).clamp(0.0, 255.0)
