@@ -10,8 +10,9 @@
 //!
 //! A filter's row is loaded once for four pixels, and a row of pixels once for two filter rows.
 
+use super::lanes::{interleave_high, interleave_low, narrow};
 use bytemuck::cast;
-use wide::{f32x4, i16x8, i32x4};
+use wide::{f32x4, i16x8, i32x4, u8x16, u16x8, u32x4, u64x2};
 
 /// Side of a filter.
 pub const SIDE: usize = 7;
@@ -87,10 +88,16 @@ fn filter_block(rows: [&[i16]; 8], x: usize, filter: &Filter) -> [u8; 4] {
             sums[3] += right.dot(weights);
         }
     }
-    // Lanes become rows, so that adding rows adds lanes; the bits pass through the float type unchanged.
-    let [a, b, c, d] = f32x4::transpose(sums.map(cast::<i32x4, f32x4>)).map(cast::<f32x4, i32x4>);
-    let total: i32x4 = (a + b + c + d + i32x4::splat(1 << (FRACTION - 1))) >> (FRACTION as i32);
-    total.to_array().map(|value| value.clamp(0, 255) as u8)
+    // Halves added crosswise, twice, leave the sum of each in its own lane.
+    let across = |a: i32x4, b: i32x4| {
+        let (a, b) = (cast::<i32x4, u32x4>(a), cast::<i32x4, u32x4>(b));
+        cast::<u32x4, u64x2>(a.unpack_lo(b) + a.unpack_hi(b))
+    };
+    let (first, second) = (across(sums[0], sums[1]), across(sums[2], sums[3]));
+    let [even, odd] = [first.unpack_lo(second), first.unpack_hi(second)].map(cast::<u64x2, i32x4>);
+    let total = (even + odd + i32x4::splat(1 << (FRACTION - 1))) >> FRACTION;
+    let pixels = narrow(total, total);
+    cast::<u8x16, [[u8; 4]; 4]>(u8x16::narrow_i16x8(pixels, pixels))[0]
 }
 
 /// Eight samples from `x` on, and eight from the next one on.
@@ -99,6 +106,30 @@ fn eight_twice(row: &[i16], x: usize) -> [i16x8; 2] {
     match row.get(x..x + 9).and_then(|nine| nine.first_chunk::<8>().zip(nine.last_chunk::<8>())) {
         Some((left, right)) => [i16x8::new(*left), i16x8::new(*right)],
         None => [i16x8::splat(0); 2],
+    }
+}
+
+/// Means of 2 x 2 pixels of two rows; odd ends repeat the edge. `out` has half the length, rounded up.
+pub fn halve(above: &[u8], below: &[u8], out: &mut [f32]) {
+    let (above, above_tail) = above.as_chunks::<16>();
+    let (below, below_tail) = below.as_chunks::<16>();
+    let pairs = |bytes: &[u8; 16]| {
+        let pairs: u16x8 = cast(u8x16::new(*bytes));
+        (pairs & u16x8::splat(255)) + (pairs >> 8u32)
+    };
+    let (groups, _) = out.as_chunks_mut::<8>();
+    for ((out, a), b) in groups.iter_mut().zip(above).zip(below) {
+        let sums: i16x8 = cast(pairs(a) + pairs(b));
+        let halves = [interleave_low(sums, i16x8::ZERO), interleave_high(sums, i16x8::ZERO)];
+        let [low, high] = halves
+            .map(|sums| (f32x4::from_i32x4(cast::<i16x8, i32x4>(sums)) * f32x4::splat(0.25)).to_array());
+        out[..4].copy_from_slice(&low);
+        out[4..].copy_from_slice(&high);
+    }
+    let tail = above_tail.chunks(2).zip(below_tail.chunks(2));
+    for (out, (a, b)) in out[above.len() * 8..].iter_mut().zip(tail) {
+        let sum = |pair: &[u8]| f32::from(pair[0]) + f32::from(pair[pair.len() - 1]);
+        *out = (sum(a) + sum(b)) * 0.25;
     }
 }
 
@@ -212,11 +243,12 @@ fn count(mask: f32x4) -> i32x4 {
 /// Four sums along a row, the first over the values from `x` on.
 #[inline]
 fn smooth_row(row: &[f32], x: usize) -> f32x4 {
-    let four = |k: usize| {
-        row.get(x + k..)
-            .and_then(|rest| rest.first_chunk())
-            .map_or(f32x4::splat(0.0), |four| f32x4::new(*four))
+    const WINDOW: usize = TAPS + 3;
+    // One check of the window's place for all taps.
+    let Some(window) = row.get(x..x + WINDOW).and_then(|window| window.first_chunk::<WINDOW>()) else {
+        return f32x4::splat(0.0);
     };
+    let four = |k: usize| window[k..].first_chunk().map_or(f32x4::splat(0.0), |four| f32x4::new(*four));
     let mut sum = f32x4::splat(0.0);
     for (k, &weight) in SMOOTHING.iter().enumerate() {
         sum += (four(k) + four(TAPS - 1 - k)) * f32x4::splat(weight);
@@ -238,6 +270,22 @@ mod tests {
             }
         }
         ((sum + 4096) >> 13).clamp(0, 255) as u8
+    }
+
+    #[test]
+    fn halves_are_means_at_every_width() {
+        let mut random = oorandom::Rand32::new(12);
+        for width in 1..=67usize {
+            let [above, below] =
+                [(); 2].map(|()| (0..width).map(|_| random.rand_u32() as u8).collect::<Vec<u8>>());
+            let mut out = vec![0.0; width.div_ceil(2)];
+            halve(&above, &below, &mut out);
+            for (i, &out) in out.iter().enumerate() {
+                let columns = [2 * i, (2 * i + 1).min(width - 1)];
+                let sum: f32 = columns.iter().map(|&x| f32::from(above[x]) + f32::from(below[x])).sum();
+                assert!((out - sum / 4.0).abs() < 1e-6, "{width} {i}");
+            }
+        }
     }
 
     #[test]

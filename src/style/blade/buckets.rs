@@ -14,7 +14,7 @@
 
 use super::bank::Shape;
 use crate::raster::Plane;
-use crate::simd::blade::{Limits, TAPS, products, quantise, smooth_columns};
+use crate::simd::blade::{self, Limits, TAPS, products, quantise, smooth_columns};
 use crate::style::context::Context;
 
 /// Corners before a pixel in its smoothing.
@@ -65,14 +65,7 @@ fn halve(luma: &Plane, y: usize, columns: usize, out: &mut [f32]) {
     const LEAD: usize = BEFORE + 1;
     let last = luma.height() - 1;
     let (above, below) = (luma.row((2 * y).min(last)), luma.row((2 * y + 1).min(last)));
-    let sum = |above: &[u8], below: &[u8]| {
-        let [a, b] = [above, below].map(|row| u16::from(row[0]) + u16::from(row[row.len() - 1]));
-        f32::from(a + b) * 0.25
-    };
-    let body = &mut out[LEAD..LEAD + columns];
-    for ((out, above), below) in body.iter_mut().zip(above.chunks(2)).zip(below.chunks(2)) {
-        *out = sum(above, below);
-    }
+    blade::halve(above, below, &mut out[LEAD..LEAD + columns]);
     let (first, end) = (out[LEAD], out[LEAD + columns - 1]);
     out[..LEAD].fill(first);
     out[LEAD + columns..].fill(end);
