@@ -3,9 +3,9 @@
 //! Two sources are interleaved and multiplied in pairs by one 16-bit dot product, which sums them in 32 bits:
 //! nothing is lost before the one rounding at the end.
 
-use super::lanes::{widen_high, widen_low};
+use super::lanes::{narrow, widen_high, widen_low};
 use bytemuck::cast;
-use wide::{i16x8, i32x4, i32x8, u8x16, u16x8};
+use wide::{i16x8, i32x4, u8x16, u16x8};
 
 /// Bytes an operation.
 pub const LANES: usize = 16;
@@ -72,7 +72,6 @@ fn mix_at<const BITS: u32>(sources: impl Iterator<Item = (Pair, [u8x16; 2])>) ->
     }
     let [a, b, c, d] = [sum0, sum1, sum2, sum3].map(|sum| sum.unbounded_shr_scalar(BITS));
     // What is left is far inside an i16; the last step clamps.
-    let narrow = |a: i32x4, b: i32x4| i16x8::from_i32x8_truncate(cast::<[i32x4; 2], i32x8>([a, b]));
     u8x16::narrow_i16x8(narrow(a, b), narrow(c, d))
 }
 
