@@ -40,6 +40,9 @@ export function rows(blocks, styles) {
     const block = found.get(id);
     if (block && (block.input === 'any' || luma === (block.input === 'luma'))) list.push(blockRow(block, luma, params));
   }
+  // The other row with To Color makes U and V, too, which the chain kept here. No peer has a name for half of it.
+  const alone = { id: 'row', name: 'Row', background: [{ block: 'to_gray' }, { block: 'to_color' }] };
+  list.push({ id: 'alone to_color', label: 'To Color alone', luma: false, planes: 3, done: 1, style: alone, params: {} });
   list.push({ id: 'comic', label: 'Comic: smoothed, 8 levels, ink', luma: false, planes: 3, done: null, style: COMIC, params: {} });
   for (const style of styles.filter(({ id }) => id.startsWith('paper-'))) {
     list.push({ id: style.id, label: `Style ${style.name}`, luma: false, planes: 3, done: null, style, params: {} });

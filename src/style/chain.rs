@@ -39,13 +39,23 @@ pub fn run(steps: &[Step], photo: &Image, context: &mut Context<'_>) -> Result<I
 ///
 /// # Errors
 /// `cancelled` when the context says so.
-pub fn run_owned(steps: &[Step], mut image: Image, context: &mut Context<'_>) -> Result<Image> {
+pub fn run_owned(steps: &[Step], image: Image, context: &mut Context<'_>) -> Result<Image> {
+    run_until(steps, steps.len(), image, context)
+}
+
+/// The same for the blocks before `end`, with U and V where one behind wants them back.
+///
+/// # Errors
+/// `cancelled` when the context says so.
+pub fn run_until(steps: &[Step], end: usize, mut image: Image, context: &mut Context<'_>) -> Result<Image> {
+    let active = |steps: &[Step]| steps.iter().filter(|step| !step.bypass).count();
+    let end = active(&steps[..end.min(steps.len())]);
     let steps: Vec<&Step> = steps.iter().filter(|step| !step.bypass).collect();
     let mut i = 0;
-    while i < steps.len() {
+    while i < end {
         context.check_cancelled()?;
         let mut ops = Vec::new();
-        while let Some(op) = steps.get(i).and_then(|step| point_op(step, context.scale())) {
+        while let Some(op) = steps[..end].get(i).and_then(|step| point_op(step, context.scale())) {
             push_fused(&mut ops, op);
             i += 1;
         }
@@ -53,7 +63,7 @@ pub fn run_owned(steps: &[Step], mut image: Image, context: &mut Context<'_>) ->
             let chroma_wanted = steps[i..].iter().any(|step| step.block.id == "to_color");
             image = run_points(&ops, image, chroma_wanted, context)?;
         }
-        if let Some(step) = steps.get(i) {
+        if let Some(step) = steps[..end].get(i) {
             image = run_block(step, image, context)?;
             i += 1;
         }

@@ -36,7 +36,7 @@ impl Bench {
             let done = done.min(style.background.len());
             let picture = Image::from_rgba(width, height, rgba, [255; 3])?;
             let mut context = Context::for_image(&picture);
-            let picture = chain::run_owned(&style.background[..done], picture, &mut context)?;
+            let picture = chain::run_until(&style.background, done, picture, &mut context)?;
             Ok(Bench { style, done, picture, next: None, context })
         };
         make().map_err(thrown)
