@@ -4,12 +4,13 @@ use std::fs;
 
 use anyhow::{Context, Result};
 
-use crate::models::{self, Package};
+use crate::models::{self, Package, Registry};
 use crate::project::Project;
 use crate::tools;
 
 /// Photos of people; nothing of it is shipped or shown, so they are in the table only.
 const PEOPLE: Package = Package {
+    registry: Registry::Npm,
     name: "@vladmandic/face-api@1.7.15",
     sha256: "0d77fffeef362ef9c0939cf6c567f3a2e8e177f114fa257a3270cbd2e509b031",
 };

