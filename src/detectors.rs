@@ -2,7 +2,7 @@
 
 use std::path::{Path, PathBuf};
 
-use inkpanel::detect::{Detection, Detectors};
+use inkpanel::detect::{Aesthetics, Detection, Detectors};
 use inkpanel::page::import::Imported;
 use rayon::prelude::*;
 use serde_json::{Value, json};
@@ -22,6 +22,16 @@ pub(crate) fn load(folder: Option<&Path>) -> Result<Detectors, Complaint> {
     };
     let (faces, objects) = (read("faces.onnx")?, read("objects.onnx")?);
     Detectors::new(&faces, &objects).map_err(|error| format!("{}: {error}", folder.display()))
+}
+
+/// Reads the net that scores pictures, from `folder` or from where it usually is.
+pub(crate) fn load_aesthetics(folder: Option<&Path>) -> Result<Aesthetics, Complaint> {
+    let file = folder.map(Path::to_path_buf).or_else(find).map(|folder| folder.join("aesthetics.onnx"));
+    let onnx = file.and_then(|file| std::fs::read(file).ok()).ok_or_else(|| {
+        "aesthetics.onnx is missing: make it with `cargo xtask models`, or name its folder with --models"
+            .to_owned()
+    })?;
+    Aesthetics::new(&onnx).map_err(|error| format!("aesthetics.onnx: {error}"))
 }
 
 /// `models` beside the program, `www/models` above the working folder, then that of the checkout which the program

@@ -4,6 +4,7 @@
 //! 2 wrong usage (from the argument parser).
 
 mod detectors;
+mod inventor;
 
 use clap::{Parser, Subcommand};
 use inkpanel::layout::{PageSettings, Template};
@@ -14,7 +15,7 @@ use inkpanel::page::{Document, Scene, catalogue, compose, png};
 use inkpanel::raster::Image;
 use inkpanel::raster::decode::{Limits, decode_fit};
 use inkpanel::select::{self, Measures};
-use inkpanel::style::{Context, Style, aesthetic, procedural, stylize};
+use inkpanel::style::{Context, Style, stylize};
 use inkpanel::{Error, style};
 use rayon::prelude::*;
 use serde_json::{Value, json};
@@ -80,6 +81,9 @@ enum Command {
         /// Answer as JSON.
         #[arg(long)]
         json: bool,
+        /// Folder of aesthetics.onnx.
+        #[arg(long, value_name = "DIR")]
+        models: Option<PathBuf>,
         /// A photo to draw them on; each style then has a score from 0 to 1.
         photo: Option<PathBuf>,
     },
@@ -132,9 +136,6 @@ struct Render {
     files: Vec<PathBuf>,
 }
 
-/// Long side of the thumbnail that invented styles are scored on, in pixels.
-const SCORING_SIDE: usize = 256;
-
 /// A sentence about what went wrong, for people.
 type Complaint = String;
 
@@ -144,7 +145,10 @@ fn main() -> ExitCode {
         Command::Stylize { style, input, output } => stylize_photo(&style, &input, &output),
         Command::Select { files, json, threshold } => select_photos(&files, json, threshold),
         Command::Detect { files, json, models } => detect_photos(&files, json, models.as_deref()),
-        Command::Generate { seed, count, json, photo } => invent_styles(seed, count, json, photo.as_deref()),
+        Command::Generate { seed, count, json, models, photo } => {
+            inventor::invent(seed, count, photo.as_deref(), models.as_deref())
+                .and_then(|styles| list(&styles, json))
+        }
         Command::Blocks(listing) => list(&catalogue::blocks(), listing.json),
         Command::Layouts(listing) => list(&catalogue::layouts(), listing.json),
         Command::Styles(listing) => list(&catalogue::styles(), listing.json),
@@ -286,22 +290,6 @@ fn detect_photos(files: &[PathBuf], as_json: bool, models: Option<&Path>) -> Res
         println!("{}  {}", path.display(), words.join(", "));
     }
     Ok(())
-}
-
-fn invent_styles(seed: u32, count: u32, as_json: bool, photo: Option<&Path>) -> Result<(), Complaint> {
-    let photo = photo.map(|path| decode_file_fit(path, SCORING_SIDE)).transpose()?;
-    let styles: Vec<Value> = (0..count)
-        .into_par_iter()
-        .map(|i| {
-            let mut style = procedural::invent(seed.wrapping_add(i));
-            if let Some(photo) = &photo {
-                let drawn = stylize(photo, &style, &mut Context::for_image(photo));
-                style.score = Some(drawn.map_or(0.0, |drawn| aesthetic::score(photo, &drawn)));
-            }
-            style.to_value()
-        })
-        .collect();
-    list(&Value::Array(styles), as_json)
 }
 
 /// Tells framing what is in the photos; without the nets it goes by contrast, which is said once.

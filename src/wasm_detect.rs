@@ -7,7 +7,7 @@
 // Every function that returns a Result throws as the module's documentation says.
 #![allow(clippy::missing_errors_doc)]
 
-use crate::detect::{Detection, Faces, Objects, worth_a_closer_look};
+use crate::detect::{Aesthetics, Detection, Faces, Objects, worth_a_closer_look};
 use crate::error::{Error, Result};
 use crate::raster::{Image, Plane};
 use serde::Serialize;
@@ -85,6 +85,27 @@ impl ObjectDetector {
     pub fn look(&self, width: usize, height: usize, planes: &[u8]) -> std::result::Result<String, JsValue> {
         let look = || json(&self.net.look(&image(width, height, planes)?)?);
         look().map_err(thrown)
+    }
+}
+
+/// The judge of pictures.
+#[wasm_bindgen]
+pub struct AestheticsNet {
+    net: Aesthetics,
+}
+
+#[wasm_bindgen]
+impl AestheticsNet {
+    /// Reads the net.
+    #[wasm_bindgen(constructor)]
+    pub fn new(onnx: &[u8]) -> std::result::Result<Self, JsValue> {
+        Ok(Self { net: Aesthetics::new(onnx).map_err(thrown)? })
+    }
+
+    /// The mean score of a picture, 1 to 10, given as RGBA.
+    pub fn score(&self, width: usize, height: usize, rgba: &[u8]) -> std::result::Result<f64, JsValue> {
+        let score = || self.net.score(&Image::from_rgba(width, height, rgba, [255; 3])?);
+        score().map_err(thrown)
     }
 }
 

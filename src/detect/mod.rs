@@ -1,9 +1,11 @@
-//! Detection: faces and objects in a photo, by two single-shot detectors that run on this device.
+//! Detection: faces and objects in a photo, by two single-shot detectors that run on this device. And what a third
+//! net says of how good a picture looks.
 //!
 //! Stands beside `select`: it looks at a photo's pixels once and gives boxes, which framing works with. The nets
 //! are files (`www/models/`, made by `cargo xtask models`); whoever calls reads them. Everything is in fractions
 //! of the photo, so that a reduced copy gives the answer for the original.
 
+mod aesthetics;
 mod faces;
 mod letterbox;
 mod model;
@@ -15,6 +17,7 @@ use serde::{Deserialize, Serialize};
 
 use crate::error::Result;
 use crate::raster::Image;
+pub use aesthetics::Aesthetics;
 pub use faces::{Faces, worth_a_closer_look};
 pub use objects::Objects;
 

@@ -8,13 +8,13 @@ use tract_onnx::prelude::*;
 use super::operators;
 use crate::error::{Error, Result};
 
-/// A net with one input `[1, 3, side, side]` and two outputs.
-pub(super) struct Net {
+/// A net with one input `[1, 3, side, side]` and a known number of outputs.
+pub(super) struct Net<const OUTPUTS: usize = 2> {
     plan: Arc<TypedRunnableModel>,
     side: usize,
 }
 
-impl Net {
+impl<const OUTPUTS: usize> Net<OUTPUTS> {
     /// Reads a net and prepares it for running.
     pub(super) fn new(onnx: &[u8], side: usize) -> Result<Self> {
         let shape = [1, 3, side, side];
@@ -24,7 +24,7 @@ impl Net {
             .and_then(InferenceModelExt::into_optimized)
             .and_then(IntoRunnable::into_runnable)
             .map_err(|error| failed(&error))?;
-        if plan.model().outputs.len() != 2 {
+        if plan.model().outputs.len() != OUTPUTS {
             return Err(Error::Detector("the file holds another net".into()));
         }
         Ok(Self { plan, side })
@@ -35,15 +35,16 @@ impl Net {
         self.side
     }
 
-    /// The two outputs as plain lists, in row-major order. `input` are three planes of `side * side` values.
-    pub(super) fn run(&self, input: &[f32]) -> Result<[Vec<f32>; 2]> {
-        let run = || -> TractResult<[Vec<f32>; 2]> {
+    /// The outputs as plain lists, in row-major order. `input` are three planes of `side * side` values.
+    pub(super) fn run(&self, input: &[f32]) -> Result<[Vec<f32>; OUTPUTS]> {
+        let run = || -> TractResult<[Vec<f32>; OUTPUTS]> {
             let input = Tensor::from_shape(&[1, 3, self.side, self.side], input)?;
             let outputs = self.plan.run(tvec!(input.into()))?;
-            let list = |i: usize| -> TractResult<Vec<f32>> {
-                Ok(outputs[i].to_plain_array_view::<f32>()?.iter().copied().collect())
-            };
-            Ok([list(0)?, list(1)?])
+            let mut lists = [const { Vec::new() }; OUTPUTS];
+            for (list, output) in lists.iter_mut().zip(&outputs) {
+                list.extend(output.to_plain_array_view::<f32>()?.iter().copied());
+            }
+            Ok(lists)
         };
         run().map_err(|error| failed(&error))
     }

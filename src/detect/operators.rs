@@ -1,4 +1,4 @@
-//! The operators of our two nets, and no others: a list of all that ONNX has would bring all of them into the
+//! The operators of our nets, and no others: a list of all that ONNX has would bring all of them into the
 //! browser's module.
 
 use tract_onnx::Onnx;
@@ -8,7 +8,7 @@ use tract_onnx::pb::NodeProto;
 use tract_onnx::tract_hir::internal::*;
 use tract_onnx::tract_hir::ops::cnn::{Conv, HirMaxPool, PaddingSpec, PoolSpec};
 use tract_onnx::tract_hir::ops::identity::Identity;
-use tract_onnx::tract_hir::ops::nn::DataFormat;
+use tract_onnx::tract_hir::ops::nn::{DataFormat, GlobalAvgPool};
 use tract_onnx::tract_hir::ops::{activations, array, math};
 use tract_onnx::tract_hir::tract_core::ops::cast::cast;
 use tract_onnx::tract_hir::tract_core::ops::nn::resize::Interpolator;
@@ -24,6 +24,7 @@ pub(super) fn reader() -> Onnx {
     known.insert("Clip", |_, _| built(expand(Clip)));
     known.insert("Concat", |_, node| built(expand(array::Concat::new(node.get_attr("axis")?))));
     known.insert("Conv", convolution);
+    known.insert("GlobalAveragePool", |_, _| built(expand(GlobalAvgPool)));
     known.insert("Identity", |_, _| built(Box::<Identity>::default()));
     known.insert("MaxPool", max_pool);
     known.insert("Pad", |_, _| built(expand(Pad)));

@@ -1,0 +1,50 @@
+//! Invented styles for the command line, with scores where a photo is given.
+
+use std::path::Path;
+
+use inkpanel::detect::Aesthetics;
+use inkpanel::raster::Image;
+use inkpanel::style::{Context, Style, aesthetic, procedural, stylize};
+use rayon::prelude::*;
+use serde_json::Value;
+
+use crate::{Complaint, decode_file_fit, detectors};
+
+/// Long side of the picture that is scored.
+const SIDE: usize = 256;
+
+/// `count` styles of the seeds from `seed` on, as an array of style files. With a photo each has a score from 0 to 1:
+/// by the net in `models`, or in the usual folder, and by the light score where there is none.
+pub(crate) fn invent(
+    seed: u32,
+    count: u32,
+    photo: Option<&Path>,
+    models: Option<&Path>,
+) -> Result<Value, Complaint> {
+    let photo = photo.map(|path| decode_file_fit(path, SIDE)).transpose()?;
+    let net = photo.as_ref().and_then(|_| judge(models));
+    let styles = (0..count).into_par_iter().map(|i| {
+        let mut style = procedural::invent(seed.wrapping_add(i));
+        style.score = photo.as_ref().map(|photo| score(photo, &style, net.as_ref()));
+        style.to_value()
+    });
+    Ok(Value::Array(styles.collect()))
+}
+
+fn judge(models: Option<&Path>) -> Option<Aesthetics> {
+    match detectors::load_aesthetics(models) {
+        Ok(net) => Some(net),
+        Err(complaint) => {
+            eprintln!("inkpanel: {complaint}; the light score is given");
+            None
+        }
+    }
+}
+
+/// What fails to draw or to be judged is worth nothing.
+fn score(photo: &Image, style: &Style, net: Option<&Aesthetics>) -> f64 {
+    let Ok(drawn) = stylize(photo, style, &mut Context::for_image(photo)) else { return 0.0 };
+    let judgement = aesthetic::judge(photo, &drawn);
+    let rank = |net: &Aesthetics| net.score(&drawn).map_or(0.0, |mean| aesthetic::rank(mean, &judgement));
+    net.map_or(judgement.score, rank)
+}

@@ -1,0 +1,90 @@
+//! Scores of pictures by the net, against a forward pass in numpy; the values are made by
+//! `tests/oracles/aesthetics.py`. And the command that gives them.
+#![cfg(feature = "cli")]
+#![allow(clippy::unwrap_used, reason = "a test may stop at the first thing that is not as expected")]
+
+use std::fs;
+use std::path::{Path, PathBuf};
+use std::process::Command;
+
+use inkpanel::detect::Aesthetics;
+use inkpanel::raster::Image;
+use inkpanel::raster::decode::{Limits, decode};
+use serde_json::Value;
+
+fn root(path: &str) -> PathBuf {
+    Path::new(env!("CARGO_MANIFEST_DIR")).join(path)
+}
+
+/// The net; none, with the reason printed, where it could not be made. It is optional.
+fn net() -> Option<Aesthetics> {
+    let Ok(onnx) = fs::read(root("www/models/aesthetics.onnx")) else {
+        println!("skipped: no www/models/aesthetics.onnx, `cargo xtask models` makes it where there is pip");
+        return None;
+    };
+    Some(Aesthetics::new(&onnx).unwrap())
+}
+
+fn photo(file: &str) -> Image {
+    decode(&fs::read(root(file)).unwrap(), &Limits::default()).unwrap().image
+}
+
+#[test]
+fn scores_are_those_of_a_forward_pass_in_numpy() {
+    let Some(net) = net() else { return };
+    let rows: Vec<Value> =
+        serde_json::from_slice(&fs::read(root("tests/oracles/data/aesthetics.json")).unwrap()).unwrap();
+    assert!(rows.len() >= 35, "{} photos", rows.len());
+    let (mut least, mut most, mut worst) = (f64::MAX, f64::MIN, 0.0_f64);
+    for row in rows {
+        let (file, expected) = (row["file"].as_str().unwrap(), row["mean"].as_f64().unwrap());
+        let found = net.score(&photo(file)).unwrap();
+        assert!((found - expected).abs() < 0.02, "{file}: {found} for {expected}");
+        worst = worst.max((found - expected).abs());
+        (least, most) = (least.min(found), most.max(found));
+    }
+    println!("worst difference {worst:.4}");
+    assert!(most - least > 1.0, "all photos are alike to the net: {least} to {most}");
+}
+
+#[test]
+fn any_picture_has_a_score_and_a_gray_one_that_of_its_three_planes() {
+    let Some(net) = net() else { return };
+    for (width, height) in [(1, 1), (1, 700), (700, 3), (67, 41)] {
+        let plane = inkpanel::raster::Plane::from_fn(width, height, |x, y| (x * 7 + y * 13) as u8);
+        let colour = Image::from_rgb([plane.clone(), plane.clone(), plane.clone()]).unwrap();
+        let score = net.score(&colour).unwrap();
+        assert!((1.0..=10.0).contains(&score), "{score}");
+        assert!((net.score(&Image::from_luma(plane)).unwrap() - score).abs() < 1e-9);
+    }
+}
+
+#[test]
+fn another_file_is_no_net() {
+    let Ok(faces) = fs::read(root("www/models/faces.onnx")) else { return };
+    for wrong in [&faces[..], b"no net", b""] {
+        assert_eq!(Aesthetics::new(wrong).err().unwrap().code(), "detector");
+    }
+}
+
+#[test]
+fn generated_styles_have_scores_with_and_without_the_net() {
+    let scores = |models: &str| -> Vec<f64> {
+        let answer = Command::new(env!("CARGO_BIN_EXE_inkpanel"))
+            .args(["generate", "--json", "--seed", "3", "--count", "6", "--models", models])
+            .arg("www/public/samples/09-mariachi.jpg")
+            .current_dir(env!("CARGO_MANIFEST_DIR"))
+            .output()
+            .unwrap();
+        assert!(answer.status.success());
+        let styles: Vec<Value> = serde_json::from_slice(&answer.stdout).unwrap();
+        styles.iter().map(|style| style["score"].as_f64().unwrap()).collect()
+    };
+    let light = scores("src");
+    assert!(light.len() == 6 && light.iter().all(|score| (0.0..=1.0).contains(score)));
+    if net().is_some() {
+        let judged = scores("www/models");
+        assert!(judged.iter().all(|score| (0.0..=1.0).contains(score)));
+        assert_ne!(light, judged);
+    }
+}
