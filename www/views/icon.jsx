@@ -54,6 +54,7 @@ const PATHS = {
   breed: 'M6 4v4a6 6 0 0 0 6 6M18 4v4a6 6 0 0 1-6 6M12 14v6',
   earlier: 'M5 6v12M18.5 6 9 12l9.5 6z',
   later: 'M19 6v12M5.5 6 15 12l-9.5 6z',
+  handle: 'M9 5.5v.1M15 5.5v.1M9 12v.1M15 12v.1M9 18.5v.1M15 18.5v.1',
   check: 'M5 12.5l4.5 4.5L19 7.5',
   alert: 'M12 4 2.8 20h18.4zM12 10v4.5M12 17.3v.2',
 };

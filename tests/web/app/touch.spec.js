@@ -1,5 +1,6 @@
 // @ts-check
 import { choose, expect, idle, openBoard, picture, test } from './support.js';
+import { touch as fingersGo } from './touch-hands.js';
 
 /** @typedef {import('../../../www/testing.js').Page} Page */
 
@@ -15,16 +16,9 @@ async function four(page) {
   await page.getByRole('button', { name: 'Close' }).click();
 }
 
-/**
- * @param {Page} page
- * @param {[number, number][][]} fingers where each goes, point by point
- */
+/** @param {Page} page @param {[number, number][][]} fingers */
 async function touch(page, fingers) {
-  const client = await page.context().newCDPSession(page);
-  const points = (/** @type {number} */ at) => fingers.map((way, id) => ({ x: way[at][0], y: way[at][1], id }));
-  await client.send('Input.dispatchTouchEvent', { type: 'touchStart', touchPoints: points(0) });
-  for (let i = 1; i < fingers[0].length; i += 1) await client.send('Input.dispatchTouchEvent', { type: 'touchMove', touchPoints: points(i) });
-  await client.send('Input.dispatchTouchEvent', { type: 'touchEnd', touchPoints: [] });
+  await fingersGo(page, fingers);
   await idle(page);
 }
 

@@ -8,6 +8,7 @@ import { REMEDIES } from '../../state/designer-draft.js';
 import { strings } from '../../strings.js';
 import { IconButton } from '../button.jsx';
 import { useApp } from '../context.js';
+import { Icon } from '../icon.jsx';
 import { Parameter } from './parameter.jsx';
 
 /** @typedef {import('../../state/designer-draft.js').Step} Step */
@@ -16,10 +17,10 @@ import { Parameter } from './parameter.jsx';
 /**
  * @param {{
  *   step: Step, layer: Layer, at: number, last: boolean, lacks: '' | 'luma' | 'color', marked: '' | 'before' | 'behind', ms?: number,
- *   picture?: ImageBitmap, onDragStart: (event: DragEvent) => void, onDragEnd: () => void,
+ *   picture?: ImageBitmap, carried: boolean, onTake: (event: PointerEvent) => void,
  * }} props `marked`: a dragged card would land on that side of it
  */
-export function Card({ step, layer, at, last, lacks, marked, ms, picture, onDragStart, onDragEnd }) {
+export function Card({ step, layer, at, last, lacks, marked, ms, picture, carried, onTake }) {
   const { designer } = useApp();
   const ref = useRef(/** @type {HTMLLIElement | null} */ (null));
   const block = designer.blocks.value.find(({ id }) => id === step.block);
@@ -54,13 +55,14 @@ export function Card({ step, layer, at, last, lacks, marked, ms, picture, onDrag
   }
 
   return (
-    <li class="card" ref={ref} tabIndex={-1} aria-label={strings.card(block.label, at + 1)} data-bypass={step.bypass} data-marked={marked} data-key={step.key} onKeyDown={onKeyDown}>
-      <div class="card-head" draggable title={strings.handle} onDragStart={onDragStart} onDragEnd={onDragEnd}>
+    <li class="card" ref={ref} tabIndex={-1} aria-label={strings.card(block.label, at + 1)} data-bypass={step.bypass} data-marked={marked} data-carried={carried} data-key={step.key} onKeyDown={onKeyDown}>
+      <div class="card-head" title={strings.handle} onPointerDown={onTake}>
         <Picture bitmap={picture} />
         <div class="card-name">
           <h4>{block.label}</h4>
           <span class="count">{ms !== undefined && !step.bypass ? strings.milliseconds(ms) : ''}</span>
         </div>
+        <span class="card-handle" aria-hidden="true"><Icon name="handle" /></span>
       </div>
       <div class="card-tools">
         <IconButton icon={step.bypass ? 'hidden' : 'shown'} label={strings.bypass} pressed={step.bypass}

@@ -9,6 +9,7 @@ import { strings } from '../../strings.js';
 import { useApp } from '../context.js';
 import { Icon } from '../icon.jsx';
 import { Workspace } from '../workspace.jsx';
+import { useCardDrag } from './card-drag.js';
 import { Lane } from './lane.jsx';
 import { Palette } from './palette.jsx';
 import { Preview } from './preview.jsx';
@@ -26,8 +27,13 @@ export function Designer() {
   const opener = useRef(/** @type {HTMLButtonElement | null} */ (null));
   const draft = designer.draft.value;
 
-  // A drag that is cut short, by leaving say, is kept as far as it went.
-  useEffect(() => designer.release, []);
+  const drag = useCardDrag((from, to) => designer.change({ type: 'move', layer: from.layer, at: from.at, toLayer: to.layer, to: to.at }));
+
+  // A slider's drag that is cut short, by leaving say, is kept as far as it went; a card's is not.
+  useEffect(() => () => {
+    designer.release();
+    drag.cancel.current();
+  }, []);
   if (!draft) return null;
 
   /** @param {Designed} designed */
@@ -57,7 +63,7 @@ export function Designer() {
           : (
             <div class="lanes">
               {LAYERS.map((layer) => (
-                <Lane key={layer} layer={layer} draft={draft} drawn={drawn} onAdd={() => {
+                <Lane key={layer} layer={layer} draft={draft} drag={drag} drawn={drawn} onAdd={() => {
                   designer.layer.value = layer;
                   setAdding(true);
                 }} />
