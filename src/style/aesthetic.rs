@@ -16,22 +16,81 @@ const ALL_NOISE: f64 = 40.0;
 const FREE_CLIPPING: f64 = 0.75;
 /// Similarity to the photo above which a style has done too little.
 const TOO_ALIKE: f64 = 0.9;
+/// Light scores below this are of rubbish.
+const POOR: f64 = 0.2;
 /// A picture with less spread than this, in grey steps, shows nothing.
 const FLAT: f64 = 6.0;
 
-/// Scores `result` as a stylised `source`; both of one size, a thumbnail is enough. 0 is degenerate: flat or empty.
-#[must_use]
-pub fn score(source: &Image, result: &Image) -> f64 {
-    let (before, after) = (luma_plane(source), luma_plane(result));
-    if (before.width(), before.height()) != (after.width(), after.height()) {
-        return 0.0;
+/// Share of nearly white pixels from which a picture is mostly blank paper, unless its photo was nearly so: this much
+/// less.
+const PALE: (f64, f64) = (0.55, 0.3);
+/// Share of the photo's edges that must be left where most is paper; drawings keep more.
+const KEPT: f64 = 0.5;
+/// Grey steps from which on a pixel is nearly white.
+const WHITE: usize = 226;
+/// Differences of neighbours, in grey steps, that are an edge in a photo, and that show in a picture.
+const EDGES: (f64, f64) = (12.0, 6.0);
+/// Share of light pixels below which a picture is mostly night, and its mean up to which it is.
+const MURKY: (f64, f64) = (0.06, 50.0);
+/// Grey step between dark and light.
+const MIDDLE: usize = 128;
+/// Similarity to the photo from which a style is none, where its colours are the photo's too.
+const SAME: f64 = 0.93;
+/// Mean difference of the colours, in grey steps, up to which they are the photo's.
+const SAME_COLOUR: f64 = 14.0;
+
+/// Why nobody would want a picture.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Fault {
+    /// Hardly any contrast.
+    Flat,
+    /// Mostly white, with most of the photo lost in it.
+    Pale,
+    /// Nearly black.
+    Murky,
+    /// Nearly the photo.
+    Unchanged,
+    /// Noise, or little of the photo: a score that only rubbish has.
+    Poor,
+}
+
+impl Fault {
+    /// Its name for programs.
+    #[must_use]
+    pub fn id(self) -> &'static str {
+        match self {
+            Self::Flat => "flat",
+            Self::Pale => "pale",
+            Self::Murky => "murky",
+            Self::Unchanged => "unchanged",
+            Self::Poor => "poor",
+        }
     }
+}
+
+/// What is known of a stylised picture without a net.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Judgement {
+    /// The light score, 0 to 1.
+    pub score: f64,
+    /// What any score is to be multiplied by: 1, down to .5 for the photo itself, which must not win.
+    pub novelty: f64,
+    /// What is wrong with it, if anything.
+    pub fault: Option<Fault>,
+}
+
+/// Judges `result` as a stylised `source`; both of one size, a thumbnail is enough. What is pale or murky in the photo
+/// may be so in the picture.
+#[must_use]
+pub fn judge(source: &Image, result: &Image) -> Judgement {
+    let (before, after) = (luma_plane(source), luma_plane(result));
     let (mean, spread) = mean_and_spread(after.samples());
-    if spread < FLAT {
-        return 0.0;
+    if (before.width(), before.height()) != (after.width(), after.height()) || spread < FLAT {
+        return Judgement { score: 0.0, novelty: 1.0, fault: Some(Fault::Flat) };
     }
     let shares = shares(&after);
-    let structure = correlation(&gradients(&before), &gradients(&after)).max(0.0);
+    let (edges, left) = (gradients(&before), gradients(&after));
+    let structure = correlation(&edges, &left).max(0.0);
     let contrast = (spread / FULL_CONTRAST).min(1.0);
     let balance = 1.0 - (mean - 127.5).abs() / 127.5;
     let colour = (colourfulness(result) / FULL_COLOUR).min(1.0);
@@ -46,7 +105,54 @@ pub fn score(source: &Image, result: &Image) -> f64 {
     let unclipped = 1.0 - ((clipped - FREE_CLIPPING) / (1.0 - FREE_CLIPPING)).max(0.0);
     let alike = similarity(&before, &after);
     let novelty = 1.0 - 0.5 * ((alike - TOO_ALIKE) / (1.0 - TOO_ALIKE)).max(0.0);
-    (sum * unclipped * novelty).clamp(0.0, 1.0)
+    let score = (sum * unclipped * novelty).clamp(0.0, 1.0);
+    let was = self::shares(&before);
+    let (was_white, is_white) = (above(&was, WHITE), above(&shares, WHITE));
+    let (was_light, is_light) = (above(&was, MIDDLE), above(&shares, MIDDLE));
+    let fault = if spread < 2.0 * FLAT {
+        Some(Fault::Flat)
+    } else if is_white > PALE.0.max(was_white + PALE.1) && kept(&edges, &left) < KEPT {
+        Some(Fault::Pale)
+    } else if mean < MURKY.1 && is_light < MURKY.0.min(was_light) {
+        Some(Fault::Murky)
+    } else if alike > SAME && colour_difference(source, result) < SAME_COLOUR {
+        Some(Fault::Unchanged)
+    } else {
+        (score < POOR).then_some(Fault::Poor)
+    };
+    Judgement { score, novelty, fault }
+}
+
+/// The light score of `result` as a stylised `source`. 0 is flat or empty.
+#[must_use]
+pub fn score(source: &Image, result: &Image) -> f64 {
+    judge(source, result).score
+}
+
+/// The rank from 0 to 1 of a picture whose mean score by the net is `mean`, 1 to 10.
+#[must_use]
+pub fn rank(mean: f64, judgement: &Judgement) -> f64 {
+    if judgement.fault.is_some() { 0.0 } else { ((mean - 1.0) / 9.0 * judgement.novelty).clamp(0.0, 1.0) }
+}
+
+/// Share of the pixels from a grey step on.
+fn above(shares: &[f64; 256], step: usize) -> f64 {
+    shares[step..].iter().sum()
+}
+
+/// Share of the photo's edges that are seen in the picture; all where there are none.
+fn kept(edges: &[f64], left: &[f64]) -> f64 {
+    let at = edges.iter().zip(left).filter(|(edge, _)| **edge > EDGES.0);
+    let (seen, all) = at
+        .fold((0.0, 0.0), |(seen, all), (_, left)| (seen + f64::from(u8::from(*left > EDGES.1)), all + 1.0));
+    if all > 0.0 { seen / all } else { 1.0 }
+}
+
+/// Mean difference of the channels, in grey steps.
+fn colour_difference(a: &Image, b: &Image) -> f64 {
+    let (a, b) = (a.to_rgb(), b.to_rgb());
+    let sum: u64 = a.iter().zip(&b).map(|(a, b)| u64::from(a.abs_diff(*b))).sum();
+    sum as f64 / a.len().max(1) as f64
 }
 
 fn mean_and_spread(samples: &[u8]) -> (f64, f64) {
@@ -187,6 +293,31 @@ mod tests {
         assert!(score(&photo, &noise) < median, "noise {} median {median}", score(&photo, &noise));
         assert!(score(&photo, &photo) < median, "itself {} median {median}", score(&photo, &photo));
         assert!(designed.iter().all(|score| (0.0..=1.0).contains(score)));
+    }
+
+    #[test]
+    fn each_fault_is_named_and_hardly_a_designed_style_has_one() {
+        let photo = photo();
+        let luma = luma_plane(&photo);
+        let mapped = |f: &dyn Fn(u8) -> u8| {
+            let picture = Plane::from_fn(luma.width(), luma.height(), |x, y| f(luma.at(x, y)));
+            judge(&photo, &Image::from_luma(picture)).fault
+        };
+        assert_eq!(mapped(&|v| 120 + v / 32), Some(Fault::Flat));
+        assert_eq!(mapped(&|v| if v < 20 { 0 } else { 255 }), Some(Fault::Pale));
+        assert_eq!(mapped(&|v| if v > 225 { 255 } else { v / 6 }), Some(Fault::Murky));
+        assert_eq!(judge(&photo, &photo).fault, Some(Fault::Unchanged));
+        assert_eq!(rank(9.0, &judge(&photo, &photo)).to_bits(), 0.0_f64.to_bits());
+        let mut faulty = Vec::new();
+        for style in catalogue::catalogue() {
+            let drawn = stylize(&photo, style, &mut Context::for_image(&photo)).unwrap();
+            let judgement = judge(&photo, &drawn);
+            match judgement.fault {
+                Some(fault) => faulty.push((&style.id, fault)),
+                None => assert!(rank(6.0, &judgement) > rank(5.0, &judgement)),
+            }
+        }
+        assert!(faulty.len() * 10 <= catalogue::catalogue().len(), "{faulty:?}");
     }
 
     #[test]

@@ -6,8 +6,9 @@ use crate::page::document;
 use crate::page::mask::PixelRect;
 use crate::raster::Image;
 use crate::raster::resize::{Region, fit, resample_image};
+use crate::style::aesthetic::{Fault, Judgement, judge};
 use crate::style::stages::{Layer, Stages};
-use crate::style::{Style, aesthetic, breeding, look, procedural, stylize};
+use crate::style::{Style, breeding, look, procedural, stylize};
 use serde_json::Value;
 use wasm_bindgen::prelude::*;
 
@@ -40,7 +41,7 @@ pub fn breed_style(json: &str) -> std::result::Result<String, JsValue> {
 /// A picture in a style, and what is known of it.
 #[wasm_bindgen]
 pub struct Explored {
-    score: f64,
+    judgement: Judgement,
     look: look::Look,
     signature: Vec<u8>,
     picture: Image,
@@ -52,7 +53,21 @@ impl Explored {
     #[wasm_bindgen(getter)]
     #[must_use]
     pub fn score(&self) -> f64 {
-        self.score
+        self.judgement.score
+    }
+
+    /// What any score is to be multiplied by, .5 to 1.
+    #[wasm_bindgen(getter)]
+    #[must_use]
+    pub fn novelty(&self) -> f64 {
+        self.judgement.novelty
+    }
+
+    /// What is wrong with the picture; empty when nothing is.
+    #[wasm_bindgen(getter)]
+    #[must_use]
+    pub fn fault(&self) -> String {
+        self.judgement.fault.map_or("", Fault::id).to_owned()
     }
 
     /// `line`, `gray`, `flat` or `wild`.
@@ -138,7 +153,7 @@ impl Studio {
             let style: Style = style_of(style)?;
             let picture = stylize(&photo, &style, &mut self.context)?;
             Ok(Explored {
-                score: aesthetic::score(&photo, &picture),
+                judgement: judge(&photo, &picture),
                 look: look::look(&picture),
                 signature: look::signature(&picture),
                 picture,
