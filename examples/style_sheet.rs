@@ -24,7 +24,7 @@ use file::save;
 use inkpanel::raster::Image;
 use inkpanel::raster::decode::{Limits, decode};
 use inkpanel::raster::resize::{Region, resample_image};
-use inkpanel::style::catalogue::{catalogue, find};
+use inkpanel::style::catalogue::{by_family, find};
 use inkpanel::style::{Context, Style, stylize};
 use picture::paste;
 use tiny_skia::{Color, Pixmap};
@@ -98,12 +98,9 @@ impl Options {
             panel: 400,
             cell: 80,
             across: PHOTOS.len() as u32,
-            styles: catalogue().to_vec(),
+            styles: by_family().into_iter().cloned().collect(),
             photos: Vec::new(),
         };
-        // Families stay together, each where its first style stands.
-        let order: Vec<String> = options.styles.iter().map(|style| style.tags[0].clone()).collect();
-        options.styles.sort_by_key(|style| order.iter().position(|family| *family == style.tags[0]));
         while let Some(word) = words.next() {
             let mut value = || words.next().ok_or_else(|| format!("{word} needs a value"));
             match word.as_str() {

@@ -10,7 +10,8 @@ use std::path::{Path, PathBuf};
 use inkpanel::raster::Image;
 use inkpanel::raster::decode::{Limits, decode};
 use inkpanel::raster::resize::{Region, resample_image};
-use inkpanel::style::{Context, Style, catalogue::catalogue, stylize};
+use inkpanel::style::catalogue::{by_family, catalogue};
+use inkpanel::style::{Context, Style, stylize};
 
 /// A family's tag and what its styles look like, in the order of the README.
 const FAMILIES: &[(&str, &str)] = &[
@@ -80,6 +81,15 @@ fn contrast(rgb: &[u8]) -> f64 {
 
 fn difference(a: &[u8], b: &[u8]) -> f64 {
     a.iter().zip(b).map(|(&a, &b)| f64::from(a.abs_diff(b))).sum::<f64>() / a.len() as f64
+}
+
+#[test]
+fn the_page_lists_them_family_by_family_in_this_order() {
+    let mut shown: Vec<&str> = by_family().iter().map(|style| style.tags[0].as_str()).collect();
+    shown.dedup();
+    let order: Vec<&str> = FAMILIES.iter().map(|(family, _)| *family).collect();
+    assert_eq!(shown, order);
+    assert_eq!(by_family().len(), catalogue().len());
 }
 
 #[test]

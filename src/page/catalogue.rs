@@ -21,10 +21,10 @@ pub fn layouts() -> Value {
     layout::catalogue().iter().map(layout::Template::descriptor).collect()
 }
 
-/// All designed styles.
+/// All designed styles, family by family.
 #[must_use]
 pub fn styles() -> Value {
-    catalogue::catalogue().iter().map(crate::style::Style::to_value).collect()
+    catalogue::by_family().into_iter().map(crate::style::Style::to_value).collect()
 }
 
 fn block(block: &Block) -> Value {

@@ -4,6 +4,24 @@ use super::file::Style;
 use crate::error::{Error, Result};
 use std::sync::OnceLock;
 
+/// The families in the order in which the page shows them, from ink to prints. A style's family is its first tag.
+pub const FAMILIES: [&str; 14] = [
+    "ink",
+    "noir",
+    "manga",
+    "comic",
+    "pop",
+    "halftone",
+    "sketch",
+    "hatch",
+    "woodcut",
+    "watercolour",
+    "vintage",
+    "duotone",
+    "blueprint",
+    "paper",
+];
+
 include!(concat!(env!("OUT_DIR"), "/styles.rs"));
 
 /// All designed styles in the order of their file names. A test parses every file; one that does not parse
@@ -13,6 +31,18 @@ pub fn catalogue() -> &'static [Style] {
     static STYLES: OnceLock<Vec<Style>> = OnceLock::new();
     STYLES
         .get_or_init(|| STYLE_FILES.iter().filter_map(|(file, json)| Style::parse(file, json).ok()).collect())
+}
+
+/// All designed styles, family by family.
+#[must_use]
+pub fn by_family() -> Vec<&'static Style> {
+    let family = |style: &Style| {
+        FAMILIES.iter().position(|family| style.tags.first().is_some_and(|tag| tag == family))
+    };
+    let mut styles: Vec<&Style> = catalogue().iter().collect();
+    // What is in no family comes last.
+    styles.sort_by_key(|style| family(style).unwrap_or(FAMILIES.len()));
+    styles
 }
 
 /// The designed style with this id.
