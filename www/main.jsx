@@ -51,7 +51,7 @@ const ownLayouts = createOwnLayouts({ store, pages, messages });
 const designer = createDesigner({ store, pages, messages, ui, freshId: freshStyleId });
 const ownStyles = createOwnStyles({ store, pages, messages, designer, freshId: freshStyleId });
 const shelves = createShelves({ store, messages, box: () => window.localStorage });
-const explorer = createExplorer({ store, engine, messages, ownStyles, seed: freshSeed });
+const explorer = createExplorer({ store, engine, messages, ownStyles, seed: freshSeed, judged: ui.detects });
 const styling = createStyling({ store, ownStyles });
 const subjects = createSubjects({
   store, pages, messages, engine, painted: () => ui.painted.value === store.page.value, wanted: ui.detects,

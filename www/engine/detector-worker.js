@@ -4,10 +4,10 @@
  * loaded with the first job.
  */
 
-import initDetector, { FaceDetector, ObjectDetector } from '../pkg-detector/inkpanel.js';
-import { describe, failure } from './protocol.js';
+import { FaceDetector, ObjectDetector } from '../pkg-detector/inkpanel.js';
+import { start } from './detector-module.js';
+import { describe } from './protocol.js';
 
-const MODULE = new URL('../pkg-detector/inkpanel_bg.wasm', import.meta.url);
 const FACES = new URL('../models/faces.onnx', import.meta.url);
 const OBJECTS = new URL('../models/objects.onnx', import.meta.url);
 
@@ -42,24 +42,4 @@ async function runner(op, boxes) {
   nets.faces ??= start(FACES).then((net) => new FaceDetector(net));
   const faces = await nets.faces;
   return (...photo) => (op === 'faces' ? faces.look(...photo) : faces.look_closer(...photo, JSON.stringify(boxes)));
-}
-
-/**
- * The module, ready.
- * @param {URL} address of a net
- * @returns {Promise<Uint8Array>} the net
- */
-async function start(address) {
-  const [module, net] = await Promise.all([MODULE, address].map(load));
-  await initDetector({ module_or_path: module });
-  return new Uint8Array(net);
-}
-
-/** @param {URL} address */
-async function load(address) {
-  const response = await fetch(address).catch(() => null);
-  const text = response?.headers.get('content-type')?.startsWith('text/html');
-  // A host may answer with a page of its own where a file is missing.
-  if (!response?.ok || text) throw failure('detector-missing', 'The detectors could not be loaded.');
-  return response.arrayBuffer();
 }

@@ -4,6 +4,7 @@
  * benchmarks and other sites use the same.
  */
 
+import { createAesthetics } from './aesthetics.js';
 import { loadCore } from './core.js';
 import { createDesign } from './design.js';
 import { createDetector } from './detector.js';
@@ -45,6 +46,7 @@ export function createEngine({ workers = navigator.hardwareConcurrency || 2 } = 
   ready.catch(() => {});
 
   const renders = createRenders({ run, photos });
+  const aesthetics = createAesthetics({ run, photos });
 
   return {
     /** Resolves to the planner, whose functions are synchronous. */
@@ -61,6 +63,7 @@ export function createEngine({ workers = navigator.hardwareConcurrency || 2 } = 
     forgetPhoto: photos.forget,
     hasPhoto: photos.has,
     ...renders,
+    judges: aesthetics.judges, judgeStyle: aesthetics.judgeStyle,
     drawDesign: design.draw,
     /**
      * The PNG of a page at its full size, rendered from the original files.
@@ -179,8 +182,7 @@ export function createEngine({ workers = navigator.hardwareConcurrency || 2 } = 
   }
 
   function dispose() {
-    detector.dispose();
-    design.dispose();
+    for (const part of [detector, design, aesthetics]) part.dispose();
     ready.then(() => pool?.dispose(), () => {});
   }
 }

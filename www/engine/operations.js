@@ -23,7 +23,7 @@ const MOST_BYTES = 512 * 2 ** 20;
  */
 export function createOperations(studio, held) {
   return {
-    import: importPhoto, importFrame, panel, page, compose, stylePhoto, stylize, fullPanels, encode,
+    import: importPhoto, importFrame, panel, page, compose, stylePhoto, stylePixels, stylize, fullPanels, encode,
     ...createStyleOperations({ studio, fetchPhotos, bitmap }),
   };
 
@@ -67,6 +67,12 @@ export function createOperations(studio, held) {
   async function stylePhoto({ photo, style, width, height, crop }) {
     await fetchPhotos([photo]);
     return bitmap(studio.stylize_photo(photo.key, style, width, height, crop));
+  }
+
+  /** @param {Operations['stylePixels']['args']} args */
+  async function stylePixels({ photo, style, width, height }) {
+    await fetchPhotos([photo]);
+    return pixels(studio.stylize_photo(photo.key, style, width, height, ''));
   }
 
   /** @param {Operations['stylize']['args']} args */

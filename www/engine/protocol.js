@@ -30,6 +30,7 @@
  *   page: { args: { document: string, width: number, tier: Tier, photos: PhotoHandle[] }, ok: BitmapPatch },
  *   compose: { args: { document: string, width: number, tier: Tier, photos: PhotoHandle[] }, ok: PixelPatch },
  *   stylePhoto: { args: { photo: PhotoHandle, style: string, width: number, height: number, crop: string }, ok: BitmapPatch },
+ *   stylePixels: { args: { photo: PhotoHandle, style: string, width: number, height: number }, ok: PixelPatch },
  *   design: { args: { photo: PhotoHandle, style: string, width: number, height: number, stages: number }, ok: import('./design.js').Designed },
  *   explore: { args: { photo: PhotoHandle, styles: string[], width: number, height: number }, ok: Explored[] },
  *   stylize: { args: { style: string, width: number, height: number, data: Uint8Array }, ok: PixelPatch },
@@ -41,9 +42,10 @@
 /** @typedef {'small' | 'work' | 'full'} Tier */
 
 /**
- * A photo in the style of that index: its score from 0 to 1, its look (`line`, `gray`, `flat` or `wild`), and a
+ * A photo in the style of that index: its light score from 0 to 1, what any score is to be multiplied by as the picture
+ * may be the photo itself, what is wrong with it if anything, its look (`line`, `gray`, `flat` or `wild`), and a
  * signature that is nearly the same for pictures that look the same.
- * @typedef {{ index: number, score: number, look: string, signature: Uint8Array, bitmap: ImageBitmap }} Explored
+ * @typedef {{ index: number, score: number, novelty: number, fault: string, look: string, signature: Uint8Array, bitmap: ImageBitmap }} Explored
  */
 
 /**

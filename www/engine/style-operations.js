@@ -60,10 +60,10 @@ export function createStyleOperations({ studio, fetchPhotos, bitmap }) {
     await fetchPhotos([photo]);
     const ok = await Promise.all(styles.map(async (style, index) => {
       const found = studio.explore(photo.key, style, width, height);
-      const { score, look, signature } = found;
+      const { score, novelty, fault, look, signature } = found;
       const patch = found.patch();
       found.free();
-      return { index, score, look, signature, bitmap: (await bitmap(patch)).ok.bitmap };
+      return { index, score, novelty, fault, look, signature, bitmap: (await bitmap(patch)).ok.bitmap };
     }));
     return { ok, transfer: ok.map((item) => item.bitmap) };
   }

@@ -8,12 +8,14 @@ import { signal } from '@preact/signals';
 
 /** @typedef {import('../engine/documents.js').Style} Style */
 /** @typedef {import('../engine/protocol.js').Explored} Explored */
-/** @typedef {{ style: Style, score: number, look: string }} Item */
+/**
+ * A style that hangs there: its light score from 0 to 1, how new its picture is, which any score is multiplied by, and
+ * the photo that it is on.
+ * @typedef {{ style: Style, score: number, novelty: number, look: string, photo: import('./explorer.js').Photo }} Item
+ */
 
 /** Mean difference of two signatures, in steps of 255, up to which they look the same. */
 const ALIKE = 7;
-/** Scores below this are flat, empty or noise. */
-const DEGENERATE = 0.2;
 /** More thumbnails than this only take memory; the oldest go, unless they are favourites. */
 const MOST = 1200;
 
@@ -30,25 +32,26 @@ export function createWall(stays) {
   return { items, dropped, pictures, hang, clear };
 
   /**
+   * @param {import('./explorer.js').Photo} photo
    * @param {Style[]} styles
    * @param {Explored[]} explored
    * @param {boolean} choosy
    * @param {boolean} ahead
    */
-  function hang(styles, explored, choosy, ahead) {
+  function hang(photo, styles, explored, choosy, ahead) {
     /** @type {Item[]} */
     const fresh = [];
-    for (const { index, score, look: kind, signature, bitmap } of explored) {
+    for (const { index, score, novelty, fault, look: kind, signature, bitmap } of explored) {
       const style = styles[index];
       const known = pictures.has(style.id);
-      if (known || (choosy && (score < DEGENERATE || [...signatures.values()].some((other) => near(other, signature))))) {
+      if (known || (choosy && (fault !== '' || [...signatures.values()].some((other) => near(other, signature))))) {
         bitmap.close();
         if (!known) dropped.value += 1;
         continue;
       }
       pictures.set(style.id, bitmap);
       signatures.set(style.id, signature);
-      fresh.push({ style, score, look: kind });
+      fresh.push({ style, score, novelty, look: kind, photo });
     }
     const all = ahead ? [...fresh, ...items.peek()] : [...items.peek(), ...fresh];
     items.value = all.length > MOST ? thinned(all) : all;

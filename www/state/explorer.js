@@ -6,6 +6,7 @@
 
 import { computed, signal } from '@preact/signals';
 import { strings } from '../strings.js';
+import { createScores } from './explorer-scores.js';
 import { createWall } from './explorer-wall.js';
 
 /** @typedef {import('../engine/documents.js').Style} Style */
@@ -23,16 +24,17 @@ const AHEAD = 4;
 
 /**
  * @param {{
- *   store: import('./store.js').Store, engine: Pick<import('../engine/engine.js').Engine, 'exploreStyles'>,
+ *   store: import('./store.js').Store, engine: Pick<import('../engine/engine.js').Engine, 'exploreStyles' | 'judges' | 'judgeStyle' | 'hasPhoto'>,
  *   messages: import('./messages.js').Messages, ownStyles: Pick<import('./own-styles.js').OwnStyles, 'favourites' | 'isFavourite'>,
- *   seed: () => number,
- * }} app
+ *   seed: () => number, judged?: boolean,
+ * }} app not `judged`, styles are sorted by the light score alone
  */
-export function createExplorer({ store, engine, messages, ownStyles, seed }) {
+export function createExplorer({ store, engine, messages, ownStyles, seed, judged = true }) {
   const wall = createWall(ownStyles.isFavourite);
   /** @type {import('@preact/signals').Signal<import('./store.js').Progress | null>} */
   const progress = signal(null);
   const sorted = signal(false);
+  const scores = createScores({ engine, messages, items: wall.items, sorted, wanted: judged });
   const look = signal('all');
   const surprise = signal(0.35);
   /** The style that waits for another to breed with. @type {import('@preact/signals').Signal<Style | null>} */
@@ -47,12 +49,12 @@ export function createExplorer({ store, engine, messages, ownStyles, seed }) {
     const list = wall.items.value.filter(({ style, look: own }) => (
       kind === 'all' || own === kind || (kind === 'favourites' && ownStyles.isFavourite(style.id))
     ));
-    return sorted.value ? list.sort((a, b) => b.score - a.score) : list;
+    return sorted.value ? list.sort((a, b) => scores.rank(b) - scores.rank(a)) : list;
   });
 
   return {
     items: wall.items, dropped: wall.dropped, pictures: wall.pictures,
-    shown, progress, sorted, look, surprise, parent, first, generate, stop, clear, begin, breed, moreLike, showFavourites,
+    shown, progress, sorted, scores, look, surprise, parent, first, generate, stop, clear, begin, breed, moreLike, showFavourites,
   };
 
   /** Invents another round. @param {Photo} photo */
@@ -113,7 +115,7 @@ export function createExplorer({ store, engine, messages, ownStyles, seed }) {
    * @param {boolean} choosy whether what is alike or empty is left out
    * @param {boolean} [ahead] whether they go before all others
    */
-  async function run({ id, ...size }, count, make, choosy, ahead = false) {
+  async function run(photo, count, make, choosy, ahead = false) {
     stop();
     const mine = new AbortController();
     running = mine;
@@ -124,10 +126,10 @@ export function createExplorer({ store, engine, messages, ownStyles, seed }) {
       while (next < count && !mine.signal.aborted) {
         const styles = Array.from({ length: Math.min(PARCEL, count - next) }, (_, i) => make(next + i));
         next += styles.length;
-        const explored = await engine.exploreStyles(id, styles, size, { signal: mine.signal });
+        const explored = await engine.exploreStyles(photo.id, styles, photo, { signal: mine.signal });
         if (mine.signal.aborted) return;
         done += styles.length;
-        wall.hang(styles, explored, choosy, ahead);
+        wall.hang(photo, styles, explored, choosy, ahead);
         progress.value = { done, total: count };
       }
     };
@@ -153,6 +155,7 @@ export function createExplorer({ store, engine, messages, ownStyles, seed }) {
   function clear() {
     stop();
     parent.value = null;
+    scores.forget();
     wall.clear();
   }
 }

@@ -8,7 +8,7 @@ import { fakeApp } from './testing.js';
 const PHOTO = { id: 'p1', width: 160, height: 120 };
 
 /** What a style looks like, here: its seed in the signature. @param {any} style */
-const looks = (style) => ({ score: (style.seed % 100) / 100, look: style.seed % 2 ? 'line' : 'flat', signature: Uint8Array.from([style.seed % 256, (style.seed * 50) % 256]) });
+const looks = (style) => ({ score: (style.seed % 100) / 100, novelty: 1, fault: '', look: style.seed % 2 ? 'line' : 'flat', signature: Uint8Array.from([style.seed % 256, (style.seed * 50) % 256]) });
 
 /** @param {(style: any) => any} [judge] */
 function app(judge = looks) {
@@ -26,6 +26,7 @@ function app(judge = looks) {
   made.store.planner.value = planner;
   let sent = 0;
   const engine = {
+    judges: false,
     exploreStyles: async (/** @type {string} */ _, /** @type {any[]} */ styles, /** @type {any} */ __, /** @type {any} */ call) => {
       sent += styles.length;
       await new Promise((done) => { setTimeout(done, 1); });
@@ -56,7 +57,7 @@ describe('the explorer', () => {
   });
 
   it('leaves out what is empty, and what looks like another', async () => {
-    const { explorer } = app((style) => ({ ...looks(style), score: style.seed % 3 === 0 ? 0.01 : 0.6, signature: Uint8Array.from([style.seed % 3 === 1 ? 9 : style.seed % 256]) }));
+    const { explorer } = app((style) => ({ ...looks(style), fault: style.seed % 3 === 0 ? 'pale' : '', signature: Uint8Array.from([style.seed % 3 === 1 ? 9 : style.seed % 256]) }));
     explorer.begin(0);
     await explorer.generate(PHOTO);
     const seeds = explorer.items.value.map(({ style }) => /** @type {any} */ (style).seed);
@@ -106,7 +107,7 @@ describe('the explorer', () => {
   });
 
   it('hangs favourites of earlier days, whatever they look like', async () => {
-    const { explorer, favourites } = app(() => ({ score: 0, look: 'wild', signature: Uint8Array.from([1]) }));
+    const { explorer, favourites } = app(() => ({ score: 0, novelty: 1, fault: 'flat', look: 'wild', signature: Uint8Array.from([1]) }));
     favourites.value = [1, 2].map((seed) => ({ id: `f${seed}`, name: 'F', tags: [], seed }));
     await explorer.showFavourites(PHOTO);
     await explorer.showFavourites(PHOTO);

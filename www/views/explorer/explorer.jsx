@@ -12,6 +12,8 @@ import { useHero } from '../hero.js';
 import { Icon } from '../icon.jsx';
 import { Workspace } from '../workspace.jsx';
 import { Dials } from './dials.jsx';
+import { Judging } from './judging.jsx';
+import { useVisible } from './visible.js';
 import { WallItem } from './wall-item.jsx';
 
 /** @typedef {import('../../state/explorer.js').Item} Item */
@@ -27,6 +29,7 @@ export function Explorer() {
   const shown = explorer.shown.value;
   const running = explorer.progress.value;
   const vnodes = useItems(shown, photo);
+  const wall = useVisible(explorer.scores.visible, shown);
 
   useEffect(() => {
     if (photo) void explorer.showFavourites(photo);
@@ -38,7 +41,7 @@ export function Explorer() {
       {running
         ? <button type="button" class="button strong" onClick={explorer.stop}><Icon name="close" />{strings.stop}</button>
         : <button type="button" class="button strong" disabled={!photo} onClick={() => photo && void explorer.generate(photo)}><Icon name="surprise" />{strings.generate}</button>}
-      <button type="button" class="button" aria-pressed={explorer.sorted.value} onClick={() => { explorer.sorted.value = !explorer.sorted.value; }}>{strings.sortByScore}</button>
+      <button type="button" class="button" aria-pressed={explorer.sorted.value} title={explorer.scores.off.value ? strings.sortedByLight : strings.sortedByNet} onClick={() => { explorer.sorted.value = !explorer.sorted.value; }}>{strings.sortByScore}</button>
       <select class="select" aria-label={strings.looks} value={explorer.look.value} onChange={(event) => { explorer.look.value = event.currentTarget.value; }}>
         {Object.entries(strings.lookName).map(([id, name]) => <option key={id} value={id}>{name}</option>)}
       </select>
@@ -52,8 +55,9 @@ export function Explorer() {
       {running && (
         <progress class="progress explorer-progress" aria-label={strings.inventing(running.done, running.total)} value={running.done} max={running.total} />
       )}
+      {!running && <Judging />}
       {explorer.parent.value && <p class="explorer-hint">{strings.breedWith(explorer.parent.value.name)}</p>}
-      <ul class="wall">{vnodes}</ul>
+      <ul class="wall" ref={wall}>{vnodes}</ul>
       {items.length === 0 && !running && <p class="wall-empty">{strings.explorerEmpty}</p>}
       {items.length > 0 && shown.length === 0 && <p class="wall-empty">{strings.explorerNone}</p>}
     </Workspace>
@@ -81,10 +85,11 @@ function useItems(shown, photo) {
   const parent = explorer.parent.value?.id;
   return shown.map((item) => {
     const { id } = item.style;
-    const key = `${id} ${ownStyles.isFavourite(id)} ${parent === id} ${photo?.id}`;
+    const judgement = explorer.scores.judged.value.get(id);
+    const key = `${id} ${judgement} ${ownStyles.isFavourite(id)} ${parent === id} ${photo?.id}`;
     const found = made.current.get(key);
     if (found) return found;
-    const vnode = <WallItem key={id} item={item} photo={photo} favourite={ownStyles.isFavourite(id)} parent={parent === id} />;
+    const vnode = <WallItem key={id} item={item} judgement={judgement} photo={photo} favourite={ownStyles.isFavourite(id)} parent={parent === id} />;
     made.current.set(key, vnode);
     return vnode;
   });

@@ -8,10 +8,10 @@ import { useApp } from '../context.js';
 
 /**
  * @param {{
- *   item: import('../../state/explorer.js').Item, photo: import('../../state/explorer.js').Photo | null, favourite: boolean, parent: boolean,
- * }} props `parent`: it waits for another to breed with
+ *   item: import('../../state/explorer.js').Item, judgement?: number | null, photo: import('../../state/explorer.js').Photo | null, favourite: boolean, parent: boolean,
+ * }} props `judgement`: what the net thinks of it, if it was asked; `parent`: it waits for another to breed with
  */
-export function WallItem({ item: { style, score }, photo, favourite, parent }) {
+export function WallItem({ item: { style, score }, judgement, photo, favourite, parent }) {
   const { explorer, ownStyles, pages, designer, ui } = useApp();
   const ref = useRef(/** @type {HTMLLIElement | null} */ (null));
   const canvas = useRef(/** @type {HTMLCanvasElement | null} */ (null));
@@ -35,10 +35,11 @@ export function WallItem({ item: { style, score }, photo, favourite, parent }) {
     void bred.then(() => wall?.scrollTo({ top: 0 }));
   }
 
+  const label = judgement ? strings.netScoreOf(judgement) : strings.lightScoreOf(score);
   return (
-    <li class="wall-item" ref={ref} aria-label={style.name} data-parent={parent}>
+    <li class="wall-item" ref={ref} data-style={style.id} aria-label={style.name} data-parent={parent}>
       <canvas ref={canvas} class="bitmap" aria-hidden="true" onClick={use} title={strings.useStyle} />
-      <span class="wall-score" title={strings.scoreOf(score)} role="img" aria-label={strings.scoreOf(score)}>{strings.score(score)}</span>
+      <span class="wall-score" data-net={!!judgement} title={label} role="img" aria-label={label}>{judgement ? strings.netScore(judgement) : strings.lightScore(score)}</span>
       <IconButton icon="heart" label={strings.favourite} pressed={favourite} class="wall-heart" onClick={() => ownStyles.favour(style)} />
       <div class="wall-tools">
         <IconButton icon="check" label={strings.useStyle} onClick={use} />
