@@ -10,6 +10,7 @@ import { readFileSync, writeFileSync } from 'node:fs';
  *   rows: Row[], times: Record<string, Record<string, number>>, failed: Record<string, string>,
  *   versions: Record<string, string>, journey: { firstPage: number, refined: number, shuffle: number, png: number, thumbnails: number, listed: number } | null,
  *   masks: { layout: string, ms: number } | null, detect: { faces: number, objects: number, load: number } | null,
+ *   aesthetics: { ms: number, load: number } | null,
  *   crowd: Awaited<ReturnType<typeof import('./crowd.js').crowd>> | null,
  *   making: { frames: number, width: number, height: number, styles: number } | null,
  * }} Results `times` are milliseconds by contestant and row
@@ -19,7 +20,7 @@ const PEERS = { opencv: 'OpenCV.js', canvas: 'canvas 2D', vips: 'wasm-vips', pho
 const PIXELS = 1920 * 1080;
 
 /** @param {Results} results */
-export function markdown({ machine, rows, times, failed, versions, journey, masks, detect, crowd, making }) {
+export function markdown({ machine, rows, times, failed, versions, journey, masks, detect, aesthetics, crowd, making }) {
   const peers = Object.entries(PEERS);
   const heads = peers.map(([id, name]) => (versions[id] ? `${name} ${versions[id]}` : name));
   const lines = [
@@ -41,7 +42,7 @@ export function markdown({ machine, rows, times, failed, versions, journey, mask
     lines.push(`| ${row.label} | ${short(own)} | ${Math.round(share * 100)} % | ${cells.join(' | ')} |`);
   }
   for (const [id, reason] of Object.entries(failed)) lines.push('', `${PEERS[id] ?? id} failed: ${reason}`);
-  if (journey || masks || detect || crowd || making) lines.push('', '| In the page, all workers | |', '|---|--:|');
+  if (journey || masks || detect || aesthetics || crowd || making) lines.push('', '| In the page, all workers | |', '|---|--:|');
   if (journey) {
     lines.push(
       `| Twelve 12-megapixel JPEG files to the first page | ${(journey.firstPage / 1000).toFixed(2)} s |`,
@@ -57,6 +58,12 @@ export function markdown({ machine, rows, times, failed, versions, journey, mask
       `| Faces of a photo, one worker | ${short(detect.faces)} ms |`,
       `| Objects of a photo, one worker | ${short(detect.objects)} ms |`,
       `| The detectors made ready, once | ${Math.round(detect.load)} ms |`,
+    );
+  }
+  if (aesthetics) {
+    lines.push(
+      `| How good a picture looks, by NIMA, one worker | ${short(aesthetics.ms)} ms |`,
+      `| NIMA made ready, once | ${Math.round(aesthetics.load)} ms |`,
     );
   }
   if (crowd) {

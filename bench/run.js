@@ -112,6 +112,7 @@ async function blocks() {
     crowd: null,
     making: null,
     detect: !asked('detect') ? null : await page.evaluate(() => /** @type {any} */ (globalThis).bench.detect()),
+    aesthetics: !asked('detect') ? null : await page.evaluate(() => /** @type {any} */ (globalThis).bench.aesthetics()),
     masks: !asked('masks') ? null : await page.evaluate(() => /** @type {any} */ (globalThis).bench.masks()),
   };
   for (const name of ['inkpanel', ...(options.alone ? [] : Object.keys(PEERS))]) {

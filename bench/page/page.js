@@ -52,5 +52,6 @@ async function times(name, rows, photo) {
 
 /** Rows are timed without the detectors' module, which may not be built. */
 const detect = async () => (await import('./detect.js')).detect();
+const aesthetics = async () => (await import('./aesthetics.js')).aesthetics();
 
-Object.assign(globalThis, { bench: { times, copySpeed, detect, masks } });
+Object.assign(globalThis, { bench: { times, copySpeed, detect, aesthetics, masks } });
