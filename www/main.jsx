@@ -12,8 +12,11 @@ import { createChoosing } from './state/choosing.js';
 import { createDesigner } from './state/designer.js';
 import { createDownload } from './state/download.js';
 import { createExplorer } from './state/explorer.js';
+import { createKeeping } from './state/keeping/keeping.js';
+import { isProjectFile } from './state/keeping/project-file.js';
 import { createShelves } from './state/keeping/shelves.js';
 import { createFraming } from './state/framing.js';
+import { freshPhotoPrefix } from './state/intake.js';
 import { createKeys } from './state/keys.js';
 import { createMerging } from './state/merging.js';
 import { createMessages } from './state/messages.js';
@@ -26,6 +29,7 @@ import { createReshaping } from './state/reshaping.js';
 import { createScrubbing } from './state/scrubbing.js';
 import { createSelection } from './state/selection.js';
 import { createStore } from './state/store.js';
+import { createShownPages } from './state/shown-pages.js';
 import { isStyleLink } from './state/style-link.js';
 import { createStyling } from './state/styling.js';
 import { createSubjects } from './state/subjects.js';
@@ -40,7 +44,7 @@ const store = createStore();
 const ui = createUi(window);
 const messages = createMessages();
 const pages = createPages(store);
-const reading = createReading({ store, pages, engine, messages });
+const reading = createReading({ store, pages, engine, messages, prefix: freshPhotoPrefix() });
 const choosing = createChoosing({ store, pages, reading });
 const scrubbing = createScrubbing({ store, pages, reading, engine, messages });
 const selection = createSelection({ store });
@@ -51,6 +55,8 @@ const ownLayouts = createOwnLayouts({ store, pages, messages });
 const designer = createDesigner({ store, pages, messages, ui, freshId: freshStyleId });
 const ownStyles = createOwnStyles({ store, pages, messages, designer, freshId: freshStyleId });
 const shelves = createShelves({ store, messages, box: () => window.localStorage });
+const shownPages = createShownPages({ store });
+const keeping = createKeeping({ store, reading, engine, shelves, messages, window, leave });
 const explorer = createExplorer({ store, engine, messages, ownStyles, seed: freshSeed, judged: ui.detects });
 const styling = createStyling({ store, ownStyles });
 const subjects = createSubjects({
@@ -63,10 +69,13 @@ engine.ready.then(
   (planner) => {
     store.planner.value = styling.within(planner);
     shelves.recall();
-    openLink();
+    void keeping.begin().then(openLink);
     setTimeout(warmUp);
   },
-  (error) => messages.alert(strings.coreFailed(error.message)),
+  (error) => {
+    keeping.running.value = false;
+    messages.alert(strings.coreFailed(error.message));
+  },
 );
 
 /** Reads the catalogues and has the planner compiled while nobody waits; the first page would else wait for both. */
@@ -80,7 +89,9 @@ function warmUp() {
 window.addEventListener('keydown', createKeys({ pages, download, ui, selection, framing, reshaping }));
 acceptFiles(window, (files) => {
   const plans = files.filter(({ name }) => name.toLowerCase().endsWith('.json'));
-  reading.addFiles(files.filter((file) => !plans.includes(file)));
+  const projects = files.filter(isProjectFile);
+  reading.addFiles(files.filter((file) => !plans.includes(file) && !projects.includes(file)));
+  if (projects[0]) void keeping.files.open(projects[0]);
   void openPlans(plans, { ownLayouts, ownStyles });
 });
 
@@ -89,7 +100,7 @@ window.addEventListener('storage', shelves.hear);
 
 effect(() => {
   const painted = store.page.value === null || ui.painted.value === store.page.value;
-  const waiting = store.planner.value === null || store.reading.value !== null || store.fetching.value;
+  const waiting = store.planner.value === null || store.reading.value !== null || store.fetching.value || keeping.running.value;
   const idle = !waiting && painted;
   document.body.dataset.idle = String(idle);
   // Of a large album the first page is drawn long before all is read.
@@ -100,7 +111,7 @@ effect(() => {
 });
 
 render(
-  <AppContext.Provider value={{ store, pages, selection, merging, framing, reshaping, ownLayouts, designer, ownStyles, styling, explorer, subjects, reading, choosing, scrubbing, download, alternatives, messages, ui, engine }}>
+  <AppContext.Provider value={{ store, pages, selection, merging, framing, reshaping, ownLayouts, designer, ownStyles, styling, explorer, keeping, shownPages, subjects, reading, choosing, scrubbing, download, alternatives, messages, ui, engine }}>
     <App />
   </AppContext.Provider>,
   /** @type {HTMLElement} */ (document.getElementById('app')),
@@ -112,4 +123,14 @@ function openLink() {
   if (!isStyleLink(hash)) return;
   window.history.replaceState(null, '', window.location.href.slice(0, -hash.length));
   void ownStyles.openLink(hash);
+}
+
+/** Closes what belongs to the project before. */
+function leave() {
+  framing.mode.value = null;
+  reshaping.editing.value = false;
+  selection.choose(false);
+  explorer.stop();
+  ui.stack.value = null;
+  ui.work.value = null;
 }

@@ -4,6 +4,7 @@
  */
 
 import { designerStrings } from './strings-designer.js';
+import { keepingStrings } from './strings-keeping.js';
 import { panelStrings } from './strings-panels.js';
 
 /**
@@ -81,8 +82,7 @@ export const strings = {
   layoutKept: 'The layout is in My layouts. Add photos to see it.',
   layoutTooLong: (/** @type {string} */ name) => `layout ${name}: file: is longer than 256 KB`,
 
-  ...panelStrings,
-  ...designerStrings,
+  ...panelStrings, ...designerStrings, ...keepingStrings,
   otherStyles: 'More',
   more: 'More',
 

@@ -62,6 +62,7 @@ export function createEngine({ workers = navigator.hardwareConcurrency || 2 } = 
     findFaces: detector.findFaces, findMoreFaces: detector.findMoreFaces, findObjects: detector.findObjects,
     forgetPhoto: photos.forget,
     hasPhoto: photos.has,
+    photos,
     ...renders,
     judges: aesthetics.judges, judgeStyle: aesthetics.judgeStyle,
     drawDesign: design.draw,

@@ -7,10 +7,10 @@
 
 /**
  * `meta` and `measures` are null until the photo was read; `credit` names the author of a sample; a frame of a video
- * knows the video's key and its time in seconds.
+ * knows the video's key and its time in seconds; `looked`: it was searched for subjects.
  * @typedef {{
  *   id: string, name: string, credit?: string, meta: PhotoMeta | null, measures: Record<string, number | string> | null,
- *   video?: string, time?: number,
+ *   video?: string, time?: number, looked?: boolean,
  * }} Fact
  * @typedef {ReadonlyMap<string, Fact>} Album
  */

@@ -4,25 +4,31 @@
  */
 
 import { Priority } from '../engine/queue.js';
+import { freshId } from './fresh-id.js';
 import { strings } from '../strings.js';
 
 /** @typedef {import('./album.js').Fact} Fact */
 /** @typedef {ReturnType<typeof createIntake>} Intake */
 
+/** @returns {string} what the ids of photos begin with, so that no other session of any browser has the same */
+export function freshPhotoPrefix() {
+  return `p${freshId()}-`;
+}
+
 /**
  * @param {{
  *   store: import('./store.js').Store, pages: Pick<import('./pages.js').Pages, 'refine'>,
- *   engine: Pick<import('../engine/engine.js').Engine, 'importPhoto'>, messages: Pick<import('./messages.js').Messages, 'alert'>,
- * }} app
+ *   engine: Pick<import('../engine/engine.js').Engine, 'importPhoto'>, messages: Pick<import('./messages.js').Messages, 'alert'>, prefix?: string,
+ * }} app `prefix` begins the ids of photos
  */
-export function createIntake({ store, pages, engine, messages }) {
+export function createIntake({ store, pages, engine, messages, prefix = 'p' }) {
   let lastId = 0;
 
   return { freshIds, isShown, readPhoto, arrived, failed, leaveOut, count };
 
   /** @param {number} many @returns {string[]} */
   function freshIds(many) {
-    return Array.from({ length: many }, () => `p${(lastId += 1)}`);
+    return Array.from({ length: many }, () => `${prefix}${(lastId += 1)}`);
   }
 
   /** Whether a photo is on the page, where somebody waits for it. @param {string} id @returns {boolean} */
@@ -36,11 +42,13 @@ export function createIntake({ store, pages, engine, messages }) {
    * @param {AbortSignal} signal
    */
   async function readPhoto(id, file, signal) {
+    store.originals.set(id, file);
     try {
       arrived(id, await engine.importPhoto(id, file, { priority: isShown(id) ? Priority.PAGE : Priority.REST, signal }));
     } catch (error) {
       failed(file, error);
     } finally {
+      store.originals.delete(id);
       leaveOut([id]);
       count(1, 0);
     }

@@ -5,10 +5,13 @@
 
 import { signal } from '@preact/signals';
 
-/** @typedef {{ id: number, kind: 'alert' | 'note', text: string }} Message */
+/** @typedef {{ label: string, run: () => void }} Way something that can be done about it */
+/** @typedef {{ id: number, kind: 'alert' | 'note', text: string, way?: Way }} Message */
 /** @typedef {ReturnType<typeof createMessages>} Messages */
 
 const NOTE_MS = 4_000;
+/** Time to find the button, and to press it. */
+const WAY_MS = 12_000;
 const MOST = 24;
 
 export function createMessages() {
@@ -19,13 +22,14 @@ export function createMessages() {
   /**
    * @param {Message['kind']} kind
    * @param {string} text
+   * @param {Way} [way]
    */
-  function say(kind, text) {
+  function say(kind, text, way) {
     last += 1;
     const id = last;
     const others = list.value.filter((message) => message.text !== text && (kind === 'alert' || message.kind === 'alert'));
-    list.value = [...others, { id, kind, text }].slice(-MOST);
-    if (kind === 'note') setTimeout(() => close(id), NOTE_MS);
+    list.value = [...others, { id, kind, text, way }].slice(-MOST);
+    if (kind === 'note') setTimeout(() => close(id), way ? WAY_MS : NOTE_MS);
   }
 
   /** @param {number} id */
@@ -35,10 +39,10 @@ export function createMessages() {
 
   return {
     list,
-    /** @param {string} text */
-    alert: (text) => say('alert', text),
-    /** @param {string} text */
-    note: (text) => say('note', text),
+    /** @param {string} text @param {Way} [way] */
+    alert: (text, way) => say('alert', text, way),
+    /** @param {string} text @param {Way} [way] */
+    note: (text, way) => say('note', text, way),
     close,
   };
 }

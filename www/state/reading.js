@@ -24,9 +24,9 @@ import { fetchSamples } from './samples.js';
 const FIRST_PANELS = 6;
 
 /**
- * @param {{ store: Store, pages: Pages, engine: Engine, messages: Messages }} app
+ * @param {{ store: Store, pages: Pages, engine: Engine, messages: Messages, prefix?: string }} app `prefix` begins the ids of photos
  */
-export function createReading({ store, pages, engine, messages }) {
+export function createReading({ store, pages, engine, messages, prefix }) {
   let clicks = 0;
   /** The photos of the last plan, to see whether another is due. */
   let planned = '';
@@ -36,10 +36,10 @@ export function createReading({ store, pages, engine, messages }) {
   /** Stops what is being read. @type {AbortController | null} */
   let stop = null;
 
-  const intake = createIntake({ store, pages, engine, messages });
+  const intake = createIntake({ store, pages, engine, messages, prefix });
   const frames = createFrames({ store, engine, intake });
 
-  return { addFiles, addSamples, resample, cancel, use, remove, edit, freshIds: intake.freshIds };
+  return { addFiles, addSamples, resume, resample, cancel, use, remove, edit, freshIds: intake.freshIds };
 
   /**
    * @param {readonly File[]} given
@@ -89,6 +89,19 @@ export function createReading({ store, pages, engine, messages }) {
   async function readAll(sources) {
     const signal = stopSignal();
     await Promise.all(sources.map((source) => (source.video ? frames.read(source.video, signal) : intake.readPhoto(source.ids[0], source.file, signal))));
+    if (!store.reading.peek()) settle();
+  }
+
+  /**
+   * Reads photos that are in the tray already: what was known of them stands.
+   * @param {readonly { id: string, file: File }[]} photos
+   */
+  async function resume(photos) {
+    if (photos.length === 0) return;
+    intake.count(0, photos.length);
+    planned = inUse();
+    const signal = stopSignal();
+    await Promise.all(photos.map(({ id, file }) => intake.readPhoto(id, file, signal)));
     if (!store.reading.peek()) settle();
   }
 

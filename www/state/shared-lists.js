@@ -53,6 +53,18 @@ export function carried(list, before, after) {
   return [...fresh, ...list.filter(({ id }) => !touched.has(id))];
 }
 
+/**
+ * @param {SharedLists} project whose own styles and layouts are added
+ * @param {Partial<SharedLists>} lists
+ * @returns {Partial<SharedLists>}
+ */
+export function joined(project, lists) {
+  return Object.fromEntries(SHARED.map((field) => {
+    const there = new Set(lists[field]?.map(({ id }) => id));
+    return [field, [...(lists[field] ?? []), ...project[field].filter(({ id }) => !there.has(id))]];
+  }));
+}
+
 /** @param {unknown} a @param {unknown} b */
 function same(a, b) {
   return a === b || JSON.stringify(a) === JSON.stringify(b);

@@ -41,7 +41,7 @@ export function createSubjects({ store, pages, messages, engine, painted, wanted
   const photos = computed(() => {
     round.value;
     const shown = new Set(store.page.value?.panels.map(({ photo }) => photo));
-    const read = store.facts.value.filter(({ id, meta }) => meta !== null && engine.hasPhoto(id));
+    const read = store.facts.value.filter(({ id, meta, looked }) => meta !== null && !looked && engine.hasPhoto(id));
     return [...read.filter(({ id }) => shown.has(id)), ...read.filter(({ id }) => !shown.has(id))].map(({ id }) => id);
   });
   /** Whether everything is found that will be. */
@@ -113,12 +113,13 @@ export function createSubjects({ store, pages, messages, engine, painted, wanted
 
   /** Lets the page follow when both lanes have looked. @param {string} id */
   function tell(id) {
-    const { faces, objects } = known.get(id) ?? {};
+    const { faces, objects, closer } = known.get(id) ?? {};
     const fact = store.album.peek().get(id);
     if (!faces || !objects || !fact?.meta) return;
     const subjects = [...faces, ...objects];
-    if (JSON.stringify(fact.meta.subjects) === JSON.stringify(subjects)) return;
-    store.know({ ...fact, meta: { ...fact.meta, subjects } });
-    if (store.page.peek()?.panels.some(({ photo }) => photo === id)) pages.refine();
+    const same = JSON.stringify(fact.meta.subjects) === JSON.stringify(subjects);
+    // What is found once is found: the next visit need not look again.
+    if (!same || !closer) store.know({ ...fact, meta: same ? fact.meta : { ...fact.meta, subjects }, ...(closer ? {} : { looked: true }) });
+    if (!same && store.page.peek()?.panels.some(({ photo }) => photo === id)) pages.refine();
   }
 }

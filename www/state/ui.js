@@ -31,7 +31,7 @@ export function createUi(window) {
     systemDark,
     /** The sheet that is open on a small screen. @type {import('@preact/signals').Signal<Sheet | null>} */
     sheet: signal(null),
-    /** The workspace that lies over the board. @type {import('@preact/signals').Signal<'designer' | 'explorer' | null>} */
+    /** The workspace that lies over the board. @type {import('@preact/signals').Signal<'designer' | 'explorer' | 'projects' | 'pages' | null>} */
     work: signal(null),
     /** Whether photos are looked at for faces and objects; `inkpanel.detect` = `off` in the storage says no. */
     detects: remembered(window, DETECT_KEY) !== 'off',

@@ -6,6 +6,8 @@ import { Designer } from './designer/designer.jsx';
 import { dragging } from './drop.js';
 import { Explorer } from './explorer/explorer.jsx';
 import { ExportDialog } from './export-dialog.jsx';
+import { PagesWall } from './keeping/pages-wall.jsx';
+import { Projects } from './keeping/projects.jsx';
 import { KeysDialog } from './keys-dialog.jsx';
 import { Start } from './start.jsx';
 import { Toasts } from './toasts.jsx';
@@ -13,19 +15,27 @@ import { TopBar } from './top-bar.jsx';
 
 /** The whole window. */
 export function App() {
-  const { store, ui } = useApp();
+  const { store, ui, keeping } = useApp();
   const empty = store.tray.value.length === 0;
   const dialog = ui.dialog.value;
+  const projects = ui.work.value === 'projects';
   return (
-    <div class="app" data-view={empty ? 'start' : 'board'} data-sheet={ui.sheet.value ?? 'none'} data-work={empty ? undefined : ui.work.value ?? undefined}>
+    <div class="app" data-view={empty ? 'start' : 'board'} data-sheet={ui.sheet.value ?? 'none'} data-work={empty && !projects ? undefined : ui.work.value ?? undefined}>
       <TopBar />
-      {empty ? <Start /> : <Board />}
+      {!empty ? <Board /> : keeping.running.value ? <Waiting /> : !projects && <Start />}
       {!empty && ui.work.value === 'designer' && <Designer />}
       {!empty && ui.work.value === 'explorer' && <Explorer />}
+      {!empty && ui.work.value === 'pages' && <PagesWall />}
+      {projects && <Projects />}
       <Toasts />
       {dialog === 'keys' && <KeysDialog />}
       {dialog === 'export' && store.page.value && <ExportDialog />}
       {dragging.value && <div class="drop-veil"><p>{strings.dropHere}</p></div>}
     </div>
   );
+}
+
+/** While the project of the last visit is on its way. */
+function Waiting() {
+  return <main class="start" aria-busy="true"><p class="visually-hidden">{strings.openingLast}</p></main>;
 }

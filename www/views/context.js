@@ -23,6 +23,8 @@ import { useContext } from 'preact/hooks';
  *   ownStyles: import('../state/own-styles.js').OwnStyles,
  *   explorer: import('../state/explorer.js').Explorer,
  *   styling: import('../state/styling.js').StylingDeeds,
+ *   keeping: import('../state/keeping/keeping.js').Keeping,
+ *   shownPages: import('../state/shown-pages.js').ShownPages,
  *   download: import('../state/download.js').Download,
  *   alternatives: import('../state/alternatives.js').Alternatives,
  *   messages: import('../state/messages.js').Messages,

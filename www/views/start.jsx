@@ -7,6 +7,7 @@ import { strings } from '../strings.js';
 import { useApp } from './context.js';
 import { openFiles } from './file-input.jsx';
 import { Icon } from './icon.jsx';
+import { Elsewhere } from './keeping/elsewhere.jsx';
 import { Illustration } from './illustration.jsx';
 
 export function Start() {
@@ -16,6 +17,7 @@ export function Start() {
       <div class="start-body">
         <Illustration />
         <div class="start-words">
+          <Elsewhere />
           <h1>{strings.lead.map((line) => <span key={line}>{line} </span>)}</h1>
           <p class="start-more">{strings.leadMore}</p>
           <div class="start-buttons">

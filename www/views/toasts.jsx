@@ -9,7 +9,8 @@ import { useApp } from './context.js';
 import { Icon } from './icon.jsx';
 
 export function Toasts() {
-  const { messages, download } = useApp();
+  const { messages, download, keeping } = useApp();
+  const opening = keeping.files.progress.value;
   const list = messages.list.value;
   const running = download.progress.value;
   const percent = running ? Math.round(100 * running.done / running.total) : 0;
@@ -24,18 +25,36 @@ export function Toasts() {
           <button type="button" class="button" onClick={download.cancel}>{strings.cancel}</button>
         </div>
       )}
+      {opening && (
+        <div class="toast" aria-busy="true">
+          <div class="toast-work">
+            <span>{strings.openingProject(opening.name)}</span>
+            <progress class="progress" aria-label={strings.openingProject(opening.name)} value={opening.done} max={opening.total} />
+          </div>
+          <button type="button" class="button" onClick={keeping.files.cancel}>{strings.cancel}</button>
+        </div>
+      )}
       <div role="alert" class="toast-list">
-        {list.filter(({ kind }) => kind === 'alert').map(({ id, text }) => (
+        {list.filter(({ kind }) => kind === 'alert').map(({ id, text, way }) => (
           <div class="toast bad" key={id}>
             <Icon name="alert" />
             <span class="toast-text">{text}</span>
+            <Way of={way} close={() => messages.close(id)} />
             <IconButton icon="close" label={strings.dismiss} onClick={() => messages.close(id)} />
           </div>
         ))}
       </div>
       <div role="status" class="toast-list">
-        {list.filter(({ kind }) => kind === 'note').map(({ id, text }) => <div class="toast" key={id}>{text}</div>)}
+        {list.filter(({ kind }) => kind === 'note').map(({ id, text, way }) => (
+          <div class="toast" key={id}>{text}<Way of={way} close={() => messages.close(id)} /></div>
+        ))}
       </div>
     </div>
   );
+}
+
+/** @param {{ of: import('../state/messages.js').Way | undefined, close: () => void }} props */
+function Way({ of, close }) {
+  if (!of) return null;
+  return <button type="button" class="button" onClick={() => { close(); of.run(); }}>{of.label}</button>;
 }

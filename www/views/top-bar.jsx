@@ -5,6 +5,7 @@ import { IconButton } from './button.jsx';
 import { useApp } from './context.js';
 import { FileInput } from './file-input.jsx';
 import { Icon } from './icon.jsx';
+import { ProjectBar } from './keeping/project-bar.jsx';
 import { Workspaces } from './workspaces.jsx';
 
 /** The quiet bar above: the name, the steps through time, the ways out. */
@@ -15,7 +16,10 @@ export function TopBar() {
   const page = store.page.value;
   return (
     <header class="top-bar">
-      {store.tray.value.length === 0 ? <span class="brand">{strings.name}</span> : <h1 class="brand">{strings.name}</h1>}
+      <div class="top-start">
+        {store.tray.value.length === 0 ? <span class="brand">{strings.name}</span> : <h1 class="brand">{strings.name}</h1>}
+        <ProjectBar />
+      </div>
       <FileInput />
       <div class="top-middle">{page && <Steps />}</div>
       <div class="top-end">
@@ -42,7 +46,7 @@ export function TopBar() {
 
 /** Undo and redo, and the pages shown so far. */
 function Steps() {
-  const { store, pages } = useApp();
+  const { store, pages, ui, shownPages } = useApp();
   const history = store.history.value;
   const at = position(history);
   const { length } = history.shown;
@@ -52,8 +56,10 @@ function Steps() {
       <IconButton icon="redo" label={strings.redo} shortcut="Shift+Ctrl+Z" disabled={history.future.length === 0} onClick={pages.redo} />
       <span class="divider" />
       <IconButton icon="previous" label={strings.previous} disabled={at <= 0} onClick={pages.previous} />
-      <span class="page-number" title={strings.pageOf(at + 1, length)}>{at + 1}<i>/</i>{length}</span>
+      <button type="button" class="page-number" aria-label={strings.pagesShownAt(at + 1, length)} title={strings.pageOf(at + 1, length)}
+        aria-pressed={ui.work.value === 'pages'} onClick={() => { ui.work.value = ui.work.value === 'pages' ? null : 'pages'; }}>{at + 1}<i>/</i>{length}</button>
       <IconButton icon="next" label={strings.next} disabled={at >= length - 1} onClick={pages.next} />
+      {ui.wide.value && <IconButton icon="heart" label={strings.favouritePage} pressed={shownPages.loved.value} class="page-heart" onClick={shownPages.loveThis} />}
     </>
   );
 }

@@ -120,7 +120,7 @@ test('a style is built, ordered, saved and found again by keyboard alone', async
   await page.keyboard.press('Enter');
   await expect(page.getByRole('status').getByText('By keys is in My styles.')).toBeVisible();
   await page.reload();
-  await openBoard(page, FOUR);
+  await idle(page);
   const option = page.getByRole('listbox', { name: 'Styles' }).getByRole('option', { name: 'By keys' });
   await option.focus();
   await page.keyboard.press('Enter');

@@ -79,7 +79,7 @@ test('styles are invented, sorted, filtered, favoured, bred and used', async ({ 
   expect((await names(page)).length).toBeGreaterThan(2);
 
   await page.reload();
-  await openBoard(page, FOUR);
+  await idle(page);
   await page.getByRole('button', { name: 'Explorer', exact: true }).click();
   await expect(wall(page)).toHaveCount(2);
 });

@@ -1,0 +1,79 @@
+// @ts-check
+/**
+ * The tables of the browser's database.
+ *
+ * - `projects`: what the list of projects shows, one small record each
+ * - `states`: the document of a project with its history
+ * - `facts`: what is known of a photo
+ * - `photos`: the file of a photo and its two reduced copies, or the file of a video; written once
+ *
+ * Photos have ids that no other photo has in any project, so a copy of a project costs no second copy of them.
+ */
+
+import { openDB } from 'idb';
+
+/** @typedef {import('../../engine/protocol.js').PhotoHandle} PhotoHandle */
+
+/**
+ * `stamp` changes with each writing; `refs` are the keys in `photos` that the project needs; `gone`: when it was
+ * deleted, in ms.
+ * @typedef {{
+ *   id: string, name: string, created: number, changed: number, stamp: string, photos: number, picture: Blob | null,
+ *   refs: string[], gone: number | null,
+ * }} ProjectRecord
+ */
+
+/** @typedef {Omit<import('../album.js').Video, 'file'> & { fileKey: string }} KeptVideo */
+/** @typedef {Omit<import('../history.js').History, 'gesture'>} KeptHistory */
+/** @typedef {{ id: string, version: number, stamp: string, history: KeptHistory, facts: string[], videos: KeptVideo[] }} StateRecord */
+/** @typedef {{ id: string, fact: import('../album.js').Fact }} FactRecord */
+
+/**
+ * Without `work` the photo must be decoded again; without `file` it could not be read when it was written.
+ * @typedef {{ id: string, name: string, file: Blob | null, work: PhotoHandle | null, small: PhotoHandle | null }} PhotoRecord
+ */
+
+/**
+ * @typedef {import('idb').DBSchema & {
+ *   projects: { key: string, value: ProjectRecord },
+ *   states: { key: string, value: StateRecord },
+ *   facts: { key: string, value: FactRecord },
+ *   photos: { key: string, value: PhotoRecord },
+ * }} Schema
+ */
+
+/** @typedef {import('idb').IDBPDatabase<Schema>} Database */
+
+const NAME = 'inkpanel';
+/** Of the tables; what is in them has a version of its own (`versions.js`). */
+const VERSION = 1;
+
+/**
+ * @param {{ name?: string, onClosed?: () => void }} [options] `onClosed`: it can no longer be used
+ * @returns {Promise<Database>} rejects where the browser refuses storage
+ */
+export async function openDatabase({ name = NAME, onClosed = () => {} } = {}) {
+  /** @type {Database} */
+  const database = await openDB(name, VERSION, {
+    upgrade(made) {
+      for (const table of /** @type {const} */ (['projects', 'states', 'facts', 'photos'])) {
+        if (!made.objectStoreNames.contains(table)) made.createObjectStore(table, { keyPath: 'id' });
+      }
+    },
+    // A newer page in another tab wants other tables: it shall not wait for this one.
+    blocking: () => {
+      database?.close();
+      onClosed();
+    },
+    terminated: onClosed,
+  });
+  return database;
+}
+
+/**
+ * @param {unknown} error
+ * @returns {boolean} whether the storage took no more
+ */
+export function isFull(error) {
+  return /** @type {{ name?: string }} */ (error)?.name === 'QuotaExceededError';
+}

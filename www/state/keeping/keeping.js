@@ -1,0 +1,109 @@
+// @ts-check
+/**
+ * Nothing is lost: the parts that keep the work of a person, joined.
+ *
+ * - `database.js` the tables; `versions.js` checks and migrates what comes out of them, or out of a file
+ * - `snapshot.js` what of the session is kept; `photo-records.js` photos, each written once; `saving.js` when and how
+ * - `restoring.js` the way back; `opening.js` which project is on the page; `projects.js` the list of them
+ * - `pictures.js` its thumbnails; `sweeping.js` throws away what no project needs
+ * - `locks.js` keeps tabs apart; `shelves.js` holds what all projects share
+ * - `archive.js` ZIP files; `project-file.js` a project as one of them
+ *
+ * The document is plain data and is saved whole: a field that is added to it needs nothing here.
+ */
+
+import { signal } from '@preact/signals';
+import { failure } from '../../engine/protocol.js';
+import { strings } from '../../strings.js';
+import { openDatabase } from './database.js';
+import { createLocks } from './locks.js';
+import { createOpening, freshPlace } from './opening.js';
+import { createPhotoRecords } from './photo-records.js';
+import { createPictures } from './pictures.js';
+import { createProjectFiles } from './project-file.js';
+import { createProjects } from './projects.js';
+import { createSaving } from './saving.js';
+import { sweep } from './sweeping.js';
+
+/** @typedef {ReturnType<typeof createKeeping>} Keeping */
+
+/** Milliseconds after the start until what nobody needs is thrown away. */
+const SWEEP_AFTER = 8_000;
+
+/**
+ * @param {{
+ *   store: import('../store.js').Store, reading: import('../reading.js').Reading, engine: import('../../engine/engine.js').Engine,
+ *   shelves: import('./shelves.js').Shelves, messages: import('../messages.js').Messages, window: Window, leave: () => void,
+ * }} app
+ */
+export function createKeeping({ store, reading, engine, shelves, messages, window, leave }) {
+  const { navigator } = window;
+  const place = signal(freshPlace());
+  const locks = createLocks(navigator.locks);
+  const records = createPhotoRecords({ photos: engine.photos, originals: store.originals });
+  const pictures = createPictures({ store, place, engine, database });
+  const saving = createSaving({ store, records, locks, database, place, onTrouble, onSaved });
+  const opening = createOpening({
+    store, reading, engine, shelves, saving, records, locks, messages, database, place, leave,
+    tab: () => window.sessionStorage, browser: () => window.localStorage,
+  });
+  const projects = createProjects({ store, opening, saving, locks, messages, database });
+  const files = createProjectFiles({ store, engine, messages, opening, saving });
+  /** @type {Promise<import('./database.js').Database> | null} */
+  let opened = null;
+  /** The trouble that was told. */
+  let told = '';
+  let asked = false;
+
+  window.addEventListener('pagehide', () => void saving.flush());
+  window.document.addEventListener('visibilitychange', () => {
+    if (window.document.visibilityState === 'hidden') void saving.flush();
+  });
+
+  return { ...opening, ...projects, status: saving.status, flush: saving.flush, files, begin };
+
+  async function begin() {
+    await opening.begin();
+    await projects.refresh().catch(() => {});
+    setTimeout(() => void database().then((base) => sweep(base, locks)).catch(() => {}), SWEEP_AFTER);
+  }
+
+  function database() {
+    opened ??= connect();
+    return opened;
+  }
+
+  async function connect() {
+    try {
+      // Closed for a newer page, or by the browser: the next use opens it again.
+      return await openDatabase({ onClosed: () => { opened = null; } });
+    } catch (cause) {
+      opened = null;
+      throw failure('no-storage', /** @type {Error} */ (cause).message);
+    }
+  }
+
+  function onSaved() {
+    told = '';
+    opening.remember();
+    pictures.later();
+    // The browser may ask the person, who then knows what for.
+    if (asked || navigator.userActivation?.hasBeenActive === false) return;
+    asked = true;
+    void navigator.storage?.persist?.().catch(() => false);
+  }
+
+  /** @param {import('./saving.js').Status} why @param {Error & { code?: string }} error */
+  function onTrouble(why, error) {
+    if (error.code === 'conflict') {
+      // Both versions are kept.
+      place.value = freshPlace();
+      store.change({ type: 'rename', name: strings.copyOf(store.project.peek().name || strings.untitled), silent: true });
+      messages.note(strings.conflict);
+      return;
+    }
+    if (told === why) return;
+    told = why;
+    messages.alert(strings.notSaved(why, error.message), { label: strings.saveToFile, run: () => void files.save() });
+  }
+}

@@ -1,0 +1,184 @@
+// @ts-check
+/**
+ * Which project is on the page. A project is open in one tab at a time; a tab that finds it taken offers a copy, and
+ * opens it when the other lets go.
+ */
+
+import { computed, effect, signal } from '@preact/signals';
+import { strings } from '../../strings.js';
+import { freshId } from '../fresh-id.js';
+import { EMPTY_HISTORY } from '../history.js';
+import { joined } from '../shared-lists.js';
+import { projectLock } from './locks.js';
+import { readProject, show } from './restoring.js';
+
+/** @typedef {import('./restoring.js').Content} Content */
+/** @typedef {import('./saving.js').Place} Place */
+/** @typedef {Pick<Storage, 'getItem' | 'setItem'>} Box */
+/** @typedef {ReturnType<typeof createOpening>} Opening */
+
+const KEY = 'inkpanel.project';
+/** A page that is loaded again waits so long for its former self to let go, in ms. */
+const PATIENCE = 2_000;
+
+/** @returns {Place} */
+export function freshPlace() {
+  return { id: freshId(), stamp: '', created: Date.now() };
+}
+
+/**
+ * @param {{
+ *   store: import('../store.js').Store, reading: Pick<import('../reading.js').Reading, 'resume'>,
+ *   engine: Pick<import('../../engine/engine.js').Engine, 'ready' | 'photos'>, shelves: Pick<import('./shelves.js').Shelves, 'lists'>,
+ *   saving: import('./saving.js').Saving, records: import('./photo-records.js').PhotoRecords, locks: import('./locks.js').Locks,
+ *   messages: Pick<import('../messages.js').Messages, 'alert'>, database: () => Promise<import('./database.js').Database>,
+ *   place: import('@preact/signals').Signal<Place>, tab: () => Box, browser: () => Box, leave: () => void,
+ * }} app `tab`, `browser`: small storages, which may throw; `leave` closes what belongs to the project before
+ */
+export function createOpening({ store, reading, engine, shelves, saving, records, locks, messages, database, place, tab, browser, leave }) {
+  /** The project that another tab has open. @type {import('@preact/signals').Signal<{ id: string, name: string, follows: boolean } | null>} */
+  const elsewhere = signal(null);
+  const first = remembered();
+  /** Whether the project of the last visit is still on its way. */
+  const running = signal(first !== null);
+  /** Photos on their way belong to the project that is there. */
+  const busy = computed(() => store.reading.value !== null || store.fetching.value);
+  let release = () => {};
+  /** Ends the waiting for a project that another tab has. */
+  let waiting = new AbortController();
+
+  return { elsewhere, running, busy, current: computed(() => place.value.id), begin, open, create, enter, remember, say };
+
+  /** Opens what this tab had open, or else what was open last. */
+  async function begin() {
+    try {
+      if (first) await openLast(first);
+      else await settle(freshPlace());
+    } catch (error) {
+      say(error);
+    } finally {
+      running.value = false;
+    }
+  }
+
+  /** @param {{ id: string, here: boolean }} last */
+  async function openLast({ id, here }) {
+    const base = await database();
+    const project = await base.get('projects', id);
+    if (!project || project.gone !== null) return settle(freshPlace());
+    const free = await locks.take(projectLock(id), here ? PATIENCE : 0);
+    if (free) return load(id, free).catch((error) => { free(); throw error; });
+    await settle(freshPlace());
+    elsewhere.value = { id, name: project.name, follows: true };
+    void follow(id);
+  }
+
+  /** Opens a project when the tab that has it lets go, unless something was begun here meanwhile. @param {string} id */
+  async function follow(id) {
+    const { signal: stop } = waiting;
+    const free = await locks.wait(projectLock(id), stop).catch(() => null);
+    if (!free) return;
+    if (elsewhere.peek()?.id !== id || store.tray.peek().length > 0) free();
+    else await load(id, free).catch((error) => { free(); say(error); });
+  }
+
+  /**
+   * @param {string} id
+   * @returns {Promise<boolean>} whether it is the one on the page now
+   */
+  async function open(id) {
+    if (id === place.peek().id) return true;
+    const free = await locks.take(projectLock(id));
+    if (!free) {
+      elsewhere.value = { id, name: (await (await database()).get('projects', id))?.name ?? '', follows: false };
+      return false;
+    }
+    try {
+      await load(id, free);
+      return true;
+    } catch (error) {
+      free();
+      say(error);
+      return false;
+    }
+  }
+
+  /** @param {string} id @param {() => void} free lets go of its lock */
+  async function load(id, free) {
+    await saving.flush();
+    const { content, stamp, created } = await readProject(await database(), id);
+    await enter({ id, stamp, created }, content, free);
+    records.know(content.records);
+    saving.adopt('saved');
+    void reading.resume(content.unread);
+  }
+
+  /** An empty project in the place of this one. */
+  async function create() {
+    await saving.flush();
+    const content = { history: EMPTY_HISTORY, album: new Map(), videos: new Map(), records: [], unread: [] };
+    await enter(freshPlace(), content);
+    saving.adopt('empty');
+  }
+
+  /**
+   * @param {Place} next
+   * @param {Content} content
+   * @param {() => void} [free] lets go of its lock, where it is held already
+   * @param {{ join?: boolean }} [how] `join`: its styles and layouts are added to those of this browser
+   */
+  async function enter(next, content, free, { join = false } = {}) {
+    const planner = await engine.ready;
+    await new Promise((/** @type {(value?: unknown) => void} */ resolve) => {
+      const stop = effect(() => { if (!busy.value) resolve(); });
+      if (!busy.peek()) stop();
+    });
+    const lock = free ?? await locks.take(projectLock(next.id)) ?? (() => {});
+    show(content, { store, photos: engine.photos, planner, shared: join ? joined(content.history.present, shelves.lists()) : shelves.lists() });
+    await settle(next, lock);
+    leave();
+  }
+
+  /** @param {Place} next @param {() => void} [lock] */
+  async function settle(next, lock) {
+    const free = lock ?? await locks.take(projectLock(next.id)) ?? (() => {});
+    release();
+    release = free;
+    waiting.abort();
+    waiting = new AbortController();
+    elsewhere.value = null;
+    place.value = next;
+    write(tab, next.id);
+  }
+
+  /** @param {unknown} error */
+  function say(error) {
+    const { code, message } = /** @type {{ code?: string, message: string }} */ (error);
+    messages.alert(strings.projectNotOpened(strings.projectReasons[code ?? ''] ?? message));
+  }
+
+  /** @returns {{ id: string, here: boolean } | null} the project to begin with; `here`: this very tab had it open */
+  function remembered() {
+    try {
+      const here = tab().getItem(KEY);
+      const last = here ?? browser().getItem(KEY);
+      return last ? { id: last, here: here !== null } : null;
+    } catch {
+      return null;
+    }
+  }
+
+  /** The next visit begins with what was saved last. */
+  function remember() {
+    write(browser, place.peek().id);
+  }
+
+  /** @param {() => Box} box @param {string} id */
+  function write(box, id) {
+    try {
+      box().setItem(KEY, id);
+    } catch {
+      // Without storage there is nothing to come back to.
+    }
+  }
+}

@@ -1,0 +1,116 @@
+// @ts-check
+import { beforeEach, describe, expect, it, vi } from 'vitest';
+import { save as saveFile } from '../files.js';
+import { archiveOf, readArchive } from './archive.js';
+import { migrated } from './versions.js';
+import { documentOf, fakeBrowser } from './testing.js';
+
+vi.mock('../files.js', () => ({ save: vi.fn() }));
+
+/** @type {Awaited<ReturnType<ReturnType<typeof fakeBrowser>['tab']>>} */
+let tab;
+/** A saved project of three photos. @type {File} */
+let file;
+
+beforeEach(async () => {
+  vi.mocked(saveFile).mockClear();
+  tab = await fakeBrowser().tab();
+  await tab.add('a.jpg', 'b.jpg', 'c.jpg');
+  tab.pages.shuffle('all');
+  tab.store.change({ type: 'rename', name: 'Trip: one/two' });
+  tab.store.change({ type: 'own-styles', mine: [/** @type {any} */ ({ id: 'my-1', name: 'Mine', tags: [] })] });
+  await tab.keeping.files.save();
+  const [blob, name] = vi.mocked(saveFile).mock.calls[0];
+  file = new File([blob], name);
+});
+
+const reasons = () => tab.messages.list.value.filter(({ kind }) => kind === 'alert').map(({ text }) => text);
+
+/** The file with another `project.json`. @param {(json: any) => any} change */
+async function changed(change) {
+  const found = await readArchive(file);
+  const entries = await Promise.all([...found.values()].map(async ({ name, read }) => {
+    const blob = await read();
+    if (name !== 'project.json') return [{ name, blob }];
+    const made = change(JSON.parse(await blob.text()));
+    return made === null ? [] : [{ name, blob: new Blob([typeof made === 'string' ? made : JSON.stringify(made)]) }];
+  }));
+  return new File([await archiveOf(entries.flat())], file.name);
+}
+
+describe('a project file', () => {
+  it('opens as a project of its own, as it was', async () => {
+    expect(file.name).toBe('Trip- one-two.inkpanel');
+    const { present, shown } = documentOf(tab);
+    await tab.keeping.create();
+    tab.store.change({ type: 'own-styles', mine: [] });
+    await tab.keeping.files.open(file);
+    await tab.keeping.flush();
+    expect(tab.names()).toEqual(['a.jpg', 'b.jpg', 'c.jpg']);
+    const now = documentOf(tab);
+    expect([now.present.name, now.shown.length, now.present.mine.map(({ id }) => id)]).toEqual([present.name, shown.length, ['my-1']]);
+    const look = (/** @type {any} */ page) => ({ ...page, order: page.order.length, panels: page.panels.map((/** @type {any} */ { crop }) => crop) });
+    expect(look(now.present.page)).toEqual(look(present.page));
+    const name = (/** @type {string | null} */ id) => tab.store.album.value.get(String(id))?.name;
+    expect(now.present.page?.panels.every(({ photo }) => name(photo))).toBe(true);
+    // It is saved beside the one that it came from.
+    expect([tab.keeping.status.value, reasons()]).toEqual(['saved', []]);
+    await tab.keeping.refresh();
+    expect(tab.keeping.list.value.length).toBe(2);
+  });
+
+  it('may be opened twice, and each stays itself', async () => {
+    await tab.keeping.files.open(file);
+    const first = tab.store.tray.value.map(({ id }) => id);
+    await tab.keeping.files.open(file);
+    expect(tab.store.tray.value.some(({ id }) => first.includes(id))).toBe(false);
+    await tab.keeping.refresh();
+    expect(tab.keeping.list.value.length).toBe(3);
+  });
+
+  it('opens with the photos that are left, and names the others', async () => {
+    const text = new TextDecoder('latin1').decode(await file.arrayBuffer());
+    const bytes = new Uint8Array(await file.arrayBuffer());
+    bytes[text.indexOf('b.jpg', text.indexOf('002-b.jpg') + 9)] ^= 1;
+    await tab.keeping.files.open(new File([bytes], file.name));
+    expect(tab.names()).toEqual(['a.jpg', 'c.jpg']);
+    expect(reasons().join()).toMatch(/b\.jpg.*damaged/);
+  });
+
+  it.each([
+    ['no ZIP file', async () => new File(['hello'], 'x.inkpanel'), /damaged/],
+    ['half of one', async () => new File([file.slice(0, file.size / 2)], 'x.inkpanel'), /damaged/],
+    ['without a document', () => changed(() => null), /damaged/],
+    ['without JSON', () => changed(() => '{"format"'), /damaged/],
+    ['of another program', () => changed((json) => ({ ...json, format: 'other' })), /damaged/],
+    ['of a newer program', () => changed((json) => ({ ...json, version: 99 })), /newer Inkpanel/],
+    ['without a version', () => changed(({ version: _version, ...json }) => json), /damaged/],
+    ['without a history', () => changed((json) => ({ ...json, history: 7 })), /damaged/],
+    ['with a tray of numbers', () => changed((json) => ({ ...json, history: { ...json.history, present: { ...json.history.present, tray: [1, 2] } } })), /damaged/],
+    ['with a page of an unknown layout', () => changed((json) => {
+      const { present } = json.history;
+      return { ...json, history: { ...json.history, present: { ...present, page: { ...present.page, layout: 'gone' } } } };
+    }), /damaged/],
+    ['with a page that has too few panels', () => changed((json) => {
+      const { present } = json.history;
+      return { ...json, history: { ...json.history, present: { ...present, page: { ...present.page, panels: [] } } } };
+    }), /damaged/],
+    ['with photos that are not in it', () => changed((json) => ({ ...json, photos: json.photos.map((/** @type {any} */ photo) => ({ ...photo, path: 'gone.jpg' })) })), /damaged/],
+    ['with a photo without an id', () => changed((json) => ({ ...json, photos: [{ name: 'x' }] })), /damaged/],
+  ])('%s changes nothing on the page', async (_, make, reason) => {
+    const before = documentOf(tab);
+    const held = [...tab.store.album.value.keys()];
+    await tab.keeping.files.open(await make());
+    expect(reasons().join()).toMatch(reason);
+    expect(documentOf(tab)).toEqual(before);
+    expect(held.every(tab.photos.has)).toBe(true);
+    expect(tab.keeping.files.progress.value).toBe(null);
+  });
+});
+
+it('what an older program wrote is brought up to date step by step', () => {
+  const migrations = { 1: (/** @type {any} */ kept) => ({ ...kept, a: kept.a + 1 }), 2: (/** @type {any} */ kept) => ({ ...kept, b: kept.a }) };
+  expect(migrated({ version: 1, a: 1 }, { version: 3, migrations })).toEqual({ version: 3, a: 2, b: 2 });
+  expect(migrated({ version: 3, a: 1 }, { version: 3, migrations })).toEqual({ version: 3, a: 1 });
+  expect(() => migrated({ version: 4 }, { version: 3, migrations })).toThrow(/newer/);
+});

@@ -1,0 +1,125 @@
+// @ts-check
+/**
+ * `project.json` of a project file: the document, the pages shown, and what is told of each photo and video. The undo
+ * stays behind. What a file says is checked; what the photos say themselves is read from them again.
+ */
+
+import { freshId } from '../fresh-id.js';
+import { VERSION, checkedHistory, damaged, migrated } from './versions.js';
+
+/** @typedef {import('../album.js').Fact} Fact */
+/** @typedef {import('../album.js').Video} Video */
+/** @typedef {import('./database.js').KeptHistory} KeptHistory */
+
+/**
+ * `subjects`: what was found in it, null when it was not searched; `measured`: it is compared with other photos.
+ * @typedef {Pick<Fact, 'id' | 'name' | 'credit' | 'video' | 'time'> & {
+ *   path: string, type: string, subjects: any[] | null, measured: boolean,
+ * }} FilePhoto
+ * @typedef {Omit<Video, 'file'> & { path: string, type: string }} FileVideo
+ * @typedef {{ history: KeptHistory, photos: FilePhoto[], videos: FileVideo[] }} FileProject
+ */
+
+const FORMAT = 'inkpanel';
+
+/**
+ * @param {KeptHistory} history
+ * @param {readonly (Fact & { type: string })[]} facts with the types of their files
+ * @param {readonly Video[]} videos
+ * @returns {{ json: string, paths: Map<string, string> }} `paths`: where in the file each photo is, by its id, and each
+ *   video, by `video` and its key
+ */
+export function projectJson({ present, shown }, facts, videos) {
+  /** @type {Map<string, string>} */
+  const paths = new Map();
+  const place = (/** @type {string} */ id, /** @type {string} */ folder, /** @type {string} */ name) => {
+    const path = `${folder}/${String(paths.size + 1).padStart(3, '0')}-${name.replaceAll(/[^\p{L}\p{N}._-]+/gu, '-').slice(-60)}`;
+    paths.set(id, path);
+    return path;
+  };
+  const photos = facts.map(({ id, name, credit, video, time, meta, measures, looked, type }) => ({
+    id, name, credit, video, time, path: place(id, 'photos', name), type, measured: measures !== null,
+    subjects: looked && meta ? meta.subjects : null,
+  }));
+  const films = videos.map(({ file, ...video }) => ({ ...video, path: place(`video ${video.key}`, 'videos', video.name), type: file.type }));
+  const history = { present, shown };
+  return { json: JSON.stringify({ format: FORMAT, version: VERSION, history, photos, videos: films }, null, 1), paths };
+}
+
+/**
+ * @param {string} text
+ * @returns {FileProject} rejects with `damaged-project` or `newer-project`
+ */
+export function parsedProject(text) {
+  let value;
+  try {
+    value = JSON.parse(text);
+  } catch {
+    throw damaged('project.json: is no JSON');
+  }
+  if (value?.format !== FORMAT) throw damaged('project.json: is of another program');
+  const { history, photos, videos } = migrated(value);
+  const list = (/** @type {unknown} */ what, /** @type {string} */ name) => {
+    if (!Array.isArray(what)) throw damaged(`${name}: is no list`);
+    return what;
+  };
+  return {
+    history: { ...checkedHistory({ present: history?.present, shown: history?.shown }), past: [], future: [] },
+    photos: list(photos, 'photos').map(photoOf),
+    videos: list(videos ?? [], 'videos').map(videoOf),
+  };
+}
+
+/** @param {any} photo @param {number} i @returns {FilePhoto} */
+function photoOf(photo, i) {
+  const { id, name, path, credit, video, time, type, subjects, measured } = photo ?? {};
+  if (![id, name, path].every((text) => typeof text === 'string' && text !== '')) throw damaged(`photos[${i}]: has no id, name or path`);
+  return {
+    id, name, path, type: textOr(type, ''), credit: textOr(credit, undefined), video: textOr(video, undefined),
+    time: Number.isFinite(time) ? time : undefined, measured: measured !== false,
+    subjects: Array.isArray(subjects) && subjects.every(isSubject) ? subjects : null,
+  };
+}
+
+/** @param {any} video @param {number} i @returns {FileVideo} */
+function videoOf(video, i) {
+  const { key, name, path, ids, duration, start, end, type } = video ?? {};
+  const good = [key, name, path].every((text) => typeof text === 'string') && Array.isArray(ids) && ids.every((id) => typeof id === 'string');
+  if (!good) throw damaged(`videos[${i}]: has no key, name, path or frames`);
+  const time = (/** @type {unknown} */ value) => (typeof value === 'number' && value >= 0 ? value : null);
+  return { key, name, path, ids, type: textOr(type, ''), duration: time(duration), start: time(start) ?? 0, end: time(end) };
+}
+
+/** @param {any} subject */
+function isSubject(subject) {
+  const { label, score, x, y, width, height } = subject ?? {};
+  return typeof label === 'string' && [score, x, y, width, height].every((value) => typeof value === 'number' && value >= -1 && value <= 2);
+}
+
+/** @template T @param {unknown} value @param {T} other @returns {string | T} */
+function textOr(value, other) {
+  return typeof value === 'string' ? value : other;
+}
+
+/**
+ * Gives each photo an id that no photo of this browser has: the same file may be opened twice, or be made by hand.
+ * @param {FileProject} project
+ * @param {() => string} [fresh]
+ * @returns {FileProject}
+ */
+export function withFreshIds(project, fresh = () => `p${freshId()}`) {
+  const names = new Map([...project.photos.map(({ id }) => id), ...project.videos.map(({ key }) => key)].map((id) => [id, fresh()]));
+  return /** @type {FileProject} */ (renamed(project, names));
+}
+
+/**
+ * @param {unknown} value
+ * @param {ReadonlyMap<string, string>} names
+ * @returns {unknown} the same with other names wherever a text is one of them
+ */
+function renamed(value, names) {
+  if (typeof value === 'string') return names.get(value) ?? value;
+  if (Array.isArray(value)) return value.map((item) => renamed(item, names));
+  if (typeof value !== 'object' || value === null) return value;
+  return Object.fromEntries(Object.entries(value).map(([key, item]) => [names.get(key) ?? key, renamed(item, names)]));
+}

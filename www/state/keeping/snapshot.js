@@ -1,0 +1,41 @@
+// @ts-check
+/** What of the session is kept: the document with its history, and of the photos all that any of its states needs. */
+
+/** @typedef {import('../album.js').Fact} Fact */
+/** @typedef {import('../album.js').Video} Video */
+/** @typedef {import('../history.js').History} History */
+/** @typedef {{ history: import('./database.js').KeptHistory, facts: Fact[], videos: Video[] }} Snapshot */
+
+/**
+ * @param {import('../store.js').Store} store
+ * @returns {Snapshot}
+ */
+export function snapshotOf(store) {
+  const { gesture: _gesture, ...history } = store.history.peek();
+  const album = store.album.peek();
+  const facts = [...photosOf(history)].flatMap((id) => album.get(id) ?? []);
+  const needed = new Set(facts.map(({ id }) => id));
+  const videos = [...store.videos.peek().values()].filter(({ ids }) => ids.some((id) => needed.has(id)));
+  return { history, facts, videos };
+}
+
+/**
+ * @param {Omit<History, 'gesture'>} history
+ * @returns {Set<string>} the photos of all times
+ */
+export function photosOf({ past, present, future, shown }) {
+  /** @type {Set<string>} */
+  const ids = new Set();
+  // Most states have the tray of their neighbour.
+  const seen = new Set();
+  const once = (/** @type {unknown} */ part, /** @type {() => void} */ look) => {
+    if (!seen.has(part)) look();
+    seen.add(part);
+  };
+  for (const { tray } of [present, ...past, ...future]) once(tray, () => tray.forEach(({ id }) => ids.add(id)));
+  const pages = [...[present, ...past, ...future].map(({ page }) => page), ...shown.map(({ page }) => page)];
+  for (const page of pages) {
+    if (page) once(page, () => page.panels.forEach(({ photo }) => photo !== null && ids.add(photo)));
+  }
+  return ids;
+}

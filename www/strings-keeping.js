@@ -1,0 +1,63 @@
+// @ts-check
+/** Words of projects, of saving, and of the pages shown. */
+
+/** @type {Record<string, string>} */
+const TROUBLE = {
+  full: 'the storage of this browser is full',
+  refused: 'this browser keeps nothing for pages here',
+};
+
+export const keepingStrings = {
+  // Saving
+  saveState: {
+    empty: '', saving: 'Saving…', saved: 'Saved', full: 'Not saved', refused: 'Not saved', failed: 'Not saved',
+  },
+  saveHelp: 'Saved in this browser, on this device',
+  notSaved: (/** @type {string} */ why, /** @type {string} */ message) => (
+    `Your work is not saved: ${TROUBLE[why] ?? message}. Everything is still here as long as this page is open.`
+  ),
+  saveToFile: 'Save to file',
+  conflict: 'Another tab changed this project, so this one goes on as a copy.',
+
+  // Projects
+  projects: 'Projects',
+  projectName: 'Project name',
+  untitled: 'Untitled',
+  newProject: 'New project',
+  openProject: 'Open project',
+  saveProject: 'Save project',
+  projectFile: 'Project file',
+  openNamed: (/** @type {string} */ name) => `Open ${name}`,
+  duplicateNamed: (/** @type {string} */ name) => `Duplicate ${name}`,
+  deleteNamed: (/** @type {string} */ name) => `Delete ${name}`,
+  openNow: 'Open now',
+  projectAbout: (/** @type {number} */ photos, /** @type {string} */ when) => `${photos === 1 ? '1 photo' : `${photos} photos`}, ${when}`,
+  noProjects: 'What you make is saved here by itself.',
+  projectDeleted: (/** @type {string} */ name) => `${name} was deleted.`,
+  bringBack: 'Bring it back',
+  projectNotOpened: (/** @type {string} */ why) => `The project could not be opened: ${why}`,
+  projectFileNotOpened: (/** @type {string} */ name, /** @type {string} */ why) => `${name} could not be opened: ${why}`,
+  projectSaved: 'The project was saved as a file, with your original photos.',
+  projectNotSaved: (/** @type {string} */ why) => `The project could not be saved as a file: ${why}`,
+  /** @type {Record<string, string>} */
+  projectReasons: {
+    'damaged-project': 'it is damaged, or no project of Inkpanel. What is on the page was not touched.',
+    'newer-project': 'it was made by a newer Inkpanel. Load this page again to get the newest one.',
+    'missing-project': 'it was deleted.',
+    'no-storage': 'this browser keeps nothing for pages here.',
+  },
+  openingProject: (/** @type {string} */ name) => `Opening ${name}`,
+  openingLast: 'Opening your project',
+  openElsewhere: (/** @type {string} */ name) => `${name} is open in another tab.`,
+  opensWhenFree: 'It opens here when that tab is closed.',
+  openCopy: 'Open a copy',
+
+  // Pages shown
+  pagesShown: 'Pages shown',
+  pagesShownAt: (/** @type {number} */ n, /** @type {number} */ of) => `Pages shown, ${n}/${of}`,
+  pageNumber: (/** @type {number} */ n) => `Page ${n}`,
+  pageFrom: (/** @type {number} */ n) => `from page ${n}`,
+  favouritePage: 'Favourite page',
+  favouritePages: 'Favourites only',
+  noFavouritePages: 'No favourites yet. Press the heart on a page you like.',
+};

@@ -1,0 +1,75 @@
+// @ts-check
+/** In the bar above: what the project is called, whether it is saved, and the way to the others. */
+
+import { strings } from '../../strings.js';
+import { IconButton } from '../button.jsx';
+import { useApp } from '../context.js';
+import { Icon } from '../icon.jsx';
+
+/** Characters of a name. */
+const LONGEST = 80;
+
+export function ProjectBar() {
+  const { store, keeping, ui } = useApp();
+  const empty = store.tray.value.length === 0;
+  if (!ui.wide.value) return <ProjectsButton small />;
+  if (empty) return keeping.list.value.length > 0 ? <ProjectsButton /> : null;
+  return (
+    <>
+      <ProjectName />
+      <SaveState />
+      <ProjectsButton small />
+    </>
+  );
+}
+
+/** Edited in place; Escape leaves it as it was. */
+export function ProjectName() {
+  const { store } = useApp();
+  const { name } = store.project.value;
+  return (
+    <input
+      type="text"
+      class="project-name"
+      aria-label={strings.projectName}
+      placeholder={strings.untitled}
+      maxLength={LONGEST}
+      autocomplete="off"
+      spellcheck={false}
+      value={name}
+      onChange={({ currentTarget }) => {
+        store.change({ type: 'rename', name: currentTarget.value.trim() });
+        currentTarget.value = store.project.peek().name;
+      }}
+      onKeyDown={(event) => {
+        if (event.key !== 'Enter' && event.key !== 'Escape') return;
+        if (event.key === 'Escape') event.currentTarget.value = name;
+        event.preventDefault();
+        event.currentTarget.blur();
+      }}
+    />
+  );
+}
+
+/** Whether all is saved; where it is not, a way to save it all the same. */
+export function SaveState() {
+  const { keeping } = useApp();
+  const state = keeping.status.value;
+  const text = strings.saveState[state];
+  if (text === '') return null;
+  if (state === 'saving' || state === 'saved') return <span class="save-state" data-state={state} title={strings.saveHelp}>{text}</span>;
+  return (
+    <button type="button" class="save-state" data-state="not" title={strings.saveToFile} onClick={() => void keeping.files.save()}>
+      <Icon name="alert" />{text}
+    </button>
+  );
+}
+
+/** @param {{ small?: boolean }} props */
+function ProjectsButton({ small = false }) {
+  const { ui } = useApp();
+  const on = ui.work.value === 'projects';
+  const toggle = () => { ui.work.value = on ? null : 'projects'; };
+  if (small) return <IconButton icon="open" label={strings.projects} pressed={on} onClick={toggle} />;
+  return <button type="button" class="button" aria-pressed={on} onClick={toggle}><Icon name="open" />{strings.projects}</button>;
+}

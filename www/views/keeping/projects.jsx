@@ -1,0 +1,83 @@
+// @ts-check
+/** The projects of this browser, as thumbnails, and what can be done with them. */
+
+import { useEffect, useRef, useState } from 'preact/hooks';
+import { EXTENSION } from '../../state/keeping/project-file.js';
+import { strings } from '../../strings.js';
+import { IconButton } from '../button.jsx';
+import { ChosenFiles } from '../chosen-files.jsx';
+import { useApp } from '../context.js';
+import { Icon } from '../icon.jsx';
+import { Workspace } from '../workspace.jsx';
+import { Elsewhere } from './elsewhere.jsx';
+import { ProjectName, SaveState } from './project-bar.jsx';
+
+/** @typedef {import('../../state/keeping/database.js').ProjectRecord} ProjectRecord */
+
+export function Projects() {
+  const { store, keeping, ui } = useApp();
+  const input = useRef(/** @type {HTMLInputElement | null} */ (null));
+  const list = keeping.list.value;
+  const empty = store.tray.value.length === 0;
+  const status = keeping.status.value;
+
+  useEffect(() => void keeping.refresh().catch(() => {}), [status]);
+
+  const tools = (
+    <div class="wall-bar">
+      <button type="button" class="button" disabled={keeping.busy.value || empty} onClick={() => void keeping.create()}><Icon name="add" />{strings.newProject}</button>
+      <button type="button" class="button" onClick={() => input.current?.click()}><Icon name="open" />{strings.openProject}</button>
+      <button type="button" class="button" disabled={empty} onClick={() => void keeping.files.save()}><Icon name="save" />{strings.saveProject}</button>
+      <ChosenFiles input={input} label={strings.projectFile} accept={EXTENSION} onFiles={([file]) => file && void keeping.files.open(file)} />
+    </div>
+  );
+  return (
+    <Workspace title={strings.projects} class="projects" tools={tools} onClose={() => { ui.work.value = null; }}>
+      <Elsewhere />
+      {!empty && !ui.wide.value && <p class="project-now"><ProjectName /><SaveState /></p>}
+      <ul class="project-wall">{list.map((project) => <Project key={project.id} project={project} />)}</ul>
+      {list.length === 0 && <p class="wall-empty">{strings.noProjects}</p>}
+    </Workspace>
+  );
+}
+
+/** @param {{ project: ProjectRecord }} props */
+function Project({ project: { id, name, changed, photos, picture } }) {
+  const { keeping, ui } = useApp();
+  const title = name || strings.untitled;
+  const current = keeping.current.value === id;
+  const when = new Date(changed).toLocaleString(undefined, { dateStyle: 'medium', timeStyle: 'short' });
+  const busy = keeping.busy.value;
+
+  async function open() {
+    if (await keeping.open(id)) ui.work.value = null;
+  }
+
+  return (
+    <li class="project" aria-label={title} data-current={current}>
+      <button type="button" class="project-picture" aria-label={strings.openNamed(title)} aria-current={current ? 'true' : undefined}
+        disabled={busy && !current} onClick={() => void open()}>
+        {picture && <Picture blob={picture} />}
+      </button>
+      <div class="project-about">
+        <strong>{title}</strong>
+        <span>{strings.projectAbout(photos, when)}</span>
+      </div>
+      <div class="project-tools">
+        <IconButton icon="duplicate" label={strings.duplicateNamed(title)} onClick={() => void keeping.duplicate(id)} />
+        <IconButton icon="bin" label={strings.deleteNamed(title)} disabled={busy && current} onClick={() => void keeping.remove(id)} />
+      </div>
+    </li>
+  );
+}
+
+/** @param {{ blob: Blob }} props */
+function Picture({ blob }) {
+  const [address, setAddress] = useState('');
+  useEffect(() => {
+    const made = URL.createObjectURL(blob);
+    setAddress(made);
+    return () => URL.revokeObjectURL(made);
+  }, [blob]);
+  return address === '' ? null : <img src={address} alt="" />;
+}
