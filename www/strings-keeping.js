@@ -43,6 +43,7 @@ export const keepingStrings = {
   projectReasons: {
     'damaged-project': 'it is damaged, or no project of Inkpanel. What is on the page was not touched.',
     'newer-project': 'it was made by a newer Inkpanel. Load this page again to get the newest one.',
+    'not-saved': 'what is on the page is not saved. Save it to a file first (Save project).',
     'missing-project': 'it was deleted.',
     'no-storage': 'this browser keeps nothing for pages here.',
   },

@@ -4,7 +4,7 @@
  *
  * - `database.js` the tables; `versions.js` checks and migrates what comes out of them, or out of a file
  * - `snapshot.js` what of the session is kept; `photo-records.js` photos, each written once; `saving.js` when and how
- * - `restoring.js` the way back; `opening.js` which project is on the page; `projects.js` the list of them
+ * - `restoring.js` the way back; `opening.js` which project is on the page (`last-project.js` at first); `projects.js` the list of them
  * - `pictures.js` its thumbnails; `sweeping.js` throws away what no project needs
  * - `locks.js` keeps tabs apart; `shelves.js` holds what all projects share
  * - `archive.js` ZIP files; `project-file.js` a project as one of them
@@ -16,6 +16,7 @@ import { signal } from '@preact/signals';
 import { failure } from '../../engine/protocol.js';
 import { strings } from '../../strings.js';
 import { openDatabase } from './database.js';
+import { createLastProject } from './last-project.js';
 import { createLocks } from './locks.js';
 import { createOpening, freshPlace } from './opening.js';
 import { createPhotoRecords } from './photo-records.js';
@@ -40,12 +41,13 @@ export function createKeeping({ store, reading, engine, shelves, messages, windo
   const { navigator } = window;
   const place = signal(freshPlace());
   const locks = createLocks(navigator.locks);
+  const last = createLastProject({ tab: () => window.sessionStorage, browser: () => window.localStorage });
   const records = createPhotoRecords({ photos: engine.photos, originals: store.originals });
-  const pictures = createPictures({ store, place, engine, database });
+  const pictures = createPictures({ store, place, engine, database, onDrawn: () => void projects.refresh().catch(() => {}) });
   const saving = createSaving({ store, records, locks, database, place, onTrouble, onSaved });
   const opening = createOpening({
     store, reading, engine, shelves, saving, records, locks, messages, database, place, leave,
-    tab: () => window.sessionStorage, browser: () => window.localStorage,
+    last,
   });
   const projects = createProjects({ store, opening, saving, locks, messages, database });
   const files = createProjectFiles({ store, engine, messages, opening, saving });
@@ -85,7 +87,7 @@ export function createKeeping({ store, reading, engine, shelves, messages, windo
 
   function onSaved() {
     told = '';
-    opening.remember();
+    last.saved(place.peek().id);
     pictures.later();
     // The browser may ask the person, who then knows what for.
     if (asked || navigator.userActivation?.hasBeenActive === false) return;
@@ -97,8 +99,9 @@ export function createKeeping({ store, reading, engine, shelves, messages, windo
   function onTrouble(why, error) {
     if (error.code === 'conflict') {
       // Both versions are kept.
-      place.value = freshPlace();
-      store.change({ type: 'rename', name: strings.copyOf(store.project.peek().name || strings.untitled), silent: true });
+      void opening.settle(freshPlace()).then(() => {
+        store.change({ type: 'rename', name: strings.copyOf(store.project.peek().name || strings.untitled), silent: true });
+      });
       messages.note(strings.conflict);
       return;
     }

@@ -5,6 +5,7 @@
  */
 
 import { computed, effect, signal } from '@preact/signals';
+import { failure } from '../../engine/protocol.js';
 import { strings } from '../../strings.js';
 import { freshId } from '../fresh-id.js';
 import { EMPTY_HISTORY } from '../history.js';
@@ -14,10 +15,8 @@ import { readProject, show } from './restoring.js';
 
 /** @typedef {import('./restoring.js').Content} Content */
 /** @typedef {import('./saving.js').Place} Place */
-/** @typedef {Pick<Storage, 'getItem' | 'setItem'>} Box */
 /** @typedef {ReturnType<typeof createOpening>} Opening */
 
-const KEY = 'inkpanel.project';
 /** A page that is loaded again waits so long for its former self to let go, in ms. */
 const PATIENCE = 2_000;
 
@@ -32,13 +31,13 @@ export function freshPlace() {
  *   engine: Pick<import('../../engine/engine.js').Engine, 'ready' | 'photos'>, shelves: Pick<import('./shelves.js').Shelves, 'lists'>,
  *   saving: import('./saving.js').Saving, records: import('./photo-records.js').PhotoRecords, locks: import('./locks.js').Locks,
  *   messages: Pick<import('../messages.js').Messages, 'alert'>, database: () => Promise<import('./database.js').Database>,
- *   place: import('@preact/signals').Signal<Place>, tab: () => Box, browser: () => Box, leave: () => void,
- * }} app `tab`, `browser`: small storages, which may throw; `leave` closes what belongs to the project before
+ *   place: import('@preact/signals').Signal<Place>, last: ReturnType<typeof import('./last-project.js').createLastProject>, leave: () => void,
+ * }} app `leave` closes what belongs to the project before
  */
-export function createOpening({ store, reading, engine, shelves, saving, records, locks, messages, database, place, tab, browser, leave }) {
+export function createOpening({ store, reading, engine, shelves, saving, records, locks, messages, database, place, last, leave }) {
   /** The project that another tab has open. @type {import('@preact/signals').Signal<{ id: string, name: string, follows: boolean } | null>} */
   const elsewhere = signal(null);
-  const first = remembered();
+  const first = last.recall();
   /** Whether the project of the last visit is still on its way. */
   const running = signal(first !== null);
   /** Photos on their way belong to the project that is there. */
@@ -47,7 +46,7 @@ export function createOpening({ store, reading, engine, shelves, saving, records
   /** Ends the waiting for a project that another tab has. */
   let waiting = new AbortController();
 
-  return { elsewhere, running, busy, current: computed(() => place.value.id), begin, open, create, enter, remember, say };
+  return { elsewhere, running, busy, current: computed(() => place.value.id), begin, open, create, enter, settle, say };
 
   /** Opens what this tab had open, or else what was open last. */
   async function begin() {
@@ -105,7 +104,6 @@ export function createOpening({ store, reading, engine, shelves, saving, records
 
   /** @param {string} id @param {() => void} free lets go of its lock */
   async function load(id, free) {
-    await saving.flush();
     const { content, stamp, created } = await readProject(await database(), id);
     await enter({ id, stamp, created }, content, free);
     records.know(content.records);
@@ -113,15 +111,20 @@ export function createOpening({ store, reading, engine, shelves, saving, records
     void reading.resume(content.unread);
   }
 
-  /** An empty project in the place of this one. */
+  /** An empty project in the place of this one. @returns {Promise<boolean>} whether it came to that */
   async function create() {
-    await saving.flush();
-    const content = { history: EMPTY_HISTORY, album: new Map(), videos: new Map(), records: [], unread: [] };
-    await enter(freshPlace(), content);
-    saving.adopt('empty');
+    try {
+      await enter(freshPlace(), { history: EMPTY_HISTORY, album: new Map(), videos: new Map(), records: [], unread: [] });
+      saving.adopt('empty');
+      return true;
+    } catch (error) {
+      say(error);
+      return false;
+    }
   }
 
   /**
+   * Puts a project in the place of the one on the page, once that is saved; else rejects with `not-saved`.
    * @param {Place} next
    * @param {Content} content
    * @param {() => void} [free] lets go of its lock, where it is held already
@@ -129,14 +132,25 @@ export function createOpening({ store, reading, engine, shelves, saving, records
    */
   async function enter(next, content, free, { join = false } = {}) {
     const planner = await engine.ready;
-    await new Promise((/** @type {(value?: unknown) => void} */ resolve) => {
-      const stop = effect(() => { if (!busy.value) resolve(); });
-      if (!busy.peek()) stop();
-    });
+    await allRead();
     const lock = free ?? await locks.take(projectLock(next.id)) ?? (() => {});
+    await saving.flush();
+    if (!saving.isSafe()) {
+      lock();
+      throw failure('not-saved', 'This project is not saved.');
+    }
     show(content, { store, photos: engine.photos, planner, shared: join ? joined(content.history.present, shelves.lists()) : shelves.lists() });
     await settle(next, lock);
     leave();
+  }
+
+  /** Photos on their way arrive first. @returns {Promise<void>} */
+  function allRead() {
+    return new Promise((resolve) => {
+      const stop = effect(() => {
+        if (!busy.value) queueMicrotask(() => { stop(); resolve(); });
+      });
+    });
   }
 
   /** @param {Place} next @param {() => void} [lock] */
@@ -148,37 +162,12 @@ export function createOpening({ store, reading, engine, shelves, saving, records
     waiting = new AbortController();
     elsewhere.value = null;
     place.value = next;
-    write(tab, next.id);
+    last.opened(next.id);
   }
 
   /** @param {unknown} error */
   function say(error) {
     const { code, message } = /** @type {{ code?: string, message: string }} */ (error);
     messages.alert(strings.projectNotOpened(strings.projectReasons[code ?? ''] ?? message));
-  }
-
-  /** @returns {{ id: string, here: boolean } | null} the project to begin with; `here`: this very tab had it open */
-  function remembered() {
-    try {
-      const here = tab().getItem(KEY);
-      const last = here ?? browser().getItem(KEY);
-      return last ? { id: last, here: here !== null } : null;
-    } catch {
-      return null;
-    }
-  }
-
-  /** The next visit begins with what was saved last. */
-  function remember() {
-    write(browser, place.peek().id);
-  }
-
-  /** @param {() => Box} box @param {string} id */
-  function write(box, id) {
-    try {
-      box().setItem(KEY, id);
-    } catch {
-      // Without storage there is nothing to come back to.
-    }
   }
 }

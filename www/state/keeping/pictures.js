@@ -12,10 +12,10 @@ const WIDTH = 320;
  * @param {{
  *   store: import('../store.js').Store, place: import('@preact/signals').ReadonlySignal<import('./saving.js').Place>,
  *   engine: Pick<import('../../engine/engine.js').Engine, 'renderPage' | 'hasPhoto'>,
- *   database: () => Promise<import('./database.js').Database>,
+ *   database: () => Promise<import('./database.js').Database>, onDrawn: () => void,
  * }} app
  */
-export function createPictures({ store, place, engine, database }) {
+export function createPictures({ store, place, engine, database, onDrawn }) {
   /** @type {any} */
   let timer;
   /** @type {unknown} */
@@ -39,6 +39,7 @@ export function createPictures({ store, place, engine, database }) {
     if (project) await all.store.put({ ...project, picture });
     await all.done;
     drawn = page;
+    onDrawn();
   }
 
   /** @param {import('../project.js').PageDocument} page */

@@ -31,7 +31,7 @@ export function isProjectFile({ name }) {
 /**
  * @param {{
  *   store: import('../store.js').Store, engine: Pick<import('../../engine/engine.js').Engine, 'ready' | 'importPhoto' | 'forgetPhoto' | 'photos'>,
- *   messages: Pick<import('../messages.js').Messages, 'alert' | 'note'>, saving: Pick<import('./saving.js').Saving, 'flush'>,
+ *   messages: Pick<import('../messages.js').Messages, 'alert' | 'note'>, saving: Pick<import('./saving.js').Saving, 'filed'>,
  *   opening: Pick<import('./opening.js').Opening, 'enter'>,
  * }} app
  */
@@ -48,6 +48,7 @@ export function createProjectFiles({ store, engine, messages, saving, opening })
     try {
       const { file, name } = await packed();
       saveFile(file, name);
+      saving.filed();
       messages.note(strings.projectSaved);
     } catch (error) {
       messages.alert(strings.projectNotSaved(/** @type {Error} */ (error).message));
@@ -84,7 +85,6 @@ export function createProjectFiles({ store, engine, messages, saving, opening })
       const facts = await readPhotos(project, archive, taken, stop.signal);
       if (facts.length === 0 && project.photos.length > 0) throw damaged('none of its photos can be read');
       const videos = await readVideos(project, archive);
-      await saving.flush();
       const { name } = project.history.present;
       const present = { ...project.history.present, name: name || file.name.slice(0, -EXTENSION.length) };
       const content = {

@@ -27,8 +27,9 @@ export function createProjects({ store, opening, saving, locks, messages, databa
   return { list, refresh, openCopy, create, duplicate, remove };
 
   async function create() {
-    await opening.create();
+    const done = await opening.create();
     await refresh().catch(() => {});
+    return done;
   }
 
   /** Opens a copy of a project that another tab has. */
@@ -65,7 +66,7 @@ export function createProjects({ store, opening, saving, locks, messages, databa
   async function remove(id) {
     try {
       const mine = id === current.peek();
-      if (mine) await create();
+      if (mine && !await create()) return undefined;
       const free = await locks.take(projectLock(id), mine ? PATIENCE : 0);
       if (!free) return messages.alert(strings.openElsewhere(nameOf(id)));
       const name = nameOf(id);

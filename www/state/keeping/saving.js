@@ -39,6 +39,8 @@ export function createSaving({ store, records, locks, database, place, onTrouble
   /** @type {Promise<void> | null} */
   let running = null;
   let dirty = false;
+  /** What was saved as a file. @type {unknown} */
+  let inFile = null;
   let since = 0;
   /** @type {any} */
   let timer;
@@ -48,7 +50,7 @@ export function createSaving({ store, records, locks, database, place, onTrouble
     untracked(() => touch(now));
   });
 
-  return { status, flush, adopt };
+  return { status, flush, adopt, isSafe, filed };
 
   function parts() {
     return [store.history.value, store.album.value, store.videos.value];
@@ -158,6 +160,17 @@ export function createSaving({ store, records, locks, database, place, onTrouble
     const same = project?.stamp === stamp && state?.stamp === stamp && size(state.history) === size(history) &&
       JSON.stringify(state.history.present) === JSON.stringify(history.present);
     if (!same) throw new Error('What was saved could not be read back.');
+  }
+
+  /** Whether nothing is lost when another project takes the place of this one. */
+  function isSafe() {
+    if (store.tray.peek().length === 0 && place.peek().stamp === '') return true;
+    return store.history.peek() === inFile || (!dirty && running === null && (status.peek() === 'saved' || status.peek() === 'empty'));
+  }
+
+  /** What there is now is in a file. */
+  function filed() {
+    inFile = store.history.peek();
   }
 
   /** What there is now is in the database, or need not be. @param {Status} as */

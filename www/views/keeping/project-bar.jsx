@@ -10,10 +10,10 @@ import { Icon } from '../icon.jsx';
 const LONGEST = 80;
 
 export function ProjectBar() {
-  const { store, keeping, ui } = useApp();
+  const { store, ui } = useApp();
   const empty = store.tray.value.length === 0;
   if (!ui.wide.value) return <ProjectsButton small />;
-  if (empty) return keeping.list.value.length > 0 ? <ProjectsButton /> : null;
+  if (empty) return <ProjectsButton />;
   return (
     <>
       <ProjectName />
