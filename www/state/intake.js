@@ -12,7 +12,7 @@ import { strings } from '../strings.js';
 
 /** @returns {string} what the ids of photos begin with, so that no other session of any browser has the same */
 export function freshPhotoPrefix() {
-  return `p${freshId()}-`;
+  return `p${freshId(6)}-`;
 }
 
 /**

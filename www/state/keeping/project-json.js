@@ -107,7 +107,7 @@ function textOr(value, other) {
  * @param {() => string} [fresh]
  * @returns {FileProject}
  */
-export function withFreshIds(project, fresh = () => `p${freshId()}`) {
+export function withFreshIds(project, fresh = () => `p${freshId(8)}`) {
   const names = new Map([...project.photos.map(({ id }) => id), ...project.videos.map(({ key }) => key)].map((id) => [id, fresh()]));
   return /** @type {FileProject} */ (renamed(project, names));
 }
