@@ -23,6 +23,7 @@ export function createMessages() {
    * @param {Message['kind']} kind
    * @param {string} text
    * @param {Way} [way]
+   * @returns {number} to close it by
    */
   function say(kind, text, way) {
     last += 1;
@@ -30,6 +31,7 @@ export function createMessages() {
     const others = list.value.filter((message) => message.text !== text && (kind === 'alert' || message.kind === 'alert'));
     list.value = [...others, { id, kind, text, way }].slice(-MOST);
     if (kind === 'note') setTimeout(() => close(id), way ? WAY_MS : NOTE_MS);
+    return id;
   }
 
   /** @param {number} id */

@@ -53,8 +53,8 @@ export function createKeeping({ store, reading, engine, shelves, messages, windo
   const files = createProjectFiles({ store, engine, messages, opening, saving });
   /** @type {Promise<import('./database.js').Database> | null} */
   let opened = null;
-  /** The trouble that was told. */
-  let told = '';
+  /** The trouble that was told, and its message. */
+  let told = { why: '', message: 0 };
   let asked = false;
 
   window.addEventListener('pagehide', () => void saving.flush());
@@ -86,7 +86,8 @@ export function createKeeping({ store, reading, engine, shelves, messages, windo
   }
 
   function onSaved() {
-    told = '';
+    messages.close(told.message);
+    told = { why: '', message: 0 };
     last.saved(place.peek().id);
     pictures.later();
     // The browser may ask the person, who then knows what for.
@@ -105,8 +106,8 @@ export function createKeeping({ store, reading, engine, shelves, messages, windo
       messages.note(strings.conflict);
       return;
     }
-    if (told === why) return;
-    told = why;
-    messages.alert(strings.notSaved(why, error.message), { label: strings.saveToFile, run: () => void files.save() });
+    if (told.why === why) return;
+    const message = messages.alert(strings.notSaved(why, error.message), { label: strings.saveToFile, run: () => void files.save() });
+    told = { why, message };
   }
 }
