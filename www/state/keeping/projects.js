@@ -66,9 +66,12 @@ export function createProjects({ store, opening, saving, locks, messages, databa
   async function remove(id) {
     try {
       const mine = id === current.peek();
-      if (mine && !await create()) return undefined;
+      if (mine && !await create()) return;
       const free = await locks.take(projectLock(id), mine ? PATIENCE : 0);
-      if (!free) return messages.alert(strings.openElsewhere(nameOf(id)));
+      if (!free) {
+        messages.alert(strings.openElsewhere(nameOf(id)));
+        return;
+      }
       const name = nameOf(id);
       await mark(id, Date.now());
       free();
