@@ -64,6 +64,7 @@ describe('a project file', () => {
     const first = tab.store.tray.value.map(({ id }) => id);
     await tab.keeping.files.open(file);
     expect(tab.store.tray.value.some(({ id }) => first.includes(id))).toBe(false);
+    await tab.keeping.flush();
     await tab.keeping.refresh();
     expect(tab.keeping.list.value.length).toBe(3);
   });
