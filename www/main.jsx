@@ -65,11 +65,13 @@ const subjects = createSubjects({
 const download = createDownload({ store, pages, engine, messages });
 const alternatives = createAlternatives({ store, pages });
 
+// The database is read while the core is compiled.
+const begun = keeping.begin();
 engine.ready.then(
   (planner) => {
     store.planner.value = styling.within(planner);
     shelves.recall();
-    void keeping.begin().then(openLink);
+    void begun.then(openLink);
     setTimeout(warmUp);
   },
   (error) => {

@@ -63,9 +63,12 @@ test('storage that is full is said once, and nothing on the page is lost', async
   const session = await context.newCDPSession(page);
   const { origin } = new URL(page.url());
   await session.send('Storage.overrideQuotaForOrigin', { origin, quotaSize: 1 });
-  await press(page, 'Shuffle');
   const alert = page.getByRole('alert').getByText('Your work is not saved');
-  await expect(alert).toBeVisible();
+  // The browser looks at the quota now and then only.
+  await expect(async () => {
+    await press(page, 'Shuffle');
+    await expect(alert).toBeVisible({ timeout: 2000 });
+  }).toPass();
   await expect(page.getByRole('button', { name: 'Not saved' })).toBeVisible();
   const download = page.waitForEvent('download');
   await page.getByRole('alert').getByRole('button', { name: 'Save to file' }).click();
@@ -77,8 +80,10 @@ test('storage that is full is said once, and nothing on the page is lost', async
   await press(page, 'Undo');
   expect(await contents(page)).toEqual(before);
   await session.send('Storage.overrideQuotaForOrigin', { origin });
-  await press(page, 'Shuffle');
-  await saved(page);
+  await expect(async () => {
+    await press(page, 'Shuffle');
+    await expect(page.locator('.save-state')).toHaveText('Saved', { timeout: 2000 });
+  }).toPass();
 });
 
 test('a second tab offers a copy, and opens the project when the first is closed', async ({ page, context }) => {
