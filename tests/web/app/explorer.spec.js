@@ -61,8 +61,8 @@ test('styles are invented, sorted, filtered, favoured, bred and used', async ({ 
   const bred = await wall(page).count();
   expect(bred).toBeGreaterThan(count);
   await deed(page, 2, 'More like this');
+  await expect.poll(() => wall(page).count()).toBeGreaterThan(bred);
   await expect(region(page)).toHaveAttribute('aria-busy', 'false');
-  expect(await wall(page).count()).toBeGreaterThan(bred);
 
   await page.keyboard.press('Escape');
   const before = await picture(page);
