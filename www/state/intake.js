@@ -47,6 +47,8 @@ export function createIntake({ store, pages, engine, messages, prefix = 'p' }) {
       arrived(id, await engine.importPhoto(id, file, { priority: isShown(id) ? Priority.PAGE : Priority.REST, signal }));
     } catch (error) {
       failed(file, error);
+      const fact = store.album.peek().get(id);
+      if (fact?.meta) store.know({ ...fact, meta: null });
     } finally {
       store.originals.delete(id);
       leaveOut([id]);
@@ -60,7 +62,10 @@ export function createIntake({ store, pages, engine, messages, prefix = 'p' }) {
    * @param {Partial<Fact>} [more]
    */
   function arrived(id, meta, more) {
-    store.know({ .../** @type {Fact} */ (store.album.peek().get(id)), meta, measures: meta.measures, ...more });
+    const fact = /** @type {Fact} */ (store.album.peek().get(id));
+    // A photo that is read again keeps what was found in it.
+    const known = fact.meta ? { meta: { ...meta, subjects: fact.meta.subjects } } : { meta, measures: meta.measures };
+    store.know({ ...fact, ...known, ...more });
     if (isShown(id)) pages.refine();
   }
 

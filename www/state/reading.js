@@ -100,7 +100,8 @@ export function createReading({ store, pages, engine, messages, prefix }) {
     if (photos.length === 0) return;
     intake.count(0, photos.length);
     planned = inUse();
-    const signal = stopSignal();
+    // Stopping it would take them out of the tray.
+    const { signal } = new AbortController();
     await Promise.all(photos.map(({ id, file }) => intake.readPhoto(id, file, signal)));
     if (!store.reading.peek()) settle();
   }
