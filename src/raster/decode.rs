@@ -3,7 +3,6 @@
 //! The format is told by the content, never by the name. Everything that the header announces is checked
 //! before memory is taken for it; a file that is cut short is an error, not a picture with a grey foot.
 
-use std::borrow::Cow;
 use std::io::Cursor;
 
 use ::image::codecs::bmp::BmpDecoder;
@@ -14,6 +13,7 @@ use ::image::codecs::webp::WebPDecoder;
 use ::image::{ImageDecoder, ImageError, ImageFormat, ImageResult};
 
 use super::exif::{self, Exif};
+use super::icc;
 use super::jpeg::{self, Markers};
 use super::orient::{swaps_sides, upright};
 use super::resize::{self, Region};
@@ -83,7 +83,12 @@ pub fn decode_fit(bytes: &[u8], limits: &Limits, longest: usize) -> Result<Decod
     let (format, name) = known_format(bytes)?;
     let (pixels, exif) = read(bytes, format, name, limits)?;
     let (width, height) = pixels.size;
-    let image = pixels.reduced(resize::fit(width, height, longest))?;
+    let (profile, grey) = (pixels.profile.as_deref().and_then(icc::correction), pixels.grey);
+    let mut image = pixels.reduced(resize::fit(width, height, longest))?;
+    // After the reduction, which leaves less to do; all that was averaged lies close together.
+    if let Some(profile) = profile {
+        profile.apply(&mut image, grey);
+    }
     let image = upright(image, exif.orientation)?;
     let (width, height) = if swaps_sides(exif.orientation) { (height, width) } else { (width, height) };
     let (width, height) = (width as u32, height as u32);
@@ -109,6 +114,8 @@ struct Pixels {
     size: (usize, usize),
     samples: Vec<u8>,
     grey: bool,
+    /// The file's ICC profile.
+    profile: Option<Vec<u8>>,
 }
 
 impl Pixels {
@@ -135,22 +142,30 @@ fn read(bytes: &[u8], format: ImageFormat, name: &'static str, limits: &Limits) 
             let (size, grey) = (decoder.size(), decoder.is_grey());
             check_size(size.0 as u32, size.1 as u32, name, limits)?;
             check_memory(size, if grey { 1 } else { 3 }, limits)?;
-            Ok((Pixels { size, samples: decoder.samples()?, grey }, exif))
+            let (samples, profile) = (decoder.samples()?, decoder.profile());
+            Ok((Pixels { size, samples, grey, profile }, exif))
         }
         ImageFormat::WebP => {
             check_riff(bytes, name)?;
             read_with(WebPDecoder::new(file), embedded, name, limits)
         }
-        ImageFormat::Tiff => read_with(TiffDecoder::new(file), |_| Some(bytes.into()), name, limits),
-        ImageFormat::Gif => read_with(GifDecoder::new(file), |_| None, name, limits),
-        ImageFormat::Bmp => read_with(BmpDecoder::new(file), |_| None, name, limits),
+        ImageFormat::Tiff => {
+            let records = (exif::read(bytes), exif::profile(bytes).map(<[u8]>::to_vec));
+            read_with(TiffDecoder::new(file), |_| records, name, limits)
+        }
+        ImageFormat::Gif => read_with(GifDecoder::new(file), |_| Records::default(), name, limits),
+        ImageFormat::Bmp => read_with(BmpDecoder::new(file), |_| Records::default(), name, limits),
         _ => read_with(PngDecoder::with_limits(file, allowance(limits)), embedded, name, limits),
     }
 }
 
-/// The EXIF record as a decoder finds it in the file.
-fn embedded<D: ImageDecoder>(decoder: &mut D) -> Option<Cow<'static, [u8]>> {
-    decoder.exif_metadata().ok().flatten().map(Cow::Owned)
+/// What the EXIF record says, and the ICC profile.
+type Records = (Exif, Option<Vec<u8>>);
+
+/// Both as a decoder finds them.
+fn embedded<D: ImageDecoder>(decoder: &mut D) -> Records {
+    let exif = decoder.exif_metadata().ok().flatten().as_deref().map(exif::read).unwrap_or_default();
+    (exif, decoder.icc_profile().ok().flatten())
 }
 
 fn allowance(limits: &Limits) -> ::image::Limits {
@@ -160,9 +175,9 @@ fn allowance(limits: &Limits) -> ::image::Limits {
     allowance
 }
 
-fn read_with<'a, D: ImageDecoder>(
+fn read_with<D: ImageDecoder>(
     decoder: ImageResult<D>,
-    record: impl FnOnce(&mut D) -> Option<Cow<'a, [u8]>>,
+    records: impl FnOnce(&mut D) -> Records,
     name: &'static str,
     limits: &Limits,
 ) -> Result<(Pixels, Exif)> {
@@ -171,14 +186,14 @@ fn read_with<'a, D: ImageDecoder>(
     decoder.set_limits(allowance(limits)).map_err(failed)?;
     let (width, height) = decoder.dimensions();
     check_size(width, height, name, limits)?;
-    let exif = record(&mut decoder).as_deref().map(exif::read).unwrap_or_default();
+    let (exif, profile) = records(&mut decoder);
     let size = (width as usize, height as usize);
     let color = decoder.color_type();
     check_memory(size, u64::from(color.bytes_per_pixel()), limits)?;
     let mut bytes = vec![0; decoder.total_bytes() as usize];
     decoder.read_image(&mut bytes).map_err(failed)?;
     let Samples { bytes, grey } = samples::flattened(color, bytes);
-    Ok((Pixels { size, samples: bytes, grey }, exif))
+    Ok((Pixels { size, samples: bytes, grey, profile }, exif))
 }
 
 /// The decoder's pixels and ours together must fit.

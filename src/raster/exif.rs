@@ -5,6 +5,7 @@
 //! Source: CIPA DC-008 (Exif 2.32), TIFF 6.0.
 
 const ORIENTATION: u16 = 0x0112;
+const ICC_PROFILE: u16 = 0x8773;
 const EXIF_DIRECTORY: u16 = 0x8769;
 const DATE_TIME_ORIGINAL: u16 = 0x9003;
 const DATE_TIME_DIGITIZED: u16 = 0x9004;
@@ -30,13 +31,15 @@ pub(super) fn read(record: &[u8]) -> Exif {
     parse(record).unwrap_or_default()
 }
 
+/// The ICC profile of a TIFF file, whose decoder knows it only under one of the two types that it goes by.
+pub(super) fn profile(file: &[u8]) -> Option<&[u8]> {
+    let tiff = Tiff::of(file)?;
+    let field = tiff.find(tiff.u32(4)?, ICC_PROFILE)?;
+    file.get(tiff.u32(field + 8)? as usize..)?.get(..tiff.u32(field + 4)? as usize)
+}
+
 fn parse(record: &[u8]) -> Option<Exif> {
-    let little = match record.get(..4)? {
-        b"II*\0" => true,
-        b"MM\0*" => false,
-        _ => return None,
-    };
-    let tiff = Tiff { record, little };
+    let tiff = Tiff::of(record)?;
     let main = tiff.u32(4)?;
     let orientation = tiff.find(main, ORIENTATION).and_then(|field| tiff.u16(field + 8));
     let taken = tiff.find(main, EXIF_DIRECTORY).and_then(|field| tiff.u32(field + 8)).and_then(|directory| {
@@ -53,7 +56,15 @@ struct Tiff<'a> {
     little: bool,
 }
 
-impl Tiff<'_> {
+impl<'a> Tiff<'a> {
+    fn of(record: &'a [u8]) -> Option<Self> {
+        match record.get(..4)? {
+            b"II*\0" => Some(Self { record, little: true }),
+            b"MM\0*" => Some(Self { record, little: false }),
+            _ => None,
+        }
+    }
+
     fn u16(&self, at: u32) -> Option<u16> {
         let bytes = *self.record.get(at as usize..)?.first_chunk()?;
         Some(if self.little { u16::from_le_bytes(bytes) } else { u16::from_be_bytes(bytes) })

@@ -46,6 +46,11 @@ impl Decoder {
         self.grey
     }
 
+    /// The ICC profile, put together from its parts.
+    pub(super) fn profile(&self) -> Option<Vec<u8>> {
+        self.file.icc_profile()
+    }
+
     /// The samples, interleaved.
     pub(super) fn samples(&mut self) -> Result<Vec<u8>> {
         self.file.decode().map_err(|error| explained(error, self.name))

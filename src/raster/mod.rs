@@ -4,6 +4,7 @@ mod axis;
 pub mod color;
 pub mod decode;
 mod exif;
+mod icc;
 pub mod image;
 mod jpeg;
 pub mod orient;

@@ -12,7 +12,9 @@ import json
 import pathlib
 
 import numpy as np
-from PIL import Image, ImageOps
+from PIL import Image, ImageCms, ImageOps
+
+import profiles
 
 DATA = pathlib.Path(__file__).parent / "data"
 FILES = DATA / "files"
@@ -54,6 +56,31 @@ def png16(name, samples, kind):
     (FILES / name).write_bytes(b"\x89PNG\r\n\x1a\n" + body)
 
 
+def write_profiled():
+    p3 = profiles.colour(profiles.DISPLAY_P3, profiles.SRGB_CURVE)
+    adobe = profiles.colour(profiles.ADOBE_RGB, profiles.gamma(563 / 256))
+    curves = [(np.arange(n) / (n - 1)) ** 1.8 for n in (2, 16, 1024)]
+    formulas = [(1, 2.2, 0.9, 0.1), (2, 2, 0.8, 0.1, 0.05), (4, 2.4, 0.9, 0.08, 0.07, 0.04, 0.02, 0.01)]
+    save("jpeg-icc-p3.jpg", colour, quality=95, subsampling=0, icc_profile=p3)
+    save("jpeg-icc-parts.jpg", colour, quality=95, subsampling=0, icc_profile=p3 + b"\0" * 70_000)
+    save("jpeg-icc-exif-6.jpg", colour, quality=95, subsampling=0, icc_profile=adobe, exif=exif(6))
+    save("jpeg-icc-cmyk.jpg", colour.convert("CMYK"), quality=95, icc_profile=profiles.of_tables(b"CMYK"))
+    save("png-icc-p3.png", colour, icc_profile=p3)
+    save("png-icc-adobe.png", colour, icc_profile=adobe)
+    save("png-icc-palette.png", palette, icc_profile=adobe)
+    save("png-icc-linear.png", colour, icc_profile=profiles.colour(profiles.SRGB, b"curv" + b"\0" * 8))
+    save("png-icc-curves.png", colour, icc_profile=profiles.colour(profiles.ADOBE_RGB, *map(profiles.table, curves)))
+    save("png-icc-formulas.png", colour, icc_profile=profiles.colour(profiles.DISPLAY_P3, *[profiles.formula(*f) for f in formulas]))
+    save("png-icc-srgb.png", colour, icc_profile=profiles.colour(profiles.SRGB, profiles.SRGB_CURVE))
+    save("png-icc-grey.png", grey, icc_profile=profiles.grey(profiles.gamma(1.8)))
+    save("webp-icc-p3.webp", colour, lossless=True, icc_profile=p3)
+    save("tiff-icc-adobe.tif", colour, icc_profile=adobe)
+    # What cannot be read, or is for another kind of samples, changes nothing.
+    save("png-icc-ignored-tables.png", colour, icc_profile=profiles.of_tables())
+    save("png-icc-ignored-cut.png", colour, icc_profile=p3[:300])
+    save("png-icc-ignored-kind.png", colour, icc_profile=profiles.grey(profiles.gamma(1.8)))
+
+
 def write_files():
     save("jpeg-420.jpg", colour, quality=90)
     save("jpeg-422.jpg", colour, quality=90, subsampling=1)
@@ -62,6 +89,10 @@ def write_files():
     save("jpeg-restarts.jpg", colour, quality=90, restart_marker_blocks=2)
     save("jpeg-grey.jpg", grey, quality=90)
     save("jpeg-cmyk.jpg", colour.convert("CMYK"), quality=95)
+    # The same samples under the other transform of Adobe's marker: other colours, a file as Photoshop writes it.
+    cmyk = (FILES / "jpeg-cmyk.jpg").read_bytes()
+    adobe = cmyk.index(b"Adobe") + 11
+    (FILES / "jpeg-ycck.jpg").write_bytes(cmyk[:adobe] + b"\2" + cmyk[adobe + 1:])
     save("jpeg-rgb.jpg", colour, quality=95, keep_rgb=True)
     for orientation in range(1, 9):
         save(f"jpeg-exif-{orientation}.jpg", colour, quality=90, exif=exif(orientation))
@@ -105,6 +136,7 @@ def seen(path):
     image.seek(0)
     if image.mode.startswith("I"):
         image = Image.fromarray((np.asarray(image).astype(np.uint32) // 257).astype(np.uint8))
+    profile = image.info.get("icc_profile")
     image = ImageOps.exif_transpose(image)
     if image.mode == "P" and "transparency" in image.info or image.mode in ("LA", "PA"):
         image = image.convert("RGBA")
@@ -112,12 +144,25 @@ def seen(path):
         rgba = np.asarray(image).astype(float)
         a = rgba[..., 3:] / 255
         image = Image.fromarray((rgba[..., :3] * a + 255 * (1 - a)).round().astype(np.uint8))
-    return image.convert("RGB"), orientation, taken
+    mode, image = image.mode, image.convert("RGB")
+    if profile and "ignored" not in path.name and mode != "CMYK":
+        image = in_srgb(image, profile, mode)
+    return image, orientation, taken
+
+
+def in_srgb(image, profile, mode):
+    """The image as littlecms turns it to sRGB."""
+    if mode == "L":
+        image = image.convert("L")
+    source = ImageCms.ImageCmsProfile(io.BytesIO(profile))
+    intent = ImageCms.Intent.RELATIVE_COLORIMETRIC
+    return ImageCms.profileToProfile(image, source, ImageCms.createProfile("sRGB"), intent, "RGB")
 
 
 def main():
     FILES.mkdir(parents=True, exist_ok=True)
     write_files()
+    write_profiled()
     blob, index, known = b"", [], {}
     for path in sorted(FILES.iterdir()):
         image, orientation, taken = seen(path)
