@@ -187,7 +187,7 @@ export const strings = {
     'worker-lost': 'reading it stopped the program twice, so it was left out.',
     'unreadable-file': 'the file was moved, changed or deleted since you chose it.',
   },
-  noUsablePhoto: 'None of these files could be used. Choose JPEG, PNG, WebP, GIF, BMP or TIFF photos, or a video.',
+  noUsablePhoto: 'None of these files could be used. Choose JPEG, PNG, WebP, AVIF, GIF, BMP or TIFF photos, or a video.',
   noSamples: 'The sample album could not be loaded. Check the connection and try again.',
   noPhotosInUse: 'No photo is in use. Tick one in Photos to get a page.',
   panelFailed: (/** @type {string} */ why) => `A panel could not be drawn: ${why}`,

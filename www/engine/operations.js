@@ -4,8 +4,10 @@
  * to hand over.
  */
 
+import { asBmp, foreignKind } from './foreign.js';
 import { failure } from './protocol.js';
 import { createStyleOperations } from './style-operations.js';
+import { takenOf } from './taken.js';
 
 /** @typedef {import('../pkg/inkpanel.js').Studio} Studio */
 /** @typedef {import('../pkg/inkpanel.js').Patch} Patch */
@@ -29,10 +31,22 @@ export function createOperations(studio, held) {
 
   /** @param {Operations['import']['args']} args */
   async function importPhoto({ id, file }) {
-    const { work, small, ...meta } = JSON.parse(studio.import_photo(id, await bytesOf(file)));
+    const { work, small, ...meta } = await read(id, await bytesOf(file));
     const ok = { meta, work: keep(`${id}/work`, work), small: keep(`${id}/small`, small) };
     evict([]);
     return { ok, transfer: [] };
+  }
+
+  /**
+   * @param {string} id
+   * @param {Uint8Array<ArrayBuffer>} bytes of the file
+   * @returns {Promise<any>} the photo's facts
+   */
+  async function read(id, bytes) {
+    const kind = foreignKind(bytes);
+    if (!kind) return JSON.parse(studio.import_photo(id, bytes));
+    const facts = JSON.parse(studio.import_photo(id, await asBmp(kind, bytes)));
+    return { ...facts, format: kind, taken: takenOf(bytes) };
   }
 
   /** @param {Operations['importFrame']['args']} args */
@@ -87,7 +101,9 @@ export function createOperations(studio, held) {
    * @param {Operations['fullPanels']['args']} args
    */
   async function fullPanels({ id, file, document, indexes, width }) {
-    studio.import_full(id, await bytesOf(file));
+    const bytes = await bytesOf(file);
+    const kind = foreignKind(bytes);
+    studio.import_full(id, kind ? await asBmp(kind, bytes) : bytes);
     try {
       const ok = [];
       for (const index of indexes) ok.push({ ...pixels(studio.render_panel(document, index, width, 'full')).ok, index });
@@ -139,7 +155,7 @@ export function createOperations(studio, held) {
 
 /**
  * @param {Blob} blob
- * @returns {Promise<Uint8Array>}
+ * @returns {Promise<Uint8Array<ArrayBuffer>>}
  */
 async function bytesOf(blob) {
   if (blob.size > MOST_BYTES) throw failure('too-large', `The file is larger than ${MOST_BYTES / 2 ** 20} MB.`);

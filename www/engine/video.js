@@ -1,9 +1,11 @@
 // @ts-check
 /**
  * Frames of a video, one after the other: by WebCodecs in a worker, or, where the browser lacks it or the codec, by a
- * hidden `<video>` that is wound to each of the times.
+ * hidden `<video>` that is wound to each of the times. An animated GIF or WebP file is read likewise, by the browser's decoder
+ * of images.
  */
 
+import { pictureEnds } from './animation-times.js';
 import { cancelled, failure } from './protocol.js';
 import { readByElement } from './video-element.js';
 
@@ -32,8 +34,13 @@ export function isVideo(file) {
  * @returns {Promise<void>} when all frames were dealt with
  */
 export async function readVideo(file, wish, listener) {
+  if ((await pictureEnds(file)).length > 0) {
+    const worker = new Worker(new URL('./animation-worker.js', import.meta.url), { type: 'module', name: 'inkpanel-animation' });
+    return readByWorker(worker, { file, ...wish }, listener);
+  }
   try {
-    await readByWorker(file, wish, listener);
+    const worker = new Worker(new URL('./video-worker.js', import.meta.url), { type: 'module', name: 'inkpanel-video' });
+    await readByWorker(worker, { file, ...wish }, listener);
   } catch (error) {
     if (/** @type {{ code?: string }} */ (error).code !== 'video-decoder') throw error;
     await readByElement(file, wish, listener, /** @type {Error} */ (error).message);
@@ -41,21 +48,20 @@ export async function readVideo(file, wish, listener) {
 }
 
 /**
- * @param {Blob} file
- * @param {Wish} wish
+ * @param {Worker} worker which ends with it
+ * @param {object} first its first message
  * @param {Listener} listener
  * @returns {Promise<void>}
  */
-function readByWorker(file, wish, { signal, onAbout, onFrame }) {
-  if (signal?.aborted) return Promise.reject(cancelled());
-  const worker = new Worker(new URL('./video-worker.js', import.meta.url), { type: 'module', name: 'inkpanel-video' });
+function readByWorker(worker, first, { signal, onAbout, onFrame }) {
   /** @type {Promise<void>[]} */
   const busy = [];
   const read = new Promise((/** @type {(value?: any) => void} */ resolve, reject) => {
+    if (signal?.aborted) reject(cancelled());
     signal?.addEventListener('abort', () => reject(cancelled()), { once: true });
     worker.onerror = (event) => {
       event.preventDefault();
-      reject(failure('video-worker', 'The video reader stopped.'));
+      reject(failure('video-worker', 'Its reader stopped.'));
     };
     worker.onmessage = ({ data: { about, frame, done, error } }) => {
       if (about) onAbout(about);
@@ -66,7 +72,7 @@ function readByWorker(file, wish, { signal, onAbout, onFrame }) {
       busy.push(dealt);
       dealt.then(() => worker.postMessage({ next: true }), reject);
     };
-    worker.postMessage({ file, ...wish });
+    worker.postMessage(first);
   });
   return read.finally(() => worker.terminate());
 }

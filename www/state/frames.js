@@ -10,7 +10,7 @@ import { strings } from '../strings.js';
 /** @typedef {import('./album.js').Video} Video */
 
 /** Frames taken of a video unless told: four times as many as the first page shows, for some are alike or blurred. */
-const FRAMES = 24;
+export const FRAMES = 24;
 
 /**
  * @param {{ store: Store, engine: Pick<import('../engine/engine.js').Engine, 'importVideo'>, intake: import('./intake.js').Intake }} app

@@ -5,10 +5,11 @@
  */
 
 import { batch } from '@preact/signals';
+import { mayMove, pictureEnds } from '../engine/animation-times.js';
 import { isVideo } from '../engine/video.js';
 import { strings } from '../strings.js';
 import { byName } from './album.js';
-import { createFrames } from './frames.js';
+import { FRAMES, createFrames } from './frames.js';
 import { createIntake } from './intake.js';
 import { fetchSamples } from './samples.js';
 
@@ -53,9 +54,10 @@ export function createReading({ store, pages, engine, messages, prefix }) {
     } catch {
       return;
     }
+    const moving = new Map(given.some(mayMove) ? await Promise.all(given.filter(mayMove).map(async (file) => /** @type {const} */ ([file, (await pictureEnds(file)).length]))) : []);
     const first = store.tray.peek().length === 0;
     // As one change: hundreds one by one would each be looked at by all that depends on the album.
-    const sources = batch(() => byName(given).map((file) => sourceOf(file, credits?.get(file.name))));
+    const sources = batch(() => byName(given).map((file) => sourceOf(file, credits?.get(file.name), moving.get(file) ?? 0)));
     const ids = sources.flatMap((source) => source.ids);
     intake.count(0, ids.length);
     if (first) {
@@ -76,10 +78,11 @@ export function createReading({ store, pages, engine, messages, prefix }) {
   /**
    * @param {File} file
    * @param {string | undefined} credit
+   * @param {number} pictures of an animation
    * @returns {Source}
    */
-  function sourceOf(file, credit) {
-    const video = isVideo(file) ? frames.open(file) : null;
+  function sourceOf(file, credit, pictures) {
+    const video = isVideo(file) || pictures > 0 ? frames.open(file, { frames: Math.min(FRAMES, pictures || FRAMES) }) : null;
     const ids = video ? video.ids : intake.freshIds(1);
     for (const id of ids) store.know({ id, name: file.name, credit, meta: null, measures: null });
     return { file, ids, video };

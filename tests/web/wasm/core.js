@@ -5,8 +5,9 @@ import { readFileSync } from 'node:fs';
 import { extname } from 'node:path';
 import { fileURLToPath } from 'node:url';
 
-const ORIGIN = 'http://core.test';
-const PKG = fileURLToPath(new URL('../../../www/pkg/', import.meta.url));
+/** Secure, as WebCodecs asks for it; nothing listens there. */
+const ORIGIN = 'https://core.test';
+const WWW = fileURLToPath(new URL('../../../www', import.meta.url));
 /** @type {Record<string, string>} */
 const TYPES = { '.js': 'text/javascript', '.wasm': 'application/wasm' };
 
@@ -17,8 +18,8 @@ const TYPES = { '.js': 'text/javascript', '.wasm': 'application/wasm' };
 export async function openCore(page) {
   await page.route(`${ORIGIN}/**`, (route) => {
     const { pathname } = new URL(route.request().url());
-    if (!pathname.startsWith('/pkg/')) return route.fulfill({ contentType: 'text/html', body: '<!doctype html>' });
-    const body = readFileSync(PKG + pathname.slice('/pkg/'.length));
+    if (!/^\/(pkg|engine)\//.test(pathname)) return route.fulfill({ contentType: 'text/html', body: '<!doctype html>' });
+    const body = readFileSync(WWW + pathname);
     return route.fulfill({ contentType: TYPES[extname(pathname)], body });
   });
   await page.goto(ORIGIN);
