@@ -10,6 +10,7 @@
  * - wasm memory never shrinks: an idle worker whose memory is above the high-water mark is replaced.
  */
 
+import { patience } from './patience.js';
 import { TRAP, cancelled, failure, lost } from './protocol.js';
 import { Priority, createQueue } from './queue.js';
 
@@ -23,7 +24,7 @@ import { Priority, createQueue } from './queue.js';
  */
 
 /** @typedef {Job & { resolve: (value: any) => void, reject: (error: Error) => void, tries: number, over: boolean, release: () => void }} Entry */
-/** @typedef {{ worker: Worker, entry: Entry | null, held: Set<string>, id: number, timer: any, dead: boolean }} Slot */
+/** @typedef {{ worker: Worker, entry: Entry | null, held: Set<string>, id: number, relax: () => void, dead: boolean }} Slot */
 
 /** Longer than any honest job on a slow phone. */
 const TIMEOUT = 30_000;
@@ -109,7 +110,7 @@ export function createPool({ size, spawn, highWater = HIGH_WATER }) {
     slot.id = nextId;
     nextId += 1;
     for (const key of entry.holds ?? []) slot.held.add(key);
-    slot.timer = setTimeout(() => lose(slot, false), entry.timeout ?? TIMEOUT);
+    slot.relax = patience(entry.timeout ?? TIMEOUT, () => lose(slot, false));
     try {
       slot.worker.postMessage({ id: slot.id, op: entry.op, args: entry.args }, entry.transfer ?? []);
     } catch (error) {
@@ -143,7 +144,7 @@ export function createPool({ size, spawn, highWater = HIGH_WATER }) {
    */
   function finish(slot) {
     const entry = /** @type {Entry} */ (slot.entry);
-    clearTimeout(slot.timer);
+    slot.relax();
     slot.entry = null;
     return entry;
   }
@@ -173,7 +174,7 @@ export function createPool({ size, spawn, highWater = HIGH_WATER }) {
   function open(slot) {
     slot.worker?.terminate();
     const worker = spawn();
-    const filled = /** @type {Slot} */ (Object.assign(slot, { worker, entry: null, held: new Set(), id: 0, timer: undefined, dead: false }));
+    const filled = /** @type {Slot} */ (Object.assign(slot, { worker, entry: null, held: new Set(), id: 0, relax: () => {}, dead: false }));
     const mine = () => filled.worker === worker && !closed;
     worker.onmessage = (event) => mine() && answer(filled, event.data);
     worker.onerror = (event) => {
@@ -191,7 +192,7 @@ export function createPool({ size, spawn, highWater = HIGH_WATER }) {
     closed = true;
     const left = [...queue.clear(), ...slots.flatMap((slot) => slot.entry ?? [])];
     for (const slot of slots) {
-      clearTimeout(slot.timer);
+      slot.relax();
       slot.worker.terminate();
     }
     for (const entry of left) settle(entry, () => entry.reject(cancelled()));

@@ -52,8 +52,10 @@ export function createDownload({ store, pages, engine, messages }) {
       save(png, fileName(page));
       messages.note(strings.saved);
     } catch (error) {
-      const { code, message } = /** @type {{ code?: string, message: string }} */ (error);
-      if (code !== 'cancelled') messages.alert(strings.exportFailed(message));
+      const { code, message, photo } = /** @type {{ code?: string, message: string, photo?: string }} */ (error);
+      // The loss of a worker says itself what it was busy with.
+      const why = photo && code !== 'worker-lost' ? strings.fileFailed(photo, strings.reasons[code ?? ''] ?? message) : message;
+      if (code !== 'cancelled') messages.alert(strings.exportFailed(why));
     } finally {
       running = null;
       progress.value = null;
