@@ -1,0 +1,81 @@
+//! Where bytes of strangers enter: one function an entry, called by the fuzz targets and by `tests/regressions.rs`.
+//! Each may refuse what it is given; a panic, a hang or memory without end is a fault.
+
+use inkpanel::Error;
+use inkpanel::layout::{self, PageSettings, Template};
+use inkpanel::page::document::Document;
+use inkpanel::page::import::import;
+use inkpanel::page::request::Request;
+use inkpanel::page::{Scene, catalogue, shuffle};
+use inkpanel::raster::decode::Limits;
+use inkpanel::raster::{Image, Plane};
+use inkpanel::style::{Context, Style, stylize};
+
+/// An entry takes any bytes.
+pub type Entry = fn(&[u8]);
+
+/// All of them, by the name of their target and of their folder in `tests/regressions`.
+pub const ENTRIES: &[(&str, Entry)] = &[
+    ("photo", photo),
+    ("style", style),
+    ("layout", layout),
+    ("document", document),
+    ("plan", plan),
+    ("choice", choice),
+];
+
+/// Small, so that a run is quick and a file that asks for much is seen to be refused.
+const LIMITS: Limits = Limits { max_pixels: 1_000_000, max_side: 4096, max_bytes: 1 << 24 };
+/// The page that documents are laid out on, in pixels.
+const WIDTH: usize = 200;
+
+/// A file that someone chose, decoded and measured.
+pub fn photo(bytes: &[u8]) {
+    if let Ok(photo) = import("photo", bytes, &LIMITS) {
+        assert!(u64::from(photo.meta.width) * u64::from(photo.meta.height) <= LIMITS.max_pixels);
+    }
+}
+
+/// A style file, and a picture in that style.
+pub fn style(bytes: &[u8]) {
+    let Some(style) = text(bytes).and_then(|json| Style::parse("fuzz", json).ok()) else { return };
+    let plane = |i: usize| Plane::from_fn(13, 9, |x, y| (x * 19 + y * 27 * i) as u8);
+    let Ok(image) = Image::from_rgb([plane(0), plane(1), plane(2)]) else { return };
+    let mut context = Context::default();
+    context.fit_scale(&image);
+    let _: Result<_, Error> = stylize(&image, &style, &mut context);
+}
+
+/// A layout file, and its panels on a page.
+pub fn layout(bytes: &[u8]) {
+    if let Some(Ok(template)) = text(bytes).map(|json| Template::parse("fuzz", json)) {
+        let page = PageSettings::default();
+        let _ = layout::resolve(&template, page.aspect(), &page);
+        assert!(Template::parse("again", &template.to_json()).is_ok());
+    }
+}
+
+/// A saved page.
+pub fn document(bytes: &[u8]) {
+    if let Some(Ok(document)) = text(bytes).map(Document::parse) {
+        let _ = Scene::new(&document, WIDTH);
+    }
+}
+
+/// A request for a page.
+pub fn plan(bytes: &[u8]) {
+    if let Ok(request) = serde_json::from_slice::<Request>(bytes) {
+        let _ = shuffle::plan(&request);
+    }
+}
+
+/// A request to choose among photos.
+pub fn choice(bytes: &[u8]) {
+    if let Some(json) = text(bytes) {
+        let _ = catalogue::choose(json);
+    }
+}
+
+fn text(bytes: &[u8]) -> Option<&str> {
+    std::str::from_utf8(bytes).ok()
+}

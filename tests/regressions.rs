@@ -1,0 +1,173 @@
+//! The entries that `fuzz/` fuzzes, under plain `cargo test`: files that once were a fault (`tests/regressions/NAME/`),
+//! and as many damaged copies of good ones as fit into a few seconds.
+#![allow(clippy::unwrap_used, reason = "a test may stop at the first thing that is not as expected")]
+
+#[allow(unreachable_pub, reason = "the fuzz targets take it as a crate of its own")]
+#[path = "../fuzz/entries.rs"]
+mod entries;
+
+use std::fs;
+use std::panic::catch_unwind;
+use std::path::{Path, PathBuf};
+
+use entries::{ENTRIES, Entry};
+use inkpanel::page::request::Request;
+use inkpanel::page::shuffle;
+use oorandom::Rand64;
+use serde_json::json;
+
+/// Damaged copies of each good file.
+const COPIES: usize = 60;
+/// What a number of a JSON file is replaced by.
+const ODD: &[&str] = &[
+    "0",
+    "-1",
+    "1",
+    "1e-320",
+    "1e308",
+    "-0.0",
+    "4294967296",
+    "18446744073709551615",
+    "0.5",
+    "null",
+    "\"\"",
+    "[]",
+    "{}",
+    "true",
+];
+
+fn root(path: &str) -> PathBuf {
+    Path::new(env!("CARGO_MANIFEST_DIR")).join(path)
+}
+
+fn files(folder: &str) -> Vec<Vec<u8>> {
+    let Ok(entries) = fs::read_dir(root(folder)) else { return Vec::new() };
+    let mut paths: Vec<_> = entries.map(|entry| entry.unwrap().path()).collect();
+    paths.sort();
+    let hidden = |path: &Path| path.file_name().is_some_and(|name| name.as_encoded_bytes().starts_with(b"."));
+    let about = |path: &Path| path.extension().is_some_and(|kind| kind == "md" || kind == "bin");
+    paths.retain(|path| path.is_file() && !hidden(path) && !about(path));
+    paths.into_iter().map(|path| fs::read(path).unwrap()).collect()
+}
+
+/// A request with all its fields, and the page that it gives.
+fn request_and_page() -> (Vec<u8>, Vec<u8>) {
+    let photo = |id: &str| {
+        json!({ "id": id, "width": 1200, "height": 800, "fingerprint": "00ff00ff00ff00ff", "sharpness": 0.5, "taken": null,
+            "energy": { "columns": 2, "rows": 2, "values": "00408020" },
+            "subjects": [{ "label": "face", "score": 0.9, "x": 0.2, "y": 0.3, "width": 0.1, "height": 0.2 }],
+            "focus": { "x": 0.4, "y": 0.5 } })
+    };
+    let request = json!({ "seed": 7, "photos": [photo("a"), photo("b"), photo("c")], "panels": 4, "keep": { "layout": false },
+        "merges": [[0, 1]], "style": "noir" });
+    let bytes = serde_json::to_vec(&request).unwrap();
+    let page = shuffle::plan(&serde_json::from_slice::<Request>(&bytes).unwrap()).unwrap();
+    (bytes, serde_json::to_vec(&page).unwrap())
+}
+
+/// Good files to begin with, of the kind that an entry takes.
+fn seeds(name: &str) -> Vec<Vec<u8>> {
+    let some = |folder: &str| files(folder).into_iter().step_by(6).collect();
+    match name {
+        "photo" => ["files", "animations"]
+            .into_iter()
+            .flat_map(|folder| files(&format!("tests/oracles/data/{folder}")))
+            .filter(|file| file.len() < 20_000)
+            .collect(),
+        "style" => some("styles"),
+        "layout" => some("layouts"),
+        "document" => vec![request_and_page().1],
+        "plan" => vec![request_and_page().0],
+        _ => {
+            let measures = json!({ "fingerprint": "0123456789abcdef", "gradient": 1.5, "paper": 2.0, "laplacian": 90.0 });
+            let photo = |id: &str| {
+                let mut photo = measures.clone();
+                photo["id"] = id.into();
+                photo["name"] = id.into();
+                photo
+            };
+            vec![serde_json::to_vec(&json!({ "threshold": 10, "photos": [photo("a"), photo("b")] })).unwrap()]
+        }
+    }
+}
+
+/// Runs an entry; what makes it panic is kept in `target/` and named.
+fn survive(name: &str, entry: Entry, bytes: &[u8]) {
+    if catch_unwind(|| entry(bytes)).is_err() {
+        let kept = root("target").join(format!("fault-{name}"));
+        fs::write(&kept, bytes).unwrap();
+        panic!(
+            "the entry {name} panicked; its input is {}: move it to tests/regressions/{name}/",
+            kept.display()
+        );
+    }
+}
+
+#[test]
+fn what_once_was_a_fault_is_none_any_more() {
+    for (name, entry) in ENTRIES {
+        for bytes in files(&format!("tests/regressions/{name}")) {
+            survive(name, *entry, &bytes);
+        }
+    }
+}
+
+#[test]
+fn damaged_copies_of_good_files_are_read_or_refused() {
+    for (name, entry) in ENTRIES {
+        let seeds = seeds(name);
+        assert!(!seeds.is_empty(), "{name}");
+        let copies = COPIES * 40 / seeds.len().clamp(1, 40);
+        for (i, seed) in seeds.iter().enumerate() {
+            survive(name, *entry, seed);
+            let mut random = Rand64::new(i as u128);
+            for _ in 0..copies {
+                let json = matches!(seed.first(), Some(b'{' | b'['));
+                let copy = if json { oddly_numbered(seed, &mut random) } else { damaged(seed, &mut random) };
+                survive(name, *entry, &copy);
+            }
+        }
+    }
+}
+
+/// A few bytes changed, a piece doubled or left out, or the end cut off.
+fn damaged(seed: &[u8], random: &mut Rand64) -> Vec<u8> {
+    let mut bytes = seed.to_vec();
+    for _ in 0..=random.rand_range(0..4) {
+        let at = random.rand_range(0..bytes.len() as u64) as usize;
+        let end = (at + random.rand_range(1..40) as usize).min(bytes.len());
+        match random.rand_range(0..8) {
+            0 => bytes.truncate(at.max(1)),
+            1 => drop(bytes.drain(at..end)),
+            2 => drop(bytes.splice(at..at, bytes[at..end].to_vec())),
+            3 => bytes[at] = [0, 1, 0x7F, 0x80, 0xFF][random.rand_range(0..5) as usize],
+            _ => bytes[at] ^= 1 << random.rand_range(0..8),
+        }
+        if bytes.is_empty() {
+            return bytes;
+        }
+    }
+    bytes
+}
+
+/// Some of the numbers replaced by odd values; now and then damaged as any file.
+fn oddly_numbered(seed: &[u8], random: &mut Rand64) -> Vec<u8> {
+    if random.rand_range(0..5) == 0 {
+        return damaged(seed, random);
+    }
+    let text = String::from_utf8_lossy(seed);
+    let is_part = |c: char| c.is_ascii_digit() || matches!(c, '-' | '.');
+    let (mut out, mut rest) = (String::new(), text.as_ref());
+    while let Some(start) = rest.find(|c: char| c.is_ascii_digit()) {
+        let length = rest[start..].find(|c| !is_part(c)).unwrap_or(rest.len() - start);
+        out.push_str(&rest[..start]);
+        let number = &rest[start..start + length];
+        out.push_str(if random.rand_range(0..12) == 0 {
+            ODD[random.rand_range(0..ODD.len() as u64) as usize]
+        } else {
+            number
+        });
+        rest = &rest[start + length..];
+    }
+    (out + rest).into_bytes()
+}
