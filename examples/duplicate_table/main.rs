@@ -1,0 +1,123 @@
+//! How well near-duplicates are grouped: precision and recall over altered copies of photos; `cargo xtask duplicates`
+//! runs it.
+//!
+//!     cargo run --example duplicate_table -- TABLE.md PHOTOS...
+
+mod variants;
+
+use std::error::Error;
+use std::fmt::Write as _;
+use std::path::PathBuf;
+
+use inkpanel::raster::Image;
+use inkpanel::raster::decode::{Limits, decode_fit};
+use inkpanel::select::{Measures, Settings, choose, measure};
+use variants::variants;
+
+/// Long side that photos are measured at, in pixels.
+const SIDE: usize = 640;
+const THRESHOLDS: [u32; 5] = [4, 7, 10, 13, 16];
+
+const ABOUT: &str = "\
+# Near-duplicates: found and mistaken
+
+Written by `cargo xtask duplicates`, over the photos of the tests and the sample album. Each photo is altered in the ways
+of the first table and put into one album with all the others and all their copies, which is then grouped as the page
+groups it. A *pair* is two pictures of that album in one group. *Precision* is the share of pairs that are of one photo,
+*recall* the share of the copies that lie in the group of their photo. The corner that is cut off moves everything by a
+twentieth, beyond what the fingerprint is for; it is left out of the last line and of the second table.
+";
+
+/// A copy in the album: the number of its photo, and of its kind (0 is the photo itself).
+struct Picture {
+    photo: usize,
+    kind: usize,
+    measures: Measures,
+}
+
+fn main() -> Result<(), Box<dyn Error>> {
+    let arguments: Vec<PathBuf> = std::env::args().skip(1).map(PathBuf::from).collect();
+    let [table, photos @ ..] = arguments.as_slice() else {
+        return Err("usage: duplicate_table TABLE.md PHOTOS...".into());
+    };
+    let mut names = vec!["the photo itself"];
+    let mut album = Vec::new();
+    for (i, path) in photos.iter().enumerate() {
+        let photo: Image = decode_fit(&std::fs::read(path)?, &Limits::default(), SIDE)?.image;
+        album.push(Picture { photo: i, kind: 0, measures: measure(&photo) });
+        for (kind, (name, copy)) in variants(&photo).into_iter().enumerate() {
+            if i == 0 {
+                names.push(name);
+            }
+            album.push(Picture { photo: i, kind: kind + 1, measures: measure(&copy) });
+        }
+        eprint!("\r{} of {}", i + 1, photos.len());
+    }
+    eprintln!();
+    let text = written(&names, &album, photos.len());
+    print!("{text}");
+    std::fs::write(table, format!("{ABOUT}\n{text}"))?;
+    Ok(())
+}
+
+/// The group of each picture.
+fn groups(album: &[&Picture], threshold: u32) -> Vec<usize> {
+    let measures: Vec<Measures> = album.iter().map(|copy| copy.measures.clone()).collect();
+    let names = vec!["x"; album.len()];
+    choose(&names, &measures, &Settings { threshold }).into_iter().map(|verdict| verdict.group).collect()
+}
+
+/// Copies of a kind in the group of their photo, and copies of that kind.
+fn found(album: &[&Picture], groups: &[usize], kind: usize) -> (usize, usize) {
+    let home = |photo: usize| album.iter().position(|copy| copy.photo == photo && copy.kind == 0);
+    let of_kind = || album.iter().enumerate().filter(|(_, copy)| copy.kind == kind);
+    let right = of_kind().filter(|(i, copy)| home(copy.photo).is_some_and(|at| groups[at] == groups[*i]));
+    (right.count(), of_kind().count())
+}
+
+/// Pairs of one photo in one group, and all pairs in one group.
+fn pairs(album: &[&Picture], groups: &[usize]) -> (usize, usize) {
+    let together =
+        (0..album.len()).flat_map(|i| (0..i).map(move |j| (i, j))).filter(|&(i, j)| groups[i] == groups[j]);
+    let (mut right, mut all) = (0, 0);
+    for (i, j) in together {
+        all += 1;
+        right += usize::from(album[i].photo == album[j].photo);
+    }
+    (right, all)
+}
+
+fn written(names: &[&str], album: &[Picture], photos: usize) -> String {
+    let percent = |(part, all): (usize, usize)| format!("{:.1} %", 100.0 * part as f64 / all.max(1) as f64);
+    let everything: Vec<&Picture> = album.iter().collect();
+    let threshold = Settings::default().threshold;
+    let grouped = groups(&everything, threshold);
+    let mut text = format!("| Copies of {photos} photos, threshold {threshold} | Recall |\n|---|--:|\n");
+    let is_meant = |kind: usize| kind > 0 && !names[kind].contains("corner");
+    let mut all = (0, 0);
+    for (kind, name) in names.iter().enumerate().skip(1) {
+        let one = found(&everything, &grouped, kind);
+        // Writing to a string cannot fail.
+        let _ = writeln!(text, "| {name} | {} |", percent(one));
+        if is_meant(kind) {
+            all = (all.0 + one.0, all.1 + one.1);
+        }
+    }
+    let _ = writeln!(text, "| all but the corner | {} |", percent(all));
+    let meant: Vec<&Picture> = album.iter().filter(|copy| copy.kind == 0 || is_meant(copy.kind)).collect();
+    let _ = writeln!(text, "\n| Threshold | Precision | Recall | Wrong pairs |\n|--:|--:|--:|--:|");
+    for threshold in THRESHOLDS {
+        let grouped = groups(&meant, threshold);
+        let (right, together) = pairs(&meant, &grouped);
+        let kinds = (1..names.len()).filter(|kind| is_meant(*kind)).map(|kind| found(&meant, &grouped, kind));
+        let recall = kinds.fold((0, 0), |sum, one| (sum.0 + one.0, sum.1 + one.1));
+        let _ = writeln!(
+            text,
+            "| {threshold} | {} | {} | {} |",
+            percent((right, together)),
+            percent(recall),
+            together - right
+        );
+    }
+    text
+}

@@ -1,0 +1,104 @@
+//! Reads every file of some folders and tells what became of it; `cargo xtask corpora` runs it.
+//!
+//!     cargo run --example hostile -- TABLE.md|- NAME=FOLDER...
+//!
+//! Each file either decodes or gives an error with a code. It ends with a failure when one makes the program panic,
+//! takes longer than five seconds or more memory than the limit that holds in the page.
+
+mod memory;
+mod table;
+
+use std::fs;
+use std::panic::{self, AssertUnwindSafe};
+use std::path::{Path, PathBuf};
+use std::process::ExitCode;
+use std::sync::mpsc;
+use std::thread;
+use std::time::{Duration, Instant};
+
+use inkpanel::page::import::import;
+use inkpanel::raster::decode::Limits;
+
+/// A file that takes longer is a fault.
+const PATIENCE: Duration = Duration::from_secs(5);
+
+/// What became of a file.
+pub(crate) struct Outcome {
+    /// `decoded`, an error's code, or a fault in capitals.
+    pub(crate) word: String,
+    pub(crate) time: Duration,
+    /// Bytes of memory that it took besides what was there; none where the system does not tell.
+    pub(crate) memory: Option<u64>,
+    pub(crate) is_fault: bool,
+}
+
+fn main() -> ExitCode {
+    let arguments: Vec<String> = std::env::args().skip(1).collect();
+    let Some((target, folders)) = arguments.split_first().filter(|(_, folders)| !folders.is_empty()) else {
+        eprintln!("usage: hostile TABLE.md|- NAME=FOLDER...");
+        return ExitCode::FAILURE;
+    };
+    // A panic is told in the table, not by a backtrace each.
+    panic::set_hook(Box::new(|_| {}));
+    let mut rows = Vec::new();
+    let (mut passed, mut faults) = (0, 0);
+    for folder in folders {
+        let (name, folder) = folder.split_once('=').unwrap_or((folder, folder));
+        let mut files = Vec::new();
+        collect(Path::new(folder), &mut files);
+        files.sort();
+        let mut outcomes = Vec::new();
+        for file in &files {
+            let outcome = examined(file);
+            if outcome.is_fault {
+                faults += 1;
+                println!("{}: {}", file.display(), outcome.word);
+            } else {
+                passed += 1;
+            }
+            outcomes.push(outcome);
+        }
+        rows.push((name.to_owned(), outcomes));
+    }
+    let text = table::written(&rows);
+    println!("{text}\ntest result: {passed} passed; {faults} failed;");
+    let kept = target == "-" || fs::write(target, format!("{}\n{text}", table::ABOUT)).is_ok();
+    if kept && faults == 0 && passed > 0 { ExitCode::SUCCESS } else { ExitCode::FAILURE }
+}
+
+/// All files below a folder.
+fn collect(folder: &Path, files: &mut Vec<PathBuf>) {
+    for entry in fs::read_dir(folder).into_iter().flatten().flatten() {
+        let path = entry.path();
+        if path.is_dir() { collect(&path, files) } else { files.push(path) }
+    }
+}
+
+/// Reads a file on a thread of its own, so that one that never ends can be left behind.
+fn examined(file: &Path) -> Outcome {
+    let bytes = fs::read(file).unwrap_or_default();
+    let before = memory::begin();
+    let (send, receive) = mpsc::channel();
+    let start = Instant::now();
+    thread::spawn(move || {
+        let word = panic::catch_unwind(AssertUnwindSafe(|| read(&bytes))).unwrap_or_else(|_| "PANIC".into());
+        // Nobody listens any more when it took too long.
+        let _ = send.send(word);
+    });
+    let word = receive.recv_timeout(PATIENCE).unwrap_or_else(|_| "TOO SLOW".into());
+    let (time, memory) = (start.elapsed(), before.and_then(memory::most_since));
+    let word = match memory {
+        Some(bytes) if bytes > Limits::default().max_bytes => "TOO MUCH MEMORY".into(),
+        _ => word,
+    };
+    let is_fault = word.chars().all(|c| c.is_ascii_uppercase() || c == ' ');
+    Outcome { word, time, memory, is_fault }
+}
+
+/// As the page reads a file.
+fn read(bytes: &[u8]) -> String {
+    match import("photo", bytes, &Limits::default()) {
+        Ok(_) => "decoded".into(),
+        Err(error) => error.code().into(),
+    }
+}
