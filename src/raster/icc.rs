@@ -228,3 +228,59 @@ fn fixed(data: &[u8], at: usize) -> Option<f32> {
 fn u32_at(data: &[u8], at: usize) -> Option<u32> {
     Some(u32::from_be_bytes(*data.get(at..)?.first_chunk()?))
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::raster::Plane;
+    use proptest::prelude::*;
+
+    /// Display P3 out of a test file.
+    fn display_p3() -> Vec<u8> {
+        let file = include_bytes!("../../tests/oracles/data/files/jpeg-icc-p3.jpg");
+        let mark = b"ICC_PROFILE\0\x01\x01";
+        let start = file.windows(mark.len()).position(|window| window == mark).unwrap() + mark.len();
+        let length = u32_at(file, start).unwrap() as usize;
+        file[start..start + length].to_vec()
+    }
+
+    fn corrected(profile: &[u8], rgb: [u8; 3]) -> Option<[u8; 3]> {
+        let mut image = Image::from_rgb(rgb.map(|value| Plane::filled(1, 1, value))).unwrap();
+        correction(profile)?.apply(&mut image, false);
+        image.to_rgb().try_into().ok()
+    }
+
+    #[test]
+    fn greys_stay_and_colours_that_srgb_lacks_end_at_its_edge() {
+        let profile = display_p3();
+        for value in [0, 1, 40, 128, 254, 255] {
+            for channel in corrected(&profile, [value; 3]).unwrap() {
+                assert!(channel.abs_diff(value) <= 1, "{value}: {channel}");
+            }
+        }
+        assert_eq!(corrected(&profile, [255, 0, 0]).unwrap()[0], 255);
+        assert_eq!(corrected(&profile, [0, 255, 0]).unwrap()[..2], [0, 255]);
+    }
+
+    #[test]
+    fn what_is_no_profile_of_light_is_ignored() {
+        let mut black = display_p3();
+        let column = black.windows(4).rposition(|window| window == b"XYZ ").unwrap();
+        black[column + 8..column + 20].fill(0);
+        assert!(correction(&black).is_none());
+        assert!(correction(b"").is_none());
+        assert!(correction(&display_p3()[..200]).is_none());
+    }
+
+    proptest! {
+        #[test]
+        fn damaged_profiles_never_panic(changes in prop::collection::vec((any::<usize>(), any::<u8>()), 1..8), length in 100usize..700) {
+            let mut profile = display_p3();
+            for (at, value) in changes {
+                let at = at % profile.len();
+                profile[at] = value;
+            }
+            let _ = corrected(&profile[..length.min(profile.len())], [200, 10, 90]);
+        }
+    }
+}

@@ -93,7 +93,7 @@ async function decoded(kind, data) {
   }
   try {
     // Safari decodes HEIC, but has no ImageDecoder.
-    const bitmap = await createImageBitmap(new Blob([data], { type }));
+    const bitmap = await createImageBitmap(new Blob([data], { type }), { premultiplyAlpha: 'none' });
     const frame = new VideoFrame(bitmap, { timestamp: 0 });
     bitmap.close();
     return frame;
