@@ -1,5 +1,9 @@
 //! Embeds the data folders: every file of `layouts/` and `styles/` becomes a (name, text) pair of a table in
-//! `OUT_DIR`, which `layout` and `style` include.
+//! `OUT_DIR`, which `layout` and `style` include. The fonts of `fonts/` become the table of letters, but for the
+//! modules of the browser that draw no words.
+
+#[path = "fonts/pack.rs"]
+mod pack;
 
 use std::fmt::Write as _;
 use std::path::Path;
@@ -7,7 +11,20 @@ use std::{env, fs, io};
 
 fn main() -> io::Result<()> {
     embed("layouts", "LAYOUT_FILES")?;
-    embed("styles", "STYLE_FILES")
+    embed("styles", "STYLE_FILES")?;
+    letters()
+}
+
+/// Writes `OUT_DIR/letters.bin`.
+fn letters() -> io::Result<()> {
+    println!("cargo:rerun-if-changed=fonts");
+    let wasm = env::var("CARGO_CFG_TARGET_ARCH").is_ok_and(|target| target == "wasm32");
+    if wasm && env::var_os("CARGO_FEATURE_WORDS").is_none() {
+        return Ok(());
+    }
+    let [root, out] = ["CARGO_MANIFEST_DIR", "OUT_DIR"].map(|name| env::var(name).map_err(io::Error::other));
+    let table = pack::pack(&Path::new(&root?).join("fonts")).map_err(io::Error::other)?;
+    fs::write(Path::new(&out?).join("letters.bin"), table)
 }
 
 /// Writes `OUT_DIR/<folder>.rs` with `static <table>: &[(&str, &str)]`, sorted by file name.

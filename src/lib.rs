@@ -14,7 +14,7 @@
 //! | [`style`] | chains of filter blocks in two layers |
 //! | [`page`] | panels, borders and paper composed into one page; PNG |
 //!
-//! On top, without algorithms of their own: `wasm` and `wasm_detect` (the web boundary, in two modules) and `main.rs` (the command line).
+//! On top, without algorithms of their own: `wasm`, `wasm_detect` and `wasm_words` (the web boundary, in three modules) and `main.rs` (the command line).
 //!
 //! Invariants: no global state, no clock, no randomness but from a seed that the caller gives; every
 //! spatial parameter of a style is in pixels of a 1920 x 1080 image and scaled to the render at hand.
@@ -30,9 +30,11 @@ pub mod select;
 pub mod simd;
 pub mod style;
 
-#[cfg(all(target_arch = "wasm32", not(feature = "detect")))]
+#[cfg(all(target_arch = "wasm32", not(feature = "detect"), not(feature = "words")))]
 pub mod wasm;
 #[cfg(all(target_arch = "wasm32", feature = "detect"))]
 pub mod wasm_detect;
+#[cfg(all(target_arch = "wasm32", feature = "words"))]
+pub mod wasm_words;
 
 pub use error::{Error, Result};

@@ -4,6 +4,7 @@
 //! 2 wrong usage (from the argument parser).
 
 mod detectors;
+mod drawing;
 mod inventor;
 
 use clap::{Parser, Subcommand};
@@ -11,7 +12,7 @@ use inkpanel::layout::{PageSettings, Template};
 use inkpanel::page::import::{Imported, import};
 use inkpanel::page::request::{Keep, Mode, Request, Styling};
 use inkpanel::page::shuffle::plan;
-use inkpanel::page::{Document, Scene, catalogue, compose, png};
+use inkpanel::page::{catalogue, png};
 use inkpanel::raster::Image;
 use inkpanel::raster::decode::{Limits, decode_fit};
 use inkpanel::select::{self, Measures};
@@ -19,7 +20,6 @@ use inkpanel::style::{Context, Style, stylize};
 use inkpanel::{Error, style};
 use rayon::prelude::*;
 use serde_json::{Value, json};
-use std::collections::HashMap;
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 
@@ -128,6 +128,9 @@ struct Render {
     /// Folder of faces.onnx and objects.onnx.
     #[arg(long, value_name = "DIR")]
     models: Option<PathBuf>,
+    /// Captions, balloons and sound effects: a JSON array of words, as the page keeps them.
+    #[arg(long, value_name = "FILE")]
+    words: Option<PathBuf>,
     /// Where the PNG goes.
     #[arg(short, long)]
     output: PathBuf,
@@ -194,36 +197,12 @@ fn render_page(render: &Render) -> Result<(), Complaint> {
         merge: Some(render.merge),
         merges: None,
     };
-    let document = plan(&request).map_err(|error| error.to_string())?;
-    let png = draw(&document, &photos)?;
-    write(&render.output, &png)
-}
-
-/// Renders a document from the files of its photos, decoded at their full size.
-fn draw(document: &Document, photos: &[(PathBuf, Imported)]) -> Result<Vec<u8>, Complaint> {
-    let scene = Scene::new(document, document.page.width as usize).map_err(|error| error.to_string())?;
-    let wanted: Vec<_> = photos
-        .iter()
-        .filter(|(_, photo)| scene.panels.iter().any(|panel| panel.photo.as_ref() == Some(&photo.meta.id)))
-        .collect();
-    let images: HashMap<&str, Image> = wanted
-        .par_iter()
-        .map(|(path, photo)| Ok((photo.meta.id.as_str(), decode_file(path)?)))
-        .collect::<Result<_, Complaint>>()?;
-    let render = |index: usize| -> inkpanel::Result<compose::Patch> {
-        let photo = scene.panels[index].photo.as_deref().and_then(|id| images.get(id));
-        compose::render_panel(&scene, index, photo, &mut Context::default())
-    };
-    let patches: Vec<_> = (0..scene.panels.len())
-        .into_par_iter()
-        .map(render)
-        .collect::<Result<_, Error>>()
-        .map_err(|error| error.to_string())?;
-    let mut sheet = compose::Sheet::new(&scene);
-    for patch in patches {
-        sheet.lay(patch.area, &patch.rgba).map_err(|error| error.to_string())?;
+    let mut document = plan(&request).map_err(|error| error.to_string())?;
+    if let Some(file) = &render.words {
+        drawing::add_words(&mut document, file, &photos)?;
     }
-    png::encode(&sheet, document.page.dpi).map_err(|error| error.to_string())
+    let png = drawing::draw(&document, &photos)?;
+    write(&render.output, &png)
 }
 
 fn stylize_photo(style: &str, input: &Path, output: &Path) -> Result<(), Complaint> {

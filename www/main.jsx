@@ -18,6 +18,7 @@ import { createShelves } from './state/keeping/shelves.js';
 import { createFraming } from './state/framing.js';
 import { freshPhotoPrefix } from './state/intake.js';
 import { createKeys } from './state/keys.js';
+import { createLettering } from './state/lettering.js';
 import { createMerging } from './state/merging.js';
 import { createMessages } from './state/messages.js';
 import { createOwnLayouts } from './state/own-layouts.js';
@@ -30,6 +31,8 @@ import { createScrubbing } from './state/scrubbing.js';
 import { createSelection } from './state/selection.js';
 import { createStore } from './state/store.js';
 import { createShownPages } from './state/shown-pages.js';
+import { isSubtitles } from './state/subtitles.js';
+import { createSubtitling } from './state/subtitling.js';
 import { isStyleLink } from './state/style-link.js';
 import { createStyling } from './state/styling.js';
 import { createSubjects } from './state/subjects.js';
@@ -48,6 +51,8 @@ const reading = createReading({ store, pages, engine, messages, prefix: freshPho
 const choosing = createChoosing({ store, pages, reading });
 const scrubbing = createScrubbing({ store, pages, reading, engine, messages });
 const selection = createSelection({ store });
+const lettering = createLettering({ store, messages, selection, load: engine.lettering });
+const subtitling = createSubtitling({ store, lettering, messages });
 const merging = createMerging({ store, pages, selection });
 const framing = createFraming({ store, pages });
 const reshaping = createReshaping({ store, pages, seed: freshSeed });
@@ -69,7 +74,7 @@ const alternatives = createAlternatives({ store, pages });
 const begun = keeping.begin();
 engine.ready.then(
   (planner) => {
-    store.planner.value = styling.within(planner);
+    store.planner.value = lettering.within(styling.within(planner));
     shelves.recall();
     void begun.then(openLink);
     setTimeout(warmUp);
@@ -88,20 +93,28 @@ function warmUp() {
   store.planner.peek()?.plan({ seed: 0, photos: [unreadMeta('none')], page: store.project.peek().settings, current: null, keep });
 }
 
-window.addEventListener('keydown', createKeys({ pages, download, ui, selection, framing, reshaping }));
-acceptFiles(window, (files) => {
+window.addEventListener('keydown', createKeys({ pages, download, ui, selection, framing, reshaping, lettering }));
+acceptFiles(window, intake);
+
+/** Files of any kind that the page takes. @param {File[]} files */
+async function intake(files) {
   const plans = files.filter(({ name }) => name.toLowerCase().endsWith('.json'));
   const projects = files.filter(isProjectFile);
-  reading.addFiles(files.filter((file) => !plans.includes(file) && !projects.includes(file)));
+  const subtitles = files.filter(isSubtitles);
+  const others = [...plans, ...projects, ...subtitles];
   if (projects[0]) void keeping.files.open(projects[0]);
   void openPlans(plans, { ownLayouts, ownStyles });
-});
+  await reading.addFiles(files.filter((file) => !others.includes(file)));
+  // Their video may have come with them.
+  await subtitling.open(subtitles);
+}
 
 window.addEventListener('hashchange', openLink);
 window.addEventListener('storage', shelves.hear);
 
 effect(() => {
-  const painted = store.page.value === null || ui.painted.value === store.page.value;
+  const page = store.page.value;
+  const painted = page === null || (ui.painted.value === page && (lettering.words.value.length === 0 || reshaping.editing.value || ui.lettered.value === page));
   const waiting = store.planner.value === null || store.reading.value !== null || store.fetching.value || keeping.running.value;
   const idle = !waiting && painted;
   document.body.dataset.idle = String(idle);
@@ -113,7 +126,7 @@ effect(() => {
 });
 
 render(
-  <AppContext.Provider value={{ store, pages, selection, merging, framing, reshaping, ownLayouts, designer, ownStyles, styling, explorer, keeping, shownPages, subjects, reading, choosing, scrubbing, download, alternatives, messages, ui, engine }}>
+  <AppContext.Provider value={{ store, pages, selection, lettering, subtitling, intake, merging, framing, reshaping, ownLayouts, designer, ownStyles, styling, explorer, keeping, shownPages, subjects, reading, choosing, scrubbing, download, alternatives, messages, ui, engine }}>
     <App />
   </AppContext.Provider>,
   /** @type {HTMLElement} */ (document.getElementById('app')),

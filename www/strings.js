@@ -6,6 +6,7 @@
 import { designerStrings } from './strings-designer.js';
 import { keepingStrings } from './strings-keeping.js';
 import { panelStrings } from './strings-panels.js';
+import { wordStrings } from './strings-words.js';
 
 /**
  * @param {number} seconds
@@ -82,7 +83,7 @@ export const strings = {
   layoutKept: 'The layout is in My layouts. Add photos to see it.',
   layoutTooLong: (/** @type {string} */ name) => `layout ${name}: file: is longer than 256 KB`,
 
-  ...panelStrings, ...designerStrings, ...keepingStrings,
+  ...panelStrings, ...designerStrings, ...keepingStrings, ...wordStrings,
   otherStyles: 'More',
   more: 'More',
 

@@ -127,7 +127,7 @@ fn lay_under(rgba: &mut [u8], coverage: &[u8], color: [u8; 3]) {
 }
 
 /// Lays a colour over straight-alpha pixels.
-fn lay_over(rgba: &mut [u8], line: &[u8], color: [u8; 3]) {
+pub(super) fn lay_over(rgba: &mut [u8], line: &[u8], color: [u8; 3]) {
     for (pixel, &line) in rgba.chunks_exact_mut(4).zip(line).filter(|(_, line)| **line > 0) {
         let (line, below) = (u32::from(line), u32::from(pixel[3]));
         let kept = below * (255 - line);

@@ -35,9 +35,9 @@ pub struct Document {
     /// Size, gutters and colours.
     #[serde(default)]
     pub page: PageSettings,
-    /// Words on the page.
+    /// Words on the page, as [`Word`](super::words::Word) has them, in paint order. Whoever draws them checks them.
     #[serde(default)]
-    pub captions: Vec<Value>,
+    pub words: Vec<Value>,
 }
 
 /// What one panel shows.

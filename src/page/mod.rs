@@ -14,6 +14,7 @@
 //! | [`mask`] | the inside of a panel and its border |
 //! | [`coverage`] | exact area coverage of pixels |
 //! | [`compose`] | panels rendered to patches, patches laid on paper |
+//! | [`words`] | captions, balloons and sound effects, laid on the panels |
 //! | [`png`] | the file that people download |
 
 pub mod catalogue;
@@ -29,6 +30,7 @@ pub mod request;
 pub mod scene;
 pub mod shuffle;
 pub mod styling;
+pub mod words;
 
 pub use compose::Patch;
 pub use document::Document;

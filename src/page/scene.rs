@@ -11,7 +11,7 @@ use crate::style::context::scale_of;
 use std::borrow::Cow;
 
 /// Longest page side that is rendered, in pixels: A3 at 600 dpi and a tall strip fit.
-const MAX_SIDE: f64 = 20_000.0;
+pub(super) const MAX_SIDE: f64 = 20_000.0;
 
 /// The crop of a panel that says none.
 const WHOLE: Crop = Crop { x: 0.0, y: 0.0, width: 1.0, height: 1.0 };

@@ -44,8 +44,8 @@ pub fn plan(request: &Request) -> Result<Document> {
         panels,
         merges,
         page: request.page.clone(),
-        // Words belong to the panels that they were made on.
-        captions: current.filter(|_| same_layout).map(|current| current.captions.clone()).unwrap_or_default(),
+        // Words follow their panels into another layout.
+        words: current.map(|current| current.words.clone()).unwrap_or_default(),
     })
 }
 

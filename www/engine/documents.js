@@ -75,10 +75,26 @@
  */
 
 /**
+ * A caption, a balloon or a sound effect; what is left out is usual. Places are fractions of the bounds of its panel, or
+ * of the page where it has none; `width` and `size` (of an em) are in page widths, null fits the text; `auto`: nobody
+ * has moved it, so it goes where it hides no face.
+ * @typedef {{
+ *   kind: 'caption' | 'balloon' | 'effect', text: string, shape?: 'oval' | 'thought' | 'shout' | 'whisper', panel?: number | null,
+ *   x?: number, y?: number, width?: number | null, size?: number | 'auto' | null, tail?: { x: number, y: number } | null,
+ *   font?: string, color?: string, fill?: string, angle?: number, arc?: number, auto?: boolean,
+ * }} Word
+ */
+
+/**
+ * Where a word is on the page without its tail, in page widths; `cut`: the end of its text found no room.
+ * @typedef {Bounds & { tip: [number, number] | null, size: number, cut: boolean }} WordBox
+ */
+
+/**
  * A page, as plain data: which photo goes where, in which layout and style.
  * @typedef {{
  *   version: number, seed: number, layout: string | { id: string }, style: string | { id?: string }, order: string[],
- *   panels: PanelUse[], merges: number[][], page: PageSettings, captions: object[],
+ *   panels: PanelUse[], merges: number[][], page: PageSettings, words?: Word[],
  * }} PageDocument
  */
 

@@ -14,6 +14,7 @@ import { createPool } from './pool.js';
 import { Priority } from './queue.js';
 import { createRenders, nameOf } from './renders.js';
 import { readVideo } from './video.js';
+import { createWords } from './words.js';
 
 /** @typedef {import('./documents.js').PageDocument} PageDocument */
 /** @typedef {{ signal?: AbortSignal, priority?: number, key?: string }} Call */
@@ -32,6 +33,7 @@ export function createEngine({ workers = navigator.hardwareConcurrency || 2 } = 
   const photos = createPhotos();
   const detector = createDetector(photos, (count) => pool?.spare(count));
   const design = createDesign(photos);
+  const words = createWords();
   /** @type {ReturnType<typeof createPool> | undefined} */
   let pool;
   let imported = 0;
@@ -45,7 +47,7 @@ export function createEngine({ workers = navigator.hardwareConcurrency || 2 } = 
   // Whoever awaits it is told; nobody has to.
   ready.catch(() => {});
 
-  const renders = createRenders({ run, photos });
+  const renders = createRenders({ run, photos, words });
   const aesthetics = createAesthetics({ run, photos });
 
   return {
@@ -60,9 +62,8 @@ export function createEngine({ workers = navigator.hardwareConcurrency || 2 } = 
     stylize, compose, select, detect, dispose, importPhoto, importVideo,
     /** Subjects of an imported photo, in fractions of it. */
     findFaces: detector.findFaces, findMoreFaces: detector.findMoreFaces, findObjects: detector.findObjects,
-    forgetPhoto: photos.forget,
-    hasPhoto: photos.has,
-    photos,
+    forgetPhoto: photos.forget, hasPhoto: photos.has, photos,
+    lettering: words.lettering,
     ...renders,
     judges: aesthetics.judges, judgeStyle: aesthetics.judgeStyle,
     drawDesign: design.draw,
@@ -72,7 +73,7 @@ export function createEngine({ workers = navigator.hardwareConcurrency || 2 } = 
      * @param {{ signal?: AbortSignal, onProgress?: (done: number, total: number) => void }} [call]
      * @returns {Promise<Blob>}
      */
-    exportPng: (document, call) => exportPng({ run, photos }, document, call),
+    exportPng: (document, call) => exportPng({ run, photos, words }, document, call),
   };
 
   /**
@@ -183,7 +184,7 @@ export function createEngine({ workers = navigator.hardwareConcurrency || 2 } = 
   }
 
   function dispose() {
-    for (const part of [detector, design, aesthetics]) part.dispose();
+    for (const part of [detector, design, aesthetics, words]) part.dispose();
     ready.then(() => pool?.dispose(), () => {});
   }
 }

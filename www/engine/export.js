@@ -13,12 +13,12 @@ import { Priority } from './queue.js';
 const TIMEOUT = 180_000;
 
 /**
- * @param {{ run: (job: import('./pool.js').Job) => Promise<any>, photos: ReturnType<typeof import('./photos.js').createPhotos> }} engine
+ * @param {{ run: (job: import('./pool.js').Job) => Promise<any>, photos: ReturnType<typeof import('./photos.js').createPhotos>, words: Pick<ReturnType<typeof import('./words.js').createWords>, 'patches'> }} engine
  * @param {PageDocument} document
  * @param {{ signal?: AbortSignal, onProgress?: (done: number, total: number) => void }} [call]
  * @returns {Promise<Blob>}
  */
-export async function exportPng({ run, photos }, document, { signal, onProgress = () => {} } = {}) {
+export async function exportPng({ run, photos, words }, document, { signal, onProgress = () => {} } = {}) {
   const { width } = document.page;
   const json = JSON.stringify(document);
   const groups = panelsByPhoto(document);
@@ -39,7 +39,9 @@ export async function exportPng({ run, photos }, document, { signal, onProgress 
       onProgress(done, total);
       return part;
     }));
-    const patches = parts.flat().sort((a, b) => a.index - b.index);
+    const written = await words.patches(document, width, { signal: either });
+    const above = written.map((patch, i) => ({ ...patch, index: document.panels.length + i }));
+    const patches = [...parts.flat().sort((a, b) => a.index - b.index), ...above];
     const transfer = patches.map((patch) => patch.data.buffer);
     const args = { document: json, width, patches };
     const png = await run({ op: 'encode', args, transfer, priority: Priority.PAGE, timeout: TIMEOUT, signal: either });

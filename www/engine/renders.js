@@ -11,10 +11,10 @@ import { Priority } from './queue.js';
 /** @typedef {import('./engine.js').Call} Call */
 
 /**
- * @param {{ run: (job: import('./pool.js').Job) => Promise<any>, photos: ReturnType<typeof import('./photos.js').createPhotos> }} engine
+ * @param {{ run: (job: import('./pool.js').Job) => Promise<any>, photos: ReturnType<typeof import('./photos.js').createPhotos>, words: ReturnType<typeof import('./words.js').createWords> }} engine
  */
-export function createRenders({ run, photos }) {
-  return { renderPanel, renderPage, composePixels, stylePhoto, exploreStyles };
+export function createRenders({ run, photos, words }) {
+  return { renderPanel, renderWord: words.draw, renderPage, composePixels, stylePhoto, exploreStyles };
 
   /**
    * One panel of a page.
@@ -39,7 +39,8 @@ export function createRenders({ run, photos }) {
    * @returns {Promise<BitmapPatch>}
    */
   async function renderPage(document, width, call) {
-    return run({ op: 'page', ...pageJob(document, width, 'small'), priority: Priority.VIEW, ...call });
+    const page = await run({ op: 'page', ...pageJob(document, width, 'small'), priority: Priority.VIEW, ...call });
+    return words.over(document, width, page, call);
   }
 
   /**
@@ -50,7 +51,8 @@ export function createRenders({ run, photos }) {
    * @returns {Promise<PixelPatch>}
    */
   async function composePixels(document, width, call) {
-    return run({ op: 'compose', ...pageJob(document, width, 'work'), priority: Priority.PAGE, ...call });
+    const page = await run({ op: 'compose', ...pageJob(document, width, 'work'), priority: Priority.PAGE, ...call });
+    return words.lay(document, width, page, call);
   }
 
   /**

@@ -8,7 +8,7 @@ import { DEFAULT_SETTINGS } from './project.js';
 /** @typedef {import('./history.js').Change} Change */
 
 /** @param {number} seed @returns {any} */
-const page = (seed) => ({ version: 1, seed, layout: 'a', style: 'b', order: [], panels: [], merges: [], page: DEFAULT_SETTINGS, captions: [] });
+const page = (seed) => ({ version: 1, seed, layout: 'a', style: 'b', order: [], panels: [], merges: [], page: DEFAULT_SETTINGS, words: [] });
 /** @param {History} history @param {Change[]} changes */
 const play = (history, ...changes) => changes.reduce(advance, history);
 /** @param {number} id @returns {Change} */

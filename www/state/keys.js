@@ -4,13 +4,14 @@
  */
 
 /** @typedef {{ pages: import('./pages.js').Pages, download: import('./download.js').Download, ui: import('./ui.js').Ui,
- *   selection: import('./selection.js').Selection, framing: import('./framing.js').Framing, reshaping: import('./reshaping.js').Reshaping }} Deeds */
+ *   selection: import('./selection.js').Selection, framing: import('./framing.js').Framing, reshaping: import('./reshaping.js').Reshaping,
+ *   lettering: Pick<import('./lettering.js').Lettering, 'mode'> }} Deeds */
 
 /**
  * @param {Deeds} deeds
  * @returns {(event: KeyboardEvent) => void} a listener for `keydown` on the window
  */
-export function createKeys({ pages, download, ui, selection, framing, reshaping }) {
+export function createKeys({ pages, download, ui, selection, framing, reshaping, lettering }) {
   return (event) => {
     if (event.defaultPrevented || ui.dialog.peek() !== null || event.altKey) return;
     const deed = event.ctrlKey || event.metaKey ? withControl(event) : plain(event);
@@ -32,6 +33,7 @@ export function createKeys({ pages, download, ui, selection, framing, reshaping 
 
   /** Escape leaves what was begun last. */
   function leave() {
+    if (lettering.mode.peek()) return () => void (lettering.mode.value = null);
     if (framing.mode.peek()) return () => void (framing.mode.value = null);
     if (selection.several.peek() || selection.panels.peek().length > 0) return () => selection.choose(false);
     if (reshaping.editing.peek()) return () => void (reshaping.editing.value = false);

@@ -52,7 +52,7 @@ export function fakePlanner() {
       return {
         version: 1, seed, layout: taken, style: style ?? (keep.style && current ? current.style : `s${seed}`), order,
         panels: Array.from({ length: count }, (_, i) => ({ photo: order[i % order.length], crop: null })),
-        merges: (current && taken === current.layout && current.merges) || [], page, captions: [],
+        merges: (current && taken === current.layout && current.merges) || [], page, words: current?.words ?? [],
       };
     },
   };

@@ -5,7 +5,7 @@
 
 import { effect, signal } from '@preact/signals';
 
-/** @typedef {'photos' | 'styles' | 'layouts' | 'settings'} Sheet */
+/** @typedef {'photos' | 'styles' | 'layouts' | 'words' | 'settings'} Sheet */
 /** @typedef {'light' | 'dark'} Theme */
 /** @typedef {ReturnType<typeof createUi>} Ui */
 
@@ -44,6 +44,9 @@ export function createUi(window) {
     /** The page that is on the screen with all its panels; null while work for it is going on.
      * @type {import('@preact/signals').Signal<import('../engine/documents.js').PageDocument | null>} */
     painted: signal(null),
+    /** The page whose words are all on the screen, likewise.
+     * @type {import('@preact/signals').Signal<import('../engine/documents.js').PageDocument | null>} */
+    lettered: signal(null),
     toggleTheme() {
       const dark = (theme.value ?? (systemDark.value ? 'dark' : 'light')) === 'dark';
       theme.value = dark ? 'light' : 'dark';

@@ -3,7 +3,7 @@
  * A strip of other pages that grows as it is scrolled.
  */
 
-import { useEffect, useRef } from 'preact/hooks';
+import { useEffect, useMemo, useRef } from 'preact/hooks';
 import { strings } from '../strings.js';
 import { Bitmap, screenPixels, useInView } from './bitmap.jsx';
 import { useApp } from './context.js';
@@ -46,7 +46,10 @@ export function Alternatives() {
 
 /** @param {{ page: import('../engine/documents.js').PageDocument, number: number }} props */
 function Alternative({ page, number }) {
-  const { store, pages, engine } = useApp();
+  const { store, pages, engine, lettering } = useApp();
+  const words = lettering.rested.value;
+  // Words belong to the story: another page has those of this one.
+  const shown = useMemo(() => lettering.on(page), [page, words]);
   const ref = useRef(/** @type {HTMLButtonElement | null} */ (null));
   const width = () => screenPixels(ref.current?.clientWidth ?? 100);
   return (
@@ -55,10 +58,10 @@ function Alternative({ page, number }) {
         type="button"
         ref={ref}
         aria-label={strings.alternative(number)}
-        aria-current={store.page.value === page ? 'true' : undefined}
-        onClick={() => pages.show(page)}
+        aria-current={store.page.value === shown ? 'true' : undefined}
+        onClick={() => pages.show(lettering.on(page))}
       >
-        <Bitmap of={page} draw={(call) => engine.renderPage(page, width(), call)} />
+        <Bitmap of={shown} draw={(call) => engine.renderPage(shown, width(), call)} />
       </button>
     </li>
   );

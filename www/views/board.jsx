@@ -18,6 +18,7 @@ import { Stage } from './stage.jsx';
 import { StyleTools } from './style-tools.jsx';
 import { StylesList } from './styles-list.jsx';
 import { Tray } from './tray.jsx';
+import { WordTools } from './words/word-tools.jsx';
 import { Workspaces } from './workspaces.jsx';
 
 /** Window heights from which the settings are open from the start, in CSS pixels. */
@@ -46,7 +47,11 @@ function WideBoard() {
           <header class="section-head"><h2>{strings.layouts}</h2><LayoutTools /></header>
           <LayoutsList />
         </div>
-        <details class="side-section settings-section" open={globalThis.innerHeight >= TALL}>
+        <details name="side" class="side-section settings-section words-section">
+          <summary class="section-head"><h2>{strings.words}</h2></summary>
+          <WordTools />
+        </details>
+        <details name="side" class="side-section settings-section" open={globalThis.innerHeight >= TALL}>
           <summary class="section-head"><h2>{strings.pageSettings}</h2></summary>
           <PageSettings />
         </details>
@@ -70,6 +75,7 @@ function NarrowBoard() {
       {sheet === 'photos' && <Sheet title={strings.photos} bare><Tray /></Sheet>}
       {sheet === 'styles' && <Sheet title={strings.styles}><div class="styles-head"><Workspaces /><StyleTools /></div><StylesList /></Sheet>}
       {sheet === 'layouts' && <Sheet title={strings.layouts}><LayoutTools /><LayoutsList /></Sheet>}
+      {sheet === 'words' && <Sheet title={strings.words}><WordTools /></Sheet>}
       {sheet === 'settings' && <Sheet title={strings.pageSettings}><PageSettings /></Sheet>}
       <BottomBar />
     </>

@@ -15,6 +15,7 @@ export function BottomBar() {
       <Tab sheet="styles" icon="style" label={strings.styles} />
       <ShuffleButton />
       <Tab sheet="layouts" icon="layout" label={strings.layouts} />
+      <Tab sheet="words" icon="balloon" label={strings.words} />
       <button type="button" class="tab" disabled={store.page.value === null} onClick={() => { ui.dialog.value = 'export'; }}>
         <Icon name="export" />{strings.export}
       </button>

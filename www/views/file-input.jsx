@@ -7,8 +7,8 @@ const ID = 'files';
 
 /** The one file input of the page; the buttons open it. */
 export function FileInput() {
-  const { reading } = useApp();
-  return <ChosenFiles id={ID} accept="image/*,video/*,.heic,.heif,.avif,.mkv" label={strings.filesLabel} onFiles={reading.addFiles} />;
+  const { intake } = useApp();
+  return <ChosenFiles id={ID} accept="image/*,video/*,.heic,.heif,.avif,.mkv,.srt,.vtt" label={strings.filesLabel} onFiles={intake} />;
 }
 
 /** Opens the browser's file dialog. Must be called from a click or a key press. */

@@ -12,6 +12,7 @@ import { createPainter } from './painter.js';
 import { Panels } from './panels.jsx';
 import { PanelSubjects } from './subject-boxes.jsx';
 import { useSwipe } from './swipe.js';
+import { WordLayer } from './words/word-layer.jsx';
 
 export function Stage() {
   const { store, pages, engine, messages, ui, selection, reshaping } = useApp();
@@ -49,6 +50,7 @@ export function Stage() {
         <div class="page" ref={sheet} style={{ '--aspect': settings.width / settings.height }}>
           <canvas ref={canvas} class="page-canvas" aria-hidden="true" />
           {page && geometry && <Panels page={page} geometry={geometry} />}
+          {page && geometry && !reshaping.editing.value && <WordLayer page={page} geometry={geometry} width={width > 0 ? screenPixels(width) : 0} />}
           {page && geometry && ui.subjects.value && <PanelSubjects page={page} geometry={geometry} />}
           {page && geometry && reshaping.editing.value && <Cuts />}
         </div>

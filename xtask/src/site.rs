@@ -15,6 +15,7 @@ pub(crate) fn build(project: &Project) -> Result<()> {
     models::make_or_warn(project);
     wasm::build(project, &wasm::core(project))?;
     wasm::build(project, &wasm::detectors(project))?;
+    wasm::build(project, &wasm::words(project))?;
     bundle(project)
 }
 

@@ -104,7 +104,7 @@ fn lint(project: &Project) -> Result<Outcome> {
     let strict = ["--", "-D", "warnings"];
     tools::run(project.cargo().args(["clippy", "--workspace", "--all-targets"]).args(strict))?;
     crate::wasm::install_target()?;
-    for features in ["", "detect"] {
+    for features in ["", "detect", "words"] {
         let web = [
             "clippy",
             "--package",

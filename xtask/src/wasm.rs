@@ -54,6 +54,12 @@ pub(crate) fn detectors(project: &Project) -> Module {
     Module { name: "detector", features: &["detect"], profile: "wasm-detect", level: "-Oz", folder }
 }
 
+/// The module of words, which a page loads when it first has some: nobody waits for it, so it is small.
+pub(crate) fn words(project: &Project) -> Module {
+    let folder = project.www().join("pkg-words");
+    Module { name: "words", features: &["words"], profile: "wasm-detect", level: "-Oz", folder }
+}
+
 /// The same with the benchmark's entry point.
 pub(crate) fn bench(project: &Project) -> Module {
     fast("bench", &["bench"], project.target.join("bench/pkg"))

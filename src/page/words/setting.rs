@@ -1,0 +1,332 @@
+//! Text broken into lines and fitted into a shape.
+//!
+//! For a number of lines the narrowest shape is looked for into which the words go when each line is filled as far as
+//! the shape is wide at its height: that balances the lines, and makes those of an ellipse short at the top and the
+//! bottom. Of all numbers of lines the one is taken whose shape looks best; where none fits, a smaller size is tried.
+
+use super::letters::{Font, Letters};
+use super::model::Kind;
+
+/// Exponent of the superellipse that balloons are: a little fuller than an ellipse, as drawn ones are.
+pub(super) const FULLNESS: f64 = 2.4;
+
+/// What a text is set for.
+#[derive(Debug, Clone, Copy)]
+pub struct Wish {
+    /// What the text is in.
+    pub kind: Kind,
+    /// Width of the shape in page widths, where a person chose it.
+    pub width: Option<f64>,
+    /// Height of an em in page widths, where a person chose it.
+    pub size: Option<f64>,
+    /// Width and height that the shape should not exceed, in page widths.
+    pub room: (f64, f64),
+    /// Width and height that it must not exceed.
+    pub page: (f64, f64),
+}
+
+/// Text that is set. Lengths are in page widths.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Setting {
+    /// Height of an em.
+    pub size: f64,
+    /// Distance of two baselines.
+    pub pitch: f64,
+    /// The lines, each with its width.
+    pub lines: Vec<(Vec<char>, f64)>,
+    /// Half the width and height of the shape around.
+    pub half: (f64, f64),
+    /// The text did not fit even at the smallest size: its end is missing.
+    pub cut: bool,
+}
+
+/// What belongs to a kind; lengths in ems, sizes in page widths.
+struct Manner {
+    round: bool,
+    /// Room beside the letters, and above and below them.
+    pad: (f64, f64),
+    /// Width over height that looks best.
+    aspect: f64,
+    largest: f64,
+    smallest: f64,
+}
+
+fn manner(kind: Kind, width: Option<f64>) -> Manner {
+    match kind {
+        Kind::Caption => {
+            Manner { round: false, pad: (0.55, 0.5), aspect: 3.2, largest: 0.0195, smallest: 0.008 }
+        }
+        Kind::Balloon(_) => {
+            Manner { round: true, pad: (0.46, 0.44), aspect: 1.6, largest: 0.021, smallest: 0.008 }
+        }
+        Kind::Effect => {
+            let largest = if width.is_some() { 0.4 } else { 0.085 };
+            Manner { round: false, pad: (0.14, 0.14), aspect: 20.0, largest, smallest: 0.012 }
+        }
+    }
+}
+
+/// Each size that is tried is smaller by this factor.
+const STEP: f64 = 0.93;
+/// Most lines of a word.
+const MOST_LINES: usize = 60;
+
+/// Sets a text that was [`Letters::cleaned`].
+#[must_use]
+pub fn set(letters: &Letters, font: &Font, text: &[char], wish: &Wish) -> Setting {
+    let manner = manner(wish.kind, wish.width);
+    let smallest = wish.size.unwrap_or(manner.smallest);
+    let mut size = wish.size.unwrap_or(manner.largest);
+    let setter = Setter { letters, font, text, wish, manner: &manner };
+    loop {
+        if let Some(setting) = setter.at(size, wish.room, false) {
+            return setting;
+        }
+        if size <= smallest {
+            break;
+        }
+        size = (size * STEP).max(smallest);
+    }
+    let wider = Wish { width: None, ..*wish };
+    let last = Setter { wish: &wider, ..setter };
+    last.at(size, wish.page, false).or_else(|| last.at(size, wish.page, true)).unwrap_or(Setting {
+        size,
+        pitch: size,
+        lines: Vec::new(),
+        half: (size, size),
+        cut: true,
+    })
+}
+
+struct Setter<'a> {
+    letters: &'a Letters,
+    font: &'a Font,
+    text: &'a [char],
+    wish: &'a Wish,
+    manner: &'a Manner,
+}
+
+/// How badly a shape looks, the first token of each line and the one after its last, and half the shape's sizes in ems.
+type Candidate = (f64, Vec<(usize, usize)>, (f64, f64));
+
+/// Letters that stay together: a word of the text, or a part of one that is too long for any line.
+struct Token {
+    start: usize,
+    end: usize,
+    width: f64,
+    /// Room before it when it is not the first of its line: a space, or nothing in the middle of a word.
+    gap: f64,
+    /// It begins a line.
+    fresh: bool,
+}
+
+impl Setter<'_> {
+    /// The text at a size, if it fits the room; `cut` takes what fits.
+    fn at(&self, size: f64, room: (f64, f64), cut: bool) -> Option<Setting> {
+        let pitch = if matches!(self.wish.kind, Kind::Effect) { 0.95 } else { 1.12 };
+        let capitals = self.font.capitals;
+        let (pad_x, pad_y) = self.manner.pad;
+        let wide = self.wish.width.unwrap_or(room.0) / size / 2.0;
+        let high = room.1 / size / 2.0;
+        let tokens = self.tokens((2.0 * (wide - pad_x) * if self.manner.round { 0.8 } else { 1.0 }).max(0.6));
+        let most = (tokens.len().max(1)).min(MOST_LINES);
+        let mut best: Option<Candidate> = None;
+        for count in 1..=most {
+            let block = ((count - 1) as f64 * pitch + capitals) / 2.0;
+            let b = if self.manner.round { block * 1.18 + pad_y } else { block + pad_y };
+            if b > high {
+                break;
+            }
+            // How much of the half width there is at the height of a line.
+            let share = |line: usize| {
+                let edge = (line as f64 - (count - 1) as f64 / 2.0).abs() * pitch + capitals / 2.0;
+                let inside = 1.0 - (edge / b).powf(FULLNESS);
+                if self.manner.round { inside.max(0.0).powf(1.0 / FULLNESS) } else { 1.0 }
+            };
+            let shares: Vec<f64> = (0..count).map(share).collect();
+            let fill = |a: f64| fill(&tokens, &shares, |share| 2.0 * (a * share - pad_x), cut);
+            let Some(mut lines) = fill(wide) else { continue };
+            let (mut low, mut a) = (0.0, wide);
+            for _ in 0..if cut { 0 } else { 20 } {
+                let middle = f64::midpoint(low, a);
+                match fill(middle) {
+                    Some(found) => (a, lines) = (middle, found),
+                    None => low = middle,
+                }
+            }
+            // Fewer lines than the shape was made for would not stand in its middle.
+            if lines.len() < count && !cut && !tokens.is_empty() {
+                continue;
+            }
+            // A balloon of one short word is not a pill.
+            if self.manner.round {
+                a = a.max(b * 1.1).min(wide);
+            }
+            let badness = if cut {
+                -(count as f64)
+            } else if self.wish.width.is_some() {
+                count as f64
+            } else {
+                (a / b / self.manner.aspect).ln().abs()
+            };
+            if best.as_ref().is_none_or(|(least, ..)| badness < *least) {
+                best = Some((badness, lines, (self.wish.width.map_or(a, |_| wide), b)));
+            }
+        }
+        let (_, lines, half) = best?;
+        let missing = lines.last().is_some_and(|line| line.1 < tokens.len());
+        let runs = lines.iter().enumerate().map(|(i, &(first, end))| {
+            let mut run = self.text[tokens[first].start..tokens[end - 1].end].to_vec();
+            if missing && i + 1 == lines.len() {
+                run.push('…');
+            }
+            let width = self.letters.width(self.font, &run) * size;
+            (run, width)
+        });
+        let lines = runs.collect();
+        Some(Setting { size, pitch: pitch * size, lines, half: (half.0 * size, half.1 * size), cut: missing })
+    }
+
+    /// The text in tokens no wider than `most` ems. In a sound effect only line ends part words.
+    fn tokens(&self, most: f64) -> Vec<Token> {
+        let space = self.letters.advance(self.font, ' ', None);
+        let whole = matches!(self.wish.kind, Kind::Effect) && self.wish.size.is_none();
+        let mut tokens: Vec<Token> = Vec::new();
+        let (mut open, mut fresh) = (false, false);
+        for (i, &letter) in self.text.iter().enumerate() {
+            if letter == '\n' || (letter == ' ' && !(whole && open)) {
+                open = false;
+                fresh |= letter == '\n' && !tokens.is_empty();
+                continue;
+            }
+            let next = self.text.get(i + 1).filter(|next| **next != '\n').copied();
+            let advance = self.letters.advance(self.font, letter, next);
+            match tokens.last_mut() {
+                Some(token) if open && (token.width + advance <= most || whole) => {
+                    token.end = i + 1;
+                    token.width += advance;
+                }
+                _ => {
+                    let gap = if open { 0.0 } else { space };
+                    tokens.push(Token { start: i, end: i + 1, width: advance, gap, fresh });
+                    (open, fresh) = (true, false);
+                }
+            }
+        }
+        tokens
+    }
+}
+
+/// Fills lines with tokens one after the other; `None` when they are not enough. With `cut` what is left over stays
+/// out. Gives the first token and the one after the last of each line.
+fn fill(
+    tokens: &[Token],
+    shares: &[f64],
+    capacity: impl Fn(f64) -> f64,
+    cut: bool,
+) -> Option<Vec<(usize, usize)>> {
+    let mut lines = Vec::with_capacity(shares.len());
+    let mut at = 0;
+    for &share in shares {
+        if at == tokens.len() {
+            break;
+        }
+        let room = capacity(share);
+        let first = at;
+        let mut width = 0.0;
+        while let Some(token) = tokens.get(at) {
+            let more = token.width + if at > first { token.gap } else { 0.0 };
+            if width + more > room + 1e-9 || (token.fresh && at > first) {
+                break;
+            }
+            width += more;
+            at += 1;
+        }
+        if at == first {
+            return None;
+        }
+        lines.push((first, at));
+    }
+    (cut || at == tokens.len()).then_some(lines)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::page::words::model::Shape;
+
+    fn wish(kind: Kind) -> Wish {
+        Wish { kind, width: None, size: None, room: (0.42, 0.3), page: (0.94, 1.3) }
+    }
+
+    fn setting(text: &str, wish: &Wish) -> Setting {
+        let letters = Letters::bundled().unwrap();
+        let font = letters.font("comic-neue-bold").unwrap();
+        set(&letters, font, &letters.cleaned(text), wish)
+    }
+
+    fn text_of(setting: &Setting) -> Vec<String> {
+        setting.lines.iter().map(|(run, _)| run.iter().collect()).collect()
+    }
+
+    const SPEECH: &str = "I never thought that we would see the lighthouse again, not after such a night.";
+
+    #[test]
+    fn a_balloon_is_widest_in_its_middle_and_holds_its_lines() {
+        for text in ["Hi", "Where are we?", SPEECH, "Supercalifragilisticexpialidocious"] {
+            for width in [None, Some(0.2), Some(0.35)] {
+                let set = setting(text, &Wish { width, ..wish(Kind::Balloon(Shape::Oval)) });
+                assert!(!set.cut);
+                let joined: String = text_of(&set).join(" ");
+                assert_eq!(joined.replace(' ', ""), text.replace(' ', ""));
+                let (a, b) = set.half;
+                assert!(width.is_none_or(|width| (2.0 * a - width).abs() < 1e-9));
+                let middle = (set.lines.len() - 1) as f64 / 2.0;
+                for (i, (_, width)) in set.lines.iter().enumerate() {
+                    let edge = (i as f64 - middle).abs() * set.pitch + 0.34 * set.size;
+                    let room = a * (1.0 - (edge / b).powf(FULLNESS)).powf(1.0 / FULLNESS);
+                    assert!(width / 2.0 < room, "{text}, line {i}");
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn lines_are_balanced() {
+        let set = setting(SPEECH, &wish(Kind::Caption));
+        let widths: Vec<f64> = set.lines.iter().map(|line| line.1).collect();
+        let longest = widths.iter().copied().fold(0.0, f64::max);
+        assert!(widths.len() > 1 && widths.iter().all(|width| *width > 0.6 * longest), "{widths:?}");
+    }
+
+    #[test]
+    fn more_text_is_smaller_and_far_too_much_is_cut() {
+        let kind = Kind::Balloon(Shape::Oval);
+        let sizes: Vec<f64> = [1, 4, 8].map(|n| setting(&SPEECH.repeat(n), &wish(kind)).size).into();
+        assert!(sizes.windows(2).all(|pair| pair[1] <= pair[0]) && sizes[2] < sizes[0], "{sizes:?}");
+        let endless = setting(&"word ".repeat(800), &Wish { page: (0.3, 0.25), ..wish(kind) });
+        assert!(endless.cut && text_of(&endless).last().unwrap().ends_with('…'));
+        assert!(2.0 * endless.half.0 <= 0.3 && 2.0 * endless.half.1 <= 0.25);
+    }
+
+    #[test]
+    fn line_ends_stay_and_odd_text_is_set() {
+        assert_eq!(text_of(&setting("one\ntwo three\n", &wish(Kind::Caption))), ["one", "two three"]);
+        for text in ["", " ", "\n\n", "\u{200d}", "😀", &"x".repeat(4_000), "שלום עולם", "\u{301}\u{301}"]
+        {
+            for kind in [Kind::Caption, Kind::Balloon(Shape::Shout), Kind::Effect] {
+                for size in [None, Some(0.004), Some(0.5)] {
+                    let set = setting(text, &Wish { size, ..wish(kind) });
+                    assert!(set.half.0 > 0.0 && set.half.0.is_finite() && set.half.1.is_finite());
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn an_effect_is_as_large_as_its_width_lets_it_be() {
+        let size = |width| setting("KRAKOOM!", &Wish { width, ..wish(Kind::Effect) }).size;
+        assert!(size(Some(0.4)) > 1.5 * size(Some(0.2)));
+        assert_eq!(text_of(&setting("BAM BAM", &wish(Kind::Effect))), ["BAM BAM"]);
+    }
+}

@@ -1,0 +1,106 @@
+//! The web boundary of the module of words: where they go, how large they are, and their pixels. It holds the fonts, so
+//! it is loaded when a page first has words.
+//!
+//! Structured data crosses as JSON text, pixels as byte arrays. Every error is a JavaScript `Error` with a `code` beside
+//! its `message`.
+
+// Every function that returns a Result throws as the module's documentation says.
+#![allow(clippy::missing_errors_doc)]
+
+use crate::error::{Error, Result};
+use crate::framing::Subject;
+use crate::page::Document;
+use crate::page::words::{Letters, draw, layout, place};
+use serde_json::Value;
+use std::collections::HashMap;
+use wasm_bindgen::prelude::*;
+
+#[wasm_bindgen(start)]
+fn start() {
+    console_error_panic_hook::set_once();
+}
+
+/// The letters of the page.
+#[wasm_bindgen]
+pub struct Lettering {
+    letters: Letters,
+}
+
+#[wasm_bindgen]
+impl Lettering {
+    /// Unpacks the fonts.
+    #[wasm_bindgen(constructor)]
+    pub fn new() -> std::result::Result<Lettering, JsValue> {
+        Letters::bundled().map(|letters| Self { letters }).map_err(thrown)
+    }
+
+    /// The words of a document, those that are placed by themselves where they hide no face. `subjects`: what is in the
+    /// photos, lists by photo id.
+    pub fn settle(&self, document: &str, subjects: &str) -> std::result::Result<String, JsValue> {
+        let settle = || -> Result<String> {
+            let mut document = Document::parse(document)?;
+            let known: HashMap<String, Vec<Subject>> = serde_json::from_str(subjects).map_err(|error| {
+                Error::InvalidDocument { location: "subjects".into(), reason: error.to_string() }
+            })?;
+            let find = |id: &str| known.get(id).map_or(&[][..], Vec::as_slice);
+            place::settle(&mut document, find, &self.letters)?;
+            Ok(Value::Array(document.words).to_string())
+        };
+        settle().map_err(thrown)
+    }
+
+    /// Where the words of a document are; see `page::words::layout::measured`.
+    pub fn measure(&self, document: &str) -> std::result::Result<String, JsValue> {
+        let measure = || layout::measured(&Document::parse(document)?, &self.letters);
+        measure().map(|boxes| boxes.to_string()).map_err(thrown)
+    }
+
+    /// One word of a page that is `width` pixels wide.
+    pub fn render(
+        &self,
+        document: &str,
+        index: usize,
+        width: usize,
+    ) -> std::result::Result<Picture, JsValue> {
+        let render = || draw::render(&Document::parse(document)?, index, width, &self.letters);
+        let picture = |patch: crate::page::Patch| Picture {
+            x: patch.area.x as i32,
+            y: patch.area.y as i32,
+            width: patch.area.width as u32,
+            height: patch.area.height as u32,
+            rgba: patch.rgba,
+        };
+        render().map(picture).map_err(thrown)
+    }
+}
+
+/// A rectangle of rendered pixels, in pixels of the page.
+#[wasm_bindgen]
+pub struct Picture {
+    /// Left edge.
+    pub x: i32,
+    /// Top edge.
+    pub y: i32,
+    /// Width.
+    pub width: u32,
+    /// Height.
+    pub height: u32,
+    rgba: Vec<u8>,
+}
+
+#[wasm_bindgen]
+impl Picture {
+    /// Moves the straight-alpha RGBA out; the picture is empty afterwards.
+    #[must_use]
+    pub fn take(&mut self) -> js_sys::Uint8ClampedArray {
+        js_sys::Uint8ClampedArray::from(std::mem::take(&mut self.rgba).as_slice())
+    }
+}
+
+#[allow(clippy::needless_pass_by_value)] // It is what map_err hands over.
+fn thrown(error: Error) -> JsValue {
+    let object = js_sys::Error::new(&error.to_string());
+    // Setting a property of a fresh object cannot fail.
+    let _ = js_sys::Reflect::set(&object, &"code".into(), &error.code().into());
+    object.into()
+}

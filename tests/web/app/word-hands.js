@@ -1,0 +1,44 @@
+// @ts-check
+/** What the tests of words share: finding, adding and measuring them. */
+
+import { expect, idle, pixelsOf } from './support.js';
+
+/** @typedef {import('../../../www/testing.js').Page} Page */
+
+export const word = (/** @type {Page} */ page, /** @type {string | RegExp} */ name) => page.locator('.words').getByRole('button', { name, exact: typeof name === 'string' });
+
+/** Opens the drawer of words where it is shut. @param {Page} page */
+export async function openWords(page) {
+  const tools = page.getByRole('region', { name: 'Words', exact: true });
+  if (!await tools.isVisible()) await page.locator('.words-section > summary').click();
+  await expect(tools).toBeVisible();
+}
+
+/** @param {Page} page @param {string} kind @param {string} text */
+export async function write(page, kind, text) {
+  await openWords(page);
+  await page.getByRole('button', { name: `Add ${kind}`, exact: true }).click();
+  await expect(page.getByRole('textbox', { name: /^Text of/ })).toBeFocused();
+  await page.keyboard.type(text);
+  await page.keyboard.press('Enter');
+  await idle(page);
+}
+
+/** How many pixels of the words are there, and where their middle is. @param {Page} page */
+export async function inked(page) {
+  const address = await page.locator('.word-canvas').evaluate((canvas) => /** @type {HTMLCanvasElement} */ (canvas).toDataURL());
+  const { width, height, data } = pixelsOf(address);
+  let [count, x, y] = [0, 0, 0];
+  for (let i = 0; i < width * height; i += 1) {
+    if (data[i * 4 + 3] < 128) continue;
+    count += 1;
+    x += i % width;
+    y += Math.floor(i / width);
+  }
+  return { count, x: x / count / width, y: y / count / height };
+}
+
+/** @param {ReturnType<Page['locator']>} element */
+export async function box(element) {
+  return /** @type {{ x: number, y: number, width: number, height: number }} */ (await element.boundingBox());
+}

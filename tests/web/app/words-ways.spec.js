@@ -1,0 +1,106 @@
+// @ts-check
+import { readFile } from 'node:fs/promises';
+import { PNG } from '../../../www/testing.js';
+import { accessible, add, contents, drop, expect, idle, openBoard, press, test } from './support.js';
+import { box, inked, word, write } from './word-hands.js';
+
+const VIDEO = new URL('../../videos/album.mp4', import.meta.url);
+
+test('every drag has a click and a field', async ({ page }) => {
+  await openBoard(page);
+  await write(page, 'balloon', 'CLICK');
+  const canvas = await box(page.locator('.page-canvas'));
+  const spot = { x: canvas.x + canvas.width * 0.7, y: canvas.y + canvas.height * 0.8 };
+  await page.getByRole('button', { name: 'Move to…' }).click();
+  await page.mouse.click(spot.x, spot.y);
+  await idle(page);
+  const moved = await box(word(page, /^Balloon: CLICK/));
+  expect(Math.hypot(moved.x + moved.width / 2 - spot.x, moved.y + moved.height / 2 - spot.y)).toBeLessThan(4);
+  await page.getByRole('button', { name: 'Point tail at…' }).click();
+  await page.mouse.click(spot.x - 120, spot.y - 160);
+  await idle(page);
+  const tail = await box(word(page, /^Tail of/));
+  expect(Math.hypot(tail.x + 12 - spot.x + 120, tail.y + 12 - spot.y + 160)).toBeLessThan(4);
+  await page.getByRole('spinbutton', { name: 'Across' }).fill('30');
+  await page.keyboard.press('Tab');
+  await idle(page);
+  const across = await box(word(page, /^Balloon: CLICK/));
+  expect(Math.abs(across.x + across.width / 2 - canvas.x - canvas.width * 0.3)).toBeLessThan(4);
+  const pictures = new Set();
+  for (const shape of ['Speech', 'Thought', 'Shout', 'Whisper']) {
+    await page.getByRole('combobox', { name: 'Shape' }).selectOption({ label: shape });
+    await idle(page);
+    pictures.add((await inked(page)).count);
+  }
+  expect(pictures.size).toBe(4);
+  await page.getByRole('button', { name: 'Remove tail' }).click();
+  await expect(word(page, /^Tail of/)).toHaveCount(0);
+  await page.getByRole('button', { name: 'Remove word' }).click();
+  await expect(word(page, /: /)).toHaveCount(0);
+});
+
+test('words stay through shuffles, are on the alternatives and in the PNG', async ({ page }) => {
+  await openBoard(page);
+  await write(page, 'caption', 'ONCE UPON A TIME');
+  await press(page, 'Shuffle');
+  await expect(word(page, 'Caption: ONCE UPON A TIME')).toBeVisible();
+  const at = await inked(page);
+  expect(at.count).toBeGreaterThan(200);
+  const waiting = page.waitForEvent('download', { timeout: 60_000 });
+  await page.getByRole('button', { name: 'Download PNG' }).click();
+  const png = PNG.sync.read(await readFile(await (await waiting).path()));
+  // The caption's own yellow, at the same place as in the preview.
+  /** @type {number[][]} */
+  const pixels = [];
+  for (let i = 0; i < png.width * png.height; i += 1) {
+    const [r, g, b] = [png.data[i * 4], png.data[i * 4 + 1], png.data[i * 4 + 2]];
+    if (r === 0xff && g === 0xf6 && b === 0xd6) pixels.push([(i % png.width) / png.width, Math.floor(i / png.width) / png.height]);
+  }
+  expect(pixels.length).toBeGreaterThan(2000);
+  const mean = (/** @type {number} */ k) => pixels.reduce((sum, place) => sum + place[k], 0) / pixels.length;
+  expect(Math.hypot(mean(0) - at.x, mean(1) - at.y)).toBeLessThan(0.03);
+  await page.getByRole('button', { name: 'Alternative 2', exact: true }).click();
+  await idle(page);
+  await expect(word(page, 'Caption: ONCE UPON A TIME')).toBeVisible();
+});
+
+test.describe('on a phone', () => {
+  test.use({ viewport: { width: 360, height: 740 }, hasTouch: true });
+
+  test('a balloon is added, written and moved by touch', async ({ page }) => {
+    await openBoard(page);
+    await page.getByRole('button', { name: 'Words', exact: true }).click();
+    await accessible(page);
+    await page.getByRole('button', { name: 'Add balloon' }).click();
+    await expect(page.getByRole('textbox', { name: /^Text of/ })).toBeFocused();
+    await page.keyboard.type('SMALL');
+    await page.keyboard.press('Enter');
+    await idle(page);
+    const balloon = word(page, /^Balloon: SMALL/);
+    await balloon.tap();
+    await expect(balloon).toHaveAttribute('aria-pressed', 'true');
+    await accessible(page);
+    expect(await page.evaluate(() => document.documentElement.scrollWidth - innerWidth)).toBeLessThanOrEqual(0);
+  });
+});
+
+/** @param {string} name @param {string} text */
+const textFile = (name, text) => ({ name, mimeType: 'text/plain', buffer: Buffer.from(text) });
+
+test('subtitles that come with a video are put on its frames; what is malformed is said with its line', async ({ page }) => {
+  await page.goto('./');
+  const film = { name: 'album.mp4', mimeType: 'video/mp4', buffer: await readFile(VIDEO) };
+  const cues = Array.from({ length: 6 }, (_, i) => `${i + 1}\n00:00:0${i},050 --> 00:00:0${i},950\nSecond ${i}\n`);
+  await add(page, [film, textFile('album.srt', cues.join('\n'))]);
+  await expect(word(page, /^Caption: Second \d/).first()).toBeVisible({ timeout: 60_000 });
+  await idle(page);
+  const texts = await word(page, /^Caption: Second \d/).evaluateAll((list) => list.map((one) => one.getAttribute('aria-label')));
+  const times = (await contents(page)).photos.map((name) => /(\d+):([\d.]+)/.exec(name ?? '')?.[2]);
+  expect(texts.length).toBeGreaterThan(1);
+  for (const text of texts) {
+    const second = Number(/\d/.exec(text ?? '')?.[0]);
+    expect(times.some((time) => Math.abs(Number(time) - second - 0.5) < 1.3)).toBe(true);
+  }
+  await drop(page, [textFile('bad.srt', '1\n00:00:01 to 00:00:02\nHi')]);
+  await expect(page.getByRole('alert')).toContainText('bad.srt: line 1');
+});
