@@ -59,7 +59,7 @@ pub fn settle<'s>(
         };
         let laid = ground.lay(word, letters);
         let speaker = speaker(&laid.word, &seen, &spoken);
-        spoken.extend(speaker.map(|face| center(face)));
+        spoken.extend(speaker.map(center));
         let shape = panel.and_then(|panel| ground.panels.get(panel)).map(|panel| &panel.shape);
         let area = best(&laid, frame, shape, &seen, speaker, &taken);
         let part = |at: Point| json!({ "x": rounded((at.x - frame.x) / frame.width), "y": rounded((at.y - frame.y) / frame.height) });

@@ -129,10 +129,10 @@ impl Setter<'_> {
         let wide = self.wish.width.unwrap_or(room.0) / size / 2.0;
         let high = room.1 / size / 2.0;
         let tokens = self.tokens((2.0 * (wide - pad_x) * if self.manner.round { 0.8 } else { 1.0 }).max(0.6));
-        let most = (tokens.len().max(1)).min(MOST_LINES);
+        let most = tokens.len().clamp(1, MOST_LINES);
         let mut best: Option<Candidate> = None;
         for count in 1..=most {
-            let block = ((count - 1) as f64 * pitch + capitals) / 2.0;
+            let block = f64::midpoint((count - 1) as f64 * pitch, capitals);
             let b = if self.manner.round { block * 1.18 + pad_y } else { block + pad_y };
             if b > high {
                 break;
