@@ -37,7 +37,7 @@ export const keepingStrings = {
   bringBack: 'Bring it back',
   projectNotOpened: (/** @type {string} */ why) => `The project could not be opened: ${why}`,
   projectFileNotOpened: (/** @type {string} */ name, /** @type {string} */ why) => `${name} could not be opened: ${why}`,
-  projectSaved: 'The project was saved as a file, with your original photos.',
+  projectSaved: 'The project was saved as a file, with your original photos and what is in them: date, camera, place.',
   projectNotSaved: (/** @type {string} */ why) => `The project could not be saved as a file: ${why}`,
   /** @type {Record<string, string>} */
   projectReasons: {
