@@ -41,6 +41,9 @@ test('every drag has a click and a field', async ({ page }) => {
 
 test('words stay through shuffles, are on the alternatives and in the PNG', async ({ page }) => {
   await openBoard(page);
+  // A style in gray: no photo has the caption's yellow.
+  await page.getByRole('listbox', { name: 'Styles' }).getByRole('option', { name: 'Noir', exact: true }).click();
+  await page.getByRole('button', { name: 'Lock style' }).click();
   await write(page, 'caption', 'ONCE UPON A TIME');
   await press(page, 'Shuffle');
   await expect(word(page, 'Caption: ONCE UPON A TIME')).toBeVisible();
