@@ -159,8 +159,8 @@ export function createPool({ size, spawn, highWater = HIGH_WATER }) {
     open(slot);
     if (entry && !entry.over) {
       entry.tries += 1;
-      // A buffer that was handed over is gone with the worker: such a job cannot be sent again.
-      if (again && entry.tries < 2 && !entry.transfer?.length) queue.unshift(entry);
+      // Not where a buffer was handed over and is gone; on the fresh worker, where nothing is wrong yet.
+      if (again && entry.tries < 2 && !entry.transfer?.length) start(slot, entry);
       else settle(entry, () => entry.reject(lost(entry.photo)));
     }
     dispatch();

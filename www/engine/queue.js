@@ -52,16 +52,6 @@ export function createQueue() {
     },
 
     /**
-     * Puts an entry back at the head of its priority, for another try.
-     * @param {T} entry
-     */
-    unshift(entry) {
-      let at = 0;
-      while (at < waiting.length && waiting[at].priority < entry.priority) at += 1;
-      waiting.splice(at, 0, entry);
-    },
-
-    /**
      * Takes the first entry, or, among those of the same priority, the one that suits best.
      * @param {(entry: T) => number} [suits] higher is better; the earlier of equals is taken
      * @returns {T | undefined}
