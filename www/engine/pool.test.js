@@ -127,6 +127,17 @@ describe('workers that die', () => {
     expect(await result).toBe('photo');
   });
 
+  test('the second try is the fresh worker\'s, though another is idle', async () => {
+    const fakes = fakeWorkers();
+    const pool = createPool({ size: 2, spawn: fakes.spawn });
+    const [one, two] = [pool.run(job('one')), pool.run(job('two'))];
+    fakes.answer('one');
+    fakes.answer('two', { error: { code: TRAP, message: 'unreachable' } });
+    expect(fakes.holding('two')).toBe(fakes.workers[2]);
+    fakes.answer('two');
+    expect(await Promise.all([one, two])).toEqual(['one', 'two']);
+  });
+
   test('a second trap is the photo\'s fault, and the rest goes on', async () => {
     const fakes = fakeWorkers();
     const pool = createPool({ size: 1, spawn: fakes.spawn });
