@@ -22,7 +22,7 @@ import { createWords } from './words.js';
 
 const MOST_WORKERS = 8;
 /** Photos that all workers together keep at hand, in bytes. */
-const PHOTO_BUDGET = 512 * 2 ** 20;
+const PHOTO_BUDGET = 256 * 2 ** 20;
 const LEAST_BUDGET = 64 * 2 ** 20;
 
 /**

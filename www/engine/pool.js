@@ -28,7 +28,7 @@ import { Priority, createQueue } from './queue.js';
 
 /** Longer than any honest job on a slow phone. */
 const TIMEOUT = 30_000;
-const HIGH_WATER = 768 * 2 ** 20;
+const HIGH_WATER = 512 * 2 ** 20;
 
 /**
  * @param {{ size: number, spawn: () => Worker, highWater?: number }} options
