@@ -1,40 +1,18 @@
 // @ts-check
 /**
  * Takes pictures out of one animated GIF or WebP file and ends with it. A worker of its own, so that it can be stopped
- * at any moment; the protocol is that of `video-worker.js`.
- *
- * In: `{ file, count, start, end }`, then one `{ next: true }` for each picture that was dealt with.
- * Out: `{ about }`, then `{ frame }` for each, then `{ done: true }`; or `{ error: { code, message } }`.
+ * at any moment; the protocol is that of `frame-sender.js`.
  */
 
 import { endsOf } from './animation-times.js';
 import { rgbaOf } from './frame-pixels.js';
-import { describe, failure } from './protocol.js';
+import { mayGoOn, sendFrame, serveFrames } from './frame-sender.js';
+import { failure } from './protocol.js';
 import { sampleTimes } from './sample-times.js';
 
-/** Pictures that may be on their way at once. */
-const AHEAD = 2;
+serveFrames(read);
 
-let credit = AHEAD;
-/** @type {() => void} */
-let wake = () => {};
-
-/** @param {MessageEvent<import('./video.js').Wish & { file: Blob, next?: boolean }>} event */
-globalThis.onmessage = async ({ data }) => {
-  if (data.next) {
-    credit += 1;
-    wake();
-    return;
-  }
-  try {
-    await read(data);
-    postMessage({ done: true });
-  } catch (error) {
-    postMessage({ error: describe(error) });
-  }
-};
-
-/** @param {import('./video.js').Wish & { file: Blob }} wish */
+/** @param {import('./frame-sender.js').FileWish} wish */
 async function read({ file, count, start, end }) {
   const bytes = new Uint8Array(await file.arrayBuffer());
   const ends = endsOf(bytes);
@@ -50,11 +28,9 @@ async function read({ file, count, start, end }) {
     const picture = await pictureOf(decoder, shown, last < 0);
     if (!picture) return;
     last = shown;
-    if (credit === 0) await new Promise((/** @type {(value?: any) => void} */ resolve) => (wake = resolve));
+    await mayGoOn();
     const { width, height, data } = await rgbaOf(picture);
-    credit -= 1;
-    const frame = { index, time, width, height, squareWidth: width, squareHeight: height, rotation: 0, data };
-    postMessage({ frame }, { transfer: [data.buffer] });
+    sendFrame({ index, time, width, height, squareWidth: width, squareHeight: height, rotation: 0, data });
   }
 }
 

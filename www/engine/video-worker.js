@@ -2,41 +2,18 @@
 /**
  * Takes frames out of one video and ends with it: mediabunny finds the packets, the browser's WebCodecs decodes
  * them from the nearest key frame. The file is read in pieces, and a frame is closed as soon as it is copied, so a
- * long video takes no more memory than a short one. A worker of its own, so that it can be stopped at any moment.
- *
- * In: `{ file, count, start, end, leading }`, then one `{ next: true }` for each frame that was dealt with.
- * Out: `{ about }`, then `{ frame }` for each, then `{ done: true }`; or `{ error: { code, message } }`.
+ * long video takes no more memory than a short one. A worker of its own, so that it can be stopped at any moment; the
+ * protocol is that of `frame-sender.js`.
  */
 
 import { ALL_FORMATS, BlobSource, Input, VideoSampleSink } from 'mediabunny';
-import { describe, failure } from './protocol.js';
+import { mayGoOn, sendFrame, serveFrames } from './frame-sender.js';
+import { failure } from './protocol.js';
 import { runs, sampleTimes } from './sample-times.js';
 
-/** @typedef {import('./video.js').Wish} Wish */
+serveFrames(read);
 
-/** Frames that may be on their way at once. */
-const AHEAD = 2;
-
-let credit = AHEAD;
-/** @type {() => void} */
-let wake = () => {};
-
-/** @param {MessageEvent<Wish & { file: Blob, next?: boolean }>} event */
-globalThis.onmessage = async ({ data }) => {
-  if (data.next) {
-    credit += 1;
-    wake();
-    return;
-  }
-  try {
-    await read(data);
-    postMessage({ done: true });
-  } catch (error) {
-    postMessage({ error: describe(error) });
-  }
-};
-
-/** @param {Wish & { file: Blob }} wish */
+/** @param {import('./frame-sender.js').FileWish} wish */
 async function read({ file, count, start, end, leading }) {
   if (typeof VideoDecoder === 'undefined') throw failure('video-decoder', 'This browser has no WebCodecs.');
   const input = new Input({ source: new BlobSource(file), formats: ALL_FORMATS });
@@ -87,18 +64,8 @@ async function send(sample, index, time) {
     const data = new Uint8Array(sample.allocationSize({ format: 'RGBA' }));
     await sample.copyTo(data, { format: 'RGBA' });
     const { rotation, squarePixelWidth: squareWidth, squarePixelHeight: squareHeight } = sample;
-    const frame = { index, time, width, height, squareWidth, squareHeight, rotation, data };
-    credit -= 1;
-    postMessage({ frame }, { transfer: [data.buffer] });
+    sendFrame({ index, time, width, height, squareWidth, squareHeight, rotation, data });
   } finally {
     sample.close();
   }
-}
-
-/** @returns {Promise<void>} when the page has dealt with enough of the frames before */
-function mayGoOn() {
-  if (credit > 0) return Promise.resolve();
-  return new Promise((resolve) => {
-    wake = resolve;
-  });
 }
