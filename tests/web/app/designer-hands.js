@@ -1,5 +1,5 @@
 // @ts-check
-/** The gestures of the designer's tests. */
+/** The gestures of the designer's and the explorer's tests. */
 
 import { expect, openBoard } from './support.js';
 
@@ -47,4 +47,14 @@ export async function addBlock(page, block, layer = 'Background layer') {
 export async function preview(page) {
   await drawn(page);
   return region(page).locator('.comparison-styled').first().evaluate((canvas) => /** @type {HTMLCanvasElement} */ (canvas).toDataURL());
+}
+
+/** Opens the explorer over four photos and lets it invent from a seed. @param {Page} page */
+export async function invent(page) {
+  await openBoard(page, FOUR);
+  await page.getByRole('button', { name: 'Explorer', exact: true }).click();
+  const seed = page.getByRole('spinbutton', { name: 'Seed' });
+  await seed.fill('4');
+  await seed.press('Enter');
+  await page.getByRole('button', { name: 'Generate' }).click();
 }

@@ -1,8 +1,8 @@
 // @ts-check
 /** Styles sorted by the net, where the site was built with it; without it this file has nothing to say. */
 import { existsSync } from 'node:fs';
-import { FOUR } from './designer-hands.js';
-import { accessible, detectingTest as test, expect, openBoard } from './support.js';
+import { invent } from './designer-hands.js';
+import { accessible, detectingTest as test, expect } from './support.js';
 
 /** @typedef {import('../../../www/testing.js').Page} Page */
 
@@ -15,12 +15,7 @@ const labels = (page) => region(page).getByRole('listitem').getByRole('img').eva
 
 /** Some styles on the wall, and no more coming. @param {Page} page */
 async function wall(page) {
-  await openBoard(page, FOUR);
-  await page.getByRole('button', { name: 'Explorer', exact: true }).click();
-  const seed = page.getByRole('spinbutton', { name: 'Seed' });
-  await seed.fill('4');
-  await seed.press('Enter');
-  await page.getByRole('button', { name: 'Generate' }).click();
+  await invent(page);
   await expect.poll(async () => (await labels(page)).length).toBeGreaterThan(10);
   await page.getByRole('button', { name: 'Stop' }).click();
   await expect(region(page)).toHaveAttribute('aria-busy', 'false');

@@ -1,5 +1,5 @@
 // @ts-check
-import { FOUR, drawn, names } from './designer-hands.js';
+import { FOUR, drawn, invent, names } from './designer-hands.js';
 import { accessible, contents, expect, idle, openBoard, picture, press, test } from './support.js';
 
 /** @typedef {import('../../../www/testing.js').Page} Page */
@@ -11,12 +11,7 @@ const wall = (page) => region(page).getByRole('listitem');
 
 /** Opens the explorer and lets it invent from a seed until there are some. @param {Page} page */
 async function explore(page) {
-  await openBoard(page, FOUR);
-  await page.getByRole('button', { name: 'Explorer', exact: true }).click();
-  const seed = page.getByRole('spinbutton', { name: 'Seed' });
-  await seed.fill('4');
-  await seed.press('Enter');
-  await page.getByRole('button', { name: 'Generate' }).click();
+  await invent(page);
   await expect.poll(() => wall(page).count()).toBeGreaterThan(24);
 }
 
