@@ -13,6 +13,6 @@ export default defineConfig({
   },
   worker: { format: 'es' },
   test: {
-    include: ['state/**/*.test.js', 'engine/**/*.test.js', 'views/**/*.test.js'],
+    include: ['state/**/*.test.js', 'engine/**/*.test.js', 'views/**/*.test.js', 'strings/**/*.test.js'],
   },
 });

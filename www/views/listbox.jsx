@@ -8,14 +8,17 @@ import { useGrowing } from './growing.js';
 
 /** @typedef {{ id: string, name: string }} Option */
 
+/** @param {Option} option */
+const asItIs = ({ name }) => name;
+
 /**
  * @template {Option} T
  * @param {{
  *   label: string, groups: { name: string, options: T[] }[], selected: string | null, onChoose: (id: string) => void,
- *   picture: (option: T) => import('preact').ComponentChild, names?: boolean, empty?: string, class?: string,
+ *   picture: (option: T) => import('preact').ComponentChild, nameOf?: (option: T) => string, names?: boolean, empty?: string, class?: string,
  * }} props
  */
-export function Listbox({ label, groups, selected, onChoose, picture, names = false, empty = '', class: extra = '' }) {
+export function Listbox({ label, groups, selected, onChoose, picture, nameOf = asItIs, names = false, empty = '', class: extra = '' }) {
   const ref = useRef(/** @type {HTMLDivElement | null} */ (null));
   const [active, setActive] = useState(/** @type {string | null} */ (null));
   const there = useGrowing(groups.flatMap(({ name, options }) => options.map(({ id }) => `${name} ${id}`)));
@@ -52,15 +55,15 @@ export function Listbox({ label, groups, selected, onChoose, picture, names = fa
               key={option.id}
               class="option"
               role="option"
-              aria-label={option.name}
+              aria-label={nameOf(option)}
               aria-selected={option.id === selected}
               tabIndex={option.id === stop ? 0 : -1}
-              title={option.name}
+              title={nameOf(option)}
               onFocus={() => setActive(option.id)}
               onClick={() => onChoose(option.id)}
             >
               {picture(option)}
-              {names && <span class="option-name" aria-hidden="true">{option.name}</span>}
+              {names && <span class="option-name" aria-hidden="true">{nameOf(option)}</span>}
             </div>
           ))}
         </div>

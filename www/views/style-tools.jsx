@@ -21,7 +21,7 @@ export function StyleTools() {
   return (
     <>
       <div class="style-side-tools">
-        <IconButton icon="designer" label={style ? strings.editStyle(style.name) : strings.edit} disabled={!style} onClick={() => app.designer.open(style)} />
+        <IconButton icon="designer" label={style ? strings.editStyle(strings.styleTitle(style)) : strings.edit} disabled={!style} onClick={() => app.designer.open(style)} />
         <IconButton icon="settings" label={strings.styleShuffle} pressed={open.value} onClick={() => { open.value = !open.value; }} />
       </div>
       {open.value && <StyleShuffle />}

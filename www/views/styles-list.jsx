@@ -42,6 +42,7 @@ export function StylesList() {
       selected={selected}
       onChoose={(id) => pages.chooseStyle(ownStyles.find(id) ?? id)}
       names
+      nameOf={strings.styleTitle}
       picture={(option) => (
         hero === null
           ? <span class="bitmap" />

@@ -55,11 +55,11 @@ export function Card({ step, layer, at, last, lacks, marked, ms, picture, carrie
   }
 
   return (
-    <li class="card" ref={ref} tabIndex={-1} aria-label={strings.card(block.label, at + 1)} data-bypass={step.bypass} data-marked={marked} data-carried={carried} data-key={step.key} onKeyDown={onKeyDown}>
+    <li class="card" ref={ref} tabIndex={-1} aria-label={strings.card(strings.blockName(block), at + 1)} data-bypass={step.bypass} data-marked={marked} data-carried={carried} data-key={step.key} onKeyDown={onKeyDown}>
       <div class="card-head" title={strings.handle} onPointerDown={onTake}>
         <Picture bitmap={picture} />
         <div class="card-name">
-          <h4>{block.label}</h4>
+          <h4>{strings.blockName(block)}</h4>
           <span class="count">{ms !== undefined && !step.bypass ? strings.milliseconds(ms) : ''}</span>
         </div>
         <span class="card-handle" aria-hidden="true"><Icon name="handle" /></span>
@@ -84,6 +84,7 @@ export function Card({ step, layer, at, last, lacks, marked, ms, picture, carrie
       {block.params.map((param) => (
         <Parameter
           key={param.id}
+          block={block.id}
           param={param}
           value={step.values[param.id]}
           onMove={(value) => designer.hold({ type: 'set', layer, at, param: param.id, value })}

@@ -74,12 +74,12 @@ export function Palette({ onClose, onAdded }) {
           const note = before ? strings.brings[before === 'to_gray' ? 'luma' : 'color'] : '';
           return (
             <li key={block.id}>
-              <button type="button" class="palette-block" title={block.help} aria-description={[block.help, note].filter(Boolean).join(' ')}
+              <button type="button" class="palette-block" title={strings.blockHelp(block)} aria-description={[strings.blockHelp(block), note].filter(Boolean).join(' ')}
                 disabled={steps.length + (before ? 2 : 1) > MOST_BLOCKS} onClick={() => add(block)}>
                 {hero === null ? <span class="bitmap" /> : (
                   <Bitmap of={pictures.get(block.id)} draw={(call) => engine.stylePhoto(hero, pictures.get(block.id) ?? {}, size, call)} />
                 )}
-                <span class="palette-name">{block.label}</span>
+                <span class="palette-name">{strings.blockName(block)}</span>
                 {note && <span class="palette-note">{note}</span>}
               </button>
             </li>
@@ -99,8 +99,8 @@ export function Palette({ onClose, onAdded }) {
 function search(blocks, words) {
   const wanted = words.toLowerCase().split(/\s+/);
   const has = (/** @type {string} */ text) => wanted.every((word) => text.toLowerCase().includes(word));
-  const named = blocks.filter(({ id, label }) => has(`${id} ${label}`));
-  return [...named, ...blocks.filter((block) => !named.includes(block) && has(`${block.label} ${block.help}`))];
+  const named = blocks.filter((block) => has(`${block.id} ${block.label} ${strings.blockName(block)}`));
+  return [...named, ...blocks.filter((block) => !named.includes(block) && has(`${strings.blockName(block)} ${strings.blockHelp(block)}`))];
 }
 
 /**

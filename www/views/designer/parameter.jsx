@@ -8,11 +8,13 @@ import { strings } from '../../strings.js';
 /** @typedef {import('../../engine/documents.js').BlockParam} BlockParam */
 
 /**
- * @param {{ param: BlockParam, value: any, onMove: (value: any) => void, onSet: (value: any) => void, onRest: () => void }} props
+ * @param {{ block: string, param: BlockParam, value: any, onMove: (value: any) => void, onSet: (value: any) => void, onRest: () => void }} props
  *   `onMove`: in the middle of a drag, which `onRest` ends
  */
-export function Parameter({ param, value, onMove, onSet, onRest }) {
-  const { label, help, kind } = param;
+export function Parameter({ block, param, value, onMove, onSet, onRest }) {
+  const { kind } = param;
+  const label = strings.parameterName(block, param);
+  const help = strings.parameterHelp(block, param);
   if (kind === 'boolean') {
     return (
       <label class="parameter switch" title={help}>
@@ -26,16 +28,16 @@ export function Parameter({ param, value, onMove, onSet, onRest }) {
       <label class="parameter choice" title={help}>
         <span>{label}</span>
         <select class="select" value={value} onChange={(event) => onSet(event.currentTarget.value)}>
-          {param.choices?.map((name) => <option key={name} value={name}>{strings.familyName(name.replaceAll('_', ' '))}</option>)}
+          {param.choices?.map((name) => <option key={name} value={name}>{strings.choiceName(name)}</option>)}
         </select>
       </label>
     );
   }
-  return <Range param={param} value={value} onMove={onMove} onSet={onSet} onRest={onRest} />;
+  return <Range param={param} label={label} help={help} value={value} onMove={onMove} onSet={onSet} onRest={onRest} />;
 }
 
-/** @param {{ param: BlockParam, value: number, onMove: (value: number) => void, onSet: (value: number) => void, onRest: () => void }} props */
-function Range({ param: { label, help, min = 0, max = 1, step = 1, unit = '', default: usual }, value, onMove, onSet, onRest }) {
+/** @param {{ param: BlockParam, label: string, help: string, value: number, onMove: (value: number) => void, onSet: (value: number) => void, onRest: () => void }} props */
+function Range({ param: { min = 0, max = 1, step = 1, unit = '', default: usual }, label, help, value, onMove, onSet, onRest }) {
   const mark = (usual - min) / (max - min);
   const text = `${value}${unit ? ` ${unit}` : ''}`;
   return (

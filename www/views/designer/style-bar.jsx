@@ -70,7 +70,7 @@ function StartFrom() {
         .filter(({ styles }) => styles.length > 0)
         .map(({ name, styles }) => (
           <optgroup key={name} label={name}>
-            {styles.map((style) => <option key={style.id} value={style.id}>{style.name}</option>)}
+            {styles.map((style) => <option key={style.id} value={style.id}>{strings.styleTitle(style)}</option>)}
           </optgroup>
         ))}
     </select>

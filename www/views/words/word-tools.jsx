@@ -8,7 +8,7 @@ import { useApp } from '../context.js';
 import { Icon } from '../icon.jsx';
 import { WordFields } from './word-fields.jsx';
 
-/** @type {import('../../strings-words.js').Kind[]} */
+/** @type {import('../../strings/en/words.js').Kind[]} */
 const KINDS = ['caption', 'balloon', 'effect'];
 
 export function WordTools() {
@@ -16,7 +16,7 @@ export function WordTools() {
   const words = lettering.words.value;
   const chosen = lettering.chosen.value;
 
-  /** @param {import('../../strings-words.js').Kind} kind */
+  /** @param {import('../../strings/en/words.js').Kind} kind */
   async function add(kind) {
     if (!await lettering.add(kind)) return;
     if (!ui.wide.peek()) ui.sheet.value = null;

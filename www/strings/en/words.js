@@ -1,5 +1,5 @@
 // @ts-check
-/** The words about words, a part of `strings.js`. */
+/** The words about words. */
 
 /** @typedef {'caption' | 'balloon' | 'effect'} Kind */
 

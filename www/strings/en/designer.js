@@ -1,5 +1,5 @@
 // @ts-check
-/** The words of the designer and the explorer, a part of `strings.js`. */
+/** The words of the designer and the explorer. */
 
 export const designerStrings = {
   designer: 'Designer',

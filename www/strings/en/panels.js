@@ -1,5 +1,5 @@
 // @ts-check
-/** The words about panels, a part of `strings.js`. */
+/** The words about panels. */
 
 export const panelStrings = {
   panelTools: 'Tools for panels',

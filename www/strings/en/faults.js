@@ -1,0 +1,18 @@
+// @ts-check
+/** What went wrong, and a way on. */
+
+export const faultStrings = {
+  fileFailed: (/** @type {string} */ name, /** @type {string} */ why) => `${name}: ${why}`,
+  /** Reasons in the page's words where it knows better than the core, by error code. @type {Record<string, string>} */
+  reasons: {
+    'worker-lost': 'reading it stopped the program twice, so it was left out.',
+    'unreadable-file': 'the file was moved, changed or deleted since you chose it.',
+  },
+  noUsablePhoto: 'None of these files could be used. Choose JPEG, PNG, WebP, AVIF, GIF, BMP or TIFF photos, or a video.',
+  noSamples: 'The sample album could not be loaded. Check the connection and try again.',
+  noPhotosInUse: 'No photo is in use. Tick one in Photos to get a page.',
+  panelFailed: (/** @type {string} */ why) => `A panel could not be drawn: ${why}`,
+  exportFailed: (/** @type {string} */ why) => `The file could not be made: ${why}`,
+  coreFailed: (/** @type {string} */ why) => `Inkpanel could not start: ${why}`,
+  locked: { layout: 'The layout is locked.', style: 'The style is locked.', photos: 'The photos are locked.' },
+};

@@ -1,0 +1,32 @@
+// @ts-check
+/** Every word of the page in English: the language that the others are checked against and fall back to. */
+
+import { boardStrings } from './board.js';
+import { coreStrings } from './core.js';
+import { designerStrings } from './designer.js';
+import { faultStrings } from './faults.js';
+import { keepingStrings } from './keeping.js';
+import { keyStrings } from './keys.js';
+import { pageStrings } from './page.js';
+import { panelStrings } from './panels.js';
+import { photoStrings } from './photos.js';
+import { sideStrings } from './side.js';
+import { startStrings } from './start.js';
+import { wordStrings } from './words.js';
+
+export const english = {
+  ...startStrings,
+  ...boardStrings,
+  ...sideStrings,
+  ...panelStrings,
+  ...designerStrings,
+  ...keepingStrings,
+  ...wordStrings,
+  ...photoStrings,
+  ...pageStrings,
+  ...keyStrings,
+  ...faultStrings,
+  ...coreStrings,
+};
+
+/** @typedef {typeof english} Strings */

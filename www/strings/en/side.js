@@ -1,0 +1,33 @@
+// @ts-check
+/** Words beside the page: layouts, styles, other pages. */
+
+export const sideStrings = {
+  look: 'Look of the page',
+  drawer: 'Drawer',
+  layouts: 'Layouts',
+  styles: 'Styles',
+  alternatives: 'Alternatives',
+  alternative: (/** @type {number} */ n) => `Alternative ${n}`,
+  alternativesWait: 'Other pages appear here',
+  family: 'Family',
+  anyFamily: 'All families',
+  panels: 'Panels',
+  anyPanels: 'Any number',
+  panelCount: (/** @type {number} */ n) => (n === 1 ? '1 panel' : `${n} panels`),
+  noLayouts: 'No layout of this kind.',
+  myLayouts: 'My layouts',
+  allLayouts: 'All layouts',
+  thisPage: 'This page',
+  surprise: 'Surprise layout',
+  surpriseShort: 'Surprise',
+  editLayout: 'Edit layout',
+  saveLayout: 'Save layout',
+  loadLayout: 'Load layout',
+  layoutFile: 'Layout file',
+  forgetLayout: 'Remove from My layouts',
+  layoutSaved: 'The layout was saved, and is in My layouts.',
+  layoutKept: 'The layout is in My layouts. Add photos to see it.',
+  layoutTooLong: (/** @type {string} */ name) => `layout ${name}: file: is longer than 256 KB`,
+  otherStyles: 'More',
+  more: 'More',
+};

@@ -1,0 +1,13 @@
+// @ts-check
+/** Words of the start, and of things that take files in. */
+
+export const startStrings = {
+  lead: ['Drop your photos.', 'Get a comic page.'],
+  leadMore: 'Inkpanel picks, crops, inks and lays them out. Shuffle until you love it.',
+  chooseFiles: 'Choose photos or a video',
+  filesLabel: 'Photos or video',
+  trySamples: 'Try the sample album',
+  privacy: 'Nothing leaves this device.',
+  dropHere: 'Drop to add your photos',
+  starting: 'Getting the ink ready',
+};
