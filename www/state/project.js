@@ -7,6 +7,9 @@
  * an edit does not undo what was read meanwhile.
  */
 
+import { withSheets } from './sheets.js';
+
+/** @typedef {import('./sheets.js').Sheet} Sheet */
 /** @typedef {import('../engine/documents.js').PageDocument} PageDocument */
 /** @typedef {import('../engine/documents.js').PageSettings} PageSettings */
 /** @typedef {import('../engine/documents.js').Style} Style */
@@ -27,10 +30,11 @@
 /**
  * @typedef {{
  *   name: string, tray: readonly TrayItem[], alike: number, order: Order, locks: Locks, panels: number | null, settings: PageSettings,
- *   page: PageDocument | null, pageId: number, draft: Draft | null, mine: readonly Style[],
+ *   page: PageDocument | null, pageId: number, sheet: number, others: readonly Sheet[], at: number, draft: Draft | null, mine: readonly Style[],
  *   favourites: readonly Style[], ownLayouts: readonly Template[], loved: readonly number[], styling: Styling,
  * }} Project `name`: what the person calls it, empty until then; `alike`: photos whose fingerprints differ in at most so many of 64 bits show the same picture; `panels`:
- *   the wanted number, null for any; `pageId` names the page among those shown; `draft`: the style in the designer;
+ *   the wanted number, null for any; `pageId` names the page among those shown; `sheet` is its place in a storyboard
+ *   of several pages, `others` are the other pages of it, `at` of which come before this one; `draft`: the style in the designer;
  *   `mine`, `favourites` and `ownLayouts`: a person's own styles and layouts, which all projects share; `loved`: the
  *   favourites among the pages shown, by their ids
  */
@@ -51,6 +55,7 @@
  *   | { type: 'show-page', page: PageDocument, pageId: number }
  *   | { type: 'change-page', page: PageDocument }
  *   | { type: 'change-settings', settings: PageSettings, page: PageDocument | null }
+ *   | { type: 'set-sheets', sheets: readonly Sheet[], at: number }
  *   | { type: 'no-page' }
  *   | { type: 'design', draft: Draft | null }
  *   | { type: 'own-styles', mine: readonly Style[] }
@@ -86,6 +91,9 @@ export const EMPTY_PROJECT = Object.freeze({
   settings: DEFAULT_SETTINGS,
   page: null,
   pageId: 0,
+  sheet: 0,
+  others: Object.freeze([]),
+  at: 0,
   draft: null,
   mine: Object.freeze([]),
   favourites: Object.freeze([]),
@@ -147,8 +155,10 @@ export function reduce(project, action) {
       return project.page === null ? project : { ...project, page: action.page, settings: action.page.page };
     case 'change-settings':
       return { ...project, settings: action.settings, page: action.page };
+    case 'set-sheets':
+      return withSheets(project, action.sheets, action.at);
     case 'no-page':
-      return project.page === null ? project : { ...project, page: null };
+      return project.page === null ? project : { ...project, page: null, others: [], at: 0 };
     case 'design':
       return { ...project, draft: action.draft };
     case 'own-styles':

@@ -37,6 +37,10 @@ export function createStore() {
 
   const project = computed(() => history.value.present);
   const page = computed(() => project.value.page);
+  const others = computed(() => project.value.others);
+  const at = computed(() => project.value.at);
+  /** All pages of the storyboard in order, the one that is edited among them; none while there is no page. */
+  const sheets = computed(() => (page.value ? others.value.map((sheet) => sheet.page).toSpliced(at.value, 0, page.value) : []));
   const tray = computed(() => project.value.tray);
   /** Facts of the tray, in its order. */
   const facts = computed(() => tray.value.flatMap(({ id }) => album.value.get(id) ?? []));
@@ -98,6 +102,7 @@ export function createStore() {
     fetching,
     project,
     page,
+    sheets,
     tray,
     facts,
     measured,

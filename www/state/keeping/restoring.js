@@ -4,6 +4,7 @@
 import { failure } from '../../engine/protocol.js';
 import { advance } from '../history.js';
 import { rebased } from '../shared-lists.js';
+import { sheetsOf } from '../sheets.js';
 import { photosOf } from './snapshot.js';
 import { checkedHistory, damaged, migrated } from './versions.js';
 
@@ -78,8 +79,7 @@ function contentOf(history, records, facts, videos, files) {
  * }} app `shared`: the lists that all projects have in common
  */
 export function show({ history, album, videos, records }, { store, photos, planner, shared }) {
-  const { page } = history.present;
-  if (page && !isDrawable(page, planner)) throw damaged('page: cannot be drawn');
+  for (const { page } of sheetsOf(history.present)) if (!isDrawable(page, planner)) throw damaged('page: cannot be drawn');
   for (const { id, name, file, work, small } of records) {
     // A file that could not be kept is missed by the export alone, which says so.
     if (work && small && !photos.has(id)) photos.add(id, { name, file: file ?? new Blob(), work, small });

@@ -28,12 +28,14 @@ export function photosOf({ past, present, future, shown }) {
   const ids = new Set();
   // Most states have the tray of their neighbour.
   const seen = new Set();
+  const states = [present, ...past, ...future];
   const once = (/** @type {unknown} */ part, /** @type {() => void} */ look) => {
     if (!seen.has(part)) look();
     seen.add(part);
   };
-  for (const { tray } of [present, ...past, ...future]) once(tray, () => tray.forEach(({ id }) => ids.add(id)));
-  const pages = [...[present, ...past, ...future].map(({ page }) => page), ...shown.map(({ page }) => page)];
+  for (const { tray } of states) once(tray, () => tray.forEach(({ id }) => ids.add(id)));
+  const others = states.flatMap((state) => state.others.map(({ page }) => page));
+  const pages = [...states.map(({ page }) => page), ...others, ...shown.map(({ page }) => page)];
   for (const page of pages) {
     if (page) once(page, () => page.panels.forEach(({ photo }) => photo !== null && ids.add(photo)));
   }

@@ -66,8 +66,13 @@ function checkedProject(project, where) {
   for (const field of /** @type {const} */ (['mine', 'favourites', 'ownLayouts'])) {
     if (whole[field].some((/** @type {any} */ item) => !isObject(item) || typeof item.id !== 'string')) throw damaged(`${where}.${field}: has one without an id`);
   }
-  if (!isCount(whole.pageId)) throw damaged(`${where}.pageId: is no number`);
+  for (const field of ['pageId', 'sheet', 'at']) if (!isCount(whole[field])) throw damaged(`${where}.${field}: is no number`);
   if (whole.page !== null) checkPage(whole.page, `${where}.page`);
+  whole.others.forEach((/** @type {any} */ other, /** @type {number} */ i) => {
+    if (!isObject(other) || !isCount(other.pageId) || !isCount(other.sheet)) throw damaged(`${where}.others[${i}]: is no page`);
+    checkPage(other.page, `${where}.others[${i}].page`);
+  });
+  if (whole.at > whole.others.length || (whole.page === null && whole.others.length > 0)) throw damaged(`${where}.at: is no place among the pages`);
   return whole;
 }
 
