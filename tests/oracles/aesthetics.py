@@ -11,13 +11,12 @@ Nothing of the conversion to ONNX is used: the layers run in f32 with their batc
 
 import json
 import pathlib
-import subprocess
 import sys
 import tempfile
 
 import h5py
 import numpy as np
-from PIL import Image
+from photo import decoded
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 SIDE = 224
@@ -62,20 +61,12 @@ def score(picture, weights):
     return float((shares / shares.sum()) @ np.arange(1, 11))
 
 
-def decoded(file, folder):
-    """The pixels as the program sees them: drawn in a style that changes nothing."""
-    style, drawn = folder / "plain.json", folder / "drawn.png"
-    style.write_text('{"id": "plain", "name": "Plain", "tags": [], "background": []}')
-    subprocess.run([sys.argv[1], "stylize", "--style", style, file, "-o", drawn], check=True)
-    return Image.open(drawn).convert("RGB")
-
-
 def main():
     weights = Weights(sys.argv[2])
     rows = []
     for file in sorted([*ROOT.glob("tests/photos/*.jpg"), *ROOT.glob("www/public/samples/*.jpg")]):
         with tempfile.TemporaryDirectory() as folder:
-            mean = score(decoded(file, pathlib.Path(folder)), weights)
+            mean = score(decoded(sys.argv[1], file, pathlib.Path(folder)), weights)
         rows.append({"file": file.relative_to(ROOT).as_posix(), "mean": round(mean, 4)})
     text = ",\n".join(json.dumps(row) for row in rows)
     (ROOT / "tests/oracles/data/aesthetics.json").write_text(f"[\n{text}\n]\n")

@@ -12,13 +12,12 @@ removal of doubles in plain numpy.
 
 import json
 import pathlib
-import subprocess
 import sys
 import tempfile
 
 import numpy as np
 import onnxruntime
-from PIL import Image
+from photo import decoded
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 
@@ -126,20 +125,12 @@ def faces(session, photo):
     return [("face", scores[i], *boxes[i]) for i in suppress(boxes, scores, 0.3)]
 
 
-def decoded(file, folder):
-    """The pixels as the program sees them: drawn in a style that changes nothing."""
-    style, drawn = folder / "plain.json", folder / "drawn.png"
-    style.write_text('{"id": "plain", "name": "Plain", "tags": [], "background": []}')
-    subprocess.run([sys.argv[1], "stylize", "--style", style, file, "-o", drawn], check=True)
-    return Image.open(drawn).convert("RGB")
-
-
 def main():
     nets = net("faces.onnx"), net("objects.onnx")
     rows = []
     for file in sorted([*ROOT.glob("tests/photos/*.jpg"), *ROOT.glob("www/public/samples/*.jpg")]):
         with tempfile.TemporaryDirectory() as folder:
-            photo = decoded(file, pathlib.Path(folder))
+            photo = decoded(sys.argv[1], file, pathlib.Path(folder))
         found = faces(nets[0], photo) + objects(nets[1], photo)
         boxes = [[label, *(round(float(number), 5) for number in rest)] for label, *rest in found]
         rows.append({"file": file.relative_to(ROOT).as_posix(), "boxes": boxes})
