@@ -130,6 +130,13 @@ impl Patch {
     }
 }
 
+impl Patch {
+    /// An image that lies nowhere in particular.
+    fn whole(width: usize, height: usize, rgba: Vec<u8>) -> Self {
+        Self { area: PixelRect { x: 0, y: 0, width, height }, rgba }
+    }
+}
+
 /// A worker's photos and scratch memory.
 #[wasm_bindgen]
 #[derive(Default)]
@@ -227,8 +234,7 @@ impl Studio {
         let mut render = || -> Result<Patch> {
             let scene = Scene::new(&Document::parse(document)?, width)?;
             let sheet = compose(&scene, |id| find(&self.photos, id, tier).ok(), &mut self.context)?;
-            let area = PixelRect { x: 0, y: 0, width: sheet.width(), height: sheet.height() };
-            Ok(Patch { area, rgba: sheet.to_rgba() })
+            Ok(Patch::whole(sheet.width(), sheet.height(), sheet.to_rgba()))
         };
         render().map_err(thrown)
     }
@@ -254,7 +260,7 @@ impl Studio {
             let image = resample_image(photo, region, width.max(1), height.max(1));
             self.context.fit_scale(&image);
             let rgba = stylize(&image, &style_of(style)?, &mut self.context)?.to_rgba();
-            Ok(Patch { area: PixelRect { x: 0, y: 0, width: image.width(), height: image.height() }, rgba })
+            Ok(Patch::whole(image.width(), image.height(), rgba))
         };
         render().map_err(thrown)
     }

@@ -3,7 +3,6 @@
 use super::{Patch, Studio, parse, style_of, thrown};
 use crate::error::{Error, Result};
 use crate::page::document;
-use crate::page::mask::PixelRect;
 use crate::raster::Image;
 use crate::raster::resize::{Region, fit, resample_image};
 use crate::style::aesthetic::{Fault, Judgement, judge};
@@ -175,6 +174,5 @@ fn sized(image: &Image, width: usize, height: usize) -> Image {
 }
 
 fn patch(image: &Image) -> Patch {
-    let area = PixelRect { x: 0, y: 0, width: image.width(), height: image.height() };
-    Patch { area, rgba: image.to_rgba() }
+    Patch::whole(image.width(), image.height(), image.to_rgba())
 }
