@@ -6,6 +6,7 @@
 // Every function that returns a Result throws as the module's documentation says.
 #![allow(clippy::missing_errors_doc)]
 
+pub mod album;
 #[cfg(feature = "bench")]
 mod bench;
 mod frames;
@@ -19,7 +20,7 @@ use crate::page::compose::{Sheet, compose, render_panel};
 use crate::page::document::{self, Document};
 use crate::page::import::{Imported, import};
 use crate::page::mask::PixelRect;
-use crate::page::{Scene, catalogue, png, shuffle};
+use crate::page::{Scene, catalogue, png};
 use crate::raster::decode::{Limits, decode};
 use crate::raster::resize::{Region, resample_image};
 use crate::raster::{Image, Plane};
@@ -71,13 +72,6 @@ pub fn check_layout(json: &str, file: &str) -> std::result::Result<String, JsVal
 #[wasm_bindgen]
 pub fn page_geometry(json: &str) -> std::result::Result<String, JsValue> {
     geometry(json).map_err(thrown)
-}
-
-/// A new document from photos, locks and a seed; see `page::request::Request`.
-#[wasm_bindgen]
-pub fn plan(json: &str) -> std::result::Result<String, JsValue> {
-    let plan = || -> Result<String> { to_json(&shuffle::plan(&parse(json, "request")?)?) };
-    plan().map_err(thrown)
 }
 
 /// Which photos of `{photos: [{id, name, measures...}], threshold}` are worth a panel: `[{id, group, kept, why}]`.

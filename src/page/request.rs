@@ -14,6 +14,7 @@ pub struct Request {
     /// Seed of every choice that is left to chance.
     pub seed: u32,
     /// Photos in use, in order of time.
+    #[serde(default)]
     pub photos: Vec<PhotoMeta>,
     /// Size, gutters and colours of the page.
     #[serde(default)]

@@ -6,6 +6,9 @@
 import initCore, * as core from '../pkg/inkpanel.js';
 import { failure } from './protocol.js';
 
+/** Photos no longer planned with that are remembered, since undo may bring them back. */
+const SPARE_PHOTOS = 500;
+
 const ADDRESS = new URL('../pkg/inkpanel_bg.wasm', import.meta.url);
 
 /** @returns {Promise<WebAssembly.Module>} */
@@ -31,12 +34,7 @@ export async function loadCore() {
  * two and throws an error with a `code`.
  */
 function createPlanner() {
-  // An album is the same for many plans, and its text is nearly all of a request.
-  let last = { photos: /** @type {PlanRequest['photos'] | null} */ (null), text: '' };
-  const textOf = (/** @type {PlanRequest['photos']} */ photos) => {
-    if (last.photos !== photos) last = { photos, text: JSON.stringify(photos) };
-    return last.text;
-  };
+  const albumOf = createAlbum();
   return {
     /** @returns {Block[]} */
     blocks: () => JSON.parse(core.blocks()),
@@ -93,7 +91,7 @@ function createPlanner() {
      * @param {PlanRequest} request
      * @returns {PageDocument}
      */
-    plan: ({ photos, ...rest }) => JSON.parse(core.plan(`${JSON.stringify(rest).slice(0, -1)},"photos":${textOf(photos)}}`)),
+    plan: ({ photos, ...rest }) => JSON.parse(albumOf(photos).plan(JSON.stringify(rest), JSON.stringify(photos.map(({ id }) => id)))),
     /**
      * @param {number} seed
      * @returns {Style} invented
@@ -110,6 +108,27 @@ function createPlanner() {
      * @returns {Verdict[]}
      */
     choose: (photos, threshold) => JSON.parse(core.choose_photos(JSON.stringify({ photos, threshold }))),
+  };
+}
+
+/**
+ * The core's album, which is told of a photo once, and again when more is known of it.
+ * @returns {(photos: PlanRequest['photos']) => core.Album} that knows these photos
+ */
+function createAlbum() {
+  const album = new core.Album();
+  /** @type {Map<string, PlanRequest['photos'][number]>} */
+  const told = new Map();
+  return (photos) => {
+    const fresh = photos.filter((photo) => told.get(photo.id) !== photo);
+    if (fresh.length > 0) album.know(JSON.stringify(fresh));
+    for (const photo of fresh) told.set(photo.id, photo);
+    if (told.size > 2 * photos.length + SPARE_PHOTOS) {
+      const ids = new Set(photos.map(({ id }) => id));
+      album.keep(JSON.stringify([...ids]));
+      for (const id of [...told.keys()]) if (!ids.has(id)) told.delete(id);
+    }
+    return album;
   };
 }
 
