@@ -46,6 +46,24 @@ for (const name of ['kept.gif', 'lossless.webp']) {
   });
 }
 
+test('other pictures are taken of an animation, and one undo brings the old ones back', async ({ page }) => {
+  await page.goto('./');
+  await add(page, [await file('animations/kept.gif')]);
+  await idle(page);
+  const taken = boxes(page, /^Use kept\.gif, 0:00/);
+  const names = () => taken.evaluateAll((all) => all.map((box) => box.getAttribute('aria-label')));
+  const before = await names();
+  expect(before.length).toBe(4);
+  await page.getByText(/^\d+ frames$/).click();
+  await page.getByRole('spinbutton', { name: 'Frames' }).fill('2');
+  await page.getByRole('button', { name: 'Take these frames' }).click();
+  await expect(taken).toHaveCount(2);
+  await idle(page);
+  await press(page, 'Undo');
+  expect(await names()).toEqual(before);
+  await expect(page.getByRole('group', { name: 'Panel 1 of' }).first()).toBeVisible();
+});
+
 test('a GIF that does not move is a photo', async ({ page }) => {
   await page.goto('./');
   await add(page, [await file('files/gif.gif', 'still.gif')]);
