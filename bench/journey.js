@@ -10,8 +10,8 @@ const RESIZES = 8;
  * @param {Browser} browser
  * @param {string} address of the site
  * @param {string[]} photos paths
- * @returns {Promise<{ firstPage: number, refined: number, shuffle: number, png: number, thumbnails: number, listed: number }>} milliseconds;
- *   `refined` from the first page until all photos are looked at
+ * @returns {Promise<{ firstPage: number, refined: number, closer: number, shuffle: number, png: number, thumbnails: number, listed: number }>} milliseconds;
+ *   `refined` from the first page until all photos are searched, `closer` until the small faces are looked for, too
  */
 export async function journey(browser, address, photos) {
   const page = await browser.newPage({ viewport: { width: 1920, height: 1080 }, acceptDownloads: true });
@@ -22,10 +22,13 @@ export async function journey(browser, address, photos) {
   const first = page.evaluate(() => /** @type {any} */ (globalThis).watch.afterChoosing());
   await input.setInputFiles(photos);
   const firstPage = await first;
-  const refined = await page.evaluate(async () => {
+  const [refined, closer] = await page.evaluate(async () => {
     const start = performance.now();
-    while (document.body.dataset.detected !== 'true') await new Promise((resolve) => requestAnimationFrame(resolve));
-    return performance.now() - start;
+    const until = async (/** @type {'searched' | 'detected'} */ flag) => {
+      while (document.body.dataset[flag] !== 'true') await new Promise((resolve) => requestAnimationFrame(resolve));
+      return performance.now() - start;
+    };
+    return [await until('searched'), await until('detected')];
   });
   const times = [];
   for (let i = 0; i < SHUFFLES; i += 1) {
@@ -48,7 +51,7 @@ export async function journey(browser, address, photos) {
   const png = performance.now() - start;
   await page.close();
   const median = (/** @type {number[]} */ list) => list.sort((a, b) => a - b)[list.length >> 1];
-  return { firstPage, refined, shuffle: median(times), png, thumbnails: median(resizes), listed };
+  return { firstPage, refined, closer, shuffle: median(times), png, thumbnails: median(resizes), listed };
 }
 
 /** Runs in the page before its own scripts: clocks that end when what the user waits for has been painted. */

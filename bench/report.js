@@ -8,7 +8,7 @@ import { readFileSync, writeFileSync } from 'node:fs';
  * @typedef {{
  *   machine: { cores: number, cpu: string, browser: string, copySpeed: number },
  *   rows: Row[], times: Record<string, Record<string, number>>, failed: Record<string, string>,
- *   versions: Record<string, string>, journey: { firstPage: number, refined: number, shuffle: number, png: number, thumbnails: number, listed: number } | null,
+ *   versions: Record<string, string>, journey: { firstPage: number, refined: number, closer: number, shuffle: number, png: number, thumbnails: number, listed: number } | null,
  *   masks: { layout: string, ms: number } | null, detect: { faces: number, objects: number, load: number } | null,
  *   aesthetics: { ms: number, load: number } | null,
  *   crowd: Awaited<ReturnType<typeof import('./crowd.js').crowd>> | null,
@@ -47,6 +47,7 @@ export function markdown({ machine, rows, times, failed, versions, journey, mask
     lines.push(
       `| Twelve 12-megapixel JPEG files to the first page | ${(journey.firstPage / 1000).toFixed(2)} s |`,
       `| From the first page until its twelve photos are searched for faces and objects | ${(journey.refined / 1000).toFixed(2)} s |`,
+      `| The same, until small faces were looked for in parts of them, too | ${(journey.closer / 1000).toFixed(2)} s |`,
       `| Shuffle to visible page | ${Math.round(journey.shuffle)} ms |`,
       `| PNG of 2480 x 3508 from the original photos | ${(journey.png / 1000).toFixed(2)} s |`,
       `| The ${journey.listed} thumbnails of the layouts, for another page size | ${Math.round(journey.thumbnails)} ms |`,

@@ -122,6 +122,7 @@ effect(() => {
   const read = store.page.value?.panels.every(({ photo }) => photo === null || store.album.value.get(photo)?.meta);
   document.body.dataset.drawn = String(painted && !!read);
   // Detection refines what is there already, so it is told apart.
+  document.body.dataset.searched = String(idle && subjects.searched.value);
   document.body.dataset.detected = String(idle && subjects.settled.value);
 });
 

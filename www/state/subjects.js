@@ -47,12 +47,15 @@ export function createSubjects({ store, pages, messages, engine, painted, wanted
   /** Whether everything is found that will be. */
   const settled = computed(() => off.value || store.page.value === null || (running.value.size === 0 && !next('faces') && !next('objects')));
 
+  /** Whether every photo was looked at by both, which most crops wait for; closer looks may go on. */
+  const searched = computed(() => off.value || store.page.value === null || !photos.value.some(unsearched));
+
   effect(() => {
     if (off.value || store.page.value === null || store.reading.value !== null || !painted()) return;
     for (const lane of /** @type {const} */ (['faces', 'objects'])) if (!running.value.has(lane) && next(lane)) void run(lane);
   });
 
-  return { progress, settled };
+  return { progress, settled, searched };
 
   /**
    * The photo to look at next; a closer look waits until every photo was looked at.
@@ -85,9 +88,15 @@ export function createSubjects({ store, pages, messages, engine, painted, wanted
     }
   }
 
+  /** @param {string} id */
+  function unsearched(id) {
+    const { faces, objects } = known.get(id) ?? {};
+    return !faces || !objects;
+  }
+
   /** Progress of the first looks; the closer ones change little. */
   function count() {
-    const left = off.peek() ? 0 : photos.peek().filter((id) => !known.get(id)?.faces || !known.get(id)?.objects).length;
+    const left = off.peek() ? 0 : photos.peek().filter(unsearched).length;
     const total = Math.max(progress.peek()?.total ?? 0, left);
     progress.value = left > 0 && running.peek().size > 0 ? { done: total - left, total } : null;
   }
