@@ -176,6 +176,9 @@ pub(super) fn all(view: &View, again: bool) -> Vec<Crop> {
     if !faces.is_empty() && !view.target.round {
         let settled: Vec<Crop> = crops.iter().filter_map(|crop| settled(view, crop, &faces)).collect();
         crops.extend(settled);
+        if !crops.iter().any(|crop| keeps(view, crop, &faces)) {
+            crops.extend(tight(view, &faces));
+        }
     }
     crops.dedup();
     crops
@@ -216,6 +219,34 @@ fn expansions(view: &View, inner: Area, face: bool, crops: &mut Vec<Crop>) {
             crops.push(view.about(centre, inner.width.hypot(inner.height) * room, level));
         }
     }
+}
+
+/// Whether a crop holds a face whole and cuts none.
+fn keeps(view: &View, crop: &Crop, faces: &[Area]) -> bool {
+    let area = view.area(crop);
+    let holds = |face: &Area| area.shared(*face) > 0.0;
+    faces.iter().any(holds) && !faces.iter().any(|face| view.cuts(area, *face))
+}
+
+/// Crops about as small as some of the faces allow, where all with room around them cut one. Whatever crop keeps some
+/// faces and cuts none, the smallest about the same faces inside of it does so, too.
+fn tight(view: &View, faces: &[Area]) -> Vec<Crop> {
+    let few = if faces.len() > MOST_SUBJECTS { 2 } else { 6 };
+    let first = &faces[..faces.len().min(few)];
+    let groups = (1_u32..1 << first.len()).filter_map(|chosen| {
+        let is_in = |&(i, _): &(usize, &Area)| chosen >> i & 1 == 1;
+        first.iter().enumerate().filter(is_in).map(|(_, face)| *face).reduce(Area::union)
+    });
+    let groups = groups.chain(faces.iter().copied()).chain(faces.iter().copied().reduce(Area::union));
+    let mut crops = Vec::new();
+    for group in groups {
+        let centre = (group.x + group.width / 2.0, group.y + group.height / 2.0);
+        for room in [1.05, 1.0] {
+            let crop = view.about(centre, group.width.max(group.height * view.aspect) * room, 0.5);
+            crops.push(settled(view, &crop, faces).unwrap_or(crop));
+        }
+    }
+    crops
 }
 
 /// The crop moved as little as possible so that it cuts no face; `None` when it cuts none, or in any case.
