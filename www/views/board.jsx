@@ -35,7 +35,8 @@ function WideBoard() {
     <>
       <div class="left"><Tray /></div>
       <main class="centre">
-        <div class="stage-row"><PageStrip /><Stage /></div>
+        <Stage />
+        <PageStrip />
         <PanelTools />
         <div class="shuffle-bar"><ShuffleButton /><ShuffleParts /></div>
       </main>
@@ -70,7 +71,8 @@ function NarrowBoard() {
   return (
     <>
       <main class="centre">
-        <div class="stage-row">{several && <PageStrip />}<Stage /></div>
+        {several && <PageStrip />}
+        <Stage />
         {byHand ? <PanelTools /> : sheet === null && <ShuffleParts />}
       </main>
       {sheet === null && (several ? <Alternatives /> : <div class="strip-row"><PageStrip /><Alternatives /></div>)}

@@ -48,9 +48,9 @@ function Several() {
           <PageThumb key={sheet} page={page} at={i} of={sheets.length} current={i === at} drag={drag}
             marked={gap === i ? 'before' : gap === sheets.length && i === sheets.length - 1 ? 'behind' : ''} />
         ))}
-        <li class="book-add"><AddPage /></li>
       </ol>
-      {!wide && <IconButton icon="dots" label={strings.book.tools} expanded={open} onClick={() => setOpen(!open)} />}
+      <AddPage />
+      {!wide && <IconButton icon="dots" class="book-more" label={strings.book.tools} expanded={open} onClick={() => setOpen(!open)} />}
       {(wide || open) && <Tools count={sheets.length} />}
       <span class="visually-hidden" aria-live="polite">{strings.book.page(at + 1, sheets.length)}</span>
     </section>
