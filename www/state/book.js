@@ -9,7 +9,7 @@ import { strings } from '../strings.js';
 import { freshPageId, freshSheet } from './history.js';
 import { placesOf } from './page-photos.js';
 import { photosOn, sheetsOf } from './sheets.js';
-import { spread } from './spreading.js';
+import { spread, varied } from './spreading.js';
 
 /** @typedef {import('./sheets.js').Sheet} Sheet */
 /** @typedef {ReturnType<typeof createBook>} Book */
@@ -21,7 +21,7 @@ const FEWEST = 2;
 
 /**
  * @param {{
- *   store: import('./store.js').Store, pages: Pick<import('./pages.js').Pages, 'plan' | 'undo'>,
+ *   store: import('./store.js').Store, pages: Pick<import('./pages.js').Pages, 'plan'>,
  *   messages: Pick<import('./messages.js').Messages, 'note'>,
  * }} app
  */
@@ -73,9 +73,11 @@ export function createBook({ store, pages, messages }) {
     const all = store.photos.peek();
     const enough = left.peek().length >= (locks.layout ? wanted : FEWEST);
     const photos = enough ? left.peek().slice(0, wanted) : [...all];
-    const fresh = pages.plan({
-      keep: { layout: false, style: false, photos: false }, current: null, style: page.style, photos, panels: Math.min(wanted, photos.length), ...layout,
-    });
+    // Photos that are on a page already come in another order, else it would be the same page twice.
+    const order = enough ? {} : { mode: /** @type {const} */ ('photos') };
+    const fresh = varied([page], () => pages.plan({
+      keep: { layout: false, style: false, photos: false }, current: null, style: page.style, photos, panels: Math.min(wanted, photos.length), ...layout, ...order,
+    }));
     if (!fresh) return;
     const history = store.history.peek();
     const added = { page: fresh, pageId: freshPageId(history), sheet: freshSheet(history) };
@@ -86,8 +88,23 @@ export function createBook({ store, pages, messages }) {
   function remove() {
     const { at, others } = store.project.peek();
     if (others.length === 0) return;
-    set(sheetsOf(store.project.peek()).toSpliced(at, 1), Math.min(at, others.length - 1));
-    messages.note(strings.book.removed(at + 1), { label: strings.undo, run: pages.undo });
+    const sheets = sheetsOf(store.project.peek());
+    set(sheets.toSpliced(at, 1), Math.min(at, others.length - 1));
+    messages.note(strings.book.removed(at + 1), { label: strings.bringBack, run: () => {
+      const now = sheetsOf(store.project.peek());
+      if (now.every(({ sheet }) => sheet !== sheets[at].sheet)) bringBack(now.toSpliced(at, 0, sheets[at]), Math.min(at, now.length));
+    } });
+  }
+
+  /**
+   * Pages as they were: not by an undo, which would take back what was done since.
+   * @param {readonly Sheet[]} sheets
+   * @param {number} at
+   */
+  function bringBack(sheets, at) {
+    const album = store.album.peek();
+    // Another project may be open by now.
+    if ([...photosOn(sheets.map(({ page }) => page))].every((photo) => album.has(photo))) set(sheets, at);
   }
 
   /**
@@ -118,7 +135,7 @@ export function createBook({ store, pages, messages }) {
     const [pageId, place] = [freshPageId(history), freshSheet(history)];
     // Each goes on in the place of one that was there, whose versions can be brought back.
     set(made.map((page, i) => ({ page, pageId: pageId + i, sheet: before[i]?.sheet ?? place + i })), 0);
-    messages.note(strings.book.spread(photos.length, made.length), { label: strings.undo, run: pages.undo });
+    messages.note(strings.book.spread(photos.length, made.length), { label: strings.book.takeBack, run: () => bringBack(before, project.at) });
   }
 
   /** Gives all pages the style of this one. */

@@ -178,6 +178,19 @@ describe('turning, moving, removing', () => {
     expect(store.sheets.value).toEqual([one, two]);
   });
 
+  test('what a message offers to bring back comes back, whatever was done since', () => {
+    const { book, store, pages, messages } = app;
+    const [, two] = store.sheets.value;
+    book.go(1);
+    book.remove();
+    pages.shuffle('style');
+    const styled = store.page.value;
+    messages.list.value.at(-1)?.way?.run();
+    expect(store.sheets.value).toEqual([styled, two]);
+    messages.list.value.at(-1)?.way?.run();
+    expect(store.sheets.value.length).toBe(2);
+  });
+
   test('one style goes on all pages, as another version of those that had another', () => {
     const { book, store, pages } = app;
     pages.shuffle('style');

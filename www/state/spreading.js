@@ -61,8 +61,9 @@ function filled(count, places) {
 /**
  * @param {readonly PageDocument[]} made
  * @param {() => PageDocument | null} draw
+ * @returns {PageDocument | null} with another layout than the last two, if one was drawn
  */
-function varied(made, draw) {
+export function varied(made, draw) {
   const seen = made.slice(-2).map(({ layout }) => JSON.stringify(layout));
   let page = draw();
   for (let i = 1; i < TRIES && page && seen.includes(JSON.stringify(page.layout)); i += 1) page = draw();

@@ -44,8 +44,7 @@ test('the sample album is spread over pages: each photo once, one style, and und
   const used = await page.getByRole('region', { name: 'Photos' }).getByRole('checkbox', { checked: true }).count();
   expect(photos.length).toBe(used);
   expect(new Set(photos).size).toBe(used);
-  await page.getByRole('button', { name: 'Undo', exact: true }).first().click();
-  await idle(page);
+  await press(page, 'Undo');
   await expect(thumbs(page)).toHaveCount(0);
   expect(await picture(page)).toBe(before);
 });
@@ -105,6 +104,10 @@ test('pages are moved by buttons, by keys and by dragging, and removed', async (
   expect(await photosOfPages(page)).toEqual([pages[1], pages[0], ...pages.slice(3)]);
   await press(page, 'Undo');
   await expect(thumbs(page)).toHaveCount(count);
+  await press(page, 'Remove page');
+  await press(page, 'Shuffle');
+  await press(page, 'Bring it back');
+  expect(await thumbs(page).count()).toBe(count);
 });
 
 test('Page Up and Page Down turn the pages, and each has versions of its own', async ({ page }) => {
@@ -155,7 +158,8 @@ test('the pages are drawn small, and nothing about them is hard to reach', async
   await press(page, 'Shuffle style');
   await accessible(page);
   await expect(strip(page).locator('canvas[data-drawn="true"]')).toHaveCount(3);
-  const drawn = await strip(page).locator('canvas').evaluateAll(async (list) => list.map((canvas) => {
+  const drawn = await strip(page).locator('canvas').evaluateAll((list) => list.map((element) => {
+    const canvas = /** @type {HTMLCanvasElement} */ (element);
     const copy = document.createElement('canvas');
     [copy.width, copy.height] = [canvas.width, canvas.height];
     copy.getContext('2d')?.drawImage(canvas, 0, 0);
