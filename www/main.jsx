@@ -3,11 +3,13 @@
  * The wiring: makes the parts, joins them, and keeps `document.body.dataset.idle` true to its word.
  */
 
-import { effect } from '@preact/signals';
+import { effect, untracked } from '@preact/signals';
 import { render } from 'preact';
 import { createEngine } from './engine/engine.js';
 import { unreadMeta } from './state/album.js';
 import { createAlternatives } from './state/alternatives.js';
+import { createBook } from './state/book.js';
+import { keepBook } from './state/book-upkeep.js';
 import { createChoosing } from './state/choosing.js';
 import { createDesigner } from './state/designer.js';
 import { createDownload } from './state/download.js';
@@ -48,6 +50,7 @@ const ui = createUi(window);
 const messages = createMessages();
 const pages = createPages(store);
 const reading = createReading({ store, pages, engine, messages, prefix: freshPhotoPrefix() });
+const book = createBook({ store, pages, messages });
 const choosing = createChoosing({ store, pages, reading });
 const scrubbing = createScrubbing({ store, pages, reading, engine, messages });
 const selection = createSelection({ store });
@@ -60,7 +63,7 @@ const ownLayouts = createOwnLayouts({ store, pages, messages });
 const designer = createDesigner({ store, pages, messages, ui, freshId: freshStyleId });
 const ownStyles = createOwnStyles({ store, pages, messages, designer, freshId: freshStyleId });
 const shelves = createShelves({ store, messages, box: () => window.localStorage });
-const shownPages = createShownPages({ store });
+const shownPages = createShownPages({ store, pages });
 const keeping = createKeeping({ store, reading, engine, shelves, messages, window, leave });
 const explorer = createExplorer({ store, engine, messages, ownStyles, seed: freshSeed, judged: ui.detects });
 const styling = createStyling({ store, ownStyles });
@@ -93,7 +96,7 @@ function warmUp() {
   store.planner.peek()?.plan({ seed: 0, photos: [unreadMeta('none')], page: store.project.peek().settings, current: null, keep });
 }
 
-window.addEventListener('keydown', createKeys({ pages, download, ui, selection, framing, reshaping, lettering }));
+window.addEventListener('keydown', createKeys({ pages, download, ui, selection, framing, reshaping, book, lettering }));
 acceptFiles(window, intake);
 
 /** Files of any kind that the page takes. @param {File[]} files */
@@ -126,8 +129,12 @@ effect(() => {
   document.body.dataset.detected = String(idle && subjects.settled.value);
 });
 
+keepBook({ store, pages });
+// What was begun on a page ends when another is turned to.
+book.sheet.subscribe(() => untracked(leavePage));
+
 render(
-  <AppContext.Provider value={{ store, pages, selection, lettering, subtitling, intake, merging, framing, reshaping, ownLayouts, designer, ownStyles, styling, explorer, keeping, shownPages, subjects, reading, choosing, scrubbing, download, alternatives, messages, ui, engine }}>
+  <AppContext.Provider value={{ store, pages, book, selection, lettering, subtitling, intake, merging, framing, reshaping, ownLayouts, designer, ownStyles, styling, explorer, keeping, shownPages, subjects, reading, choosing, scrubbing, download, alternatives, messages, ui, engine }}>
     <App />
   </AppContext.Provider>,
   /** @type {HTMLElement} */ (document.getElementById('app')),
@@ -141,11 +148,17 @@ function openLink() {
   void ownStyles.openLink(hash);
 }
 
-/** Closes what belongs to the project before. */
-function leave() {
+/** Closes what belongs to the page before. */
+function leavePage() {
   framing.mode.value = null;
   reshaping.editing.value = false;
   selection.choose(false);
+  lettering.choose(-1);
+}
+
+/** Closes what belongs to the project before. */
+function leave() {
+  leavePage();
   explorer.stop();
   ui.stack.value = null;
   ui.work.value = null;

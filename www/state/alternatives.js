@@ -1,11 +1,12 @@
 // @ts-check
 /**
- * An endless stream of other pages, made as they come into view. It depends on the photos in use, the page
+ * An endless stream of other pages, made as they come into view. It depends on the photos that are free for the page, the page
  * settings, the wanted number of panels and what is locked, single panels too: while these stand, so does the
  * stream, whichever of its pages is chosen.
  */
 
 import { computed, signal } from '@preact/signals';
+import { photosFor } from './page-photos.js';
 
 /** @typedef {import('./store.js').Store} Store */
 /** @typedef {import('./pages.js').Pages} Pages */
@@ -24,11 +25,11 @@ export function createAlternatives({ store, pages }) {
   /** What the stream depends on, as text. */
   const basis = computed(() => {
     const { project, photos, reading, planner } = store;
-    const { page, locks, panels, settings, styling } = project.value;
+    const { page, locks, panels, settings, styling, others, sheet } = project.value;
     // The first page comes first; nothing else is drawn while it waits for photos.
     if (!planner.value || !page || reading.value) return '';
     return JSON.stringify([
-      photos.value.map(({ id }) => id), settings, panels, locks, styling, locks.layout && page.layout, locks.style && page.style,
+      photosFor(photos.value, others.map((other) => other.page), page).map(({ id }) => id), sheet, settings, panels, locks, styling, locks.layout && page.layout, locks.style && page.style,
       locks.photos && [page.order, page.panels],
       page.panels.filter(({ locked }) => locked).map(({ photo }) => photo),
     ]);

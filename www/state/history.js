@@ -6,11 +6,12 @@
 
 import { EMPTY_PROJECT, reduce } from './project.js';
 import { rebased } from './shared-lists.js';
+import { sheetsOf } from './sheets.js';
 
 /** @typedef {import('./project.js').Project} Project */
 /** @typedef {import('./project.js').Action} Action */
 /** @typedef {import('./project.js').PageDocument} PageDocument */
-/** A page that was shown; `from` is the page that it was made from. @typedef {{ id: number, page: PageDocument, from?: number }} Shown */
+/** A page that was shown; `from` is the page that it was made from, `sheet` its place in the storyboard, 0 unless told. @typedef {{ id: number, page: PageDocument, from?: number, sheet?: number }} Shown */
 
 /**
  * @typedef {{
@@ -55,7 +56,8 @@ export function advance(history, change) {
   if (change.type === 'forget-photos') return forget(history, change);
   const present = reduce(history.present, change);
   if (present === history.present) return history;
-  const shown = note(history.shown, present, history.present.page ? history.present.pageId : undefined);
+  const same = history.present.page && history.present.sheet === present.sheet;
+  const shown = note(history.shown, present, same ? history.present.pageId : undefined);
   if (change.silent) return { ...history, present, shown };
   const joins = change.gesture !== undefined && change.gesture === history.gesture;
   const past = joins ? history.past : [...history.past, history.present].slice(-MOST_STEPS);
@@ -63,20 +65,42 @@ export function advance(history, change) {
 }
 
 /**
- * @param {History} history
- * @returns {number} where the present page is among those shown, -1 when there is none
+ * @param {Pick<History, 'shown' | 'present'>} history
+ * @returns {readonly Shown[]} the pages shown so far in the place of the present one; all of them in a project of one page
+ */
+export function versions({ shown, present }) {
+  return shown.filter(({ sheet = 0 }) => sheet === present.sheet);
+}
+
+/**
+ * @param {Pick<History, 'shown' | 'present'>} history
+ * @returns {number} where the present page is among its versions, -1 when there is none
  */
 export function position({ shown, present }) {
-  return present.page === null ? -1 : shown.findIndex(({ id }) => id === present.pageId);
+  return present.page === null ? -1 : versions({ shown, present }).findIndex(({ id }) => id === present.pageId);
 }
 
 /**
  * @param {History} history
- * @returns {number} a page id that was never used
+ * @returns {number} a page id that was never used, nor any above it
  */
 export function freshPageId({ shown, past, present, future }) {
-  const ids = [...shown.map(({ id }) => id), ...[...past, present, ...future].map(({ pageId }) => pageId)];
-  return ids.reduce((most, id) => Math.max(most, id), 0) + 1;
+  const states = [...past, present, ...future].map(({ pageId, others }) => others.reduce((most, other) => Math.max(most, other.pageId), pageId));
+  return greatest([...shown.map(({ id }) => id), ...states]) + 1;
+}
+
+/**
+ * @param {History} history
+ * @returns {number} an id for a place in the storyboard that was never used, nor any above it
+ */
+export function freshSheet({ shown, past, present, future }) {
+  const states = [...past, present, ...future].map(({ sheet, others }) => others.reduce((most, other) => Math.max(most, other.sheet), sheet));
+  return greatest([...shown.map(({ sheet = 0 }) => sheet), ...states]) + 1;
+}
+
+/** @param {readonly number[]} ids */
+function greatest(ids) {
+  return ids.reduce((most, id) => Math.max(most, id), 0);
 }
 
 /** @param {History} history @returns {History} */
@@ -111,21 +135,35 @@ function forget(history, change) {
 }
 
 /**
- * The last state of each page counts: an edited page replaces itself, a new one goes to the end.
+ * The last state of each page counts: an edited page replaces itself, a new one goes to the end. So do the other pages
+ * of a storyboard.
  * @param {readonly Shown[]} shown
  * @param {Project} project
  * @param {number} [from] the page before it
  * @returns {readonly Shown[]}
  */
-function note(shown, { page, pageId, loved }, from) {
-  if (page === null) return shown;
+function note(shown, project, from) {
+  const sheets = sheetsOf(project);
+  const stay = new Set([...project.loved, ...sheets.map(({ pageId }) => pageId)]);
+  return sheets.reduce((list, one) => noteOne(list, one.sheet === project.sheet ? { ...one, from } : one, stay), shown);
+}
+
+/**
+ * @param {readonly Shown[]} shown
+ * @param {import('./sheets.js').Sheet & { from?: number }} one
+ * @param {ReadonlySet<number>} stay pages that do not go when there are too many
+ * @returns {readonly Shown[]}
+ */
+function noteOne(shown, { page, pageId, sheet, from }, stay) {
+  const place = sheet === 0 ? {} : { sheet };
   const at = shown.findIndex(({ id }) => id === pageId);
   if (at < 0) {
-    const all = [...shown, from === undefined ? { id: pageId, page } : { id: pageId, page, from }];
+    const all = [...shown, from === undefined ? { id: pageId, page, ...place } : { id: pageId, page, from, ...place }];
     if (all.length <= MOST_SHOWN) return all;
-    const oldest = all.findIndex(({ id }) => !loved.includes(id));
+    const oldest = all.findIndex(({ id }) => !stay.has(id));
     return all.filter((_, i) => i !== Math.max(0, oldest));
   }
-  if (shown[at].page === page) return shown;
-  return shown.map((entry, i) => (i === at ? { ...entry, page } : entry));
+  if (shown[at].page === page && (shown[at].sheet ?? 0) === sheet) return shown;
+  const { sheet: _before, ...entry } = shown[at];
+  return shown.map((other, i) => (i === at ? { ...entry, page, ...place } : other));
 }

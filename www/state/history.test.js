@@ -102,6 +102,8 @@ const actions = {
   'show-page': anId.map((id) => ({ page: page(id), pageId: id })),
   'change-page': anId.map((id) => ({ page: page(id) })),
   'change-settings': anId.map((id) => ({ page: page(id), settings: { ...DEFAULT_SETTINGS, gutter: id / 100 } })),
+  'set-sheets': fc.tuple(fc.uniqueArray(anId, { minLength: 1, maxLength: 4 }), fc.nat({ max: 3 })).map(([ids, at]) => (
+    { sheets: ids.map((id) => ({ page: page(id), pageId: id + 10, sheet: id })), at: at % ids.length })),
   'no-page': fc.constant({}),
   design: fc.constantFrom({ draft: null }, { draft: { id: 'd', name: 'D', tags: [], background: [], foreground: [], ink: '#000000' } }),
   'own-styles': items.map((mine) => ({ mine })),

@@ -5,13 +5,13 @@
 
 /** @typedef {{ pages: import('./pages.js').Pages, download: import('./download.js').Download, ui: import('./ui.js').Ui,
  *   selection: import('./selection.js').Selection, framing: import('./framing.js').Framing, reshaping: import('./reshaping.js').Reshaping,
- *   lettering: Pick<import('./lettering.js').Lettering, 'mode'> }} Deeds */
+ *   book: Pick<import('./book.js').Book, 'step' | 'several'>, lettering: Pick<import('./lettering.js').Lettering, 'mode'> }} Deeds */
 
 /**
  * @param {Deeds} deeds
  * @returns {(event: KeyboardEvent) => void} a listener for `keydown` on the window
  */
-export function createKeys({ pages, download, ui, selection, framing, reshaping, lettering }) {
+export function createKeys({ pages, download, ui, selection, framing, reshaping, book, lettering }) {
   return (event) => {
     if (event.defaultPrevented || ui.dialog.peek() !== null || event.altKey) return;
     const deed = event.ctrlKey || event.metaKey ? withControl(event) : plain(event);
@@ -40,6 +40,11 @@ export function createKeys({ pages, download, ui, selection, framing, reshaping,
     return ui.sheet.peek() ? () => void (ui.sheet.value = null) : undefined;
   }
 
+  /** Whether a key turns the pages: lists and sliders have another use for it. @param {EventTarget | null} target */
+  function turns(target) {
+    return book.several.peek() && !(target instanceof Element && target.closest('input, select, [role=listbox], [role=slider]'));
+  }
+
   /** @param {KeyboardEvent} event */
   function plain({ key, target }) {
     if (typesText(target)) return undefined;
@@ -50,6 +55,7 @@ export function createKeys({ pages, download, ui, selection, framing, reshaping,
       case 'l': case 'L': return () => pages.shuffle('layout');
       case 's': case 'S': return () => pages.shuffle('style');
       case 'p': case 'P': return () => pages.shuffle('photos');
+      case 'PageUp': case 'PageDown': return turns(target) ? () => book.step(key === 'PageUp' ? -1 : 1) : undefined;
       case '?': return () => void (ui.dialog.value = 'keys');
       case 'Escape': return leave();
       default: return undefined;

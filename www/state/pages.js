@@ -3,11 +3,13 @@
  * What a person does to the page: shuffle, choose, lock, set, walk through what was shown.
  */
 
-import { freshPageId, position } from './history.js';
+import { freshPageId, position, versions } from './history.js';
+import { casting, photosFor, placesOf } from './page-photos.js';
+import { createPageSettings } from './page-settings.js';
+import { sheetsOf } from './sheets.js';
 
 /** @typedef {import('./store.js').Store} Store */
 /** @typedef {import('./project.js').Part} Part */
-/** @typedef {import('./project.js').PageSettings} PageSettings */
 /** @typedef {import('../engine/documents.js').PageDocument} PageDocument */
 /** @typedef {import('../engine/documents.js').PlanRequest} PlanRequest */
 /** @typedef {import('../engine/documents.js').Keep} Keep */
@@ -27,22 +29,30 @@ export function freshSeed() {
  * @param {() => number} [seed]
  */
 export function createPages(store, seed = freshSeed) {
+  const settings = createPageSettings({ store, plan });
+
   return {
-    plan, show, amend, refine, reorder, refit, shuffle, chooseLayout, chooseStyle, lock, wantPanels, changeSettings, previous, next, undo, redo,
+    plan, show, amend, refine, reorder, refit, shuffle, chooseLayout, chooseStyle, lock, wantPanels,
+    changeSettings: settings.changeSettings, bringBack, previous, next, undo, redo,
   };
 
   /**
-   * A new page from the photos in use; null while there are none.
-   * @param {Partial<PlanRequest> & { keep: Keep }} wish
-   * @returns {PageDocument | null}
+   * A new page from the photos in use that are free for it; null while there are none.
+   * @type {Plan}
    */
   function plan(wish) {
     const planner = store.planner.peek();
-    const { settings, page } = store.project.peek();
+    const project = store.project.peek();
     const photos = store.photos.peek();
     if (!planner || photos.length === 0) return null;
     const free = !wish.keep.layout && wish.layout === undefined;
-    return planner.plan({ seed: seed(), photos, page: settings, current: page, ...(free ? shape() : {}), ...wish });
+    const request = { seed: seed(), page: project.settings, current: project.page, ...(free ? shape() : {}), ...wish };
+    return planner.plan({ ...request, ...(wish.photos ? { photos: wish.photos } : casting(request, photos, elsewhere(), planner)) });
+  }
+
+  /** The other pages of the storyboard. */
+  function elsewhere() {
+    return store.project.peek().others.map(({ page }) => page);
   }
 
   /**
@@ -61,7 +71,7 @@ export function createPages(store, seed = freshSeed) {
    * @param {{ silent?: boolean, gesture?: string }} [how]
    */
   function show(page, how) {
-    if (page) store.change({ type: 'show-page', page, pageId: freshPageId(store.history.peek()), ...how });
+    if (page && page !== store.page.peek()) store.change({ type: 'show-page', page, pageId: freshPageId(store.history.peek()), ...how });
   }
 
   /**
@@ -99,12 +109,24 @@ export function createPages(store, seed = freshSeed) {
    * @returns {PageDocument | null}
    */
   function refit({ grow }) {
-    const { page, locks, panels } = store.project.peek();
+    const { page, locks, panels, others } = store.project.peek();
+    if (page && others.length > 0) return refitAmong(page);
     const enough = page !== null && store.photos.peek().length >= page.panels.length;
     const layout = locks.layout || (panels !== null && page?.panels.length === panels) || (enough && !grow);
     // A photo that was just added is looked for on the page, so each gets a panel.
     const all = grow && !layout && panels === null ? { panels: Math.min(store.photos.peek().length, MOST_PANELS) } : {};
     return plan({ keep: { layout, style: true, photos: locks.photos || !grow }, ...all });
+  }
+
+  /**
+   * The same for a page among others: what is new goes to no page by itself, and a page loses but what is gone.
+   * @param {PageDocument} page
+   */
+  function refitAmong(page) {
+    const { length } = photosFor(store.photos.peek(), elsewhere(), page);
+    const layout = length === 0 || length >= placesOf(page);
+    const next = plan({ keep: { ...KEEP_ALL, layout }, seed: page.seed, ...(layout ? {} : { panels: length }) });
+    return JSON.stringify(next) === JSON.stringify(page) ? page : next;
   }
 
   /** @param {Part | 'all'} part */
@@ -141,36 +163,23 @@ export function createPages(store, seed = freshSeed) {
     show(plan({ keep: { ...KEEP_ALL, layout: false } }), { gesture });
   }
 
-  /**
-   * @param {Partial<PageSettings>} wish
-   * @param {string} [gesture] names one drag of a control, which is one step of the undo
-   */
-  function changeSettings(wish, gesture) {
-    const { settings, page } = store.project.peek();
-    const changed = { ...settings, ...wish };
-    const resized = changed.width * settings.height !== changed.height * settings.width;
-    // Another aspect may not suit the layout; the planner then takes one that does, unless it is locked.
-    const keep = { ...KEEP_ALL, layout: !resized || store.project.peek().locks.layout || suits(page, changed) };
-    const next = page && plan({ keep, page: changed, seed: page.seed });
-    store.change({ type: 'change-settings', settings: changed, page: next, gesture });
-  }
-
-  /**
-   * Whether the layout of the page is as good on another page as it is on its own.
-   * @param {PageDocument | null} page
-   * @param {PageSettings} changed
-   */
-  function suits(page, changed) {
-    const planner = store.planner.peek();
-    if (!page || !planner) return true;
-    return planner.layoutFacts(page.layout, changed).good || !store.layoutFacts.peek()?.good;
-  }
-
   /** @param {number} step */
   function walk(step) {
     const history = store.history.peek();
-    const target = history.shown[position(history) + step];
-    if (target) store.change({ type: 'show-page', page: target.page, pageId: target.id });
+    const target = versions(history)[position(history) + step];
+    if (target) bringBack(target);
+  }
+
+  /**
+   * Shows a page that was shown before, in its place in the storyboard, or where that is gone in the place of the present one.
+   * @param {import('./history.js').Shown} shown
+   */
+  function bringBack({ id, page, sheet = 0 }) {
+    const sheets = sheetsOf(store.project.peek());
+    const at = sheets.findIndex((other) => other.pageId === id || other.sheet === sheet);
+    // To turn the pages is no step of the undo.
+    if (at >= 0 && at !== store.project.peek().at) store.change({ type: 'set-sheets', sheets, at, silent: true });
+    if (sheets[at]?.pageId !== id) store.change({ type: 'show-page', page: settings.fitted(page), pageId: id });
   }
 
   function previous() { walk(-1); }
@@ -186,12 +195,5 @@ export function createPages(store, seed = freshSeed) {
   }
 }
 
-/**
- * @param {PageDocument} page
- * @returns {number} the images on it: merged panels share one
- */
-function placesOf({ panels, merges }) {
-  return merges.reduce((places, group) => places - group.length + 1, panels.length);
-}
-
+/** @typedef {(wish: Partial<PlanRequest> & { keep: Keep }) => PageDocument | null} Plan `photos` says which are free for it, if not those that no other page shows */
 /** @typedef {ReturnType<typeof createPages>} Pages */

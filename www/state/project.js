@@ -7,7 +7,7 @@
  * an edit does not undo what was read meanwhile.
  */
 
-import { withSheets } from './sheets.js';
+import { exchangedOn, withSheets } from './sheets.js';
 
 /** @typedef {import('./sheets.js').Sheet} Sheet */
 /** @typedef {import('../engine/documents.js').PageDocument} PageDocument */
@@ -134,6 +134,7 @@ export function reduce(project, action) {
       return {
         ...project,
         tray: project.tray.map((item) => (item.id === action.id ? { ...item, id: action.by, use: true } : item)),
+        others: exchangedOn(project.others, action.id, action.by),
       };
     case 'choose-by': {
       const { alike = project.alike, order = project.order } = action;

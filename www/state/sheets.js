@@ -35,3 +35,21 @@ export function withSheets(project, sheets, at) {
 export function photosOn(pages) {
   return new Set(pages.flatMap(({ panels }) => panels.flatMap(({ photo }) => photo ?? [])));
 }
+
+/**
+ * @param {readonly Sheet[]} sheets
+ * @param {string} id
+ * @param {string} by
+ * @returns {readonly Sheet[]} with another photo wherever one was; the same pages where it was not
+ */
+export function exchangedOn(sheets, id, by) {
+  const swap = (/** @type {string} */ photo) => (photo === id ? by : photo);
+  return sheets.map((sheet) => (!photosOn([sheet.page]).has(id) ? sheet : {
+    ...sheet,
+    page: {
+      ...sheet.page,
+      order: sheet.page.order.map(swap),
+      panels: sheet.page.panels.map((use) => (use.photo === id ? { ...use, photo: by } : use)),
+    },
+  }));
+}

@@ -2,21 +2,27 @@
 /** The pages shown so far, as a person looks through them: which came from which, and which are favourites. */
 
 import { computed } from '@preact/signals';
-import { position } from './history.js';
+import { sheetsOf } from './sheets.js';
 
 /** @typedef {import('./project.js').PageDocument} PageDocument */
-/** @typedef {{ id: number, number: number, page: PageDocument, from: number | null, loved: boolean, current: boolean }} Entry `from`: the number of the page it was made from, where that is not the one before it */
+/**
+ * `from`: the number of the page it was made from, where that is not the one before it; `place`: which page of the
+ * storyboard it is a version of, null where there is but one, or where that was removed.
+ * @typedef {{ id: number, number: number, page: PageDocument, from: number | null, place: number | null, loved: boolean, current: boolean }} Entry
+ */
 /** @typedef {ReturnType<typeof createShownPages>} ShownPages */
 
-/** @param {{ store: import('./store.js').Store }} app */
-export function createShownPages({ store }) {
+/** @param {{ store: import('./store.js').Store, pages: Pick<import('./pages.js').Pages, 'bringBack'> }} app */
+export function createShownPages({ store, pages }) {
   const entries = computed(() => {
     const { history } = store;
     const { shown, present } = history.value;
     const numbers = new Map(shown.map(({ id }, i) => [id, i + 1]));
-    return shown.map(({ id, page, from }, i) => {
+    const places = new Map(sheetsOf(present).map(({ sheet }, i) => [sheet, i + 1]));
+    return shown.map(({ id, page, from, sheet = 0 }, i) => {
+      const place = places.size > 1 ? places.get(sheet) ?? null : null;
       const number = from === undefined ? null : numbers.get(from) ?? null;
-      return { id, number: i + 1, page, from: number === i ? null : number, loved: present.loved.includes(id), current: present.page !== null && id === present.pageId };
+      return { id, number: i + 1, page, from: number === i ? null : number, place, loved: present.loved.includes(id), current: present.page !== null && id === present.pageId };
     });
   });
 
@@ -24,9 +30,8 @@ export function createShownPages({ store }) {
 
   /** Goes back to a page; a shuffle from there begins another branch. @param {number} id */
   function go(id) {
-    const { shown } = store.history.peek();
-    const target = shown.find((entry) => entry.id === id);
-    if (target && shown[position(store.history.peek())] !== target) store.change({ type: 'show-page', page: target.page, pageId: id });
+    const target = store.history.peek().shown.find((entry) => entry.id === id);
+    if (target && (store.page.peek() === null || id !== store.project.peek().pageId)) pages.bringBack(target);
   }
 
   /** @param {number} id @param {boolean} on */

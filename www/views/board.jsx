@@ -6,6 +6,7 @@
 
 import { strings } from '../strings.js';
 import { Alternatives } from './alternatives.jsx';
+import { PageStrip } from './book/page-strip.jsx';
 import { BottomBar } from './bottom-bar.jsx';
 import { useApp } from './context.js';
 import { LayoutTools } from './layout-tools.jsx';
@@ -35,6 +36,7 @@ function WideBoard() {
       <div class="left"><Tray /></div>
       <main class="centre">
         <Stage />
+        <PageStrip />
         <PanelTools />
         <div class="shuffle-bar"><ShuffleButton /><ShuffleParts /></div>
       </main>
@@ -62,16 +64,18 @@ function WideBoard() {
 }
 
 function NarrowBoard() {
-  const { ui, selection, reshaping } = useApp();
+  const { ui, book, selection, reshaping } = useApp();
   const sheet = ui.sheet.value;
+  const several = book.several.value;
   const byHand = reshaping.editing.value || selection.several.value || selection.panels.value.length > 0;
   return (
     <>
       <main class="centre">
+        {several && <PageStrip />}
         <Stage />
         {byHand ? <PanelTools /> : sheet === null && <ShuffleParts />}
       </main>
-      {sheet === null && <Alternatives />}
+      {sheet === null && (several ? <Alternatives /> : <div class="strip-row"><PageStrip /><Alternatives /></div>)}
       {sheet === 'photos' && <Sheet title={strings.photos} bare><Tray /></Sheet>}
       {sheet === 'styles' && <Sheet title={strings.styles}><div class="styles-head"><Workspaces /><StyleTools /></div><StylesList /></Sheet>}
       {sheet === 'layouts' && <Sheet title={strings.layouts}><LayoutTools /><LayoutsList /></Sheet>}

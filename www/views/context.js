@@ -10,6 +10,7 @@ import { useContext } from 'preact/hooks';
  * @typedef {{
  *   store: import('../state/store.js').Store,
  *   pages: import('../state/pages.js').Pages,
+ *   book: import('../state/book.js').Book,
  *   subjects: import('../state/subjects.js').Subjects,
  *   reading: import('../state/reading.js').Reading,
  *   scrubbing: import('../state/scrubbing.js').Scrubbing,

@@ -4,6 +4,7 @@
  */
 
 import { useEffect, useRef, useState } from 'preact/hooks';
+import { versions } from '../state/history.js';
 import { strings } from '../strings.js';
 import { screenPixels } from './bitmap.jsx';
 import { useApp } from './context.js';
@@ -62,8 +63,8 @@ export function Stage() {
 
 /** @param {import('../state/store.js').Store} store */
 function atEnd(store) {
-  const { shown, present } = store.history.peek();
-  return shown.at(-1)?.id === present.pageId;
+  const history = store.history.peek();
+  return versions(history).at(-1)?.id === history.present.pageId;
 }
 
 /**

@@ -1,5 +1,5 @@
 // @ts-check
-import { position } from '../state/history.js';
+import { position, versions } from '../state/history.js';
 import { strings } from '../strings.js';
 import { IconButton } from './button.jsx';
 import { useApp } from './context.js';
@@ -44,21 +44,21 @@ export function TopBar() {
   );
 }
 
-/** Undo and redo, and the pages shown so far. */
+/** Undo and redo, and the versions of the page that were shown so far. */
 function Steps() {
   const { store, pages, ui, shownPages } = useApp();
   const history = store.history.value;
   const at = position(history);
-  const { length } = history.shown;
+  const { length } = versions(history);
   return (
     <>
       <IconButton icon="undo" label={strings.undo} shortcut="Ctrl+Z" disabled={history.past.length === 0} onClick={pages.undo} />
       <IconButton icon="redo" label={strings.redo} shortcut="Shift+Ctrl+Z" disabled={history.future.length === 0} onClick={pages.redo} />
       <span class="divider" />
-      <IconButton icon="previous" label={strings.previous} disabled={at <= 0} onClick={pages.previous} />
-      <button type="button" class="page-number" aria-label={strings.pagesShownAt(at + 1, length)} title={strings.pageOf(at + 1, length)}
+      <IconButton icon="previous" label={strings.previous} help={strings.previousHelp} disabled={at <= 0} onClick={pages.previous} />
+      <button type="button" class="page-number" aria-label={strings.pagesShownAt(at + 1, length)} title={strings.version(at + 1, length)}
         aria-pressed={ui.work.value === 'pages'} onClick={() => { ui.work.value = ui.work.value === 'pages' ? null : 'pages'; }}>{at + 1}<i>/</i>{length}</button>
-      <IconButton icon="next" label={strings.next} disabled={at >= length - 1} onClick={pages.next} />
+      <IconButton icon="next" label={strings.next} help={strings.nextHelp} disabled={at >= length - 1} onClick={pages.next} />
       {ui.wide.value && <IconButton icon="heart" label={strings.favouritePage} pressed={shownPages.loved.value} class="page-heart" onClick={shownPages.loveThis} />}
     </>
   );

@@ -12,7 +12,6 @@ export const boardStrings = {
   redo: 'Redo',
   previous: 'Previous page',
   next: 'Next page',
-  pageOf: (/** @type {number} */ n, /** @type {number} */ of) => `Page ${n} of ${of}`,
   download: 'Download PNG',
   export: 'Export',
   theme: { light: 'Use the light theme', dark: 'Use the dark theme' },

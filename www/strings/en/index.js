@@ -2,6 +2,7 @@
 /** Every word of the page in English: the language that the others are checked against and fall back to. */
 
 import { boardStrings } from './board.js';
+import { bookStrings } from './book.js';
 import { coreStrings } from './core.js';
 import { designerStrings } from './designer.js';
 import { faultStrings } from './faults.js';
@@ -17,6 +18,7 @@ import { wordStrings } from './words.js';
 export const english = {
   ...startStrings,
   ...boardStrings,
+  ...bookStrings,
   ...sideStrings,
   ...panelStrings,
   ...designerStrings,

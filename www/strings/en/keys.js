@@ -10,6 +10,7 @@ export const keyStrings = {
     { keys: ['Ctrl', 'Z'], does: 'Undo' },
     { keys: ['Shift', 'Ctrl', 'Z'], does: 'Redo' },
     { keys: ['←', '↑', '→', '↓'], does: 'Move between panels' },
+    { keys: ['Page Up', 'Page Down'], does: 'Go between the pages of the storyboard' },
     { keys: ['Enter'], does: 'Move a panel’s photo with the arrows' },
     { keys: [',', '.'], does: 'Earlier or later frame of a video, with Shift by a second' },
     { keys: ['+', '−', '0'], does: 'Zoom a panel’s photo, reset it' },

@@ -34,7 +34,7 @@ export function PagesWall() {
 }
 
 /** @param {{ entry: Entry }} props */
-function ShownPage({ entry: { id, number, page, from, loved, current } }) {
+function ShownPage({ entry: { id, number, page, from, place, loved, current } }) {
   const { shownPages, engine, ui } = useApp();
   const ref = useRef(/** @type {HTMLButtonElement | null} */ (null));
   const width = () => screenPixels(ref.current?.clientWidth ?? 120);
@@ -51,7 +51,7 @@ function ShownPage({ entry: { id, number, page, from, loved, current } }) {
         <Bitmap of={page} draw={(call) => engine.renderPage(page, width(), call)} />
       </button>
       <div class="shown-about">
-        <span>{number}{from !== null && <i>{strings.pageFrom(from)}</i>}</span>
+        <span>{number}{place !== null ? <i>{strings.versionOf(place)}</i> : from !== null && <i>{strings.pageFrom(from)}</i>}</span>
         <IconButton icon="heart" label={strings.favouritePage} pressed={loved} class="page-heart" onClick={() => shownPages.love(id, !loved)} />
       </div>
     </li>

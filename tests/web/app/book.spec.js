@@ -1,0 +1,208 @@
+// @ts-check
+/** Storyboards of several pages: an album spread over them, pages added, turned, moved, removed. */
+
+import { accessible, contents, expect, idle, openBoard, picture, pixelsOf, colours, press, test } from './support.js';
+import { way } from './touch-hands.js';
+
+/** @typedef {import('./support.js').Page} Page */
+
+const strip = (/** @type {Page} */ page) => page.getByRole('region', { name: 'Pages', exact: true });
+const thumbs = (/** @type {Page} */ page) => strip(page).getByRole('button', { name: /^Page \d+ of \d+$/ });
+const thumb = (/** @type {Page} */ page, /** @type {number} */ n) => strip(page).getByRole('button', { name: new RegExp(`^Page ${n} of `) });
+
+/** The photos of every page, turned to one after the other. @param {Page} page */
+async function photosOfPages(page) {
+  const found = [];
+  for (let n = 1; n <= await thumbs(page).count(); n += 1) {
+    await thumb(page, n).click();
+    await idle(page);
+    found.push((await contents(page)).photos);
+  }
+  return found;
+}
+
+/** @param {Page} page */
+async function spreadSamples(page) {
+  await page.goto('./');
+  await page.getByRole('button', { name: 'Try the sample album' }).click();
+  await expect(page.getByRole('region', { name: 'Storyboard page' })).toBeVisible();
+  await idle(page);
+  await press(page, 'Spread album over pages');
+}
+
+test('the sample album is spread over pages: each photo once, one style, and undo brings the page back', async ({ page }) => {
+  await page.goto('./');
+  await page.getByRole('button', { name: 'Try the sample album' }).click();
+  await expect(page.getByRole('region', { name: 'Storyboard page' })).toBeVisible();
+  await idle(page);
+  const before = await picture(page);
+  await expect(thumbs(page)).toHaveCount(0);
+  await press(page, 'Spread album over pages');
+  expect(await thumbs(page).count()).toBeGreaterThan(2);
+  await expect(thumb(page, 1)).toHaveAttribute('aria-current', 'true');
+  const photos = (await photosOfPages(page)).flat();
+  const used = await page.getByRole('region', { name: 'Photos' }).getByRole('checkbox', { checked: true }).count();
+  expect(photos.length).toBe(used);
+  expect(new Set(photos).size).toBe(used);
+  await press(page, 'Undo');
+  await expect(thumbs(page)).toHaveCount(0);
+  expect(await picture(page)).toBe(before);
+});
+
+test('a page is added from photos that are on no other, in the same style, and a reload keeps all', async ({ page }) => {
+  await openBoard(page);
+  await page.getByRole('combobox', { name: 'Panels' }).selectOption('3');
+  await idle(page);
+  const first = await contents(page);
+  await press(page, 'Add page');
+  await expect(thumb(page, 2)).toHaveAttribute('aria-current', 'true');
+  const second = await contents(page);
+  expect(second.style).toBe(first.style);
+  expect(second.photos.filter((photo) => first.photos.includes(photo))).toEqual([]);
+  await press(page, 'Shuffle photos');
+  expect([...(await contents(page)).photos].sort()).toEqual([...second.photos].sort());
+  const shown = await picture(page);
+  await expect(page.getByText('Saved', { exact: true })).toBeVisible();
+  await page.reload();
+  await idle(page);
+  expect(await picture(page)).toBe(shown);
+  await expect(thumbs(page)).toHaveCount(2);
+  await thumb(page, 1).click();
+  await idle(page);
+  expect(await contents(page)).toEqual(first);
+});
+
+test('pages are moved by buttons, by keys and by dragging, and removed', async ({ page }) => {
+  await spreadSamples(page);
+  const count = await thumbs(page).count();
+  const pages = await photosOfPages(page);
+  await thumb(page, 1).click();
+  await press(page, 'Move page later');
+  await expect(thumb(page, 2)).toHaveAttribute('aria-current', 'true');
+  expect(await photosOfPages(page)).toEqual([pages[1], pages[0], ...pages.slice(2)]);
+  await thumb(page, 2).click();
+  await press(page, 'Move page earlier');
+  await expect(strip(page).getByRole('button', { name: 'Move page earlier' })).toBeDisabled();
+  await thumb(page, 1).press('Alt+ArrowDown');
+  await expect(thumb(page, 2)).toBeFocused();
+  await thumb(page, 2).press('Alt+ArrowUp');
+
+  const [from, to] = [await thumb(page, 1).boundingBox(), await thumb(page, 3).boundingBox()];
+  if (!from || !to) throw new Error('no pages');
+  await page.mouse.move(from.x + 20, from.y + 20);
+  await page.mouse.down();
+  await page.mouse.move(from.x + 20, from.y + 60, { steps: 3 });
+  await page.mouse.move(to.x + 20, to.y + to.height - 4, { steps: 5 });
+  await page.mouse.up();
+  await idle(page);
+  await expect(thumb(page, 3)).toHaveAttribute('aria-current', 'true');
+  expect(await photosOfPages(page)).toEqual([pages[1], pages[2], pages[0], ...pages.slice(3)]);
+
+  await thumb(page, 2).click();
+  await press(page, 'Remove page');
+  await expect(thumbs(page)).toHaveCount(count - 1);
+  expect(await photosOfPages(page)).toEqual([pages[1], pages[0], ...pages.slice(3)]);
+  await press(page, 'Undo');
+  await expect(thumbs(page)).toHaveCount(count);
+  await press(page, 'Remove page');
+  await press(page, 'Shuffle');
+  await press(page, 'Bring it back');
+  expect(await thumbs(page).count()).toBe(count);
+});
+
+test('Page Up and Page Down turn the pages, and each has versions of its own', async ({ page }) => {
+  await spreadSamples(page);
+  const first = await picture(page);
+  await page.keyboard.press('PageDown');
+  await idle(page);
+  await expect(thumb(page, 2)).toHaveAttribute('aria-current', 'true');
+  const second = await picture(page);
+  expect(second).not.toBe(first);
+  await press(page, 'Shuffle');
+  await page.keyboard.press('PageUp');
+  await idle(page);
+  expect(await picture(page)).toBe(first);
+  await page.keyboard.press('PageDown');
+  await press(page, 'Previous page');
+  expect(await picture(page)).toBe(second);
+  await expect(page.getByRole('button', { name: 'Previous page' })).toBeDisabled();
+});
+
+test('a style goes on all pages, the size of the page is of all, and a removed photo leaves all', async ({ page }) => {
+  await spreadSamples(page);
+  await press(page, 'Shuffle style');
+  const { style } = await contents(page);
+  await press(page, 'Use this style on all pages');
+  await expect(page.getByRole('button', { name: 'Use this style on all pages' })).toHaveCount(0);
+  const before = await photosOfPages(page);
+  expect((await contents(page)).style).toBe(style);
+  await page.getByRole('combobox', { name: 'Page size' }).selectOption('wide');
+  await idle(page);
+  expect((await photosOfPages(page)).map((photos) => [...photos].sort())).toEqual(before.map((photos) => [...photos].sort()));
+  for (const shown of await thumbs(page).all()) {
+    const box = await shown.boundingBox();
+    expect(Number(box?.width) / Number(box?.height)).toBeCloseTo(16 / 9, 1);
+  }
+  await page.getByRole('button', { name: /^Remove A coffee/ }).or(page.getByRole('button', { name: 'Remove 01-coffee.jpg' })).first().click({ force: true });
+  await idle(page);
+  const coffee = before.flat()[0];
+  expect((await photosOfPages(page)).flat()).not.toContain(coffee);
+});
+
+test('the pages are drawn small, and nothing about them is hard to reach', async ({ page }) => {
+  await openBoard(page);
+  await accessible(page);
+  await page.getByRole('combobox', { name: 'Panels' }).selectOption('2');
+  await press(page, 'Spread album over pages');
+  await expect(thumbs(page)).toHaveCount(3);
+  await press(page, 'Shuffle style');
+  await accessible(page);
+  await expect(strip(page).locator('canvas[data-drawn="true"]')).toHaveCount(3);
+  const drawn = await strip(page).locator('canvas').evaluateAll((list) => list.map((element) => {
+    const canvas = /** @type {HTMLCanvasElement} */ (element);
+    const copy = document.createElement('canvas');
+    [copy.width, copy.height] = [canvas.width, canvas.height];
+    copy.getContext('2d')?.drawImage(canvas, 0, 0);
+    return copy.toDataURL();
+  }));
+  for (const address of drawn) expect(colours(pixelsOf(address))).toBeGreaterThan(1);
+  expect(new Set(drawn).size).toBe(3);
+});
+
+test.describe('on a phone', () => {
+  test.use({ viewport: { width: 360, height: 740 }, hasTouch: true });
+
+  test('pages are added, turned, moved and removed', async ({ page }) => {
+    await openBoard(page);
+    await press(page, 'Add page');
+    await expect(thumbs(page)).toHaveCount(2);
+    await page.getByRole('button', { name: 'Page tools' }).click();
+    await accessible(page);
+    await press(page, 'Move page earlier');
+    await expect(thumb(page, 1)).toHaveAttribute('aria-current', 'true');
+    const first = await picture(page);
+    await thumb(page, 2).tap();
+    await idle(page);
+    expect(await picture(page)).not.toBe(first);
+    await press(page, 'Remove page');
+    await expect(thumbs(page)).toHaveCount(0);
+  });
+
+  test('a page that is held moves with the finger', async ({ page }) => {
+    await openBoard(page);
+    for (let i = 0; i < 2; i += 1) await press(page, 'Add page');
+    const [from, to] = [await thumb(page, 3).boundingBox(), await thumb(page, 1).boundingBox()];
+    if (!from || !to) throw new Error('no pages');
+    const client = await page.context().newCDPSession(page);
+    const touch = (/** @type {string} */ type, /** @type {number[][]} */ points) => (
+      client.send('Input.dispatchTouchEvent', { type: /** @type {any} */ (type), touchPoints: points.map(([x, y], id) => ({ x, y, id })) })
+    );
+    const steps = way([from.x + from.width / 2, from.y + 20], [to.x + 4, to.y + 20]);
+    await touch('touchStart', [steps[0]]);
+    await expect(strip(page).locator('[data-carried="true"]')).toHaveCount(1);
+    for (const step of steps) await touch('touchMove', [step]);
+    await touch('touchEnd', []);
+    await idle(page);
+    await expect(thumb(page, 1)).toHaveAttribute('aria-current', 'true');
+  });
+});

@@ -1,0 +1,126 @@
+// @ts-check
+/**
+ * What the other pages of a storyboard owe to the photos, while a person edits one of them: a photo that is no longer
+ * in use leaves them at once, and their crops follow what is found in photos, when there is time. Neither is a step of
+ * the undo: the one belongs to the step that took the photo away, the other is no edit.
+ */
+
+import { effect, untracked } from '@preact/signals';
+import { photosFor, placesOf } from './page-photos.js';
+import { sheetsOf } from './sheets.js';
+
+/** @typedef {import('../engine/documents.js').PageDocument} PageDocument */
+/** @typedef {import('../engine/protocol.js').PhotoMeta} PhotoMeta */
+
+const KEEP_ALL = Object.freeze({ layout: true, style: true, photos: true });
+/** Photos are looked at one after the other: crops follow when nothing was found for so long, in ms. */
+const REST = 400;
+
+/**
+ * @param {{
+ *   store: import('./store.js').Store, pages: Pick<import('./pages.js').Pages, 'plan'>,
+ *   later?: (work: () => void) => void,
+ * }} app `later` runs what can wait, when nothing else is to be done
+ */
+export function keepBook({ store, pages, later = whenIdle }) {
+  /** What was known of the photos of a page when its crops were made. @type {WeakMap<PageDocument, string>} */
+  const known = new WeakMap();
+  let waiting = false;
+
+  effect(() => {
+    const { others, page } = store.project.value;
+    const photos = store.photos.value;
+    if (others.length === 0 || !store.planner.value) return;
+    untracked(() => {
+      repair(new Map(photos.map((photo) => [photo.id, photo])));
+      const stale = remember();
+      // The page that is edited follows by itself, and is up to date when it is turned away.
+      if (page) known.set(page, essence(page, photos));
+      if (stale && !waiting) {
+        waiting = true;
+        later(refineOne);
+      }
+    });
+  });
+
+  /** Notes pages that are new here. @returns {boolean} whether one has crops of what was known before */
+  function remember() {
+    const photos = store.photos.peek();
+    let stale = false;
+    for (const { page } of store.project.peek().others) {
+      if (!known.has(page)) known.set(page, essence(page, photos));
+      stale ||= known.get(page) !== essence(page, photos);
+    }
+    return stale;
+  }
+
+  /** Makes the crops of one page anew; the change that it is asks for the next. */
+  function refineOne() {
+    waiting = false;
+    const project = store.project.peek();
+    const photos = store.photos.peek();
+    const stale = project.others.find(({ page }) => known.has(page) && known.get(page) !== essence(page, photos));
+    if (!stale || store.reading.peek()) return;
+    const shown = new Set(stale.page.panels.map(({ photo }) => photo));
+    const better = pages.plan({ keep: KEEP_ALL, current: stale.page, seed: stale.page.seed, photos: photos.filter(({ id }) => shown.has(id)) });
+    known.set(stale.page, essence(stale.page, photos));
+    if (!better) return;
+    known.set(better, essence(better, photos));
+    const page = JSON.stringify(better) === JSON.stringify(stale.page) ? stale.page : better;
+    store.change({ type: 'set-sheets', sheets: sheetsOf(project).map((sheet) => (sheet.sheet === stale.sheet ? { ...sheet, page } : sheet)), at: project.at, silent: true });
+  }
+
+  /** Puts other photos where one is gone, and takes out pages that none is left for. @param {Map<string, PhotoMeta>} photos in use */
+  function repair(photos) {
+    const project = store.project.peek();
+    const torn = project.others.filter(({ page }) => page.panels.some(({ photo }) => photo !== null && !photos.has(photo)));
+    if (torn.length === 0) return;
+    let sheets = sheetsOf(project);
+    for (const sheet of torn) {
+      const rest = sheets.filter((other) => other.sheet !== sheet.sheet);
+      const page = mended(sheet.page, rest.map((other) => other.page), photos);
+      sheets = page ? sheets.map((other) => (other.sheet === sheet.sheet ? { ...sheet, page } : other)) : rest;
+    }
+    const at = sheets.findIndex(({ sheet }) => sheet === project.sheet);
+    store.change({ type: 'set-sheets', sheets, at, silent: true });
+  }
+
+  /**
+   * @param {PageDocument} page
+   * @param {readonly PageDocument[]} elsewhere
+   * @param {Map<string, PhotoMeta>} photos in use
+   * @returns {PageDocument | null} with photos in use only; nothing when there is none for it
+   */
+  function mended(page, elsewhere, photos) {
+    const verdicts = store.verdicts.peek();
+    const free = photosFor([...photos.values()], elsewhere, page);
+    // Of a stack, the one that was taken in its place comes first.
+    const alike = (/** @type {string} */ photo) => free.find(({ id }) => verdicts.has(photo) && verdicts.get(id)?.group === verdicts.get(photo)?.group)?.id;
+    const swap = (/** @type {string} */ photo) => (photos.has(photo) ? photo : alike(photo) ?? photo);
+    const panels = page.panels.map((use) => (
+      use.photo === null || photos.has(use.photo) ? use : { ...use, photo: swap(use.photo), crop: null, edited: false, locked: false }
+    ));
+    const current = { ...page, panels, order: [...new Set(page.order.map(swap))] };
+    if (free.length === 0) return null;
+    const layout = free.length >= placesOf(page);
+    return pages.plan({ keep: { ...KEEP_ALL, layout }, current, seed: page.seed, photos: [...free], ...(layout ? {} : { panels: free.length }) });
+  }
+}
+
+/**
+ * @param {PageDocument} page
+ * @param {readonly PhotoMeta[]} photos
+ * @returns {string} all that crops of the page depend on
+ */
+function essence(page, photos) {
+  const shown = new Set(page.panels.map(({ photo }) => photo));
+  return JSON.stringify(photos.filter(({ id }) => shown.has(id)).map(({ id, width, height, subjects, focus }) => [id, width, height, subjects, focus]));
+}
+
+/** @param {() => void} work */
+function whenIdle(work) {
+  setTimeout(() => {
+    if (globalThis.requestIdleCallback) globalThis.requestIdleCallback(work, { timeout: 10 * REST });
+    else work();
+  }, REST);
+}

@@ -1,0 +1,62 @@
+// @ts-check
+/**
+ * Which photos a page of a storyboard may show: here it is decided that a photo is on one page only. A page is planned
+ * from its own photos and from those that no other page shows; where these are too few to fill it, from all.
+ */
+
+import { photosOn } from './sheets.js';
+
+/** @typedef {import('../engine/documents.js').PageDocument} PageDocument */
+/** @typedef {import('../engine/documents.js').PlanRequest} PlanRequest */
+/** @typedef {import('../engine/protocol.js').PhotoMeta} PhotoMeta */
+
+/**
+ * @param {readonly PhotoMeta[]} all photos in use
+ * @param {readonly PageDocument[]} elsewhere the other pages
+ * @param {PageDocument | null} current the page itself
+ * @returns {readonly PhotoMeta[]} those that are free for the page, in the same order; all where it is the only page
+ */
+export function photosFor(all, elsewhere, current) {
+  if (elsewhere.length === 0) return all;
+  const taken = photosOn(elsewhere);
+  const own = photosOn(current ? [current] : []);
+  return all.filter(({ id }) => own.has(id) || !taken.has(id));
+}
+
+/**
+ * What a plan has to be told of photos.
+ * @param {Omit<PlanRequest, 'photos'>} request
+ * @param {readonly PhotoMeta[]} all photos in use
+ * @param {readonly PageDocument[]} elsewhere the other pages
+ * @param {Pick<import('../engine/core.js').Planner, 'layoutFacts'>} planner
+ * @returns {Pick<PlanRequest, 'photos' | 'panels'>}
+ */
+export function casting(request, all, elsewhere, planner) {
+  const { current } = request;
+  const photos = [...photosFor(all, elsewhere, current)];
+  if (elsewhere.length === 0) return { photos };
+  if (photos.length < needed(request, planner)) return { photos: [...all] };
+  const free = !request.keep.layout && request.layout === undefined && request.panels === undefined;
+  const own = photosOn(current ? [current] : []);
+  // Where no photo is left over, a page with fewer panels would leave some on no page: its photos keep their places.
+  return free && photos.every(({ id }) => own.has(id)) ? { photos, panels: photos.length } : { photos };
+}
+
+/**
+ * @param {Omit<PlanRequest, 'photos'>} request
+ * @param {Pick<import('../engine/core.js').Planner, 'layoutFacts'>} planner
+ * @returns {number} the photos that fill the page without repeats; one where its layout is still to be drawn
+ */
+function needed({ layout, panels, keep, current, page }, planner) {
+  if (layout !== undefined) return planner.layoutFacts(layout, page).count;
+  if (panels !== undefined) return panels;
+  return keep.layout && current ? placesOf(current) : 1;
+}
+
+/**
+ * @param {PageDocument} page
+ * @returns {number} the images on it: merged panels share one
+ */
+export function placesOf({ panels, merges }) {
+  return merges.reduce((places, group) => places - group.length + 1, panels.length);
+}

@@ -1,0 +1,89 @@
+// @ts-check
+/** An album laid out over pages: how many, which photos on each, and words that go with their photos. */
+
+/** @typedef {import('../engine/documents.js').PageDocument} PageDocument */
+/** @typedef {import('../engine/documents.js').Word} Word */
+/** @typedef {import('../engine/protocol.js').PhotoMeta} PhotoMeta */
+
+/** Seeds are tried this often for a layout that the two pages before do not have. */
+const TRIES = 6;
+
+/**
+ * @param {{
+ *   photos: readonly PhotoMeta[], before: readonly PageDocument[], style: PageDocument['style'], per: number,
+ *   counts: readonly number[], fixed: { layout: PageDocument['layout'], places: number } | null, plan: import('./pages.js').Plan,
+ * }} wish `photos` in their order, one at least; `before`: the pages whose words they keep; `per`: panels of a page at
+ *   most; `counts`: numbers of panels that layouts have; `fixed`: the layout of every page that its photos fill
+ * @returns {PageDocument[]}
+ */
+export function spread({ photos, before, style, per, counts, fixed, plan }) {
+  const sizes = fixed ? filled(photos.length, fixed.places) : balanced(photos.length, per, counts);
+  /** @type {PageDocument[]} */
+  const made = [];
+  let start = 0;
+  for (const size of sizes) {
+    const own = photos.slice(start, start + size);
+    const layout = fixed?.places === size ? fixed.layout : undefined;
+    const page = varied(made, () => plan({
+      keep: { layout: false, style: false, photos: false }, current: null, style, photos: own, panels: size, ...(layout === undefined ? {} : { layout }),
+    }));
+    if (page) made.push(withWords(page, before, own, plan));
+    start += size;
+  }
+  return made;
+}
+
+/**
+ * Pages of nearly the same number of photos each, so that no page is a leftover.
+ * @param {number} count of photos
+ * @param {number} most on a page
+ * @param {readonly number[]} counts numbers of panels that layouts have; any while none is known
+ * @returns {number[]} the photos of each page
+ */
+export function balanced(count, most, counts) {
+  const sizes = [];
+  for (let rest = count; rest > 0;) {
+    const even = Math.ceil(rest / Math.ceil(rest / most));
+    // Of photos that are more than its panels a page would leave some out.
+    const size = counts.reduce((best, other) => (other <= even && other > best ? other : best), 0) || even;
+    sizes.push(size);
+    rest -= size;
+  }
+  return sizes;
+}
+
+/** @param {number} count @param {number} places @returns {number[]} full pages, and the rest */
+function filled(count, places) {
+  const rest = count % places;
+  return [...Array.from({ length: Math.floor(count / places) }, () => places), ...(rest > 0 ? [rest] : [])];
+}
+
+/**
+ * @param {readonly PageDocument[]} made
+ * @param {() => PageDocument | null} draw
+ * @returns {PageDocument | null} with another layout than the last two, if one was drawn
+ */
+export function varied(made, draw) {
+  const seen = made.slice(-2).map(({ layout }) => JSON.stringify(layout));
+  let page = draw();
+  for (let i = 1; i < TRIES && page && seen.includes(JSON.stringify(page.layout)); i += 1) page = draw();
+  return page;
+}
+
+/**
+ * The page with the words that were on its photos before; those of a whole page stay on the first photo of theirs.
+ * @param {PageDocument} page
+ * @param {readonly PageDocument[]} before
+ * @param {PhotoMeta[]} photos
+ * @param {import('./pages.js').Plan} plan
+ */
+function withWords(page, before, photos, plan) {
+  const words = before.flatMap((old) => (old.words ?? []).flatMap((word) => {
+    const photo = old.panels[word.panel ?? 0]?.photo;
+    const panel = page.panels.findIndex((use) => use.photo === photo);
+    return panel < 0 ? [] : [/** @type {Word} */ ({ ...word, ...(typeof word.panel === 'number' ? { panel } : {}) })];
+  }));
+  if (words.length === 0) return page;
+  const current = { ...page, words };
+  return plan({ keep: { layout: true, style: true, photos: true }, current, seed: page.seed, photos }) ?? current;
+}
