@@ -3,6 +3,7 @@
 
 import { boardStrings } from './board.js';
 import { coreStrings } from './core.js';
+import { describingStrings } from './describing.js';
 import { designerStrings } from './designer.js';
 import { faultStrings } from './faults.js';
 import { keepingStrings } from './keeping.js';
@@ -27,6 +28,7 @@ export const english = {
   ...keyStrings,
   ...faultStrings,
   ...coreStrings,
+  ...describingStrings,
 };
 
 /** @typedef {typeof english} Strings */

@@ -20,7 +20,8 @@ export const panelStrings = {
   splitRows: 'Split into rows',
   splitColumns: 'Split into columns',
   removePanel: 'Remove panel',
-  notRemoved: (/** @type {boolean} */ editable) => (editable ? 'it is the only one' : 'this layout has no cuts'),
+  /** @type {(editable: boolean) => string} */
+  notRemoved: (editable) => (editable ? 'it is the only one' : 'this layout has no cuts'),
   noCuts: 'this layout has no cuts',
   doneEditing: 'Done',
   zoomIn: 'Zoom in',

@@ -1,0 +1,19 @@
+// @ts-check
+export const keyStrings = {
+  keyList: [
+    { keys: ['Espacio'], does: 'Barajar' },
+    { keys: ['L'], does: 'Barajar composición' },
+    { keys: ['S'], does: 'Barajar estilo' },
+    { keys: ['P'], does: 'Barajar fotos' },
+    { keys: ['Ctrl', 'Z'], does: 'Deshacer' },
+    { keys: ['Mayús', 'Ctrl', 'Z'], does: 'Rehacer' },
+    { keys: ['←', '↑', '→', '↓'], does: 'Pasar de una viñeta a otra' },
+    { keys: ['Intro'], does: 'Mover la foto de una viñeta con las flechas' },
+    { keys: [',', '.'], does: 'Fotograma anterior o posterior de un vídeo; con Mayús, un segundo' },
+    { keys: ['+', '−', '0'], does: 'Ampliar o reducir la foto de una viñeta, o restablecerla' },
+    { keys: ['Mayús', 'Intro'], does: 'Seleccionar una viñeta' },
+    { keys: ['Alt', '↑', '↓'], does: 'Inclinar un corte de la composición' },
+    { keys: ['Ctrl', 'S'], does: 'Descargar PNG' },
+    { keys: ['?'], does: 'Esta lista' },
+  ],
+};
