@@ -45,4 +45,5 @@ export const describingStrings = {
 
   language: 'Language',
   languageHelp: 'The page loads again in that language. Your work is saved first.',
+  languageLater: (/** @type {string} */ name) => `${name} is for the next visit: your work is not saved, so the page was not loaded again.`,
 };

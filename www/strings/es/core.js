@@ -33,5 +33,7 @@ export const coreStrings = {
   parameterHelp: (block, parameter) => PARAMETERS[`${block}.${parameter.id}`]?.[1] ?? parameter.help ?? '',
   /** @param {string} id */
   choiceName: (id) => CHOICES[id] ?? asName(id),
+  /** @param {{ id: string, name: string, family: string }} layout */
+  layoutTitle: (layout) => FAMILIES[layout.family] ?? layout.name,
   styleTitle: (/** @type {{ id: string, name: string }} */ style) => STYLES[style.id] ?? style.name,
 };

@@ -40,7 +40,7 @@ export const describingStrings = {
   /** @param {readonly Seen[]} things */
   seen: (things) => list.format(things.map(several)),
   /** @param {number} panels @param {string} layout @param {string} style */
-  pageHolds: (panels, layout, style) => `${panels === 1 ? 'Una viñeta' : `${panels} viñetas`}, composición ${layout}, estilo ${style}`,
+  pageHolds: (panels, layout, style) => `${panels === 1 ? 'Una viñeta' : `${panels} viñetas`}, plantilla ${layout}, estilo ${style}`,
   panelHolds: (/** @type {number} */ n, /** @type {string} */ what) => `Viñeta ${n}: ${what}.`,
   /** @param {number} panels @param {string} style */
   pageAs: (panels, style) => `Una página de ${panels === 1 ? 'una viñeta' : `${panels} viñetas`} con el estilo ${style}.`,
@@ -58,4 +58,5 @@ export const describingStrings = {
 
   language: 'Idioma',
   languageHelp: 'La página se carga otra vez en ese idioma. Antes se guarda tu trabajo.',
+  languageLater: (/** @type {string} */ name) => `${name} queda para la próxima visita: tu trabajo no está guardado, así que la página no se ha cargado otra vez.`,
 };

@@ -28,5 +28,5 @@ export const faultStrings = {
   panelFailed: (/** @type {string} */ why) => `No se pudo dibujar una viñeta: ${why}`,
   exportFailed: (/** @type {string} */ why) => `No se pudo hacer el archivo: ${why}`,
   coreFailed: (/** @type {string} */ why) => `Inkpanel no pudo arrancar: ${why}`,
-  locked: { layout: 'La composición está fijada.', style: 'El estilo está fijado.', photos: 'Las fotos están fijadas.' },
+  locked: { layout: 'La plantilla está fijada.', style: 'El estilo está fijado.', photos: 'Las fotos están fijadas.' },
 };

@@ -1,8 +1,9 @@
 // @ts-check
 export const keyStrings = {
+  letterKeys: 'Las letras sueltas son atajos',
   keyList: [
     { keys: ['Espacio'], does: 'Barajar' },
-    { keys: ['L'], does: 'Barajar composición' },
+    { keys: ['L'], does: 'Barajar plantilla' },
     { keys: ['S'], does: 'Barajar estilo' },
     { keys: ['P'], does: 'Barajar fotos' },
     { keys: ['Ctrl', 'Z'], does: 'Deshacer' },
@@ -12,7 +13,7 @@ export const keyStrings = {
     { keys: [',', '.'], does: 'Fotograma anterior o posterior de un vídeo; con Mayús, un segundo' },
     { keys: ['+', '−', '0'], does: 'Ampliar o reducir la foto de una viñeta, o restablecerla' },
     { keys: ['Mayús', 'Intro'], does: 'Seleccionar una viñeta' },
-    { keys: ['Alt', '↑', '↓'], does: 'Inclinar un corte de la composición' },
+    { keys: ['Alt', '↑', '↓'], does: 'Inclinar un corte de la plantilla' },
     { keys: ['Ctrl', 'S'], does: 'Descargar PNG' },
     { keys: ['?'], does: 'Esta lista' },
   ],

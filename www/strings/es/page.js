@@ -1,11 +1,11 @@
 // @ts-check
 export const pageStrings = {
   pageSettings: 'Ajustes de página',
-  pageSize: 'Tamaño de página',
+  pageSize: 'Formato',
   gutter: 'Calle',
   margin: 'Margen',
   border: 'Borde',
-  cornerRadius: 'Radio de esquina',
+  cornerRadius: 'Esquinas',
   paper: 'Color del papel',
   borderColor: 'Color del borde',
   percent: (/** @type {number} */ value) => `${value.toFixed(1).replace('.', ',')} %`,

@@ -18,8 +18,8 @@ export const panelStrings = {
   splitRows: 'Dividir en filas',
   splitColumns: 'Dividir en columnas',
   removePanel: 'Quitar viñeta',
-  notRemoved: (/** @type {boolean} */ editable) => (editable ? 'es la única' : 'esta composición no tiene cortes'),
-  noCuts: 'esta composición no tiene cortes',
+  notRemoved: (/** @type {boolean} */ editable) => (editable ? 'es la única' : 'esta plantilla no tiene cortes'),
+  noCuts: 'esta plantilla no tiene cortes',
   doneEditing: 'Listo',
   zoomIn: 'Acercar',
   zoomOut: 'Alejar',
@@ -38,10 +38,15 @@ export const panelStrings = {
     swap: 'Elige la viñeta con la que intercambiar',
     focus: 'Pulsa donde importa, o usa las flechas e Intro',
   },
-  cuts: 'Cortes de la composición',
+  cuts: 'Cortes de la plantilla',
   cut: (/** @type {number} */ n, /** @type {number} */ of) => `Corte ${n} de ${of}`,
   cutAt: (/** @type {number} */ at, /** @type {number} */ slant) => (
     Math.abs(slant) < 0.5 ? `${Math.round(at)} %` : `${Math.round(at)} %, inclinado ${Math.round(slant)} %`
   ),
+  selectCut: 'selecciona un corte',
+  cutBack: 'Mover corte hacia atrás',
+  cutForth: 'Mover corte hacia delante',
+  slantBack: 'Inclinar corte a un lado',
+  slantForth: 'Inclinar corte al otro lado',
   cutKeys: 'Las flechas lo mueven, con Alt lo inclinan',
 };
