@@ -58,11 +58,15 @@ export function keepFocus(root) {
     return others[Math.min(at, others.length - 1)] ?? undefined;
   }
 
+  // A part of the page may know better where the focus goes next, and says so within a frame.
+  let waiting = false;
   const observer = new MutationObserver(() => {
-    if (path.length === 0) return;
-    check();
-    // A control that was switched off has the focus until the next frame.
-    requestAnimationFrame(() => requestAnimationFrame(check));
+    if (path.length === 0 || waiting) return;
+    waiting = true;
+    requestAnimationFrame(() => requestAnimationFrame(() => {
+      waiting = false;
+      check();
+    }));
   });
   observer.observe(root, { childList: true, subtree: true, attributes: true, attributeFilter: ['disabled', 'open', 'hidden'] });
   root.addEventListener('focusin', remember);

@@ -40,6 +40,13 @@ export function Stage() {
     };
   }, []);
 
+  const about = description(app);
+  /** Said once a page, when it is there to be seen. */
+  const [said, say] = useState('');
+  useEffect(() => {
+    if (ui.painted.value === page && about) say(about);
+  }, [ui.painted.value, page, about]);
+
   // The number of photos read is part of what the page shows: panels fill as they come.
   const read = store.reading.value?.done;
   useEffect(() => {
@@ -47,7 +54,7 @@ export function Stage() {
   }, [page, geometry, width, read]);
 
   return (
-    <section class="stage" aria-label={strings.page} aria-description={description(app)} aria-busy={store.reading.value !== null || (page !== null && ui.painted.value !== page)}>
+    <section class="stage" aria-label={strings.page} aria-description={about} aria-busy={store.reading.value !== null || (page !== null && ui.painted.value !== page)}>
       <div class="stage-area" {...swipe} onClick={selection.clear}>
         <div class="page" ref={sheet} style={{ '--aspect': settings.width / settings.height }}>
           <canvas ref={canvas} class="page-canvas" aria-hidden="true" />
@@ -57,6 +64,7 @@ export function Stage() {
           {page && geometry && reshaping.editing.value && <Cuts />}
         </div>
       </div>
+      <p class="visually-hidden" aria-live="polite">{said}</p>
       {!page && <p class="stage-note">{strings.noPhotosInUse}</p>}
     </section>
   );
