@@ -38,10 +38,11 @@ describe.each([['es', spanish]])('the words in %s', (code, language) => {
     expect(imports.map(([, from]) => from).filter((from) => !from.startsWith('./'))).toEqual([]);
   });
 
-  it('name every designed style, family and tag', () => {
+  it('name every designed style, layout, family and tag', () => {
     const styles = readAll('../../styles/');
     const layouts = readAll('../../layouts/');
     expect(styles.filter(({ id }) => language.styleTitle({ id, name: 'none' }) === 'none').map(({ id }) => id)).toEqual([]);
+    expect(layouts.filter(({ id }) => language.layoutTitle({ id, name: 'none' }) === 'none').map(({ id }) => id)).toEqual([]);
     const families = new Set([...styles.flatMap(({ tags }) => tags), ...layouts.map(({ family }) => family)]);
     expect([...families].filter((id) => language.familyName(id) === english.familyName(id) && !['manga', 'pop'].includes(id))).toEqual([]);
   });

@@ -17,6 +17,6 @@ export const coreStrings = {
   parameterHelp: (_block, parameter) => parameter.help ?? '',
   /** @param {string} id of a choice of a parameter */
   choiceName: (id) => asName(id),
-  layoutTitle: (/** @type {{ id: string, name: string, family: string }} */ layout) => layout.name,
+  layoutTitle: (/** @type {{ id: string, name: string }} */ layout) => layout.name,
   styleTitle: (/** @type {{ id: string, name: string }} */ style) => style.name,
 };

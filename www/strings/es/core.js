@@ -2,6 +2,7 @@
 /** What the core and the data files call things, by their ids. A name that is not here stays as it is. */
 
 import { BLOCKS, PARAMETERS } from './blocks.js';
+import { LAYOUTS } from './layouts.js';
 import { STYLES } from './styles.js';
 
 /** @typedef {import('../en/core.js').Block} Block @typedef {import('../en/core.js').Parameter} Parameter */
@@ -33,7 +34,6 @@ export const coreStrings = {
   parameterHelp: (block, parameter) => PARAMETERS[`${block}.${parameter.id}`]?.[1] ?? parameter.help ?? '',
   /** @param {string} id */
   choiceName: (id) => CHOICES[id] ?? asName(id),
-  /** @param {{ id: string, name: string, family: string }} layout */
-  layoutTitle: (layout) => FAMILIES[layout.family] ?? layout.name,
+  layoutTitle: (/** @type {{ id: string, name: string }} */ layout) => LAYOUTS[layout.id] ?? layout.name,
   styleTitle: (/** @type {{ id: string, name: string }} */ style) => STYLES[style.id] ?? style.name,
 };
