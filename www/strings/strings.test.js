@@ -62,6 +62,11 @@ it('the person chooses the language, then the browser', () => {
   expect(pickLanguage('xx', ['fr'])).toBe('en');
 });
 
+it('turns the reasons for photos', () => {
+  const reasons = ['same as only one like it.jpg', 'sharpest of 3', 'only one like it', 'blurred'];
+  expect(reasons.map(spanish.verdict)).toEqual(['igual que only one like it.jpg', 'la más nítida de 3', 'la única así', 'desenfocada']);
+});
+
 it('counts what is seen', () => {
   const things = [{ label: 'person', count: 2 }, { label: 'elephant', count: 1 }, { label: 'knife', count: 13 }];
   expect(english.seen(things)).toBe('two people, an elephant, and 13 knives');

@@ -34,6 +34,12 @@ export const coreStrings = {
   parameterHelp: (block, parameter) => PARAMETERS[`${block}.${parameter.id}`]?.[1] ?? parameter.help ?? '',
   /** @param {string} id */
   choiceName: (id) => CHOICES[id] ?? asName(id),
+  /** The core's four sentences. @param {string} why */
+  verdict: (why) => why
+    .replace(/^same as (.*)$/s, 'igual que $1')
+    .replace(/^sharpest of (\d+)$/, 'la más nítida de $1')
+    .replace(/^only one like it$/, 'la única así')
+    .replace(/^blurred$/, 'desenfocada'),
   layoutTitle: (/** @type {{ id: string, name: string }} */ layout) => LAYOUTS[layout.id] ?? layout.name,
   styleTitle: (/** @type {{ id: string, name: string }} */ style) => STYLES[style.id] ?? style.name,
 };
