@@ -40,7 +40,9 @@ export function keepFocus(root) {
     const active = document.activeElement;
     if (!had || (active !== null && active !== document.body)) return;
     if (isUsable(had.element)) return;
-    const next = beside() ?? trail.findLast(isUsable) ?? root.querySelector('main');
+    const view = path.findLast(({ element }) => !element.isConnected)?.element.matches('main:not(.workspace)');
+    // Another view begins at its own top; what lay over a view gives way to what opened it.
+    const next = (view ? null : beside() ?? trail.findLast(isUsable)) ?? root.querySelector('main');
     path = [];
     if (!(next instanceof HTMLElement)) return;
     if (!next.matches(USABLE)) next.tabIndex = -1;
