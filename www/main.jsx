@@ -43,6 +43,7 @@ import { strings } from './strings.js';
 import { App } from './views/app.jsx';
 import { AppContext } from './views/context.js';
 import { acceptFiles } from './views/drop.js';
+import { keepFocus } from './views/focus-keeper.js';
 
 const engine = createEngine();
 const store = createStore();
@@ -139,6 +140,8 @@ render(
   </AppContext.Provider>,
   /** @type {HTMLElement} */ (document.getElementById('app')),
 );
+
+keepFocus(/** @type {HTMLElement} */ (document.getElementById('app')));
 
 /** Takes the style of the address, which then stands for the page alone again. */
 function openLink() {

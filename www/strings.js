@@ -10,8 +10,12 @@ import { currentLanguage } from './strings/language.js';
 
 export const language = currentLanguage();
 
-const words = english;
+/**
+ * Only English is part of the first download. The files of another language import nothing from outside their folder:
+ * this module waits for them, and would wait for ever if they waited for it.
+ */
+const words = language === 'es' ? await import('./strings/es/index.js').then(({ spanish }) => spanish, () => english) : english;
 
-if (typeof document !== 'undefined') document.documentElement.lang = language;
+if (typeof document !== 'undefined') document.documentElement.lang = words === english ? 'en' : language;
 
 export const strings = { ...everyStrings, ...words };

@@ -50,6 +50,8 @@ export function createKeys({ pages, download, ui, selection, framing, reshaping,
     if (typesText(target)) return undefined;
     // Over the board the page is out of sight: nothing shuffles it unseen.
     if (ui.work.peek() !== null) return key === 'Escape' ? () => void (ui.work.value = null) : undefined;
+    // Letters alone may be switched off; what needs no letter stays.
+    if (/^[a-z?]$/i.test(key) && !ui.letterKeys.peek()) return undefined;
     switch (key) {
       case ' ': return pressesItself(target) ? undefined : () => pages.shuffle('all');
       case 'l': case 'L': return () => pages.shuffle('layout');

@@ -26,6 +26,8 @@ export function createReshaping({ store, pages, seed }) {
   return {
     /** Whether the cuts show their handles. */
     editing: signal(false),
+    /** The cut that was chosen last, by its place in the facts of the layout. @type {import('@preact/signals').Signal<number | null>} */
+    cut: signal(null),
     surprise,
     moveCut,
     splitPanel,

@@ -10,6 +10,7 @@ import { effect, signal } from '@preact/signals';
 /** @typedef {ReturnType<typeof createUi>} Ui */
 
 const THEME_KEY = 'inkpanel.theme';
+const LETTERS_KEY = 'inkpanel.letters';
 const DETECT_KEY = 'inkpanel.detect';
 
 /** @param {Window} window */
@@ -25,8 +26,17 @@ export function createUi(window) {
     else delete root.dataset.theme;
   });
 
+  /** Whether single letters are shortcuts: speech input and unsteady hands set them off unasked. */
+  const letterKeys = signal(remembered(window, LETTERS_KEY) !== 'off');
+
   return {
     wide,
+    letterKeys,
+    /** @param {boolean} on */
+    useLetterKeys(on) {
+      letterKeys.value = on;
+      keep(window, LETTERS_KEY, on ? 'on' : 'off');
+    },
     theme,
     systemDark,
     /** The sheet that is open on a small screen. @type {import('@preact/signals').Signal<Sheet | null>} */
@@ -50,11 +60,7 @@ export function createUi(window) {
     toggleTheme() {
       const dark = (theme.value ?? (systemDark.value ? 'dark' : 'light')) === 'dark';
       theme.value = dark ? 'light' : 'dark';
-      try {
-        window.localStorage.setItem(THEME_KEY, theme.value);
-      } catch {
-        // Storage may be refused; the choice then lasts as long as the page.
-      }
+      keep(window, THEME_KEY, theme.value);
     },
   };
 }
@@ -77,6 +83,19 @@ function remembered(window, key) {
     return window.localStorage.getItem(key);
   } catch {
     return null;
+  }
+}
+
+/**
+ * @param {Window} window
+ * @param {string} key
+ * @param {string} value
+ */
+function keep(window, key, value) {
+  try {
+    window.localStorage.setItem(key, value);
+  } catch {
+    // Storage may be refused; the choice then lasts as long as the page.
   }
 }
 

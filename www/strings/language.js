@@ -2,7 +2,7 @@
 /** Which language the page speaks: the person's choice, else the browser's first that there is, else English. */
 
 /** Languages by code, each in its own words. */
-export const LANGUAGES = { en: 'English' };
+export const LANGUAGES = { en: 'English', es: 'Español' };
 
 /** @typedef {keyof typeof LANGUAGES} Language */
 

@@ -1,6 +1,7 @@
 // @ts-check
 /**
- * The cuts of the layout as handles over the page: a cut is dragged, its ends slant it, arrows do both.
+ * The cuts of the layout as handles over the page: a cut is dragged, its ends slant it, arrows do both, and so do the
+ * tools of the cut that is chosen.
  */
 
 import { useRef } from 'preact/hooks';
@@ -89,12 +90,14 @@ function CutHandle({ cut, index, count, height }) {
       aria-valuetext={strings.cutAt(cut.fraction * 100, cut.slant * 100)}
       aria-description={strings.cutKeys}
       data-axis={cut.axis}
+      data-chosen={reshaping.cut.value === index}
       style={{
         left: `${(x1 + x2) * 50}%`,
         top: `${(y1 + y2) * 50 / height}%`,
         width: `${length * 100}%`,
         rotate: `${angle}rad`,
       }}
+      onFocus={() => { reshaping.cut.value = index; }}
       onPointerDown={(event) => take(event, 'both')}
       onPointerMove={drag}
       onPointerUp={release}

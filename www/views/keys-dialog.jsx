@@ -2,6 +2,7 @@
 import { strings } from '../strings.js';
 import { useApp } from './context.js';
 import { Dialog } from './dialog.jsx';
+import { LanguageChoice } from './language-choice.jsx';
 
 /** The list of keys. */
 export function KeysDialog() {
@@ -16,6 +17,11 @@ export function KeysDialog() {
           </div>
         ))}
       </dl>
+      <label class="letter-keys">
+        <input type="checkbox" checked={ui.letterKeys.value} onChange={({ currentTarget }) => ui.useLetterKeys(currentTarget.checked)} />
+        <span>{strings.letterKeys}</span>
+      </label>
+      <LanguageChoice />
     </Dialog>
   );
 }

@@ -77,6 +77,7 @@ export function LayoutsList() {
         groups={groups}
         selected={store.layoutFacts.value?.id ?? null}
         onChoose={choose}
+        nameOf={strings.layoutTitle}
         empty={strings.noLayouts}
         picture={(layout) => pictures.get(layout.id) ?? <LayoutPicture layout={layout} aspect={aspect} />}
       />

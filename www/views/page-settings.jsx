@@ -8,6 +8,7 @@ import { PAGE_SIZES, sizeId } from '../state/paper.js';
 import { strings } from '../strings.js';
 import { useApp } from './context.js';
 import { CustomSize } from './custom-size.jsx';
+import { PageDescription } from './page-description.jsx';
 
 /** @typedef {import('../engine/documents.js').PageSettings} PageSettings */
 
@@ -81,6 +82,7 @@ export function PageSettings() {
           />
         </label>
       ))}
+      <PageDescription />
     </section>
   );
 }

@@ -7,6 +7,7 @@
 import { STEP } from '../state/scrubbing.js';
 import { strings } from '../strings.js';
 import { useApp } from './context.js';
+import { CutTools } from './cut-tools.jsx';
 import { Icon } from './icon.jsx';
 
 export function PanelTools() {
@@ -31,6 +32,8 @@ export function PanelTools() {
           <Tool icon="rows" label={strings.splitRows} why={fixed} onClick={() => reshaping.splitPanel(panel, 'rows')} />
           <Tool icon="columns" label={strings.splitColumns} why={fixed} onClick={() => reshaping.splitPanel(panel, 'columns')} />
           <Tool icon="bin" label={strings.removePanel} why={bare} onClick={() => reshaping.removePanel(panel)} />
+          {facts.cuts.length > 0 && <CutTools />}
+          <span class="rail-line" />
           <Tool icon="check" label={strings.doneEditing} onClick={() => { reshaping.editing.value = false; }} />
         </>
       )}

@@ -6,6 +6,7 @@
  */
 
 import { useRef, useState } from 'preact/hooks';
+import { describePanel } from '../state/describing.js';
 import { strings } from '../strings.js';
 import { useApp } from './context.js';
 import { target, usePanelGestures, within } from './panel-gestures.js';
@@ -90,7 +91,7 @@ export function Panels({ page, geometry }) {
 }
 
 /**
- * What is said of a panel beside its name: its photo, and whether it is chosen.
+ * What is said of a panel beside its name: its photo, what is in it, and whether it is chosen.
  * @param {PageDocument} page
  * @returns {(panel: number) => string | undefined}
  */
@@ -100,7 +101,7 @@ function useDescription(page) {
     const name = store.album.value.get(page.panels[panel].photo ?? '')?.name;
     const chosen = selection.panels.value.includes(panel) ? strings.chosenPanel : '';
     const locked = page.panels[panel].locked ? strings.lockedPanel : '';
-    return [name, chosen, locked].filter(Boolean).join(', ') || undefined;
+    return [name, describePanel(page, store.album.value, panel), chosen, locked].filter(Boolean).join(', ') || undefined;
   };
 }
 

@@ -28,7 +28,7 @@ export function PhotoTile({ item: { id }, used, stack = 0, onTake }) {
   const verdict = useComputed(() => store.verdicts.value.get(id)).value;
   const name = fact?.name ?? id;
   const ready = fact?.meta !== null && engine.hasPhoto(id);
-  const about = [fact?.credit ?? name, verdict?.why].filter(Boolean).join('\n');
+  const about = [fact?.credit ?? name, verdict && strings.verdict(verdict.why)].filter(Boolean).join('\n');
   return (
     <li
       class="photo"
@@ -87,7 +87,7 @@ export function PhotoTile({ item: { id }, used, stack = 0, onTake }) {
         <button type="button" class="photo-take" aria-label={strings.takeInstead(name)} onClick={onTake}>{strings.take}</button>
       )}
       <span class="photo-name">{fact?.credit ?? name}</span>
-      {verdict && <span class="photo-why" id={`why-${id}`}>{verdict.why}</span>}
+      {verdict && <span class="photo-why" id={`why-${id}`}>{strings.verdict(verdict.why)}</span>}
     </li>
   );
 }

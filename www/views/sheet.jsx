@@ -1,4 +1,5 @@
 // @ts-check
+import { useEffect, useRef } from 'preact/hooks';
 import { strings } from '../strings.js';
 import { IconButton } from './button.jsx';
 import { useApp } from './context.js';
@@ -10,8 +11,11 @@ import { useApp } from './context.js';
  */
 export function Sheet({ title, bare = false, children }) {
   const { ui } = useApp();
+  const ref = useRef(/** @type {HTMLElement | null} */ (null));
+  // It comes before the bar that opens it: without this, Tab would go past it.
+  useEffect(() => ref.current?.focus({ preventScroll: true }), []);
   return (
-    <section class="sheet" aria-label={strings.drawer}>
+    <section class="sheet" aria-label={strings.drawer} ref={ref} tabIndex={-1}>
       <div class="section-head sheet-head">
         {!bare && <h2>{title}</h2>}
         <IconButton icon="close" label={strings.close} onClick={() => { ui.sheet.value = null; }} />

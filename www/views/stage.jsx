@@ -11,12 +11,14 @@ import { useApp } from './context.js';
 import { Cuts } from './cuts.jsx';
 import { createPainter } from './painter.js';
 import { Panels } from './panels.jsx';
+import { styleOfPage } from './style-tools.jsx';
 import { PanelSubjects } from './subject-boxes.jsx';
 import { useSwipe } from './swipe.js';
 import { WordLayer } from './words/word-layer.jsx';
 
 export function Stage() {
-  const { store, pages, engine, messages, ui, selection, reshaping } = useApp();
+  const app = useApp();
+  const { store, pages, engine, messages, ui, selection, reshaping } = app;
   const canvas = useRef(/** @type {HTMLCanvasElement | null} */ (null));
   const sheet = useRef(/** @type {HTMLDivElement | null} */ (null));
   const painter = useRef(/** @type {ReturnType<typeof createPainter> | null} */ (null));
@@ -39,6 +41,13 @@ export function Stage() {
     };
   }, []);
 
+  const about = description(app);
+  /** Said once a page, when it is there to be seen. */
+  const [said, say] = useState('');
+  useEffect(() => {
+    if (ui.painted.value === page && about) say(about);
+  }, [ui.painted.value, page, about]);
+
   // The number of photos read is part of what the page shows: panels fill as they come.
   const read = store.reading.value?.done;
   useEffect(() => {
@@ -46,7 +55,7 @@ export function Stage() {
   }, [page, geometry, width, read]);
 
   return (
-    <section class="stage" aria-label={strings.page} aria-busy={store.reading.value !== null || (page !== null && ui.painted.value !== page)}>
+    <section class="stage" aria-label={strings.page} aria-description={about} aria-busy={store.reading.value !== null || (page !== null && ui.painted.value !== page)}>
       <div class="stage-area" {...swipe} onClick={selection.clear}>
         <div class="page" ref={sheet} style={{ '--aspect': settings.width / settings.height }}>
           <canvas ref={canvas} class="page-canvas" aria-hidden="true" />
@@ -56,9 +65,19 @@ export function Stage() {
           {page && geometry && reshaping.editing.value && <Cuts />}
         </div>
       </div>
+      <p class="visually-hidden" aria-live="polite">{said}</p>
       {!page && <p class="stage-note">{strings.noPhotosInUse}</p>}
     </section>
   );
+}
+
+/** How the page is made; what is in each panel is said there. @param {import('./context.js').App} app */
+function description(app) {
+  const { store } = app;
+  const layout = store.layoutFacts.value;
+  const style = styleOfPage(app);
+  if (!store.page.value) return undefined;
+  return strings.pageHolds(store.page.value.panels.length, layout ? strings.layoutTitle(layout) : '', style ? strings.styleTitle(style) : strings.ownStyle);
 }
 
 /** @param {import('../state/store.js').Store} store */

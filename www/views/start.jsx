@@ -8,6 +8,7 @@ import { useApp } from './context.js';
 import { openFiles } from './file-input.jsx';
 import { Icon } from './icon.jsx';
 import { Elsewhere } from './keeping/elsewhere.jsx';
+import { LanguageChoice } from './language-choice.jsx';
 import { Illustration } from './illustration.jsx';
 
 export function Start() {
@@ -29,6 +30,7 @@ export function Start() {
             </button>
           </div>
           <p class="start-promise"><Icon name="lock" />{strings.privacy}</p>
+          <LanguageChoice />
           {store.planner.value === null && <p class="visually-hidden" role="status">{strings.starting}</p>}
         </div>
       </div>

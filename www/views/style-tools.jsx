@@ -8,7 +8,7 @@ import { IconButton } from './button.jsx';
 import { useApp } from './context.js';
 
 /** The style of the page in full. @param {import('./context.js').App} app */
-function styleOfPage({ store, ownStyles }) {
+export function styleOfPage({ store, ownStyles }) {
   const style = store.page.value?.style;
   if (typeof style !== 'string') return /** @type {import('../engine/documents.js').Style | undefined} */ (style);
   return ownStyles.find(style) ?? store.styles.value.find(({ id }) => id === style);

@@ -17,5 +17,8 @@ export const coreStrings = {
   parameterHelp: (_block, parameter) => parameter.help ?? '',
   /** @param {string} id of a choice of a parameter */
   choiceName: (id) => asName(id),
+  /** Why a photo is kept or set aside. @param {string} why */
+  verdict: (why) => why,
+  layoutTitle: (/** @type {{ id: string, name: string }} */ layout) => layout.name,
   styleTitle: (/** @type {{ id: string, name: string }} */ style) => style.name,
 };

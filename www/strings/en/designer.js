@@ -43,6 +43,7 @@ export const designerStrings = {
   bypass: 'Bypass',
   moveUp: 'Move up',
   moveDown: 'Move down',
+  moveAcross: 'Move to the other layer',
   remove: 'Remove',
   duplicate: 'Duplicate',
   reset: 'Reset',

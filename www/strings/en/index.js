@@ -4,6 +4,7 @@
 import { boardStrings } from './board.js';
 import { bookStrings } from './book.js';
 import { coreStrings } from './core.js';
+import { describingStrings } from './describing.js';
 import { designerStrings } from './designer.js';
 import { faultStrings } from './faults.js';
 import { keepingStrings } from './keeping.js';
@@ -29,6 +30,7 @@ export const english = {
   ...keyStrings,
   ...faultStrings,
   ...coreStrings,
+  ...describingStrings,
 };
 
 /** @typedef {typeof english} Strings */

@@ -2,6 +2,7 @@
 /** The list of keys. */
 
 export const keyStrings = {
+  letterKeys: 'Single letters are shortcuts',
   keyList: [
     { keys: ['Space'], does: 'Shuffle' },
     { keys: ['L'], does: 'Shuffle layout' },

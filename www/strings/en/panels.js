@@ -20,7 +20,8 @@ export const panelStrings = {
   splitRows: 'Split into rows',
   splitColumns: 'Split into columns',
   removePanel: 'Remove panel',
-  notRemoved: (/** @type {boolean} */ editable) => (editable ? 'it is the only one' : 'this layout has no cuts'),
+  /** @type {(editable: boolean) => string} */
+  notRemoved: (editable) => (editable ? 'it is the only one' : 'this layout has no cuts'),
   noCuts: 'this layout has no cuts',
   doneEditing: 'Done',
   zoomIn: 'Zoom in',
@@ -45,5 +46,10 @@ export const panelStrings = {
   cutAt: (/** @type {number} */ at, /** @type {number} */ slant) => (
     Math.abs(slant) < 0.5 ? `${Math.round(at)} %` : `${Math.round(at)} %, slanted by ${Math.round(slant)} %`
   ),
+  selectCut: 'select a cut',
+  cutBack: 'Move cut back',
+  cutForth: 'Move cut forth',
+  slantBack: 'Slant cut one way',
+  slantForth: 'Slant cut the other way',
   cutKeys: 'Arrows move it, with Alt they slant it',
 };

@@ -4,7 +4,7 @@
  */
 
 import { useEffect, useRef } from 'preact/hooks';
-import { REMEDIES } from '../../state/designer-draft.js';
+import { MOST_BLOCKS, REMEDIES } from '../../state/designer-draft.js';
 import { strings } from '../../strings.js';
 import { IconButton } from '../button.jsx';
 import { useApp } from '../context.js';
@@ -34,6 +34,17 @@ export function Card({ step, layer, at, last, lacks, marked, ms, picture, carrie
       const usable = focused?.isConnected && !(/** @type {HTMLButtonElement} */ (focused).disabled);
       (usable ? focused : ref.current)?.focus();
       ref.current?.scrollIntoView({ block: 'nearest' });
+    });
+  }
+
+  /** To the end of the other layer, with the focus. */
+  function moveAcross() {
+    const toLayer = layer === 'background' ? 'foreground' : 'background';
+    designer.change({ type: 'move', layer, at, toLayer, to: MOST_BLOCKS });
+    requestAnimationFrame(() => {
+      const moved = /** @type {HTMLElement | null} */ (document.querySelector(`.card[data-key="${step.key}"]`));
+      moved?.focus();
+      moved?.scrollIntoView({ block: 'nearest' });
     });
   }
 
@@ -69,6 +80,7 @@ export function Card({ step, layer, at, last, lacks, marked, ms, picture, carrie
           onClick={() => designer.change({ type: 'bypass', layer, at, on: !step.bypass })} />
         <IconButton icon="up" label={strings.moveUp} disabled={at === 0} onClick={() => move(at - 1)} />
         <IconButton icon="down" label={strings.moveDown} disabled={last} onClick={() => move(at + 1)} />
+        <IconButton icon="across" label={strings.moveAcross} onClick={moveAcross} />
         <IconButton icon="duplicate" label={strings.duplicate} onClick={() => designer.change({ type: 'duplicate', layer, at })} />
         <IconButton icon="reset" label={strings.reset} disabled={block.params.length === 0} onClick={() => designer.change({ type: 'reset', layer, at })} />
         <IconButton icon="bin" label={strings.remove} onClick={remove} />

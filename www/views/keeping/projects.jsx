@@ -3,7 +3,7 @@
 
 import { useEffect, useRef, useState } from 'preact/hooks';
 import { EXTENSION } from '../../state/keeping/project-file.js';
-import { strings } from '../../strings.js';
+import { language, strings } from '../../strings.js';
 import { IconButton } from '../button.jsx';
 import { ChosenFiles } from '../chosen-files.jsx';
 import { useApp } from '../context.js';
@@ -46,7 +46,7 @@ function Project({ project: { id, name, changed, photos, picture } }) {
   const { keeping, ui } = useApp();
   const title = name || strings.untitled;
   const current = keeping.current.value === id;
-  const when = new Date(changed).toLocaleString(undefined, { dateStyle: 'medium', timeStyle: 'short' });
+  const when = new Date(changed).toLocaleString(language === 'en' ? undefined : language, { dateStyle: 'medium', timeStyle: 'short' });
   const busy = keeping.busy.value;
 
   async function open() {

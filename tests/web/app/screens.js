@@ -1,0 +1,133 @@
+// @ts-check
+/** Every screen of the page, and the way to it from a board of six photos: for tests that go through all of them. */
+
+import { drawn } from './designer-hands.js';
+import { four, panel } from './panel-hands.js';
+import { add, expect, idle, photos } from './support.js';
+import { openWords } from './word-hands.js';
+
+/** @typedef {import('../../../www/testing.js').Page} Page */
+
+const button = (/** @type {Page} */ page, /** @type {string} */ name) => page.getByRole('button', { name, exact: true });
+
+/** @param {Page} page @param {string} name of a part that is folded on a wide screen */
+async function unfold(page, name) {
+  const summary = page.locator('summary').filter({ hasText: name });
+  if (!await summary.evaluate((element) => /** @type {HTMLDetailsElement} */ (element.parentElement).open)) await summary.click();
+}
+
+/** Into the workspaces, whose buttons are among the styles on a small screen. @param {Page} page @param {string} name */
+async function work(page, name) {
+  if (!await button(page, name).isVisible()) await button(page, 'Styles').click();
+  await button(page, name).click();
+}
+
+/** @param {Page} page @param {string} name of a drawer on a small screen */
+async function drawer(page, name) {
+  if (await button(page, name).isVisible()) await button(page, name).click();
+}
+
+/** Screens of a wide and of a small window. @type {Record<string, (page: Page) => Promise<void>>} */
+export const SCREENS = {
+  board: async () => {},
+  'a panel is chosen': (page) => panel(page, 2).click(),
+  'a photo is moved': async (page) => {
+    await panel(page, 2).focus();
+    await page.keyboard.press('Enter');
+  },
+  cuts: async (page) => {
+    await drawer(page, 'Layouts');
+    await button(page, 'Edit layout').click();
+    await page.getByRole('slider', { name: /^Cut 1 of/ }).focus();
+  },
+  photos: async (page) => {
+    await drawer(page, 'Photos');
+    await unfold(page, 'Choice of photos');
+    await button(page, 'Show subjects').click();
+  },
+  'a stack': async (page) => {
+    await add(page, (await photos('cat.jpg')).map((photo) => ({ ...photo, name: 'cat again.jpg' })));
+    await idle(page);
+    await drawer(page, 'Photos');
+    await page.getByRole('button', { name: /^Show the 2 photos like/ }).click();
+  },
+  'styles and how they are chosen': async (page) => {
+    await drawer(page, 'Styles');
+    await button(page, 'How Shuffle chooses styles').click();
+  },
+  layouts: async (page) => {
+    await drawer(page, 'Layouts');
+    await page.getByRole('combobox', { name: 'Family' }).selectOption('slanted');
+  },
+  words: async (page) => {
+    await drawer(page, 'Words');
+    await openWords(page);
+    await button(page, 'Add balloon').click();
+    await page.keyboard.press('Enter');
+  },
+  'page settings': async (page) => {
+    if (await button(page, 'Page settings').isVisible()) await button(page, 'Page settings').click();
+    else await unfold(page, 'Page settings');
+    await page.getByRole('combobox', { name: 'Page size' }).selectOption('custom');
+    await unfold(page, 'Description of the page');
+  },
+  designer: async (page) => {
+    await work(page, 'Designer');
+    await drawn(page);
+  },
+  'blocks of the designer': async (page) => {
+    await work(page, 'Designer');
+    await button(page, 'Add block').click();
+    await drawn(page);
+  },
+  'comparison in the designer': async (page) => {
+    await work(page, 'Designer');
+    await button(page, 'Compare with original').click();
+    await drawn(page);
+  },
+  'an empty explorer': (page) => work(page, 'Explorer'),
+  explorer: async (page) => {
+    await work(page, 'Explorer');
+    await button(page, 'Generate').click();
+    await expect(page.locator('.wall-item').nth(5)).toBeVisible();
+    await button(page, 'Stop').click();
+  },
+  'pages shown': async (page) => {
+    await button(page, 'Shuffle').click();
+    await idle(page);
+    await page.getByRole('button', { name: /^Pages shown/ }).click();
+    await expect(page.getByRole('button', { name: 'Page 2', exact: true })).toBeVisible();
+  },
+  projects: (page) => button(page, 'Projects').click(),
+  'export dialog': async (page) => {
+    await button(page, 'Export').click();
+    await expect(page.getByRole('dialog').locator('canvas[data-drawn=true]')).toBeVisible();
+  },
+  'list of keys': (page) => page.keyboard.press('?'),
+  'what went wrong': async (page) => {
+    await button(page, 'Lock style').click();
+    await add(page, [{ name: 'notes.txt', mimeType: 'text/plain', buffer: Buffer.from('no photo') }]);
+    await expect(page.getByRole('alert')).toContainText('notes.txt');
+    await page.keyboard.press('s');
+  },
+};
+
+/** Six photos of which four are on the page, so that no screen hangs on a layout drawn by chance. @param {Page} page */
+export async function openFour(page) {
+  if (/** @type {{ width: number }} */ (page.viewportSize()).width >= 1000) await four(page);
+  else {
+    await page.goto('./');
+    await add(page, await photos('bee.jpg', 'cat.jpg', 'gateway.jpg', 'macaw.jpg'));
+    await expect(page.getByRole('region', { name: 'Storyboard page' })).toBeVisible();
+    await idle(page);
+  }
+}
+
+/** Back to the board, by keys alone. @param {Page} page */
+export async function back(page) {
+  for (let i = 0; i < 5; i += 1) {
+    await page.evaluate(() => /** @type {HTMLElement | null} */ (document.activeElement)?.blur());
+    await page.keyboard.press('Escape');
+  }
+  for (const dismiss of await page.getByRole('button', { name: 'Dismiss' }).all()) await dismiss.click();
+}

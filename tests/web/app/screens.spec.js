@@ -1,0 +1,50 @@
+// @ts-check
+/** Axe on every screen, in light and dark, wide and small. */
+
+import { readFile } from 'node:fs/promises';
+import { SCREENS, back, openFour } from './screens.js';
+import { accessible, add, expect, idle, offences, test } from './support.js';
+
+for (const colorScheme of /** @type {const} */ (['light', 'dark'])) {
+  for (const [width, height] of [[1280, 800], [360, 740]]) {
+    test.describe(`in ${colorScheme}, ${width} wide`, () => {
+      test.use({ colorScheme, viewport: { width, height } });
+
+      test('axe finds nothing on any screen', async ({ page }) => {
+        test.slow();
+        /** All screens are gone through before the test fails. @type {Record<string, object[]>} */
+        const wrong = {};
+        const look = async (/** @type {string} */ name) => {
+          const found = await offences(page);
+          if (found.length > 0) wrong[name] = found;
+        };
+        await page.goto('./');
+        await idle(page);
+        await look('start');
+        await page.getByRole('button', { name: 'Projects' }).click();
+        await look('no projects');
+        await openFour(page);
+        for (const [name, open] of Object.entries(SCREENS)) {
+          // On a small screen nobody is told of keys.
+          if (name === 'list of keys' && width < 1000) continue;
+          await test.step(name, async () => {
+            await open(page);
+            await look(name);
+            await back(page);
+          });
+        }
+        expect(wrong).toEqual({});
+      });
+    });
+  }
+}
+
+test('axe finds nothing on a video and its stretch, nor while it is read', async ({ page }) => {
+  await page.goto('./');
+  await add(page, [{ name: 'album.mp4', mimeType: 'video/mp4', buffer: await readFile(new URL('../../videos/album.mp4', import.meta.url)) }]);
+  await expect(page.getByRole('region', { name: 'Storyboard page' })).toBeVisible();
+  await accessible(page);
+  await idle(page);
+  await page.locator('.video summary').click();
+  await accessible(page);
+});

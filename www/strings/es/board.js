@@ -1,0 +1,21 @@
+// @ts-check
+export const boardStrings = {
+  page: 'Página de viñetas',
+  panel: (/** @type {number} */ n, /** @type {number} */ of) => `Viñeta ${n} de ${of}`,
+  shuffle: 'Barajar',
+  shufflePart: { layout: 'Barajar plantilla', style: 'Barajar estilo', photos: 'Barajar fotos' },
+  lockPart: { layout: 'Fijar plantilla', style: 'Fijar estilo', photos: 'Fijar fotos' },
+  part: { layout: 'Plantilla', style: 'Estilo', photos: 'Fotos' },
+  undo: 'Deshacer',
+  redo: 'Rehacer',
+  previous: 'Página anterior',
+  next: 'Página siguiente',
+  pageOf: (/** @type {number} */ n, /** @type {number} */ of) => `Página ${n} de ${of}`,
+  download: 'Descargar PNG',
+  export: 'Exportar',
+  theme: { light: 'Usar el tema claro', dark: 'Usar el tema oscuro' },
+  keys: 'Atajos de teclado',
+  close: 'Cerrar',
+  cancel: 'Cancelar',
+  dismiss: 'Descartar',
+};

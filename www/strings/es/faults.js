@@ -1,0 +1,32 @@
+// @ts-check
+export const faultStrings = {
+  fileFailed: (/** @type {string} */ name, /** @type {string} */ why) => `${name}: ${why}`,
+  /** The core's own sentences are English, so all its codes are here. @type {Record<string, string>} */
+  reasons: {
+    'worker-lost': 'al leerlo se detuvo el programa dos veces, así que se ha dejado fuera.',
+    'unreadable-file': 'el archivo se movió, cambió o borró después de elegirlo.',
+    'unknown-format': 'no es una imagen que Inkpanel sepa leer (JPEG, PNG, WebP, GIF, BMP o TIFF).',
+    damaged: 'el archivo está dañado o incompleto.',
+    unsupported: 'este tipo de archivo no se puede leer.',
+    'too-large': 'es demasiado grande.',
+    'no-decoder': 'este navegador no sabe leer este tipo de foto. Guárdala como JPEG o abre esta página en otro navegador.',
+    'missing-photo': 'la foto no está cargada.',
+    'no-photos': 'no hay ninguna foto que se pueda usar.',
+    encode: 'la página no se pudo codificar.',
+    'video-codec': 'este navegador no sabe descodificar el vídeo.',
+    'video-decoder': 'este navegador no sabe descodificar el vídeo.',
+    'video-format': 'no es un vídeo MP4, MOV, WebM o Matroska completo.',
+    'video-empty': 'no tiene imagen, solo sonido.',
+    'video-memory': 'no hay memoria suficiente para un fotograma.',
+    'video-worker': 'el lector del vídeo se detuvo.',
+    'words-missing': 'no se pudieron cargar las letras.',
+    'core-missing': 'no se pudo cargar el programa.',
+  },
+  noUsablePhoto: 'No se pudo usar ninguno de estos archivos. Elige fotos JPEG, PNG, WebP, AVIF, GIF, BMP o TIFF, o un vídeo.',
+  noSamples: 'No se pudo cargar el álbum de muestra. Comprueba la conexión e inténtalo otra vez.',
+  noPhotosInUse: 'No hay ninguna foto en uso. Marca una en Fotos para tener una página.',
+  panelFailed: (/** @type {string} */ why) => `No se pudo dibujar una viñeta: ${why}`,
+  exportFailed: (/** @type {string} */ why) => `No se pudo hacer el archivo: ${why}`,
+  coreFailed: (/** @type {string} */ why) => `Inkpanel no pudo arrancar: ${why}`,
+  locked: { layout: 'La plantilla está fijada.', style: 'El estilo está fijado.', photos: 'Las fotos están fijadas.' },
+};

@@ -1,0 +1,33 @@
+// @ts-check
+/** Every word of the page in Spanish, of the shape of the English. */
+
+import { boardStrings } from './board.js';
+import { coreStrings } from './core.js';
+import { describingStrings } from './describing.js';
+import { designerStrings } from './designer.js';
+import { faultStrings } from './faults.js';
+import { keepingStrings } from './keeping.js';
+import { keyStrings } from './keys.js';
+import { pageStrings } from './page.js';
+import { panelStrings } from './panels.js';
+import { photoStrings } from './photos.js';
+import { sideStrings } from './side.js';
+import { startStrings } from './start.js';
+import { wordStrings } from './words.js';
+
+/** @type {import('../en/index.js').Strings} */
+export const spanish = {
+  ...startStrings,
+  ...boardStrings,
+  ...sideStrings,
+  ...panelStrings,
+  ...designerStrings,
+  ...keepingStrings,
+  ...wordStrings,
+  ...photoStrings,
+  ...pageStrings,
+  ...keyStrings,
+  ...faultStrings,
+  ...coreStrings,
+  ...describingStrings,
+};

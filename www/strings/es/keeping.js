@@ -1,0 +1,63 @@
+// @ts-check
+/** @type {Record<string, string>} */
+const TROUBLE = {
+  full: 'el almacenamiento de este navegador está lleno',
+  refused: 'este navegador no guarda nada de las páginas de aquí',
+};
+
+export const keepingStrings = {
+  // Saving
+  saveState: {
+    empty: '', saving: 'Guardando…', saved: 'Guardado', full: 'Sin guardar', refused: 'Sin guardar', failed: 'Sin guardar',
+  },
+  saveHelp: 'Guardado en este navegador, en este dispositivo',
+  notSaved: (/** @type {string} */ why, /** @type {string} */ message) => (
+    `Tu trabajo no está guardado: ${TROUBLE[why] ?? message}. Todo sigue aquí mientras esta página esté abierta.`
+  ),
+  saveToFile: 'Guardar en un archivo',
+  conflict: 'Otra pestaña cambió este proyecto, así que este sigue como una copia.',
+
+  // Projects
+  projects: 'Proyectos',
+  projectName: 'Nombre del proyecto',
+  untitled: 'Sin título',
+  newProject: 'Proyecto nuevo',
+  openProject: 'Abrir proyecto',
+  saveProject: 'Guardar proyecto',
+  projectFile: 'Archivo de proyecto',
+  openNamed: (/** @type {string} */ name) => `Abrir ${name}`,
+  duplicateNamed: (/** @type {string} */ name) => `Duplicar ${name}`,
+  deleteNamed: (/** @type {string} */ name) => `Borrar ${name}`,
+  openNow: 'Abierto ahora',
+  projectAbout: (/** @type {number} */ photos, /** @type {string} */ when) => `${photos === 1 ? '1 foto' : `${photos} fotos`}, ${when}`,
+  noProjects: 'Lo que hagas se guarda aquí por sí solo.',
+  projectDeleted: (/** @type {string} */ name) => `${name} se ha borrado.`,
+  bringBack: 'Recuperarlo',
+  projectNotOpened: (/** @type {string} */ why) => `No se pudo abrir el proyecto: ${why}`,
+  projectFileNotOpened: (/** @type {string} */ name, /** @type {string} */ why) => `No se pudo abrir ${name}: ${why}`,
+  projectSaved: 'El proyecto se ha guardado como archivo, con tus fotos originales y lo que llevan dentro: fecha, cámara, lugar.',
+  projectNotSaved: (/** @type {string} */ why) => `No se pudo guardar el proyecto como archivo: ${why}`,
+  /** @type {Record<string, string>} */
+  projectReasons: {
+    'damaged-project': 'está dañado o no es un proyecto de Inkpanel. Lo que hay en la página no se ha tocado.',
+    'newer-project': 'se hizo con un Inkpanel más nuevo. Carga otra vez esta página para tener el último.',
+    'not-saved': 'lo que hay en la página no está guardado. Guárdalo primero en un archivo (Guardar proyecto).',
+    'missing-project': 'se borró.',
+    'no-storage': 'este navegador no guarda nada de las páginas de aquí.',
+    'too-large': 'el archivo pasaría de 4 GB.',
+  },
+  openingProject: (/** @type {string} */ name) => `Abriendo ${name}`,
+  openingLast: 'Abriendo tu proyecto',
+  openElsewhere: (/** @type {string} */ name) => `${name} está abierto en otra pestaña.`,
+  opensWhenFree: 'Se abre aquí cuando se cierre esa pestaña.',
+  openCopy: 'Abrir una copia',
+
+  // Pages shown
+  pagesShown: 'Páginas mostradas',
+  pagesShownAt: (/** @type {number} */ n, /** @type {number} */ of) => `Páginas mostradas, ${n}/${of}`,
+  pageNumber: (/** @type {number} */ n) => `Página ${n}`,
+  pageFrom: (/** @type {number} */ n) => `de la página ${n}`,
+  favouritePage: 'Página favorita',
+  favouritePages: 'Solo favoritas',
+  noFavouritePages: 'Aún no hay favoritas. Pulsa el corazón de una página que te guste.',
+};

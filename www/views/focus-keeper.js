@@ -1,0 +1,91 @@
+// @ts-check
+/**
+ * The focus is never lost: when what has it goes away or can no longer be used, it goes to what is beside it, or back
+ * to where it came from. Browsers would let it fall to the body, and the next Tab would begin at the top.
+ */
+
+const USABLE = 'button, input, select, textarea, a[href], summary, [tabindex]:not([tabindex="-1"])';
+/** How far back it is known where the focus was. */
+const LONGEST = 16;
+
+/**
+ * @param {HTMLElement} root all that is watched
+ * @returns {() => void} ends it
+ */
+export function keepFocus(root) {
+  const { ownerDocument: document } = root;
+  /** Where the focus was, the last one last. @type {HTMLElement[]} */
+  let trail = [];
+  /** From what has the focus up to the root, with the place of each among what can have it. @type {{ element: Element, at: number }[]} */
+  let path = [];
+
+  /** @param {FocusEvent} event */
+  function remember({ target }) {
+    if (!(target instanceof HTMLElement)) return;
+    trail = [...trail.filter((element) => element !== target && element.isConnected), target].slice(-LONGEST);
+    path = [];
+    for (let element = /** @type {Element | null} */ (target); element && element !== root; element = element.parentElement) {
+      const within = element.parentElement ? usable(element.parentElement) : [];
+      path.push({ element, at: within.findIndex((other) => element?.contains(other)) });
+    }
+  }
+
+  /** A person may put it nowhere, by a click beside everything. */
+  function forget() {
+    path = [];
+  }
+
+  function check() {
+    const [had] = path;
+    const active = document.activeElement;
+    if (!had || (active !== null && active !== document.body)) return;
+    if (isUsable(had.element)) return;
+    const view = path.findLast(({ element }) => !element.isConnected)?.element.matches('main:not(.workspace)');
+    // Another view begins at its own top; what lay over a view gives way to what opened it.
+    const next = (view ? null : beside() ?? trail.findLast(isUsable)) ?? root.querySelector('main');
+    path = [];
+    if (!(next instanceof HTMLElement)) return;
+    if (!next.matches(USABLE)) next.tabIndex = -1;
+    next.focus({ preventScroll: false });
+  }
+
+  /** For one of several things: its neighbour. For a part of the page: nothing, as what opened it is the better place. */
+  function beside() {
+    const gone = path.findLastIndex(({ element }) => !element.isConnected);
+    const { element, at } = path[Math.max(0, gone)];
+    if (gone >= 0 && !element.matches(`li, [role=group], ${USABLE}`)) return undefined;
+    const home = path[Math.max(0, gone) + 1]?.element;
+    if (!home?.isConnected) return undefined;
+    const others = usable(home);
+    return others[Math.min(at, others.length - 1)] ?? undefined;
+  }
+
+  // A part of the page may know better where the focus goes next, and says so within a frame.
+  let waiting = false;
+  const observer = new MutationObserver(() => {
+    if (path.length === 0 || waiting) return;
+    waiting = true;
+    requestAnimationFrame(() => requestAnimationFrame(() => {
+      waiting = false;
+      check();
+    }));
+  });
+  observer.observe(root, { childList: true, subtree: true, attributes: true, attributeFilter: ['disabled', 'open', 'hidden'] });
+  root.addEventListener('focusin', remember);
+  root.addEventListener('pointerdown', forget, { capture: true });
+  return () => {
+    observer.disconnect();
+    root.removeEventListener('focusin', remember);
+    root.removeEventListener('pointerdown', forget, { capture: true });
+  };
+}
+
+/** @param {Element} home @returns {HTMLElement[]} */
+function usable(home) {
+  return /** @type {HTMLElement[]} */ ([...home.querySelectorAll(USABLE)]).filter(isUsable);
+}
+
+/** @param {Element} element */
+function isUsable(element) {
+  return element.isConnected && !element.matches(':disabled') && element.checkVisibility({ visibilityProperty: true });
+}
