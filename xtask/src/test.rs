@@ -7,7 +7,7 @@ use anyhow::{Result, bail};
 
 use crate::project::Project;
 use crate::tally::{self, Tally};
-use crate::{budget, chromium, corpora, licences, models, npm, site, tools};
+use crate::{budget, chromium, corpora, licences, models, npm, package, site, tools};
 
 /// One kind of test.
 struct Suite {
@@ -32,6 +32,7 @@ const SUITES: &[Suite] = &[
     Suite { name: "unit", needs_site: true, run: unit },
     Suite { name: "wasm", needs_site: true, run: wasm },
     Suite { name: "page", needs_site: true, run: page },
+    Suite { name: "package", needs_site: false, run: package::check },
     Suite { name: "corpora", needs_site: false, run: corpora::check },
 ];
 
