@@ -15,6 +15,7 @@ mod native;
 mod npm;
 mod package;
 mod project;
+mod python;
 mod site;
 mod stamp;
 mod tally;
