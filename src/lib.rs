@@ -16,6 +16,32 @@
 //!
 //! On top, without algorithms of their own: `wasm`, `wasm_detect` and `wasm_words` (the web boundary, in three modules) and `main.rs` (the command line).
 //!
+//! Each stage has an example that runs: `examples/stage_raster.rs` and so on to `stage_page.rs`. Through some of them:
+//!
+//! ```
+//! use inkpanel::framing::{Order, PhotoMeta, assign, slots};
+//! use inkpanel::layout::{self, PageSettings};
+//! use inkpanel::raster::{Image, Plane};
+//! use inkpanel::style::{Context, catalogue, stylize};
+//!
+//! // An image, where usually `raster::decode` gives one.
+//! let plane = |i: usize| Plane::from_fn(60, 40, |x, y| ((3 + i) * x + (5 - i) * y) as u8);
+//! let image = Image::from_rgb([plane(0), plane(1), plane(2)])?;
+//!
+//! // The same image in a style.
+//! let style = catalogue::find("comic")?;
+//! let drawn = stylize(&image, style, &mut Context::for_image(&image))?;
+//! assert_eq!((drawn.width(), drawn.height()), (60, 40));
+//!
+//! // The panels of a page, and what each shows of three photos.
+//! let page = PageSettings::default();
+//! let panels = layout::resolve(layout::find("cinema-3")?, page.aspect(), &page);
+//! let photos: Vec<_> = ["a", "b", "c"].map(|id| PhotoMeta::unmeasured(id, 1600, 1200)).into();
+//! let shown = assign(&photos, &slots(&panels, f64::from(page.width)), Order::Kept, 7);
+//! assert_eq!(shown.len(), panels.len());
+//! # Ok::<(), inkpanel::Error>(())
+//! ```
+//!
 //! Invariants: no global state, no clock, no randomness but from a seed that the caller gives; every
 //! spatial parameter of a style is in pixels of a 1920 x 1080 image and scaled to the render at hand.
 

@@ -11,10 +11,7 @@ use std::panic::catch_unwind;
 use std::path::{Path, PathBuf};
 
 use entries::{ENTRIES, Entry};
-use inkpanel::page::request::Request;
-use inkpanel::page::shuffle;
 use oorandom::Rand64;
-use serde_json::json;
 
 /// Damaged copies of each good file.
 const COPIES: usize = 60;
@@ -50,21 +47,6 @@ fn files(folder: &str) -> Vec<Vec<u8>> {
     paths.into_iter().map(|path| fs::read(path).unwrap()).collect()
 }
 
-/// A request with all its fields, and the page that it gives.
-fn request_and_page() -> (Vec<u8>, Vec<u8>) {
-    let photo = |id: &str| {
-        json!({ "id": id, "width": 1200, "height": 800, "fingerprint": "00ff00ff00ff00ff", "sharpness": 0.5, "taken": null,
-            "energy": { "columns": 2, "rows": 2, "values": "00408020" },
-            "subjects": [{ "label": "face", "score": 0.9, "x": 0.2, "y": 0.3, "width": 0.1, "height": 0.2 }],
-            "focus": { "x": 0.4, "y": 0.5 } })
-    };
-    let request = json!({ "seed": 7, "photos": [photo("a"), photo("b"), photo("c")], "panels": 4, "keep": { "layout": false },
-        "merges": [[0, 1]], "style": "noir" });
-    let bytes = serde_json::to_vec(&request).unwrap();
-    let page = shuffle::plan(&serde_json::from_slice::<Request>(&bytes).unwrap()).unwrap();
-    (bytes, serde_json::to_vec(&page).unwrap())
-}
-
 /// Good files to begin with, of the kind that an entry takes.
 fn seeds(name: &str) -> Vec<Vec<u8>> {
     let some = |folder: &str| files(folder).into_iter().step_by(6).collect();
@@ -76,18 +58,7 @@ fn seeds(name: &str) -> Vec<Vec<u8>> {
             .collect(),
         "style" => some("styles"),
         "layout" => some("layouts"),
-        "document" => vec![request_and_page().1],
-        "plan" => vec![request_and_page().0],
-        _ => {
-            let measures = json!({ "fingerprint": "0123456789abcdef", "gradient": 1.5, "paper": 2.0, "laplacian": 90.0 });
-            let photo = |id: &str| {
-                let mut photo = measures.clone();
-                photo["id"] = id.into();
-                photo["name"] = id.into();
-                photo
-            };
-            vec![serde_json::to_vec(&json!({ "threshold": 10, "photos": [photo("a"), photo("b")] })).unwrap()]
-        }
+        _ => files(&format!("fuzz/seeds/{name}")),
     }
 }
 

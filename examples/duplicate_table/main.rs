@@ -1,8 +1,9 @@
 //! How well near-duplicates are grouped: precision and recall over altered copies of photos; `cargo xtask duplicates`
 //! runs it.
 //!
-//!     cargo run --example duplicate_table -- TABLE.md PHOTOS...
+//!     cargo run --example duplicate_table -- TABLE.md FRAMES PHOTOS...
 
+mod films;
 mod variants;
 
 use std::error::Error;
@@ -37,8 +38,8 @@ struct Picture {
 
 fn main() -> Result<(), Box<dyn Error>> {
     let arguments: Vec<PathBuf> = std::env::args().skip(1).map(PathBuf::from).collect();
-    let [table, photos @ ..] = arguments.as_slice() else {
-        return Err("usage: duplicate_table TABLE.md PHOTOS...".into());
+    let [table, frames, photos @ ..] = arguments.as_slice() else {
+        return Err("usage: duplicate_table TABLE.md FRAMES PHOTOS...".into());
     };
     let mut names = vec!["the photo itself"];
     let mut album = Vec::new();
@@ -54,7 +55,7 @@ fn main() -> Result<(), Box<dyn Error>> {
         eprint!("\r{} of {}", i + 1, photos.len());
     }
     eprintln!();
-    let text = written(&names, &album, photos.len());
+    let text = written(&names, &album, photos.len()) + &films::written(frames)?;
     print!("{text}");
     std::fs::write(table, format!("{ABOUT}\n{text}"))?;
     Ok(())
@@ -87,8 +88,11 @@ fn pairs(album: &[&Picture], groups: &[usize]) -> (usize, usize) {
     (right, all)
 }
 
+fn percent((part, all): (usize, usize)) -> String {
+    format!("{:.1} %", 100.0 * part as f64 / all.max(1) as f64)
+}
+
 fn written(names: &[&str], album: &[Picture], photos: usize) -> String {
-    let percent = |(part, all): (usize, usize)| format!("{:.1} %", 100.0 * part as f64 / all.max(1) as f64);
     let everything: Vec<&Picture> = album.iter().collect();
     let threshold = Settings::default().threshold;
     let grouped = groups(&everything, threshold);

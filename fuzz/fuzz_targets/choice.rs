@@ -1,4 +1,4 @@
-//! Fuzzes `inkpanel_fuzz::choice`: `cargo +nightly fuzz run choice`.
+//! Fuzzes `inkpanel_fuzz::choice`: `fuzz/README.md` says how.
 #![no_main]
 
 libfuzzer_sys::fuzz_target!(|bytes: &[u8]| inkpanel_fuzz::choice(bytes));

@@ -1,4 +1,4 @@
-//! Fuzzes `inkpanel_fuzz::layout`: `cargo +nightly fuzz run layout`.
+//! Fuzzes `inkpanel_fuzz::layout`: `fuzz/README.md` says how.
 #![no_main]
 
 libfuzzer_sys::fuzz_target!(|bytes: &[u8]| inkpanel_fuzz::layout(bytes));

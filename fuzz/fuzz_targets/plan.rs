@@ -1,4 +1,4 @@
-//! Fuzzes `inkpanel_fuzz::plan`: `cargo +nightly fuzz run plan`.
+//! Fuzzes `inkpanel_fuzz::plan`: `fuzz/README.md` says how.
 #![no_main]
 
 libfuzzer_sys::fuzz_target!(|bytes: &[u8]| inkpanel_fuzz::plan(bytes));

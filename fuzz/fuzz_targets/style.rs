@@ -1,4 +1,4 @@
-//! Fuzzes `inkpanel_fuzz::style`: `cargo +nightly fuzz run style`.
+//! Fuzzes `inkpanel_fuzz::style`: `fuzz/README.md` says how.
 #![no_main]
 
 libfuzzer_sys::fuzz_target!(|bytes: &[u8]| inkpanel_fuzz::style(bytes));

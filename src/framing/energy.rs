@@ -25,9 +25,9 @@ pub struct EnergyMap {
 }
 
 impl EnergyMap {
-    /// Measures a photo (any size; a small one will do). A cell's energy is [`GRADIENT`] parts the mean
+    /// Measures a photo (any size; a small one will do). A cell's energy is `GRADIENT` parts the mean
     /// gradient of its luma, the sum of the absolute central differences across and down, and the rest how far
-    /// its colour is from the colours of the whole photo (see [`contrast`]): detail alone would prefer grass to
+    /// its colour is from the colours of the whole photo (see `contrast`): detail alone would prefer grass to
     /// the smooth face before it.
     #[must_use]
     pub fn of(image: &Image) -> Self {

@@ -5,7 +5,7 @@
 //! | [`params`] | what a parameter is: kind, default, range, step, unit |
 //! | [`blocks`] | the registry and one file a block |
 //! | [`blade`] | operators learned from photos, as banks of small filters |
-//! | [`file`] | the style file: parsing with exact error places, writing |
+//! | [`mod@file`] | the style file: parsing with exact error places, writing |
 //! | [`chain`] | a layer compiled into passes and run |
 //! | [`context`] | scale, scratch memory and cancellation that a run gives to its blocks |
 //! | [`catalogue`] | the designed styles that ship in `styles/` |

@@ -1,6 +1,6 @@
 //! Styles that nobody designed: chains of blocks drawn at random, by the rules of "Graphic Narrative with Interactive
 //! Stylization Design" (Garcia-Dorado et al., section on procedural styles). Three rules of our own keep them from being
-//! nearly white or nearly the photo: see [`STRETCH`], [`DARK`] and [`STRONG`].
+//! nearly white or nearly the photo: see `STRETCH`, `DARK` and `STRONG`.
 //!
 //! The same seed gives the same style on every machine and in every release.
 

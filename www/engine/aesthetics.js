@@ -4,11 +4,10 @@
  * own. That, and all it needs, is loaded with the first call. The net is optional when the site is built.
  */
 
+import { NET } from './aesthetics-net.js';
 import { createPool } from './pool.js';
+import { failure } from './protocol.js';
 import { Priority } from './queue.js';
-
-/** Where the net is, if it is part of the site: nobody asks for a file that is not there. */
-const [NET] = /** @type {string[]} */ (Object.values(import.meta.glob('../models/aesthetics.onnx', { query: '?url', import: 'default', eager: true })));
 
 /** Also for loading and preparing the net, on a slow phone. */
 const TIMEOUT = 120_000;
@@ -30,6 +29,7 @@ export function createAesthetics({ run, photos }) {
    * @returns {Promise<number>}
    */
   async function judgeStyle(id, style, { width, height }, call) {
+    if (!NET) throw failure('net-missing', 'The net that scores pictures is not part of this site.');
     const [photo] = photos.handles([id], 'small');
     const job = { photo: photos.names([id]), priority: Priority.REST, ...call };
     const args = { photo, style: JSON.stringify(style), width, height };

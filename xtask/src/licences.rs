@@ -1,0 +1,41 @@
+//! The licences of all crates, and where they come from, by cargo-deny and `deny.toml`.
+
+use std::path::{Path, PathBuf};
+use std::process::Command;
+
+use anyhow::Result;
+
+use crate::project::Project;
+use crate::tools;
+
+/// What is installed below `target`.
+const CARGO_DENY: &str = "0.20.2";
+
+/// Checks crates by `deny.toml`. Advisories are left out: their database is a download of its own.
+///
+/// # Errors
+/// When cargo-deny cannot be installed, or has something against a crate.
+pub(crate) fn check(project: &Project) -> Result<()> {
+    let program = install(project)?;
+    let mut deny = Command::new(program);
+    tools::run(deny.args(["check", "licenses", "bans", "sources"]).current_dir(&project.root))
+}
+
+fn install(project: &Project) -> Result<PathBuf> {
+    let folder = project.target.join("tools");
+    let program = folder.join(format!("bin/cargo-deny{}", std::env::consts::EXE_SUFFIX));
+    if is_installed(&program) {
+        return Ok(program);
+    }
+    println!("cargo install cargo-deny {CARGO_DENY}");
+    let mut cargo = project.cargo();
+    cargo.args(["install", "cargo-deny", "--version", CARGO_DENY, "--locked", "--quiet", "--root"]);
+    // It runs for a second: what takes time is to compile it.
+    tools::run(cargo.arg(&folder).arg("--debug").env("CARGO_PROFILE_DEV_DEBUG", "0"))?;
+    Ok(program)
+}
+
+fn is_installed(program: &Path) -> bool {
+    let version = Command::new(program).arg("--version").output();
+    version.is_ok_and(|told| String::from_utf8_lossy(&told.stdout).trim().ends_with(CARGO_DENY))
+}

@@ -1,0 +1,172 @@
+//! The npm package: the engine of `www/engine`, its wasm modules and nets, their types, as files that a static server can
+//! serve as they are. `www/package` has what is there for the package alone.
+
+mod notices;
+
+use std::fs;
+use std::path::{Path, PathBuf};
+use std::process::Command;
+
+use anyhow::{Context, Result, ensure};
+use serde_json::{Value, json};
+
+use crate::project::Project;
+use crate::tally::{self, Tally};
+use crate::{chromium, models, npm, tools, wasm};
+
+const NAME: &str = "inkpanel";
+/// The way in, without its extension: a module and its types.
+const ENTRY: &str = "engine/index";
+/// Modules of the engine that only tests load.
+const FOR_TESTS: [&str; 2] = [".test.js", "testing.js"];
+/// Films are read by this library, which comes as one module; under MPL 2.0, so it stays a file of its own, unchanged.
+const FILM_LIBRARY: (&str, &str) = ("mediabunny", "dist/bundles/mediabunny.min.mjs");
+/// The folders that are published.
+const FOLDERS: [&str; 7] = ["engine", "pkg", "pkg-words", "pkg-detector", "models", "vendor", "licences"];
+
+/// Builds the package and says where it is.
+///
+/// # Errors
+/// When a part cannot be built.
+pub(crate) fn make(project: &Project) -> Result<()> {
+    let folder = build(project)?;
+    println!("{}: publish it with `npm publish`, or try it with `npm install FOLDER`", folder.display());
+    Ok(())
+}
+
+/// Builds the package below `target/package`.
+fn build(project: &Project) -> Result<PathBuf> {
+    npm::install(project)?;
+    models::make(project)?;
+    let modules = [wasm::core(project), wasm::words(project), wasm::detectors(project)];
+    for module in &modules {
+        wasm::build(project, module)?;
+    }
+    let folder = project.target.join("package").join(NAME);
+    if folder.exists() {
+        fs::remove_dir_all(&folder)?;
+    }
+    for part in FOLDERS {
+        fs::create_dir_all(folder.join(part))?;
+    }
+    for module in &modules {
+        let name = module.folder.file_name().context("a module has a folder")?;
+        copy_all(&module.folder, &folder.join(name), |_| true)?;
+    }
+    engine(project, &folder)?;
+    papers(project, &folder)?;
+    fs::write(folder.join("package.json"), format!("{:#}\n", manifest(project)?))?;
+    types(project, &folder)?;
+    Ok(folder)
+}
+
+/// The engine's modules, those of the package in place of the site's, the film library and the nets.
+fn engine(project: &Project, folder: &Path) -> Result<()> {
+    let (www, out) = (project.www(), folder.join("engine"));
+    copy_all(&www.join("engine"), &out, |name| FOR_TESTS.iter().all(|end| !name.ends_with(end)))?;
+    copy_all(&www.join("package"), &out, is_script)?;
+    let (library, bundle) = FILM_LIBRARY;
+    let installed = www.join("node_modules").join(library);
+    copy(&installed.join(bundle), &folder.join(format!("vendor/{library}.js")))?;
+    copy(&installed.join("LICENSE"), &folder.join(format!("licences/{library}-MPL.txt")))?;
+    // A browser knows no packages by name.
+    let reader = out.join("video-worker.js");
+    let text = fs::read_to_string(&reader)?;
+    let named = format!("from '{library}'");
+    ensure!(text.matches(&named).count() == 1, "video-worker.js imports {library} in another way");
+    fs::write(&reader, text.replace(&named, &format!("from '../vendor/{library}.js'")))?;
+    for net in ["faces.onnx", "objects.onnx"] {
+        copy(&models::folder(project).join(net), &folder.join("models").join(net))?;
+    }
+    copy(&models::folder(project).join("README.md"), &folder.join("licences/models.md"))
+}
+
+/// What is to be read: how to use it, and under which licences.
+fn papers(project: &Project, folder: &Path) -> Result<()> {
+    for file in ["README.md", "example.html"] {
+        copy(&project.www().join("package").join(file), &folder.join(file))?;
+    }
+    for file in ["LICENSE-MIT", "LICENSE-APACHE"] {
+        copy(&project.root.join(file), &folder.join(file))?;
+    }
+    copy_all(&project.root.join("fonts"), &folder.join("licences"), |name| name.ends_with("-OFL.txt"))?;
+    fs::write(folder.join("THIRD-PARTY.txt"), notices::text(project, wasm::TARGET, &["detect", "words"])?)?;
+    Ok(())
+}
+
+/// The package's manifest; name, version and description are the crate's.
+fn manifest(project: &Project) -> Result<Value> {
+    let mut cargo = project.cargo();
+    let metadata =
+        tools::output(cargo.args(["metadata", "--format-version", "1", "--no-deps", "--offline"]))?;
+    let metadata: Value = serde_json::from_str(&metadata)?;
+    let mut packages = metadata["packages"].as_array().into_iter().flatten();
+    let package = packages.find(|package| package["name"] == NAME).context("the crate is not there")?;
+    let mut files: Vec<String> = FOLDERS.iter().map(|folder| format!("{folder}/")).collect();
+    files.extend(["LICENSE-MIT", "LICENSE-APACHE", "THIRD-PARTY.txt", "example.html"].map(str::to_owned));
+    Ok(json!({
+        "name": NAME,
+        "version": package["version"],
+        "description": package["description"],
+        "keywords": package["keywords"],
+        "license": package["license"],
+        "type": "module",
+        // The types lie beside the module, where TypeScript looks for them.
+        "exports": { ".": format!("./{ENTRY}.js"), "./package.json": "./package.json" },
+        "types": format!("./{ENTRY}.d.ts"),
+        // A worker begins by listening; all other modules only export.
+        "sideEffects": ["./engine/worker.js", "./engine/*-worker.js"],
+        "files": files,
+    }))
+}
+
+/// Types out of the comments, beside each module that the way in reaches.
+fn types(project: &Project, folder: &Path) -> Result<()> {
+    let mut tsc = npm::tool(project, "typescript/bin/tsc");
+    tsc.args(["--allowJs", "--declaration", "--emitDeclarationOnly", "--strict", "--skipLibCheck"]);
+    tsc.args(["--target", "es2022", "--module", "esnext", "--moduleResolution", "bundler"]);
+    tsc.args(["--lib", "es2023,dom,dom.iterable", "--types", "", "--outDir", "."]).args(["--rootDir", "."]);
+    tools::run(tsc.arg(format!("{ENTRY}.js")).current_dir(folder))?;
+    ensure!(folder.join(format!("{ENTRY}.d.ts")).is_file(), "tsc left no types");
+    Ok(())
+}
+
+/// Packs the package, and tests it in a browser as another project installs it.
+///
+/// # Errors
+/// When the package cannot be built or packed.
+pub(crate) fn check(project: &Project) -> Result<(Tally, bool)> {
+    let folder = build(project)?;
+    let target = project.target.join("package");
+    let mut pack = Command::new(npm::program());
+    pack.args(["pack", "--silent", "--pack-destination", ".."]).current_dir(&folder);
+    let tarball = target.join(tools::output(&mut pack)?.trim());
+    println!("{}: {} bytes", tarball.display(), fs::metadata(&tarball)?.len());
+    // As the suite `rust` builds it.
+    tools::run(project.cargo().args(["test", "--workspace", "--no-run", "--quiet"]))?;
+    let native = project.target.join("debug").join(format!("inkpanel{}", std::env::consts::EXE_SUFFIX));
+    let mut playwright = npm::tool(project, "@playwright/test/cli.js");
+    playwright.args(["test", "--config", "../tests/web/package/playwright.config.js"]);
+    playwright.env("CHROMIUM", chromium::find()?).env("INKPANEL", native).env("INKPANEL_PACKAGE", tarball);
+    tally::count(&mut playwright)
+}
+
+fn is_script(name: &str) -> bool {
+    Path::new(name).extension().is_some_and(|extension| extension == "js")
+}
+
+/// Copies the files of a folder, not those of folders in it, whose names are wanted.
+fn copy_all(from: &Path, to: &Path, wanted: impl Fn(&str) -> bool) -> Result<()> {
+    for entry in fs::read_dir(from).with_context(|| format!("cannot list {}", from.display()))? {
+        let path = entry?.path();
+        let name = path.file_name().and_then(|name| name.to_str()).unwrap_or_default();
+        if path.is_file() && wanted(name) {
+            copy(&path, &to.join(name))?;
+        }
+    }
+    Ok(())
+}
+
+fn copy(from: &Path, to: &Path) -> Result<()> {
+    fs::copy(from, to).map(|_| ()).with_context(|| format!("cannot copy {}", from.display()))
+}

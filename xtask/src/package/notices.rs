@@ -1,0 +1,90 @@
+//! The licences of the crates inside the wasm modules: most ask that their text goes wherever they go.
+
+use std::collections::{BTreeMap, BTreeSet};
+use std::fmt::Write as _;
+use std::fs;
+use std::path::Path;
+
+use anyhow::{Context, Result};
+use serde_json::Value;
+
+use crate::project::Project;
+use crate::tools;
+
+/// How files with licences and notices begin.
+const BEGINNINGS: [&str; 4] = ["LICENSE", "LICENCE", "COPYING", "NOTICE"];
+
+/// One text for all crates that the library has on a target with these features: each text once, above it the crates
+/// that it is of. A crate without such a file is named with what it says of itself.
+///
+/// # Errors
+/// When cargo cannot tell.
+pub(crate) fn text(project: &Project, target: &str, features: &[&str]) -> Result<String> {
+    let mut cargo = project.cargo();
+    cargo.args(["metadata", "--format-version", "1", "--locked", "--no-default-features"]);
+    cargo.args(["--features", &features.join(","), "--filter-platform", target]);
+    let metadata: Value = serde_json::from_str(&tools::output(&mut cargo)?)?;
+    let root = metadata["workspace_default_members"][0].as_str().context("cargo names no crate")?;
+    let needed = reached(&metadata, root);
+    let mut texts: BTreeMap<String, Vec<String>> = BTreeMap::new();
+    for package in metadata["packages"].as_array().into_iter().flatten() {
+        let field = |name: &str| package[name].as_str().unwrap_or_default();
+        if field("id") == root || !needed.contains(field("id")) {
+            continue;
+        }
+        let title = format!("{} {} ({})", field("name"), field("version"), field("license"));
+        let folder = Path::new(field("manifest_path")).parent().context("a manifest lies in a folder")?;
+        let mut found = files(folder)?;
+        if found.is_empty() {
+            let authors: Vec<_> =
+                package["authors"].as_array().into_iter().flatten().filter_map(Value::as_str).collect();
+            found.push(format!("Licence as named above. Authors: {}", authors.join(", ")));
+        }
+        for text in found {
+            texts.entry(text).or_default().push(title.clone());
+        }
+    }
+    let mut written = "Libraries inside the modules of this package, and their licences.\n".to_owned();
+    for (text, titles) in &texts {
+        // Writing to a string cannot fail.
+        let _ = write!(written, "\n{}\n{}\n\n{text}\n", "=".repeat(80), titles.join("\n"));
+    }
+    Ok(written)
+}
+
+/// The ids of all packages that `root` needs when it runs, itself among them.
+fn reached<'a>(metadata: &'a Value, root: &'a str) -> BTreeSet<&'a str> {
+    let nodes = metadata["resolve"]["nodes"].as_array().map_or(&[][..], Vec::as_slice);
+    let mut reached = BTreeSet::new();
+    let mut open = vec![root];
+    while let Some(id) = open.pop() {
+        if !reached.insert(id) {
+            continue;
+        }
+        let node = nodes.iter().find(|node| node["id"] == id);
+        for other in node.and_then(|node| node["deps"].as_array()).into_iter().flatten() {
+            let mut kinds = other["dep_kinds"].as_array().into_iter().flatten();
+            // Those of build scripts and of tests have a name.
+            if kinds.any(|kind| kind["kind"].is_null()) {
+                open.extend(other["pkg"].as_str());
+            }
+        }
+    }
+    reached
+}
+
+/// The texts in a crate's folder, without the spaces that differ from one to the other.
+fn files(folder: &Path) -> Result<Vec<String>> {
+    let mut paths = fs::read_dir(folder)?.map(|entry| Ok(entry?.path())).collect::<Result<Vec<_>>>()?;
+    paths.retain(|path| {
+        let name = path.file_name().and_then(|name| name.to_str()).unwrap_or_default().to_uppercase();
+        path.is_file() && BEGINNINGS.iter().any(|beginning| name.starts_with(beginning))
+    });
+    paths.sort();
+    let read = |path: &Path| -> Result<String> {
+        let text = String::from_utf8_lossy(&fs::read(path)?).replace('\r', "");
+        let lines: Vec<_> = text.trim().lines().map(str::trim_end).collect();
+        Ok(lines.join("\n"))
+    };
+    paths.iter().map(|path| read(path)).collect()
+}
