@@ -120,7 +120,8 @@ window.addEventListener('storage', shelves.hear);
 effect(() => {
   const page = store.page.value;
   const painted = page === null || (ui.painted.value === page && (lettering.words.value.length === 0 || reshaping.editing.value || ui.lettered.value === page));
-  const waiting = store.planner.value === null || store.reading.value !== null || store.fetching.value || keeping.running.value;
+  const waiting = store.planner.value === null || store.reading.value !== null || store.fetching.value || keeping.running.value ||
+    keeping.files.progress.value !== null;
   const idle = !waiting && painted;
   document.body.dataset.idle = String(idle);
   // Of a large album the first page is drawn long before all is read.
