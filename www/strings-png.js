@@ -20,6 +20,7 @@ export const pngStrings = {
   cargoClean: 'Place, date and camera of your photos are never in it.',
   photosUnclean: (/** @type {number} */ n) => `${photos(n)} in it may still say where and when: Inkpanel cannot take that out of files of that kind.`,
 
+  noProjectInside: 'it is a picture without project data.',
   pageOpened: (/** @type {string} */ name) => `${name} is open again, as a project of its own.`,
   photosMissing: (/** @type {string} */ name, /** @type {number} */ n, /** @type {number} */ of) => (
     `${name} is open, but ${n === of ? (of === 1 ? 'its photo is' : `its ${of} photos are`) : `${n} of its ${of} photos ${n === 1 ? 'is' : 'are'}`} not on this device. Choose or drop ${n === 1 ? 'it' : 'them'}: each goes back to its place.`

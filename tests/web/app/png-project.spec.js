@@ -25,6 +25,7 @@ async function ownPage(page) {
   await page.goto('./');
   await add(page, [...await told(...SIX.slice(0, 3)), ...await photos(...SIX.slice(3))]);
   await idle(page);
+  await page.getByRole('combobox', { name: 'Panels' }).selectOption('6');
   await press(page, 'Surprise layout');
   await drop(page, [{ name: 'dropped.json', mimeType: 'application/json', buffer: Buffer.from(JSON.stringify(STYLE)) }]);
   await page.getByRole('region', { name: 'Style designer' }).getByRole('button', { name: 'Use', exact: true }).click();
@@ -169,6 +170,12 @@ test('without project data the PNG is the picture and nothing else', async ({ pa
   expect(chunksOf(png)).toEqual(PLAIN);
   // It stays so until something else is chosen.
   expect((await download(page)).equals(png)).toBe(true);
+  const whole = await exported(page, 'With project data');
+  await page.getByRole('button', { name: 'Projects' }).click();
+  await page.getByLabel('Project file').setInputFiles([file('plain.png', png)]);
+  await expect(page.getByRole('alert').getByText('plain.png could not be opened: it is a picture without project data.')).toBeVisible();
+  await page.getByLabel('Project file').setInputFiles([file('page.png', whole)]);
+  await expect(page.getByRole('status').getByText('page.png is open again')).toBeVisible();
 });
 
 test('a project file has the photos, but not where and when they were taken', async ({ page }) => {

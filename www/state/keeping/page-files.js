@@ -21,6 +21,9 @@ import { damaged } from './versions.js';
 /** What a PNG carries: nothing, the project, or the photos too. @typedef {'none' | 'project' | 'photos'} Cargo */
 /** @typedef {ReturnType<typeof createPageFiles>} PageFiles */
 
+/** @param {File} file @returns {boolean} whether it says that it is a PNG */
+export const isNamedPng = ({ name, type }) => type === 'image/png' || /\.png$/i.test(name);
+
 const KEEP_ALL = Object.freeze({ layout: true, style: true, photos: true });
 
 /**
@@ -35,7 +38,7 @@ export function createPageFiles({ store, engine, reading, messages, fileOpening,
   /** What the next PNG carries. @type {import('@preact/signals').Signal<Cargo>} */
   const cargo = signal('project');
 
-  return { cargo, take, carrying, among, open };
+  return { cargo, take, carrying, among, open, openChosen };
 
   /** What this PNG carries. Photos go with the one for which they were asked, no other. @returns {Cargo} */
   function take() {
@@ -61,8 +64,7 @@ export function createPageFiles({ store, engine, reading, messages, fileOpening,
   /** @param {readonly File[]} files @returns {Promise<import('./page-file.js').PageFile | null>} the first that carries a project */
   async function among(files) {
     for (const file of files) {
-      const named = /^image\/png$/.test(file.type) || /\.png$/i.test(file.name);
-      const page = named ? await pageFileOf(file).catch(() => null) : null;
+      const page = isNamedPng(file) ? await pageFileOf(file).catch(() => null) : null;
       if (page) return page;
     }
     return null;
@@ -94,6 +96,13 @@ export function createPageFiles({ store, engine, reading, messages, fileOpening,
     else messages.note(strings.pageOpened(file.name), before ? { label: strings.backTo(before.name), run: () => void opening.open(before.id) } : way, before ? way : undefined);
     await reading.resume(unread);
     return true;
+  }
+
+  /** Opens a PNG that was chosen as a project. @param {File} file */
+  async function openChosen(file) {
+    const page = await among([file]);
+    if (page) await open(page);
+    else messages.alert(strings.projectFileNotOpened(file.name, strings.noProjectInside), { label: strings.useAsPhoto, run: () => void reading.addFiles([file]) });
   }
 
   /** Back to what was there before, as if the page had not been opened. @param {string | null} id */
