@@ -80,7 +80,9 @@ export function createAbsentPhotos({ store, engine, reading, messages, chooseFil
     for (const { frame, id, name, meta } of matches) {
       const { subjects, measured } = /** @type {Absent} */ (frame.absent);
       album.delete(frame.id);
-      const known = { meta: { ...meta, subjects: subjects ?? [] }, measures: measured ? meta.measures : null, looked: subjects !== null };
+      // Its place in time is the one that it had among the others of its page.
+      const taken = frame.meta?.taken ?? meta.taken;
+      const known = { meta: { ...meta, taken, subjects: subjects ?? [] }, measures: measured ? meta.measures : null, looked: subjects !== null };
       album.set(id, { id, name, credit: frame.credit, ...known });
     }
     store.load({ history: renamed(store.history.peek(), names), album, videos: store.videos.peek() });
