@@ -44,6 +44,7 @@ import { App } from './views/app.jsx';
 import { AppContext } from './views/context.js';
 import { acceptFiles } from './views/drop.js';
 import { keepFocus } from './views/focus-keeper.js';
+import { openFiles } from './views/file-input.jsx';
 
 const engine = createEngine();
 const store = createStore();
@@ -65,13 +66,13 @@ const designer = createDesigner({ store, pages, messages, ui, freshId: freshStyl
 const ownStyles = createOwnStyles({ store, pages, messages, designer, freshId: freshStyleId });
 const shelves = createShelves({ store, messages, box: () => window.localStorage });
 const shownPages = createShownPages({ store, pages });
-const keeping = createKeeping({ store, reading, engine, shelves, messages, window, leave });
+const keeping = createKeeping({ store, reading, engine, shelves, messages, window, leave, chooseFiles: openFiles });
 const explorer = createExplorer({ store, engine, messages, ownStyles, seed: freshSeed, judged: ui.detects });
 const styling = createStyling({ store, ownStyles });
 const subjects = createSubjects({
   store, pages, messages, engine, painted: () => ui.painted.value === store.page.value, wanted: ui.detects,
 });
-const download = createDownload({ store, pages, engine, messages });
+const download = createDownload({ store, pages, engine, messages, pageFiles: keeping.pageFiles });
 const alternatives = createAlternatives({ store, pages });
 
 // The database is read while the core is compiled.
@@ -108,7 +109,11 @@ async function intake(files) {
   const others = [...plans, ...projects, ...subtitles];
   if (projects[0]) void keeping.files.open(projects[0]);
   void openPlans(plans, { ownLayouts, ownStyles });
-  await reading.addFiles(files.filter((file) => !others.includes(file)));
+  const pictures = files.filter((file) => !others.includes(file));
+  // A page comes with its project; the photos beside it may be its own.
+  const page = await keeping.pageFiles.among(pictures);
+  if (page) await keeping.pageFiles.open(page);
+  await reading.addFiles(await keeping.absentPhotos.fill(pictures.filter((file) => file !== page?.file)));
   // Their video may have come with them.
   await subtitling.open(subtitles);
 }
@@ -119,7 +124,8 @@ window.addEventListener('storage', shelves.hear);
 effect(() => {
   const page = store.page.value;
   const painted = page === null || (ui.painted.value === page && (lettering.words.value.length === 0 || reshaping.editing.value || ui.lettered.value === page));
-  const waiting = store.planner.value === null || store.reading.value !== null || store.fetching.value || keeping.running.value;
+  const waiting = store.planner.value === null || store.reading.value !== null || store.fetching.value || keeping.running.value ||
+    keeping.files.progress.value !== null;
   const idle = !waiting && painted;
   document.body.dataset.idle = String(idle);
   // Of a large album the first page is drawn long before all is read.

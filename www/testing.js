@@ -7,3 +7,4 @@ export { expect, test } from '@playwright/test';
 export { default as AxeBuilder } from '@axe-core/playwright';
 export { PNG } from 'pngjs';
 /** @typedef {import('@playwright/test').Page} Page */
+/** @typedef {import('@playwright/test').Browser} Browser */

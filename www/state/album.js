@@ -4,13 +4,15 @@
  */
 
 /** @typedef {import('../engine/protocol.js').PhotoMeta} PhotoMeta */
+/** @typedef {import('./keeping/identity.js').Likeness & { subjects: any[] | null, measured: boolean }} Absent */
 
 /**
  * `meta` and `measures` are null until the photo was read; `credit` names the author of a sample; a frame of a video
- * knows the video's key and its time in seconds; `looked`: it was searched for subjects.
+ * knows the video's key and its time in seconds; `looked`: it was searched for subjects; `absent`: the photo that this one
+ * keeps a place for, and what is known of it.
  * @typedef {{
  *   id: string, name: string, credit?: string, meta: PhotoMeta | null, measures: Record<string, number | string> | null,
- *   video?: string, time?: number, looked?: boolean,
+ *   video?: string, time?: number, looked?: boolean, absent?: Absent,
  * }} Fact
  * @typedef {ReadonlyMap<string, Fact>} Album
  */

@@ -16,9 +16,10 @@ import { sized } from './paper.js';
 /** @typedef {ReturnType<typeof createDownload>} Download */
 
 /**
- * @param {{ store: Store, pages: Pages, engine: Pick<import('../engine/engine.js').Engine, 'exportPng'>, messages: Messages }} app
+ * @param {{ store: Store, pages: Pages, engine: Pick<import('../engine/engine.js').Engine, 'exportPng'>, messages: Messages,
+ *   pageFiles: Pick<import('./keeping/page-files.js').PageFiles, 'take' | 'carrying'> }} app
  */
-export function createDownload({ store, pages, engine, messages }) {
+export function createDownload({ store, pages, engine, messages, pageFiles }) {
   /** @type {import('@preact/signals').Signal<import('./store.js').Progress | null>} */
   const progress = signal(null);
   /** @type {AbortController | null} */
@@ -43,14 +44,17 @@ export function createDownload({ store, pages, engine, messages }) {
   async function start(page = store.page.peek()) {
     if (!page || running) return;
     running = new AbortController();
+    // At once: what the person chose is for this file.
+    const cargo = pageFiles.take();
     try {
       const { signal: stop } = running;
       const onProgress = (/** @type {number} */ done, /** @type {number} */ total) => {
         progress.value = { done, total };
       };
-      const png = await engine.exportPng(page, { signal: stop, onProgress });
+      const { png, unclean } = await pageFiles.carrying(await engine.exportPng(page, { signal: stop, onProgress }), page, cargo);
+      if (stop.aborted) return;
       save(png, fileName(page));
-      messages.note(strings.saved);
+      messages.note(unclean > 0 ? `${strings.saved} ${strings.photosUnclean(unclean)}` : strings.saved);
     } catch (error) {
       const { code, message, photo } = /** @type {{ code?: string, message: string, photo?: string }} */ (error);
       // The loss of a worker says itself what it was busy with.

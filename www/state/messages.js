@@ -6,7 +6,7 @@
 import { signal } from '@preact/signals';
 
 /** @typedef {{ label: string, run: () => void }} Way something that can be done about it */
-/** @typedef {{ id: number, kind: 'alert' | 'note', text: string, way?: Way }} Message */
+/** @typedef {{ id: number, kind: 'alert' | 'note', text: string, way?: Way, more?: Way }} Message `more`: another way */
 /** @typedef {ReturnType<typeof createMessages>} Messages */
 
 const NOTE_MS = 4_000;
@@ -23,13 +23,14 @@ export function createMessages() {
    * @param {Message['kind']} kind
    * @param {string} text
    * @param {Way} [way]
+   * @param {Way} [more]
    * @returns {number} to close it by
    */
-  function say(kind, text, way) {
+  function say(kind, text, way, more) {
     last += 1;
     const id = last;
     const others = list.value.filter((message) => message.text !== text && (kind === 'alert' || message.kind === 'alert'));
-    list.value = [...others, { id, kind, text, way }].slice(-MOST);
+    list.value = [...others, { id, kind, text, way, more }].slice(-MOST);
     if (kind === 'note') setTimeout(() => close(id), way ? WAY_MS : NOTE_MS);
     return id;
   }
@@ -41,10 +42,10 @@ export function createMessages() {
 
   return {
     list,
-    /** @param {string} text @param {Way} [way] */
-    alert: (text, way) => say('alert', text, way),
-    /** @param {string} text @param {Way} [way] */
-    note: (text, way) => say('note', text, way),
+    /** @param {string} text @param {Way} [way] @param {Way} [more] */
+    alert: (text, way, more) => say('alert', text, way, more),
+    /** @param {string} text @param {Way} [way] @param {Way} [more] */
+    note: (text, way, more) => say('note', text, way, more),
     close,
   };
 }

@@ -40,7 +40,7 @@ export function createReading({ store, pages, engine, messages, prefix }) {
   const intake = createIntake({ store, pages, engine, messages, prefix });
   const frames = createFrames({ store, engine, intake });
 
-  return { addFiles, addSamples, resume, resample, cancel, use, remove, edit, freshIds: intake.freshIds };
+  return { addFiles, addSamples, resume, resample, cancel, use, remove, edit, freshIds: intake.freshIds, count: intake.count };
 
   /**
    * @param {readonly File[]} given

@@ -9,6 +9,7 @@ import { strings } from '../strings.js';
 import { Bitmap, screenPixels } from './bitmap.jsx';
 import { useApp } from './context.js';
 import { Dialog } from './dialog.jsx';
+import { ExportProject } from './export-project.jsx';
 import { Icon } from './icon.jsx';
 
 const PREVIEW = 220;
@@ -60,6 +61,7 @@ export function ExportDialog() {
             <select class="select"><option>{strings.png}</option></select>
           </label>
           <p class="quiet">{strings.pixels(width, height)}</p>
+          <ExportProject />
           <button type="button" class="button strong wide" disabled={!document || download.progress.value !== null} onClick={save}>
             <Icon name="download" />{strings.save}
           </button>

@@ -35,20 +35,30 @@ export function Toasts() {
         </div>
       )}
       <div role="alert" class="toast-list">
-        {list.filter(({ kind }) => kind === 'alert').map(({ id, text, way }) => (
+        {list.filter(({ kind }) => kind === 'alert').map(({ id, text, way, more }) => (
           <div class="toast bad" key={id}>
             <Icon name="alert" />
-            <span class="toast-text">{text}</span>
-            <Way of={way} close={() => messages.close(id)} />
+            <Said text={text} way={way} more={more} close={() => messages.close(id)} />
             <IconButton icon="close" label={strings.dismiss} onClick={() => messages.close(id)} />
           </div>
         ))}
       </div>
       <div role="status" class="toast-list">
-        {list.filter(({ kind }) => kind === 'note').map(({ id, text, way }) => (
-          <div class="toast" key={id}>{text}<Way of={way} close={() => messages.close(id)} /></div>
+        {list.filter(({ kind }) => kind === 'note').map(({ id, text, way, more }) => (
+          <div class="toast" key={id}><Said text={text} way={way} more={more} close={() => messages.close(id)} /></div>
         ))}
       </div>
+    </div>
+  );
+}
+
+/** Two ways on have a line of their own. @param {Pick<import('../state/messages.js').Message, 'text' | 'way' | 'more'> & { close: () => void }} props */
+function Said({ text, way, more, close }) {
+  if (!more) return <><span class="toast-text">{text}</span><Way of={way} close={close} /></>;
+  return (
+    <div class="toast-body">
+      <span class="toast-text">{text}</span>
+      <span class="toast-ways"><Way of={way} close={close} /><Way of={more} close={close} /></span>
     </div>
   );
 }

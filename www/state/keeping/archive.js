@@ -5,6 +5,7 @@
  */
 
 import { damaged } from './versions.js';
+import { crcOf } from '../../engine/crc.js';
 import { failure } from '../../engine/protocol.js';
 
 /** @typedef {{ name: string, blob: Blob }} Entry */
@@ -22,12 +23,6 @@ const MOST_BYTES = 0xffffffff;
 const UTF8 = 0x0800;
 const ENCRYPTED = 1;
 const [STORED, DEFLATED] = [0, 8];
-
-const TABLE = Uint32Array.from({ length: 256 }, (_, byte) => {
-  let value = byte;
-  for (let bit = 0; bit < 8; bit += 1) value = value & 1 ? 0xedb88320 ^ (value >>> 1) : value >>> 1;
-  return value;
-});
 
 /**
  * @param {readonly Entry[]} entries
@@ -149,15 +144,4 @@ async function inflated(raw, size, name) {
 /** @param {Blob} blob */
 async function bytesOf(blob) {
   return new DataView(await blob.arrayBuffer());
-}
-
-/** @param {Blob} blob @returns {Promise<number>} CRC-32, as ZIP files have it */
-async function crcOf(blob) {
-  let crc = 0xffffffff;
-  const reader = blob.stream().getReader();
-  for (;;) {
-    const { value, done } = await reader.read();
-    if (done) return (crc ^ 0xffffffff) >>> 0;
-    for (let i = 0; i < value.length; i += 1) crc = TABLE[(crc ^ value[i]) & 0xff] ^ (crc >>> 8);
-  }
 }

@@ -7,7 +7,9 @@
  * - `restoring.js` the way back; `opening.js` which project is on the page (`last-project.js` at first); `projects.js` the list of them
  * - `pictures.js` its thumbnails; `sweeping.js` throws away what no project needs
  * - `locks.js` keeps tabs apart; `shelves.js` holds what all projects share
- * - `archive.js` ZIP files; `project-file.js` a project as one of them
+ * - `archive.js` ZIP files; `project-file.js` a project as one of them; `file-opening.js` opens a file of any kind
+ * - `page-files.js` PNGs that carry their project: `page-json.js` what they tell, `page-file.js` where in the PNG it is
+ * - `identity.js` how a photo is recognised; `found-photos.js` looks for it here; `absent-photos.js` waits for it
  *
  * The document is plain data and is saved whole: a field that is added to it needs nothing here.
  */
@@ -15,10 +17,13 @@
 import { signal } from '@preact/signals';
 import { failure } from '../../engine/protocol.js';
 import { strings } from '../../strings.js';
+import { createAbsentPhotos } from './absent-photos.js';
 import { openDatabase } from './database.js';
+import { createFileOpening } from './file-opening.js';
 import { createLastProject } from './last-project.js';
 import { createLocks } from './locks.js';
 import { createOpening, freshPlace } from './opening.js';
+import { createPageFiles } from './page-files.js';
 import { createPhotoRecords } from './photo-records.js';
 import { createPictures } from './pictures.js';
 import { createProjectFiles } from './project-file.js';
@@ -35,9 +40,10 @@ const SWEEP_AFTER = 8_000;
  * @param {{
  *   store: import('../store.js').Store, reading: import('../reading.js').Reading, engine: import('../../engine/engine.js').Engine,
  *   shelves: import('./shelves.js').Shelves, messages: import('../messages.js').Messages, window: Window, leave: () => void,
- * }} app
+ *   chooseFiles?: () => void,
+ * }} app `chooseFiles` opens the browser's file dialog
  */
-export function createKeeping({ store, reading, engine, shelves, messages, window, leave }) {
+export function createKeeping({ store, reading, engine, shelves, messages, window, leave, chooseFiles = () => {} }) {
   const { navigator } = window;
   const place = signal(freshPlace());
   const locks = createLocks(navigator.locks);
@@ -50,7 +56,10 @@ export function createKeeping({ store, reading, engine, shelves, messages, windo
     last,
   });
   const projects = createProjects({ store, opening, saving, locks, messages, database });
-  const files = createProjectFiles({ store, engine, messages, opening, saving });
+  const fileOpening = createFileOpening({ engine, messages, opening });
+  const files = { ...createProjectFiles({ store, engine, messages, saving, fileOpening }), progress: fileOpening.progress, cancel: fileOpening.cancel };
+  const pageFiles = createPageFiles({ store, engine, reading, messages, fileOpening, opening, projects, database, chooseFiles });
+  const absentPhotos = createAbsentPhotos({ store, engine, reading, messages, chooseFiles });
   /** @type {Promise<import('./database.js').Database> | null} */
   let opened = null;
   /** The trouble that was told, and its message. */
@@ -62,7 +71,7 @@ export function createKeeping({ store, reading, engine, shelves, messages, windo
     if (window.document.visibilityState === 'hidden') void saving.flush();
   });
 
-  return { ...opening, ...projects, status: saving.status, flush: saving.flush, files, begin };
+  return { ...opening, ...projects, status: saving.status, flush: saving.flush, files, pageFiles, absentPhotos, begin };
 
   async function begin() {
     await opening.begin();

@@ -11,10 +11,14 @@ import { VERSION, checkedHistory, damaged, migrated } from './versions.js';
 /** @typedef {import('../album.js').Video} Video */
 /** @typedef {import('./database.js').KeptHistory} KeptHistory */
 
+/** @typedef {import('./identity.js').Likeness} Likeness */
+
 /**
- * `subjects`: what was found in it, null when it was not searched; `measured`: it is compared with other photos.
+ * `subjects`: what was found in it, null when it was not searched; `measured`: it is compared with other photos; `rank`:
+ * its place in time among the photos, null where nobody knows it; `like`: how it is recognised where its file is not
+ * here, null where it need not be; `absent`: an empty frame stands for it.
  * @typedef {Pick<Fact, 'id' | 'name' | 'credit' | 'video' | 'time'> & {
- *   path: string, type: string, subjects: any[] | null, measured: boolean,
+ *   path: string, type: string, subjects: any[] | null, measured: boolean, rank: number | null, like: Likeness | null, absent: boolean,
  * }} FilePhoto
  * @typedef {Omit<Video, 'file'> & { path: string, type: string }} FileVideo
  * @typedef {{ history: KeptHistory, photos: FilePhoto[], videos: FileVideo[] }} FileProject
@@ -22,9 +26,12 @@ import { VERSION, checkedHistory, damaged, migrated } from './versions.js';
 
 const FORMAT = 'inkpanel';
 
+/** Pixels of a side of a photo, at most. */
+const LONGEST_SIDE = 1_000_000;
+
 /**
- * @param {KeptHistory} history
- * @param {readonly (Fact & { type: string })[]} facts with the types of their files
+ * @param {Pick<KeptHistory, 'present' | 'shown'>} history
+ * @param {readonly (Fact & { type: string, like?: Likeness })[]} facts with the types of their files
  * @param {readonly Video[]} videos
  * @returns {{ json: string, paths: Map<string, string> }} `paths`: where in the file each photo is, by its id, and each
  *   video, by `video` and its key
@@ -37,9 +44,12 @@ export function projectJson({ present, shown }, facts, videos) {
     paths.set(id, path);
     return path;
   };
-  const photos = facts.map(({ id, name, credit, video, time, meta, measures, looked, type }) => ({
+  // When a photo was taken is nobody's business; which came first is enough for their order.
+  const times = [...new Set(facts.flatMap(({ meta }) => meta?.taken ?? []))].sort();
+  const photos = facts.map(({ id, name, credit, video, time, meta, measures, looked, type, absent, like }) => ({
     id, name, credit, video, time, path: place(id, 'photos', name), type, measured: measures !== null,
-    subjects: looked && meta ? meta.subjects : null,
+    subjects: absent ? absent.subjects : looked && meta ? meta.subjects : null,
+    rank: meta?.taken ? times.indexOf(meta.taken) : undefined, like: absent ? likenessOf(absent) : like && likenessOf(like), absent: absent ? true : undefined,
   }));
   const films = videos.map(({ file, ...video }) => ({ ...video, path: place(`video ${video.key}`, 'videos', video.name), type: file.type }));
   const history = { present, shown };
@@ -72,13 +82,35 @@ export function parsedProject(text) {
 
 /** @param {any} photo @param {number} i @returns {FilePhoto} */
 function photoOf(photo, i) {
-  const { id, name, path, credit, video, time, type, subjects, measured } = photo ?? {};
+  const { id, name, path, credit, video, time, type, subjects, measured, rank, like, absent } = photo ?? {};
   if (![id, name, path].every((text) => typeof text === 'string' && text !== '')) throw damaged(`photos[${i}]: has no id, name or path`);
   return {
     id, name, path, type: textOr(type, ''), credit: textOr(credit, undefined), video: textOr(video, undefined),
     time: Number.isFinite(time) ? time : undefined, measured: measured !== false,
     subjects: Array.isArray(subjects) && subjects.every(isSubject) ? subjects : null,
+    rank: Number.isSafeInteger(rank) && rank >= 0 ? rank : null, like: isLikeness(like) ? likenessOf(like) : null, absent: absent === true,
   };
+}
+
+/** @param {any} like */
+function isLikeness(like) {
+  const { hash, fingerprint, width, height } = like ?? {};
+  const sides = [width, height].every((side) => Number.isSafeInteger(side) && side > 0 && side <= LONGEST_SIDE);
+  return sides && /^([0-9a-f]{64})?$/.test(hash) && /^[0-9a-f]{16}$/.test(fingerprint);
+}
+
+/** @param {Likeness} like @returns {Likeness} nothing else of it */
+function likenessOf({ hash, fingerprint, width, height }) {
+  return { hash, fingerprint, width, height };
+}
+
+/**
+ * @param {FilePhoto} photo
+ * @param {string | null} taken what its file says, as those of older project files do
+ * @returns {string | null} something that sorts as the times do
+ */
+export function takenBy({ rank }, taken) {
+  return rank === null ? taken : String(rank).padStart(9, '0');
 }
 
 /** @param {any} video @param {number} i @returns {FileVideo} */
@@ -109,17 +141,22 @@ function textOr(value, other) {
  */
 export function withFreshIds(project, fresh = () => `p${freshId(8)}`) {
   const names = new Map([...project.photos.map(({ id }) => id), ...project.videos.map(({ key }) => key)].map((id) => [id, fresh()]));
-  return /** @type {FileProject} */ (renamed(project, names));
+  return renamed(project, names);
 }
 
 /**
- * @param {unknown} value
+ * @template T
+ * @param {T} value
  * @param {ReadonlyMap<string, string>} names
- * @returns {unknown} the same with other names wherever a text is one of them
+ * @returns {T} the same with other names wherever a text is one of them
  */
-function renamed(value, names) {
-  if (typeof value === 'string') return names.get(value) ?? value;
-  if (Array.isArray(value)) return value.map((item) => renamed(item, names));
-  if (typeof value !== 'object' || value === null) return value;
-  return Object.fromEntries(Object.entries(value).map(([key, item]) => [names.get(key) ?? key, renamed(item, names)]));
+export function renamed(value, names) {
+  /** @param {unknown} part @returns {unknown} */
+  const change = (part) => {
+    if (typeof part === 'string') return names.get(part) ?? part;
+    if (Array.isArray(part)) return part.map(change);
+    if (typeof part !== 'object' || part === null) return part;
+    return Object.fromEntries(Object.entries(part).map(([key, item]) => [names.get(key) ?? key, change(item)]));
+  };
+  return /** @type {T} */ (change(value));
 }

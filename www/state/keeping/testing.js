@@ -86,11 +86,13 @@ export function fakeBrowser({ factory = new IDBFactory(), local = boxOf() } = {}
     const engine = /** @type {any} */ ({
       ready: Promise.resolve(planner), photos, hasPhoto: photos.has, forgetPhoto: photos.forget,
       importPhoto: async (/** @type {string} */ id, /** @type {File} */ file) => {
-        if ((await file.text()).startsWith('bad')) throw Object.assign(new Error('not a photo'), { code: 'unsupported-format' });
+        const text = await file.text();
+        if (text.startsWith('bad')) throw Object.assign(new Error('not a photo'), { code: 'unsupported-format' });
         decoded.push(file.name);
         const handle = (/** @type {string} */ tier) => ({ key: `${id}/${tier}`, width: 2, height: 1, planes: new Blob([`${tier} of ${file.name}`]) });
         photos.add(id, { name: file.name, file, work: handle('work'), small: handle('small') });
-        return { ...unreadMeta(id), measures: { twin: 0 } };
+        // The same file looks the same wherever it is read.
+        return { ...unreadMeta(id), fingerprint: unreadMeta(text).fingerprint, measures: { twin: 0 } };
       },
       renderPage: () => Promise.reject(new Error('no pixels here')),
     });

@@ -1,6 +1,8 @@
 // @ts-check
 /** Words of projects, of saving, and of the pages shown. */
 
+import { pngStrings } from './strings-png.js';
+
 /** @type {Record<string, string>} */
 const TROUBLE = {
   full: 'the storage of this browser is full',
@@ -8,6 +10,8 @@ const TROUBLE = {
 };
 
 export const keepingStrings = {
+  ...pngStrings,
+
   // Saving
   saveState: {
     empty: '', saving: 'Saving…', saved: 'Saved', full: 'Not saved', refused: 'Not saved', failed: 'Not saved',
@@ -37,7 +41,6 @@ export const keepingStrings = {
   bringBack: 'Bring it back',
   projectNotOpened: (/** @type {string} */ why) => `The project could not be opened: ${why}`,
   projectFileNotOpened: (/** @type {string} */ name, /** @type {string} */ why) => `${name} could not be opened: ${why}`,
-  projectSaved: 'The project was saved as a file, with your original photos and what is in them: date, camera, place.',
   projectNotSaved: (/** @type {string} */ why) => `The project could not be saved as a file: ${why}`,
   /** @type {Record<string, string>} */
   projectReasons: {

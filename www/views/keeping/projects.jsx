@@ -2,6 +2,7 @@
 /** The projects of this browser, as thumbnails, and what can be done with them. */
 
 import { useEffect, useRef, useState } from 'preact/hooks';
+import { isNamedPng } from '../../state/keeping/page-files.js';
 import { EXTENSION } from '../../state/keeping/project-file.js';
 import { language, strings } from '../../strings.js';
 import { IconButton } from '../button.jsx';
@@ -23,12 +24,14 @@ export function Projects() {
 
   useEffect(() => void keeping.refresh().catch(() => {}), [status]);
 
+  const open = (/** @type {File} */ file) => (isNamedPng(file) ? keeping.pageFiles.openChosen(file) : keeping.files.open(file));
+
   const tools = (
     <div class="wall-bar">
       <button type="button" class="button" disabled={keeping.busy.value || empty} onClick={() => void keeping.create()}><Icon name="add" />{strings.newProject}</button>
       <button type="button" class="button" onClick={() => input.current?.click()}><Icon name="open" />{strings.openProject}</button>
       <button type="button" class="button" disabled={empty} onClick={() => void keeping.files.save()}><Icon name="save" />{strings.saveProject}</button>
-      <ChosenFiles input={input} label={strings.projectFile} accept={EXTENSION} onFiles={([file]) => file && void keeping.files.open(file)} />
+      <ChosenFiles input={input} label={strings.projectFile} accept={`${EXTENSION},.png`} onFiles={([file]) => file && void open(file)} />
     </div>
   );
   return (

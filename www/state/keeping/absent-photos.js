@@ -1,0 +1,91 @@
+// @ts-check
+/**
+ * Photos that a page names and nobody has: an empty frame keeps the place of each. Files that are added are held against
+ * them first, and one that is such a photo takes the place of its frame wherever that stands, in every state of the undo.
+ */
+
+import { computed } from '@preact/signals';
+import { Priority } from '../../engine/queue.js';
+import { isVideo } from '../../engine/video.js';
+import { strings } from '../../strings.js';
+import { hashOf, looksLike } from './identity.js';
+import { renamed } from './project-json.js';
+
+/** @typedef {import('../album.js').Fact} Fact */
+/** @typedef {import('../album.js').Absent} Absent */
+/** @typedef {{ frame: Fact, id: string, name: string, meta: import('../../engine/protocol.js').Imported['meta'] }} Match */
+/** @typedef {ReturnType<typeof createAbsentPhotos>} AbsentPhotos */
+
+/**
+ * @param {{
+ *   store: import('../store.js').Store, engine: Pick<import('../../engine/engine.js').Engine, 'importPhoto' | 'forgetPhoto'>,
+ *   reading: Pick<import('../reading.js').Reading, 'freshIds' | 'count'>, messages: Pick<import('../messages.js').Messages, 'note' | 'alert'>,
+ *   chooseFiles: () => void,
+ * }} app
+ */
+export function createAbsentPhotos({ store, engine, reading, messages, chooseFiles }) {
+  const list = computed(() => store.facts.value.filter(({ absent }) => absent));
+
+  return { list, fill };
+
+  /**
+   * @param {readonly File[]} files
+   * @returns {Promise<File[]>} those that no frame waits for
+   */
+  async function fill(files) {
+    const frames = [...list.peek()];
+    if (frames.length === 0 || files.length === 0) return [...files];
+    reading.count(0, files.length);
+    /** @type {Map<File, Match>} */
+    const matches = new Map();
+    const free = () => frames.filter((frame) => ![...matches.values()].some((match) => match.frame === frame));
+    try {
+      const hashes = new Map();
+      for (const file of files) if (!isVideo(file)) hashes.set(file, await hashOf(file));
+      // A photo that is the very one comes before one that looks like it.
+      for (const exact of [true, false]) {
+        for (const [file, hash] of hashes) {
+          if (matches.has(file) || free().length === 0) continue;
+          const known = exact ? free().find(({ absent }) => hash !== '' && absent?.hash === hash) : undefined;
+          if (exact && !known) continue;
+          await tried(file, known);
+        }
+      }
+    } finally {
+      reading.count(files.length, 0);
+    }
+    if (matches.size > 0) {
+      put([...matches.values()]);
+      messages.note(strings.photosBack(matches.size));
+      const left = list.peek().length;
+      if (left > 0) messages.alert(strings.photosStillMissing(left), { label: strings.choosePhotos, run: chooseFiles });
+    }
+    return files.filter((file) => !matches.has(file));
+
+    /** @param {File} file @param {Fact} [known] the frame that waits for it, where its bytes say so */
+    async function tried(file, known) {
+      const [id] = reading.freshIds(1);
+      // What cannot be read is named where it is added as a photo.
+      const meta = await engine.importPhoto(id, file, { priority: Priority.PAGE }).catch(() => null);
+      const frame = meta && (known ?? free().find(({ absent }) => absent && looksLike(meta, absent)));
+      if (frame) matches.set(file, { frame, id, name: file.name, meta });
+      else if (meta) engine.forgetPhoto(id);
+    }
+  }
+
+  /** @param {readonly Match[]} matches */
+  function put(matches) {
+    const album = new Map(store.album.peek());
+    const names = new Map(matches.map(({ frame, id }) => [frame.id, id]));
+    for (const { frame, id, name, meta } of matches) {
+      const { subjects, measured } = /** @type {Absent} */ (frame.absent);
+      album.delete(frame.id);
+      // Its place in time is the one that it had among the others of its page.
+      const taken = frame.meta?.taken ?? meta.taken;
+      const known = { meta: { ...meta, taken, subjects: subjects ?? [] }, measures: measured ? meta.measures : null, looked: subjects !== null };
+      album.set(id, { id, name, credit: frame.credit, ...known });
+    }
+    store.load({ history: renamed(store.history.peek(), names), album, videos: store.videos.peek() });
+    for (const { frame } of matches) engine.forgetPhoto(frame.id);
+  }
+}

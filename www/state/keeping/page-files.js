@@ -1,0 +1,185 @@
+// @ts-check
+/**
+ * Pages that carry their project, out and in again. One that comes in becomes a project of its own, beside those that
+ * there are; its photos are looked for on this device, then in the file, and what is missing keeps its place.
+ */
+
+import { signal } from '@preact/signals';
+import { failure } from '../../engine/protocol.js';
+import { strings } from '../../strings.js';
+import { unreadMeta } from '../album.js';
+import { checked } from './file-opening.js';
+import { foundPhotos } from './found-photos.js';
+import { pageFileOf, readPageFile, withProject } from './page-file.js';
+import { pageJson } from './page-json.js';
+import { renamed, withFreshIds } from './project-json.js';
+import { damaged } from './versions.js';
+
+/** @typedef {import('./project-json.js').FileProject} FileProject */
+/** @typedef {import('./restoring.js').Content} Content */
+/** @typedef {import('../album.js').Fact} Fact */
+/** What a PNG carries: nothing, the project, or the photos too. @typedef {'none' | 'project' | 'photos'} Cargo */
+/** @typedef {ReturnType<typeof createPageFiles>} PageFiles */
+
+/** @param {File} file @returns {boolean} whether it says that it is a PNG */
+export const isNamedPng = ({ name, type }) => type === 'image/png' || /\.png$/i.test(name);
+
+const KEEP_ALL = Object.freeze({ layout: true, style: true, photos: true });
+
+/**
+ * @param {{
+ *   store: import('../store.js').Store, engine: Pick<import('../../engine/engine.js').Engine, 'photos'>,
+ *   reading: Pick<import('../reading.js').Reading, 'addFiles' | 'resume'>, messages: import('../messages.js').Messages,
+ *   fileOpening: import('./file-opening.js').FileOpening, opening: import('./opening.js').Opening,
+ *   projects: import('./projects.js').Projects, database: () => Promise<import('./database.js').Database>, chooseFiles: () => void,
+ * }} app
+ */
+export function createPageFiles({ store, engine, reading, messages, fileOpening, opening, projects, database, chooseFiles }) {
+  /** What the next PNG carries. @type {import('@preact/signals').Signal<Cargo>} */
+  const cargo = signal('project');
+
+  return { cargo, take, carrying, among, open, openChosen };
+
+  /** What this PNG carries. Photos go with the one for which they were asked, no other. @returns {Cargo} */
+  function take() {
+    const now = cargo.peek();
+    if (now === 'photos') cargo.value = 'project';
+    return now;
+  }
+
+  /**
+   * @param {Blob} png
+   * @param {import('../project.js').PageDocument} page that it shows
+   * @param {Cargo} [what]
+   * @returns {Promise<{ png: Blob, unclean: number }>} `unclean`: photos in it that keep what their files say
+   */
+  async function carrying(png, page, what = take()) {
+    if (what === 'none') return { png, unclean: 0 };
+    const fileOf = (/** @type {string} */ id) => (engine.photos.has(id) ? engine.photos.get(id).file : null);
+    const { json, files, unclean } = await pageJson(store.project.peek(), page, { album: store.album.peek(), fileOf });
+    const photos = what === 'photos' ? files : [];
+    return { png: await withProject(png, json, photos), unclean: what === 'photos' ? unclean : 0 };
+  }
+
+  /** @param {readonly File[]} files @returns {Promise<import('./page-file.js').PageFile | null>} the first that carries a project */
+  async function among(files) {
+    for (const file of files) {
+      const page = isNamedPng(file) ? await pageFileOf(file).catch(() => null) : null;
+      if (page) return page;
+    }
+    return null;
+  }
+
+  /**
+   * @param {import('./page-file.js').PageFile} page
+   * @returns {Promise<boolean>} whether it is on the page now
+   */
+  async function open(page) {
+    const { file } = page;
+    const before = store.tray.peek().length > 0 ? { id: opening.current.peek(), name: store.project.peek().name || strings.untitled } : null;
+    let missing = 0;
+    const unread = /** @type {Content['unread']} */ ([]);
+    const asPhoto = (/** @type {() => Promise<unknown>} */ first) => (
+      { label: strings.useAsPhoto, run: () => void first().then(() => reading.addFiles([file])) }
+    );
+    const done = await fileOpening.open(file, async (hands) => {
+      const { project, archive } = await readPageFile(page);
+      const content = await contentOf(checkedPage(withFreshIds(project), hands.planner), archive, hands);
+      missing = [...content.album.values()].filter(({ absent }) => absent).length;
+      unread.push(...content.unread);
+      return content;
+    }, asPhoto(async () => {}));
+    if (!done) return false;
+    const way = asPhoto(() => leave(before?.id ?? null));
+    const of = store.tray.peek().length;
+    if (missing > 0) messages.alert(strings.photosMissing(file.name, missing, of), { label: strings.choosePhotos, run: chooseFiles }, way);
+    else messages.note(strings.pageOpened(file.name), before ? { label: strings.backTo(before.name), run: () => void opening.open(before.id) } : way, before ? way : undefined);
+    await reading.resume(unread);
+    return true;
+  }
+
+  /** Opens a PNG that was chosen as a project. @param {File} file */
+  async function openChosen(file) {
+    const page = await among([file]);
+    if (page) await open(page);
+    else messages.alert(strings.projectFileNotOpened(file.name, strings.noProjectInside), { label: strings.useAsPhoto, run: () => void reading.addFiles([file]) });
+  }
+
+  /** Back to what was there before, as if the page had not been opened. @param {string | null} id */
+  async function leave(id) {
+    const opened = opening.current.peek();
+    if (id === opened) return;
+    const back = id === null ? await opening.create() : await opening.open(id);
+    if (back) await projects.remove(opened);
+  }
+
+  /**
+   * @param {FileProject} project
+   * @param {import('./file-opening.js').Archive} archive
+   * @param {import('./file-opening.js').Hands} hands
+   * @returns {Promise<Content>}
+   */
+  async function contentOf({ history, photos }, archive, hands) {
+    const found = await foundPhotos(photos, { album: store.album.peek(), photos: engine.photos, database });
+    const packed = photos.filter(({ id, path }) => archive.has(path) && !found.get(id)?.exact);
+    const read = new Map((await hands.photos(packed, archive)).map((fact) => [fact.id, fact]));
+    const album = /** @type {Map<string, Fact>} */ (new Map());
+    const names = new Map();
+    const [records, unread] = [/** @type {Content['records']} */ ([]), /** @type {Content['unread']} */ ([])];
+    let number = 0;
+    for (const photo of photos) {
+      const other = read.has(photo.id) ? undefined : found.get(photo.id);
+      const fact = other?.fact ?? read.get(photo.id) ?? await hands.absent(photo, (number += 1));
+      album.set(fact.id, fact);
+      names.set(photo.id, fact.id);
+      if (!other?.record) continue;
+      const { file, work, small } = other.record;
+      if (work && small) records.push(other.record);
+      else if (file) unread.push({ id: fact.id, file: file instanceof File ? file : new File([file], fact.name, { type: file.type }) });
+    }
+    return { history: { ...renamed(history, names), gesture: null }, album, videos: new Map(), records, unread };
+  }
+}
+
+/**
+ * @param {FileProject} project
+ * @param {import('../store.js').Planner} planner
+ * @returns {FileProject} with the photos of its page only, and as a page that was shown
+ */
+function checkedPage(project, planner) {
+  const { history, photos } = checked(project, planner);
+  const page = /** @type {import('../project.js').PageDocument} */ (history.present.page);
+  const shown = new Set(page.panels.map(({ photo }) => photo));
+  const own = photos.filter(({ id }) => shown.delete(id));
+  checkPage(page, own, planner);
+  const known = new Set(own.map(({ id }) => id));
+  const tray = own.map(({ id }) => history.present.tray.find((item) => item.id === id) ?? { id, use: true });
+  const panels = page.panels.map((panel) => (known.has(panel.photo ?? '') ? panel : { ...panel, photo: null }));
+  const whole = { ...page, panels, order: page.order.filter((id) => known.has(id)) };
+  const present = { ...history.present, page: whole, tray, pageId: 1, settings: page.page, mine: [], favourites: [], ownLayouts: [], draft: null, loved: [] };
+  return { photos: own, videos: [], history: { past: [], present, future: [], shown: [{ id: 1, page: whole }] } };
+}
+
+/**
+ * @param {import('../project.js').PageDocument} page
+ * @param {readonly { id: string }[]} photos
+ * @param {import('../store.js').Planner} planner
+ */
+function checkPage(page, photos, planner) {
+  const inside = (/** @type {any} */ crop) => (
+    [crop.x, crop.y, crop.width, crop.height].every((value) => Number.isFinite(value) && value >= -1e-6) &&
+    crop.width > 0 && crop.height > 0 && crop.x + crop.width <= 1 + 1e-6 && crop.y + crop.height <= 1 + 1e-6
+  );
+  const merged = page.merges.flat();
+  const whole = page.panels.every(({ crop }) => !crop || inside(crop)) && new Set(merged).size === merged.length &&
+    merged.every((panel) => Number.isInteger(panel) && panel >= 0 && panel < page.panels.length);
+  if (!whole) throw damaged('page: has a crop or a merge that cannot be');
+  try {
+    // The core reads layout, style, sizes and all fields before it plans.
+    const { version } = planner.plan({ seed: page.seed, photos: photos.map(({ id }) => unreadMeta(id)), page: page.page, current: page, keep: KEEP_ALL });
+    if (page.version > version) throw failure('newer-project', `page version ${page.version} is newer than ${version}`);
+  } catch (error) {
+    const { code, message } = /** @type {{ code?: string, message: string }} */ (error);
+    throw code === 'newer-project' ? error : damaged(`page: ${message}`);
+  }
+}
