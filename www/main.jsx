@@ -65,7 +65,7 @@ const keeping = createKeeping({ store, reading, engine, shelves, messages, windo
 const explorer = createExplorer({ store, engine, messages, ownStyles, seed: freshSeed, judged: ui.detects });
 const styling = createStyling({ store, ownStyles });
 const subjects = createSubjects({
-  store, pages, messages, engine, painted: () => ui.painted.value === store.page.value, wanted: ui.detects,
+  store, pages, messages, engine, painted: () => ui.painted.value === store.page.value, wanted: ui.detects, window,
 });
 const download = createDownload({ store, pages, engine, messages });
 const alternatives = createAlternatives({ store, pages });
