@@ -7,6 +7,7 @@ import { strings } from '../strings.js';
 import { useApp } from './context.js';
 import { openFiles } from './file-input.jsx';
 import { Icon } from './icon.jsx';
+import { InstallButton } from './install.jsx';
 import { Elsewhere } from './keeping/elsewhere.jsx';
 import { Illustration } from './illustration.jsx';
 
@@ -28,7 +29,10 @@ export function Start() {
               {strings.trySamples}
             </button>
           </div>
-          <p class="start-promise"><Icon name="lock" />{strings.privacy}</p>
+          <div class="start-foot">
+            <p class="start-promise"><Icon name="lock" />{strings.privacy}</p>
+            <InstallButton />
+          </div>
           {store.planner.value === null && <p class="visually-hidden" role="status">{strings.starting}</p>}
         </div>
       </div>

@@ -45,8 +45,12 @@ export function Toasts() {
         ))}
       </div>
       <div role="status" class="toast-list">
-        {list.filter(({ kind }) => kind === 'note').map(({ id, text, way }) => (
-          <div class="toast" key={id}>{text}<Way of={way} close={() => messages.close(id)} /></div>
+        {list.filter(({ kind }) => kind !== 'alert').map(({ id, kind, text, way }) => (
+          <div class="toast" key={id}>
+            {text}
+            <Way of={way} close={() => messages.close(id)} />
+            {kind === 'offer' && <IconButton icon="close" label={strings.dismiss} onClick={() => messages.close(id)} />}
+          </div>
         ))}
       </div>
     </div>

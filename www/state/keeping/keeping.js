@@ -62,7 +62,7 @@ export function createKeeping({ store, reading, engine, shelves, messages, windo
     if (window.document.visibilityState === 'hidden') void saving.flush();
   });
 
-  return { ...opening, ...projects, status: saving.status, flush: saving.flush, files, begin };
+  return { ...opening, ...projects, status: saving.status, flush: saving.flush, isSafe: saving.isSafe, files, begin };
 
   async function begin() {
     await opening.begin();
