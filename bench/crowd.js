@@ -15,7 +15,7 @@ import { readFileSync } from 'node:fs';
  *   Linux
  */
 export async function crowd(browser, address, photos) {
-  const page = await browser.newPage({ viewport: { width: 1920, height: 1080 } });
+  const page = await browser.newPage({ viewport: { width: 1920, height: 1080 }, serviceWorkers: 'block' });
   await page.addInitScript(() => {
     const tasks = /** @type {number[]} */ ([]);
     Object.assign(globalThis, { tasks });

@@ -14,7 +14,7 @@ const RESIZES = 8;
  *   `refined` from the first page until all photos are searched, `closer` until the small faces are looked for, too
  */
 export async function journey(browser, address, photos) {
-  const page = await browser.newPage({ viewport: { width: 1920, height: 1080 }, acceptDownloads: true });
+  const page = await browser.newPage({ viewport: { width: 1920, height: 1080 }, serviceWorkers: 'block', acceptDownloads: true });
   await page.addInitScript(watch);
   await page.goto(address);
   const input = page.getByLabel('Photos or video');

@@ -14,7 +14,7 @@ const DRAG_MS = 3000;
  * @returns {Promise<{ frames: number, width: number, height: number, styles: number }>} pictures a second, their size, and styles a second
  */
 export async function making(browser, address, photos) {
-  const page = await browser.newPage({ viewport: { width: 1920, height: 1080 } });
+  const page = await browser.newPage({ viewport: { width: 1920, height: 1080 }, serviceWorkers: 'block' });
   await page.addInitScript(() => localStorage.setItem('inkpanel.detect', 'off'));
   await page.goto(address);
   const input = page.getByLabel('Photos or video');

@@ -10,6 +10,7 @@ import { unreadMeta } from './state/album.js';
 import { createAlternatives } from './state/alternatives.js';
 import { createBook } from './state/book.js';
 import { keepBook } from './state/book-upkeep.js';
+import { createArrivals } from './state/arrivals.js';
 import { createChoosing } from './state/choosing.js';
 import { createDesigner } from './state/designer.js';
 import { createDownload } from './state/download.js';
@@ -18,11 +19,13 @@ import { createKeeping } from './state/keeping/keeping.js';
 import { isProjectFile } from './state/keeping/project-file.js';
 import { createShelves } from './state/keeping/shelves.js';
 import { createFraming } from './state/framing.js';
+import { createInstalling } from './state/installing.js';
 import { freshPhotoPrefix } from './state/intake.js';
 import { createKeys } from './state/keys.js';
 import { createLettering } from './state/lettering.js';
 import { createMerging } from './state/merging.js';
 import { createMessages } from './state/messages.js';
+import { createOffline } from './state/offline.js';
 import { createOwnLayouts } from './state/own-layouts.js';
 import { openPlans } from './state/plans.js';
 import { createOwnStyles, freshStyleId } from './state/own-styles.js';
@@ -70,10 +73,12 @@ const keeping = createKeeping({ store, reading, engine, shelves, messages, windo
 const explorer = createExplorer({ store, engine, messages, ownStyles, seed: freshSeed, judged: ui.detects });
 const styling = createStyling({ store, ownStyles });
 const subjects = createSubjects({
-  store, pages, messages, engine, painted: () => ui.painted.value === store.page.value, wanted: ui.detects,
+  store, pages, messages, engine, painted: () => ui.painted.value === store.page.value, wanted: ui.detects, window,
 });
 const download = createDownload({ store, pages, engine, messages, pageFiles: keeping.pageFiles });
 const alternatives = createAlternatives({ store, pages });
+const installing = createInstalling(window);
+const arrivals = createArrivals({ window, intake, messages });
 
 // The database is read while the core is compiled.
 const begun = keeping.begin();
@@ -82,6 +87,7 @@ engine.ready.then(
     store.planner.value = lettering.within(styling.within(planner));
     shelves.recall();
     void begun.then(openLink);
+    void begun.then(arrivals.begin);
     setTimeout(warmUp);
   },
   (error) => {
@@ -118,15 +124,18 @@ async function intake(files) {
   await subtitling.open(subtitles);
 }
 
+/** Whether something is on its way that nobody should wait for longer than need be. */
+const busy = () => store.planner.value === null || store.reading.value !== null || store.fetching.value || keeping.running.value ||
+  keeping.files.progress.value !== null;
+if (import.meta.env.PROD) createOffline({ window, messages, keeping, script: import.meta.url, busy });
+
 window.addEventListener('hashchange', openLink);
 window.addEventListener('storage', shelves.hear);
 
 effect(() => {
   const page = store.page.value;
   const painted = page === null || (ui.painted.value === page && (lettering.words.value.length === 0 || reshaping.editing.value || ui.lettered.value === page));
-  const waiting = store.planner.value === null || store.reading.value !== null || store.fetching.value || keeping.running.value ||
-    keeping.files.progress.value !== null;
-  const idle = !waiting && painted;
+  const idle = !busy() && painted;
   document.body.dataset.idle = String(idle);
   // Of a large album the first page is drawn long before all is read.
   const read = store.page.value?.panels.every(({ photo }) => photo === null || store.album.value.get(photo)?.meta);
@@ -141,7 +150,7 @@ keepBook({ store, pages });
 book.sheet.subscribe(() => untracked(leavePage));
 
 render(
-  <AppContext.Provider value={{ store, pages, book, selection, lettering, subtitling, intake, merging, framing, reshaping, ownLayouts, designer, ownStyles, styling, explorer, keeping, shownPages, subjects, reading, choosing, scrubbing, download, alternatives, messages, ui, engine }}>
+  <AppContext.Provider value={{ store, pages, book, selection, lettering, subtitling, intake, installing, merging, framing, reshaping, ownLayouts, designer, ownStyles, styling, explorer, keeping, shownPages, subjects, reading, choosing, scrubbing, download, alternatives, messages, ui, engine }}>
     <App />
   </AppContext.Provider>,
   /** @type {HTMLElement} */ (document.getElementById('app')),

@@ -19,6 +19,8 @@ export default defineConfig({
     baseURL: `http://127.0.0.1:${PORT}${PATH}`,
     viewport: { width: 1280, height: 800 },
     acceptDownloads: true,
+    // What a worker serves no test can stand in the way of; `offline.spec.js` is about it, and allows it.
+    serviceWorkers: 'block',
     trace: 'retain-on-failure',
     launchOptions: {
       executablePath: process.env.CHROMIUM ?? '/usr/bin/chromium',

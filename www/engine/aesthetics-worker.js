@@ -2,17 +2,17 @@
 /** The worker of the net that scores pictures: the detectors' module and the net, loaded with the first job. */
 
 import { AestheticsNet } from '../pkg-detector/inkpanel.js';
-import { start } from './detector-module.js';
+import { net } from './detector-module.js';
 import { describe } from './protocol.js';
 
-/** @type {Promise<AestheticsNet> | undefined} */
-let started;
+/** @type {(() => Promise<AestheticsNet>) | undefined} */
+let judgeNet;
 
 /** @param {MessageEvent<{ id: number, op: 'judge', args: { width: number, height: number, data: Uint8ClampedArray, net: string } }>} event */
-globalThis.onmessage = async ({ data: { id, args: { width, height, data, net } } }) => {
+globalThis.onmessage = async ({ data: { id, args: { width, height, data, net: address } } }) => {
   try {
-    started ??= start(net).then((onnx) => new AestheticsNet(onnx));
-    const judge = await started;
+    judgeNet ??= net(address, (onnx) => new AestheticsNet(onnx));
+    const judge = await judgeNet();
     postMessage({ id, ok: judge.score(width, height, new Uint8Array(data.buffer, data.byteOffset, data.length)), memory: 0 });
   } catch (error) {
     postMessage({ id, error: describe(error), memory: 0 });

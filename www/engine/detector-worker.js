@@ -5,18 +5,15 @@
  */
 
 import { FaceDetector, ObjectDetector } from '../pkg-detector/inkpanel.js';
-import { start } from './detector-module.js';
+import { net } from './detector-module.js';
 import { describe } from './protocol.js';
 
-const FACES = new URL('../models/faces.onnx', import.meta.url);
-const OBJECTS = new URL('../models/objects.onnx', import.meta.url);
+const faceNet = net(new URL('../models/faces.onnx', import.meta.url), (onnx) => new FaceDetector(onnx));
+const objectNet = net(new URL('../models/objects.onnx', import.meta.url), (onnx) => new ObjectDetector(onnx));
 
 /** @typedef {import('./protocol.js').PhotoHandle} PhotoHandle */
 /** @typedef {import('./detector.js').Found} Found */
 /** @typedef {'faces' | 'closer' | 'objects'} Op */
-
-/** What was loaded. @type {{ faces?: Promise<FaceDetector>, objects?: Promise<ObjectDetector> }} */
-const nets = {};
 
 /** @param {MessageEvent<{ id: number, op: Op, args: { photo: PhotoHandle, boxes?: Found[] } }>} event */
 globalThis.onmessage = async ({ data: { id, op, args: { photo, boxes } } }) => {
@@ -35,11 +32,9 @@ globalThis.onmessage = async ({ data: { id, op, args: { photo, boxes } } }) => {
  */
 async function runner(op, boxes) {
   if (op === 'objects') {
-    nets.objects ??= start(OBJECTS).then((net) => new ObjectDetector(net));
-    const objects = await nets.objects;
+    const objects = await objectNet();
     return (...photo) => objects.look(...photo);
   }
-  nets.faces ??= start(FACES).then((net) => new FaceDetector(net));
-  const faces = await nets.faces;
+  const faces = await faceNet();
   return (...photo) => (op === 'faces' ? faces.look(...photo) : faces.look_closer(...photo, JSON.stringify(boxes)));
 }

@@ -1,12 +1,12 @@
 // @ts-check
 /**
- * What the page tells the person: alerts stay until they are closed, notes go by themselves.
+ * What the page tells the person: alerts and offers stay until they are closed, notes go by themselves.
  */
 
 import { signal } from '@preact/signals';
 
 /** @typedef {{ label: string, run: () => void }} Way something that can be done about it */
-/** @typedef {{ id: number, kind: 'alert' | 'note', text: string, way?: Way, more?: Way }} Message `more`: another way */
+/** @typedef {{ id: number, kind: 'alert' | 'offer' | 'note', text: string, way?: Way, more?: Way }} Message `more`: another way */
 /** @typedef {ReturnType<typeof createMessages>} Messages */
 
 const NOTE_MS = 4_000;
@@ -29,7 +29,7 @@ export function createMessages() {
   function say(kind, text, way, more) {
     last += 1;
     const id = last;
-    const others = list.value.filter((message) => message.text !== text && (kind === 'alert' || message.kind === 'alert'));
+    const others = list.value.filter((message) => message.text !== text && (kind !== 'note' || message.kind !== 'note'));
     list.value = [...others, { id, kind, text, way, more }].slice(-MOST);
     if (kind === 'note') setTimeout(() => close(id), way ? WAY_MS : NOTE_MS);
     return id;
@@ -46,6 +46,8 @@ export function createMessages() {
     alert: (text, way, more) => say('alert', text, way, more),
     /** @param {string} text @param {Way} [way] @param {Way} [more] */
     note: (text, way, more) => say('note', text, way, more),
+    /** What can be done now or later. @param {string} text @param {Way} way */
+    offer: (text, way) => say('offer', text, way),
     close,
   };
 }

@@ -25,16 +25,18 @@ const FATAL = new Set(['detector-missing', 'worker-lost', 'detector']);
  * @param {{
  *   store: import('./store.js').Store, pages: import('./pages.js').Pages, messages: import('./messages.js').Messages,
  *   engine: Pick<import('../engine/engine.js').Engine, 'findFaces' | 'findMoreFaces' | 'findObjects' | 'hasPhoto'>,
- *   painted: () => boolean, wanted?: boolean,
+ *   painted: () => boolean, wanted?: boolean, window?: Pick<Window, 'addEventListener' | 'navigator'>,
  * }} app `painted` reads signals: whether the page as it is now is on the screen; not `wanted`, nothing is looked at
  */
-export function createSubjects({ store, pages, messages, engine, painted, wanted = true }) {
+export function createSubjects({ store, pages, messages, engine, painted, wanted = true, window = globalThis.window }) {
   /** @type {Map<string, Looked>} */
   const known = new Map();
   /** @type {import('@preact/signals').Signal<Progress | null>} */
   const progress = signal(null);
   const off = signal(!wanted);
   const running = signal(/** @type {ReadonlySet<Lane>} */ (new Set()));
+  /** Whether the detectors could not be loaded, and whether that was said. */
+  const lacking = { now: false, said: false };
   /** Bumped when `known` changes. */
   const round = signal(0);
 
@@ -53,6 +55,11 @@ export function createSubjects({ store, pages, messages, engine, painted, wanted
   effect(() => {
     if (off.value || store.page.value === null || store.reading.value !== null || !painted()) return;
     for (const lane of /** @type {const} */ (['faces', 'objects'])) if (!running.value.has(lane) && next(lane)) void run(lane);
+  });
+
+  window?.addEventListener('online', () => {
+    if (lacking.now) off.value = false;
+    lacking.now = false;
   });
 
   return { progress, settled, searched };
@@ -79,9 +86,8 @@ export function createSubjects({ store, pages, messages, engine, painted, wanted
         tell(id);
         round.value += 1;
       }
-    } catch {
-      if (!off.peek()) messages.note(strings.noDetector);
-      off.value = true;
+    } catch (error) {
+      if (!off.peek()) giveUp(/** @type {{ code?: string }} */ (error).code === 'detector-missing');
     } finally {
       running.value = new Set([...running.peek()].filter((other) => other !== lane));
       count();
@@ -92,6 +98,15 @@ export function createSubjects({ store, pages, messages, engine, painted, wanted
   function unsearched(id) {
     const { faces, objects } = known.get(id) ?? {};
     return !faces || !objects;
+  }
+
+  /** @param {boolean} missing whether they may be there later */
+  function giveUp(missing) {
+    const away = missing && window?.navigator.onLine === false;
+    if (!lacking.said) messages.note(away ? strings.noDetectorOffline : strings.noDetector);
+    lacking.said = true;
+    lacking.now = missing;
+    off.value = true;
   }
 
   /** Progress of the first looks; the closer ones change little. */

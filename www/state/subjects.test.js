@@ -11,8 +11,9 @@ const dog = { label: 'dog', score: 0.8, x: 0.4, y: 0.4, width: 0.3, height: 0.3 
 /**
  * @param {(id: string) => Promise<any>} look for faces
  * @param {any[]} [found] objects of every photo
+ * @param {any} [window]
  */
-function app(look, found = []) {
+function app(look, found = [], window = undefined) {
   const made = fakeApp();
   /** @type {string[]} */
   const asked = [];
@@ -34,7 +35,7 @@ function app(look, found = []) {
       return found;
     },
   };
-  const subjects = createSubjects({ ...made, engine, painted: () => painted.value });
+  const subjects = createSubjects({ ...made, engine, painted: () => painted.value, window });
   return { ...made, subjects, painted, asked, objects };
 }
 
@@ -80,6 +81,27 @@ describe('subjects', () => {
     await settle();
     expect(asked).toHaveLength(1);
     expect(messages.list.value).toHaveLength(1);
+    expect(subjects.settled.value).toBe(true);
+  });
+
+  it('tries again when the connection is back, and says nothing twice', async () => {
+    const net = { there: false };
+    const window = Object.assign(new EventTarget(), { navigator: { onLine: false } });
+    const { reading, files, subjects, painted, asked, messages } = app(async () => {
+      if (!net.there) throw Object.assign(new Error('gone'), { code: 'detector-missing' });
+      return { boxes: [face], closer: false };
+    }, [], window);
+    painted.value = true;
+    await reading.addFiles(files('1.jpg', '2.jpg'));
+    await settle();
+    expect(messages.list.value.map(({ text }) => text)).toEqual([expect.stringContaining('until you are online')]);
+    window.dispatchEvent(new Event('online'));
+    await settle();
+    expect(messages.list.value).toHaveLength(1);
+    net.there = true;
+    window.dispatchEvent(new Event('online'));
+    await settle();
+    expect(asked).toEqual(['p1', 'p1', 'p1', 'p2']);
     expect(subjects.settled.value).toBe(true);
   });
 

@@ -7,6 +7,7 @@ import { strings } from '../strings.js';
 import { useApp } from './context.js';
 import { openFiles } from './file-input.jsx';
 import { Icon } from './icon.jsx';
+import { InstallButton } from './install.jsx';
 import { Elsewhere } from './keeping/elsewhere.jsx';
 import { LanguageChoice } from './language-choice.jsx';
 import { Illustration } from './illustration.jsx';
@@ -29,8 +30,11 @@ export function Start() {
               {strings.trySamples}
             </button>
           </div>
-          <p class="start-promise"><Icon name="lock" />{strings.privacy}</p>
-          <LanguageChoice />
+          <div class="start-foot">
+            <p class="start-promise"><Icon name="lock" />{strings.privacy}</p>
+            <InstallButton />
+            <LanguageChoice />
+          </div>
           {store.planner.value === null && <p class="visually-hidden" role="status">{strings.starting}</p>}
         </div>
       </div>

@@ -44,8 +44,11 @@ export function Toasts() {
         ))}
       </div>
       <div role="status" class="toast-list">
-        {list.filter(({ kind }) => kind === 'note').map(({ id, text, way, more }) => (
-          <div class="toast" key={id}><Said text={text} way={way} more={more} close={() => messages.close(id)} /></div>
+        {list.filter(({ kind }) => kind !== 'alert').map(({ id, kind, text, way, more }) => (
+          <div class="toast" key={id}>
+            <Said text={text} way={way} more={more} close={() => messages.close(id)} />
+            {kind === 'offer' && <IconButton icon="close" label={strings.dismiss} onClick={() => messages.close(id)} />}
+          </div>
         ))}
       </div>
     </div>

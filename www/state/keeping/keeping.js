@@ -71,7 +71,7 @@ export function createKeeping({ store, reading, engine, shelves, messages, windo
     if (window.document.visibilityState === 'hidden') void saving.flush();
   });
 
-  return { ...opening, ...projects, status: saving.status, flush: saving.flush, files, pageFiles, absentPhotos, begin };
+  return { ...opening, ...projects, status: saving.status, flush: saving.flush, isSafe: saving.isSafe, files, pageFiles, absentPhotos, begin };
 
   async function begin() {
     await opening.begin();

@@ -9,6 +9,7 @@ import { designerStrings } from './designer.js';
 import { faultStrings } from './faults.js';
 import { keepingStrings } from './keeping.js';
 import { keyStrings } from './keys.js';
+import { offlineStrings } from './offline.js';
 import { pageStrings } from './page.js';
 import { panelStrings } from './panels.js';
 import { photoStrings } from './photos.js';
@@ -24,6 +25,7 @@ export const english = {
   ...panelStrings,
   ...designerStrings,
   ...keepingStrings,
+  ...offlineStrings,
   ...wordStrings,
   ...photoStrings,
   ...pageStrings,

@@ -9,6 +9,7 @@ import { IconButton } from '../button.jsx';
 import { ChosenFiles } from '../chosen-files.jsx';
 import { useApp } from '../context.js';
 import { Icon } from '../icon.jsx';
+import { InstallButton } from '../install.jsx';
 import { Workspace } from '../workspace.jsx';
 import { Elsewhere } from './elsewhere.jsx';
 import { ProjectName, SaveState } from './project-bar.jsx';
@@ -31,6 +32,7 @@ export function Projects() {
       <button type="button" class="button" disabled={keeping.busy.value || empty} onClick={() => void keeping.create()}><Icon name="add" />{strings.newProject}</button>
       <button type="button" class="button" onClick={() => input.current?.click()}><Icon name="open" />{strings.openProject}</button>
       <button type="button" class="button" disabled={empty} onClick={() => void keeping.files.save()}><Icon name="save" />{strings.saveProject}</button>
+      <InstallButton />
       <ChosenFiles input={input} label={strings.projectFile} accept={`${EXTENSION},.png`} onFiles={([file]) => file && void open(file)} />
     </div>
   );

@@ -1,0 +1,100 @@
+// @ts-check
+/** The page's Content-Security-Policy: it forbids other hosts, and nothing that the page does. */
+
+import { readFile } from 'node:fs/promises';
+import { addBlock, drawn } from './designer-hands.js';
+import { add, detectingTest, expect, idle, press, test } from './support.js';
+import { write } from './word-hands.js';
+
+/** @typedef {import('./support.js').Page} Page */
+
+const FILM = new URL('../../videos/album.mp4', import.meta.url);
+const film = async () => ({ name: 'album.mp4', mimeType: 'video/mp4', buffer: await readFile(FILM) });
+
+/** Notes what the policy forbids, from the first script on. @param {Page} page */
+async function watchPolicy(page) {
+  /** @type {string[]} */
+  const violations = [];
+  await page.exposeFunction('forbidden', (/** @type {string} */ what) => violations.push(what));
+  await page.addInitScript(() => {
+    document.addEventListener('securitypolicyviolation', ({ effectiveDirective, blockedURI }) => {
+      /** @type {any} */ (window).forbidden(`${effectiveDirective} ${blockedURI}`);
+    });
+  });
+  return violations;
+}
+
+// Requests to other hosts and messages on the console fail these tests anyway.
+detectingTest('nothing that the page does is forbidden', async ({ page }) => {
+  const violations = await watchPolicy(page);
+  await page.goto('./');
+  await page.getByRole('button', { name: 'Try the sample album' }).click();
+  await expect(page.getByRole('region', { name: 'Storyboard page' })).toBeVisible();
+  await idle(page);
+  await add(page, [await film()]);
+  await idle(page);
+  await press(page, 'Shuffle');
+  await press(page, 'Show subjects');
+  await write(page, 'balloon', 'HELLO');
+  await page.getByRole('button', { name: 'Designer', exact: true }).click();
+  await drawn(page);
+  await addBlock(page, 'Sobel');
+  await page.getByRole('button', { name: 'Explorer', exact: true }).click();
+  await page.getByRole('region', { name: 'Style explorer' }).getByRole('button', { name: 'Generate', exact: true }).click();
+  await expect(page.getByRole('region', { name: 'Style explorer' }).getByRole('listitem')).not.toHaveCount(0);
+  await page.getByRole('button', { name: 'Back to the page' }).click();
+  await page.getByRole('button', { name: 'Export', exact: true }).click();
+  await page.getByRole('dialog').getByRole('button', { name: 'Close' }).click();
+  await page.getByRole('button', { name: 'Projects' }).click();
+  await expect(page.getByRole('region', { name: 'Projects' }).getByRole('img').or(page.locator('.project-picture img'))).not.toHaveCount(0);
+  expect(violations).toEqual([]);
+});
+
+test('a film is read by the element too, where there is no other decoder', async ({ page }) => {
+  const violations = await watchPolicy(page);
+  await page.route('**/video-worker-*.js', async (route) => {
+    const response = await route.fetch();
+    await route.fulfill({ response, body: `delete globalThis.VideoDecoder;${await response.text()}` });
+  });
+  await page.goto('./');
+  await add(page, [await film()]);
+  await expect(page.getByRole('region', { name: 'Storyboard page' })).toBeVisible();
+  await idle(page);
+  await expect(page.getByRole('checkbox', { name: /^Use album/ })).toHaveCount(24);
+  expect(violations).toEqual([]);
+});
+
+test('other hosts cannot be asked for anything', async ({ context }) => {
+  /** @type {string[]} */
+  const asked = [];
+  await context.route('https://elsewhere.test/**', (route) => { asked.push(route.request().url()); return route.abort(); });
+  const silent = await context.newPage();
+  const violations = await watchPolicy(silent);
+  await silent.goto('./');
+  await silent.evaluate(async () => {
+    const other = 'https://elsewhere.test/';
+    await fetch(`${other}fetch`).catch(() => {});
+    navigator.sendBeacon(`${other}beacon`);
+    for (const [tag, field] of [['img', 'src'], ['script', 'src'], ['iframe', 'src'], ['video', 'src'], ['link', 'href']]) {
+      document.head.append(Object.assign(document.createElement(tag), { [field]: `${other}${tag}`, rel: 'stylesheet' }));
+    }
+    const form = Object.assign(document.createElement('form'), { action: `${other}form`, method: 'post' });
+    document.body.append(form);
+    form.submit();
+    const inline = Object.assign(document.createElement('script'), { textContent: 'window.ran = true' });
+    document.head.append(inline);
+    // Later, as what a test evaluates is itself let through.
+    setTimeout(() => {
+      try {
+        (0, eval)('window.ran = true');
+      } catch {
+        // Forbidden, as it should be.
+      }
+    });
+  });
+  await expect.poll(() => [...new Set(violations.map((text) => text.split(' ')[0]))].sort()).toEqual(
+    ['connect-src', 'form-action', 'frame-src', 'img-src', 'media-src', 'script-src', 'script-src-elem', 'style-src-elem'],
+  );
+  expect(await silent.evaluate(() => 'ran' in window)).toBe(false);
+  expect(asked).toEqual([]);
+});

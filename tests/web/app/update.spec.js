@@ -1,0 +1,91 @@
+// @ts-check
+/** Another build on the host, while pages of the one before are open. */
+
+import { readdir, unlink } from 'node:fs/promises';
+import { join } from 'node:path';
+import { buildOf, builds, kept, lookForUpdate, offer, test } from './offline-hands.js';
+import { anotherBuild } from './site-host.js';
+import { SIX, add, contents, expect, idle, photos } from './support.js';
+import { word, write } from './word-hands.js';
+
+test('a new version is taken when the person says so; a page of the old one goes on with its own files', async ({ page, host, folders, context }) => {
+  await page.goto(host.address);
+  await add(page, await photos(...SIX.slice(0, 3)));
+  await idle(page);
+  await kept(page);
+  const before = await contents(page);
+  const old = await context.newPage();
+  await old.goto(host.address);
+  await add(old, await photos('cat.jpg'));
+  await idle(old);
+  await expect(old.locator('.save-state')).toHaveText('Saved');
+  folders.push(await anotherBuild('second'));
+  [host.folder] = folders;
+  await lookForUpdate(page);
+  await expect(offer(page)).toBeVisible();
+  await expect(offer(old)).toBeVisible();
+  // Nothing changes by itself, nor by loading the page again.
+  await old.reload();
+  expect([await buildOf(page), await buildOf(old)]).toEqual(['first', 'first']);
+  await expect(offer(old)).toBeVisible();
+  await page.getByRole('button', { name: 'Reload' }).click();
+  await page.waitForFunction(() => document.documentElement.dataset.build === 'second');
+  await idle(page);
+  expect(await contents(page)).toEqual(before);
+  // The module of words is asked for now, and no longer on the host.
+  await write(old, 'balloon', 'STILL HERE');
+  await expect(word(old, 'Balloon: STILL HERE')).toBeVisible();
+  expect(await buildOf(old)).toBe('first');
+  await expect(old.getByRole('alert')).toHaveText('');
+  await write(page, 'balloon', 'NEW');
+  // When the last page of the old version is closed its files are thrown away.
+  expect(await builds(page)).toBe(2);
+  await old.close();
+  await page.reload();
+  await expect.poll(() => builds(page)).toBe(1);
+  await host.stop();
+  await page.reload();
+  await idle(page);
+  expect(await buildOf(page)).toBe('second');
+  await host.start();
+});
+
+test('a version that cannot be had whole leaves the one before as it is', async ({ page, host, folders }) => {
+  await page.goto(host.address);
+  await kept(page);
+  folders.push(await anotherBuild('broken'));
+  [host.folder] = folders;
+  const assets = join(host.folder, 'assets');
+  const [module] = (await readdir(assets)).filter((name) => name.startsWith('inkpanel_bg'));
+  await unlink(join(assets, module));
+  host.asked.length = 0;
+  await lookForUpdate(page);
+  await expect.poll(() => host.asked).toContain(`assets/${module}`);
+  await page.reload();
+  await expect.poll(() => builds(page)).toBe(1);
+  await expect(offer(page)).toHaveCount(0);
+  expect(await buildOf(page)).toBe('first');
+  await host.stop();
+  await page.reload();
+  await add(page, await photos('cat.jpg'));
+  await idle(page);
+  expect(await buildOf(page)).toBe('first');
+  await host.start();
+});
+
+test('a host that has the new list and the old page yet is waited for', async ({ page, host, folders }) => {
+  await page.goto(host.address);
+  await kept(page);
+  const second = await anotherBuild('second');
+  folders.push(second);
+  host.folder = second;
+  host.stale = ['index.html'];
+  await lookForUpdate(page);
+  await expect.poll(() => host.asked.filter((path) => path === 'service-worker.js').length).toBeGreaterThan(1);
+  await expect.poll(() => builds(page)).toBe(1);
+  await expect(offer(page)).toHaveCount(0);
+  host.stale = [];
+  await lookForUpdate(page);
+  await page.getByRole('button', { name: 'Reload' }).click();
+  await page.waitForFunction(() => document.documentElement.dataset.build === 'second');
+});

@@ -1,0 +1,32 @@
+// @ts-check
+/**
+ * Files that are large, and that not everyone needs: the browser keeps them from their first use on, so that they are
+ * there without a connection. Here and not in a service worker, which a first visit does not have yet.
+ */
+
+/** The service worker throws away what no build of the site names any more (`service-worker/versions.js`). */
+const STORE = 'inkpanel-nets';
+/** A name that changes with the content, as the build gives it: any other may be of an older file. */
+const HASHED = /-[\w-]{8}\.\w+$/;
+
+/**
+ * As `fetch`.
+ * @param {string} address
+ * @param {{ caches?: CacheStorage, fetch?: typeof globalThis.fetch }} [world]
+ * @returns {Promise<Response>}
+ */
+export async function fetchKept(address, { caches = globalThis.caches, fetch = globalThis.fetch } = {}) {
+  // Refused without https, and in some private windows.
+  const store = HASHED.test(address) ? await caches?.open(STORE).catch(() => undefined) : undefined;
+  const kept = await store?.match(address).catch(() => undefined);
+  if (kept) return kept;
+  const response = await fetch(address);
+  // Where storage is full it is loaded again the next time.
+  if (response.ok && !isPage(response)) void store?.put(address, response.clone()).catch(() => {});
+  return response;
+}
+
+/** A host may answer with a page of its own where a file is missing. @param {Response} response */
+export function isPage(response) {
+  return response.headers.get('content-type')?.startsWith('text/html') ?? false;
+}

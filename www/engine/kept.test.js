@@ -1,0 +1,34 @@
+// @ts-check
+import { expect, it, vi } from 'vitest';
+import { fakeCaches } from '../service-worker/testing.js';
+import { fetchKept } from './kept.js';
+
+const NET = 'https://host.test/assets/faces-Ab3_-x9Q.onnx';
+const net = async () => new Response('net');
+const page = async () => new Response('<p>', { headers: { 'content-type': 'text/html' } });
+
+it('a net is loaded once', async () => {
+  const caches = fakeCaches();
+  const fetch = vi.fn(net);
+  expect(await (await fetchKept(NET, { caches, fetch })).text()).toBe('net');
+  await vi.waitFor(async () => expect(await caches.match(NET)).toBeDefined());
+  expect(await (await fetchKept(NET, { caches, fetch })).text()).toBe('net');
+  expect(fetch).toHaveBeenCalledTimes(1);
+});
+
+it.each([
+  ['has no name of its content', NET.replace('-Ab3_-x9Q', ''), net], ['is missing', NET, async () => new Response('', { status: 404 })],
+  ['is the page of the host', NET, page],
+])('what %s is not kept', async (_, address, fetch) => {
+  const caches = fakeCaches();
+  await fetchKept(address, { caches, fetch });
+  expect(await caches.match(address)).toBeUndefined();
+});
+
+it('where the browser keeps nothing it is loaded each time', async () => {
+  const fetch = vi.fn(net);
+  const refused = /** @type {any} */ ({ open: async () => { throw new Error('SecurityError'); } });
+  expect(await (await fetchKept(NET, { caches: refused, fetch })).text()).toBe('net');
+  expect(await (await fetchKept(NET, { caches: undefined, fetch })).text()).toBe('net');
+  expect(fetch).toHaveBeenCalledTimes(2);
+});

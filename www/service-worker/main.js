@@ -1,0 +1,48 @@
+// @ts-check
+/**
+ * The service worker: the site without a connection, and files shared with it. It is built with the list of the site's
+ * files in it, so that each build has another. A new one waits until the pages of the one before are closed, or until a
+ * person asks for it.
+ */
+
+import { SHARE, createShares } from './shares.js';
+import { createVersions } from './versions.js';
+
+/** @typedef {import('./worker-types.js').WorkEvent} WorkEvent */
+
+const worker = /** @type {import('./worker-types.js').WorkerScope} */ (/** @type {unknown} */ (globalThis));
+const { scope } = worker.registration;
+
+const versions = createVersions({
+  // @ts-ignore: a constant of the build
+  site: /** @type {import('./worker-types.js').Site} */ (INKPANEL_SITE),
+  scope, caches, fetch: fetch.bind(globalThis), locks: navigator.locks,
+  windows: async () => (await worker.clients.matchAll({ type: 'window', includeUncontrolled: true })).length,
+  updating: () => !!(worker.registration.installing ?? worker.registration.waiting),
+});
+const shares = createShares({ scope, caches });
+
+worker.addEventListener('install', (/** @type {WorkEvent} */ event) => event.waitUntil(versions.install()));
+
+// The first page is not controlled until it is claimed; an old one would not be loaded again for it.
+worker.addEventListener('activate', (/** @type {WorkEvent} */ event) => event.waitUntil(Promise.all([worker.clients.claim(), versions.sweep()])));
+
+worker.addEventListener('message', (/** @type {import('./worker-types.js').OrderEvent} */ event) => {
+  if (event.data?.op === 'take-over') event.waitUntil(worker.skipWaiting());
+  if (event.data?.op === 'settle') event.waitUntil(settle(event.data.extras ?? false));
+});
+
+worker.addEventListener('fetch', (/** @type {import('./worker-types.js').RequestEvent} */ event) => {
+  const { request } = event;
+  // A worker that is no page has no Content-Security-Policy on a host without headers.
+  if (new URL(request.url).origin !== new URL(scope).origin) return event.respondWith(Response.error());
+  const path = versions.pathOf(request);
+  if (request.method === 'POST' && path === SHARE) return event.respondWith(shares.take(request));
+  if (request.method === 'GET' && path !== null && versions.has(path)) return event.respondWith(versions.answer(path, request));
+});
+
+/** What can wait until a page is at rest. @param {boolean} extras */
+async function settle(extras) {
+  await Promise.all([versions.sweep(), shares.sweep()]);
+  if (extras) await versions.keepExtras();
+}

@@ -1,0 +1,15 @@
+// @ts-check
+import { strings } from '../strings.js';
+import { useApp } from './context.js';
+import { Icon } from './icon.jsx';
+
+/** Makes the page a program of the device; not there where the browser has no such way. */
+export function InstallButton() {
+  const { installing } = useApp();
+  if (!installing.possible.value) return null;
+  return (
+    <button type="button" class="button install" title={strings.installHelp} onClick={installing.install}>
+      <Icon name="install" />{strings.install}
+    </button>
+  );
+}
