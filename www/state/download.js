@@ -1,22 +1,33 @@
 // @ts-check
 /**
- * The page as a file: rendered at print size in the background, with progress, one at a time.
+ * The ways out: pages as files, on the clipboard or in the share sheet, and one panel. Rendered at print size in the
+ * background, with progress, one at a time.
  */
 
 import { signal } from '@preact/signals';
 import { strings } from '../strings.js';
 import { save } from './files.js';
+import { FORMATS, fileName, isArchive, pageName, panelName } from './formats.js';
+import { archiveOf } from './keeping/archive.js';
 import { sized } from './paper.js';
 
 /** @typedef {import('./store.js').Store} Store */
 /** @typedef {import('./pages.js').Pages} Pages */
 /** @typedef {import('./messages.js').Messages} Messages */
+/** @typedef {import('./formats.js').Format} Format */
 /** @typedef {import('../engine/documents.js').PageDocument} PageDocument */
 /** @typedef {import('../engine/documents.js').PageSettings} PageSettings */
+/** @typedef {{ signal: AbortSignal, onProgress: (done: number, total: number) => void }} Work */
+/** @typedef {{ pages: readonly PageDocument[], format: Format, inside?: import('./formats.js').Inside, quality?: number }} Wish `quality` from 1 to 100 */
 /** @typedef {ReturnType<typeof createDownload>} Download */
 
+export const USUAL_QUALITY = 88;
+
 /**
- * @param {{ store: Store, pages: Pages, engine: Pick<import('../engine/engine.js').Engine, 'exportPng'>, messages: Messages }} app
+ * @param {{
+ *   store: Store, pages: Pages, messages: Messages,
+ *   engine: Pick<import('../engine/engine.js').Engine, 'exportPng' | 'exportJpeg' | 'exportWebp' | 'exportPdf' | 'exportPanel'>,
+ * }} app
  */
 export function createDownload({ store, pages, engine, messages }) {
   /** @type {import('@preact/signals').Signal<import('./store.js').Progress | null>} */
@@ -24,7 +35,26 @@ export function createDownload({ store, pages, engine, messages }) {
   /** @type {AbortController | null} */
   let running = null;
 
-  return { progress, start, cancel, preview };
+  return { progress, start, saveAs, copy, share, savePanel, cancel, preview, sheets, scaledSheets };
+
+  /** @returns {readonly PageDocument[]} the pages of the storyboard, in their order */
+  function sheets() {
+    const all = /** @type {{ sheets?: { value: readonly PageDocument[] } }} */ (/** @type {unknown} */ (store)).sheets?.value;
+    return all ?? (store.page.value ? [store.page.value] : []);
+  }
+
+  /**
+   * All pages with more or fewer pixels, else as they are.
+   * @param {number} factor
+   * @returns {PageDocument[]}
+   */
+  function scaledSheets(factor) {
+    const by = (/** @type {number} */ length) => Math.round(length * factor);
+    return sheets().map((document) => {
+      const { width, height, dpi } = document.page;
+      return { ...document, page: sized(document.page, { width: by(width), height: by(height), dpi: by(dpi) }) };
+    });
+  }
 
   /**
    * The page at another size: the same photos in the same layout, cropped anew.
@@ -41,21 +71,107 @@ export function createDownload({ store, pages, engine, messages }) {
 
   /** @param {PageDocument | null} [page] the page as it is, unless told */
   async function start(page = store.page.peek()) {
-    if (!page || running) return;
+    if (page) await saveAs({ pages: [page], format: 'png' });
+  }
+
+  /** @param {Wish} wish */
+  async function saveAs(wish) {
+    const file = await work((how) => make(wish, how), strings.exportFailed);
+    if (!file) return;
+    save(file, fileName(wish.pages, wish.format));
+    messages.note(strings.pagesSaved(wish.pages.length));
+  }
+
+  /** @param {number} index of a panel of the page */
+  async function savePanel(index) {
+    const page = store.page.peek();
+    const file = page && await work((how) => engine.exportPanel(page, index, how), strings.exportFailed);
+    if (!file) return;
+    save(file, panelName(page, index));
+    messages.note(strings.panelSaved);
+  }
+
+  /**
+   * The browser is handed the promise of a picture, as some allow the clipboard only in the moment of the click.
+   * @param {PageDocument} page
+   */
+  async function copy(page) {
+    const png = work((how) => make({ pages: [page], format: 'png' }, how), strings.exportFailed);
+    const promised = png.then((file) => file ?? Promise.reject(new DOMException('', 'AbortError')));
+    try {
+      await navigator.clipboard.write([new ClipboardItem({ 'image/png': promised })]);
+      messages.note(strings.copied);
+    } catch (error) {
+      // What stopped the picture itself has been said.
+      if (await png) messages.alert(strings.copyFailed(/** @type {Error} */ (error).message));
+    }
+  }
+
+  /** @param {Wish} wish */
+  async function share(wish) {
+    const made = await work((how) => make(wish, how), strings.exportFailed);
+    if (made) await hand(new File([made], fileName(wish.pages, wish.format), { type: FORMATS[wish.format].type }));
+  }
+
+  /** @param {File} file */
+  async function hand(file) {
+    try {
+      await navigator.share({ files: [file] });
+    } catch (error) {
+      const { name, message } = /** @type {Error} */ (error);
+      // Drawing took longer than a click counts, so the browser wants another.
+      if (name === 'NotAllowedError') messages.note(strings.readyToShare, { label: strings.sharePart, run: () => void hand(file) });
+      else if (name !== 'AbortError') messages.alert(strings.shareFailed(message));
+    }
+  }
+
+  /**
+   * @param {Wish} wish
+   * @param {Work} how
+   * @returns {Promise<Blob>}
+   */
+  async function make({ pages: documents, format, inside = 'png', quality = USUAL_QUALITY }, how) {
+    if (format === 'pdf') return engine.exportPdf(documents, { ...how, quality, title: store.project.peek().name || strings.name });
+    if (!isArchive(format)) return picture(documents[0], /** @type {'png' | 'jpeg' | 'webp'} */ (format), quality, how);
+    const entries = [];
+    for (const [i, document] of documents.entries()) {
+      // Each page has the same share of the whole.
+      const onProgress = (/** @type {number} */ done, /** @type {number} */ total) => how.onProgress(i + done / total, documents.length);
+      const blob = await picture(document, inside, quality, { ...how, onProgress });
+      entries.push({ name: pageName(i, documents.length, inside), blob });
+    }
+    return new Blob([await archiveOf(entries)], { type: FORMATS[format].type });
+  }
+
+  /**
+   * @param {PageDocument} document
+   * @param {'png' | 'jpeg' | 'webp'} format
+   * @param {number} quality
+   * @param {Work} how
+   */
+  async function picture(document, format, quality, how) {
+    if (format === 'jpeg') return engine.exportJpeg(document, { ...how, quality });
+    if (format === 'webp') return engine.exportWebp(document, { ...how, quality });
+    return finishedPng(await engine.exportPng(document, how));
+  }
+
+  /**
+   * Runs one piece of work at a time, with progress; what goes wrong is said.
+   * @param {(how: Work) => Promise<Blob>} make
+   * @param {(why: string) => string} failed
+   * @returns {Promise<Blob | null>} null where it was cancelled or failed
+   */
+  async function work(make, failed) {
+    if (running) return null;
     running = new AbortController();
     try {
-      const { signal: stop } = running;
-      const onProgress = (/** @type {number} */ done, /** @type {number} */ total) => {
-        progress.value = { done, total };
-      };
-      const png = await engine.exportPng(page, { signal: stop, onProgress });
-      save(png, fileName(page));
-      messages.note(strings.saved);
+      return await make({ signal: running.signal, onProgress: (done, total) => { progress.value = { done, total }; } });
     } catch (error) {
       const { code, message, photo } = /** @type {{ code?: string, message: string, photo?: string }} */ (error);
       // The loss of a worker says itself what it was busy with.
       const why = photo && code !== 'worker-lost' ? strings.fileFailed(photo, strings.reasons[code ?? ''] ?? message) : message;
-      if (code !== 'cancelled') messages.alert(strings.exportFailed(why));
+      if (code !== 'cancelled') messages.alert(failed(why));
+      return null;
     } finally {
       running = null;
       progress.value = null;
@@ -67,8 +183,11 @@ export function createDownload({ store, pages, engine, messages }) {
   }
 }
 
-/** @param {PageDocument} page */
-function fileName({ layout, style, seed }) {
-  const name = (/** @type {string | { id?: string }} */ part) => (typeof part === 'string' ? part : part.id ?? 'own');
-  return `inkpanel-${name(layout)}-${name(style)}-${seed}.png`;
+/**
+ * Every PNG of a whole page passes here before it leaves: as a file, in an archive, on the clipboard, in the share sheet.
+ * @param {Blob} png
+ * @returns {Promise<Blob>}
+ */
+async function finishedPng(png) {
+  return png;
 }

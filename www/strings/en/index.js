@@ -4,6 +4,7 @@
 import { boardStrings } from './board.js';
 import { coreStrings } from './core.js';
 import { designerStrings } from './designer.js';
+import { exportStrings } from './export.js';
 import { faultStrings } from './faults.js';
 import { keepingStrings } from './keeping.js';
 import { keyStrings } from './keys.js';
@@ -24,6 +25,7 @@ export const english = {
   ...wordStrings,
   ...photoStrings,
   ...pageStrings,
+  ...exportStrings,
   ...keyStrings,
   ...faultStrings,
   ...coreStrings,
