@@ -21,7 +21,7 @@ import { Priority } from './queue.js';
 const TIMEOUT = 180_000;
 
 /** What stands on the page of a single panel; its patch brings the rest. */
-const ALONE = { layout: 'grid-2', panels: [{ photo: null }, { photo: null }], merges: [], words: [] };
+const ALONE = { layout: 'grid-2', panels: [{ photo: null, crop: null }, { photo: null, crop: null }], merges: [], words: [] };
 
 /** @param {Parts} parts */
 export function createExports({ run, photos, words, files }) {

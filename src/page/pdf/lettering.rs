@@ -1,5 +1,5 @@
 //! The words of a page in a PDF file: balloons as lines, letters as text that can be found and copied. The letters of
-//! a bent line are bent themselves, which text cannot be: they are drawn as lines, with unseen text over them.
+//! a bent line are bent themselves, which text cannot be: they are drawn as lines, with unseen text straight across them.
 
 use super::drawing::{color, path};
 use super::fonts::{Face, Fonts};
@@ -10,7 +10,7 @@ use crate::page::words::draw::{Bend, Lines, Row, lines, rows};
 use crate::page::words::layout::Laid;
 use crate::page::words::model::Kind;
 use pdf_writer::types::{LineCapStyle, LineJoinStyle, TextRenderingMode};
-use pdf_writer::{Content, Name, Str};
+use pdf_writer::{Content, Name, Str, TextStr};
 
 /// Draws a word on a page of `width` pixels.
 pub(super) fn draw(content: &mut Content, laid: &Laid, width: f64, letters: &Letters, fonts: &Fonts) {
@@ -40,10 +40,16 @@ pub(super) fn draw(content: &mut Content, laid: &Laid, width: f64, letters: &Let
     for row in rows(laid, width, letters) {
         let Some(face) = fonts.face(row.font.id()) else { continue };
         content.set_font(Name(face.name().as_bytes()), 1.0);
-        if bend.is_arc() {
-            bent(content, &row, face, &bend, size);
-        } else {
-            straight(content, &row, face, &bend, size);
+        // Programs that look for words take a line that is not level for many: they are told what it says.
+        let level = laid.word.kind != Kind::Effect;
+        if !level {
+            let says: String = row.letters.iter().map(|(letter, _)| letter).collect();
+            let mut mark = content.begin_marked_content_with_properties(Name(b"Span"));
+            mark.properties().actual_text(TextStr(&says));
+        }
+        show(content, &row, face, &bend.straightened(), size);
+        if !level {
+            content.end_marked_content();
         }
     }
     content.end_text();
@@ -70,7 +76,7 @@ fn stroke(content: &mut Content, shapes: &[Vec<Point>], with: [u8; 3]) {
 }
 
 /// A line of text with the distances that its letters have on the page.
-fn straight(content: &mut Content, row: &Row, face: &Face, bend: &Bend, size: f64) {
+fn show(content: &mut Content, row: &Row, face: &Face, bend: &Bend, size: f64) {
     let Some(&(_, start)) = row.letters.first() else { return };
     stand(content, bend, (start, row.baseline), size);
     let mut showing = content.show_positioned();
@@ -84,14 +90,6 @@ fn straight(content: &mut Content, row: &Row, face: &Face, bend: &Bend, size: f6
                 items.adjust(off.round() as f32);
             }
         }
-    }
-}
-
-/// Each letter for itself, as the line turns under it.
-fn bent(content: &mut Content, row: &Row, face: &Face, bend: &Bend, size: f64) {
-    for &(letter, pen) in &row.letters {
-        stand(content, bend, (pen, row.baseline), size);
-        content.show(Str(&face.code(letter)));
     }
 }
 

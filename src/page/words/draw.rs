@@ -172,6 +172,11 @@ impl Bend {
         self.radius != 0.0
     }
 
+    /// The same without the arc.
+    pub(in crate::page) fn straightened(&self) -> Self {
+        Self { radius: 0.0, ..*self }
+    }
+
     /// The place on the page of what is at `(x, y)` from the middle of the straight line.
     pub(in crate::page) fn moved(&self, x: f64, y: f64) -> Point {
         let (mut x, mut y) = (x, y);
