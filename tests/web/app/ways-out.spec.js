@@ -83,8 +83,8 @@ test('a PDF has the page in its size, text that is found, and looks as the PNG d
   await openBoard(page);
   await write(page, 'caption', 'Meanwhile, at the harbour');
   await write(page, 'balloon', 'Où est le phare?');
-  await write(page, 'effect', 'KRAKOOM');
-  await page.getByRole('slider', { name: 'Arc' }).fill('0.8');
+  await write(page, 'sound effect', 'KRAKOOM');
+  await page.getByRole('slider', { name: 'Arc' }).fill('80');
   await idle(page);
   await page.keyboard.press('Escape');
   const { path, name } = await savedAs(page, 'pdf', { quality: 95 });
