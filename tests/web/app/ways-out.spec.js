@@ -3,7 +3,7 @@ import { execFile } from 'node:child_process';
 import { readFile, writeFile } from 'node:fs/promises';
 import { promisify } from 'node:util';
 import { PNG } from '../../../www/testing.js';
-import { accessible, expect, idle, openBoard, test } from './support.js';
+import { accessible, expect, idle, openBoard, press, test } from './support.js';
 import { panel } from './panel-hands.js';
 import { write } from './word-hands.js';
 
@@ -84,7 +84,9 @@ test('a PDF has the page in its size, text that is found, and looks as the PNG d
   await write(page, 'caption', 'Meanwhile, at the harbour');
   await write(page, 'balloon', 'Où est le phare?');
   await write(page, 'sound effect', 'KRAKOOM');
-  await page.getByRole('slider', { name: 'Arc' }).fill('80');
+  const arc = page.getByRole('spinbutton', { name: 'Arc' });
+  await arc.fill('80');
+  await arc.blur();
   await idle(page);
   await page.keyboard.press('Escape');
   const { path, name } = await savedAs(page, 'pdf', { quality: 95 });
@@ -223,6 +225,31 @@ test('making a PDF shows its progress and can be cancelled', async ({ page }) =>
   await page.waitForTimeout(1500);
   expect(downloads).toBe(0);
   await expect(page.getByRole('alert')).toBeEmpty();
+});
+
+test('all pages go into one PDF, and into one archive', async ({ page }) => {
+  await openBoard(page);
+  await page.getByRole('combobox', { name: 'Panels' }).selectOption('3');
+  await idle(page);
+  const add = page.getByRole('button', { name: 'Add page' });
+  test.skip(await add.count() === 0, 'there is one page only');
+  await press(page, 'Add page');
+  const dialog = await openExport(page);
+  await dialog.getByRole('radio', { name: 'All 2 pages' }).check();
+  await expect(dialog.getByRole('radio', { name: 'Square' })).toHaveCount(0);
+  await dialog.getByRole('combobox', { name: 'Quality' }).selectOption('0.5');
+  const pdf = await saved(page, () => dialog.getByRole('button', { name: 'Save the file' }).click());
+  expect(pdf.name).toBe('inkpanel-2-pages.pdf');
+  expect((await run('pdfinfo', [pdf.path])).stdout).toMatch(/Pages: +2\n/);
+  expect((await run('pdfimages', ['-list', pdf.path])).stdout.match(/ jpeg /g)?.length).toBe(6);
+  await openExport(page);
+  await dialog.getByRole('radio', { name: 'All 2 pages' }).check();
+  await dialog.getByRole('combobox', { name: 'Quality' }).selectOption('0.5');
+  await dialog.getByRole('combobox', { name: 'Format' }).selectOption('cbz');
+  await dialog.getByRole('combobox', { name: 'Pictures in it' }).selectOption('jpeg');
+  const cbz = await saved(page, () => dialog.getByRole('button', { name: 'Save the file' }).click());
+  expect(cbz.name).toBe('inkpanel-2-pages.cbz');
+  expect(cbz.bytes.toString('latin1').match(/page-\d\d\.jpg/g)).toEqual(['page-01.jpg', 'page-02.jpg', 'page-01.jpg', 'page-02.jpg']);
 });
 
 for (const width of [1280, 360]) {
