@@ -1,5 +1,5 @@
 //! The web boundary of the module of words: where they go, how large they are, and their pixels. It holds the fonts, so
-//! it is loaded when a page first has words.
+//! it is loaded when a page first has words. Files other than PNG are made in it too (`wasm_files`).
 //!
 //! Structured data crosses as JSON text, pixels as byte arrays. Every error is a JavaScript `Error` with a `code` beside
 //! its `message`.

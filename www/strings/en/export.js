@@ -14,7 +14,7 @@ export const exportStrings = {
   half: 'Half, for the web',
   format: 'Format',
   formats: {
-    png: 'PNG, lossless', jpeg: 'JPEG, small', webp: 'WebP, smaller', pdf: 'PDF, frames and text stay sharp',
+    png: 'PNG, lossless', jpeg: 'JPEG, small', webp: 'WebP, smaller', pdf: 'PDF, sharp at any size',
     zip: 'ZIP, a picture a page', cbz: 'CBZ, for comic readers',
   },
   pictures: 'Pictures in it',
