@@ -3,8 +3,9 @@
 use crate::{Complaint, decode_file};
 use inkpanel::Error;
 use inkpanel::page::import::Imported;
+use inkpanel::page::pdf::{self, picture};
 use inkpanel::page::words::{Letters, draw as word_drawing, place};
-use inkpanel::page::{Document, Scene, compose, png};
+use inkpanel::page::{Document, Scene, compose, jpeg, png};
 use inkpanel::raster::Image;
 use inkpanel::style::Context;
 use rayon::prelude::*;
@@ -28,9 +29,62 @@ pub(crate) fn add_words(
     Letters::bundled().and_then(settle).map_err(|error| complain(error.to_string()))
 }
 
-/// Renders a document from the files of its photos, decoded at their full size.
-pub(crate) fn draw(document: &Document, photos: &[(PathBuf, Imported)]) -> Result<Vec<u8>, Complaint> {
-    let scene = Scene::new(document, document.page.width as usize).map_err(|error| error.to_string())?;
+/// Renders a document from the files of its photos, decoded at their full size, as the kind of file that the ending of
+/// `output` names: `.jpg`, `.pdf`, or PNG.
+pub(crate) fn draw(
+    document: &Document,
+    photos: &[(PathBuf, Imported)],
+    output: &Path,
+) -> Result<Vec<u8>, Complaint> {
+    let ending = output.extension().map(|ending| ending.to_string_lossy().to_lowercase()).unwrap_or_default();
+    if ending == "pdf" {
+        return draw_pdf(document, photos, output);
+    }
+    let mut sheet = compose::Sheet::new(&scene_of(document)?);
+    for patch in patches(document, photos)? {
+        sheet.lay(patch.area, &patch.rgba).map_err(|error| error.to_string())?;
+    }
+    let lay = |letters: Letters| word_drawing::lay_words(&mut sheet, document, &letters);
+    Letters::bundled().and_then(lay).map_err(|error| error.to_string())?;
+    let dpi = document.page.dpi;
+    let file = match ending.as_str() {
+        "jpg" | "jpeg" => jpeg::encode_rgb(sheet.width(), sheet.height(), sheet.rgb(), dpi, QUALITY),
+        _ => png::encode(&sheet, dpi),
+    };
+    file.map_err(|error| error.to_string())
+}
+
+/// Of JPEG files and of the pictures in PDF files.
+const QUALITY: u8 = 90;
+
+/// The same as a file of one page whose title is the file's name.
+fn draw_pdf(
+    document: &Document,
+    photos: &[(PathBuf, Imported)],
+    output: &Path,
+) -> Result<Vec<u8>, Complaint> {
+    let scene = scene_of(document)?;
+    let patches = patches(&picture::bare(document), photos)?;
+    let pictures = patches
+        .par_iter()
+        .enumerate()
+        .filter(|(index, _)| scene.panels[*index].photo.is_some())
+        .map(|(index, patch)| picture::cut(document, index, patch.area, &patch.rgba, QUALITY))
+        .collect::<Result<Vec<_>, Error>>()
+        .map_err(|error| error.to_string())?;
+    let leaf = pdf::Leaf { document: document.clone(), pictures };
+    let title = output.file_stem().map(|stem| stem.to_string_lossy()).unwrap_or_default();
+    let write = |letters: Letters| pdf::write(&[leaf], &title, &letters);
+    Letters::bundled().and_then(write).map_err(|error| error.to_string())
+}
+
+fn scene_of(document: &Document) -> Result<Scene, Complaint> {
+    Scene::new(document, document.page.width as usize).map_err(|error| error.to_string())
+}
+
+/// The panels of a document in their order.
+fn patches(document: &Document, photos: &[(PathBuf, Imported)]) -> Result<Vec<compose::Patch>, Complaint> {
+    let scene = scene_of(document)?;
     let wanted: Vec<_> = photos
         .iter()
         .filter(|(_, photo)| scene.panels.iter().any(|panel| panel.photo.as_ref() == Some(&photo.meta.id)))
@@ -43,16 +97,9 @@ pub(crate) fn draw(document: &Document, photos: &[(PathBuf, Imported)]) -> Resul
         let photo = scene.panels[index].photo.as_deref().and_then(|id| images.get(id));
         compose::render_panel(&scene, index, photo, &mut Context::default())
     };
-    let patches: Vec<_> = (0..scene.panels.len())
+    (0..scene.panels.len())
         .into_par_iter()
         .map(render)
         .collect::<Result<_, Error>>()
-        .map_err(|error| error.to_string())?;
-    let mut sheet = compose::Sheet::new(&scene);
-    for patch in patches {
-        sheet.lay(patch.area, &patch.rgba).map_err(|error| error.to_string())?;
-    }
-    let lay = |letters: Letters| word_drawing::lay_words(&mut sheet, document, &letters);
-    Letters::bundled().and_then(lay).map_err(|error| error.to_string())?;
-    png::encode(&sheet, document.page.dpi).map_err(|error| error.to_string())
+        .map_err(|error| error.to_string())
 }

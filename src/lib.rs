@@ -12,9 +12,9 @@
 //! | [`layout`] | page templates: split trees, polygons, gutters, merges |
 //! | [`framing`] | which photo goes into which panel, and the crop that fits it |
 //! | [`style`] | chains of filter blocks in two layers |
-//! | [`page`] | panels, borders and paper composed into one page; PNG |
+//! | [`page`] | panels, borders and paper composed into one page; PNG, JPEG, PDF |
 //!
-//! On top, without algorithms of their own: `wasm`, `wasm_detect` and `wasm_words` (the web boundary, in three modules) and `main.rs` (the command line).
+//! On top, without algorithms of their own: `wasm`, `wasm_detect` and `wasm_words` with `wasm_files` (the web boundary, in three modules) and `main.rs` (the command line).
 //!
 //! Each stage has an example that runs: `examples/stage_raster.rs` and so on to `stage_page.rs`. Through some of them:
 //!
@@ -60,6 +60,8 @@ pub mod style;
 pub mod wasm;
 #[cfg(all(target_arch = "wasm32", feature = "detect"))]
 pub mod wasm_detect;
+#[cfg(all(target_arch = "wasm32", feature = "words"))]
+pub mod wasm_files;
 #[cfg(all(target_arch = "wasm32", feature = "words"))]
 pub mod wasm_words;
 

@@ -131,7 +131,7 @@ struct Render {
     /// Captions, balloons and sound effects: a JSON array of words, as the page keeps them.
     #[arg(long, value_name = "FILE")]
     words: Option<PathBuf>,
-    /// Where the PNG goes.
+    /// Where the page goes: a PNG file, or a JPEG or PDF file where it ends in .jpg or .pdf.
     #[arg(short, long)]
     output: PathBuf,
     /// The photos, in their order where they do not say when they were taken.
@@ -201,8 +201,8 @@ fn render_page(render: &Render) -> Result<(), Complaint> {
     if let Some(file) = &render.words {
         drawing::add_words(&mut document, file, &photos)?;
     }
-    let png = drawing::draw(&document, &photos)?;
-    write(&render.output, &png)
+    let file = drawing::draw(&document, &photos, &render.output)?;
+    write(&render.output, &file)
 }
 
 fn stylize_photo(style: &str, input: &Path, output: &Path) -> Result<(), Complaint> {

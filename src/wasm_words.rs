@@ -1,5 +1,5 @@
 //! The web boundary of the module of words: where they go, how large they are, and their pixels. It holds the fonts, so
-//! it is loaded when a page first has words.
+//! it is loaded when a page first has words. Files other than PNG are made in it too (`wasm_files`).
 //!
 //! Structured data crosses as JSON text, pixels as byte arrays. Every error is a JavaScript `Error` with a `code` beside
 //! its `message`.
@@ -74,6 +74,12 @@ impl Lettering {
     }
 }
 
+impl Lettering {
+    pub(crate) fn letters(&self) -> &Letters {
+        &self.letters
+    }
+}
+
 /// A rectangle of rendered pixels, in pixels of the page.
 #[wasm_bindgen]
 pub struct Picture {
@@ -98,7 +104,7 @@ impl Picture {
 }
 
 #[allow(clippy::needless_pass_by_value)] // It is what map_err hands over.
-fn thrown(error: Error) -> JsValue {
+pub(crate) fn thrown(error: Error) -> JsValue {
     let object = js_sys::Error::new(&error.to_string());
     // Setting a property of a fresh object cannot fail.
     let _ = js_sys::Reflect::set(&object, &"code".into(), &error.code().into());

@@ -61,7 +61,7 @@ pub fn render_panel(
 }
 
 /// Gray of a panel that has no photo yet.
-const EMPTY: [u8; 3] = [226, 226, 228];
+pub(super) const EMPTY: [u8; 3] = [226, 226, 228];
 
 /// The stylised image of a panel and the place of its first pixel. The image of a merged group is stylised as
 /// a whole, so that tones agree across the gutter, and then cut.
@@ -151,9 +151,15 @@ impl Sheet {
     /// Empty paper.
     #[must_use]
     pub fn new(scene: &Scene) -> Self {
-        let mut rgb = vec![0; scene.width * scene.height * 3];
-        rgb.chunks_exact_mut(3).for_each(|pixel| pixel.copy_from_slice(&scene.paper));
-        Self { width: scene.width, height: scene.height, rgb }
+        Self::blank(scene.width, scene.height, scene.paper)
+    }
+
+    /// Empty paper of a size and colour.
+    #[must_use]
+    pub fn blank(width: usize, height: usize, paper: [u8; 3]) -> Self {
+        let mut rgb = vec![0; width * height * 3];
+        rgb.chunks_exact_mut(3).for_each(|pixel| pixel.copy_from_slice(&paper));
+        Self { width, height, rgb }
     }
 
     /// Lays a patch on what is there. Pixels outside of the page are left out.

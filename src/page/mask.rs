@@ -51,7 +51,7 @@ pub fn border(shape: &ResolvedShape, radius: f64, width: f64, area: PixelRect) -
 }
 
 /// The shape's edge moved outward by `by` pixels (inward where negative), curves cut into short segments.
-fn outline(shape: &ResolvedShape, radius: f64, by: f64) -> Vec<Point> {
+pub(super) fn outline(shape: &ResolvedShape, radius: f64, by: f64) -> Vec<Point> {
     match shape {
         ResolvedShape::Circle { center, radius } => arc(*center, (radius + by).max(0.0), 0.0, TAU),
         ResolvedShape::Polygon(points) => {

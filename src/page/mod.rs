@@ -16,6 +16,8 @@
 //! | [`compose`] | panels rendered to patches, patches laid on paper |
 //! | [`words`] | captions, balloons and sound effects, laid on the panels |
 //! | [`png`] | the file that people download |
+//! | [`jpeg`] | the smaller one |
+//! | [`pdf`] | pages as lines, text and pictures |
 
 pub mod catalogue;
 pub mod compose;
@@ -23,8 +25,10 @@ pub mod coverage;
 pub mod document;
 mod fill;
 pub mod import;
+pub mod jpeg;
 pub mod layouts;
 pub mod mask;
+pub mod pdf;
 pub mod png;
 pub mod request;
 pub mod scene;

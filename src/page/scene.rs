@@ -5,7 +5,7 @@ use super::document::Document;
 use super::mask::PixelRect;
 use crate::error::{Error, Result};
 use crate::framing::Crop;
-use crate::layout::{self, Bounds, Point, ResolvedShape};
+use crate::layout::{self, Bounds, Point, ResolvedPanel, ResolvedShape, Template};
 use crate::style::Style;
 use crate::style::context::scale_of;
 use std::borrow::Cow;
@@ -62,52 +62,73 @@ impl Scene {
     /// `unknown-layout`, `unknown-style` and their `invalid-` kin; `invalid-document` when the page would be
     /// larger than 20,000 pixels or the panels do not fit the layout.
     pub fn new(document: &Document, width: usize) -> Result<Self> {
-        let invalid =
-            |location: &str, reason: String| Error::InvalidDocument { location: location.to_owned(), reason };
         let page = &document.page;
         let template = document.template()?;
-        let height = (width as f64 * f64::from(page.height) / f64::from(page.width)).round().max(1.0);
-        if width == 0 || width as f64 > MAX_SIDE || height > MAX_SIDE {
-            return Err(invalid("page", format!("cannot be rendered at {width} x {height} pixels")));
-        }
-        let resolved = layout::resolve(&template, width as f64 / height, page);
-        if resolved.len() != document.panels.len() {
-            let (has, wants) = (document.panels.len(), resolved.len());
-            return Err(invalid("panels", format!("has {has} entries, the layout has {wants} panels")));
-        }
-        let pixels = width as f64;
-        let border = page.border * pixels;
-        let bounds: Vec<Bounds> = resolved.iter().map(|panel| scaled_bounds(panel.bounds, pixels)).collect();
+        let (width, height) = size(document, width)?;
+        let panels = panels(document, &template, (width, height))?;
         let base = template.base_count().max(1);
-        let panels = resolved
-            .into_iter()
-            .enumerate()
-            .map(|(i, panel)| {
-                let content = &document.panels[i];
-                let leader = document.merge_of(i).and_then(|group| group.first().copied()).unwrap_or(i);
-                let halo = panel.halo * pixels;
-                ScenePanel {
-                    shape: scaled_shape(panel.shape, pixels),
-                    image_bounds: document.merge_of(i).map_or(bounds[i], |group| union(group, &bounds)),
-                    halo,
-                    area: PixelRect::around(bounds[i], halo.max(border / 2.0) + 1.0),
-                    photo: document.panels[leader].photo.clone(),
-                    crop: document.panels[leader].crop.or(content.crop).unwrap_or(WHOLE),
-                }
-            })
-            .collect();
         Ok(Self {
             width,
-            height: height as usize,
+            height,
             panels,
             style: document.style()?,
-            scale: scale_of(pixels * height / base as f64),
+            scale: scale_of((width * height) as f64 / base as f64),
             paper: page.paper_rgb(),
             border_color: page.border_rgb(),
-            border,
-            corner_radius: page.corner_radius * pixels,
+            border: page.border * width as f64,
+            corner_radius: page.corner_radius * width as f64,
         })
     }
+}
+
+/// Width and height in pixels of a page at a width.
+///
+/// # Errors
+/// `invalid-document` when it would be larger than 20,000 pixels.
+pub(super) fn size(document: &Document, width: usize) -> Result<(usize, usize)> {
+    let page = &document.page;
+    let height = (width as f64 * f64::from(page.height) / f64::from(page.width)).round().max(1.0);
+    if width == 0 || width as f64 > MAX_SIDE || height > MAX_SIDE {
+        return Err(invalid("page", format!("cannot be rendered at {width} x {height} pixels")));
+    }
+    Ok((width, height as usize))
+}
+
+/// The panels of a page of a size in pixels, in paint order.
+///
+/// # Errors
+/// `invalid-document` when the document's panels do not fit the layout.
+pub(super) fn panels(
+    document: &Document,
+    template: &Template,
+    (width, height): (usize, usize),
+) -> Result<Vec<ScenePanel>> {
+    let page = &document.page;
+    let pixels = width as f64;
+    let resolved = layout::resolve(template, pixels / height as f64, page);
+    if resolved.len() != document.panels.len() {
+        let (has, wants) = (document.panels.len(), resolved.len());
+        return Err(invalid("panels", format!("has {has} entries, the layout has {wants} panels")));
+    }
+    let bounds: Vec<Bounds> = resolved.iter().map(|panel| scaled_bounds(panel.bounds, pixels)).collect();
+    let panel = |(i, panel): (usize, ResolvedPanel)| {
+        let content = &document.panels[i];
+        let leader = document.merge_of(i).and_then(|group| group.first().copied()).unwrap_or(i);
+        let halo = panel.halo * pixels;
+        ScenePanel {
+            shape: scaled_shape(panel.shape, pixels),
+            image_bounds: document.merge_of(i).map_or(bounds[i], |group| union(group, &bounds)),
+            halo,
+            area: PixelRect::around(bounds[i], halo.max(page.border * pixels / 2.0) + 1.0),
+            photo: document.panels[leader].photo.clone(),
+            crop: document.panels[leader].crop.or(content.crop).unwrap_or(WHOLE),
+        }
+    };
+    Ok(resolved.into_iter().enumerate().map(panel).collect())
+}
+
+fn invalid(location: &str, reason: String) -> Error {
+    Error::InvalidDocument { location: location.to_owned(), reason }
 }
 
 fn union(group: &[usize], bounds: &[Bounds]) -> Bounds {

@@ -8,12 +8,15 @@ import { createAesthetics } from './aesthetics.js';
 import { loadCore } from './core.js';
 import { createDesign } from './design.js';
 import { createDetector } from './detector.js';
-import { exportPng } from './export.js';
+import { createExports } from './export.js';
+import { createFiles } from './files.js';
+import { createMeasures } from './measures.js';
 import { createPhotos } from './photos.js';
 import { createPool } from './pool.js';
 import { Priority } from './queue.js';
 import { createRenders, nameOf } from './renders.js';
 import { readVideo } from './video.js';
+import { givesWebp } from './webp.js';
 import { createWords } from './words.js';
 
 /** @typedef {import('./documents.js').PageDocument} PageDocument */
@@ -34,6 +37,7 @@ export function createEngine({ workers = navigator.hardwareConcurrency || 2 } = 
   const detector = createDetector(photos, (count) => pool?.spare(count));
   const design = createDesign(photos);
   const words = createWords();
+  const files = createFiles();
   /** @type {ReturnType<typeof createPool> | undefined} */
   let pool;
   let imported = 0;
@@ -67,13 +71,7 @@ export function createEngine({ workers = navigator.hardwareConcurrency || 2 } = 
     ...renders,
     judges: aesthetics.judges, judgeStyle: aesthetics.judgeStyle,
     drawDesign: design.draw,
-    /**
-     * The PNG of a page at its full size, rendered from the original files.
-     * @param {PageDocument} document
-     * @param {{ signal?: AbortSignal, onProgress?: (done: number, total: number) => void }} [call]
-     * @returns {Promise<Blob>}
-     */
-    exportPng: (document, call) => exportPng({ run, photos, words }, document, call),
+    ...createExports({ run, photos, words, files }), ...createMeasures({ run, renders, files }), givesWebp,
   };
 
   /**
@@ -184,7 +182,7 @@ export function createEngine({ workers = navigator.hardwareConcurrency || 2 } = 
   }
 
   function dispose() {
-    for (const part of [detector, design, aesthetics, words]) part.dispose();
+    for (const part of [detector, design, aesthetics, words, files]) part.dispose();
     ready.then(() => pool?.dispose(), () => {});
   }
 }

@@ -1,31 +1,59 @@
 // @ts-check
 /**
- * The page as a file: rendered at print size in the background, with progress, one at a time.
+ * The ways out: pages as files, on the clipboard or in the share sheet, and one panel. Rendered at print size in the
+ * background, with progress, one at a time.
  */
 
 import { signal } from '@preact/signals';
 import { strings } from '../strings.js';
 import { save } from './files.js';
+import { FORMATS, fileName, panelName } from './formats.js';
+import { createMaking } from './page-making.js';
 import { sized } from './paper.js';
 
 /** @typedef {import('./store.js').Store} Store */
 /** @typedef {import('./pages.js').Pages} Pages */
 /** @typedef {import('./messages.js').Messages} Messages */
+/** @typedef {import('./page-making.js').Wish} Wish */
+/** @typedef {import('./page-making.js').Work} Work */
+/** @typedef {import('./page-making.js').Carry} Carry */
 /** @typedef {import('../engine/documents.js').PageDocument} PageDocument */
 /** @typedef {import('../engine/documents.js').PageSettings} PageSettings */
 /** @typedef {ReturnType<typeof createDownload>} Download */
 
 /**
- * @param {{ store: Store, pages: Pages, engine: Pick<import('../engine/engine.js').Engine, 'exportPng'>, messages: Messages,
- *   pageFiles: Pick<import('./keeping/page-files.js').PageFiles, 'take' | 'carrying'> }} app
+ * @param {{
+ *   store: Store, pages: Pages, messages: Messages,
+ *   engine: Pick<import('../engine/engine.js').Engine, 'exportPng' | 'exportJpeg' | 'exportWebp' | 'exportPdf' | 'exportPanel'>,
+ *   pageFiles: Pick<import('./keeping/page-files.js').PageFiles, 'take' | 'carrying'>,
+ * }} app
  */
 export function createDownload({ store, pages, engine, messages, pageFiles }) {
   /** @type {import('@preact/signals').Signal<import('./store.js').Progress | null>} */
   const progress = signal(null);
   /** @type {AbortController | null} */
   let running = null;
+  const make = createMaking({ store, engine });
 
-  return { progress, start, cancel, preview };
+  return { progress, start, saveAs, copy, share, savePanel, cancel, preview, sheets, scaledSheets };
+
+  /** @returns {readonly PageDocument[]} the pages of the storyboard, in their order */
+  function sheets() {
+    return store.sheets.value;
+  }
+
+  /**
+   * All pages with more or fewer pixels, else as they are.
+   * @param {number} factor
+   * @returns {PageDocument[]}
+   */
+  function scaledSheets(factor) {
+    const by = (/** @type {number} */ length) => Math.round(length * factor);
+    return sheets().map((document) => {
+      const { width, height, dpi } = document.page;
+      return { ...document, page: sized(document.page, { width: by(width), height: by(height), dpi: by(dpi) }) };
+    });
+  }
 
   /**
    * The page at another size: the same photos in the same layout, cropped anew.
@@ -42,24 +70,96 @@ export function createDownload({ store, pages, engine, messages, pageFiles }) {
 
   /** @param {PageDocument | null} [page] the page as it is, unless told */
   async function start(page = store.page.peek()) {
-    if (!page || running) return;
-    running = new AbortController();
+    if (page) await saveAs({ pages: [page], format: 'png' });
+  }
+
+  /** @param {Wish} wish */
+  async function saveAs(wish) {
+    const cargo = loaded();
+    const file = await work((how) => make(wish, how, cargo.carry), strings.exportFailed);
+    if (!file) return;
+    save(file, fileName(wish.pages, wish.format));
+    const saved = strings.pagesSaved(wish.pages.length);
+    messages.note(cargo.unclean > 0 ? `${saved} ${strings.photosUnclean(cargo.unclean)}` : saved);
+  }
+
+  /** What the next PNG carries of its project; `unclean`: photos in it that keep what their files say. */
+  function loaded() {
     // At once: what the person chose is for this file.
-    const cargo = pageFiles.take();
+    const what = pageFiles.take();
+    const cargo = {
+      unclean: 0,
+      carry: /** @type {Carry} */ (async (png, page) => {
+        const carrying = await pageFiles.carrying(png, page, what);
+        cargo.unclean += carrying.unclean;
+        return carrying.png;
+      }),
+    };
+    return cargo;
+  }
+
+  /** @param {number} index of a panel of the page */
+  async function savePanel(index) {
+    const page = store.page.peek();
+    const file = page && await work((how) => engine.exportPanel(page, index, how), strings.exportFailed);
+    if (!file) return;
+    save(file, panelName(page, index));
+    messages.note(strings.panelSaved);
+  }
+
+  /**
+   * The browser is handed the promise of a picture, as some allow the clipboard only in the moment of the click.
+   * @param {PageDocument} page
+   */
+  async function copy(page) {
+    const png = work((how) => engine.exportPng(page, how), strings.exportFailed);
+    const promised = png.then((file) => file ?? Promise.reject(new DOMException('', 'AbortError')));
     try {
-      const { signal: stop } = running;
-      const onProgress = (/** @type {number} */ done, /** @type {number} */ total) => {
-        progress.value = { done, total };
-      };
-      const { png, unclean } = await pageFiles.carrying(await engine.exportPng(page, { signal: stop, onProgress }), page, cargo);
-      if (stop.aborted) return;
-      save(png, fileName(page));
-      messages.note(unclean > 0 ? `${strings.saved} ${strings.photosUnclean(unclean)}` : strings.saved);
+      await navigator.clipboard.write([new ClipboardItem({ 'image/png': promised })]);
+      messages.note(strings.copied);
+    } catch (error) {
+      // What stopped the picture itself has been said.
+      if (await png) messages.alert(strings.copyFailed(/** @type {Error} */ (error).message));
+    }
+  }
+
+  /** @param {Wish} wish */
+  async function share(wish) {
+    const made = await work((how) => make(wish, how, loaded().carry), strings.exportFailed);
+    if (made) await hand(new File([made], fileName(wish.pages, wish.format), { type: FORMATS[wish.format].type }));
+  }
+
+  /** @param {File} file */
+  async function hand(file) {
+    try {
+      await navigator.share({ files: [file] });
+    } catch (error) {
+      const { name, message } = /** @type {Error} */ (error);
+      // Drawing took longer than a click counts, so the browser wants another.
+      if (name === 'NotAllowedError') messages.note(strings.readyToShare, { label: strings.sharePart, run: () => void hand(file) });
+      else if (name !== 'AbortError') messages.alert(strings.shareFailed(message));
+    }
+  }
+
+  /**
+   * Runs one piece of work at a time, with progress; what goes wrong is said.
+   * @param {(how: Work) => Promise<Blob>} make
+   * @param {(why: string) => string} failed
+   * @returns {Promise<Blob | null>} null where it was cancelled or failed
+   */
+  async function work(make, failed) {
+    if (running) return null;
+    running = new AbortController();
+    const { signal: stop } = running;
+    try {
+      const made = await make({ signal: stop, onProgress: (done, total) => { progress.value = { done, total }; } });
+      return stop.aborted ? null : made;
     } catch (error) {
       const { code, message, photo } = /** @type {{ code?: string, message: string, photo?: string }} */ (error);
       // The loss of a worker says itself what it was busy with.
       const why = photo && code !== 'worker-lost' ? strings.fileFailed(photo, strings.reasons[code ?? ''] ?? message) : message;
-      if (code !== 'cancelled') messages.alert(strings.exportFailed(why));
+      if (code !== 'cancelled') messages.alert(failed(why));
+      return null;
     } finally {
       running = null;
       progress.value = null;
@@ -69,10 +169,4 @@ export function createDownload({ store, pages, engine, messages, pageFiles }) {
   function cancel() {
     running?.abort();
   }
-}
-
-/** @param {PageDocument} page */
-function fileName({ layout, style, seed }) {
-  const name = (/** @type {string | { id?: string }} */ part) => (typeof part === 'string' ? part : part.id ?? 'own');
-  return `inkpanel-${name(layout)}-${name(style)}-${seed}.png`;
 }

@@ -44,7 +44,7 @@ export function PanelTools() {
 
 /** For the photo of the panel that is chosen, or the photos of two. */
 function PhotoTools() {
-  const { store, selection, framing, scrubbing } = useApp();
+  const { store, selection, framing, scrubbing, download } = useApp();
   const chosen = selection.panels.value;
   const [panel, other] = chosen;
   const frame = chosen.length === 1 && scrubbing.isFrame(panel);
@@ -66,6 +66,8 @@ function PhotoTools() {
       <Tool icon="focus" label={strings.focusPoint} why={why} pressed={mode === 'focus'} onClick={() => framing.toggle('focus', panel)} />
       <Tool icon={framing.isLocked(panel) ? 'lock' : 'unlock'} label={strings.lockPanel} why={one} pressed={framing.isLocked(panel)}
         onClick={() => framing.lock(panel, !framing.isLocked(panel))} />
+      <Tool icon="save" label={strings.savePanel} why={one || (store.page.value?.panels[panel]?.photo ? '' : strings.noPhotoHere)}
+        onClick={() => download.savePanel(panel)} />
       {frame && (
         <>
           <span class="rail-line" />

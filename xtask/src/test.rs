@@ -7,7 +7,7 @@ use anyhow::{Result, bail};
 
 use crate::project::Project;
 use crate::tally::{self, Tally};
-use crate::{budget, chromium, corpora, licences, models, npm, package, site, tools};
+use crate::{budget, chromium, corpora, licences, models, npm, package, poppler, site, tools};
 
 /// One kind of test.
 struct Suite {
@@ -185,6 +185,7 @@ fn wasm(project: &Project) -> Result<Outcome> {
 /// The built site in a browser.
 fn page(project: &Project) -> Result<Outcome> {
     let port = site::free_port(4187)?;
+    poppler::find()?;
     tally::count(playwright(project)?.env("INKPANEL_TEST_PORT", port.to_string()))
 }
 

@@ -54,7 +54,8 @@ pub(crate) fn detectors(project: &Project) -> Module {
     Module { name: "detector", features: &["detect"], profile: "wasm-detect", level: "-Oz", folder }
 }
 
-/// The module of words, which a page loads when it first has some: nobody waits for it, so it is small.
+/// The module of words and files, which a page loads when it first has words or becomes another file than PNG: small, as
+/// nobody waits for what it does.
 pub(crate) fn words(project: &Project) -> Module {
     let folder = project.www().join("pkg-words");
     Module { name: "words", features: &["words"], profile: "wasm-detect", level: "-Oz", folder }

@@ -1,7 +1,7 @@
 //! A word as pixels: a patch of straight-alpha RGBA that lies on the panels.
 
 use super::layout::{Ground, Laid, lay_all};
-use super::letters::Letters;
+use super::letters::{Font, Letters};
 use super::model::{Kind, Shape, Word};
 use super::shapes;
 use crate::error::{Error, Result};
@@ -48,66 +48,108 @@ pub fn lay_words(sheet: &mut Sheet, document: &Document, letters: &Letters) -> R
     Ok(())
 }
 
-/// Draws a word on a page of `width` pixels.
-#[must_use]
-pub fn draw(laid: &Laid, width: f64, letters: &Letters) -> Patch {
+/// The lines of a word on a page of some width, in its pixels.
+pub(in crate::page) struct Lines {
+    /// Outline of a balloon or a caption; its tail is a part of it, or follows it.
+    pub(in crate::page) body: Vec<Vec<Point>>,
+    /// Outlines of the letters.
+    pub(in crate::page) text: Vec<Vec<Point>>,
+    /// Half the width of the line around the body, or around the letters of an effect.
+    pub(in crate::page) half: f64,
+    /// Lengths of dashes and gaps of the line, where it has some.
+    pub(in crate::page) dash: Option<(f64, f64)>,
+}
+
+/// What is drawn of a word on a page of `width` pixels.
+pub(in crate::page) fn lines(laid: &Laid, width: f64, letters: &Letters) -> Lines {
     let kind = laid.word.kind;
     let scaled = |point: Point| Point::new(point.x * width, point.y * width);
     let middle = scaled(laid.middle);
     let (a, b) = laid.setting.half;
-    let body = shapes::outline(kind, (middle.x, middle.y), (a * width, b * width), laid.tip.map(scaled));
-    let text = contours(laid, width, letters);
-    let line = if kind == Kind::Effect { RING * laid.setting.size } else { LINE } * width;
+    let dash = (kind == Kind::Balloon(Shape::Whisper)).then_some((DASH.0 * width, DASH.1 * width));
+    Lines {
+        body: shapes::outline(kind, (middle.x, middle.y), (a * width, b * width), laid.tip.map(scaled)),
+        text: contours(laid, width, letters),
+        half: if kind == Kind::Effect { RING * laid.setting.size } else { LINE } * width,
+        dash,
+    }
+}
+
+/// Draws a word on a page of `width` pixels.
+#[must_use]
+pub fn draw(laid: &Laid, width: f64, letters: &Letters) -> Patch {
+    let Lines { body, text, half: line, dash } = lines(laid, width, letters);
     let points = || body.iter().chain(&text).flatten();
     let area = around(points(), line + 1.0);
     let mut rgba = vec![0; area.width * area.height * 4];
     let filled = |shapes: &[Vec<Point>]| coverage(&contoured(shapes), area);
-    let ring = |shapes: &[Vec<Point>], radius: f64, dash: Option<(f64, f64)>| {
+    let ring = |shapes: &[Vec<Point>], dash: Option<(f64, f64)>| {
         let mut mask = vec![0; area.width * area.height];
         for points in shapes {
-            stroke(&mut mask, area, points, radius, dash);
+            stroke(&mut mask, area, points, line, dash);
         }
         mask
     };
-    if kind == Kind::Effect {
-        lay_over(&mut rgba, &ring(&text, line, None), laid.word.fill);
+    if laid.word.kind == Kind::Effect {
+        lay_over(&mut rgba, &ring(&text, None), laid.word.fill);
     } else {
-        let dash = (kind == Kind::Balloon(Shape::Whisper)).then_some((DASH.0 * width, DASH.1 * width));
         lay_over(&mut rgba, &filled(&body), laid.word.fill);
-        lay_over(&mut rgba, &ring(&body, line, dash), laid.word.color);
+        lay_over(&mut rgba, &ring(&body, dash), laid.word.color);
     }
     lay_over(&mut rgba, &filled(&text), laid.word.color);
     Patch { area, rgba }
 }
 
-/// The outlines of the letters in pixels.
-fn contours(laid: &Laid, width: f64, letters: &Letters) -> Vec<Vec<Point>> {
+/// A line of text before it is bent and turned, in pixels from the middle of its word.
+pub(in crate::page) struct Row<'a> {
+    /// Height of the baseline below the middle.
+    pub(in crate::page) baseline: f64,
+    /// The letters, each with the place of the pen.
+    pub(in crate::page) letters: Vec<(char, f64)>,
+    /// The font of them all.
+    pub(in crate::page) font: &'a Font,
+}
+
+/// The lines of a word on a page of `width` pixels.
+pub(in crate::page) fn rows<'a>(laid: &Laid, width: f64, letters: &'a Letters) -> Vec<Row<'a>> {
     let Some(font) = letters.font(&laid.word.font) else { return Vec::new() };
     let setting = &laid.setting;
     let size = setting.size * width;
-    let middle = (laid.middle.x * width, laid.middle.y * width);
-    let bend = Bend::new(laid, width);
     let last = setting.lines.len().saturating_sub(1) as f64;
-    let mut out = Vec::new();
-    for (i, (run, length)) in setting.lines.iter().enumerate() {
+    let row = |(i, (run, length)): (usize, &(Vec<char>, f64))| {
         let mut pen = -length * width / 2.0;
         let baseline = (i as f64 - last / 2.0) * setting.pitch * width + font.capitals * size / 2.0;
-        for (at, &letter) in run.iter().enumerate() {
-            for mut points in font.outline(letter, 0.08 / size.max(1.0)) {
+        let place = |(at, &letter): (usize, &char)| {
+            let here = pen;
+            pen += letters.advance(font, letter, run.get(at + 1).copied()) * size;
+            (letter, here)
+        };
+        Row { baseline, letters: run.iter().enumerate().map(place).collect(), font }
+    };
+    setting.lines.iter().enumerate().map(row).collect()
+}
+
+/// The outlines of the letters in pixels.
+fn contours(laid: &Laid, width: f64, letters: &Letters) -> Vec<Vec<Point>> {
+    let size = laid.setting.size * width;
+    let bend = Bend::new(laid, width);
+    let mut out = Vec::new();
+    for row in rows(laid, width, letters) {
+        for (letter, pen) in row.letters {
+            for mut points in row.font.outline(letter, 0.08 / size.max(1.0)) {
                 for point in &mut points {
-                    let (x, y) = bend.moved(pen + point.x * size, baseline - point.y * size);
-                    *point = Point::new(middle.0 + x, middle.1 + y);
+                    *point = bend.moved(pen + point.x * size, row.baseline - point.y * size);
                 }
                 out.push(points);
             }
-            pen += letters.advance(font, letter, run.get(at + 1).copied()) * size;
         }
     }
     out
 }
 
-/// The arc and the turn of an effect, around its middle.
-struct Bend {
+/// The place of a word, and the arc and the turn of an effect around it.
+pub(in crate::page) struct Bend {
+    middle: (f64, f64),
     /// Radius of the circle that the line lies on; 0 for a straight one.
     radius: f64,
     sin: f64,
@@ -115,16 +157,28 @@ struct Bend {
 }
 
 impl Bend {
-    fn new(laid: &Laid, width: f64) -> Self {
+    /// On a page of `width` pixels.
+    pub(in crate::page) fn new(laid: &Laid, width: f64) -> Self {
         let effect = laid.word.kind == Kind::Effect;
         let (sin, cos) = if effect { laid.word.angle.to_radians().sin_cos() } else { (0.0, 1.0) };
         // The whole line covers a third of the circle at most.
         let turn = laid.word.arc * std::f64::consts::FRAC_PI_3;
         let radius = if effect && turn.abs() > 0.02 { laid.setting.half.0 * width / turn } else { 0.0 };
-        Self { radius, sin, cos }
+        Self { middle: (laid.middle.x * width, laid.middle.y * width), radius, sin, cos }
     }
 
-    fn moved(&self, x: f64, y: f64) -> (f64, f64) {
+    /// Whether the line is bent.
+    pub(in crate::page) fn is_arc(&self) -> bool {
+        self.radius != 0.0
+    }
+
+    /// The same without the arc.
+    pub(in crate::page) fn straightened(&self) -> Self {
+        Self { radius: 0.0, ..*self }
+    }
+
+    /// The place on the page of what is at `(x, y)` from the middle of the straight line.
+    pub(in crate::page) fn moved(&self, x: f64, y: f64) -> Point {
         let (mut x, mut y) = (x, y);
         if self.radius != 0.0 {
             // The bow's middle stays in the middle of the word.
@@ -133,7 +187,8 @@ impl Bend {
             let (sin, cos) = (x / self.radius).sin_cos();
             (x, y) = ((self.radius - y) * sin, self.radius - (self.radius - y) * cos - rise);
         }
-        (x * self.cos - y * self.sin, x * self.sin + y * self.cos)
+        let (x, y) = (x * self.cos - y * self.sin, x * self.sin + y * self.cos);
+        Point::new(self.middle.0 + x, self.middle.1 + y)
     }
 }
 

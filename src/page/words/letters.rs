@@ -13,7 +13,9 @@ pub struct Letters {
 
 /// One font. Lengths are in ems, y up.
 pub struct Font {
-    id: String,
+    pub(super) id: String,
+    /// Units of the font an em: what all its lengths are whole numbers of.
+    pub(super) units: u16,
     /// Ascent of the highest letters over the baseline.
     pub ascent: f64,
     /// Descent of the lowest, positive.
@@ -25,16 +27,16 @@ pub struct Font {
     kerning: Vec<(u32, f64)>,
 }
 
-struct Glyph {
+pub(super) struct Glyph {
     letter: u32,
-    advance: f64,
-    contours: Vec<Contour>,
+    pub(super) advance: f64,
+    pub(super) contours: Vec<Contour>,
 }
 
 /// A closed line: where it starts, and its segments with the control point where they are curves.
-struct Contour {
-    start: Point,
-    segments: Vec<(Option<Point>, Point)>,
+pub(super) struct Contour {
+    pub(super) start: Point,
+    pub(super) segments: Vec<(Option<Point>, Point)>,
 }
 
 impl Letters {
@@ -110,7 +112,7 @@ impl Letters {
             let pair = self.base(left) << 16 | (self.base(right) & 0xffff);
             font.kerning.binary_search_by_key(&pair, |entry| entry.0).map_or(0.0, |at| font.kerning[at].1)
         });
-        font.glyph(left).map_or(0.0, |glyph| glyph.advance) + kern
+        font.step(left) + kern
     }
 
     /// Width of a run of letters in ems.
@@ -122,13 +124,25 @@ impl Letters {
 
 impl Font {
     /// The glyph of a letter, or the box for what is missing.
-    fn glyph(&self, letter: char) -> Option<&Glyph> {
+    pub(super) fn glyph(&self, letter: char) -> Option<&Glyph> {
         let code = match letter {
             '\u{a0}' | '\u{202f}' => 32,
             '\u{2011}' => 0x2d,
             _ => u32::from(letter),
         };
         self.glyphs.get(self.glyphs.binary_search_by_key(&code, |glyph| glyph.letter).unwrap_or(0))
+    }
+
+    /// Its name among those of the table.
+    #[must_use]
+    pub fn id(&self) -> &str {
+        &self.id
+    }
+
+    /// How far the pen moves over a letter that stands alone, in ems.
+    #[must_use]
+    pub fn step(&self, letter: char) -> f64 {
+        self.glyph(letter).map_or(0.0, |glyph| glyph.advance)
     }
 
     /// The contours of a letter in ems, y up, curves cut into segments that are off by `within` ems at most.
@@ -216,10 +230,12 @@ impl Reader<'_> {
     fn font(&mut self) -> Option<Font> {
         let length = self.count()?;
         let id = String::from_utf8(self.take(length)?.to_vec()).ok()?;
-        let em = f64::from(self.unsigned()?.max(1));
+        let units = u16::try_from(self.unsigned()?.max(1)).ok()?;
+        let em = f64::from(units);
         let [ascent, descent, capitals] = [self.signed()?, self.signed()?, self.signed()?];
         let mut font = Font {
             id,
+            units,
             ascent: f64::from(ascent) / em,
             descent: f64::from(descent) / em,
             capitals: f64::from(capitals) / em,

@@ -10,6 +10,7 @@
 //! | [`layout`] | where a word of a document is, and how large |
 //! | [`draw`] | a word as pixels |
 //! | [`place`] | where a word goes by itself: away from faces |
+//! | [`truetype`] | letters of the table as a font for other programs |
 //!
 //! What text may hold: everything in Unicode. The fonts have Latin with its accents, also where these come as characters
 //! of their own, and some signs; other letters (emoji, Hebrew, Chinese) are drawn as one box each, in the order of the
@@ -23,6 +24,7 @@ pub mod model;
 pub mod place;
 pub mod setting;
 mod shapes;
+pub mod truetype;
 
 pub use letters::Letters;
 pub use model::Word;

@@ -12,7 +12,6 @@ export const faultStrings = {
   noSamples: 'The sample album could not be loaded. Check the connection and try again.',
   noPhotosInUse: 'No photo is in use. Tick one in Photos to get a page.',
   panelFailed: (/** @type {string} */ why) => `A panel could not be drawn: ${why}`,
-  exportFailed: (/** @type {string} */ why) => `The file could not be made: ${why}`,
   coreFailed: (/** @type {string} */ why) => `Inkpanel could not start: ${why}`,
   locked: { layout: 'The layout is locked.', style: 'The style is locked.', photos: 'The photos are locked.' },
 };

@@ -6,6 +6,7 @@ import { bookStrings } from './book.js';
 import { coreStrings } from './core.js';
 import { describingStrings } from './describing.js';
 import { designerStrings } from './designer.js';
+import { exportStrings } from './export.js';
 import { faultStrings } from './faults.js';
 import { keepingStrings } from './keeping.js';
 import { keyStrings } from './keys.js';
@@ -29,6 +30,7 @@ export const english = {
   ...wordStrings,
   ...photoStrings,
   ...pageStrings,
+  ...exportStrings,
   ...keyStrings,
   ...faultStrings,
   ...coreStrings,

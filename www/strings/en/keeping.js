@@ -1,7 +1,7 @@
 // @ts-check
 /** Words of projects, of saving, and of the pages shown. */
 
-import { pngStrings } from './strings-png.js';
+import { pngStrings } from './png.js';
 
 /** @type {Record<string, string>} */
 const TROUBLE = {

@@ -1,5 +1,5 @@
 // @ts-check
-/** Words of the page settings and of the export. */
+/** Words of the page settings. */
 
 export const pageStrings = {
   pageSettings: 'Page settings',
@@ -23,16 +23,4 @@ export const pageStrings = {
     pixels: 'The page must have at most 72 million pixels.',
     dpi: 'Dots an inch must be from 36 to 1200.',
   },
-
-  // Export
-  exportPage: 'Export the page',
-  resolution: 'Quality',
-  full: (/** @type {number} */ dpi) => (dpi >= 150 ? `Print, ${dpi} dpi` : 'Full size'),
-  half: 'Half, for the web',
-  format: 'Format',
-  png: 'PNG, lossless',
-  pixels: (/** @type {number} */ w, /** @type {number} */ h) => `${w} × ${h} pixels`,
-  save: 'Save the file',
-  exporting: (/** @type {number} */ percent) => `Drawing the page at full size, ${percent} %`,
-  saved: 'The page was saved.',
 };

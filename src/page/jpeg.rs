@@ -1,0 +1,50 @@
+//! Pictures as JPEG files: pages, and the panels in a PDF file.
+
+use crate::error::{Error, Result};
+use image::ExtendedColorType;
+use image::codecs::jpeg::{JpegEncoder, PixelDensity};
+
+/// Encodes interleaved RGB with a quality from 1 to 100, as a file that says its resolution and nothing else of where
+/// it comes from.
+///
+/// # Errors
+/// `encode` when `rgb` does not hold `3 * width * height` bytes, or a side is longer than 65,535 pixels.
+pub fn encode_rgb(width: usize, height: usize, rgb: &[u8], dpi: u32, quality: u8) -> Result<Vec<u8>> {
+    if rgb.len() != width * height * 3 {
+        return Err(Error::Encode("the pixels are not as many as the sides say".into()));
+    }
+    let mut bytes = Vec::new();
+    let mut encoder = JpegEncoder::new_with_quality(&mut bytes, quality.clamp(1, 100));
+    encoder.set_pixel_density(PixelDensity::dpi(dpi.min(u32::from(u16::MAX)) as u16));
+    encoder
+        .encode(rgb, width as u32, height as u32, ExtendedColorType::Rgb8)
+        .map_err(|error| Error::Encode(error.to_string()))?;
+    Ok(bytes)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::raster::decode::{Limits, decode};
+
+    #[test]
+    fn the_file_says_its_resolution_and_has_the_pixels() {
+        let rgb: Vec<u8> = (0..40 * 30).flat_map(|i| [(i % 40 * 6) as u8, (i / 40 * 8) as u8, 90]).collect();
+        let bytes = encode_rgb(40, 30, &rgb, 300, 95).unwrap();
+        // The JFIF segment: dots an inch, across and down.
+        assert_eq!(&bytes[6..11], b"JFIF\0");
+        assert_eq!(bytes[13..18], [1, 1, 44, 1, 44]);
+        let back = decode(&bytes, &Limits::default()).unwrap().image;
+        assert_eq!((back.width(), back.height()), (40, 30));
+        let off: u32 =
+            back.to_rgb().iter().zip(&rgb).map(|(&a, &b)| u32::from(a.abs_diff(b))).sum::<u32>() / 3600;
+        assert!(off < 3, "{off}");
+        let poor = encode_rgb(40, 30, &rgb, 300, 20).unwrap();
+        assert!(poor.len() < bytes.len());
+    }
+
+    #[test]
+    fn too_few_pixels_are_an_error() {
+        assert_eq!(encode_rgb(4, 4, &[0; 12], 96, 90).unwrap_err().code(), "encode");
+    }
+}

@@ -1,0 +1,123 @@
+//! The fonts of a PDF file: of each that its words are set in the letters that they use, with what they stand for, so
+//! that text can be found and copied.
+
+use super::packed;
+use crate::page::words::Letters;
+use crate::page::words::layout::Laid;
+use crate::page::words::letters::Font;
+use crate::page::words::truetype::subset;
+use pdf_writer::types::{CidFontType, FontFlags, SystemInfo, UnicodeCmap};
+use pdf_writer::{Dict, Filter, Finish, Name, Pdf, Rect, Ref, Str};
+use std::collections::BTreeSet;
+
+const IDENTITY: SystemInfo<'static> =
+    SystemInfo { registry: Str(b"Adobe"), ordering: Str(b"Identity"), supplement: 0 };
+/// Thousandths of an em, in which PDF has lengths of fonts.
+const PARTS: f64 = 1000.0;
+
+/// All fonts of a file.
+pub(super) struct Fonts<'a>(Vec<Face<'a>>);
+
+/// A font with the letters that are used of it, in ascending order; the code of a letter is its place and one.
+pub(super) struct Face<'a> {
+    font: &'a Font,
+    letters: Vec<char>,
+    id: Ref,
+    place: usize,
+}
+
+impl<'a> Fonts<'a> {
+    /// The fonts that words need.
+    pub(super) fn of<'w>(
+        words: impl Iterator<Item = &'w Laid> + Clone,
+        letters: &'a Letters,
+        next: &mut impl FnMut() -> Ref,
+    ) -> Self {
+        let font_of = |laid: &Laid| letters.font(&laid.word.font);
+        let mut faces: Vec<Face> = Vec::new();
+        for font in words.clone().filter_map(font_of) {
+            if faces.iter().any(|face| face.font.id() == font.id()) {
+                continue;
+            }
+            let same = |laid: &&Laid| font_of(laid).is_some_and(|other| other.id() == font.id());
+            let lines = words.clone().filter(same).flat_map(|laid| &laid.setting.lines);
+            let used: BTreeSet<char> = lines.flat_map(|(run, _)| run.iter().copied()).collect();
+            let place = faces.len();
+            faces.push(Face { font, letters: used.into_iter().collect(), id: next(), place });
+        }
+        Self(faces)
+    }
+
+    pub(super) fn face(&self, id: &str) -> Option<&Face<'a>> {
+        self.0.iter().find(|face| face.font.id() == id)
+    }
+
+    /// Says by which names a page has them.
+    pub(super) fn name(&self, names: &mut Dict) {
+        for face in &self.0 {
+            names.pair(Name(face.name().as_bytes()), face.id);
+        }
+    }
+
+    pub(super) fn write(&self, pdf: &mut Pdf, next: &mut impl FnMut() -> Ref) {
+        self.0.iter().for_each(|face| face.write(pdf, next));
+    }
+}
+
+impl Face<'_> {
+    pub(super) fn name(&self) -> String {
+        format!("F{}", self.place)
+    }
+
+    /// The letter as text of this font has it.
+    pub(super) fn code(&self, letter: char) -> [u8; 2] {
+        let place = self.letters.binary_search(&letter).map_or(0, |at| at as u16 + 1);
+        place.to_be_bytes()
+    }
+
+    fn write(&self, pdf: &mut Pdf, next: &mut impl FnMut() -> Ref) {
+        let [cid, descriptor, file, unicode] = [next(), next(), next(), next()];
+        let full = self.full_name();
+        let base = Name(full.as_bytes());
+        let mut font = pdf.type0_font(self.id);
+        font.base_font(base).encoding_predefined(Name(b"Identity-H"));
+        font.descendant_font(cid).to_unicode(unicode);
+        font.finish();
+        let mut font = pdf.cid_font(cid);
+        font.subtype(CidFontType::Type2).base_font(base).system_info(IDENTITY).font_descriptor(descriptor);
+        font.cid_to_gid_map_predefined(Name(b"Identity")).default_width(0.0);
+        let steps = self.letters.iter().map(|&letter| (self.font.step(letter) * PARTS).round() as f32);
+        font.widths().consecutive(1, steps);
+        font.finish();
+        let parts = |ems: f64| (ems * PARTS).round() as f32;
+        let (ascent, descent) = (parts(self.font.ascent), -parts(self.font.descent));
+        let mut about = pdf.font_descriptor(descriptor);
+        about.name(base).flags(FontFlags::SYMBOLIC).bbox(Rect::new(-200.0, descent, 1600.0, ascent));
+        about.italic_angle(0.0).ascent(ascent).descent(descent).cap_height(parts(self.font.capitals));
+        about.stem_v(90.0).font_file2(file);
+        about.finish();
+        let bytes = subset(self.font, &self.letters);
+        let small = packed(&bytes);
+        let mut stream = pdf.stream(file, &small);
+        stream.pair(Name(b"Length1"), bytes.len() as i32);
+        stream.filter(Filter::FlateDecode);
+        stream.finish();
+        let mut map = UnicodeCmap::<u16>::new(Name(b"Inkpanel"), IDENTITY);
+        for (at, &letter) in self.letters.iter().enumerate() {
+            map.pair(at as u16 + 1, letter);
+        }
+        pdf.cmap(unicode, &packed(&map.finish())).filter(Filter::FlateDecode);
+    }
+
+    /// The name with the mark of a font that is not whole: six capitals, others for other letters.
+    fn full_name(&self) -> String {
+        let mut sum =
+            self.letters.iter().fold(17u32, |sum, &letter| sum.wrapping_mul(31) ^ u32::from(letter));
+        let mut mark = String::new();
+        for _ in 0..6 {
+            mark.push(char::from(b'A' + (sum % 26) as u8));
+            sum /= 26;
+        }
+        format!("{mark}+{}", self.font.id())
+    }
+}

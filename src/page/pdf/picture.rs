@@ -1,0 +1,72 @@
+//! The picture of a panel, as a PDF file holds it.
+
+use crate::error::{Error, Result};
+use crate::page::document::Document;
+use crate::page::jpeg;
+use crate::page::mask::PixelRect;
+use crate::page::scene;
+use pdf_writer::{Filter, Pdf, Ref};
+
+/// A picture in its place.
+pub struct Picture {
+    /// The panel that shows it.
+    pub index: usize,
+    /// Pixels of the page that it covers; the panel shows what is inside of its shape.
+    pub area: PixelRect,
+    /// The file.
+    pub jpeg: Vec<u8>,
+}
+
+/// The document to render panels of for [`cut`]: no border is drawn on their pictures.
+#[must_use]
+pub fn bare(document: &Document) -> Document {
+    let mut bare = document.clone();
+    bare.page.border = 0.0;
+    bare
+}
+
+/// Makes the picture of a panel of the patch that was rendered of the [`bare`] document at its full width. The patch
+/// has the colours of the whole rectangle, also where the panel's shape covers nothing of it.
+///
+/// # Errors
+/// `invalid-document` for a panel that the page does not have; `buffer-size` when the patch does not hold the pixels of
+/// its area; `encode`.
+pub fn cut(document: &Document, index: usize, area: PixelRect, rgba: &[u8], quality: u8) -> Result<Picture> {
+    let expected = area.width.saturating_mul(area.height).saturating_mul(4);
+    if rgba.len() != expected {
+        let (width, height) = (area.width, area.height);
+        return Err(Error::BufferSize { width, height, expected, actual: rgba.len() });
+    }
+    let size = scene::size(document, document.page.width as usize)?;
+    let panels = scene::panels(document, &*document.template()?, size)?;
+    let panel = panels.get(index).ok_or_else(|| Error::InvalidDocument {
+        location: format!("panels[{index}]"),
+        reason: "there is no such panel".into(),
+    })?;
+    let image = PixelRect::around(panel.image_bounds, 0.0);
+    let (left, top) = (area.x.max(image.x), area.y.max(image.y));
+    let right = (area.x + area.width as i64).min(image.x + image.width as i64);
+    let bottom = (area.y + area.height as i64).min(image.y + image.height as i64);
+    let (width, height) = ((right - left).max(1) as usize, (bottom - top).max(1) as usize);
+    let mut rgb = Vec::with_capacity(width * height * 3);
+    for y in 0..height {
+        let from = ((top - area.y) as usize + y) * area.width + (left - area.x) as usize;
+        let row = rgba.get(from * 4..(from + width) * 4).unwrap_or(&[]);
+        rgb.extend(row.chunks_exact(4).flat_map(|pixel| [pixel[0], pixel[1], pixel[2]]));
+    }
+    let jpeg = jpeg::encode_rgb(width, height, &rgb, document.page.dpi, quality)?;
+    Ok(Picture { index, area: PixelRect { x: left, y: top, width, height }, jpeg })
+}
+
+impl Picture {
+    pub(super) fn name(&self) -> String {
+        format!("P{}", self.index)
+    }
+
+    pub(super) fn write(&self, pdf: &mut Pdf, id: Ref) {
+        let mut image = pdf.image_xobject(id, &self.jpeg);
+        image.filter(Filter::DctDecode);
+        image.width(self.area.width as i32).height(self.area.height as i32).bits_per_component(8);
+        image.color_space().device_rgb();
+    }
+}

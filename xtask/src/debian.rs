@@ -1,0 +1,62 @@
+//! Packages of Debian, which the tests take where they may.
+
+use std::fs;
+use std::path::Path;
+use std::process::Command;
+
+use anyhow::Result;
+
+use crate::tools;
+
+/// Installs a package where that needs no questions; false where this is not Debian or not its owner.
+///
+/// # Errors
+/// When apt-get fails.
+pub(crate) fn install(package: &str) -> Result<bool> {
+    if !(is_root() && is_debian()) {
+        return Ok(false);
+    }
+    println!("apt-get install {package}");
+    tools::run(Command::new("apt-get").args(["update", "-qq"]))?;
+    let mut install = Command::new("apt-get");
+    install.args(["install", "-y", "-qq", "--no-install-recommends", package]);
+    tools::run(install.env("DEBIAN_FRONTEND", "noninteractive"))?;
+    Ok(true)
+}
+
+fn is_root() -> bool {
+    // The owner of the own process folder: std has no other way without `unsafe` or a crate.
+    #[cfg(target_os = "linux")]
+    {
+        use std::os::unix::fs::MetadataExt;
+        fs::metadata("/proc/self").is_ok_and(|process| process.uid() == 0)
+    }
+    #[cfg(not(target_os = "linux"))]
+    false
+}
+
+/// Debian or a child of it. Ubuntu's `chromium` is a stub that wants snap, so Ubuntu is left to its owner.
+fn is_debian() -> bool {
+    Path::new("/usr/bin/apt-get").exists()
+        && fs::read_to_string("/etc/os-release").is_ok_and(|release| says_debian(&release))
+}
+
+fn says_debian(release: &str) -> bool {
+    let field =
+        |name: &str| release.lines().find_map(|line| Some(line.strip_prefix(name)?.trim_matches('"')));
+    field("ID=") == Some("debian")
+        || field("ID=") != Some("ubuntu") && field("ID_LIKE=").is_some_and(|like| like.contains("debian"))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn debian_is_told_from_ubuntu() {
+        assert!(says_debian("NAME=x\nID=debian\n"));
+        assert!(says_debian("ID=raspbian\nID_LIKE=\"debian\"\n"));
+        assert!(!says_debian("ID=ubuntu\nID_LIKE=debian\n"));
+        assert!(!says_debian("ID=fedora\n"));
+    }
+}
