@@ -14,6 +14,7 @@ import { offlineStrings } from './offline.js';
 import { pageStrings } from './page.js';
 import { panelStrings } from './panels.js';
 import { photoStrings } from './photos.js';
+import { pngStrings } from './png.js';
 import { sideStrings } from './side.js';
 import { startStrings } from './start.js';
 import { wordStrings } from './words.js';
@@ -31,6 +32,7 @@ export const english = {
   ...photoStrings,
   ...pageStrings,
   ...exportStrings,
+  ...pngStrings,
   ...keyStrings,
   ...faultStrings,
   ...coreStrings,

@@ -1,7 +1,6 @@
 // @ts-check
 /** Words of projects, of saving, and of the pages shown. */
 
-import { pngStrings } from './png.js';
 
 /** @type {Record<string, string>} */
 const TROUBLE = {
@@ -10,7 +9,6 @@ const TROUBLE = {
 };
 
 export const keepingStrings = {
-  ...pngStrings,
 
   // Saving
   saveState: {
