@@ -1,7 +1,6 @@
 // @ts-check
 /** Words of projects, of saving, and of the pages shown. */
 
-
 /** @type {Record<string, string>} */
 const TROUBLE = {
   full: 'the storage of this browser is full',
