@@ -5,6 +5,7 @@ import { boardStrings } from './board.js';
 import { coreStrings } from './core.js';
 import { describingStrings } from './describing.js';
 import { designerStrings } from './designer.js';
+import { exportStrings } from './export.js';
 import { faultStrings } from './faults.js';
 import { keepingStrings } from './keeping.js';
 import { keyStrings } from './keys.js';
@@ -26,6 +27,7 @@ export const spanish = {
   ...wordStrings,
   ...photoStrings,
   ...pageStrings,
+  ...exportStrings,
   ...keyStrings,
   ...faultStrings,
   ...coreStrings,

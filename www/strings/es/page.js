@@ -21,16 +21,4 @@ export const pageStrings = {
     pixels: 'La página debe tener 72 millones de píxeles como mucho.',
     dpi: 'Los puntos por pulgada deben ir de 36 a 1200.',
   },
-
-  // Export
-  exportPage: 'Exportar la página',
-  resolution: 'Calidad',
-  full: (/** @type {number} */ dpi) => (dpi >= 150 ? `Impresión, ${dpi} ppp` : 'Tamaño completo'),
-  half: 'La mitad, para la web',
-  format: 'Formato',
-  png: 'PNG, sin pérdida',
-  pixels: (/** @type {number} */ w, /** @type {number} */ h) => `${w} × ${h} píxeles`,
-  save: 'Guardar el archivo',
-  exporting: (/** @type {number} */ percent) => `Dibujando la página a tamaño completo, ${percent} %`,
-  saved: 'La página se ha guardado.',
 };
