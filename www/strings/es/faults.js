@@ -26,7 +26,6 @@ export const faultStrings = {
   noSamples: 'No se pudo cargar el álbum de muestra. Comprueba la conexión e inténtalo otra vez.',
   noPhotosInUse: 'No hay ninguna foto en uso. Marca una en Fotos para tener una página.',
   panelFailed: (/** @type {string} */ why) => `No se pudo dibujar una viñeta: ${why}`,
-  exportFailed: (/** @type {string} */ why) => `No se pudo hacer el archivo: ${why}`,
   coreFailed: (/** @type {string} */ why) => `Inkpanel no pudo arrancar: ${why}`,
   locked: { layout: 'La plantilla está fijada.', style: 'El estilo está fijado.', photos: 'Las fotos están fijadas.' },
 };
