@@ -7,7 +7,7 @@
 
 import { effect, untracked } from '@preact/signals';
 import { photosFor, placesOf } from './page-photos.js';
-import { sheetsOf } from './sheets.js';
+import { photosOn, sheetsOf } from './sheets.js';
 
 /** @typedef {import('../engine/documents.js').PageDocument} PageDocument */
 /** @typedef {import('../engine/protocol.js').PhotoMeta} PhotoMeta */
@@ -32,10 +32,11 @@ export function keepBook({ store, pages, later = whenIdle }) {
     const photos = store.photos.value;
     if (others.length === 0 || !store.planner.value) return;
     untracked(() => {
-      repair(new Map(photos.map((photo) => [photo.id, photo])));
-      const stale = remember();
+      const byId = new Map(photos.map((photo) => [photo.id, photo]));
+      repair(byId);
+      const stale = remember(byId);
       // The page that is edited follows by itself, and is up to date when it is turned away.
-      if (page) known.set(page, essence(page, photos));
+      if (page) known.set(page, essence(page, byId));
       if (stale && !waiting) {
         waiting = true;
         later(refineOne);
@@ -43,9 +44,12 @@ export function keepBook({ store, pages, later = whenIdle }) {
     });
   });
 
-  /** Notes pages that are new here. @returns {boolean} whether one has crops of what was known before */
-  function remember() {
-    const photos = store.photos.peek();
+  /**
+   * Notes pages that are new here.
+   * @param {Map<string, PhotoMeta>} photos in use
+   * @returns {boolean} whether one has crops of what was known before
+   */
+  function remember(photos) {
     let stale = false;
     for (const { page } of store.project.peek().others) {
       if (!known.has(page)) known.set(page, essence(page, photos));
@@ -58,16 +62,17 @@ export function keepBook({ store, pages, later = whenIdle }) {
   function refineOne() {
     waiting = false;
     const project = store.project.peek();
-    const photos = store.photos.peek();
+    const photos = new Map(store.photos.peek().map((photo) => [photo.id, photo]));
     const stale = project.others.find(({ page }) => known.has(page) && known.get(page) !== essence(page, photos));
     if (!stale || store.reading.peek()) return;
-    const shown = new Set(stale.page.panels.map(({ photo }) => photo));
-    const better = pages.plan({ keep: KEEP_ALL, current: stale.page, seed: stale.page.seed, photos: photos.filter(({ id }) => shown.has(id)) });
+    const own = [...photosOn([stale.page])].flatMap((id) => photos.get(id) ?? []);
+    const better = pages.plan({ keep: KEEP_ALL, current: stale.page, seed: stale.page.seed, photos: own });
     known.set(stale.page, essence(stale.page, photos));
     if (!better) return;
     known.set(better, essence(better, photos));
     const page = JSON.stringify(better) === JSON.stringify(stale.page) ? stale.page : better;
-    store.change({ type: 'set-sheets', sheets: sheetsOf(project).map((sheet) => (sheet.sheet === stale.sheet ? { ...sheet, page } : sheet)), at: project.at, silent: true });
+    const sheets = sheetsOf(project).map((sheet) => (sheet.sheet === stale.sheet ? { ...sheet, page } : sheet));
+    store.change({ type: 'set-sheets', sheets, at: project.at, silent: true });
   }
 
   /** Puts other photos where one is gone, and takes out pages that none is left for. @param {Map<string, PhotoMeta>} photos in use */
@@ -109,12 +114,14 @@ export function keepBook({ store, pages, later = whenIdle }) {
 
 /**
  * @param {PageDocument} page
- * @param {readonly PhotoMeta[]} photos
+ * @param {ReadonlyMap<string, PhotoMeta>} photos in use
  * @returns {string} all that crops of the page depend on
  */
-function essence(page, photos) {
-  const shown = new Set(page.panels.map(({ photo }) => photo));
-  return JSON.stringify(photos.filter(({ id }) => shown.has(id)).map(({ id, width, height, subjects, focus }) => [id, width, height, subjects, focus]));
+function essence({ panels }, photos) {
+  return JSON.stringify(panels.map(({ photo }) => {
+    const { width, height, subjects, focus } = photos.get(photo ?? '') ?? {};
+    return [photo, width, height, subjects, focus];
+  }));
 }
 
 /** @param {() => void} work */

@@ -76,7 +76,8 @@ export function createBook({ store, pages, messages }) {
     // Photos that are on a page already come in another order, else it would be the same page twice.
     const order = enough ? {} : { mode: /** @type {const} */ ('photos') };
     const fresh = varied([page], () => pages.plan({
-      keep: { layout: false, style: false, photos: false }, current: null, style: page.style, photos, panels: Math.min(wanted, photos.length), ...layout, ...order,
+      keep: { layout: false, style: false, photos: false }, current: null, style: page.style,
+      photos, panels: Math.min(wanted, photos.length), ...layout, ...order,
     }));
     if (!fresh) return;
     const history = store.history.peek();

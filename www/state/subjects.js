@@ -1,11 +1,12 @@
 // @ts-check
 /**
- * What is in the photos: found once the page is on the screen, those on the page first, faces and objects side by
- * side. The page's crops follow; nobody waits for it.
+ * What is in the photos: found once the page is on the screen, those on the page first, then those on other pages,
+ * faces and objects side by side. The crops follow; nobody waits for it.
  */
 
 import { computed, effect, signal } from '@preact/signals';
 import { strings } from '../strings.js';
+import { photosOn } from './sheets.js';
 
 /** @typedef {import('../engine/detector.js').Found} Found */
 /** @typedef {import('./album.js').Fact} Fact */
@@ -42,9 +43,10 @@ export function createSubjects({ store, pages, messages, engine, painted, wanted
 
   const photos = computed(() => {
     round.value;
-    const shown = new Set(store.page.value?.panels.map(({ photo }) => photo));
+    const [shown, beside] = [photosOn(store.page.value ? [store.page.value] : []), photosOn(store.sheets.value)];
+    const rank = (/** @type {string} */ id) => (shown.has(id) ? 0 : beside.has(id) ? 1 : 2);
     const read = store.facts.value.filter(({ id, meta, looked }) => meta !== null && !looked && engine.hasPhoto(id));
-    return [...read.filter(({ id }) => shown.has(id)), ...read.filter(({ id }) => !shown.has(id))].map(({ id }) => id);
+    return read.map(({ id }) => id).sort((a, b) => rank(a) - rank(b));
   });
   /** Whether everything is found that will be. */
   const settled = computed(() => off.value || store.page.value === null || (running.value.size === 0 && !next('faces') && !next('objects')));

@@ -71,7 +71,7 @@ function NarrowBoard() {
   return (
     <>
       <main class="centre">
-        {several && <PageStrip />}
+        {several && sheet === null && <PageStrip />}
         <Stage />
         {byHand ? <PanelTools /> : sheet === null && <ShuffleParts />}
       </main>

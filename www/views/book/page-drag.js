@@ -56,6 +56,7 @@ export function usePageDrag(onDrop) {
       frame = requestAnimationFrame(scroll);
       point();
     };
+    if (mouse) page.setPointerCapture(event.pointerId);
     const timer = mouse ? 0 : setTimeout(begin, PRESS);
     const end = () => {
       watch.abort();

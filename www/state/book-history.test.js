@@ -1,0 +1,96 @@
+// @ts-check
+import { beforeEach, describe, expect, test } from 'vitest';
+import { opened } from './book-testing.js';
+import { versions } from './history.js';
+import { parsedProject, projectJson } from './keeping/project-json.js';
+import { photosOf } from './keeping/snapshot.js';
+import { checkedHistory } from './keeping/versions.js';
+import { createShownPages } from './shown-pages.js';
+
+/** @type {Awaited<ReturnType<typeof opened>>} */
+let app;
+beforeEach(async () => {
+  app = await opened(12);
+});
+
+describe('page settings', () => {
+  test('are of all pages, as one step', () => {
+    const { book, pages, store } = app;
+    book.spreadAlbum();
+    const steps = store.history.value.past.length;
+    for (const gutter of [0.02, 0.03]) pages.changeSettings({ gutter }, 'gutter-1');
+    pages.changeSettings({ width: 2000 });
+    expect(store.sheets.value.map(({ page }) => [page.gutter, page.width])).toEqual([[0.03, 2000], [0.03, 2000]]);
+    expect(store.history.value.past.length).toBe(steps + 2);
+    pages.undo();
+    pages.undo();
+    expect(store.sheets.value.map(({ page }) => page.gutter)).toEqual([0.018, 0.018]);
+  });
+
+  test('hold for a version that comes back', () => {
+    const { book, pages, store } = app;
+    book.spreadAlbum();
+    pages.shuffle('all');
+    pages.changeSettings({ paper: '#ffcc00' });
+    pages.previous();
+    expect(store.page.value?.page.paper).toBe('#ffcc00');
+  });
+});
+
+describe('versions', () => {
+  test('are of the page that is edited', () => {
+    const { book, pages, store } = app;
+    book.spreadAlbum();
+    book.go(1);
+    const first = store.page.value;
+    pages.shuffle('style');
+    book.go(0);
+    book.go(1);
+    expect(versions(store.history.value).length).toBe(2);
+    pages.previous();
+    expect(store.page.value).toEqual(first);
+    const others = store.project.value.others;
+    pages.previous();
+    expect(store.page.value).toEqual(first);
+    expect(store.project.value.others).toEqual(others);
+  });
+
+  test('come back in the place that they belong to', () => {
+    const { book, pages, store } = app;
+    const shownPages = createShownPages(app);
+    book.spreadAlbum();
+    book.go(1);
+    const [one, two] = store.sheets.value;
+    pages.shuffle('style');
+    book.go(0);
+    const entry = shownPages.entries.value.find(({ page }) => page === two);
+    expect(entry?.place).toBe(2);
+    shownPages.go(Number(entry?.id));
+    expect(store.project.value.at).toBe(1);
+    expect(store.sheets.value).toEqual([one, two]);
+  });
+});
+
+describe('keeping', () => {
+  test('keeps the pages and their photos, in the browser and in a file', () => {
+    const { book, store, ids } = app;
+    book.spreadAlbum();
+    const { gesture: _gesture, ...history } = store.history.value;
+    expect([...photosOf({ ...history, shown: [], past: [] })].sort()).toEqual(ids().sort());
+    expect(checkedHistory(structuredClone(history)).present).toEqual(store.project.value);
+    const facts = /** @type {any[]} */ (store.facts.value.map((fact) => ({ ...fact, type: 'image/jpeg' })));
+    const { history: opened } = parsedProject(projectJson(history, facts, []).json);
+    expect(opened.present.others).toEqual(store.project.value.others);
+  });
+
+  test('a project from before has one page', () => {
+    const { others: _others, at: _at, sheet: _sheet, ...old } = app.store.project.value;
+    expect(checkedHistory({ present: old }).present).toMatchObject({ others: [], at: 0, sheet: 0 });
+  });
+
+  test('a damaged page is named', () => {
+    const present = { ...app.store.project.value, others: [{ page: {}, pageId: 1, sheet: 1 }] };
+    expect(() => checkedHistory({ present })).toThrow('present.others[0].page: is no page');
+    expect(() => checkedHistory({ present: { ...app.store.project.value, at: 3 } })).toThrow('present.at');
+  });
+});
