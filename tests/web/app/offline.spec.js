@@ -4,7 +4,7 @@
 import { readFile } from 'node:fs/promises';
 import { PNG } from '../../../www/testing.js';
 import { kept, test } from './offline-hands.js';
-import { SIX, add, colours, expect, idle, photos, picture, pixelsOf, press } from './support.js';
+import { SIX, accessible, add, colours, expect, idle, photos, picture, pixelsOf, press } from './support.js';
 import { write } from './word-hands.js';
 
 test('after one visit the page works without its host: album, words, PNG', async ({ page, host }) => {
@@ -117,6 +117,7 @@ test('the page is installed by a button that is there when the browser offers it
     });
     window.dispatchEvent(event);
   });
+  await accessible(page);
   await button.click();
   await expect(page.locator('body')).toHaveAttribute('data-asked', 'true');
   await expect(button).toHaveCount(0);

@@ -5,7 +5,7 @@ import { readdir, unlink } from 'node:fs/promises';
 import { join } from 'node:path';
 import { buildOf, builds, kept, lookForUpdate, offer, test } from './offline-hands.js';
 import { anotherBuild } from './site-host.js';
-import { SIX, add, contents, expect, idle, photos } from './support.js';
+import { SIX, accessible, add, contents, expect, idle, photos } from './support.js';
 import { word, write } from './word-hands.js';
 
 test('a new version is taken when the person says so; a page of the old one goes on with its own files', async ({ page, host, folders, context }) => {
@@ -24,6 +24,7 @@ test('a new version is taken when the person says so; a page of the old one goes
   await lookForUpdate(page);
   await expect(offer(page)).toBeVisible();
   await expect(offer(old)).toBeVisible();
+  await accessible(page);
   // Nothing changes by itself, nor by loading the page again.
   await old.reload();
   expect([await buildOf(page), await buildOf(old)]).toEqual(['first', 'first']);
