@@ -10,7 +10,6 @@ export const boardStrings = {
   redo: 'Rehacer',
   previous: 'Página anterior',
   next: 'Página siguiente',
-  pageOf: (/** @type {number} */ n, /** @type {number} */ of) => `Página ${n} de ${of}`,
   download: 'Descargar PNG',
   export: 'Exportar',
   theme: { light: 'Usar el tema claro', dark: 'Usar el tema oscuro' },

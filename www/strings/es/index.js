@@ -2,6 +2,7 @@
 /** Every word of the page in Spanish, of the shape of the English. */
 
 import { boardStrings } from './board.js';
+import { bookStrings } from './book.js';
 import { coreStrings } from './core.js';
 import { describingStrings } from './describing.js';
 import { designerStrings } from './designer.js';
@@ -19,6 +20,7 @@ import { wordStrings } from './words.js';
 export const spanish = {
   ...startStrings,
   ...boardStrings,
+  ...bookStrings,
   ...sideStrings,
   ...panelStrings,
   ...designerStrings,
