@@ -13,6 +13,7 @@ import { offlineStrings } from './offline.js';
 import { pageStrings } from './page.js';
 import { panelStrings } from './panels.js';
 import { photoStrings } from './photos.js';
+import { pngStrings } from './png.js';
 import { sideStrings } from './side.js';
 import { startStrings } from './start.js';
 import { wordStrings } from './words.js';
@@ -25,6 +26,7 @@ export const english = {
   ...panelStrings,
   ...designerStrings,
   ...keepingStrings,
+  ...pngStrings,
   ...offlineStrings,
   ...wordStrings,
   ...photoStrings,

@@ -1,8 +1,6 @@
 // @ts-check
 /** Words of projects, of saving, and of the pages shown. */
 
-import { pngStrings } from './strings-png.js';
-
 /** @type {Record<string, string>} */
 const TROUBLE = {
   full: 'the storage of this browser is full',
@@ -10,7 +8,6 @@ const TROUBLE = {
 };
 
 export const keepingStrings = {
-  ...pngStrings,
 
   // Saving
   saveState: {

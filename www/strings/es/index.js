@@ -9,9 +9,11 @@ import { designerStrings } from './designer.js';
 import { faultStrings } from './faults.js';
 import { keepingStrings } from './keeping.js';
 import { keyStrings } from './keys.js';
+import { offlineStrings } from './offline.js';
 import { pageStrings } from './page.js';
 import { panelStrings } from './panels.js';
 import { photoStrings } from './photos.js';
+import { pngStrings } from './png.js';
 import { sideStrings } from './side.js';
 import { startStrings } from './start.js';
 import { wordStrings } from './words.js';
@@ -25,6 +27,8 @@ export const spanish = {
   ...panelStrings,
   ...designerStrings,
   ...keepingStrings,
+  ...pngStrings,
+  ...offlineStrings,
   ...wordStrings,
   ...photoStrings,
   ...pageStrings,

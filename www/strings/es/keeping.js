@@ -35,7 +35,6 @@ export const keepingStrings = {
   bringBack: 'Recuperarlo',
   projectNotOpened: (/** @type {string} */ why) => `No se pudo abrir el proyecto: ${why}`,
   projectFileNotOpened: (/** @type {string} */ name, /** @type {string} */ why) => `No se pudo abrir ${name}: ${why}`,
-  projectSaved: 'El proyecto se ha guardado como archivo, con tus fotos originales y lo que llevan dentro: fecha, cámara, lugar.',
   projectNotSaved: (/** @type {string} */ why) => `No se pudo guardar el proyecto como archivo: ${why}`,
   /** @type {Record<string, string>} */
   projectReasons: {
