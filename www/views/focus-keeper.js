@@ -5,6 +5,7 @@
  */
 
 const USABLE = 'button, input, select, textarea, a[href], summary, [tabindex]:not([tabindex="-1"])';
+const TYPED = 'input:not([type=checkbox], [type=radio], [type=range]), textarea';
 /** How far back it is known where the focus was. */
 const LONGEST = 16;
 
@@ -18,6 +19,8 @@ export function keepFocus(root) {
   let trail = [];
   /** From what has the focus up to the root, with the place of each among what can have it. @type {{ element: Element, at: number }[]} */
   let path = [];
+  /** Whether a key was pressed last: a hand on the glass wants nothing scrolled, and no keyboard to come up. */
+  let byKey = false;
 
   /** @param {FocusEvent} event */
   function remember({ target }) {
@@ -25,7 +28,7 @@ export function keepFocus(root) {
     trail = [...trail.filter((element) => element !== target && element.isConnected), target].slice(-LONGEST);
     path = [];
     for (let element = /** @type {Element | null} */ (target); element && element !== root; element = element.parentElement) {
-      const within = element.parentElement ? usable(element.parentElement) : [];
+      const within = element.parentElement ? [...element.parentElement.querySelectorAll(USABLE)] : [];
       path.push({ element, at: within.findIndex((other) => element?.contains(other)) });
     }
   }
@@ -33,6 +36,11 @@ export function keepFocus(root) {
   /** A person may put it nowhere, by a click beside everything. */
   function forget() {
     path = [];
+    byKey = false;
+  }
+
+  function onKey() {
+    byKey = true;
   }
 
   function check() {
@@ -42,11 +50,11 @@ export function keepFocus(root) {
     if (isUsable(had.element)) return;
     const view = path.findLast(({ element }) => !element.isConnected)?.element.matches('main:not(.workspace)');
     // Another view begins at its own top; what lay over a view gives way to what opened it.
-    const next = (view ? null : beside() ?? trail.findLast(isUsable)) ?? root.querySelector('main');
+    const next = (view ? null : beside() ?? trail.findLast((element) => isUsable(element) && (byKey || !element.matches(TYPED)))) ?? root.querySelector('main');
     path = [];
     if (!(next instanceof HTMLElement)) return;
     if (!next.matches(USABLE)) next.tabIndex = -1;
-    next.focus({ preventScroll: false });
+    next.focus({ preventScroll: !byKey });
   }
 
   /** For one of several things: its neighbour. For a part of the page: nothing, as what opened it is the better place. */
@@ -56,8 +64,8 @@ export function keepFocus(root) {
     if (gone >= 0 && !element.matches(`li, [role=group], ${USABLE}`)) return undefined;
     const home = path[Math.max(0, gone) + 1]?.element;
     if (!home?.isConnected) return undefined;
-    const others = usable(home);
-    return others[Math.min(at, others.length - 1)] ?? undefined;
+    const others = [...home.querySelectorAll(USABLE)];
+    return others.slice(Math.max(0, at)).find(isUsable) ?? others.slice(0, Math.max(0, at)).findLast(isUsable);
   }
 
   // A part of the page may know better where the focus goes next, and says so within a frame.
@@ -73,16 +81,13 @@ export function keepFocus(root) {
   observer.observe(root, { childList: true, subtree: true, attributes: true, attributeFilter: ['disabled', 'open', 'hidden'] });
   root.addEventListener('focusin', remember);
   root.addEventListener('pointerdown', forget, { capture: true });
+  root.addEventListener('keydown', onKey, { capture: true });
   return () => {
     observer.disconnect();
     root.removeEventListener('focusin', remember);
     root.removeEventListener('pointerdown', forget, { capture: true });
+    root.removeEventListener('keydown', onKey, { capture: true });
   };
-}
-
-/** @param {Element} home @returns {HTMLElement[]} */
-function usable(home) {
-  return /** @type {HTMLElement[]} */ ([...home.querySelectorAll(USABLE)]).filter(isUsable);
 }
 
 /** @param {Element} element */

@@ -110,6 +110,13 @@ export const SCREENS = {
     await expect(page.getByRole('alert')).toContainText('notes.txt');
     await page.keyboard.press('s');
   },
+  'a storyboard of two pages': async (page) => {
+    await button(page, 'Add page').click();
+    await idle(page);
+    const tools = button(page, 'Page tools');
+    if (await tools.isVisible()) await tools.click();
+    await expect(button(page, 'Move page earlier')).toBeVisible();
+  },
 };
 
 /** Six photos of which four are on the page, so that no screen hangs on a layout drawn by chance. @param {Page} page */

@@ -49,7 +49,8 @@ for (const { name, use, css } of EYES) {
 
     test('nothing is cut off on any screen', async ({ page }) => {
       test.slow();
-      /** @type {Record<string, string[]>} */
+      page.setDefaultTimeout(15_000);
+      /** @type {Record<string, unknown>} */
       const wrong = {};
       await page.goto('./');
       await idle(page);
@@ -66,6 +67,9 @@ for (const { name, use, css } of EYES) {
         await test.step(screen, async () => {
           await open(page);
           await look(screen);
+          await back(page);
+        }).catch(async (error) => {
+          wrong[screen] = String(error.message).slice(0, 400);
           await back(page);
         });
       }

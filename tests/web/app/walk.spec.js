@@ -2,7 +2,8 @@
 /** The whole job by keyboard alone, with the focus watched at every step: it is somewhere, and it is seen. */
 
 import { readFile } from 'node:fs/promises';
-import { PNG, expect, idle, picture, test } from './support.js';
+import { four } from './panel-hands.js';
+import { PNG, expect, idle, openBoard, picture, test } from './support.js';
 
 /** @typedef {import('../../../www/testing.js').Page} Page */
 
@@ -45,136 +46,137 @@ async function expectFocus(page, name) {
   await expect.poll(async () => (await focus(page)).name).toMatch(typeof name === 'string' ? new RegExp(`^${name}$`) : name);
 }
 
-test('the whole job by keyboard alone', async ({ page }) => {
-  test.slow();
+/** @param {Page} page */
+const expectSomewhere = (page) => expect.poll(async () => (await focus(page)).tag, 'the focus is somewhere').not.toBe('BODY');
+
+test('from the start to a page, shuffled and locked', async ({ page }) => {
   await page.goto('./');
   await idle(page);
   await tabTo(page, 'Try the sample album');
   await page.keyboard.press('Enter');
   await expect(page.getByRole('region', { name: 'Storyboard page' })).toBeVisible();
   await idle(page);
-  await expect.poll(async () => (await focus(page)).tag, 'the start is gone, the focus is not').not.toBe('BODY');
+  await expectSomewhere(page);
+  const before = await picture(page);
+  await page.keyboard.press('Space');
+  await idle(page);
+  expect(await picture(page) === before).toBe(false);
+  await tabTo(page, 'Lock style');
+  await page.keyboard.press('Enter');
+  await expect(page.getByRole('button', { name: 'Lock style' })).toHaveAttribute('aria-pressed', 'true');
+});
 
-  await test.step('shuffle and lock', async () => {
-    const before = await picture(page);
-    await page.keyboard.press('Space');
-    await idle(page);
-    expect(await picture(page) === before).toBe(false);
-    await tabTo(page, 'Lock style');
-    await page.keyboard.press('Enter');
-    await expect(page.getByRole('button', { name: 'Lock style' })).toHaveAttribute('aria-pressed', 'true');
-    await page.keyboard.press('Enter');
-  });
+test('a layout and a style are chosen', async ({ page }) => {
+  await openBoard(page);
+  await tabTo(page, 'Family');
+  await page.keyboard.type('Grid');
+  await tabTo(page, 'Panels');
+  await tabTo(page, /./);
+  await page.keyboard.press('Home');
+  for (let i = 0; i < 20 && (await focus(page)).name !== 'Four'; i += 1) await page.keyboard.press('ArrowRight');
+  await page.keyboard.press('Enter');
+  await idle(page);
+  await expectFocus(page, 'Four');
+  await expect(page.getByRole('group', { name: 'Panel 4 of 4' })).toBeVisible();
+  await page.getByRole('listbox', { name: 'Styles' }).getByRole('option', { selected: true }).focus();
+  for (const key of ['Home', 'ArrowRight', 'Enter']) await page.keyboard.press(key);
+  await idle(page);
+  expect((await focus(page)).seen).toBe(true);
+});
 
-  await test.step('a layout of four', async () => {
-    await tabTo(page, 'Family');
-    await page.keyboard.type('Grid');
-    await tabTo(page, /./);
-    await tabTo(page, /./);
-    await page.keyboard.press('Home');
-    while ((await focus(page)).name !== 'Four') await page.keyboard.press('ArrowRight');
-    await page.keyboard.press('Enter');
-    await idle(page);
-  });
+test('a photo is moved, enlarged and exchanged', async ({ page }) => {
+  await four(page);
+  await tabTo(page, 'Panel 1 of 4');
+  await page.keyboard.press('ArrowRight');
+  await expectFocus(page, 'Panel 2 of 4');
+  const before = await picture(page);
+  for (const key of ['+', 'Enter', 'ArrowRight', 'ArrowRight', 'Enter']) await page.keyboard.press(key);
+  await idle(page);
+  expect(await picture(page) === before).toBe(false);
+  const shown = () => page.getByRole('group', { name: /^Panel \d/ }).evaluateAll((list) => list.map((panel) => panel.ariaDescription?.replace(/, selected.*/, '')));
+  const photos = await shown();
+  await page.keyboard.press('Shift+Enter');
+  await tabTo(page, 'Swap photo');
+  await page.keyboard.press('Enter');
+  await tabTo(page, 'Panel 2 of 4', { back: true });
+  await page.keyboard.press('ArrowDown');
+  await page.keyboard.press('Enter');
+  await idle(page);
+  await expectFocus(page, 'Panel 4 of 4');
+  expect(await shown()).toEqual([photos[0], photos[3], photos[2], photos[1]]);
+});
 
-  await test.step('a panel: moved, enlarged, exchanged', async () => {
-    await tabTo(page, 'Panel 1 of 4', { back: true });
-    await page.keyboard.press('ArrowRight');
-    await expectFocus(page, 'Panel 2 of 4');
-    let before = await picture(page);
-    for (const key of ['+', 'Enter', 'ArrowRight', 'ArrowRight', 'Enter']) await page.keyboard.press(key);
-    await idle(page);
-    expect(await picture(page) === before).toBe(false);
-    const shown = () => page.getByRole('group', { name: /^Panel/ }).evaluateAll((list) => list.map((panel) => panel.ariaDescription?.replace(/, selected.*/, '')));
-    const photos = await shown();
-    before = await picture(page);
-    await page.keyboard.press('Shift+Enter');
-    await tabTo(page, 'Swap photo');
-    await page.keyboard.press('Enter');
-    await tabTo(page, 'Panel 2 of 4', { back: true });
-    await page.keyboard.press('ArrowDown');
-    await page.keyboard.press('Enter');
-    await idle(page);
-    await expectFocus(page, 'Panel 4 of 4');
-    expect(await shown()).toEqual([photos[0], photos[3], photos[2], photos[1]]);
-    await page.keyboard.press('Escape');
-  });
+test('a cut is moved by its tools', async ({ page }) => {
+  await four(page);
+  await tabTo(page, 'Edit layout');
+  await page.keyboard.press('Enter');
+  await tabTo(page, /^Cut 1 of/, { back: true });
+  const cut = page.getByRole('slider', { name: /^Cut 1 of/ });
+  const before = await cut.getAttribute('aria-valuetext');
+  await tabTo(page, 'Move cut forth');
+  await page.keyboard.press('Enter');
+  await idle(page);
+  await expect(cut).not.toHaveAttribute('aria-valuetext', before ?? '');
+  await tabTo(page, 'Done');
+  await page.keyboard.press('Enter');
+  await expect(cut).toBeHidden();
+  await expectSomewhere(page);
+});
 
-  await test.step('a cut, moved by its tools', async () => {
-    await tabTo(page, 'Edit layout');
-    await page.keyboard.press('Enter');
-    await tabTo(page, /^Cut 1 of/, { back: true });
-    const value = () => page.getByRole('slider', { name: /^Cut 1 of/ }).getAttribute('aria-valuetext');
-    const before = await value();
-    await tabTo(page, 'Move cut forth');
-    await page.keyboard.press('Enter');
-    await idle(page);
-    expect(await value()).not.toBe(before);
-    await tabTo(page, 'Done');
-    await page.keyboard.press('Enter');
-    await expect(page.getByRole('slider', { name: /^Cut 1 of/ })).toBeHidden();
-    await expect.poll(async () => (await focus(page)).tag).not.toBe('BODY');
-  });
+test('a slider of the designer is moved, and the focus comes back to what opened it', async ({ page }) => {
+  await openBoard(page);
+  await tabTo(page, 'Designer');
+  await page.keyboard.press('Enter');
+  await expectFocus(page, 'Style designer');
+  await tabTo(page, 'Add block');
+  await page.keyboard.press('Enter');
+  await page.keyboard.type('Posterization');
+  await page.keyboard.press('Enter');
+  await tabTo(page, 'Levels');
+  const value = () => page.evaluate(() => /** @type {HTMLInputElement} */ (document.activeElement).value);
+  const before = await value();
+  await page.keyboard.press('ArrowRight');
+  expect(await value()).not.toBe(before);
+  await page.keyboard.press('Escape');
+  await expectFocus(page, 'Designer');
+});
 
-  await test.step('a style', async () => {
-    await page.getByRole('listbox', { name: 'Styles' }).getByRole('option', { selected: true }).focus();
-    await page.keyboard.press('Home');
-    await page.keyboard.press('ArrowRight');
-    await page.keyboard.press('Enter');
-    await idle(page);
-    expect((await focus(page)).seen).toBe(true);
-  });
+test('a word is written, moved and taken away', async ({ page }) => {
+  await openBoard(page);
+  await tabTo(page, 'Words');
+  await page.keyboard.press('Enter');
+  await tabTo(page, 'Add balloon');
+  await page.keyboard.press('Enter');
+  await expectFocus(page, /^Text of/);
+  await page.keyboard.type('By keys');
+  await page.keyboard.press('Enter');
+  await expectFocus(page, 'Balloon: By keys');
+  await page.keyboard.press('ArrowRight');
+  await page.keyboard.press('Delete');
+  await expect(page.getByRole('button', { name: 'Balloon: By keys' })).toHaveCount(0);
+  await expectSomewhere(page);
+});
 
-  await test.step('the designer, a slider, and back to where it was opened', async () => {
-    await tabTo(page, 'Designer');
-    await page.keyboard.press('Enter');
-    await expectFocus(page, 'Style designer');
-    await tabTo(page, 'Add block');
-    await page.keyboard.press('Enter');
-    await page.keyboard.type('Posterization');
-    await page.keyboard.press('Enter');
-    const slider = page.getByRole('slider', { name: 'Levels', exact: true }).last();
-    await tabTo(page, 'Levels');
-    const before = await slider.inputValue();
-    await page.keyboard.press('ArrowRight');
-    expect(await slider.inputValue()).not.toBe(before);
-    await page.keyboard.press('Escape');
-    await expectFocus(page, 'Designer');
-  });
+test('a photo is taken away, and the focus goes to the next', async ({ page }) => {
+  await openBoard(page);
+  await tabTo(page, /^Remove .*jpg$/);
+  const gone = (await focus(page)).name;
+  await page.keyboard.press('Enter');
+  await expectFocus(page, /^(Use|Remove) .*jpg$/);
+  await idle(page);
+  expect((await focus(page)).name).not.toBe(gone);
+});
 
-  await test.step('a word, written, moved and taken away', async () => {
-    await tabTo(page, 'Words');
-    await page.keyboard.press('Enter');
-    await tabTo(page, 'Add balloon');
-    await page.keyboard.press('Enter');
-    await expectFocus(page, /^Text of/);
-    await page.keyboard.type('By keys');
-    await page.keyboard.press('Enter');
-    await expectFocus(page, 'Balloon: By keys');
-    await page.keyboard.press('ArrowRight');
-    await page.keyboard.press('Delete');
-    await expect(page.getByRole('button', { name: 'Balloon: By keys' })).toHaveCount(0);
-    await expect.poll(async () => (await focus(page)).tag).not.toBe('BODY');
-  });
-
-  await test.step('a photo taken away: the focus goes to the next', async () => {
-    await tabTo(page, /^Use /);
-    await tabTo(page, /^Remove /);
-    await page.keyboard.press('Enter');
-    await expectFocus(page, /^(Use|Remove) /);
-    await idle(page);
-  });
-
-  await test.step('the dialog of the export, and the file', async () => {
-    await tabTo(page, 'Export');
-    await page.keyboard.press('Enter');
-    await expect(page.getByRole('dialog')).toBeVisible();
-    await page.keyboard.press('Escape');
-    await expectFocus(page, 'Export');
-    const waiting = page.waitForEvent('download', { timeout: 60_000 });
-    await page.keyboard.press('Control+s');
-    expect(PNG.sync.read(await readFile(await (await waiting).path())).width).toBe(2480);
-  });
+test('the export is opened and left, and the file saved', async ({ page }) => {
+  await openBoard(page);
+  await tabTo(page, 'Export');
+  await page.keyboard.press('Enter');
+  await expect(page.getByRole('dialog')).toBeVisible();
+  await page.keyboard.press('Escape');
+  await expectFocus(page, 'Export');
+  const waiting = page.waitForEvent('download', { timeout: 60_000 });
+  await page.keyboard.press('Control+s');
+  expect(PNG.sync.read(await readFile(await (await waiting).path())).width).toBe(2480);
 });
 
 test('letters alone can be switched off as shortcuts, and stay so', async ({ page }) => {

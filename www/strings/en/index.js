@@ -27,6 +27,7 @@ export const english = {
   ...panelStrings,
   ...designerStrings,
   ...keepingStrings,
+  ...pngStrings,
   ...offlineStrings,
   ...wordStrings,
   ...photoStrings,

@@ -9,7 +9,7 @@ export const keyStrings = {
     { keys: ['Ctrl', 'Z'], does: 'Deshacer' },
     { keys: ['Mayús', 'Ctrl', 'Z'], does: 'Rehacer' },
     { keys: ['←', '↑', '→', '↓'], does: 'Pasar de una viñeta a otra' },
-    { keys: ['Re Pág', 'Av Pág'], does: 'Pasar de una página de la historieta a otra' },
+    { keys: ['Re Pág', 'Av Pág'], does: 'Ir de una página a otra' },
     { keys: ['Intro'], does: 'Mover la foto de una viñeta con las flechas' },
     { keys: [',', '.'], does: 'Fotograma anterior o posterior de un vídeo; con Mayús, un segundo' },
     { keys: ['+', '−', '0'], does: 'Ampliar o reducir la foto de una viñeta, o restablecerla' },
