@@ -119,8 +119,10 @@ test('a page without photos waits for them, and is then the same picture', async
   const [chooser] = await Promise.all([other.waitForEvent('filechooser'), alert.getByRole('button', { name: 'Choose photos' }).click()]);
   await chooser.setFiles([...await told(...SIX.slice(1, 3)), ...await photos(...SIX.slice(3))]);
   await expect(other.getByRole('alert').getByText('1 photo of this page is still missing')).toBeVisible();
+  await expect(other.locator('.save-state')).toHaveText('Saved');
   await other.reload();
   await idle(other);
+  await expect(other.getByRole('checkbox', { name: /^Use Missing photo/ })).toHaveCount(1);
   // With what the telephone wrote or without: it is the same photo.
   const [{ name, mimeType, buffer }] = await told(SIX[0]);
   const { blob } = await withoutMetadata(new Blob([new Uint8Array(buffer)]));

@@ -8,6 +8,7 @@ import { signal } from '@preact/signals';
 import { failure } from '../../engine/protocol.js';
 import { strings } from '../../strings.js';
 import { unreadMeta } from '../album.js';
+import { EMPTY_PROJECT } from '../project.js';
 import { checked } from './file-opening.js';
 import { foundPhotos } from './found-photos.js';
 import { pageFileOf, readPageFile, withProject } from './page-file.js';
@@ -156,7 +157,9 @@ function checkedPage(project, planner) {
   const tray = own.map(({ id }) => history.present.tray.find((item) => item.id === id) ?? { id, use: true });
   const panels = page.panels.map((panel) => (known.has(panel.photo ?? '') ? panel : { ...panel, photo: null }));
   const whole = { ...page, panels, order: page.order.filter((id) => known.has(id)) };
-  const present = { ...history.present, page: whole, tray, pageId: 1, settings: page.page, mine: [], favourites: [], ownLayouts: [], draft: null, loved: [] };
+  // Of a project that is more than its page, only what a page is made with.
+  const { name, alike, order, locks, panels: wanted, styling } = history.present;
+  const present = { ...EMPTY_PROJECT, name, alike, order, locks, panels: wanted, styling, tray, page: whole, pageId: 1, settings: page.page };
   return { photos: own, videos: [], history: { past: [], present, future: [], shown: [{ id: 1, page: whole }] } };
 }
 
