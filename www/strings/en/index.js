@@ -33,7 +33,6 @@ export const english = {
   ...photoStrings,
   ...pageStrings,
   ...exportStrings,
-  ...pngStrings,
   ...keyStrings,
   ...faultStrings,
   ...coreStrings,
