@@ -27,20 +27,17 @@ pub(super) struct Face<'a> {
 }
 
 impl<'a> Fonts<'a> {
-    /// The fonts that words need.
-    pub(super) fn of<'w>(
-        words: impl Iterator<Item = &'w Laid> + Clone,
-        letters: &'a Letters,
-        next: &mut impl FnMut() -> Ref,
-    ) -> Self {
+    /// The fonts that the words of pages need.
+    pub(super) fn of(pages: &[Vec<Laid>], letters: &'a Letters, next: &mut impl FnMut() -> Ref) -> Self {
         let font_of = |laid: &Laid| letters.font(&laid.word.font);
+        let words = || pages.iter().flatten();
         let mut faces: Vec<Face> = Vec::new();
-        for font in words.clone().filter_map(font_of) {
+        for font in words().filter_map(font_of) {
             if faces.iter().any(|face| face.font.id() == font.id()) {
                 continue;
             }
             let same = |laid: &&Laid| font_of(laid).is_some_and(|other| other.id() == font.id());
-            let lines = words.clone().filter(same).flat_map(|laid| &laid.setting.lines);
+            let lines = words().filter(same).flat_map(|laid| &laid.setting.lines);
             let used: BTreeSet<char> = lines.flat_map(|(run, _)| run.iter().copied()).collect();
             let place = faces.len();
             faces.push(Face { font, letters: used.into_iter().collect(), id: next(), place });

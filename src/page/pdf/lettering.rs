@@ -61,7 +61,9 @@ fn fill(content: &mut Content, shapes: &[Vec<Point>], with: [u8; 3]) {
         return;
     }
     color(content, with);
-    shapes.iter().for_each(|points| path(content, points));
+    for points in shapes {
+        path(content, points);
+    }
     content.fill_nonzero();
 }
 
@@ -71,7 +73,9 @@ fn stroke(content: &mut Content, shapes: &[Vec<Point>], with: [u8; 3]) {
     }
     let [r, g, b] = share(with);
     content.set_stroke_rgb(r, g, b);
-    shapes.iter().for_each(|points| path(content, points));
+    for points in shapes {
+        path(content, points);
+    }
     content.stroke();
 }
 

@@ -56,7 +56,7 @@ pub fn write(leaves: &[Leaf], title: &str, letters: &Letters) -> Result<Vec<u8>>
     pdf.pages(tree).kids(ids.iter().copied()).count(ids.len() as i32);
 
     let words = leaves.iter().map(|leaf| lay_all(&leaf.document, letters)).collect::<Result<Vec<_>>>()?;
-    let fonts = Fonts::of(words.iter().flatten(), letters, &mut next);
+    let fonts = Fonts::of(&words, letters, &mut next);
     fonts.write(&mut pdf, &mut next);
     for ((leaf, words), id) in leaves.iter().zip(&words).zip(ids) {
         let settings = &leaf.document.page;
