@@ -45,7 +45,14 @@ fn face() -> impl Strategy<Value = (f64, f64, f64)> {
 /// Two faces of which only one fits, and that with hardly any room: a case that the property below once found.
 #[test]
 fn a_face_is_kept_beside_another_that_has_to_stay_out() {
-    let face = |x: f64, y: f64, width: f64, height: f64| Subject { x, y, width, height, label: FACE.into(), score: 0.9 };
+    let face = |x: f64, y: f64, width: f64, height: f64| Subject {
+        x,
+        y,
+        width,
+        height,
+        label: FACE.into(),
+        score: 0.9,
+    };
     let faces = vec![
         face(0.387_132_861_728, 0.490_073_316_136, 0.232_241_151_354, 0.344_182_113_196),
         face(0.680_867_314_020, 0.201_909_296_686, 0.234_211_387_480, 0.347_102_009_301),

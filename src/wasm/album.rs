@@ -43,7 +43,8 @@ impl Album {
     pub fn plan(&self, request: &str, ids: &str) -> std::result::Result<String, JsValue> {
         let plan = || -> Result<String> {
             let ids: Vec<String> = parse(ids, "photos")?;
-            let known = |id: &String| self.photos.get(id).cloned().ok_or_else(|| Error::MissingPhoto(id.clone()));
+            let known =
+                |id: &String| self.photos.get(id).cloned().ok_or_else(|| Error::MissingPhoto(id.clone()));
             let photos = ids.iter().map(known).collect::<Result<_>>()?;
             to_json(&shuffle::plan(&Request { photos, ..parse(request, "request")? })?)
         };
