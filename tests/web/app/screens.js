@@ -63,6 +63,7 @@ export const SCREENS = {
     await drawer(page, 'Words');
     await openWords(page);
     await button(page, 'Add balloon').click();
+    await expect(page.getByRole('textbox', { name: /^Text of/ })).toBeFocused();
     await page.keyboard.press('Enter');
   },
   'page settings': async (page) => {
