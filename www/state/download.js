@@ -7,7 +7,7 @@
 import { signal } from '@preact/signals';
 import { strings } from '../strings.js';
 import { save } from './files.js';
-import { FORMATS, fileName, panelName } from './formats.js';
+import { FORMATS, fileName, isArchive, panelName } from './formats.js';
 import { createMaking } from './page-making.js';
 import { sized } from './paper.js';
 
@@ -75,7 +75,7 @@ export function createDownload({ store, pages, engine, messages, pageFiles }) {
 
   /** @param {Wish} wish */
   async function saveAs(wish) {
-    const cargo = loaded();
+    const cargo = loaded(wish);
     const file = await work((how) => make(wish, how, cargo.carry), strings.exportFailed);
     if (!file) return;
     save(file, fileName(wish.pages, wish.format));
@@ -83,10 +83,13 @@ export function createDownload({ store, pages, engine, messages, pageFiles }) {
     messages.note(cargo.unclean > 0 ? `${saved} ${strings.photosUnclean(cargo.unclean)}` : saved);
   }
 
-  /** What the next PNG carries of its project; `unclean`: photos in it that keep what their files say. */
-  function loaded() {
+  /**
+   * What the PNG of a wish carries of its project; `unclean`: photos in it that keep what their files say.
+   * @param {Wish} wish
+   */
+  function loaded({ format, inside = 'png' }) {
     // At once: what the person chose is for this file.
-    const what = pageFiles.take();
+    const what = (isArchive(format) ? inside : format) === 'png' ? pageFiles.take() : 'none';
     const cargo = {
       unclean: 0,
       carry: /** @type {Carry} */ (async (png, page) => {
@@ -125,7 +128,7 @@ export function createDownload({ store, pages, engine, messages, pageFiles }) {
 
   /** @param {Wish} wish */
   async function share(wish) {
-    const made = await work((how) => make(wish, how, loaded().carry), strings.exportFailed);
+    const made = await work((how) => make(wish, how, loaded(wish).carry), strings.exportFailed);
     if (made) await hand(new File([made], fileName(wish.pages, wish.format), { type: FORMATS[wish.format].type }));
   }
 

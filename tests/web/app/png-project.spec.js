@@ -1,9 +1,9 @@
 // @ts-check
 /** The PNG is the project: what it carries, what it never carries, and the ways back in. */
 
-import { readFile } from 'node:fs/promises';
 import { withoutMetadata } from '../../../www/engine/metadata/strip.js';
 import { SECRETS, loaded } from '../../../www/engine/metadata/testing.js';
+import { openExport, saved } from './export-hands.js';
 import { panel } from './panel-hands.js';
 import { SIX, accessible, add, drop, expect, idle, openBoard, photos, picture, press, test } from './support.js';
 import { word, write } from './word-hands.js';
@@ -36,22 +36,14 @@ async function ownPage(page) {
   await write(page, 'balloon', 'AS IT WAS');
 }
 
-/** @param {Page} page @param {() => Promise<void>} act @returns {Promise<Buffer>} */
-async function saved(page, act) {
-  const waiting = page.waitForEvent('download', { timeout: 120_000 });
-  await act();
-  return readFile(await (await waiting).path());
-}
+const download = async (/** @type {Page} */ page) => (await saved(page, () => page.getByRole('button', { name: 'Download PNG' }).click())).bytes;
 
-const download = (/** @type {Page} */ page) => saved(page, () => page.getByRole('button', { name: 'Download PNG' }).click());
-
-/** @param {Page} page @param {string} cargo */
-const exported = (page, cargo) => saved(page, async () => {
-  await page.getByRole('button', { name: 'Export', exact: true }).click();
-  const dialog = page.getByRole('dialog', { name: 'Export the page' });
+/** @param {Page} page @param {string} cargo @returns {Promise<Buffer>} */
+async function exported(page, cargo) {
+  const dialog = await openExport(page);
   await dialog.getByRole('radio', { name: cargo }).check();
-  await dialog.getByRole('button', { name: 'Save the file' }).click();
-});
+  return (await saved(page, () => dialog.getByRole('button', { name: 'Save the file' }).click())).bytes;
+}
 
 /** @param {Buffer} png @returns {string[]} the types of its chunks, each kind once */
 function chunksOf(png) {

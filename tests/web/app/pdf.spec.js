@@ -1,0 +1,97 @@
+// @ts-check
+/** PDF files of the page, opened by poppler; and several pages in one file. */
+
+import { execFile } from 'node:child_process';
+import { readFile, writeFile } from 'node:fs/promises';
+import { promisify } from 'node:util';
+import { PNG } from '../../../www/testing.js';
+import { openExport, saved, savedAs } from './export-hands.js';
+import { expect, idle, openBoard, press, test } from './support.js';
+import { write } from './word-hands.js';
+
+const run = promisify(execFile);
+
+test('a PDF has the page in its size, text that is found, and looks as the PNG does', async ({ page }, info) => {
+  await openBoard(page);
+  await write(page, 'caption', 'Meanwhile, at the harbour');
+  await write(page, 'balloon', 'Où est le phare?');
+  await write(page, 'sound effect', 'KRAKOOM');
+  const arc = page.getByRole('spinbutton', { name: 'Arc' });
+  await arc.fill('80');
+  await arc.blur();
+  await idle(page);
+  await page.keyboard.press('Escape');
+  const { path, name } = await savedAs(page, 'pdf', { quality: 95 });
+  expect(name).toMatch(/\.pdf$/);
+  const about = (await run('pdfinfo', [path])).stdout;
+  expect(about).toMatch(/Pages: +1\n/);
+  expect(about).toMatch(/Page size: +595\.2 x 841\.9\d* pts \(A4\)/);
+  expect(about).not.toContain('CreationDate');
+  const text = (await run('pdftotext', ['-raw', path, '-'])).stdout.replace(/\s+/g, ' ');
+  for (const words of ['Meanwhile, at the harbour', 'Où est le phare?']) {
+    expect(text).toContain(words);
+  }
+  expect(text.replace(/ /g, '')).toContain('KRAKOOM');
+  const fonts = (await run('pdffonts', [path])).stdout.trim().split('\n').slice(2);
+  expect(fonts).toHaveLength(3);
+  for (const line of fonts) expect(line).toMatch(/CID TrueType +Identity-H +yes yes yes/);
+  await run('pdftoppm', ['-png', '-r', '150', '-singlefile', path, info.outputPath('drawn')]);
+  const drawn = PNG.sync.read(await readFile(info.outputPath('drawn.png')));
+  const png = await savedAs(page, 'png');
+  await writeFile(info.outputPath('page.png'), png.bytes);
+  const expected = PNG.sync.read(png.bytes);
+  expect([drawn.width, drawn.height]).toEqual([expected.width, expected.height]);
+  const { mean, far } = difference(drawn, expected);
+  expect(mean).toBeLessThan(4);
+  expect(far).toBeLessThan(0.01);
+});
+
+/**
+ * Squares are compared, as programs that draw PDF files put pixels a fraction further.
+ * @param {PNG} a
+ * @param {PNG} b
+ * @returns {{ mean: number, far: number }} the mean difference of their channels, of 255; the share of those that are far off
+ */
+function difference(a, b) {
+  const side = 10;
+  let [sum, count, far] = [0, 0, 0];
+  for (let y = 0; y + side <= a.height; y += side) {
+    for (let x = 0; x + side <= a.width; x += side) {
+      for (let channel = 0; channel < 3; channel += 1) {
+        let off = 0;
+        for (let i = 0; i < side * side; i += 1) {
+          const at = ((y + Math.floor(i / side)) * a.width + x + (i % side)) * 4 + channel;
+          off += a.data[at] - b.data[at];
+        }
+        const mean = Math.abs(off) / side ** 2;
+        sum += mean;
+        count += 1;
+        if (mean > 30) far += 1;
+      }
+    }
+  }
+  return { mean: sum / count, far: far / count };
+}
+
+test('all pages go into one PDF, and into one archive', async ({ page }) => {
+  await openBoard(page);
+  await page.getByRole('combobox', { name: 'Panels' }).selectOption('3');
+  await idle(page);
+  await press(page, 'Add page');
+  const dialog = await openExport(page);
+  await dialog.getByRole('radio', { name: 'All 2 pages' }).check();
+  await expect(dialog.getByRole('radio', { name: 'Square' })).toHaveCount(0);
+  await dialog.getByRole('combobox', { name: 'Quality' }).selectOption('0.5');
+  const pdf = await saved(page, () => dialog.getByRole('button', { name: 'Save the file' }).click());
+  expect(pdf.name).toBe('inkpanel-2-pages.pdf');
+  expect((await run('pdfinfo', [pdf.path])).stdout).toMatch(/Pages: +2\n/);
+  expect((await run('pdfimages', ['-list', pdf.path])).stdout.match(/ jpeg /g)?.length).toBe(6);
+  await openExport(page);
+  await dialog.getByRole('radio', { name: 'All 2 pages' }).check();
+  await dialog.getByRole('combobox', { name: 'Quality' }).selectOption('0.5');
+  await dialog.getByRole('combobox', { name: 'Format' }).selectOption('cbz');
+  await dialog.getByRole('combobox', { name: 'Pictures in it' }).selectOption('jpeg');
+  const cbz = await saved(page, () => dialog.getByRole('button', { name: 'Save the file' }).click());
+  expect(cbz.name).toBe('inkpanel-2-pages.cbz');
+  expect(cbz.bytes.toString('latin1').match(/page-\d\d\.jpg/g)).toEqual(['page-01.jpg', 'page-02.jpg', 'page-01.jpg', 'page-02.jpg']);
+});
