@@ -21,7 +21,7 @@ export const bookStrings = {
     reading: 'The photos are still being read.',
     removed: (/** @type {number} */ n) => `Page ${n} was removed.`,
     spread: (/** @type {number} */ photos, /** @type {number} */ pages) => `${count(photos, 'photo')} on ${count(pages, 'page')}.`,
-    takeBack: 'As it was before',
+    takeBack: 'Take it back',
     dragHelp: 'Drag to move it, or Alt with an arrow key',
   },
   // Versions of a page are what Shuffle makes; pages are what a storyboard is made of.
