@@ -7,6 +7,9 @@ import { PNG, expect, idle, openBoard, picture, test } from './support.js';
 
 /** @typedef {import('../../../www/testing.js').Page} Page */
 
+// What fades in on focus is there at once.
+test.use({ contextOptions: { reducedMotion: 'reduce' } });
+
 /** What has the focus, and whether a person sees it: by its own outline, or by one drawn for it. @param {Page} page */
 function focus(page) {
   return page.evaluate(() => {
@@ -86,7 +89,7 @@ test('a layout and a style are chosen', async ({ page }) => {
 
 test('a photo is moved, enlarged and exchanged', async ({ page }) => {
   await four(page);
-  await tabTo(page, 'Panel 1 of 4');
+  await page.getByRole('group', { name: 'Panel 1 of 4' }).focus();
   await page.keyboard.press('ArrowRight');
   await expectFocus(page, 'Panel 2 of 4');
   const before = await picture(page);
@@ -108,7 +111,8 @@ test('a photo is moved, enlarged and exchanged', async ({ page }) => {
 
 test('a cut is moved by its tools', async ({ page }) => {
   await four(page);
-  await tabTo(page, 'Edit layout');
+  await page.getByRole('combobox', { name: 'Family' }).focus();
+  await tabTo(page, 'Edit layout', { back: true });
   await page.keyboard.press('Enter');
   await tabTo(page, /^Cut 1 of/, { back: true });
   const cut = page.getByRole('slider', { name: /^Cut 1 of/ });
