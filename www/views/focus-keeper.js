@@ -6,8 +6,8 @@
 
 const USABLE = 'button, input, select, textarea, a[href], summary, [tabindex]:not([tabindex="-1"])';
 const TYPED = 'input:not([type=checkbox], [type=radio], [type=range]), textarea';
-/** How far back it is known where the focus was. */
-const LONGEST = 16;
+/** How far back it is known where the focus was: a walk through all of a workspace, and out of it. */
+const LONGEST = 400;
 
 /**
  * @param {HTMLElement} root all that is watched

@@ -15,12 +15,12 @@ function focus(page) {
   return page.evaluate(() => {
     const element = /** @type {HTMLElement} */ (document.activeElement);
     const named = element.getAttribute('aria-label') ?? (/** @type {HTMLInputElement} */ (element).labels?.[0]?.innerText ?? element.innerText);
-    const outlined = (/** @type {Element | null} */ of) => {
-      const { outlineStyle, outlineWidth, opacity } = of ? getComputedStyle(of) : { outlineStyle: 'none', outlineWidth: '0', opacity: '0' };
+    const outlined = (/** @type {Element | null} */ of, /** @type {string} */ part = '') => {
+      const { outlineStyle, outlineWidth, opacity } = of ? getComputedStyle(of, part) : { outlineStyle: 'none', outlineWidth: '0', opacity: '0' };
       return outlineStyle !== 'none' && parseFloat(outlineWidth) >= 1 && Number(opacity) > 0;
     };
     const ring = element.matches('.panel') && document.querySelector('.panel-ring > *')?.checkVisibility({ visibilityProperty: true });
-    const seen = outlined(element) || outlined(element.querySelector('.cut-grip')) || outlined(element.closest('label, li, .card')) || ring === true;
+    const seen = outlined(element) || (element.matches('.cut') && outlined(element, '::before')) || outlined(element.closest('label, li, .card')) || ring === true;
     return { tag: element.tagName, name: named?.trim() ?? '', seen };
   });
 }
