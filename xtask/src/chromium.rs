@@ -1,7 +1,7 @@
 //! A Chromium for the browser tests and the benchmarks: the one that is there, or Debian's.
 
 use std::env;
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 
 use anyhow::{Result, bail};
 
