@@ -17,7 +17,7 @@ export function TopBar() {
   return (
     <header class="top-bar">
       <div class="top-start">
-        {store.tray.value.length === 0 ? <span class="brand">{strings.name}</span> : <h1 class="brand">{strings.name}</h1>}
+        {store.tray.value.length === 0 && ui.work.value !== 'projects' ? <span class="brand">{strings.name}</span> : <h1 class="brand">{strings.name}</h1>}
         <ProjectBar />
       </div>
       <FileInput />

@@ -3,7 +3,7 @@
 
 import { drawn } from './designer-hands.js';
 import { four, panel } from './panel-hands.js';
-import { add, expect, idle, photos } from './support.js';
+import { add, choose, expect, idle, photos } from './support.js';
 import { openWords } from './word-hands.js';
 
 /** @typedef {import('../../../www/testing.js').Page} Page */
@@ -120,7 +120,7 @@ export const SCREENS = {
   },
 };
 
-/** Six photos of which four are on the page, so that no screen hangs on a layout drawn by chance. @param {Page} page */
+/** A page of four equal panels, so that no screen hangs on a layout drawn by chance. @param {Page} page */
 export async function openFour(page) {
   if (/** @type {{ width: number }} */ (page.viewportSize()).width >= 1000) await four(page);
   else {
@@ -128,6 +128,9 @@ export async function openFour(page) {
     await add(page, await photos('bee.jpg', 'cat.jpg', 'gateway.jpg', 'macaw.jpg'));
     await expect(page.getByRole('region', { name: 'Storyboard page' })).toBeVisible();
     await idle(page);
+    await button(page, 'Layouts').click();
+    await choose(page, 'grid', 'Four');
+    await back(page);
   }
 }
 

@@ -115,15 +115,17 @@ test('a cut is moved by its tools', async ({ page }) => {
   await tabTo(page, 'Edit layout', { back: true });
   await page.keyboard.press('Enter');
   await tabTo(page, /^Cut 1 of/, { back: true });
-  const cut = page.getByRole('slider', { name: /^Cut 1 of/ });
-  const before = await cut.getAttribute('aria-valuetext');
+  // The tools move the cut that had the focus last: on the way to them, the last one.
+  const cuts = page.getByRole('slider', { name: /^Cut \d of/ });
+  const places = () => cuts.evaluateAll((all) => all.map((cut) => cut.getAttribute('aria-valuetext')));
+  const before = await places();
   await tabTo(page, 'Move cut forth');
   await page.keyboard.press('Enter');
   await idle(page);
-  await expect(cut).not.toHaveAttribute('aria-valuetext', before ?? '');
+  await expect.poll(places).not.toEqual(before);
   await tabTo(page, 'Done');
   await page.keyboard.press('Enter');
-  await expect(cut).toBeHidden();
+  await expect(cuts).toHaveCount(0);
   await expectSomewhere(page);
 });
 
