@@ -5,6 +5,7 @@
  */
 
 import { useRef, useState } from 'preact/hooks';
+import { onEscape } from '../on-escape.js';
 
 /** @typedef {{ from: number, gap: number | null }} Carried a page, and before which one it would land */
 /** @typedef {ReturnType<typeof usePageDrag>} PageDrag */
@@ -82,12 +83,7 @@ export function usePageDrag(onDrop) {
     for (const type of ['pointercancel', 'lostpointercapture']) page.addEventListener(type, end, { signal });
     // A page in hand neither scrolls the strip nor opens a menu.
     for (const type of ['touchmove', 'contextmenu']) list.addEventListener(type, (other) => holds && other.preventDefault(), { signal, passive: false });
-    window.addEventListener('keydown', (key) => {
-      if (key.key !== 'Escape') return;
-      key.preventDefault();
-      key.stopPropagation();
-      end();
-    }, { signal, capture: true });
+    onEscape(end, signal);
   }
 
   return { carried, take, dragged };

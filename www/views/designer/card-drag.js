@@ -5,6 +5,7 @@
  */
 
 import { useRef, useState } from 'preact/hooks';
+import { onEscape } from '../on-escape.js';
 
 /** @typedef {import('../../state/designer-draft.js').Layer} Layer */
 /** @typedef {{ layer: Layer, at: number }} Place */
@@ -77,12 +78,7 @@ export function useCardDrag(onDrop) {
     }, { signal });
     head.addEventListener('pointercancel', end, { signal });
     head.addEventListener('lostpointercapture', end, { signal });
-    window.addEventListener('keydown', (key) => {
-      if (key.key !== 'Escape') return;
-      key.preventDefault();
-      key.stopPropagation();
-      end();
-    }, { signal, capture: true });
+    onEscape(end, signal);
   }
 
   return { carried, take, cancel };
