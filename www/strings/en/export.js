@@ -32,7 +32,6 @@ export const exportStrings = {
   savePanel: 'Save this panel',
   noPhotoHere: 'this panel is empty',
   exporting: (/** @type {number} */ percent) => `Drawing the page at full size, ${percent} %`,
-  saved: 'The page was saved.',
   pagesSaved: (/** @type {number} */ count) => (count === 1 ? 'The page was saved.' : `${count} pages were saved in one file.`),
   panelSaved: 'The panel was saved.',
   copied: 'The page is on the clipboard.',

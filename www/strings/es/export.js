@@ -30,7 +30,6 @@ export const exportStrings = {
   savePanel: 'Guardar esta viñeta',
   noPhotoHere: 'esta viñeta está vacía',
   exporting: (/** @type {number} */ percent) => `Dibujando la página a tamaño completo, ${percent} %`,
-  saved: 'La página se ha guardado.',
   pagesSaved: (/** @type {number} */ count) => (count === 1 ? 'La página se ha guardado.' : `Se han guardado ${count} páginas en un archivo.`),
   panelSaved: 'La viñeta se ha guardado.',
   copied: 'La página está en el portapapeles.',
