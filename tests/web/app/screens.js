@@ -3,7 +3,7 @@
 
 import { drawn } from './designer-hands.js';
 import { four, panel } from './panel-hands.js';
-import { add, choose, expect, idle, photos } from './support.js';
+import { add, choose, expect, idle, photos, test } from './support.js';
 import { openWords } from './word-hands.js';
 
 /** @typedef {import('../../../www/testing.js').Page} Page */
@@ -28,7 +28,7 @@ async function drawer(page, name) {
 }
 
 /** Screens of a wide and of a small window. @type {Record<string, (page: Page) => Promise<void>>} */
-export const SCREENS = {
+const SCREENS = {
   board: async () => {},
   'a panel is chosen': (page) => panel(page, 2).click(),
   'a photo is moved': async (page) => {
@@ -135,10 +135,31 @@ export async function openFour(page) {
 }
 
 /** Back to the board, by keys alone. @param {Page} page */
-export async function back(page) {
+async function back(page) {
   for (let i = 0; i < 5; i += 1) {
     await page.evaluate(() => /** @type {HTMLElement | null} */ (document.activeElement)?.blur());
     await page.keyboard.press('Escape');
   }
   for (const dismiss of await page.getByRole('button', { name: 'Dismiss' }).all()) await dismiss.click();
+}
+
+/**
+ * Goes through all screens. One that cannot be opened is noted, and the others are gone through all the same.
+ * @param {Page} page
+ * @param {(name: string) => Promise<void>} look
+ * @param {Record<string, unknown>} wrong what is noted, by screen
+ */
+export async function lookAtScreens(page, look, wrong) {
+  for (const [name, open] of Object.entries(SCREENS)) {
+    // On a small screen nobody is told of keys.
+    if (name === 'list of keys' && !await button(page, 'Keyboard shortcuts').isVisible()) continue;
+    await test.step(name, async () => {
+      await open(page);
+      await look(name);
+      await back(page);
+    }).catch(async (error) => {
+      wrong[name] = String(error.message).slice(0, 400);
+      await back(page);
+    });
+  }
 }

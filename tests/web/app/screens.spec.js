@@ -2,7 +2,7 @@
 /** Axe on every screen, in light and dark, wide and small. */
 
 import { readFile } from 'node:fs/promises';
-import { SCREENS, back, openFour } from './screens.js';
+import { lookAtScreens, openFour } from './screens.js';
 import { accessible, add, expect, idle, offences, test } from './support.js';
 
 for (const colorScheme of /** @type {const} */ (['light', 'dark'])) {
@@ -25,18 +25,7 @@ for (const colorScheme of /** @type {const} */ (['light', 'dark'])) {
         await page.getByRole('button', { name: 'Projects' }).click();
         await look('no projects');
         await openFour(page);
-        for (const [name, open] of Object.entries(SCREENS)) {
-          // On a small screen nobody is told of keys.
-          if (name === 'list of keys' && width < 1000) continue;
-          await test.step(name, async () => {
-            await open(page);
-            await look(name);
-            await back(page);
-          }).catch(async (error) => {
-            wrong[name] = String(error.message).slice(0, 400);
-            await back(page);
-          });
-        }
+        await lookAtScreens(page, look, wrong);
         expect(wrong).toEqual({});
       });
     });

@@ -1,7 +1,7 @@
 // @ts-check
 /** The page for other eyes: much zoom, narrow windows, wide text, colours of the system, no motion. */
 
-import { SCREENS, back, openFour } from './screens.js';
+import { lookAtScreens, openFour } from './screens.js';
 import { expect, idle, openBoard, test } from './support.js';
 
 /** @typedef {import('../../../www/testing.js').Page} Page */
@@ -62,17 +62,7 @@ for (const { name, use, css } of EYES) {
       await look('start');
       await openFour(page);
       if (css) await page.addStyleTag({ content: css });
-      for (const [screen, open] of Object.entries(SCREENS)) {
-        if (screen === 'list of keys' && !await page.getByRole('button', { name: 'Keyboard shortcuts' }).isVisible()) continue;
-        await test.step(screen, async () => {
-          await open(page);
-          await look(screen);
-          await back(page);
-        }).catch(async (error) => {
-          wrong[screen] = String(error.message).slice(0, 400);
-          await back(page);
-        });
-      }
+      await lookAtScreens(page, look, wrong);
       expect(wrong).toEqual({});
     });
   });
