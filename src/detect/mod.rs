@@ -12,6 +12,7 @@ mod model;
 mod objects;
 mod operators;
 mod ssd;
+mod weights;
 
 use serde::{Deserialize, Serialize};
 

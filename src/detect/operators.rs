@@ -10,7 +10,7 @@ use tract_onnx::tract_hir::ops::cnn::{Conv, HirMaxPool, PaddingSpec, PoolSpec};
 use tract_onnx::tract_hir::ops::identity::Identity;
 use tract_onnx::tract_hir::ops::nn::{DataFormat, GlobalAvgPool};
 use tract_onnx::tract_hir::ops::{activations, array, math};
-use tract_onnx::tract_hir::tract_core::ops::cast::cast;
+use tract_onnx::tract_hir::tract_core::ops::change_axes::to_axis_ops_with_onnx_rules;
 use tract_onnx::tract_hir::tract_core::ops::nn::resize::Interpolator;
 use tract_onnx_opl::resize::{AspectRatio, CoordTransform, Nearest, Resize};
 
@@ -20,7 +20,6 @@ type Built = TractResult<(Box<dyn InferenceOp>, Vec<String>)>;
 pub(super) fn reader() -> Onnx {
     let mut known = OnnxOpRegister::default();
     known.insert("Add", |_, _| built(math::Add.into_hir()));
-    known.insert("Cast", |_, _| built(expand(Float)));
     known.insert("Clip", |_, _| built(expand(Clip)));
     known.insert("Concat", |_, node| built(expand(array::Concat::new(node.get_attr("axis")?))));
     known.insert("Conv", convolution);
@@ -29,7 +28,7 @@ pub(super) fn reader() -> Onnx {
     known.insert("MaxPool", max_pool);
     known.insert("Pad", |_, _| built(expand(Pad)));
     known.insert("Relu", |_, _| built(expand(activations::Clip::new(Some(0.0), None))));
-    known.insert("Reshape", |_, _| built(expand(array::Reshape::new(false))));
+    known.insert("Reshape", |_, _| built(expand(Reshape)));
     known.insert("Resize", resize);
     known.insert("Transpose", |_, node| {
         let order: Vec<usize> = node.get_attr_vec("perm")?;
@@ -90,31 +89,6 @@ fn constant(model: &TypedModel, input: OutletId) -> TractResult<Arc<Tensor>> {
     model.outlet_fact(input)?.konst.clone().context("an input that should be constant is not")
 }
 
-/// Half precision to f32.
-#[derive(Debug, Clone)]
-struct Float;
-
-impl Expansion for Float {
-    fn name(&self) -> StaticName {
-        "Cast".into()
-    }
-
-    fn rules<'r, 'p: 'r, 's: 'r>(
-        &'s self,
-        s: &mut Solver<'r>,
-        inputs: &'p [TensorProxy],
-        outputs: &'p [TensorProxy],
-    ) -> InferenceResult {
-        check_input_arity(inputs, 1)?;
-        s.equals(&outputs[0].datum_type, f32::datum_type())?;
-        s.equals(&outputs[0].shape, &inputs[0].shape)
-    }
-
-    fn wire(&self, name: &str, model: &mut TypedModel, inputs: &[OutletId]) -> TractResult<TVec<OutletId>> {
-        model.wire_node(name, cast(f32::datum_type()), &inputs[..1])
-    }
-}
-
 /// Limits by two constants.
 #[derive(Debug, Clone)]
 struct Clip;
@@ -136,7 +110,7 @@ impl Expansion for Clip {
     }
 
     fn wire(&self, name: &str, model: &mut TypedModel, inputs: &[OutletId]) -> TractResult<TVec<OutletId>> {
-        let limit = |i: usize| constant(model, inputs[i])?.cast_to_scalar::<f32>();
+        let limit = |i: usize| constant(model, inputs[i])?.try_as_plain_ram()?.to_scalar::<f32>().copied();
         let (low, high) = (limit(1)?, limit(2)?);
         activations::Clip::new(Some(low), Some(high)).wire(name, model, &inputs[..1])
     }
@@ -174,6 +148,44 @@ impl Expansion for Pad {
         let zero = array::PadMode::Constant(Arc::new(0f32.into()));
         model.wire_node(name, array::Pad::new(amounts, zero), &inputs[..1])
     }
+}
+
+/// Another shape, which a constant says in full. tract has this too, by way of a conversion between all its types of
+/// numbers, which the browser would take longer to compile than any other function of the module.
+#[derive(Debug, Clone)]
+struct Reshape;
+
+impl Expansion for Reshape {
+    fn name(&self) -> StaticName {
+        "Reshape".into()
+    }
+
+    fn rules<'r, 'p: 'r, 's: 'r>(
+        &'s self,
+        s: &mut Solver<'r>,
+        inputs: &'p [TensorProxy],
+        outputs: &'p [TensorProxy],
+    ) -> InferenceResult {
+        check_input_arity(inputs, 2)?;
+        s.equals(&inputs[0].datum_type, &outputs[0].datum_type)?;
+        s.given(&inputs[1].value, move |s, sides| {
+            s.equals(&outputs[0].shape, ShapeFactoid::from(dimensions(&sides)?))
+        })
+    }
+
+    fn wire(&self, name: &str, model: &mut TypedModel, inputs: &[OutletId]) -> TractResult<TVec<OutletId>> {
+        let from = model.outlet_fact(inputs[0])?.shape.to_tvec();
+        let to = dimensions(&*constant(model, inputs[1])?)?;
+        let mut wire = tvec!(inputs[0]);
+        for (i, step) in to_axis_ops_with_onnx_rules(&from, &to, false)?.into_iter().enumerate() {
+            wire = model.wire_node(format!("{name}.{i}"), step, &wire)?;
+        }
+        Ok(wire)
+    }
+}
+
+fn dimensions(sides: &Tensor) -> TractResult<TVec<TDim>> {
+    Ok(sides.try_as_plain_ram()?.as_slice::<i64>()?.iter().map(ToDim::to_dim).collect())
 }
 
 /// Before and after each axis, from all befores and then all afters.
