@@ -6,24 +6,40 @@
 
 /** The service worker throws away what no build of the site names any more (`service-worker/versions.js`). */
 const STORE = 'inkpanel-nets';
+/** Milliseconds until what was loaded is kept: it was loaded to be used now, and keeping it would take a core from that. */
+const LATER = 5_000;
 /** A name that changes with the content, as the build gives it: any other may be of an older file. */
 const HASHED = /-[\w-]{8}\.\w+$/;
 
 /**
  * As `fetch`.
  * @param {string} address
- * @param {{ caches?: CacheStorage, fetch?: typeof globalThis.fetch }} [world]
+ * @param {{ caches?: CacheStorage, fetch?: typeof globalThis.fetch, later?: number }} [world]
  * @returns {Promise<Response>}
  */
-export async function fetchKept(address, { caches = globalThis.caches, fetch = globalThis.fetch } = {}) {
+export async function fetchKept(address, { caches = globalThis.caches, fetch = globalThis.fetch, later = LATER } = {}) {
   // Refused without https, and in some private windows.
   const store = HASHED.test(address) ? await caches?.open(STORE).catch(() => undefined) : undefined;
   const kept = await store?.match(address).catch(() => undefined);
   if (kept) return kept;
   const response = await fetch(address);
-  // Where storage is full it is loaded again the next time.
-  if (response.ok && !isPage(response)) void store?.put(address, response.clone()).catch(() => {});
+  if (store && response.ok && !isPage(response)) {
+    const copy = response.clone();
+    // Where storage is full it is loaded again the next time.
+    setTimeout(() => void keep(store, address, copy).catch(() => {}), later);
+  }
   return response;
+}
+
+/**
+ * Two workers may have loaded the same file.
+ * @param {Cache} store
+ * @param {string} address
+ * @param {Response} response
+ */
+async function keep(store, address, response) {
+  if (await store.match(address)) await response.body?.cancel();
+  else await store.put(address, response);
 }
 
 /** A host may answer with a page of its own where a file is missing. @param {Response} response */

@@ -54,6 +54,12 @@ export async function kept(page) {
   })).toBe(true);
 }
 
+/** Until the module of the detectors and their nets are kept, some time after their first use. @param {Page} page */
+export async function netsKept(page) {
+  const count = () => page.evaluate(async () => (await (await caches.open('inkpanel-nets')).keys()).length);
+  await expect.poll(count, { timeout: 30_000 }).toBe(3);
+}
+
 /** The builds that the browser keeps. @param {Page} page */
 export const builds = (page) => page.evaluate(async () => (await caches.keys()).filter((name) => name.startsWith('inkpanel /')).length);
 

@@ -3,7 +3,7 @@
 
 import { readFile } from 'node:fs/promises';
 import { PNG } from '../../../www/testing.js';
-import { kept, test } from './offline-hands.js';
+import { kept, netsKept, test } from './offline-hands.js';
 import { SIX, accessible, add, colours, expect, idle, photos, picture, pixelsOf, press } from './support.js';
 import { write } from './word-hands.js';
 
@@ -60,6 +60,7 @@ test('faces are found without a connection once they were found with one, and lo
   await page.getByRole('button', { name: 'Show subjects' }).click();
   await expect(boxes).not.toHaveCount(0);
   await idle(page);
+  await netsKept(page);
   await host.stop();
   await page.reload();
   await add(page, await photos('horses.jpg'));
