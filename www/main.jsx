@@ -127,7 +127,7 @@ async function intake(files) {
 /** Whether something is on its way that nobody should wait for longer than need be. */
 const busy = () => store.planner.value === null || store.reading.value !== null || store.fetching.value || keeping.running.value ||
   keeping.files.progress.value !== null;
-if (import.meta.env.PROD) createOffline({ window, messages, keeping, script: import.meta.url, busy });
+if (import.meta.env.PROD) createOffline({ window, messages, keeping, script: import.meta.url, busy: () => busy() || !subjects.settled.value });
 
 window.addEventListener('hashchange', openLink);
 window.addEventListener('storage', shelves.hear);
