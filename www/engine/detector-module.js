@@ -8,33 +8,42 @@ import { failure } from './protocol.js';
 const MODULE = new URL('../pkg-detector/inkpanel_bg.wasm', import.meta.url);
 
 /**
- * A net, ready to be asked; what could not be loaded is tried again when it is asked for again.
+ * A net in two steps: `load` fetches what it needs, which costs hardly any time of a core; `ready` gives the net, made at
+ * the first call. What failed is tried again when it is asked for again.
  * @template T
  * @param {URL | string} address
  * @param {(net: Uint8Array) => T} make
- * @returns {() => Promise<T>}
+ * @returns {{ load: () => Promise<unknown>, ready: () => Promise<T> }}
  */
 export function net(address, make) {
-  /** @type {Promise<T> | undefined} */
-  let made;
-  return () => {
-    made ??= start(address).then(make).catch((error) => {
-      made = undefined;
-      throw error;
-    });
-    return made;
-  };
+  const files = onceMore(() => Promise.all([MODULE, address].map(load)));
+  const made = onceMore(async () => {
+    const [module, onnx] = await files.get();
+    await initDetector({ module_or_path: module });
+    const net = make(new Uint8Array(onnx));
+    files.forget();
+    return net;
+  });
+  return { load: files.get, ready: made.get };
 }
 
 /**
- * The module, ready.
- * @param {URL | string} address of a net
- * @returns {Promise<Uint8Array>} the net
+ * A promise that is made when it is first asked for, and anew after it failed.
+ * @template T
+ * @param {() => Promise<T>} begin
  */
-async function start(address) {
-  const [module, onnx] = await Promise.all([MODULE, address].map(load));
-  await initDetector({ module_or_path: module });
-  return new Uint8Array(onnx);
+function onceMore(begin) {
+  /** @type {Promise<T> | undefined} */
+  let begun;
+  const forget = () => { begun = undefined; };
+  const get = () => {
+    begun ??= begin().catch((error) => {
+      forget();
+      throw error;
+    });
+    return begun;
+  };
+  return { get, forget };
 }
 
 /** @param {URL | string} address */

@@ -8,33 +8,45 @@ import { FaceDetector, ObjectDetector } from '../pkg-detector/inkpanel.js';
 import { net } from './detector-module.js';
 import { describe } from './protocol.js';
 
-const faceNet = net(new URL('../models/faces.onnx', import.meta.url), (onnx) => new FaceDetector(onnx));
-const objectNet = net(new URL('../models/objects.onnx', import.meta.url), (onnx) => new ObjectDetector(onnx));
+const faces = net(new URL('../models/faces.onnx', import.meta.url), (onnx) => new FaceDetector(onnx));
+const objects = net(new URL('../models/objects.onnx', import.meta.url), (onnx) => new ObjectDetector(onnx));
 
 /** @typedef {import('./protocol.js').PhotoHandle} PhotoHandle */
 /** @typedef {import('./detector.js').Found} Found */
-/** @typedef {'faces' | 'closer' | 'objects'} Op */
+/** @typedef {'faces' | 'closer' | 'objects'} Look */
+/** @typedef {{ op: 'load' | 'make', args: { net: 'faces' | 'objects' } } | { op: Look, args: { photo: PhotoHandle, boxes?: Found[] } }} Order */
 
-/** @param {MessageEvent<{ id: number, op: Op, args: { photo: PhotoHandle, boxes?: Found[] } }>} event */
-globalThis.onmessage = async ({ data: { id, op, args: { photo, boxes } } }) => {
+/** @param {MessageEvent<{ id: number } & Order>} event */
+globalThis.onmessage = async ({ data: { id, ...order } }) => {
   try {
-    const [run, pixels] = await Promise.all([runner(op, boxes), photo.planes.arrayBuffer()]);
-    postMessage({ id, ok: JSON.parse(run(photo.width, photo.height, new Uint8Array(pixels))), memory: 0 });
+    postMessage({ id, ok: await obey(order), memory: 0 });
   } catch (error) {
     postMessage({ id, error: describe(error), memory: 0 });
   }
 };
 
+/** @param {Order} order */
+async function obey({ op, args }) {
+  if ('net' in args) {
+    const { load, ready } = args.net === 'faces' ? faces : objects;
+    await (op === 'load' ? load() : ready());
+    return null;
+  }
+  const { photo, boxes } = args;
+  const [run, pixels] = await Promise.all([runner(/** @type {Look} */ (op), boxes), photo.planes.arrayBuffer()]);
+  return JSON.parse(run(photo.width, photo.height, new Uint8Array(pixels)));
+}
+
 /**
- * @param {Op} op
+ * @param {Look} look
  * @param {Found[]} [boxes] of the first look
  * @returns {Promise<(width: number, height: number, planes: Uint8Array) => string>}
  */
-async function runner(op, boxes) {
-  if (op === 'objects') {
-    const objects = await objectNet();
-    return (...photo) => objects.look(...photo);
+async function runner(look, boxes) {
+  if (look === 'objects') {
+    const net = await objects.ready();
+    return (...photo) => net.look(...photo);
   }
-  const faces = await faceNet();
-  return (...photo) => (op === 'faces' ? faces.look(...photo) : faces.look_closer(...photo, JSON.stringify(boxes)));
+  const net = await faces.ready();
+  return (...photo) => (look === 'faces' ? net.look(...photo) : net.look_closer(...photo, JSON.stringify(boxes)));
 }

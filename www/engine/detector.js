@@ -1,7 +1,7 @@
 // @ts-check
 /**
  * Faces and objects in photos, each by a worker of its own, side by side. A worker and all it needs are loaded with
- * its first call.
+ * its first call, or before by `load`.
  */
 
 import { createPool } from './pool.js';
@@ -12,6 +12,8 @@ import { Priority } from './queue.js';
  * @typedef {{ label: string, score: number, x: number, y: number, width: number, height: number }} Found
  */
 
+/** @typedef {'faces' | 'objects'} Net */
+
 /** Also for loading and preparing a net, on a slow phone. */
 const TIMEOUT = 120_000;
 
@@ -20,14 +22,25 @@ const TIMEOUT = 120_000;
  * @param {(workers: number) => void} spare asks that so many other workers stay idle meanwhile, where nobody waits
  */
 export function createDetector(photos, spare) {
-  /** @type {{ faces?: ReturnType<typeof createPool>, objects?: ReturnType<typeof createPool> }} */
+  /** @type {Partial<Record<Net, ReturnType<typeof createPool>>>} */
   const pools = {};
+  /** Nets that are made, or in line to be. @type {Partial<Record<Net, Promise<void>>>} */
+  const made = {};
+  /** The end of that line. */
+  let last = Promise.resolve();
   let running = 0;
 
   return {
-    detect, findFaces, findMoreFaces, findObjects,
+    load, detect, findFaces, findMoreFaces, findObjects,
     dispose: () => Object.values(pools).forEach((pool) => pool.dispose()),
   };
+
+  /** Fetches what the nets need, which takes no core from whoever works; what fails is told by the first look. */
+  function load() {
+    for (const net of /** @type {const} */ (['objects', 'faces'])) {
+      if (!pools[net]) order(net, 'load').catch(() => {});
+    }
+  }
 
   /**
    * Everything that is found in a photo, faces first.
@@ -40,7 +53,8 @@ export function createDetector(photos, spare) {
       const { boxes, closer } = await findFaces(id, call);
       return closer ? findMoreFaces(id, boxes, call) : boxes;
     };
-    return (await Promise.all([faces(), findObjects(id, call)])).flat();
+    const [objects, all] = await Promise.all([findObjects(id, call), faces()]);
+    return [...all, ...objects];
   }
 
   /**
@@ -74,8 +88,8 @@ export function createDetector(photos, spare) {
   }
 
   /**
-   * @param {'faces' | 'objects'} net
-   * @param {import('./detector-worker.js').Op} op
+   * @param {Net} net
+   * @param {import('./detector-worker.js').Look} op
    * @param {string} id
    * @param {{ boxes?: Found[] }} more
    * @param {import('./engine.js').Call} [call]
@@ -83,10 +97,41 @@ export function createDetector(photos, spare) {
    */
   async function run(net, op, id, more, call) {
     const { name, work } = photos.get(id);
-    const pool = (pools[net] ??= createPool({ size: 1, spawn }));
     spare((running += 1));
-    return pool.run({ op, args: { photo: work, ...more }, photo: name, timeout: TIMEOUT, priority: Priority.REST, ...call })
-      .finally(() => spare((running -= 1)));
+    try {
+      await make(net);
+      return await open(net).run({ op, args: { photo: work, ...more }, photo: name, timeout: TIMEOUT, priority: Priority.REST, ...call });
+    } finally {
+      spare((running -= 1));
+    }
+  }
+
+  /**
+   * One net after the other: the browser compiles the module's code while the first is made, and two at a time wait for
+   * each other's share of the cores.
+   * @param {Net} net
+   */
+  function make(net) {
+    const before = last;
+    made[net] ??= last = before.catch(() => {}).then(() => order(net, 'make')).catch((error) => {
+      delete made[net];
+      throw error;
+    });
+    return made[net];
+  }
+
+  /**
+   * @param {Net} net
+   * @param {'load' | 'make'} op
+   * @returns {Promise<void>}
+   */
+  function order(net, op) {
+    return open(net).run({ op, args: { net }, timeout: TIMEOUT, priority: Priority.REST });
+  }
+
+  /** @param {Net} net */
+  function open(net) {
+    return (pools[net] ??= createPool({ size: 1, spawn }));
   }
 }
 

@@ -65,7 +65,7 @@ export function createEngine({ workers = navigator.hardwareConcurrency || 2 } = 
     styles: async () => (await ready).styles(),
     stylize, compose, select, detect, dispose, importPhoto, importVideo,
     /** Subjects of an imported photo, in fractions of it. */
-    findFaces: detector.findFaces, findMoreFaces: detector.findMoreFaces, findObjects: detector.findObjects,
+    loadDetectors: detector.load, findFaces: detector.findFaces, findMoreFaces: detector.findMoreFaces, findObjects: detector.findObjects,
     forgetPhoto: photos.forget, hasPhoto: photos.has, photos,
     lettering: words.lettering,
     ...renders,

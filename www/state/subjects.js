@@ -25,7 +25,7 @@ const FATAL = new Set(['detector-missing', 'worker-lost', 'detector']);
 /**
  * @param {{
  *   store: import('./store.js').Store, pages: import('./pages.js').Pages, messages: import('./messages.js').Messages,
- *   engine: Pick<import('../engine/engine.js').Engine, 'findFaces' | 'findMoreFaces' | 'findObjects' | 'hasPhoto'>,
+ *   engine: Pick<import('../engine/engine.js').Engine, 'loadDetectors' | 'findFaces' | 'findMoreFaces' | 'findObjects' | 'hasPhoto'>,
  *   painted: () => boolean, wanted?: boolean, window?: Pick<Window, 'addEventListener' | 'navigator'>,
  * }} app `painted` reads signals: whether the page as it is now is on the screen; not `wanted`, nothing is looked at
  */
@@ -55,8 +55,12 @@ export function createSubjects({ store, pages, messages, engine, painted, wanted
   const searched = computed(() => off.value || store.page.value === null || !photos.value.some(unsearched));
 
   effect(() => {
-    if (off.value || store.page.value === null || store.reading.value !== null || !painted()) return;
-    for (const lane of /** @type {const} */ (['faces', 'objects'])) if (!running.value.has(lane) && next(lane)) void run(lane);
+    if (off.value || store.page.value === null || !painted()) return;
+    // While the last photos are read; a first page is on the screen.
+    engine.loadDetectors();
+    if (store.reading.value !== null) return;
+    // What takes longer is first in line.
+    for (const lane of /** @type {const} */ (['objects', 'faces'])) if (!running.value.has(lane) && next(lane)) void run(lane);
   });
 
   window?.addEventListener('online', () => {

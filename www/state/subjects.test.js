@@ -21,7 +21,7 @@ function app(look, found = [], window = undefined) {
   const objects = [];
   const painted = signal(false);
   const engine = {
-    hasPhoto: () => true,
+    hasPhoto: () => true, loadDetectors: () => {},
     findFaces: async (/** @type {string} */ id) => {
       asked.push(id);
       return look(id);
