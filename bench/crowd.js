@@ -35,7 +35,7 @@ export async function crowd(browser, address, photos) {
     const handle = await page.waitForFunction((name) => {
       const { begun } = /** @type {any} */ (globalThis);
       return document.body.dataset[name] === 'true' && performance.now() - begun;
-    }, flag, { polling: 'raf', timeout: 300_000 });
+    }, flag, { polling: 50, timeout: 300_000 });
     return /** @type {number} */ (await handle.jsonValue());
   };
   await input.setInputFiles(photos);
