@@ -41,7 +41,6 @@ export function createPool({ size, spawn, highWater = HIGH_WATER }) {
   let [nextId, reserved, closed] = [1, 0, false];
 
   for (let i = 0; i < size; i += 1) slots.push(open({}));
-
   return { run, spare, dispose, size };
 
   /** Leaves so many workers idle for all that nobody waits for, as long as others need the cores. @param {number} count */
@@ -94,7 +93,8 @@ export function createPool({ size, spawn, highWater = HIGH_WATER }) {
   function dispatch() {
     for (const slot of slots) {
       if (slot.entry || queue.length === 0) continue;
-      if (queue.urgency > Priority.PAGE && slots.filter(({ entry }) => entry).length >= size - reserved) return;
+      const idle = Math.max(reserved, queue.crowded && size > 1 ? 1 : 0);
+      if (queue.urgency > Priority.PAGE && slots.filter(({ entry }) => entry).length >= size - idle) return;
       const entry = queue.take((other) => (other.holds ?? []).filter((key) => slot.held.has(key)).length);
       if (entry) start(slot, entry);
     }

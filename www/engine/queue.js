@@ -20,6 +20,9 @@ export const Priority = {
   REST: 3,
 };
 
+/** Waiting entries from which on the page shall stay quick rather than all be done soon. */
+const CROWD = 24;
+
 /**
  * @template {{ priority: number, key?: string }} T
  */
@@ -36,6 +39,11 @@ export function createQueue() {
     /** @returns {number} the priority of what comes next */
     get urgency() {
       return waiting[0]?.priority ?? Infinity;
+    },
+
+    /** @returns {boolean} whether there is nothing else but much that nobody waits for: with it on all cores, the page would wait for one */
+    get crowded() {
+      return waiting.length > CROWD && waiting[0].priority >= Priority.REST;
     },
 
     /**

@@ -3,12 +3,18 @@
  * What becomes of a file: a photo of the album with its facts, or a message with the reason, and the count of both.
  */
 
+import { batch } from '@preact/signals';
 import { Priority } from '../engine/queue.js';
 import { freshId } from './fresh-id.js';
 import { strings } from '../strings.js';
 
 /** @typedef {import('./album.js').Fact} Fact */
 /** @typedef {ReturnType<typeof createIntake>} Intake */
+
+/** As long as more photos than this are on their way, those that are not on the page are told of together: */
+const CROWD = 24;
+/** so many milliseconds apart. Whatever depends on the album would else be computed and painted anew for each. */
+const TOGETHER = 300;
 
 /** @returns {string} what the ids of photos begin with, so that no other session of any browser has the same */
 export function freshPhotoPrefix() {
@@ -23,6 +29,10 @@ export function freshPhotoPrefix() {
  */
 export function createIntake({ store, pages, engine, messages, prefix = 'p' }) {
   let lastId = 0;
+  /** @type {(() => void)[]} */
+  let untold = [];
+  /** @type {ReturnType<typeof setTimeout> | undefined} */
+  let timer;
 
   return { freshIds, isShown, readPhoto, arrived, failed, leaveOut, count };
 
@@ -43,17 +53,55 @@ export function createIntake({ store, pages, engine, messages, prefix = 'p' }) {
    */
   async function readPhoto(id, file, signal) {
     store.originals.set(id, file);
-    try {
-      arrived(id, await engine.importPhoto(id, file, { priority: isShown(id) ? Priority.PAGE : Priority.REST, signal }));
-    } catch (error) {
-      failed(file, error);
-      const fact = store.album.peek().get(id);
-      if (fact?.meta) store.know({ ...fact, meta: null });
-    } finally {
+    const priority = isShown(id) ? Priority.PAGE : Priority.REST;
+    let last = false;
+    const read = await engine.importPhoto(id, file, { priority, signal }).then((meta) => ({ meta }), (error) => ({ error }));
+    await together(isShown(id), () => {
+      try {
+        if ('error' in read) throw read.error;
+        arrived(id, read.meta);
+      } catch (error) {
+        failed(file, error);
+        const fact = store.album.peek().get(id);
+        if (fact?.meta) store.know({ ...fact, meta: null });
+      }
       store.originals.delete(id);
       leaveOut([id]);
-      count(1, 0);
-    }
+      last = isLast();
+      if (!last) count(1, 0);
+    });
+    if (!last) return;
+    // What follows, when all are read, is as much work as showing the last of them: a task of its own.
+    await new Promise((resolve) => { setTimeout(resolve); });
+    count(1, 0);
+  }
+
+  /** Whether a photo is the last of many. */
+  function isLast() {
+    const { done, total } = store.reading.peek() ?? { done: 0, total: 0 };
+    return total > CROWD && total - done === 1;
+  }
+
+  /**
+   * @param {boolean} now
+   * @param {() => void} tell
+   * @returns {Promise<void>} when it was told
+   */
+  function together(now, tell) {
+    const { done, total } = store.reading.peek() ?? { done: 0, total: 0 };
+    return new Promise((resolve) => {
+      untold.push(() => { tell(); resolve(); });
+      if (now || total - done <= CROWD) tellAll();
+      else timer ??= setTimeout(tellAll, TOGETHER);
+    });
+  }
+
+  function tellAll() {
+    clearTimeout(timer);
+    timer = undefined;
+    const all = untold;
+    untold = [];
+    batch(() => all.forEach((tell) => tell()));
   }
 
   /**

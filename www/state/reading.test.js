@@ -54,6 +54,21 @@ describe('the first photos', () => {
   });
 });
 
+test('of hundreds those that are not on the page are told of together, and all are known at the end', async () => {
+  const app = fakeApp();
+  let changes = -1;
+  app.store.album.subscribe(() => { changes += 1; });
+  const done = app.reading.addFiles(app.files(...Array.from({ length: 200 }, (_, i) => `${i}.jpg`)));
+  await vi.advanceTimersByTimeAsync(250);
+  const early = app.store.facts.value.filter(({ meta }) => meta).length;
+  expect(early).toBeLessThan(20);
+  await vi.advanceTimersByTimeAsync(400);
+  await done;
+  expect(app.store.facts.value.filter(({ meta }) => meta).length).toBe(200);
+  expect(app.store.reading.value).toBe(null);
+  expect(changes).toBeLessThan(40);
+});
+
 describe('photos added later', () => {
   test('join the page as one step', async () => {
     const app = fakeApp();

@@ -19,11 +19,15 @@ export function Alternatives() {
   const items = alternatives.items.value;
   const basis = alternatives.basis.value;
 
+  // Both in tasks of their own: scrolling lays the page out, and making pages is as much work as showing what has changed.
   useEffect(() => {
-    strip.current?.scrollTo({ left: 0 });
+    const frame = requestAnimationFrame(() => strip.current?.scrollTo({ left: 0 }));
+    return () => cancelAnimationFrame(frame);
   }, [basis]);
   useEffect(() => {
-    if (basis !== '' && (atEnd || items.length === 0)) alternatives.more(BATCH);
+    if (basis === '' || (!atEnd && items.length > 0)) return undefined;
+    const task = setTimeout(() => alternatives.more(BATCH));
+    return () => clearTimeout(task);
   }, [basis, atEnd, items]);
 
   /** @param {WheelEvent} event */
