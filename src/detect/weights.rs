@@ -55,7 +55,7 @@ mod tests {
                 _ => (1.0 + fraction) * 2f64.powi(exponent - 15),
             };
             let expected = if bits >> 15 == 0 { magnitude } else { -magnitude };
-            assert_eq!(f64::from(whole(bits)), expected, "{bits:04x}");
+            assert_eq!(f64::from(whole(bits)).to_bits(), expected.to_bits(), "{bits:04x}");
         }
     }
 }
