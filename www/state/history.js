@@ -56,6 +56,8 @@ export function advance(history, change) {
   if (change.type === 'forget-photos') return forget(history, change);
   const present = reduce(history.present, change);
   if (present === history.present) return history;
+  // A first page none of whose photos could be read was none.
+  if (change.type === 'no-page' && change.silent) return { ...history, present, shown: history.shown.filter(({ id }) => id !== history.present.pageId) };
   const same = history.present.page && history.present.sheet === present.sheet;
   const shown = note(history.shown, present, same ? history.present.pageId : undefined);
   if (change.silent) return { ...history, present, shown };

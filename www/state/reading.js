@@ -33,6 +33,8 @@ export function createReading({ store, pages, engine, messages, prefix }) {
   let planned = '';
   /** The step of the undo that the photos being read belong to; none for the first, which cannot be undone. */
   let gesture = /** @type {string | null} */ (null);
+  /** The message that there is no page, which the next page takes away. */
+  let complaint = 0;
 
   /** Stops what is being read. @type {AbortController | null} */
   let stop = null;
@@ -137,9 +139,10 @@ export function createReading({ store, pages, engine, messages, prefix }) {
     const step = gesture;
     gesture = null;
     stop = null;
+    messages.close(complaint);
     if (store.photos.peek().length === 0) {
       store.change({ type: 'no-page', silent: true });
-      messages.alert(strings.noUsablePhoto);
+      complaint = messages.alert(strings.noUsablePhoto);
     } else if (planned === inUse()) {
       pages.refine();
     } else {

@@ -44,6 +44,10 @@ describe('the first photos', () => {
     expect(app.store.tray.value).toEqual([]);
     expect(app.store.page.value).toBe(null);
     expect(alerts(app).at(-1)).toContain('None of these files');
+    expect(app.store.history.value.shown).toEqual([]);
+    await app.reading.addFiles(app.files('good.jpg'));
+    expect(alerts(app)).toEqual(['a.txt: not a photo', 'b.txt: not a photo']);
+    expect(app.store.history.value.shown.length).toBe(1);
   });
 
   test('that look like another are set aside', async () => {
