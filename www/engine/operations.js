@@ -4,6 +4,7 @@
  * to hand over.
  */
 
+import { blobOf } from './blobs.js';
 import { asBmp, foreignKind } from './foreign.js';
 import { failure } from './protocol.js';
 import { createStyleOperations } from './style-operations.js';
@@ -32,7 +33,7 @@ export function createOperations(studio, held) {
   /** @param {Operations['import']['args']} args */
   async function importPhoto({ id, file }) {
     const { work, small, ...meta } = await read(id, await bytesOf(file));
-    const ok = { meta, work: keep(`${id}/work`, work), small: keep(`${id}/small`, small) };
+    const ok = { meta, work: await keep(`${id}/work`, work), small: await keep(`${id}/small`, small) };
     evict([]);
     return { ok, transfer: [] };
   }
@@ -53,8 +54,8 @@ export function createOperations(studio, held) {
   async function importFrame({ id, frame: { width, height, data, squareWidth, squareHeight, rotation } }) {
     const { work, small, ...meta } = JSON.parse(studio.import_frame(id, width, height, data, squareWidth, squareHeight, rotation));
     const png = /** @type {Uint8Array<ArrayBuffer>} */ (studio.take_file());
-    const file = new Blob([png], { type: 'image/png' });
-    const ok = { meta, work: keep(`${id}/work`, work), small: keep(`${id}/small`, small), file };
+    const file = await blobOf(png, { type: 'image/png' });
+    const ok = { meta, work: await keep(`${id}/work`, work), small: await keep(`${id}/small`, small), file };
     evict([]);
     return { ok, transfer: [] };
   }
@@ -120,19 +121,19 @@ export function createOperations(studio, held) {
       studio.add_patch(index, x, y, w, h, new Uint8Array(data.buffer, data.byteOffset, data.length));
     }
     const png = /** @type {Uint8Array<ArrayBuffer>} */ (studio.finish_png());
-    return { ok: new Blob([png], { type: 'image/png' }), transfer: [] };
+    return { ok: await blobOf(png, { type: 'image/png' }), transfer: [] };
   }
 
   /**
    * Puts the planes of a fresh photo into a Blob, which the page hands to the other workers.
    * @param {string} key
    * @param {{ width: number, height: number }} size
-   * @returns {PhotoHandle}
+   * @returns {Promise<PhotoHandle>}
    */
-  function keep(key, { width, height }) {
+  async function keep(key, { width, height }) {
     const planes = /** @type {Uint8Array<ArrayBuffer>} */ (studio.photo_planes(key));
     held.touch(key, planes.length);
-    return { key, width, height, planes: new Blob([planes]) };
+    return { key, width, height, planes: await blobOf(planes) };
   }
 
   /**

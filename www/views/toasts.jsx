@@ -55,9 +55,12 @@ export function Toasts() {
   );
 }
 
-/** Two ways on have a line of their own. @param {Pick<import('../state/messages.js').Message, 'text' | 'way' | 'more'> & { close: () => void }} props */
+/** Beside more text than this, in characters, a button would leave it a column a word wide. */
+const SHORT = 60;
+
+/** What is long, and two ways on, have a line of their own. @param {Pick<import('../state/messages.js').Message, 'text' | 'way' | 'more'> & { close: () => void }} props */
 function Said({ text, way, more, close }) {
-  if (!more) return <><span class="toast-text">{text}</span><Way of={way} close={close} /></>;
+  if (!more && (!way || text.length <= SHORT)) return <><span class="toast-text">{text}</span><Way of={way} close={close} /></>;
   return (
     <div class="toast-body">
       <span class="toast-text">{text}</span>

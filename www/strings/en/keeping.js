@@ -15,7 +15,7 @@ export const keepingStrings = {
   },
   saveHelp: 'Saved in this browser, on this device',
   notSaved: (/** @type {string} */ why, /** @type {string} */ message) => (
-    `Your work is not saved: ${TROUBLE[why] ?? message}. Everything is still here as long as this page is open.`
+    `Your work is not saved: ${TROUBLE[why] ?? message.replace(/\.$/, '')}. Everything is still here as long as this page is open.`
   ),
   saveToFile: 'Save to file',
   conflict: 'Another tab changed this project, so this one goes on as a copy.',

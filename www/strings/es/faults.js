@@ -10,6 +10,7 @@ export const faultStrings = {
     unsupported: 'este tipo de archivo no se puede leer.',
     'too-large': 'es demasiado grande.',
     'no-decoder': 'este navegador no sabe leer este tipo de foto. Guárdala como JPEG o abre esta página en otro navegador.',
+    'no-room': 'el navegador no tiene sitio para la foto.',
     'missing-photo': 'la foto no está cargada.',
     'no-photos': 'no hay ninguna foto que se pueda usar.',
     encode: 'la página no se pudo codificar.',

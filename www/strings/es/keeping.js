@@ -12,7 +12,7 @@ export const keepingStrings = {
   },
   saveHelp: 'Guardado en este navegador, en este dispositivo',
   notSaved: (/** @type {string} */ why, /** @type {string} */ message) => (
-    `Tu trabajo no está guardado: ${TROUBLE[why] ?? message}. Todo sigue aquí mientras esta página esté abierta.`
+    `Tu trabajo no está guardado: ${TROUBLE[why] ?? message.replace(/\.$/, '')}. Todo sigue aquí mientras esta página esté abierta.`
   ),
   saveToFile: 'Guardar en un archivo',
   conflict: 'Otra pestaña cambió este proyecto, así que este sigue como una copia.',
