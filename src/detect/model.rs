@@ -55,8 +55,8 @@ impl<const OUTPUTS: usize> Net<OUTPUTS> {
     }
 }
 
-/// As `into_optimized`, by the same passes and to the same plan, in a third of the steps: weights that are only given
-/// another shape are folded before the passes that would look at each of them once more.
+/// As `into_optimized`, by the same passes and to the same plan, with an eighth of the changes of axes: weights that are
+/// only given another shape are folded before the passes that would look at each of them once more.
 fn optimised(mut model: TypedModel) -> TractResult<TypedModel> {
     /// tract folds constants first; here once more before pass `before`.
     fn folding_again(mut optimizer: Optimizer, before: usize) -> Optimizer {

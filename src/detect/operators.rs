@@ -185,16 +185,19 @@ impl Expansion for Reshape {
 }
 
 fn dimensions(sides: &Tensor) -> TractResult<TVec<TDim>> {
-    Ok(sides.try_as_plain_ram()?.as_slice::<i64>()?.iter().map(ToDim::to_dim).collect())
+    Ok(integers(sides)?.iter().map(ToDim::to_dim).collect())
 }
 
 /// Before and after each axis, from all befores and then all afters.
 fn pairs(amounts: &Tensor) -> TractResult<Vec<(usize, usize)>> {
-    let amounts = amounts.cast_to::<i64>()?;
-    let list: Vec<usize> =
-        amounts.to_plain_array_view::<i64>()?.iter().map(|amount| *amount as usize).collect();
+    let list = integers(amounts)?;
     let (before, after) = list.split_at(list.len() / 2);
-    Ok(before.iter().copied().zip(after.iter().copied()).collect())
+    Ok(before.iter().zip(after).map(|(before, after)| (*before as usize, *after as usize)).collect())
+}
+
+/// Whole numbers, as the files of our nets have them.
+fn integers(list: &Tensor) -> TractResult<&[i64]> {
+    list.try_as_plain_ram()?.as_slice()
 }
 
 /// Resizing by constant factors.

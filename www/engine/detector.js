@@ -112,8 +112,7 @@ export function createDetector(photos, spare) {
    * @param {Net} net
    */
   function make(net) {
-    const before = last;
-    made[net] ??= last = before.catch(() => {}).then(() => order(net, 'make')).catch((error) => {
+    made[net] ??= last = last.catch(() => {}).then(() => order(net, 'make')).catch((error) => {
       delete made[net];
       throw error;
     });

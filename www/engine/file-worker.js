@@ -4,6 +4,7 @@
  */
 
 import initWords, { Book, Cut, Lettering, Print } from '../pkg-words/inkpanel.js';
+import { blobOf } from './blobs.js';
 import { describe, failure } from './protocol.js';
 import { withDpi } from './webp.js';
 
@@ -45,7 +46,7 @@ async function jpeg({ document, size, patches, quality }) {
   try {
     for (const { x, y, width, height, data } of patches) print.lay(x, y, width, height, bytesOf(data));
     const bytes = /** @type {Uint8Array<ArrayBuffer>} */ (print.jpeg(quality));
-    return { ok: new Blob([bytes], { type: 'image/jpeg' }), transfer: [] };
+    return { ok: await blobOf(bytes, { type: 'image/jpeg' }), transfer: [] };
   } finally {
     print.free();
   }
@@ -86,7 +87,7 @@ async function pdf({ pages, title }) {
       for (const { index, x, y, width, height, jpeg: bytes } of page.pictures) book.add_picture(index, x, y, width, height, bytes);
     }
     const bytes = /** @type {Uint8Array<ArrayBuffer>} */ (book.finish(letters, title));
-    return { ok: new Blob([bytes], { type: 'application/pdf' }), transfer: [] };
+    return { ok: await blobOf(bytes, { type: 'application/pdf' }), transfer: [] };
   } finally {
     book.free();
     letters.free();

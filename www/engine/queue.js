@@ -21,7 +21,7 @@ export const Priority = {
 };
 
 /** Waiting entries from which on the page shall stay quick rather than all be done soon. */
-const CROWD = 24;
+export const CROWD = 24;
 
 /**
  * @template {{ priority: number, key?: string }} T

@@ -4,16 +4,14 @@
  */
 
 import { batch } from '@preact/signals';
-import { Priority } from '../engine/queue.js';
+import { CROWD, Priority } from '../engine/queue.js';
 import { freshId } from './fresh-id.js';
 import { strings } from '../strings.js';
 
 /** @typedef {import('./album.js').Fact} Fact */
 /** @typedef {ReturnType<typeof createIntake>} Intake */
 
-/** As long as more photos than this are on their way, those that are not on the page are told of together: */
-const CROWD = 24;
-/** so many milliseconds apart. Whatever depends on the album would else be computed and painted anew for each. */
+/** Milliseconds in which photos of a crowd are told of together: whatever depends on the album would else be computed and painted anew for each. */
 const TOGETHER = 300;
 
 /** @returns {string} what the ids of photos begin with, so that no other session of any browser has the same */
@@ -78,17 +76,17 @@ export function createIntake({ store, pages, engine, messages, prefix = 'p' }) {
 
   /** Whether a photo is the last of many. */
   function isLast() {
-    const { done, total } = store.reading.peek() ?? { done: 0, total: 0 };
+    const { done, total } = progress();
     return total > CROWD && total - done === 1;
   }
 
   /**
-   * @param {boolean} now
+   * @param {boolean} now whether somebody waits for it
    * @param {() => void} tell
    * @returns {Promise<void>} when it was told
    */
   function together(now, tell) {
-    const { done, total } = store.reading.peek() ?? { done: 0, total: 0 };
+    const { done, total } = progress();
     return new Promise((resolve) => {
       untold.push(() => { tell(); resolve(); });
       if (now || total - done <= CROWD) tellAll();
@@ -134,13 +132,17 @@ export function createIntake({ store, pages, engine, messages, prefix = 'p' }) {
     return ids.filter((id) => !missing.includes(id));
   }
 
+  function progress() {
+    return store.reading.peek() ?? { done: 0, total: 0 };
+  }
+
   /**
    * @param {number} done
    * @param {number} more
    */
   function count(done, more) {
-    const { done: before, total } = store.reading.peek() ?? { done: 0, total: 0 };
-    const progress = { done: before + done, total: total + more };
-    store.reading.value = progress.done < progress.total ? progress : null;
+    const before = progress();
+    const now = { done: before.done + done, total: before.total + more };
+    store.reading.value = now.done < now.total ? now : null;
   }
 }
