@@ -6,12 +6,6 @@ use std::fs;
 use std::path::Path;
 use std::process::Command;
 
-/// Most lines of a Rust file. Most have 80 to 250.
-const RUST_LINES: usize = 400;
-
-/// Most lines of a file of the front end.
-const SCRIPT_LINES: usize = 200;
-
 /// Largest file in bytes; photos and goldens are kept small.
 const BYTES: u64 = 2_000_000;
 
@@ -36,23 +30,6 @@ fn extension(file: &str) -> &str {
 /// Fails with all offences at once.
 fn none(rule: &str, offences: &[String]) {
     assert!(offences.is_empty(), "{rule}:\n  {}", offences.join("\n  "));
-}
-
-#[test]
-fn no_file_is_too_long() {
-    let mut offences = Vec::new();
-    for file in files() {
-        let cap = match extension(&file) {
-            "rs" => RUST_LINES,
-            "js" | "jsx" => SCRIPT_LINES,
-            _ => continue,
-        };
-        let lines = fs::read_to_string(root().join(&file)).unwrap().lines().count();
-        if lines > cap {
-            offences.push(format!("{file}: {lines} lines, at most {cap}"));
-        }
-    }
-    none("split what does more than one thing", &offences);
 }
 
 #[test]
