@@ -40,7 +40,9 @@ export function createSubtitling({ store, lettering, messages }) {
 
   /** @param {File} file */
   async function put(file) {
-    const cues = await readSubtitles(file);
+    const { cues, left, cut } = await readSubtitles(file);
+    if (left > 0) messages.alert(strings.fileFailed(file.name, strings.subtitlesLeft(left, cues.length)));
+    if (cut > 0) messages.alert(strings.fileFailed(file.name, strings.subtitlesCut(cut)));
     const frames = framesOf(file.name);
     if (frames.length === 0) throw new Error(strings.subtitlesNoFrames);
     const words = matched(cues, frames, kind.peek());

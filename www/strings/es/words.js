@@ -49,6 +49,8 @@ export const wordStrings = {
   subtitlesAdded: (/** @type {number} */ n) => (n === 1 ? 'Se ha puesto 1 subtítulo en la página.' : `Se han puesto ${n} subtítulos en la página.`),
   subtitlesNoFrames: 'no hay ningún fotograma de vídeo en la página. Añade primero el vídeo y después sus subtítulos.',
   subtitlesNoMatch: 'no se dice nada en los momentos de los fotogramas de la página.',
+  subtitlesLeft: (/** @type {number} */ n, /** @type {number} */ of) => `se han leído ${of} subtítulos; ${n} más son demasiados y se han dejado fuera.`,
+  subtitlesCut: (/** @type {number} */ n) => (n === 1 ? 'un subtítulo es demasiado largo, así que se ha dejado fuera su final.' : `${n} subtítulos son demasiado largos, así que se han dejado fuera sus finales.`),
   subtitleErrors: {
     empty: 'no contiene subtítulos.',
     binary: 'no es texto en UTF-8 ni UTF-16.',
