@@ -7,11 +7,13 @@
 import { batch, computed, signal } from '@preact/signals';
 import { chronological, isUsed, unreadMeta } from './album.js';
 import { EMPTY_HISTORY, advance } from './history.js';
+import { freshPlace } from './place.js';
 
 /** @typedef {import('./album.js').Album} Album */
 /** @typedef {import('./album.js').Fact} Fact */
 /** @typedef {import('./album.js').Verdict} Verdict */
 /** @typedef {import('./history.js').Change} Change */
+/** @typedef {import('./place.js').Place} Place */
 /** @typedef {import('../engine/core.js').Planner} Planner */
 /** @typedef {import('../engine/documents.js').Template} Template */
 /** @typedef {ReturnType<typeof createStore>} Store */
@@ -19,6 +21,8 @@ import { EMPTY_HISTORY, advance } from './history.js';
 
 export function createStore() {
   const history = signal(EMPTY_HISTORY);
+  /** It changes in one step with the history, which so is never saved in the place of another. */
+  const place = signal(freshPlace());
   /** @type {import('@preact/signals').Signal<Album>} */
   const album = signal(new Map());
   /** @type {import('@preact/signals').Signal<Planner | null>} */
@@ -94,6 +98,8 @@ export function createStore() {
 
   return {
     history,
+    /** Where the history is kept. @type {import('@preact/signals').ReadonlySignal<Place>} */
+    place: computed(() => place.value),
     album,
     videos,
     originals,
@@ -118,10 +124,13 @@ export function createStore() {
       history.value = advance(history.value, change);
     },
     /**
-     * Puts another project in the place of this one.
-     * @param {{ history: import('./history.js').History, album: Album, videos: ReadonlyMap<string, import('./album.js').Video> }} other
+     * Puts another document in the place of this one.
+     * @param {{
+     *   history: import('./history.js').History, album: Album, videos: ReadonlyMap<string, import('./album.js').Video>, place?: Place,
+     * }} other `place`: where it is kept; left out where it goes on as the same project
      */
     load: (other) => batch(() => {
+      place.value = other.place ?? place.peek();
       album.value = other.album;
       videos.value = other.videos;
       history.value = other.history;

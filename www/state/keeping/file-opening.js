@@ -7,7 +7,7 @@
 import { signal } from '@preact/signals';
 import { Priority } from '../../engine/queue.js';
 import { strings } from '../../strings.js';
-import { freshPlace } from './opening.js';
+import { freshPlace } from '../place.js';
 import { takenBy } from './project-json.js';
 import { placeholderOf } from './placeholder.js';
 import { isDrawable } from './restoring.js';

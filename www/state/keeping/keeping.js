@@ -14,7 +14,6 @@
  * The document is plain data and is saved whole: a field that is added to it needs nothing here.
  */
 
-import { signal } from '@preact/signals';
 import { failure } from '../../engine/protocol.js';
 import { strings } from '../../strings.js';
 import { createAbsentPhotos } from './absent-photos.js';
@@ -22,7 +21,7 @@ import { openDatabase } from './database.js';
 import { createFileOpening } from './file-opening.js';
 import { createLastProject } from './last-project.js';
 import { createLocks } from './locks.js';
-import { createOpening, freshPlace } from './opening.js';
+import { createOpening } from './opening.js';
 import { createPageFiles } from './page-files.js';
 import { createPhotoRecords } from './photo-records.js';
 import { createPictures } from './pictures.js';
@@ -45,15 +44,13 @@ const SWEEP_AFTER = 8_000;
  */
 export function createKeeping({ store, reading, engine, shelves, messages, window, leave, chooseFiles = () => {} }) {
   const { navigator } = window;
-  const place = signal(freshPlace());
   const locks = createLocks(navigator.locks);
   const last = createLastProject({ tab: () => window.sessionStorage, browser: () => window.localStorage });
   const records = createPhotoRecords({ photos: engine.photos, originals: store.originals });
-  const pictures = createPictures({ store, place, engine, database, onDrawn: () => void projects.refresh().catch(() => {}) });
-  const saving = createSaving({ store, records, locks, database, place, onTrouble, onSaved });
+  const pictures = createPictures({ store, engine, database, onDrawn: () => void projects.refresh().catch(() => {}) });
+  const saving = createSaving({ store, records, locks, database, onTrouble, onSaved });
   const opening = createOpening({
-    store, reading, engine, shelves, saving, records, locks, messages, database, place, leave,
-    last,
+    store, reading, engine, shelves, saving, records, locks, messages, database, last, leave,
   });
   const projects = createProjects({ store, opening, saving, locks, messages, database });
   const fileOpening = createFileOpening({ engine, messages, opening });
@@ -94,10 +91,11 @@ export function createKeeping({ store, reading, engine, shelves, messages, windo
     }
   }
 
-  function onSaved() {
+  /** @param {import('../place.js').Place} place */
+  function onSaved({ id }) {
     messages.close(told.message);
     told = { why: '', message: 0 };
-    last.saved(place.peek().id);
+    last.saved(id);
     pictures.later();
     // The browser may ask the person, who then knows what for.
     if (asked || navigator.userActivation?.hasBeenActive === false) return;
@@ -109,7 +107,7 @@ export function createKeeping({ store, reading, engine, shelves, messages, windo
   function onTrouble(why, error) {
     if (error.code === 'conflict') {
       // Both versions are kept.
-      void opening.settle(freshPlace()).then(() => {
+      void opening.goOnAsCopy().then(() => {
         store.change({ type: 'rename', name: strings.copyOf(store.project.peek().name || strings.untitled), silent: true });
       });
       messages.note(strings.conflict);

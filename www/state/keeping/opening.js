@@ -7,23 +7,18 @@
 import { computed, effect, signal } from '@preact/signals';
 import { failure } from '../../engine/protocol.js';
 import { strings } from '../../strings.js';
-import { freshId } from '../fresh-id.js';
 import { EMPTY_HISTORY } from '../history.js';
+import { freshPlace } from '../place.js';
 import { joined } from '../shared-lists.js';
 import { projectLock } from './locks.js';
-import { readProject, show } from './restoring.js';
+import { exchanged, readProject, rehearsed } from './restoring.js';
 
 /** @typedef {import('./restoring.js').Content} Content */
-/** @typedef {import('./saving.js').Place} Place */
+/** @typedef {import('../place.js').Place} Place */
 /** @typedef {ReturnType<typeof createOpening>} Opening */
 
 /** A page that is loaded again waits so long for its former self to let go, in ms. */
 const PATIENCE = 2_000;
-
-/** @returns {Place} */
-export function freshPlace() {
-  return { id: freshId(), stamp: '', created: Date.now() };
-}
 
 /**
  * @param {{
@@ -31,10 +26,10 @@ export function freshPlace() {
  *   engine: Pick<import('../../engine/engine.js').Engine, 'ready' | 'photos'>, shelves: Pick<import('./shelves.js').Shelves, 'lists'>,
  *   saving: import('./saving.js').Saving, records: import('./photo-records.js').PhotoRecords, locks: import('./locks.js').Locks,
  *   messages: Pick<import('../messages.js').Messages, 'alert'>, database: () => Promise<import('./database.js').Database>,
- *   place: import('@preact/signals').Signal<Place>, last: ReturnType<typeof import('./last-project.js').createLastProject>, leave: () => void,
+ *   last: ReturnType<typeof import('./last-project.js').createLastProject>, leave: () => void,
  * }} app `leave` closes what belongs to the project before
  */
-export function createOpening({ store, reading, engine, shelves, saving, records, locks, messages, database, place, last, leave }) {
+export function createOpening({ store, reading, engine, shelves, saving, records, locks, messages, database, last, leave }) {
   /** The project that another tab has open. @type {import('@preact/signals').Signal<{ id: string, name: string, follows: boolean } | null>} */
   const elsewhere = signal(null);
   const first = last.recall();
@@ -46,13 +41,13 @@ export function createOpening({ store, reading, engine, shelves, saving, records
   /** Ends the waiting for a project that another tab has. */
   let waiting = new AbortController();
 
-  return { elsewhere, running, busy, current: computed(() => place.value.id), begin, open, create, enter, settle, say };
+  return { elsewhere, running, busy, current: computed(() => store.place.value.id), begin, open, create, enter, goOnAsCopy, say };
 
   /** Opens what this tab had open, or else what was open last. */
   async function begin() {
     try {
       if (first) await openLast(first);
-      else await settle(freshPlace());
+      else await settle(store.place.peek());
     } catch (error) {
       say(error);
     } finally {
@@ -64,10 +59,10 @@ export function createOpening({ store, reading, engine, shelves, saving, records
   async function openLast({ id, here }) {
     const base = await database();
     const project = await base.get('projects', id);
-    if (!project || project.gone !== null) return settle(freshPlace());
+    if (!project || project.gone !== null) return settle(store.place.peek());
     const free = await locks.take(projectLock(id), here ? PATIENCE : 0);
     if (free) return load(id, free).catch((error) => { free(); throw error; });
-    await settle(freshPlace());
+    await settle(store.place.peek());
     elsewhere.value = { id, name: project.name, follows: true };
     void follow(id);
   }
@@ -86,7 +81,7 @@ export function createOpening({ store, reading, engine, shelves, saving, records
    * @returns {Promise<boolean>} whether it is the one on the page now
    */
   async function open(id) {
-    if (id === place.peek().id) return true;
+    if (id === store.place.peek().id) return true;
     const free = await locks.take(projectLock(id));
     if (!free) {
       elsewhere.value = { id, name: (await (await database()).get('projects', id))?.name ?? '', follows: false };
@@ -107,7 +102,6 @@ export function createOpening({ store, reading, engine, shelves, saving, records
     const { content, stamp, created } = await readProject(await database(), id);
     await enter({ id, stamp, created }, content, free);
     records.know(content.records);
-    saving.adopt('saved');
     void reading.resume(content.unread);
   }
 
@@ -115,7 +109,6 @@ export function createOpening({ store, reading, engine, shelves, saving, records
   async function create() {
     try {
       await enter(freshPlace(), { history: EMPTY_HISTORY, album: new Map(), videos: new Map(), records: [], unread: [] });
-      saving.adopt('empty');
       return true;
     } catch (error) {
       say(error);
@@ -124,7 +117,8 @@ export function createOpening({ store, reading, engine, shelves, saving, records
   }
 
   /**
-   * Puts a project in the place of the one on the page, once that is saved; else rejects with `not-saved`.
+   * Puts a project in the place of the one on the page, once that is saved (else it rejects with `not-saved`) and once
+   * this one was found to be such as can be shown. Until then nothing changes; what fails after that is taken back.
    * @param {Place} next
    * @param {Content} content
    * @param {() => void} [free] lets go of its lock, where it is held already
@@ -134,14 +128,26 @@ export function createOpening({ store, reading, engine, shelves, saving, records
     const planner = await engine.ready;
     await allRead();
     const lock = free ?? await locks.take(projectLock(next.id)) ?? (() => {});
-    await saving.flush();
-    if (!saving.isSafe()) {
+    try {
+      const whole = rehearsed(content, { planner, shared: join ? joined(content.history.present, shelves.lists()) : shelves.lists() });
+      await saving.flush();
+      if (!saving.isSafe()) throw failure('not-saved', 'This project is not saved.');
+      exchanged(whole, next, { store, photos: engine.photos });
+    } catch (error) {
       lock();
-      throw failure('not-saved', 'This project is not saved.');
+      throw error;
     }
-    show(content, { store, photos: engine.photos, planner, shared: join ? joined(content.history.present, shelves.lists()) : shelves.lists() });
-    await settle(next, lock);
+    arrived(next, lock);
     leave();
+  }
+
+  /** What is on the page goes on as a project of its own; the one that it was stays as it is. */
+  async function goOnAsCopy() {
+    const next = freshPlace();
+    const lock = await locks.take(projectLock(next.id)) ?? (() => {});
+    const [history, album, videos] = [store.history.peek(), store.album.peek(), store.videos.peek()];
+    store.load({ history, album, videos, place: next });
+    arrived(next, lock);
   }
 
   /** Photos on their way arrive first. @returns {Promise<void>} */
@@ -153,16 +159,19 @@ export function createOpening({ store, reading, engine, shelves, saving, records
     });
   }
 
-  /** @param {Place} next @param {() => void} [lock] */
-  async function settle(next, lock) {
-    const free = lock ?? await locks.take(projectLock(next.id)) ?? (() => {});
+  /** @param {Place} place that is on the page */
+  async function settle(place) {
+    arrived(place, await locks.take(projectLock(place.id)) ?? (() => {}));
+  }
+
+  /** @param {Place} place @param {() => void} lock */
+  function arrived(place, lock) {
     release();
-    release = free;
+    release = lock;
     waiting.abort();
     waiting = new AbortController();
     elsewhere.value = null;
-    place.value = next;
-    last.opened(next.id);
+    last.opened(place.id);
   }
 
   /** @param {unknown} error */

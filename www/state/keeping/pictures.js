@@ -10,12 +10,12 @@ const WIDTH = 320;
 
 /**
  * @param {{
- *   store: import('../store.js').Store, place: import('@preact/signals').ReadonlySignal<import('./saving.js').Place>,
+ *   store: import('../store.js').Store,
  *   engine: Pick<import('../../engine/engine.js').Engine, 'renderPage' | 'hasPhoto'>,
  *   database: () => Promise<import('./database.js').Database>, onDrawn: () => void,
  * }} app
  */
-export function createPictures({ store, place, engine, database, onDrawn }) {
+export function createPictures({ store, engine, database, onDrawn }) {
   /** @type {any} */
   let timer;
   /** @type {unknown} */
@@ -31,7 +31,7 @@ export function createPictures({ store, place, engine, database, onDrawn }) {
 
   async function draw() {
     const page = store.page.peek();
-    const { id } = place.peek();
+    const { id } = store.place.peek();
     if (!page || page === drawn || store.reading.peek()) return;
     const picture = await drawingOf(page);
     const all = (await database()).transaction('projects', 'readwrite');

@@ -5,6 +5,7 @@ import { failure } from '../../engine/protocol.js';
 import { advance } from '../history.js';
 import { rebased } from '../shared-lists.js';
 import { sheetsOf } from '../sheets.js';
+import { createStore } from '../store.js';
 import { photosOf } from './snapshot.js';
 import { checkedHistory, damaged, migrated } from './versions.js';
 
@@ -71,22 +72,46 @@ function contentOf(history, records, facts, videos, files) {
 }
 
 /**
- * Makes a project the one on the page.
+ * Shows a project to nobody: in a store beside the page's, all that the page will ask for is worked out.
  * @param {Content} content
- * @param {{
- *   store: import('../store.js').Store, photos: ReturnType<typeof import('../../engine/photos.js').createPhotos>,
- *   planner: import('../store.js').Planner, shared: Partial<import('../shared-lists.js').SharedLists>,
- * }} app `shared`: the lists that all projects have in common
+ * @param {{ planner: import('../store.js').Planner, shared: Partial<import('../shared-lists.js').SharedLists> }} app `shared`: the
+ *   lists that all projects have in common
+ * @returns {Content} with these lists; throws what the page would
  */
-export function show({ history, album, videos, records }, { store, photos, planner, shared }) {
-  for (const { page } of sheetsOf(history.present)) if (!isDrawable(page, planner)) throw damaged('page: cannot be drawn');
-  for (const { id, name, file, work, small } of records) {
-    // A file that could not be kept is missed by the export alone, which says so.
-    if (work && small && !photos.has(id)) photos.add(id, { name, file: file ?? new Blob(), work, small });
+export function rehearsed(content, { planner, shared }) {
+  for (const { page } of sheetsOf(content.history.present)) if (!isDrawable(page, planner)) throw damaged('page: cannot be drawn');
+  const whole = { ...content, history: rebased(content.history, shared) };
+  const stage = createStore();
+  stage.planner.value = planner;
+  stage.load(whole);
+  for (const part of [stage.photos, stage.layouts, stage.layoutFacts, stage.geometry]) part.peek();
+  return whole;
+}
+
+/**
+ * Makes a project the one on the page; when that fails, everything is as it was.
+ * @param {Content} content
+ * @param {import('../place.js').Place} place where it is kept
+ * @param {{ store: import('../store.js').Store, photos: ReturnType<typeof import('../../engine/photos.js').createPhotos> }} app
+ */
+export function exchanged({ history, album, videos, records }, place, { store, photos }) {
+  const before = { history: store.history.peek(), album: store.album.peek(), videos: store.videos.peek(), place: store.place.peek() };
+  /** @type {string[]} */
+  const fresh = [];
+  try {
+    for (const { id, name, file, work, small } of records) {
+      if (!work || !small || photos.has(id)) continue;
+      // A file that could not be kept is missed by the export alone, which says so.
+      photos.add(id, { name, file: file ?? new Blob(), work, small });
+      fresh.push(id);
+    }
+    store.load({ history, album, videos, place });
+  } catch (error) {
+    store.load(before);
+    fresh.forEach(photos.forget);
+    throw error;
   }
-  const before = [...store.album.peek().keys()];
-  store.load({ history: rebased(history, shared), album, videos });
-  for (const id of before) if (!album.has(id)) photos.forget(id);
+  for (const id of before.album.keys()) if (!album.has(id)) photos.forget(id);
 }
 
 /**

@@ -2,6 +2,9 @@
 /**
  * Saves by itself: a moment after a change, and at the latest after a second of changes. It says `saved` only when what
  * was written was read back. A change that comes while it writes begins another round.
+ *
+ * What is written goes to the place that its snapshot names, and what is known of the saving of a project is known of its
+ * place: whatever comes and goes on the page, no project is written in the place of another.
  */
 
 import { effect, signal, untracked } from '@preact/signals';
@@ -14,8 +17,13 @@ import { VERSION } from './versions.js';
 
 /** @typedef {import('./database.js').Database} Database */
 /** @typedef {import('./snapshot.js').Snapshot} Snapshot */
-/** @typedef {{ id: string, stamp: string, created: number }} Place where the open project is kept; no `stamp`: nowhere yet */
+/** @typedef {import('../place.js').Place} Place */
 /** @typedef {'empty' | 'saving' | 'saved' | 'full' | 'refused' | 'failed'} Status */
+/**
+ * What is known of the saving of one project: `facts` as they were written, `clean` is what there was when nothing needed
+ * saving, `inFile` what was saved as a file, `since` when the first change came that is not written.
+ * @typedef {{ place: Place, facts: Map<string, import('../album.js').Fact>, clean: unknown[], dirty: boolean, inFile: unknown, since: number, status: Status }} Ledger
+ */
 /** @typedef {ReturnType<typeof createSaving>} Saving */
 
 /** Milliseconds. */
@@ -25,54 +33,74 @@ const LONGEST = 1000;
 /**
  * @param {{
  *   store: import('../store.js').Store, records: import('./photo-records.js').PhotoRecords, locks: import('./locks.js').Locks,
- *   database: () => Promise<Database>, place: import('@preact/signals').Signal<Place>,
- *   onTrouble: (status: Status, error: Error) => void, onSaved?: () => void,
+ *   database: () => Promise<Database>,
+ *   onTrouble: (status: Status, error: Error) => void, onSaved?: (place: Place) => void,
  * }} app
  */
-export function createSaving({ store, records, locks, database, place, onTrouble, onSaved = () => {} }) {
+export function createSaving({ store, records, locks, database, onTrouble, onSaved = () => {} }) {
   /** @type {import('@preact/signals').Signal<Status>} */
   const status = signal('empty');
-  /** Facts as they were written. @type {Map<string, import('../album.js').Fact>} */
-  const facts = new Map();
-  /** What there was when nothing needed saving. @type {unknown[]} */
-  let clean = [];
+  /** A project that another took the place of for a moment is known as it was. @type {WeakMap<Place, Ledger>} */
+  const ledgers = new WeakMap();
+  let ledger = ledgerOf(store.place.peek());
   /** @type {Promise<void> | null} */
   let running = null;
-  let dirty = false;
-  /** What was saved as a file. @type {unknown} */
-  let inFile = null;
-  let since = 0;
   /** @type {any} */
   let timer;
 
   effect(() => {
+    const place = store.place.value;
     const now = parts();
-    untracked(() => touch(now));
+    untracked(() => {
+      if (place !== ledger.place) turnTo(place);
+      touch(now);
+    });
   });
 
-  return { status, flush, adopt, isSafe, filed };
+  return { status, flush, isSafe, filed };
 
   function parts() {
     return [store.history.value, store.album.value, store.videos.value];
   }
 
+  /** @param {Place} place @returns {Ledger} */
+  function ledgerOf(place) {
+    const known = ledgers.get(place);
+    if (known) return known;
+    const kept = place.stamp !== '';
+    // What came out of the database is there; what is new is yet to be written.
+    const facts = new Map(kept ? store.album.peek() : []);
+    /** @type {Ledger} */
+    const fresh = { place, facts, clean: kept ? parts() : [], dirty: false, inFile: null, since: 0, status: kept ? 'saved' : 'empty' };
+    ledgers.set(place, fresh);
+    return fresh;
+  }
+
+  /** @param {Place} place */
+  function turnTo(place) {
+    clearTimeout(timer);
+    ledger.status = status.peek();
+    ledger = ledgerOf(place);
+    status.value = ledger.status;
+  }
+
   /** @param {unknown[]} now */
   function touch(now) {
-    if (now.every((part, i) => part === clean[i])) return;
+    if (now.every((part, i) => part === ledger.clean[i])) return;
     const { tray, name } = store.project.peek();
-    if (place.peek().stamp === '' && tray.length === 0 && name === '') return;
-    if (!dirty) since = performance.now();
-    dirty = true;
+    if (ledger.place.stamp === '' && tray.length === 0 && name === '') return;
+    if (!ledger.dirty) ledger.since = performance.now();
+    ledger.dirty = true;
     if (status.peek() === 'saved' || status.peek() === 'empty') status.value = 'saving';
     clearTimeout(timer);
-    timer = setTimeout(save, Math.max(0, Math.min(QUIET, since + LONGEST - performance.now())));
+    timer = setTimeout(save, Math.max(0, Math.min(QUIET, ledger.since + LONGEST - performance.now())));
   }
 
   /** @returns {Promise<void>} when all that there is now was written, or could not be */
   async function flush() {
     clearTimeout(timer);
     if (running) await running;
-    if (dirty) await save();
+    if (ledger.dirty) await save();
   }
 
   function save() {
@@ -83,20 +111,22 @@ export function createSaving({ store, records, locks, database, place, onTrouble
   }
 
   async function rounds() {
-    while (dirty) {
-      dirty = false;
-      since = performance.now();
-      const now = [store.history.peek(), store.album.peek(), store.videos.peek()];
+    while (ledger.dirty) {
+      const of = ledger;
+      of.dirty = false;
+      of.since = performance.now();
+      const now = untracked(parts);
       try {
-        await write();
-        clean = now;
-        if (!dirty) status.value = 'saved';
-        onSaved();
+        await write(of);
+        of.clean = now;
+        if (!of.dirty && of === ledger) status.value = 'saved';
+        onSaved(of.place);
       } catch (error) {
         // Tried again with the next change.
-        dirty = true;
+        of.dirty = true;
         const { code, name } = /** @type {{ code?: string, name?: string }} */ (error);
         const why = isFull(error) ? 'full' : code === 'no-storage' || name === 'SecurityError' ? 'refused' : 'failed';
+        if (of !== ledger) return;
         status.value = why;
         onTrouble(why, /** @type {Error} */ (error));
         return;
@@ -104,17 +134,17 @@ export function createSaving({ store, records, locks, database, place, onTrouble
     }
   }
 
-  async function write() {
-    const { id, stamp: before, created } = place.peek();
+  /** @param {Ledger} of */
+  async function write({ facts }) {
     const shot = snapshotOf(store);
     const base = await database();
     const stamp = freshId();
     await locks.during(PHOTOS_LOCK, { mode: 'shared' }, async () => {
       const photos = await records.write(base, shot.facts);
       const { videos, written } = await records.writeVideos(base, shot.videos);
-      await writeState(base, shot, { id, before, stamp, created, videos });
-      place.value = { id, stamp, created };
-      await readBack(base, shot, { id, stamp });
+      await writeState(base, shot, { stamp, videos, facts });
+      shot.place.stamp = stamp;
+      await readBack(base, shot);
       await records.verify(base, [...photos, ...written]);
     });
   }
@@ -122,9 +152,9 @@ export function createSaving({ store, records, locks, database, place, onTrouble
   /**
    * @param {Database} base
    * @param {Snapshot} shot
-   * @param {{ id: string, before: string, stamp: string, created: number, videos: import('./database.js').KeptVideo[] }} about
+   * @param {{ stamp: string, videos: import('./database.js').KeptVideo[], facts: Ledger['facts'] }} about
    */
-  async function writeState(base, { history, facts: known }, { id, before, stamp, created, videos }) {
+  async function writeState(base, { place: { id, created, stamp: before }, history, facts: known }, { stamp, videos, facts }) {
     const all = base.transaction(['projects', 'states', 'facts'], 'readwrite');
     const projects = all.objectStore('projects');
     const ids = known.map((fact) => fact.id);
@@ -152,9 +182,8 @@ export function createSaving({ store, records, locks, database, place, onTrouble
   /**
    * @param {Database} base
    * @param {Snapshot} shot
-   * @param {{ id: string, stamp: string }} about
    */
-  async function readBack(base, { history }, { id, stamp }) {
+  async function readBack(base, { place: { id, stamp }, history }) {
     const [project, state] = await Promise.all([base.get('projects', id), base.get('states', id)]);
     const size = (/** @type {import('./database.js').KeptHistory} */ { past, future, shown }) => `${past.length} ${future.length} ${shown.length}`;
     const same = project?.stamp === stamp && state?.stamp === stamp && size(state.history) === size(history) &&
@@ -164,22 +193,12 @@ export function createSaving({ store, records, locks, database, place, onTrouble
 
   /** Whether nothing is lost when another project takes the place of this one. */
   function isSafe() {
-    if (store.tray.peek().length === 0 && place.peek().stamp === '') return true;
-    return store.history.peek() === inFile || (!dirty && running === null && (status.peek() === 'saved' || status.peek() === 'empty'));
+    if (store.tray.peek().length === 0 && ledger.place.stamp === '') return true;
+    return store.history.peek() === ledger.inFile || (!ledger.dirty && running === null && (status.peek() === 'saved' || status.peek() === 'empty'));
   }
 
   /** What there is now is in a file. */
   function filed() {
-    inFile = store.history.peek();
-  }
-
-  /** What there is now is in the database, or need not be. @param {Status} as */
-  function adopt(as) {
-    clearTimeout(timer);
-    dirty = false;
-    facts.clear();
-    clean = [store.history.peek(), store.album.peek(), store.videos.peek()];
-    for (const fact of store.album.peek().values()) if (as === 'saved') facts.set(fact.id, fact);
-    status.value = as;
+    ledger.inFile = store.history.peek();
   }
 }

@@ -4,7 +4,8 @@
 /** @typedef {import('../album.js').Fact} Fact */
 /** @typedef {import('../album.js').Video} Video */
 /** @typedef {import('../history.js').History} History */
-/** @typedef {{ history: import('./database.js').KeptHistory, facts: Fact[], videos: Video[] }} Snapshot */
+/** @typedef {import('../place.js').Place} Place */
+/** `place` is where this history is kept, and no other. @typedef {{ place: Place, history: import('./database.js').KeptHistory, facts: Fact[], videos: Video[] }} Snapshot */
 
 /**
  * @param {import('../store.js').Store} store
@@ -16,7 +17,7 @@ export function snapshotOf(store) {
   const facts = [...photosOf(history)].flatMap((id) => album.get(id) ?? []);
   const needed = new Set(facts.map(({ id }) => id));
   const videos = [...store.videos.peek().values()].filter(({ ids }) => ids.some((id) => needed.has(id)));
-  return { history, facts, videos };
+  return { place: store.place.peek(), history, facts, videos };
 }
 
 /**

@@ -1,0 +1,15 @@
+// @ts-check
+/** Where a project is kept. */
+
+import { freshId } from './fresh-id.js';
+
+/**
+ * `stamp` is that of the last writing, empty before the first: who writes changes it here. The object itself stands for
+ * the project as long as it is open.
+ * @typedef {{ readonly id: string, readonly created: number, stamp: string }} Place
+ */
+
+/** @returns {Place} of a project that is kept nowhere yet */
+export function freshPlace() {
+  return { id: freshId(), created: Date.now(), stamp: '' };
+}
