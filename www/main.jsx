@@ -133,6 +133,10 @@ window.addEventListener('hashchange', openLink);
 window.addEventListener('storage', shelves.hear);
 
 effect(() => {
+  if (store.page.value && ui.painted.value === store.page.value) keeping.drawn();
+});
+
+effect(() => {
   const page = store.page.value;
   const painted = page === null || (ui.painted.value === page && (lettering.words.value.length === 0 || reshaping.editing.value || ui.lettered.value === page));
   const idle = !busy() && painted;

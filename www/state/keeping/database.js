@@ -3,7 +3,8 @@
  * The tables of the browser's database.
  *
  * - `projects`: what the list of projects shows, one small record each
- * - `states`: the document of a project with its history
+ * - `states`: the document of a project with its history; under ids that no project has the states of it that were drawn
+ *   (`drawn-states.js`), and since when photos are needed by nobody (`orphans.js`)
  * - `facts`: what is known of a photo
  * - `photos`: the file of a photo and its two reduced copies, or the file of a video; written once
  *
@@ -15,11 +16,11 @@ import { openDB } from 'idb';
 /** @typedef {import('../../engine/protocol.js').PhotoHandle} PhotoHandle */
 
 /**
- * `stamp` changes with each writing; `refs` are the keys in `photos` that the project needs; `gone`: when it was
- * deleted, in ms.
+ * `stamp` changes with each writing; `refs` are the keys in `photos` that the project needs; `held` those of a state of it
+ * that could not be opened; `gone`: when it was deleted, in ms.
  * @typedef {{
  *   id: string, name: string, created: number, changed: number, stamp: string, photos: number, picture: Blob | null,
- *   refs: string[], gone: number | null,
+ *   refs: string[], gone: number | null, held?: string[],
  * }} ProjectRecord
  */
 

@@ -5,7 +5,8 @@
  * - `database.js` the tables; `versions.js` checks and migrates what comes out of them, or out of a file
  * - `snapshot.js` what of the session is kept; `photo-records.js` photos, each written once; `saving.js` when and how
  * - `restoring.js` the way back; `opening.js` which project is on the page (`last-project.js` at first); `projects.js` the list of them
- * - `pictures.js` its thumbnails; `sweeping.js` throws away what no project needs
+ * - `drawn-states.js` the last states that were drawn, to go back to
+ * - `pictures.js` its thumbnails; `sweeping.js` throws away what no project needs, a day after (`orphans.js`)
  * - `locks.js` keeps tabs apart; `shelves.js` holds what all projects share
  * - `archive.js` ZIP files; `project-file.js` a project as one of them; `file-opening.js` opens a file of any kind
  * - `page-files.js` PNGs that carry their project: `page-json.js` what they tell, `page-file.js` where in the PNG it is
@@ -18,6 +19,7 @@ import { failure } from '../../engine/protocol.js';
 import { strings } from '../../strings.js';
 import { createAbsentPhotos } from './absent-photos.js';
 import { openDatabase } from './database.js';
+import { createDrawnStates } from './drawn-states.js';
 import { createFileOpening } from './file-opening.js';
 import { createLastProject } from './last-project.js';
 import { createLocks } from './locks.js';
@@ -48,7 +50,8 @@ export function createKeeping({ store, reading, engine, shelves, messages, windo
   const last = createLastProject({ tab: () => window.sessionStorage, browser: () => window.localStorage });
   const records = createPhotoRecords({ photos: engine.photos, originals: store.originals });
   const pictures = createPictures({ store, engine, database, onDrawn: () => void projects.refresh().catch(() => {}) });
-  const saving = createSaving({ store, records, locks, database, onTrouble, onSaved });
+  const drawnStates = createDrawnStates({ store });
+  const saving = createSaving({ store, records, locks, database, drawnStates, onTrouble, onSaved });
   const opening = createOpening({
     store, reading, engine, shelves, saving, records, locks, messages, database, last, leave,
   });
@@ -68,7 +71,7 @@ export function createKeeping({ store, reading, engine, shelves, messages, windo
     if (window.document.visibilityState === 'hidden') void saving.flush();
   });
 
-  return { ...opening, ...projects, status: saving.status, flush: saving.flush, isSafe: saving.isSafe, files, pageFiles, absentPhotos, begin };
+  return { ...opening, ...projects, status: saving.status, flush: saving.flush, isSafe: saving.isSafe, files, pageFiles, absentPhotos, begin, drawn: drawnStates.note };
 
   async function begin() {
     await opening.begin();

@@ -1,6 +1,7 @@
 // @ts-check
 import { describe, expect, it, vi } from 'vitest';
 import { openDatabase } from './database.js';
+import { drawnId } from './drawn-states.js';
 import { createLocks } from './locks.js';
 import { sweep } from './sweeping.js';
 import { documentOf, fakeBrowser } from './testing.js';
@@ -60,6 +61,27 @@ describe('after the page is loaded again', () => {
     const after = await dead.tab();
     await vi.waitFor(() => expect(after.names()).toEqual(['a.jpg', 'b.jpg']));
     await vi.waitFor(() => expect(after.decoded).toEqual(['b.jpg']));
+  });
+});
+
+describe('the last states that were drawn', () => {
+  it('are written with the project, three of them, and their photos are kept', async () => {
+    const tab = await fakeBrowser().tab();
+    await tab.add('a.jpg', 'b.jpg');
+    const base = await openDatabase();
+    const [project] = await base.getAll('projects');
+    const kept = async () => /** @type {any} */ (await base.get('states', drawnId(project.id)))?.drawn.map((/** @type {any} */ { name }) => name);
+    expect(await kept()).toBe(undefined);
+    for (const name of ['One', 'Two', 'Three', 'Four', 'Five']) {
+      tab.store.change({ type: 'rename', name, silent: true });
+      // What is not drawn is nothing to go back to.
+      if (name !== 'Three' && name !== 'Five') tab.keeping.drawn();
+      await tab.keeping.flush();
+    }
+    expect(await kept()).toEqual(['One', 'Two', 'Four']);
+    tab.store.change({ type: 'forget-photos', ids: tab.store.tray.value.map(({ id }) => id) });
+    await tab.keeping.flush();
+    expect((await base.getAll('projects'))[0].refs).toEqual(project.refs);
   });
 });
 

@@ -11,7 +11,9 @@ import { effect, signal, untracked } from '@preact/signals';
 import { failure } from '../../engine/protocol.js';
 import { freshId } from '../fresh-id.js';
 import { isFull } from './database.js';
+import { drawnId } from './drawn-states.js';
 import { PHOTOS_LOCK } from './locks.js';
+import { adopt } from './orphans.js';
 import { snapshotOf } from './snapshot.js';
 import { VERSION } from './versions.js';
 
@@ -33,11 +35,11 @@ const LONGEST = 1000;
 /**
  * @param {{
  *   store: import('../store.js').Store, records: import('./photo-records.js').PhotoRecords, locks: import('./locks.js').Locks,
- *   database: () => Promise<Database>,
+ *   database: () => Promise<Database>, drawnStates: Pick<import('./drawn-states.js').DrawnStates, 'of'>,
  *   onTrouble: (status: Status, error: Error) => void, onSaved?: (place: Place) => void,
  * }} app
  */
-export function createSaving({ store, records, locks, database, onTrouble, onSaved = () => {} }) {
+export function createSaving({ store, records, locks, database, drawnStates, onTrouble, onSaved = () => {} }) {
   /** @type {import('@preact/signals').Signal<Status>} */
   const status = signal('empty');
   /** A project that another took the place of for a moment is known as it was. @type {WeakMap<Place, Ledger>} */
@@ -136,7 +138,7 @@ export function createSaving({ store, records, locks, database, onTrouble, onSav
 
   /** @param {Ledger} of */
   async function write({ facts }) {
-    const shot = snapshotOf(store);
+    const shot = snapshotOf(store, drawnStates.of(store.place.peek()));
     const base = await database();
     const stamp = freshId();
     await locks.during(PHOTOS_LOCK, { mode: 'shared' }, async () => {
@@ -154,7 +156,7 @@ export function createSaving({ store, records, locks, database, onTrouble, onSav
    * @param {Snapshot} shot
    * @param {{ stamp: string, videos: import('./database.js').KeptVideo[], facts: Ledger['facts'] }} about
    */
-  async function writeState(base, { place: { id, created, stamp: before }, history, facts: known }, { stamp, videos, facts }) {
+  async function writeState(base, { place: { id, created, stamp: before }, history, drawn, facts: known }, { stamp, videos, facts }) {
     const all = base.transaction(['projects', 'states', 'facts'], 'readwrite');
     const projects = all.objectStore('projects');
     const ids = known.map((fact) => fact.id);
@@ -163,11 +165,13 @@ export function createSaving({ store, records, locks, database, onTrouble, onSav
       if ((found?.stamp ?? '') !== before) throw failure('conflict', 'Another tab has changed this project.');
       const { name, tray } = history.present;
       const refs = [...ids, ...videos.map(({ fileKey }) => fileKey)];
-      const about = { id, name, created, changed: Date.now(), stamp, photos: tray.length, refs, gone: null };
+      const about = { ...(found?.held && { held: found.held }), id, name, created, changed: Date.now(), stamp, photos: tray.length, refs, gone: null };
+      await adopt(all.objectStore('states'), refs);
       const fresh = known.filter((fact) => facts.get(fact.id) !== fact);
       await Promise.all([
         projects.put({ ...about, picture: found?.picture ?? null }),
         all.objectStore('states').put({ id, version: VERSION, stamp, history, facts: ids, videos }),
+        ...(drawn.length > 0 ? [all.objectStore('states').put(/** @type {any} */ ({ id: drawnId(id), version: VERSION, drawn, facts: ids }))] : []),
         ...fresh.map((fact) => all.objectStore('facts').put({ id: fact.id, fact })),
         all.done,
       ]);

@@ -5,19 +5,21 @@
 /** @typedef {import('../album.js').Video} Video */
 /** @typedef {import('../history.js').History} History */
 /** @typedef {import('../place.js').Place} Place */
-/** `place` is where this history is kept, and no other. @typedef {{ place: Place, history: import('./database.js').KeptHistory, facts: Fact[], videos: Video[] }} Snapshot */
+/** @typedef {import('../project.js').Project} Project */
+/** `place` is where this history is kept, and no other. @typedef {{ place: Place, history: import('./database.js').KeptHistory, drawn: readonly Project[], facts: Fact[], videos: Video[] }} Snapshot */
 
 /**
  * @param {import('../store.js').Store} store
+ * @param {readonly Project[]} [drawn] states to go back to
  * @returns {Snapshot}
  */
-export function snapshotOf(store) {
+export function snapshotOf(store, drawn = []) {
   const { gesture: _gesture, ...history } = store.history.peek();
   const album = store.album.peek();
-  const facts = [...photosOf(history)].flatMap((id) => album.get(id) ?? []);
+  const facts = [...photosOf({ ...history, past: [...history.past, ...drawn] })].flatMap((id) => album.get(id) ?? []);
   const needed = new Set(facts.map(({ id }) => id));
   const videos = [...store.videos.peek().values()].filter(({ ids }) => ids.some((id) => needed.has(id)));
-  return { place: store.place.peek(), history, facts, videos };
+  return { place: store.place.peek(), history, drawn, facts, videos };
 }
 
 /**
