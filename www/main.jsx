@@ -92,7 +92,7 @@ engine.ready.then(
   },
   (error) => {
     keeping.running.value = false;
-    messages.alert(strings.coreFailed(error.message));
+    messages.grave(strings.coreFailed(error.message));
   },
 );
 

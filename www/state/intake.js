@@ -22,7 +22,7 @@ export function freshPhotoPrefix() {
 /**
  * @param {{
  *   store: import('./store.js').Store, pages: Pick<import('./pages.js').Pages, 'refine'>,
- *   engine: Pick<import('../engine/engine.js').Engine, 'importPhoto'>, messages: Pick<import('./messages.js').Messages, 'alert'>, prefix?: string,
+ *   engine: Pick<import('../engine/engine.js').Engine, 'importPhoto'>, messages: Pick<import('./messages.js').Messages, 'fileFailed'>, prefix?: string,
  * }} app `prefix` begins the ids of photos
  */
 export function createIntake({ store, pages, engine, messages, prefix = 'p' }) {
@@ -118,7 +118,7 @@ export function createIntake({ store, pages, engine, messages, prefix = 'p' }) {
   /** @param {File} file @param {unknown} error */
   function failed(file, error) {
     const { code, message } = /** @type {{ code: string, message: string }} */ (error);
-    if (code !== 'cancelled') messages.alert(strings.fileFailed(file.name, strings.reasons[code] ?? message));
+    if (code !== 'cancelled') messages.fileFailed(file.name, strings.reasons[code] ?? message);
   }
 
   /**

@@ -1,26 +1,54 @@
 // @ts-check
 /**
- * What the page tells the person: alerts and offers stay until they are closed, notes go by themselves.
+ * What the page tells the person. What is grave stays, first of all, until it is over or closed; alerts and offers stay
+ * until they are closed, notes go by themselves. Files that cannot be read are one message, with a list where they are
+ * many.
  */
 
-import { signal } from '@preact/signals';
+import { batch, signal } from '@preact/signals';
+import { strings } from '../strings.js';
+import { byName } from './album.js';
 
-/** @typedef {{ label: string, run: () => void }} Way something that can be done about it */
-/** @typedef {{ id: number, kind: 'alert' | 'offer' | 'note', text: string, way?: Way, more?: Way }} Message `more`: another way */
+/** Something that can be done about it; the message goes with it unless it `stays`. @typedef {{ label: string, run: () => void, stays?: boolean }} Way */
+/** `grave`: work or photos are lost if nothing is done. @typedef {'grave' | 'alert' | 'offer' | 'note'} Kind */
+/** @typedef {{ id: number, kind: Kind, text: string, way?: Way, more?: Way }} Message `more`: another way */
+/** @typedef {{ name: string, why: string, text: string, way?: Way }} Failure a file that could not be read; `text` tells of it alone */
 /** @typedef {ReturnType<typeof createMessages>} Messages */
 
 const NOTE_MS = 4_000;
 /** Time to find the button, and to press it. */
 const WAY_MS = 12_000;
+/** Messages that are kept; what is grave is kept beyond it. */
 const MOST = 24;
+/** What gives way first where there are more. @type {readonly Kind[]} */
+const GIVES_WAY = ['note', 'alert', 'offer'];
+/** Files of the list; beyond it they are counted. */
+export const MOST_NAMED = 2_000;
+/** Files fail a few at a time: what comes within so many ms of the first is told with it. */
+const GATHER_MS = 400;
+/** The count of files is told anew so often at most, in ms: it is read aloud each time. */
+const COUNT_MS = 2_000;
 
 export function createMessages() {
-  /** @type {import('@preact/signals').Signal<readonly Message[]>} */
+  /** In the order in which they were said. @type {import('@preact/signals').Signal<readonly Message[]>} */
   const list = signal([]);
+  /** Files that could not be read, as they are told. @type {import('@preact/signals').Signal<readonly Failure[]>} */
+  const failures = signal([]);
+  /** How many more there are. */
+  const unnamed = signal(0);
+  /** Whether the list of those files is open. */
+  const listed = signal(false);
   let last = 0;
+  /** The message about those files; 0 while there is none. */
+  let summary = 0;
+  /** All of them, by name and reason. @type {Map<string, Failure>} */
+  let failed = new Map();
+  let beyond = 0;
+  /** @type {ReturnType<typeof setTimeout> | undefined} */
+  let telling;
 
   /**
-   * @param {Message['kind']} kind
+   * @param {Kind} kind
    * @param {string} text
    * @param {Way} [way]
    * @param {Way} [more]
@@ -30,24 +58,91 @@ export function createMessages() {
     last += 1;
     const id = last;
     const others = list.value.filter((message) => message.text !== text && (kind !== 'note' || message.kind !== 'note'));
-    list.value = [...others, { id, kind, text, way, more }].slice(-MOST);
+    list.value = bounded([...others, { id, kind, text, way, more }]);
     if (kind === 'note') setTimeout(() => close(id), way ? WAY_MS : NOTE_MS);
     return id;
   }
 
+  /**
+   * Tells a message anew, in its place.
+   * @param {number} id
+   * @param {string} text
+   * @param {Way} [way]
+   * @param {Way} [more]
+   * @returns {boolean} whether it is still there
+   */
+  function change(id, text, way, more) {
+    const there = list.value.some((message) => message.id === id);
+    if (there) list.value = list.value.map((message) => (message.id === id ? { ...message, text, way, more } : message));
+    return there;
+  }
+
   /** @param {number} id */
   function close(id) {
-    list.value = list.value.filter((message) => message.id !== id);
+    batch(() => {
+      list.value = list.value.filter((message) => message.id !== id);
+      if (id === summary && summary > 0) forgetFiles();
+    });
+  }
+
+  function forgetFiles() {
+    clearTimeout(telling);
+    telling = undefined;
+    [summary, beyond] = [0, 0];
+    failed = new Map();
+    failures.value = [];
+    unnamed.value = 0;
+    listed.value = false;
+  }
+
+  /**
+   * A file that could not be read. It joins those of the message that is there.
+   * @param {string} name
+   * @param {string} why
+   * @param {{ text?: string, way?: Way }} [alone] the sentence for it alone, and what can be done with it
+   */
+  function fileFailed(name, why, { text = strings.fileFailed(name, why), way } = {}) {
+    const key = `${name}\n${why}`;
+    if (failed.size >= MOST_NAMED && !failed.has(key)) beyond += 1;
+    else failed.set(key, { name, why, text, way });
+    telling ??= setTimeout(tellOfFiles, GATHER_MS);
+  }
+
+  function tellOfFiles() {
+    const all = byName([...failed.values()]);
+    const count = all.length + beyond;
+    const fresh = count > failures.peek().length + unnamed.peek();
+    telling = fresh ? setTimeout(tellOfFiles, COUNT_MS) : undefined;
+    if (!fresh) return;
+    batch(() => {
+      failures.value = all;
+      unnamed.value = beyond;
+      const [text, way] = count === 1 ? [all[0].text, all[0].way] : [strings.filesFailed(count), { label: strings.showList, run: () => { listed.value = true; }, stays: true }];
+      if (!change(summary, text, way)) summary = say('alert', text, way);
+    });
   }
 
   return {
-    list,
+    list, failures, unnamed, listed,
+    /** Work or photos are lost if nothing is done. @param {string} text @param {Way} [way] @param {Way} [more] */
+    grave: (text, way, more) => say('grave', text, way, more),
     /** @param {string} text @param {Way} [way] @param {Way} [more] */
     alert: (text, way, more) => say('alert', text, way, more),
     /** @param {string} text @param {Way} [way] @param {Way} [more] */
     note: (text, way, more) => say('note', text, way, more),
     /** What can be done now or later. @param {string} text @param {Way} way */
     offer: (text, way) => say('offer', text, way),
-    close,
+    fileFailed, change, close,
   };
+}
+
+/** @param {Message[]} messages @returns {Message[]} as many as there may be */
+function bounded(messages) {
+  const left = [...messages];
+  while (left.length > MOST) {
+    const kind = GIVES_WAY.find((one) => left.some((message) => message.kind === one));
+    if (kind === undefined) break;
+    left.splice(left.findIndex((message) => message.kind === kind), 1);
+  }
+  return left;
 }

@@ -47,7 +47,8 @@ export function createOwnLayouts({ store, pages, messages }) {
         last = planner.checkLayout(await file.text(), file.name);
         keep(last);
       } catch (error) {
-        messages.alert(/** @type {Error} */ (error).message);
+        const { message } = /** @type {Error} */ (error);
+        messages.fileFailed(file.name, message, { text: message });
       }
     }
     if (!last) return;

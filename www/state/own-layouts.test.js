@@ -36,7 +36,8 @@ test('a layout is opened from a file, shown, kept and forgotten', async () => {
 test('a bad file is named with the reason, and the good ones count', async () => {
   const { layouts, store, messages } = app();
   await layouts.open([file('bad.json', {}), file('good.json', { id: 'y1' }), file('long.json', ' '.repeat(300_000))]);
-  const alerts = messages.list.value.filter(({ kind }) => kind === 'alert').map(({ text }) => text);
+  await vi.waitFor(() => expect(messages.list.value.map(({ text }) => text)).toContain('2 files could not be read.'));
+  const alerts = messages.failures.value.map(({ text }) => text);
   expect(alerts[0]).toMatch(/bad\.json.*id.*missing/);
   expect(alerts[1]).toMatch(/long\.json.*256 KB/);
   expect(store.own.value).toEqual([{ id: 'y1' }]);

@@ -75,7 +75,8 @@ export function createOwnStyles({ store, pages, messages, designer, freshId }) {
         if (file.size > LONGEST_STYLE) throw new Error(strings.styleTooLong(file.name));
         last = take(await file.text(), file.name);
       } catch (error) {
-        messages.alert(/** @type {Error} */ (error).message);
+        const { message } = /** @type {Error} */ (error);
+        messages.fileFailed(file.name, message, { text: message });
       }
     }
     if (last) show(last);

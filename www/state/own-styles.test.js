@@ -62,14 +62,15 @@ describe('my styles', () => {
     const { styles, messages } = app({}, true);
     styles.save(style('a'));
     expect(styles.mine.value).toHaveLength(1);
-    expect(messages.list.value.some(({ kind, text }) => kind === 'alert' && text.includes('full or refused'))).toBe(true);
+    expect(messages.list.value.some(({ kind, text }) => kind === 'grave' && text.includes('full or refused'))).toBe(true);
   });
 
   it('come from files, each wrong one with its reason', async () => {
     const { styles, messages, kept, reading, files, opened } = app();
     await reading.addFiles(files('a', 'b'));
     await styles.open([file('bad.json', {}), file('noir.json', style('noir', { name: 'Other' })), file('long.json', ' '.repeat(300_000))]);
-    const alerts = messages.list.value.filter(({ kind }) => kind === 'alert').map(({ text }) => text);
+    await vi.waitFor(() => expect(messages.list.value.map(({ text }) => text)).toContain('2 files could not be read.'));
+    const alerts = messages.failures.value.map(({ text }) => text);
     expect(alerts[0]).toMatch(/bad\.json.*background.*missing/);
     expect(alerts[1]).toMatch(/long\.json.*256 KB/);
     // Another style of a designed one's id gets an id of its own.

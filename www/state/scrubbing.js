@@ -18,7 +18,7 @@ export const LARGE_STEP = 1;
 /**
  * @param {{
  *   store: import('./store.js').Store, pages: import('./pages.js').Pages, reading: import('./reading.js').Reading,
- *   engine: Pick<import('../engine/engine.js').Engine, 'importVideo'>, messages: Pick<import('./messages.js').Messages, 'alert'>,
+ *   engine: Pick<import('../engine/engine.js').Engine, 'importVideo'>, messages: Pick<import('./messages.js').Messages, 'fileFailed'>,
  * }} app
  */
 export function createScrubbing({ store, pages, reading, engine, messages }) {
@@ -74,7 +74,7 @@ export function createScrubbing({ store, pages, reading, engine, messages }) {
       });
     } catch (error) {
       const { code, message } = /** @type {{ code: string, message: string }} */ (error);
-      messages.alert(strings.fileFailed(video.name, strings.reasons[code] ?? message));
+      messages.fileFailed(video.name, strings.reasons[code] ?? message);
     }
     if (store.album.peek().get(id)?.meta) exchange(fact.id, id, video.key, gesture);
   }

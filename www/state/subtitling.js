@@ -18,7 +18,7 @@ const SLACK = 0.75;
 /**
  * @param {{
  *   store: import('./store.js').Store, lettering: Pick<import('./lettering.js').Lettering, 'addAll'>,
- *   messages: Pick<import('./messages.js').Messages, 'alert' | 'note'>,
+ *   messages: Pick<import('./messages.js').Messages, 'alert' | 'note' | 'fileFailed'>,
  * }} app
  */
 export function createSubtitling({ store, lettering, messages }) {
@@ -33,7 +33,7 @@ export function createSubtitling({ store, lettering, messages }) {
       try {
         await put(file);
       } catch (error) {
-        messages.alert(strings.fileFailed(file.name, /** @type {Error} */ (error).message));
+        messages.fileFailed(file.name, /** @type {Error} */ (error).message);
       }
     }
   }

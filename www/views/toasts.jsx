@@ -6,6 +6,7 @@
 import { strings } from '../strings.js';
 import { IconButton } from './button.jsx';
 import { useApp } from './context.js';
+import { FailedFiles } from './failed-files.jsx';
 import { Icon } from './icon.jsx';
 
 export function Toasts() {
@@ -15,52 +16,70 @@ export function Toasts() {
   const running = download.progress.value;
   const percent = running ? Math.round(100 * running.done / running.total) : 0;
   return (
-    <div class="toasts">
-      {running && (
-        <div class="toast" aria-busy="true">
-          <div class="toast-work">
-            <span>{strings.exporting(percent)}</span>
-            <progress class="progress" aria-label={strings.exporting(percent)} value={running.done} max={running.total} />
-          </div>
-          <button type="button" class="button" onClick={download.cancel}>{strings.cancel}</button>
+    <>
+      <div class="toasts">
+        <div role="alert" class="toast-alerts">
+          <Alerts class="toast-list toast-grave" list={list.filter(({ kind }) => kind === 'grave')} />
+          <Alerts class="toast-list" list={list.filter(({ kind }) => kind === 'alert')} />
         </div>
-      )}
-      {opening && (
-        <div class="toast" aria-busy="true">
-          <div class="toast-work">
-            <span>{strings.openingProject(opening.name)}</span>
-            <progress class="progress" aria-label={strings.openingProject(opening.name)} value={opening.done} max={opening.total} />
+        {running && (
+          <div class="toast" aria-busy="true">
+            <div class="toast-work">
+              <span>{strings.exporting(percent)}</span>
+              <progress class="progress" aria-label={strings.exporting(percent)} value={running.done} max={running.total} />
+            </div>
+            <button type="button" class="button" onClick={download.cancel}>{strings.cancel}</button>
           </div>
-          <button type="button" class="button" onClick={keeping.files.cancel}>{strings.cancel}</button>
+        )}
+        {opening && (
+          <div class="toast" aria-busy="true">
+            <div class="toast-work">
+              <span>{strings.openingProject(opening.name)}</span>
+              <progress class="progress" aria-label={strings.openingProject(opening.name)} value={opening.done} max={opening.total} />
+            </div>
+            <button type="button" class="button" onClick={keeping.files.cancel}>{strings.cancel}</button>
+          </div>
+        )}
+        <div role="status" class="toast-list">
+          {list.filter(({ kind }) => kind === 'offer' || kind === 'note').map(({ id, kind, text, way, more }) => (
+            <div class="toast" key={id}>
+              <Said text={text} way={way} more={more} close={() => messages.close(id)} />
+              {kind === 'offer' && <IconButton icon="close" label={strings.dismiss} onClick={() => messages.close(id)} />}
+            </div>
+          ))}
         </div>
-      )}
-      <div role="alert" class="toast-list">
-        {list.filter(({ kind }) => kind === 'alert').map(({ id, text, way, more }) => (
-          <div class="toast bad" key={id}>
-            <Icon name="alert" />
-            <Said text={text} way={way} more={more} close={() => messages.close(id)} />
-            <IconButton icon="close" label={strings.dismiss} onClick={() => messages.close(id)} />
-          </div>
-        ))}
       </div>
-      <div role="status" class="toast-list">
-        {list.filter(({ kind }) => kind !== 'alert').map(({ id, kind, text, way, more }) => (
-          <div class="toast" key={id}>
-            <Said text={text} way={way} more={more} close={() => messages.close(id)} />
-            {kind === 'offer' && <IconButton icon="close" label={strings.dismiss} onClick={() => messages.close(id)} />}
-          </div>
-        ))}
-      </div>
+      {messages.listed.value && <FailedFiles />}
+    </>
+  );
+}
+
+/** @param {{ list: import('../state/messages.js').Message[], class: string }} props */
+function Alerts({ list, class: name }) {
+  const { messages } = useApp();
+  return (
+    <div class={name}>
+      {list.map(({ id, text, way, more }) => (
+        <div class="toast bad" key={id}>
+          <Icon name="alert" />
+          <Said text={text} way={way} more={more} close={() => messages.close(id)} short={SHORT_ALERT} />
+          <IconButton icon="close" label={strings.dismiss} onClick={() => messages.close(id)} />
+        </div>
+      ))}
     </div>
   );
 }
 
-/** Beside more text than this, in characters, a button would leave it a column a word wide. */
+/** Beside more text than this, in characters, a button would leave it a column a word wide; beside a mark and `Dismiss`, too, there is less room. */
 const SHORT = 60;
+const SHORT_ALERT = 20;
 
-/** What is long, and two ways on, have a line of their own. @param {Pick<import('../state/messages.js').Message, 'text' | 'way' | 'more'> & { close: () => void }} props */
-function Said({ text, way, more, close }) {
-  if (!more && (!way || text.length <= SHORT)) return <><span class="toast-text">{text}</span><Way of={way} close={close} /></>;
+/**
+ * What is long, and two ways on, have a line of their own.
+ * @param {Pick<import('../state/messages.js').Message, 'text' | 'way' | 'more'> & { close: () => void, short?: number }} props
+ */
+function Said({ text, way, more, close, short = SHORT }) {
+  if (!more && (!way || text.length <= short)) return <><span class="toast-text">{text}</span><Way of={way} close={close} /></>;
   return (
     <div class="toast-body">
       <span class="toast-text">{text}</span>
@@ -72,5 +91,5 @@ function Said({ text, way, more, close }) {
 /** @param {{ of: import('../state/messages.js').Way | undefined, close: () => void }} props */
 function Way({ of, close }) {
   if (!of) return null;
-  return <button type="button" class="button" onClick={() => { close(); of.run(); }}>{of.label}</button>;
+  return <button type="button" class="button" onClick={() => { if (!of.stays) close(); of.run(); }}>{of.label}</button>;
 }

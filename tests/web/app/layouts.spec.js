@@ -139,8 +139,11 @@ test('a bad layout file is an alert with file, path and reason', async ({ page }
     { name: `bad-${i}.json`, mimeType: 'application/json', buffer: Buffer.from(typeof text === 'string' ? text : JSON.stringify(text)) }
   ));
   await drop(page, files);
-  await expect(page.getByRole('alert')).toContainText(/bad-0\.json.*tree\.rows\[1\]\.columns\[1\]/);
-  await expect(page.getByRole('alert')).toContainText(/bad-1\.json.*line 1/);
+  await page.getByRole('alert').getByRole('button', { name: 'Show the list' }).click();
+  const list = page.getByRole('dialog');
+  await expect(list).toContainText(/bad-0\.json.*tree\.rows\[1\]\.columns\[1\]/);
+  await expect(list).toContainText(/bad-1\.json.*line 1/);
+  await page.keyboard.press('Escape');
   expect(await contents(page)).toEqual(before);
 });
 

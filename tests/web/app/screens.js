@@ -111,6 +111,13 @@ const SCREENS = {
     await expect(page.getByRole('alert')).toContainText('notes.txt');
     await page.keyboard.press('s');
   },
+  'files that could not be read': async (page) => {
+    await add(page, ['notes.txt', 'more.txt', 'a name that is too long for one line of a telephone held upright.txt'].map((name) => (
+      { name, mimeType: 'text/plain', buffer: Buffer.from('no photo') }
+    )));
+    await page.getByRole('alert').getByRole('button', { name: 'Show the list' }).click();
+    await expect(page.getByRole('dialog').getByRole('listitem')).toHaveCount(3);
+  },
   'a storyboard of two pages': async (page) => {
     await button(page, 'Add page').click();
     await idle(page);

@@ -14,7 +14,7 @@ describe('storage that takes no more', () => {
     tab.pages.shuffle('all');
     await tab.keeping.flush();
     expect([tab.keeping.status.value, tab.names()]).toEqual(['full', ['a.jpg']]);
-    const alerts = tab.messages.list.value.filter(({ kind }) => kind === 'alert');
+    const alerts = tab.messages.list.value.filter(({ kind }) => kind === 'grave');
     expect(alerts.map(({ way }) => way?.label)).toEqual(['Save to file']);
     put.mockRestore();
     tab.pages.shuffle('all');

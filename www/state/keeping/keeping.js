@@ -117,7 +117,7 @@ export function createKeeping({ store, reading, engine, shelves, messages, windo
       return;
     }
     if (told.why === why) return;
-    const message = messages.alert(strings.notSaved(why, error.message), { label: strings.saveToFile, run: () => void files.save() });
+    const message = messages.grave(strings.notSaved(why, error.message), { label: strings.saveToFile, run: () => void files.save() });
     told = { why, message };
   }
 }

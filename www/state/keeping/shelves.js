@@ -17,7 +17,7 @@ const KEYS = { mine: 'inkpanel.styles', favourites: 'inkpanel.favourites', ownLa
 
 /**
  * @param {{
- *   store: import('../store.js').Store, messages: Pick<import('../messages.js').Messages, 'alert'>, box: () => Box,
+ *   store: import('../store.js').Store, messages: Pick<import('../messages.js').Messages, 'grave'>, box: () => Box,
  * }} app `box` may throw where storage is refused
  */
 export function createShelves({ store, messages, box }) {
@@ -67,7 +67,7 @@ export function createShelves({ store, messages, box }) {
       box().setItem(KEYS[field], JSON.stringify(merged));
       kept = { ...kept, [field]: list };
     } catch {
-      messages.alert(strings.stylesNotKept);
+      messages.grave(strings.stylesNotKept);
     }
   }
 

@@ -3,6 +3,9 @@
 
 export const faultStrings = {
   fileFailed: (/** @type {string} */ name, /** @type {string} */ why) => `${name}: ${why}`,
+  filesFailed: (/** @type {number} */ n) => `${n} files could not be read.`,
+  showList: 'Show the list',
+  moreFiles: (/** @type {number} */ n) => `and ${n} more`,
   /** Reasons in the page's words where it knows better than the core, by error code. @type {Record<string, string>} */
   reasons: {
     'worker-lost': 'reading it stopped the program twice, so it was left out.',

@@ -1,6 +1,9 @@
 // @ts-check
 export const faultStrings = {
   fileFailed: (/** @type {string} */ name, /** @type {string} */ why) => `${name}: ${why}`,
+  filesFailed: (/** @type {number} */ n) => `No se han podido leer ${n} archivos.`,
+  showList: 'Ver la lista',
+  moreFiles: (/** @type {number} */ n) => `y ${n} más`,
   /** The core's own sentences are English, so all its codes are here. @type {Record<string, string>} */
   reasons: {
     'worker-lost': 'al leerlo se detuvo el programa dos veces, así que se ha dejado fuera.',
