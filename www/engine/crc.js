@@ -7,13 +7,22 @@ const TABLE = Uint32Array.from({ length: 256 }, (_, byte) => {
   return value;
 });
 
-/** @param {Blob} blob @returns {Promise<number>} read piece by piece, so that it may be large */
-export async function crcOf(blob) {
+/**
+ * @param {Blob} blob
+ * @param {import('./inflate.js').Watch} [watch]
+ * @returns {Promise<number>} read piece by piece, so that it may be large
+ */
+export async function crcOf(blob, { signal, beat = () => {} } = {}) {
   let crc = 0xffffffff;
   const reader = blob.stream().getReader();
   for (;;) {
     const { value, done } = await reader.read();
     if (done) return (crc ^ 0xffffffff) >>> 0;
+    if (signal?.aborted) {
+      void reader.cancel().catch(() => {});
+      throw signal.reason;
+    }
+    beat();
     for (let i = 0; i < value.length; i += 1) crc = TABLE[(crc ^ value[i]) & 0xff] ^ (crc >>> 8);
   }
 }

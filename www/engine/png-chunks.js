@@ -5,6 +5,8 @@
  */
 
 import { crcOf } from './crc.js';
+import { inflated, roomFor } from './inflate.js';
+import { PNG } from './limits.js';
 
 /** A chunk: `at` is where its data begins, `length` is that of the data in bytes. @typedef {{ type: string, at: number, length: number }} Chunk */
 
@@ -12,12 +14,8 @@ const SIGNATURE = [0x89, 0x50, 0x4e, 0x47, 0x0d, 0x0a, 0x1a, 0x0a];
 /** Length and type before the data, CRC after it. */
 const [HEAD, FOOT] = [8, 4];
 const MOST_LENGTH = 2 ** 31 - 1;
-/** A page of ten thousand chunks was not made to be looked at. */
-const MOST_CHUNKS = 100_000;
 /** Bytes that are read at once: many chunks are small. */
 const WINDOW = 2 ** 16;
-/** Of a keyword and all else before the text of an `iTXt` chunk. */
-const LONGEST_HEAD = 512;
 
 /** @param {Blob} file @returns {Promise<boolean>} by its content, whatever it is called */
 export async function isPng(file) {
@@ -43,7 +41,7 @@ export async function chunksOf(file) {
     const type = String.fromCharCode(...[4, 5, 6, 7].map((i) => view.getUint8(at - from + i)));
     const chunk = { type, at: at + HEAD, length };
     at += HEAD + length + FOOT;
-    if (length > MOST_LENGTH || at > file.size || chunks.length === MOST_CHUNKS || !/^[A-Za-z]{4}$/.test(type)) return null;
+    if (length > MOST_LENGTH || at > file.size || chunks.length === PNG.chunks || !/^[A-Za-z]{4}$/.test(type)) return null;
     chunks.push(chunk);
     if (type === 'IEND') return chunks;
   }
@@ -102,7 +100,7 @@ export async function textChunk(keyword, text) {
 
 /** @param {Blob} data of an `iTXt` chunk @returns {Promise<{ keyword: string, deflated: boolean, body: Blob } | null>} */
 export async function textHead(data) {
-  const head = new Uint8Array(await data.slice(0, LONGEST_HEAD).arrayBuffer());
+  const head = new Uint8Array(await data.slice(0, PNG.textHead).arrayBuffer());
   const keyword = head.indexOf(0);
   const language = keyword < 0 ? -1 : head.indexOf(0, keyword + 3);
   const end = language < 0 ? -1 : head.indexOf(0, language + 1);
@@ -117,22 +115,9 @@ export async function textHead(data) {
  */
 export async function textOf({ deflated, body }, longest) {
   if (!deflated) return body.size > longest ? null : body.text();
-  const reader = body.stream().pipeThrough(new DecompressionStream('deflate')).getReader();
-  /** @type {BlobPart[]} */
-  const parts = [];
-  let length = 0;
   try {
-    for (;;) {
-      const { value, done } = await reader.read();
-      if (done) return await new Blob(parts).text();
-      length += value.length;
-      // What unpacks to more was made to fill the memory.
-      if (length > longest) {
-        void reader.cancel().catch(() => {});
-        return null;
-      }
-      parts.push(value);
-    }
+    // What unpacks to more was made to fill the memory.
+    return await (await inflated(body, 'deflate', { take: roomFor(longest) })).text();
   } catch {
     return null;
   }

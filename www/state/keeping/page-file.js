@@ -5,6 +5,7 @@
  */
 
 import { chunkOf, chunksOf, dataOf, isPng, textChunk, textHead, textOf, withChunks } from '../../engine/png-chunks.js';
+import { PNG, TEXT } from '../../engine/limits.js';
 import { archiveOf, readArchive } from './archive.js';
 import { parsedProject } from './project-json.js';
 import { damaged } from './versions.js';
@@ -15,10 +16,6 @@ import { damaged } from './versions.js';
 const KEYWORD = 'inkpanel';
 /** By the letters' cases: not needed for the picture, of one program, may be copied with it. */
 const PHOTOS = 'ipPh';
-/** Bytes of the text, unpacked and packed. A page of a hundred panels takes a hundredth. */
-const LONGEST = 4 * 2 ** 20;
-/** Texts of others that are looked at before it is taken for a picture like others. */
-const MOST_TEXTS = 64;
 
 /**
  * @param {Blob} png
@@ -36,7 +33,7 @@ export async function withProject(png, json, photos) {
 export async function pageFileOf(file) {
   if (!await isPng(file)) return null;
   const chunks = await chunksOf(file);
-  for (const text of chunks?.filter(({ type }) => type === 'iTXt').slice(0, MOST_TEXTS) ?? []) {
+  for (const text of chunks?.filter(({ type }) => type === 'iTXt').slice(0, PNG.texts) ?? []) {
     const head = await textHead(file.slice(text.at, text.at + text.length));
     if (head?.keyword === KEYWORD) return { file, text, photos: chunks?.find(({ type }) => type === PHOTOS) ?? null };
   }
@@ -46,16 +43,22 @@ export async function pageFileOf(file) {
 /**
  * @param {PageFile} page
  * @returns {Promise<{ project: import('./project-json.js').FileProject, archive: import('./file-opening.js').Archive }>}
- *   rejects with `damaged-project` or `newer-project`
+ *   rejects with `damaged-project`, `newer-project` or `too-large-project`
  */
 export async function readPageFile({ file, text, photos }) {
-  const data = text.length > LONGEST ? null : await dataOf(file, text);
+  const data = text.length > TEXT.page ? null : await dataOf(file, text);
   const head = data && await textHead(data);
-  const json = head && await textOf(head, LONGEST);
+  const json = head && await textOf(head, TEXT.page);
   if (!json) throw damaged('the text of the page is damaged');
   const project = parsedProject(json);
   if (!project.history.present.page) throw damaged('page: is missing');
-  // Each entry knows its own checksum. A part that is broken costs the photos, not the page.
-  const archive = photos ? await readArchive(file.slice(photos.at, photos.at + photos.length)).catch(() => new Map()) : new Map();
-  return { project, archive };
+  return { project, archive: photos ? await photosIn(file.slice(photos.at, photos.at + photos.length)) : new Map() };
+}
+
+/** Each entry knows its own checksum. A part that is broken costs the photos, not the page; one that is a trap costs all. @param {Blob} part */
+function photosIn(part) {
+  return readArchive(part).catch((error) => {
+    if (error.code === 'damaged-project') return new Map();
+    throw error;
+  });
 }

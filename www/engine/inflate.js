@@ -1,0 +1,47 @@
+// @ts-check
+/** What was packed with DEFLATE, unpacked piece by piece: what a file says of its own length is not believed. */
+
+import { failure } from './protocol.js';
+
+/** Pieces are small; so many bytes of them become a blob, which the browser can lay on the disk. */
+const PART = 4 * 2 ** 20;
+
+/** Something that waits for a file: `beat` is called with every piece. @typedef {{ signal?: AbortSignal, beat?: () => void }} Watch */
+
+/**
+ * @param {Blob} packed
+ * @param {'deflate' | 'deflate-raw'} format
+ * @param {{ take: (bytes: number) => boolean } & Watch} how `take` is asked for each piece whether there is room for it
+ * @returns {Promise<Blob>} rejects with `damaged`, with `too-large` where there is no room, and as `signal` is aborted
+ */
+export async function inflated(packed, format, { take, signal, beat = () => {} }) {
+  const reader = packed.stream().pipeThrough(new DecompressionStream(format)).getReader();
+  /** @type {Blob[]} */
+  const blobs = [];
+  /** @type {BlobPart[]} */
+  let parts = [];
+  let length = 0;
+  try {
+    for (;;) {
+      signal?.throwIfAborted();
+      const { value, done } = await reader.read().catch((cause) => { throw Object.assign(failure('damaged', 'It cannot be unpacked.'), { cause }); });
+      if (done) return new Blob([...blobs, ...parts]);
+      beat();
+      if (!take(value.length)) throw failure('too-large', 'It unpacks to more than it may.');
+      parts.push(value);
+      length += value.length;
+      if (length < PART) continue;
+      blobs.push(new Blob(parts));
+      [parts, length] = [[], 0];
+    }
+  } catch (error) {
+    void reader.cancel().catch(() => {});
+    throw error;
+  }
+}
+
+/** @param {number} most @returns {(bytes: number) => boolean} room for so many bytes */
+export function roomFor(most) {
+  let left = most;
+  return (bytes) => (left -= bytes) >= 0;
+}
