@@ -5,6 +5,9 @@
  */
 
 import { signal } from '@preact/signals';
+import { PHOTOS_AT_ONCE, SILENCE } from '../../engine/limits.js';
+import { patience } from '../../engine/patience.js';
+import { cancelled as stopped, failure } from '../../engine/protocol.js';
 import { Priority } from '../../engine/queue.js';
 import { strings } from '../../strings.js';
 import { freshPlace } from '../place.js';
@@ -21,11 +24,12 @@ import { damaged } from './versions.js';
 /** @typedef {Awaited<ReturnType<typeof import('./archive.js').readArchive>>} Archive */
 /** @typedef {ReturnType<typeof createFileOpening>} FileOpening */
 
+/** Reads a photo into the engine; all that it took is let go when the opening fails. @typedef {(id: string, blob: Blob) => Promise<import('../../engine/protocol.js').Imported['meta']>} Take */
 /**
- * `take` reads a photo into the engine and makes its fact; all that it took is let go when the opening fails.
+ * `watch` is told of whatever arrives, so that a file of which nothing comes is given up.
  * @typedef {{
  *   planner: import('../store.js').Planner, photos: (wanted: readonly FilePhoto[], archive: Archive) => Promise<Fact[]>,
- *   absent: (photo: FilePhoto, number: number) => Promise<Fact>,
+ *   absent: (photo: FilePhoto, number: number) => Promise<Fact>, watch: Required<import('../../engine/inflate.js').Watch>,
  * }} Hands
  */
 
@@ -41,7 +45,7 @@ export function createFileOpening({ engine, messages, opening }) {
   /** @type {AbortController | null} */
   let stop = null;
 
-  return { progress, open, cancel: () => stop?.abort() };
+  return { progress, open, cancel: () => stop?.abort(stopped()) };
 
   /**
    * @param {File} file
@@ -56,27 +60,34 @@ export function createFileOpening({ engine, messages, opening }) {
     /** Photos that are in the engine. @type {string[]} */
     const taken = [];
     const { signal: cancelled } = stop;
-    const take = async (/** @type {string} */ id, /** @type {Blob} */ blob) => {
+    const quiet = silence(stop);
+    const watch = { signal: cancelled, beat: quiet.beat };
+    /** @type {Take} */
+    const take = async (id, blob) => {
       const meta = await engine.importPhoto(id, blob, { priority: Priority.PAGE, signal: cancelled });
+      quiet.beat();
       taken.push(id);
       return meta;
     };
     try {
       const planner = await engine.ready;
-      const content = await read({
-        planner,
-        photos: (wanted, archive) => readPhotos(wanted, archive, take),
+      quiet.beat();
+      const content = await Promise.race([quiet.over, read({
+        planner, watch,
+        photos: (wanted, archive) => readPhotos(wanted, archive, { take, watch }),
         absent: (photo, number) => placeFor(photo, number, take),
-      });
+      })]);
       cancelled.throwIfAborted();
       await opening.enter(freshPlace(), content, undefined, { join: true });
       return true;
     } catch (error) {
       taken.forEach(engine.forgetPhoto);
-      const { code, message } = /** @type {{ code?: string, message: string }} */ (error);
-      if (code !== 'cancelled' && !cancelled.aborted) messages.alert(strings.projectFileNotOpened(file.name, strings.projectReasons[code ?? ''] ?? message), way);
+      // What was stopped fails in many ways, for the one reason.
+      const { code, message } = /** @type {{ code?: string, message: string }} */ (cancelled.aborted ? cancelled.reason : error);
+      if (code !== 'cancelled') messages.alert(strings.projectFileNotOpened(file.name, strings.projectReasons[code ?? ''] ?? message), way);
       return false;
     } finally {
+      quiet.end();
       stop = null;
       progress.value = null;
     }
@@ -85,31 +96,79 @@ export function createFileOpening({ engine, messages, opening }) {
   /**
    * @param {readonly FilePhoto[]} photos
    * @param {Archive} archive
-   * @param {(id: string, blob: Blob) => Promise<import('../../engine/protocol.js').Imported['meta']>} take
+   * @param {{ take: Take, watch: Hands['watch'] }} how
    * @returns {Promise<Fact[]>} those that can be read; the others are named
    */
-  async function readPhotos(photos, archive, take) {
-    const facts = await Promise.all(photos.map(async (photo) => {
+  async function readPhotos(photos, archive, { take, watch }) {
+    // Thousands that are one file would be read thousands of times.
+    if (new Set(photos.map(({ path }) => path)).size < photos.length) throw damaged('photos: two of them are one file');
+    const packed = photos.some(({ path }) => archive.get(path)?.packed);
+    // What has to be unpacked is held as a whole while it is read.
+    const facts = await inTurns(photos, packed ? 1 : PHOTOS_AT_ONCE, async (photo) => {
       const { path, type, subjects, measured, rank: _rank, like, absent, ...fact } = photo;
       try {
         const found = archive.get(path);
         if (!found) throw damaged(`${path} is missing`);
-        const meta = await take(fact.id, new File([await found.read()], fact.name, { type }));
+        const meta = await take(fact.id, new File([await found.read(watch)], fact.name, { type }));
         const known = { ...fact, meta: { ...meta, taken: takenBy(photo, meta.taken), subjects: subjects ?? [] } };
         if (absent && like) return keepsPlace(known, photo);
         return { ...known, measures: measured ? meta.measures : null, looked: subjects !== null };
       } catch (error) {
         const { code, message } = /** @type {{ code?: string, message: string }} */ (error);
-        if (code === 'cancelled') throw error;
+        if (watch.signal.aborted || ['cancelled', 'too-large-project'].includes(code ?? '')) throw error;
         messages.alert(strings.fileFailed(fact.name, strings.reasons[code ?? ''] ?? message));
         return [];
       } finally {
         const now = progress.peek();
-        if (now) progress.value = { ...now, done: now.done + 1, total: photos.length };
+        if (now && !watch.signal.aborted) progress.value = { ...now, done: now.done + 1, total: photos.length };
       }
-    }));
+    });
     return facts.flat();
   }
+}
+
+/**
+ * @template T, R
+ * @param {readonly T[]} list
+ * @param {number} atOnce
+ * @param {(item: T) => Promise<R>} work none is begun any more after one has failed
+ * @returns {Promise<R[]>} in the order of the list
+ */
+async function inTurns(list, atOnce, work) {
+  /** @type {R[]} */
+  const done = Array(list.length);
+  let next = 0;
+  const runner = async () => {
+    while (next < list.length) {
+      const at = next;
+      next += 1;
+      done[at] = await work(list[at]).catch((error) => { next = list.length; throw error; });
+    }
+  };
+  await Promise.all(Array.from({ length: atOnce }, runner));
+  return done;
+}
+
+/**
+ * Gives up what shows no sign of life for a minute.
+ * @param {AbortController} stop
+ * @returns {{ beat: () => void, over: Promise<never>, end: () => void }} `beat`: something came; `over` rejects when it is given up, or stopped
+ */
+function silence(stop) {
+  let relax = () => {};
+  let since = -Infinity;
+  const beat = () => {
+    // Pieces come in thousands; timers need not.
+    if (performance.now() - since < SILENCE / 60) return;
+    since = performance.now();
+    relax();
+    relax = patience(SILENCE, () => stop.abort(failure('silent-project', 'Nothing of it came for a minute.')));
+  };
+  /** @type {Promise<never>} */
+  const over = new Promise((_, reject) => { stop.signal.addEventListener('abort', () => reject(stop.signal.reason), { once: true }); });
+  // It is no failure of what has ended well.
+  over.catch(() => {});
+  return { beat, over, end: () => { relax(); since = Infinity; } };
 }
 
 /** Of a photo whose likeness is not told. */
@@ -119,7 +178,7 @@ const UNLIKE = { hash: '', fingerprint: '', width: 1500, height: 1000 };
  * An empty frame in the place of a photo that is not here.
  * @param {FilePhoto} photo
  * @param {number} number from 1
- * @param {(id: string, blob: Blob) => Promise<import('../../engine/protocol.js').Imported['meta']>} take
+ * @param {Take} take
  * @returns {Promise<Fact>}
  */
 async function placeFor(photo, number, take) {

@@ -4,6 +4,7 @@
  * but without what cameras write beside them.
  */
 
+import { TEXT } from '../../engine/limits.js';
 import { strings } from '../../strings.js';
 import { save as saveFile } from '../files.js';
 import { archiveOf, readArchive } from './archive.js';
@@ -17,8 +18,6 @@ import { damaged } from './versions.js';
 /** @typedef {ReturnType<typeof createProjectFiles>} ProjectFiles */
 
 export const EXTENSION = '.inkpanel';
-/** Characters of `project.json`: a thousand pages take a tenth of it. */
-const LONGEST = 64 * 2 ** 20;
 
 /** @param {{ name: string }} file */
 export function isProjectFile({ name }) {
@@ -70,14 +69,16 @@ export function createProjectFiles({ store, engine, messages, saving, fileOpenin
 
   /** Opens a project file beside those that there are. @param {File} file */
   function open(file) {
-    return fileOpening.open(file, async ({ planner, photos: read }) => {
+    return fileOpening.open(file, async ({ planner, photos: read, watch }) => {
       const archive = await readArchive(file);
-      const text = await archive.get('project.json')?.read();
-      if (!text || text.size > LONGEST) throw damaged('project.json is missing');
+      const text = await archive.get('project.json')?.read({ most: TEXT.project, ...watch });
+      if (!text) throw damaged('project.json is missing');
       const project = withFreshIds(checked(parsedProject(await text.text()), planner));
+      const films = project.videos.map(({ path }) => path);
+      if (new Set(films).size < films.length) throw damaged('videos: two of them are one file');
       const facts = await read(project.photos, archive);
       if (facts.length === 0 && project.photos.length > 0) throw damaged('none of its photos can be read');
-      const videos = await readVideos(project, archive);
+      const videos = await readVideos(project, archive, watch);
       const { name } = project.history.present;
       const present = { ...project.history.present, name: name || file.name.slice(0, -EXTENSION.length) };
       return {
@@ -91,12 +92,17 @@ export function createProjectFiles({ store, engine, messages, saving, fileOpenin
 /**
  * @param {FileProject} project
  * @param {import('./file-opening.js').Archive} archive
+ * @param {import('./file-opening.js').Hands['watch']} watch
  */
-async function readVideos({ videos }, archive) {
-  const read = await Promise.all(videos.map(async ({ path, type, ...video }) => {
+async function readVideos({ videos }, archive, watch) {
+  const read = [];
+  for (const { path, type, ...video } of videos) {
     // Without its video a frame is a photo like others.
-    const blob = await archive.get(path)?.read().catch(() => null);
-    return blob ? [{ ...video, file: new File([blob], video.name, { type }) }] : [];
-  }));
-  return read.flat();
+    const blob = await archive.get(path)?.read(watch).catch((error) => {
+      if (error.code !== 'damaged-project') throw error;
+      return null;
+    });
+    if (blob) read.push({ ...video, file: new File([blob], video.name, { type }) });
+  }
+  return read;
 }

@@ -5,6 +5,7 @@
  */
 
 import { freshId } from '../fresh-id.js';
+import { parsedJson } from './bounded-json.js';
 import { VERSION, checkedHistory, damaged, migrated } from './versions.js';
 
 /** @typedef {import('../album.js').Fact} Fact */
@@ -58,14 +59,14 @@ export function projectJson({ present, shown }, facts, videos) {
 
 /**
  * @param {string} text
- * @returns {FileProject} rejects with `damaged-project` or `newer-project`
+ * @returns {FileProject} throws `damaged-project`, `newer-project` or `too-large-project`
  */
 export function parsedProject(text) {
   let value;
   try {
-    value = JSON.parse(text);
-  } catch {
-    throw damaged('project.json: is no JSON');
+    value = parsedJson(text);
+  } catch (error) {
+    throw error instanceof SyntaxError ? damaged('project.json: is no JSON') : error;
   }
   if (value?.format !== FORMAT) throw damaged('project.json: is of another program');
   const { history, photos, videos } = migrated(value);

@@ -42,6 +42,8 @@ export const keepingStrings = {
   /** @type {Record<string, string>} */
   projectReasons: {
     'damaged-project': 'it is damaged, or no project of Inkpanel. What is on the page was not touched.',
+    'too-large-project': 'it holds more than a project can, or unpacks to more. What is on the page was not touched.',
+    'silent-project': 'nothing of it could be read for a minute. Check the disk that it is on, and try again.',
     'newer-project': 'it was made by a newer Inkpanel. Load this page again to get the newest one.',
     'not-saved': 'what is on the page is not saved. Save it to a file first (Save project).',
     'missing-project': 'it was deleted.',

@@ -39,6 +39,8 @@ export const keepingStrings = {
   /** @type {Record<string, string>} */
   projectReasons: {
     'damaged-project': 'está dañado o no es un proyecto de Inkpanel. Lo que hay en la página no se ha tocado.',
+    'too-large-project': 'contiene más de lo que cabe en un proyecto, o se descomprime en más. Lo que hay en la página no se ha tocado.',
+    'silent-project': 'no se pudo leer nada de él durante un minuto. Comprueba el disco en el que está e inténtalo otra vez.',
     'newer-project': 'se hizo con un Inkpanel más nuevo. Carga otra vez esta página para tener el último.',
     'not-saved': 'lo que hay en la página no está guardado. Guárdalo primero en un archivo (Guardar proyecto).',
     'missing-project': 'se borró.',

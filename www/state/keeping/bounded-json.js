@@ -1,0 +1,53 @@
+// @ts-check
+/**
+ * JSON out of a file, counted before it is parsed: a few megabytes of brackets are gigabytes of lists, and a text of fifty
+ * megabytes is no caption.
+ */
+
+import { TEXT } from '../../engine/limits.js';
+import { failure } from '../../engine/protocol.js';
+
+const [QUOTE, BACKSLASH, COMMA] = ['"', '\\', ','].map((sign) => sign.charCodeAt(0));
+const [LIST, LIST_END, OBJECT, OBJECT_END] = ['[', ']', '{', '}'].map((sign) => sign.charCodeAt(0));
+
+/**
+ * @param {string} text
+ * @param {{ depth: number, values: number, string: number }} [most]
+ * @returns {any} what it says; throws a `SyntaxError`, or `too-large-project` where it is beyond `most`
+ */
+export function parsedJson(text, most = TEXT) {
+  let [depth, values] = [0, 0];
+  for (let at = 0; at < text.length; at += 1) {
+    const sign = text.charCodeAt(at);
+    if (sign === QUOTE) {
+      const end = endOfString(text, at);
+      if (end - at - 1 > most.string) throw tooLarge('a text');
+      at = end;
+    } else if (sign === COMMA) {
+      values += 1;
+    } else if (sign === LIST || sign === OBJECT) {
+      values += 1;
+      depth += 1;
+      if (depth > most.depth) throw tooLarge('a list');
+    } else if (sign === LIST_END || sign === OBJECT_END) {
+      depth -= 1;
+    }
+    if (values > most.values) throw tooLarge('the number of its parts');
+  }
+  return JSON.parse(text);
+}
+
+/** @param {string} text @param {number} start where it begins @returns {number} where its last quote is, or where the text ends */
+function endOfString(text, start) {
+  for (let at = start + 1; at < text.length; at += 1) {
+    const sign = text.charCodeAt(at);
+    if (sign === QUOTE) return at;
+    if (sign === BACKSLASH) at += 1;
+  }
+  return text.length;
+}
+
+/** @param {string} what */
+function tooLarge(what) {
+  return failure('too-large-project', `project.json: ${what} in it is beyond all measure.`);
+}
