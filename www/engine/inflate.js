@@ -6,6 +6,12 @@ import { failure } from './protocol.js';
 /** Pieces are small; so many bytes of them become a blob, which the browser can lay on the disk. */
 const PART = 4 * 2 ** 20;
 
+/**
+ * Bytes that are unpacked at once. Browsers unpack all that they were given before anyone can count it, and a byte may be
+ * a thousand.
+ */
+const STEP = 8 * 2 ** 10;
+
 /** Something that waits for a file: `beat` is called with every piece. @typedef {{ signal?: AbortSignal, beat?: () => void }} Watch */
 
 /**
@@ -15,7 +21,7 @@ const PART = 4 * 2 ** 20;
  * @returns {Promise<Blob>} rejects with `damaged`, with `too-large` where there is no room, and as `signal` is aborted
  */
 export async function inflated(packed, format, { take, signal, beat = () => {} }) {
-  const reader = packed.stream().pipeThrough(new DecompressionStream(format)).getReader();
+  const reader = inSteps(packed).pipeThrough(new DecompressionStream(format)).getReader();
   /** @type {Blob[]} */
   const blobs = [];
   /** @type {BlobPart[]} */
@@ -44,4 +50,25 @@ export async function inflated(packed, format, { take, signal, beat = () => {} }
 export function roomFor(most) {
   let left = most;
   return (bytes) => (left -= bytes) >= 0;
+}
+
+/** @param {Blob} blob @returns {ReadableStream<Uint8Array<ArrayBuffer>>} */
+function inSteps(blob) {
+  const reader = blob.stream().getReader();
+  let left = new Uint8Array(0);
+  return new ReadableStream({
+    async pull(controller) {
+      if (left.length === 0) {
+        const { value, done } = await reader.read();
+        if (done) {
+          controller.close();
+          return;
+        }
+        left = value;
+      }
+      controller.enqueue(left.subarray(0, STEP));
+      left = left.subarray(STEP);
+    },
+    cancel: (reason) => reader.cancel(reason),
+  }, { highWaterMark: 0 });
 }

@@ -15,8 +15,11 @@ export const ARCHIVE = Object.freeze({
   name: KB,
   /** Bytes of the list of files. */
   directory: 16 * MB,
-  /** Bytes that one file may unpack to. What is stored as it is takes no more than it did before. */
-  entry: 256 * MB,
+  /**
+   * Bytes that one file may unpack to: it is held whole, and once more where it is decoded. What is stored as it is, as
+   * we store it, takes no more than it did before.
+   */
+  entry: 128 * MB,
   /**
    * Bytes that all files together may unpack to. Photos that another program packs hardly get smaller.
    * @param {number} size of the archive

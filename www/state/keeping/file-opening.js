@@ -59,6 +59,8 @@ export function createFileOpening({ engine, messages, opening }) {
     progress.value = { name: file.name, done: 0, total: 1 };
     /** Photos that are in the engine. @type {string[]} */
     const taken = [];
+    /** What is to be said of the others, when the rest is open. @type {string[]} */
+    const failed = [];
     const { signal: cancelled } = stop;
     const quiet = silence(stop);
     const watch = { signal: cancelled, beat: quiet.beat };
@@ -74,11 +76,12 @@ export function createFileOpening({ engine, messages, opening }) {
       quiet.beat();
       const content = await Promise.race([quiet.over, read({
         planner, watch,
-        photos: (wanted, archive) => readPhotos(wanted, archive, { take, watch }),
+        photos: (wanted, archive) => readPhotos(wanted, archive, { take, watch, failed }),
         absent: (photo, number) => placeFor(photo, number, take),
       })]);
       cancelled.throwIfAborted();
       await opening.enter(freshPlace(), content, undefined, { join: true });
+      for (const text of failed) messages.alert(text);
       return true;
     } catch (error) {
       taken.forEach(engine.forgetPhoto);
@@ -96,10 +99,10 @@ export function createFileOpening({ engine, messages, opening }) {
   /**
    * @param {readonly FilePhoto[]} photos
    * @param {Archive} archive
-   * @param {{ take: Take, watch: Hands['watch'] }} how
-   * @returns {Promise<Fact[]>} those that can be read; the others are named
+   * @param {{ take: Take, watch: Hands['watch'], failed: string[] }} how
+   * @returns {Promise<Fact[]>} those that can be read; the others are named in `failed`
    */
-  async function readPhotos(photos, archive, { take, watch }) {
+  async function readPhotos(photos, archive, { take, watch, failed }) {
     // Thousands that are one file would be read thousands of times.
     if (new Set(photos.map(({ path }) => path)).size < photos.length) throw damaged('photos: two of them are one file');
     const packed = photos.some(({ path }) => archive.get(path)?.packed);
@@ -116,7 +119,7 @@ export function createFileOpening({ engine, messages, opening }) {
       } catch (error) {
         const { code, message } = /** @type {{ code?: string, message: string }} */ (error);
         if (watch.signal.aborted || ['cancelled', 'too-large-project'].includes(code ?? '')) throw error;
-        messages.alert(strings.fileFailed(fact.name, strings.reasons[code ?? ''] ?? message));
+        failed.push(strings.fileFailed(fact.name, strings.reasons[code ?? ''] ?? message));
         return [];
       } finally {
         const now = progress.peek();
