@@ -7,6 +7,8 @@ import { batch } from '@preact/signals';
 import { CROWD, Priority } from '../engine/queue.js';
 import { freshId } from './fresh-id.js';
 import { strings } from '../strings.js';
+import { looksLike } from './keeping/identity.js';
+import { emptyFrames } from './keeping/placeholder.js';
 
 /** @typedef {import('./album.js').Fact} Fact */
 /** @typedef {ReturnType<typeof createIntake>} Intake */
@@ -53,15 +55,17 @@ export function createIntake({ store, pages, engine, messages, prefix = 'p' }) {
     store.originals.set(id, file);
     const priority = isShown(id) ? Priority.PAGE : Priority.REST;
     let last = false;
-    const read = await engine.importPhoto(id, file, { priority, signal }).then((meta) => ({ meta }), (error) => ({ error }));
+    let read = await engine.importPhoto(id, file, { priority, signal }).then((meta) => ({ meta }), (error) => ({ error }));
+    if ('error' in read && store.album.peek().get(id)?.meta) {
+      failed(file, read.error);
+      read = await emptyFrame(id).then((meta) => ({ meta }), (error) => ({ error }));
+    }
     await together(isShown(id), () => {
       try {
         if ('error' in read) throw read.error;
         arrived(id, read.meta);
       } catch (error) {
         failed(file, error);
-        const fact = store.album.peek().get(id);
-        if (fact?.meta) store.know({ ...fact, meta: null });
       }
       store.originals.delete(id);
       leaveOut([id]);
@@ -72,6 +76,17 @@ export function createIntake({ store, pages, engine, messages, prefix = 'p' }) {
     // What follows, when all are read, is as much work as showing the last of them: a task of its own.
     await new Promise((resolve) => { setTimeout(resolve); });
     count(1, 0);
+  }
+
+  /**
+   * Of a photo that was read before, and now cannot be: its place on the pages is kept.
+   * @param {string} id
+   */
+  async function emptyFrame(id) {
+    const [{ fact, file }] = await emptyFrames([/** @type {Fact} */ (store.album.peek().get(id))]);
+    const meta = await engine.importPhoto(id, file, { priority: isShown(id) ? Priority.PAGE : Priority.REST });
+    store.know(fact);
+    return meta;
   }
 
   /** Whether a photo is the last of many. */
@@ -108,11 +123,27 @@ export function createIntake({ store, pages, engine, messages, prefix = 'p' }) {
    * @param {Partial<Fact>} [more]
    */
   function arrived(id, meta, more) {
-    const fact = /** @type {Fact} */ (store.album.peek().get(id));
-    // A photo that is read again keeps what was found in it.
-    const known = fact.meta ? { meta: { ...meta, subjects: fact.meta.subjects } } : { meta, measures: meta.measures };
-    store.know({ ...fact, ...known, ...more });
+    const fact = store.album.peek().get(id);
+    // A frame of a film that nobody wants any more.
+    if (!fact) return;
+    store.know({ ...fact, ...knownOf(fact, meta), ...more });
     if (isShown(id)) pages.refine();
+  }
+
+  /**
+   * @param {Fact} fact
+   * @param {import('../engine/protocol.js').Imported['meta']} meta
+   * @returns {Partial<Fact>}
+   */
+  function knownOf({ meta: before, absent }, meta) {
+    if (absent) {
+      const { width, height, subjects, measured } = absent;
+      // The photo itself turned up, or else it is the frame that keeps its place, and is compared with none.
+      if (looksLike(meta, absent)) return { meta: { ...meta, subjects: subjects ?? [] }, measures: measured ? meta.measures : null, looked: subjects !== null, absent: undefined };
+      return { meta: { ...meta, width, height, taken: before?.taken ?? null, subjects: subjects ?? [] }, measures: null };
+    }
+    // A photo that is read again keeps what was found in it.
+    return before ? { meta: { ...meta, subjects: before.subjects } } : { meta, measures: meta.measures };
   }
 
   /** @param {File} file @param {unknown} error */

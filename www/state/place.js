@@ -5,8 +5,9 @@ import { freshId } from './fresh-id.js';
 
 /**
  * `stamp` is that of the last writing, empty before the first: who writes changes it here. The object itself stands for
- * the project as long as it is open.
- * @typedef {{ readonly id: string, readonly created: number, stamp: string }} Place
+ * the project as long as it is open. `stored` is the history that the database has of it, where the journal told of one that
+ * is further.
+ * @typedef {{ readonly id: string, readonly created: number, stamp: string, readonly stored?: import('./keeping/database.js').KeptHistory }} Place
  */
 
 /** @returns {Place} of a project that is kept nowhere yet */

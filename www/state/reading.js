@@ -42,7 +42,7 @@ export function createReading({ store, pages, engine, messages, prefix }) {
   const intake = createIntake({ store, pages, engine, messages, prefix });
   const frames = createFrames({ store, engine, intake });
 
-  return { addFiles, addSamples, resume, resample, cancel, use, remove, edit, freshIds: intake.freshIds, count: intake.count };
+  return { addFiles, addSamples, resume, resample, cancel, use, remove, removeAll, edit, freshIds: intake.freshIds, count: intake.count };
 
   /**
    * @param {readonly File[]} given
@@ -50,11 +50,24 @@ export function createReading({ store, pages, engine, messages, prefix }) {
    */
   async function addFiles(given, credits) {
     if (given.length === 0) return;
+    store.arriving.value += given.length;
+    const sources = await onTable(given, credits).finally(() => {
+      store.arriving.value -= given.length;
+    });
+    if (sources) await readAll(sources);
+  }
+
+  /**
+   * @param {readonly File[]} given
+   * @param {ReadonlyMap<string, string>} [credits]
+   * @returns {Promise<Source[] | null>} what is in the tray from now on; null where there is no planner
+   */
+  async function onTable(given, credits) {
     try {
       // Nothing can be laid out before the planner is there.
       await engine.ready;
     } catch {
-      return;
+      return null;
     }
     const moving = new Map(given.some(mayMove) ? await Promise.all(given.filter(mayMove).map(async (file) => /** @type {const} */ ([file, (await pictureEnds(file)).length]))) : []);
     const first = store.tray.peek().length === 0;
@@ -74,7 +87,7 @@ export function createReading({ store, pages, engine, messages, prefix }) {
       gesture ??= `add-${ids[0]}`;
       store.change({ type: 'add-photos', ids, gesture });
     }
-    await readAll(sources);
+    return sources;
   }
 
   /**
@@ -100,14 +113,17 @@ export function createReading({ store, pages, engine, messages, prefix }) {
   /**
    * Reads photos that are in the tray already: what was known of them stands.
    * @param {readonly { id: string, file: File }[]} photos
+   * @param {readonly string[]} [films] keys of videos whose frames are taken once more
    */
-  async function resume(photos) {
-    if (photos.length === 0) return;
-    intake.count(0, photos.length);
+  async function resume(photos, films = []) {
+    const videos = films.flatMap((key) => store.videos.peek().get(key) ?? []);
+    const count = videos.reduce((sum, { ids }) => sum + ids.length, photos.length);
+    if (count === 0) return;
+    intake.count(0, count);
     planned = inUse();
     // Stopping it would take them out of the tray.
     const { signal } = new AbortController();
-    await Promise.all(photos.map(({ id, file }) => intake.readPhoto(id, file, signal)));
+    await Promise.all([...photos.map(({ id, file }) => intake.readPhoto(id, file, signal)), ...videos.map((video) => frames.read(video, signal))]);
     if (!store.reading.peek()) settle();
   }
 
@@ -177,6 +193,11 @@ export function createReading({ store, pages, engine, messages, prefix }) {
   /** @param {string} id */
   function remove(id) {
     edit({ type: 'remove-photo', id }, () => pages.refit({ grow: false }));
+  }
+
+  /** @param {readonly string[]} ids */
+  function removeAll(ids) {
+    edit({ type: 'remove-photos', ids }, () => pages.refit({ grow: false }));
   }
 
   /**

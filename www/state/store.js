@@ -36,6 +36,9 @@ export function createStore() {
   /** The files of photos that are still being read. @type {Map<string, File>} */
   const originals = new Map();
 
+  /** Files that were chosen and are not on the table yet, as nothing can be laid out so far. */
+  const arriving = signal(0);
+
   /** Whether the sample album is on its way. */
   const fetching = signal(false);
 
@@ -105,6 +108,7 @@ export function createStore() {
     originals,
     planner,
     reading,
+    arriving,
     fetching,
     project,
     page,

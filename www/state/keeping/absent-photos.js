@@ -9,6 +9,7 @@ import { Priority } from '../../engine/queue.js';
 import { isVideo } from '../../engine/video.js';
 import { strings } from '../../strings.js';
 import { hashOf, looksLike } from './identity.js';
+import { absentOf } from './placeholder.js';
 import { renamed } from './project-json.js';
 
 /** @typedef {import('../album.js').Fact} Fact */
@@ -20,11 +21,14 @@ import { renamed } from './project-json.js';
  * @param {{
  *   store: import('../store.js').Store, engine: Pick<import('../../engine/engine.js').Engine, 'importPhoto' | 'forgetPhoto'>,
  *   reading: Pick<import('../reading.js').Reading, 'freshIds' | 'count'>, messages: Pick<import('../messages.js').Messages, 'note' | 'alert'>,
- *   chooseFiles: () => void,
- * }} app
+ *   chooseFiles: () => void, missing?: import('@preact/signals').ReadonlySignal<readonly Fact[]>,
+ * }} app `missing`: photos that are on the page, but can be saved no more
  */
-export function createAbsentPhotos({ store, engine, reading, messages, chooseFiles }) {
-  const list = computed(() => store.facts.value.filter(({ absent }) => absent));
+export function createAbsentPhotos({ store, engine, reading, messages, chooseFiles, missing }) {
+  const list = computed(() => [
+    ...store.facts.value.filter(({ absent }) => absent),
+    ...(missing?.value ?? []).flatMap((fact) => (store.album.value.has(fact.id) ? { ...fact, absent: absentOf(fact) } : [])),
+  ]);
 
   return { list, fill };
 
@@ -67,7 +71,8 @@ export function createAbsentPhotos({ store, engine, reading, messages, chooseFil
       const [id] = reading.freshIds(1);
       // What cannot be read is named where it is added as a photo.
       const meta = await engine.importPhoto(id, file, { priority: Priority.PAGE }).catch(() => null);
-      const frame = meta && (known ?? free().find(({ absent }) => absent && looksLike(meta, absent)));
+      const frame = meta && (known ?? free().find(({ absent }) => absent && looksLike(meta, absent)) ??
+        free().find(({ name, absent }) => absent?.fingerprint === '' && name === file.name));
       if (frame) matches.set(file, { frame, id, name: file.name, meta });
       else if (meta) engine.forgetPhoto(id);
     }

@@ -11,7 +11,7 @@
  * Photos have ids that no other photo has in any project, so a copy of a project costs no second copy of them.
  */
 
-import { openDB } from 'idb';
+import { deleteDB, openDB } from 'idb';
 
 /** @typedef {import('../../engine/protocol.js').PhotoHandle} PhotoHandle */
 
@@ -45,6 +45,7 @@ import { openDB } from 'idb';
 
 /** @typedef {import('idb').IDBPDatabase<Schema>} Database */
 
+const TABLES = /** @type {const} */ (['projects', 'states', 'facts', 'photos']);
 const NAME = 'inkpanel';
 /** Of the tables; what is in them has a version of its own (`versions.js`). */
 const VERSION = 1;
@@ -54,14 +55,24 @@ const VERSION = 1;
  * @returns {Promise<Database>} rejects where the browser refuses storage
  */
 export async function openDatabase({ name = NAME, onClosed = () => {} } = {}) {
+  const database = await open(name, onClosed);
+  if (database.objectStoreNames.length > 0) return database;
+  // Somebody opened one that was not there, and so made it, without any table.
+  database.close();
+  await deleteDB(name);
+  return open(name, onClosed);
+}
+
+/** @param {string} name @param {() => void} onClosed */
+async function open(name, onClosed) {
   /** @type {Database} */
   const database = await openDB(name, VERSION, {
     upgrade(made) {
-      for (const table of /** @type {const} */ (['projects', 'states', 'facts', 'photos'])) {
+      for (const table of TABLES) {
         if (!made.objectStoreNames.contains(table)) made.createObjectStore(table, { keyPath: 'id' });
       }
     },
-    // A newer page in another tab wants other tables: it shall not wait for this one.
+    // A newer page in another tab wants other tables, or the database is deleted: neither shall wait for this page.
     blocking: () => {
       database?.close();
       onClosed();

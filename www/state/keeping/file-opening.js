@@ -12,7 +12,7 @@ import { Priority } from '../../engine/queue.js';
 import { strings } from '../../strings.js';
 import { freshPlace } from '../place.js';
 import { takenBy } from './project-json.js';
-import { placeholderOf } from './placeholder.js';
+import { UNLIKE, placeholderOf } from './placeholder.js';
 import { isDrawable } from './restoring.js';
 import { damaged } from './versions.js';
 
@@ -173,9 +173,6 @@ function silence(stop) {
   over.catch(() => {});
   return { beat, over, end: () => { relax(); since = Infinity; } };
 }
-
-/** Of a photo whose likeness is not told. */
-const UNLIKE = { hash: '', fingerprint: '', width: 1500, height: 1000 };
 
 /**
  * An empty frame in the place of a photo that is not here.

@@ -3,7 +3,7 @@
  * Nothing is lost: the parts that keep the work of a person, joined.
  *
  * - `database.js` the tables; `versions.js` checks and migrates what comes out of them, or out of a file
- * - `snapshot.js` what of the session is kept; `photo-records.js` photos, each written once; `saving.js` when and how
+ * - `snapshot.js` what of the session is kept; `photo-records.js` photos; `saving.js` when and how; `journal.js` the last edits
  * - `restoring.js` the way back; `opening.js` which project is on the page (`last-project.js` at first); `projects.js` the list of them
  * - `drawn-states.js` the last states that were drawn, to go back to
  * - `pictures.js` its thumbnails; `sweeping.js` throws away what no project needs, a day after (`orphans.js`)
@@ -15,12 +15,14 @@
  * The document is plain data and is saved whole: a field that is added to it needs nothing here.
  */
 
+import { effect } from '@preact/signals';
 import { failure } from '../../engine/protocol.js';
 import { strings } from '../../strings.js';
 import { createAbsentPhotos } from './absent-photos.js';
 import { openDatabase } from './database.js';
 import { createDrawnStates } from './drawn-states.js';
 import { createFileOpening } from './file-opening.js';
+import { createJournal } from './journal.js';
 import { createLastProject } from './last-project.js';
 import { createLocks } from './locks.js';
 import { createOpening } from './opening.js';
@@ -36,6 +38,8 @@ import { sweep } from './sweeping.js';
 
 /** Milliseconds after the start until what nobody needs is thrown away. */
 const SWEEP_AFTER = 8_000;
+/** Milliseconds until a database that was closed from outside is looked at: whoever closed it comes first. */
+const LOOK_AFTER = 300;
 
 /**
  * @param {{
@@ -51,32 +55,57 @@ export function createKeeping({ store, reading, engine, shelves, messages, windo
   const records = createPhotoRecords({ photos: engine.photos, originals: store.originals });
   const pictures = createPictures({ store, engine, database, onDrawn: () => void projects.refresh().catch(() => {}) });
   const drawnStates = createDrawnStates({ store });
-  const saving = createSaving({ store, records, locks, database, drawnStates, onTrouble, onSaved });
+  const journal = createJournal({ box: () => window.localStorage });
+  const saving = createSaving({ store, records, journal, locks, database, drawnStates, onTrouble, onWritten, onSaved });
   const opening = createOpening({
-    store, reading, engine, shelves, saving, records, locks, messages, database, last, leave,
+    store, reading, engine, shelves, saving, records, locks, messages, database, journal, last, leave,
+    onMissing: (photos) => tellMissing(photos), onUnwritten: (names) => void (names.length > 0 && messages.grave(strings.photosNeverSaved(names), choose)),
   });
   const projects = createProjects({ store, opening, saving, locks, messages, database });
   const fileOpening = createFileOpening({ engine, messages, opening });
   const files = { ...createProjectFiles({ store, engine, messages, saving, fileOpening }), progress: fileOpening.progress, cancel: fileOpening.cancel };
   const pageFiles = createPageFiles({ store, engine, reading, messages, fileOpening, opening, projects, database, chooseFiles });
-  const absentPhotos = createAbsentPhotos({ store, engine, reading, messages, chooseFiles });
+  const absentPhotos = createAbsentPhotos({ store, engine, reading, messages, chooseFiles, missing: saving.missing });
+  const choose = { label: strings.choosePhotos, run: chooseFiles };
   /** @type {Promise<import('./database.js').Database> | null} */
   let opened = null;
   /** The trouble that was told, and its message. */
   let told = { why: '', message: 0 };
+  /** Whether the person had what could not be read tried again. */
+  let tried = false;
   let asked = false;
 
   window.addEventListener('pagehide', () => void saving.flush());
   window.document.addEventListener('visibilitychange', () => {
     if (window.document.visibilityState === 'hidden') void saving.flush();
+    else void look();
+  });
+  // Only while there is something to lose: a page that asks is kept by no browser for the way back.
+  effect(() => {
+    if (saving.unsaved.value || store.arriving.value > 0) window.addEventListener('beforeunload', ask);
+    else window.removeEventListener('beforeunload', ask);
   });
 
-  return { ...opening, ...projects, status: saving.status, flush: saving.flush, isSafe: saving.isSafe, files, pageFiles, absentPhotos, begin, drawn: drawnStates.note };
+  return { ...opening, ...projects, status: saving.status, progress: saving.progress, flush: saving.flush, isSafe: saving.isSafe, files, pageFiles, absentPhotos, begin, drawn: drawnStates.note };
 
   async function begin() {
     await opening.begin();
     await projects.refresh().catch(() => {});
-    setTimeout(() => void database().then((base) => sweep(base, locks)).catch(() => {}), SWEEP_AFTER);
+    setTimeout(() => void database().then(async (base) => {
+      await sweep(base, locks);
+      await journal.tidy(async (id) => (await base.get('projects', id))?.stamp);
+    }).catch(() => {}), SWEEP_AFTER);
+  }
+
+  /** @param {BeforeUnloadEvent} event */
+  function ask(event) {
+    event.preventDefault();
+  }
+
+  /** Whether what is saved is still there, when the person comes back, or somebody has closed the database. */
+  async function look() {
+    shelves.restore();
+    await saving.check();
   }
 
   function database() {
@@ -86,24 +115,61 @@ export function createKeeping({ store, reading, engine, shelves, messages, windo
 
   async function connect() {
     try {
-      // Closed for a newer page, or by the browser: the next use opens it again.
-      return await openDatabase({ onClosed: () => { opened = null; } });
+      return await openDatabase({ onClosed });
     } catch (cause) {
       opened = null;
       throw failure('no-storage', /** @type {Error} */ (cause).message);
     }
   }
 
+  /** Closed for a newer page, or by the browser, which may have thrown all away: what is used next is opened again. */
+  function onClosed() {
+    opened = null;
+    setTimeout(() => void look(), LOOK_AFTER);
+  }
+
   /** @param {import('../place.js').Place} place */
-  function onSaved({ id }) {
-    messages.close(told.message);
-    told = { why: '', message: 0 };
+  function onWritten({ id }) {
     last.saved(id);
+  }
+
+  function onSaved() {
     pictures.later();
+    const gone = saving.missing.peek();
+    const why = gone.map(({ id }) => id).join();
+    if (told.why !== why || tried) {
+      messages.close(told.message);
+      told = { why, message: why === '' ? 0 : tellUnreadable(gone, tried) };
+    }
+    tried = false;
     // The browser may ask the person, who then knows what for.
     if (asked || navigator.userActivation?.hasBeenActive === false) return;
     asked = true;
     void navigator.storage?.persist?.().catch(() => false);
+  }
+
+  /** Photos of a project that was opened are not in the database. @param {readonly { id: string, name: string }[]} photos */
+  function tellMissing(photos) {
+    const names = photos.map(({ name }) => name);
+    messages.grave(strings.photosNotHere(names, store.tray.peek().length), choose, without(photos));
+  }
+
+  /**
+   * Photos that are on the page can be read no more, and so not be saved.
+   * @param {readonly { id: string, name: string }[]} photos
+   * @param {boolean} again whether they were tried again
+   * @returns {number} the message
+   */
+  function tellUnreadable(photos, again) {
+    const text = strings.photosUnreadable(photos.map(({ name }) => name));
+    if (again) return messages.grave(text, choose, without(photos));
+    return messages.grave(text, { label: strings.saveAgain, run: () => { tried = true; void saving.again(); } }, choose);
+  }
+
+  /** @param {readonly { id: string }[]} photos @returns {import('../messages.js').Way} */
+  function without(photos) {
+    const ids = photos.map(({ id }) => id);
+    return { label: strings.goOnWithout, run: () => { records.forgo(ids); reading.removeAll(ids); void saving.check(); } };
   }
 
   /** @param {import('./saving.js').Status} why @param {Error & { code?: string }} error */

@@ -26,10 +26,14 @@ const PATIENCE = 2_000;
  *   engine: Pick<import('../../engine/engine.js').Engine, 'ready' | 'photos'>, shelves: Pick<import('./shelves.js').Shelves, 'lists'>,
  *   saving: import('./saving.js').Saving, records: import('./photo-records.js').PhotoRecords, locks: import('./locks.js').Locks,
  *   messages: Pick<import('../messages.js').Messages, 'alert'>, database: () => Promise<import('./database.js').Database>,
- *   last: ReturnType<typeof import('./last-project.js').createLastProject>, leave: () => void,
- * }} app `leave` closes what belongs to the project before
+ *   journal: Pick<import('./journal.js').Journal, 'recall' | 'names'>, last: ReturnType<typeof import('./last-project.js').createLastProject>,
+ *   leave: () => void, onMissing: (photos: readonly { id: string, name: string }[]) => void, onUnwritten: (names: readonly string[]) => void,
+ * }} app `leave` closes what belongs to the project before; `onMissing`: photos of a project that was opened are not here;
+ *   `onUnwritten`: photos of a project of which nothing was written
  */
-export function createOpening({ store, reading, engine, shelves, saving, records, locks, messages, database, last, leave }) {
+export function createOpening({
+  store, reading, engine, shelves, saving, records, locks, messages, database, journal, last, leave, onMissing, onUnwritten,
+}) {
   /** The project that another tab has open. @type {import('@preact/signals').Signal<{ id: string, name: string, follows: boolean } | null>} */
   const elsewhere = signal(null);
   const first = last.recall();
@@ -59,6 +63,7 @@ export function createOpening({ store, reading, engine, shelves, saving, records
   async function openLast({ id, here }) {
     const base = await database();
     const project = await base.get('projects', id);
+    if (!project && here) onUnwritten(journal.names(id));
     if (!project || project.gone !== null) return settle(store.place.peek());
     const free = await locks.take(projectLock(id), here ? PATIENCE : 0);
     if (free) return load(id, free).catch((error) => { free(); throw error; });
@@ -99,10 +104,24 @@ export function createOpening({ store, reading, engine, shelves, saving, records
 
   /** @param {string} id @param {() => void} free lets go of its lock */
   async function load(id, free) {
-    const { content, stamp, created } = await readProject(await database(), id);
-    await enter({ id, stamp, created }, content, free);
+    const { content, ...place } = await readable(id);
+    await enter({ id, ...place }, content, free);
     records.know(content.records);
-    void reading.resume(content.unread);
+    if (content.missing?.length) onMissing(content.missing);
+    void reading.resume(content.unread, content.films);
+  }
+
+  /** A project with what the journal tells of it, unless that makes one that cannot be shown. @param {string} id */
+  async function readable(id) {
+    const base = await database();
+    const found = await readProject(base, id, journal.recall);
+    if (!found.stored) return found;
+    try {
+      rehearsed(found.content, { planner: await engine.ready, shared: shelves.lists() });
+      return found;
+    } catch {
+      return readProject(base, id);
+    }
   }
 
   /** An empty project in the place of this one. @returns {Promise<boolean>} whether it came to that */

@@ -1,32 +1,53 @@
 // @ts-check
 /**
- * Photos into the database, each once: the file first, and with it, where there is room, the reduced copies that spare
- * the next visit the decoding.
+ * Photos into the database: first the file of each, bare, so that all are safe soon, whether they were decoded or not; then,
+ * where there is room, the reduced copies that spare the next visit the decoding.
+ *
+ * What is written is read back, and `lose` is told what the database turns out to have no more: it is written again from
+ * what the page holds. The empty frame of a photo that is absent is drawn anew whenever it is needed, and never written: it
+ * must not take the place of a photo that turns up after all.
  */
 
 import { isFull } from './database.js';
 
 /** @typedef {import('./database.js').Database} Database */
 /** @typedef {import('./database.js').PhotoRecord} PhotoRecord */
+/** @typedef {import('../album.js').Fact} Fact */
 /** @typedef {import('../album.js').Video} Video */
+/** What a project refers to. @typedef {{ facts: readonly Fact[], videos: readonly Video[] }} Wanted */
+/** What the page holds of a photo or a film: `entry` once it was decoded. @typedef {{ id: string, name: string, file: Blob, entry: ReturnType<ReturnType<typeof import('../../engine/photos.js').createPhotos>['get']> | null }} Held */
 /** @typedef {ReturnType<typeof createPhotoRecords>} PhotoRecords */
 
 /** Bytes of each photo that are compared when it is read back. */
 const SAMPLE = 64;
 
+/** Files that are written together: many small ones cost little more than one, and none waits long for its turn to be safe. */
+const TOGETHER = 40;
+const BYTES_TOGETHER = 24 * 2 ** 20;
+/** So few that wait are written with their copies at once, where they were decoded by now. */
+const FEW = 8;
+
 /**
  * @param {{
- *   photos: ReturnType<typeof import('../../engine/photos.js').createPhotos>, originals: ReadonlyMap<string, File>,
+ *   photos: Pick<ReturnType<typeof import('../../engine/photos.js').createPhotos>, 'has' | 'get'>, originals: ReadonlyMap<string, File>,
  *   room?: () => Promise<number>,
  * }} app `room`: bytes that the browser would still take
  */
 export function createPhotoRecords({ photos, originals, room = roomLeft }) {
   /** How much of a photo is kept: its file alone, as it was still being read or there is no room, or all. @type {Map<string, 'file' | 'bare' | 'all'>} */
   const kept = new Map();
+  /** Those that could be read no more when they were to be written. @type {Set<string>} */
+  const unreadable = new Set();
   /** @type {WeakMap<Blob, string>} */
   const fileKeys = new WeakMap();
 
-  return { write, writeVideos, know, forget, verify };
+  /** Those that the person goes on without. @type {Set<string>} */
+  const forgone = new Set();
+
+  /** What was written and is to be read back, when the rest is written, too. @type {PhotoRecord[]} */
+  let unproved = [];
+
+  return { keyed, protect, prove, improve, waiting, missing, know, lose, retry, forgo };
 
   /** Photos that the database is known to have. @param {readonly PhotoRecord[]} records */
   function know(records) {
@@ -36,57 +57,166 @@ export function createPhotoRecords({ photos, originals, room = roomLeft }) {
     }
   }
 
-  /** The database may have lost them. */
-  function forget() {
-    kept.clear();
+  /** @param {readonly string[]} keys that the database has not @returns {number} how many of them it had */
+  function lose(keys) {
+    return keys.filter((key) => kept.delete(key)).length;
+  }
+
+  /** What could not be read may be there again. */
+  function retry() {
+    unreadable.clear();
+  }
+
+  /** @param {readonly string[]} ids that are no longer missed */
+  function forgo(ids) {
+    for (const id of ids) forgone.add(id);
+  }
+
+  /** @param {readonly Video[]} videos @returns {import('./database.js').KeptVideo[]} */
+  function keyed(videos) {
+    return videos.map(({ file, ...video }) => ({ ...video, fileKey: keyOf(file, video.key) }));
+  }
+
+  /** @param {Blob} file @param {string} video */
+  function keyOf(file, video) {
+    const key = fileKeys.get(file) ?? `file-${video}`;
+    fileKeys.set(file, key);
+    return key;
+  }
+
+  /** @param {Wanted} wanted @returns {number} files that are not in the database, and can be written */
+  function waiting(wanted) {
+    return unwritten(wanted).length;
+  }
+
+  /**
+   * What neither the database has nor the page can write. A frame of a film that is still to be taken is not missing: its
+   * film is there.
+   * @param {Wanted} wanted
+   * @returns {Fact[]}
+   */
+  function missing({ facts, videos }) {
+    const gone = facts.filter((fact) => {
+      if (kept.has(fact.id) || forgone.has(fact.id) || fact.absent) return false;
+      return unreadable.has(fact.id) || (fact.meta !== null && heldOf(fact) === null);
+    });
+    const films = videos.filter(({ file, key }) => unreadable.has(keyOf(file, key)) && !forgone.has(keyOf(file, key)));
+    return [...gone, ...films.map(({ file, key, name }) => ({ id: keyOf(file, key), name, meta: null, measures: null }))];
+  }
+
+  /** @param {Fact} fact @returns {Held | null} */
+  function heldOf({ id, name, absent }) {
+    if (absent) return null;
+    const entry = photos.has(id) ? photos.get(id) : null;
+    const file = entry?.file ?? originals.get(id);
+    return file ? { id, name, file, entry } : null;
+  }
+
+  /** @param {Wanted} wanted @returns {Held[]} those that are still being read before those that were: they are the quicker to write */
+  function unwritten({ facts, videos }) {
+    const open = (/** @type {string} */ id) => !kept.has(id) && !unreadable.has(id);
+    const list = facts.flatMap((fact) => (open(fact.id) ? heldOf(fact) ?? [] : []));
+    const films = videos.flatMap(({ file, name, key }) => {
+      const id = keyOf(file, key);
+      return open(id) ? { id, name, file, entry: null } : [];
+    });
+    return [...list.filter(({ entry }) => entry === null), ...films, ...list.filter(({ entry }) => entry !== null)];
+  }
+
+  /**
+   * Writes the next files that are not in the database yet.
+   * @param {Database} database
+   * @param {Wanted} wanted
+   * @returns {Promise<number>} how many; none when all are there that can be
+   */
+  async function protect(database, wanted) {
+    const all = unwritten(wanted);
+    if (all.length === 0) return 0;
+    const alone = all[0].entry !== null && all.length <= FEW;
+    const batch = alone ? [all[0]] : batchOf(all);
+    const written = alone ? [await tried(database, all[0])] : await putAll(database, batch);
+    unproved.push(...written.flatMap((record) => record ?? []));
+    return batch.length;
+  }
+
+  /**
+   * Reads some of the files back that were written.
+   * @param {Database} database
+   * @returns {Promise<boolean>} whether there were any left
+   */
+  async function prove(database) {
+    const some = unproved.slice(0, TOGETHER);
+    unproved = unproved.slice(TOGETHER);
+    await verify(database, some);
+    return some.length > 0;
+  }
+
+  /**
+   * Adds its copies to the next photo that has been decoded since its file was written.
+   * @param {Database} database
+   * @param {Wanted} wanted
+   * @returns {Promise<boolean>} whether there was one
+   */
+  async function improve(database, { facts }) {
+    const next = facts.find(({ id, absent }) => kept.get(id) === 'file' && photos.has(id) && !absent);
+    const held = next && heldOf(next);
+    if (!held) return false;
+    const { id, entry } = held;
+    const record = { ...bareOf(held), work: entry?.work ?? null, small: entry?.small ?? null };
+    // Its file is safe, whatever becomes of this.
+    kept.set(id, 'bare');
+    if (!await hasRoom(record)) return true;
+    try {
+      await database.put('photos', record);
+    } catch (error) {
+      if (isFull(error) || !await allReadable(held)) return true;
+      throw error;
+    }
+    kept.set(id, 'all');
+    await verify(database, [record]);
+    return true;
+  }
+
+  /** @param {Database} database @param {readonly Held[]} batch of files alone @returns {Promise<(PhotoRecord | null)[]>} */
+  async function putAll(database, batch) {
+    const records = batch.map(bareOf);
+    const all = database.transaction('photos', 'readwrite');
+    try {
+      await Promise.all([...records.map((record) => all.store.put(record)), all.done]);
+    } catch (error) {
+      all.done.catch(() => {});
+      if (isFull(error) && batch.length === 1) throw error;
+      // One of them is the reason; the others are none the worse for it.
+      const written = [];
+      for (const held of batch) written.push(await tried(database, held));
+      return written;
+    }
+    for (const { id } of batch) kept.set(id, 'file');
+    return records;
   }
 
   /**
    * @param {Database} database
-   * @param {readonly { id: string, name: string }[]} facts
-   * @returns {Promise<PhotoRecord[]>} what was written
+   * @param {Held} held
+   * @returns {Promise<PhotoRecord | null>} null where it can be read no more
    */
-  async function write(database, facts) {
-    const written = [];
-    for (const { id, name } of facts) {
-      const state = kept.get(id);
-      if (state === 'all' || state === 'bare') continue;
-      const entry = photos.has(id) ? photos.get(id) : null;
-      const file = entry?.file ?? originals.get(id);
-      if (!file || (!entry && state === 'file')) continue;
-      const bare = { id, name, file, work: null, small: null };
+  async function tried(database, held) {
+    const { id, entry } = held;
+    const bare = bareOf(held);
+    try {
       const record = entry ? await put(database, { ...bare, work: entry.work, small: entry.small }) : await putFile(database, bare);
       kept.set(id, record.work ? 'all' : entry ? 'bare' : 'file');
-      written.push(record);
+      return record;
+    } catch (error) {
+      if (isFull(error) || await allReadable(held)) throw error;
+      unreadable.add(id);
+      return null;
     }
-    return written;
-  }
-
-  /**
-   * @param {Database} database
-   * @param {readonly Video[]} videos
-   * @returns {Promise<{ videos: import('./database.js').KeptVideo[], written: PhotoRecord[] }>}
-   */
-  async function writeVideos(database, videos) {
-    const written = [];
-    const list = [];
-    for (const { file, ...video } of videos) {
-      const fileKey = fileKeys.get(file) ?? `file-${video.key}`;
-      fileKeys.set(file, fileKey);
-      list.push({ ...video, fileKey });
-      if (kept.has(fileKey)) continue;
-      written.push(await putFile(database, { id: fileKey, name: video.name, file, work: null, small: null }));
-      kept.set(fileKey, 'all');
-    }
-    return { videos: list, written };
   }
 
   /** @param {Database} database @param {PhotoRecord} record */
   async function put(database, record) {
-    const copies = (record.work?.planes.size ?? 0) + (record.small?.planes.size ?? 0);
-    const file = record.file?.size ?? 0;
-    // The files of all photos are worth more than the copies of some.
-    if (await room() > 4 * (copies + file)) {
+    if (await hasRoom(record)) {
       try {
         return await putFile(database, record);
       } catch (error) {
@@ -96,13 +226,18 @@ export function createPhotoRecords({ photos, originals, room = roomLeft }) {
     return putFile(database, { ...record, work: null, small: null });
   }
 
+  /** The files of all photos are worth more than the copies of some. @param {PhotoRecord} record */
+  async function hasRoom({ file, work, small }) {
+    return await room() > 4 * ((file?.size ?? 0) + (work?.planes.size ?? 0) + (small?.planes.size ?? 0));
+  }
+
   /** @param {Database} database @param {PhotoRecord} record */
   async function putFile(database, record) {
     try {
       await database.put('photos', record);
       return record;
     } catch (error) {
-      if (isFull(error) || record.file === null || await readable(record.file)) throw error;
+      if (isFull(error) || record.file === null || record.work === null || await readable(record.file)) throw error;
       // The file was moved or deleted since it was chosen; the copies are all that is left of it.
       const rest = { ...record, file: null };
       await database.put('photos', rest);
@@ -116,15 +251,36 @@ export function createPhotoRecords({ photos, originals, room = roomLeft }) {
    * @param {readonly PhotoRecord[]} written
    */
   async function verify(database, written) {
-    for (const record of written) {
+    const whole = await Promise.all(written.map(async (record) => {
       const found = await database.get('photos', record.id);
-      const whole = await alike(record.file, found?.file) && await alike(record.work?.planes, found?.work?.planes) &&
-        await alike(record.small?.planes, found?.small?.planes);
-      if (whole) continue;
-      kept.delete(record.id);
-      throw new Error(`${record.name} could not be read back`);
-    }
+      const parts = [[record.file, found?.file], [record.work?.planes, found?.work?.planes], [record.small?.planes, found?.small?.planes]];
+      return (await Promise.all(parts.map(([one, other]) => alike(one, other)))).every(Boolean);
+    }));
+    const bad = written.filter((_record, i) => !whole[i]);
+    for (const { id } of bad) kept.delete(id);
+    if (bad.length > 0) throw new Error(`${bad[0].name} could not be read back`);
   }
+}
+
+/** @param {Held} held @returns {PhotoRecord} */
+function bareOf({ id, name, file }) {
+  return { id, name, file, work: null, small: null };
+}
+
+/** @param {readonly Held[]} all @returns {Held[]} the first of them, as many as are written together */
+function batchOf(all) {
+  let bytes = 0;
+  const end = all.findIndex(({ file }, i) => {
+    bytes += file.size;
+    return i > 0 && (i >= TOGETHER || bytes > BYTES_TOGETHER);
+  });
+  return end < 0 ? [...all] : all.slice(0, end);
+}
+
+/** @param {Held} held */
+async function allReadable({ file, entry }) {
+  const sources = [file, ...(entry ? [entry.work.planes, entry.small.planes] : [])];
+  return (await Promise.all(sources.map(readable))).every(Boolean);
 }
 
 /** @param {Blob} blob */

@@ -1,10 +1,40 @@
 // @ts-check
 /**
- * The picture in the place of a photo that is not there: an empty frame with its diagonals, as editors of pages draw it.
+ * What stands in the place of a photo that is not there: an empty frame with its diagonals, as editors of pages draw it.
  * It is light, so that every style leaves it light, and has the shape of the photo, so that its crop stays what it was.
  */
 
 import { chunkOf, pngOf } from '../../engine/png-chunks.js';
+
+/** @typedef {import('../album.js').Fact} Fact */
+/** @typedef {import('../album.js').Absent} Absent */
+
+/** Of a photo of which nobody knows how it looks. */
+export const UNLIKE = Object.freeze({ hash: '', fingerprint: '', width: 1500, height: 1000 });
+
+/** @param {Fact} fact @returns {Absent} how its photo is recognised when it comes back, and what was known of it */
+export function absentOf({ meta, measures, looked, absent }) {
+  if (absent) return absent;
+  if (!meta) return { ...UNLIKE, subjects: null, measured: true };
+  const { fingerprint, width, height, subjects } = meta;
+  return { hash: '', fingerprint, width, height, subjects: looked ? subjects : null, measured: measures !== null };
+}
+
+/**
+ * @param {readonly Fact[]} facts of photos that are gone
+ * @returns {Promise<{ fact: Fact, file: File }[]>} frames that keep their places, under their names
+ */
+export async function emptyFrames(facts) {
+  /** Most photos of an album are of one or two shapes. @type {Map<string, Promise<Blob>>} */
+  const made = new Map();
+  return Promise.all(facts.map(async (fact) => {
+    const absent = absentOf(fact);
+    const shape = `${absent.width} ${absent.height}`;
+    const picture = made.get(shape) ?? placeholderOf(absent);
+    made.set(shape, picture);
+    return { fact: { ...fact, measures: null, looked: true, absent }, file: new File([await picture], fact.name, { type: 'image/png' }) };
+  }));
+}
 
 /** Pixels of the longer side, and of a line. */
 const [LONGEST, LINE] = [480, 2];

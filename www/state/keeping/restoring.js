@@ -2,10 +2,11 @@
 /** A project out of the database, and back onto the page. */
 
 import { failure } from '../../engine/protocol.js';
-import { advance } from '../history.js';
+import { strings } from '../../strings.js';
 import { rebased } from '../shared-lists.js';
 import { sheetsOf } from '../sheets.js';
 import { createStore } from '../store.js';
+import { emptyFrames } from './placeholder.js';
 import { photosOf } from './snapshot.js';
 import { checkedHistory, damaged, migrated } from './versions.js';
 
@@ -16,58 +17,87 @@ import { checkedHistory, damaged, migrated } from './versions.js';
 /** @typedef {import('../history.js').History} History */
 
 /**
- * A project in parts: `photos` are complete, `unread` are files that must be decoded again.
+ * A project in parts: `records` are what the database has of its photos, `unread` files that must be decoded again, `films`
+ * the keys of videos whose frames must be; `missing` are the photos in the tray for which an empty frame stands.
  * @typedef {{
  *   history: History, album: Map<string, Fact>, videos: Map<string, Video>, records: PhotoRecord[],
- *   unread: { id: string, file: File }[],
+ *   unread: { id: string, file: File }[], films?: string[], missing?: { id: string, name: string }[],
  * }} Content
  */
 
 /**
  * @param {Database} database
  * @param {string} id
- * @returns {Promise<{ content: Content, stamp: string, created: number }>} rejects with `missing-project`,
- *   `damaged-project` or `newer-project`
+ * @param {(id: string, base: import('./journal.js').Base) => import('./journal.js').Told | null} [recall] what the journal
+ *   tells of edits that are not in the database
+ * @returns {Promise<{ content: Content, stamp: string, created: number, stored?: import('./database.js').KeptHistory }>} `stored` is
+ *   what the database has, where the journal told of more; rejects with `missing-project`, `damaged-project` or `newer-project`
  */
-export async function readProject(database, id) {
+export async function readProject(database, id, recall = () => null) {
   const [project, state] = await Promise.all([database.get('projects', id), database.get('states', id)]);
   if (!project || !state) throw failure('missing-project', 'There is no such project any more.');
   const kept = migrated(state);
-  const history = { ...checkedHistory(kept.history), gesture: null };
+  const base = { stamp: project.stamp, history: checkedHistory(kept.history) };
+  const told = recall(id, base);
+  const history = { ...(told?.history ?? base.history), gesture: null };
   const all = database.transaction(['photos', 'facts']);
   const read = (/** @type {'photos' | 'facts'} */ table, /** @type {string[]} */ ids) => (
     Promise.all(ids.map((key) => /** @type {any} */ (all.objectStore(table)).get(key))).then((found) => found.filter(Boolean))
   );
+  const ids = [...photosOf(history)];
   const fileKeys = kept.videos.map((/** @type {{ fileKey: string }} */ { fileKey }) => fileKey);
-  const [records, facts, files] = await Promise.all([read('photos', kept.facts), read('facts', kept.facts), read('photos', fileKeys)]);
-  return { content: contentOf(history, records, facts.map(({ fact }) => fact), kept.videos, files), stamp: project.stamp, created: project.created };
+  const [records, facts, files] = await Promise.all([read('photos', ids), read('facts', ids), read('photos', fileKeys)]);
+  const names = new Map(told?.photos);
+  const content = await contentOf(history, { records, facts: facts.map(({ fact }) => fact), videos: kept.videos, files, names });
+  return { content, stamp: project.stamp, created: project.created, stored: told ? base.history : undefined };
 }
 
 /**
+ * Every photo of the history, whatever became of it: what was not decoded, or lost what was known of it, is read again from
+ * its file, a frame from its film; where there is neither, an empty frame keeps its place until somebody brings it back.
  * @param {History} history
- * @param {PhotoRecord[]} records
- * @param {Fact[]} facts
- * @param {import('./database.js').KeptVideo[]} videos
- * @param {PhotoRecord[]} files of the videos
- * @returns {Content}
+ * @param {{
+ *   records: PhotoRecord[], facts: Fact[], videos: import('./database.js').KeptVideo[], files: PhotoRecord[], names: ReadonlyMap<string, string>,
+ * }} found `files` are those of the videos, `names` what the journal tells of photos
+ * @returns {Promise<Content>}
  */
-function contentOf(history, records, facts, videos, files) {
-  const whole = records.filter(({ work, small }) => work && small);
-  const unread = records.flatMap(({ id, name, file, work }) => (!work && file ? { id, file: asFile(file, name) } : []));
-  const there = new Set([...whole, ...unread].map(({ id }) => id));
-  const album = new Map(facts.filter(({ id }) => there.has(id)).map((fact) => [fact.id, fact]));
-  const missing = [...photosOf(history)].filter((id) => !album.has(id));
-  const byKey = new Map(files.map((record) => [record.id, record.file]));
+async function contentOf(history, { records, facts, videos, files, names }) {
+  const films = new Map(files.map((record) => [record.id, record.file]));
   const known = videos.flatMap(({ fileKey, ...video }) => {
-    const file = byKey.get(fileKey);
+    const file = films.get(fileKey);
     return file ? { ...video, file: asFile(file, video.name) } : [];
   });
+  const [byId, factOf] = [new Map(records.map((record) => [record.id, record])), new Map(facts.map((fact) => [fact.id, fact]))];
+  const filmOf = new Map(known.flatMap(({ key, ids }) => ids.map((id) => [id, key])));
+  /** @type {Map<string, Fact>} */
+  const album = new Map();
+  /** @type {Content['unread']} */
+  const unread = [];
+  /** @type {Fact[]} */
+  const missing = [];
+  const unseen = new Set();
+  for (const id of photosOf(history)) {
+    const record = byId.get(id);
+    const { file = null, work = null, small = null } = record ?? {};
+    const name = names.get(id) ?? record?.name ?? strings.absentPhoto(missing.length + 1);
+    const fact = factOf.get(id) ?? { id, name, meta: null, measures: null };
+    album.set(id, fact);
+    if (fact.meta && work && small) continue;
+    if (file) unread.push({ id, file: asFile(file, fact.name) });
+    else if (filmOf.has(id) && !fact.absent) unseen.add(filmOf.get(id));
+    else missing.push(fact);
+  }
+  const empty = await emptyFrames(missing);
+  for (const { fact } of empty) album.set(fact.id, fact);
+  const inTray = new Set(history.present.tray.map(({ id }) => id));
   return {
-    history: missing.length > 0 ? advance(history, { type: 'forget-photos', ids: missing }) : history,
+    history,
     album,
     videos: new Map(known.map((video) => [video.key, video])),
-    records: [...whole, ...files],
-    unread,
+    records: [...records, ...files],
+    unread: [...unread, ...empty.map(({ fact: { id }, file }) => ({ id, file }))],
+    films: [...unseen],
+    missing: missing.flatMap(({ id, name }) => (inTray.has(id) ? { id, name } : [])),
   };
 }
 

@@ -1,7 +1,10 @@
 // @ts-check
 /**
- * Saves by itself: a moment after a change, and at the latest after a second of changes. It says `saved` only when what
- * was written was read back. A change that comes while it writes begins another round.
+ * Saves by itself. The state is written first: the document, what is known of its photos, and which they are; a moment
+ * after a change, at the latest after a second of changes, and at once where photos were added. Their files follow and are
+ * counted. It says `saved` only when the state was read back and the database was found to have all that it refers to;
+ * what it has no more, be it one photo or everything, is written anew from what the page holds. What a save could not do
+ * is tried again by itself, but for want of room.
  *
  * What is written goes to the place that its snapshot names, and what is known of the saving of a project is known of its
  * place: whatever comes and goes on the page, no project is written in the place of another.
@@ -10,6 +13,7 @@
 import { effect, signal, untracked } from '@preact/signals';
 import { failure } from '../../engine/protocol.js';
 import { freshId } from '../fresh-id.js';
+import { EMPTY_HISTORY } from '../history.js';
 import { isFull } from './database.js';
 import { drawnId } from './drawn-states.js';
 import { PHOTOS_LOCK } from './locks.js';
@@ -19,34 +23,58 @@ import { VERSION } from './versions.js';
 
 /** @typedef {import('./database.js').Database} Database */
 /** @typedef {import('./snapshot.js').Snapshot} Snapshot */
+/** @typedef {import('./journal.js').Base} Base */
+/** @typedef {import('../album.js').Fact} Fact */
 /** @typedef {import('../place.js').Place} Place */
-/** @typedef {'empty' | 'saving' | 'saved' | 'full' | 'refused' | 'failed'} Status */
+/** `missing`: some photos can be read no more, all else is saved. @typedef {'empty' | 'saving' | 'saved' | 'missing' | 'full' | 'refused' | 'failed'} Status */
 /**
- * What is known of the saving of one project: `facts` as they were written, `clean` is what there was when nothing needed
- * saving, `inFile` what was saved as a file, `since` when the first change came that is not written.
- * @typedef {{ place: Place, facts: Map<string, import('../album.js').Fact>, clean: unknown[], dirty: boolean, inFile: unknown, since: number, status: Status }} Ledger
+ * What there was at one moment: all of it, what of it is saved, and how many photos it had.
+ * @typedef {{ now: unknown[], shot: Snapshot, known: number }} Moment
+ */
+/**
+ * What is known of the saving of one project: `facts` as they were written; `clean` is what there was when nothing needed
+ * saving; `dirty`: something does; `due` is to be written now; `base` is the history that the database has, `next` the one on its way there;
+ * `shot` is what was written last, `complete`: with all of its photos, which were `looked` for; `known` photos were there
+ * then; `covered`: the journal tells all else; `inFile` is what was saved as a file, `since` when the first change came that
+ * is not written.
+ * @typedef {{
+ *   place: Place, facts: Map<string, Fact>, clean: unknown[], dirty: boolean, due: Moment | null, base: Base, next: Base | null, shot: Snapshot | null,
+ *   looked: boolean, complete: boolean, known: number, covered: boolean, done: number, inFile: unknown, since: number, status: Status,
+ * }} Ledger
  */
 /** @typedef {ReturnType<typeof createSaving>} Saving */
 
 /** Milliseconds. */
 const QUIET = 250;
 const LONGEST = 1000;
+/** Pauses before what could not be saved is tried again: the first, each twice the one before, and the longest. */
+const PAUSE = 1000;
+const LONGEST_PAUSE = 60_000;
+/** How often what the database lost is written again before it is said that it keeps nothing. */
+const MOST_REPAIRS = 3;
 
 /**
  * @param {{
- *   store: import('../store.js').Store, records: import('./photo-records.js').PhotoRecords, locks: import('./locks.js').Locks,
- *   database: () => Promise<Database>, drawnStates: Pick<import('./drawn-states.js').DrawnStates, 'of'>,
- *   onTrouble: (status: Status, error: Error) => void, onSaved?: (place: Place) => void,
- * }} app
+ *   store: import('../store.js').Store, records: import('./photo-records.js').PhotoRecords, journal: import('./journal.js').Journal,
+ *   locks: import('./locks.js').Locks, database: () => Promise<Database>, drawnStates: Pick<import('./drawn-states.js').DrawnStates, 'of'>,
+ *   onTrouble: (status: Status, error: Error) => void, onWritten?: (place: Place) => void, onSaved?: (place: Place) => void,
+ * }} app `onWritten`: the state is in the database; `onSaved`: its photos are, too
  */
-export function createSaving({ store, records, locks, database, drawnStates, onTrouble, onSaved = () => {} }) {
+export function createSaving({ store, records, journal, locks, database, drawnStates, onTrouble, onWritten = () => {}, onSaved = () => {} }) {
   /** @type {import('@preact/signals').Signal<Status>} */
   const status = signal('empty');
+  /** The files on their way into the database; null while there are none. @type {import('@preact/signals').Signal<{ done: number, total: number } | null>} */
+  const progress = signal(null);
+  /** Whether something would be lost if the page closed now. */
+  const unsaved = signal(false);
+  /** Photos and films that the database has not, and that can be read no more. @type {import('@preact/signals').Signal<readonly Fact[]>} */
+  const missing = signal([]);
   /** A project that another took the place of for a moment is known as it was. @type {WeakMap<Place, Ledger>} */
   const ledgers = new WeakMap();
   let ledger = ledgerOf(store.place.peek());
   /** @type {Promise<void> | null} */
   let running = null;
+  let attempts = 0;
   /** @type {any} */
   let timer;
 
@@ -59,7 +87,7 @@ export function createSaving({ store, records, locks, database, drawnStates, onT
     });
   });
 
-  return { status, flush, isSafe, filed };
+  return { status, progress, unsaved, missing, flush, check, again, isSafe, filed };
 
   function parts() {
     return [store.history.value, store.album.value, store.videos.value];
@@ -67,13 +95,18 @@ export function createSaving({ store, records, locks, database, drawnStates, onT
 
   /** @param {Place} place @returns {Ledger} */
   function ledgerOf(place) {
-    const known = ledgers.get(place);
-    if (known) return known;
+    const found = ledgers.get(place);
+    if (found) return found;
     const kept = place.stamp !== '';
-    // What came out of the database is there; what is new is yet to be written.
-    const facts = new Map(kept ? store.album.peek() : []);
+    const now = parts();
+    // What came out of the database is there, but for edits that the journal told; what is new is yet to be written.
+    const history = place.stored ?? (kept ? store.history.peek() : EMPTY_HISTORY);
     /** @type {Ledger} */
-    const fresh = { place, facts, clean: kept ? parts() : [], dirty: false, inFile: null, since: 0, status: kept ? 'saved' : 'empty' };
+    const fresh = {
+      place, facts: new Map(kept ? store.album.peek() : []), clean: kept ? [history, ...now.slice(1)] : [], dirty: false, due: null,
+      base: { stamp: place.stamp, history }, next: null, shot: null, looked: false, complete: false, known: kept ? store.album.peek().size : 0,
+      covered: true, done: 0, inFile: null, since: 0, status: kept ? 'saved' : 'empty',
+    };
     ledgers.set(place, fresh);
     return fresh;
   }
@@ -83,7 +116,23 @@ export function createSaving({ store, records, locks, database, drawnStates, onT
     clearTimeout(timer);
     ledger.status = status.peek();
     ledger = ledgerOf(place);
-    status.value = ledger.status;
+    attempts = 0;
+    progress.value = null;
+    missing.value = [];
+    say(ledger.status);
+  }
+
+  /** @param {Status} now */
+  function say(now) {
+    status.value = now;
+    weigh();
+  }
+
+  /** What the journal tells is not lost, nor are photos that must only be decoded again. */
+  function weigh() {
+    const now = status.peek();
+    const loose = () => !ledger.covered || records.waiting({ facts: store.facts.peek(), videos: [...store.videos.peek().values()] }) > 0;
+    unsaved.value = now === 'saving' ? loose() : now !== 'saved' && now !== 'empty';
   }
 
   /** @param {unknown[]} now */
@@ -93,62 +142,172 @@ export function createSaving({ store, records, locks, database, drawnStates, onT
     if (ledger.place.stamp === '' && tray.length === 0 && name === '') return;
     if (!ledger.dirty) ledger.since = performance.now();
     ledger.dirty = true;
-    if (status.peek() === 'saved' || status.peek() === 'empty') status.value = 'saving';
+    tell(ledger);
+    say(status.peek() === 'saved' || status.peek() === 'empty' || status.peek() === 'missing' ? 'saving' : status.peek());
     clearTimeout(timer);
-    timer = setTimeout(save, Math.max(0, Math.min(QUIET, ledger.since + LONGEST - performance.now())));
+    // Photos are not in the journal.
+    const quiet = store.album.peek().size > ledger.known && attempts === 0 ? 0 : QUIET;
+    timer = setTimeout(save, Math.max(0, Math.min(quiet, ledger.since + LONGEST - performance.now())));
+  }
+
+  /** Into the journal, what is not in the database. @param {Ledger} of */
+  function tell({ place: { id }, clean, base, next, facts }) {
+    const { gesture: _gesture, ...history } = store.history.peek();
+    if (store.history.peek() === clean[0]) {
+      journal.clear(id);
+      ledger.covered = true;
+      return;
+    }
+    const photos = store.facts.peek().filter((fact) => !facts.has(fact.id)).map((fact) => /** @type {const} */ ([fact.id, fact.name]));
+    ledger.covered = journal.note(id, { bases: next ? [base, next] : [base], history, photos });
   }
 
   /** @returns {Promise<void>} when all that there is now was written, or could not be */
   async function flush() {
     clearTimeout(timer);
-    if (running) await running;
-    if (ledger.dirty) await save();
+    if (running) {
+      if (ledger.dirty) ledger.due = moment();
+      await running;
+    }
+    if (ledger.dirty || !['saved', 'empty', 'missing'].includes(status.peek())) await save();
+  }
+
+  /** Looks whether the database still has what is saved, as after it was closed, and sees to it that it has. @returns {Promise<void>} */
+  async function check() {
+    if (ledger.place.stamp === '') return;
+    ledger.shot ??= moment().shot;
+    ledger.looked = ledger.complete = false;
+    await run();
+  }
+
+  /** Tries once more what could not be read. @returns {Promise<void>} */
+  function again() {
+    records.retry();
+    return save();
   }
 
   function save() {
-    running ??= rounds().finally(() => {
+    clearTimeout(timer);
+    ledger.due = moment();
+    return run();
+  }
+
+  /** @returns {Moment} */
+  function moment() {
+    return { now: untracked(parts), shot: snapshotOf(store, drawnStates.of(store.place.peek())), known: store.album.peek().size };
+  }
+
+  /** @returns {Promise<void>} */
+  function run() {
+    running ??= work(ledger).finally(() => {
       running = null;
+      // What came while the last step was ending.
+      if (ledger.due) void run();
     });
     return running;
   }
 
-  async function rounds() {
-    while (ledger.dirty) {
-      const of = ledger;
-      of.dirty = false;
-      of.since = performance.now();
-      const now = untracked(parts);
-      try {
-        await write(of);
-        of.clean = now;
-        if (!of.dirty && of === ledger) status.value = 'saved';
-        onSaved(of.place);
-      } catch (error) {
-        // Tried again with the next change.
-        of.dirty = true;
-        const { code, name } = /** @type {{ code?: string, name?: string }} */ (error);
-        const why = isFull(error) ? 'full' : code === 'no-storage' || name === 'SecurityError' ? 'refused' : 'failed';
-        if (of !== ledger) return;
-        status.value = why;
-        onTrouble(why, /** @type {Error} */ (error));
-        return;
+  /** @param {Ledger} of */
+  async function work(of) {
+    try {
+      let repairs = 0;
+      // One that another took the place of goes where it belongs; its photos are in the hands of that other.
+      while (of === ledger || of.due) {
+        const base = await database();
+        const step = await locks.during(PHOTOS_LOCK, { mode: 'shared' }, () => stepOf(of, base));
+        if (step === 'done') return;
+        if (step === 'lost' && (repairs += 1) > MOST_REPAIRS) throw new Error('What was saved could not be read back.');
       }
+    } catch (error) {
+      failed(of, /** @type {Error} */ (error));
     }
   }
 
-  /** @param {Ledger} of */
-  async function write({ facts }) {
-    const shot = snapshotOf(store, drawnStates.of(store.place.peek()));
-    const base = await database();
-    const stamp = freshId();
-    await locks.during(PHOTOS_LOCK, { mode: 'shared' }, async () => {
-      const photos = await records.write(base, shot.facts);
-      const { videos, written } = await records.writeVideos(base, shot.videos);
-      await writeState(base, shot, { stamp, videos, facts });
-      shot.place.stamp = stamp;
-      await readBack(base, shot);
-      await records.verify(base, [...photos, ...written]);
-    });
+  /**
+   * What is most urgent: which photos there are, then their files, then the newest state, as the journal tells it meanwhile;
+   * then to read back and to look for all of it. Copies of photos have time.
+   * @param {Ledger} of
+   * @param {Database} base
+   * @returns {Promise<'on' | 'lost' | 'done'>} `lost`: the database has not what it had
+   */
+  async function stepOf(of, base) {
+    const { shot, due } = of;
+    const first = due && (!shot || !of.covered || of !== ledger || due.known > of.known);
+    const written = first || !shot ? 0 : await records.protect(base, shot);
+    if (shot && written > 0) {
+      of.looked = of.complete = false;
+      count(of, shot, written);
+      return 'on';
+    }
+    if (of.due) return write(of, of === ledger ? moment() : of.due, base);
+    if (!shot) return 'done';
+    if (await records.prove(base)) return 'on';
+    if (!of.looked) {
+      of.looked = await look(of, shot, base);
+      if (of.looked) return 'on';
+      if (of === ledger && !of.dirty) say('saving');
+      return 'lost';
+    }
+    if (!of.complete) complete(of, shot);
+    return await records.improve(base, shot) ? 'on' : 'done';
+  }
+
+  /** @param {Ledger} of @param {Snapshot} shot @param {number} written */
+  function count(of, shot, written) {
+    if (of !== ledger) return;
+    of.done += written;
+    const total = of.done + records.waiting(shot);
+    progress.value = total > 0 ? { done: of.done, total } : null;
+    weigh();
+  }
+
+  /** @param {Ledger} of @param {Snapshot} shot */
+  function complete(of, shot) {
+    of.complete = true;
+    of.done = 0;
+    attempts = 0;
+    if (of === ledger) {
+      progress.value = null;
+      missing.value = records.missing(shot);
+      if (!of.dirty) say(missing.peek().length > 0 ? 'missing' : 'saved');
+    }
+    onSaved(of.place);
+  }
+
+  /** @param {Ledger} of @param {Error & { code?: string }} error */
+  function failed(of, error) {
+    of.due = null;
+    if (of !== ledger) return;
+    progress.value = null;
+    const why = isFull(error) ? 'full' : error.code === 'no-storage' || error.name === 'SecurityError' ? 'refused' : 'failed';
+    say(why);
+    onTrouble(why, error);
+    // Of a full storage and a project that is another's by now only a change can make something else.
+    if (why === 'full' || error.code === 'conflict') return;
+    clearTimeout(timer);
+    timer = setTimeout(save, Math.min(LONGEST_PAUSE, PAUSE * 2 ** attempts));
+    attempts += 1;
+  }
+
+  /** @param {Ledger} of @param {Moment} moment @param {Database} base @returns {Promise<'on'>} */
+  async function write(of, { now, shot, known }, base) {
+    of.due = null;
+    of.dirty = false;
+    of.since = performance.now();
+    of.next = { stamp: freshId(), history: shot.history };
+    try {
+      await writeState(base, shot, { stamp: of.next.stamp, videos: records.keyed(shot.videos), facts: of.facts });
+    } catch (error) {
+      of.dirty = true;
+      of.next = null;
+      throw error;
+    }
+    shot.place.stamp = of.next.stamp;
+    Object.assign(of, { shot, clean: now, base: of.next, next: null, looked: false, complete: false, known });
+    if (of === ledger) tell(of);
+    onWritten(of.place);
+    count(of, shot, 0);
+    return 'on';
   }
 
   /**
@@ -162,7 +321,8 @@ export function createSaving({ store, records, locks, database, drawnStates, onT
     const ids = known.map((fact) => fact.id);
     try {
       const found = await projects.get(id);
-      if ((found?.stamp ?? '') !== before) throw failure('conflict', 'Another tab has changed this project.');
+      // A project that is gone, with the whole database it may be, was changed by nobody.
+      if (found && found.stamp !== before) throw conflict();
       const { name, tray } = history.present;
       const refs = [...ids, ...videos.map(({ fileKey }) => fileKey)];
       const about = { ...(found?.held && { held: found.held }), id, name, created, changed: Date.now(), stamp, photos: tray.length, refs, gone: null };
@@ -184,25 +344,48 @@ export function createSaving({ store, records, locks, database, drawnStates, onT
   }
 
   /**
-   * @param {Database} base
+   * Reads the state back, and looks for all that it refers to, by the keys alone.
+   * @param {Ledger} of
    * @param {Snapshot} shot
+   * @param {Database} base
+   * @returns {Promise<boolean>} whether it is there; what is not is going to be written
    */
-  async function readBack(base, { place: { id, stamp }, history }) {
-    const [project, state] = await Promise.all([base.get('projects', id), base.get('states', id)]);
-    const size = (/** @type {import('./database.js').KeptHistory} */ { past, future, shown }) => `${past.length} ${future.length} ${shown.length}`;
-    const same = project?.stamp === stamp && state?.stamp === stamp && size(state.history) === size(history) &&
-      JSON.stringify(state.history.present) === JSON.stringify(history.present);
-    if (!same) throw new Error('What was saved could not be read back.');
+  async function look(of, { place: { id, stamp }, history, facts, videos }, base) {
+    const all = base.transaction(['projects', 'states', 'facts', 'photos']);
+    const [project, state, known, there] = await Promise.all([
+      all.objectStore('projects').get(id), all.objectStore('states').get(id), all.objectStore('facts').getAllKeys(), all.objectStore('photos').getAllKeys(),
+    ]);
+    if (project && project.stamp !== stamp) throw conflict();
+    const spoilt = project === undefined || state?.stamp !== stamp || !alike(state.history, history);
+    const [factKeys, photoKeys] = [new Set(known), new Set(there)];
+    const unknown = facts.filter((fact) => !factKeys.has(fact.id));
+    for (const fact of unknown) of.facts.delete(fact.id);
+    if (of === ledger && (spoilt || unknown.length > 0)) of.due = moment();
+    const lost = records.lose([...facts.map((fact) => fact.id), ...records.keyed(videos).map(({ fileKey }) => fileKey)].filter((key) => !photoKeys.has(key)));
+    return !of.due && lost === 0;
   }
 
   /** Whether nothing is lost when another project takes the place of this one. */
   function isSafe() {
     if (store.tray.peek().length === 0 && ledger.place.stamp === '') return true;
-    return store.history.peek() === ledger.inFile || (!ledger.dirty && running === null && (status.peek() === 'saved' || status.peek() === 'empty'));
+    return store.history.peek() === ledger.inFile || (!ledger.dirty && (status.peek() === 'saved' || status.peek() === 'empty'));
   }
 
   /** What there is now is in a file. */
   function filed() {
     ledger.inFile = store.history.peek();
   }
+}
+
+/**
+ * @param {import('./database.js').KeptHistory} one
+ * @param {import('./database.js').KeptHistory} other
+ */
+function alike(one, other) {
+  const size = (/** @type {import('./database.js').KeptHistory} */ { past, future, shown }) => `${past.length} ${future.length} ${shown.length}`;
+  return size(one) === size(other) && JSON.stringify(one.present) === JSON.stringify(other.present);
+}
+
+function conflict() {
+  return failure('conflict', 'Another tab has changed this project.');
 }

@@ -32,10 +32,16 @@ export function createShelves({ store, messages, box }) {
     untracked(() => SHARED.forEach((field) => write(field, project[field])));
   });
 
-  return { recall, hear, lists };
+  return { recall, restore, hear, lists };
+
+  /** Writes again what is there no more: nobody takes a list away, an empty one is written too. */
+  function restore() {
+    for (const field of SHARED) if (kept !== null && kept[field].length > 0 && isGone(field)) write(field, store.project.peek()[field], true);
+  }
 
   /** Reads what is kept. One that can no longer be read is left out; it is said nowhere, as nobody asked. */
   function recall() {
+    restore();
     const now = { mine: read('mine'), favourites: read('favourites'), ownLayouts: read('ownLayouts') };
     const here = store.project.peek();
     // What could not be written here stays.
@@ -46,9 +52,9 @@ export function createShelves({ store, messages, box }) {
     store.change({ type: 'share', lists: next });
   }
 
-  /** Another tab has written. @param {{ key: string | null }} event */
+  /** Another tab has written, or thrown all away. @param {{ key: string | null }} event */
   function hear({ key }) {
-    if (kept !== null && SHARED.some((field) => KEYS[field] === key)) recall();
+    if (kept !== null && (key === null || SHARED.some((field) => KEYS[field] === key))) recall();
   }
 
   /** @returns {Partial<SharedLists>} what all projects have in common */
@@ -57,17 +63,26 @@ export function createShelves({ store, messages, box }) {
     return kept === null ? {} : { mine, favourites, ownLayouts };
   }
 
-  /** @param {keyof SharedLists} field @param {readonly any[]} list */
-  function write(field, list) {
-    if (kept === null || list === seen[field]) return;
+  /** @param {keyof SharedLists} field @param {readonly any[]} list @param {boolean} [gone] nothing of it is kept any more */
+  function write(field, list, gone = false) {
+    if (kept === null || (list === seen[field] && !gone)) return;
     seen = { ...seen, [field]: list };
-    if (JSON.stringify(list) === JSON.stringify(kept[field])) return;
+    if (JSON.stringify(list) === JSON.stringify(kept[field]) && !gone) return;
     try {
-      const merged = carried(/** @type {any[]} */ (read(field)), kept[field], list);
+      const merged = gone || isGone(field) ? list : carried(/** @type {any[]} */ (read(field)), kept[field], list);
       box().setItem(KEYS[field], JSON.stringify(merged));
       kept = { ...kept, [field]: list };
     } catch {
       messages.grave(strings.stylesNotKept);
+    }
+  }
+
+  /** @param {keyof SharedLists} field */
+  function isGone(field) {
+    try {
+      return box().getItem(KEYS[field]) === null;
+    } catch {
+      return false;
     }
   }
 

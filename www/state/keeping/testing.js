@@ -55,7 +55,21 @@ function fakeLocks() {
 function boxOf() {
   /** @type {Map<string, string>} */
   const kept = new Map();
-  return { getItem: (/** @type {string} */ key) => kept.get(key) ?? null, setItem: (/** @type {string} */ key, /** @type {string} */ value) => void kept.set(key, value) };
+  return {
+    getItem: (/** @type {string} */ key) => kept.get(key) ?? null,
+    setItem: (/** @type {string} */ key, /** @type {string} */ value) => void kept.set(key, value),
+    removeItem: (/** @type {string} */ key) => void kept.delete(key),
+    key: (/** @type {number} */ at) => [...kept.keys()][at] ?? null,
+    get length() { return kept.size; },
+  };
+}
+
+/** @type {(() => void)[]} */
+const living = [];
+
+/** Ends all tabs of all browsers, which would else go on saving during the next test. */
+export function allDie() {
+  living.splice(0).forEach((die) => die());
 }
 
 /**
@@ -65,7 +79,14 @@ function boxOf() {
 export function fakeBrowser({ factory = new IDBFactory(), local = boxOf() } = {}) {
   Object.assign(globalThis, { indexedDB: factory });
   const locks = fakeLocks();
-  return { factory, local, locks, tab };
+  living.push(die);
+  return { factory, local, locks, tab, died: () => { die(); return fakeBrowser({ factory, local }); } };
+
+  /** All of its tabs die: what they were about to do is not done. */
+  function die() {
+    // Whatever is written waits for a lock.
+    locks.request = () => new Promise(() => {});
+  }
 
   /** @param {{ session?: ReturnType<typeof boxOf> }} [of] a tab that is loaded again has the session it had */
   async function tab({ session = boxOf() } = {}) {
@@ -99,10 +120,12 @@ export function fakeBrowser({ factory = new IDBFactory(), local = boxOf() } = {}
     const reading = createReading({ store, pages, engine, messages, prefix: `p${Math.random()}-` });
     const shelves = createShelves({ store, messages, box: () => local });
     shelves.recall();
-    const window = /** @type {any} */ ({
-      navigator: { locks, storage: {} }, sessionStorage: session, localStorage: local, addEventListener: () => {},
-      document: { addEventListener: () => {}, visibilityState: 'visible' },
-    });
+    const window = /** @type {any} */ (Object.assign(new EventTarget(), {
+      navigator: { locks, storage: {} }, sessionStorage: session, localStorage: local,
+      document: Object.assign(new EventTarget(), { visibilityState: 'visible' }),
+    }));
+    /** Whether the tab asks before it closes. */
+    const asks = () => !window.dispatchEvent(new Event('beforeunload', { cancelable: true }));
     const keeping = createKeeping({ store, reading, engine, shelves, messages, window, leave: () => {} });
     await keeping.begin();
     const files = (/** @type {string[]} */ ...names) => names.map((name) => new File([name], name));
@@ -111,7 +134,7 @@ export function fakeBrowser({ factory = new IDBFactory(), local = boxOf() } = {}
       await keeping.flush();
     };
     const names = () => store.facts.peek().map(({ name }) => name);
-    return { store, pages, reading, keeping, messages, engine, photos, decoded, session, add, files, names };
+    return { store, pages, reading, keeping, messages, engine, photos, decoded, session, window, shelves, asks, add, files, names };
   }
 }
 

@@ -1,6 +1,8 @@
 // @ts-check
 /** Words of projects, of saving, and of the pages shown. */
 
+import { some } from './png.js';
+
 /** @type {Record<string, string>} */
 const TROUBLE = {
   full: 'the storage of this browser is full',
@@ -11,12 +13,26 @@ export const keepingStrings = {
 
   // Saving
   saveState: {
-    empty: '', saving: 'Saving…', saved: 'Saved', full: 'Not saved', refused: 'Not saved', failed: 'Not saved',
+    empty: '', saving: 'Saving…', saved: 'Saved', missing: 'Not all saved', full: 'Not saved', refused: 'Not saved', failed: 'Not saved',
   },
+  savingCount: (/** @type {number} */ done, /** @type {number} */ total) => `Saving ${done} of ${total}`,
   saveHelp: 'Saved in this browser, on this device',
   notSaved: (/** @type {string} */ why, /** @type {string} */ message) => (
     `Your work is not saved: ${TROUBLE[why] ?? message.replace(/\.$/, '')}. Everything is still here as long as this page is open.`
   ),
+  photosUnreadable: (/** @type {readonly string[]} */ names) => (
+    `${some(names)} ${names.length === 1 ? 'is not saved: its file' : 'are not saved: their files'} can no longer be read. All else is saved.`
+  ),
+  photosNotHere: (/** @type {readonly string[]} */ names, /** @type {number} */ of) => {
+    const one = names.length === 1;
+    const which = names.length < of ? `${names.length} of ${of} photos` : one ? 'The photo' : `All ${of} photos`;
+    return `${which} ${one ? 'is' : 'are'} not in this browser: ${some(names)}. Choose or drop ${one ? 'it' : 'them'}: each goes back to its place.`;
+  },
+  photosNeverSaved: (/** @type {readonly string[]} */ names) => (
+    `The page closed before ${some(names)} ${names.length === 1 ? 'was' : 'were'} saved. Choose ${names.length === 1 ? 'it' : 'them'} again.`
+  ),
+  saveAgain: 'Save again',
+  goOnWithout: 'Go on without',
   saveToFile: 'Save to file',
   conflict: 'Another tab changed this project, so this one goes on as a copy.',
 

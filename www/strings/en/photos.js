@@ -5,6 +5,7 @@ export const photoStrings = {
   photos: 'Photos',
   usePhoto: (/** @type {string} */ name) => `Use ${name}`,
   removePhoto: (/** @type {string} */ name) => `Remove ${name}`,
+  photoMissing: 'Missing',
   addPhotos: 'Add photos',
   kept: 'On the table',
   setAside: 'Set aside',

@@ -4,7 +4,7 @@
 const photos = (/** @type {number} */ n) => (n === 1 ? '1 photo' : `${n} photos`);
 
 /** @param {readonly string[]} names @returns {string} some of them, and how many more */
-function some(names) {
+export function some(names) {
   const rest = names.length - 3;
   return rest > 0 ? `${names.slice(0, 3).join(', ')} and ${rest} more` : names.join(', ');
 }

@@ -1,4 +1,6 @@
 // @ts-check
+import { some } from './png.js';
+
 /** @type {Record<string, string>} */
 const TROUBLE = {
   full: 'el almacenamiento de este navegador está lleno',
@@ -8,12 +10,26 @@ const TROUBLE = {
 export const keepingStrings = {
   // Saving
   saveState: {
-    empty: '', saving: 'Guardando…', saved: 'Guardado', full: 'Sin guardar', refused: 'Sin guardar', failed: 'Sin guardar',
+    empty: '', saving: 'Guardando…', saved: 'Guardado', missing: 'Guardado en parte', full: 'Sin guardar', refused: 'Sin guardar', failed: 'Sin guardar',
   },
+  savingCount: (/** @type {number} */ done, /** @type {number} */ total) => `Guardando ${done} de ${total}`,
   saveHelp: 'Guardado en este navegador, en este dispositivo',
   notSaved: (/** @type {string} */ why, /** @type {string} */ message) => (
     `Tu trabajo no está guardado: ${TROUBLE[why] ?? message.replace(/\.$/, '')}. Todo sigue aquí mientras esta página esté abierta.`
   ),
+  photosUnreadable: (/** @type {readonly string[]} */ names) => (
+    `${some(names)}: ${names.length === 1 ? 'sin guardar, su archivo ya no se puede leer' : 'sin guardar, sus archivos ya no se pueden leer'}. Todo lo demás está guardado.`
+  ),
+  photosNotHere: (/** @type {readonly string[]} */ names, /** @type {number} */ of) => {
+    const one = names.length === 1;
+    const which = names.length < of ? `${names.length} de ${of} fotos` : one ? 'La foto' : `Las ${of} fotos`;
+    return `${which} no ${one ? 'está' : 'están'} en este navegador: ${some(names)}. ${one ? 'Elígela o suéltala' : 'Elígelas o suéltalas'} aquí: cada una vuelve a su sitio.`;
+  },
+  photosNeverSaved: (/** @type {readonly string[]} */ names) => (
+    `La página se cerró antes de guardar ${some(names)}. ${names.length === 1 ? 'Elígela' : 'Elígelas'} otra vez.`
+  ),
+  saveAgain: 'Guardar otra vez',
+  goOnWithout: 'Seguir sin ellas',
   saveToFile: 'Guardar en un archivo',
   conflict: 'Otra pestaña cambió este proyecto, así que este sigue como una copia.',
 

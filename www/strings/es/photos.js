@@ -3,6 +3,7 @@ export const photoStrings = {
   photos: 'Fotos',
   usePhoto: (/** @type {string} */ name) => `Usar ${name}`,
   removePhoto: (/** @type {string} */ name) => `Quitar ${name}`,
+  photoMissing: 'Falta',
   addPhotos: 'Añadir fotos',
   kept: 'En la mesa',
   setAside: 'Apartadas',

@@ -2,7 +2,7 @@
 const photos = (/** @type {number} */ n) => (n === 1 ? '1 foto' : `${n} fotos`);
 
 /** @param {readonly string[]} names */
-function some(names) {
+export function some(names) {
   const rest = names.length - 3;
   return rest > 0 ? `${names.slice(0, 3).join(', ')} y ${rest} más` : names.join(', ');
 }

@@ -55,7 +55,8 @@ export function ProjectName() {
 export function SaveState() {
   const { keeping } = useApp();
   const state = keeping.status.value;
-  const text = strings.saveState[state];
+  const files = keeping.progress.value;
+  const text = state === 'saving' && files && files.total > 1 ? strings.savingCount(files.done, files.total) : strings.saveState[state];
   if (text === '') return null;
   if (state === 'saving' || state === 'saved') return <span class="save-state" data-state={state} title={strings.saveHelp}>{text}</span>;
   return (

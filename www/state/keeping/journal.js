@@ -1,0 +1,219 @@
+// @ts-check
+/**
+ * The edits that are not in the database yet, written at once, so that one made right before the page closes is there
+ * after. A project has one entry in the small storage of the browser: how its history differs from the one that was
+ * written last, by whose stamp it is known. While another is being written the difference to that is told too, as nobody
+ * knows which of the two will be found. The entry goes when there is no difference any more.
+ *
+ * What is found is trusted as little as a file: what does not fit, or makes no history, is passed over.
+ */
+
+import { checkedHistory } from './versions.js';
+
+/** @typedef {import('./database.js').KeptHistory} KeptHistory */
+/** @typedef {import('../project.js').Project} Project */
+/** @typedef {import('../history.js').Shown} Shown */
+/** @typedef {Pick<Storage, 'getItem' | 'setItem' | 'removeItem' | 'key' | 'length'>} Box */
+/** A history that is in the database, or may be. @typedef {{ stamp: string, history: KeptHistory }} Base */
+/** Photos that the database does not know: their ids and names. @typedef {readonly (readonly [string, string])[]} Names */
+/** @typedef {{ history: KeptHistory, photos: Names }} Told */
+/** Stretches of a list: where it begins, and how many. @typedef {[number, number][]} Runs */
+/**
+ * States by their numbers: those of the base count from 0, `past`, `present` and `future` in a row; those in `states`
+ * from -1 down. `shown` likewise, with `pages`. A state tells the fields that differ from the base's present.
+ * @typedef {{
+ *   states: Record<string, unknown>[], past: Runs, present: number, future: Runs, pages: (Omit<Shown, 'page'> & { page: unknown })[], shown: Runs,
+ * }} Patch
+ */
+/** @typedef {ReturnType<typeof createJournal>} Journal */
+
+const VERSION = 1;
+const PREFIX = 'inkpanel.journal.';
+
+/** Characters of an entry: more would hold up the hand that edits, and crowd out what else is kept there. */
+const MOST = 400_000;
+/** Of a list. */
+const MOST_ITEMS = 10_000;
+
+/** @param {{ box: () => Box, most?: number }} app `box` may throw where storage is refused */
+export function createJournal({ box, most = MOST }) {
+  return { note, clear, recall, names, tidy };
+
+  /**
+   * @param {string} id of the project
+   * @param {{ bases: readonly Base[], history: KeptHistory, photos: Names }} now
+   * @returns {boolean} whether all of it is told; what is too much for it leaves no entry
+   */
+  function note(id, { bases, history, photos }) {
+    try {
+      const told = bases.map((base) => ({ stamp: base.stamp, patch: patchOf(base.history, history) }));
+      const text = JSON.stringify({ version: VERSION, bases: told, photos });
+      if (text.length <= most) {
+        box().setItem(PREFIX + id, text);
+        return true;
+      }
+    } catch {
+      // There is no storage, or no room in it.
+    }
+    clear(id);
+    return false;
+  }
+
+  /** @param {string} id */
+  function clear(id) {
+    try {
+      box().removeItem(PREFIX + id);
+    } catch {
+      // Then there is none.
+    }
+  }
+
+  /**
+   * @param {string} id of a project
+   * @param {Base} base it as it is in the database
+   * @returns {Told | null} it as it was on the page; null where nothing is told, or nothing that fits
+   */
+  function recall(id, base) {
+    try {
+      const entry = read(id);
+      const fits = entry?.bases.find((/** @type {any} */ { stamp }) => stamp === base.stamp);
+      if (!entry || !fits) return null;
+      const history = patched(base.history, fits.patch);
+      checkedHistory(history);
+      // What is the same in both stays the very same object, by which the next entry knows it.
+      return { history: /** @type {KeptHistory} */ (history), photos: entry.photos };
+    } catch {
+      return null;
+    }
+  }
+
+  /** @param {string} id of a project @returns {string[]} the photos that it had, and that were written nowhere */
+  function names(id) {
+    try {
+      return read(id)?.photos.map(([, name]) => name) ?? [];
+    } catch {
+      return [];
+    }
+  }
+
+  /** @param {string} id @returns {{ bases: any[], photos: [string, string][] } | null} */
+  function read(id) {
+    const text = box().getItem(PREFIX + id);
+    if (text === null) return null;
+    const { version, bases, photos } = JSON.parse(text);
+    const good = version === VERSION && Array.isArray(bases) && Array.isArray(photos) && photos.length <= MOST_ITEMS &&
+      photos.every((photo) => Array.isArray(photo) && photo.length === 2 && photo.every((part) => typeof part === 'string' && part !== ''));
+    return good ? { bases, photos } : null;
+  }
+
+  /** Throws away what fits no project any more. @param {(id: string) => Promise<string | undefined>} stampOf of a project in the database */
+  async function tidy(stampOf) {
+    try {
+      const keys = Array.from({ length: box().length }, (_, i) => box().key(i)).flatMap((key) => (key?.startsWith(PREFIX) ? key : []));
+      for (const key of keys) {
+        const id = key.slice(PREFIX.length);
+        const stamp = await stampOf(id);
+        if (!read(id)?.bases.some((base) => base?.stamp === stamp)) clear(id);
+      }
+    } catch {
+      // Then it stays.
+    }
+  }
+}
+
+/**
+ * @param {KeptHistory} base
+ * @param {KeptHistory} now made from it by edits, so that what is the same in both is the very same object
+ * @returns {Patch}
+ */
+export function patchOf(base, now) {
+  const known = new Map([...base.past, base.present, ...base.future].map((state, i) => [state, i]));
+  /** @type {Map<unknown, number>} */
+  const pages = new Map();
+  /** @type {Patch['states']} */
+  const states = [];
+  const number = (/** @type {Project} */ state) => {
+    const at = known.get(state);
+    if (at !== undefined) return at;
+    states.push(differing(state, base.present));
+    known.set(state, -states.length);
+    if (state.page && state.page !== base.present.page) pages.set(state.page, -states.length);
+    return -states.length;
+  };
+  const past = runsOf(now.past.map(number));
+  const present = number(now.present);
+  const future = runsOf(now.future.map(number));
+  const there = new Map(base.shown.map((entry, i) => [entry, i]));
+  /** @type {Patch['pages']} */
+  const fresh = [];
+  const shown = runsOf(now.shown.map((entry) => {
+    const at = there.get(entry);
+    if (at !== undefined) return at;
+    // Most are the page of a state that is told already.
+    fresh.push({ ...entry, page: pages.get(entry.page) ?? entry.page });
+    return -fresh.length;
+  }));
+  return { states, past, present, future, pages: fresh, shown };
+}
+
+/** @param {any} state @param {any} base @returns {Record<string, unknown>} */
+function differing(state, base) {
+  return Object.fromEntries(Object.entries(state).filter(([field, value]) => value !== base[field]));
+}
+
+/**
+ * @param {KeptHistory} base
+ * @param {any} patch
+ * @returns {unknown} a history that is yet to be checked
+ */
+function patched(base, { states, past, present, future, pages, shown }) {
+  const fresh = list(states).map((state) => ({ ...base.present, ...state }));
+  const all = [...base.past, base.present, ...base.future];
+  const state = (/** @type {number} */ at) => pick(at, all, fresh);
+  const entries = list(pages).map((entry) => ({ ...entry, page: typeof entry.page === 'number' ? state(entry.page).page : entry.page }));
+  return {
+    past: numbersOf(past).map(state), present: state(present), future: numbersOf(future).map(state),
+    shown: numbersOf(shown).map((at) => pick(at, base.shown, entries)),
+  };
+}
+
+/**
+ * @template T
+ * @param {number} at
+ * @param {readonly T[]} old
+ * @param {readonly T[]} fresh
+ */
+function pick(at, old, fresh) {
+  const found = at >= 0 ? old[at] : fresh[-1 - at];
+  if (found === undefined) throw new RangeError('The journal tells of what is not there.');
+  return found;
+}
+
+/** @param {readonly number[]} numbers @returns {Runs} */
+function runsOf(numbers) {
+  /** @type {Runs} */
+  const runs = [];
+  for (const at of numbers) {
+    const last = runs.at(-1);
+    if (last && at >= 0 && last[0] >= 0 && last[0] + last[1] === at) last[1] += 1;
+    else runs.push([at, 1]);
+  }
+  return runs;
+}
+
+/** @param {unknown} runs @returns {number[]} */
+function numbersOf(runs) {
+  /** @type {number[]} */
+  const numbers = [];
+  for (const [from, count] of list(runs)) {
+    if (!Number.isSafeInteger(from) || !Number.isSafeInteger(count) || count < 1 || count > MOST_ITEMS - numbers.length) throw new RangeError('The journal is damaged.');
+    for (let i = 0; i < count; i += 1) numbers.push(from + i);
+  }
+  return numbers;
+}
+
+/** @param {unknown} value @returns {any[]} */
+function list(value) {
+  if (!Array.isArray(value) || value.length > MOST_ITEMS) throw new RangeError('The journal is damaged.');
+  return value;
+}

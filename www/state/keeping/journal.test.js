@@ -1,0 +1,190 @@
+// @ts-check
+import fc from 'fast-check';
+import { describe, expect, it, vi } from 'vitest';
+import { EMPTY_HISTORY, advance } from '../history.js';
+import { DEFAULT_SETTINGS } from '../project.js';
+import { createJournal, patchOf } from './journal.js';
+import { fakeBrowser } from './testing.js';
+
+vi.mock('../files.js', () => ({ save: vi.fn() }));
+
+/** @typedef {import('../history.js').Change} Change */
+/** @typedef {import('../history.js').History} History */
+
+/** @param {number} seed @returns {any} */
+const page = (seed) => ({ version: 1, seed, layout: 'a', style: 'b', order: [], panels: [], merges: [], page: DEFAULT_SETTINGS, words: [] });
+const kept = (/** @type {History} */ { gesture: _gesture, ...history }) => history;
+
+/** @type {fc.Arbitrary<Change>} */
+const anyChange = fc.oneof(
+  fc.nat(9).map((id) => /** @type {Change} */ ({ type: 'show-page', page: page(id), pageId: id })),
+  fc.nat(99).map((seed) => /** @type {Change} */ ({ type: 'change-page', page: page(seed), gesture: `g${seed % 3}` })),
+  fc.string().map((name) => /** @type {Change} */ ({ type: 'rename', name })),
+  fc.nat(5).map((n) => /** @type {Change} */ ({ type: 'add-photos', ids: [`p${n}`] })),
+  fc.nat(5).map((n) => /** @type {Change} */ ({ type: 'remove-photo', id: `p${n}` })),
+  fc.nat(9).map((pageId) => /** @type {Change} */ ({ type: 'love-page', pageId, on: pageId % 2 === 0 })),
+  fc.constantFrom(/** @type {Change} */ ({ type: 'undo' }), /** @type {Change} */ ({ type: 'redo' })),
+);
+
+const boxOf = () => fakeBrowser().local;
+
+describe('a journal', () => {
+  it('tells any edits, steps back and forth among them', () => {
+    fc.assert(fc.property(fc.array(anyChange), fc.array(anyChange), (before, after) => {
+      const base = before.reduce(advance, EMPTY_HISTORY);
+      const now = after.reduce(advance, base);
+      const box = boxOf();
+      const journal = createJournal({ box: () => box });
+      expect(journal.note('one', { bases: [{ stamp: 's', history: kept(base) }], history: kept(now), photos: [['p9', 'late.jpg']] })).toBe(true);
+      // What the database gives back is equal, never the same.
+      const found = structuredClone(kept(base));
+      expect(journal.recall('one', { stamp: 's', history: found })).toEqual({ history: kept(now), photos: [['p9', 'late.jpg']] });
+    }));
+  });
+
+  it('tells one edit of a long history in few words', () => {
+    let history = EMPTY_HISTORY;
+    for (let i = 1; i <= 300; i += 1) history = advance(history, { type: 'show-page', page: page(i), pageId: i });
+    const after = advance(history, { type: 'rename', name: 'Summer' });
+    expect(JSON.stringify(patchOf(kept(history), kept(after))).length).toBeLessThan(500);
+  });
+
+  it('fits its own project and writing only', () => {
+    const box = boxOf();
+    const journal = createJournal({ box: () => box });
+    const base = { stamp: 's1', history: kept(EMPTY_HISTORY) };
+    const next = { stamp: 's2', history: kept(advance(EMPTY_HISTORY, { type: 'rename', name: 'One' })) };
+    const now = kept(advance(advance(EMPTY_HISTORY, { type: 'rename', name: 'One' }), { type: 'rename', name: 'Two' }));
+    journal.note('one', { bases: [base, next], history: now, photos: [] });
+    expect(journal.recall('one', base)?.history.present.name).toBe('Two');
+    // Nobody knows which of the two was written.
+    expect(journal.recall('one', next)?.history.present.name).toBe('Two');
+    expect(journal.recall('one', { ...base, stamp: 's0' })).toBe(null);
+    expect(journal.recall('two', base)).toBe(null);
+    journal.clear('one');
+    expect(journal.recall('one', base)).toBe(null);
+  });
+
+  it('leaves nothing where it cannot tell all', () => {
+    const box = boxOf();
+    const journal = createJournal({ box: () => box, most: 2000 });
+    const base = { stamp: 's', history: kept(EMPTY_HISTORY) };
+    const history = kept(advance(EMPTY_HISTORY, { type: 'rename', name: 'Short' }));
+    expect(journal.note('one', { bases: [base], history, photos: [] })).toBe(true);
+    const long = kept(advance(EMPTY_HISTORY, { type: 'rename', name: 'x'.repeat(3000) }));
+    expect(journal.note('one', { bases: [base], history: long, photos: [] })).toBe(false);
+    expect(journal.recall('one', base)).toBe(null);
+    const refused = createJournal({ box: () => { throw new Error('refused'); } });
+    expect([refused.note('one', { bases: [base], history, photos: [] }), refused.recall('one', base), refused.names('one')]).toEqual([false, null, []]);
+  });
+
+  it.each([
+    ['no JSON', () => '{'],
+    ['of another version', (/** @type {any} */ entry) => ({ ...entry, version: 2 })],
+    ['without bases', (/** @type {any} */ entry) => ({ ...entry, bases: null })],
+    ['with a photo without a name', (/** @type {any} */ entry) => ({ ...entry, photos: [['p1']] })],
+    ['that tells of states that are not there', (/** @type {any} */ entry) => { entry.bases[0].patch.present = 7; return entry; }],
+    ['that repeats without end', (/** @type {any} */ entry) => { entry.bases[0].patch.past = [[0, 1e9]]; return entry; }],
+    ['with a page that is none', (/** @type {any} */ entry) => { entry.bases[0].patch.states[0].page = { panels: [null] }; return entry; }],
+    ['with a tray of numbers', (/** @type {any} */ entry) => { entry.bases[0].patch.states[0].tray = [1]; return entry; }],
+  ])('%s is passed over', (_what, spoil) => {
+    const box = boxOf();
+    const journal = createJournal({ box: () => box });
+    const base = { stamp: 's', history: kept(EMPTY_HISTORY) };
+    journal.note('one', { bases: [base], history: kept(advance(EMPTY_HISTORY, { type: 'rename', name: 'One' })), photos: [] });
+    const entry = JSON.parse(/** @type {string} */ (box.getItem('inkpanel.journal.one')));
+    const bad = spoil(entry);
+    box.setItem('inkpanel.journal.one', typeof bad === 'string' ? bad : JSON.stringify(bad));
+    expect(journal.recall('one', base)).toBe(null);
+  });
+
+  it('that fits no project any more goes, others stay', async () => {
+    const box = boxOf();
+    const journal = createJournal({ box: () => box });
+    const history = kept(advance(EMPTY_HISTORY, { type: 'rename', name: 'One' }));
+    for (const id of ['one', 'two', 'three']) journal.note(id, { bases: [{ stamp: 's', history: kept(EMPTY_HISTORY) }], history, photos: [] });
+    box.setItem('inkpanel.styles', '[]');
+    await journal.tidy(async (id) => ({ one: 's', two: 'other' })[id]);
+    expect(Array.from({ length: box.length }, (_, i) => box.key(i))).toEqual(['inkpanel.journal.one', 'inkpanel.styles']);
+  });
+});
+
+describe('an edit right before the page closes', () => {
+  it('is there after, undo too, and is saved then', async () => {
+    const browser = fakeBrowser();
+    const before = await browser.tab();
+    await before.add('a.jpg', 'b.jpg');
+    before.pages.shuffle('all');
+    before.store.change({ type: 'rename', name: 'Last words' });
+    expect(before.asks()).toBe(false);
+    const [page, steps] = [before.store.page.value, before.store.history.value.past.length];
+
+    const after = await browser.died().tab();
+    expect([after.store.project.value.name, after.store.page.value, after.store.history.value.past.length]).toEqual(['Last words', page, steps]);
+    await after.keeping.flush();
+    expect(after.keeping.status.value).toBe('saved');
+    expect(browser.local.getItem(`inkpanel.journal.${after.keeping.current.value}`)).toBe(null);
+    after.pages.undo();
+    expect(after.store.project.value.name).toBe('');
+  });
+
+  it('is there after when another save was on its way', async () => {
+    for (const arrives of [true, false]) {
+      const browser = fakeBrowser();
+      const before = await browser.tab();
+      await before.add('a.jpg');
+      before.store.change({ type: 'rename', name: 'One' });
+      const { put } = IDBObjectStore.prototype;
+      let edited = false;
+      vi.spyOn(IDBObjectStore.prototype, 'put').mockImplementation(function spied(/** @type {any} */ value, key) {
+        // @ts-ignore -- `this` is the table
+        const request = put.call(this, value, key);
+        if (value.history && !edited) {
+          edited = true;
+          before.store.change({ type: 'rename', name: 'Two' });
+          // @ts-ignore
+          if (!arrives) this.transaction.abort();
+        }
+        return request;
+      });
+      void before.keeping.flush();
+      await vi.waitFor(() => expect(edited).toBe(true));
+      await new Promise((resolve) => { setTimeout(resolve, 20); });
+      const later = browser.died();
+      vi.restoreAllMocks();
+      const after = await later.tab();
+      expect(after.store.project.value.name).toBe('Two');
+    }
+  });
+
+  it('is not there when somebody else has written since', async () => {
+    const browser = fakeBrowser();
+    const before = await browser.tab();
+    await before.add('a.jpg');
+    const key = `inkpanel.journal.${before.keeping.current.value}`;
+    before.store.change({ type: 'rename', name: 'Lost in time' });
+    const entry = /** @type {string} */ (browser.local.getItem(key));
+    before.store.change({ type: 'rename', name: 'Written' });
+    await before.keeping.flush();
+    browser.local.setItem(key, entry);
+    const after = await browser.died().tab();
+    expect(after.store.project.value.name).toBe('Written');
+  });
+
+  it('that makes a page which cannot be drawn does not lock the project', async () => {
+    const browser = fakeBrowser();
+    const before = await browser.tab();
+    await before.add('a.jpg');
+    const key = `inkpanel.journal.${before.keeping.current.value}`;
+    before.pages.shuffle('all');
+    const entry = JSON.parse(/** @type {string} */ (browser.local.getItem(key)));
+    const at = entry.bases[0].patch.states.findIndex((/** @type {any} */ { page: one }) => one);
+    entry.bases[0].patch.states[at].page.layout = 'none';
+    const later = browser.died();
+    browser.local.setItem(key, JSON.stringify(entry));
+    const after = await later.tab();
+    expect([after.names(), after.messages.list.value]).toEqual([['a.jpg'], []]);
+    await after.keeping.flush();
+    expect(after.keeping.status.value).toBe('saved');
+  });
+});
