@@ -1,22 +1,34 @@
 // @ts-check
 /**
- * Files of boxes (HEIC, AVIF, MP4, QuickTime) without what they say beside their pixels. Positions in such a file are
- * counted from its beginning, so nothing is cut out: what has to go is blanked where it stands.
- * Sources: ISO/IEC 14496-12; QuickTime File Format, user data and metadata.
+ * Boxes, of which films (MP4, QuickTime) and some photos (HEIC, AVIF) are made, without what they say beside their pixels.
+ * Positions in such a file are counted from its beginning, so what has to go is blanked where it stands.
+ * Sources: ISO/IEC 14496-12; QuickTime File Format.
  */
 
-import { isOrientation, scrub } from './exif.js';
+/** `start` is where the box begins, `inner` where its content does. @typedef {{ type: string, start: number, inner: number, end: number }} Box */
 
-/** Boxes of words and numbers about a film: place, camera, date, author. */
-const TALK = ['udta', 'meta', 'uuid'];
-const INSIDE = ['moov', 'trak', 'mdia'];
+/** Boxes that hold others. */
+const NESTED = new Set(['moov', 'trak', 'mdia', 'minf', 'dinf', 'stbl', 'edts', 'mvex', 'moof', 'traf', 'mfra', 'tapt']);
+/** Boxes that say where the pictures and sounds are, how long each is seen, and how it is coded. */
+const NEEDED = new Set([
+  'mvhd', 'tkhd', 'mdhd', 'hdlr', 'vmhd', 'smhd', 'nmhd', 'gmhd', 'dref', 'elst', 'tref', 'clef', 'prof', 'enof', 'mehd', 'trex', 'leva',
+  'stsd', 'stts', 'ctts', 'cslg', 'stss', 'stsh', 'stsc', 'stsz', 'stz2', 'stco', 'co64', 'sdtp', 'sbgp', 'sgpd', 'subs', 'padb', 'stdp', 'stps', 'saiz', 'saio',
+  'mfhd', 'tfhd', 'tfdt', 'trun', 'tfra', 'mfro',
+]);
+/** What may stand beside them at the top of a film; of the last three the content is nothing. */
+const AT_TOP = new Set(['ftyp', 'styp', 'sidx', 'ssix', 'mdat', 'free', 'skip', 'wide']);
+const EMPTY = new Set(['free', 'skip', 'wide']);
 /** Boxes that begin with when they were made and changed. */
-const DATED = ['mvhd', 'tkhd', 'mdhd'];
-/** What a track is that is no picture and no sound: the places of a journey, for example. */
-const TOLD = ['meta', 'camm', 'gpmd'];
-const HANDLER = 'hdlr';
+const DATED = new Set(['mvhd', 'tkhd', 'mdhd']);
+/** Tracks of pictures and sounds. Others tell of places, or of the time of day. */
+const SEEN_OR_HEARD = new Set(['vide', 'auxv', 'pict', 'soun']);
+const COMPRESSED = 'cmov';
+/** In the head of how pictures are coded: who made the coder, and its name. */
+const CODER = [[20, 24], [50, 82]];
 /** No part of a film that is read as a whole is larger. */
 const MOST_BYTES = 256 * 2 ** 20;
+/** So much of a box that is not read is put in the place of one that goes. */
+const NOTHING = new Uint8Array(2 ** 20);
 
 /**
  * @param {Blob} file a film
@@ -26,35 +38,87 @@ const MOST_BYTES = 256 * 2 ** 20;
 export async function filmParts(file) {
   /** @type {BlobPart[]} */
   const parts = [];
+  /** So many of them are not behind all that is seen. */
+  let last = 0;
   let clean = true;
+  const seen = new Set();
   for (let at = 0; at < file.size;) {
     const head = new DataView(await file.slice(at, at + 16).arrayBuffer());
-    const box = head.byteLength < 8 ? null : boxAt(head, 0, file.size - at);
-    if (!box) return null;
-    const part = file.slice(at, at + box.length);
-    if (box.type === 'moov' || TALK.includes(box.type)) {
-      if (box.length > MOST_BYTES) return null;
+    const box = boxAt(head, 0, file.size - at);
+    if (!box) {
+      // What follows a whole film is no part of it, unless it is a box of it that was cut.
+      const type = head.byteLength < 8 ? '' : typeAt(head, 4);
+      if (!seen.has('moov') || !seen.has('mdat') || AT_TOP.has(type) || NESTED.has(type)) return null;
+      break;
+    }
+    const { type, inner, end } = box;
+    const part = file.slice(at, at + end);
+    seen.add(type);
+    if (NESTED.has(type)) {
+      if (end > MOST_BYTES) return null;
       const bytes = new Uint8Array(await part.arrayBuffer());
       clean = scrubBoxes(bytes) && clean;
       parts.push(bytes);
-    } else parts.push(part);
-    at += box.length;
+      last = parts.length;
+    } else if (AT_TOP.has(type) && !EMPTY.has(type)) {
+      parts.push(part);
+      last = parts.length;
+    } else {
+      const name = EMPTY.has(type) ? type : 'free';
+      parts.push(part.slice(0, 4), name, part.slice(8, inner), ...nothing(end - inner));
+    }
+    at += end;
   }
-  return { parts, clean };
+  return { parts: parts.slice(0, last), clean };
+}
+
+/** @param {number} length @returns {BlobPart[]} so many bytes of nothing, which are held once */
+function nothing(length) {
+  const whole = Array(Math.floor(length / NOTHING.length)).fill(NOTHING);
+  return [...whole, NOTHING.subarray(0, length % NOTHING.length)];
+}
+
+/** @param {DataView} view @param {number} at */
+export function typeAt(view, at) {
+  return String.fromCharCode(...[0, 1, 2, 3].map((i) => view.getUint8(at + i)));
 }
 
 /**
  * @param {DataView} view
  * @param {number} at
  * @param {number} room bytes until the end of what it is in
- * @returns {{ type: string, head: number, length: number } | null}
+ * @returns {Box | null} null where it is longer, or no box
  */
-function boxAt(view, at, room) {
+export function boxAt(view, at, room) {
+  if (at + 8 > view.byteLength || room < 8) return null;
   const short = view.getUint32(at);
-  const type = String.fromCharCode(...[4, 5, 6, 7].map((i) => view.getUint8(at + i)));
   if (short === 1 && at + 16 > view.byteLength) return null;
   const [head, length] = short === 1 ? [16, Number(view.getBigUint64(at + 8))] : [8, short === 0 ? room : short];
-  return length < head || length > room ? null : { type, head, length };
+  return length < head || length > room ? null : { type: typeAt(view, at + 4), start: at, inner: at + head, end: at + length };
+}
+
+/**
+ * @param {DataView} view
+ * @param {number} from
+ * @param {number} to
+ * @returns {Box[] | null} one after the other; null where something else is among them
+ */
+export function boxesIn(view, from, to) {
+  /** @type {Box[]} */
+  const found = [];
+  for (let at = from; at < to;) {
+    const box = boxAt(view, at, to - at);
+    if (!box) return null;
+    found.push(box);
+    at = box.end;
+  }
+  return found;
+}
+
+/** A box called `free` is passed over by every reader. @param {Uint8Array} bytes are changed @param {Box} box */
+export function blankBox(bytes, { start, inner, end }) {
+  bytes.set([0x66, 0x72, 0x65, 0x65], start + 4);
+  bytes.fill(0, inner, end);
 }
 
 /**
@@ -63,55 +127,59 @@ function boxAt(view, at, room) {
  */
 export function scrubBoxes(bytes) {
   const view = new DataView(bytes.buffer, bytes.byteOffset, bytes.byteLength);
-  let clean = true;
-  for (let at = 0; at + 8 <= bytes.length;) {
-    const box = boxAt(view, at, bytes.length - at);
-    if (!box) return false;
-    const [start, end] = [at + box.head, at + box.length];
-    if (TALK.includes(box.type)) {
-      bytes.set([0x66, 0x72, 0x65, 0x65], at + 4); // A box called `free` is passed over by every reader.
-      bytes.fill(0, start, end);
-    } else if (DATED.includes(box.type)) {
-      bytes.fill(0, start + 4, Math.min(end, start + (bytes[start] === 1 ? 20 : 12)));
-    } else if (box.type === HANDLER) {
-      clean = clean && !TOLD.includes(String.fromCharCode(...bytes.subarray(start + 8, start + 12)));
-    } else if (INSIDE.includes(box.type)) {
-      clean = scrubBoxes(bytes.subarray(start, end)) && clean;
+  /** @param {number} from @param {number} to @param {string} parent @param {string} track what it is, where it is known @returns {boolean} */
+  const scrub = (from, to, parent, track) => {
+    let at = from;
+    let clean = true;
+    const inside = boxesIn(view, from, to);
+    // QuickTime ends a list of boxes with four bytes of nothing.
+    const found = inside ?? boxesIn(view, from, to - 4);
+    if (!found) return false;
+    if (!inside) bytes.fill(0, to - 4, to);
+    const told = parent === 'mdia' ? found.find(({ type }) => type === 'hdlr') : undefined;
+    const kind = told && told.end - told.inner >= 12 ? typeAt(view, told.inner + 8) : track;
+    if (told && !SEEN_OR_HEARD.has(kind)) clean = false;
+    for (const box of found) {
+      const { type, inner, end } = box;
+      at = inner;
+      if (NESTED.has(type)) clean = scrub(at, end, type, kind) && clean;
+      else if (type === COMPRESSED) clean = false;
+      else if (!NEEDED.has(type)) blankBox(bytes, box);
+      else if (DATED.has(type)) bytes.fill(0, Math.min(end, at + 4), Math.min(end, at + (bytes[at] === 1 ? 20 : 12)));
+      else if (type === 'hdlr') blankHandler(bytes, box);
+      else if (type === 'dref') clean = scrubPlaces(bytes, view, box) && clean;
+      else if (type === 'stsd' && kind !== 'soun') scrubCoders(bytes, view, box);
     }
-    at = end;
-  }
-  return clean;
+    return clean;
+  };
+  return scrub(0, bytes.length, '', '');
 }
 
-/** How XMP begins and ends. */
-const XMP = [['<?xpacket begin', '<?xpacket end'], ['<x:xmpmeta', '</x:xmpmeta>']];
+/** Its name and who made it; what it handles stays. @param {Uint8Array} bytes are changed @param {Box} box */
+export function blankHandler(bytes, { inner, end }) {
+  bytes.fill(0, Math.min(end, inner + 12), end);
+}
 
 /**
- * A photo: its records are items somewhere among the pixels.
- * @param {Uint8Array<ArrayBuffer>} bytes of a HEIC or AVIF file; changed
+ * Where its pictures and sounds lie: in this very file, for which some writers give the names of disk and folder too.
+ * @param {Uint8Array} bytes are changed
+ * @param {DataView} view
+ * @param {Box} box
+ * @returns {boolean} false where they lie elsewhere
  */
-export function scrubItems(bytes) {
-  const view = new DataView(bytes.buffer, bytes.byteOffset, bytes.byteLength);
-  for (const [mark, little] of /** @type {const} */ ([[0x49, true], [0x4d, false]])) {
-    for (let at = bytes.indexOf(mark); at >= 0 && at + 8 <= bytes.length; at = bytes.indexOf(mark, at + 1)) {
-      if (view.getUint32(at) === (little ? 0x49492a00 : 0x4d4d002a) && view.getUint32(at + 4, little) === 8) scrub(bytes.subarray(at), isOrientation);
-    }
+function scrubPlaces(bytes, view, { inner, end }) {
+  const places = boxesIn(view, inner + 8, end);
+  if (!places) return false;
+  for (const place of places) {
+    if (place.end - place.inner < 4 || !(view.getUint32(place.inner) & 1)) return false;
+    bytes.fill(0, place.inner + 4, place.end);
   }
-  for (const [begin, end] of XMP) {
-    for (let at = find(bytes, begin, 0); at >= 0; at = find(bytes, begin, at + 1)) {
-      const stop = find(bytes, end, at);
-      if (stop >= 0) bytes.fill(0x20, at, stop + end.length);
-    }
-  }
+  return true;
 }
 
-/** @param {Uint8Array} bytes @param {string} text @param {number} from @returns {number} where the text is, -1: nowhere */
-function find(bytes, text, from) {
-  const first = text.charCodeAt(0);
-  for (let at = bytes.indexOf(first, from); at >= 0; at = bytes.indexOf(first, at + 1)) {
-    let same = 1;
-    while (same < text.length && bytes[at + same] === text.charCodeAt(same)) same += 1;
-    if (same === text.length) return at;
+/** @param {Uint8Array} bytes are changed @param {DataView} view @param {Box} box */
+function scrubCoders(bytes, view, { inner, end }) {
+  for (const { start, end: stop } of boxesIn(view, inner + 8, end) ?? []) {
+    for (const [from, to] of CODER) bytes.fill(0, Math.min(stop, start + from), Math.min(stop, start + to));
   }
-  return -1;
 }

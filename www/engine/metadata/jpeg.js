@@ -3,54 +3,70 @@
 
 import { orientationOf, recordOf } from './exif.js';
 
-const [APP0, APP1, APP2, APP14, APP15, COMMENT, END] = [0xe0, 0xe1, 0xe2, 0xee, 0xef, 0xfe, 0xd9];
+const [APP0, APP1, APP2, APP14, SCAN, END] = [0xe0, 0xe1, 0xe2, 0xee, 0xda, 0xd9];
 const EXIF = 'Exif\0\0';
-/** The segments that the pixels depend on, and how each begins. @type {Record<number, string>} */
-const NEEDED = { [APP0]: 'JFIF\0', [APP2]: 'ICC_PROFILE\0', [APP14]: 'Adobe' };
+/** Segments of programs that the pixels depend on: how each begins, and how long it may be. @type {Record<number, { begins: string, most: number }>} */
+const NEEDED = {
+  // Without the small picture that may follow.
+  [APP0]: { begins: 'JFIF\0', most: 14 },
+  [APP2]: { begins: 'ICC_PROFILE\0', most: 0xffff },
+  [APP14]: { begins: 'Adobe', most: 12 },
+};
+/** Where the sides of the small picture of `APP0` stand in it. */
+const SMALL_SIDES = [12, 13];
 
 /**
  * @param {Uint8Array<ArrayBuffer>} bytes of a file
  * @param {Blob} file the same
- * @returns {BlobPart[] | null} the file without comments and records, but for which side is up, and without what follows
- *   its end; null where it is not whole
+ * @returns {BlobPart[] | null} its frames, tables, scans and colours, and which side is up; null where it is not whole
  */
 export function jpegParts(bytes, file) {
   /** @type {BlobPart[]} */
-  const parts = [];
+  const parts = [file.slice(0, 2)];
   const view = new DataView(bytes.buffer, bytes.byteOffset, bytes.byteLength);
-  /** What was not yet taken begins here; a record of our own goes behind the mark of the file and its JFIF segment. */
-  let from = 0;
   let orientation = 0;
-  let place = -1;
-  const take = (/** @type {number} */ to) => {
-    if (to > from) parts.push(file.slice(from, to));
-  };
+  /** A record of our own goes behind the segment of JFIF. */
+  let place = 1;
   for (let at = 2; ;) {
     const start = nextMarker(bytes, at);
     if (start < 0) return null;
     const marker = bytes[start + 1];
-    const application = marker >= APP0 && marker <= APP15;
-    if (place < 0 && marker !== APP0) {
-      take(start);
-      from = start;
-      place = parts.length;
-    }
     if (marker === END) {
-      take(start + 2);
+      parts.push(file.slice(start, start + 2));
       if (orientation > 1) parts.splice(place, 0, segment(recordOf(orientation)));
       return parts;
     }
     if (start + 4 > bytes.length) return null;
     const end = start + 2 + view.getUint16(start + 2);
-    if (end > bytes.length) return null;
+    if (end > bytes.length || end < start + 4) return null;
     const begins = (/** @type {string} */ text) => [...text].every((letter, i) => start + 4 + i < end && bytes[start + 4 + i] === letter.charCodeAt(0));
+    // What is coded follows its head.
+    at = marker === SCAN ? nextMarker(bytes, end) : end;
+    if (at < 0) return null;
     if (marker === APP1 && orientation === 0 && begins(EXIF)) orientation = orientationOf(bytes.subarray(start + 4 + EXIF.length, end));
-    if (marker === COMMENT || (application && !(NEEDED[marker] && begins(NEEDED[marker])))) {
-      take(start);
-      from = end;
+    const needed = NEEDED[marker];
+    if (needed && begins(needed.begins)) {
+      parts.push(shortened(bytes.slice(start, Math.min(end, start + 4 + needed.most))));
+      if (marker === APP0 && place === 1) place = parts.length;
+    } else if (isPicture(marker)) {
+      parts.push(file.slice(start, at));
     }
-    at = end;
   }
+}
+
+/** Frames, tables, scans and how often the coder begins anew. @param {number} marker */
+function isPicture(marker) {
+  return (marker >= 0xc0 && marker <= 0xcf && marker !== 0xc8) || (marker >= SCAN && marker <= 0xdf);
+}
+
+/**
+ * @param {Uint8Array<ArrayBuffer>} bytes of a segment that may have been cut; changed
+ * @returns {Uint8Array<ArrayBuffer>} with its length, and without a small picture
+ */
+function shortened(bytes) {
+  new DataView(bytes.buffer).setUint16(2, bytes.length - 2);
+  if (bytes[1] === APP0) for (const at of SMALL_SIDES) if (4 + at < bytes.length) bytes[4 + at] = 0;
+  return bytes;
 }
 
 /**

@@ -88,3 +88,168 @@ export function loaded(photo) {
   ];
   return new Blob([photo.slice(0, 2), ...said, photo.slice(2), box('moov', box('udta', 'SECRET place'))], { type: 'image/jpeg' });
 }
+
+/** Bytes of these parts. @param {...(Uint8Array | number[] | string)} parts @returns {Uint8Array<ArrayBuffer>} */
+export function bytesOf(...parts) {
+  return Uint8Array.from(parts.flatMap((part) => (typeof part === 'string' ? ascii(part) : [...part])));
+}
+
+/** @param {number} value @param {number} size @param {boolean} [little] */
+function number(value, size, little = false) {
+  return Array.from({ length: size }, (_, i) => Math.floor(value / 256 ** (little ? i : size - 1 - i)) % 256);
+}
+
+const SECRET = 'SECRET of the camera, Phone 99';
+
+/**
+ * A file of our oracles with words wherever its format has room for them and no picture needs it.
+ * @param {Uint8Array} file
+ * @returns {Uint8Array<ArrayBuffer>}
+ */
+export function soiled(file) {
+  const text = String.fromCharCode(...file.subarray(0, 12));
+  if (text.startsWith('II*') || text.startsWith('MM\0*')) return soiledTiff(file);
+  if (text.startsWith('BM')) return soiledBmp(file);
+  if (text.startsWith('\xff\xd8')) return soiledJpeg(file);
+  if (text.startsWith('\x89PNG')) return soiledPng(file);
+  if (text.startsWith('RIFF')) return soiledWebp(file);
+  if (text.startsWith('GIF8')) return soiledGif(file);
+  if (text.slice(4, 8) === 'ftyp') return bytesOf(file, box('free', SECRET), box('uuid', SECRET), box('sefd', SECRET), SECRET);
+  throw new Error('no such kind');
+}
+
+/** Tags of nobody in a directory that is moved to the end, and what it was is words. @param {Uint8Array} file */
+function soiledTiff(file) {
+  const little = file[0] === 0x49;
+  const view = new DataView(file.buffer, file.byteOffset, file.byteLength);
+  const at = view.getUint32(4, little);
+  const count = view.getUint16(at, little);
+  const fields = Array.from({ length: count }, (_, i) => [...file.subarray(at + 2 + 12 * i, at + 14 + 12 * i)]);
+  const secret = file.length + (file.length % 2);
+  const small = secret + 64;
+  const place = small + 64;
+  const out = (/** @type {number} */ tag, /** @type {number} */ type, /** @type {number} */ many, /** @type {number[]} */ value) => (
+    [...number(tag, 2, little), ...number(type, 2, little), ...number(many, 4, little), ...value]
+  );
+  // Of a type that nobody knows, in the field itself, a directory, and with a value behind the end.
+  const more = [
+    ...[50839, 65000, 65105].map((tag) => out(tag, 2, SECRET.length, number(secret, 4, little))), out(65106, 77, SECRET.length, number(secret, 4, little)),
+    out(65107, 2, 4, ascii('46.2')), out(65108, 13, 1, number(small, 4, little)), out(65109, 2, 99, number(0xfffffff0, 4, little)),
+  ];
+  const order = (/** @type {number[]} */ field) => (little ? field[0] + 256 * field[1] : 256 * field[0] + field[1]);
+  const all = [...fields, ...more].sort((one, other) => order(one) - order(other));
+  const directory = [...number(all.length, 2, little), ...all.flat(), ...number(0, 4, little)];
+  const body = bytesOf(file, new Uint8Array(secret - file.length), SECRET.padEnd(64), [...number(1, 2, little), ...out(271, 2, 4, ascii('SECR')), ...number(0, 4, little)], ''.padEnd(64 - 18, 'SECRET'), directory, SECRET);
+  body.set(ascii('SECRET'.repeat(count * 2 + 1)).slice(0, 6 + 12 * count), at);
+  body.set(number(place, 4, little), 4);
+  return body;
+}
+
+/** In reserved fields, in the gap before the pixels, in the ends of rows, and behind the end. @param {Uint8Array} file */
+function soiledBmp(file) {
+  const view = new DataView(file.buffer, file.byteOffset, file.byteLength);
+  const start = view.getUint32(10, true);
+  const gap = ascii(SECRET.padEnd(64));
+  const made = bytesOf(file.subarray(0, start), gap, file.subarray(start), SECRET);
+  const to = new DataView(made.buffer);
+  to.setUint32(2, made.length, true);
+  to.setUint32(10, start + gap.length, true);
+  made.set(ascii('SECR'), 6);
+  const [used, row] = [Math.ceil(view.getInt32(18, true) * view.getUint16(28, true) / 8), 4 * Math.ceil(view.getInt32(18, true) * view.getUint16(28, true) / 32)];
+  if (view.getUint32(30, true) === 0) for (let at = start + gap.length; at < made.length - SECRET.length; at += row) made.set(ascii('SEC').slice(0, row - used), at + used);
+  return made;
+}
+
+/** A small picture, segments of programs and of nobody, between segments, and behind the end. @param {Uint8Array} file */
+function soiledJpeg(file) {
+  const part = (/** @type {number} */ marker, /** @type {(Uint8Array | number[] | string)[]} */ ...content) => {
+    const body = bytesOf(...content);
+    return bytesOf([0xff, marker], number(body.length + 2, 2), body);
+  };
+  const jfif = file[2] === 0xff && file[3] === 0xe0 ? 4 + 256 * file[4] + file[5] : 2;
+  const first = jfif === 2 ? new Uint8Array(0) : part(0xe0, file.subarray(6, 18), [2, 2], SECRET.slice(0, 12));
+  return bytesOf(
+    file.subarray(0, 2), first, part(0xe0, 'JFXX\0\x10', SECRET), part(0xe4, SECRET), part(0xf5, SECRET), part(0x02, SECRET), part(0xc8, SECRET), SECRET,
+    part(0xfe, SECRET), file.subarray(jfif), SECRET,
+  );
+}
+
+/** @param {Uint8Array} file */
+function soiledPng(file) {
+  const part = (/** @type {string} */ type, /** @type {string} */ content) => bytesOf(number(content.length, 4), type, content, number(crc32(bytesOf(type, content)), 4));
+  const head = 33;
+  return bytesOf(
+    file.subarray(0, head), part('tEXt', `Author\0${SECRET}`), part('sPLT', `${SECRET}\0\x08`), part('prVt', SECRET), part('iTXt', `XML:com.adobe.xmp\0\0\0\0\0${SECRET}`),
+    file.subarray(head), SECRET,
+  );
+}
+
+/** @param {Uint8Array} bytes */
+function crc32(bytes) {
+  let crc = 0xffffffff;
+  for (const byte of bytes) {
+    crc ^= byte;
+    for (let bit = 0; bit < 8; bit += 1) crc = crc & 1 ? 0xedb88320 ^ (crc >>> 1) : crc >>> 1;
+  }
+  return (crc ^ 0xffffffff) >>> 0;
+}
+
+/** Chunks of nobody, in the frames of an animation too, and behind the end. @param {Uint8Array} file */
+function soiledWebp(file) {
+  const part = (/** @type {string} */ type, /** @type {Uint8Array} */ content) => bytesOf(type, number(content.length, 4, true), content, content.length % 2 ? [0] : []);
+  const view = new DataView(file.buffer, file.byteOffset, file.byteLength);
+  const parts = [];
+  for (let at = 12; at + 8 <= file.length;) {
+    const [type, length] = [String.fromCharCode(...file.subarray(at, at + 4)), view.getUint32(at + 4, true)];
+    const content = file.subarray(at + 8, at + 8 + length);
+    parts.push(part(type, type === 'ANMF' ? bytesOf(content, part('prVt', bytesOf(SECRET))) : content));
+    at += 8 + length + (length % 2);
+  }
+  const body = bytesOf('WEBP', ...parts, part('prVt', bytesOf(SECRET)), part('XMP ', bytesOf(SECRET)));
+  return bytesOf('RIFF', number(body.length, 4, true), body, SECRET);
+}
+
+/** Extensions of others and of nobody, longer blocks than a known one has, and behind the end. @param {Uint8Array} file */
+function soiledGif(file) {
+  const part = (/** @type {number} */ label, /** @type {string[]} */ ...blocks) => bytesOf([0x21, label], ...blocks.map((block) => bytesOf([block.length], block)), [0]);
+  const head = 13 + (file[10] & 0x80 ? 3 * 2 ** ((file[10] & 7) + 1) : 0);
+  return bytesOf(
+    file.subarray(0, head), part(0xfe, SECRET), part(0xff, 'XMP DataXMP', SECRET), part(0x01, '\0'.repeat(12), SECRET), part(0x77, SECRET), part(0xff, 'NETSCAPE2.0', SECRET),
+    file.subarray(head), SECRET,
+  );
+}
+
+/**
+ * A HEIC file as telephones write them: two pictures, the record of the camera and words, each somewhere in the data.
+ * @param {{ version?: number, inside?: boolean, orientation?: number }} [how] `version` of the list of places; `inside`: the record lies in the list itself
+ */
+export function heic({ version = 1, inside = false, orientation = 6 } = {}) {
+  const pixels = [0, 1].map((n) => Uint8Array.from({ length: 400 + n }, (_, i) => (i * 31 + n) % 251));
+  const exif = bytesOf(number(6, 4), 'Exif\0\0', record({ orientation, little: false }));
+  const words = bytesOf(`<?xpacket begin="x"?>${SECRET}<?xpacket end="w"?>`);
+  const full = (/** @type {string} */ type, /** @type {number} */ of, /** @type {(Uint8Array | number[] | string)[]} */ ...content) => box(type, bytesOf([of, 0, 0, 0]), ...content.map((part) => bytesOf(part)));
+  const info = (/** @type {number} */ id, /** @type {string} */ type, /** @type {string} */ rest) => full('infe', 2, number(id, 2), [0, 0], type, rest);
+  const infos = full('iinf', 0, number(4, 2), info(1, 'hvc1', `${SECRET}\0`), info(2, 'hvc1', '\0'), info(3, 'Exif', `${SECRET}\0`), info(4, 'mime', `${SECRET}\0application/rdf+xml\0`));
+  const properties = box('iprp', box('ipco', full('ispe', 0, number(64, 4), number(64, 4)), full('udes', 0, SECRET), full('crtt', 0, SECRET.slice(0, 8)), box('irot', bytesOf([1]))),
+    full('ipma', 0, number(1, 4), number(1, 2), [2, 0x81, 0x84]));
+  const head = box('ftyp', 'heic\0\0\0\0mif1heic');
+  const wide = version === 2 ? 4 : 2;
+  const ways = version > 0;
+  /** @param {number} data where the pieces begin */
+  const metaAt = (data) => {
+    const gap = SECRET.length;
+    const second = data + gap + 400 + gap;
+    const third = second + 401 + gap;
+    const at = { 1: [[data + gap, 400]], 2: [[second, 401]], 3: inside ? [[0, exif.length]] : [[third, 100], [third + 100, exif.length - 100]], 4: [[third + exif.length, words.length]] };
+    const places = Object.entries(at).map(([id, extents]) => bytesOf(
+      number(Number(id), wide), ways ? number(inside && id === '3' ? 1 : 0, 2) : [], number(0, 2), number(extents.length, 2),
+      ...extents.map(([from, length]) => bytesOf(number(from, 4), number(length, 4))),
+    ));
+    const list = full('iloc', version, [0x44, 0], number(4, wide), ...places);
+    return full('meta', 0, full('hdlr', 0, '\0\0\0\0pict\0\0\0\0\0\0\0\0\0\0\0\0', `${SECRET}\0`), full('pitm', 0, number(1, 2)), infos, list, properties,
+      ...(inside ? [box('idat', exif, SECRET)] : []), box('uuid', SECRET));
+  };
+  const before = bytesOf(head, metaAt(0), box('uuid', SECRET)).length + 8;
+  const data = bytesOf(SECRET, pixels[0], SECRET, pixels[1], SECRET, inside ? new Uint8Array(exif.length) : exif, words, SECRET);
+  return { file: bytesOf(head, metaAt(before), box('uuid', SECRET), box('mdat', data), box('free', SECRET), box('mpvd', SECRET), SECRET), pixels };
+}

@@ -1,9 +1,13 @@
 // @ts-check
-/** WebP and GIF files without what they say beside their pixels. Sources: RFC 9649; GIF89a Specification. */
+/** WebP files without what they say beside their pixels. Source: RFC 9649. */
 
 import { orientationOf, recordOf } from './exif.js';
 
 const NEEDED = ['VP8X', 'VP8 ', 'VP8L', 'ALPH', 'ANIM', 'ANMF', 'ICCP'];
+/** What a frame of an animation is made of, behind its place and time. */
+const FRAME = 'ANMF';
+const FRAME_HEAD = 16;
+const NEEDED_IN_FRAME = ['VP8 ', 'VP8L', 'ALPH'];
 /** Bits of the first byte of `VP8X`: the file has EXIF, it has XMP. */
 const [HAS_EXIF, HAS_XMP] = [8, 4];
 
@@ -22,14 +26,15 @@ export function webpParts(bytes, file) {
   let flags = -1;
   let orientation = 1;
   for (let at = 12; at < end;) {
-    if (at + 8 > end) return null;
-    const [type, length] = [text(at), view.getUint32(at + 4, true)];
-    const next = at + 8 + length + (length % 2);
-    if (at + 8 + length > end) return null;
+    const chunk = chunkAt(view, at, end);
+    if (!chunk) return null;
+    const { type, length, next } = chunk;
     if (type === 'VP8X' && at === 12 && length === 10) flags = parts.length;
     // The mark of JPEG before the record is one that some writers put here too.
     if (type === 'EXIF') orientation = orientationOf(bytes.subarray(at + 8 + (text(at + 8) === 'Exif' ? 6 : 0), at + 8 + length));
-    if (NEEDED.includes(type)) parts.push(file.slice(at, Math.min(next, end)));
+    const part = type === FRAME ? frame(view, at, file, length) : whole(file, at, length);
+    if (!part) return null;
+    if (NEEDED.includes(type)) parts.push(part);
     at = next;
   }
   const kept = orientation > 1 ? HAS_EXIF : 0;
@@ -45,34 +50,32 @@ export function webpParts(bytes, file) {
   return ['RIFF', size, 'WEBP', ...parts];
 }
 
-const [EXTENSION, PICTURE, END] = [0x21, 0x2c, 0x3b];
-const [COMMENT, APPLICATION] = [0xfe, 0xff];
-/** How often it plays, and its colours. */
-const APPLICATIONS = ['NETSCAPE2.0', 'ANIMEXTS1.0', 'ICCRGBG1012'];
+/** @param {DataView} view @param {number} at @param {number} end of what it is in @returns {{ type: string, length: number, next: number } | null} null where it is cut short */
+function chunkAt(view, at, end) {
+  if (at + 8 > end) return null;
+  const type = String.fromCharCode(...[0, 1, 2, 3].map((i) => view.getUint8(at + i)));
+  const length = view.getUint32(at + 4, true);
+  return at + 8 + length > end ? null : { type, length, next: at + 8 + length + (length % 2) };
+}
 
-/**
- * @param {Uint8Array<ArrayBuffer>} bytes
- * @param {Blob} file the same
- * @returns {BlobPart[] | null} null where it is not whole
- */
-export function gifParts(bytes, file) {
-  const table = (/** @type {number} */ flags) => (flags & 0x80 ? 3 * 2 ** ((flags & 7) + 1) : 0);
-  /** @type {BlobPart[]} */
+/** @param {Blob} file @param {number} at @param {number} length @returns {Blob} a chunk, of which a last byte that only fills is nothing */
+function whole(file, at, length) {
+  return new Blob([file.slice(at, at + 8 + length), new Uint8Array(length % 2)]);
+}
+
+/** @param {DataView} view @param {number} at @param {Blob} file @param {number} length @returns {Blob | null} a frame of an animation without all that is no picture */
+function frame(view, at, file, length) {
+  const end = at + 8 + length;
+  /** @type {Blob[]} */
   const parts = [];
-  let from = 0;
-  for (let at = 13 + table(bytes[10]); at < bytes.length;) {
-    const [start, kind, label] = [at, bytes[at], bytes[at + 1]];
-    if (kind === END) return [...parts, file.slice(from, at + 1)];
-    if (kind === PICTURE) at += 11 + table(bytes[at + 9]);
-    else if (kind === EXTENSION) at += 2;
-    else return null;
-    const application = String.fromCharCode(...bytes.subarray(at + 1, at + 12));
-    while (at < bytes.length && bytes[at] !== 0) at += 1 + bytes[at];
-    at += 1;
-    if (kind === EXTENSION && (label === COMMENT || (label === APPLICATION && !APPLICATIONS.includes(application)))) {
-      parts.push(file.slice(from, start));
-      from = at;
-    }
+  for (let inner = at + 8 + FRAME_HEAD; inner < end;) {
+    const chunk = chunkAt(view, inner, end);
+    if (!chunk) return null;
+    if (NEEDED_IN_FRAME.includes(chunk.type)) parts.push(whole(file, inner, chunk.length));
+    inner = chunk.next;
   }
-  return null;
+  const body = new Blob([file.slice(at + 8, at + 8 + FRAME_HEAD), ...parts]);
+  const size = new DataView(new ArrayBuffer(4));
+  size.setUint32(0, body.size, true);
+  return new Blob([FRAME, size, body]);
 }
