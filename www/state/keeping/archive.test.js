@@ -85,7 +85,8 @@ async function readAll(file) {
   return [...found.keys()];
 }
 
-describe('an archive that is a trap', () => {
+// What unpacks to much takes its time on a busy machine.
+describe('an archive that is a trap', { timeout: 60_000 }, () => {
   const nothing = packedNothing(64);
   const bomb = (/** @type {string} */ name, size = 64 * 2 ** 20) => ({ name, content: nothing, method: 8, length: nothing.length, size });
 
@@ -146,7 +147,7 @@ describe('an archive that is a trap', () => {
     const codes = [];
     for (let i = 0; i < 5; i += 1) codes.push(await again.read().then(() => 'read', (/** @type {any} */ { code }) => code));
     expect(codes).toEqual(['damaged-project', 'damaged-project', 'damaged-project', 'damaged-project', 'too-large-project']);
-  }, 60_000);
+  });
 
   it('stops being read when nobody waits for it any more', async () => {
     const found = await readArchive(new Blob([zipOf([bomb('a')])]));

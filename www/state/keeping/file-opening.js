@@ -25,6 +25,7 @@ import { damaged } from './versions.js';
 /** @typedef {ReturnType<typeof createFileOpening>} FileOpening */
 
 /** Reads a photo into the engine; all that it took is let go when the opening fails. @typedef {(id: string, blob: Blob) => Promise<import('../../engine/protocol.js').Imported['meta']>} Take */
+/** A photo that could not be read. @typedef {{ name: string, why: string }} Failed */
 /**
  * `watch` is told of whatever arrives, so that a file of which nothing comes is given up.
  * @typedef {{
@@ -36,7 +37,7 @@ import { damaged } from './versions.js';
 /**
  * @param {{
  *   engine: Pick<import('../../engine/engine.js').Engine, 'ready' | 'importPhoto' | 'forgetPhoto'>,
- *   messages: Pick<import('../messages.js').Messages, 'alert'>, opening: Pick<import('./opening.js').Opening, 'enter'>,
+ *   messages: Pick<import('../messages.js').Messages, 'alert' | 'fileFailed'>, opening: Pick<import('./opening.js').Opening, 'enter'>,
  * }} app
  */
 export function createFileOpening({ engine, messages, opening }) {
@@ -59,7 +60,7 @@ export function createFileOpening({ engine, messages, opening }) {
     progress.value = { name: file.name, done: 0, total: 1 };
     /** Photos that are in the engine. @type {string[]} */
     const taken = [];
-    /** What is to be said of the others, when the rest is open. @type {string[]} */
+    /** The others, which are named when the rest is open. @type {Failed[]} */
     const failed = [];
     const { signal: cancelled } = stop;
     const quiet = silence(stop);
@@ -81,7 +82,7 @@ export function createFileOpening({ engine, messages, opening }) {
       })]);
       cancelled.throwIfAborted();
       await opening.enter(freshPlace(), content, undefined, { join: true });
-      for (const text of failed) messages.alert(text);
+      for (const { name, why } of failed) messages.fileFailed(name, why);
       return true;
     } catch (error) {
       taken.forEach(engine.forgetPhoto);
@@ -99,7 +100,7 @@ export function createFileOpening({ engine, messages, opening }) {
   /**
    * @param {readonly FilePhoto[]} photos
    * @param {Archive} archive
-   * @param {{ take: Take, watch: Hands['watch'], failed: string[] }} how
+   * @param {{ take: Take, watch: Hands['watch'], failed: Failed[] }} how
    * @returns {Promise<Fact[]>} those that can be read; the others are named in `failed`
    */
   async function readPhotos(photos, archive, { take, watch, failed }) {
@@ -119,7 +120,7 @@ export function createFileOpening({ engine, messages, opening }) {
       } catch (error) {
         const { code, message } = /** @type {{ code?: string, message: string }} */ (error);
         if (watch.signal.aborted || ['cancelled', 'too-large-project'].includes(code ?? '')) throw error;
-        failed.push(strings.fileFailed(fact.name, strings.reasons[code ?? ''] ?? message));
+        failed.push({ name: fact.name, why: strings.reasons[code ?? ''] ?? message });
         return [];
       } finally {
         const now = progress.peek();

@@ -75,7 +75,8 @@ describe('a project file', () => {
     bytes[text.indexOf('photos/002-b.jpgb.jpg') + 'photos/002-b.jpg'.length] ^= 1;
     await tab.keeping.files.open(new File([bytes], file.name));
     expect(tab.names()).toEqual(['a.jpg', 'c.jpg']);
-    expect(reasons().join()).toMatch(/b\.jpg.*damaged/);
+    // Files that fail are told together, a moment later.
+    await vi.waitFor(() => expect(reasons().join()).toMatch(/b\.jpg.*damaged/));
   });
 
   it.each([
