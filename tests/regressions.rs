@@ -51,7 +51,7 @@ fn files(folder: &str) -> Vec<Vec<u8>> {
 fn seeds(name: &str) -> Vec<Vec<u8>> {
     let some = |folder: &str| files(folder).into_iter().step_by(6).collect();
     match name {
-        "photo" => ["files", "animations"]
+        "photo" => ["files", "animations", "odd"]
             .into_iter()
             .flat_map(|folder| files(&format!("tests/oracles/data/{folder}")))
             .filter(|file| file.len() < 20_000)

@@ -6,20 +6,19 @@
 use std::io::Cursor;
 
 use ::image::codecs::bmp::BmpDecoder;
-use ::image::codecs::gif::GifDecoder;
-use ::image::codecs::png::PngDecoder;
-use ::image::codecs::tiff::TiffDecoder;
 use ::image::codecs::webp::WebPDecoder;
 use ::image::{ImageDecoder, ImageError, ImageFormat, ImageResult};
 
 use super::exif::{self, Exif};
-use super::icc;
 use super::jpeg::{self, Markers};
 use super::orient::{swaps_sides, upright};
-use super::resize::{self, Region};
-use super::samples::{self, Samples};
-use super::{Image, Plane};
+use super::samples::{self, Alpha, Pixels};
+use super::{Image, gif, icc, png, resize, tiff};
 use crate::error::{Error, Result};
+
+/// Most bytes of an ICC profile or of another record that a photo carries; what is larger is passed over, as no camera,
+/// screen or press has the like.
+pub(super) const MOST_PROFILE: usize = 4 << 20;
 
 /// What a file may ask for at most.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
@@ -109,104 +108,95 @@ fn known_format(bytes: &[u8]) -> Result<(ImageFormat, &'static str)> {
     Ok((format, name))
 }
 
-/// The decoder's pixels: interleaved RGB, or grey.
-struct Pixels {
-    size: (usize, usize),
-    samples: Vec<u8>,
-    grey: bool,
-    /// The file's ICC profile.
-    profile: Option<Vec<u8>>,
-}
-
-impl Pixels {
-    fn reduced(self, (new_width, new_height): (usize, usize)) -> Result<Image> {
-        let (width, height) = self.size;
-        if !self.grey {
-            return resize::planes_of_interleaved(&self.samples, self.size, (new_width, new_height));
-        }
-        let mut plane = Plane::from_samples(width, height, self.samples)?;
-        if (new_width, new_height) != (width, height) {
-            plane = resize::resample(&plane, Region::whole(width, height), new_width, new_height);
-        }
-        Image::from_rgb([plane.clone(), plane.clone(), plane])
-    }
-}
-
 fn read(bytes: &[u8], format: ImageFormat, name: &'static str, limits: &Limits) -> Result<(Pixels, Exif)> {
-    let file = Cursor::new(bytes);
     // Each decoder by its own type: behind a common one all that they can do besides would be in the module too.
     match format {
         ImageFormat::Jpeg => {
-            let exif = check_jpeg(bytes, name, limits)?.exif.map(exif::read).unwrap_or_default();
-            let mut decoder = jpeg::Decoder::new(bytes, name)?;
+            let markers = check_jpeg(bytes, name, limits)?;
+            let mut decoder = jpeg::Decoder::new(bytes, &markers, name)?;
             let (size, grey) = (decoder.size(), decoder.is_grey());
             check_size(size.0 as u32, size.1 as u32, name, limits)?;
             check_memory(size, if grey { 1 } else { 3 }, limits)?;
-            let (samples, profile) = (decoder.samples()?, decoder.profile());
+            let exif = markers.exif.map(exif::read).unwrap_or_default();
+            let (samples, profile) = (decoder.samples()?, markers.profile());
             Ok((Pixels { size, samples, grey, profile }, exif))
         }
         ImageFormat::WebP => {
             check_riff(bytes, name)?;
-            read_with(WebPDecoder::new(file), embedded, name, limits)
+            let (exif, profile) = records_of_webp(bytes);
+            let pixels = read_with(WebPDecoder::new(Cursor::new(bytes)), name, limits)?;
+            Ok((pixels.with_profile(profile), exif))
         }
         ImageFormat::Tiff => {
-            let records = (exif::read(bytes), exif::profile(bytes).map(<[u8]>::to_vec));
-            read_with(TiffDecoder::new(file), |_| records, name, limits)
+            let pixels = tiff::read(bytes, name, limits)?.with_profile(exif::profile(bytes));
+            Ok((pixels, exif::read(bytes)))
         }
-        ImageFormat::Gif => read_with(GifDecoder::new(file), |_| Records::default(), name, limits),
-        ImageFormat::Bmp => read_with(BmpDecoder::new(file), |_| Records::default(), name, limits),
-        _ => read_with(PngDecoder::with_limits(file, allowance(limits)), embedded, name, limits),
+        ImageFormat::Gif => Ok((gif::read(bytes, name, limits)?, Exif::default())),
+        ImageFormat::Bmp => {
+            Ok((read_with(BmpDecoder::new(Cursor::new(bytes)), name, limits)?, Exif::default()))
+        }
+        _ => png::read(bytes, name, limits),
     }
 }
 
-/// What the EXIF record says, and the ICC profile.
-type Records = (Exif, Option<Vec<u8>>);
-
-/// Both as a decoder finds them.
-fn embedded<D: ImageDecoder>(decoder: &mut D) -> Records {
-    let exif = decoder.exif_metadata().ok().flatten().as_deref().map(exif::read).unwrap_or_default();
-    (exif, decoder.icc_profile().ok().flatten())
-}
-
-fn allowance(limits: &Limits) -> ::image::Limits {
-    // The sides are checked where the error can name them.
-    let mut allowance = ::image::Limits::no_limits();
-    allowance.max_alloc = Some(limits.max_bytes);
-    allowance
+/// What the EXIF record of a WebP file says, and its ICC profile, as they stand in the file: its decoder would copy them
+/// at any length.
+fn records_of_webp(bytes: &[u8]) -> (Exif, Option<Vec<u8>>) {
+    let (mut exif, mut profile) = (Exif::default(), None);
+    let mut rest = bytes.get(12..).unwrap_or_default();
+    while let Some((kind, after)) = rest.split_first_chunk::<4>() {
+        let Some((&length, after)) = after.split_first_chunk() else { break };
+        let length = u32::from_le_bytes(length) as usize;
+        let Some(body) = after.get(..length) else { break };
+        match kind {
+            b"EXIF" => exif = exif::read(body),
+            b"ICCP" if length <= MOST_PROFILE => profile = Some(body.to_vec()),
+            _ => {}
+        }
+        rest = after.get(length.next_multiple_of(2)..).unwrap_or_default();
+    }
+    (exif, profile)
 }
 
 fn read_with<D: ImageDecoder>(
     decoder: ImageResult<D>,
-    records: impl FnOnce(&mut D) -> Records,
     name: &'static str,
     limits: &Limits,
-) -> Result<(Pixels, Exif)> {
+) -> Result<Pixels> {
     let failed = |error| explained(error, name);
     let mut decoder = decoder.map_err(failed)?;
-    decoder.set_limits(allowance(limits)).map_err(failed)?;
+    // The sides are checked where the error can name them.
+    let mut allowance = ::image::Limits::no_limits();
+    allowance.max_alloc = Some(limits.max_bytes);
+    decoder.set_limits(allowance).map_err(failed)?;
     let (width, height) = decoder.dimensions();
     check_size(width, height, name, limits)?;
-    let (exif, profile) = records(&mut decoder);
     let size = (width as usize, height as usize);
     let color = decoder.color_type();
     check_memory(size, u64::from(color.bytes_per_pixel()), limits)?;
     let mut bytes = vec![0; decoder.total_bytes() as usize];
     decoder.read_image(&mut bytes).map_err(failed)?;
-    let Samples { bytes, grey } = samples::flattened(color, bytes);
-    Ok((Pixels { size, samples: bytes, grey, profile }, exif))
+    let (mut samples, alpha) = samples::narrowed(color, bytes);
+    if name == "BMP" && alpha == Alpha::Straight && samples.iter().skip(3).step_by(4).all(|&alpha| alpha == 0)
+    {
+        // The maker gave the alpha a place and forgot to fill it; browsers show such a file, too.
+        samples.iter_mut().skip(3).step_by(4).for_each(|alpha| *alpha = 255);
+    }
+    Ok(Pixels::flattened(size, samples, alpha))
 }
 
 /// The decoder's pixels and ours together must fit.
-fn check_memory((width, height): (usize, usize), bytes_per_pixel: u64, limits: &Limits) -> Result<()> {
-    let pixels = width as u64 * height as u64;
+pub(super) fn check_memory(size: (usize, usize), bytes_per_pixel: u64, limits: &Limits) -> Result<()> {
+    let pixels = size.0 as u64 * size.1 as u64;
     if pixels.saturating_mul(bytes_per_pixel + 4) > limits.max_bytes {
-        return Err(too_large(
-            width as u32,
-            height as u32,
-            format!("{} MB of memory", limits.max_bytes >> 20),
-        ));
+        return Err(out_of_memory(size, limits));
     }
     Ok(())
+}
+
+/// The error of an image that needs more memory than the limits allow.
+pub(super) fn out_of_memory((width, height): (usize, usize), limits: &Limits) -> Error {
+    too_large(width as u32, height as u32, format!("{} MB of memory", limits.max_bytes >> 20))
 }
 
 fn check_jpeg<'a>(bytes: &'a [u8], name: &'static str, limits: &Limits) -> Result<Markers<'a>> {

@@ -4,11 +4,17 @@
 //! wasm than everything else here. Wrong records are as good as none: no photo fails for them.
 //! Source: CIPA DC-008 (Exif 2.32), TIFF 6.0.
 
+use super::decode::MOST_PROFILE;
+
 const ORIENTATION: u16 = 0x0112;
 const ICC_PROFILE: u16 = 0x8773;
 const EXIF_DIRECTORY: u16 = 0x8769;
 const DATE_TIME_ORIGINAL: u16 = 0x9003;
 const DATE_TIME_DIGITIZED: u16 = 0x9004;
+
+/// Types of fields: whole numbers of two and of four bytes.
+pub(super) const SHORT: u16 = 3;
+pub(super) const LONG: u16 = 4;
 
 /// What the record says.
 #[derive(Clone, PartialEq, Eq, Debug)]
@@ -31,16 +37,18 @@ pub(super) fn read(record: &[u8]) -> Exif {
     parse(record).unwrap_or_default()
 }
 
-/// The ICC profile of a TIFF file, whose decoder knows it only under one of the two types that it goes by.
-pub(super) fn profile(file: &[u8]) -> Option<&[u8]> {
+/// The ICC profile of a TIFF file; one that is too large is none.
+pub(super) fn profile(file: &[u8]) -> Option<Vec<u8>> {
     let tiff = Tiff::of(file)?;
-    let field = tiff.find(tiff.u32(4)?, ICC_PROFILE)?;
-    file.get(tiff.u32(field + 8)? as usize..)?.get(..tiff.u32(field + 4)? as usize)
+    let field = tiff.find(tiff.directory()?, ICC_PROFILE)?;
+    let length = tiff.u32(field + 4)? as usize;
+    let bytes = file.get(tiff.u32(field + 8)? as usize..)?.get(..length)?;
+    (length <= MOST_PROFILE).then(|| bytes.to_vec())
 }
 
 fn parse(record: &[u8]) -> Option<Exif> {
     let tiff = Tiff::of(record)?;
-    let main = tiff.u32(4)?;
+    let main = tiff.directory()?;
     let orientation = tiff.find(main, ORIENTATION).and_then(|field| tiff.u16(field + 8));
     let taken = tiff.find(main, EXIF_DIRECTORY).and_then(|field| tiff.u32(field + 8)).and_then(|directory| {
         let date = |tag| tiff.find(directory, tag).and_then(|field| tiff.date(field));
@@ -51,13 +59,13 @@ fn parse(record: &[u8]) -> Option<Exif> {
 }
 
 /// A TIFF file and its byte order.
-struct Tiff<'a> {
+pub(super) struct Tiff<'a> {
     record: &'a [u8],
     little: bool,
 }
 
 impl<'a> Tiff<'a> {
-    fn of(record: &'a [u8]) -> Option<Self> {
+    pub(super) fn of(record: &'a [u8]) -> Option<Self> {
         match record.get(..4)? {
             b"II*\0" => Some(Self { record, little: true }),
             b"MM\0*" => Some(Self { record, little: false }),
@@ -65,24 +73,59 @@ impl<'a> Tiff<'a> {
         }
     }
 
-    fn u16(&self, at: u32) -> Option<u16> {
+    /// A field of one whole number of two bytes, or of four where it is larger.
+    pub(super) fn field(&self, tag: u16, value: u32) -> [u8; 12] {
+        let short = |value: u16| if self.little { value.to_le_bytes() } else { value.to_be_bytes() };
+        let long = |value: u32| if self.little { value.to_le_bytes() } else { value.to_be_bytes() };
+        let mut field = [0; 12];
+        field[..2].copy_from_slice(&short(tag));
+        field[4..8].copy_from_slice(&long(1));
+        if let Ok(value) = u16::try_from(value) {
+            field[2..4].copy_from_slice(&short(SHORT));
+            field[8..10].copy_from_slice(&short(value));
+        } else {
+            field[2..4].copy_from_slice(&short(LONG));
+            field[8..].copy_from_slice(&long(value));
+        }
+        field
+    }
+
+    /// Position of the first directory.
+    pub(super) fn directory(&self) -> Option<u32> {
+        self.u32(4)
+    }
+
+    pub(super) fn u16(&self, at: u32) -> Option<u16> {
         let bytes = *self.record.get(at as usize..)?.first_chunk()?;
         Some(if self.little { u16::from_le_bytes(bytes) } else { u16::from_be_bytes(bytes) })
     }
 
-    fn u32(&self, at: u32) -> Option<u32> {
+    pub(super) fn u32(&self, at: u32) -> Option<u32> {
         let bytes = *self.record.get(at as usize..)?.first_chunk()?;
         Some(if self.little { u32::from_le_bytes(bytes) } else { u32::from_be_bytes(bytes) })
     }
 
-    /// Position of a field of a directory: tag, type, count and value, 2 + 2 + 4 + 4 bytes.
-    fn find(&self, directory: u32, tag: u16) -> Option<u32> {
-        let fields = u32::from(self.u16(directory)?);
-        let first = directory.checked_add(2)?;
+    /// Positions of the fields of a directory: tag, type, count and value, 2 + 2 + 4 + 4 bytes.
+    pub(super) fn fields(&self, directory: u32) -> impl Iterator<Item = u32> {
+        let fields = u32::from(self.u16(directory).unwrap_or(0));
+        let first = directory.saturating_add(2);
         (0..fields)
-            .filter_map(|i| first.checked_add(12 * i))
+            .filter_map(move |i| first.checked_add(12 * i))
             .take_while(|&field| field as usize + 12 <= self.record.len())
-            .find(|&field| self.u16(field) == Some(tag))
+    }
+
+    /// Position of the first field of a tag.
+    pub(super) fn find(&self, directory: u32, tag: u16) -> Option<u32> {
+        self.fields(directory).find(|&field| self.u16(field) == Some(tag))
+    }
+
+    /// The one whole number of a field.
+    pub(super) fn number(&self, field: u32) -> Option<u32> {
+        match (self.u16(field + 2)?, self.u32(field + 4)?) {
+            (SHORT, 1) => self.u16(field + 8).map(u32::from),
+            (LONG, 1) => self.u32(field + 8),
+            _ => None,
+        }
     }
 
     /// The text of a date field, where it is one.

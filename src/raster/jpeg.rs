@@ -1,8 +1,9 @@
-//! What a JPEG file says before its pixels: size, EXIF record, and whether it is whole.
+//! What a JPEG file says before its pixels: size, EXIF record, profile, and whether it is whole.
 //!
 //! The decoder paints the missing part of a file that was cut short in grey and says nothing, so the end is
 //! looked for here. Source: ITU-T T.81, annex B. The pixels are `zune-jpeg`'s.
 
+use super::decode::MOST_PROFILE;
 use crate::error::{Error, Result};
 use zune_jpeg::JpegDecoder;
 use zune_jpeg::errors::DecodeErrors;
@@ -20,14 +21,16 @@ pub(super) struct Decoder {
 }
 
 impl Decoder {
-    /// Reads the headers; `name` is that of the format, for messages.
-    pub(super) fn new(bytes: &[u8], name: &'static str) -> Result<Self> {
+    /// Reads the headers; `name` is that of the format, for messages. The decoder would keep all records of the file,
+    /// so it gets a copy without them.
+    pub(super) fn new(bytes: &[u8], markers: &Markers, name: &'static str) -> Result<Self> {
         // Files with small faults are drawn by every other program, too; the sides are checked by the caller.
         let options = DecoderOptions::default()
             .set_strict_mode(false)
             .set_max_width(usize::MAX)
             .set_max_height(usize::MAX);
-        let mut decoder = JpegDecoder::new_with_options(ZCursor::new(bytes.to_vec()), options);
+        let mut decoder =
+            JpegDecoder::new_with_options(ZCursor::new(markers.without_records(bytes)), options);
         decoder.decode_headers().map_err(|error| explained(error, name))?;
         let grey = decoder.input_colorspace() == Some(ColorSpace::Luma);
         let out = if grey { ColorSpace::Luma } else { ColorSpace::RGB };
@@ -46,11 +49,6 @@ impl Decoder {
         self.grey
     }
 
-    /// The ICC profile, put together from its parts.
-    pub(super) fn profile(&self) -> Option<Vec<u8>> {
-        self.file.icc_profile()
-    }
-
     /// The samples, interleaved.
     pub(super) fn samples(&mut self) -> Result<Vec<u8>> {
         self.file.decode().map_err(|error| explained(error, self.name))
@@ -65,7 +63,7 @@ fn explained(error: DecodeErrors, format: &'static str) -> Error {
 }
 
 /// The markers of a file.
-#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+#[derive(Clone, PartialEq, Eq, Debug)]
 pub(super) struct Markers<'a> {
     /// Width and height as announced.
     pub(super) size: Option<(u32, u32)>,
@@ -75,19 +73,33 @@ pub(super) struct Markers<'a> {
     pub(super) exif: Option<&'a [u8]>,
     /// True when the end of the image is there.
     pub(super) complete: bool,
+    /// Where the image ends; the end of the file where its end is missing.
+    end: usize,
+    /// The parts of the ICC profile: a number from 1, how many there are, and bytes.
+    parts: Vec<&'a [u8]>,
 }
 
 const END_OF_IMAGE: u8 = 0xD9;
+const START_OF_SCAN: u8 = 0xDA;
+const APP0: u8 = 0xE0;
 const APP1: u8 = 0xE1;
+const APP2: u8 = 0xE2;
+/// Adobe's, which says what the colours are.
+const APP14: u8 = 0xEE;
+const APP15: u8 = 0xEF;
+const COMMENT: u8 = 0xFE;
+/// A part's number has one byte.
+const MOST_PARTS: usize = 255;
 
 impl<'a> Markers<'a> {
     /// Walks through the segments, and through the coded data between them.
     pub(super) fn of(bytes: &'a [u8]) -> Self {
-        let mut markers = Self { size: None, components: 0, exif: None, complete: false };
+        let (end, parts) = (bytes.len(), Vec::new());
+        let mut markers = Self { size: None, components: 0, exif: None, complete: false, end, parts };
         let mut at = 2;
         while let Some((marker, after)) = next_marker(bytes, at) {
             if marker == END_OF_IMAGE {
-                markers.complete = true;
+                (markers.complete, markers.end) = (true, after);
                 break;
             }
             let Some(&[high, low]) = bytes.get(after..).and_then(<[u8]>::first_chunk) else { break };
@@ -95,6 +107,9 @@ impl<'a> Markers<'a> {
             let Some(payload) = bytes.get(after + 2..end) else { break };
             match marker {
                 APP1 if markers.exif.is_none() => markers.exif = payload.strip_prefix(b"Exif\0\0"),
+                APP2 if markers.parts.len() <= MOST_PARTS => {
+                    markers.parts.extend(payload.strip_prefix(b"ICC_PROFILE\0"));
+                }
                 // Start of frame: C0..CF but for DHT, JPG and DAC.
                 0xC0..=0xCF if !matches!(marker, 0xC4 | 0xC8 | 0xCC) => {
                     if let Some(&[_, h1, h0, w1, w0, components]) = payload.first_chunk() {
@@ -108,6 +123,42 @@ impl<'a> Markers<'a> {
             at = end;
         }
         markers
+    }
+
+    /// The ICC profile put together from its parts; one that is too large, or lacks a part, is none.
+    pub(super) fn profile(&self) -> Option<Vec<u8>> {
+        let length: usize = self.parts.iter().map(|part| part.len()).sum();
+        if self.parts.is_empty() || length > MOST_PROFILE {
+            return None;
+        }
+        let count = u8::try_from(self.parts.len()).ok()?;
+        let mut profile = Vec::with_capacity(length);
+        for number in 1..=count {
+            profile.extend(self.parts.iter().find_map(|part| part.strip_prefix(&[number, count]))?);
+        }
+        Some(profile)
+    }
+
+    /// The image alone: without the segments before the pixels that only say something about it, and without what
+    /// follows its end.
+    fn without_records(&self, bytes: &[u8]) -> Vec<u8> {
+        let mut image = bytes[..2.min(bytes.len())].to_vec();
+        let mut at = 2;
+        while let Some((marker, after)) = next_marker(bytes, at) {
+            let start = after - 2;
+            let length =
+                bytes.get(after..).and_then(<[u8]>::first_chunk).map_or(0, |&two| u16::from_be_bytes(two));
+            let segment = bytes.get(start..after + usize::from(length));
+            let Some(segment) = segment.filter(|_| !matches!(marker, START_OF_SCAN | END_OF_IMAGE)) else {
+                image.extend(bytes.get(start..self.end).unwrap_or_default());
+                break;
+            };
+            if matches!(marker, APP0 | APP14) || !matches!(marker, APP1..=APP15 | COMMENT) {
+                image.extend(segment);
+            }
+            at = start + segment.len();
+        }
+        image
     }
 
     /// True when coded data of `length` bytes can hold the announced pixels: a block of 64 takes a bit at least.
@@ -134,7 +185,53 @@ fn next_marker(bytes: &[u8], mut at: usize) -> Option<(u8, usize)> {
 mod tests {
     use super::*;
 
-    const START_OF_SCAN: u8 = 0xDA;
+    fn segment(marker: u8, body: &[u8]) -> Vec<u8> {
+        [&[0xFF, marker], &(body.len() as u16 + 2).to_be_bytes()[..], body].concat()
+    }
+
+    #[test]
+    fn records_are_left_out_and_the_image_is_not() {
+        let file = include_bytes!("../../tests/oracles/data/files/jpeg-icc-exif-6.jpg");
+        let image = Markers::of(file).without_records(file);
+        assert!(image.len() < file.len() - 500);
+        let with_tail = [&file[..], &[7; 99]].concat();
+        assert_eq!(
+            Markers::of(&with_tail).without_records(&with_tail),
+            image,
+            "what follows the end is left out"
+        );
+        assert_eq!(Markers::of(&image).without_records(&image), image);
+        let pixels =
+            |bytes: &[u8]| Decoder::new(bytes, &Markers::of(bytes), "JPEG").unwrap().samples().unwrap();
+        assert_eq!(pixels(&image), pixels(file));
+        // Adobe's marker is no record: it says that these are four inks.
+        let inks = include_bytes!("../../tests/oracles/data/files/jpeg-ycck.jpg");
+        let kept = Markers::of(inks).without_records(inks);
+        assert!(kept.windows(5).any(|window| window == b"Adobe"));
+        for length in 0..file.len() {
+            let _ = Markers::of(&file[..length]).without_records(&file[..length]);
+        }
+    }
+
+    #[test]
+    fn a_profile_is_put_together_of_all_its_parts_or_none() {
+        let part = |number: u8, count: u8, body: &[u8]| {
+            segment(APP2, &[b"ICC_PROFILE\0", &[number, count][..], body].concat())
+        };
+        let profile = |parts: &[Vec<u8>]| {
+            let file = [vec![0xFF, 0xD8], parts.concat(), vec![0xFF, END_OF_IMAGE]].concat();
+            Markers::of(&file).profile()
+        };
+        assert_eq!(profile(&[part(2, 2, b"cd"), part(1, 2, b"ab")]).unwrap(), b"abcd");
+        assert_eq!(profile(&[]), None);
+        assert_eq!(profile(&[part(1, 2, b"ab")]), None);
+        assert_eq!(profile(&[part(1, 2, b"ab"), part(1, 2, b"ab")]), None);
+        let large: Vec<_> = (1..=80).map(|i| part(i, 80, &vec![i; 65_000])).collect();
+        assert_eq!(profile(&large), None, "more than {MOST_PROFILE} bytes");
+        assert_eq!(profile(&large[..60]), None, "some are missing");
+        let many: Vec<_> = (0..600).map(|_| part(1, 1, b"a")).collect();
+        assert_eq!(profile(&many), None);
+    }
 
     #[test]
     fn the_end_inside_a_thumbnail_is_not_the_end_of_the_image() {
