@@ -20,6 +20,7 @@ use inkpanel::style::{Context, Style, stylize};
 use inkpanel::{Error, style};
 use rayon::prelude::*;
 use serde_json::{Value, json};
+use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 
@@ -311,7 +312,7 @@ fn import_all(files: &[PathBuf]) -> Vec<(PathBuf, Imported)> {
         .enumerate()
         .map(|(i, path)| {
             let bytes = std::fs::read(path).map_err(|error| error.to_string())?;
-            import(&format!("photo-{i}"), &bytes, &limits).map_err(|error| error.to_string())
+            survived(|| import(&format!("photo-{i}"), &bytes, &limits))
         })
         .collect();
     let mut photos = Vec::new();
@@ -324,6 +325,16 @@ fn import_all(files: &[PathBuf]) -> Vec<(PathBuf, Imported)> {
     photos
 }
 
+/// What `work` on one file gives. Where it panics, which is a fault of ours or of a decoder, that is the error of this file
+/// and no other; the sentence of the panic is on standard error by then.
+fn survived<T>(work: impl FnOnce() -> inkpanel::Result<T>) -> Result<T, Complaint> {
+    // Nothing that the work may have left half done is looked at again.
+    match catch_unwind(AssertUnwindSafe(work)) {
+        Ok(done) => done.map_err(|error| error.to_string()),
+        Err(_) => Err("reading it failed by a fault of Inkpanel, please report it".to_owned()),
+    }
+}
+
 fn decode_file(path: &Path) -> Result<Image, Complaint> {
     decode_file_fit(path, usize::MAX)
 }
@@ -331,9 +342,9 @@ fn decode_file(path: &Path) -> Result<Image, Complaint> {
 fn decode_file_fit(path: &Path, longest: usize) -> Result<Image, Complaint> {
     let complain = |reason: String| format!("{}: {reason}", path.display());
     let bytes = std::fs::read(path).map_err(|error| complain(error.to_string()))?;
-    decode_fit(&bytes, &Limits::default(), longest)
+    survived(|| decode_fit(&bytes, &Limits::default(), longest))
         .map(|decoded| decoded.image)
-        .map_err(|error| complain(error.to_string()))
+        .map_err(complain)
 }
 
 fn read_style(id_or_file: &str) -> Result<Style, Complaint> {
@@ -363,4 +374,21 @@ fn name(path: &Path) -> &str {
 
 fn write(path: &Path, bytes: &[u8]) -> Result<(), Complaint> {
     std::fs::write(path, bytes).map_err(|error| format!("{}: {error}", path.display()))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_panic_is_the_error_of_one_file() {
+        let files = [0, 1, 2];
+        let read: Vec<_> = files
+            .par_iter()
+            .map(|&file| survived(|| if file == 1 { panic!("a fault") } else { Ok(file) }))
+            .collect();
+        assert_eq!((read[0].as_ref(), read[2].as_ref()), (Ok(&0), Ok(&2)));
+        assert!(read[1].as_ref().unwrap_err().contains("please report it"));
+        assert_eq!(survived::<()>(|| Err(Error::NoPhotos)), Err(Error::NoPhotos.to_string()));
+    }
 }
