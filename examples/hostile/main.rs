@@ -1,10 +1,11 @@
 //! Reads every file of some folders and tells what became of it; `cargo xtask corpora` runs it.
 //!
-//!     cargo run --example hostile -- TABLE.md|- NAME=FOLDER...
+//!     cargo run --example hostile -- TABLE.md|- [NAME=FOLDER...]
 //!
-//! Each file either decodes or gives an error with a code. It ends with a failure when one makes the program panic,
+//! So does it with the files of `made.rs`. Each file either decodes or gives an error with a code. It ends with a failure when one makes the program panic,
 //! takes longer than five seconds or more memory than the limit that holds in the page.
 
+mod made;
 mod memory;
 mod table;
 
@@ -34,36 +35,42 @@ pub(crate) struct Outcome {
 
 fn main() -> ExitCode {
     let arguments: Vec<String> = std::env::args().skip(1).collect();
-    let Some((target, folders)) = arguments.split_first().filter(|(_, folders)| !folders.is_empty()) else {
-        eprintln!("usage: hostile TABLE.md|- NAME=FOLDER...");
+    let Some((target, folders)) = arguments.split_first() else {
+        eprintln!("usage: hostile TABLE.md|- [NAME=FOLDER...]");
         return ExitCode::FAILURE;
     };
     // A panic is told in the table, not by a backtrace each.
     panic::set_hook(Box::new(|_| {}));
-    let mut rows = Vec::new();
-    let (mut passed, mut faults) = (0, 0);
+    let (mut rows, mut faults) = (Vec::new(), 0);
     for folder in folders {
         let (name, folder) = folder.split_once('=').unwrap_or((folder, folder));
         let mut files = Vec::new();
         collect(Path::new(folder), &mut files);
         files.sort();
-        let mut outcomes = Vec::new();
-        for file in &files {
-            let outcome = examined(file);
-            if outcome.is_fault {
-                faults += 1;
-                println!("{}: {}", file.display(), outcome.word);
-            } else {
-                passed += 1;
-            }
-            outcomes.push(outcome);
-        }
-        rows.push((name.to_owned(), outcomes));
+        let read = files.iter().map(|file| (file.display().to_string(), fs::read(file).unwrap_or_default()));
+        rows.push((name.to_owned(), outcomes(read, &mut faults)));
     }
+    let photo = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/oracles/data/files/jpeg-420.jpg");
+    let made = made::all(&fs::read(photo).unwrap_or_default());
+    rows.push(("made here".to_owned(), outcomes(made.into_iter(), &mut faults)));
+    let passed = rows.iter().map(|(_, outcomes)| outcomes.len()).sum::<usize>() - faults;
     let text = table::written(&rows);
     println!("{text}\ntest result: {passed} passed; {faults} failed;");
     let kept = target == "-" || fs::write(target, format!("{}\n{text}", table::ABOUT)).is_ok();
     if kept && faults == 0 && passed > 0 { ExitCode::SUCCESS } else { ExitCode::FAILURE }
+}
+
+/// What becomes of each file; those that are a fault are named and counted.
+fn outcomes(files: impl Iterator<Item = (String, Vec<u8>)>, faults: &mut usize) -> Vec<Outcome> {
+    let outcome = |(name, bytes)| {
+        let outcome = examined(bytes);
+        if outcome.is_fault {
+            *faults += 1;
+            println!("{name}: {}", outcome.word);
+        }
+        outcome
+    };
+    files.map(outcome).collect()
 }
 
 /// All files below a folder.
@@ -75,8 +82,7 @@ fn collect(folder: &Path, files: &mut Vec<PathBuf>) {
 }
 
 /// Reads a file on a thread of its own, so that one that never ends can be left behind.
-fn examined(file: &Path) -> Outcome {
-    let bytes = fs::read(file).unwrap_or_default();
+fn examined(bytes: Vec<u8>) -> Outcome {
     let before = memory::begin();
     let (send, receive) = mpsc::channel();
     let start = Instant::now();

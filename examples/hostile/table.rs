@@ -11,7 +11,8 @@ pub(crate) const ABOUT: &str = "\
 
 Written by `cargo xtask corpora`; `cargo xtask test corpora` replays the same. The files come from Debian's package
 `gdk-pixbuf-tests` and from the sources of libpng in the crate `libpng-src` 0.2.3, by the package managers, and are not
-kept here. Each file is read as the page reads it; one that panics, takes more than five seconds or more memory than
+kept here; those *made here* come from `examples/hostile/made.rs`: records that inflate to 900 MB, tiles and planes of all
+sizes, fields that lie, screens that are no frames. Each file is read as the page reads it; one that panics, takes more than five seconds or more memory than
 the limit (1 GiB) fails the suite. Times are those of a build for tests. *Memory* is the most that one file took.
 ";
 
