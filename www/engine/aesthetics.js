@@ -9,9 +9,6 @@ import { createPool } from './pool.js';
 import { failure } from './protocol.js';
 import { Priority } from './queue.js';
 
-/** Also for loading and preparing the net, on a slow phone. */
-const TIMEOUT = 120_000;
-
 /**
  * @param {{ run: (job: import('./pool.js').Job) => Promise<any>, photos: ReturnType<typeof import('./photos.js').createPhotos> }} engine
  */
@@ -37,7 +34,7 @@ export function createAesthetics({ run, photos }) {
     const picture = await run({ ...job, op: 'stylePixels', args, holds: [photo.key] });
     pool ??= createPool({ size: 1, spawn });
     const { data } = picture;
-    return pool.run({ ...job, op: 'judge', args: { width, height, data, net: new URL(NET, document.baseURI).href }, transfer: [data.buffer], timeout: TIMEOUT });
+    return pool.run({ ...job, op: 'judge', args: { width, height, data, net: new URL(NET, document.baseURI).href }, transfer: [data.buffer] });
   }
 }
 

@@ -6,7 +6,8 @@
 
 import { FaceDetector, ObjectDetector } from '../pkg-detector/inkpanel.js';
 import { net } from './detector-module.js';
-import { describe } from './protocol.js';
+import { LOOKS } from './measured.js';
+import { LOADING, serveJobs } from './serving.js';
 
 const faces = net(new URL('../models/faces.onnx', import.meta.url), (onnx) => new FaceDetector(onnx));
 const objects = net(new URL('../models/objects.onnx', import.meta.url), (onnx) => new ObjectDetector(onnx));
@@ -16,24 +17,20 @@ const objects = net(new URL('../models/objects.onnx', import.meta.url), (onnx) =
 /** @typedef {'faces' | 'closer' | 'objects'} Look */
 /** @typedef {{ op: 'load' | 'make', args: { net: 'faces' | 'objects' } } | { op: Look, args: { photo: PhotoHandle, boxes?: Found[] } }} Order */
 
-/** @param {MessageEvent<{ id: number } & Order>} event */
-globalThis.onmessage = async ({ data: { id, ...order } }) => {
-  try {
-    postMessage({ id, ok: await obey(order), memory: 0 });
-  } catch (error) {
-    postMessage({ id, error: describe(error), memory: 0 });
-  }
-};
+serveJobs(async (op, args, tell) => ({ ok: await obey(/** @type {Order} */ ({ op, args }), tell) }));
 
-/** @param {Order} order */
-async function obey({ op, args }) {
+/** @param {Order} order @param {import('./serving.js').Tell} tell */
+async function obey({ op, args }, tell) {
+  tell.waits(LOADING);
   if ('net' in args) {
     const { load, ready } = args.net === 'faces' ? faces : objects;
     await (op === 'load' ? load() : ready());
     return null;
   }
   const { photo, boxes } = args;
-  const [run, pixels] = await Promise.all([runner(/** @type {Look} */ (op), boxes), photo.planes.arrayBuffer()]);
+  const look = /** @type {Look} */ (op);
+  const [run, pixels] = await Promise.all([runner(look, boxes), photo.planes.arrayBuffer()]);
+  tell.expects(LOOKS[look]);
   return JSON.parse(run(photo.width, photo.height, new Uint8Array(pixels)));
 }
 

@@ -14,9 +14,6 @@ import { Priority } from './queue.js';
 
 /** @typedef {'faces' | 'objects'} Net */
 
-/** Also for loading and preparing a net, on a slow phone. */
-const TIMEOUT = 120_000;
-
 /**
  * @param {ReturnType<typeof import('./photos.js').createPhotos>} photos
  * @param {(workers: number) => void} spare asks that so many other workers stay idle meanwhile, where nobody waits
@@ -100,7 +97,7 @@ export function createDetector(photos, spare) {
     spare((running += 1));
     try {
       await make(net);
-      return await open(net).run({ op, args: { photo: work, ...more }, photo: name, timeout: TIMEOUT, priority: Priority.REST, ...call });
+      return await open(net).run({ op, args: { photo: work, ...more }, photo: name, priority: Priority.REST, ...call });
     } finally {
       spare((running -= 1));
     }
@@ -125,7 +122,7 @@ export function createDetector(photos, spare) {
    * @returns {Promise<void>}
    */
   function order(net, op) {
-    return open(net).run({ op, args: { net }, timeout: TIMEOUT, priority: Priority.REST });
+    return open(net).run({ op, args: { net }, priority: Priority.REST });
   }
 
   /** @param {Net} net */

@@ -17,9 +17,6 @@ import { Priority } from './queue.js';
  * }} Parts
  */
 
-/** Decoding a very large photo and styling it at print size may take its time on a phone. */
-const TIMEOUT = 180_000;
-
 /** What stands on the page of a single panel; its patch brings the rest. */
 const ALONE = { layout: 'grid-2', panels: [{ photo: null, crop: null }, { photo: null, crop: null }], merges: [], words: [] };
 
@@ -41,7 +38,7 @@ export function createExports({ run, photos, words, files }) {
     const numbered = patches.map((patch, index) => ({ ...patch, index }));
     const args = { document: JSON.stringify(document), width: document.page.width, patches: numbered };
     const transfer = patches.map((patch) => patch.data.buffer);
-    return run({ op: 'encode', args, transfer, priority: Priority.PAGE, timeout: TIMEOUT, signal });
+    return run({ op: 'encode', args, transfer, priority: Priority.PAGE, signal });
   }
 
   /**
@@ -147,7 +144,7 @@ export function createExports({ run, photos, words, files }) {
     const parts = await Promise.all([...panelsByPhoto(document, wanted)].map(async ([id, indexes]) => {
       const { file, name } = photos.get(id);
       const args = { id, file, document: json, indexes, width };
-      return use(await run({ op: 'fullPanels', args, photo: name, priority: Priority.PAGE, timeout: TIMEOUT, signal }));
+      return use(await run({ op: 'fullPanels', args, photo: name, priority: Priority.PAGE, signal }));
     }));
     return parts.flat().sort((a, b) => a.index - b.index);
   }

@@ -13,9 +13,6 @@ import { Priority } from './queue.js';
 /** @typedef {{ signal?: AbortSignal }} Call */
 /** @typedef {Box & { index: number, jpeg: Uint8Array<ArrayBuffer> }} Picture a panel in a PDF file */
 
-/** A page of A3 on a slow phone. */
-const TIMEOUT = 180_000;
-
 export function createFiles() {
   /** @type {ReturnType<typeof createPool> | undefined} */
   let pool;
@@ -30,7 +27,7 @@ export function createFiles() {
    */
   function run(op, args, transfer, call) {
     pool ??= createPool({ size: 1, spawn });
-    return pool.run({ op, args, transfer, priority: Priority.PAGE, timeout: TIMEOUT, ...call });
+    return pool.run({ op, args, transfer, priority: Priority.PAGE, ...call });
   }
 
   /**

@@ -5,29 +5,41 @@
  * - Jobs wait in priority order; a newer job overtakes an older one of the same key, waiting or running.
  * - An aborted job leaves the queue at once; a running one is dropped when its answer comes, since wasm cannot be
  *   interrupted.
- * - A worker that traps, crashes or exceeds its time is terminated and replaced. The job is tried once more on a
- *   fresh worker, unless it hung; when that fails too the job rejects with `worker-lost`, naming its photo.
+ * - A worker tells before each part of a job how long that takes, or what it waits for (`serving.js`). One that says
+ *   nothing in time hangs: it costs seconds for short work, and a large photo on a slow device is given its minute.
+ * - A worker that traps, crashes or hangs is terminated and replaced. The job is tried once more on a fresh worker, with
+ *   more patience; when that fails too the job rejects with `worker-lost`, naming its photo.
  * - wasm memory never shrinks: an idle worker whose memory is above the high-water mark is replaced.
  */
 
+import { createPace } from './pace.js';
 import { patience } from './patience.js';
 import { TRAP, cancelled, failure, lost } from './protocol.js';
 import { Priority, createQueue } from './queue.js';
 
 /** @typedef {import('./protocol.js').Reply} Reply */
+/** @typedef {import('./protocol.js').Sign} Sign */
 
 /**
  * @typedef {{
  *   op: string, args: any, transfer?: Transferable[], priority: number, key?: string, signal?: AbortSignal,
- *   photo?: string, holds?: string[], timeout?: number,
+ *   photo?: string, holds?: string[],
  * }} Job `photo` is the name to blame; `holds` are the photo keys that the job needs and leaves in the worker
  */
 
 /** @typedef {Job & { resolve: (value: any) => void, reject: (error: Error) => void, tries: number, over: boolean, release: () => void }} Entry */
-/** @typedef {{ worker: Worker, entry: Entry | null, held: Set<string>, id: number, relax: () => void, dead: boolean }} Slot */
+/**
+ * `here`: it has said that it is there; `expected`: what it is about, in ms where that was measured, and `since` when.
+ * @typedef {{
+ *   worker: Worker, entry: Entry | null, held: Set<string>, id: number, relax: () => void, dead: boolean, here: boolean,
+ *   expected: number, since: number,
+ * }} Slot
+ */
 
-/** Longer than any honest job on a slow phone. */
-const TIMEOUT = 30_000;
+/** Milliseconds until a worker has said that it is there: its script may come over a slow line. */
+const STARTING = 30_000;
+/** How much more patience there is where nothing comes after it: a device may be slower than it ever was before. */
+const LAST_CHANCE = 2;
 const HIGH_WATER = 512 * 2 ** 20;
 
 /**
@@ -36,6 +48,7 @@ const HIGH_WATER = 512 * 2 ** 20;
 export function createPool({ size, spawn, highWater = HIGH_WATER }) {
   /** @type {ReturnType<typeof createQueue<Entry>>} */
   const queue = createQueue();
+  const pace = createPace();
   /** @type {Slot[]} */
   const slots = [];
   let [nextId, reserved, closed] = [1, 0, false];
@@ -110,7 +123,7 @@ export function createPool({ size, spawn, highWater = HIGH_WATER }) {
     slot.id = nextId;
     nextId += 1;
     for (const key of entry.holds ?? []) slot.held.add(key);
-    slot.relax = patience(entry.timeout ?? TIMEOUT, () => lose(slot, false));
+    wait(slot, slot.here ? pace.patience(0) : STARTING);
     try {
       slot.worker.postMessage({ id: slot.id, op: entry.op, args: entry.args }, entry.transfer ?? []);
     } catch (error) {
@@ -121,13 +134,46 @@ export function createPool({ size, spawn, highWater = HIGH_WATER }) {
   }
 
   /**
+   * Gives a worker so long for its next word.
+   * @param {Slot} slot
+   * @param {number} ms
+   */
+  function wait(slot, ms) {
+    slot.relax();
+    const last = slot.entry && !mayTryAgain(slot.entry);
+    slot.relax = patience(slot.here && last ? LAST_CHANCE * ms : ms, () => lose(slot));
+  }
+
+  /**
+   * @param {Slot} slot
+   * @param {Reply | Sign} news
+   */
+  function hear(slot, news) {
+    if (!slot.here) {
+      slot.here = true;
+      if (slot.entry) wait(slot, pace.patience(0));
+    }
+    if (!slot.entry || news.id !== slot.id) return;
+    pace.took(slot.expected, performance.now() - slot.since);
+    slot.expected = 0;
+    if ('waits' in news) {
+      wait(slot, news.waits);
+    } else if ('expects' in news) {
+      slot.expected = news.expects;
+      slot.since = performance.now();
+      wait(slot, pace.patience(news.expects));
+    } else {
+      answer(slot, news);
+    }
+  }
+
+  /**
    * @param {Slot} slot
    * @param {Reply} reply
    */
   function answer(slot, reply) {
-    if (!slot.entry || reply.id !== slot.id) return;
     if (reply.error?.code === TRAP) {
-      lose(slot, true);
+      lose(slot);
       return;
     }
     const entry = finish(slot);
@@ -146,24 +192,30 @@ export function createPool({ size, spawn, highWater = HIGH_WATER }) {
     const entry = /** @type {Entry} */ (slot.entry);
     slot.relax();
     slot.entry = null;
+    slot.expected = 0;
     return entry;
   }
 
   /**
    * Replaces a worker that died in the middle of a job, or between two.
    * @param {Slot} slot
-   * @param {boolean} again whether the job deserves another try
    */
-  function lose(slot, again) {
+  function lose(slot) {
     const entry = slot.entry && finish(slot);
     open(slot);
     if (entry && !entry.over) {
+      const again = mayTryAgain(entry);
       entry.tries += 1;
-      // Not where a buffer was handed over and is gone; on the fresh worker, where nothing is wrong yet.
-      if (again && entry.tries < 2 && !entry.transfer?.length) start(slot, entry);
+      // On the fresh worker, where nothing is wrong yet.
+      if (again) start(slot, entry);
       else settle(entry, () => entry.reject(lost(entry.photo)));
     }
     dispatch();
+  }
+
+  /** Not where a buffer was handed over, which is gone with its worker. @param {Entry} entry */
+  function mayTryAgain(entry) {
+    return entry.tries === 0 && !entry.transfer?.length;
   }
 
   /**
@@ -174,17 +226,17 @@ export function createPool({ size, spawn, highWater = HIGH_WATER }) {
   function open(slot) {
     slot.worker?.terminate();
     const worker = spawn();
-    const filled = /** @type {Slot} */ (Object.assign(slot, { worker, entry: null, held: new Set(), id: 0, relax: () => {}, dead: false }));
+    const filled = /** @type {Slot} */ (Object.assign(slot, { worker, entry: null, held: new Set(), id: 0, relax: () => {}, dead: false, here: false, expected: 0, since: 0 }));
     const mine = () => filled.worker === worker && !closed;
-    worker.onmessage = (event) => mine() && answer(filled, event.data);
+    worker.onmessage = (event) => mine() && hear(filled, event.data);
     worker.onerror = (event) => {
       event.preventDefault();
       if (!mine()) return;
       // An idle worker is replaced when it is next needed: one that cannot even load would be replaced for ever.
-      if (filled.entry) lose(filled, true);
+      if (filled.entry) lose(filled);
       else filled.dead = true;
     };
-    worker.onmessageerror = () => mine() && lose(filled, true);
+    worker.onmessageerror = () => mine() && lose(filled);
     return filled;
   }
 

@@ -151,14 +151,6 @@ describe('workers that die', () => {
     expect(await next).toBe('next');
   });
 
-  test('a job that hangs is not tried again', async () => {
-    const fakes = fakeWorkers();
-    const pool = createPool({ size: 1, spawn: fakes.spawn });
-    expect(await caught(pool.run(job('hangs', { timeout: 5 })))).toBe('worker-lost');
-    expect(fakes.live().length).toBe(1);
-    expect(fakes.holding('hangs')).toBeFalsy();
-  });
-
   test('an ordinary error keeps the worker', async () => {
     const fakes = fakeWorkers();
     const pool = createPool({ size: 1, spawn: fakes.spawn });

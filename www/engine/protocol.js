@@ -2,7 +2,8 @@
 /**
  * Every message between the page and its workers, defined once.
  *
- * To a worker: `{ id, op, args }`. Back: `{ id, ok, memory }` or `{ id, error: { code, message }, memory }`.
+ * To a worker: `{ id, op, args }`. Back: `{ id, ok, memory }` or `{ id, error: { code, message }, memory }`, and before
+ * that how long it may take: `{ id, expects }` or `{ id, waits }`. A worker that is there says `{ id: 0 }`.
  * Pixels travel in transferred buffers and bitmaps, photos as Blob handles, which cost nothing to send.
  */
 
@@ -66,6 +67,7 @@
 /** @typedef {{ id: number, op: keyof Operations, args: any }} Request */
 /** @typedef {{ code: string, message: string }} Failure */
 /** @typedef {{ id: number, ok?: any, error?: Failure, memory: number }} Reply */
+/** Milliseconds of work, where it was measured; or of waiting for what is not the worker's. @typedef {{ id: number, expects: number } | { id: number, waits: number }} Sign */
 
 /** A worker answers with this code when its wasm instance can no longer be trusted. */
 export const TRAP = 'trap';

@@ -2,13 +2,15 @@
 /** What a worker does with styles in the making: draws a design step by step, and tries out many at once. */
 
 import { FOREGROUND } from './design.js';
+import { blocksMs, styleMs } from './measured.js';
 
 /** @typedef {import('./protocol.js').Operations} Operations */
 /** @typedef {import('./operations.js').Answer} Answer */
+/** @typedef {import('./serving.js').Tell} Tell */
 
 /**
  * @param {{
- *   studio: import('../pkg/inkpanel.js').Studio, fetchPhotos: (photos: import('./protocol.js').PhotoHandle[]) => Promise<void>,
+ *   studio: import('../pkg/inkpanel.js').Studio, fetchPhotos: (photos: import('./protocol.js').PhotoHandle[], tell: Tell) => Promise<void>,
  *   bitmap: (patch: import('../pkg/inkpanel.js').Patch) => Promise<{ ok: import('./protocol.js').BitmapPatch, transfer: Transferable[] }>,
  * }} worker
  */
@@ -20,14 +22,17 @@ export function createStyleOperations({ studio, fetchPhotos, bitmap }) {
 
   /**
    * @param {Operations['design']['args']} args
+   * @param {Tell} tell
    * @returns {Promise<Answer>}
    */
-  async function design({ photo, style, width, height, stages }) {
-    await fetchPhotos([photo]);
+  async function design({ photo, style, width, height, stages }, tell) {
+    await fetchPhotos([photo], tell);
+    tell.expects(blocksMs(width * height, 1));
     studio.design(photo.key, style, width, height);
     const { background, foreground = [] } = JSON.parse(style);
     const places = [...background.map((/** @type {any} */ _, /** @type {number} */ i) => i), ...foreground.map((/** @type {any} */ _, /** @type {number} */ i) => FOREGROUND + i)];
-    const times = timed(`${photo.key} ${width} ${height}`);
+    const times = timed(`${photo.key} ${width} ${height}`, () => tell.expects(blocksMs(width * height, 1)));
+    tell.expects(blocksMs(width * height, 1) + blocksMs(stages * stages, stages > 0 ? places.length : 0));
     const whole = await bitmap(studio.design_result());
     const pictures = await Promise.all((stages > 0 ? places : []).map(async (place) => {
       const { ok } = await bitmap(studio.design_stage(place, stages));
@@ -37,13 +42,14 @@ export function createStyleOperations({ studio, fetchPhotos, bitmap }) {
     return { ok, transfer: [...whole.transfer, ...pictures.map((picture) => picture.bitmap)] };
   }
 
-  /** Runs what is left of the design, block by block. @param {string} name @returns {Map<number, number>} */
-  function timed(name) {
+  /** Runs what is left of the design, block by block. @param {string} name @param {() => void} begins called before each @returns {Map<number, number>} */
+  function timed(name, begins) {
     const times = clocks.get(name) ?? new Map();
     // A handful of photos is looked at; the clocks of all others would only pile up.
     if (!clocks.has(name) && clocks.size > 16) clocks.clear();
     clocks.set(name, times);
     for (;;) {
+      begins();
       const start = performance.now();
       const place = studio.design_step();
       if (place < 0) return times;
@@ -54,11 +60,13 @@ export function createStyleOperations({ studio, fetchPhotos, bitmap }) {
   /**
    * A photo in some styles, each with its score, look and signature; a style that fails is left out.
    * @param {Operations['explore']['args']} args
+   * @param {Tell} tell
    * @returns {Promise<Answer>}
    */
-  async function explore({ photo, styles, width, height }) {
-    await fetchPhotos([photo]);
+  async function explore({ photo, styles, width, height }, tell) {
+    await fetchPhotos([photo], tell);
     const ok = await Promise.all(styles.map(async (style, index) => {
+      tell.expects(styleMs(style, width * height));
       const found = studio.explore(photo.key, style, width, height);
       const { score, novelty, fault, look, signature } = found;
       const patch = found.patch();

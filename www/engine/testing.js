@@ -25,7 +25,14 @@ export function fakeWorkers() {
     worker.request = null;
     worker.onmessage({ data: { id, memory: 0, ...reply } });
   };
-  return { workers, spawn, live, holding, answer };
+  /** What a worker says beside answers. @param {string} name @param {{ expects: number } | { waits: number }} sign */
+  const tell = (name, sign) => {
+    const worker = holding(name);
+    worker.onmessage({ data: { id: worker.request.id, ...sign } });
+  };
+  /** All workers say that they are there. */
+  const arrive = () => live().forEach((worker) => worker.onmessage({ data: { id: 0 } }));
+  return { workers, spawn, live, holding, answer, tell, arrive };
 }
 
 /** @param {string} name @param {object} [rest] */

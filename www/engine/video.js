@@ -6,6 +6,7 @@
  */
 
 import { pictureEnds } from './animation-times.js';
+import { patience } from './patience.js';
 import { cancelled, failure } from './protocol.js';
 import { readByElement } from './video-element.js';
 
@@ -21,6 +22,9 @@ import { readByElement } from './video-element.js';
  *   signal?: AbortSignal, onAbout: (about: { duration: number }) => void, onFrame: (frame: Frame) => Promise<void>,
  * }} Listener the next frame is asked for when the promise of `onFrame` settles
  */
+
+/** Milliseconds without a word of the reader: a slow device may decode hundreds of frames between two of the times. */
+const SILENCE = 60_000;
 
 /** @param {Blob & { name?: string }} file @returns {boolean} */
 export function isVideo(file) {
@@ -56,23 +60,41 @@ export async function readVideo(file, wish, listener) {
 function readByWorker(worker, first, { signal, onAbout, onFrame }) {
   /** @type {Promise<void>[]} */
   const busy = [];
+  /** Frames that the page deals with: the reader waits for it meanwhile. */
+  let dealing = 0;
+  let relax = () => {};
   const read = new Promise((/** @type {(value?: any) => void} */ resolve, reject) => {
     if (signal?.aborted) reject(cancelled());
     signal?.addEventListener('abort', () => reject(cancelled()), { once: true });
+    const stopped = () => reject(failure('video-worker', 'Its reader stopped.'));
+    const listen = () => {
+      relax();
+      relax = dealing > 0 ? () => {} : patience(SILENCE, stopped);
+    };
     worker.onerror = (event) => {
       event.preventDefault();
-      reject(failure('video-worker', 'Its reader stopped.'));
+      stopped();
     };
     worker.onmessage = ({ data: { about, frame, done, error } }) => {
+      if (frame) dealing += 1;
+      listen();
       if (about) onAbout(about);
       if (error) reject(failure(error.code, error.message));
       if (done) Promise.all(busy).then(() => resolve(), reject);
       if (!frame) return;
       const dealt = onFrame(frame);
       busy.push(dealt);
-      dealt.then(() => worker.postMessage({ next: true }), reject);
+      dealt.then(() => {
+        dealing -= 1;
+        listen();
+        worker.postMessage({ next: true });
+      }, reject);
     };
+    listen();
     worker.postMessage(first);
   });
-  return read.finally(() => worker.terminate());
+  return read.finally(() => {
+    relax();
+    worker.terminate();
+  });
 }

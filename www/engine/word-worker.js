@@ -4,29 +4,27 @@
  */
 
 import initWords, { Lettering } from '../pkg-words/inkpanel.js';
-import { describe, failure } from './protocol.js';
+import { wordMs } from './measured.js';
+import { failure } from './protocol.js';
+import { LOADING, serveJobs } from './serving.js';
 
 const MODULE = new URL('../pkg-words/inkpanel_bg.wasm', import.meta.url);
 
 /** @typedef {{ document: string, width: number, index: number, bitmap: ImageBitmap }} Args */
 /** @typedef {{ ok: any, transfer: Transferable[] }} Answer */
+/** @typedef {import('./serving.js').Tell} Tell */
 
 /** @type {Promise<Lettering> | undefined} */
 let started;
 
-/** @type {Record<string, (letters: Lettering, args: Args) => Promise<Answer>>} */
+/** @type {Record<string, (letters: Lettering, args: Args, tell: Tell) => Promise<Answer>>} */
 const OPERATIONS = { word, words, over };
 
-/** @param {MessageEvent<{ id: number, op: string, args: Args }>} event */
-globalThis.onmessage = async ({ data: { id, op, args } }) => {
-  try {
-    started ??= start();
-    const { ok, transfer } = await OPERATIONS[op](await started, args);
-    postMessage({ id, ok, memory: 0 }, { transfer });
-  } catch (error) {
-    postMessage({ id, error: describe(error), memory: 0 });
-  }
-};
+serveJobs(async (op, args, tell) => {
+  tell.waits(LOADING);
+  started ??= start();
+  return OPERATIONS[op](await started, args, tell);
+});
 
 async function start() {
   const response = await fetch(MODULE).catch(() => null);
@@ -35,35 +33,39 @@ async function start() {
   return new Lettering();
 }
 
-/** @param {Lettering} letters @param {Args} args @returns {Promise<Answer>} */
-async function word(letters, { document, index, width }) {
+/** @param {Lettering} letters @param {Args} args @param {Tell} tell @returns {Promise<Answer>} */
+async function word(letters, { document, index, width }, tell) {
+  tell.expects(wordMs(width * width));
   const { data, ...place } = pixels(letters, document, index, width);
   const bitmap = await createImageBitmap(new ImageData(data, place.width, place.height));
   return { ok: { ...place, bitmap }, transfer: [bitmap] };
 }
 
-/** @param {Lettering} letters @param {Args} args @returns {Promise<Answer>} */
-async function words(letters, { document, width }) {
-  const ok = all(letters, document, width);
+/** @param {Lettering} letters @param {Args} args @param {Tell} tell @returns {Promise<Answer>} */
+async function words(letters, { document, width }, tell) {
+  const ok = all(letters, document, width, tell);
   return { ok, transfer: ok.map(({ data }) => data.buffer) };
 }
 
-/** @param {Lettering} letters @param {Args} args @returns {Promise<Answer>} */
-async function over(letters, { document, width, bitmap }) {
+/** @param {Lettering} letters @param {Args} args @param {Tell} tell @returns {Promise<Answer>} */
+async function over(letters, { document, width, bitmap }, tell) {
   const canvas = new OffscreenCanvas(bitmap.width, bitmap.height);
   const context = /** @type {OffscreenCanvasRenderingContext2D} */ (canvas.getContext('2d'));
   context.drawImage(bitmap, 0, 0);
-  for (const { data, x, y, ...size } of all(letters, document, width)) {
+  for (const { data, x, y, ...size } of all(letters, document, width, tell)) {
     context.drawImage(await createImageBitmap(new ImageData(data, size.width, size.height)), x, y);
   }
   const drawn = canvas.transferToImageBitmap();
   return { ok: drawn, transfer: [drawn] };
 }
 
-/** @param {Lettering} letters @param {string} document @param {number} width */
-function all(letters, document, width) {
+/** @param {Lettering} letters @param {string} document @param {number} width @param {Tell} tell */
+function all(letters, document, width, tell) {
   const { length } = JSON.parse(document).words;
-  return Array.from({ length }, (_, index) => pixels(letters, document, index, width));
+  return Array.from({ length }, (_, index) => {
+    tell.expects(wordMs(width * width));
+    return pixels(letters, document, index, width);
+  });
 }
 
 /** @param {Lettering} letters @param {string} document @param {number} index @param {number} width */

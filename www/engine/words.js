@@ -17,9 +17,6 @@ import { Priority } from './queue.js';
 /** @typedef {Awaited<ReturnType<ReturnType<typeof createWords>['lettering']>>} Lettering */
 
 const MODULE = new URL('../pkg-words/inkpanel_bg.wasm', import.meta.url);
-/** Print size, on a slow phone. */
-const TIMEOUT = 120_000;
-
 export function createWords() {
   /** @type {ReturnType<typeof createPool> | undefined} */
   let pool;
@@ -45,7 +42,7 @@ export function createWords() {
    */
   function run(op, document, args, call) {
     pool ??= createPool({ size: 1, spawn });
-    return pool.run({ op, args: { document: JSON.stringify(document), ...args }, priority: Priority.PANEL, timeout: TIMEOUT, ...call });
+    return pool.run({ op, args: { document: JSON.stringify(document), ...args }, priority: Priority.PANEL, ...call });
   }
 
   /**

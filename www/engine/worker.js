@@ -6,32 +6,23 @@
 import initCore, { Studio } from '../pkg/inkpanel.js';
 import { createLru } from './lru.js';
 import { createOperations } from './operations.js';
-import { describe } from './protocol.js';
-
-/** @typedef {import('./protocol.js').Request} Request */
+import { STORING, serveJobs } from './serving.js';
 
 /** @type {Promise<{ studio: Studio, operations: ReturnType<typeof createOperations> }> | undefined} */
 let started;
 
-/** @param {MessageEvent<Request>} event */
-globalThis.onmessage = async (event) => {
-  const { id, op, args } = event.data;
+serveJobs(async (op, args, tell) => {
   if (op === 'start') {
     started = start(args);
     // The first job reports it, to whoever asked for that job.
     started.catch(() => {});
-    return;
+    return { ok: null };
   }
-  let memory = 0;
-  try {
-    const { studio, operations } = await /** @type {NonNullable<typeof started>} */ (started);
-    const { ok, transfer } = await operations[op](args);
-    memory = studio.memory();
-    postMessage({ id, ok, memory }, { transfer });
-  } catch (error) {
-    postMessage({ id, error: describe(error), memory });
-  }
-};
+  tell.waits(STORING);
+  const { studio, operations } = await /** @type {NonNullable<typeof started>} */ (started);
+  const answer = await operations[op](args, tell);
+  return { ...answer, memory: studio.memory() };
+});
 
 /** @param {{ module: WebAssembly.Module, budget: number }} args */
 async function start({ module, budget }) {
