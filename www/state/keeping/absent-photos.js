@@ -2,9 +2,10 @@
 /**
  * Photos that a page names and nobody has: an empty frame keeps the place of each. Files that are added are held against
  * them first, and one that is such a photo takes the place of its frame wherever that stands, in every state of the undo.
+ * A message tells of them as long as there are any, and how many are left.
  */
 
-import { computed } from '@preact/signals';
+import { computed, effect, untracked } from '@preact/signals';
 import { Priority } from '../../engine/queue.js';
 import { isVideo } from '../../engine/video.js';
 import { strings } from '../../strings.js';
@@ -17,20 +18,65 @@ import { renamed } from './project-json.js';
 /** @typedef {{ frame: Fact, id: string, name: string, meta: import('../../engine/protocol.js').Imported['meta'] }} Match */
 /** @typedef {ReturnType<typeof createAbsentPhotos>} AbsentPhotos */
 
+/** Milliseconds in which who opened the project can say more than that photos are missing. */
+const MORE_TO_SAY = 300;
+
 /**
  * @param {{
  *   store: import('../store.js').Store, engine: Pick<import('../../engine/engine.js').Engine, 'importPhoto' | 'forgetPhoto'>,
- *   reading: Pick<import('../reading.js').Reading, 'freshIds' | 'count'>, messages: Pick<import('../messages.js').Messages, 'note' | 'alert'>,
+ *   reading: Pick<import('../reading.js').Reading, 'freshIds' | 'count'>, messages: Pick<import('../messages.js').Messages, 'note' | 'grave' | 'change' | 'close'>,
  *   chooseFiles: () => void, missing?: import('@preact/signals').ReadonlySignal<readonly Fact[]>,
  * }} app `missing`: photos that are on the page, but can be saved no more
  */
 export function createAbsentPhotos({ store, engine, reading, messages, chooseFiles, missing }) {
+  const empty = computed(() => store.facts.value.filter(({ absent }) => absent));
   const list = computed(() => [
-    ...store.facts.value.filter(({ absent }) => absent),
+    ...empty.value,
     ...(missing?.value ?? []).flatMap((fact) => (store.album.value.has(fact.id) ? { ...fact, absent: absentOf(fact) } : [])),
   ]);
 
-  return { list, fill };
+  const way = { label: strings.choosePhotos, run: chooseFiles };
+  /**
+   * What was told: the message, of which frames, and how many they were.
+   * @type {{ id: number, frames: ReadonlySet<string>, count: number, more?: import('../messages.js').Way } | null}
+   */
+  let told = null;
+  /** @type {ReturnType<typeof setTimeout> | undefined} */
+  let telling;
+
+  effect(() => {
+    const frames = empty.value.map(({ id }) => id);
+    untracked(() => follow(frames));
+  });
+
+  return { list, fill, tell };
+
+  /** Keeps the message true. @param {readonly string[]} frames that are empty now */
+  function follow(frames) {
+    clearTimeout(telling);
+    const { id = 0, count = 0 } = told ?? {};
+    // Those of another project are another message.
+    if (!frames.some((frame) => told?.frames.has(frame))) {
+      messages.close(id);
+      told = null;
+      if (frames.length > 0) telling = setTimeout(() => tell(strings.photosStillMissing(frames.length)), MORE_TO_SAY);
+    } else if (told && frames.length !== count) {
+      told = { ...told, count: frames.length };
+      messages.change(id, strings.photosStillMissing(frames.length), way, told.more);
+    }
+  }
+
+  /**
+   * Tells that photos of the project on the page are missing.
+   * @param {string} text
+   * @param {import('../messages.js').Way} [more] another way than to choose them
+   */
+  function tell(text, more) {
+    clearTimeout(telling);
+    messages.close(told?.id ?? 0);
+    const frames = empty.peek().map(({ id }) => id);
+    told = frames.length > 0 ? { id: messages.grave(text, way, more), frames: new Set(frames), count: frames.length, more } : null;
+  }
 
   /**
    * @param {readonly File[]} files
@@ -61,8 +107,9 @@ export function createAbsentPhotos({ store, engine, reading, messages, chooseFil
     if (matches.size > 0) {
       put([...matches.values()]);
       messages.note(strings.photosBack(matches.size));
-      const left = list.peek().length;
-      if (left > 0) messages.alert(strings.photosStillMissing(left), { label: strings.choosePhotos, run: chooseFiles });
+      const left = empty.peek().length;
+      // Whoever closed the message is busy with them again.
+      if (left > 0 && !messages.change(told?.id ?? 0, strings.photosStillMissing(left), way, told?.more)) tell(strings.photosStillMissing(left));
     }
     return files.filter((file) => !matches.has(file));
 

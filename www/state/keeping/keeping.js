@@ -64,9 +64,9 @@ export function createKeeping({ store, reading, engine, shelves, messages, windo
   const projects = createProjects({ store, opening, saving, locks, messages, database });
   const fileOpening = createFileOpening({ engine, messages, opening });
   const files = { ...createProjectFiles({ store, engine, messages, saving, fileOpening }), progress: fileOpening.progress, cancel: fileOpening.cancel };
-  const pageFiles = createPageFiles({ store, engine, reading, messages, fileOpening, opening, projects, database, chooseFiles });
-  const absentPhotos = createAbsentPhotos({ store, engine, reading, messages, chooseFiles, missing: saving.missing });
   const choose = { label: strings.choosePhotos, run: chooseFiles };
+  const absentPhotos = createAbsentPhotos({ store, engine, reading, messages, chooseFiles, missing: saving.missing });
+  const pageFiles = createPageFiles({ store, engine, reading, messages, fileOpening, opening, projects, database, absentPhotos });
   /** @type {Promise<import('./database.js').Database> | null} */
   let opened = null;
   /** The trouble that was told, and its message. */
@@ -151,7 +151,7 @@ export function createKeeping({ store, reading, engine, shelves, messages, windo
   /** Photos of a project that was opened are not in the database. @param {readonly { id: string, name: string }[]} photos */
   function tellMissing(photos) {
     const names = photos.map(({ name }) => name);
-    messages.grave(strings.photosNotHere(names, store.tray.peek().length), choose, without(photos));
+    absentPhotos.tell(strings.photosNotHere(names, store.tray.peek().length), without(photos));
   }
 
   /**

@@ -32,10 +32,11 @@ const KEEP_ALL = Object.freeze({ layout: true, style: true, photos: true });
  *   store: import('../store.js').Store, engine: Pick<import('../../engine/engine.js').Engine, 'photos'>,
  *   reading: Pick<import('../reading.js').Reading, 'addFiles' | 'resume'>, messages: import('../messages.js').Messages,
  *   fileOpening: import('./file-opening.js').FileOpening, opening: import('./opening.js').Opening,
- *   projects: import('./projects.js').Projects, database: () => Promise<import('./database.js').Database>, chooseFiles: () => void,
+ *   projects: import('./projects.js').Projects, database: () => Promise<import('./database.js').Database>,
+ *   absentPhotos: Pick<import('./absent-photos.js').AbsentPhotos, 'tell'>,
  * }} app
  */
-export function createPageFiles({ store, engine, reading, messages, fileOpening, opening, projects, database, chooseFiles }) {
+export function createPageFiles({ store, engine, reading, messages, fileOpening, opening, projects, database, absentPhotos }) {
   /** What the next PNG carries. @type {import('@preact/signals').Signal<Cargo>} */
   const cargo = signal('project');
 
@@ -93,7 +94,7 @@ export function createPageFiles({ store, engine, reading, messages, fileOpening,
     if (!done) return false;
     const way = asPhoto(() => leave(before?.id ?? null));
     const of = store.tray.peek().length;
-    if (missing > 0) messages.alert(strings.photosMissing(file.name, missing, of), { label: strings.choosePhotos, run: chooseFiles }, way);
+    if (missing > 0) absentPhotos.tell(strings.photosMissing(file.name, missing, of), way);
     else messages.note(strings.pageOpened(file.name), before ? { label: strings.backTo(before.name), run: () => void opening.open(before.id) } : way, before ? way : undefined);
     await reading.resume(unread);
     return true;

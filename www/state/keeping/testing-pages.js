@@ -50,6 +50,6 @@ export async function textIn(file) {
 /** The names of the photos in the panels. @param {Tab} tab */
 export const inPanels = (tab) => tab.store.page.value?.panels.map(({ photo }) => tab.store.album.value.get(photo ?? '')?.name);
 /** @param {Tab} tab */
-export const alerts = (tab) => tab.messages.list.value.filter(({ kind }) => kind === 'alert');
+export const alerts = (tab) => tab.messages.list.value.filter(({ kind }) => kind === 'alert' || kind === 'grave');
 /** @param {Blob} blob */
 export const bytesOf = async (blob) => new Uint8Array(await blob.arrayBuffer());
