@@ -14,9 +14,9 @@ import { createArrivals } from './state/arrivals.js';
 import { createChoosing } from './state/choosing.js';
 import { createDesigner } from './state/designer.js';
 import { createDownload } from './state/download.js';
+import { createDroppedFiles } from './state/dropped-files.js';
 import { createExplorer } from './state/explorer.js';
 import { createKeeping } from './state/keeping/keeping.js';
-import { isProjectFile } from './state/keeping/project-file.js';
 import { createShelves } from './state/keeping/shelves.js';
 import { createFraming } from './state/framing.js';
 import { createInstalling } from './state/installing.js';
@@ -27,7 +27,6 @@ import { createMerging } from './state/merging.js';
 import { createMessages } from './state/messages.js';
 import { createOffline } from './state/offline.js';
 import { createOwnLayouts } from './state/own-layouts.js';
-import { openPlans } from './state/plans.js';
 import { createOwnStyles, freshStyleId } from './state/own-styles.js';
 import { createPages, freshSeed } from './state/pages.js';
 import { createReading } from './state/reading.js';
@@ -36,7 +35,6 @@ import { createScrubbing } from './state/scrubbing.js';
 import { createSelection } from './state/selection.js';
 import { createStore } from './state/store.js';
 import { createShownPages } from './state/shown-pages.js';
-import { isSubtitles } from './state/subtitles.js';
 import { createSubtitling } from './state/subtitling.js';
 import { isStyleLink } from './state/style-link.js';
 import { createStyling } from './state/styling.js';
@@ -78,6 +76,7 @@ const subjects = createSubjects({
 const download = createDownload({ store, pages, engine, messages, pageFiles: keeping.pageFiles });
 const alternatives = createAlternatives({ store, pages });
 const installing = createInstalling(window);
+const { take: intake, openProjects } = createDroppedFiles({ store, keeping, reading, subtitling, messages, ownLayouts, ownStyles, showProjects: () => { ui.work.value = 'projects'; } });
 const arrivals = createArrivals({ window, intake, messages });
 
 // The database is read while the core is compiled.
@@ -106,23 +105,6 @@ function warmUp() {
 
 window.addEventListener('keydown', createKeys({ pages, download, ui, selection, framing, reshaping, book, lettering }));
 acceptFiles(window, intake);
-
-/** Files of any kind that the page takes. @param {File[]} files */
-async function intake(files) {
-  const plans = files.filter(({ name }) => name.toLowerCase().endsWith('.json'));
-  const projects = files.filter(isProjectFile);
-  const subtitles = files.filter(isSubtitles);
-  const others = [...plans, ...projects, ...subtitles];
-  if (projects[0]) void keeping.files.open(projects[0]);
-  void openPlans(plans, { ownLayouts, ownStyles });
-  const pictures = files.filter((file) => !others.includes(file));
-  // A page comes with its project; the photos beside it may be its own.
-  const page = await keeping.pageFiles.among(pictures);
-  if (page) await keeping.pageFiles.open(page);
-  await reading.addFiles(await keeping.absentPhotos.fill(pictures.filter((file) => file !== page?.file)));
-  // Their video may have come with them.
-  await subtitling.open(subtitles);
-}
 
 /** Whether something is on its way that nobody should wait for longer than need be. */
 const busy = () => store.planner.value === null || store.reading.value !== null || store.fetching.value || keeping.running.value ||
@@ -154,7 +136,7 @@ keepBook({ store, pages });
 book.sheet.subscribe(() => untracked(leavePage));
 
 render(
-  <AppContext.Provider value={{ store, pages, book, selection, lettering, subtitling, intake, installing, merging, framing, reshaping, ownLayouts, designer, ownStyles, styling, explorer, keeping, shownPages, subjects, reading, choosing, scrubbing, download, alternatives, messages, ui, engine }}>
+  <AppContext.Provider value={{ store, pages, book, selection, lettering, subtitling, intake, openProjects, installing, merging, framing, reshaping, ownLayouts, designer, ownStyles, styling, explorer, keeping, shownPages, subjects, reading, choosing, scrubbing, download, alternatives, messages, ui, engine }}>
     <App />
   </AppContext.Provider>,
   /** @type {HTMLElement} */ (document.getElementById('app')),

@@ -24,9 +24,9 @@ const MOST = 24;
 const GIVES_WAY = ['note', 'alert', 'offer'];
 /** Files of the list; beyond it they are counted. */
 export const MOST_NAMED = 2_000;
-/** Files fail a few at a time: what comes within so many ms of the first is told with it. */
+/** Files fail a few at a time: so many ms after the first all of them are counted. */
 const GATHER_MS = 400;
-/** The count of files is told anew so often at most, in ms: it is read aloud each time. */
+/** After that the count is told anew so often at most, in ms: it is read aloud each time. */
 const COUNT_MS = 2_000;
 
 export function createMessages() {
@@ -105,7 +105,10 @@ export function createMessages() {
     const key = `${name}\n${why}`;
     if (failed.size >= MOST_NAMED && !failed.has(key)) beyond += 1;
     else failed.set(key, { name, why, text, way });
-    telling ??= setTimeout(tellOfFiles, GATHER_MS);
+    if (telling !== undefined) return;
+    tellOfFiles();
+    clearTimeout(telling);
+    telling = setTimeout(tellOfFiles, GATHER_MS);
   }
 
   function tellOfFiles() {
@@ -130,7 +133,7 @@ export function createMessages() {
     alert: (text, way, more) => say('alert', text, way, more),
     /** @param {string} text @param {Way} [way] @param {Way} [more] */
     note: (text, way, more) => say('note', text, way, more),
-    /** What can be done now or later. @param {string} text @param {Way} way */
+    /** What can be done now or later. @param {string} text @param {Way} [way] */
     offer: (text, way) => say('offer', text, way),
     fileFailed, change, close,
   };

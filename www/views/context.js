@@ -20,6 +20,7 @@ import { useContext } from 'preact/hooks';
  *   lettering: import('../state/lettering.js').Lettering,
  *   subtitling: import('../state/subtitling.js').Subtitling,
  *   intake: (files: File[]) => void,
+ *   openProjects: (files: File[]) => void,
  *   installing: import('../state/installing.js').Installing,
  *   framing: import('../state/framing.js').Framing,
  *   reshaping: import('../state/reshaping.js').Reshaping,

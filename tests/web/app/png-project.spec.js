@@ -120,6 +120,7 @@ test('a page without photos waits for them, and is then the same picture', async
   const { blob } = await withoutMetadata(new Blob([new Uint8Array(buffer)]));
   await drop(other, [{ name, mimeType, buffer: Buffer.from(await blob.arrayBuffer()) }]);
   await expect(other.getByRole('status').getByText('1 photo is back in place.')).toBeVisible();
+  await expect(other.getByRole('alert')).toHaveText('');
   await idle(other);
   expectSame(await download(other), png);
   await other.context().close();

@@ -1,6 +1,6 @@
 // @ts-check
 /**
- * What opening has in common whatever kind of file it is: one at a time, with progress, and what is opened is read and
+ * What opening has in common whatever kind of file it is: one after the other, with progress, and what is opened is read and
  * checked in full before anything on the page changes. It becomes a project of its own.
  */
 
@@ -37,7 +37,7 @@ import { damaged } from './versions.js';
 /**
  * @param {{
  *   engine: Pick<import('../../engine/engine.js').Engine, 'ready' | 'importPhoto' | 'forgetPhoto'>,
- *   messages: Pick<import('../messages.js').Messages, 'alert' | 'fileFailed'>, opening: Pick<import('./opening.js').Opening, 'enter'>,
+ *   messages: Pick<import('../messages.js').Messages, 'fileFailed'>, opening: Pick<import('./opening.js').Opening, 'enter'>,
  * }} app
  */
 export function createFileOpening({ engine, messages, opening }) {
@@ -45,8 +45,18 @@ export function createFileOpening({ engine, messages, opening }) {
   const progress = signal(null);
   /** @type {AbortController | null} */
   let stop = null;
+  /** The last of those that wait for each other. @type {Promise<unknown>} */
+  let last = Promise.resolve();
+  /** How often a person has stopped it. */
+  let stops = 0;
 
-  return { progress, open, cancel: () => stop?.abort(stopped()) };
+  return { progress, open, cancel, stops: () => stops };
+
+  /** Ends what is being read, and those that wait for it. */
+  function cancel() {
+    stops += 1;
+    stop?.abort(stopped());
+  }
 
   /**
    * @param {File} file
@@ -54,8 +64,15 @@ export function createFileOpening({ engine, messages, opening }) {
    * @param {Way} [way] what else can be done with the file, where it cannot be opened
    * @returns {Promise<boolean>} whether it is on the page now
    */
-  async function open(file, read, way) {
-    if (stop) return false;
+  function open(file, read, way) {
+    const before = stops;
+    const done = last.then(() => stops === before && openNow(file, read, way));
+    last = done.catch(() => {});
+    return done;
+  }
+
+  /** @param {File} file @param {(hands: Hands) => Promise<Content>} read @param {Way} [way] */
+  async function openNow(file, read, way) {
     stop = new AbortController();
     progress.value = { name: file.name, done: 0, total: 1 };
     /** Photos that are in the engine. @type {string[]} */
@@ -88,7 +105,8 @@ export function createFileOpening({ engine, messages, opening }) {
       taken.forEach(engine.forgetPhoto);
       // What was stopped fails in many ways, for the one reason.
       const { code, message } = /** @type {{ code?: string, message: string }} */ (cancelled.aborted ? cancelled.reason : error);
-      if (code !== 'cancelled') messages.alert(strings.projectFileNotOpened(file.name, strings.projectReasons[code ?? ''] ?? message), way);
+      const why = strings.projectReasons[code ?? ''] ?? message;
+      if (code !== 'cancelled') messages.fileFailed(file.name, why, { text: strings.projectFileNotOpened(file.name, why), way });
       return false;
     } finally {
       quiet.end();

@@ -63,7 +63,7 @@ export function createKeeping({ store, reading, engine, shelves, messages, windo
   });
   const projects = createProjects({ store, opening, saving, locks, messages, database });
   const fileOpening = createFileOpening({ engine, messages, opening });
-  const files = { ...createProjectFiles({ store, engine, messages, saving, fileOpening }), progress: fileOpening.progress, cancel: fileOpening.cancel };
+  const files = { ...createProjectFiles({ store, engine, messages, saving, fileOpening }), progress: fileOpening.progress, cancel: fileOpening.cancel, stops: fileOpening.stops };
   const choose = { label: strings.choosePhotos, run: chooseFiles };
   const absentPhotos = createAbsentPhotos({ store, engine, reading, messages, chooseFiles, missing: saving.missing });
   const pageFiles = createPageFiles({ store, engine, reading, messages, fileOpening, opening, projects, database, absentPhotos });

@@ -40,7 +40,7 @@ export function createPageFiles({ store, engine, reading, messages, fileOpening,
   /** What the next PNG carries. @type {import('@preact/signals').Signal<Cargo>} */
   const cargo = signal('project');
 
-  return { cargo, take, carrying, among, open, openChosen };
+  return { cargo, take, carrying, among, allAmong, open, openChosen };
 
   /** What this PNG carries. Photos go with the one for which they were asked, no other. @returns {Cargo} */
   function take() {
@@ -65,11 +65,17 @@ export function createPageFiles({ store, engine, reading, messages, fileOpening,
 
   /** @param {readonly File[]} files @returns {Promise<import('./page-file.js').PageFile | null>} the first that carries a project */
   async function among(files) {
+    return (await allAmong(files))[0] ?? null;
+  }
+
+  /** @param {readonly File[]} files @returns {Promise<import('./page-file.js').PageFile[]>} those that carry a project */
+  async function allAmong(files) {
+    const found = [];
     for (const file of files) {
       const page = isNamedPng(file) ? await pageFileOf(file).catch(() => null) : null;
-      if (page) return page;
+      if (page) found.push(page);
     }
-    return null;
+    return found;
   }
 
   /**
@@ -78,13 +84,15 @@ export function createPageFiles({ store, engine, reading, messages, fileOpening,
    */
   async function open(page) {
     const { file } = page;
-    const before = store.tray.peek().length > 0 ? { id: opening.current.peek(), name: store.project.peek().name || strings.untitled } : null;
+    /** What was there when its turn came, if anything. @type {{ id: string, name: string }[]} */
+    const there = [];
     let missing = 0;
     const unread = /** @type {Content['unread']} */ ([]);
     const asPhoto = (/** @type {() => Promise<unknown>} */ first) => (
       { label: strings.useAsPhoto, run: () => void first().then(() => reading.addFiles([file])) }
     );
     const done = await fileOpening.open(file, async (hands) => {
+      if (store.tray.peek().length > 0) there.push({ id: opening.current.peek(), name: store.project.peek().name || strings.untitled });
       const { project, archive } = await readPageFile(page);
       const content = await contentOf(checkedPage(withFreshIds(project), hands.planner), archive, hands);
       missing = [...content.album.values()].filter(({ absent }) => absent).length;
@@ -92,6 +100,7 @@ export function createPageFiles({ store, engine, reading, messages, fileOpening,
       return content;
     }, asPhoto(async () => {}));
     if (!done) return false;
+    const before = there[0] ?? null;
     const way = asPhoto(() => leave(before?.id ?? null));
     const of = store.tray.peek().length;
     if (missing > 0) absentPhotos.tell(strings.photosMissing(file.name, missing, of), way);
@@ -100,11 +109,13 @@ export function createPageFiles({ store, engine, reading, messages, fileOpening,
     return true;
   }
 
-  /** Opens a PNG that was chosen as a project. @param {File} file */
+  /** Opens a PNG that was chosen as a project. @param {File} file @returns {Promise<boolean>} whether it is on the page now */
   async function openChosen(file) {
     const page = await among([file]);
-    if (page) await open(page);
-    else messages.alert(strings.projectFileNotOpened(file.name, strings.noProjectInside), { label: strings.useAsPhoto, run: () => void reading.addFiles([file]) });
+    if (page) return open(page);
+    const way = { label: strings.useAsPhoto, run: () => void reading.addFiles([file]) };
+    messages.fileFailed(file.name, strings.noProjectInside, { text: strings.projectFileNotOpened(file.name, strings.noProjectInside), way });
+    return false;
   }
 
   /** Back to what was there before, as if the page had not been opened. @param {string | null} id */

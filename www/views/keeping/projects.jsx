@@ -2,7 +2,6 @@
 /** The projects of this browser, as thumbnails, and what can be done with them. */
 
 import { useEffect, useRef, useState } from 'preact/hooks';
-import { isNamedPng } from '../../state/keeping/page-files.js';
 import { EXTENSION } from '../../state/keeping/project-file.js';
 import { language, strings } from '../../strings.js';
 import { IconButton } from '../button.jsx';
@@ -17,7 +16,7 @@ import { ProjectName, SaveState } from './project-bar.jsx';
 /** @typedef {import('../../state/keeping/database.js').ProjectRecord} ProjectRecord */
 
 export function Projects() {
-  const { store, keeping, ui } = useApp();
+  const { store, keeping, ui, openProjects } = useApp();
   const input = useRef(/** @type {HTMLInputElement | null} */ (null));
   const list = keeping.list.value;
   const empty = store.tray.value.length === 0;
@@ -25,15 +24,13 @@ export function Projects() {
 
   useEffect(() => void keeping.refresh().catch(() => {}), [status]);
 
-  const open = (/** @type {File} */ file) => (isNamedPng(file) ? keeping.pageFiles.openChosen(file) : keeping.files.open(file));
-
   const tools = (
     <div class="wall-bar">
       <button type="button" class="button" disabled={keeping.busy.value || empty} onClick={() => void keeping.create()}><Icon name="add" />{strings.newProject}</button>
       <button type="button" class="button" onClick={() => input.current?.click()}><Icon name="open" />{strings.openProject}</button>
       <button type="button" class="button" disabled={empty} onClick={() => void keeping.files.save()}><Icon name="save" />{strings.saveProject}</button>
       <InstallButton />
-      <ChosenFiles input={input} label={strings.projectFile} accept={`${EXTENSION},.png`} onFiles={([file]) => file && void open(file)} />
+      <ChosenFiles input={input} label={strings.projectFile} accept={`${EXTENSION},.png`} onFiles={openProjects} />
     </div>
   );
   return (

@@ -1,0 +1,44 @@
+// @ts-check
+/** Projects that are dropped together, and photos with them. */
+
+import { readFile } from 'node:fs/promises';
+import { SIX, accessible, add, drop, expect, idle, openBoard, photos, test } from './support.js';
+
+/** @typedef {import('./support.js').Page} Page */
+
+/** The project on the page as a file. @param {Page} page @param {string} name */
+async function saved(page, name) {
+  await page.getByLabel('Project name').fill(name);
+  await page.keyboard.press('Enter');
+  await page.getByRole('button', { name: 'Projects', exact: true }).click();
+  const [download] = await Promise.all([page.waitForEvent('download'), page.getByRole('button', { name: 'Save project' }).click()]);
+  await page.getByRole('button', { name: 'Back to the page' }).click();
+  return { name: download.suggestedFilename(), mimeType: '', buffer: await readFile(await download.path()) };
+}
+
+/** @param {Page} page */
+const inTray = (page) => page.getByRole('checkbox', { name: /^Use / }).evaluateAll((boxes) => boxes.map((box) => box.getAttribute('aria-label')?.replace('Use ', '')));
+
+test('two projects and a photo that are dropped together are all there', async ({ page, browser, baseURL }) => {
+  await openBoard(page, SIX.slice(0, 2));
+  const alpha = await saved(page, 'Alpha');
+  await add(page, await photos(SIX[2]));
+  await idle(page);
+  const beta = await saved(page, 'Beta');
+  const other = await (await browser.newContext({ baseURL, serviceWorkers: 'block', viewport: { width: 1280, height: 800 } })).newPage();
+  await other.addInitScript(() => localStorage.setItem('inkpanel.detect', 'off'));
+  await openBoard(other, SIX.slice(4, 5));
+  await drop(other, [beta, ...(await photos(SIX[5])), alpha]);
+  const told = other.getByRole('status');
+  await expect(told).toContainText('2 projects were opened, each on its own. Beta is on the page, with the photo that came along; Alpha is in Projects.');
+  await idle(other);
+  await expect(other.getByLabel('Project name')).toHaveValue('Beta');
+  await expect.poll(() => inTray(other)).toEqual([...SIX.slice(0, 3), SIX[5]]);
+  await accessible(other);
+  await told.getByRole('button', { name: 'Open Alpha' }).click();
+  await expect(other.getByLabel('Project name')).toHaveValue('Alpha');
+  await expect.poll(() => inTray(other)).toEqual(SIX.slice(0, 2));
+  await other.getByRole('button', { name: 'Projects', exact: true }).click();
+  for (const name of ['Alpha', 'Beta', 'Untitled']) await expect(other.getByRole('button', { name: `Open ${name}` })).toBeVisible();
+  await other.context().close();
+});
