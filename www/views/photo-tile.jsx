@@ -87,7 +87,7 @@ export function PhotoTile({ item: { id }, used, stack = 0, onTake }) {
         <button type="button" class="photo-take" aria-label={strings.takeInstead(name)} onClick={onTake}>{strings.take}</button>
       )}
       <span class="photo-name">{fact?.credit ?? name}</span>
-      {fact?.absent && <span class="photo-why">{strings.photoMissing}</span>}
+      {fact?.absent && <span class="photo-why photo-missing">{strings.photoMissing}</span>}
       {verdict && <span class="photo-why" id={`why-${id}`}>{strings.verdict(verdict.why)}</span>}
     </li>
   );

@@ -83,6 +83,7 @@ test('photos that are gone after a reload keep their places, are named, and go b
   const alert = page.getByRole('alert').getByText('2 of 6 photos are not in this browser: bee.jpg, crab.jpg.');
   await expect(alert).toBeVisible();
   await expect(missing(page)).toHaveCount(2);
+  await expect(missing(page).first()).toBeVisible();
   expect(await contents(page)).toEqual(before);
   await saved(page);
   const chosen = page.waitForEvent('filechooser');

@@ -328,17 +328,23 @@ export function createSaving({ store, records, journal, locks, database, drawnSt
       const about = { ...(found?.held && { held: found.held }), id, name, created, changed: Date.now(), stamp, photos: tray.length, refs, gone: null };
       await adopt(all.objectStore('states'), refs);
       const fresh = known.filter((fact) => facts.get(fact.id) !== fact);
-      await Promise.all([
-        projects.put({ ...about, picture: found?.picture ?? null }),
-        all.objectStore('states').put({ id, version: VERSION, stamp, history, facts: ids, videos }),
-        ...(drawn.length > 0 ? [all.objectStore('states').put(/** @type {any} */ ({ id: drawnId(id), version: VERSION, drawn, facts: ids }))] : []),
-        ...fresh.map((fact) => all.objectStore('facts').put({ id: fact.id, fact })),
-        all.done,
-      ]);
+      const asked = [
+        () => projects.put({ ...about, picture: found?.picture ?? null }),
+        () => all.objectStore('states').put({ id, version: VERSION, stamp, history, facts: ids, videos }),
+        ...(drawn.length > 0 ? [() => all.objectStore('states').put(/** @type {any} */ ({ id: drawnId(id), version: VERSION, drawn, facts: ids }))] : []),
+        ...fresh.map((fact) => () => all.objectStore('facts').put({ id: fact.id, fact })),
+      ].map((ask) => {
+        const answer = ask();
+        // Where a later one cannot even be asked for, nobody waits for this one any more.
+        answer.catch(() => {});
+        return answer;
+      });
+      await Promise.all([...asked, all.done]);
       for (const fact of fresh) facts.set(fact.id, fact);
     } catch (error) {
       // What the transaction itself has to say comes a second time with its end.
       all.done.catch(() => {});
+      abort(all);
       throw error;
     }
   }
@@ -384,6 +390,15 @@ export function createSaving({ store, records, journal, locks, database, drawnSt
 function alike(one, other) {
   const size = (/** @type {import('./database.js').KeptHistory} */ { past, future, shown }) => `${past.length} ${future.length} ${shown.length}`;
   return size(one) === size(other) && JSON.stringify(one.present) === JSON.stringify(other.present);
+}
+
+/** All of it or nothing: what was asked for before the fault would else be written. @param {{ abort: () => void }} transaction */
+function abort(transaction) {
+  try {
+    transaction.abort();
+  } catch {
+    // It is over already.
+  }
 }
 
 function conflict() {

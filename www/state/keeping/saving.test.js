@@ -270,6 +270,21 @@ describe('photos that the database lost', () => {
 });
 
 describe('a save that failed', () => {
+  it('leaves what was there, and no half of it', async () => {
+    const tab = await fakeBrowser().tab();
+    await tab.add('a.jpg');
+    const base = await openDatabase();
+    const all = () => Promise.all([base.getAll('projects'), base.getAll('states'), base.getAll('facts')]);
+    const before = await all();
+    const put = failing((value) => (value.history ? new Error('The disk has hiccups.') : null));
+    rename(tab, 'Trip');
+    await tab.keeping.flush();
+    expect([tab.keeping.status.value, await all()]).toEqual(['failed', before]);
+    put.mockRestore();
+    await tab.keeping.flush();
+    expect([tab.keeping.status.value, (await all())[0][0].name]).toEqual(['saved', 'Trip']);
+  });
+
   it('is tried again by itself, with growing pauses, until it is done', async () => {
     const tab = await fakeBrowser().tab();
     await tab.add('a.jpg');

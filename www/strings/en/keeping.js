@@ -16,7 +16,7 @@ export const keepingStrings = {
     empty: '', saving: 'Saving…', saved: 'Saved', missing: 'Not all saved', full: 'Not saved', refused: 'Not saved', failed: 'Not saved',
   },
   savingCount: (/** @type {number} */ done, /** @type {number} */ total) => `Saving ${done} of ${total}`,
-  saveHelp: 'Saved in this browser, on this device',
+  saveHelp: 'Work is kept in this browser, on this device',
   notSaved: (/** @type {string} */ why, /** @type {string} */ message) => (
     `Your work is not saved: ${TROUBLE[why] ?? message.replace(/\.$/, '')}. Everything is still here as long as this page is open.`
   ),

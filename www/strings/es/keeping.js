@@ -13,7 +13,7 @@ export const keepingStrings = {
     empty: '', saving: 'Guardando…', saved: 'Guardado', missing: 'Guardado en parte', full: 'Sin guardar', refused: 'Sin guardar', failed: 'Sin guardar',
   },
   savingCount: (/** @type {number} */ done, /** @type {number} */ total) => `Guardando ${done} de ${total}`,
-  saveHelp: 'Guardado en este navegador, en este dispositivo',
+  saveHelp: 'El trabajo se guarda en este navegador, en este dispositivo',
   notSaved: (/** @type {string} */ why, /** @type {string} */ message) => (
     `Tu trabajo no está guardado: ${TROUBLE[why] ?? message.replace(/\.$/, '')}. Todo sigue aquí mientras esta página esté abierta.`
   ),
@@ -29,7 +29,7 @@ export const keepingStrings = {
     `La página se cerró antes de guardar ${some(names)}. ${names.length === 1 ? 'Elígela' : 'Elígelas'} otra vez.`
   ),
   saveAgain: 'Guardar otra vez',
-  goOnWithout: 'Seguir sin ellas',
+  goOnWithout: 'Seguir sin eso',
   saveToFile: 'Guardar en un archivo',
   conflict: 'Otra pestaña cambió este proyecto, así que este sigue como una copia.',
 

@@ -58,10 +58,11 @@ export function SaveState() {
   const files = keeping.progress.value;
   const text = state === 'saving' && files && files.total > 1 ? strings.savingCount(files.done, files.total) : strings.saveState[state];
   if (text === '') return null;
-  if (state === 'saving' || state === 'saved') return <span class="save-state" data-state={state} title={strings.saveHelp}>{text}</span>;
+  // Where there is little room the text is cut short.
+  if (state === 'saving' || state === 'saved') return <span class="save-state" data-state={state} title={`${text}. ${strings.saveHelp}`}>{text}</span>;
   return (
-    <button type="button" class="save-state" data-state="not" title={strings.saveToFile} onClick={() => void keeping.files.save()}>
-      <Icon name="alert" />{text}
+    <button type="button" class="save-state" data-state="not" title={`${text}. ${strings.saveToFile}`} onClick={() => void keeping.files.save()}>
+      <Icon name="alert" /><span>{text}</span>
     </button>
   );
 }
