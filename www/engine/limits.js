@@ -10,7 +10,7 @@ const MB = 2 ** 20;
 /** Of project files, and of the archive in a page PNG. */
 export const ARCHIVE = Object.freeze({
   /** Files in it, far more than there are photos in a project. */
-  entries: 20_000,
+  entries: 10_000,
   /** Bytes of a name; ours have 80. */
   name: KB,
   /** Bytes of the list of files. */
@@ -37,6 +37,8 @@ export const TEXT = Object.freeze({
   depth: 64,
   /** Values in it, those inside of lists and objects too. */
   values: 2_000_000,
+  /** What one list or object may have: there are fewer photos, pages and words. */
+  items: 10_000,
   /** Characters of a text: no caption is a book. */
   string: 100_000,
 });
@@ -55,3 +57,6 @@ export const PHOTOS_AT_ONCE = 4;
 
 /** Milliseconds for which a file that is being opened may show no sign of life. */
 export const SILENCE = 60_000;
+
+/** Photos of a project file that are not in it, and whose places on pages are kept. */
+export const PLACES_FOR_LOST = 100;

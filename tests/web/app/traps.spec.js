@@ -93,6 +93,7 @@ test('project files that are traps are refused in seconds, and what is open stay
     ['brackets.inkpanel', zipOf([{ name: 'project.json', content: Buffer.alloc(30 * MB, '['), packed: true }]), /more than a project can/],
     ['one-photo.inkpanel', project(documentOf(photosOf(5_000, (photo) => ({ ...photo, path: files[0] }))), [{ name: files[0], content: cat.buffer }]), /damaged/],
     ['name.inkpanel', project(documentOf(photosOf(1), { name: 'x'.repeat(50 * MB) }), [{ name: files[0], content: cat.buffer }]), /more than a project can/],
+    ['words.inkpanel', project(documentOf(photosOf(1), { page: { words: Array(20_000).fill({ kind: 'caption', text: 'Meanwhile' }) } }), [{ name: files[0], content: cat.buffer }]), /more than a project can/],
     ['entries.inkpanel', zipOf(Array.from({ length: 65_000 }, (_, i) => ({ name: `photos/${i}` }))), /more than a project can/],
   ])) {
     await test.step(name, async () => {
@@ -101,6 +102,21 @@ test('project files that are traps are refused in seconds, and what is open stay
     });
   }
   await unharmed(page);
+});
+
+test('a project that names thousands of photos that it lacks opens with those that it has', async ({ page }, info) => {
+  await page.goto('./');
+  const [cat] = await photos('cat.jpg');
+  const path = info.outputPath('lacks.inkpanel');
+  await writeFile(path, project(documentOf(photosOf(4_900)), [{ name: 'photos/0.jpg', content: cat.buffer }]));
+  await page.getByLabel('Photos or video').setInputFiles(path);
+  await expect(page.getByRole('checkbox', { name: 'Use n0.jpg' })).toBeVisible({ timeout: SOON });
+  await expect(page.getByRole('alert').getByText(/^4899 files could not be read/)).toBeVisible();
+  await idle(page);
+  await expect(page.getByText('Saved', { exact: true })).toBeVisible();
+  await page.reload();
+  await idle(page);
+  await expect(page.getByRole('checkbox', { name: 'Use n0.jpg' })).toBeVisible();
 });
 
 test('page PNGs that are traps are refused in seconds, and what is open stays', async ({ page }, info) => {

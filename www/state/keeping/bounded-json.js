@@ -12,11 +12,13 @@ const [LIST, LIST_END, OBJECT, OBJECT_END] = ['[', ']', '{', '}'].map((sign) => 
 
 /**
  * @param {string} text
- * @param {{ depth: number, values: number, string: number }} [most]
+ * @param {{ depth: number, values: number, items: number, string: number }} [most]
  * @returns {any} what it says; throws a `SyntaxError`, or `too-large-project` where it is beyond `most`
  */
 export function parsedJson(text, most = TEXT) {
-  let [depth, values] = [0, 0];
+  let values = 0;
+  /** How much there is in each of the lists and objects that are open. @type {number[]} */
+  const open = [];
   for (let at = 0; at < text.length; at += 1) {
     const sign = text.charCodeAt(at);
     if (sign === QUOTE) {
@@ -25,12 +27,14 @@ export function parsedJson(text, most = TEXT) {
       at = end;
     } else if (sign === COMMA) {
       values += 1;
+      open[open.length - 1] += 1;
+      if (open[open.length - 1] > most.items) throw tooLarge('a list');
     } else if (sign === LIST || sign === OBJECT) {
       values += 1;
-      depth += 1;
-      if (depth > most.depth) throw tooLarge('a list');
+      open.push(1);
+      if (open.length > most.depth) throw tooLarge('a list of lists');
     } else if (sign === LIST_END || sign === OBJECT_END) {
-      depth -= 1;
+      open.pop();
     }
     if (values > most.values) throw tooLarge('the number of its parts');
   }

@@ -3,7 +3,7 @@ import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';
 import { parsedJson } from './bounded-json.js';
 
-const MOST = { depth: 4, values: 10, string: 8 };
+const MOST = { depth: 4, values: 10, items: 7, string: 8 };
 
 describe('JSON that is counted', () => {
   it('is what it says', () => {
@@ -14,13 +14,16 @@ describe('JSON that is counted', () => {
 
   it.each([
     ['[[[[1]]]]', '[[[[[1]]]]]'],
-    ['[1,2,3,4,5,6,7,8,9,0]', '[1,2,3,4,5,6,7,8,9,0,1]'],
+    ['[[1,2,3,4],[1,2,3,4]]', '[[1,2,3,4],[1,2,3,4,5]]'],
+    ['[1,2,3,4,5,6,7]', '[1,2,3,4,5,6,7,8]'],
+    ['[[],[1,2,3,4,5,6,7]]', '[[],[1,2,3,4,5,6,7,8]]'],
+    ['{"a":1,"b":2,"c":3,"d":4,"e":5,"f":6,"g":7}', '{"a":1,"b":2,"c":3,"d":4,"e":5,"f":6,"g":7,"h":8}'],
     ['[[],[],[],[],[]]', '[[],[],[],[],[],[]]'],
     ['{"a":{"b":{}}}', '{"a":{"b":{"c":{"d":{}}}}}'],
     ['"12345678"', '"123456789"'],
     ['{"12345678":1}', '{"123456789":1}'],
     ['["[[[[[[["]', '["\\"[[[[[[["]'],
-    ['[",\\",,,",",,,,",1]', '["\\\\",1,2,3,4,5,6,7,8,9,0]'],
+    ['[",\\",,,",",,,,",1]', '["\\\\",1,2,3,4,5,6,7]'],
   ])('is taken as %s, and not as %s', (good, bad) => {
     expect(parsedJson(good, MOST)).toEqual(JSON.parse(good));
     expect(() => parsedJson(bad, MOST)).toThrow(expect.objectContaining({ code: 'too-large-project' }));

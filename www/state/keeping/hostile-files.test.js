@@ -2,7 +2,7 @@
 import { crc32 } from 'node:zlib';
 import { beforeEach, afterEach, describe, expect, it, vi } from 'vitest';
 import { chunkOf, textChunk, withChunks } from '../../engine/png-chunks.js';
-import { PHOTOS_AT_ONCE, SILENCE, TEXT } from '../../engine/limits.js';
+import { ARCHIVE, PHOTOS_AT_ONCE, SILENCE, TEXT } from '../../engine/limits.js';
 import { archiveOf, readArchive } from './archive.js';
 import { documentOf } from './testing.js';
 import { packedNothing, zipOf } from './testing-archives.js';
@@ -46,7 +46,7 @@ function projectOf(count, { bytes = { content: Buffer.from('photo') }, change = 
   const photos = Array.from({ length: count }, (_, i) => change({ ...photo, id: `n${i}`, name: `n${i}.jpg`, path: `photos/${i}.jpg` }, i));
   const present = { ...json.history.present, page: null, pageId: 0, tray: photos.map(({ id }) => ({ id, use: true })) };
   const text = JSON.stringify({ ...json, photos, history: { present, shown: [] }, ...also });
-  const paths = [...new Set(photos.map(({ path }) => path))];
+  const paths = [...new Set(photos.map(({ path }) => path))].filter((path) => !path.startsWith('gone/'));
   return fileOf(zipOf([{ name: 'project.json', content: Buffer.from(text), packed: true }, ...paths.map((name) => ({ name, ...bytes }))]));
 }
 
@@ -82,6 +82,7 @@ describe('a project file that is a trap', { timeout: 60_000 }, () => {
     ['of a document that does not say what it unpacks to', () => fileOf(zipOf([{ name: 'project.json', ...bomb, size: 99 }])), 'it is damaged'],
     ['of a document that is too long', () => fileOf(zipOf([{ name: 'project.json', content: Buffer.alloc(TEXT.project + 1, ' ') }])), 'more than a project can'],
     ['of a document of brackets', () => fileOf(zipOf([{ name: 'project.json', content: Buffer.alloc(TEXT.project, '['), packed: true }])), 'more than a project can'],
+    ['of words by the thousands', () => { json.history.present.page.words = Array(20_000).fill({ kind: 'caption', text: 'x' }); return projectOf(1, { also: { history: json.history } }); }, 'more than a project can'],
     ['with a name of megabytes', () => { json.history.present.name = 'x'.repeat(20 * MB); return projectOf(1); }, 'more than a project can'],
     ['with a name of a photo of megabytes', () => projectOf(1, { change: (photo) => ({ ...photo, name: 'x'.repeat(20 * MB) }) }), 'more than a project can'],
   ])('%s changes nothing on the page, and is told', async (_, make, reason) => {
@@ -110,6 +111,16 @@ describe('a project file that is a trap', { timeout: 60_000 }, () => {
 });
 
 describe('photos of a project file', () => {
+  it('that are not in it are forgotten, but for the first on its pages', async () => {
+    const { page } = json.history.present;
+    const panels = Array.from({ length: 300 }, (_, i) => ({ ...page.panels[0], photo: `n${i}` }));
+    const whole = { ...json.history.present, tray: Array.from({ length: 4_000 }, (_, i) => ({ id: `n${i}`, use: true })), page: { ...page, layout: { ...page.layout, id: 'l300' }, panels } };
+    const file = projectOf(4_000, { change: (photo, i) => ({ ...photo, path: i === 0 ? photo.path : `gone/${i}` }), also: { history: { present: whole, shown: [] } } });
+    await tab.keeping.files.open(file);
+    expect([tab.store.tray.value.length, tab.names(), said().filter((text) => text.includes('could not be opened'))]).toEqual([101, ['n0.jpg'], []]);
+    expect(tab.store.page.value?.panels.filter(({ photo }) => photo !== null)).toHaveLength(101);
+  });
+
   it.each([
     ['that are stored are read few at a time', {}, PHOTOS_AT_ONCE],
     ['that are packed are read one at a time', { packed: true }, 1],
@@ -192,7 +203,7 @@ describe('a page that is a trap', { timeout: 60_000 }, () => {
 
   it.each([
     ['by the files of its photos', async () => pageOf(await elsewhere(), zipOf('abcdefgh'.split('').map((name) => bomb(name)))), 'more than a project can'],
-    ['by the number of its photos', async () => pageOf(await elsewhere(), zipOf(Array.from({ length: 20_001 }, (_, i) => ({ name: `${i}` })))), 'more than a project can'],
+    ['by the number of its photos', async () => pageOf(await elsewhere(), zipOf(Array.from({ length: ARCHIVE.entries + 1 }, (_, i) => ({ name: `${i}` })))), 'more than a project can'],
     ['by a text of brackets', async () => pageOf('['.repeat(TEXT.page)), 'more than a project can'],
     ['by a name of megabytes', async () => pageOf((await told()).replace('"Trip"', `"${'x'.repeat(3 * MB)}"`)), 'more than a project can'],
     ['by a text that unpacks to more', async () => pageOf(' '.repeat(64 * MB)), 'it is damaged'],

@@ -4,14 +4,16 @@
  * but without what cameras write beside them.
  */
 
-import { TEXT } from '../../engine/limits.js';
+import { PLACES_FOR_LOST, TEXT } from '../../engine/limits.js';
 import { strings } from '../../strings.js';
+import { advance } from '../history.js';
+import { sheetsOf } from '../sheets.js';
 import { save as saveFile } from '../files.js';
 import { archiveOf, readArchive } from './archive.js';
 import { checked } from './file-opening.js';
 import { strippedOf } from './identity.js';
 import { parsedProject, projectJson, withFreshIds } from './project-json.js';
-import { snapshotOf } from './snapshot.js';
+import { photosOf, snapshotOf } from './snapshot.js';
 import { damaged } from './versions.js';
 
 /** @typedef {import('./project-json.js').FileProject} FileProject */
@@ -80,13 +82,39 @@ export function createProjectFiles({ store, engine, messages, saving, fileOpenin
       if (facts.length === 0 && project.photos.length > 0) throw damaged('none of its photos can be read');
       const videos = await readVideos(project, archive, watch);
       const { name } = project.history.present;
-      const present = { ...project.history.present, name: name || file.name.slice(0, -EXTENSION.length) };
+      const history = withoutLost({ ...project.history, gesture: null }, facts);
+      const present = { ...history.present, name: name || file.name.slice(0, -EXTENSION.length) };
       return {
-        history: { ...project.history, present, gesture: null }, album: new Map(facts.map((fact) => [fact.id, fact])),
+        history: { ...history, present }, album: new Map(facts.map((fact) => [fact.id, fact])),
         videos: new Map(videos.map((video) => [video.key, video])), records: [], unread: [],
       };
     });
   }
+}
+
+/**
+ * Photos on pages that are not in the file keep their places, as they may come back; thousands that never were have none.
+ * @param {import('../history.js').History} history
+ * @param {readonly import('../album.js').Fact[]} facts of the photos that are there
+ */
+function withoutLost(history, facts) {
+  const here = new Set(facts.map(({ id }) => id));
+  const lost = [...photosOf(history)].filter((id) => !here.has(id));
+  const shown = new Set(sheetsOf(history.present).flatMap(({ page }) => page.panels.map(({ photo }) => photo)));
+  const waits = new Set(lost.filter((id) => shown.has(id)).slice(0, PLACES_FOR_LOST));
+  const gone = new Set(lost.filter((id) => !waits.has(id)));
+  if (gone.size === 0) return history;
+  const { present, shown: before, ...rest } = advance(history, { type: 'forget-photos', ids: [...gone] });
+  /** @type {<T extends { page: import('../project.js').PageDocument }>(one: T) => T} */
+  const without = (one) => ({ ...one, page: pageWithout(one.page, gone) });
+  const page = present.page && pageWithout(present.page, gone);
+  return { ...rest, present: { ...present, page, others: present.others.map(without) }, shown: before.map(without) };
+}
+
+/** @param {import('../project.js').PageDocument} page @param {ReadonlySet<string>} gone photos */
+function pageWithout(page, gone) {
+  const panels = page.panels.map((panel) => (gone.has(panel.photo ?? '') ? { ...panel, photo: null } : panel));
+  return { ...page, panels, order: page.order.filter((id) => !gone.has(id)) };
 }
 
 /**
