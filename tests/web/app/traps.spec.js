@@ -61,6 +61,9 @@ async function trapped(page, path, reason) {
   await idle(page);
   expect([await picture(page), await contents(page)]).toEqual(before);
   await expect(page.getByRole('progressbar')).toHaveCount(0);
+  // Of several files that fail one message tells.
+  await page.getByRole('button', { name: 'Dismiss' }).click();
+  await expect(page.getByRole('alert')).toHaveText('');
 }
 
 /** Nothing was lost by any of them, and nothing has grown. @param {Page} page */
