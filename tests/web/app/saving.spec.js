@@ -115,6 +115,8 @@ test('a reload in the middle of three hundred photos loses none of them without 
   });
   await add(page, files);
   await page.waitForTimeout(1800);
+  // A busy machine may have come to nothing by then.
+  await page.waitForFunction(() => [.../** @type {any} */ (window).seen.keys()].some((text) => /^Saving \d+ of 300$/.test(text)));
   /** @type {[string, number][]} */
   const seen = await page.evaluate(() => [.../** @type {any} */ (window).seen]);
   await page.reload();
@@ -124,7 +126,6 @@ test('a reload in the middle of three hundred photos loses none of them without 
   test.info().annotations.push({ type: 'not yet written after 1.8 s', description: String(lost) });
   console.log(`${300 - lost} of 300 were written within 1.8 s; the status said ${seen.map(([text, at]) => `${text} ${at - seen[0][1]} ms`).join(', ')}`);
   if (lost > 0) await expect(page.getByRole('alert').getByText(`${lost === 300 ? 'All 300' : `${lost} of 300`} photo`)).toBeVisible();
-  expect(seen.some(([text]) => /^Saving \d+ of 300$/.test(text))).toBe(true);
   await saved(page);
 });
 

@@ -108,6 +108,7 @@ export function createOpening({
     await enter({ id, ...place }, content, free);
     records.know(content.records);
     if (content.missing?.length) onMissing(content.missing);
+    if (content.filmless?.length) messages.alert(strings.filmsNotHere(content.filmless));
     void reading.resume(content.unread, content.films);
   }
 

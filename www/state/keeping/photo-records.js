@@ -24,6 +24,8 @@ const SAMPLE = 64;
 /** Files that are written together: many small ones cost little more than one, and none waits long for its turn to be safe. */
 const TOGETHER = 40;
 const BYTES_TOGETHER = 24 * 2 ** 20;
+/** Photos whose copies are written together. */
+const COPIES_TOGETHER = 4;
 /** So few that wait are written with their copies at once, where they were decoded by now. */
 const FEW = 8;
 
@@ -152,29 +154,32 @@ export function createPhotoRecords({ photos, originals, room = roomLeft }) {
   }
 
   /**
-   * Adds its copies to the next photo that has been decoded since its file was written.
+   * Adds their copies to the next photos that have been decoded since their files were written.
    * @param {Database} database
    * @param {Wanted} wanted
-   * @returns {Promise<boolean>} whether there was one
+   * @returns {Promise<boolean>} whether there were any
    */
   async function improve(database, { facts }) {
-    const next = facts.find(({ id, absent }) => kept.get(id) === 'file' && photos.has(id) && !absent);
-    const held = next && heldOf(next);
-    if (!held) return false;
+    const next = facts.filter(({ id, absent }) => kept.get(id) === 'file' && photos.has(id) && !absent).slice(0, COPIES_TOGETHER);
+    await Promise.all(next.map((fact) => addCopies(database, /** @type {Held} */ (heldOf(fact)))));
+    return next.length > 0;
+  }
+
+  /** @param {Database} database @param {Held} held */
+  async function addCopies(database, held) {
     const { id, entry } = held;
     const record = { ...bareOf(held), work: entry?.work ?? null, small: entry?.small ?? null };
     // Its file is safe, whatever becomes of this.
     kept.set(id, 'bare');
-    if (!await hasRoom(record)) return true;
+    if (!await hasRoom(record)) return;
     try {
       await database.put('photos', record);
     } catch (error) {
-      if (isFull(error) || !await allReadable(held)) return true;
+      if (isFull(error) || !await allReadable(held)) return;
       throw error;
     }
     kept.set(id, 'all');
     await verify(database, [record]);
-    return true;
   }
 
   /** @param {Database} database @param {readonly Held[]} batch of files alone @returns {Promise<(PhotoRecord | null)[]>} */

@@ -18,10 +18,11 @@ import { checkedHistory, damaged, migrated } from './versions.js';
 
 /**
  * A project in parts: `records` are what the database has of its photos, `unread` files that must be decoded again, `films`
- * the keys of videos whose frames must be; `missing` are the photos in the tray for which an empty frame stands.
+ * the keys of videos whose frames must be; `missing` are the photos in the tray for which an empty frame stands, `filmless`
+ * the names of videos that left nothing but their frames.
  * @typedef {{
  *   history: History, album: Map<string, Fact>, videos: Map<string, Video>, records: PhotoRecord[],
- *   unread: { id: string, file: File }[], films?: string[], missing?: { id: string, name: string }[],
+ *   unread: { id: string, file: File }[], films?: string[], missing?: { id: string, name: string }[], filmless?: string[],
  * }} Content
  */
 
@@ -97,6 +98,7 @@ async function contentOf(history, { records, facts, videos, files, names }) {
     records: [...records, ...files],
     unread: [...unread, ...empty.map(({ fact: { id }, file }) => ({ id, file }))],
     films: [...unseen],
+    filmless: videos.flatMap(({ fileKey, name }) => (films.get(fileKey) ? [] : name)),
     missing: missing.flatMap(({ id, name }) => (inTray.has(id) ? { id, name } : [])),
   };
 }

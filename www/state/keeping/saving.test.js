@@ -437,3 +437,47 @@ describe('a tab that closes', () => {
     expect([tab.keeping.status.value, tab.asks()]).toEqual(['full', true]);
   });
 });
+
+describe('a film', () => {
+  /** Frames of it come one after the other, at most so many. @param {Tab} tab @param {number} most */
+  function films(tab, most) {
+    tab.engine.importVideo = async (/** @type {File} */ file, /** @type {any} */ { ids, onAbout, onPhoto }) => {
+      onAbout({ duration: 24 });
+      for (const [at, id] of ids.entries()) {
+        if (at === most) await new Promise(() => {});
+        onPhoto(id, await tab.engine.importPhoto(id, new File([`${file.name} ${at}`], file.name)), at);
+      }
+    };
+  }
+
+  it('whose frames were still being taken when the page was loaded again has all of them after', async () => {
+    const browser = fakeBrowser();
+    const before = await browser.tab();
+    films(before, 5);
+    const film = new File(['film'], 'film.mp4', { type: 'video/mp4' });
+    void before.reading.addFiles([film]);
+    await vi.waitFor(() => expect(before.store.reading.value?.done).toBe(5));
+    await before.keeping.flush();
+    expect([before.keeping.status.value, before.asks()]).toEqual(['saved', false]);
+    const later = browser.died();
+    const { tab: open } = later;
+    const after = await open({ prepare: (tab) => films(tab, Infinity) });
+    await vi.waitFor(() => expect(after.store.reading.value).toBe(null));
+    expect([after.names().length, absent(after), after.store.facts.value.every(({ video }) => video)]).toEqual([24, [], true]);
+    expect([...after.store.videos.value.values()].map(({ name, ids }) => [name, ids.length])).toEqual([['film.mp4', 24]]);
+  });
+
+  it('that is gone leaves its frames, and is named', async () => {
+    const browser = fakeBrowser();
+    const before = await browser.tab();
+    films(before, Infinity);
+    await before.reading.addFiles([new File(['film'], 'film.mp4', { type: 'video/mp4' })]);
+    await before.keeping.flush();
+    const base = await openDatabase();
+    const [key] = (await base.getAllKeys('photos')).filter((id) => id.startsWith('file-'));
+    await base.delete('photos', key);
+    const after = await browser.died().tab();
+    expect([after.names().length, absent(after), after.store.videos.value.size]).toEqual([24, [], 0]);
+    expect(after.messages.list.value.map(({ text }) => text)).toEqual([expect.stringContaining('film.mp4 is no longer in this browser; its frames are.')]);
+  });
+});

@@ -88,8 +88,8 @@ export function fakeBrowser({ factory = new IDBFactory(), local = boxOf() } = {}
     locks.request = () => new Promise(() => {});
   }
 
-  /** @param {{ session?: ReturnType<typeof boxOf> }} [of] a tab that is loaded again has the session it had */
-  async function tab({ session = boxOf() } = {}) {
+  /** @param {{ session?: ReturnType<typeof boxOf>, prepare?: (tab: any) => void }} [of] a tab that is loaded again has the session it had; `prepare` comes before it opens anything */
+  async function tab({ session = boxOf(), prepare = () => {} } = {}) {
     const store = createStore();
     const planner = fakePlanner();
     /** @type {any} */ (planner).checkStyle = JSON.parse;
@@ -127,6 +127,7 @@ export function fakeBrowser({ factory = new IDBFactory(), local = boxOf() } = {}
     /** Whether the tab asks before it closes. */
     const asks = () => !window.dispatchEvent(new Event('beforeunload', { cancelable: true }));
     const keeping = createKeeping({ store, reading, engine, shelves, messages, window, leave: () => {} });
+    prepare({ engine });
     await keeping.begin();
     const files = (/** @type {string[]} */ ...names) => names.map((name) => new File([name], name));
     const add = async (/** @type {string[]} */ ...names) => {

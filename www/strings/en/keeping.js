@@ -28,6 +28,9 @@ export const keepingStrings = {
     const which = names.length < of ? `${names.length} of ${of} photos` : one ? 'The photo' : `All ${of} photos`;
     return `${which} ${one ? 'is' : 'are'} not in this browser: ${some(names)}. Choose or drop ${one ? 'it' : 'them'}: each goes back to its place.`;
   },
+  filmsNotHere: (/** @type {readonly string[]} */ names) => (
+    `${some(names)} ${names.length === 1 ? 'is no longer in this browser; its' : 'are no longer in this browser; their'} frames are. To take others, add the film again.`
+  ),
   photosNeverSaved: (/** @type {readonly string[]} */ names) => (
     `The page closed before ${some(names)} ${names.length === 1 ? 'was' : 'were'} saved. Choose ${names.length === 1 ? 'it' : 'them'} again.`
   ),

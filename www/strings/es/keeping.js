@@ -25,6 +25,9 @@ export const keepingStrings = {
     const which = names.length < of ? `${names.length} de ${of} fotos` : one ? 'La foto' : `Las ${of} fotos`;
     return `${which} no ${one ? 'está' : 'están'} en este navegador: ${some(names)}. ${one ? 'Elígela o suéltala' : 'Elígelas o suéltalas'} aquí: cada una vuelve a su sitio.`;
   },
+  filmsNotHere: (/** @type {readonly string[]} */ names) => (
+    `${some(names)}: ya no ${names.length === 1 ? 'está' : 'están'} en este navegador. Sus fotogramas sí; para tomar otros, añade la película otra vez.`
+  ),
   photosNeverSaved: (/** @type {readonly string[]} */ names) => (
     `La página se cerró antes de guardar ${some(names)}. ${names.length === 1 ? 'Elígela' : 'Elígelas'} otra vez.`
   ),

@@ -12,7 +12,7 @@ const LONGEST = 80;
 export function ProjectBar() {
   const { store, ui } = useApp();
   const empty = store.tray.value.length === 0;
-  if (!ui.wide.value) return <ProjectsButton small />;
+  if (!ui.wide.value) return <ProjectsButton small dot={!empty} />;
   if (empty) return <ProjectsButton />;
   return (
     <>
@@ -55,8 +55,7 @@ export function ProjectName() {
 export function SaveState() {
   const { keeping } = useApp();
   const state = keeping.status.value;
-  const files = keeping.progress.value;
-  const text = state === 'saving' && files && files.total > 1 ? strings.savingCount(files.done, files.total) : strings.saveState[state];
+  const text = stateText(keeping);
   if (text === '') return null;
   // Where there is little room the text is cut short.
   if (state === 'saving' || state === 'saved') return <span class="save-state" data-state={state} title={`${text}. ${strings.saveHelp}`}>{text}</span>;
@@ -67,11 +66,22 @@ export function SaveState() {
   );
 }
 
-/** @param {{ small?: boolean }} props */
-function ProjectsButton({ small = false }) {
-  const { ui } = useApp();
+/** @param {import('../../state/keeping/keeping.js').Keeping} keeping */
+function stateText({ status, progress }) {
+  const [state, files] = [status.value, progress.value];
+  return state === 'saving' && files && files.total > 1 ? strings.savingCount(files.done, files.total) : strings.saveState[state];
+}
+
+/** @param {{ small?: boolean, dot?: boolean }} props `dot`: it says, too, that not all is saved, where there is no room for words */
+function ProjectsButton({ small = false, dot = false }) {
+  const { ui, keeping } = useApp();
   const on = ui.work.value === 'projects';
   const toggle = () => { ui.work.value = on ? null : 'projects'; };
-  if (small) return <IconButton icon="open" label={strings.projects} pressed={on} onClick={toggle} />;
+  if (small) {
+    const state = keeping.status.value;
+    const text = dot ? stateText(keeping) : '';
+    const sign = text === '' || state === 'saved' ? '' : state !== 'saving' ? 'save-dot bad' : keeping.progress.value ? 'save-dot' : '';
+    return <IconButton icon="open" label={strings.projects} help={text ? `${strings.projects}. ${text}` : undefined} class={sign} pressed={on} onClick={toggle} />;
+  }
   return <button type="button" class="button" aria-pressed={on} onClick={toggle}><Icon name="open" />{strings.projects}</button>;
 }
