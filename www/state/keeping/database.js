@@ -6,7 +6,7 @@
  * - `states`: the document of a project with its history; under ids that no project has the states of it that were drawn
  *   (`drawn-states.js`), and since when photos are needed by nobody (`orphans.js`)
  * - `facts`: what is known of a photo
- * - `photos`: the file of a photo and its two reduced copies, or the file of a video; written once
+ * - `photos`: the file of a photo and, once it was decoded and where there is room, its two reduced copies; or the file of a video
  *
  * Photos have ids that no other photo has in any project, so a copy of a project costs no second copy of them.
  */
