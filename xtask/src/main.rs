@@ -48,6 +48,11 @@ struct Arguments {
 enum Task {
     /// Build the wasm core and the site into www/dist
     Build,
+    /// Build one wasm module into its folder of www: core, words or detector
+    Module {
+        /// Which one
+        name: String,
+    },
     /// Build, then serve the site on this machine and print its address
     Serve {
         /// First port to try; the next free one is taken
@@ -102,6 +107,7 @@ fn run(task: &Task) -> Result<()> {
     let project = Project::locate()?;
     match task {
         Task::Build => site::build(&project),
+        Task::Module { name } => site::build_module(&project, name),
         Task::Serve { port } => site::serve(&project, *port),
         Task::Package => package::make(&project),
         Task::Models => models::make(&project),

@@ -3,7 +3,7 @@
 use std::net::TcpListener;
 use std::process::{Command, Stdio};
 
-use anyhow::{Context, Result};
+use anyhow::{Context, Result, bail};
 
 use crate::project::Project;
 use crate::stamp::{Inputs, Stamp};
@@ -17,6 +17,15 @@ pub(crate) fn build(project: &Project) -> Result<()> {
     wasm::build(project, &wasm::detectors(project))?;
     wasm::build(project, &wasm::words(project))?;
     bundle(project)
+}
+
+/// Builds one module and nothing else.
+pub(crate) fn build_module(project: &Project, name: &str) -> Result<()> {
+    let modules = [wasm::core(project), wasm::words(project), wasm::detectors(project)];
+    match modules.iter().find(|module| module.name == name) {
+        Some(module) => wasm::build(project, module),
+        None => bail!("there is no module {name}: it is one of core, words, detector"),
+    }
 }
 
 /// Builds, then serves on 127.0.0.1 until interrupted.

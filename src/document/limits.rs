@@ -1,0 +1,41 @@
+//! Every bound of a document in one place: far beyond what a person makes by hand, and low enough that the largest
+//! document is read in seconds and a hundred megabytes. Those that other stages keep as well stand there.
+
+use crate::json::Bounds;
+pub use crate::page::document::{LONGEST_ID, MOST_PHOTOS};
+pub use crate::page::words::model::{MOST_LETTERS, MOST_WORDS};
+
+/// The text of a project file, and the text in a page PNG.
+pub const PROJECT: Bounds = Bounds { bytes: 64 << 20, values: 4_000_000, text: 64 << 10 };
+/// A project with all its undo steps, as the browser's database has it.
+pub const HISTORY: Bounds = Bounds { bytes: 128 << 20, values: 8_000_000, text: 64 << 10 };
+/// Characters of a name: of a project, a photo, a video, an author.
+pub const LONGEST_NAME: usize = 1_000;
+/// Characters of a place in the archive of a project file, and of the type of a file.
+pub const LONGEST_PATH: usize = 1_000;
+/// Undo steps, and as many redo steps.
+pub const MOST_STEPS: usize = 500;
+/// Pages that were shown; beyond so many the oldest go, favourites never.
+pub const MOST_SHOWN: usize = 1_000;
+/// Pages of one storyboard.
+pub const MOST_SHEETS: usize = 1_000;
+/// Styles of one's own, and favourites. The list offers 300; projects that are joined may bring more.
+pub const MOST_STYLES: usize = 1_000;
+/// Layouts of one's own.
+pub const MOST_LAYOUTS: usize = 1_000;
+/// Favourites among the pages shown; those of pages that are gone stay on the list.
+pub const MOST_LOVED: usize = 10_000;
+/// Panels that a person may want.
+pub const MOST_WANTED: u64 = 100;
+/// Videos of a project.
+pub const MOST_VIDEOS: usize = 1_000;
+/// What is found in one photo.
+pub const MOST_SUBJECTS: usize = 1_000;
+/// Blocks of one layer of a draft.
+pub const MOST_BLOCKS: usize = 32;
+/// Ids of pages, and of places in a storyboard: there is room for new ones above.
+pub const GREATEST_ID: u64 = 1 << 40;
+/// Pixels of a side of a photo.
+pub const LONGEST_SIDE: u64 = 1_000_000;
+/// Things that were left out and are told.
+pub const MOST_TOLD: usize = 20;

@@ -1,0 +1,70 @@
+//! The project that a person edits: its photos, its pages, the locks, the styles and layouts of one's own, and all that
+//! was shown and done. Plain data, which is read here in full and checked as the rest of the program will use it, or
+//! refused with a sentence that names the place.
+//!
+//! | module | for |
+//! |---|---|
+//! | [`limits`] | every bound, in one place |
+//! | [`project`] | one state of a project |
+//! | [`pages`] | a page that can be drawn |
+//! | [`history`] | states before and after, and the pages shown |
+//! | [`file`] | the text of a project file and of a page PNG: `project.json` |
+//! | [`kept`] | a history as the browser's database has it: what states share is told once |
+//!
+//! # Fields that are added, and versions
+//!
+//! What is saved has a version ([`VERSION`]); one that is newer than the program is refused with `newer-project`, one that
+//! is older is brought up to date step by step. Between versions fields may be added:
+//!
+//! - A field that older programs can do without (what they draw and save is still right) is added with a default that is
+//!   what they did, and no new version. Every field may be missing, at every depth. An older program keeps the fields
+//!   that it does not know, wherever they stand, and saves them again.
+//! - A field that changes what is drawn needs a new version, and with it a step from the version before. So layouts,
+//!   styles and page settings have no unknown fields: there one is an error.
+//!
+//! What is wrong with the present state, its pages or the photos of a file costs the whole. A state of another time, a page
+//! shown before, a style or layout of one's own is left out, and what was left out is told.
+
+pub mod file;
+pub mod history;
+pub mod kept;
+pub mod limits;
+pub mod pages;
+pub mod project;
+
+use crate::error::{Error, Result};
+use crate::json::{Fields, Read, Wrong, whole};
+
+/// Version of what is saved.
+pub const VERSION: u64 = 1;
+
+/// What was left out, as sentences with their places.
+pub type Dropped = Vec<String>;
+
+/// Tells what is left out, as long as the list is not too long to be read.
+fn leave_out(dropped: &mut Dropped, wrong: &Wrong) {
+    if dropped.len() < limits::MOST_TOLD {
+        dropped.push(wrong.to_string());
+    }
+}
+
+/// The version of something saved, brought up to date. There is no older one so far.
+fn version(fields: &mut Fields) -> Read<()> {
+    let version = whole(1..=u64::MAX)(fields.required("version")?).map_err(|wrong| wrong.at("version"))?;
+    if version > VERSION {
+        return Err(Wrong::newer(version, VERSION).at("version"));
+    }
+    Ok(())
+}
+
+/// What a page of the program is told.
+fn told<T>(read: Read<T>) -> Result<T> {
+    read.map_err(|Wrong { place, reason, newer }| {
+        let location = if place.is_empty() { "project".to_owned() } else { place };
+        if newer {
+            Error::NewerProject { location, reason }
+        } else {
+            Error::DamagedProject { location, reason }
+        }
+    })
+}

@@ -1,0 +1,53 @@
+//! A page that can be drawn: its layout and style are known or good, its panels are those of the layout, its words and
+//! settings are as the engine takes them.
+
+use crate::json::{Read, Wrong};
+use crate::layout::PageSettings;
+use crate::page::document::{Document, style_of, template_of};
+use crate::page::words::Word;
+use serde_json::Value;
+
+/// Reads a page and checks all that is needed to draw it.
+///
+/// # Errors
+/// With the place of what is wrong.
+pub fn page(value: Value) -> Read<Document> {
+    let page = Document::read(value)?;
+    validated(&page.page).map_err(|wrong| wrong.at("page"))?;
+    known(&page.layout).map_err(|wrong| wrong.at("layout"))?;
+    let template = template_of(&page.layout).map_err(|error| Wrong::of(error).at("layout"))?;
+    known(&page.style).map_err(|wrong| wrong.at("style"))?;
+    style_of(&page.style).map_err(|error| Wrong::of(error).at("style"))?;
+    let (has, wants) = (page.panels.len(), template.panels().len());
+    if has != wants {
+        return Err(Wrong::new(format!("has {has} entries, the layout has {wants} panels")).at("panels"));
+    }
+    Word::parse_all(&page.words).map_err(Wrong::of)?;
+    Ok(page)
+}
+
+/// Reads page settings and checks their ranges.
+///
+/// # Errors
+/// With the field that is wrong.
+pub fn settings(value: Value) -> Read<PageSettings> {
+    let page = PageSettings::read(value)?;
+    validated(&page)?;
+    Ok(page)
+}
+
+fn validated(page: &PageSettings) -> Read<()> {
+    page.validate().map_err(|error| {
+        let wrong = Wrong::of(error);
+        Wrong { place: wrong.place.trim_start_matches("page.").to_owned(), ..wrong }
+    })
+}
+
+/// A layout or style is an id or an object.
+fn known(value: &Value) -> Read<()> {
+    if value.is_string() || value.is_object() {
+        Ok(())
+    } else {
+        Err(Wrong::new("is neither an id nor an object"))
+    }
+}
