@@ -4,6 +4,7 @@
  */
 
 import initCore, * as core from '../pkg/inkpanel.js';
+import { expanded, interned } from './interned.js';
 import { failure } from './protocol.js';
 
 /** Photos no longer planned with that are remembered, since undo may bring them back. */
@@ -108,7 +109,35 @@ function createPlanner() {
      * @returns {Verdict[]}
      */
     choose: (photos, threshold) => JSON.parse(core.choose_photos(JSON.stringify({ photos, threshold }))),
+    /**
+     * Reads a project file or the text of a page PNG and checks all of it. Throws `damaged-project` or `newer-project`.
+     * @param {string} text
+     * @param {{ prefix?: string }} [how] `prefix`: all photos and videos get fresh ids that begin with it
+     * @returns {{ format: string, version: number, history: { present: any, shown: any[] }, photos: any[], videos: any[], dropped: string[] }}
+     *   `dropped`: sentences about what was left out
+     */
+    readProject: (text, { prefix } = {}) => JSON.parse(core.read_project(text, prefix)),
+    readHistory,
   };
+}
+
+/**
+ * Reads a history out of the database and checks all of it. What states share they share again. Throws `damaged-project` or
+ * `newer-project`.
+ * @param {any} record with `version` and `history`
+ * @returns {{ version: number, history: import('./interned.js').KeptHistory, dropped: string[] }} `dropped`: sentences about
+ *   what was left out
+ */
+function readHistory(record) {
+  let text;
+  try {
+    text = JSON.stringify({ version: record?.version, history: interned(record?.history) });
+  } catch {
+    // Something that refers to itself, or a number without end.
+    throw failure('damaged-project', 'history: is no plain data');
+  }
+  const { version, history, dropped } = JSON.parse(core.read_history(text));
+  return { version, history: expanded(history), dropped };
 }
 
 /**
