@@ -2,6 +2,8 @@
 //! Each may refuse what it is given; a panic, a hang or memory without end is a fault.
 
 use inkpanel::Error;
+use inkpanel::document::file::ProjectFile;
+use inkpanel::document::kept;
 use inkpanel::layout::{self, PageSettings, Template};
 use inkpanel::page::document::Document;
 use inkpanel::page::import::import;
@@ -20,6 +22,7 @@ pub const ENTRIES: &[(&str, Entry)] = &[
     ("style", style),
     ("layout", layout),
     ("document", document),
+    ("project", project),
     ("plan", plan),
     ("choice", choice),
 ];
@@ -59,6 +62,23 @@ pub fn layout(bytes: &[u8]) {
 pub fn document(bytes: &[u8]) {
     if let Some(Ok(document)) = text(bytes).map(Document::parse) {
         let _ = Scene::new(&document, WIDTH);
+    }
+}
+
+/// A project file or the text of a page PNG; or a history with its tables. What is taken can be drawn and saved again.
+pub fn project(bytes: &[u8]) {
+    let Some(json) = text(bytes) else { return };
+    if let Ok(project) = ProjectFile::parse(json) {
+        let shown = project.history.shown.iter().map(|shown| &shown.page);
+        for page in shown.chain(&project.history.present.page) {
+            assert!(Scene::new(page, WIDTH).is_ok());
+        }
+        let written = project.renamed("q").write().unwrap_or_default();
+        assert!(ProjectFile::parse(&written).is_ok());
+    }
+    if let Ok((history, dropped)) = kept::parse(json) {
+        let written = kept::write(&history, &dropped).unwrap_or_default();
+        assert!(kept::parse(&written).is_ok_and(|(again, _)| again == history));
     }
 }
 

@@ -77,6 +77,22 @@ pub enum Error {
         /// What is wrong and what would be right.
         reason: String,
     },
+    /// A saved project breaks its schema.
+    #[error("{location}: {reason}")]
+    DamagedProject {
+        /// Path of the field.
+        location: String,
+        /// What is wrong.
+        reason: String,
+    },
+    /// A saved project is of a version that this program does not know yet.
+    #[error("{location}: {reason}")]
+    NewerProject {
+        /// Path of the field.
+        location: String,
+        /// What it is, and what is known.
+        reason: String,
+    },
     /// A trained filter bank breaks its format.
     #[error("filter bank {name}: {reason}")]
     InvalidBank {
@@ -121,6 +137,8 @@ impl Error {
             Self::InvalidStyle { .. } => "invalid-style",
             Self::InvalidLayout { .. } => "invalid-layout",
             Self::InvalidDocument { .. } => "invalid-document",
+            Self::DamagedProject { .. } => "damaged-project",
+            Self::NewerProject { .. } => "newer-project",
             Self::InvalidBank { .. } => "invalid-bank",
             Self::UnknownStyle(_) => "unknown-style",
             Self::UnknownLayout(_) => "unknown-layout",

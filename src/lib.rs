@@ -13,6 +13,9 @@
 //! | [`framing`] | which photo goes into which panel, and the crop that fits it |
 //! | [`style`] | chains of filter blocks in two layers |
 //! | [`page`] | panels, borders and paper composed into one page; PNG, JPEG, PDF |
+//! | [`document`] | the project that a person edits and saves: its pages, photos, styles and layouts |
+//!
+//! Under everything beside `raster`: [`error`], and [`json`], which reads JSON of strangers.
 //!
 //! On top, without algorithms of their own: `wasm`, `wasm_detect` and `wasm_words` with `wasm_files` (the web boundary, in three modules) and `main.rs` (the command line).
 //!
@@ -47,8 +50,10 @@
 
 #[cfg(feature = "detect")]
 pub mod detect;
+pub mod document;
 pub mod error;
 pub mod framing;
+pub mod json;
 pub mod layout;
 pub mod page;
 pub mod raster;

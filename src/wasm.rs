@@ -9,6 +9,7 @@
 pub mod album;
 #[cfg(feature = "bench")]
 mod bench;
+pub mod document_reading;
 mod frames;
 pub mod layouts;
 pub mod style;

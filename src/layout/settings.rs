@@ -1,15 +1,17 @@
 //! What belongs to the page and not to the template: size, gutter, margin, border, corners, colours.
 
-use serde::{Deserialize, Serialize};
+use serde::{Deserialize, Deserializer, Serialize};
+use serde_json::Value;
 
 use crate::error::{Error, Result};
+use crate::json::{Fields, Read, number, text, whole};
 
 /// Gutter of a page that says nothing else, in page widths.
 pub const DEFAULT_GUTTER: f64 = 0.018;
 
 /// The settings of one page. Lengths are fractions of the page's width unless a unit is given.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
-#[serde(rename_all = "camelCase", default, deny_unknown_fields)]
+#[derive(Debug, Clone, PartialEq, Serialize)]
+#[serde(rename_all = "camelCase")]
 pub struct PageSettings {
     /// Width of the exported page in pixels, 64..=14000.
     pub width: u32,
@@ -82,7 +84,42 @@ pub const PRESETS: [PagePreset; 8] = [
 /// The most pixels of an exported page: A1 at 300 dots an inch.
 const MOST_PIXELS: u64 = 72_000_000;
 
+impl<'de> Deserialize<'de> for PageSettings {
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> std::result::Result<Self, D::Error> {
+        Self::read(Value::deserialize(deserializer)?).map_err(serde::de::Error::custom)
+    }
+}
+
 impl PageSettings {
+    /// Reads settings; a missing field is as in the default. Their ranges are left to [`validate`](Self::validate).
+    ///
+    /// # Errors
+    /// For a field of another type, or one that is none of a page.
+    pub fn read(value: Value) -> Read<Self> {
+        let mut fields = Fields::of(value)?;
+        let mut page = Self::default();
+        let sides = [("width", &mut page.width), ("height", &mut page.height), ("dpi", &mut page.dpi)];
+        for (name, side) in sides {
+            *side = fields.read(name, whole(0..=u64::from(u32::MAX)))?.map_or(*side, |told| told as u32);
+        }
+        let lengths = [
+            ("gutter", &mut page.gutter),
+            ("margin", &mut page.margin),
+            ("border", &mut page.border),
+            ("cornerRadius", &mut page.corner_radius),
+        ];
+        for (name, length) in lengths {
+            *length = fields.read(name, number(f64::MIN..=f64::MAX))?.unwrap_or(*length);
+        }
+        for (name, color) in [("paper", &mut page.paper), ("borderColor", &mut page.border_color)] {
+            if let Some(told) = fields.read(name, text(7))? {
+                *color = told;
+            }
+        }
+        fields.done()?;
+        Ok(page)
+    }
+
     /// Width over height.
     #[must_use]
     pub fn aspect(&self) -> f64 {

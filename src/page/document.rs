@@ -1,19 +1,29 @@
 //! The page as plain data. The front end holds these documents, undoes to earlier ones and saves them; a
 //! document and the photos that it names make exactly one picture.
 
+use super::words::model::MOST_WORDS;
 use crate::error::{Error, Result};
 use crate::framing::Crop;
+use crate::json::{Fields, Read, Wrong, flag, list, name, number, whole};
 use crate::layout::{self, PageSettings, Template};
 use crate::style::{Style, catalogue};
-use serde::{Deserialize, Serialize};
-use serde_json::Value;
+use serde::{Deserialize, Deserializer, Serialize};
+use serde_json::{Map, Value};
 use std::borrow::Cow;
 
 /// Version of the shape below; a newer one is refused.
 pub const VERSION: u32 = 1;
+/// Most photos of a project, and with it of the order of a page.
+pub const MOST_PHOTOS: usize = 5_000;
+/// Most panels of a page: more than a layout has.
+const MOST_PANELS: usize = 100;
+/// Most characters of an id of a photo, a style or a layout.
+pub const LONGEST_ID: usize = 200;
+/// How far a crop may reach beyond its photo: numbers are rounded. And the least side of a crop.
+const SLACK: f64 = 1e-6;
 
 /// A storyboard page.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[derive(Debug, Clone, PartialEq, Serialize)]
 #[serde(rename_all = "camelCase")]
 pub struct Document {
     /// [`VERSION`].
@@ -25,37 +35,41 @@ pub struct Document {
     /// Id of a style, or a style in full.
     pub style: Value,
     /// Photos in reading order; there may be more than panels.
-    #[serde(default)]
     pub order: Vec<String>,
     /// What each panel shows, in paint order.
     pub panels: Vec<PanelContent>,
     /// Groups of panels that share one image.
-    #[serde(default)]
     pub merges: Vec<Vec<usize>>,
     /// Size, gutters and colours.
-    #[serde(default)]
     pub page: PageSettings,
     /// Words on the page, as [`Word`](super::words::Word) has them, in paint order. Whoever draws them checks them.
-    #[serde(default)]
     pub words: Vec<Value>,
+    /// Fields that this program does not know, kept for one that does.
+    #[serde(flatten)]
+    pub rest: Map<String, Value>,
 }
 
 /// What one panel shows.
-#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
+#[derive(Debug, Clone, PartialEq, Default, Serialize)]
 #[serde(rename_all = "camelCase")]
 pub struct PanelContent {
     /// Id of the photo; none leaves the panel empty.
-    #[serde(default)]
     pub photo: Option<String>,
     /// The part of the photo that fills the panel, or the group it is merged into.
-    #[serde(default)]
     pub crop: Option<Crop>,
     /// Kept by every shuffle.
-    #[serde(default)]
     pub locked: bool,
     /// The crop was made by hand: it stays while the photo stays in this panel.
-    #[serde(default)]
     pub edited: bool,
+    /// Fields that this program does not know, kept for one that does.
+    #[serde(flatten)]
+    pub rest: Map<String, Value>,
+}
+
+impl<'de> Deserialize<'de> for Document {
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> std::result::Result<Self, D::Error> {
+        Self::read(Value::deserialize(deserializer)?).map_err(serde::de::Error::custom)
+    }
 }
 
 impl Document {
@@ -64,35 +78,56 @@ impl Document {
     /// # Errors
     /// `invalid-document` for anything but a document of this version.
     pub fn parse(json: &str) -> Result<Self> {
-        let document: Self =
-            serde_json::from_str(json).map_err(|error| invalid("document", error.to_string()))?;
-        document.check()?;
+        let value = serde_json::from_str(json).map_err(|error| invalid("document", error.to_string()))?;
+        let document = Self::read(value).map_err(|wrong| invalid(&wrong.place, wrong.reason))?;
+        document.page.validate()?;
         Ok(document)
     }
 
-    fn check(&self) -> Result<()> {
-        if self.version != VERSION {
-            let reason = format!("is {}, this Inkpanel reads version {VERSION}", self.version);
-            return Err(invalid("version", reason));
+    /// Reads a document that stands in another. Whether its layout, style, words and settings are good is not asked.
+    ///
+    /// # Errors
+    /// With the place of what is wrong.
+    pub fn read(value: Value) -> Read<Self> {
+        let mut fields = Fields::of(value)?;
+        let known = u64::from(VERSION);
+        match whole(1..=u64::MAX)(fields.required("version")?).map_err(|wrong| wrong.at("version"))? {
+            version if version > known => return Err(Wrong::newer(version, known).at("version")),
+            _ => {}
         }
-        self.page.validate()?;
-        let panels = self.panels.len();
-        let mut seen = vec![false; panels];
+        let seed =
+            whole(0..=u64::from(u32::MAX))(fields.required("seed")?).map_err(|wrong| wrong.at("seed"))?;
+        let panels = list(MOST_PANELS, PanelContent::read)(fields.required("panels")?);
+        let panels = panels.map_err(|wrong| wrong.at("panels"))?;
+        let panel = |value| whole(0..=MOST_PANELS as u64)(value).map(|panel| panel as usize);
+        let merges = fields.read("merges", list(MOST_PANELS, list(MOST_PANELS, panel)))?;
+        let document = Self {
+            version: VERSION,
+            seed: seed as u32,
+            layout: fields.required("layout")?,
+            style: fields.required("style")?,
+            order: fields.read("order", list(MOST_PHOTOS, name(LONGEST_ID)))?.unwrap_or_default(),
+            panels,
+            // A panel shares its image with others, or with none.
+            merges: merges
+                .unwrap_or_default()
+                .into_iter()
+                .filter(|group: &Vec<usize>| group.len() > 1)
+                .collect(),
+            page: fields.read("page", PageSettings::read)?.unwrap_or_default(),
+            words: fields.read("words", list(MOST_WORDS, Ok))?.unwrap_or_default(),
+            rest: fields.rest(),
+        };
+        document.check_merges().map_err(|wrong| wrong.at("merges"))?;
+        Ok(document)
+    }
+
+    fn check_merges(&self) -> Read<()> {
+        let mut seen = vec![false; self.panels.len()];
         for &panel in self.merges.iter().flatten() {
             match seen.get_mut(panel) {
                 Some(seen) if !*seen => *seen = true,
-                _ => return Err(invalid("merges", format!("panel {panel} is missing or merged twice"))),
-            }
-        }
-        for (i, crop) in self.panels.iter().enumerate().filter_map(|(i, panel)| Some((i, panel.crop?))) {
-            let inside = crop.x >= -1e-6
-                && crop.y >= -1e-6
-                && crop.width > 0.0
-                && crop.height > 0.0
-                && crop.x + crop.width <= 1.0 + 1e-6
-                && crop.y + crop.height <= 1.0 + 1e-6;
-            if !inside {
-                return Err(invalid(&format!("panels[{i}].crop"), "reaches beyond the photo"));
+                _ => return Err(Wrong::new(format!("panel {panel} is missing or merged twice"))),
             }
         }
         Ok(())
@@ -119,6 +154,33 @@ impl Document {
     pub fn merge_of(&self, index: usize) -> Option<&[usize]> {
         self.merges.iter().find(|group| group.contains(&index)).map(Vec::as_slice)
     }
+}
+
+impl PanelContent {
+    fn read(value: Value) -> Read<Self> {
+        let mut fields = Fields::of(value)?;
+        Ok(Self {
+            photo: fields.nullable("photo", name(LONGEST_ID))?,
+            crop: fields.nullable("crop", crop)?,
+            locked: fields.nullable("locked", flag)?.unwrap_or_default(),
+            edited: fields.nullable("edited", flag)?.unwrap_or_default(),
+            rest: fields.rest(),
+        })
+    }
+}
+
+/// A crop, which must lie inside of its photo.
+fn crop(value: Value) -> Read<Crop> {
+    let mut fields = Fields::of(value)?;
+    let mut side = |name: &str, range| number(range)(fields.required(name)?).map_err(|wrong| wrong.at(name));
+    let (x, y) = (side("x", -SLACK..=1.0)?, side("y", -SLACK..=1.0)?);
+    let sides = SLACK..=1.0 + SLACK;
+    let (width, height) = (side("width", sides.clone())?, side("height", sides)?);
+    fields.done()?;
+    if x + width > 1.0 + SLACK || y + height > 1.0 + SLACK {
+        return Err(Wrong::new("reaches beyond the photo"));
+    }
+    Ok(Crop { x, y, width, height })
 }
 
 /// A template by id, or one given in full.

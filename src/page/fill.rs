@@ -54,6 +54,7 @@ pub(super) fn choose_photos(
                 // An empty panel may be locked too.
                 locked: head.is_some_and(|head| locked[head]) || before(i).is_some_and(|panel| panel.locked),
                 edited: assigned.is_some_and(|a| edited(leader(i), &photos[a.photo].id)),
+                rest: before(i).map(|panel| panel.rest.clone()).unwrap_or_default(),
             }
         })
         .collect();

@@ -46,6 +46,7 @@ pub fn plan(request: &Request) -> Result<Document> {
         page: request.page.clone(),
         // Words follow their panels into another layout.
         words: current.map(|current| current.words.clone()).unwrap_or_default(),
+        rest: current.map(|current| current.rest.clone()).unwrap_or_default(),
     })
 }
 

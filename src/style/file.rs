@@ -142,7 +142,7 @@ impl Param {
     }
 
     /// Reads a value, or says what would be right.
-    fn value_from_json(&self, value: &Value) -> std::result::Result<f32, String> {
+    pub(crate) fn value_from_json(&self, value: &Value) -> std::result::Result<f32, String> {
         let in_range = |number: f64| {
             let (min, max) = self.kind.range();
             // As an f32, which the bounds are, too: 0.3 is no less than 0.3.
