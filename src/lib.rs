@@ -50,18 +50,25 @@
 
 #[cfg(feature = "detect")]
 pub mod detect;
+#[cfg(feature = "pages")]
 pub mod document;
 pub mod error;
+#[cfg(feature = "pages")]
 pub mod framing;
+#[cfg(feature = "pages")]
 pub mod json;
+#[cfg(feature = "pages")]
 pub mod layout;
+#[cfg(feature = "pages")]
 pub mod page;
 pub mod raster;
+#[cfg(feature = "pages")]
 pub mod select;
 pub mod simd;
+#[cfg(feature = "pages")]
 pub mod style;
 
-#[cfg(all(target_arch = "wasm32", not(feature = "detect"), not(feature = "words")))]
+#[cfg(all(target_arch = "wasm32", feature = "pages", not(feature = "detect"), not(feature = "words")))]
 pub mod wasm;
 #[cfg(all(target_arch = "wasm32", feature = "detect"))]
 pub mod wasm_detect;

@@ -15,11 +15,11 @@ import { build } from 'vite';
 const WORKER = 'service-worker.js';
 const SOURCE = fileURLToPath(new URL('./service-worker/main.js', import.meta.url));
 /** The nets and their module: larger than all the rest, and not everyone's. */
-const ON_USE = /^assets\/(?:detector-[^/]*\.wasm|[^/]*\.onnx)$/;
+const ON_USE = /^assets\/(?:nets-[^/]*\.wasm|[^/]*\.onnx)$/;
 /** The sample album can be tried without a connection, but nobody needs it. */
 const EXTRAS = /^samples\/.*\.(?:jpg|json)$/;
-/** Not asked for by the page. */
-const NOT = /\.(?:md|map)$/;
+/** Not asked for by the page, or still being built while it is served. */
+const NOT = /\.(?:md|map)$|^assets\/nets-later\./;
 
 /** @returns {import('vite').Plugin} */
 export function siteFiles() {

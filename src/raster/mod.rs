@@ -2,18 +2,27 @@
 
 mod axis;
 pub mod color;
+#[cfg(feature = "pages")]
 pub mod decode;
+#[cfg(feature = "pages")]
 mod exif;
+#[cfg(feature = "pages")]
 mod gif;
+#[cfg(feature = "pages")]
 mod icc;
 pub mod image;
+#[cfg(feature = "pages")]
 mod jpeg;
+#[cfg(feature = "pages")]
 pub mod orient;
 pub mod plane;
+#[cfg(feature = "pages")]
 mod png;
 pub mod resize;
+#[cfg(feature = "pages")]
 mod samples;
 mod separable;
+#[cfg(feature = "pages")]
 mod tiff;
 
 pub use image::Image;

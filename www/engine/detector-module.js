@@ -1,26 +1,26 @@
 // @ts-check
 /** What the workers of all nets begin with: the module that they share, and the file of a net. */
 
-import initDetector from '../pkg-detector/inkpanel.js';
 import { fetchKept, isPage } from './kept.js';
+import { MODULE, SCRIPT } from './nets-files.js';
 import { failure } from './protocol.js';
 
-const MODULE = new URL('../pkg-detector/inkpanel_bg.wasm', import.meta.url);
+/** @typedef {typeof import('../pkg-detector/inkpanel.js')} Nets */
 
 /**
  * A net in two steps: `load` fetches what it needs, which costs hardly any time of a core; `ready` gives the net, made at
  * the first call. What failed is tried again when it is asked for again.
  * @template T
  * @param {URL | string} address
- * @param {(net: Uint8Array) => T} make
+ * @param {(nets: Nets, net: Uint8Array) => T} make
  * @returns {{ load: () => Promise<unknown>, ready: () => Promise<T> }}
  */
 export function net(address, make) {
-  const files = onceMore(() => Promise.all([MODULE, address].map(load)));
+  const files = onceMore(() => Promise.all([script(), load(MODULE), load(address)]));
   const made = onceMore(async () => {
-    const [module, onnx] = await files.get();
-    await initDetector({ module_or_path: module });
-    const net = make(new Uint8Array(onnx));
+    const [nets, module, onnx] = await files.get();
+    await nets.default({ module_or_path: module });
+    const net = make(nets, new Uint8Array(onnx));
     files.forget();
     return net;
   });
@@ -46,9 +46,18 @@ function onceMore(begin) {
   return { get, forget };
 }
 
+/** @returns {Promise<Nets>} the script of the module */
+function script() {
+  return import(/* @vite-ignore */ SCRIPT.href).catch(() => { throw missing(); });
+}
+
 /** @param {URL | string} address */
 async function load(address) {
   const response = await fetchKept(String(address)).catch(() => null);
-  if (!response?.ok || isPage(response)) throw failure('detector-missing', 'The detectors could not be loaded.');
+  if (!response?.ok || isPage(response)) throw missing();
   return response.arrayBuffer();
+}
+
+function missing() {
+  return failure('detector-missing', 'The detectors could not be loaded.');
 }

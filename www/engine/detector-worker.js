@@ -4,13 +4,12 @@
  * loaded with the first job.
  */
 
-import { FaceDetector, ObjectDetector } from '../pkg-detector/inkpanel.js';
 import { net } from './detector-module.js';
 import { LOOKS } from './measured.js';
 import { LOADING, serveJobs } from './serving.js';
 
-const faces = net(new URL('../models/faces.onnx', import.meta.url), (onnx) => new FaceDetector(onnx));
-const objects = net(new URL('../models/objects.onnx', import.meta.url), (onnx) => new ObjectDetector(onnx));
+const faces = net(new URL('../models/faces.onnx', import.meta.url), ({ FaceDetector }, onnx) => new FaceDetector(onnx));
+const objects = net(new URL('../models/objects.onnx', import.meta.url), ({ ObjectDetector }, onnx) => new ObjectDetector(onnx));
 
 /** @typedef {import('./protocol.js').PhotoHandle} PhotoHandle */
 /** @typedef {import('./detector.js').Found} Found */

@@ -22,7 +22,7 @@ pub(crate) fn run(project: &Project, filter: &[String], alone: bool) -> Result<(
     } else {
         npm::install(project)?;
     }
-    wasm::build(project, &wasm::bench(project))?;
+    wasm::build(project, &wasm::bench(project), wasm::Purpose::Publish)?;
     install_peers(project)?;
     let mut bench = Command::new("node");
     bench.arg("bench/run.js").current_dir(&project.root).env("CHROMIUM", browser);

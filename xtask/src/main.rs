@@ -10,6 +10,7 @@ mod corpora;
 mod debian;
 mod duplicates;
 mod faces;
+mod lane;
 mod licences;
 mod models;
 mod native;

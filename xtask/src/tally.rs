@@ -1,12 +1,12 @@
 //! Counts what passed and failed from the summary lines of cargo test, Vitest and Playwright.
 
-use std::io::{BufRead, BufReader, IsTerminal, stdout};
+use std::io::{IsTerminal, stdout};
 use std::ops::AddAssign;
-use std::process::{Command, Stdio};
+use std::process::Command;
 
-use anyhow::{Context, Result};
+use anyhow::Result;
 
-use crate::tools;
+use crate::lane;
 
 /// Tests of one suite, or of all.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -28,16 +28,12 @@ pub(crate) fn count(command: &mut Command) -> Result<(Tally, bool)> {
     if stdout().is_terminal() {
         command.env("CARGO_TERM_COLOR", "always").env("FORCE_COLOR", "1");
     }
-    let mut child =
-        command.stdout(Stdio::piped()).spawn().map_err(|error| tools::cannot_start(command, &error))?;
-    let printed = child.stdout.take().context("the output of a child is a pipe")?;
+    let (mut child, printed) = lane::start(command)?;
     let mut tally = Tally::default();
-    for line in BufReader::new(printed).split(b'\n') {
-        let line = line?;
-        let line = String::from_utf8_lossy(&line);
-        println!("{line}");
-        tally += summary(&without_colour(&line));
-    }
+    lane::lines(printed, |line| {
+        lane::say(line);
+        tally += summary(&without_colour(line));
+    })?;
     Ok((tally, child.wait()?.success()))
 }
 

@@ -1,39 +1,82 @@
 //! Every test there is. All suites run even when one fails; a summary tells what ran, and how long it took.
 
 use std::process::Command;
+use std::thread;
 use std::time::{Duration, Instant};
 
 use anyhow::{Result, bail};
 
 use crate::project::Project;
 use crate::tally::{self, Tally};
-use crate::{budget, chromium, corpora, licences, models, npm, package, poppler, site, tools};
+use crate::{budget, chromium, corpora, lane, licences, models, npm, package, poppler, site, tools};
 
 /// One kind of test.
 struct Suite {
     name: &'static str,
-    needs_site: bool,
+    lane: Lane,
+    needs: Needs,
     run: fn(&Project) -> Result<Outcome>,
+}
+
+/// What runs one after the other; the two lanes run side by side.
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum Lane {
+    /// The compiler for this machine, and what it makes.
+    Native,
+    /// The modules, the site, and browsers.
+    Web,
+}
+
+/// What must be there before a suite runs.
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum Needs {
+    Nothing,
+    /// The packages of www.
+    Packages,
+    /// The modules of the page, which have their types.
+    Modules,
+    /// The built site.
+    Site,
 }
 
 /// How a suite ended: its count of tests, if its runner tells, and whether all was well.
 type Outcome = (Tally, bool);
 
 const SUITES: &[Suite] = &[
-    Suite { name: "format", needs_site: false, run: format },
-    Suite { name: "lint", needs_site: false, run: lint },
-    Suite { name: "licences", needs_site: false, run: |project| checked(licences::check(project)) },
-    Suite { name: "models", needs_site: false, run: |project| checked(models::make(project)) },
-    Suite { name: "rust", needs_site: false, run: rust },
-    Suite { name: "docs", needs_site: false, run: docs },
-    Suite { name: "build", needs_site: false, run: |project| checked(site::build(project)) },
-    Suite { name: "size", needs_site: true, run: |project| checked(budget::check(project)) },
-    Suite { name: "types", needs_site: true, run: types },
-    Suite { name: "unit", needs_site: true, run: unit },
-    Suite { name: "wasm", needs_site: true, run: wasm },
-    Suite { name: "page", needs_site: true, run: page },
-    Suite { name: "package", needs_site: false, run: package::check },
-    Suite { name: "corpora", needs_site: false, run: corpora::check },
+    Suite { name: "format", lane: Lane::Native, needs: Needs::Nothing, run: format },
+    Suite { name: "lint", lane: Lane::Native, needs: Needs::Packages, run: lint },
+    Suite {
+        name: "licences",
+        lane: Lane::Native,
+        needs: Needs::Nothing,
+        run: |project| checked(licences::check(project)),
+    },
+    Suite { name: "rust", lane: Lane::Native, needs: Needs::Nothing, run: rust },
+    Suite { name: "docs", lane: Lane::Native, needs: Needs::Nothing, run: docs },
+    Suite { name: "corpora", lane: Lane::Native, needs: Needs::Nothing, run: corpora::check },
+    Suite {
+        name: "models",
+        lane: Lane::Web,
+        needs: Needs::Nothing,
+        run: |project| checked(models::make(project)),
+    },
+    Suite { name: "unit", lane: Lane::Web, needs: Needs::Packages, run: unit },
+    Suite {
+        name: "build",
+        lane: Lane::Web,
+        needs: Needs::Packages,
+        run: |project| checked(site::build(project)),
+    },
+    Suite {
+        name: "size",
+        lane: Lane::Web,
+        needs: Needs::Modules,
+        run: |project| checked(budget::check(project)),
+    },
+    Suite { name: "types", lane: Lane::Web, needs: Needs::Modules, run: types },
+    Suite { name: "wasm", lane: Lane::Web, needs: Needs::Modules, run: wasm },
+    Suite { name: "page", lane: Lane::Web, needs: Needs::Site, run: page },
+    Suite { name: "package", lane: Lane::Web, needs: Needs::Modules, run: package::check },
 ];
 
 /// The examples of stages, and what each is given.
@@ -56,29 +99,71 @@ pub(crate) fn run(project: &Project, names: &[String]) -> Result<()> {
         let known: Vec<_> = SUITES.iter().map(|suite| suite.name).collect();
         bail!("no suite is called {unknown}; there are {}", known.join(", "));
     }
-    let wanted = |suite: &Suite| names.is_empty() || names.iter().any(|name| name == suite.name);
-    let site = SUITES.iter().any(|suite| wanted(suite) && suite.needs_site);
-    let mut built = true;
-    let mut total = Tally::default();
-    let mut lines = Vec::new();
-    for suite in SUITES.iter().filter(|suite| wanted(suite) || site && suite.name == "build") {
-        println!("\n== {}", suite.name);
-        let start = Instant::now();
-        let result = if suite.needs_site && !built {
-            Err(anyhow::anyhow!("not run, as the site was not built"))
-        } else {
-            (suite.run)(project)
-        };
-        let tally = judge(result);
-        built &= suite.name != "build" || tally.failed == 0;
-        total += tally;
-        lines.push(line(suite.name, tally, start.elapsed()));
+    let start = Instant::now();
+    let wanted: Vec<_> = SUITES
+        .iter()
+        .filter(|suite| names.is_empty() || names.iter().any(|name| name == suite.name))
+        .collect();
+    // Both lanes read the nets, and one of them writes what is missing.
+    models::make_or_warn(project);
+    if wanted.iter().any(|suite| suite.needs != Needs::Nothing) {
+        npm::install(project)?;
     }
-    println!("\n{}\n{} passed, {} failed", lines.join("\n"), total.passed, total.failed);
+    let lane = |lane: Lane| {
+        let suites: Vec<_> = wanted.iter().copied().filter(|suite| suite.lane == lane).collect();
+        run_lane(project, &suites)
+    };
+    let lines = thread::scope(|scope| {
+        let native = scope.spawn(|| lane(Lane::Native));
+        let mut lines = lane(Lane::Web);
+        lines.extend(
+            native.join().unwrap_or_else(|_| vec![("lane", Tally { passed: 0, failed: 1 }, start.elapsed())]),
+        );
+        lines
+    });
+    let total = lines.iter().fold(Tally::default(), |mut total, (_, tally, _)| {
+        total += *tally;
+        total
+    });
+    println!();
+    for (name, tally, took) in lines {
+        println!("{}", line(name, tally, took));
+    }
+    println!("all in {:.1} min", start.elapsed().as_secs_f64() / 60.0);
+    println!("{} passed, {} failed", total.passed, total.failed);
     if total.failed > 0 {
         bail!("some tests failed");
     }
     Ok(())
+}
+
+/// Runs suites one after the other; what one of them needs and no suite before it built is built first.
+fn run_lane(project: &Project, suites: &[&Suite]) -> Vec<(&'static str, Tally, Duration)> {
+    let mut built = None;
+    let mut lines = Vec::new();
+    for suite in suites {
+        let start = Instant::now();
+        let result = lane::named(suite.name, || {
+            lane::say("begins");
+            match (suite.needs, built) {
+                (Needs::Modules | Needs::Site, Some(false)) => {
+                    bail!("not run, as the site was not built")
+                }
+                (Needs::Modules, None) => site::build_modules(project)?,
+                (Needs::Site, None) => site::build(project)?,
+                _ => {}
+            }
+            (suite.run)(project)
+        });
+        let tally = judge(result);
+        if suite.name == "build" {
+            built = Some(tally.failed == 0);
+        }
+        let line = line(suite.name, tally, start.elapsed());
+        println!("{line}");
+        lines.push((suite.name, tally, start.elapsed()));
+    }
+    lines
 }
 
 /// The count of a suite; one without a count of its own is one check, and a failure that no test explains
@@ -116,11 +201,13 @@ fn format(project: &Project) -> Result<Outcome> {
 /// Clippy for this machine and, as it is compiled nowhere else, the web boundaries for wasm.
 fn lint(project: &Project) -> Result<Outcome> {
     let strict = ["--", "-D", "warnings"];
-    for choice in [&["--workspace"][..], &["--package", "inkpanel", "--no-default-features"]] {
+    for choice in
+        [&["--workspace"][..], &["--package", "inkpanel", "--no-default-features", "--features", "pages"]]
+    {
         tools::run(project.cargo().arg("clippy").args(choice).arg("--all-targets").args(strict))?;
     }
     crate::wasm::install_target()?;
-    for features in ["", "detect", "words"] {
+    for features in ["pages", "detect", "words"] {
         let web = [
             "clippy",
             "--package",

@@ -6,12 +6,20 @@ use std::process::{Command, Stdio};
 
 use anyhow::{Result, anyhow, bail};
 
+use crate::lane;
+
 /// Runs a program with its output on this terminal.
 ///
 /// # Errors
 /// When it is missing or ends with a failure.
 pub(crate) fn run(command: &mut Command) -> Result<()> {
-    let status = command.status().map_err(|error| cannot_start(command, &error))?;
+    let status = if lane::name().is_some() {
+        let (mut child, printed) = lane::start(command)?;
+        lane::lines(printed, lane::say)?;
+        child.wait()?
+    } else {
+        command.status().map_err(|error| cannot_start(command, &error))?
+    };
     if !status.success() {
         bail!("`{}` failed ({status})", line(command));
     }

@@ -1,19 +1,33 @@
-//! The crate as wasm modules, the core and the detectors: cargo, then wasm-bindgen as a library (so its version is the one in Cargo.lock),
-//! then wasm-opt from the npm package `binaryen`, and what it leaves to do.
+//! The crate as the modules of the page: cargo, then wasm-bindgen as a library (so its version is the one in Cargo.lock),
+//! and for what is published wasm-opt from the npm package `binaryen`, and what it leaves to do.
 
 use std::fs;
 use std::path::{Path, PathBuf};
 use std::process::Command;
+use std::thread;
 
 use anyhow::{Context, Result, bail};
 use wasm_bindgen_cli_support::Bindgen;
 
 use crate::project::Project;
 use crate::stamp::{Inputs, Stamp};
-use crate::{clamps, npm, tools};
+use crate::{clamps, lane, npm, tools};
 
 /// What rustc calls the browser.
 pub(crate) const TARGET: &str = "wasm32-unknown-unknown";
+
+/// What the modules are made of, in the top folder.
+const SOURCES: [&str; 9] = [
+    ".cargo/config.toml",
+    "Cargo.lock",
+    "Cargo.toml",
+    "build.rs",
+    "fonts",
+    "layouts",
+    "modules",
+    "src",
+    "styles",
+];
 
 /// What wasm-opt may use. `.cargo/config.toml` turns the same features on for rustc.
 const OPTIMISE: &[&str] = &[
@@ -28,93 +42,167 @@ const OPTIMISE: &[&str] = &[
     "--strip-producers",
 ];
 
-/// One build of the crate for the browser.
+/// Who a module is built for.
+#[derive(Clone, Copy, PartialEq, Eq)]
+pub(crate) enum Purpose {
+    /// Whoever waits for it on this machine: compiled by all cores, hardly slower.
+    Serve,
+    /// Everyone: small and fast, whatever it takes.
+    Publish,
+}
+
+/// One of the modules of the page: a crate of `modules/`.
 pub(crate) struct Module {
     /// Name of the stamp.
     pub(crate) name: &'static str,
-    /// Cargo features, without the default ones.
-    pub(crate) features: &'static [&'static str],
-    /// Cargo profile.
-    pub(crate) profile: &'static str,
-    /// What wasm-opt shall aim at: `-O3` speed, `-Oz` size.
-    pub(crate) level: &'static str,
+    /// The crate.
+    package: &'static str,
+    /// Its features.
+    features: &'static str,
+    /// Cargo profile of what is published.
+    profile: &'static str,
+    /// What wasm-opt shall aim at in what is published: `-O3` speed, `-Oz` size.
+    level: &'static str,
     /// Folder of `inkpanel.js`, `inkpanel.d.ts` and `inkpanel_bg.wasm`.
     pub(crate) folder: PathBuf,
 }
 
 /// The module that the page loads.
 pub(crate) fn core(project: &Project) -> Module {
-    fast("core", &[], project.www().join("pkg"))
+    Module { name: "core", folder: project.www().join("pkg"), ..fast() }
 }
 
 /// The detectors, which the page loads after its first page is drawn. The time goes into tract's kernels, which the
 /// profile compiles for speed; the rest is large.
 pub(crate) fn detectors(project: &Project) -> Module {
     let folder = project.www().join("pkg-detector");
-    Module { name: "detector", features: &["detect"], profile: "wasm-detect", level: "-Oz", folder }
+    Module { name: "detectors", package: "inkpanel-detectors", folder, ..small() }
 }
 
 /// The module of words and files, which a page loads when it first has words or becomes another file than PNG: small, as
 /// nobody waits for what it does.
 pub(crate) fn words(project: &Project) -> Module {
-    let folder = project.www().join("pkg-words");
-    Module { name: "words", features: &["words"], profile: "wasm-detect", level: "-Oz", folder }
+    Module { name: "words", package: "inkpanel-words", folder: project.www().join("pkg-words"), ..small() }
 }
 
-/// The same with the benchmark's entry point.
+/// The core with the benchmark's entry point.
 pub(crate) fn bench(project: &Project) -> Module {
-    fast("bench", &["bench"], project.target.join("bench/pkg"))
+    Module { name: "bench", features: "bench", folder: project.target.join("bench/pkg"), ..fast() }
 }
 
-fn fast(name: &'static str, features: &'static [&'static str], folder: PathBuf) -> Module {
-    Module { name, features, profile: "wasm", level: "-O3", folder }
+fn fast() -> Module {
+    let folder = PathBuf::new();
+    Module { name: "", package: "inkpanel-core", features: "", profile: "wasm", level: "-O3", folder }
 }
 
-/// Builds a module; the slow steps after cargo are skipped when its output is the same as last time. The npm
-/// packages must be installed.
-pub(crate) fn build(project: &Project, module: &Module) -> Result<()> {
+fn small() -> Module {
+    Module { profile: "wasm-detect", level: "-Oz", ..fast() }
+}
+
+/// Builds modules unless they are there for this purpose. The npm packages must be installed.
+///
+/// # Errors
+/// When one does not compile; the others are built all the same.
+pub(crate) fn build_all(project: &Project, modules: &[Module], purpose: Purpose) -> Result<()> {
+    // Each profile has a lock of its own, and the last steps of each module have use for one core only.
+    let mut by_profile: Vec<Vec<&Module>> = Vec::new();
+    for module in modules {
+        match by_profile.iter_mut().find(|group| module.profile(purpose) == group[0].profile(purpose)) {
+            Some(group) => group.push(module),
+            None => by_profile.push(vec![module]),
+        }
+    }
     install_target()?;
-    compile(project, module)?;
-    let compiled = project.target.join(TARGET).join(module.profile).join("inkpanel.wasm");
-    let mut inputs = Inputs::default();
-    inputs.path(&compiled, &[])?.path(&project.www().join("node_modules/binaryen/package.json"), &[])?;
-    inputs.path(&project.root.join("Cargo.lock"), &[])?.value(include_str!("wasm.rs"));
-    inputs.value(include_str!("clamps.rs"));
-    let stamp = Stamp::new(project, module.name, &inputs);
-    let optimised = module.folder.join("inkpanel_bg.wasm");
-    if stamp.is_current(&optimised) {
+    let lane = lane::name();
+    let build = |group: &Vec<&Module>| {
+        let all = || group.iter().try_for_each(|module| build(project, module, purpose));
+        lane.map_or_else(all, |name| lane::named(name, all))
+    };
+    thread::scope(|scope| {
+        let running: Vec<_> = by_profile.iter().map(|group| scope.spawn(|| build(group))).collect();
+        running.into_iter().try_for_each(|one| one.join().unwrap_or_else(|_| bail!("a build panicked")))
+    })
+}
+
+/// Builds a module unless it is there for this purpose. The npm packages must be installed.
+pub(crate) fn build(project: &Project, module: &Module, purpose: Purpose) -> Result<()> {
+    if module.is_current(project, purpose)? {
         return Ok(());
     }
-    println!("wasm-bindgen and wasm-opt: {} module", module.name);
+    install_target()?;
+    compile(project, module, purpose)?;
+    finish(project, module, purpose)
+}
+
+/// Compiles a module. What is compiled already takes no time.
+pub(crate) fn compile(project: &Project, module: &Module, purpose: Purpose) -> Result<()> {
+    let mut cargo = project.cargo();
+    cargo.args(["build", "--package", module.package, "--target", TARGET]);
+    cargo.args(["--profile", module.profile(purpose), "--features", module.features]);
+    if purpose == Purpose::Publish {
+        cargo.args(["--config", &without_local_paths(project)]);
+    }
+    tools::run(&mut cargo)
+}
+
+/// Makes a compiled module loadable, and small where it is published.
+pub(crate) fn finish(project: &Project, module: &Module, purpose: Purpose) -> Result<()> {
+    let stamp = module.stamp(project, purpose)?;
+    println!(
+        "wasm-bindgen{}: {}",
+        if purpose == Purpose::Publish { " and wasm-opt" } else { "" },
+        module.name
+    );
+    let file = format!("{}.wasm", module.package.replace('-', "_"));
+    let compiled = project.target.join(TARGET).join(module.profile(purpose)).join(file);
+    // A change of the sources may change nothing of what is compiled.
+    let mut made = Inputs::default();
+    made.path(&compiled, &[])?
+        .value(module.level)
+        .value(include_str!("wasm.rs"))
+        .value(include_str!("clamps.rs"));
+    made.value(module.profile(purpose)).path(&project.www().join("package-lock.json"), &[])?;
+    let made = Stamp::new(project, &format!("{}-made", module.name), &made);
+    if made.is_current(&module.folder.join("inkpanel_bg.wasm")) {
+        return stamp.keep();
+    }
     let fresh = project.target.join("xtask").join(module.name);
     clear(&fresh)?;
     bind(&compiled, &fresh)?;
-    optimise(project, &fresh.join("inkpanel_bg.wasm"), module.level)?;
+    if purpose == Purpose::Publish {
+        optimise(project, &fresh.join("inkpanel_bg.wasm"), module.level)?;
+    }
     clear(&module.folder)?;
     for entry in fs::read_dir(&fresh)? {
         let entry = entry?;
         fs::copy(entry.path(), module.folder.join(entry.file_name()))?;
     }
+    made.keep()?;
     stamp.keep()
 }
 
-fn compile(project: &Project, module: &Module) -> Result<()> {
-    tools::run(
-        project
-            .cargo()
-            .args([
-                "build",
-                "--package",
-                "inkpanel",
-                "--lib",
-                "--profile",
-                module.profile,
-                "--target",
-                TARGET,
-            ])
-            .args(["--no-default-features", "--features", &module.features.join(",")])
-            .args(["--config", &without_local_paths(project)]),
-    )
+impl Module {
+    fn profile(&self, purpose: Purpose) -> &'static str {
+        if purpose == Purpose::Serve { "wasm-serve" } else { self.profile }
+    }
+
+    /// Whether the module is there, for this purpose or a higher one, as its sources are now.
+    pub(crate) fn is_current(&self, project: &Project, purpose: Purpose) -> Result<bool> {
+        let module = self.folder.join("inkpanel_bg.wasm");
+        let there = |purpose| -> Result<bool> { Ok(self.stamp(project, purpose)?.is_current(&module)) };
+        Ok(there(Purpose::Publish)? || purpose == Purpose::Serve && there(purpose)?)
+    }
+
+    fn stamp(&self, project: &Project, purpose: Purpose) -> Result<Stamp> {
+        let mut inputs = Inputs::default();
+        for source in SOURCES {
+            inputs.path(&project.root.join(source), &[])?;
+        }
+        inputs.value(self.package).value(self.features).value(self.profile(purpose)).value(self.level);
+        inputs.value(include_str!("wasm.rs")).value(include_str!("clamps.rs"));
+        inputs.path(&project.www().join("package-lock.json"), &[])?;
+        Ok(Stamp::new(project, self.name, &inputs))
+    }
 }
 
 /// Panic messages carry source paths; in what is published they start at the crate, not at someone's home.
@@ -128,7 +216,12 @@ fn without_local_paths(project: &Project) -> String {
 
 fn bind(compiled: &Path, folder: &Path) -> Result<()> {
     let mut bindgen = Bindgen::new();
-    bindgen.input_path(compiled).web(true)?.typescript(true).omit_default_module_path(false);
+    bindgen
+        .input_path(compiled)
+        .out_name("inkpanel")
+        .web(true)?
+        .typescript(true)
+        .omit_default_module_path(false);
     bindgen.generate(folder).context("wasm-bindgen")
 }
 

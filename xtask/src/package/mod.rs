@@ -39,9 +39,7 @@ fn build(project: &Project) -> Result<PathBuf> {
     npm::install(project)?;
     models::make(project)?;
     let modules = [wasm::core(project), wasm::words(project), wasm::detectors(project)];
-    for module in &modules {
-        wasm::build(project, module)?;
-    }
+    wasm::build_all(project, &modules, wasm::Purpose::Publish)?;
     let folder = project.target.join("package").join(NAME);
     if folder.exists() {
         fs::remove_dir_all(&folder)?;

@@ -1,0 +1,30 @@
+// @ts-check
+/**
+ * The module of the nets as files of the site, which no other code has in it: the page can be built and served before it
+ * is there. With `INKPANEL_NETS=later` the site names files without content, which whoever serves it fills.
+ */
+
+import { createHash } from 'node:crypto';
+import { readFileSync } from 'node:fs';
+import { fileURLToPath } from 'node:url';
+
+const FOLDER = fileURLToPath(new URL('./pkg-detector/', import.meta.url));
+const [SCRIPT, MODULE] = ['inkpanel.js', 'inkpanel_bg.wasm'];
+
+/** @returns {import('vite').Plugin} */
+export function netsModule() {
+  const later = process.env.INKPANEL_NETS === 'later';
+  const parts = [SCRIPT, MODULE].map((name) => {
+    const source = later ? '' : readFileSync(FOLDER + name);
+    const mark = later ? 'later' : createHash('sha256').update(source).digest('hex').slice(0, 8);
+    return { name: `nets-${mark}.${name.split('.')[1]}`, source };
+  });
+  return {
+    name: 'inkpanel-nets-module',
+    apply: 'build',
+    config: () => ({ define: { INKPANEL_NETS: JSON.stringify(parts.map(({ name }) => name)) } }),
+    buildStart() {
+      for (const { name, source } of parts) this.emitFile({ type: 'asset', fileName: `assets/${name}`, source });
+    },
+  };
+}

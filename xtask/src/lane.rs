@@ -1,0 +1,59 @@
+//! Whose output a line is, where several things run side by side: each line of a program begins with the name of what
+//! it belongs to.
+
+use std::cell::Cell;
+use std::io::{BufRead, BufReader, PipeReader, pipe};
+use std::process::{Child, Command};
+
+use anyhow::Result;
+
+use crate::tools;
+
+thread_local! {
+    static NAME: Cell<Option<&'static str>> = const { Cell::new(None) };
+}
+
+/// Runs something under a name: what it and its programs print begins with it.
+pub(crate) fn named<T>(name: &'static str, run: impl FnOnce() -> T) -> T {
+    NAME.set(Some(name));
+    let result = run();
+    NAME.set(None);
+    result
+}
+
+/// The name that this thread runs under.
+pub(crate) fn name() -> Option<&'static str> {
+    NAME.get()
+}
+
+/// Prints a line under the name that this thread runs under.
+pub(crate) fn say(line: &str) {
+    match name() {
+        Some(name) => println!("{name:<9}| {line}"),
+        None => println!("{line}"),
+    }
+}
+
+/// Starts a program whose two outputs are one.
+///
+/// # Errors
+/// When it cannot be started.
+pub(crate) fn start(command: &mut Command) -> Result<(Child, BufReader<PipeReader>)> {
+    let (reader, writer) = pipe()?;
+    command.stdout(writer.try_clone()?).stderr(writer);
+    let child = command.spawn().map_err(|error| tools::cannot_start(command, &error))?;
+    // The command holds the writing end, and the reading would not end before that is gone.
+    command.stdout(std::process::Stdio::null()).stderr(std::process::Stdio::null());
+    Ok((child, BufReader::new(reader)))
+}
+
+/// Hands each line that comes to `take`, until there is no more.
+///
+/// # Errors
+/// When the pipe breaks.
+pub(crate) fn lines(from: BufReader<PipeReader>, mut take: impl FnMut(&str)) -> Result<()> {
+    for line in from.split(b'\n') {
+        take(&String::from_utf8_lossy(&line?));
+    }
+    Ok(())
+}
