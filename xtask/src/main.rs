@@ -49,7 +49,7 @@ struct Arguments {
 enum Task {
     /// Build the wasm core and the site into www/dist
     Build,
-    /// Build one wasm module into its folder of www: core, words or detector
+    /// Build one wasm module into its folder of www: core, words or detectors
     Module {
         /// Which one
         name: String,
