@@ -150,6 +150,7 @@ impl Error {
         }
     }
 
+    #[cfg(feature = "pages")]
     /// A damaged file of the given format, with the decoder's own words.
     pub(crate) fn damaged(format: &'static str, reason: impl fmt::Display) -> Self {
         Self::Damaged { format, reason: reason.to_string() }

@@ -70,6 +70,7 @@ pub fn resample_image(source: &Image, region: Region, width: usize, height: usiz
     Image::from_luma_chroma(luma, chroma)
 }
 
+#[cfg(feature = "pages")]
 /// Reduces interleaved RGB (`3 * width * height` bytes) straight to three planes of another size.
 ///
 /// # Errors
