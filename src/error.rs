@@ -1,7 +1,5 @@
 //! The one error type. Every variant has a stable `code()` for programs and a sentence for people.
 
-use std::fmt;
-
 /// Shorthand for results of this crate.
 pub type Result<T> = std::result::Result<T, Error>;
 
@@ -152,7 +150,7 @@ impl Error {
 
     #[cfg(feature = "pages")]
     /// A damaged file of the given format, with the decoder's own words.
-    pub(crate) fn damaged(format: &'static str, reason: impl fmt::Display) -> Self {
+    pub(crate) fn damaged(format: &'static str, reason: impl std::fmt::Display) -> Self {
         Self::Damaged { format, reason: reason.to_string() }
     }
 }
