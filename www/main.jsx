@@ -3,6 +3,7 @@
  * The wiring: makes the parts, joins them, and keeps `document.body.dataset.idle` true to its word.
  */
 
+import './framed.js';
 import { effect, untracked } from '@preact/signals';
 import { render } from 'preact';
 import { createEngine } from './engine/engine.js';

@@ -1,19 +1,21 @@
 // @ts-check
 /**
- * Serves the built site below a path, as a plain static host would: `node serve.js PORT PATH`.
- * Files only, no header beyond the content type, nothing outside that path. What is still being built
- * (`nets-module.js`) is answered once it is there.
+ * Serves the built site below a path: `node serve.js PORT PATH [headers]`. As a plain static host does, files only, no
+ * header beyond the content type, nothing outside that path; with `headers` also what the site's `_headers` asks for.
+ * What is still being built (`nets-module.js`) is answered once it is there.
  */
-import { createReadStream, statSync } from 'node:fs';
+import { createReadStream, readFileSync, statSync } from 'node:fs';
 import { createServer } from 'node:http';
 import { extname, join, normalize, sep } from 'node:path';
 import { setTimeout } from 'node:timers/promises';
 import { fileURLToPath } from 'node:url';
 import { TYPES } from './content-types.js';
+import { headersOfAll } from './host-headers.js';
 
 const port = Number(process.argv[2] ?? 4187);
 const base = process.argv[3] ?? '/';
 const root = fileURLToPath(new URL('./dist/', import.meta.url));
+const headers = process.argv[4] === 'headers' ? headersOfAll(readFileSync(join(root, '_headers'), 'utf8')) : {};
 
 /** Milliseconds between two looks at a file that is still being built. */
 const PATIENCE = 250;
@@ -26,7 +28,7 @@ const server = createServer(async (request, response) => {
     response.writeHead(404, { 'content-type': 'text/plain' }).end('not found');
     return;
   }
-  response.writeHead(200, { 'content-type': TYPES[extname(inside)] ?? 'application/octet-stream' });
+  response.writeHead(200, { ...headers, 'content-type': TYPES[extname(inside)] ?? 'application/octet-stream' });
   createReadStream(inside).pipe(response);
 });
 /**

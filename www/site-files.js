@@ -18,8 +18,8 @@ const SOURCE = fileURLToPath(new URL('./service-worker/main.js', import.meta.url
 const ON_USE = /^assets\/(?:nets-[^/]*\.wasm|[^/]*\.onnx)$/;
 /** The sample album can be tried without a connection, but nobody needs it. */
 const EXTRAS = /^samples\/.*\.(?:jpg|json)$/;
-/** Not asked for by the page, or still being built while it is served. */
-const NOT = /\.(?:md|map)$|^assets\/nets-later\./;
+/** Not asked for by the page, still being built while it is served, or for the host, which may keep it to itself. */
+const NOT = /\.(?:md|map)$|^assets\/nets-later\.|^_headers$/;
 
 /** @returns {import('vite').Plugin} */
 export function siteFiles() {

@@ -16,6 +16,6 @@ export default defineConfig({
   },
   worker: { format: 'es' },
   test: {
-    include: ['state/**/*.test.js', 'engine/**/*.test.js', 'views/**/*.test.js', 'service-worker/**/*.test.js', 'strings/**/*.test.js'],
+    include: ['*.test.js', 'state/**/*.test.js', 'engine/**/*.test.js', 'views/**/*.test.js', 'service-worker/**/*.test.js', 'strings/**/*.test.js'],
   },
 });

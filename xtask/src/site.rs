@@ -70,7 +70,10 @@ pub(crate) fn serve(project: &Project, port: u16) -> Result<()> {
 
     let port = free_port(port)?;
     let mut server = Command::new("node");
-    server.args(["serve.js", &port.to_string(), "/"]).current_dir(project.www()).stdout(Stdio::null());
+    server
+        .args(["serve.js", &port.to_string(), "/", "headers"])
+        .current_dir(project.www())
+        .stdout(Stdio::null());
     let mut server = server.spawn().map_err(|error| tools::cannot_start(&server, &error))?;
     println!("Inkpanel: http://127.0.0.1:{port}/ (after {} s; stop with Ctrl+C)", start.elapsed().as_secs());
     if nets == Nets::Later {

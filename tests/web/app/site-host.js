@@ -14,8 +14,11 @@ export const BUILT = fileURLToPath(new URL('../../../www/dist/', import.meta.url
 const BASE = '/a/folder/';
 const TEXTS = ['.js', '.css', '.html'];
 
-/** Starts with the built site; of the files in `stale` it goes on with the old ones. */
-export async function startHost() {
+/**
+ * Starts with the built site; of the files in `stale` it goes on with the old ones.
+ * @param {{ headers?: Record<string, string> }} [how] `headers` of every file, as of a host that reads `_headers` and keeps that for itself
+ */
+export async function startHost({ headers } = {}) {
   const host = { folder: BUILT, address: '', stop, start, asked: /** @type {string[]} */ ([]), stale: /** @type {string[]} */ ([]) };
   let port = 0;
   /** @type {import('node:http').Server} */
@@ -27,9 +30,9 @@ export async function startHost() {
     server = createServer(async ({ url = '/' }, response) => {
       const path = decodeURIComponent(new URL(url, 'http://host').pathname).slice(BASE.length) || 'index.html';
       host.asked.push(path);
-      const bytes = await readFile(join(host.stale.includes(path) ? BUILT : host.folder, path)).catch(() => null);
+      const bytes = headers && path === '_headers' ? null : await readFile(join(host.stale.includes(path) ? BUILT : host.folder, path)).catch(() => null);
       if (!bytes) return response.writeHead(404).end();
-      return response.writeHead(200, { 'content-type': TYPES[extname(path)] ?? 'application/octet-stream' }).end(bytes);
+      return response.writeHead(200, { ...headers, 'content-type': TYPES[extname(path)] ?? 'application/octet-stream' }).end(bytes);
     });
     await new Promise((resolve) => { server.listen(port, '127.0.0.1', () => resolve(null)); });
     const about = server.address();

@@ -1,0 +1,36 @@
+// @ts-check
+/**
+ * A page of another site could hold this one in a frame, and have people press what they do not see. Hosts forbid it by a
+ * header (`public/_headers`), which a page cannot do for itself; so it refuses to work there. The first import of
+ * `main.jsx`: where this module throws, nothing else of the program begins.
+ */
+
+import { strings } from './strings.js';
+
+if (typeof window !== 'undefined' && isFramedByOthers(window)) {
+  refuse(document);
+  throw new Error('Inkpanel does not work in a page of another site.');
+}
+
+/**
+ * @param {Window} inner
+ * @returns {boolean} whether any of the pages around it is of another origin
+ */
+export function isFramedByOthers(inner) {
+  try {
+    // Browsers let nobody look into a page of another origin.
+    for (let at = inner; at.parent !== at; at = at.parent) void at.parent.document;
+    return false;
+  } catch {
+    return true;
+  }
+}
+
+/** Says so, and offers the way out. @param {Document} document */
+function refuse(document) {
+  const make = (/** @type {string} */ tag, /** @type {object} */ fields) => Object.assign(document.createElement(tag), fields);
+  const main = make('main', { className: 'framed' });
+  const link = make('a', { className: 'button', href: document.location.href, target: '_blank', rel: 'noopener', textContent: strings.openInTab });
+  main.append(make('h1', { textContent: strings.name }), make('p', { textContent: strings.framed }), link);
+  document.getElementById('app')?.replaceChildren(main);
+}
