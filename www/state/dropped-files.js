@@ -39,7 +39,8 @@ export function createDroppedFiles({ store, keeping, reading, subtitling, messag
     void openPlans(plans, { ownLayouts, ownStyles });
     const turn = before.then(() => openAll(projects, pictures));
     before = turn.catch(() => {});
-    await reading.addFiles(await turn);
+    const { photos, shown } = await turn;
+    await add(photos, shown);
     // Their video may have come with them.
     await subtitling.open(subtitles);
   }
@@ -51,13 +52,13 @@ export function createDroppedFiles({ store, keeping, reading, subtitling, messag
     ));
     const turn = before.then(() => oneByOne(projects));
     before = turn.catch(() => {});
-    tell(await turn, 0);
+    tell(await turn);
   }
 
   /**
    * @param {readonly File[]} files of projects
    * @param {readonly File[]} pictures
-   * @returns {Promise<File[]>} photos that no frame waited for
+   * @returns {Promise<{ photos: File[], shown?: Opened }>} photos that no frame waited for, and the project that came with them
    */
   async function openAll(files, pictures) {
     const pages = await keeping.pageFiles.allAmong(pictures);
@@ -66,7 +67,7 @@ export function createDroppedFiles({ store, keeping, reading, subtitling, messag
       ...pages.map((page) => ({ name: page.file.name, open: () => keeping.pageFiles.open(page) })),
     ]);
     const photos = pictures.filter((file) => !pages.some((page) => page.file === file));
-    if (projects.length === 0) return keeping.absentPhotos.fill(photos);
+    if (projects.length === 0) return { photos: await keeping.absentPhotos.fill(photos) };
     const stops = keeping.files.stops();
     const placed = /** @type {Set<File>} */ (new Set());
     const opened = await oneByOne(projects, async () => {
@@ -74,9 +75,8 @@ export function createDroppedFiles({ store, keeping, reading, subtitling, messag
       for (const file of photos) if (!rest.includes(file)) placed.add(file);
     });
     const stopped = keeping.files.stops() > stops;
-    const left = stopped ? [] : photos.filter((file) => !placed.has(file));
-    tell(opened, left.length);
-    return left;
+    tell(opened);
+    return { photos: stopped ? [] : photos.filter((file) => !placed.has(file)), shown: opened.at(-1) };
   }
 
   /**
@@ -98,17 +98,21 @@ export function createDroppedFiles({ store, keeping, reading, subtitling, messag
     return opened;
   }
 
-  /** @param {readonly Opened[]} opened @param {number} photos that join the last of them */
-  function tell(opened, photos) {
+  /** @param {readonly File[]} photos @param {Opened} [shown] the project that they came with: whoever opened it may not expect them there */
+  async function add(photos, shown) {
+    const count = store.tray.peek().length;
+    await reading.addFiles(photos);
+    const added = store.tray.peek().length - count;
+    if (shown && added > 0 && keeping.current.peek() === shown.id) messages.offer(strings.photosWithProject(added, shown.name));
+  }
+
+  /** @param {readonly Opened[]} opened */
+  function tell(opened) {
     const others = opened.slice(0, -1);
     const shown = opened.at(-1);
-    if (!shown) return;
-    if (others.length > 0) {
-      const [{ id, name }] = others;
-      const way = others.length === 1 ? { label: strings.openNamed(name), run: () => void keeping.open(id) } : { label: strings.projects, run: showProjects };
-      messages.offer(strings.projectsOpened(others.map((other) => other.name), shown.name, photos), way);
-    } else if (photos > 0) {
-      messages.offer(strings.projectWithPhotos(shown.name, photos));
-    }
+    if (!shown || others.length === 0) return;
+    const [{ id, name }] = others;
+    const way = others.length === 1 ? { label: strings.openNamed(name), run: () => void keeping.open(id) } : { label: strings.projects, run: showProjects };
+    messages.offer(strings.projectsOpened(others.map((other) => other.name), shown.name), way);
   }
 }

@@ -119,7 +119,8 @@ describe('project files that are dropped together', () => {
     await dropsOn(tab).take([...tab.files('x.jpg', 'a.jpg', 'b.jpg', 'c.jpg'), ...pages]);
     expect([tab.store.project.value.name, tab.names().sort()]).toEqual(['Two', ['b.jpg', 'c.jpg', 'x.jpg']]);
     const told = tab.messages.list.value.find(({ kind }) => kind === 'offer');
-    expect(told?.text).toBe('2 projects were opened, each on its own. Two is on the page, with the photo that came along; One is in Projects.');
+    expect(told?.text).toBe('2 projects were opened, each on its own. Two is on the page; One is in Projects.');
+    expect(texts(tab)).toContain('The photo that came along was added to Two.');
     told?.way?.run();
     await vi.waitFor(() => expect([tab.store.project.value.name, inPanels(tab)]).toEqual(['One', ['a.jpg']]));
   });
@@ -133,6 +134,13 @@ describe('photos with a project file', () => {
     await dropsOn(tab).take([...tab.files('x.jpg', 'y.jpg'), file]);
     expect([tab.store.project.value.name, tab.names()]).toEqual(['One', ['a.jpg', 'x.jpg', 'y.jpg']]);
     expect(texts(tab)).toContain('The 2 photos that came along were added to One.');
+  });
+
+  it('that cannot be read are not said to have joined it', async () => {
+    const { file } = await made('One', 'a.jpg');
+    const tab = await fakeBrowser().tab();
+    await dropsOn(tab).take([new File(['bad'], 'x.jpg'), file]);
+    expect([tab.names(), texts(tab)]).toEqual([['a.jpg'], [expect.stringMatching(/^x\.jpg: /)]]);
   });
 
   it('that cannot be opened join what is on the page', async () => {

@@ -30,7 +30,8 @@ test('two projects and a photo that are dropped together are all there', async (
   await openBoard(other, SIX.slice(4, 5));
   await drop(other, [beta, ...(await photos(SIX[5])), alpha]);
   const told = other.getByRole('status');
-  await expect(told).toContainText('2 projects were opened, each on its own. Beta is on the page, with the photo that came along; Alpha is in Projects.');
+  await expect(told).toContainText('2 projects were opened, each on its own. Beta is on the page; Alpha is in Projects.');
+  await expect(told).toContainText('The photo that came along was added to Beta.');
   await idle(other);
   await expect(other.getByLabel('Project name')).toHaveValue('Beta');
   await expect.poll(() => inTray(other)).toEqual([...SIX.slice(0, 3), SIX[5]]);

@@ -60,3 +60,14 @@ plain('that work is not saved stays in sight, first of all, whatever else goes w
   await alert.getByRole('button', { name: 'Save to file' }).click({ trial: true });
   expect(top).not.toBeNull();
 });
+
+test('subtitles that are a wall of marks are answered like others', async ({ page }) => {
+  await page.goto('./');
+  const wall = `00:00:01,000 --> 00:00:02,000\n${'<'.repeat(4_900_000)}`;
+  await add(page, [{ name: 'wall.srt', mimeType: 'text/plain', buffer: Buffer.from(wall) }, { name: 'large.srt', mimeType: 'text/plain', buffer: Buffer.alloc(5_000_001, '1\n') }]);
+  const alert = page.getByRole('alert');
+  await expect(alert).toContainText('2 files could not be read.');
+  await alert.getByRole('button', { name: 'Show the list' }).click();
+  await expect(page.getByRole('listitem').filter({ hasText: /^wall\.srt.*no frame of a video/ })).toBeVisible();
+  await expect(page.getByRole('listitem').filter({ hasText: /^large\.srt.*larger than 5 MB/ })).toBeVisible();
+});

@@ -68,12 +68,11 @@ export const keepingStrings = {
     'missing-project': 'it was deleted.',
     'no-storage': 'this browser keeps nothing for pages here.',
   },
-  /** @param {readonly string[]} others @param {string} shown @param {number} photos that came with them */
-  projectsOpened: (others, shown, photos) => (
-    `${others.length + 1} projects were opened, each on its own. ${shown} is on the page${photos === 0 ? '' : photos === 1 ? ', with the photo that came along' : `, with the ${photos} photos that came along`}; ${others.length === 1 ? `${others[0]} is` : `${others.length} more are`} in Projects.`
+  /** @param {readonly string[]} others @param {string} shown */
+  projectsOpened: (others, shown) => (
+    `${others.length + 1} projects were opened, each on its own. ${shown} is on the page; ${others.length === 1 ? `${others[0]} is` : `${others.length} more are`} in Projects.`
   ),
-  /** @param {string} shown @param {number} photos */
-  projectWithPhotos: (shown, photos) => `${photos === 1 ? 'The photo that came along was' : `The ${photos} photos that came along were`} added to ${shown}.`,
+  photosWithProject: (/** @type {number} */ n, /** @type {string} */ name) => `${n === 1 ? 'The photo that came along was' : `The ${n} photos that came along were`} added to ${name}.`,
   openingProject: (/** @type {string} */ name) => `Opening ${name}`,
   openingLast: 'Opening your project',
   openElsewhere: (/** @type {string} */ name) => `${name} is open in another tab.`,

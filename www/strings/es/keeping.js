@@ -66,12 +66,11 @@ export const keepingStrings = {
     'no-storage': 'este navegador no guarda nada de las páginas de aquí.',
     'too-large': 'el archivo pasaría de 4 GB.',
   },
-  /** @param {readonly string[]} others @param {string} shown @param {number} photos that came with them */
-  projectsOpened: (others, shown, photos) => (
-    `Se han abierto ${others.length + 1} proyectos, cada uno por separado. ${shown} está en la página${photos === 0 ? '' : photos === 1 ? ', con la foto que venía con ellos' : `, con las ${photos} fotos que venían con ellos`}; ${others.length === 1 ? `${others[0]} está` : `otros ${others.length} están`} en Proyectos.`
+  /** @param {readonly string[]} others @param {string} shown */
+  projectsOpened: (others, shown) => (
+    `Se han abierto ${others.length + 1} proyectos, cada uno por separado. ${shown} está en la página; ${others.length === 1 ? `${others[0]} está` : `otros ${others.length} están`} en Proyectos.`
   ),
-  /** @param {string} shown @param {number} photos */
-  projectWithPhotos: (shown, photos) => (photos === 1 ? `La foto que venía con él se ha añadido a ${shown}.` : `Las ${photos} fotos que venían con él se han añadido a ${shown}.`),
+  photosWithProject: (/** @type {number} */ n, /** @type {string} */ name) => (n === 1 ? `La foto que venía con él se ha añadido a ${name}.` : `Las ${n} fotos que venían con él se han añadido a ${name}.`),
   openingProject: (/** @type {string} */ name) => `Abriendo ${name}`,
   openingLast: 'Abriendo tu proyecto',
   openElsewhere: (/** @type {string} */ name) => `${name} está abierto en otra pestaña.`,
