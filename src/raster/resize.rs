@@ -5,7 +5,6 @@
 use super::axis::Axis;
 use super::separable::Separable;
 use super::{Image, Plane};
-use crate::error::Result;
 
 /// A rectangle in pixels of the source; may be fractional. What lies outside the source is cut off.
 #[derive(Clone, Copy, PartialEq, Debug)]
@@ -79,7 +78,7 @@ pub(crate) fn planes_of_interleaved(
     rgb: &[u8],
     (width, height): (usize, usize),
     (new_width, new_height): (usize, usize),
-) -> Result<Image> {
+) -> crate::Result<Image> {
     if rgb.len() != width * height * 3 || (width, height) == (new_width, new_height) {
         return Image::from_interleaved_rgb(width, height, rgb);
     }
