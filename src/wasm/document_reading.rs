@@ -10,10 +10,10 @@ use wasm_bindgen::prelude::*;
 /// Throws `damaged-project` or `newer-project`.
 #[wasm_bindgen]
 pub fn read_project(json: &str, prefix: Option<String>) -> std::result::Result<String, JsValue> {
-    let read = || {
+    let read = move || {
         let project = ProjectFile::parse(json)?;
-        let project = match &prefix {
-            Some(prefix) => project.renamed(prefix),
+        let project = match prefix {
+            Some(prefix) => project.renamed(&prefix),
             None => project,
         };
         project.write()
