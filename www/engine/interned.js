@@ -4,7 +4,7 @@
  * states, which name them by their index (`src/document/kept.rs` has the tables). 500 states of one tray cost one tray.
  */
 
-/** @typedef {Omit<import('../state/history.js').History, 'gesture'>} KeptHistory */
+/** As a history is kept: states of a project, and the pages shown. @typedef {{ past: any[], present: any, future: any[], shown: any[] }} KeptHistory */
 /** @typedef {Record<string, any>} Plain */
 
 /** What of a state stands in a table. @type {readonly [field: string, table: string][]} */
