@@ -14,15 +14,20 @@ const [SCRIPT, MODULE] = ['inkpanel.js', 'inkpanel_bg.wasm'];
 /** @returns {import('vite').Plugin} */
 export function netsModule() {
   const later = process.env.INKPANEL_NETS === 'later';
-  const parts = [SCRIPT, MODULE].map((name) => {
-    const source = later ? '' : readFileSync(FOLDER + name);
-    const mark = later ? 'later' : createHash('sha256').update(source).digest('hex').slice(0, 8);
-    return { name: `nets-${mark}.${name.split('.')[1]}`, source };
-  });
+  /** @type {{name: string, source: string | Buffer}[]} */
+  let parts = [];
   return {
     name: 'inkpanel-nets-module',
     apply: 'build',
-    config: () => ({ define: { INKPANEL_NETS: JSON.stringify(parts.map(({ name }) => name)) } }),
+    // Not before: the unit tests read this configuration too, and need no module.
+    config() {
+      parts = [SCRIPT, MODULE].map((name) => {
+        const source = later ? '' : readFileSync(FOLDER + name);
+        const mark = later ? 'later' : createHash('sha256').update(source).digest('hex').slice(0, 8);
+        return { name: `nets-${mark}.${name.split('.')[1]}`, source };
+      });
+      return { define: { INKPANEL_NETS: JSON.stringify(parts.map(({ name }) => name)) } };
+    },
     buildStart() {
       for (const { name, source } of parts) this.emitFile({ type: 'asset', fileName: `assets/${name}`, source });
     },

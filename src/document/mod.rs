@@ -8,7 +8,7 @@
 //! | [`project`] | one state of a project |
 //! | [`pages`] | a page that can be drawn |
 //! | [`history`] | states before and after, and the pages shown |
-//! | [`file`] | the text of a project file and of a page PNG: `project.json` |
+//! | [`mod@file`] | the text of a project file and of a page PNG: `project.json` |
 //! | [`kept`] | a history as the browser's database has it: what states share is told once |
 //!
 //! # Fields that are added, and versions

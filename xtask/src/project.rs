@@ -19,7 +19,9 @@ pub(crate) struct Project {
 impl Project {
     /// Finds the checkout that this program was built from.
     pub(crate) fn locate() -> Result<Self> {
-        let here = Path::new(env!("CARGO_MANIFEST_DIR"));
+        // As cargo says it now: checkouts that share a target folder share this program as well.
+        let told = std::env::var_os("CARGO_MANIFEST_DIR").map(PathBuf::from);
+        let here = told.as_deref().unwrap_or(Path::new(env!("CARGO_MANIFEST_DIR")));
         let root = here.parent().context("xtask stands in the workspace's top folder")?.to_path_buf();
         let metadata = tools::output(
             Command::new(cargo())
