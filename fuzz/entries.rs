@@ -73,11 +73,11 @@ pub fn project(bytes: &[u8]) {
         for page in shown.chain(&project.history.present.page) {
             assert!(Scene::new(page, WIDTH).is_ok());
         }
-        let written = project.renamed("q").write().unwrap_or_default();
+        let written = project.renamed("q").write();
         assert!(ProjectFile::parse(&written).is_ok());
     }
     if let Ok((history, dropped)) = kept::parse(json) {
-        let written = kept::write(&history, &dropped).unwrap_or_default();
+        let written = kept::write(&history, &dropped);
         assert!(kept::parse(&written).is_ok_and(|(again, _)| again == history));
     }
 }

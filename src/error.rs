@@ -91,6 +91,9 @@ pub enum Error {
         /// What it is, and what is known.
         reason: String,
     },
+    /// A file of subtitles breaks its format.
+    #[error("{0}")]
+    InvalidSubtitles(String),
     /// A trained filter bank breaks its format.
     #[error("filter bank {name}: {reason}")]
     InvalidBank {
@@ -137,6 +140,7 @@ impl Error {
             Self::InvalidDocument { .. } => "invalid-document",
             Self::DamagedProject { .. } => "damaged-project",
             Self::NewerProject { .. } => "newer-project",
+            Self::InvalidSubtitles(_) => "invalid-subtitles",
             Self::InvalidBank { .. } => "invalid-bank",
             Self::UnknownStyle(_) => "unknown-style",
             Self::UnknownLayout(_) => "unknown-layout",

@@ -10,6 +10,7 @@ pub mod album;
 #[cfg(feature = "bench")]
 mod bench;
 pub mod document_reading;
+pub mod editing;
 mod frames;
 pub mod layouts;
 pub mod style;
@@ -370,10 +371,6 @@ fn geometry(json: &str) -> Result<String> {
 fn parse<T: for<'a> Deserialize<'a>>(json: &str, location: &str) -> Result<T> {
     serde_json::from_str(json)
         .map_err(|error| Error::InvalidDocument { location: location.into(), reason: error.to_string() })
-}
-
-fn to_json(value: &impl serde::Serialize) -> Result<String> {
-    serde_json::to_string(value).map_err(|error| Error::Encode(error.to_string()))
 }
 
 fn not_begun() -> Error {

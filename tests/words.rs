@@ -150,7 +150,7 @@ fn words_are_drawn_inside_of_their_shapes_and_always_alike() {
 
 /// A page whose every photo has faces at the same places.
 fn settled(words: &Value, faces: &[Subject]) -> Document {
-    let mut value = serde_json::to_value(document(words)).unwrap();
+    let mut value: Value = serde_json::from_str(&document(words).to_json()).unwrap();
     for panel in value["panels"].as_array_mut().unwrap() {
         panel["photo"] = json!("p");
     }

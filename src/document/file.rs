@@ -3,19 +3,18 @@
 //! photo beyond its id, name and place is a hint: one that is not right is as if it were not told, and fields that are not
 //! known are passed over.
 
-use super::history::{self, History};
-use super::kept::{self, Interner, ShownOut, StateOut};
+use super::history::{History, keep};
+use super::kept::Interner;
 use super::limits::{
     LONGEST_ID, LONGEST_NAME, LONGEST_PATH, LONGEST_SIDE, MOST_LAYOUTS, MOST_PHOTOS, MOST_SHEETS,
     MOST_STYLES, MOST_SUBJECTS, MOST_VIDEOS, PROJECT,
 };
 use super::project::{self, Draft, List, Parts, Sheet, TrayItem};
-use super::{Dropped, VERSION, pages, told, version};
+use super::{Dropped, VERSION, pages, refusal, version};
 use crate::error::Result;
-use crate::json::{self, Fields, Read, Wrong, list, name, text, whole};
+use crate::json::{self, Fields, Read, Writer, Wrong, each, items, text_of};
 use crate::layout::PageSettings;
 use crate::page::Document;
-use serde::Serialize;
 use serde_json::Value;
 use std::collections::{HashMap, HashSet};
 use std::sync::Arc;
@@ -37,7 +36,7 @@ pub struct ProjectFile {
 }
 
 /// What a file tells of a photo.
-#[derive(Debug, Clone, PartialEq, Serialize)]
+#[derive(Debug, Clone, PartialEq)]
 pub struct FilePhoto {
     /// Its id in the document.
     pub id: String,
@@ -46,16 +45,12 @@ pub struct FilePhoto {
     /// Its place in the archive.
     pub path: String,
     /// The type of its file, empty where nobody knows it.
-    #[serde(rename = "type")]
     pub kind: String,
     /// Its author.
-    #[serde(skip_serializing_if = "Option::is_none")]
     pub credit: Option<String>,
     /// The video that it is a frame of.
-    #[serde(skip_serializing_if = "Option::is_none")]
     pub video: Option<String>,
     /// Seconds from the beginning of the video.
-    #[serde(skip_serializing_if = "Option::is_none")]
     pub time: Option<f64>,
     /// Whether it is compared with other photos.
     pub measured: bool,
@@ -70,7 +65,7 @@ pub struct FilePhoto {
 }
 
 /// How a photo is recognised.
-#[derive(Debug, Clone, PartialEq, Serialize)]
+#[derive(Debug, Clone, PartialEq)]
 pub struct Likeness {
     /// SHA-256 of its file, or empty.
     pub hash: String,
@@ -83,7 +78,7 @@ pub struct Likeness {
 }
 
 /// What a file tells of a video.
-#[derive(Debug, Clone, PartialEq, Serialize)]
+#[derive(Debug, Clone, PartialEq)]
 pub struct FileVideo {
     /// Names it.
     pub key: String,
@@ -92,7 +87,6 @@ pub struct FileVideo {
     /// Its place in the archive.
     pub path: String,
     /// The type of its file.
-    #[serde(rename = "type")]
     pub kind: String,
     /// Photos that are frames of it.
     pub ids: Vec<String>,
@@ -110,7 +104,8 @@ impl ProjectFile {
     /// # Errors
     /// `damaged-project` or `newer-project`, with the place.
     pub fn parse(text: &str) -> Result<Self> {
-        told(json::parse(text, PROJECT).map_err(|wrong| wrong.at("project.json")).and_then(Self::read))
+        let read = json::parse(text, PROJECT).map_err(|wrong| wrong.at("project.json")).and_then(Self::read);
+        read.map_err(|wrong| refusal(&wrong))
     }
 
     fn read(value: Value) -> Read<Self> {
@@ -119,26 +114,41 @@ impl ProjectFile {
             return Err(Wrong::new("is of another program").at("project.json"));
         }
         version(&mut fields)?;
-        let Value::Object(mut history) = fields.required("history")? else {
-            return Err(Wrong::new("is no object").at("history"));
-        };
-        history.remove("past");
-        history.remove("future");
+        let mut history = fields.required("history")?;
+        if let Value::Object(history) = &mut history {
+            history.remove("past");
+            history.remove("future");
+        }
         let mut parts = Inline::default();
         let mut dropped = Dropped::new();
-        let history = History::read(Value::Object(history), &mut parts, &mut dropped)?;
+        let history =
+            History::read(history, &mut parts, &mut dropped).map_err(|wrong| match wrong.place() {
+                "" => wrong.at("history"),
+                _ => wrong,
+            })?;
         let photos =
-            list(MOST_PHOTOS, photo)(fields.required("photos")?).map_err(|wrong| wrong.at("photos"))?;
-        let videos = fields.nullable("videos", list(MOST_VIDEOS, video))?.unwrap_or_default();
-        let mut seen = Seen::default();
+            items(fields.required("photos")?, MOST_PHOTOS).and_then(|photos| each(photos, &FilePhoto::read));
+        let photos = photos.map_err(|wrong| wrong.at("photos"))?;
+        let videos = fields.nullable("videos").each("videos", MOST_VIDEOS, &FileVideo::read)?;
+        let (mut ids, mut paths) = (HashSet::new(), HashSet::new());
+        let mut add = |i: usize, list: &str, field: &str, id: &str, path: &str| {
+            for (field, taken) in
+                [(field, !ids.insert(id.to_owned())), ("path", !paths.insert(path.to_owned()))]
+            {
+                if taken {
+                    return Err(Wrong::new("is that of another file").at(field).in_list(i).at(list));
+                }
+            }
+            Ok(())
+        };
         for (i, photo) in photos.iter().enumerate() {
-            seen.add("id", &photo.id, &photo.path).map_err(|wrong| wrong.in_list(i).at("photos"))?;
+            add(i, "photos", "id", &photo.id, &photo.path)?;
         }
         for (i, video) in videos.iter().enumerate() {
-            seen.add("key", &video.key, &video.path).map_err(|wrong| wrong.in_list(i).at("videos"))?;
+            add(i, "videos", "key", &video.key, &video.path)?;
         }
-        dropped.splice(0..0, parts.dropped);
-        Ok(Self { history, photos, videos, dropped })
+        parts.dropped.append(&mut dropped);
+        Ok(Self { history, photos, videos, dropped: parts.dropped })
     }
 
     /// Gives each photo and video an id that no other has: `prefix` and a number. The same file may be opened twice, or be
@@ -156,146 +166,185 @@ impl ProjectFile {
         for photo in &mut self.photos {
             photo.video = photo.video.as_ref().map(|key| names.of(key));
         }
-        let mut page = |page: &Arc<Document>| {
-            let mut page = Document::clone(page);
-            page.order.iter_mut().for_each(|id| *id = names.of(id));
-            page.panels
-                .iter_mut()
-                .for_each(|panel| panel.photo = panel.photo.as_ref().map(|id| names.of(id)));
-            Arc::new(page)
-        };
-        let mut present = super::project::Project::clone(&self.history.present);
-        present.page = present.page.as_ref().map(&mut page);
-        present.others = present
-            .others
-            .iter()
-            .map(|sheet| Arc::new(Sheet { page: page(&sheet.page), ..Sheet::clone(sheet) }))
-            .collect();
-        for shown in &mut self.history.shown {
-            let renamed = page(&shown.page);
-            Arc::make_mut(shown).page = renamed;
+        let present = Arc::make_mut(&mut self.history.present);
+        if let Some(page) = &mut present.page {
+            names.on(page);
         }
-        present.tray = present
-            .tray
-            .iter()
-            .map(|item| Arc::new(TrayItem { id: names.of(&item.id), ..TrayItem::clone(item) }))
-            .collect();
-        self.history.present = Arc::new(present);
+        let mut others = present.others.to_vec();
+        for sheet in &mut others {
+            names.on(&mut Arc::make_mut(sheet).page);
+        }
+        present.others = others.into();
+        let mut tray = present.tray.to_vec();
+        for item in &mut tray {
+            let item = Arc::make_mut(item);
+            item.id = names.of(&item.id);
+        }
+        present.tray = tray.into();
+        for shown in &mut self.history.shown {
+            names.on(&mut Arc::make_mut(shown).page);
+        }
         self
     }
 
     /// The text in the shape in which it was read, normalised, with what was left out.
-    ///
-    /// # Errors
-    /// `encode`, which cannot be.
-    pub fn write(&self) -> Result<String> {
-        #[derive(Serialize)]
-        struct Out<'a> {
-            format: &'static str,
-            version: u64,
-            history: HistoryOut<'a>,
-            photos: &'a [FilePhoto],
-            videos: &'a [FileVideo],
-            dropped: &'a Dropped,
-        }
-        #[derive(Serialize)]
-        struct HistoryOut<'a> {
-            present: StateOut<'a>,
-            shown: Vec<ShownOut<'a>>,
-        }
+    #[must_use]
+    pub fn write(&self) -> String {
         let mut parts = Interner::inline();
-        let present = parts.state(&self.history.present);
-        let shown = self.history.shown.iter().map(|shown| parts.shown(shown)).collect();
-        let history = HistoryOut { present, shown };
-        let (photos, videos, dropped) = (&*self.photos, &*self.videos, &self.dropped);
-        kept::text(&Out { format: FORMAT, version: VERSION, history, photos, videos, dropped })
-    }
-}
-
-/// Ids and places that are taken.
-#[derive(Default)]
-struct Seen<'a> {
-    ids: HashSet<&'a str>,
-    paths: HashSet<&'a str>,
-}
-
-impl<'a> Seen<'a> {
-    fn add(&mut self, field: &str, id: &'a str, path: &'a str) -> Read<()> {
-        let taken = |field: &str| Err(Wrong::new("is that of another file").at(field));
-        if !self.ids.insert(id) {
-            return taken(field);
-        }
-        if self.paths.insert(path) { Ok(()) } else { taken("path") }
+        let mut out = Writer::default();
+        out.open(b'{');
+        out.key("format").text(FORMAT);
+        out.key("version").whole(VERSION);
+        out.key("history").open(b'{');
+        parts.state(out.key("present"), &self.history.present);
+        parts.shown(out.key("shown"), &self.history.shown);
+        out.close(b'}');
+        out.key("photos").list(&self.photos, &|out, photo| photo.write(out));
+        out.key("videos").list(&self.videos, &|out, video| video.write(out));
+        out.key("dropped").texts(&self.dropped);
+        out.close(b'}');
+        out.finish()
     }
 }
 
 /// Fresh names in the order in which they are asked for.
 struct Names<'p> {
     prefix: &'p str,
-    known: HashMap<String, String>,
+    known: HashMap<String, usize>,
 }
 
 impl Names<'_> {
+    #[inline(never)]
     fn of(&mut self, id: &str) -> String {
         let next = self.known.len();
-        self.known.entry(id.to_owned()).or_insert_with(|| format!("{}{next}", self.prefix)).clone()
+        let number = *self.known.entry(id.to_owned()).or_insert(next);
+        format!("{}{number}", self.prefix)
+    }
+
+    fn on(&mut self, page: &mut Arc<Document>) {
+        let page = Arc::make_mut(page);
+        for id in page.order.iter_mut().chain(page.panels.iter_mut().filter_map(|panel| panel.photo.as_mut()))
+        {
+            *id = self.of(id);
+        }
     }
 }
 
-fn photo(value: Value) -> Read<FilePhoto> {
-    let mut fields = Fields::of(value)?;
-    let mut told = |field: &str, most| name(most)(fields.required(field)?).map_err(|wrong| wrong.at(field));
-    let (id, file, path) =
-        (told("id", LONGEST_ID)?, told("name", LONGEST_NAME)?, told("path", LONGEST_PATH)?);
-    let mut hint = |field: &str| fields.take(field).unwrap_or_default();
-    Ok(FilePhoto {
-        id,
-        name: file,
-        path,
-        kind: text(LONGEST_PATH)(hint("type")).unwrap_or_default(),
-        credit: text(LONGEST_NAME)(hint("credit")).ok(),
-        video: text(LONGEST_ID)(hint("video")).ok(),
-        time: hint("time").as_f64(),
-        measured: hint("measured").as_bool().unwrap_or(true),
-        subjects: list(MOST_SUBJECTS, subject)(hint("subjects")).ok(),
-        rank: whole(0..=u64::from(u32::MAX))(hint("rank")).ok(),
-        like: likeness(hint("like")).ok(),
-        absent: hint("absent").as_bool().unwrap_or_default(),
-    })
+impl FilePhoto {
+    fn read(value: Value) -> Read<Self> {
+        let mut fields = Fields::of(value)?;
+        let (id, name) = (fields.name("id", LONGEST_ID)?, fields.name("name", LONGEST_NAME)?);
+        let path = fields.name("path", LONGEST_PATH)?;
+        let time = fields.take("time").and_then(|time| time.as_f64());
+        let measured = !matches!(fields.take("measured"), Some(Value::Bool(false)));
+        let absent = matches!(fields.take("absent"), Some(Value::Bool(true)));
+        let subjects = fields.take("subjects").and_then(|all| items(all, MOST_SUBJECTS).ok());
+        let mut text = |name: &str, most| fields.take(name).and_then(|value| text_of(value, most).ok());
+        Ok(Self {
+            id,
+            name,
+            path,
+            kind: text("type", LONGEST_PATH).unwrap_or_default(),
+            credit: text("credit", LONGEST_NAME),
+            video: text("video", LONGEST_ID),
+            time,
+            measured,
+            subjects: subjects.filter(|subjects| subjects.iter().all(is_subject)),
+            rank: fields.whole("rank", 0, u64::from(u32::MAX)).unwrap_or_default(),
+            like: fields.take("like").and_then(|like| Likeness::read(like).ok()),
+            absent,
+        })
+    }
+
+    fn write(&self, out: &mut Writer) {
+        out.open(b'{');
+        let texts = [("id", &self.id), ("name", &self.name), ("path", &self.path), ("type", &self.kind)];
+        for (name, text) in texts {
+            out.key(name).text(text);
+        }
+        for (name, text) in [("credit", &self.credit), ("video", &self.video)] {
+            if let Some(text) = text {
+                out.key(name).text(text);
+            }
+        }
+        if let Some(time) = self.time {
+            out.key("time").number(time);
+        }
+        out.key("measured").flag(self.measured);
+        match &self.subjects {
+            Some(subjects) => out.key("subjects").list(subjects, &|out, subject| out.value(subject)),
+            None => out.key("subjects").null(),
+        }
+        match self.rank {
+            Some(rank) => out.key("rank").whole(rank),
+            None => out.key("rank").null(),
+        }
+        match &self.like {
+            Some(like) => like.write(out.key("like")),
+            None => out.key("like").null(),
+        }
+        out.key("absent").flag(self.absent);
+        out.close(b'}');
+    }
 }
 
-fn subject(value: Value) -> Read<Value> {
-    let parts = ["score", "x", "y", "width", "height"];
-    let good = value["label"].is_string()
-        && parts.iter().all(|part| value[part].as_f64().is_some_and(|part| (-1.0..=2.0).contains(&part)));
-    if good { Ok(value) } else { Err(Wrong::new("is nothing that is found in photos")) }
+fn is_subject(value: &Value) -> bool {
+    let part = |name: &str| value[name].as_f64().is_some_and(|part| (-1.0..=2.0).contains(&part));
+    value["label"].is_string() && ["score", "x", "y", "width", "height"].into_iter().all(part)
 }
 
-fn likeness(value: Value) -> Read<Likeness> {
-    let mut fields = Fields::of(value)?;
-    let mut digits = |field: &str, counts: &[usize]| {
-        let text = text(64)(fields.required(field)?)?;
-        let good = counts.contains(&text.len())
-            && text.bytes().all(|byte| matches!(byte, b'0'..=b'9' | b'a'..=b'f'));
-        if good { Ok(text) } else { Err(Wrong::new("are no digits")) }
-    };
-    let (hash, fingerprint) = (digits("hash", &[0, 64])?, digits("fingerprint", &[16])?);
-    let mut side = |field: &str| whole(1..=LONGEST_SIDE)(fields.required(field)?);
-    Ok(Likeness { hash, fingerprint, width: side("width")?, height: side("height")? })
+impl Likeness {
+    fn read(value: Value) -> Read<Self> {
+        let mut fields = Fields::of(value)?;
+        let mut digits = |name: &str, count: usize| {
+            let text = fields.text(name, 64)?.unwrap_or_default();
+            let good = (text.len() == count || (text.is_empty() && count == 64))
+                && text.bytes().all(|byte| matches!(byte, b'0'..=b'9' | b'a'..=b'f'));
+            if good { Ok(text) } else { Err(Wrong::new("are no digits")) }
+        };
+        let (hash, fingerprint) = (digits("hash", 64)?, digits("fingerprint", 16)?);
+        let (width, height) =
+            (fields.count("width", 1, LONGEST_SIDE)?, fields.count("height", 1, LONGEST_SIDE)?);
+        Ok(Self { hash, fingerprint, width, height })
+    }
+
+    fn write(&self, out: &mut Writer) {
+        out.open(b'{');
+        out.key("hash").text(&self.hash);
+        out.key("fingerprint").text(&self.fingerprint);
+        out.key("width").whole(self.width);
+        out.key("height").whole(self.height);
+        out.close(b'}');
+    }
 }
 
-fn video(value: Value) -> Read<FileVideo> {
-    let mut fields = Fields::of(value)?;
-    let mut told = |field: &str, most| text(most)(fields.required(field)?).map_err(|wrong| wrong.at(field));
-    let (key, file, path) =
-        (told("key", LONGEST_ID)?, told("name", LONGEST_NAME)?, told("path", LONGEST_PATH)?);
-    let ids =
-        list(MOST_PHOTOS, text(LONGEST_ID))(fields.required("ids")?).map_err(|wrong| wrong.at("ids"))?;
-    let mut time =
-        |field: &str| fields.take(field).and_then(|value| value.as_f64()).filter(|time| *time >= 0.0);
-    let (duration, start, end) = (time("duration"), time("start").unwrap_or_default(), time("end"));
-    let kind = text(LONGEST_PATH)(fields.take("type").unwrap_or_default()).unwrap_or_default();
-    Ok(FileVideo { key, name: file, path, kind, ids, duration, start, end })
+impl FileVideo {
+    fn read(value: Value) -> Read<Self> {
+        let mut fields = Fields::of(value)?;
+        let (key, name) = (fields.name("key", LONGEST_ID)?, fields.name("name", LONGEST_NAME)?);
+        let path = fields.name("path", LONGEST_PATH)?;
+        let ids = items(fields.required("ids")?, MOST_PHOTOS)
+            .and_then(|ids| each(ids, &|id| text_of(id, LONGEST_ID)));
+        let ids = ids.map_err(|wrong| wrong.at("ids"))?;
+        let kind = fields.take("type").and_then(|kind| text_of(kind, LONGEST_PATH).ok()).unwrap_or_default();
+        let mut time = |name: &str| fields.take(name)?.as_f64().filter(|time| *time >= 0.0);
+        let (duration, start, end) = (time("duration"), time("start").unwrap_or_default(), time("end"));
+        Ok(Self { key, name, path, kind, ids, duration, start, end })
+    }
+
+    fn write(&self, out: &mut Writer) {
+        out.open(b'{');
+        let texts = [("key", &self.key), ("name", &self.name), ("path", &self.path), ("type", &self.kind)];
+        for (name, text) in texts {
+            out.key(name).text(text);
+        }
+        out.key("ids").texts(&self.ids);
+        for (name, time) in [("duration", self.duration), ("start", Some(self.start)), ("end", self.end)] {
+            // Nothing has no end, and is written as null.
+            out.key(name).number(time.unwrap_or(f64::NAN));
+        }
+        out.close(b'}');
+    }
 }
 
 /// Parts that stand where they are needed.
@@ -305,52 +354,47 @@ struct Inline {
 }
 
 impl Inline {
-    fn own(
-        &mut self,
-        value: Value,
-        field: &str,
-        most: usize,
-        read: fn(Value) -> Read<Value>,
-    ) -> Read<List<Value>> {
-        let values = list(most, Ok)(value)?;
+    fn own(&mut self, values: Vec<Value>, field: &str, read: fn(Value) -> Read<Arc<Value>>) -> List<Value> {
         let mut seen = HashSet::new();
-        let unique = |value: Value| {
+        let mut all = Vec::new();
+        keep(values, &format!("present.{field}"), &mut self.dropped, &mut |value| {
             let value = read(value)?;
-            let fresh = value["id"].as_str().is_some_and(|id| seen.insert(id.to_owned()));
-            if fresh { Ok(Arc::new(value)) } else { Err(Wrong::new("is that of another").at("id")) }
-        };
-        Ok(history::kept(values, &format!("present.{field}"), &mut self.dropped, unique).into())
+            if !value["id"].as_str().is_some_and(|id| seen.insert(id.to_owned())) {
+                return Err(Wrong::new("is that of another").at("id"));
+            }
+            all.push(value);
+            Ok(())
+        });
+        all.into()
     }
 }
 
 impl Parts for Inline {
     fn tray(&mut self, value: Value) -> Read<List<TrayItem>> {
-        let items = list(MOST_PHOTOS, project::tray_item)(value)?;
-        Ok(project::tray(items.into_iter().map(Arc::new)))
+        Ok(project::tray(each(items(value, MOST_PHOTOS)?, &TrayItem::read)?))
     }
 
     fn settings(&mut self, value: Value) -> Read<Arc<PageSettings>> {
-        pages::settings(value).map(Arc::new)
+        pages::settings(value)
     }
 
     fn page(&mut self, value: Value) -> Read<Arc<Document>> {
-        pages::page(value).map(Arc::new)
+        pages::page(value)
     }
 
     fn sheets(&mut self, value: Value) -> Read<List<Sheet>> {
-        let sheet = |value| project::sheet(value, |page| pages::page(page).map(Arc::new)).map(Arc::new);
-        list(MOST_SHEETS, sheet)(value).map(Into::into)
+        Ok(each(items(value, MOST_SHEETS)?, &|value| Sheet::read(value, &pages::page))?.into())
     }
 
     fn draft(&mut self, value: Value) -> Read<Arc<Draft>> {
-        project::draft(value).map(Arc::new)
+        Draft::read(value)
     }
 
     fn styles(&mut self, value: Value, field: &str) -> Read<List<Value>> {
-        self.own(value, field, MOST_STYLES, project::style)
+        Ok(self.own(items(value, MOST_STYLES)?, field, project::style))
     }
 
     fn layouts(&mut self, value: Value, field: &str) -> Read<List<Value>> {
-        self.own(value, field, MOST_LAYOUTS, project::layout)
+        Ok(self.own(items(value, MOST_LAYOUTS)?, field, project::layout))
     }
 }

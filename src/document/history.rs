@@ -4,14 +4,14 @@
 use super::limits::{GREATEST_ID, MOST_SHOWN, MOST_STEPS};
 use super::project::{Parts, Project};
 use super::{Dropped, leave_out};
-use crate::json::{Fields, Read, Wrong, list, whole};
+use crate::json::{Fields, Read, Wrong};
 use crate::page::Document;
 use serde_json::{Map, Value};
 use std::collections::HashSet;
 use std::sync::Arc;
 
 /// The states of a project.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Default)]
 pub struct History {
     /// The oldest first.
     pub past: Vec<Arc<Project>>,
@@ -43,57 +43,54 @@ impl History {
     ///
     /// # Errors
     /// With the place of what is wrong.
-    pub(super) fn read(value: Value, parts: &mut impl Parts, dropped: &mut Dropped) -> Read<Self> {
+    pub(super) fn read(value: Value, parts: &mut dyn Parts, dropped: &mut Dropped) -> Read<Self> {
         let mut fields = Fields::of(value)?;
         let present = fields.required("present")?;
-        let present = Project::read(present, parts).map_err(|wrong| wrong.at("present"))?;
-        let mut states = |name: &str| {
-            let states = fields.nullable(name, list(MOST_STEPS, Ok))?.unwrap_or_default();
-            Ok(kept(states, name, dropped, |state| Project::read(state, parts).map(Arc::new)))
-        };
-        let (past, future) = (states("past")?, states("future")?);
-        let shown = fields.nullable("shown", list(MOST_SHOWN, Ok))?.unwrap_or_default();
+        let present = Arc::new(Project::read(present, parts).map_err(|wrong| wrong.at("present"))?);
+        let (mut past, mut future, mut shown) = (Vec::new(), Vec::new(), Vec::new());
+        for (name, states) in [("past", &mut past), ("future", &mut future)] {
+            let told = fields.nullable(name).list(name, MOST_STEPS)?;
+            keep(told, name, dropped, &mut |state| {
+                states.push(Arc::new(Project::read(state, parts)?));
+                Ok(())
+            });
+        }
         let mut seen = HashSet::new();
-        let shown = kept(shown, "shown", dropped, |value| {
-            let shown = Shown::read(value, parts)?;
-            if seen.insert(shown.id) {
-                Ok(Arc::new(shown))
-            } else {
-                Err(Wrong::new("is that of another page").at("id"))
+        keep(fields.nullable("shown").list("shown", MOST_SHOWN)?, "shown", dropped, &mut |value| {
+            let page = Shown::read(value, parts)?;
+            if !seen.insert(page.id) {
+                return Err(Wrong::new("is that of another page").at("id"));
             }
+            shown.push(Arc::new(page));
+            Ok(())
         });
-        Ok(Self { past, present: Arc::new(present), future, shown })
+        Ok(Self { past, present, future, shown })
     }
 }
 
 impl Shown {
-    fn read(value: Value, parts: &mut impl Parts) -> Read<Self> {
+    fn read(value: Value, parts: &mut dyn Parts) -> Read<Self> {
         let mut fields = Fields::of(value)?;
-        let id = whole(0..=GREATEST_ID);
-        let page = fields.required("page")?;
         Ok(Self {
-            id: id(fields.required("id")?).map_err(|wrong| wrong.at("id"))?,
-            page: parts.page(page).map_err(|wrong| wrong.at("page"))?,
-            from: fields.nullable("from", &id)?,
-            sheet: fields.nullable("sheet", &id)?.unwrap_or_default(),
+            page: parts.page(fields.required("page")?).map_err(|wrong| wrong.at("page"))?,
+            id: fields.count("id", 0, GREATEST_ID)?,
+            from: fields.nullable("from").whole("from", 0, GREATEST_ID)?,
+            sheet: fields.nullable("sheet").whole("sheet", 0, GREATEST_ID)?.unwrap_or_default(),
             rest: fields.rest(),
         })
     }
 }
 
-/// What of a list is right; the rest is told.
-pub(super) fn kept<T>(
+/// Keeps what of a list is right; the rest is told.
+pub(super) fn keep(
     values: Vec<Value>,
     name: &str,
     dropped: &mut Dropped,
-    mut read: impl FnMut(Value) -> Read<T>,
-) -> Vec<T> {
-    let one = |(i, value)| match read(value) {
-        Ok(value) => Some(value),
-        Err(wrong) => {
+    one: &mut dyn FnMut(Value) -> Read<()>,
+) {
+    for (i, value) in values.into_iter().enumerate() {
+        if let Err(wrong) = one(value) {
             leave_out(dropped, &wrong.in_list(i).at(name));
-            None
         }
-    };
-    values.into_iter().enumerate().filter_map(one).collect()
+    }
 }

@@ -14,17 +14,17 @@
 //!
 //! Each part is checked once.
 
+use super::edit::Shelf;
 use super::history::{History, Shown};
 use super::limits::{HISTORY, MOST_LAYOUTS, MOST_PHOTOS, MOST_SHEETS, MOST_SHOWN, MOST_STEPS, MOST_STYLES};
-use super::project::{self, Draft, List, Locks, Order, Parts, Project, Sheet, Styling, TrayItem};
-use super::{Dropped, VERSION, leave_out, pages, told, version};
-use crate::error::{Error, Result};
-use crate::json::{self, Fields, Read, Wrong, list};
+use super::project::{self, Draft, List, Order, Parts, Project, Sheet, TrayItem};
+use super::{Dropped, VERSION, leave_out, own, pages, refusal, version};
+use crate::error::Result;
+use crate::json::{self, Fields, Read, Writer, Wrong, items};
 use crate::layout::PageSettings;
 use crate::page::Document;
-use serde::Serialize;
-use serde_json::{Map, Value};
-use std::collections::{HashMap, HashSet};
+use serde_json::Value;
+use std::collections::HashMap;
 use std::sync::Arc;
 
 /// Entries of one table: every state may have a hundred parts of its own.
@@ -35,39 +35,79 @@ const MOST_PARTS: usize = (2 * MOST_STEPS + 1 + MOST_SHOWN) * 100;
 /// # Errors
 /// `damaged-project` or `newer-project`, with the place.
 pub fn parse(text: &str) -> Result<(History, Dropped)> {
-    told(json::parse(text, HISTORY).and_then(read))
+    json::parse(text, HISTORY).and_then(read).map_err(|wrong| refusal(&wrong))
 }
 
 fn read(value: Value) -> Read<(History, Dropped)> {
     let mut fields = Fields::of(value)?;
     version(&mut fields)?;
-    let mut history = Fields::of(fields.required("history")?).map_err(|wrong| wrong.at("history"))?;
+    let mut history = fields.required("history")?;
     let mut dropped = Dropped::new();
-    let mut tables = match history.take("parts") {
+    let mut tables = match history.as_object_mut().and_then(|history| history.remove("parts")) {
         Some(parts) => Tables::read(parts, &mut dropped).map_err(|wrong| wrong.at("parts"))?,
         None => Tables::default(),
     };
-    let history = History::read(Value::Object(history.rest()), &mut tables, &mut dropped)?;
+    let history = History::read(history, &mut tables, &mut dropped).map_err(|wrong| match wrong.place() {
+        "" => wrong.at("history"),
+        _ => wrong,
+    })?;
     Ok((history, dropped))
 }
 
 /// The text of a history with its tables, and of what was left out.
-///
-/// # Errors
-/// `encode`, which cannot be.
-pub fn write(history: &History, dropped: &Dropped) -> Result<String> {
+#[must_use]
+pub fn write(history: &History, dropped: &Dropped) -> String {
     let mut parts = Interner::default();
-    let past = history.past.iter().map(|state| parts.state(state)).collect();
-    let present = parts.state(&history.present);
-    let future = history.future.iter().map(|state| parts.state(state)).collect();
-    let shown = history.shown.iter().map(|shown| parts.shown(shown)).collect();
-    let history = HistoryOut { parts: parts.tables, past, present, future, shown };
-    text(&Out { version: VERSION, history, dropped })
+    let mut states = Writer::default();
+    states.open(b'{');
+    for (name, list) in [("past", &history.past), ("future", &history.future)] {
+        states.key(name).open(b'[');
+        for state in list {
+            states.item();
+            parts.state(&mut states, state);
+        }
+        states.close(b']');
+    }
+    parts.state(states.key("present"), &history.present);
+    parts.shown(states.key("shown"), &history.shown);
+    parts.tables(states.key("parts"));
+    states.close(b'}');
+    let mut out = Writer::default();
+    out.open(b'{');
+    out.key("version").whole(VERSION);
+    out.key("history").append(&states);
+    out.key("dropped").texts(dropped);
+    out.close(b'}');
+    out.finish()
 }
 
-/// JSON of what has no other form.
-pub(super) fn text(value: &impl Serialize) -> Result<String> {
-    serde_json::to_string(value).map_err(|error| Error::Encode(error.to_string()))
+/// What an edit changed: `{project, shown, past, future, pageId, sheet}`: of the present state the fields that are not as
+/// they were, of the pages shown the ids in order and those that are new or changed, where anything is; the numbers of steps
+/// back and forth; ids for a new page and a new place.
+#[must_use]
+pub fn difference(history: &History, was: &History) -> String {
+    let mut parts = Interner::inline();
+    let mut out = Writer::default();
+    out.open(b'{');
+    parts.differences(out.key("project"), &history.present, Some(&was.present));
+    let same = |a: &Arc<Shown>, b: &Arc<Shown>| Arc::ptr_eq(a, b);
+    let changed = history.shown.len() != was.shown.len()
+        || !history.shown.iter().zip(&was.shown).all(|(a, b)| same(a, b));
+    if changed {
+        let known: HashMap<u64, &Arc<Shown>> = was.shown.iter().map(|shown| (shown.id, shown)).collect();
+        let fresh = history.shown.iter().filter(|now| !known.get(&now.id).is_some_and(|was| same(now, was)));
+        let fresh: Vec<Arc<Shown>> = fresh.cloned().collect();
+        out.key("shown").open(b'{');
+        out.key("order").list(&history.shown, &|out, shown| out.whole(shown.id));
+        parts.shown(out.key("pages"), &fresh);
+        out.close(b'}');
+    }
+    out.key("past").whole(history.past.len() as u64);
+    out.key("future").whole(history.future.len() as u64);
+    out.key("pageId").whole(history.fresh_page_id());
+    out.key("sheet").whole(history.fresh_sheet());
+    out.close(b'}');
+    out.finish()
 }
 
 /// Tables that were read. What is wrong with a part is told where it is used.
@@ -87,30 +127,19 @@ type Table<T> = Vec<Read<T>>;
 impl Tables {
     fn read(value: Value, dropped: &mut Dropped) -> Read<Self> {
         let mut fields = Fields::of(value)?;
-        let mut table = |name: &str| Ok(fields.read(name, list(MOST_PARTS, Ok))?.unwrap_or_default());
-        let items = each(table("items")?, project::tray_item);
-        let pages = each(table("pages")?, pages::page);
-        let sheets =
-            each(table("sheets")?, |value| project::sheet(value, |page| part(&pages, &page, "page")));
-        let styles = own(each(table("styles")?, project::style), "styles", dropped);
-        let layouts = own(each(table("layouts")?, project::layout), "layouts", dropped);
+        let mut table = |name: &str| fields.list(name, MOST_PARTS);
+        let tray_items = all(table("items")?, &TrayItem::read);
+        let pages = all(table("pages")?, &pages::page);
+        let sheets = all(table("sheets")?, &|value| Sheet::read(value, &|page| part(&pages, &page, "page")));
+        let styles = own_parts(table("styles")?, "styles", project::style, dropped);
+        let layouts = own_parts(table("layouts")?, "layouts", project::layout, dropped);
         Ok(Self {
-            trays: listed(
-                table("trays")?,
-                MOST_PHOTOS,
-                |i| part(&items, i, "photo").map(Some),
-                project::tray,
-            ),
-            books: listed(table("books")?, MOST_SHEETS, |i| part(&sheets, i, "page").map(Some), Into::into),
-            shelves: listed(table("shelves")?, MOST_STYLES, |i| part(&styles, i, "style"), unique),
-            layout_shelves: listed(
-                table("layoutShelves")?,
-                MOST_LAYOUTS,
-                |i| part(&layouts, i, "layout"),
-                unique,
-            ),
-            settings: each(table("settings")?, pages::settings),
-            drafts: each(table("drafts")?, project::draft),
+            trays: listed(table("trays")?, MOST_PHOTOS, &tray_items, "photo", &project::tray),
+            books: listed(table("books")?, MOST_SHEETS, &sheets, "page", &Into::into),
+            shelves: shelves(table("shelves")?, MOST_STYLES, &styles),
+            layout_shelves: shelves(table("layoutShelves")?, MOST_LAYOUTS, &layouts),
+            settings: all(table("settings")?, &pages::settings),
+            drafts: all(table("drafts")?, &Draft::read),
             pages,
         })
     }
@@ -147,253 +176,269 @@ impl Parts for Tables {
 }
 
 /// Each part of a table, or what is wrong with it.
-fn each<T>(values: Vec<Value>, read: impl Fn(Value) -> Read<T>) -> Table<Arc<T>> {
-    values.into_iter().map(|value| read(value).map(Arc::new)).collect()
+fn all<T>(values: Vec<Value>, read: &dyn Fn(Value) -> Read<T>) -> Table<T> {
+    let mut all = Vec::with_capacity(values.len());
+    for value in values {
+        all.push(read(value));
+    }
+    all
 }
 
-/// Styles or layouts of one's own: those that are not right are told, and missing wherever they are used.
-fn own(values: Table<Arc<Value>>, name: &str, dropped: &mut Dropped) -> Table<Option<Arc<Value>>> {
-    let good = |(i, value): (usize, Read<Arc<Value>>)| match value {
-        Ok(value) => Ok(Some(value)),
-        Err(wrong) => {
+/// Styles or layouts of one's own: one that is not right is told, and null wherever it is used.
+fn own_parts(
+    values: Vec<Value>,
+    name: &str,
+    read: fn(Value) -> Read<Arc<Value>>,
+    dropped: &mut Dropped,
+) -> Table<Arc<Value>> {
+    let mut good = Vec::with_capacity(values.len());
+    for (i, value) in values.into_iter().enumerate() {
+        good.push(Ok(read(value).unwrap_or_else(|wrong| {
             leave_out(dropped, &wrong.in_list(i).at(name));
-            Ok(None)
-        }
-    };
-    values.into_iter().enumerate().map(good).collect()
+            Arc::default()
+        })));
+    }
+    good
 }
 
 /// Lists of parts of a table.
 fn listed<T>(
-    values: Vec<Value>,
+    lists: Vec<Value>,
     most: usize,
-    part: impl Fn(&Value) -> Read<Option<Arc<T>>>,
-    joined: impl Fn(Vec<Arc<T>>) -> List<T>,
+    table: &[Read<Arc<T>>],
+    what: &str,
+    joined: &dyn Fn(Vec<Arc<T>>) -> List<T>,
 ) -> Table<List<T>> {
-    let read = |value| {
-        list(most, |index| part(&index))(value).map(|parts| joined(parts.into_iter().flatten().collect()))
-    };
-    values.into_iter().map(read).collect()
+    all(lists, &|list| json::each(items(list, most)?, &|index| part(table, &index, what)).map(joined))
 }
 
-/// One of each id; the first stays.
-fn unique(values: impl IntoIterator<Item = Arc<Value>>) -> List<Value> {
-    let mut seen = HashSet::new();
-    values.into_iter().filter(|value| seen.insert(value["id"].as_str().map(str::to_owned))).collect()
+/// Lists of styles or layouts: of each id the first.
+fn shelves(lists: Vec<Value>, most: usize, table: &[Read<Arc<Value>>]) -> Table<List<Value>> {
+    listed(lists, most, table, "part", &|mut shelf: Vec<Arc<Value>>| {
+        shelf.retain(|value| !value.is_null());
+        own::first_of_each(shelf)
+    })
 }
 
 /// The part of that index.
 fn part<T: Clone>(table: &[Read<T>], index: &Value, what: &str) -> Read<T> {
-    let found = index.as_u64().and_then(|index| table.get(usize::try_from(index).ok()?));
-    found.cloned().unwrap_or_else(|| Err(Wrong::new(format!("is no {what}"))))
+    match index.as_u64().and_then(|index| table.get(usize::try_from(index).ok()?)) {
+        Some(part) => part.clone(),
+        None => Err(Wrong::new(&format!("is no {what}"))),
+    }
 }
 
-/// What is written.
-#[derive(Serialize)]
-struct Out<'a> {
-    version: u64,
-    history: HistoryOut<'a>,
-    dropped: &'a Dropped,
-}
+/// Tables by their names, in the order of their numbers.
+const TABLES: [&str; 11] = [
+    "items",
+    "trays",
+    "pages",
+    "sheets",
+    "books",
+    "styles",
+    "shelves",
+    "layouts",
+    "layoutShelves",
+    "settings",
+    "drafts",
+];
+const ITEMS: usize = 0;
+const PAGES: usize = 2;
+const SHEETS: usize = 3;
+const STYLES: usize = 5;
+const LAYOUTS: usize = 7;
+const SETTINGS: usize = 9;
+const DRAFTS: usize = 10;
 
-#[derive(Serialize)]
-struct HistoryOut<'a> {
-    parts: TablesOut<'a>,
-    past: Vec<StateOut<'a>>,
-    present: StateOut<'a>,
-    future: Vec<StateOut<'a>>,
-    shown: Vec<ShownOut<'a>>,
-}
-
-/// A state, its parts in it or named. The fields stand in the order in which the page has them.
-#[derive(Serialize)]
-#[serde(rename_all = "camelCase")]
-pub(super) struct StateOut<'a> {
-    name: &'a str,
-    tray: Part<&'a TrayItem>,
-    alike: u8,
-    order: Order,
-    locks: &'a Locks,
-    panels: Option<u32>,
-    settings: Part<&'a PageSettings>,
-    page: Option<Part<&'a Document>>,
-    page_id: u64,
-    sheet: u64,
-    others: Part<SheetOut<'a>>,
-    at: usize,
-    draft: Option<Part<&'a Draft>>,
-    mine: Part<&'a Value>,
-    favourites: Part<&'a Value>,
-    own_layouts: Part<&'a Value>,
-    loved: &'a [u64],
-    styling: &'a Styling,
-    #[serde(flatten)]
-    rest: &'a Map<String, Value>,
-}
-
-/// A page of a storyboard.
-#[derive(Serialize)]
-#[serde(rename_all = "camelCase")]
-struct SheetOut<'a> {
-    page: Part<&'a Document>,
-    page_id: u64,
-    sheet: u64,
-    #[serde(flatten)]
-    rest: &'a Map<String, Value>,
-}
-
-/// A page shown.
-#[derive(Serialize)]
-pub(super) struct ShownOut<'a> {
-    id: u64,
-    page: Part<&'a Document>,
-    #[serde(skip_serializing_if = "Option::is_none")]
-    from: Option<u64>,
-    #[serde(skip_serializing_if = "Option::is_none")]
-    sheet: Option<u64>,
-    #[serde(flatten)]
-    rest: &'a Map<String, Value>,
-}
-
-/// A part, or a list of parts, that stands where it is or in a table.
-#[derive(Serialize)]
-#[serde(untagged)]
-enum Part<T> {
-    Named(usize),
-    Whole(T),
-    List(Vec<T>),
-}
-
-#[derive(Default, Serialize)]
-#[serde(rename_all = "camelCase")]
-struct TablesOut<'a> {
-    items: Vec<&'a TrayItem>,
-    trays: Vec<Vec<usize>>,
-    pages: Vec<&'a Document>,
-    sheets: Vec<SheetOut<'a>>,
-    books: Vec<Vec<usize>>,
-    styles: Vec<&'a Value>,
-    shelves: Vec<Vec<usize>>,
-    layouts: Vec<&'a Value>,
-    layout_shelves: Vec<Vec<usize>>,
-    settings: Vec<&'a PageSettings>,
-    drafts: Vec<&'a Draft>,
-}
-
-/// Where parts are that stand in tables already, by their addresses.
+/// Writes states; parts that stand in tables already it knows by their addresses.
 #[derive(Default)]
-pub(super) struct Interner<'a> {
+pub(super) struct Interner {
     inline: bool,
-    known: HashMap<*const (), usize>,
-    tables: TablesOut<'a>,
+    known: HashMap<usize, u64>,
+    tables: [(Writer, u64); TABLES.len()],
 }
 
-impl<'a> Interner<'a> {
+impl Interner {
     /// One that leaves every part where it is.
     pub(super) fn inline() -> Self {
         Self { inline: true, ..Self::default() }
     }
 
-    pub(super) fn state(&mut self, state: &'a Project) -> StateOut<'a> {
-        let sheets = |parts: &mut Self, sheet: &'a Arc<Sheet>| SheetOut {
-            page: parts.page(&sheet.page),
-            page_id: sheet.page_id,
-            sheet: sheet.sheet,
-            rest: &sheet.rest,
-        };
-        StateOut {
-            name: &state.name,
-            tray: self.list(&state.tray, |_, item| &**item, |tables| (&mut tables.items, &mut tables.trays)),
-            alike: state.alike,
-            order: state.order,
-            locks: &state.locks,
-            panels: state.panels,
-            settings: self.one(&state.settings, |tables| &mut tables.settings),
-            page: state.page.as_ref().map(|page| self.page(page)),
-            page_id: state.page_id,
-            sheet: state.sheet,
-            others: self.list(&state.others, sheets, |tables| (&mut tables.sheets, &mut tables.books)),
-            at: state.at,
-            draft: state.draft.as_ref().map(|draft| self.one(draft, |tables| &mut tables.drafts)),
-            mine: self.list(
-                &state.mine,
-                |_, style| &**style,
-                |tables| (&mut tables.styles, &mut tables.shelves),
-            ),
-            favourites: self.list(
-                &state.favourites,
-                |_, style| &**style,
-                |tables| (&mut tables.styles, &mut tables.shelves),
-            ),
-            own_layouts: self.list(
-                &state.own_layouts,
-                |_, layout| &**layout,
-                |tables| (&mut tables.layouts, &mut tables.layout_shelves),
-            ),
-            loved: &state.loved,
-            styling: &state.styling,
-            rest: &state.rest,
+    /// Writes a state, its fields in the order in which the page has them.
+    pub(super) fn state(&mut self, out: &mut Writer, state: &Project) {
+        self.differences(out, state, None);
+    }
+
+    /// Writes what of a state is not as it was in another.
+    pub(super) fn differences(&mut self, out: &mut Writer, state: &Project, was: Option<&Project>) {
+        let fresh = |same: &dyn Fn(&Project) -> bool| !was.is_some_and(same);
+        out.open(b'{');
+        if fresh(&|was| was.name == state.name) {
+            out.key("name").text(&state.name);
         }
-    }
-
-    pub(super) fn shown(&mut self, shown: &'a Shown) -> ShownOut<'a> {
-        ShownOut {
-            id: shown.id,
-            page: self.page(&shown.page),
-            from: shown.from,
-            sheet: Some(shown.sheet).filter(|sheet| *sheet > 0),
-            rest: &shown.rest,
+        if fresh(&|was| was.tray == state.tray) {
+            self.list(out.key("tray"), ITEMS, &state.tray, &|_, out, item| item.write(out));
         }
+        if fresh(&|was| was.alike == state.alike) {
+            out.key("alike").whole(u64::from(state.alike));
+        }
+        if fresh(&|was| was.order == state.order) {
+            out.key("order").text(match state.order {
+                Order::Time => "time",
+                Order::Name => "name",
+            });
+        }
+        if fresh(&|was| was.locks == state.locks) {
+            state.locks.write(out.key("locks"));
+        }
+        if fresh(&|was| was.panels == state.panels) {
+            match state.panels {
+                Some(panels) => out.key("panels").whole(u64::from(panels)),
+                None => out.key("panels").null(),
+            }
+        }
+        if fresh(&|was| was.settings == state.settings) {
+            self.part(out.key("settings"), SETTINGS, &state.settings, &|_, out, settings| out.put(settings));
+        }
+        if fresh(&|was| was.page == state.page) {
+            match &state.page {
+                Some(page) => self.page(out.key("page"), page),
+                None => out.key("page").null(),
+            }
+        }
+        for (name, same, id) in [
+            ("pageId", fresh(&|was| was.page_id == state.page_id), state.page_id),
+            ("sheet", fresh(&|was| was.sheet == state.sheet), state.sheet),
+        ] {
+            if same {
+                out.key(name).whole(id);
+            }
+        }
+        if fresh(&|was| was.others == state.others) {
+            self.list(out.key("others"), SHEETS, &state.others, &|parts, out, sheet: &Sheet| {
+                out.open(b'{');
+                parts.page(out.key("page"), &sheet.page);
+                out.key("pageId").whole(sheet.page_id);
+                out.key("sheet").whole(sheet.sheet);
+                out.rest(&sheet.rest);
+                out.close(b'}');
+            });
+        }
+        if fresh(&|was| was.at == state.at) {
+            out.key("at").whole(state.at as u64);
+        }
+        if fresh(&|was| was.draft == state.draft) {
+            match &state.draft {
+                Some(draft) => self.part(out.key("draft"), DRAFTS, draft, &|_, out, draft| draft.write(out)),
+                None => out.key("draft").null(),
+            }
+        }
+        for (shelf, name) in Shelf::ALL {
+            if fresh(&|was| shelf.of(was) == shelf.of(state)) {
+                let table = if shelf == Shelf::Layouts { LAYOUTS } else { STYLES };
+                self.list(out.key(name), table, shelf.of(state), &|_, out, value| out.value(value));
+            }
+        }
+        if fresh(&|was| was.loved == state.loved) {
+            out.key("loved").list(&state.loved, &|out, id| out.whole(*id));
+        }
+        if fresh(&|was| was.styling == state.styling) {
+            state.styling.write(out.key("styling"));
+        }
+        if fresh(&|was| was.rest == state.rest) {
+            out.rest(&state.rest);
+        }
+        out.close(b'}');
     }
 
-    fn page(&mut self, page: &'a Arc<Document>) -> Part<&'a Document> {
-        self.one(page, |tables| &mut tables.pages)
+    /// Writes pages shown.
+    pub(super) fn shown(&mut self, out: &mut Writer, shown: &[Arc<Shown>]) {
+        out.open(b'[');
+        for Shown { id, page, from, sheet, rest } in shown.iter().map(AsRef::as_ref) {
+            out.item();
+            out.open(b'{');
+            out.key("id").whole(*id);
+            self.page(out.key("page"), page);
+            if let Some(from) = from {
+                out.key("from").whole(*from);
+            }
+            // In a project of one page nothing is told.
+            if *sheet > 0 {
+                out.key("sheet").whole(*sheet);
+            }
+            out.rest(rest);
+            out.close(b'}');
+        }
+        out.close(b']');
     }
 
-    fn one<T>(
+    fn tables(&self, out: &mut Writer) {
+        out.open(b'{');
+        for (name, (table, _)) in TABLES.iter().zip(&self.tables) {
+            out.key(name).open(b'[');
+            out.append(table);
+            out.close(b']');
+        }
+        out.close(b'}');
+    }
+
+    fn page(&mut self, out: &mut Writer, page: &Arc<Document>) {
+        self.part(out, PAGES, page, &|_, out, page| page.write(out));
+    }
+
+    /// A part, or its index in a table.
+    fn part<T>(
         &mut self,
-        part: &'a Arc<T>,
-        table: impl for<'t> Fn(&'t mut TablesOut<'a>) -> &'t mut Vec<&'a T>,
-    ) -> Part<&'a T> {
-        if self.inline { Part::Whole(part) } else { Part::Named(self.place(part, |_, part| &**part, table)) }
+        out: &mut Writer,
+        table: usize,
+        part: &Arc<T>,
+        write: &dyn Fn(&mut Self, &mut Writer, &T),
+    ) {
+        self.named(out, table, Arc::as_ptr(part).addr(), &mut |parts, out| write(parts, out, part));
     }
 
-    fn list<T, O>(
+    /// A list of parts of a table, or its index in the table behind it.
+    fn list<T>(
         &mut self,
-        parts: &'a List<T>,
-        out: impl Fn(&mut Self, &'a Arc<T>) -> O,
-        tables: impl for<'t> Fn(&'t mut TablesOut<'a>) -> (&'t mut Vec<O>, &'t mut Vec<Vec<usize>>),
-    ) -> Part<O> {
+        out: &mut Writer,
+        table: usize,
+        list: &List<T>,
+        write: &dyn Fn(&mut Self, &mut Writer, &T),
+    ) {
+        self.named(out, table + 1, list.as_ptr().addr(), &mut |parts, out| {
+            out.open(b'[');
+            for item in list.iter() {
+                out.item();
+                parts.part(out, table, item, write);
+            }
+            out.close(b']');
+        });
+    }
+
+    #[inline(never)]
+    fn named(
+        &mut self,
+        out: &mut Writer,
+        table: usize,
+        address: usize,
+        write: &mut dyn FnMut(&mut Self, &mut Writer),
+    ) {
         if self.inline {
-            return Part::List(parts.iter().map(|part| out(self, part)).collect());
+            return write(self, out);
         }
-        let address = Arc::as_ptr(parts).cast();
-        if let Some(&index) = self.known.get(&address) {
-            return Part::Named(index);
+        if let Some(index) = self.known.get(&address) {
+            return out.whole(*index);
         }
-        let places = parts.iter().map(|part| self.place(part, &out, |all| tables(all).0)).collect();
-        let lists = tables(&mut self.tables).1;
-        lists.push(places);
-        let index = lists.len() - 1;
+        let mut fresh = Writer::default();
+        write(self, &mut fresh);
+        let (entries, count) = &mut self.tables[table];
+        if *count > 0 {
+            entries.open(b',');
+        }
+        entries.append(&fresh);
+        let index = *count;
+        *count += 1;
         self.known.insert(address, index);
-        Part::Named(index)
-    }
-
-    fn place<T, O>(
-        &mut self,
-        part: &'a Arc<T>,
-        out: impl Fn(&mut Self, &'a Arc<T>) -> O,
-        table: impl for<'t> Fn(&'t mut TablesOut<'a>) -> &'t mut Vec<O>,
-    ) -> usize {
-        let address = Arc::as_ptr(part).cast();
-        if let Some(&index) = self.known.get(&address) {
-            return index;
-        }
-        let one = out(self, part);
-        let table = table(&mut self.tables);
-        table.push(one);
-        let index = table.len() - 1;
-        self.known.insert(address, index);
-        index
+        out.whole(index);
     }
 }

@@ -33,6 +33,8 @@ pub const MOST_VIDEOS: usize = 1_000;
 pub const MOST_SUBJECTS: usize = 1_000;
 /// Blocks of one layer of a draft.
 pub const MOST_BLOCKS: usize = 32;
+/// Families that a draft belongs to.
+pub const MOST_TAGS: usize = 20;
 /// Ids of pages, and of places in a storyboard: there is room for new ones above.
 pub const GREATEST_ID: u64 = 1 << 40;
 /// Pixels of a side of a photo.

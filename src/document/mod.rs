@@ -10,6 +10,15 @@
 //! | [`history`] | states before and after, and the pages shown |
 //! | [`mod@file`] | the text of a project file and of a page PNG: `project.json` |
 //! | [`kept`] | a history as the browser's database has it: what states share is told once |
+//! | [`edit`] | all that can be done, and the pure function that does it to a state |
+//! | [`editor`] | done step by step, undone and redone |
+//! | [`sheets`] | the pages of a storyboard as one list |
+//! | [`own`] | lists that all projects share |
+//! | [`planning`] | pages planned from the photos that are free for them |
+//! | [`spreading`] | an album laid out over pages |
+//! | [`upkeep`] | pages that lost a photo |
+//! | [`draft`] | a style while it is designed |
+//! | [`subtitles`] | subtitles, and the panels that they go to |
 //!
 //! # Fields that are added, and versions
 //!
@@ -25,15 +34,24 @@
 //! What is wrong with the present state, its pages or the photos of a file costs the whole. A state of another time, a page
 //! shown before, a style or layout of one's own is left out, and what was left out is told.
 
+pub mod draft;
+pub mod edit;
+pub mod editor;
 pub mod file;
 pub mod history;
 pub mod kept;
 pub mod limits;
+pub mod own;
 pub mod pages;
+pub mod planning;
 pub mod project;
+pub mod sheets;
+pub mod spreading;
+pub mod subtitles;
+pub mod upkeep;
 
-use crate::error::{Error, Result};
-use crate::json::{Fields, Read, Wrong, whole};
+use crate::error::Error;
+use crate::json::{Fields, Read, Wrong};
 
 /// Version of what is saved.
 pub const VERSION: u64 = 1;
@@ -50,7 +68,7 @@ fn leave_out(dropped: &mut Dropped, wrong: &Wrong) {
 
 /// The version of something saved, brought up to date. There is no older one so far.
 fn version(fields: &mut Fields) -> Read<()> {
-    let version = whole(1..=u64::MAX)(fields.required("version")?).map_err(|wrong| wrong.at("version"))?;
+    let version = fields.count("version", 1, u64::MAX)?;
     if version > VERSION {
         return Err(Wrong::newer(version, VERSION).at("version"));
     }
@@ -58,13 +76,13 @@ fn version(fields: &mut Fields) -> Read<()> {
 }
 
 /// What a page of the program is told.
-fn told<T>(read: Read<T>) -> Result<T> {
-    read.map_err(|Wrong { place, reason, newer }| {
-        let location = if place.is_empty() { "project".to_owned() } else { place };
-        if newer {
-            Error::NewerProject { location, reason }
-        } else {
-            Error::DamagedProject { location, reason }
-        }
-    })
+#[cold]
+fn refusal(wrong: &Wrong) -> Error {
+    let location = if wrong.place().is_empty() { "project" } else { wrong.place() }.to_owned();
+    let reason = wrong.reason().to_owned();
+    if wrong.is_newer() {
+        Error::NewerProject { location, reason }
+    } else {
+        Error::DamagedProject { location, reason }
+    }
 }

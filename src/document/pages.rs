@@ -6,41 +6,44 @@ use crate::layout::PageSettings;
 use crate::page::document::{Document, style_of, template_of};
 use crate::page::words::Word;
 use serde_json::Value;
+use std::sync::Arc;
 
 /// Reads a page and checks all that is needed to draw it.
 ///
 /// # Errors
 /// With the place of what is wrong.
-pub fn page(value: Value) -> Read<Document> {
+pub fn page(value: Value) -> Read<Arc<Document>> {
     let page = Document::read(value)?;
-    validated(&page.page).map_err(|wrong| wrong.at("page"))?;
+    check(&page)?;
+    Ok(Arc::new(page))
+}
+
+/// Whether a page can be drawn.
+///
+/// # Errors
+/// With the place of what is wrong.
+pub fn check(page: &Document) -> Read<()> {
+    page.page.validate().map_err(Wrong::of)?;
     known(&page.layout).map_err(|wrong| wrong.at("layout"))?;
     let template = template_of(&page.layout).map_err(|error| Wrong::of(error).at("layout"))?;
     known(&page.style).map_err(|wrong| wrong.at("style"))?;
     style_of(&page.style).map_err(|error| Wrong::of(error).at("style"))?;
     let (has, wants) = (page.panels.len(), template.panels().len());
     if has != wants {
-        return Err(Wrong::new(format!("has {has} entries, the layout has {wants} panels")).at("panels"));
+        return Err(Wrong::new(&format!("has {has} entries, the layout has {wants} panels")).at("panels"));
     }
     Word::parse_all(&page.words).map_err(Wrong::of)?;
-    Ok(page)
+    Ok(())
 }
 
 /// Reads page settings and checks their ranges.
 ///
 /// # Errors
 /// With the field that is wrong.
-pub fn settings(value: Value) -> Read<PageSettings> {
+pub fn settings(value: Value) -> Read<Arc<PageSettings>> {
     let page = PageSettings::read(value)?;
-    validated(&page)?;
-    Ok(page)
-}
-
-fn validated(page: &PageSettings) -> Read<()> {
-    page.validate().map_err(|error| {
-        let wrong = Wrong::of(error);
-        Wrong { place: wrong.place.trim_start_matches("page.").to_owned(), ..wrong }
-    })
+    page.validate().map_err(|error| Wrong::of(error).without("page."))?;
+    Ok(Arc::new(page))
 }
 
 /// A layout or style is an id or an object.

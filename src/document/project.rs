@@ -2,13 +2,12 @@
 //! What is known of a photo (its name, size, measures) never changes and lives in the album, so that undoing an edit does
 //! not undo what was read meanwhile. States of a history share what they have in common.
 
-use super::limits::{GREATEST_ID, LONGEST_ID, LONGEST_NAME, MOST_BLOCKS, MOST_LOVED, MOST_WANTED};
-use crate::json::{Fields, Read, Wrong, flag, list, name, number, text, whole};
+use super::limits::{GREATEST_ID, LONGEST_ID, LONGEST_NAME, MOST_BLOCKS, MOST_LOVED, MOST_TAGS, MOST_WANTED};
+use crate::json::{Fields, Read, Writer, Wrong, fields};
 use crate::layout::{PageSettings, Template};
 use crate::page::Document;
 use crate::raster::color::parse_hex;
 use crate::style::{Style, blocks};
-use serde::Serialize;
 use serde_json::{Map, Value};
 use std::collections::HashSet;
 use std::sync::Arc;
@@ -60,23 +59,20 @@ pub struct Project {
 }
 
 /// A photo in the tray.
-#[derive(Debug, Clone, PartialEq, Serialize)]
+#[derive(Debug, Clone, PartialEq)]
 pub struct TrayItem {
     /// Its id.
     pub id: String,
     /// What the person chose; none follows the selection's verdict.
-    #[serde(rename = "use")]
     pub used: Option<bool>,
     /// The point of it that matters, where a person marked one.
-    #[serde(skip_serializing_if = "Option::is_none")]
     pub focus: Option<Focus>,
     /// Fields that this program does not know.
-    #[serde(flatten)]
     pub rest: Map<String, Value>,
 }
 
 /// A point of a photo, in parts of it.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+#[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Focus {
     /// From the left.
     pub x: f64,
@@ -85,8 +81,7 @@ pub struct Focus {
 }
 
 /// The order of photos.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize)]
-#[serde(rename_all = "lowercase")]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum Order {
     /// As they were taken, where all say so.
     #[default]
@@ -96,7 +91,7 @@ pub enum Order {
 }
 
 /// Parts of the page that no shuffle changes.
-#[derive(Debug, Clone, PartialEq, Default, Serialize)]
+#[derive(Debug, Clone, PartialEq, Default)]
 pub struct Locks {
     /// The layout.
     pub layout: bool,
@@ -105,13 +100,11 @@ pub struct Locks {
     /// The photos.
     pub photos: bool,
     /// Fields that this program does not know.
-    #[serde(flatten)]
     pub rest: Map<String, Value>,
 }
 
 /// How a shuffle draws a style.
-#[derive(Debug, Clone, PartialEq, Default, Serialize)]
-#[serde(rename_all = "camelCase")]
+#[derive(Debug, Clone, PartialEq, Default)]
 pub struct Styling {
     /// The share of invented ones, 0 to 1.
     pub invented: f64,
@@ -120,7 +113,6 @@ pub struct Styling {
     /// The colour layer stays.
     pub keep_colours: bool,
     /// Fields that this program does not know.
-    #[serde(flatten)]
     pub rest: Map<String, Value>,
 }
 
@@ -139,7 +131,7 @@ pub struct Sheet {
 
 /// A style while it is designed. Every block has a key, so that its card stays the same card wherever it is moved, and all
 /// of its values.
-#[derive(Debug, Clone, PartialEq, Serialize)]
+#[derive(Debug, Clone, PartialEq)]
 pub struct Draft {
     /// Id of the style.
     pub id: String,
@@ -154,12 +146,11 @@ pub struct Draft {
     /// Colour of the lines, `#rrggbb`.
     pub ink: String,
     /// Fields that this program does not know.
-    #[serde(flatten)]
     pub rest: Map<String, Value>,
 }
 
 /// A block of a draft.
-#[derive(Debug, Clone, PartialEq, Serialize)]
+#[derive(Debug, Clone, PartialEq)]
 pub struct DraftStep {
     /// Names it within the draft.
     pub key: u64,
@@ -170,7 +161,6 @@ pub struct DraftStep {
     /// Left out of the chain.
     pub bypass: bool,
     /// Fields that this program does not know.
-    #[serde(flatten)]
     pub rest: Map<String, Value>,
 }
 
@@ -200,14 +190,14 @@ impl Default for Project {
     }
 }
 
-/// Where the parts of a state come from that other states may share: they stand in it, or in tables beside it.
+/// Where the parts of a state come from that other states may share: they stand in it, or in tables beside it. `field` is
+/// the name of a list, for what is left out of it.
 pub(super) trait Parts {
     fn tray(&mut self, value: Value) -> Read<List<TrayItem>>;
     fn settings(&mut self, value: Value) -> Read<Arc<PageSettings>>;
     fn page(&mut self, value: Value) -> Read<Arc<Document>>;
     fn sheets(&mut self, value: Value) -> Read<List<Sheet>>;
     fn draft(&mut self, value: Value) -> Read<Arc<Draft>>;
-    /// `field` is the list's name, for what is left out of it.
     fn styles(&mut self, value: Value, field: &str) -> Read<List<Value>>;
     fn layouts(&mut self, value: Value, field: &str) -> Read<List<Value>>;
 }
@@ -217,40 +207,54 @@ impl Project {
     ///
     /// # Errors
     /// With the place of what is wrong.
-    pub(super) fn read(value: Value, parts: &mut impl Parts) -> Read<Self> {
+    pub(super) fn read(value: Value, parts: &mut dyn Parts) -> Read<Self> {
         let mut fields = Fields::of(value)?;
-        let usual = Self::default();
-        let mut count = |name: &str| Ok(fields.read(name, whole(0..=GREATEST_ID))?.unwrap_or_default());
-        let (page_id, sheet, at) = (count("pageId")?, count("sheet")?, count("at")?);
-        let loved = fields.read("loved", list(MOST_LOVED, whole(0..=GREATEST_ID)))?.unwrap_or_default();
-        let wanted = fields.nullable("panels", whole(1..=MOST_WANTED))?;
-        let project = Self {
-            name: fields.read("name", text(LONGEST_NAME))?.unwrap_or_default(),
-            tray: fields.read("tray", |value| parts.tray(value))?.unwrap_or(usual.tray),
-            alike: fields.read("alike", whole(0..=64))?.map_or(usual.alike, |bits| bits as u8),
-            order: fields.read("order", order)?.unwrap_or_default(),
-            locks: fields.read("locks", locks)?.unwrap_or_default(),
-            panels: wanted.map(|panels| panels as u32),
-            settings: fields.read("settings", |value| parts.settings(value))?.unwrap_or(usual.settings),
-            page: fields.nullable("page", |value| parts.page(value))?,
-            page_id,
-            sheet,
-            others: fields.read("others", |value| parts.sheets(value))?.unwrap_or(usual.others),
-            at: at as usize,
-            draft: fields.nullable("draft", |value| parts.draft(value))?,
-            mine: fields.read("mine", |value| parts.styles(value, "mine"))?.unwrap_or(usual.mine),
-            favourites: fields
-                .read("favourites", |value| parts.styles(value, "favourites"))?
-                .unwrap_or(usual.favourites),
-            own_layouts: fields
-                .read("ownLayouts", |value| parts.layouts(value, "ownLayouts"))?
-                .unwrap_or(usual.own_layouts),
-            loved: loved.into(),
-            styling: fields.read("styling", styling)?.unwrap_or_default(),
-            rest: fields.rest(),
-        };
-        project.check_sheets()?;
-        Ok(project)
+        let mut state = Self::default();
+        if let Some(name) = fields.text("name", LONGEST_NAME)? {
+            state.name = name;
+        }
+        if let Some(bits) = fields.whole("alike", 0, 64)? {
+            state.alike = bits as u8;
+        }
+        state.order = fields.part("order", &mut |order| Order::read(&order))?.unwrap_or_default();
+        state.panels = fields.nullable("panels").whole("panels", 1, MOST_WANTED)?.map(|panels| panels as u32);
+        for (name, id) in [("pageId", &mut state.page_id), ("sheet", &mut state.sheet)] {
+            *id = fields.whole(name, 0, GREATEST_ID)?.unwrap_or_default();
+        }
+        state.at = fields.whole("at", 0, GREATEST_ID)?.unwrap_or_default() as usize;
+        let id = |id| fields::whole_of(&id, 0, GREATEST_ID);
+        state.loved = fields.each("loved", MOST_LOVED, &id)?.into();
+        if let Some(tray) = fields.part("tray", &mut |value| parts.tray(value))? {
+            state.tray = tray;
+        }
+        if let Some(settings) = fields.part("settings", &mut |value| parts.settings(value))? {
+            state.settings = settings;
+        }
+        if let Some(others) = fields.part("others", &mut |value| parts.sheets(value))? {
+            state.others = others;
+        }
+        if let Some(mine) = fields.part("mine", &mut |value| parts.styles(value, "mine"))? {
+            state.mine = mine;
+        }
+        if let Some(favourites) = fields.part("favourites", &mut |value| parts.styles(value, "favourites"))? {
+            state.favourites = favourites;
+        }
+        if let Some(own_layouts) =
+            fields.part("ownLayouts", &mut |value| parts.layouts(value, "ownLayouts"))?
+        {
+            state.own_layouts = own_layouts;
+        }
+        if let Some(locks) = fields.part("locks", &mut locks)? {
+            state.locks = locks;
+        }
+        if let Some(styling) = fields.part("styling", &mut styling)? {
+            state.styling = styling;
+        }
+        state.page = fields.nullable("page").part("page", &mut |value| parts.page(value))?;
+        state.draft = fields.nullable("draft").part("draft", &mut |value| parts.draft(value))?;
+        state.rest = fields.rest();
+        state.check_sheets()?;
+        Ok(state)
     }
 
     fn check_sheets(&self) -> Read<()> {
@@ -268,119 +272,194 @@ impl Project {
 }
 
 /// The photos of the tray. One that is there twice counts once.
-pub(super) fn tray(items: impl IntoIterator<Item = Arc<TrayItem>>) -> List<TrayItem> {
+pub(super) fn tray(mut items: Vec<Arc<TrayItem>>) -> List<TrayItem> {
     let mut seen = HashSet::new();
-    items.into_iter().filter(|item| seen.insert(item.id.clone())).collect()
+    items.retain(|item| seen.insert(item.id.clone()));
+    items.into()
 }
 
 /// A style of one's own: a style file with an id.
-pub(super) fn style(value: Value) -> Read<Value> {
+pub(super) fn style(value: Value) -> Read<Arc<Value>> {
     identified(&value)?;
     Style::from_value("style", &value).map_err(Wrong::of)?;
-    Ok(value)
+    Ok(Arc::new(value))
 }
 
 /// A layout of one's own.
-pub(super) fn layout(value: Value) -> Read<Value> {
+pub(super) fn layout(value: Value) -> Read<Arc<Value>> {
     identified(&value)?;
     Template::from_value("layout", &value).map_err(Wrong::of)?;
-    Ok(value)
+    Ok(Arc::new(value))
 }
 
 fn identified(value: &Value) -> Read<()> {
     if value["id"].is_string() { Ok(()) } else { Err(Wrong::new("is missing").at("id")) }
 }
 
-pub(super) fn tray_item(value: Value) -> Read<TrayItem> {
-    let mut fields = Fields::of(value)?;
-    let id = name(LONGEST_ID)(fields.required("id")?).map_err(|wrong| wrong.at("id"))?;
-    let used = fields.nullable("use", flag)?;
-    let focus = fields.nullable("focus", focus)?;
-    Ok(TrayItem { id, used, focus, rest: fields.rest() })
+impl Order {
+    pub(super) fn read(value: &Value) -> Read<Self> {
+        match value.as_str() {
+            Some("time") => Ok(Self::Time),
+            Some("name") => Ok(Self::Name),
+            _ => Err(Wrong::new("is none of time, name")),
+        }
+    }
 }
 
-fn focus(value: Value) -> Read<Focus> {
+impl TrayItem {
+    /// A photo of which nothing was said.
+    #[must_use]
+    pub fn new(id: String) -> Self {
+        Self { id, used: None, focus: None, rest: Map::new() }
+    }
+
+    pub(super) fn read(value: Value) -> Read<Arc<Self>> {
+        let mut fields = Fields::of(value)?;
+        let id = fields.name("id", LONGEST_ID)?;
+        let used = match fields.told("use") {
+            None => None,
+            Some(Value::Bool(used)) => Some(used),
+            Some(_) => return Err(Wrong::new("is neither true nor false").at("use")),
+        };
+        let focus = fields.nullable("focus").part("focus", &mut focus)?;
+        Ok(Arc::new(Self { id, used, focus, rest: fields.rest() }))
+    }
+
+    pub(super) fn write(&self, out: &mut Writer) {
+        out.open(b'{');
+        out.key("id").text(&self.id);
+        match self.used {
+            Some(used) => out.key("use").flag(used),
+            None => out.key("use").null(),
+        }
+        if let Some(Focus { x, y }) = self.focus {
+            out.key("focus").open(b'{');
+            out.key("x").number(x);
+            out.key("y").number(y);
+            out.close(b'}');
+        }
+        out.rest(&self.rest);
+        out.close(b'}');
+    }
+}
+
+pub(super) fn focus(value: Value) -> Read<Focus> {
     let mut fields = Fields::of(value)?;
-    let mut part = |name: &str| number(-1.0..=2.0)(fields.required(name)?).map_err(|wrong| wrong.at(name));
+    let mut part =
+        |name: &str| fields.number(name, -1.0, 2.0)?.ok_or_else(|| Wrong::new("is missing").at(name));
     let focus = Focus { x: part("x")?, y: part("y")? };
     fields.done()?;
     Ok(focus)
 }
 
-/// A page of a storyboard, whose document comes from elsewhere.
-pub(super) fn sheet(value: Value, page: impl FnOnce(Value) -> Read<Arc<Document>>) -> Read<Sheet> {
-    let mut fields = Fields::of(value)?;
-    let page = page(fields.required("page")?).map_err(|wrong| wrong.at("page"))?;
-    let mut id = |name: &str| whole(0..=GREATEST_ID)(fields.required(name)?).map_err(|wrong| wrong.at(name));
-    Ok(Sheet { page, page_id: id("pageId")?, sheet: id("sheet")?, rest: fields.rest() })
-}
-
-#[allow(clippy::needless_pass_by_value, reason = "readers take values")]
-fn order(value: Value) -> Read<Order> {
-    match value.as_str() {
-        Some("time") => Ok(Order::Time),
-        Some("name") => Ok(Order::Name),
-        _ => Err(Wrong::new("is none of time, name")),
+impl Sheet {
+    /// Reads a page of a storyboard, whose document may come from elsewhere.
+    pub(super) fn read(value: Value, page: &dyn Fn(Value) -> Read<Arc<Document>>) -> Read<Arc<Self>> {
+        let mut fields = Fields::of(value)?;
+        let page = page(fields.required("page")?).map_err(|wrong| wrong.at("page"))?;
+        let (page_id, sheet) =
+            (fields.count("pageId", 0, GREATEST_ID)?, fields.count("sheet", 0, GREATEST_ID)?);
+        Ok(Arc::new(Self { page, page_id, sheet, rest: fields.rest() }))
     }
 }
 
 fn locks(value: Value) -> Read<Locks> {
     let mut fields = Fields::of(value)?;
-    let mut lock = |name: &str| Ok(fields.read(name, flag)?.unwrap_or_default());
-    let (layout, style, photos) = (lock("layout")?, lock("style")?, lock("photos")?);
+    let (layout, style, photos) = (fields.flag("layout")?, fields.flag("style")?, fields.flag("photos")?);
     Ok(Locks { layout, style, photos, rest: fields.rest() })
 }
 
-fn styling(value: Value) -> Read<Styling> {
-    let mut fields = Fields::of(value)?;
-    Ok(Styling {
-        invented: fields.read("invented", number(0.0..=1.0))?.unwrap_or_default(),
-        keep_lines: fields.read("keepLines", flag)?.unwrap_or_default(),
-        keep_colours: fields.read("keepColours", flag)?.unwrap_or_default(),
-        rest: fields.rest(),
-    })
-}
-
-pub(super) fn draft(value: Value) -> Read<Draft> {
-    let mut fields = Fields::of(value)?;
-    let mut layer = |name: &str| Ok(fields.read(name, list(MOST_BLOCKS, draft_step))?.unwrap_or_default());
-    let (background, foreground) = (layer("background")?, layer("foreground")?);
-    Ok(Draft {
-        id: name(LONGEST_ID)(fields.required("id")?).map_err(|wrong| wrong.at("id"))?,
-        name: fields.read("name", text(LONGEST_NAME))?.unwrap_or_default(),
-        tags: fields.read("tags", list(20, text(LONGEST_NAME)))?.unwrap_or_default(),
-        background,
-        foreground,
-        ink: fields.read("ink", ink)?.unwrap_or_else(|| "#000000".into()),
-        rest: fields.rest(),
-    })
-}
-
-fn ink(value: Value) -> Read<String> {
-    let ink = text(7)(value)?;
-    if parse_hex(&ink).is_some() { Ok(ink) } else { Err(Wrong::new("is no colour like #101014")) }
-}
-
-fn draft_step(value: Value) -> Read<DraftStep> {
-    let mut fields = Fields::of(value)?;
-    let id = name(LONGEST_ID)(fields.required("block")?).map_err(|wrong| wrong.at("block"))?;
-    let block = blocks::find(&id).ok_or_else(|| Wrong::new("is no block that there is").at("block"))?;
-    let values = fields.read("values", |value| match value {
-        Value::Object(values) => Ok(values),
-        _ => Err(Wrong::new("is no object")),
-    })?;
-    let values = values.unwrap_or_default();
-    for (name, value) in &values {
-        let param = block.params.iter().find(|param| param.id == name);
-        let good = param.ok_or_else(|| "is no parameter of this block".to_owned());
-        good.and_then(|param| param.value_from_json(value))
-            .map_err(|reason| Wrong::new(reason).at(name).at("values"))?;
+impl Locks {
+    pub(super) fn write(&self, out: &mut Writer) {
+        out.open(b'{');
+        for (name, lock) in [("layout", self.layout), ("style", self.style), ("photos", self.photos)] {
+            out.key(name).flag(lock);
+        }
+        out.rest(&self.rest);
+        out.close(b'}');
     }
-    Ok(DraftStep {
-        key: whole(0..=GREATEST_ID)(fields.required("key")?).map_err(|wrong| wrong.at("key"))?,
-        block: id,
-        values,
-        bypass: fields.read("bypass", flag)?.unwrap_or_default(),
-        rest: fields.rest(),
-    })
+}
+
+pub(super) fn styling(value: Value) -> Read<Styling> {
+    let mut fields = Fields::of(value)?;
+    let invented = fields.number("invented", 0.0, 1.0)?.unwrap_or_default();
+    let (keep_lines, keep_colours) = (fields.flag("keepLines")?, fields.flag("keepColours")?);
+    Ok(Styling { invented, keep_lines, keep_colours, rest: fields.rest() })
+}
+
+impl Styling {
+    pub(super) fn write(&self, out: &mut Writer) {
+        out.open(b'{');
+        out.key("invented").number(self.invented);
+        out.key("keepLines").flag(self.keep_lines);
+        out.key("keepColours").flag(self.keep_colours);
+        out.rest(&self.rest);
+        out.close(b'}');
+    }
+}
+
+impl Draft {
+    pub(super) fn read(value: Value) -> Read<Arc<Self>> {
+        let mut fields = Fields::of(value)?;
+        let ink = fields.text("ink", 7)?.unwrap_or_else(|| "#000000".into());
+        if parse_hex(&ink).is_none() {
+            return Err(Wrong::new("is no colour like #101014").at("ink"));
+        }
+        Ok(Arc::new(Self {
+            id: fields.name("id", LONGEST_ID)?,
+            name: fields.text("name", LONGEST_NAME)?.unwrap_or_default(),
+            tags: fields.each("tags", MOST_TAGS, &|tag| fields::text_of(tag, LONGEST_NAME))?,
+            background: fields.each("background", MOST_BLOCKS, &DraftStep::read)?,
+            foreground: fields.each("foreground", MOST_BLOCKS, &DraftStep::read)?,
+            ink,
+            rest: fields.rest(),
+        }))
+    }
+
+    pub(super) fn write(&self, out: &mut Writer) {
+        out.open(b'{');
+        out.key("id").text(&self.id);
+        out.key("name").text(&self.name);
+        out.key("tags").texts(&self.tags);
+        for (name, layer) in [("background", &self.background), ("foreground", &self.foreground)] {
+            out.key(name).list(layer, &|out, step| step.write(out));
+        }
+        out.key("ink").text(&self.ink);
+        out.rest(&self.rest);
+        out.close(b'}');
+    }
+}
+
+impl DraftStep {
+    fn read(value: Value) -> Read<Self> {
+        let mut fields = Fields::of(value)?;
+        let id = fields.name("block", LONGEST_ID)?;
+        let block = blocks::find(&id).ok_or_else(|| Wrong::new("is no block that there is").at("block"))?;
+        let mut values = match fields.take("values") {
+            None => Map::new(),
+            Some(Value::Object(values)) => values,
+            Some(_) => return Err(Wrong::new("is no object").at("values")),
+        };
+        for (name, value) in &mut values {
+            let wrong = |reason: &str| Wrong::new(reason).at(name).at("values");
+            let param = block.params.iter().find(|param| param.id == name);
+            let param = param.ok_or_else(|| wrong("is no parameter of this block"))?;
+            // 2 and 2.0 are the same value.
+            *value = param.value_to_json(param.value_from_json(value).map_err(|reason| wrong(&reason))?);
+        }
+        let (key, bypass) = (fields.count("key", 0, GREATEST_ID)?, fields.flag("bypass")?);
+        Ok(Self { key, block: id, values, bypass, rest: fields.rest() })
+    }
+
+    fn write(&self, out: &mut Writer) {
+        out.open(b'{');
+        out.key("key").whole(self.key);
+        out.key("block").text(&self.block);
+        out.key("values").open(b'{');
+        out.rest(&self.values);
+        out.close(b'}');
+        out.key("bypass").flag(self.bypass);
+        out.rest(&self.rest);
+        out.close(b'}');
+    }
 }

@@ -4,7 +4,7 @@ use serde::{Deserialize, Deserializer, Serialize};
 use serde_json::Value;
 
 use crate::error::{Error, Result};
-use crate::json::{Fields, Read, number, text, whole};
+use crate::json::{Fields, Read};
 
 /// Gutter of a page that says nothing else, in page widths.
 pub const DEFAULT_GUTTER: f64 = 0.018;
@@ -100,7 +100,7 @@ impl PageSettings {
         let mut page = Self::default();
         let sides = [("width", &mut page.width), ("height", &mut page.height), ("dpi", &mut page.dpi)];
         for (name, side) in sides {
-            *side = fields.read(name, whole(0..=u64::from(u32::MAX)))?.map_or(*side, |told| told as u32);
+            *side = fields.whole(name, 0, u64::from(u32::MAX))?.map_or(*side, |told| told as u32);
         }
         let lengths = [
             ("gutter", &mut page.gutter),
@@ -109,10 +109,10 @@ impl PageSettings {
             ("cornerRadius", &mut page.corner_radius),
         ];
         for (name, length) in lengths {
-            *length = fields.read(name, number(f64::MIN..=f64::MAX))?.unwrap_or(*length);
+            *length = fields.number(name, f64::MIN, f64::MAX)?.unwrap_or(*length);
         }
         for (name, color) in [("paper", &mut page.paper), ("borderColor", &mut page.border_color)] {
-            if let Some(told) = fields.read(name, text(7))? {
+            if let Some(told) = fields.text(name, 7)? {
                 *color = told;
             }
         }

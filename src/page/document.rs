@@ -4,10 +4,10 @@
 use super::words::model::MOST_WORDS;
 use crate::error::{Error, Result};
 use crate::framing::Crop;
-use crate::json::{Fields, Read, Wrong, flag, list, name, number, whole};
+use crate::json::{Fields, Read, Writer, Wrong, each, fields, items};
 use crate::layout::{self, PageSettings, Template};
 use crate::style::{Style, catalogue};
-use serde::{Deserialize, Deserializer, Serialize};
+use serde::{Deserialize, Deserializer};
 use serde_json::{Map, Value};
 use std::borrow::Cow;
 
@@ -23,8 +23,7 @@ pub const LONGEST_ID: usize = 200;
 const SLACK: f64 = 1e-6;
 
 /// A storyboard page.
-#[derive(Debug, Clone, PartialEq, Serialize)]
-#[serde(rename_all = "camelCase")]
+#[derive(Debug, Clone, PartialEq)]
 pub struct Document {
     /// [`VERSION`].
     pub version: u32,
@@ -45,13 +44,11 @@ pub struct Document {
     /// Words on the page, as [`Word`](super::words::Word) has them, in paint order. Whoever draws them checks them.
     pub words: Vec<Value>,
     /// Fields that this program does not know, kept for one that does.
-    #[serde(flatten)]
     pub rest: Map<String, Value>,
 }
 
 /// What one panel shows.
-#[derive(Debug, Clone, PartialEq, Default, Serialize)]
-#[serde(rename_all = "camelCase")]
+#[derive(Debug, Clone, PartialEq, Default)]
 pub struct PanelContent {
     /// Id of the photo; none leaves the panel empty.
     pub photo: Option<String>,
@@ -62,7 +59,6 @@ pub struct PanelContent {
     /// The crop was made by hand: it stays while the photo stays in this panel.
     pub edited: bool,
     /// Fields that this program does not know, kept for one that does.
-    #[serde(flatten)]
     pub rest: Map<String, Value>,
 }
 
@@ -79,7 +75,7 @@ impl Document {
     /// `invalid-document` for anything but a document of this version.
     pub fn parse(json: &str) -> Result<Self> {
         let value = serde_json::from_str(json).map_err(|error| invalid("document", error.to_string()))?;
-        let document = Self::read(value).map_err(|wrong| invalid(&wrong.place, wrong.reason))?;
+        let document = Self::read(value).map_err(|wrong| invalid(wrong.place(), wrong.reason()))?;
         document.page.validate()?;
         Ok(document)
     }
@@ -91,31 +87,33 @@ impl Document {
     pub fn read(value: Value) -> Read<Self> {
         let mut fields = Fields::of(value)?;
         let known = u64::from(VERSION);
-        match whole(1..=u64::MAX)(fields.required("version")?).map_err(|wrong| wrong.at("version"))? {
-            version if version > known => return Err(Wrong::newer(version, known).at("version")),
-            _ => {}
+        let version = fields.count("version", 1, u64::MAX)?;
+        if version > known {
+            return Err(Wrong::newer(version, known).at("version"));
         }
-        let seed =
-            whole(0..=u64::from(u32::MAX))(fields.required("seed")?).map_err(|wrong| wrong.at("seed"))?;
-        let panels = list(MOST_PANELS, PanelContent::read)(fields.required("panels")?);
+        let page = fields.part("page", &mut PageSettings::read)?.unwrap_or_default();
+        let mut order = Vec::new();
+        for (i, id) in fields.list("order", MOST_PHOTOS)?.into_iter().enumerate() {
+            order.push(fields::text_of(id, LONGEST_ID).map_err(|wrong| wrong.in_list(i).at("order"))?);
+        }
+        let panels = items(fields.required("panels")?, MOST_PANELS)
+            .and_then(|panels| each(panels, &PanelContent::read));
         let panels = panels.map_err(|wrong| wrong.at("panels"))?;
-        let panel = |value| whole(0..=MOST_PANELS as u64)(value).map(|panel| panel as usize);
-        let merges = fields.read("merges", list(MOST_PANELS, list(MOST_PANELS, panel)))?;
+        let merges = fields.each("merges", MOST_PANELS, &|group| {
+            let panel = |panel| fields::whole_of(&panel, 0, MOST_PANELS as u64).map(|panel| panel as usize);
+            each(items(group, MOST_PANELS)?, &panel)
+        })?;
         let document = Self {
             version: VERSION,
-            seed: seed as u32,
+            seed: fields.count("seed", 0, u64::from(u32::MAX))? as u32,
             layout: fields.required("layout")?,
             style: fields.required("style")?,
-            order: fields.read("order", list(MOST_PHOTOS, name(LONGEST_ID)))?.unwrap_or_default(),
+            order,
             panels,
             // A panel shares its image with others, or with none.
-            merges: merges
-                .unwrap_or_default()
-                .into_iter()
-                .filter(|group: &Vec<usize>| group.len() > 1)
-                .collect(),
-            page: fields.read("page", PageSettings::read)?.unwrap_or_default(),
-            words: fields.read("words", list(MOST_WORDS, Ok))?.unwrap_or_default(),
+            merges: merges.into_iter().filter(|group| group.len() > 1).collect(),
+            page,
+            words: fields.list("words", MOST_WORDS)?,
             rest: fields.rest(),
         };
         document.check_merges().map_err(|wrong| wrong.at("merges"))?;
@@ -127,10 +125,35 @@ impl Document {
         for &panel in self.merges.iter().flatten() {
             match seen.get_mut(panel) {
                 Some(seen) if !*seen => *seen = true,
-                _ => return Err(Wrong::new(format!("panel {panel} is missing or merged twice"))),
+                _ => return Err(Wrong::new(&format!("panel {panel} is missing or merged twice"))),
             }
         }
         Ok(())
+    }
+
+    /// Writes the document, its fields in the order in which they are declared.
+    pub fn write(&self, out: &mut Writer) {
+        out.open(b'{');
+        out.key("version").whole(u64::from(self.version));
+        out.key("seed").whole(u64::from(self.seed));
+        out.key("layout").value(&self.layout);
+        out.key("style").value(&self.style);
+        out.key("order").texts(&self.order);
+        out.key("panels").list(&self.panels, &|out, panel| panel.write(out));
+        out.key("merges")
+            .list(&self.merges, &|out, group| out.list(group, &|out, panel| out.whole(*panel as u64)));
+        out.key("page").put(&self.page);
+        out.key("words").list(&self.words, &|out, word| out.value(word));
+        out.rest(&self.rest);
+        out.close(b'}');
+    }
+
+    /// The document as JSON, which [`parse`](Self::parse) reads.
+    #[must_use]
+    pub fn to_json(&self) -> String {
+        let mut out = Writer::default();
+        self.write(&mut out);
+        out.finish()
     }
 
     /// The template of the page.
@@ -159,24 +182,40 @@ impl Document {
 impl PanelContent {
     fn read(value: Value) -> Read<Self> {
         let mut fields = Fields::of(value)?;
+        let crop = fields.nullable("crop").part("crop", &mut read_crop)?;
         Ok(Self {
-            photo: fields.nullable("photo", name(LONGEST_ID))?,
-            crop: fields.nullable("crop", crop)?,
-            locked: fields.nullable("locked", flag)?.unwrap_or_default(),
-            edited: fields.nullable("edited", flag)?.unwrap_or_default(),
+            photo: fields.nullable("photo").text("photo", LONGEST_ID)?,
+            crop,
+            locked: fields.nullable("locked").flag("locked")?,
+            edited: fields.nullable("edited").flag("edited")?,
             rest: fields.rest(),
         })
+    }
+
+    fn write(&self, out: &mut Writer) {
+        out.open(b'{');
+        match &self.photo {
+            Some(photo) => out.key("photo").text(photo),
+            None => out.key("photo").null(),
+        }
+        out.key("crop").put(&self.crop);
+        out.key("locked").flag(self.locked);
+        out.key("edited").flag(self.edited);
+        out.rest(&self.rest);
+        out.close(b'}');
     }
 }
 
 /// A crop, which must lie inside of its photo.
-fn crop(value: Value) -> Read<Crop> {
+fn read_crop(value: Value) -> Read<Crop> {
     let mut fields = Fields::of(value)?;
-    let mut side = |name: &str, range| number(range)(fields.required(name)?).map_err(|wrong| wrong.at(name));
-    let (x, y) = (side("x", -SLACK..=1.0)?, side("y", -SLACK..=1.0)?);
-    let sides = SLACK..=1.0 + SLACK;
-    let (width, height) = (side("width", sides.clone())?, side("height", sides)?);
+    let mut sides = [0.0; 4];
+    for (name, side) in ["x", "y", "width", "height"].into_iter().zip(&mut sides) {
+        let least = if name.len() == 1 { -SLACK } else { SLACK };
+        *side = fields.number(name, least, 1.0 + SLACK)?.ok_or_else(|| Wrong::new("is missing").at(name))?;
+    }
     fields.done()?;
+    let [x, y, width, height] = sides;
     if x + width > 1.0 + SLACK || y + height > 1.0 + SLACK {
         return Err(Wrong::new("reaches beyond the photo"));
     }

@@ -131,7 +131,7 @@ impl Step {
 }
 
 impl Param {
-    fn value_to_json(&self, value: f32) -> Value {
+    pub(crate) fn value_to_json(&self, value: f32) -> Value {
         match self.kind {
             // Through the shortest decimal, so that 1.2 is not written as 1.2000000476837158.
             Kind::Number { .. } => json!(value.to_string().parse::<f64>().unwrap_or(f64::from(value))),

@@ -1,7 +1,7 @@
 //! The photos that pages are planned from. They are told once: an album of hundreds is a megabyte of text, and a page is
 //! planned with every shuffle, for every alternative and whenever a photo was searched for subjects.
 
-use super::{parse, thrown, to_json};
+use super::{parse, thrown};
 use crate::error::{Error, Result};
 use crate::framing::PhotoMeta;
 use crate::page::request::Request;
@@ -46,7 +46,7 @@ impl Album {
             let known =
                 |id: &String| self.photos.get(id).cloned().ok_or_else(|| Error::MissingPhoto(id.clone()));
             let photos = ids.iter().map(known).collect::<Result<_>>()?;
-            to_json(&shuffle::plan(&Request { photos, ..parse(request, "request")? })?)
+            Ok(shuffle::plan(&Request { photos, ..parse(request, "request")? })?.to_json())
         };
         plan().map_err(thrown)
     }

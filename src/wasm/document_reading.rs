@@ -3,6 +3,7 @@
 use super::thrown;
 use crate::document::file::ProjectFile;
 use crate::document::kept;
+use crate::error::Result;
 use wasm_bindgen::prelude::*;
 
 /// The text of a project file or of a page PNG, normalised, with what was left out: `{format, version, history: {present,
@@ -10,13 +11,13 @@ use wasm_bindgen::prelude::*;
 /// Throws `damaged-project` or `newer-project`.
 #[wasm_bindgen]
 pub fn read_project(json: &str, prefix: Option<String>) -> std::result::Result<String, JsValue> {
-    let read = move || {
+    let read = move || -> Result<String> {
         let project = ProjectFile::parse(json)?;
         let project = match prefix {
             Some(prefix) => project.renamed(&prefix),
             None => project,
         };
-        project.write()
+        Ok(project.write())
     };
     read().map_err(thrown)
 }
@@ -25,5 +26,5 @@ pub fn read_project(json: &str, prefix: Option<String>) -> std::result::Result<S
 /// out. Throws as `read_project`.
 #[wasm_bindgen]
 pub fn read_history(json: &str) -> std::result::Result<String, JsValue> {
-    kept::parse(json).and_then(|(history, dropped)| kept::write(&history, &dropped)).map_err(thrown)
+    kept::parse(json).map(|(history, dropped)| kept::write(&history, &dropped)).map_err(thrown)
 }

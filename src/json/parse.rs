@@ -1,27 +1,11 @@
-//! JSON of strangers: parsed within bounds, then taken apart field by field. What is wrong knows its place, which grows
-//! on the way up: `size` becomes `words[3].size` becomes `present.page.words[3].size`.
+//! Text parsed within bounds: its length, the number of its values, the length of each text in it.
 
-use crate::error::Error;
+use super::{Read, Wrong};
 use serde::de::{DeserializeSeed, Deserializer, MapAccess, SeqAccess, Visitor};
 use serde_json::{Map, Value};
 use std::borrow::Cow;
 use std::cell::{Cell, RefCell};
 use std::fmt;
-use std::ops::RangeInclusive;
-
-/// What is wrong with a document, and where.
-#[derive(Debug, Clone, PartialEq, Eq)]
-pub struct Wrong {
-    /// Path of the field, empty for the whole.
-    pub place: String,
-    /// In words that follow the place.
-    pub reason: String,
-    /// It is not damaged but made by a newer program.
-    pub newer: bool,
-}
-
-/// What a reader of a part gives.
-pub type Read<T> = std::result::Result<T, Wrong>;
 
 /// Bounds of a text of JSON, whatever it says. Nesting ends at 128, as `serde_json` has it.
 #[derive(Debug, Clone, Copy)]
@@ -34,62 +18,13 @@ pub struct Bounds {
     pub text: usize,
 }
 
-impl Wrong {
-    /// A part that is wrong.
-    #[must_use]
-    pub fn new(reason: impl Into<String>) -> Self {
-        Self { place: String::new(), reason: reason.into(), newer: false }
-    }
-
-    /// A part of a version that this program does not know.
-    #[must_use]
-    pub fn newer(version: u64, known: u64) -> Self {
-        Self { newer: true, ..Self::new(format!("{version} is newer than {known}")) }
-    }
-
-    /// The place and the reason of an error of the engine.
-    #[must_use]
-    pub fn of(error: Error) -> Self {
-        match error {
-            Error::InvalidStyle { location, reason, .. }
-            | Error::InvalidLayout { location, reason, .. }
-            | Error::InvalidDocument { location, reason } => {
-                let place = if location == "file" { String::new() } else { location };
-                Self { place, ..Self::new(reason) }
-            }
-            other => Self::new(other.to_string()),
-        }
-    }
-
-    /// The same, told from the object that has it in that field.
-    #[must_use]
-    pub fn at(mut self, field: &str) -> Self {
-        let dot = if self.place.is_empty() || self.place.starts_with('[') { "" } else { "." };
-        self.place = format!("{field}{dot}{}", self.place);
-        self
-    }
-
-    /// The same, told from the list that has it at that place.
-    #[must_use]
-    pub fn in_list(self, index: usize) -> Self {
-        self.at(&format!("[{index}]"))
-    }
-}
-
-impl fmt::Display for Wrong {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let place = if self.place.is_empty() { "document" } else { &self.place };
-        write!(f, "{place}: {}", self.reason)
-    }
-}
-
 /// Parses text within bounds. Half a character (a lone surrogate, as cutting a text leaves it) is read as U+FFFD.
 ///
 /// # Errors
 /// For what is no JSON, and beyond the bounds, with the place.
 pub fn parse(json: &str, bounds: Bounds) -> Read<Value> {
     if json.len() > bounds.bytes {
-        return Err(Wrong::new(format!("is longer than {} MB", bounds.bytes >> 20)));
+        return Err(Wrong::new(&format!("is longer than {} MB", bounds.bytes >> 20)));
     }
     let json = whole_characters(json);
     let budget =
@@ -100,7 +35,7 @@ pub fn parse(json: &str, bounds: Bounds) -> Read<Value> {
     parsed.map_err(|error| {
         let text = error.to_string();
         if !budget.wrong.get() {
-            return Wrong::new(format!("is no JSON: {text}"));
+            return Wrong::new(&format!("is no JSON: {text}"));
         }
         let reason = text.split(" at line ").next().unwrap_or_default();
         budget.path.take().into_iter().rev().fold(Wrong::new(reason), |wrong, step| match step {
@@ -244,146 +179,6 @@ impl<'de> Visitor<'de> for Seed<'_> {
     }
 }
 
-/// An object that is taken apart; what is left over at the end is not known.
-pub struct Fields(Map<String, Value>);
-
-impl Fields {
-    /// The fields of an object.
-    ///
-    /// # Errors
-    /// When the value is none.
-    pub fn of(value: Value) -> Read<Self> {
-        match value {
-            Value::Object(map) => Ok(Self(map)),
-            _ => Err(Wrong::new("is no object")),
-        }
-    }
-
-    /// Takes a field, which must be there.
-    ///
-    /// # Errors
-    /// When it is missing.
-    pub fn required(&mut self, name: &str) -> Read<Value> {
-        self.take(name).ok_or_else(|| Wrong::new("is missing").at(name))
-    }
-
-    /// Takes a field.
-    pub fn take(&mut self, name: &str) -> Option<Value> {
-        self.0.remove(name)
-    }
-
-    /// Takes a field and reads it; what is wrong with it has its name.
-    ///
-    /// # Errors
-    /// Those of `read`.
-    pub fn read<T>(&mut self, name: &str, read: impl FnOnce(Value) -> Read<T>) -> Read<Option<T>> {
-        self.take(name).map(read).transpose().map_err(|wrong| wrong.at(name))
-    }
-
-    /// The same of a field that may be null, which is as if it were missing.
-    ///
-    /// # Errors
-    /// Those of `read`.
-    pub fn nullable<T>(&mut self, name: &str, read: impl FnOnce(Value) -> Read<T>) -> Read<Option<T>> {
-        let told = self.take(name).filter(|value| !value.is_null());
-        told.map(read).transpose().map_err(|wrong| wrong.at(name))
-    }
-
-    /// Nothing else may be there.
-    ///
-    /// # Errors
-    /// For a field that was not taken.
-    pub fn done(self) -> Read<()> {
-        match self.0.keys().next() {
-            Some(name) => Err(Wrong::new("is not known here").at(name)),
-            None => Ok(()),
-        }
-    }
-
-    /// What was not taken.
-    #[must_use]
-    pub fn rest(self) -> Map<String, Value> {
-        self.0
-    }
-}
-
-/// A text of at most so many characters.
-///
-/// # Errors
-/// For anything else.
-pub fn text(most: usize) -> impl Fn(Value) -> Read<String> {
-    move |value| match value {
-        Value::String(text) if text.chars().nth(most).is_none() => Ok(text),
-        Value::String(_) => Err(Wrong::new(format!("is longer than {most} characters"))),
-        _ => Err(Wrong::new("is no text")),
-    }
-}
-
-/// The same, but not empty.
-///
-/// # Errors
-/// For anything else.
-pub fn name(most: usize) -> impl Fn(Value) -> Read<String> {
-    move |value| match text(most)(value)? {
-        text if text.is_empty() => Err(Wrong::new("is empty")),
-        text => Ok(text),
-    }
-}
-
-/// A whole number in a range.
-///
-/// # Errors
-/// For anything else.
-pub fn whole(range: RangeInclusive<u64>) -> impl Fn(Value) -> Read<u64> {
-    move |value| {
-        // A whole number is the same however it was written: 5, 5.0 and 5e0.
-        let decimal =
-            || value.as_f64().filter(|n| n.fract() == 0.0 && (0.0..9e15).contains(n)).map(|n| n as u64);
-        let number = value.as_u64().or_else(decimal).filter(|number| range.contains(number));
-        number.ok_or_else(|| {
-            Wrong::new(format!("is no whole number from {} to {}", range.start(), range.end()))
-        })
-    }
-}
-
-/// A number in a range.
-///
-/// # Errors
-/// For anything else.
-pub fn number(range: RangeInclusive<f64>) -> impl Fn(Value) -> Read<f64> {
-    move |value| {
-        let number = value.as_f64().filter(|number| range.contains(number));
-        number.ok_or_else(|| Wrong::new(format!("is no number from {} to {}", range.start(), range.end())))
-    }
-}
-
-/// True or false.
-///
-/// # Errors
-/// For anything else.
-#[allow(clippy::needless_pass_by_value, reason = "readers take values")]
-pub fn flag(value: Value) -> Read<bool> {
-    value.as_bool().ok_or_else(|| Wrong::new("is neither true nor false"))
-}
-
-/// A list of at most so many, each read.
-///
-/// # Errors
-/// For anything else, and those of `read`.
-pub fn list<T>(most: usize, mut read: impl FnMut(Value) -> Read<T>) -> impl FnMut(Value) -> Read<Vec<T>> {
-    move |value| {
-        let Value::Array(values) = value else { return Err(Wrong::new("is no list")) };
-        if values.len() > most {
-            return Err(Wrong::new(format!("has {} entries, at most {most} are allowed", values.len())));
-        }
-        values
-            .into_iter()
-            .enumerate()
-            .map(|(i, value)| read(value).map_err(|wrong| wrong.in_list(i)))
-            .collect()
-    }
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -402,7 +197,7 @@ mod tests {
         assert!(parsed("{\"a\":1} 2").unwrap_err().starts_with("document: is no JSON"));
         assert!(
             parse(&"[".repeat(200), Bounds { values: 1_000, ..BOUNDS })
-                .is_err_and(|wrong| wrong.reason.contains("recursion"))
+                .is_err_and(|wrong| wrong.reason().contains("recursion"))
         );
     }
 

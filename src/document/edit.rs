@@ -1,0 +1,436 @@
+//! All that a person can do to a project, as plain data, and the pure function that does it to a state.
+
+use super::limits::{
+    GREATEST_ID, LONGEST_ID, LONGEST_NAME, MOST_LAYOUTS, MOST_LOVED, MOST_PHOTOS, MOST_SHEETS, MOST_STYLES,
+    MOST_WANTED,
+};
+use super::project::{self, Draft, Focus, List, Order, Project, Sheet, Styling, TrayItem};
+use super::{own, pages, sheets};
+use crate::json::{Fields, Read, Wrong, each, items, text_of};
+use crate::layout::PageSettings;
+use crate::page::Document;
+use serde_json::Value;
+use std::collections::HashSet;
+use std::sync::Arc;
+
+/// What is done.
+#[derive(Debug, Clone, PartialEq)]
+pub enum Edit {
+    /// Photos come onto the table.
+    AddPhotos(Vec<String>),
+    /// Photos leave it, and the pages with it.
+    RemovePhotos(Vec<String>),
+    /// Photos that could not be read are gone from all times: no undo brings them back.
+    ForgetPhotos(Vec<String>),
+    /// Photos are used, or not.
+    UsePhotos(Vec<(String, bool)>),
+    /// A photo takes the place of another, wherever that was.
+    ExchangePhoto {
+        /// The one that goes.
+        id: String,
+        /// The one that comes.
+        by: String,
+    },
+    /// How photos are chosen and ordered; what is not told stays.
+    ChooseBy {
+        /// Bits in which fingerprints of look-alikes may differ.
+        alike: Option<u8>,
+        /// The order.
+        order: Option<Order>,
+    },
+    /// The point of a photo that matters.
+    FocusPhoto {
+        /// The photo.
+        id: String,
+        /// None takes the mark away.
+        focus: Option<Focus>,
+    },
+    /// A part of the page is locked, or no longer.
+    Lock(Part, bool),
+    /// The wanted number of panels, none for any.
+    WantPanels(Option<u32>),
+    /// Another page is the page.
+    ShowPage {
+        /// It.
+        page: Arc<Document>,
+        /// Names it among those shown.
+        page_id: u64,
+    },
+    /// The page changes.
+    ChangePage(Arc<Document>),
+    /// Page settings, and the page on such paper.
+    ChangeSettings {
+        /// The settings.
+        settings: Arc<PageSettings>,
+        /// The page; none where there is none.
+        page: Option<Arc<Document>>,
+    },
+    /// The pages of the storyboard.
+    SetSheets {
+        /// In order, one at least.
+        sheets: Vec<Arc<Sheet>>,
+        /// Which is edited from now on.
+        at: usize,
+    },
+    /// There is no page any more.
+    NoPage,
+    /// What is in the designer.
+    Design(Option<Arc<Draft>>),
+    /// A list that all projects share.
+    Own(Shelf, List<Value>),
+    /// A page shown is a favourite, or no longer.
+    LovePage {
+        /// Its id.
+        page_id: u64,
+        /// Whether it is.
+        on: bool,
+    },
+    /// What the person calls the project.
+    Rename(String),
+    /// How a shuffle draws styles.
+    Styling(Styling),
+    /// A step back.
+    Undo,
+    /// A step forth.
+    Redo,
+    /// Lists that all projects share, as they are now outside of this one: no step, at no time undone.
+    Share(Vec<(Shelf, List<Value>)>),
+}
+
+/// A part of the page.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Part {
+    /// Its layout.
+    Layout,
+    /// Its style.
+    Style,
+    /// Its photos.
+    Photos,
+}
+
+/// A list that all projects share.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Shelf {
+    /// A person's own styles.
+    Mine,
+    /// Favourite styles.
+    Favourites,
+    /// A person's own layouts.
+    Layouts,
+}
+
+impl Shelf {
+    /// All of them, with their names in JSON.
+    pub const ALL: [(Self, &str); 3] =
+        [(Self::Mine, "mine"), (Self::Favourites, "favourites"), (Self::Layouts, "ownLayouts")];
+
+    /// The list of a state.
+    #[must_use]
+    pub fn of(self, project: &Project) -> &List<Value> {
+        match self {
+            Self::Mine => &project.mine,
+            Self::Favourites => &project.favourites,
+            Self::Layouts => &project.own_layouts,
+        }
+    }
+
+    pub(super) fn of_mut(self, project: &mut Project) -> &mut List<Value> {
+        match self {
+            Self::Mine => &mut project.mine,
+            Self::Favourites => &mut project.favourites,
+            Self::Layouts => &mut project.own_layouts,
+        }
+    }
+}
+
+/// How an edit counts.
+#[derive(Debug, Clone, PartialEq, Eq, Default)]
+pub struct How {
+    /// It amends the present without a step, as for a page that is still growing.
+    pub silent: bool,
+    /// Names the edit that it belongs to, such as one drag of a slider: a step with the gesture of the step before joins
+    /// it.
+    pub gesture: Option<String>,
+}
+
+impl Project {
+    /// The state after an edit; none where nothing changes. Steps through time and lists that come from outside are
+    /// not of one state, and change nothing here.
+    #[must_use]
+    pub fn after(&self, edit: &Edit) -> Option<Self> {
+        let mut next = self.clone();
+        match edit {
+            Edit::AddPhotos(ids) => next.tray = self.with_photos(ids)?,
+            Edit::RemovePhotos(ids) | Edit::ForgetPhotos(ids) => return self.without(ids),
+            Edit::UsePhotos(uses) => {
+                next.tray = mapped(&self.tray, |item| {
+                    let (_, used) = uses.iter().rev().find(|(id, _)| *id == item.id)?;
+                    Some(TrayItem { used: Some(*used), ..item.clone() })
+                });
+            }
+            Edit::ExchangePhoto { id, by } => next.exchange(id, by),
+            Edit::ChooseBy { alike, order } => {
+                next.alike = alike.unwrap_or(self.alike);
+                next.order = order.unwrap_or(self.order);
+                if (next.alike, next.order) == (self.alike, self.order) {
+                    return None;
+                }
+            }
+            Edit::FocusPhoto { id, focus } => {
+                next.tray = mapped(&self.tray, |item| {
+                    (item.id == *id).then(|| TrayItem { focus: *focus, ..item.clone() })
+                });
+            }
+            Edit::Lock(part, on) => {
+                let lock = match part {
+                    Part::Layout => &mut next.locks.layout,
+                    Part::Style => &mut next.locks.style,
+                    Part::Photos => &mut next.locks.photos,
+                };
+                if *lock == *on {
+                    return None;
+                }
+                *lock = *on;
+            }
+            Edit::WantPanels(count) => {
+                if self.panels == *count {
+                    return None;
+                }
+                next.panels = *count;
+            }
+            Edit::ShowPage { page, page_id } => {
+                next.show(page);
+                next.page_id = *page_id;
+            }
+            Edit::ChangePage(page) => {
+                self.page.as_ref()?;
+                next.show(page);
+            }
+            Edit::ChangeSettings { settings, page } => {
+                next.settings = settings.clone();
+                next.page.clone_from(page);
+                if page.is_none() {
+                    next.others = Arc::new([]);
+                    next.at = 0;
+                }
+            }
+            Edit::SetSheets { sheets, at } => next.set_sheets(sheets, *at)?,
+            Edit::NoPage => {
+                next.page.take()?;
+                next.others = Arc::new([]);
+                next.at = 0;
+            }
+            Edit::Design(draft) => next.draft.clone_from(draft),
+            Edit::Own(shelf, list) => *shelf.of_mut(&mut next) = list.clone(),
+            Edit::LovePage { page_id, on } => next.loved = self.with_love(*page_id, *on)?,
+            Edit::Rename(name) => {
+                if self.name == *name {
+                    return None;
+                }
+                next.name.clone_from(name);
+            }
+            Edit::Styling(styling) => next.styling = styling.clone(),
+            Edit::Undo | Edit::Redo | Edit::Share(_) => return None,
+        }
+        if matches!(
+            edit,
+            Edit::ShowPage { .. }
+                | Edit::ChangePage(_)
+                | Edit::ChangeSettings { .. }
+                | Edit::SetSheets { .. }
+        ) {
+            // A page that was shown before may have photos that are no longer on the table.
+            let table: HashSet<&str> = self.tray.iter().map(|item| item.id.as_str()).collect();
+            next.each_page(&|page| sheets::without(page, &|photo| !table.contains(photo)));
+        }
+        Some(next)
+    }
+
+    /// Without some photos, on the table and on the pages. A page shows none that is not on the table.
+    pub(super) fn without(&self, ids: &[String]) -> Option<Self> {
+        let gone: HashSet<&str> = ids.iter().map(String::as_str).collect();
+        let tray: Vec<_> =
+            self.tray.iter().filter(|item| !gone.contains(item.id.as_str())).cloned().collect();
+        if tray.len() == self.tray.len() {
+            return None;
+        }
+        let mut next = Self { tray: tray.into(), ..self.clone() };
+        next.each_page(&|page| sheets::without(page, &|photo| gone.contains(photo)));
+        Some(next)
+    }
+
+    fn show(&mut self, page: &Arc<Document>) {
+        self.page = Some(page.clone());
+        if *self.settings != page.page {
+            self.settings = Arc::new(page.page.clone());
+        }
+    }
+
+    /// The tray with photos that come onto the table; none where all are there already, or there is no room.
+    fn with_photos(&self, ids: &[String]) -> Option<List<TrayItem>> {
+        let mut known: HashSet<&str> = self.tray.iter().map(|item| item.id.as_str()).collect();
+        let mut tray = self.tray.to_vec();
+        let fresh = ids.iter().filter(|id| known.insert(id)).cloned().map(TrayItem::new).map(Arc::new);
+        tray.extend(fresh.take(MOST_PHOTOS.saturating_sub(self.tray.len())));
+        (tray.len() > self.tray.len()).then(|| tray.into())
+    }
+
+    /// Puts a photo in the place of another. One that is on the table already comes into the place of the other.
+    fn exchange(&mut self, id: &str, by: &str) {
+        let others: Vec<_> = self.tray.iter().filter(|item| item.id != by || id == by).cloned().collect();
+        if others.iter().any(|item| item.id == id) {
+            self.tray = mapped(&others, |item| {
+                (item.id == id).then(|| TrayItem { id: by.to_owned(), used: Some(true), ..item.clone() })
+            });
+            self.each_page(&|page| sheets::exchanged(page, id, by));
+        }
+    }
+
+    /// The favourites with one more or less; none where it is as it was.
+    fn with_love(&self, page_id: u64, on: bool) -> Option<Arc<[u64]>> {
+        if self.loved.contains(&page_id) == on {
+            return None;
+        }
+        let mut loved: Vec<_> = self.loved.iter().copied().filter(|id| *id != page_id).collect();
+        if on {
+            // The oldest go.
+            loved.drain(..loved.len().saturating_sub(MOST_LOVED - 1));
+            loved.push(page_id);
+        }
+        Some(loved.into())
+    }
+}
+
+/// The list with some items changed.
+fn mapped(tray: &[Arc<TrayItem>], change: impl Fn(&TrayItem) -> Option<TrayItem>) -> List<TrayItem> {
+    tray.iter().map(|item| change(item).map_or_else(|| item.clone(), Arc::new)).collect()
+}
+
+impl Edit {
+    /// Reads an edit and how it counts: an object with a `type`, its fields, and perhaps `silent` and `gesture`. `known`
+    /// gives the pages that are not told in full, by their ids.
+    ///
+    /// # Errors
+    /// With the place of what is wrong.
+    pub fn read(value: Value, known: &dyn Fn(u64) -> Option<Arc<Document>>) -> Read<(Self, How)> {
+        let mut fields = Fields::of(value)?;
+        let how = How {
+            silent: fields.flag("silent")?,
+            gesture: fields.nullable("gesture").text("gesture", LONGEST_NAME)?,
+        };
+        let kind = fields.name("type", LONGEST_ID)?;
+        let edit = match kind.as_str() {
+            "add-photos" => Self::AddPhotos(ids(&mut fields)?),
+            "remove-photo" => Self::RemovePhotos(vec![fields.name("id", LONGEST_ID)?]),
+            "remove-photos" => Self::RemovePhotos(ids(&mut fields)?),
+            "forget-photos" => Self::ForgetPhotos(ids(&mut fields)?),
+            "use-photo" => Self::UsePhotos(vec![(fields.name("id", LONGEST_ID)?, fields.flag("use")?)]),
+            "use-photos" => Self::UsePhotos(fields.part("uses", &mut uses)?.unwrap_or_default()),
+            "exchange-photo" => {
+                Self::ExchangePhoto { id: fields.name("id", LONGEST_ID)?, by: fields.name("by", LONGEST_ID)? }
+            }
+            "choose-by" => Self::ChooseBy {
+                alike: fields.nullable("alike").whole("alike", 0, 64)?.map(|bits| bits as u8),
+                order: fields.nullable("order").part("order", &mut |order| Order::read(&order))?,
+            },
+            "focus-photo" => Self::FocusPhoto {
+                id: fields.name("id", LONGEST_ID)?,
+                focus: fields.nullable("focus").part("focus", &mut project::focus)?,
+            },
+            "lock" => Self::Lock(fields.part("part", &mut part)?.unwrap_or(Part::Layout), fields.flag("on")?),
+            "want-panels" => {
+                let count = fields.nullable("count").whole("count", 1, MOST_WANTED)?;
+                Self::WantPanels(count.map(|count| count as u32))
+            }
+            "show-page" => {
+                let page_id = fields.count("pageId", 0, GREATEST_ID)?;
+                Self::ShowPage { page: page(&mut fields, page_id, known)?, page_id }
+            }
+            "change-page" => Self::ChangePage(page(&mut fields, 0, &|_| None)?),
+            "change-settings" => Self::ChangeSettings {
+                settings: fields.part("settings", &mut pages::settings)?.unwrap_or_default(),
+                page: fields.nullable("page").part("page", &mut pages::page)?,
+            },
+            "set-sheets" => {
+                let sheets = fields.each("sheets", MOST_SHEETS, &|value| sheet(value, known))?;
+                let at = fields.count("at", 0, sheets.len().saturating_sub(1) as u64)? as usize;
+                let mut seen = HashSet::new();
+                if sheets.is_empty() || !sheets.iter().all(|sheet| seen.insert(sheet.sheet)) {
+                    return Err(Wrong::new("are no pages of a storyboard").at("sheets"));
+                }
+                Self::SetSheets { sheets, at }
+            }
+            "no-page" => Self::NoPage,
+            "design" => Self::Design(fields.nullable("draft").part("draft", &mut Draft::read)?),
+            "love-page" => {
+                Self::LovePage { page_id: fields.count("pageId", 0, GREATEST_ID)?, on: fields.flag("on")? }
+            }
+            "rename" => Self::Rename(fields.text("name", LONGEST_NAME)?.unwrap_or_default()),
+            "styling" => Self::Styling(fields.part("styling", &mut project::styling)?.unwrap_or_default()),
+            "undo" => Self::Undo,
+            "redo" => Self::Redo,
+            "share" => {
+                let mut lists = Fields::of(fields.required("lists")?).map_err(|wrong| wrong.at("lists"))?;
+                let mut told = Vec::new();
+                for (shelf, name) in Shelf::ALL {
+                    if let Some(list) = lists.part(name, &mut |list| self::shelf(list, shelf))? {
+                        told.push((shelf, list));
+                    }
+                }
+                Self::Share(told)
+            }
+            _ => {
+                let own_lists = [("own-styles", 0), ("favourites", 1), ("own-layouts", 2)];
+                let found = own_lists.into_iter().find(|(name, _)| *name == kind);
+                let (_, at) = found.ok_or_else(|| Wrong::new("is nothing that can be done").at("type"))?;
+                let (shelf, name) = Shelf::ALL[at];
+                Self::Own(
+                    shelf,
+                    fields.part(name, &mut |list| self::shelf(list, shelf))?.unwrap_or_else(|| Arc::new([])),
+                )
+            }
+        };
+        Ok((edit, how))
+    }
+}
+
+fn ids(fields: &mut Fields) -> Read<Vec<String>> {
+    fields.each("ids", MOST_PHOTOS, &|id| text_of(id, LONGEST_ID))
+}
+
+fn uses(value: Value) -> Read<Vec<(String, bool)>> {
+    let all = Fields::of(value)?.rest().into_iter();
+    Ok(all.filter_map(|(id, used)| Some((id, used.as_bool()?))).collect())
+}
+
+fn part(value: Value) -> Read<Part> {
+    match text_of(value, LONGEST_ID)?.as_str() {
+        "layout" => Ok(Part::Layout),
+        "style" => Ok(Part::Style),
+        "photos" => Ok(Part::Photos),
+        _ => Err(Wrong::new("is none of layout, style, photos")),
+    }
+}
+
+fn shelf(value: Value, shelf: Shelf) -> Read<List<Value>> {
+    let all = match shelf {
+        Shelf::Mine | Shelf::Favourites => each(items(value, MOST_STYLES)?, &project::style),
+        Shelf::Layouts => each(items(value, MOST_LAYOUTS)?, &project::layout),
+    };
+    Ok(own::first_of_each(all?))
+}
+
+/// A page in full, or the one of that id.
+fn page(fields: &mut Fields, id: u64, known: &dyn Fn(u64) -> Option<Arc<Document>>) -> Read<Arc<Document>> {
+    match fields.part("page", &mut pages::page)? {
+        Some(page) => Ok(page),
+        None => known(id).ok_or_else(|| Wrong::new("is missing").at("page")),
+    }
+}
+
+fn sheet(value: Value, known: &dyn Fn(u64) -> Option<Arc<Document>>) -> Read<Arc<Sheet>> {
+    let mut fields = Fields::of(value)?;
+    let (page_id, place) = (fields.count("pageId", 0, GREATEST_ID)?, fields.count("sheet", 0, GREATEST_ID)?);
+    let page = page(&mut fields, page_id, known)?;
+    Ok(Arc::new(Sheet { page, page_id, sheet: place, rest: fields.rest() }))
+}

@@ -1,0 +1,243 @@
+//! A project while it is edited: what is done to it step by step, and how it is undone.
+
+use super::edit::{Edit, How, Shelf};
+use super::history::{History, Shown};
+use super::limits::{MOST_SHOWN, MOST_STEPS, PROJECT};
+use super::project::{Project, Sheet};
+use super::{kept, own};
+use crate::error::{Error, Result};
+use crate::json;
+use crate::page::Document;
+use serde_json::{Map, Value};
+use std::collections::{HashMap, HashSet};
+use std::sync::Arc;
+
+/// A history that grows, and the edit that its last step belongs to.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct Editor {
+    history: History,
+    gesture: Option<String>,
+}
+
+impl Editor {
+    /// An editor with what was done before.
+    #[must_use]
+    pub fn new(history: History) -> Self {
+        Self { history, gesture: None }
+    }
+
+    /// All states, and the pages shown.
+    #[must_use]
+    pub fn history(&self) -> &History {
+        &self.history
+    }
+
+    /// The state now.
+    #[must_use]
+    pub fn project(&self) -> &Project {
+        &self.history.present
+    }
+
+    /// Does something.
+    ///
+    /// Returns whether anything changed.
+    pub fn apply(&mut self, edit: &Edit, how: &How) -> bool {
+        match edit {
+            Edit::Undo => return self.undo(),
+            Edit::Redo => return self.redo(),
+            Edit::Share(lists) => return self.share(lists),
+            Edit::ForgetPhotos(ids) => return self.forget(ids),
+            _ => {}
+        }
+        let history = &mut self.history;
+        let Some(next) = history.present.after(edit) else { return false };
+        let before = std::mem::replace(&mut history.present, Arc::new(next));
+        if *edit == Edit::NoPage && how.silent {
+            // A first page none of whose photos could be read was none.
+            history.shown.retain(|shown| shown.id != before.page_id);
+            return true;
+        }
+        let same = before.page.is_some() && before.sheet == history.present.sheet;
+        history.note(same.then_some(before.page_id));
+        if how.silent {
+            return true;
+        }
+        let joins = how.gesture.is_some() && how.gesture == self.gesture;
+        if !joins {
+            history.past.push(before);
+            let over = history.past.len().saturating_sub(MOST_STEPS);
+            history.past.drain(..over);
+        }
+        history.future.clear();
+        self.gesture.clone_from(&how.gesture);
+        true
+    }
+
+    /// Does what an edit in JSON says, as [`Edit::read`] reads it.
+    ///
+    /// Returns what it changed, as [`kept::difference`] tells it.
+    ///
+    /// # Errors
+    /// `invalid-document` for what is no edit; then nothing changed.
+    pub fn apply_json(&mut self, edit: &str) -> Result<String> {
+        let read = json::parse(edit, PROJECT).and_then(|value| Edit::read(value, &|id| self.page(id)));
+        let (edit, how) = read.map_err(|wrong| Error::InvalidDocument {
+            location: wrong.place().into(),
+            reason: wrong.reason().into(),
+        })?;
+        let before = self.history.clone();
+        self.apply(&edit, &how);
+        Ok(kept::difference(&self.history, &before))
+    }
+
+    /// The page of that id, on the storyboard or shown before; nothing where there is none.
+    #[must_use]
+    pub fn page(&self, id: u64) -> Option<Arc<Document>> {
+        let sheets = self.history.present.sheets();
+        let sheet = sheets.iter().find(|sheet| sheet.page_id == id).map(|sheet| sheet.page.clone());
+        sheet.or_else(|| {
+            self.history.shown.iter().find(|shown| shown.id == id).map(|shown| shown.page.clone())
+        })
+    }
+
+    fn undo(&mut self) -> bool {
+        let history = &mut self.history;
+        let Some(before) = history.past.pop() else { return false };
+        history.future.insert(0, std::mem::replace(&mut history.present, before));
+        history.note(None);
+        self.gesture = None;
+        true
+    }
+
+    fn redo(&mut self) -> bool {
+        let history = &mut self.history;
+        if history.future.is_empty() {
+            return false;
+        }
+        let next = history.future.remove(0);
+        history.past.push(std::mem::replace(&mut history.present, next));
+        history.note(None);
+        self.gesture = None;
+        true
+    }
+
+    /// A photo that could not be read is gone from all times: no undo brings it back.
+    fn forget(&mut self, ids: &[String]) -> bool {
+        let history = &mut self.history;
+        let Some(present) = history.present.without(ids) else { return false };
+        history.present = Arc::new(present);
+        for state in history.past.iter_mut().chain(&mut history.future) {
+            if let Some(without) = state.without(ids) {
+                *state = Arc::new(without);
+            }
+        }
+        // A step that did nothing but add such photos is no step any more.
+        while history.past.last().is_some_and(|last| *last == history.present) {
+            history.past.pop();
+        }
+        history.share_again();
+        true
+    }
+
+    /// What another project or another tab did to the lists that all have in common, carried into every state, so that no
+    /// undo here takes it back.
+    fn share(&mut self, lists: &[(Shelf, super::project::List<Value>)]) -> bool {
+        let history = &mut self.history;
+        let present = history.present.clone();
+        let news: Vec<_> = lists.iter().filter(|(shelf, list)| list != shelf.of(&present)).collect();
+        for (shelf, list) in &news {
+            // A list that many states share stays shared.
+            let mut made: HashMap<usize, super::project::List<Value>> = HashMap::new();
+            let states = history.past.iter_mut().chain(&mut history.future).chain([&mut history.present]);
+            for state in states {
+                let was = shelf.of(state).clone();
+                let is = made
+                    .entry(was.as_ptr().addr())
+                    .or_insert_with(|| own::carried(&was, shelf.of(&present), list))
+                    .clone();
+                *shelf.of_mut(Arc::make_mut(state)) = is;
+            }
+        }
+        !news.is_empty()
+    }
+}
+
+impl History {
+    /// The pages shown so far in the place of the present one; all of them in a project of one page.
+    pub fn versions(&self) -> impl Iterator<Item = &Arc<Shown>> {
+        self.shown.iter().filter(|shown| shown.sheet == self.present.sheet)
+    }
+
+    /// Where the present page is among its versions.
+    #[must_use]
+    pub fn position(&self) -> Option<usize> {
+        self.present.page.as_ref()?;
+        self.versions().position(|shown| shown.id == self.present.page_id)
+    }
+
+    /// A page id that was never used, nor any above it.
+    #[must_use]
+    pub fn fresh_page_id(&self) -> u64 {
+        let shown = self.shown.iter().map(|shown| shown.id);
+        let states = self
+            .states()
+            .flat_map(|state| state.others.iter().map(|sheet| sheet.page_id).chain([state.page_id]));
+        shown.chain(states).max().unwrap_or_default() + 1
+    }
+
+    /// An id for a place in the storyboard that was never used, nor any above it.
+    #[must_use]
+    pub fn fresh_sheet(&self) -> u64 {
+        let shown = self.shown.iter().map(|shown| shown.sheet);
+        let states =
+            self.states().flat_map(|state| state.others.iter().map(|sheet| sheet.sheet).chain([state.sheet]));
+        shown.chain(states).max().unwrap_or_default() + 1
+    }
+
+    /// All states of all times.
+    pub fn states(&self) -> impl Iterator<Item = &Arc<Project>> {
+        self.past.iter().chain([&self.present]).chain(&self.future)
+    }
+
+    /// Notes the pages of the present among those shown. The last state of each page counts: an edited page replaces
+    /// itself, a new one goes to the end. `from`: the page before the present one.
+    fn note(&mut self, from: Option<u64>) {
+        let present = self.present.clone();
+        let sheets = present.sheets();
+        for sheet in &sheets {
+            let from = from.filter(|_| sheet.sheet == present.sheet);
+            if let Some(at) = self.shown.iter().position(|shown| shown.id == sheet.page_id) {
+                let shown = &mut self.shown[at];
+                if !(Arc::ptr_eq(&shown.page, &sheet.page) || *shown.page == *sheet.page)
+                    || shown.sheet != sheet.sheet
+                {
+                    let entry = Arc::make_mut(shown);
+                    (entry.page, entry.sheet) = (sheet.page.clone(), sheet.sheet);
+                }
+                continue;
+            }
+            let Sheet { page, page_id, sheet, .. } = &**sheet;
+            let entry = Shown { id: *page_id, page: page.clone(), from, sheet: *sheet, rest: Map::new() };
+            self.shown.push(Arc::new(entry));
+            if self.shown.len() > MOST_SHOWN {
+                // Favourites never go, nor do pages of the storyboard, as long as there are others.
+                let stay: HashSet<u64> =
+                    present.loved.iter().copied().chain(sheets.iter().map(|sheet| sheet.page_id)).collect();
+                let oldest = self.shown.iter().position(|shown| !stay.contains(&shown.id));
+                self.shown.remove(oldest.unwrap_or(0));
+            }
+        }
+    }
+
+    /// Lets neighbouring states have one tray in common where theirs are alike.
+    fn share_again(&mut self) {
+        let mut last = self.present.tray.clone();
+        for state in self.past.iter_mut().rev().chain(&mut self.future) {
+            if state.tray == last {
+                Arc::make_mut(state).tray = last.clone();
+            } else {
+                last = state.tray.clone();
+            }
+        }
+    }
+}

@@ -1,0 +1,93 @@
+//! The pages of a storyboard. A project keeps the one that is edited apart from the others, so that all that is done to
+//! the page need not know of them; here they are one list, in the order in which they are read.
+
+use super::project::{Project, Sheet};
+use crate::page::Document;
+use serde_json::Map;
+use std::collections::HashSet;
+use std::sync::Arc;
+
+impl Project {
+    /// The pages in order, the one that is edited among them; none while there is no page.
+    #[must_use]
+    pub fn sheets(&self) -> Vec<Arc<Sheet>> {
+        let Some(page) = &self.page else { return Vec::new() };
+        let own = Sheet { page: page.clone(), page_id: self.page_id, sheet: self.sheet, rest: Map::new() };
+        let (before, behind) = self.others.split_at(self.at.min(self.others.len()));
+        before.iter().cloned().chain([Arc::new(own)]).chain(behind.iter().cloned()).collect()
+    }
+
+    /// Takes pages for those of the storyboard; none where there is no page of that number.
+    #[must_use]
+    pub(super) fn set_sheets(&mut self, sheets: &[Arc<Sheet>], at: usize) -> Option<()> {
+        let edited = sheets.get(at)?;
+        self.page = Some(edited.page.clone());
+        (self.page_id, self.sheet, self.at) = (edited.page_id, edited.sheet, at);
+        let others = sheets.iter().enumerate().filter(|(i, _)| *i != at).map(|(_, sheet)| sheet.clone());
+        self.others = others.collect();
+        if *self.settings != edited.page.page {
+            self.settings = Arc::new(edited.page.page.clone());
+        }
+        Some(())
+    }
+
+    /// Changes pages where the change gives another one.
+    pub(super) fn each_page(&mut self, change: &dyn Fn(&Document) -> Option<Document>) {
+        if let Some(page) = self.page.as_deref().and_then(change) {
+            self.page = Some(Arc::new(page));
+        }
+        let mut others = self.others.to_vec();
+        let mut changed = false;
+        for sheet in &mut others {
+            if let Some(page) = change(&sheet.page) {
+                *sheet = Arc::new(Sheet { page: Arc::new(page), ..Sheet::clone(sheet) });
+                changed = true;
+            }
+        }
+        if changed {
+            self.others = others.into();
+        }
+    }
+}
+
+/// The photos on some pages.
+#[must_use]
+pub fn photos_on<'a>(pages: impl IntoIterator<Item = &'a Document>) -> HashSet<&'a str> {
+    pages.into_iter().flat_map(|page| &page.panels).filter_map(|panel| panel.photo.as_deref()).collect()
+}
+
+/// The page with another photo wherever one was; none where it was not.
+pub(super) fn exchanged(page: &Document, id: &str, by: &str) -> Option<Document> {
+    let shown = page.panels.iter().filter_map(|panel| panel.photo.as_deref());
+    if !shown.chain(page.order.iter().map(String::as_str)).any(|photo| photo == id) {
+        return None;
+    }
+    let mut page = page.clone();
+    let mut seen = HashSet::new();
+    let order = std::mem::take(&mut page.order)
+        .into_iter()
+        .map(|photo| if photo == id { by.to_owned() } else { photo });
+    page.order = order.filter(|photo| seen.insert(photo.clone())).collect();
+    for panel in &mut page.panels {
+        if panel.photo.as_deref() == Some(id) {
+            panel.photo = Some(by.to_owned());
+        }
+    }
+    Some(page)
+}
+
+/// The page without some photos: the panels that showed them are open; none where it had none of them.
+pub(super) fn without(page: &Document, gone: &dyn Fn(&str) -> bool) -> Option<Document> {
+    let shown = page.panels.iter().filter_map(|panel| panel.photo.as_deref());
+    if !shown.chain(page.order.iter().map(String::as_str)).any(gone) {
+        return None;
+    }
+    let mut page = page.clone();
+    page.order.retain(|photo| !gone(photo));
+    for panel in &mut page.panels {
+        if panel.photo.as_deref().is_some_and(gone) {
+            (panel.photo, panel.crop, panel.edited) = (None, None, false);
+        }
+    }
+    Some(page)
+}

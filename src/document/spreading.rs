@@ -1,0 +1,186 @@
+//! An album laid out over pages: how many, which photos on each, and words that go with their photos.
+
+use super::planning::{KEEP_ALL, Planning, Seeds, places_of};
+use super::project::Sheet;
+use super::sheets::photos_on;
+use crate::error::Result;
+use crate::framing::PhotoMeta;
+use crate::page::Document;
+use crate::page::request::{Keep, Mode, Request};
+use serde_json::{Map, Value, json};
+use std::sync::Arc;
+
+/// Panels of a page among others where no number is wanted: what the first page has at most.
+pub const USUAL: usize = 6;
+/// Fewer photos than this that no page shows make no page of their own.
+const FEWEST: usize = 2;
+/// Seeds are tried this often for a layout that the two pages before do not have.
+const TRIES: usize = 6;
+
+impl Planning<'_> {
+    /// All photos in use on as many pages as they need, in the place of the pages that there are, in the style of the page;
+    /// none while there is no page. `counts`: numbers of panels that layouts have. `fresh`: ids from which all are new, of
+    /// a page and of a place.
+    ///
+    /// # Errors
+    /// Those of the planner.
+    pub fn spread(
+        &self,
+        counts: &[usize],
+        fresh: (u64, u64),
+        seeds: &mut Seeds,
+    ) -> Result<Option<Vec<Arc<Sheet>>>> {
+        let Some(page) = self.project.page.as_deref().filter(|_| !self.photos.is_empty()) else {
+            return Ok(None);
+        };
+        let before = self.project.sheets();
+        let fixed = self.project.locks.layout.then(|| (&page.layout, places_of(page)));
+        let sizes = match fixed {
+            Some((_, places)) => filled(self.photos.len(), places),
+            None => balanced(
+                self.photos.len(),
+                self.project.panels.map_or(USUAL, |panels| panels as usize),
+                counts,
+            ),
+        };
+        let mut made: Vec<Document> = Vec::new();
+        let mut rest = self.photos;
+        for size in sizes {
+            let (own, later) = rest.split_at(size.min(rest.len()));
+            rest = later;
+            let layout = fixed.filter(|(_, places)| *places == size).map(|(layout, _)| layout.clone());
+            let draw = |seed| {
+                self.plan(Request {
+                    current: None,
+                    keep: Keep::default(),
+                    style: Some(page.style.clone()),
+                    photos: own.to_vec(),
+                    panels: Some(size),
+                    layout: layout.clone(),
+                    ..self.request(seed)
+                })
+            };
+            if let Some(fresh) = varied(&made, seeds, &draw)? {
+                made.push(self.with_words(fresh, &before, own)?);
+            }
+        }
+        let sheet = |(i, page): (usize, Document)| {
+            // Each goes on in the place of one that was there, whose versions can be brought back.
+            let place = before.get(i).map_or(fresh.1 + i as u64, |sheet| sheet.sheet);
+            Arc::new(Sheet {
+                page: Arc::new(page),
+                page_id: fresh.0 + i as u64,
+                sheet: place,
+                rest: Map::new(),
+            })
+        };
+        Ok(Some(made.into_iter().enumerate().map(sheet).collect()))
+    }
+
+    /// A page of photos that no page shows as long as there are some, in the style of the page; none while there is no
+    /// page.
+    ///
+    /// # Errors
+    /// Those of the planner.
+    pub fn another(&self, seeds: &mut Seeds) -> Result<Option<Document>> {
+        let Some(page) = self.project.page.as_deref() else { return Ok(None) };
+        let locked = self.project.locks.layout;
+        let wanted = if locked {
+            places_of(page)
+        } else {
+            self.project.panels.map_or(USUAL, |panels| panels as usize)
+        };
+        let shown = photos_on(self.project.others.iter().map(|sheet| &*sheet.page).chain([page]));
+        let left: Vec<&PhotoMeta> =
+            self.photos.iter().filter(|photo| !shown.contains(photo.id.as_str())).collect();
+        let enough = left.len() >= if locked { wanted } else { FEWEST };
+        let photos: Vec<PhotoMeta> =
+            if enough { left.into_iter().take(wanted).cloned().collect() } else { self.photos.to_vec() };
+        let draw = |seed| {
+            self.plan(Request {
+                current: None,
+                keep: Keep::default(),
+                style: Some(page.style.clone()),
+                panels: Some(wanted.min(photos.len())),
+                photos: photos.clone(),
+                layout: locked.then(|| page.layout.clone()),
+                // Photos that are on a page already come in another order, else it would be the same page twice.
+                mode: if enough { Mode::Shuffle } else { Mode::Photos },
+                ..self.request(seed)
+            })
+        };
+        varied(std::slice::from_ref(page), seeds, &draw)
+    }
+
+    /// The page with the words that were on its photos before; those of a whole page stay on the first photo of theirs.
+    fn with_words(&self, page: Document, before: &[Arc<Sheet>], photos: &[PhotoMeta]) -> Result<Document> {
+        let mut words = Vec::new();
+        for old in before.iter().map(|sheet| &sheet.page) {
+            for word in &old.words {
+                let on = word["panel"].as_u64();
+                let photo = old.panels.get(on.unwrap_or(0) as usize).and_then(|panel| panel.photo.as_ref());
+                let Some(panel) = page.panels.iter().position(|use_| use_.photo.as_ref() == photo) else {
+                    continue;
+                };
+                let mut word = word.clone();
+                if on.is_some() {
+                    word["panel"] = json!(panel);
+                }
+                words.push(word);
+            }
+        }
+        if words.is_empty() {
+            return Ok(page);
+        }
+        words.truncate(super::limits::MOST_WORDS);
+        let seed = page.seed;
+        let current = Document { words, ..page };
+        let request = Request {
+            keep: KEEP_ALL,
+            photos: photos.to_vec(),
+            current: Some(current.clone()),
+            ..self.request(seed)
+        };
+        Ok(self.plan(request)?.unwrap_or(current))
+    }
+}
+
+/// Pages of nearly the same number of photos each, so that no page is a leftover: the photos of each page. `counts`:
+/// numbers of panels that layouts have; any while none is known.
+#[must_use]
+pub fn balanced(count: usize, most: usize, counts: &[usize]) -> Vec<usize> {
+    let mut sizes = Vec::new();
+    let mut rest = count;
+    while rest > 0 {
+        let even = rest.div_ceil(rest.div_ceil(most.max(1)));
+        // Of photos that are more than its panels a page would leave some out.
+        let size = counts.iter().copied().filter(|count| (1..=even).contains(count)).max().unwrap_or(even);
+        sizes.push(size);
+        rest -= size;
+    }
+    sizes
+}
+
+/// Full pages, and the rest.
+fn filled(count: usize, places: usize) -> Vec<usize> {
+    let places = places.max(1);
+    let rest = (!count.is_multiple_of(places)).then_some(count % places);
+    std::iter::repeat_n(places, count / places).chain(rest).collect()
+}
+
+/// A page with another layout than the last two, if one was drawn.
+fn varied(
+    made: &[Document],
+    seeds: &mut Seeds,
+    draw: &dyn Fn(u32) -> Result<Option<Document>>,
+) -> Result<Option<Document>> {
+    let seen: Vec<&Value> = made.iter().rev().take(2).map(|page| &page.layout).collect();
+    let mut page = draw(seeds.next_seed())?;
+    for _ in 1..TRIES {
+        if !page.as_ref().is_some_and(|page| seen.contains(&&page.layout)) {
+            break;
+        }
+        page = draw(seeds.next_seed())?;
+    }
+    Ok(page)
+}

@@ -1,0 +1,47 @@
+//! A project while it is edited, held by the page.
+
+use super::thrown;
+use crate::document::Dropped;
+use crate::document::editor::Editor as Hands;
+use crate::document::kept;
+use crate::json;
+use wasm_bindgen::prelude::*;
+
+/// An editor.
+#[wasm_bindgen]
+#[derive(Default)]
+pub struct Editor {
+    hands: Hands,
+}
+
+#[wasm_bindgen]
+impl Editor {
+    /// An editor of an empty project.
+    #[wasm_bindgen(constructor)]
+    #[must_use]
+    pub fn new() -> Self {
+        Self::default()
+    }
+
+    /// Puts a history with tables of its parts (see `document::kept`) in the place of what is there. Throws
+    /// `damaged-project` or `newer-project`, and then nothing changed. Gives what was left out, a JSON array.
+    pub fn load(&mut self, json: &str) -> std::result::Result<String, JsValue> {
+        let (history, dropped) = kept::parse(json).map_err(thrown)?;
+        self.hands = Hands::new(history);
+        let mut out = json::Writer::default();
+        out.texts(&dropped);
+        Ok(out.finish())
+    }
+
+    /// Does something: an object with a `type`, as `document::edit::Edit` reads it. Gives what changed as JSON: see
+    /// `document::kept::difference`. Throws `invalid-document`, and then nothing changed.
+    pub fn apply(&mut self, edit: &str) -> std::result::Result<String, JsValue> {
+        self.hands.apply_json(edit).map_err(thrown)
+    }
+
+    /// The whole history with tables of its parts, which `load` takes.
+    #[must_use]
+    pub fn save(&self) -> String {
+        kept::write(self.hands.history(), &Dropped::new())
+    }
+}

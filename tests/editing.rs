@@ -1,0 +1,773 @@
+//! What a person does to a project, step by step, and undone: the cases of the page's own tests, what must hold whatever is
+//! done, and the same answers as the page gave before (`tests/oracles/edits.mjs`).
+#![allow(clippy::unwrap_used, reason = "a test may stop at the first thing that is not as expected")]
+
+use inkpanel::document::edit::{Edit, How, Part, Shelf};
+use inkpanel::document::editor::Editor;
+use inkpanel::document::history::History;
+use inkpanel::document::kept;
+use inkpanel::document::planning::{Planning, Seeds};
+use inkpanel::document::project::{Draft, Focus, List, Order, Project, Sheet, Styling};
+use inkpanel::document::sheets::photos_on;
+use inkpanel::document::spreading::balanced;
+use inkpanel::framing::PhotoMeta;
+use inkpanel::layout::{self, PageSettings};
+use inkpanel::page::Document;
+use inkpanel::page::request::Request;
+use inkpanel::page::shuffle;
+use oorandom::Rand64;
+use serde_json::{Map, Value, json};
+use std::collections::HashSet;
+use std::sync::{Arc, OnceLock};
+
+/// A page without photos that is told from others by its seed.
+fn page(seed: u32) -> Arc<Document> {
+    let panel = json!({ "photo": null });
+    let page = json!({ "version": 1, "seed": seed, "layout": "grid-4", "style": "comic", "panels": [panel, panel, panel, panel] });
+    Arc::new(Document::parse(&page.to_string()).unwrap())
+}
+
+fn show(id: u64) -> Edit {
+    Edit::ShowPage { page: page(id as u32), page_id: id }
+}
+
+fn texts(ids: &[&str]) -> Vec<String> {
+    ids.iter().map(|&id| id.to_owned()).collect()
+}
+
+fn played(edits: impl IntoIterator<Item = Edit>) -> Editor {
+    let mut editor = Editor::default();
+    for edit in edits {
+        editor.apply(&edit, &How::default());
+    }
+    editor
+}
+
+fn shown_ids(editor: &Editor) -> Vec<u64> {
+    editor.history().shown.iter().map(|shown| shown.id).collect()
+}
+
+fn seed_of(editor: &Editor) -> Option<u32> {
+    editor.project().page.as_ref().map(|page| page.seed)
+}
+
+#[test]
+fn undo_and_redo_walk_through_the_steps_and_a_new_step_drops_what_was_undone() {
+    let mut editor = played([show(1), show(2), Edit::Undo]);
+    assert_eq!(seed_of(&editor), Some(1));
+    assert!(editor.apply(&Edit::Redo, &How::default()));
+    assert_eq!(seed_of(&editor), Some(2));
+    editor.apply(&Edit::Undo, &How::default());
+    editor.apply(&show(3), &How::default());
+    assert!(!editor.apply(&Edit::Redo, &How::default()));
+}
+
+#[test]
+fn one_drag_of_a_slider_is_one_step() {
+    let mut editor = played([show(1)]);
+    for gutter in [0.02, 0.03, 0.04] {
+        let settings = PageSettings { gutter, ..PageSettings::default() };
+        let on_paper = Document { page: settings.clone(), ..Document::clone(&page(1)) };
+        let edit = Edit::ChangeSettings { settings: Arc::new(settings), page: Some(Arc::new(on_paper)) };
+        editor.apply(&edit, &How { gesture: Some("gutter".into()), silent: false });
+    }
+    assert_eq!(editor.history().past.len(), 2);
+    editor.apply(&Edit::Undo, &How::default());
+    assert_eq!(*editor.project().settings, PageSettings::default());
+}
+
+#[test]
+fn a_page_that_is_still_growing_makes_no_steps() {
+    let mut editor = played([show(1)]);
+    editor.apply(&Edit::ChangePage(page(7)), &How { silent: true, gesture: None });
+    assert_eq!(editor.history().past.len(), 1);
+    assert_eq!((shown_ids(&editor), editor.history().shown[0].page.seed), (vec![1], 7));
+}
+
+#[test]
+fn a_first_page_none_of_whose_photos_could_be_read_was_none() {
+    let mut editor = Editor::default();
+    editor.apply(&show(1), &How { silent: true, gesture: None });
+    editor.apply(&Edit::NoPage, &How { silent: true, gesture: None });
+    assert_eq!((shown_ids(&editor), editor.history().past.len()), (vec![], 0));
+}
+
+#[test]
+fn a_photo_that_could_not_be_read_comes_back_by_no_undo() {
+    let add = Edit::AddPhotos(texts(&["a", "b"]));
+    let editor = played([add.clone(), show(1), Edit::ForgetPhotos(texts(&["a"])), Edit::Undo]);
+    let tray: Vec<_> = editor.project().tray.iter().map(|item| item.id.as_str()).collect();
+    assert_eq!(tray, ["b"]);
+    // Adding nothing but such photos leaves no step.
+    assert_eq!(played([show(1), add.clone()]).history().past.len(), 2);
+    assert_eq!(played([show(1), add.clone(), Edit::ForgetPhotos(texts(&["a"]))]).history().past.len(), 2);
+    assert_eq!(played([show(1), add, Edit::ForgetPhotos(texts(&["a", "b"]))]).history().past.len(), 1);
+}
+
+#[test]
+fn the_pages_shown_are_kept_in_order_with_their_last_edit_and_their_origin() {
+    let editor = played([show(1), Edit::ChangePage(page(99)), show(2), Edit::Undo, show(3)]);
+    assert_eq!((shown_ids(&editor), editor.history().shown[0].page.seed), (vec![1, 2, 3], 99));
+    assert_eq!(editor.history().position(), Some(2));
+    let editor = played([show(1), show(2), show(1), show(3)]);
+    let from: Vec<_> = editor.history().shown.iter().map(|shown| (shown.id, shown.from)).collect();
+    assert_eq!(from, [(1, None), (2, Some(1)), (3, Some(1))]);
+    let mut editor = played([show(1), show(2), show(1)]);
+    assert_eq!((shown_ids(&editor).len(), editor.history().position()), (2, Some(0)));
+    editor.apply(&Edit::Undo, &How::default());
+    assert_eq!(editor.history().position(), Some(1));
+}
+
+#[test]
+fn favourites_stay_when_the_oldest_go() {
+    let love = Edit::LovePage { page_id: 1, on: true };
+    let editor = played([show(1), show(2), love].into_iter().chain((3..1103).map(show)));
+    assert_eq!(editor.history().shown.len(), 1000);
+    assert_eq!(shown_ids(&editor)[..2], [1, 104]);
+    assert_eq!(editor.history().past.len(), 500);
+}
+
+#[test]
+fn a_photo_that_leaves_the_table_leaves_the_pages() {
+    let mut shown = Document::clone(&page(1));
+    for (panel, id) in shown.panels.iter_mut().zip(["a", "b", "a", "c"]) {
+        panel.photo = Some(id.into());
+    }
+    shown.order = texts(&["a", "b", "c"]);
+    let other = Sheet { page: Arc::new(shown.clone()), page_id: 2, sheet: 5, rest: Map::new() };
+    let own = Sheet { page: Arc::new(shown.clone()), page_id: 1, sheet: 0, rest: Map::new() };
+    let both = Edit::SetSheets { sheets: vec![Arc::new(own), Arc::new(other)], at: 0 };
+    let add = Edit::AddPhotos(texts(&["a", "b", "c"]));
+    let mut editor = played([add, both, Edit::RemovePhotos(texts(&["a"]))]);
+    for sheet in editor.project().sheets() {
+        let photos: Vec<_> = sheet.page.panels.iter().map(|panel| panel.photo.as_deref()).collect();
+        assert_eq!((photos, sheet.page.order.len()), (vec![None, Some("b"), None, Some("c")], 2));
+    }
+    // A page from before that comes back has it no more; undo brings both back.
+    editor.apply(&Edit::ShowPage { page: Arc::new(shown), page_id: 1 }, &How::default());
+    assert_eq!(editor.project().page.as_ref().unwrap().panels[0].photo, None);
+    editor.apply(&Edit::Undo, &How::default());
+    editor.apply(&Edit::Undo, &How::default());
+    assert_eq!(editor.project().page.as_ref().unwrap().panels[0].photo.as_deref(), Some("a"));
+}
+
+#[test]
+fn a_photo_in_the_place_of_another_is_it_everywhere() {
+    let mut shown = Document::clone(&page(1));
+    shown.panels[2].photo = Some("a".into());
+    shown.order = texts(&["b", "a"]);
+    let edits = [
+        Edit::AddPhotos(texts(&["a", "b"])),
+        Edit::ShowPage { page: Arc::new(shown), page_id: 1 },
+        Edit::ExchangePhoto { id: "a".into(), by: "d".into() },
+    ];
+    let editor = played(edits.clone());
+    let tray: Vec<_> = editor.project().tray.iter().map(|item| (item.id.as_str(), item.used)).collect();
+    assert_eq!(tray, [("d", Some(true)), ("b", None)]);
+    let page = editor.project().page.clone().unwrap();
+    assert_eq!(
+        (page.panels[2].photo.as_deref(), page.order.as_slice()),
+        (Some("d"), texts(&["b", "d"]).as_slice())
+    );
+    // One that is on the table already is there once.
+    let editor = played(edits.into_iter().chain([Edit::ExchangePhoto { id: "d".into(), by: "b".into() }]));
+    assert_eq!(editor.project().tray.len(), 1);
+    assert_eq!(editor.project().page.as_ref().unwrap().order, ["b"]);
+}
+
+fn shelf(ids: &[&str]) -> List<Value> {
+    ids.iter().map(|id| Arc::new(json!({ "id": id }))).collect()
+}
+
+fn ids_of(list: &List<Value>) -> Vec<&str> {
+    list.iter().map(|item| item["id"].as_str().unwrap()).collect()
+}
+
+#[test]
+fn what_another_project_does_to_shared_lists_no_undo_takes_back() {
+    let own = |ids: &[&str]| Edit::Own(Shelf::Mine, shelf(ids));
+    let mut editor = played([own(&["a"]), own(&["b", "a"]), Edit::Rename("x".into())]);
+    // Elsewhere `c` came and `a` went.
+    assert!(editor.apply(&Edit::Share(vec![(Shelf::Mine, shelf(&["c", "b"]))]), &How::default()));
+    assert!(!editor.apply(&Edit::Share(vec![(Shelf::Mine, shelf(&["c", "b"]))]), &How::default()));
+    let states: Vec<_> = editor.history().states().map(|state| ids_of(&state.mine).join("")).collect();
+    assert_eq!(states, ["c", "c", "cb", "cb"]);
+    let History { past, present, .. } = editor.history();
+    assert!(std::ptr::eq(past[2].mine.as_ptr(), present.mine.as_ptr()));
+}
+
+/// Pages that shuffles gave, some of which show photos.
+fn pages() -> &'static [Arc<Document>] {
+    static PAGES: OnceLock<Vec<Arc<Document>>> = OnceLock::new();
+    PAGES.get_or_init(|| {
+        let page = |seed| {
+            let photos = PHOTOS[seed as usize % 3..].iter();
+            let request = json!({ "seed": seed });
+            let mut request: Request = serde_json::from_value(request).unwrap();
+            request.photos = photos.map(|id| PhotoMeta::unmeasured(id, 1500, 1000)).collect();
+            Arc::new(shuffle::plan(&request).unwrap())
+        };
+        (0..12).map(page).collect()
+    })
+}
+
+const PHOTOS: [&str; 5] = ["a", "b", "c", "d", "e"];
+const WORDS: [&str; 3] = ["", "One", "Two"];
+
+fn some<'a, T>(random: &mut Rand64, of: &'a [T]) -> &'a T {
+    &of[random.rand_range(0..of.len() as u64) as usize]
+}
+
+fn some_photos(random: &mut Rand64) -> Vec<String> {
+    PHOTOS.iter().filter(|_| random.rand_float() < 0.4).map(|&id| id.to_owned()).collect()
+}
+
+/// Any edit; `id` is of a page that was perhaps never there.
+fn edit(random: &mut Rand64) -> (Edit, How) {
+    let id = random.rand_range(1..10);
+    let on = random.rand_float() < 0.5;
+    let photo = (*some(random, &PHOTOS)).to_owned();
+    let page = some(random, pages()).clone();
+    let edit = match random.rand_range(0..26) {
+        0 | 1 => Edit::AddPhotos(some_photos(random)),
+        2 => Edit::RemovePhotos(some_photos(random)),
+        3 => Edit::UsePhotos(vec![(photo, on)]),
+        4 => Edit::ExchangePhoto { id: photo, by: (*some(random, &["d", "e", "f"])).to_owned() },
+        5 => Edit::ChooseBy {
+            alike: on.then_some(id as u8),
+            order: Some(*some(random, &[Order::Time, Order::Name])),
+        },
+        6 => Edit::FocusPhoto { id: photo, focus: on.then_some(Focus { x: 0.2, y: 0.7 }) },
+        7 => Edit::Lock(*some(random, &[Part::Layout, Part::Style, Part::Photos]), on),
+        8 => Edit::WantPanels(on.then_some(id as u32)),
+        9..=12 => Edit::ShowPage { page, page_id: id },
+        13 | 14 => Edit::ChangePage(page),
+        15 => Edit::ChangeSettings { settings: Arc::new(page.page.clone()), page: on.then_some(page) },
+        16 | 17 => {
+            let count = random.rand_range(1..5);
+            let sheet = |i| {
+                let page = pages()[((id + i) % 12) as usize].clone();
+                Arc::new(Sheet { page, page_id: i + 10, sheet: i, rest: Map::new() })
+            };
+            Edit::SetSheets { sheets: (0..count).map(sheet).collect(), at: (id % count) as usize }
+        }
+        18 => Edit::NoPage,
+        19 => Edit::Design(on.then(|| Arc::new(Draft::empty("d", "D")))),
+        20 => Edit::Own(
+            *some(random, &[Shelf::Mine, Shelf::Favourites]),
+            if on { own_styles() } else { shelf(&[]) },
+        ),
+        21 => Edit::LovePage { page_id: id, on },
+        22 => Edit::Rename((*some(random, &WORDS)).to_owned()),
+        23 => Edit::Styling(Styling { invented: 0.5, keep_lines: on, ..Styling::default() }),
+        24 => Edit::Undo,
+        _ => Edit::Redo,
+    };
+    let gesture = [None, None, Some("drag"), Some("other")];
+    (edit, How { silent: false, gesture: some(random, &gesture).map(str::to_owned) })
+}
+
+fn own_styles() -> List<Value> {
+    ["x", "y"].iter().map(|id| Arc::new(json!({ "id": id, "background": [] }))).collect()
+}
+
+/// What holds whatever was done.
+fn check(editor: &Editor) {
+    let History { past, present, future, shown } = editor.history();
+    check_photos(present);
+    let ids: HashSet<u64> = shown.iter().map(|shown| shown.id).collect();
+    assert_eq!(ids.len(), shown.len(), "a page is shown twice");
+    assert!(present.page.is_none() || editor.history().position().is_some());
+    assert!(!ids.contains(&editor.history().fresh_page_id()));
+    assert!(past.len() <= 500 && future.len() <= 500 && shown.len() <= 1000);
+    assert!(present.at <= present.others.len() && (present.page.is_some() || present.others.is_empty()));
+    if let Some(page) = &present.page {
+        assert_eq!(page.page, *present.settings);
+    }
+}
+
+/// What holds for the photos of a state.
+fn check_photos(state: &Project) {
+    let table: HashSet<&str> = state.tray.iter().map(|item| item.id.as_str()).collect();
+    assert_eq!(table.len(), state.tray.len(), "a photo is on the table twice");
+    let sheets = state.sheets();
+    for sheet in &sheets {
+        assert!(photos_on([&*sheet.page]).is_subset(&table), "a panel shows a removed photo");
+        assert!(sheet.page.order.iter().all(|id| table.contains(id.as_str())));
+    }
+    let places: HashSet<u64> = sheets.iter().map(|sheet| sheet.sheet).collect();
+    assert_eq!(places.len(), sheets.len(), "two pages claim one place");
+}
+
+/// Undone to the start it is the start, redone to the end it is the end, saved and loaded it is the same.
+fn walk(editor: &Editor, start: &Project) {
+    let mut back = editor.clone();
+    while back.apply(&Edit::Undo, &How::default()) {}
+    assert_eq!(*back.project(), *start);
+    check(&back);
+    back.history().states().for_each(|state| check_photos(state));
+    for _ in 0..editor.history().past.len() {
+        assert!(back.apply(&Edit::Redo, &How::default()));
+    }
+    assert_eq!(back.project(), editor.project());
+    assert_eq!(back.history().future, editor.history().future);
+}
+
+/// Saved and loaded it is the same.
+fn saved(editor: &Editor) {
+    let (loaded, dropped) = kept::parse(&kept::write(editor.history(), &Vec::new())).unwrap();
+    assert!(dropped.is_empty(), "{dropped:?}");
+    assert_eq!(loaded, *editor.history());
+}
+
+/// Runs random sequences on all cores.
+fn sequences(count: u64, run: impl Fn(u64) + Sync) {
+    std::thread::scope(|scope| {
+        for part in 0..4 {
+            let run = &run;
+            scope.spawn(move || (part * count / 4..(part + 1) * count / 4).for_each(run));
+        }
+    });
+}
+
+#[test]
+fn whatever_is_done_can_be_undone_and_saved() {
+    sequences(10_000, |seed| {
+        let mut random = Rand64::new(u128::from(seed));
+        let mut editor = Editor::default();
+        let mut steps: Vec<Project> = Vec::new();
+        for _ in 0..50 {
+            let (edit, how) = edit(&mut random);
+            let before = editor.clone();
+            let changed = editor.apply(&edit, &how);
+            assert!(changed || editor.history() == before.history());
+            // The steps back, told by someone who only looks on.
+            let grown = editor.history().past.len();
+            match edit {
+                Edit::Undo => drop(steps.pop()),
+                _ if grown > before.history().past.len() => steps.push(before.project().clone()),
+                _ => {}
+            }
+            assert_eq!(grown, steps.len());
+            check(&editor);
+        }
+        for (kept, told) in editor.history().past.iter().zip(&steps) {
+            assert_eq!(**kept, *told, "a step was changed afterwards");
+        }
+        walk(&editor, &Project::default());
+        saved(&editor);
+    });
+}
+
+/// Edits that are no steps of their own, among those that are: the states before change with them, and still hold.
+#[test]
+fn what_changes_all_times_leaves_every_state_whole() {
+    sequences(10_000, |seed| {
+        let mut random = Rand64::new(u128::from(seed) << 64);
+        let mut editor = Editor::default();
+        let mut lost = HashSet::new();
+        for _ in 0..50 {
+            let (edit, how) = match random.rand_range(0..10) {
+                0 => (Edit::ForgetPhotos(some_photos(&mut random)), How::default()),
+                1 => {
+                    let list = if random.rand_float() < 0.5 { own_styles() } else { shelf(&[]) };
+                    (
+                        Edit::Share(vec![(*some(&mut random, &[Shelf::Mine, Shelf::Favourites]), list)]),
+                        How::default(),
+                    )
+                }
+                kind => {
+                    let (edit, how) = edit(&mut random);
+                    (edit, How { silent: kind < 4, ..how })
+                }
+            };
+            let forgets = editor.apply(&edit, &how);
+            match &edit {
+                // These are on no table of any time; they come back only where they are added again.
+                Edit::ForgetPhotos(ids) if forgets => lost.extend(ids.iter().cloned()),
+                Edit::AddPhotos(ids) => lost.retain(|id| !ids.contains(id)),
+                Edit::ExchangePhoto { by, .. } => lost.retain(|id| id != by),
+                _ => {}
+            }
+            check(&editor);
+        }
+        for state in editor.history().states() {
+            check_photos(state);
+            assert!(!state.tray.iter().any(|item| lost.contains(&item.id)), "a forgotten photo came back");
+        }
+        let first = editor.history().states().next().unwrap().clone();
+        walk(&editor, &first);
+        saved(&editor);
+    });
+}
+
+#[test]
+fn an_edit_in_json_tells_what_it_changed_or_changes_nothing() {
+    let mut editor = Editor::default();
+    let mut apply = |edit: Value| {
+        editor.apply_json(&edit.to_string()).map(|told| serde_json::from_str::<Value>(&told).unwrap())
+    };
+    let told = apply(json!({ "type": "add-photos", "ids": ["a", "b"] })).unwrap();
+    assert_eq!(told["project"], json!({ "tray": [{ "id": "a", "use": null }, { "id": "b", "use": null }] }));
+    assert_eq!((&told["past"], &told["future"], told.get("shown")), (&json!(1), &json!(0), None));
+    let full: Value = serde_json::from_str(&page(3).to_json()).unwrap();
+    let told = apply(json!({ "type": "show-page", "page": full, "pageId": 4 })).unwrap();
+    assert_eq!(told["project"], json!({ "page": full, "pageId": 4 }));
+    assert_eq!(told["shown"], json!({ "order": [4], "pages": [{ "id": 4, "page": full }] }));
+    assert_eq!((&told["pageId"], &told["sheet"]), (&json!(5), &json!(1)));
+    // A page that is known is told by its id.
+    apply(json!({ "type": "show-page", "page": page(5).to_json().parse::<Value>().unwrap(), "pageId": 5 }))
+        .unwrap();
+    let told = apply(json!({ "type": "show-page", "pageId": 4 })).unwrap();
+    assert_eq!(told["project"]["page"]["seed"], 3);
+    let told = apply(json!({ "type": "undo" })).unwrap();
+    assert_eq!((&told["project"]["page"]["seed"], &told["future"]), (&json!(5), &json!(1)));
+    for (wrong, place) in [
+        (json!({ "type": "show-page", "pageId": 9 }), "page"),
+        (json!({ "type": "fly" }), "type"),
+        (json!({ "type": "add-photos", "ids": [1] }), "ids[0]"),
+        (json!([]), ""),
+    ] {
+        let error = apply(wrong).unwrap_err();
+        assert_eq!(error.code(), "invalid-document");
+        assert!(error.to_string().contains(place), "{error}");
+    }
+    assert_eq!(editor.history().past.len(), 3);
+}
+
+#[test]
+fn a_list_that_many_share_never_grows_too_long_to_be_opened() {
+    let many = |from: usize| {
+        (from..from + 1000)
+            .map(|i| Arc::new(json!({ "id": format!("{i}"), "background": [] })))
+            .collect::<List<Value>>()
+    };
+    let mut editor = played([Edit::Own(Shelf::Mine, many(0)), Edit::Own(Shelf::Mine, shelf(&[]))]);
+    editor.apply(&Edit::Undo, &How::default());
+    editor.apply(&Edit::Redo, &How::default());
+    editor.apply(&Edit::Share(vec![(Shelf::Mine, many(1000))]), &How::default());
+    saved(&editor);
+}
+
+#[test]
+fn what_is_shared_in_memory_is_shared_in_what_is_saved() {
+    let photos: Vec<String> = (0..1_000).map(|i| format!("photo-{i}")).collect();
+    let mut editor = played([Edit::AddPhotos(photos.clone())]);
+    for i in 0..600 {
+        editor.apply(&Edit::UsePhotos(vec![(photos[i % 50].clone(), i % 2 == 0)]), &How::default());
+        editor.apply(&show(i as u64 + 1), &How::default());
+    }
+    let text = kept::write(editor.history(), &Vec::new());
+    assert!(text.len() < 4_000_000, "{}", text.len());
+    let (loaded, _) = kept::parse(&text).unwrap();
+    assert_eq!(loaded, *editor.history());
+    let items: HashSet<_> = loaded.states().flat_map(|state| state.tray.iter().map(Arc::as_ptr)).collect();
+    assert!(items.len() < 2_000, "{}", items.len());
+}
+
+fn metas(count: usize) -> Vec<PhotoMeta> {
+    (0..count).map(|i| PhotoMeta::unmeasured(&format!("p{i}"), 1500, 1000)).collect()
+}
+
+/// An editor of a project of one page.
+fn opened(photos: &[PhotoMeta]) -> Editor {
+    let mut editor = played([Edit::AddPhotos(photos.iter().map(|photo| photo.id.clone()).collect())]);
+    let planning = Planning { project: editor.project(), photos };
+    let mut request = planning.request(1);
+    (request.keep.layout, request.keep.style, request.keep.photos) = (false, false, false);
+    request.panels = Some(photos.len().min(6));
+    let page = planning.plan(request).unwrap().unwrap();
+    editor.apply(&Edit::ShowPage { page: Arc::new(page), page_id: 1 }, &How::default());
+    editor
+}
+
+fn counts() -> Vec<usize> {
+    layout::good_for(PageSettings::default().aspect())
+        .iter()
+        .map(|template| template.panels().len())
+        .collect()
+}
+
+fn spread(editor: &mut Editor, photos: &[PhotoMeta], seeds: &mut Seeds) {
+    let fresh = (editor.history().fresh_page_id(), editor.history().fresh_sheet());
+    let planning = Planning { project: editor.project(), photos };
+    if let Some(sheets) = planning.spread(&counts(), fresh, seeds).unwrap() {
+        editor.apply(&Edit::SetSheets { sheets, at: 0 }, &How::default());
+    }
+}
+
+fn shown(editor: &Editor) -> Vec<Vec<String>> {
+    let photos =
+        |sheet: &Arc<Sheet>| sheet.page.panels.iter().filter_map(|panel| panel.photo.clone()).collect();
+    editor.project().sheets().iter().map(photos).collect()
+}
+
+#[test]
+fn an_album_is_spread_over_pages_in_order_in_one_style() {
+    let photos = metas(40);
+    let mut editor = opened(&photos);
+    let before = editor.project().clone();
+    let style = before.page.as_ref().unwrap().style.clone();
+    spread(&mut editor, &photos, &mut Seeds::new(5));
+    let all: Vec<String> = shown(&editor).concat();
+    assert_eq!(all, photos.iter().map(|photo| photo.id.clone()).collect::<Vec<_>>());
+    let sheets = editor.project().sheets();
+    assert_eq!(sheets.len(), 7);
+    assert!(sheets.iter().all(|sheet| sheet.page.style == style));
+    assert!(sheets.windows(3).all(|three| three[0].page.layout != three[2].page.layout));
+    assert_eq!(sheets[0].sheet, before.sheet);
+    editor.apply(&Edit::Undo, &How::default());
+    assert_eq!(*editor.project(), before);
+}
+
+#[test]
+fn spreading_takes_the_wanted_number_of_panels_or_the_locked_layout_and_keeps_words_on_their_photos() {
+    let photos = metas(13);
+    let mut editor = opened(&photos);
+    editor.apply(&Edit::WantPanels(Some(4)), &How::default());
+    let mut page = Document::clone(editor.project().page.as_ref().unwrap());
+    page.words = vec![
+        json!({ "kind": "caption", "text": "Here", "panel": 5 }),
+        json!({ "kind": "effect", "text": "BAM" }),
+    ];
+    let (here, first) = (page.panels[5].photo.clone(), page.panels[0].photo.clone());
+    editor.apply(&Edit::ChangePage(Arc::new(page)), &How::default());
+    let mut seeds = Seeds::new(3);
+    spread(&mut editor, &photos, &mut seeds);
+    assert_eq!(shown(&editor).iter().map(Vec::len).collect::<Vec<_>>(), [4, 3, 3, 3]);
+    let words: Vec<_> = editor
+        .project()
+        .sheets()
+        .iter()
+        .flat_map(|sheet| {
+            let on =
+                |word: &Value| sheet.page.panels[word["panel"].as_u64().unwrap_or(0) as usize].photo.clone();
+            sheet
+                .page
+                .words
+                .iter()
+                .map(|word| (word["text"].as_str().unwrap().to_owned(), on(word)))
+                .collect::<Vec<_>>()
+        })
+        .collect();
+    assert!(words.contains(&("Here".into(), here)) && words.len() == 2, "{words:?}");
+    assert!(words.iter().any(|(text, _)| text == "BAM") && first.is_some());
+    editor.apply(&Edit::Lock(Part::Layout, true), &How::default());
+    let layout = editor.project().page.as_ref().unwrap().layout.clone();
+    spread(&mut editor, &photos, &mut seeds);
+    let sheets = editor.project().sheets();
+    assert_eq!(shown(&editor).iter().map(Vec::len).collect::<Vec<_>>(), [4, 4, 4, 1]);
+    assert!(sheets[..3].iter().all(|sheet| sheet.page.layout == layout));
+}
+
+#[test]
+fn no_page_is_a_leftover() {
+    for count in 1..100 {
+        let sizes = balanced(count, 6, &[1, 2, 3, 4, 5, 6]);
+        assert_eq!(sizes.iter().sum::<usize>(), count);
+        assert!(sizes.iter().max().unwrap() - sizes.iter().min().unwrap() <= 1 && sizes[0] <= 6);
+    }
+    assert_eq!(balanced(13, 6, &[2, 4]), [4, 4, 4, 1]);
+    assert_eq!(balanced(5, 6, &[]), [5]);
+}
+
+/// What a person does where photos move between pages: after each a photo is on one page only, as long as there are enough.
+#[test]
+fn no_two_pages_claim_one_photo() {
+    sequences(1_000, |seed| {
+        let mut random = Rand64::new(u128::from(seed));
+        let mut seeds = Seeds::new(seed);
+        let all = metas(6 + (seed % 20) as usize);
+        let mut photos = all.clone();
+        let mut editor = opened(&photos);
+        for _ in 0..12 {
+            match random.rand_range(0..6) {
+                0 => spread(&mut editor, &photos, &mut seeds),
+                1 => {
+                    let planning = Planning { project: editor.project(), photos: &photos };
+                    let Some(page) = planning.another(&mut seeds).unwrap() else { continue };
+                    let (page_id, place) = (editor.history().fresh_page_id(), editor.history().fresh_sheet());
+                    let mut sheets = editor.project().sheets();
+                    // Where there are too few photos left it takes any.
+                    let shown = photos_on(sheets.iter().map(|sheet| &*sheet.page));
+                    if photos.iter().filter(|photo| !shown.contains(photo.id.as_str())).count() < 2 {
+                        continue;
+                    }
+                    let at = editor.project().at + 1;
+                    sheets.insert(
+                        at,
+                        Arc::new(Sheet { page: Arc::new(page), page_id, sheet: place, rest: Map::new() }),
+                    );
+                    editor.apply(&Edit::SetSheets { sheets, at }, &How::default());
+                }
+                2 => {
+                    // One photo leaves the table.
+                    if photos.len() < 4 {
+                        continue;
+                    }
+                    let gone = photos.remove(random.rand_range(0..photos.len() as u64) as usize).id;
+                    let how = How { silent: false, gesture: Some("gone".into()) };
+                    editor.apply(&Edit::RemovePhotos(vec![gone]), &how);
+                    let planning = Planning { project: editor.project(), photos: &photos };
+                    if let Some(page) = planning.refitted(false, seeds.next_seed()).unwrap() {
+                        let page_id = editor.history().fresh_page_id();
+                        editor.apply(&Edit::ShowPage { page: Arc::new(page), page_id }, &how);
+                    }
+                    let planning = Planning { project: editor.project(), photos: &photos };
+                    if let Some((sheets, at)) = planning.repaired(&|_| None).unwrap() {
+                        editor.apply(&Edit::SetSheets { sheets, at }, &How { silent: true, gesture: None });
+                    }
+                }
+                3 => {
+                    // Another layout, or other photos.
+                    let planning = Planning { project: editor.project(), photos: &photos };
+                    let mut request = planning.request(seeds.next_seed());
+                    request.keep.layout = random.rand_float() < 0.5;
+                    request.keep.photos = !request.keep.layout;
+                    let Some(page) = planning.plan(request).unwrap() else { continue };
+                    let page_id = editor.history().fresh_page_id();
+                    editor.apply(&Edit::ShowPage { page: Arc::new(page), page_id }, &How::default());
+                }
+                4 => {
+                    let sheets = editor.project().sheets();
+                    let at = random.rand_range(0..sheets.len() as u64) as usize;
+                    editor.apply(&Edit::SetSheets { sheets, at }, &How { silent: true, gesture: None });
+                }
+                _ => {
+                    let mut sheets = editor.project().sheets();
+                    if sheets.len() > 1 {
+                        sheets.remove(editor.project().at);
+                        editor.apply(&Edit::SetSheets { sheets, at: 0 }, &How::default());
+                    }
+                }
+            }
+            check(&editor);
+            let sheets = editor.project().sheets();
+            let places: usize = sheets.iter().map(|sheet| photos_on([&*sheet.page]).len()).sum();
+            if places <= photos.len() {
+                assert_eq!(editor.project().claimed_twice(), Vec::<String>::new(), "seed {seed}");
+            }
+            // Every panel of every page shows a photo that is in use.
+            let used: HashSet<&str> = photos.iter().map(|photo| photo.id.as_str()).collect();
+            for sheet in &sheets {
+                let full =
+                    |photo: &Option<String>| photo.as_deref().is_some_and(|photo| used.contains(photo));
+                assert!(sheet.page.panels.iter().all(|panel| full(&panel.photo)), "seed {seed}");
+            }
+        }
+        let start = Project::default();
+        walk(&editor, &start);
+    });
+}
+
+/// The change as it is told to the core.
+fn told(change: &Value) -> Value {
+    let full = |seed: &Value, gutter: Option<&Value>| {
+        let mut made: Value = serde_json::from_str(&page(seed.as_u64().unwrap() as u32).to_json()).unwrap();
+        if let Some(gutter) = gutter {
+            made["page"]["gutter"] = gutter.clone();
+        }
+        made
+    };
+    let mut change = change.clone();
+    if change["page"].is_u64() {
+        change["page"] = full(&change["page"], change.get("settings"));
+    }
+    if change.get("settings").is_some() {
+        change["settings"] = change["page"]["page"].clone();
+    }
+    for sheet in change.get_mut("sheets").and_then(Value::as_array_mut).into_iter().flatten() {
+        sheet["page"] = full(&sheet["page"], None);
+    }
+    change
+}
+
+/// A state as the oracle tells it.
+fn state_of(project: &Project) -> Value {
+    let history = History { present: Arc::new(project.clone()), ..History::default() };
+    let text =
+        kept::difference(&history, &History { present: Arc::new(unlike(project)), ..History::default() });
+    let mut told = serde_json::from_str::<Value>(&text).unwrap()["project"].take();
+    told["page"] = project.page.as_ref().map_or(Value::Null, |page| json!(page.seed));
+    for (sheet, other) in told["others"].as_array_mut().unwrap().iter_mut().zip(project.others.iter()) {
+        sheet["page"] = json!(other.page.seed);
+    }
+    told
+}
+
+/// A state that has no field in common with it.
+fn unlike(project: &Project) -> Project {
+    let edits = [
+        Edit::AddPhotos(vec!["no such photo".into()]),
+        Edit::Rename(format!("{} or else", project.name)),
+        Edit::WantPanels(Some(project.panels.unwrap_or(0) + 7)),
+        Edit::ChooseBy {
+            alike: Some(63 - project.alike),
+            order: Some(if project.order == Order::Time { Order::Name } else { Order::Time }),
+        },
+        Edit::Design(Some(Arc::new(Draft::empty("unlike", "Unlike")))),
+        Edit::LovePage { page_id: 12_345, on: true },
+    ];
+    let mut other = project.clone();
+    for edit in &edits {
+        other = other.after(edit).unwrap();
+    }
+    let lock = |on: bool| !on;
+    (other.locks.layout, other.styling.keep_lines) =
+        (lock(project.locks.layout), lock(project.styling.keep_lines));
+    (other.page, other.page_id, other.sheet, other.at) =
+        (None, project.page_id + 1, project.sheet + 1, project.at + 1);
+    if project.page.is_none() {
+        other.page = Some(page(1));
+    }
+    other.others = [Arc::new(Sheet { page: page(2), page_id: 1, sheet: 1, rest: Map::new() })].into();
+    other.settings = Arc::new(PageSettings { gutter: 0.099, ..PageSettings::default() });
+    for list in [&mut other.mine, &mut other.favourites, &mut other.own_layouts] {
+        *list = shelf(&["unlike"]);
+    }
+    other
+}
+
+fn comparable(value: Value) -> Value {
+    match value {
+        Value::Number(number) => json!(number.as_f64()),
+        Value::Array(list) => list.into_iter().map(comparable).collect(),
+        // No mark is as good as none.
+        Value::Object(map) => {
+            let told = map.into_iter().filter(|(name, value)| name != "focus" || !value.is_null());
+            told.map(|(name, value)| (name, comparable(value))).collect()
+        }
+        other => other,
+    }
+}
+
+#[test]
+fn the_same_edits_make_what_they_made_in_the_page() {
+    let runs: Value = serde_json::from_str(include_str!("oracles/data/edits.json")).unwrap();
+    for (number, run) in runs.as_array().unwrap().iter().enumerate() {
+        let mut editor = Editor::default();
+        for (i, (change, step)) in
+            run["changes"].as_array().unwrap().iter().zip(run["steps"].as_array().unwrap()).enumerate()
+        {
+            let (edit, how) = Edit::read(told(change), &|_| None).unwrap();
+            editor.apply(&edit, &how);
+            let History { past, present, future, .. } = editor.history();
+            let counts = json!([past.len(), future.len(), present.page_id, present.tray.len()]);
+            assert_eq!(counts, *step, "run {number}, step {i}: {change}");
+        }
+        assert_eq!(
+            comparable(state_of(editor.project())),
+            comparable(run["present"].clone()),
+            "run {number}"
+        );
+        let shown: Vec<_> = editor
+            .history()
+            .shown
+            .iter()
+            .map(|shown| json!([shown.id, shown.from, shown.sheet, shown.page.seed]))
+            .collect();
+        assert_eq!(json!(shown), run["shown"], "run {number}");
+        while editor.apply(&Edit::Undo, &How::default()) {}
+        assert_eq!(comparable(state_of(editor.project())), comparable(run["start"].clone()), "run {number}");
+    }
+}
