@@ -2,8 +2,12 @@
 //! Each may refuse what it is given; a panic, a hang or memory without end is a fault.
 
 use inkpanel::Error;
+use inkpanel::document::edit::{Edit, How};
+use inkpanel::document::editor::Editor;
 use inkpanel::document::file::ProjectFile;
 use inkpanel::document::kept;
+use inkpanel::document::project::Project;
+use inkpanel::document::sheets::photos_on;
 use inkpanel::layout::{self, PageSettings, Template};
 use inkpanel::page::document::Document;
 use inkpanel::page::import::import;
@@ -12,6 +16,8 @@ use inkpanel::page::{Scene, catalogue, shuffle};
 use inkpanel::raster::decode::Limits;
 use inkpanel::raster::{Image, Plane};
 use inkpanel::style::{Context, Style, stylize};
+use serde_json::Value;
+use std::collections::HashSet;
 
 /// An entry takes any bytes.
 pub type Entry = fn(&[u8]);
@@ -23,6 +29,7 @@ pub const ENTRIES: &[(&str, Entry)] = &[
     ("layout", layout),
     ("document", document),
     ("project", project),
+    ("edits", edits),
     ("plan", plan),
     ("choice", choice),
 ];
@@ -31,6 +38,8 @@ pub const ENTRIES: &[(&str, Entry)] = &[
 const LIMITS: Limits = Limits { max_pixels: 1_000_000, max_side: 4096, max_bytes: 1 << 24 };
 /// The page that documents are laid out on, in pixels.
 const WIDTH: usize = 200;
+/// Edits of one run.
+const MOST_EDITS: usize = 100;
 
 /// A file that someone chose, decoded and measured.
 pub fn photo(bytes: &[u8]) {
@@ -80,6 +89,50 @@ pub fn project(bytes: &[u8]) {
         let written = kept::write(&history, &dropped);
         assert!(kept::parse(&written).is_ok_and(|(again, _)| again == history));
     }
+}
+
+/// Edits one after another, a JSON array as the page tells them; what is no edit is passed over. What is made of them can be
+/// undone, done again, and saved.
+pub fn edits(bytes: &[u8]) {
+    let Some(Ok(Value::Array(told))) = text(bytes).map(serde_json::from_str) else { return };
+    let mut editor = Editor::default();
+    for edit in told.iter().take(MOST_EDITS) {
+        let before = editor.history().clone();
+        if editor.apply_json(&edit.to_string()).is_err() {
+            assert!(*editor.history() == before, "what was refused did something");
+        }
+        editor.history().states().for_each(|state| whole(state));
+    }
+    let end = editor.history().clone();
+    let written = kept::write(&end, &Vec::new());
+    assert!(kept::parse(&written).is_ok_and(|(again, dropped)| again == end && dropped.is_empty()));
+    let step = |editor: &mut Editor, edit: &Edit| editor.apply(edit, &How::default());
+    while step(&mut editor, &Edit::Undo) {}
+    assert!(
+        end.states().next() == Some(&editor.history().present),
+        "undone to the start it is not the start"
+    );
+    for _ in 0..end.past.len() {
+        assert!(step(&mut editor, &Edit::Redo));
+    }
+    assert!(
+        *editor.project() == *end.present && editor.history().past == end.past,
+        "done again it is another"
+    );
+    assert!(editor.history().future == end.future);
+}
+
+/// What holds for every state: photos are on the table once, pages show none but these, and have places of their own.
+fn whole(state: &Project) {
+    let table: HashSet<&str> = state.tray.iter().map(|item| item.id.as_str()).collect();
+    assert!(table.len() == state.tray.len(), "a photo is on the table twice");
+    let sheets = state.sheets();
+    for sheet in &sheets {
+        assert!(photos_on([&*sheet.page]).is_subset(&table), "a page shows a photo that is not there");
+        assert!(sheet.page.order.iter().all(|id| table.contains(id.as_str())));
+    }
+    let places: HashSet<u64> = sheets.iter().map(|sheet| sheet.sheet).collect();
+    assert!(places.len() == sheets.len(), "two pages claim one place");
 }
 
 /// A request for a page.
