@@ -4,6 +4,8 @@
  * card stays the same card wherever it is moved, and all of its values, so that a control never guesses.
  */
 
+import { MOST, wellFormed } from './limits.js';
+
 /** @typedef {import('../engine/documents.js').Block} Block */
 /** @typedef {import('../engine/documents.js').Style} Style */
 /** @typedef {'background' | 'foreground'} Layer */
@@ -119,7 +121,7 @@ export const REMEDIES = { luma: 'to_gray', color: 'to_color' };
  * @returns {Draft} the same object when nothing changed
  */
 export function edit(draft, change, blocks) {
-  if (change.type === 'name') return { ...draft, name: change.name };
+  if (change.type === 'name') return { ...draft, name: wellFormed(change.name).slice(0, MOST.name) };
   if (change.type === 'ink') return { ...draft, ink: change.ink };
   const { layer, at } = change;
   const steps = [...draft[layer]];

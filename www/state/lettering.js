@@ -6,6 +6,7 @@
 
 import { computed, signal } from '@preact/signals';
 import { strings } from '../strings.js';
+import { MOST, wellFormed } from './limits.js';
 import { anchored, pagePoint } from './word-places.js';
 import { createWordPlanning } from './word-planning.js';
 
@@ -65,24 +66,28 @@ export function createLettering({ store, messages, selection, load }) {
     const free = page.panels.findIndex((_, i) => !busy.has(i));
     const panel = selection.panels.peek()[0] ?? Math.max(0, free);
     const added = await addAll([{ kind, text: strings.wordSample[kind], panel, auto: true, ...(kind === 'effect' ? { angle: -8 } : {}) }]);
-    if (added) choose(words.peek().length - 1);
-    return added;
+    if (added > 0) choose(words.peek().length - 1);
+    return added > 0;
   }
 
-  /** @param {Word[]} fresh @returns {Promise<boolean>} */
+  /** @param {Word[]} fresh @returns {Promise<number>} how many of them are on the page */
   async function addAll(fresh) {
     try {
       await ready();
     } catch (error) {
       failed(/** @type {Error} */ (error));
-      return false;
+      return 0;
     }
     const page = store.page.peek();
-    if (!page) return false;
-    const all = [...words.peek(), ...fresh];
-    const places = fresh.map((_, i) => all.length - fresh.length + i);
+    if (!page) return 0;
+    const before = words.peek();
+    const some = fresh.slice(0, Math.max(0, MOST.words - before.length)).map((word) => ({ ...word, text: bounded(word.text) }));
+    if (some.length < fresh.length) messages.alert(strings.wordsFull(MOST.words));
+    if (some.length === 0) return 0;
+    const all = [...before, ...some];
+    const places = some.map((_, i) => before.length + i);
     store.change({ type: 'change-page', page: settled({ ...page, words: all }, places) });
-    return true;
+    return some.length;
   }
 
   /**
@@ -99,7 +104,7 @@ export function createLettering({ store, messages, selection, load }) {
 
   /** @param {number} index @param {string} text nothing removes the word */
   function write(index, text) {
-    const clean = text.normalize('NFC').trim();
+    const clean = bounded(text.trim()).trim();
     editing.value = -1;
     if (clean === '') remove(index);
     else if (clean !== words.peek()[index]?.text) edit(index, { text: clean });
@@ -159,4 +164,9 @@ export function createLettering({ store, messages, selection, load }) {
     const word = words.peek()[index];
     return geometry && word ? pagePoint(geometry, word, [word.x ?? 0.5, word.y ?? 0.5]) : [0.5, 0.5];
   }
+}
+
+/** @param {string} text @returns {string} as the core takes it */
+function bounded(text) {
+  return [...wellFormed(text).normalize('NFC')].slice(0, MOST.letters).join('');
 }

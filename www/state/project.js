@@ -7,6 +7,7 @@
  * an edit does not undo what was read meanwhile.
  */
 
+import { MOST, wellFormed } from './limits.js';
 import { exchangedOn, withSheets } from './sheets.js';
 
 /** @typedef {import('./sheets.js').Sheet} Sheet */
@@ -174,12 +175,17 @@ export function reduce(project, action) {
       return { ...project, loved: action.on ? [...others, action.pageId] : others };
     }
     case 'rename':
-      return project.name === action.name ? project : { ...project, name: action.name };
+      return renamed(project, wellFormed(action.name).slice(0, MOST.name));
     case 'styling':
       return { ...project, styling: action.styling };
     default:
       return project;
   }
+}
+
+/** @param {Project} project @param {string} name */
+function renamed(project, name) {
+  return project.name === name ? project : { ...project, name };
 }
 
 /**

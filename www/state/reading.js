@@ -11,6 +11,7 @@ import { strings } from '../strings.js';
 import { byName } from './album.js';
 import { FRAMES, createFrames } from './frames.js';
 import { createIntake } from './intake.js';
+import { MOST } from './limits.js';
 import { fetchSamples } from './samples.js';
 
 /** @typedef {import('./store.js').Store} Store */
@@ -72,7 +73,15 @@ export function createReading({ store, pages, engine, messages, prefix }) {
     const moving = new Map(given.some(mayMove) ? await Promise.all(given.filter(mayMove).map(async (file) => /** @type {const} */ ([file, (await pictureEnds(file)).length]))) : []);
     const first = store.tray.peek().length === 0;
     // As one change: hundreds one by one would each be looked at by all that depends on the album.
-    const sources = batch(() => byName(given).map((file) => sourceOf(file, credits?.get(file.name), moving.get(file) ?? 0)));
+    let room = MOST.photos - store.tray.peek().length;
+    const sources = batch(() => byName(given).flatMap((file) => {
+      const frames = framesOf(file, moving.get(file) ?? 0);
+      if (Math.max(1, frames) > room) return [];
+      room -= Math.max(1, frames);
+      return [sourceOf(file, credits?.get(file.name), frames)];
+    }));
+    if (sources.length < given.length) messages.alert(strings.tooManyPhotos(given.length - sources.length, MOST.photos));
+    if (sources.length === 0) return null;
     const ids = sources.flatMap((source) => source.ids);
     intake.count(0, ids.length);
     if (first) {
@@ -92,12 +101,21 @@ export function createReading({ store, pages, engine, messages, prefix }) {
 
   /**
    * @param {File} file
-   * @param {string | undefined} credit
    * @param {number} pictures of an animation
+   * @returns {number} the frames to take of it, none of a photo
+   */
+  function framesOf(file, pictures) {
+    return isVideo(file) || pictures > 0 ? Math.min(FRAMES, pictures || FRAMES) : 0;
+  }
+
+  /**
+   * @param {File} file
+   * @param {string | undefined} credit
+   * @param {number} count of its frames
    * @returns {Source}
    */
-  function sourceOf(file, credit, pictures) {
-    const video = isVideo(file) || pictures > 0 ? frames.open(file, { frames: Math.min(FRAMES, pictures || FRAMES) }) : null;
+  function sourceOf(file, credit, count) {
+    const video = count > 0 ? frames.open(file, { frames: count }) : null;
     const ids = video ? video.ids : intake.freshIds(1);
     for (const id of ids) store.know({ id, name: file.name, credit, meta: null, measures: null });
     return { file, ids, video };
@@ -134,6 +152,10 @@ export function createReading({ store, pages, engine, messages, prefix }) {
    */
   async function resample(key, wish) {
     if (store.reading.peek()) return;
+    if (store.tray.peek().length + wish.frames > MOST.photos) {
+      messages.alert(strings.tooManyPhotos(1, MOST.photos));
+      return;
+    }
     clicks += 1;
     gesture = `video-${clicks}`;
     await frames.resample(key, wish, { gesture, signal: stopSignal() });

@@ -5,6 +5,8 @@
  * the history, so that no undo here takes it back.
  */
 
+import { MOST } from './limits.js';
+
 /** @typedef {import('./history.js').History} History */
 /** @typedef {import('./project.js').Project} Project */
 /** @typedef {Pick<Project, 'mine' | 'favourites' | 'ownLayouts'>} SharedLists */
@@ -50,7 +52,7 @@ export function carried(list, before, after) {
   const fresh = after.filter((item) => !same(item, was.get(item.id)));
   const touched = new Set([...fresh.map(({ id }) => id), ...before.filter(({ id }) => !is.has(id)).map(({ id }) => id)]);
   if (touched.size === 0) return list;
-  return [...fresh, ...list.filter(({ id }) => !touched.has(id))];
+  return [...fresh, ...list.filter(({ id }) => !touched.has(id))].slice(0, MOST.styles);
 }
 
 /**
@@ -61,7 +63,7 @@ export function carried(list, before, after) {
 export function joined(project, lists) {
   return Object.fromEntries(SHARED.map((field) => {
     const there = new Set(lists[field]?.map(({ id }) => id));
-    return [field, [...(lists[field] ?? []), ...project[field].filter(({ id }) => !there.has(id))]];
+    return [field, [...(lists[field] ?? []), ...project[field].filter(({ id }) => !there.has(id))].slice(0, MOST.styles)];
   }));
 }
 

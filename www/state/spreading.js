@@ -1,6 +1,8 @@
 // @ts-check
 /** An album laid out over pages: how many, which photos on each, and words that go with their photos. */
 
+import { MOST } from './limits.js';
+
 /** @typedef {import('../engine/documents.js').PageDocument} PageDocument */
 /** @typedef {import('../engine/documents.js').Word} Word */
 /** @typedef {import('../engine/protocol.js').PhotoMeta} PhotoMeta */
@@ -17,7 +19,9 @@ const TRIES = 6;
  * @returns {PageDocument[]}
  */
 export function spread({ photos, before, style, per, counts, fixed, plan }) {
-  const sizes = fixed ? filled(photos.length, fixed.places) : balanced(photos.length, per, counts);
+  // Of a large album a page has more photos than are wanted, so that there are not too many pages.
+  const most = Math.max(per, Math.ceil(photos.length / MOST.sheets));
+  const sizes = fixed && fixed.places >= photos.length / MOST.sheets ? filled(photos.length, fixed.places) : balanced(photos.length, most, counts);
   /** @type {PageDocument[]} */
   const made = [];
   let start = 0;
@@ -84,6 +88,6 @@ function withWords(page, before, photos, plan) {
     return panel < 0 ? [] : [/** @type {Word} */ ({ ...word, ...(typeof word.panel === 'number' ? { panel } : {}) })];
   }));
   if (words.length === 0) return page;
-  const current = { ...page, words };
+  const current = { ...page, words: words.slice(0, MOST.words) };
   return plan({ keep: { layout: true, style: true, photos: true }, current, seed: page.seed, photos }) ?? current;
 }

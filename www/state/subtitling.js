@@ -47,7 +47,8 @@ export function createSubtitling({ store, lettering, messages }) {
     if (frames.length === 0) throw new Error(strings.subtitlesNoFrames);
     const words = matched(cues, frames, kind.peek());
     if (words.length === 0) throw new Error(strings.subtitlesNoMatch);
-    if (await lettering.addAll(words)) messages.note(strings.subtitlesAdded(words.length));
+    const added = await lettering.addAll(words);
+    if (added > 0) messages.note(strings.subtitlesAdded(added));
   }
 
   /**

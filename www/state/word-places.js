@@ -1,6 +1,8 @@
 // @ts-check
 /** Places of words: fractions of a panel, or of the page, and back to page widths. */
 
+import { MOST } from './limits.js';
+
 /** @typedef {import('../engine/documents.js').Geometry} Geometry */
 /** @typedef {import('../engine/documents.js').Bounds} Bounds */
 /** @typedef {import('../engine/documents.js').Word} Word */
@@ -42,7 +44,7 @@ export function anchored(geometry, word, to, tip) {
   const below = geometry.panels.findLastIndex(({ bounds }) => contains(bounds, at));
   const panel = below < 0 ? (word.panel ?? null) : below;
   const frame = frameOf(geometry, { panel });
-  const part = (/** @type {Place} */ [x, y]) => ({ x: rounded((x - frame.x) / frame.width), y: rounded((y - frame.y) / frame.height) });
+  const part = (/** @type {Place} */ [x, y]) => ({ x: within((x - frame.x) / frame.width), y: within((y - frame.y) / frame.height) });
   return { panel, ...part(at), tail: tip && part(tip) };
 }
 
@@ -51,7 +53,7 @@ function contains({ x, y, width, height }, [px, py]) {
   return px >= x && px <= x + width && py >= y && py <= y + height;
 }
 
-/** @param {number} part */
-function rounded(part) {
-  return Math.round(part * 1e5) / 1e5;
+/** @param {number} part @returns {number} one that the core takes: of a narrow panel the page is many widths */
+function within(part) {
+  return Math.min(MOST.away, Math.max(-MOST.away, Math.round(part * 1e5) / 1e5));
 }

@@ -40,6 +40,7 @@ export const wordStrings = {
   wordCut: 'The text is too long for the page: its end is missing.',
   wordModes: { move: 'Click where it goes', tail: 'Click what it points at' },
   wordRemoved: (/** @type {string} */ name) => `${name} was removed.`,
+  wordsFull: (/** @type {number} */ most) => `A page holds ${most} words. Remove some before you add more.`,
   wordsFailed: (/** @type {string} */ why) => `The words could not be drawn: ${why}`,
 
   // Subtitles

@@ -26,6 +26,7 @@ export const faultStrings = {
     'words-missing': 'no se pudieron cargar las letras.',
     'core-missing': 'no se pudo cargar el programa.',
   },
+  tooManyPhotos: (/** @type {number} */ n, /** @type {number} */ most) => `${n === 1 ? '1 archivo no se añadió' : `${n} archivos no se añadieron`}: en un proyecto caben ${most.toLocaleString('es', { useGrouping: 'always' })} fotos.`,
   noUsablePhoto: 'No se pudo usar ninguno de estos archivos. Elige fotos JPEG, PNG, WebP, AVIF, GIF, BMP o TIFF, o un vídeo.',
   noSamples: 'No se pudo cargar el álbum de muestra. Comprueba la conexión e inténtalo otra vez.',
   noPhotosInUse: 'No hay ninguna foto en uso. Marca una en Fotos para tener una página.',

@@ -38,6 +38,7 @@ export const wordStrings = {
   wordCut: 'El texto es demasiado largo para la página: falta el final.',
   wordModes: { move: 'Pulsa donde va', tail: 'Pulsa a qué apunta' },
   wordRemoved: (/** @type {string} */ name) => `Se ha quitado ${name}.`,
+  wordsFull: (/** @type {number} */ most) => `En una página caben ${most} palabras. Quita alguna antes de añadir más.`,
   wordsFailed: (/** @type {string} */ why) => `No se pudieron dibujar las palabras: ${why}`,
 
   // Subtitles
