@@ -45,6 +45,7 @@ import { strings } from './strings.js';
 import { App } from './views/app.jsx';
 import { AppContext } from './views/context.js';
 import { acceptFiles } from './views/drop.js';
+import { drawn } from './views/guard.jsx';
 import { keepFocus } from './views/focus-keeper.js';
 import { openFiles } from './views/file-input.jsx';
 
@@ -68,7 +69,8 @@ const designer = createDesigner({ store, pages, messages, ui, freshId: freshStyl
 const ownStyles = createOwnStyles({ store, pages, messages, designer, freshId: freshStyleId });
 const shelves = createShelves({ store, messages, box: () => window.localStorage });
 const shownPages = createShownPages({ store, pages });
-const keeping = createKeeping({ store, reading, engine, shelves, messages, window, leave, chooseFiles: openFiles });
+const views = { drawn: () => drawn(ui), retry: () => { ui.failed.value = null; } };
+const keeping = createKeeping({ store, reading, engine, shelves, messages, window, leave, chooseFiles: openFiles, views });
 const explorer = createExplorer({ store, engine, messages, ownStyles, seed: freshSeed, judged: ui.detects });
 const styling = createStyling({ store, ownStyles });
 const subjects = createSubjects({
@@ -77,7 +79,7 @@ const subjects = createSubjects({
 const download = createDownload({ store, pages, engine, messages, pageFiles: keeping.pageFiles });
 const alternatives = createAlternatives({ store, pages });
 const installing = createInstalling(window);
-const { take: intake, openProjects } = createDroppedFiles({ store, keeping, reading, subtitling, messages, ownLayouts, ownStyles, showProjects: () => { ui.work.value = 'projects'; } });
+const { take: intake, openProjects, busy: taking } = createDroppedFiles({ store, keeping, reading, subtitling, messages, ownLayouts, ownStyles, showProjects: () => { ui.work.value = 'projects'; } });
 const arrivals = createArrivals({ window, intake, messages });
 
 // The database is read while the core is compiled.
@@ -108,8 +110,8 @@ window.addEventListener('keydown', createKeys({ pages, download, ui, selection, 
 acceptFiles(window, intake);
 
 /** Whether something is on its way that nobody should wait for longer than need be. */
-const busy = () => store.planner.value === null || store.reading.value !== null || store.fetching.value || keeping.running.value ||
-  keeping.files.progress.value !== null;
+const busy = () => store.planner.value === null || store.reading.value !== null || store.fetching.value || keeping.running.value || keeping.turning.value ||
+  keeping.files.progress.value !== null || taking.value;
 if (import.meta.env.PROD) createOffline({ window, messages, keeping, script: import.meta.url, busy: () => busy() || !subjects.settled.value });
 
 window.addEventListener('hashchange', openLink);
@@ -121,7 +123,9 @@ effect(() => {
 
 effect(() => {
   const page = store.page.value;
-  const painted = page === null || (ui.painted.value === page && (lettering.words.value.length === 0 || reshaping.editing.value || ui.lettered.value === page));
+  // A page without photos to choose from is not shown.
+  const unseen = page === null || store.tray.value.length === 0 || ui.failed.value !== null;
+  const painted = unseen || (ui.painted.value === page && (lettering.words.value.length === 0 || reshaping.editing.value || ui.lettered.value === page));
   const idle = !busy() && painted;
   document.body.dataset.idle = String(idle);
   // Of a large album the first page is drawn long before all is read.

@@ -27,20 +27,12 @@ export const ARCHIVE = Object.freeze({
   unpacked: (size) => Math.min(256 * MB + 4 * size, 4096 * MB),
 });
 
-/** Of `project.json`, before it is parsed. */
+/** Of `project.json`, before it is given to the core, which has the limits of what is in it. */
 export const TEXT = Object.freeze({
   /** Bytes in a project file: a thousand pages take a fifth. */
   project: 32 * MB,
   /** Bytes in a page PNG: a page of a hundred panels takes a hundredth. */
   page: 4 * MB,
-  /** Lists and objects inside of each other. */
-  depth: 64,
-  /** Values in it, those inside of lists and objects too. */
-  values: 2_000_000,
-  /** What one list or object may have: there are fewer photos, pages and words. */
-  items: 10_000,
-  /** Characters of a text: no caption is a book. */
-  string: 100_000,
 });
 
 export const PNG = Object.freeze({

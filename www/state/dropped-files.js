@@ -6,6 +6,7 @@
  * does where no project came along.
  */
 
+import { computed, signal } from '@preact/signals';
 import { strings } from '../strings.js';
 import { byName } from './album.js';
 import { isNamedPng } from './keeping/page-files.js';
@@ -28,10 +29,19 @@ export function createDroppedFiles({ store, keeping, reading, subtitling, messag
   /** Projects of one drop are not mixed with those of the next, and photos wait for those before them. @type {Promise<unknown>} */
   let before = Promise.resolve();
 
-  return { take, openProjects };
+  /** How many times files are being taken in. */
+  const taking = signal(0);
+
+  return { take, openProjects, busy: computed(() => taking.value > 0) };
 
   /** @param {readonly File[]} files */
   async function take(files) {
+    taking.value += 1;
+    await takeIn(files).finally(() => { taking.value -= 1; });
+  }
+
+  /** @param {readonly File[]} files */
+  async function takeIn(files) {
     const plans = files.filter(({ name }) => name.toLowerCase().endsWith('.json'));
     const projects = files.filter(isProjectFile);
     const subtitles = files.filter(isSubtitles);

@@ -57,6 +57,8 @@ export function createUi(window) {
     /** The page whose words are all on the screen, likewise.
      * @type {import('@preact/signals').Signal<import('../engine/documents.js').PageDocument | null>} */
     lettered: signal(null),
+    /** What the views threw when they drew what is in the store. @type {import('@preact/signals').Signal<unknown>} */
+    failed: signal(null),
     toggleTheme() {
       const dark = (theme.value ?? (systemDark.value ? 'dark' : 'light')) === 'dark';
       theme.value = dark ? 'light' : 'dark';

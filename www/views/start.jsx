@@ -8,6 +8,7 @@ import { useApp } from './context.js';
 import { openFiles } from './file-input.jsx';
 import { Icon } from './icon.jsx';
 import { InstallButton } from './install.jsx';
+import { Broken } from './keeping/broken.jsx';
 import { Elsewhere } from './keeping/elsewhere.jsx';
 import { LanguageChoice } from './language-choice.jsx';
 import { Illustration } from './illustration.jsx';
@@ -20,6 +21,7 @@ export function Start() {
         <Illustration />
         <div class="start-words">
           <Elsewhere />
+          <Broken />
           <h1>{strings.lead.map((line) => <span key={line}>{line} </span>)}</h1>
           <p class="start-more">{strings.leadMore}</p>
           <div class="start-buttons">

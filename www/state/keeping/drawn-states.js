@@ -4,6 +4,8 @@
  * project, in a record of their own, so that what spoils the one need not spoil the other.
  */
 
+import { ORPHANS } from './orphans.js';
+
 /** @typedef {import('../place.js').Place} Place */
 /** @typedef {import('../project.js').Project} Project */
 /** `facts` are the photos that they need. @typedef {{ id: string, version: number, drawn: readonly Project[], facts: string[] }} DrawnRecord */
@@ -15,6 +17,11 @@ const MOST = 3;
 /** @param {string} id of a project @returns {string} the key of its record among the states, which no project has */
 export function drawnId(id) {
   return `drawn ${id}`;
+}
+
+/** @param {unknown} key among the states @returns {boolean} whether it is that of a project */
+export function isProjectId(key) {
+  return typeof key === 'string' && key !== ORPHANS && !key.startsWith(drawnId(''));
 }
 
 /** @param {{ store: Pick<import('../store.js').Store, 'project' | 'place'> }} app */

@@ -13,10 +13,8 @@ import { strings } from '../../strings.js';
 import { freshPlace } from '../place.js';
 import { takenBy } from './project-json.js';
 import { UNLIKE, placeholderOf } from './placeholder.js';
-import { isDrawable } from './restoring.js';
 import { damaged } from './versions.js';
 
-/** @typedef {import('./project-json.js').FileProject} FileProject */
 /** @typedef {import('./project-json.js').FilePhoto} FilePhoto */
 /** @typedef {import('./restoring.js').Content} Content */
 /** @typedef {import('../album.js').Fact} Fact */
@@ -37,7 +35,7 @@ import { damaged } from './versions.js';
 /**
  * @param {{
  *   engine: Pick<import('../../engine/engine.js').Engine, 'ready' | 'importPhoto' | 'forgetPhoto'>,
- *   messages: Pick<import('../messages.js').Messages, 'fileFailed'>, opening: Pick<import('./opening.js').Opening, 'enter'>,
+ *   messages: Pick<import('../messages.js').Messages, 'fileFailed' | 'alert'>, opening: Pick<import('./opening.js').Opening, 'enter'>,
  * }} app
  */
 export function createFileOpening({ engine, messages, opening }) {
@@ -99,6 +97,7 @@ export function createFileOpening({ engine, messages, opening }) {
       })]);
       cancelled.throwIfAborted();
       await opening.enter(freshPlace(), content, undefined, { join: true });
+      if (content.dropped?.length) messages.alert(strings.partsLeftOut(file.name, content.dropped.length));
       for (const { name, why } of failed) messages.fileFailed(name, why);
       return true;
     } catch (error) {
@@ -110,7 +109,6 @@ export function createFileOpening({ engine, messages, opening }) {
       return false;
     } finally {
       quiet.end();
-      stop = null;
       progress.value = null;
     }
   }
@@ -216,27 +214,4 @@ function keepsPlace(fact, { like, subjects, measured }) {
   const { width, height, ...rest } = like ?? UNLIKE;
   const meta = { ...fact.meta, width, height, subjects: subjects ?? [] };
   return { ...fact, meta, measures: null, looked: true, absent: { width, height, ...rest, subjects, measured } };
-}
-
-/**
- * @param {FileProject} project
- * @param {import('../store.js').Planner} planner
- * @returns {FileProject} with pages, styles and layouts that the core takes
- */
-export function checked(project, planner) {
-  const { present, shown } = project.history;
-  if (present.page && !isDrawable(present.page, planner)) throw damaged('present.page: cannot be drawn');
-  const good = (/** @type {readonly any[]} */ list, /** @type {(json: string, name: string) => any} */ check) => list.flatMap((item) => {
-    try {
-      return [check(JSON.stringify(item), 'project.json')];
-    } catch {
-      return [];
-    }
-  });
-  const lists = {
-    mine: good(present.mine, planner.checkStyle), favourites: good(present.favourites, planner.checkStyle),
-    ownLayouts: good(present.ownLayouts, planner.checkLayout),
-  };
-  const drawable = shown.filter(({ page }) => isDrawable(page, planner));
-  return { ...project, history: { ...project.history, present: { ...present, ...lists }, shown: drawable } };
 }

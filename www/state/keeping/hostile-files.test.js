@@ -117,7 +117,8 @@ describe('photos of a project file', () => {
     const whole = { ...json.history.present, tray: Array.from({ length: 4_000 }, (_, i) => ({ id: `n${i}`, use: true })), page: { ...page, layout: { ...page.layout, id: 'l300' }, panels } };
     const file = projectOf(4_000, { change: (photo, i) => ({ ...photo, path: i === 0 ? photo.path : `gone/${i}` }), also: { history: { present: whole, shown: [] } } });
     await tab.keeping.files.open(file);
-    expect([tab.store.tray.value.length, tab.names(), said().filter((text) => text.includes('could not be opened'))]).toEqual([101, ['n0.jpg'], []]);
+    expect([tab.store.tray.value.length, tab.names()[0], said().filter((text) => text.includes('could not be opened'))]).toEqual([101, 'n0.jpg', []]);
+    expect(tab.store.facts.value.filter(({ absent }) => absent)).toHaveLength(100);
     expect(tab.store.page.value?.panels.filter(({ photo }) => photo !== null)).toHaveLength(101);
   });
 

@@ -8,7 +8,7 @@
  * What is found is trusted as little as a file: what does not fit, or makes no history, is passed over.
  */
 
-import { checkedHistory } from './versions.js';
+import { VERSION as DOCUMENT } from './versions.js';
 
 /** @typedef {import('./database.js').KeptHistory} KeptHistory */
 /** @typedef {import('../project.js').Project} Project */
@@ -25,6 +25,7 @@ import { checkedHistory } from './versions.js';
  *   states: Record<string, unknown>[], past: Runs, present: number, future: Runs, pages: (Omit<Shown, 'page'> & { page: unknown })[], shown: Runs,
  * }} Patch
  */
+/** The core's reading of a history. @typedef {(kept: { version: number, history: unknown }) => { history: KeptHistory, dropped: string[] }} Read */
 /** @typedef {ReturnType<typeof createJournal>} Journal */
 
 const VERSION = 1;
@@ -71,17 +72,19 @@ export function createJournal({ box, most = MOST }) {
   /**
    * @param {string} id of a project
    * @param {Base} base it as it is in the database
+   * @param {Read} readHistory reads what may be a history
    * @returns {Told | null} it as it was on the page; null where nothing is told, or nothing that fits
    */
-  function recall(id, base) {
+  function recall(id, base, readHistory) {
     try {
       const entry = read(id);
       const fits = entry?.bases.find((/** @type {any} */ { stamp }) => stamp === base.stamp);
       if (!entry || !fits) return null;
       const history = patched(base.history, fits.patch);
-      checkedHistory(history);
+      const found = readHistory({ version: DOCUMENT, history });
+      if (found.dropped.length > 0) return null;
       // What is the same in both stays the very same object, by which the next entry knows it.
-      return { history: /** @type {KeptHistory} */ (history), photos: entry.photos };
+      return { history: kinOf(found.history, /** @type {KeptHistory} */ (history), base.history), photos: entry.photos };
     } catch {
       return null;
     }
@@ -175,6 +178,20 @@ function patched(base, { states, past, present, future, pages, shown }) {
     past: numbersOf(past).map(state), present: state(present), future: numbersOf(future).map(state),
     shown: numbersOf(shown).map((at) => pick(at, base.shown, entries)),
   };
+}
+
+/**
+ * @param {KeptHistory} read
+ * @param {KeptHistory} from what it was read from, made of the base
+ * @param {KeptHistory} base
+ * @returns {KeptHistory} with the states and pages of the base where they are the same
+ */
+function kinOf(read, from, base) {
+  const known = new Set([...base.past, base.present, ...base.future, ...base.shown]);
+  /** @type {<T extends Project | Shown>(list: readonly T[], source: readonly T[]) => T[]} */
+  const kin = (list, source) => list.map((item, i) => (known.has(source[i]) ? source[i] : item));
+  const [present] = kin([read.present], [from.present]);
+  return { past: kin(read.past, from.past), present, future: kin(read.future, from.future), shown: kin(read.shown, from.shown) };
 }
 
 /**

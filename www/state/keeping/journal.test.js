@@ -4,6 +4,7 @@ import { describe, expect, it, vi } from 'vitest';
 import { EMPTY_HISTORY, advance } from '../history.js';
 import { DEFAULT_SETTINGS } from '../project.js';
 import { createJournal, patchOf } from './journal.js';
+import { fakeReading } from './testing-reading.js';
 import { fakeBrowser } from './testing.js';
 
 vi.mock('../files.js', () => ({ save: vi.fn() }));
@@ -27,6 +28,7 @@ const anyChange = fc.oneof(
 );
 
 const boxOf = () => fakeBrowser().local;
+const { readHistory } = fakeReading(() => ({ panels: [] }));
 
 describe('a journal', () => {
   it('tells any edits, steps back and forth among them', () => {
@@ -38,7 +40,7 @@ describe('a journal', () => {
       expect(journal.note('one', { bases: [{ stamp: 's', history: kept(base) }], history: kept(now), photos: [['p9', 'late.jpg']] })).toBe(true);
       // What the database gives back is equal, never the same.
       const found = structuredClone(kept(base));
-      expect(journal.recall('one', { stamp: 's', history: found })).toEqual({ history: kept(now), photos: [['p9', 'late.jpg']] });
+      expect(journal.recall('one', { stamp: 's', history: found }, readHistory)).toEqual({ history: kept(now), photos: [['p9', 'late.jpg']] });
     }));
   });
 
@@ -56,26 +58,26 @@ describe('a journal', () => {
     const next = { stamp: 's2', history: kept(advance(EMPTY_HISTORY, { type: 'rename', name: 'One' })) };
     const now = kept(advance(advance(EMPTY_HISTORY, { type: 'rename', name: 'One' }), { type: 'rename', name: 'Two' }));
     journal.note('one', { bases: [base, next], history: now, photos: [] });
-    expect(journal.recall('one', base)?.history.present.name).toBe('Two');
+    expect(journal.recall('one', base, readHistory)?.history.present.name).toBe('Two');
     // Nobody knows which of the two was written.
-    expect(journal.recall('one', next)?.history.present.name).toBe('Two');
-    expect(journal.recall('one', { ...base, stamp: 's0' })).toBe(null);
-    expect(journal.recall('two', base)).toBe(null);
+    expect(journal.recall('one', next, readHistory)?.history.present.name).toBe('Two');
+    expect(journal.recall('one', { ...base, stamp: 's0' }, readHistory)).toBe(null);
+    expect(journal.recall('two', base, readHistory)).toBe(null);
     journal.clear('one');
-    expect(journal.recall('one', base)).toBe(null);
+    expect(journal.recall('one', base, readHistory)).toBe(null);
   });
 
   it('leaves nothing where it cannot tell all', () => {
     const box = boxOf();
-    const journal = createJournal({ box: () => box, most: 2000 });
+    const journal = createJournal({ box: () => box, most: 900 });
     const base = { stamp: 's', history: kept(EMPTY_HISTORY) };
     const history = kept(advance(EMPTY_HISTORY, { type: 'rename', name: 'Short' }));
     expect(journal.note('one', { bases: [base], history, photos: [] })).toBe(true);
     const long = kept(advance(EMPTY_HISTORY, { type: 'rename', name: 'x'.repeat(3000) }));
     expect(journal.note('one', { bases: [base], history: long, photos: [] })).toBe(false);
-    expect(journal.recall('one', base)).toBe(null);
+    expect(journal.recall('one', base, readHistory)).toBe(null);
     const refused = createJournal({ box: () => { throw new Error('refused'); } });
-    expect([refused.note('one', { bases: [base], history, photos: [] }), refused.recall('one', base), refused.names('one')]).toEqual([false, null, []]);
+    expect([refused.note('one', { bases: [base], history, photos: [] }), refused.recall('one', base, readHistory), refused.names('one')]).toEqual([false, null, []]);
   });
 
   it.each([
@@ -95,7 +97,7 @@ describe('a journal', () => {
     const entry = JSON.parse(/** @type {string} */ (box.getItem('inkpanel.journal.one')));
     const bad = spoil(entry);
     box.setItem('inkpanel.journal.one', typeof bad === 'string' ? bad : JSON.stringify(bad));
-    expect(journal.recall('one', base)).toBe(null);
+    expect(journal.recall('one', base, readHistory)).toBe(null);
   });
 
   it('that fits no project any more goes, others stay', async () => {

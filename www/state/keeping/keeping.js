@@ -4,7 +4,8 @@
  *
  * - `database.js` the tables; `versions.js` checks and migrates what comes out of them, or out of a file
  * - `snapshot.js` what of the session is kept; `photo-records.js` photos; `saving.js` when and how; `journal.js` the last edits
- * - `restoring.js` the way back; `opening.js` which project is on the page (`last-project.js` at first); `projects.js` the list of them
+ * - `restoring.js` the way back; `rehearsing.js` tries a project before it is shown; `opening.js` which project is on the page
+ *   (`last-project.js` at first), and which cannot be; `rescue.js` makes a file of that; `projects.js` the list of them
  * - `drawn-states.js` the last states that were drawn, to go back to
  * - `pictures.js` its thumbnails; `sweeping.js` throws away what no project needs, a day after (`orphans.js`)
  * - `locks.js` keeps tabs apart; `shelves.js` holds what all projects share
@@ -18,6 +19,7 @@
 import { effect } from '@preact/signals';
 import { failure } from '../../engine/protocol.js';
 import { strings } from '../../strings.js';
+import { save as saveFile } from '../files.js';
 import { createAbsentPhotos } from './absent-photos.js';
 import { openDatabase } from './database.js';
 import { createDrawnStates } from './drawn-states.js';
@@ -31,6 +33,7 @@ import { createPhotoRecords } from './photo-records.js';
 import { createPictures } from './pictures.js';
 import { createProjectFiles } from './project-file.js';
 import { createProjects } from './projects.js';
+import { rescued } from './rescue.js';
 import { createSaving } from './saving.js';
 import { sweep } from './sweeping.js';
 
@@ -45,10 +48,10 @@ const LOOK_AFTER = 300;
  * @param {{
  *   store: import('../store.js').Store, reading: import('../reading.js').Reading, engine: import('../../engine/engine.js').Engine,
  *   shelves: import('./shelves.js').Shelves, messages: import('../messages.js').Messages, window: Window, leave: () => void,
- *   chooseFiles?: () => void,
+ *   chooseFiles?: () => void, views?: import('./opening.js').Views,
  * }} app `chooseFiles` opens the browser's file dialog
  */
-export function createKeeping({ store, reading, engine, shelves, messages, window, leave, chooseFiles = () => {} }) {
+export function createKeeping({ store, reading, engine, shelves, messages, window, leave, chooseFiles = () => {}, views }) {
   const { navigator } = window;
   const locks = createLocks(navigator.locks);
   const last = createLastProject({ tab: () => window.sessionStorage, browser: () => window.localStorage });
@@ -58,7 +61,7 @@ export function createKeeping({ store, reading, engine, shelves, messages, windo
   const journal = createJournal({ box: () => window.localStorage });
   const saving = createSaving({ store, records, journal, locks, database, drawnStates, onTrouble, onWritten, onSaved });
   const opening = createOpening({
-    store, reading, engine, shelves, saving, records, locks, messages, database, journal, last, leave,
+    store, reading, engine, shelves, saving, records, locks, messages, database, journal, last, drawnStates, leave, views,
     onMissing: (photos) => tellMissing(photos), onUnwritten: (names) => void (names.length > 0 && messages.grave(strings.photosNeverSaved(names), choose)),
   });
   const projects = createProjects({ store, opening, saving, locks, messages, database });
@@ -86,7 +89,10 @@ export function createKeeping({ store, reading, engine, shelves, messages, windo
     else window.removeEventListener('beforeunload', ask);
   });
 
-  return { ...opening, ...projects, status: saving.status, progress: saving.progress, flush: saving.flush, isSafe: saving.isSafe, files, pageFiles, absentPhotos, begin, drawn: drawnStates.note };
+  return {
+    ...opening, ...projects, status: saving.status, progress: saving.progress, flush: saving.flush, isSafe: saving.isSafe, files, pageFiles, absentPhotos,
+    begin, drawn: drawnStates.note, saveBroken,
+  };
 
   async function begin() {
     await opening.begin();
@@ -106,6 +112,20 @@ export function createKeeping({ store, reading, engine, shelves, messages, windo
   async function look() {
     shelves.restore();
     await saving.check();
+  }
+
+  /** Gives the project that cannot be shown to the person as a file. */
+  async function saveBroken() {
+    const project = opening.broken.peek();
+    if (!project) return;
+    if (project.id === store.place.peek().id) return files.save();
+    try {
+      const { file, name, unclean } = await rescued(await database(), project.id);
+      saveFile(file, name);
+      messages.note(strings.projectSaved(unclean));
+    } catch (error) {
+      messages.alert(strings.projectNotSaved(/** @type {Error} */ (error).message));
+    }
   }
 
   function database() {
@@ -131,6 +151,7 @@ export function createKeeping({ store, reading, engine, shelves, messages, windo
   /** @param {import('../place.js').Place} place */
   function onWritten({ id }) {
     last.saved(id);
+    last.opened(id);
   }
 
   function onSaved() {

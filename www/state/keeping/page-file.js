@@ -7,7 +7,7 @@
 import { chunkOf, chunksOf, dataOf, isPng, textChunk, textHead, textOf, withChunks } from '../../engine/png-chunks.js';
 import { PNG, TEXT } from '../../engine/limits.js';
 import { archiveOf, readArchive } from './archive.js';
-import { parsedProject } from './project-json.js';
+import { readProjectJson } from './project-json.js';
 import { damaged } from './versions.js';
 
 /** @typedef {import('../../engine/png-chunks.js').Chunk} Chunk */
@@ -42,15 +42,16 @@ export async function pageFileOf(file) {
 
 /**
  * @param {PageFile} page
+ * @param {Pick<import('../store.js').Planner, 'readProject'>} planner
  * @returns {Promise<{ project: import('./project-json.js').FileProject, archive: import('./file-opening.js').Archive }>}
  *   rejects with `damaged-project`, `newer-project` or `too-large-project`
  */
-export async function readPageFile({ file, text, photos }) {
+export async function readPageFile({ file, text, photos }, planner) {
   const data = text.length > TEXT.page ? null : await dataOf(file, text);
   const head = data && await textHead(data);
   const json = head && await textOf(head, TEXT.page);
   if (!json) throw damaged('the text of the page is damaged');
-  const project = parsedProject(json);
+  const project = readProjectJson(json, planner);
   if (!project.history.present.page) throw damaged('page: is missing');
   return { project, archive: photos ? await photosIn(file.slice(photos.at, photos.at + photos.length)) : new Map() };
 }

@@ -5,16 +5,12 @@
  */
 
 import { signal } from '@preact/signals';
-import { failure } from '../../engine/protocol.js';
 import { strings } from '../../strings.js';
-import { unreadMeta } from '../album.js';
 import { EMPTY_PROJECT } from '../project.js';
-import { checked } from './file-opening.js';
 import { foundPhotos } from './found-photos.js';
 import { pageFileOf, readPageFile, withProject } from './page-file.js';
 import { pageJson } from './page-json.js';
-import { renamed, withFreshIds } from './project-json.js';
-import { damaged } from './versions.js';
+import { renamed } from './project-json.js';
 
 /** @typedef {import('./project-json.js').FileProject} FileProject */
 /** @typedef {import('./restoring.js').Content} Content */
@@ -24,8 +20,6 @@ import { damaged } from './versions.js';
 
 /** @param {File} file @returns {boolean} whether it says that it is a PNG */
 export const isNamedPng = ({ name, type }) => type === 'image/png' || /\.png$/i.test(name);
-
-const KEEP_ALL = Object.freeze({ layout: true, style: true, photos: true });
 
 /**
  * @param {{
@@ -93,8 +87,8 @@ export function createPageFiles({ store, engine, reading, messages, fileOpening,
     );
     const done = await fileOpening.open(file, async (hands) => {
       if (store.tray.peek().length > 0) there.push({ id: opening.current.peek(), name: store.project.peek().name || strings.untitled });
-      const { project, archive } = await readPageFile(page);
-      const content = await contentOf(checkedPage(withFreshIds(project), hands.planner), archive, hands);
+      const { project, archive } = await readPageFile(page, hands.planner);
+      const content = await contentOf(onePage(project), archive, hands);
       missing = [...content.album.values()].filter(({ absent }) => absent).length;
       unread.push(...content.unread);
       return content;
@@ -132,7 +126,7 @@ export function createPageFiles({ store, engine, reading, messages, fileOpening,
    * @param {import('./file-opening.js').Hands} hands
    * @returns {Promise<Content>}
    */
-  async function contentOf({ history, photos }, archive, hands) {
+  async function contentOf({ history, photos, dropped }, archive, hands) {
     const found = await foundPhotos(photos, { album: store.album.peek(), photos: engine.photos, database });
     const packed = photos.filter(({ id, path }) => archive.has(path) && !found.get(id)?.exact);
     const read = new Map((await hands.photos(packed, archive)).map((fact) => [fact.id, fact]));
@@ -150,21 +144,15 @@ export function createPageFiles({ store, engine, reading, messages, fileOpening,
       if (work && small) records.push(other.record);
       else if (file) unread.push({ id: fact.id, file: file instanceof File ? file : new File([file], fact.name, { type: file.type }) });
     }
-    return { history: { ...renamed(history, names), gesture: null }, album, videos: new Map(), records, unread };
+    return { history: { ...renamed(history, names), gesture: null }, album, videos: new Map(), records, unread, dropped };
   }
 }
 
-/**
- * @param {FileProject} project
- * @param {import('../store.js').Planner} planner
- * @returns {FileProject} with the photos of its page only, and as a page that was shown
- */
-function checkedPage(project, planner) {
-  const { history, photos } = checked(project, planner);
+/** @param {FileProject} project @returns {FileProject} with the photos of its page only, and as a page that was shown */
+function onePage({ history, photos, dropped }) {
   const page = /** @type {import('../project.js').PageDocument} */ (history.present.page);
   const shown = new Set(page.panels.map(({ photo }) => photo));
   const own = photos.filter(({ id }) => shown.delete(id));
-  checkPage(page, own, planner);
   const known = new Set(own.map(({ id }) => id));
   const tray = own.map(({ id }) => history.present.tray.find((item) => item.id === id) ?? { id, use: true });
   const panels = page.panels.map((panel) => (known.has(panel.photo ?? '') ? panel : { ...panel, photo: null }));
@@ -172,29 +160,5 @@ function checkedPage(project, planner) {
   // Of a project that is more than its page, only what a page is made with.
   const { name, alike, order, locks, panels: wanted, styling } = history.present;
   const present = { ...EMPTY_PROJECT, name, alike, order, locks, panels: wanted, styling, tray, page: whole, pageId: 1, settings: page.page };
-  return { photos: own, videos: [], history: { past: [], present, future: [], shown: [{ id: 1, page: whole }] } };
-}
-
-/**
- * @param {import('../project.js').PageDocument} page
- * @param {readonly { id: string }[]} photos
- * @param {import('../store.js').Planner} planner
- */
-function checkPage(page, photos, planner) {
-  const inside = (/** @type {any} */ crop) => (
-    [crop.x, crop.y, crop.width, crop.height].every((value) => Number.isFinite(value) && value >= -1e-6) &&
-    crop.width > 0 && crop.height > 0 && crop.x + crop.width <= 1 + 1e-6 && crop.y + crop.height <= 1 + 1e-6
-  );
-  const merged = page.merges.flat();
-  const whole = page.panels.every(({ crop }) => !crop || inside(crop)) && new Set(merged).size === merged.length &&
-    merged.every((panel) => Number.isInteger(panel) && panel >= 0 && panel < page.panels.length);
-  if (!whole) throw damaged('page: has a crop or a merge that cannot be');
-  try {
-    // The core reads layout, style, sizes and all fields before it plans.
-    const { version } = planner.plan({ seed: page.seed, photos: photos.map(({ id }) => unreadMeta(id)), page: page.page, current: page, keep: KEEP_ALL });
-    if (page.version > version) throw failure('newer-project', `page version ${page.version} is newer than ${version}`);
-  } catch (error) {
-    const { code, message } = /** @type {{ code?: string, message: string }} */ (error);
-    throw code === 'newer-project' ? error : damaged(`page: ${message}`);
-  }
+  return { photos: own, videos: [], dropped, history: { past: [], present, future: [], shown: [{ id: 1, page: whole }] } };
 }

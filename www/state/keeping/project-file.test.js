@@ -2,7 +2,6 @@
 import { beforeEach, describe, expect, it, vi } from 'vitest';
 import { save as saveFile } from '../files.js';
 import { archiveOf, readArchive } from './archive.js';
-import { migrated } from './versions.js';
 import { documentOf, fakeBrowser } from './testing.js';
 
 vi.mock('../files.js', () => ({ save: vi.fn() }));
@@ -69,12 +68,12 @@ describe('a project file', () => {
     expect(tab.keeping.list.value.length).toBe(3);
   });
 
-  it('opens with the photos that are left, and names the others', async () => {
+  it('opens with the photos that are left, names the others, and keeps their places', async () => {
     const text = new TextDecoder('latin1').decode(await file.arrayBuffer());
     const bytes = new Uint8Array(await file.arrayBuffer());
     bytes[text.indexOf('photos/002-b.jpgb.jpg') + 'photos/002-b.jpg'.length] ^= 1;
     await tab.keeping.files.open(new File([bytes], file.name));
-    expect(tab.names()).toEqual(['a.jpg', 'c.jpg']);
+    expect(tab.store.facts.value.map(({ name, absent }) => [name, !!absent])).toEqual([['a.jpg', false], ['b.jpg', true], ['c.jpg', false]]);
     // Files that fail are told together, a moment later.
     await vi.waitFor(() => expect(reasons().join()).toMatch(/b\.jpg.*damaged/));
   });
@@ -108,11 +107,4 @@ describe('a project file', () => {
     expect(held.every(tab.photos.has)).toBe(true);
     expect(tab.keeping.files.progress.value).toBe(null);
   });
-});
-
-it('what an older program wrote is brought up to date step by step', () => {
-  const migrations = { 1: (/** @type {any} */ kept) => ({ ...kept, a: kept.a + 1 }), 2: (/** @type {any} */ kept) => ({ ...kept, b: kept.a }) };
-  expect(migrated({ version: 1, a: 1 }, { version: 3, migrations })).toEqual({ version: 3, a: 2, b: 2 });
-  expect(migrated({ version: 3, a: 1 }, { version: 3, migrations })).toEqual({ version: 3, a: 1 });
-  expect(() => migrated({ version: 4 }, { version: 3, migrations })).toThrow(/newer/);
 });

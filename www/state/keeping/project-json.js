@@ -1,12 +1,11 @@
 // @ts-check
 /**
  * `project.json` of a project file: the document, the pages shown, and what is told of each photo and video. The undo
- * stays behind. What a file says is checked; what the photos say themselves is read from them again.
+ * stays behind. What a file says the core reads (`readProject`); what the photos say themselves is read from them again.
  */
 
 import { freshId } from '../fresh-id.js';
-import { parsedJson } from './bounded-json.js';
-import { VERSION, checkedHistory, damaged, migrated } from './versions.js';
+import { VERSION } from './versions.js';
 
 /** @typedef {import('../album.js').Fact} Fact */
 /** @typedef {import('../album.js').Video} Video */
@@ -22,22 +21,20 @@ import { VERSION, checkedHistory, damaged, migrated } from './versions.js';
  *   path: string, type: string, subjects: any[] | null, measured: boolean, rank: number | null, like: Likeness | null, absent: boolean,
  * }} FilePhoto
  * @typedef {Omit<Video, 'file'> & { path: string, type: string }} FileVideo
- * @typedef {{ history: KeptHistory, photos: FilePhoto[], videos: FileVideo[] }} FileProject
+ * @typedef {{ history: KeptHistory, photos: FilePhoto[], videos: FileVideo[], dropped: string[] }} FileProject `dropped`: what was left out, and why
  */
 
 const FORMAT = 'inkpanel';
-
-/** Pixels of a side of a photo, at most. */
-const LONGEST_SIDE = 1_000_000;
 
 /**
  * @param {Pick<KeptHistory, 'present' | 'shown'>} history
  * @param {readonly (Fact & { type: string, like?: Likeness })[]} facts with the types of their files
  * @param {readonly Video[]} videos
+ * @param {number} [version] of the history, where it is not the newest that there is
  * @returns {{ json: string, paths: Map<string, string> }} `paths`: where in the file each photo is, by its id, and each
  *   video, by `video` and its key
  */
-export function projectJson({ present, shown }, facts, videos) {
+export function projectJson({ present, shown }, facts, videos, version = VERSION) {
   /** @type {Map<string, string>} */
   const paths = new Map();
   const place = (/** @type {string} */ id, /** @type {string} */ folder, /** @type {string} */ name) => {
@@ -54,50 +51,18 @@ export function projectJson({ present, shown }, facts, videos) {
   }));
   const films = videos.map(({ file, ...video }) => ({ ...video, path: place(`video ${video.key}`, 'videos', video.name), type: file.type }));
   const history = { present, shown };
-  return { json: JSON.stringify({ format: FORMAT, version: VERSION, history, photos, videos: films }, null, 1), paths };
+  return { json: JSON.stringify({ format: FORMAT, version, history, photos, videos: films }, null, 1), paths };
 }
 
 /**
+ * Reads a project. Its photos get ids that no photo of this browser has: the same file may be opened twice, or be made by hand.
  * @param {string} text
- * @returns {FileProject} throws `damaged-project`, `newer-project` or `too-large-project`
+ * @param {Pick<import('../store.js').Planner, 'readProject'>} planner
+ * @returns {FileProject} throws `damaged-project` or `newer-project`
  */
-export function parsedProject(text) {
-  let value;
-  try {
-    value = parsedJson(text);
-  } catch (error) {
-    throw error instanceof SyntaxError ? damaged('project.json: is no JSON') : error;
-  }
-  if (value?.format !== FORMAT) throw damaged('project.json: is of another program');
-  const { history, photos, videos } = migrated(value);
-  const list = (/** @type {unknown} */ what, /** @type {string} */ name) => {
-    if (!Array.isArray(what)) throw damaged(`${name}: is no list`);
-    return what;
-  };
-  return {
-    history: { ...checkedHistory({ present: history?.present, shown: history?.shown }), past: [], future: [] },
-    photos: list(photos, 'photos').map(photoOf),
-    videos: list(videos ?? [], 'videos').map(videoOf),
-  };
-}
-
-/** @param {any} photo @param {number} i @returns {FilePhoto} */
-function photoOf(photo, i) {
-  const { id, name, path, credit, video, time, type, subjects, measured, rank, like, absent } = photo ?? {};
-  if (![id, name, path].every((text) => typeof text === 'string' && text !== '')) throw damaged(`photos[${i}]: has no id, name or path`);
-  return {
-    id, name, path, type: textOr(type, ''), credit: textOr(credit, undefined), video: textOr(video, undefined),
-    time: Number.isFinite(time) ? time : undefined, measured: measured !== false,
-    subjects: Array.isArray(subjects) && subjects.every(isSubject) ? subjects : null,
-    rank: Number.isSafeInteger(rank) && rank >= 0 ? rank : null, like: isLikeness(like) ? likenessOf(like) : null, absent: absent === true,
-  };
-}
-
-/** @param {any} like */
-function isLikeness(like) {
-  const { hash, fingerprint, width, height } = like ?? {};
-  const sides = [width, height].every((side) => Number.isSafeInteger(side) && side > 0 && side <= LONGEST_SIDE);
-  return sides && /^([0-9a-f]{64})?$/.test(hash) && /^[0-9a-f]{16}$/.test(fingerprint);
+export function readProjectJson(text, planner) {
+  const { history, photos, videos, dropped } = planner.readProject(text, { prefix: `p${freshId(8)}-` });
+  return { history: { ...history, past: [], future: [] }, photos, videos, dropped };
 }
 
 /** @param {Likeness} like @returns {Likeness} nothing else of it */
@@ -112,37 +77,6 @@ function likenessOf({ hash, fingerprint, width, height }) {
  */
 export function takenBy({ rank }, taken) {
   return rank === null ? taken : String(rank).padStart(9, '0');
-}
-
-/** @param {any} video @param {number} i @returns {FileVideo} */
-function videoOf(video, i) {
-  const { key, name, path, ids, duration, start, end, type } = video ?? {};
-  const good = [key, name, path].every((text) => typeof text === 'string') && Array.isArray(ids) && ids.every((id) => typeof id === 'string');
-  if (!good) throw damaged(`videos[${i}]: has no key, name, path or frames`);
-  const time = (/** @type {unknown} */ value) => (typeof value === 'number' && value >= 0 ? value : null);
-  return { key, name, path, ids, type: textOr(type, ''), duration: time(duration), start: time(start) ?? 0, end: time(end) };
-}
-
-/** @param {any} subject */
-function isSubject(subject) {
-  const { label, score, x, y, width, height } = subject ?? {};
-  return typeof label === 'string' && [score, x, y, width, height].every((value) => typeof value === 'number' && value >= -1 && value <= 2);
-}
-
-/** @template T @param {unknown} value @param {T} other @returns {string | T} */
-function textOr(value, other) {
-  return typeof value === 'string' ? value : other;
-}
-
-/**
- * Gives each photo an id that no photo of this browser has: the same file may be opened twice, or be made by hand.
- * @param {FileProject} project
- * @param {() => string} [fresh]
- * @returns {FileProject}
- */
-export function withFreshIds(project, fresh = () => `p${freshId(8)}`) {
-  const names = new Map([...project.photos.map(({ id }) => id), ...project.videos.map(({ key }) => key)].map((id) => [id, fresh()]));
-  return renamed(project, names);
 }
 
 /**

@@ -4,10 +4,15 @@
 import { signal } from '@preact/signals';
 import { strings } from '../../strings.js';
 import { freshId } from '../fresh-id.js';
+import { drawnId, isProjectId } from './drawn-states.js';
 import { projectLock } from './locks.js';
+import { isGone } from './restoring.js';
 
 /** @typedef {import('./database.js').ProjectRecord} ProjectRecord */
 /** @typedef {ReturnType<typeof createProjects>} Projects */
+
+/** The greatest that a date can be, in ms. */
+const LAST_TIME = 8.64e15;
 
 /** The page that is to be deleted may still be writing, so long in ms. */
 const PATIENCE = 2_000;
@@ -44,14 +49,19 @@ export function createProjects({ store, opening, saving, locks, messages, databa
     try {
       if (id === current.peek()) await saving.flush();
       const all = (await database()).transaction(['projects', 'states'], 'readwrite');
-      const [project, state] = await Promise.all([all.objectStore('projects').get(id), all.objectStore('states').get(id)]);
-      if (!project || !state) return null;
+      const [projects, states] = [all.objectStore('projects'), all.objectStore('states')];
+      const [project, state, drawn] = await Promise.all([projects.get(id), states.get(id), states.get(drawnId(id))]);
+      if (!state) return null;
       const [copy, stamp, now] = [freshId(), freshId(), Date.now()];
-      const name = strings.copyOf(project.name || strings.untitled);
-      const { present } = state.history;
+      const [entry] = entryOf({ ...project, id });
+      const name = strings.copyOf(entry.name || strings.untitled);
+      // A state that cannot be read is copied as it is.
+      const { history } = /** @type {any} */ (state);
+      const named = history?.present ? { ...history, present: { ...history.present, name } } : history;
       await Promise.all([
-        all.objectStore('projects').put({ ...project, id: copy, stamp, name, created: now, changed: now, gone: null }),
-        all.objectStore('states').put({ ...state, id: copy, stamp, history: { ...state.history, present: { ...present, name } } }),
+        projects.put({ ...entry, ...project, id: copy, stamp, name, created: now, changed: now, gone: null }),
+        states.put({ ...state, id: copy, stamp, history: named }),
+        ...(drawn ? [states.put({ ...drawn, id: drawnId(copy) })] : []),
         all.done,
       ]);
       await refresh();
@@ -91,18 +101,37 @@ export function createProjects({ store, opening, saving, locks, messages, databa
   async function mark(id, gone) {
     const all = (await database()).transaction('projects', 'readwrite');
     const project = await all.store.get(id);
-    if (project) await all.store.put({ ...project, gone });
+    await all.store.put({ .../** @type {ProjectRecord} */ (project ?? entryOf({ id })[0]), gone });
     await all.done;
     await refresh();
   }
 
   async function refresh() {
-    const all = await (await database()).getAll('projects');
-    list.value = all.filter(({ gone }) => gone === null).sort((a, b) => b.changed - a.changed);
+    const base = await database();
+    const [records, states] = await Promise.all([base.getAll('projects'), base.getAllKeys('states')]);
+    const known = new Set(records.map(({ id }) => id));
+    // One whose record was lost is there all the same.
+    const lost = states.filter((id) => isProjectId(id) && !known.has(id)).map((id) => /** @type {any} */ ({ id }));
+    const all = [...records.filter((record) => !isGone(record)), ...lost].flatMap(entryOf);
+    list.value = all.sort((a, b) => b.changed - a.changed);
   }
 
   /** @param {string} id */
   function nameOf(id) {
     return list.peek().find((project) => project.id === id)?.name || strings.untitled;
   }
+}
+
+/**
+ * What the list shows of a project, whatever its record holds.
+ * @param {any} record
+ * @returns {ProjectRecord[]} none of what can be no project
+ */
+function entryOf({ id, name, created, changed, stamp, photos, picture, refs }) {
+  if (typeof id !== 'string') return [];
+  const time = (/** @type {unknown} */ value) => (typeof value === 'number' && Math.abs(value) <= LAST_TIME ? value : 0);
+  return [{
+    id, name: typeof name === 'string' ? name : '', created: time(created), changed: time(changed), stamp: String(stamp ?? ''),
+    photos: Number.isSafeInteger(photos) ? photos : 0, picture: picture instanceof Blob ? picture : null, refs: Array.isArray(refs) ? refs : [], gone: null,
+  }];
 }

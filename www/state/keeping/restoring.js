@@ -1,161 +1,244 @@
 // @ts-check
-/** A project out of the database, and back onto the page. */
+/**
+ * A project out of the database. Nothing that comes out of it is trusted: the core reads the document, and of the records
+ * beside it what is no such record counts as missing.
+ */
 
 import { failure } from '../../engine/protocol.js';
 import { strings } from '../../strings.js';
-import { rebased } from '../shared-lists.js';
 import { sheetsOf } from '../sheets.js';
-import { createStore } from '../store.js';
+import { drawnId } from './drawn-states.js';
 import { emptyFrames } from './placeholder.js';
 import { photosOf } from './snapshot.js';
-import { checkedHistory, damaged, migrated } from './versions.js';
 
 /** @typedef {import('./database.js').Database} Database */
 /** @typedef {import('./database.js').PhotoRecord} PhotoRecord */
+/** @typedef {import('./database.js').KeptVideo} KeptVideo */
 /** @typedef {import('../album.js').Fact} Fact */
 /** @typedef {import('../album.js').Video} Video */
 /** @typedef {import('../history.js').History} History */
+/** @typedef {import('../place.js').Place} Place */
+/** @typedef {import('../project.js').Project} Project */
+/** @typedef {Promise<import('../store.js').Planner>} Ready */
 
 /**
  * A project in parts: `records` are what the database has of its photos, `unread` files that must be decoded again, `films`
  * the keys of videos whose frames must be; `missing` are the photos in the tray for which an empty frame stands, `filmless`
- * the names of videos that left nothing but their frames.
+ * the names of videos that left nothing but their frames; `dropped` tells of parts that could not be read.
  * @typedef {{
- *   history: History, album: Map<string, Fact>, videos: Map<string, Video>, records: PhotoRecord[],
+ *   history: History, album: ReadonlyMap<string, Fact>, videos: ReadonlyMap<string, Video>, records: PhotoRecord[],
  *   unread: { id: string, file: File }[], films?: string[], missing?: { id: string, name: string }[], filmless?: string[],
+ *   dropped?: readonly string[],
  * }} Content
  */
 
 /**
  * @param {Database} database
  * @param {string} id
- * @param {(id: string, base: import('./journal.js').Base) => import('./journal.js').Told | null} [recall] what the journal
- *   tells of edits that are not in the database
- * @returns {Promise<{ content: Content, stamp: string, created: number, stored?: import('./database.js').KeptHistory }>} `stored` is
- *   what the database has, where the journal told of more; rejects with `missing-project`, `damaged-project` or `newer-project`
+ * @param {Ready} ready
+ * @param {import('./journal.js').Journal['recall']} [recall] what the journal tells of edits that are not in the database
+ * @returns {Promise<{ place: Place, content: Content, drawn: Project[] }>} rejects with `missing-project`,
+ *   `damaged-project` or `newer-project`
  */
-export async function readProject(database, id, recall = () => null) {
-  const [project, state] = await Promise.all([database.get('projects', id), database.get('states', id)]);
-  if (!project || !state) throw failure('missing-project', 'There is no such project any more.');
-  const kept = migrated(state);
-  const base = { stamp: project.stamp, history: checkedHistory(kept.history) };
-  const told = recall(id, base);
-  const history = { ...(told?.history ?? base.history), gesture: null };
-  const all = database.transaction(['photos', 'facts']);
-  const read = (/** @type {'photos' | 'facts'} */ table, /** @type {string[]} */ ids) => (
-    Promise.all(ids.map((key) => /** @type {any} */ (all.objectStore(table)).get(key))).then((found) => found.filter(Boolean))
-  );
-  const ids = [...photosOf(history)];
-  const fileKeys = kept.videos.map((/** @type {{ fileKey: string }} */ { fileKey }) => fileKey);
-  const [records, facts, files] = await Promise.all([read('photos', ids), read('facts', ids), read('photos', fileKeys)]);
+export async function readProject(database, id, ready, recall = () => null) {
+  const [place, state] = await Promise.all([placeOf(database, id), database.get('states', id)]);
+  if (!state) throw failure('missing-project', 'There is no such project any more.');
+  const { readHistory } = await ready;
+  const { history: stored, dropped } = readHistory(state);
+  const told = recall(id, { stamp: place.stamp, history: stored }, readHistory);
+  const drawn = await drawnOf(database, id, ready);
   const names = new Map(told?.photos);
-  const content = await contentOf(history, { records, facts: facts.map(({ fact }) => fact), videos: kept.videos, files, names });
-  return { content, stamp: project.stamp, created: project.created, stored: told ? base.history : undefined };
+  const content = await contentOf(database, { ...(told?.history ?? stored), gesture: null }, { drawn, state, names });
+  return { place: told ? { ...place, stored } : place, content: { ...content, dropped }, drawn };
+}
+
+/**
+ * @param {Database} database
+ * @param {string} id
+ * @param {Ready} ready
+ * @returns {Promise<Project[]>} the states of a project that were drawn and can be read, the last at the end
+ */
+export async function drawnOf(database, id, ready) {
+  const record = /** @type {any} */ (await database.get('states', drawnId(id)));
+  if (!Array.isArray(record?.drawn)) return [];
+  const planner = await ready;
+  return record.drawn.flatMap((/** @type {any} */ present) => {
+    try {
+      return [planner.readHistory({ version: record.version, history: { past: [], present, future: [], shown: [] } }).history.present];
+    } catch {
+      return [];
+    }
+  });
+}
+
+/**
+ * A project in a state that it had.
+ * @param {Database} database
+ * @param {string} id
+ * @param {Project} state
+ * @returns {Promise<{ place: Place, content: Content }>}
+ */
+export async function readState(database, id, state) {
+  const [place, kept] = await Promise.all([placeOf(database, id), database.get('states', id)]);
+  return { place, content: await contentOf(database, beginningWith(state), { state: kept }) };
+}
+
+/** @param {Project} state @returns {History} of this state and nothing before it */
+export function beginningWith(state) {
+  const shown = sheetsOf(state).map(({ page, pageId, sheet }) => (sheet === 0 ? { id: pageId, page } : { id: pageId, page, sheet }));
+  return { past: [], present: state, future: [], shown, gesture: null };
+}
+
+/** @param {Database} database @param {string} id @returns {Promise<boolean>} whether there is such a project, and not deleted */
+export async function isThere(database, id) {
+  const project = await database.get('projects', id);
+  return project ? !isGone(project) : await database.getKey('states', id) !== undefined;
+}
+
+/** @param {import('./database.js').ProjectRecord} project */
+export function isGone({ gone }) {
+  return typeof gone === 'number';
+}
+
+/** @param {Database} database @param {string} id @returns {Promise<string>} what the project is called */
+export async function nameOf(database, id) {
+  return textOr((await database.get('projects', id))?.name, '');
+}
+
+/**
+ * Keeps the photos of a state that cannot be shown as long as the project is there, whatever state it goes on with.
+ * @param {Database} database
+ * @param {string} id
+ */
+export async function holdPhotos(database, id) {
+  const all = database.transaction(['projects', 'states'], 'readwrite');
+  const [project, state] = await Promise.all([all.objectStore('projects').get(id), all.objectStore('states').get(id)]);
+  if (project) {
+    const keys = [...textsIn(project.held), ...textsIn(project.refs), ...textsIn(state?.facts), ...videosIn(state).map(({ fileKey }) => fileKey)];
+    await all.objectStore('projects').put({ ...project, held: [...new Set(keys)] });
+  }
+  await all.done;
+}
+
+/** @param {Database} database @param {string} id @returns {Promise<Place>} */
+async function placeOf(database, id) {
+  const project = await database.get('projects', id);
+  return { id, stamp: textOr(project?.stamp, ''), created: Number.isFinite(project?.created) ? Number(project?.created) : Date.now() };
 }
 
 /**
  * Every photo of the history, whatever became of it: what was not decoded, or lost what was known of it, is read again from
  * its file, a frame from its film; where there is neither, an empty frame keeps its place until somebody brings it back.
+ * @param {Database} database
  * @param {History} history
  * @param {{
- *   records: PhotoRecord[], facts: Fact[], videos: import('./database.js').KeptVideo[], files: PhotoRecord[], names: ReadonlyMap<string, string>,
- * }} found `files` are those of the videos, `names` what the journal tells of photos
+ *   drawn?: readonly Project[], state: import('./database.js').StateRecord | undefined, names?: ReadonlyMap<string, string>,
+ * }} about `drawn`: states whose photos are needed, too; `state` as it is kept; `names` what the journal tells of photos
  * @returns {Promise<Content>}
  */
-async function contentOf(history, { records, facts, videos, files, names }) {
-  const films = new Map(files.map((record) => [record.id, record.file]));
-  const known = videos.flatMap(({ fileKey, ...video }) => {
-    const file = films.get(fileKey);
-    return file ? { ...video, file: asFile(file, video.name) } : [];
+async function contentOf(database, history, { drawn = [], state, names = new Map() }) {
+  const ids = [...photosOf({ ...history, past: [...history.past, ...drawn] })];
+  const kept = videosIn(state);
+  const all = database.transaction(['photos', 'facts']);
+  const read = (/** @type {'photos' | 'facts'} */ table, /** @type {string[]} */ keys) => (
+    Promise.all(keys.map((key) => /** @type {any} */ (all.objectStore(table)).get(key))).then((found) => found.filter(Boolean))
+  );
+  const [found, told, films] = await Promise.all([read('photos', ids), read('facts', ids), read('photos', kept.map(({ fileKey }) => fileKey))]);
+  const [records, files] = [found.map(asRecord), films.map(asRecord)];
+  const facts = told.flatMap(({ id, fact }) => (isFact(fact, id) ? [fact] : []));
+  const filmOf = new Map(files.map((record) => [record.id, record.file]));
+  const videos = kept.flatMap(({ fileKey, ...video }) => {
+    const file = filmOf.get(fileKey);
+    return file ? [{ ...video, file: asFile(file, video.name) }] : [];
   });
-  const [byId, factOf] = [new Map(records.map((record) => [record.id, record])), new Map(facts.map((fact) => [fact.id, fact]))];
-  const filmOf = new Map(known.flatMap(({ key, ids }) => ids.map((id) => [id, key])));
-  /** @type {Map<string, Fact>} */
-  const album = new Map();
-  /** @type {Content['unread']} */
-  const unread = [];
-  /** @type {Fact[]} */
-  const missing = [];
-  const unseen = new Set();
-  for (const id of photosOf(history)) {
-    const record = byId.get(id);
-    const { file = null, work = null, small = null } = record ?? {};
-    const name = names.get(id) ?? record?.name ?? strings.absentPhoto(missing.length + 1);
-    const fact = factOf.get(id) ?? { id, name, meta: null, measures: null };
-    album.set(id, fact);
-    if (fact.meta && work && small) continue;
-    if (file) unread.push({ id, file: asFile(file, fact.name) });
-    else if (filmOf.has(id) && !fact.absent) unseen.add(filmOf.get(id));
-    else missing.push(fact);
-  }
+  const { album, unread, frames, missing } = photosFrom(ids, { records, facts, videos, names });
   const empty = await emptyFrames(missing);
   for (const { fact } of empty) album.set(fact.id, fact);
   const inTray = new Set(history.present.tray.map(({ id }) => id));
   return {
     history,
     album,
-    videos: new Map(known.map((video) => [video.key, video])),
+    videos: new Map(videos.map((video) => [video.key, video])),
     records: [...records, ...files],
     unread: [...unread, ...empty.map(({ fact: { id }, file }) => ({ id, file }))],
-    films: [...unseen],
-    filmless: videos.flatMap(({ fileKey, name }) => (films.get(fileKey) ? [] : name)),
+    films: frames,
+    filmless: kept.flatMap(({ fileKey, name }) => (filmOf.get(fileKey) ? [] : name)),
     missing: missing.flatMap(({ id, name }) => (inTray.has(id) ? { id, name } : [])),
   };
 }
 
 /**
- * Shows a project to nobody: in a store beside the page's, all that the page will ask for is worked out.
- * @param {Content} content
- * @param {{ planner: import('../store.js').Planner, shared: Partial<import('../shared-lists.js').SharedLists> }} app `shared`: the
- *   lists that all projects have in common
- * @returns {Content} with these lists; throws what the page would
+ * @param {readonly string[]} ids
+ * @param {{ records: readonly PhotoRecord[], facts: readonly Fact[], videos: readonly Video[], names: ReadonlyMap<string, string> }} found
  */
-export function rehearsed(content, { planner, shared }) {
-  for (const { page } of sheetsOf(content.history.present)) if (!isDrawable(page, planner)) throw damaged('page: cannot be drawn');
-  const whole = { ...content, history: rebased(content.history, shared) };
-  const stage = createStore();
-  stage.planner.value = planner;
-  stage.load(whole);
-  for (const part of [stage.photos, stage.layouts, stage.layoutFacts, stage.geometry]) part.peek();
-  return whole;
+function photosFrom(ids, { records, facts, videos, names }) {
+  const [byId, factOf] = [new Map(records.map((record) => [record.id, record])), new Map(facts.map((fact) => [fact.id, fact]))];
+  const filmOf = new Map(videos.flatMap((video) => video.ids.map((id) => [id, video.key])));
+  /** @type {Map<string, Fact>} */
+  const album = new Map();
+  /** @type {Content['unread']} */
+  const unread = [];
+  /** @type {Fact[]} */
+  const missing = [];
+  /** @type {Set<string>} */
+  const frames = new Set();
+  for (const id of ids) {
+    const record = byId.get(id);
+    const { file = null, work = null, small = null } = record ?? {};
+    const name = names.get(id) ?? record?.name ?? strings.absentPhoto(missing.length + 1);
+    const fact = factOf.get(id) ?? { id, name, meta: null, measures: null };
+    album.set(id, fact);
+    const film = filmOf.get(id);
+    if (fact.meta && work && small) continue;
+    if (file) unread.push({ id, file: asFile(file, fact.name) });
+    else if (film !== undefined && !fact.absent) frames.add(film);
+    else missing.push(fact);
+  }
+  return { album, unread, frames: [...frames], missing };
 }
 
-/**
- * Makes a project the one on the page; when that fails, everything is as it was.
- * @param {Content} content
- * @param {import('../place.js').Place} place where it is kept
- * @param {{ store: import('../store.js').Store, photos: ReturnType<typeof import('../../engine/photos.js').createPhotos> }} app
- */
-export function exchanged({ history, album, videos, records }, place, { store, photos }) {
-  const before = { history: store.history.peek(), album: store.album.peek(), videos: store.videos.peek(), place: store.place.peek() };
-  /** @type {string[]} */
-  const fresh = [];
-  try {
-    for (const { id, name, file, work, small } of records) {
-      if (!work || !small || photos.has(id)) continue;
-      // A file that could not be kept is missed by the export alone, which says so.
-      photos.add(id, { name, file: file ?? new Blob(), work, small });
-      fresh.push(id);
-    }
-    store.load({ history, album, videos, place });
-  } catch (error) {
-    store.load(before);
-    fresh.forEach(photos.forget);
-    throw error;
-  }
-  for (const id of before.album.keys()) if (!album.has(id)) photos.forget(id);
+/** @param {any} record out of the database @returns {PhotoRecord} */
+function asRecord({ id, name, file, work, small }) {
+  return { id, name: textOr(name, 'photo'), file: file instanceof Blob ? file : null, work: isHandle(work) ? work : null, small: isHandle(small) ? small : null };
 }
 
-/**
- * @param {import('../project.js').PageDocument} page
- * @param {import('../store.js').Planner} planner
- */
-export function isDrawable(page, planner) {
-  try {
-    return planner.geometry(page.layout, page.page).panels.length === page.panels.length;
-  } catch {
-    return false;
-  }
+/** @param {any} handle */
+function isHandle(handle) {
+  return typeof handle?.key === 'string' && isSide(handle.width) && isSide(handle.height) && handle.planes instanceof Blob;
+}
+
+/** @param {any} fact @param {string} id */
+function isFact(fact, id) {
+  if (fact?.id !== id || typeof fact.name !== 'string') return false;
+  const { meta, measures } = fact;
+  if (meta === null) return true;
+  return meta?.id === id && isSide(meta.width) && isSide(meta.height) && /^[0-9a-f]{16}$/.test(meta.fingerprint) && Number.isFinite(meta.sharpness) &&
+    (meta.taken === null || typeof meta.taken === 'string') && typeof meta.energy?.values === 'string' && Array.isArray(meta.subjects) &&
+    (measures === null || typeof measures === 'object');
+}
+
+/** @param {unknown} side */
+function isSide(side) {
+  return Number.isSafeInteger(side) && Number(side) > 0;
+}
+
+/** @param {any} state @returns {KeptVideo[]} */
+function videosIn(state) {
+  const list = Array.isArray(state?.videos) ? state.videos : [];
+  return list.filter((/** @type {any} */ video) => (
+    [video?.key, video?.name, video?.fileKey].every((text) => typeof text === 'string') && Array.isArray(video.ids) &&
+    [video.duration ?? 0, video.start, video.end ?? 0].every(Number.isFinite)
+  ));
+}
+
+/** @param {unknown} list @returns {string[]} */
+function textsIn(list) {
+  return Array.isArray(list) ? list.filter((text) => typeof text === 'string') : [];
+}
+
+/** @param {unknown} text @param {string} other */
+function textOr(text, other) {
+  return typeof text === 'string' ? text : other;
 }
 
 /** @param {Blob} blob @param {string} name */

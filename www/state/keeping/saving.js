@@ -75,6 +75,8 @@ export function createSaving({ store, records, journal, locks, database, drawnSt
   /** @type {Promise<void> | null} */
   let running = null;
   let attempts = 0;
+  /** What is on the page now may be taken back until this is over. @type {Promise<void> | null} */
+  let trial = null;
   /** @type {any} */
   let timer;
 
@@ -87,7 +89,7 @@ export function createSaving({ store, records, journal, locks, database, drawnSt
     });
   });
 
-  return { status, progress, unsaved, missing, flush, check, again, isSafe, filed };
+  return { status, progress, unsaved, missing, flush, during, check, again, isSafe, filed };
 
   function parts() {
     return [store.history.value, store.album.value, store.videos.value];
@@ -142,7 +144,7 @@ export function createSaving({ store, records, journal, locks, database, drawnSt
     if (ledger.place.stamp === '' && tray.length === 0 && name === '') return;
     if (!ledger.dirty) ledger.since = performance.now();
     ledger.dirty = true;
-    tell(ledger);
+    if (!trial) tell(ledger);
     say(status.peek() === 'saved' || status.peek() === 'empty' || status.peek() === 'missing' ? 'saving' : status.peek());
     clearTimeout(timer);
     // Photos are not in the journal.
@@ -186,10 +188,31 @@ export function createSaving({ store, records, journal, locks, database, drawnSt
     return save();
   }
 
-  function save() {
+  /** @returns {Promise<void>} */
+  async function save() {
     clearTimeout(timer);
+    if (trial) {
+      await trial;
+      if (!ledger.dirty) return;
+    }
     ledger.due = moment();
     return run();
+  }
+
+  /**
+   * Nothing is written, nor told to the journal, while a project is tried: it may be taken back.
+   * @template T
+   * @param {() => Promise<T>} work
+   * @returns {Promise<T>}
+   */
+  function during(work) {
+    let over = () => {};
+    trial = new Promise((resolve) => { over = resolve; });
+    return work().finally(() => {
+      trial = null;
+      if (ledger.dirty) tell(ledger);
+      over();
+    });
   }
 
   /** @returns {Moment} */
@@ -322,7 +345,7 @@ export function createSaving({ store, records, journal, locks, database, drawnSt
     try {
       const found = await projects.get(id);
       // A project that is gone, with the whole database it may be, was changed by nobody.
-      if (found && found.stamp !== before) throw conflict();
+      if (typeof found?.stamp === 'string' && found.stamp !== before) throw conflict();
       const { name, tray } = history.present;
       const refs = [...ids, ...videos.map(({ fileKey }) => fileKey)];
       const about = { ...(found?.held && { held: found.held }), id, name, created, changed: Date.now(), stamp, photos: tray.length, refs, gone: null };

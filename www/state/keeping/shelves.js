@@ -5,6 +5,7 @@
  */
 
 import { effect, untracked } from '@preact/signals';
+import { MOST } from '../limits.js';
 import { SHARED, carried } from '../shared-lists.js';
 import { strings } from '../../strings.js';
 
@@ -93,7 +94,7 @@ export function createShelves({ store, messages, box }) {
     const check = field === 'ownLayouts' ? planner.checkLayout : planner.checkStyle;
     try {
       const found = JSON.parse(box().getItem(KEYS[field]) ?? '[]');
-      return (Array.isArray(found) ? found : []).flatMap((item) => {
+      return (Array.isArray(found) ? found : []).slice(0, MOST.styles).flatMap((item) => {
         try {
           return [check(JSON.stringify(item), KEYS[field])];
         } catch {

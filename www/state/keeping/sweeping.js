@@ -4,9 +4,9 @@
  * cannot be read, what it needs is not known either: then all photos stay.
  */
 
-import { drawnId } from './drawn-states.js';
+import { drawnId, isProjectId } from './drawn-states.js';
 import { PHOTOS_LOCK } from './locks.js';
-import { ORPHANS, orphansIn, putOrphans } from './orphans.js';
+import { orphansIn, putOrphans } from './orphans.js';
 
 /** @typedef {import('./database.js').ProjectRecord} ProjectRecord */
 
@@ -69,7 +69,7 @@ async function neededBy(projects, states) {
   }
   // A state whose record in the list was lost is the project all the same.
   for (const id of await states.getAllKeys()) {
-    if (id === ORPHANS || known.has(String(id).replace(drawnId(''), ''))) continue;
+    if (!isProjectId(id) || known.has(String(id))) continue;
     if (!need(await keysOf(id))) return null;
   }
   return needed;

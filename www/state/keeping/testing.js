@@ -10,6 +10,7 @@ import { createStore } from '../store.js';
 import { fakePlanner } from '../testing.js';
 import { createKeeping } from './keeping.js';
 import { createShelves } from './shelves.js';
+import { fakeReading } from './testing-reading.js';
 import { createReading } from '../reading.js';
 import { unreadMeta } from '../album.js';
 
@@ -88,8 +89,12 @@ export function fakeBrowser({ factory = new IDBFactory(), local = boxOf() } = {}
     locks.request = () => new Promise(() => {});
   }
 
-  /** @param {{ session?: ReturnType<typeof boxOf>, prepare?: (tab: any) => void }} [of] a tab that is loaded again has the session it had; `prepare` comes before it opens anything */
-  async function tab({ session = boxOf(), prepare = () => {} } = {}) {
+  /**
+   * @param {{
+   *   session?: ReturnType<typeof boxOf>, views?: import('./opening.js').Views, prepare?: (tab: any) => void,
+   * }} [of] a tab that is loaded again has the session it had; `prepare` comes before it opens anything
+   */
+  async function tab({ session = boxOf(), views, prepare = () => {} } = {}) {
     const store = createStore();
     const planner = fakePlanner();
     /** @type {any} */ (planner).checkStyle = JSON.parse;
@@ -98,6 +103,7 @@ export function fakeBrowser({ factory = new IDBFactory(), local = boxOf() } = {}
       if (!(count > 0)) throw new Error('no such layout');
       return { width: 1, height: 1, panels: Array.from({ length: count }, () => ({})) };
     };
+    Object.assign(planner, fakeReading(/** @type {any} */ (planner).geometry));
     store.planner.value = /** @type {any} */ (planner);
     const messages = createMessages();
     let seed = 0;
@@ -126,7 +132,7 @@ export function fakeBrowser({ factory = new IDBFactory(), local = boxOf() } = {}
     }));
     /** Whether the tab asks before it closes. */
     const asks = () => !window.dispatchEvent(new Event('beforeunload', { cancelable: true }));
-    const keeping = createKeeping({ store, reading, engine, shelves, messages, window, leave: () => {} });
+    const keeping = createKeeping({ store, reading, engine, shelves, messages, window, leave: () => {}, views });
     prepare({ engine });
     await keeping.begin();
     const files = (/** @type {string[]} */ ...names) => names.map((name) => new File([name], name));

@@ -10,6 +10,7 @@ import { useApp } from '../context.js';
 import { Icon } from '../icon.jsx';
 import { InstallButton } from '../install.jsx';
 import { Workspace } from '../workspace.jsx';
+import { Broken } from './broken.jsx';
 import { Elsewhere } from './elsewhere.jsx';
 import { ProjectName, SaveState } from './project-bar.jsx';
 
@@ -36,6 +37,7 @@ export function Projects() {
   return (
     <Workspace title={strings.projects} class="projects" tools={tools} onClose={() => { ui.work.value = null; }}>
       <Elsewhere />
+      <Broken />
       {!empty && !ui.wide.value && <p class="project-now"><ProjectName /><SaveState /></p>}
       <ul class="project-wall">{list.map((project) => <Project key={project.id} project={project} />)}</ul>
       {list.length === 0 && <p class="wall-empty">{strings.noProjects}</p>}
@@ -63,7 +65,7 @@ function Project({ project: { id, name, changed, photos, picture } }) {
       </button>
       <div class="project-about">
         <strong>{title}</strong>
-        <span>{strings.projectAbout(photos, when)}</span>
+        <span>{strings.projectAbout(photos, changed > 0 ? when : '')}</span>
       </div>
       <div class="project-tools">
         <IconButton icon="duplicate" label={strings.duplicateNamed(title)} onClick={() => void keeping.duplicate(id)} />
