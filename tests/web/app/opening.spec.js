@@ -1,0 +1,157 @@
+// @ts-check
+/** A file that cannot be opened changes nothing, on the page and in the database; nor does what the page writes lock it out. */
+
+import { soundPage, soundProject } from './hostile-files.js';
+import { SMALL, goodFiles, saved } from './project-hands.js';
+import { accessible, add, contents, drop, expect, idle, picture, press, test } from './support.js';
+import { tables } from './table-hands.js';
+import { word, write } from './word-hands.js';
+
+/** @typedef {import('./support.js').Page} Page */
+
+const idOf = (/** @type {Page} */ page) => page.evaluate(() => String(sessionStorage.getItem('inkpanel.project')));
+
+/** A project that is open and saved, with its thumbnail. @param {Page} page */
+async function first(page) {
+  await page.goto('./');
+  await add(page, SMALL);
+  await idle(page);
+  await page.getByLabel('Project name').fill('First');
+  await page.keyboard.press('Enter');
+  await press(page, 'Shuffle');
+  await saved(page);
+  const id = await idOf(page);
+  await expect.poll(async () => (await tables(page, { of: id })).projects[id].picture, { timeout: 30_000 }).toContain('blob');
+  return id;
+}
+
+/** @param {Page} page */
+async function all(page) {
+  return { tables: await tables(page), contents: await contents(page), picture: await picture(page), undo: await page.getByRole('button', { name: 'Undo' }).isEnabled() };
+}
+
+/** @type {Record<string, (document: any) => void>} */
+const REFUSED = {
+  'words of nothing': ({ history }) => { history.present.page.words = [null]; },
+  'photos alike by halves': ({ history }) => { history.present.alike = 10.5; },
+  'settings without a width': ({ history }) => { history.present.settings.width = null; },
+  'a merge of nothing': ({ history }) => { history.present.page.merges = [null]; },
+  'a number for a text': ({ history }) => { history.present.page.words = [{ kind: 'caption', text: 5, panel: 0 }]; },
+  'a thousand words': ({ history }) => { history.present.page.words = Array(1000).fill({ kind: 'caption', text: 'MORE', panel: 0 }); },
+};
+
+/** @param {import('./hostile-files.js').Hostile} file */
+const asFile = ({ name, bytes }) => ({ name, mimeType: name.endsWith('png') ? 'image/png' : 'application/zip', buffer: bytes });
+
+test('files that cannot be opened leave the project that is open, its record, its photos and its undo as they were', async ({ page }) => {
+  await first(page);
+  const good = await goodFiles(page);
+  const before = await all(page);
+  for (const [what, spoil] of Object.entries(REFUSED)) {
+    for (const [parts, make] of /** @type {const} */ ([[good.project, soundProject], [good.page, soundPage]])) {
+      await test.step(`${make.name}: ${what}`, async () => {
+        const document = structuredClone(parts.document);
+        spoil(document);
+        const file = await make({ ...parts, document });
+        await drop(page, [asFile(file)]);
+        await expect(page.getByRole('alert').getByText(`${file.name} could not be opened`)).toBeVisible();
+        await idle(page);
+        expect(await all(page)).toEqual(before);
+        await page.getByRole('alert').getByRole('button', { name: 'Dismiss' }).first().click();
+      });
+    }
+  }
+  // What nobody needs is thrown away some seconds after the page was opened.
+  await page.reload();
+  await idle(page);
+  await page.waitForTimeout(9_000);
+  expect(await all(page)).toEqual(before);
+});
+
+test('a project that the engine refuses changes nothing', async ({ page }) => {
+  await page.route(/assets\/worker-[^/]*\.js$/, async (route) => {
+    const response = await route.fetch();
+    const script = `addEventListener('message', (event) => {
+      const { id, args } = event.data;
+      if (!String(args?.document).includes('"text":"REFUSE THIS"')) return;
+      event.stopImmediatePropagation();
+      postMessage({ id, error: { code: 'invalid-document', message: 'words: cannot be drawn' }, memory: 0 });
+    });`;
+    await route.fulfill({ response, body: `${script}\n${await response.text()}` });
+  });
+  await first(page);
+  const good = await goodFiles(page);
+  const before = await all(page);
+  good.project.document.history.present.page.words[0].text = 'REFUSE THIS';
+  await drop(page, [asFile(await soundProject(good.project))]);
+  await expect(page.getByRole('alert').getByText('sound.inkpanel could not be opened: words: cannot be drawn')).toBeVisible();
+  await idle(page);
+  expect(await all(page)).toEqual(before);
+});
+
+test('a project that the page fails to draw is taken back, and one that it fails to draw later has ways on', async ({ page }) => {
+  const id = await first(page);
+  const good = await goodFiles(page);
+  const before = await all(page);
+  // The views tell the gutter of a page in hundredths.
+  await page.evaluate(() => {
+    const { toFixed } = Number.prototype;
+    Object.assign(window, { trap: 7.77 });
+    Number.prototype.toFixed = function fixed(digits) {
+      if (Math.abs(Number(this) - /** @type {any} */ (window).trap) < 1e-6) throw new Error('a view that cannot draw this');
+      return toFixed.call(this, digits);
+    };
+  });
+  const { present } = good.project.document.history;
+  present.page.page.gutter = present.settings.gutter = 0.0777;
+  await drop(page, [asFile(await soundProject(good.project))]);
+  await expect(page.getByRole('alert').getByText('sound.inkpanel could not be opened')).toBeVisible();
+  await idle(page);
+  expect(await all(page)).toEqual(before);
+  // An edit that the views cannot draw.
+  await page.evaluate(() => { Object.assign(window, { trap: 3.3 }); });
+  await page.getByRole('slider', { name: 'Gutter' }).fill('3.3');
+  const broken = page.getByRole('group', { name: 'First cannot be shown: part of it cannot be drawn.' });
+  await expect(broken).toBeVisible();
+  await accessible(page);
+  await broken.getByRole('button', { name: 'Open another' }).click();
+  await expect(page.getByRole('region', { name: 'Projects' }).getByRole('listitem')).not.toHaveCount(0);
+  await broken.getByRole('button', { name: 'Back to the last good state' }).click();
+  await idle(page);
+  expect(await contents(page)).toEqual(before.contents);
+  expect(await picture(page)).toBe(before.picture);
+  await saved(page);
+  expect(await idOf(page)).toBe(id);
+  await page.reload();
+  await idle(page);
+  expect(await contents(page)).toEqual(before.contents);
+});
+
+test('what is typed can be read again', async ({ page }) => {
+  const id = await first(page);
+  await write(page, 'caption', 'a\ud800b');
+  await page.getByLabel('Project name').fill('x\udc00y');
+  await page.keyboard.press('Enter');
+  await saved(page);
+  expect((await tables(page, { of: id })).projects[id].name).toBe('x\ufffdy');
+  await page.reload();
+  await idle(page);
+  await expect(word(page, 'Caption: a\ufffdb')).toBeVisible();
+  await expect(page.getByLabel('Project name')).toHaveValue('x\ufffdy');
+});
+
+test('a page takes two hundred words, and says so', async ({ page }) => {
+  await first(page);
+  const good = await goodFiles(page);
+  good.project.document.history.present.page.words = Array(200).fill({ kind: 'caption', text: 'MORE', panel: 0, auto: false, x: 0.5, y: 0.5, size: 0.01 });
+  await drop(page, [asFile(await soundProject(good.project))]);
+  await expect(page.getByLabel('Project name')).toHaveValue('Hostile');
+  await idle(page);
+  await page.locator('.words-section summary').click();
+  await page.getByRole('button', { name: 'Add caption' }).click();
+  await expect(page.getByRole('alert').getByText('A page holds 200 words.')).toBeVisible();
+  await saved(page);
+  await page.reload();
+  await idle(page);
+  await expect(page.locator('[data-word]')).toHaveCount(200);
+});
