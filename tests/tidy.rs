@@ -83,7 +83,7 @@ fn every_module_says_what_it_is_for() {
         .into_iter()
         .filter(|file| match extension(file) {
             "rs" => !starts_with(file, "//!"),
-            "js" | "jsx" if file.starts_with("www/") => !starts_with(file, "// @ts-check"),
+            "js" if file.starts_with("www/") => !starts_with(file, "// @ts-check"),
             _ => false,
         })
         .collect();

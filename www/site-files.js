@@ -10,10 +10,10 @@ import { join, relative, resolve, sep } from 'node:path';
 import { fileURLToPath } from 'node:url';
 import { build } from 'vite';
 
-/** @typedef {import('./service-worker/worker-types.js').Site} Site */
+/** @typedef {import('./offline/worker/worker-types.ts').Site} Site */
 
 const WORKER = 'service-worker.js';
-const SOURCE = fileURLToPath(new URL('./service-worker/main.js', import.meta.url));
+const SOURCE = fileURLToPath(new URL('./offline/worker/main.ts', import.meta.url));
 /** The nets and their module: larger than all the rest, and not everyone's. */
 const ON_USE = /^assets\/(?:nets-[^/]*\.wasm|[^/]*\.onnx)$/;
 /** The sample album can be tried without a connection, but nobody needs it. */
@@ -58,7 +58,7 @@ export async function filesOf(folder) {
   const paths = entries.filter((entry) => entry.isFile()).map(({ parentPath, name }) => relative(folder, join(parentPath, name)).split(sep).join('/'));
   const kept = paths.filter((path) => path !== WORKER && !NOT.test(path)).sort();
   const files = await Promise.all(kept.map(async (path) => (
-    /** @type {import('./service-worker/worker-types.js').SiteFile} */ ([path === 'index.html' ? '' : path, await integrityOf(join(folder, path))])
+    /** @type {import('./offline/worker/worker-types.ts').SiteFile} */ ([path === 'index.html' ? '' : path, await integrityOf(join(folder, path))])
   )));
   const needed = files.filter(([path]) => !ON_USE.test(path) && !EXTRAS.test(path));
   const extras = files.filter(([path]) => EXTRAS.test(path));

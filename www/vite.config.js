@@ -18,6 +18,6 @@ export default defineConfig({
   test: {
     // The machine may be busy: a limit ends what hangs, it does not measure.
     testTimeout: 60_000,
-    include: ['*.test.js', 'state/**/*.test.js', 'engine/**/*.test.js', 'views/**/*.test.js', 'service-worker/**/*.test.js', 'strings/**/*.test.js'],
+    include: ['**/*.test.ts', '*.test.js'],
   },
 });

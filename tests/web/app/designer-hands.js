@@ -3,7 +3,7 @@
 
 import { expect, openBoard } from './support.js';
 
-/** @typedef {import('../../../www/testing.js').Page} Page */
+/** @typedef {import('../../../www/testing.ts').Page} Page */
 /** @typedef {'Background layer' | 'Foreground layer'} LayerName */
 
 export const FOUR = ['bee.jpg', 'cat.jpg', 'gateway.jpg', 'macaw.jpg'];

@@ -3,7 +3,7 @@ import { addBlock, cards, names, openDesigner, preview, region } from './designe
 import { expect, test } from './support.js';
 import { touch, way } from './touch-hands.js';
 
-/** @typedef {import('../../../www/testing.js').Page} Page */
+/** @typedef {import('../../../www/testing.ts').Page} Page */
 
 test.use({ viewport: { width: 1100, height: 760 }, hasTouch: true });
 

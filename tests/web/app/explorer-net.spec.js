@@ -4,7 +4,7 @@ import { existsSync } from 'node:fs';
 import { invent } from './designer-hands.js';
 import { accessible, detectingTest as test, expect } from './support.js';
 
-/** @typedef {import('../../../www/testing.js').Page} Page */
+/** @typedef {import('../../../www/testing.ts').Page} Page */
 
 test.skip(!existsSync(new URL('../../../www/models/aesthetics.onnx', import.meta.url)), 'the net is optional, and was not made');
 

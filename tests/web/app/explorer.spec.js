@@ -2,7 +2,7 @@
 import { FOUR, drawn, invent, names } from './designer-hands.js';
 import { accessible, contents, expect, idle, openBoard, picture, press, test } from './support.js';
 
-/** @typedef {import('../../../www/testing.js').Page} Page */
+/** @typedef {import('../../../www/testing.ts').Page} Page */
 
 /** @param {Page} page */
 const region = (page) => page.getByRole('region', { name: 'Style explorer' });

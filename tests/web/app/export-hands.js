@@ -3,7 +3,7 @@
 
 import { readFile } from 'node:fs/promises';
 
-/** @typedef {import('../../../www/testing.js').Page} Page */
+/** @typedef {import('../../../www/testing.ts').Page} Page */
 
 /** @param {Page} page */
 export async function openExport(page) {

@@ -4,9 +4,9 @@
  * are dropped or doubled, whose numbers, texts and counts are out of range, in a file that is sound or is not.
  */
 
-import { pngOf, chunkOf, textChunk, withChunks } from '../../../www/engine/png-chunks.js';
-import { archiveOf } from '../../../www/state/keeping/archive.js';
-import { withProject } from '../../../www/state/keeping/page-file.js';
+import { pngOf, chunkOf, textChunk, withChunks } from '../../../www/engine/png-chunks.ts';
+import { archiveOf } from '../../../www/storage/files/archive.ts';
+import { withProject } from '../../../www/storage/files/page-file.ts';
 
 /** @typedef {{ name: string, blob: Blob }} Entry */
 /** `what`: what was done to it. @typedef {{ seed: number, name: string, bytes: Buffer, what: string }} Hostile */

@@ -1,7 +1,7 @@
 // @ts-check
 /** Workers that hang: they cost seconds, and no photo where the next worker can read it. */
 
-import { test as plain } from '../../../www/testing.js';
+import { test as plain } from '../../../www/testing.ts';
 import { SIX, add, colours, expect, idle, photos, picture, pixelsOf, press } from './support.js';
 
 const WORKER = /assets\/worker-[^/]*\.js$/;

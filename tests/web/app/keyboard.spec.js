@@ -1,6 +1,6 @@
 // @ts-check
 import { readFile } from 'node:fs/promises';
-import { PNG } from '../../../www/testing.js';
+import { PNG } from '../../../www/testing.ts';
 import { contents, expect, idle, openBoard, picture, test } from './support.js';
 
 test('from the start to the file by keyboard alone', async ({ page }) => {

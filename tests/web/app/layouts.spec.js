@@ -2,7 +2,7 @@
 import { readFile } from 'node:fs/promises';
 import { PNG, choose, contents, drop, expect, idle, openBoard, picture, press, test } from './support.js';
 
-/** @typedef {import('../../../www/testing.js').Page} Page */
+/** @typedef {import('../../../www/testing.ts').Page} Page */
 
 /** @param {Page} page */
 const layouts = (page) => page.getByRole('listbox', { name: 'Layouts' });

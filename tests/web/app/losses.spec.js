@@ -1,7 +1,7 @@
 // @ts-check
 import { copyFile, mkdir, rename } from 'node:fs/promises';
 import { fileURLToPath } from 'node:url';
-import { test as plain } from '../../../www/testing.js';
+import { test as plain } from '../../../www/testing.ts';
 import { SIX, add, colours, contents, expect, idle, openBoard, photos, picture, pixelsOf, press, test } from './support.js';
 
 /** @typedef {import('./support.js').Page} Page */

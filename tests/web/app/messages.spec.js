@@ -1,7 +1,7 @@
 // @ts-check
 /** What the page says when much goes wrong at once. */
 
-import { test as plain } from '../../../www/testing.js';
+import { test as plain } from '../../../www/testing.ts';
 import { SIX, accessible, add, expect, idle, openBoard, photos, press, test } from './support.js';
 
 /** @param {number} count */

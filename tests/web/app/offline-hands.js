@@ -1,18 +1,18 @@
 // @ts-check
 /** What the tests of the page without a connection share. */
 
-import { test as plain } from '../../../www/testing.js';
+import { test as plain } from '../../../www/testing.ts';
 import { expect } from './support.js';
 import { remove, startHost } from './site-host.js';
 
-/** @typedef {import('../../../www/testing.js').Page} Page */
-/** @typedef {import('../../../www/testing.js').Context} Context */
+/** @typedef {import('../../../www/testing.ts').Page} Page */
+/** @typedef {import('../../../www/testing.ts').Context} Context */
 /** @typedef {Awaited<ReturnType<typeof startHost>>} Host */
 
 /**
  * A host of its own for each test, whose workers are allowed. A request to another origin fails the test, but not a
  * request that finds no host.
- * @type {import('../../../www/testing.js').TestWith<{ host: Host, folders: string[] }>} `folders` are removed afterwards
+ * @type {import('../../../www/testing.ts').TestWith<{ host: Host, folders: string[] }>} `folders` are removed afterwards
  */
 export const test = plain.extend(/** @type {any} */ ({
   serviceWorkers: 'allow',

@@ -2,7 +2,7 @@
 /** The page without a connection, after one visit. */
 
 import { readFile } from 'node:fs/promises';
-import { PNG } from '../../../www/testing.js';
+import { PNG } from '../../../www/testing.ts';
 import { kept, netsKept, test } from './offline-hands.js';
 import { SIX, accessible, add, colours, expect, idle, photos, picture, pixelsOf, press } from './support.js';
 import { write } from './word-hands.js';

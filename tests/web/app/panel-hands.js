@@ -3,7 +3,7 @@
 
 import { PNG, choose, expect, idle, openBoard, pixelsOf } from './support.js';
 
-/** @typedef {import('../../../www/testing.js').Page} Page */
+/** @typedef {import('../../../www/testing.ts').Page} Page */
 
 export const panel = (/** @type {Page} */ page, /** @type {number} */ n) => page.getByRole('group', { name: new RegExp(`^Panel ${n} of`) });
 

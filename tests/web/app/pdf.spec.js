@@ -4,7 +4,7 @@
 import { execFile } from 'node:child_process';
 import { readFile, writeFile } from 'node:fs/promises';
 import { promisify } from 'node:util';
-import { PNG } from '../../../www/testing.js';
+import { PNG } from '../../../www/testing.ts';
 import { openExport, saved, savedAs } from './export-hands.js';
 import { expect, idle, openBoard, press, test } from './support.js';
 import { write } from './word-hands.js';

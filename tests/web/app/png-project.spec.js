@@ -1,14 +1,14 @@
 // @ts-check
 /** The PNG is the project: what it carries, what it never carries, and the ways back in. */
 
-import { withoutMetadata } from '../../../www/engine/metadata/strip.js';
-import { SECRETS, loaded } from '../../../www/engine/metadata/testing.js';
+import { withoutMetadata } from '../../../www/engine/metadata/strip.ts';
+import { SECRETS, loaded } from '../../../www/engine/metadata/testing.ts';
 import { openExport, saved } from './export-hands.js';
 import { panel } from './panel-hands.js';
 import { SIX, accessible, add, drop, expect, idle, openBoard, photos, picture, press, test } from './support.js';
 import { word, write } from './word-hands.js';
 
-/** @typedef {import('../../../www/testing.js').Page} Page */
+/** @typedef {import('../../../www/testing.ts').Page} Page */
 
 const STYLE = { id: 'dropped', name: 'Dropped', tags: ['ink'], background: [{ block: 'posterize', levels: 4 }], foreground: [{ block: 'to_gray' }, { block: 'xdog' }], ink: '#203050' };
 const PLAIN = ['IHDR', 'pHYs', 'IDAT', 'IEND'];
@@ -68,7 +68,7 @@ const file = (/** @type {string} */ name, /** @type {Buffer} */ buffer) => ({ na
 
 /**
  * The page on a device that has seen none of it.
- * @param {import('../../../www/testing.js').Browser} browser
+ * @param {import('../../../www/testing.ts').Browser} browser
  * @param {string | undefined} baseURL
  */
 async function elsewhere(browser, baseURL) {

@@ -3,9 +3,9 @@
 
 import { readFileSync } from 'node:fs';
 import { readFile } from 'node:fs/promises';
-import { dataOf, textHead, textOf } from '../../../www/engine/png-chunks.js';
-import { readArchive } from '../../../www/state/keeping/archive.js';
-import { pageFileOf } from '../../../www/state/keeping/page-file.js';
+import { dataOf, textHead, textOf } from '../../../www/engine/png-chunks.ts';
+import { readArchive } from '../../../www/storage/files/archive.ts';
+import { pageFileOf } from '../../../www/storage/files/page-file.ts';
 import { savedAs } from './export-hands.js';
 import { PNG, expect } from './support.js';
 

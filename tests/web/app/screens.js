@@ -6,7 +6,7 @@ import { four, panel } from './panel-hands.js';
 import { add, choose, expect, idle, photos, test } from './support.js';
 import { openWords } from './word-hands.js';
 
-/** @typedef {import('../../../www/testing.js').Page} Page */
+/** @typedef {import('../../../www/testing.ts').Page} Page */
 
 const button = (/** @type {Page} */ page, /** @type {string} */ name) => page.getByRole('button', { name, exact: true });
 

@@ -4,7 +4,7 @@
 import { lookAtScreens, openFour } from './screens.js';
 import { expect, idle, openBoard, test } from './support.js';
 
-/** @typedef {import('../../../www/testing.js').Page} Page */
+/** @typedef {import('../../../www/testing.ts').Page} Page */
 
 /** What WCAG 1.4.12 asks a page to bear. */
 const WIDE_TEXT = '* { line-height: 1.5 !important; letter-spacing: 0.12em !important; word-spacing: 0.16em !important } p { margin-bottom: 2em !important }';

@@ -5,9 +5,9 @@
  */
 
 import { readFile } from 'node:fs/promises';
-import { AxeBuilder, PNG, expect, test as plain } from '../../../www/testing.js';
+import { AxeBuilder, PNG, expect, test as plain } from '../../../www/testing.ts';
 
-/** @typedef {import('../../../www/testing.js').Page} Page */
+/** @typedef {import('../../../www/testing.ts').Page} Page */
 
 /** Photos that are no part of the site. */
 const PHOTOS = new URL('../../photos/', import.meta.url);

@@ -1,7 +1,7 @@
 // @ts-check
 /** The page's database, as a fault or a hostile hand would find it. */
 
-/** @typedef {import('../../../www/testing.js').Page} Page */
+/** @typedef {import('../../../www/testing.ts').Page} Page */
 /** @typedef {'projects' | 'states' | 'facts' | 'photos'} Table */
 
 /** A file of the site that is no page: there the tables are nobody's. */

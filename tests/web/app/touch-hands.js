@@ -1,7 +1,7 @@
 // @ts-check
 /** Fingers on the glass. */
 
-/** @typedef {import('../../../www/testing.js').Page} Page */
+/** @typedef {import('../../../www/testing.ts').Page} Page */
 /** @typedef {[number, number]} Point */
 
 /**

@@ -3,8 +3,8 @@
 
 import { readFile, writeFile } from 'node:fs/promises';
 import { crc32 } from 'node:zlib';
-import { chunkOf, textChunk, withChunks } from '../../../www/engine/png-chunks.js';
-import { packedNothing, zipOf } from '../../../www/state/keeping/testing-archives.js';
+import { chunkOf, textChunk, withChunks } from '../../../www/engine/png-chunks.ts';
+import { packedNothing, zipOf } from '../../../www/storage/files/testing-archives.ts';
 import { saved } from './export-hands.js';
 import { contents, expect, idle, openBoard, photos, picture, press, test } from './support.js';
 
@@ -32,10 +32,10 @@ function documentOf(list, present = {}) {
   return Buffer.from(JSON.stringify({ format: 'inkpanel', version: 1, history: { present: { tray, ...present }, shown: [] }, photos: list, videos: [] }));
 }
 
-/** @param {Buffer} json @param {readonly import('../../../www/state/keeping/testing-archives.js').Made[]} files */
+/** @param {Buffer} json @param {readonly import('../../../www/storage/files/testing-archives.ts').Made[]} files */
 const project = (json, files) => zipOf([{ name: 'project.json', content: json, packed: true }, ...files]);
 
-/** The processes of the page, and the most that each has held. @param {import('../../../www/testing.js').Browser} browser */
+/** The processes of the page, and the most that each has held. @param {import('../../../www/testing.ts').Browser} browser */
 async function memoryOf(browser) {
   const session = await browser.newBrowserCDPSession();
   const { processInfo } = await session.send('SystemInfo.getProcessInfo');
@@ -150,7 +150,7 @@ test('page PNGs that are traps are refused in seconds, and what is open stays', 
 
 /** What a page tells of itself. @param {Buffer} png @returns {Promise<string>} */
 async function textIn(png) {
-  const { chunksOf, textHead, textOf } = await import('../../../www/engine/png-chunks.js');
+  const { chunksOf, textHead, textOf } = await import('../../../www/engine/png-chunks.ts');
   const file = new Blob([new Uint8Array(png)]);
   const chunk = (await chunksOf(file))?.find(({ type }) => type === 'iTXt');
   const head = chunk && await textHead(file.slice(chunk.at, chunk.at + chunk.length));

@@ -5,7 +5,7 @@ import { readFile } from 'node:fs/promises';
 import { four } from './panel-hands.js';
 import { PNG, expect, idle, openBoard, picture, test } from './support.js';
 
-/** @typedef {import('../../../www/testing.js').Page} Page */
+/** @typedef {import('../../../www/testing.ts').Page} Page */
 
 // What fades in on focus is there at once.
 test.use({ contextOptions: { reducedMotion: 'reduce' } });

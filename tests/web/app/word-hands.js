@@ -3,7 +3,7 @@
 
 import { expect, idle, pixelsOf } from './support.js';
 
-/** @typedef {import('../../../www/testing.js').Page} Page */
+/** @typedef {import('../../../www/testing.ts').Page} Page */
 
 export const word = (/** @type {Page} */ page, /** @type {string | RegExp} */ name) => page.locator('.words').getByRole('button', { name, exact: typeof name === 'string' });
 

@@ -1,6 +1,6 @@
 // @ts-check
 import { readFile } from 'node:fs/promises';
-import { PNG } from '../../../www/testing.js';
+import { PNG } from '../../../www/testing.ts';
 import { accessible, add, contents, drop, expect, idle, openBoard, press, test } from './support.js';
 import { box, inked, word, write } from './word-hands.js';
 

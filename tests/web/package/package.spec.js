@@ -3,7 +3,7 @@ import { execFileSync } from 'node:child_process';
 import { copyFileSync, readFileSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { fileURLToPath } from 'node:url';
-import { PNG, expect, test } from '../../../www/testing.js';
+import { PNG, expect, test } from '../../../www/testing.ts';
 import { picture, stylizeNatively } from '../wasm/native.js';
 import { emptyProject, serve } from './project.js';
 
@@ -67,7 +67,7 @@ test('all that is promised works, and asks for nothing but files of the package'
 /** Runs in the page. @param {string[]} names of two photos */
 async function all(names) {
   const { createEngine } = await import(/** @type {any} */ ('/node_modules/inkpanel/engine/index.js'));
-  /** @type {import('../../../www/engine/engine.js').Engine} */
+  /** @type {import('../../../www/engine/engine.ts').Engine} */
   const engine = createEngine({ workers: 2 });
   const blobs = await Promise.all(names.map(async (name) => (await fetch(name)).blob()));
   const catalogues = (await Promise.all([engine.blocks(), engine.layouts(), engine.styles()])).map(({ length }) => length);

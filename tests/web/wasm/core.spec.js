@@ -1,5 +1,5 @@
 // @ts-check
-import { expect, test } from '../../../www/testing.js';
+import { expect, test } from '../../../www/testing.ts';
 import { openCore } from './core.js';
 import { inkpanel, picture, SIZE, stylizeNatively } from './native.js';
 

@@ -2,7 +2,7 @@
 /** What both the browser and the core decode looks alike: at most 2 of 255 apart on average. */
 
 import { readFileSync, readdirSync } from 'node:fs';
-import { PNG, expect, test } from '../../../www/testing.js';
+import { PNG, expect, test } from '../../../www/testing.ts';
 import { openCore } from './core.js';
 
 /** What `openCore` left in the page. @type {any} */

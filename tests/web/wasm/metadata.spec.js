@@ -2,8 +2,8 @@
 /** What is taken out of photos is no pixel: each is decoded before and after, by the core or by the browser. */
 
 import { readFile, readdir } from 'node:fs/promises';
-import { soiled } from '../../../www/engine/metadata/testing.js';
-import { expect, test } from '../../../www/testing.js';
+import { soiled } from '../../../www/engine/metadata/testing.ts';
+import { expect, test } from '../../../www/testing.ts';
 import { openCore } from './core.js';
 
 /** What `openCore` left in the page. @type {any} */

@@ -3,7 +3,7 @@
 
 import { execFileSync } from 'node:child_process';
 import { readFileSync, writeFileSync } from 'node:fs';
-import { PNG } from '../../../www/testing.js';
+import { PNG } from '../../../www/testing.ts';
 
 export const SIZE = { width: 97, height: 67 };
 

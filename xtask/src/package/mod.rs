@@ -17,8 +17,6 @@ use crate::{chromium, models, npm, tools, wasm};
 const NAME: &str = "inkpanel";
 /// The way in, without its extension: a module and its types.
 const ENTRY: &str = "engine/index";
-/// Modules of the engine that only tests load.
-const FOR_TESTS: [&str; 2] = [".test.js", "testing.js"];
 /// Films are read by this library, which comes as one module; under MPL 2.0, so it stays a file of its own, unchanged.
 const FILM_LIBRARY: (&str, &str) = ("mediabunny", "dist/bundles/mediabunny.min.mjs");
 /// The folders that are published.
@@ -54,14 +52,13 @@ fn build(project: &Project) -> Result<PathBuf> {
     engine(project, &folder)?;
     papers(project, &folder)?;
     fs::write(folder.join("package.json"), format!("{:#}\n", manifest(project)?))?;
-    types(project, &folder)?;
     Ok(folder)
 }
 
 /// The engine's modules, those of the package in place of the site's, the film library and the nets.
 fn engine(project: &Project, folder: &Path) -> Result<()> {
     let (www, out) = (project.www(), folder.join("engine"));
-    copy_all(&www.join("engine"), &out, |name| FOR_TESTS.iter().all(|end| !name.ends_with(end)))?;
+    compile(project, folder)?;
     copy_all(&www.join("package"), &out, is_script)?;
     let (library, bundle) = FILM_LIBRARY;
     let installed = www.join("node_modules").join(library);
@@ -77,6 +74,24 @@ fn engine(project: &Project, folder: &Path) -> Result<()> {
         copy(&models::folder(project).join(net), &folder.join("models").join(net))?;
     }
     copy(&models::folder(project).join("README.md"), &folder.join("licences/models.md"))
+}
+
+/// The engine's modules as JavaScript with their types beside them, where whoever imports them looks for them.
+fn compile(project: &Project, folder: &Path) -> Result<()> {
+    let mut tsc = npm::tool(project, "typescript/bin/tsc");
+    tools::run(tsc.args(["--project", "package", "--outDir"]).arg(folder))?;
+    for entry in fs::read_dir(folder.join("engine"))? {
+        let file = entry?.path();
+        if file.is_file() {
+            // The compiler knows imports, but neither the addresses of workers nor the imports of types.
+            let text = fs::read_to_string(&file)?.replace(".ts', import.meta.url", ".js', import.meta.url");
+            let types = file.to_string_lossy().ends_with(".d.ts");
+            let named = if types { text.replace(".ts'", ".js'").replace(".ts\"", ".js\"") } else { text };
+            fs::write(&file, named)?;
+        }
+    }
+    ensure!(folder.join(format!("{ENTRY}.d.ts")).is_file(), "tsc left no types");
+    Ok(())
 }
 
 /// What is to be read: how to use it, and under which licences.
@@ -116,17 +131,6 @@ fn manifest(project: &Project) -> Result<Value> {
         "sideEffects": ["./engine/worker.js", "./engine/*-worker.js"],
         "files": files,
     }))
-}
-
-/// Types out of the comments, beside each module that the way in reaches.
-fn types(project: &Project, folder: &Path) -> Result<()> {
-    let mut tsc = npm::tool(project, "typescript/bin/tsc");
-    tsc.args(["--allowJs", "--declaration", "--emitDeclarationOnly", "--strict", "--skipLibCheck"]);
-    tsc.args(["--target", "es2022", "--module", "esnext", "--moduleResolution", "bundler"]);
-    tsc.args(["--lib", "es2023,dom,dom.iterable", "--types", "", "--outDir", "."]).args(["--rootDir", "."]);
-    tools::run(tsc.arg(format!("{ENTRY}.js")).current_dir(folder))?;
-    ensure!(folder.join(format!("{ENTRY}.d.ts")).is_file(), "tsc left no types");
-    Ok(())
 }
 
 /// Packs the package, and tests it in a browser as another project installs it.

@@ -1,0 +1,59 @@
+import { strings } from '../strings/strings.ts';
+import { Board } from '../page/board.tsx';
+import { useApp } from './context.ts';
+import { Designer } from '../designer/designer-screen.tsx';
+import { dragging } from './drop.ts';
+import { Explorer } from '../explorer/explorer-screen.tsx';
+import { ExportDialog } from '../export/export-dialog.tsx';
+import { Broken } from '../storage/broken.tsx';
+import { PagesWall } from '../book/pages-wall.tsx';
+import { Projects } from '../storage/projects-dialog.tsx';
+import { Guard } from './guard.tsx';
+import { KeysDialog } from '../help/keys-dialog.tsx';
+import { Start } from './start.tsx';
+import { Toasts } from './toasts.tsx';
+import { TopBar } from './top-bar.tsx';
+
+/** The whole window; where the project cannot be shown, the ways on from there. */
+export function App() {
+  return <Guard instead={<Unshown />}><Everything /></Guard>;
+}
+
+/** In the place of a project that the views cannot draw. */
+function Unshown() {
+  const { ui } = useApp();
+  const projects = ui.work.value === 'projects';
+  return (
+    <div class="app" data-view="start" data-work={projects ? 'projects' : undefined}>
+      <header class="top-bar"><div class="top-start"><h1 class="brand">{strings.name}</h1></div></header>
+      {projects ? <Projects /> : <main class="start"><div class="start-body alone"><Broken /></div></main>}
+      <Toasts />
+    </div>
+  );
+}
+
+function Everything() {
+  const { store, ui, keeping } = useApp();
+  const empty = store.tray.value.length === 0;
+  const dialog = ui.dialog.value;
+  const projects = ui.work.value === 'projects';
+  return (
+    <div class="app" data-view={empty ? 'start' : 'board'} data-sheet={ui.sheet.value ?? 'none'} data-work={empty && !projects ? undefined : ui.work.value ?? undefined}>
+      <TopBar />
+      {!empty ? <Board /> : keeping.running.value ? <Waiting /> : !projects && <Start />}
+      {!empty && ui.work.value === 'designer' && <Designer />}
+      {!empty && ui.work.value === 'explorer' && <Explorer />}
+      {!empty && ui.work.value === 'pages' && <PagesWall />}
+      {projects && <Projects />}
+      <Toasts />
+      {dialog === 'keys' && <KeysDialog />}
+      {dialog === 'export' && store.page.value && <ExportDialog />}
+      {dragging.value && <div class="drop-veil"><p>{strings.dropHere}</p></div>}
+    </div>
+  );
+}
+
+/** While the project of the last visit is on its way. */
+function Waiting() {
+  return <main class="start" aria-busy="true"><p class="visually-hidden">{strings.openingLast}</p></main>;
+}

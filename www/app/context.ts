@@ -1,0 +1,70 @@
+/**
+ * What every view may reach: the state, what can be done to it, and the engine. Wired in `main.tsx` only.
+ */
+
+import { createContext } from 'preact';
+import { useContext } from 'preact/hooks';
+import type { Book } from '../book/book.ts';
+import type { ShownPages } from '../book/shown-pages.ts';
+import type { Designer } from '../designer/designer.ts';
+import type { Pages } from '../document/pages.ts';
+import type { Store } from '../document/store.ts';
+import type { Engine } from '../engine/engine.ts';
+import type { Explorer } from '../explorer/explorer.ts';
+import type { Download } from '../export/download.ts';
+import type { OwnLayouts } from '../layouts/own-layouts.ts';
+import type { Lettering } from '../lettering/lettering.ts';
+import type { Subtitling } from '../lettering/subtitling.ts';
+import type { Installing } from '../offline/installing.ts';
+import type { Alternatives } from '../page/alternatives.ts';
+import type { Framing } from '../page/panels/framing.ts';
+import type { Merging } from '../page/panels/merging.ts';
+import type { Reshaping } from '../page/panels/reshaping.ts';
+import type { Choosing } from '../photos/choosing.ts';
+import type { Reading } from '../photos/reading.ts';
+import type { Scrubbing } from '../photos/scrubbing.ts';
+import type { Subjects } from '../photos/subjects.ts';
+import type { Keeping } from '../storage/storage.ts';
+import type { OwnStyles } from '../styles/own-styles.ts';
+import type { StylingDeeds } from '../styles/styling.ts';
+import type { Messages } from './messages.ts';
+import type { Ui } from './ui.ts';
+
+export type App = {
+  store: Store,
+  pages: Pages,
+  book: Book,
+  subjects: Subjects,
+  reading: Reading,
+  scrubbing: Scrubbing,
+  choosing: Choosing,
+  selection: import('../page/panels/selection.ts').Selection,
+  merging: Merging,
+  lettering: Lettering,
+  subtitling: Subtitling,
+  intake: (files: File[]) => void,
+  openProjects: (files: File[]) => void,
+  installing: Installing,
+  framing: Framing,
+  reshaping: Reshaping,
+  ownLayouts: OwnLayouts,
+  designer: Designer,
+  ownStyles: OwnStyles,
+  explorer: Explorer,
+  styling: StylingDeeds,
+  keeping: Keeping,
+  shownPages: ShownPages,
+  download: Download,
+  alternatives: Alternatives,
+  messages: Messages,
+  ui: Ui,
+  engine: Engine,
+};
+
+export const AppContext = createContext((null as App | null));
+
+export function useApp(): App {
+  const app = useContext(AppContext);
+  if (!app) throw new Error('A view was rendered outside of AppContext.');
+  return app;
+}

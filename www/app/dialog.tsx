@@ -1,0 +1,31 @@
+import { useEffect, useRef } from 'preact/hooks';
+import { strings } from '../strings/strings.ts';
+import { IconButton } from '../ui/button.tsx';
+import type { ComponentChildren } from 'preact';
+
+/** A modal dialog: the browser keeps the focus inside, Escape closes, so does a click beside it. */
+export function Dialog({ title, onClose, children, class: extra = '' }: { title: string, onClose: () => void, children: ComponentChildren, class?: string }) {
+  const ref = useRef((null as HTMLDialogElement | null));
+  useEffect(() => {
+    const dialog = ref.current;
+    dialog?.showModal();
+    return () => dialog?.close();
+  }, []);
+  return (
+    <dialog
+      ref={ref}
+      class={`dialog ${extra}`}
+      aria-label={title}
+      onClose={onClose}
+      onClick={(event) => event.target === ref.current && onClose()}
+    >
+      <div class="dialog-body">
+        <header class="section-head">
+          <h2>{title}</h2>
+          <IconButton icon="close" label={strings.close} onClick={onClose} />
+        </header>
+        {children}
+      </div>
+    </dialog>
+  );
+}

@@ -1,0 +1,54 @@
+/**
+ * Files dropped on the window or pasted into it. Folders are walked.
+ */
+
+import { signal } from '@preact/signals';
+
+/** Whether files are being dragged over the window. */
+export const dragging = signal(false);
+
+export function acceptFiles(window: Window, accept: (files: File[]) => void) {
+  let depth = 0;
+  const carries = (event: DragEvent) => event.dataTransfer?.types.includes('Files') ?? false;
+  const over = (step: number) => {
+    depth = Math.max(0, depth + step);
+    dragging.value = depth > 0;
+  };
+  window.addEventListener('dragenter', (event) => carries(event) && over(1));
+  window.addEventListener('dragleave', (event) => carries(event) && over(-1));
+  window.addEventListener('dragover', (event) => carries(event) && event.preventDefault());
+  window.addEventListener('drop', async (event) => {
+    depth = 0;
+    dragging.value = false;
+    if (!event.dataTransfer || !carries(event)) return;
+    event.preventDefault();
+    accept(await filesOf(event.dataTransfer));
+  });
+  window.addEventListener('paste', (event) => {
+    const files = [...(event.clipboardData?.files ?? [])];
+    if (files.length > 0) accept(files);
+  });
+}
+
+async function filesOf(transfer: DataTransfer): Promise<File[]> {
+  // The entries must be taken before the first await: the browser empties the transfer after the event.
+  const plain = [...transfer.files];
+  const entries = [...transfer.items].flatMap((item) => item.webkitGetAsEntry?.() ?? []);
+  if (!entries.some((entry) => entry.isDirectory)) return plain;
+  return (await Promise.all(entries.map(walk))).flat();
+}
+
+async function walk(entry: FileSystemEntry): Promise<File[]> {
+  if (entry.isFile) {
+    return [await new Promise((resolve, reject) => (entry as FileSystemFileEntry).file(resolve, reject))];
+  }
+  const reader = (entry as FileSystemDirectoryEntry).createReader();
+  const found = [];
+  // A reader gives at most a hundred entries a call.
+  for (;;) {
+    const some = (await new Promise((resolve, reject) => reader.readEntries(resolve, reject)) as FileSystemEntry[]);
+    if (some.length === 0) break;
+    found.push(...some);
+  }
+  return (await Promise.all(found.map(walk))).flat();
+}

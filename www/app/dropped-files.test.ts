@@ -1,0 +1,164 @@
+/** Projects and photos that come together. */
+
+import { beforeEach, describe, expect, it, vi } from 'vitest';
+import { createDroppedFiles } from './dropped-files.ts';
+import { save as saveFile } from '../export/files.ts';
+import { fakeBrowser } from '../storage/testing.ts';
+import { downloaded, inPanels } from '../storage/files/testing-pages.ts';
+
+vi.mock('../export/files.ts', () => ({ save: vi.fn() }));
+
+type Tab = Awaited<ReturnType<ReturnType<typeof fakeBrowser>['tab']>>;
+
+function dropsOn(tab: Tab) {
+  const showProjects = vi.fn();
+  const open = vi.fn(async () => {});
+  const made = createDroppedFiles({ ...(tab as any), subtitling: { open }, ownLayouts: { open }, ownStyles: { open }, showProjects });
+  return { ...made, showProjects };
+}
+
+/** A browser that has made a project, and the project as a file. */
+async function made(name: string, ...photos: string[]) {
+  const tab = await fakeBrowser().tab();
+  await tab.add(...photos);
+  tab.store.change({ type: 'rename', name });
+  await tab.keeping.flush();
+  vi.mocked(saveFile).mockClear();
+  await tab.keeping.files.save();
+  const [blob] = vi.mocked(saveFile).mock.calls[0];
+  return { tab, file: new File([blob], `${name}.inkpanel`) };
+}
+
+/** A PNG of it without its photos. */
+const pngOf = async (tab: Tab, name: string) => new File([await downloaded(tab, 'project')], name, { type: 'image/png' });
+
+const texts = ({ messages }: Tab) => messages.list.value.map(({ text }) => text);
+const projects = ({ keeping }: Tab) => keeping.list.value.map(({ name }) => name).sort();
+
+describe('project files that are dropped together', () => {
+  let one: Awaited<ReturnType<typeof made>>;
+  let two: Awaited<ReturnType<typeof made>>;
+  beforeEach(async () => {
+    [one, two] = [await made('One', 'a.jpg'), await made('Two', 'b.jpg', 'c.jpg')];
+  });
+
+  it('each become a project of their own; the last is on the page, the other is a press away', async () => {
+    const tab = await fakeBrowser().tab();
+    await tab.add('mine.jpg');
+    await dropsOn(tab).take([two.file, one.file]);
+    await tab.keeping.flush();
+    await tab.keeping.refresh();
+    expect([tab.store.project.value.name, tab.names()]).toEqual(['Two', ['b.jpg', 'c.jpg']]);
+    expect(projects(tab)).toEqual(['', 'One', 'Two']);
+    const told = tab.messages.list.value.find(({ kind }) => kind === 'offer');
+    expect(told?.text).toBe('2 projects were opened, each on its own. Two is on the page; One is in Projects.');
+    expect(told?.way?.label).toBe('Open One');
+    told?.way?.run();
+    await vi.waitFor(() => expect([tab.store.project.value.name, tab.names()]).toEqual(['One', ['a.jpg']]));
+  });
+
+  it('are told with the list of projects where they are more', async () => {
+    const three = await made('Three', 'd.jpg');
+    const tab = await fakeBrowser().tab();
+    const drops = dropsOn(tab);
+    await drops.take([one.file, two.file, three.file]);
+    const told = tab.messages.list.value.find(({ kind }) => kind === 'offer');
+    expect(told?.text).toBe('3 projects were opened, each on its own. Two is on the page; 2 more are in Projects.');
+    told?.way?.run();
+    expect(drops.showProjects).toHaveBeenCalledOnce();
+  });
+
+  it('that cannot be opened are named, and the others open', async () => {
+    const tab = await fakeBrowser().tab();
+    await dropsOn(tab).take([one.file, new File(['no project'], 'Odd.inkpanel'), new File(['none either'], 'Zzz.inkpanel')]);
+    expect(tab.store.project.value.name).toBe('One');
+    await vi.waitFor(() => expect(texts(tab)).toContain('2 files could not be read.'));
+    expect(tab.messages.failures.value.map(({ name }) => name)).toEqual(['Odd.inkpanel', 'Zzz.inkpanel']);
+  });
+
+  it('wait for those of the drop before, and all of them are opened', async () => {
+    const tab = await fakeBrowser().tab();
+    const drops = dropsOn(tab);
+    await Promise.all([drops.take([two.file]), drops.take([one.file])]);
+    await tab.keeping.flush();
+    await tab.keeping.refresh();
+    expect([tab.store.project.value.name, projects(tab)]).toEqual(['One', ['One', 'Two']]);
+  });
+
+  it('that are stopped open no more, and bring no photos', async () => {
+    const tab = await fakeBrowser().tab();
+    const begun = ([] as string[]);
+    tab.keeping.files.progress.subscribe((progress) => {
+      if (!progress) return;
+      begun.push(progress.name);
+      queueMicrotask(tab.keeping.files.cancel);
+    });
+    await dropsOn(tab).take([one.file, two.file, ...tab.files('x.jpg')]);
+    expect([[...new Set(begun)], tab.names(), texts(tab)]).toEqual([['One.inkpanel'], [], []]);
+  });
+
+  it('and a page among them open in the order of their names', async () => {
+    const page = await pngOf(one.tab, 'Zoo.png');
+    const tab = await fakeBrowser().tab();
+    await dropsOn(tab).take([page, two.file]);
+    await tab.keeping.flush();
+    await tab.keeping.refresh();
+    expect([tab.store.project.value.name, projects(tab)]).toEqual(['One', ['One', 'Two']]);
+    expect(inPanels(tab)).toEqual(['Missing photo 1']);
+  });
+
+  it('take the photos that came along where these are missing, in each of them; the rest joins the one on the page', async () => {
+    const pages = [await pngOf(one.tab, '1.png'), await pngOf(two.tab, '2.png')];
+    const tab = await fakeBrowser().tab();
+    await dropsOn(tab).take([...tab.files('x.jpg', 'a.jpg', 'b.jpg', 'c.jpg'), ...pages]);
+    expect([tab.store.project.value.name, tab.names().sort()]).toEqual(['Two', ['b.jpg', 'c.jpg', 'x.jpg']]);
+    const told = tab.messages.list.value.find(({ kind }) => kind === 'offer');
+    expect(told?.text).toBe('2 projects were opened, each on its own. Two is on the page; One is in Projects.');
+    expect(texts(tab)).toContain('The photo that came along was added to Two.');
+    told?.way?.run();
+    await vi.waitFor(() => expect([tab.store.project.value.name, inPanels(tab)]).toEqual(['One', ['a.jpg']]));
+  });
+});
+
+describe('photos with a project file', () => {
+  it('join it, and that is said', async () => {
+    const { file } = await made('One', 'a.jpg');
+    const tab = await fakeBrowser().tab();
+    await tab.add('mine.jpg');
+    await dropsOn(tab).take([...tab.files('x.jpg', 'y.jpg'), file]);
+    expect([tab.store.project.value.name, tab.names()]).toEqual(['One', ['a.jpg', 'x.jpg', 'y.jpg']]);
+    expect(texts(tab)).toContain('The 2 photos that came along were added to One.');
+  });
+
+  it('that cannot be read are not said to have joined it', async () => {
+    const { file } = await made('One', 'a.jpg');
+    const tab = await fakeBrowser().tab();
+    await dropsOn(tab).take([new File(['bad'], 'x.jpg'), file]);
+    expect([tab.names(), texts(tab)]).toEqual([['a.jpg'], [expect.stringMatching(/^x\.jpg: /)]]);
+  });
+
+  it('that cannot be opened join what is on the page', async () => {
+    const tab = await fakeBrowser().tab();
+    await tab.add('mine.jpg');
+    await dropsOn(tab).take([...tab.files('x.jpg'), new File(['none'], 'Odd.inkpanel')]);
+    expect(tab.names()).toEqual(['mine.jpg', 'x.jpg']);
+  });
+
+  it('that come after it, while it is being opened, join it', async () => {
+    const { file } = await made('One', 'a.jpg');
+    const tab = await fakeBrowser().tab();
+    const drops = dropsOn(tab);
+    await Promise.all([drops.take([file]), drops.take(tab.files('x.jpg'))]);
+    expect([tab.store.project.value.name, tab.names()]).toEqual(['One', ['a.jpg', 'x.jpg']]);
+  });
+});
+
+it('several files that are chosen as projects are all opened; a picture among them is named', async () => {
+  const [one, two] = [await made('One', 'a.jpg'), await made('Two', 'b.jpg')];
+  const tab = await fakeBrowser().tab();
+  await dropsOn(tab).openProjects([two.file, new File(['none'], 'plain.png', { type: 'image/png' }), one.file]);
+  await tab.keeping.flush();
+  await tab.keeping.refresh();
+  expect([tab.store.project.value.name, projects(tab)]).toEqual(['Two', ['One', 'Two']]);
+  await vi.waitFor(() => expect(texts(tab)).toContain('plain.png could not be opened: it is a picture without project data.'));
+});

@@ -1,0 +1,126 @@
+/**
+ * Files of any kind that were dropped, pasted, chosen or sent by the system. Each project among them becomes a project of
+ * its own, one after the other; the last by name stays on the page, and the others are told, with a way to open them.
+ * Photos go where a frame waits for them in any of these projects, and what is left joins the one on the page, as it
+ * does where no project came along.
+ */
+
+import { computed, signal } from '@preact/signals';
+import { strings } from '../strings/strings.ts';
+import { byName } from '../document/album.ts';
+import { isNamedPng } from '../storage/files/page-files.ts';
+import { isProjectFile } from '../storage/files/project-file.ts';
+import { openPlans } from '../document/plans.ts';
+import { isSubtitles } from '../lettering/subtitles.ts';
+import type { Store } from '../document/store.ts';
+import type { OwnLayouts } from '../layouts/own-layouts.ts';
+import type { Subtitling } from '../lettering/subtitling.ts';
+import type { Reading } from '../photos/reading.ts';
+import type { Keeping } from '../storage/storage.ts';
+import type { OwnStyles } from '../styles/own-styles.ts';
+import type { Messages } from './messages.ts';
+
+type Opened = { id: string, name: string };
+type ProjectFile = { name: string, open: () => Promise<boolean> };
+
+/** @param app `showProjects` opens the list of projects */
+export function createDroppedFiles({ store, keeping, reading, subtitling, messages, ownLayouts, ownStyles, showProjects }: {
+  store: Store, keeping: Pick<Keeping, 'files' | 'pageFiles' | 'absentPhotos' | 'current' | 'open'>,
+  reading: Pick<Reading, 'addFiles'>, subtitling: Pick<Subtitling, 'open'>,
+  messages: Pick<Messages, 'offer'>, ownLayouts: Pick<OwnLayouts, 'open'>,
+  ownStyles: Pick<OwnStyles, 'open'>, showProjects: () => void,
+}) {
+  /** Projects of one drop are not mixed with those of the next, and photos wait for those before them. */
+  let before: Promise<unknown> = Promise.resolve();
+
+  /** How many times files are being taken in. */
+  const taking = signal(0);
+
+  return { take, openProjects, busy: computed(() => taking.value > 0) };
+
+  async function take(files: readonly File[]) {
+    taking.value += 1;
+    await takeIn(files).finally(() => { taking.value -= 1; });
+  }
+
+  async function takeIn(files: readonly File[]) {
+    const plans = files.filter(({ name }) => name.toLowerCase().endsWith('.json'));
+    const projects = files.filter(isProjectFile);
+    const subtitles = files.filter(isSubtitles);
+    const pictures = files.filter((file) => ![plans, projects, subtitles].some((list) => list.includes(file)));
+    void openPlans(plans, { ownLayouts, ownStyles });
+    const turn = before.then(() => openAll(projects, pictures));
+    before = turn.catch(() => {});
+    const { photos, shown } = await turn;
+    await add(photos, shown);
+    // Their video may have come with them.
+    await subtitling.open(subtitles);
+  }
+
+  /** Opens files that were chosen as projects. */
+  async function openProjects(files: readonly File[]) {
+    const projects = byName(files).map((file) => (
+      { name: file.name, open: () => (isNamedPng(file) ? keeping.pageFiles.openChosen(file) : keeping.files.open(file)) }
+    ));
+    const turn = before.then(() => oneByOne(projects));
+    before = turn.catch(() => {});
+    tell(await turn);
+  }
+
+  /**
+   * @param files of projects
+   * @returns photos that no frame waited for, and the project that came with them
+   */
+  async function openAll(files: readonly File[], pictures: readonly File[]): Promise<{ photos: File[], shown?: Opened }> {
+    const pages = await keeping.pageFiles.allAmong(pictures);
+    const projects = byName([
+      ...files.map((file) => ({ name: file.name, open: () => keeping.files.open(file) })),
+      ...pages.map((page) => ({ name: page.file.name, open: () => keeping.pageFiles.open(page) })),
+    ]);
+    const photos = pictures.filter((file) => !pages.some((page) => page.file === file));
+    if (projects.length === 0) return { photos: await keeping.absentPhotos.fill(photos) };
+    const stops = keeping.files.stops();
+    const placed = (new Set() as Set<File>);
+    const opened = await oneByOne(projects, async () => {
+      const rest = await keeping.absentPhotos.fill(photos);
+      for (const file of photos) if (!rest.includes(file)) placed.add(file);
+    });
+    const stopped = keeping.files.stops() > stops;
+    tell(opened);
+    return { photos: stopped ? [] : photos.filter((file) => !placed.has(file)), shown: opened.at(-1) };
+  }
+
+  /**
+   * @param each when one is on the page
+   * @returns those that could be opened
+   */
+  async function oneByOne(projects: readonly ProjectFile[], each: () => Promise<void> = async () => {}): Promise<Opened[]> {
+    const opened: Opened[] = [];
+    const stops = keeping.files.stops();
+    for (const { open } of projects) {
+      // Whoever stops one wants none of those that follow.
+      if (keeping.files.stops() > stops) break;
+      if (!await open()) continue;
+      await each();
+      opened.push({ id: keeping.current.peek(), name: store.project.peek().name || strings.untitled });
+    }
+    return opened;
+  }
+
+  /** @param shown the project that they came with: whoever opened it may not expect them there */
+  async function add(photos: readonly File[], shown?: Opened) {
+    const count = store.tray.peek().length;
+    await reading.addFiles(photos);
+    const added = store.tray.peek().length - count;
+    if (shown && added > 0 && keeping.current.peek() === shown.id) messages.offer(strings.photosWithProject(added, shown.name));
+  }
+
+  function tell(opened: readonly Opened[]) {
+    const others = opened.slice(0, -1);
+    const shown = opened.at(-1);
+    if (!shown || others.length === 0) return;
+    const [{ id, name }] = others;
+    const way = others.length === 1 ? { label: strings.openNamed(name), run: () => void keeping.open(id) } : { label: strings.projects, run: showProjects };
+    messages.offer(strings.projectsOpened(others.map((other) => other.name), shown.name), way);
+  }
+}

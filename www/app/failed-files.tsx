@@ -1,0 +1,24 @@
+import { strings } from '../strings/strings.ts';
+import { useApp } from './context.ts';
+import { Dialog } from './dialog.tsx';
+
+/** Files that could not be read, each with the reason. */
+export function FailedFiles() {
+  const { messages } = useApp();
+  const { failures, unnamed, listed } = messages;
+  const close = () => { listed.value = false; };
+  return (
+    <Dialog title={strings.filesFailed(failures.value.length + unnamed.value)} onClose={close} class="failed-files">
+      <ul>
+        {failures.value.map(({ name, why, way }) => (
+          <li key={`${name}\n${why}`}>
+            <strong>{name}</strong>
+            <span>{why}</span>
+            {way && <button type="button" class="button" onClick={() => { close(); way.run(); }}>{way.label}</button>}
+          </li>
+        ))}
+      </ul>
+      {unnamed.value > 0 && <p class="quiet">{strings.moreFiles(unnamed.value)}</p>}
+    </Dialog>
+  );
+}

@@ -1,0 +1,93 @@
+/**
+ * The focus is never lost: when what has it goes away or can no longer be used, it goes to what is beside it, or back
+ * to where it came from. Browsers would let it fall to the body, and the next Tab would begin at the top.
+ */
+
+const USABLE = 'button, input, select, textarea, a[href], summary, [tabindex]:not([tabindex="-1"])';
+const TYPED = 'input:not([type=checkbox], [type=radio], [type=range]), textarea';
+/** How far back it is known where the focus was: a walk through all of a workspace, and out of it. */
+const LONGEST = 400;
+
+/**
+ * @param root all that is watched
+ * @returns ends it
+ */
+export function keepFocus(root: HTMLElement): () => void {
+  const { ownerDocument: document } = root;
+  /** Where the focus was, the last one last. */
+  let trail: HTMLElement[] = [];
+  /** From what has the focus up to the root, with the place of each among what can have it. */
+  let path: { element: Element, at: number }[] = [];
+  /** Whether a key was pressed last: a hand on the glass wants nothing scrolled, and no keyboard to come up. */
+  let byKey = false;
+
+  function remember({ target }: FocusEvent) {
+    if (!(target instanceof HTMLElement)) return;
+    trail = [...trail.filter((element) => element !== target && element.isConnected), target].slice(-LONGEST);
+    path = [];
+    for (let element = (target as Element | null); element && element !== root; element = element.parentElement) {
+      const within = element.parentElement ? [...element.parentElement.querySelectorAll(USABLE)] : [];
+      path.push({ element, at: within.findIndex((other) => element?.contains(other)) });
+    }
+  }
+
+  /** A person may put it nowhere, by a click beside everything. */
+  function forget() {
+    path = [];
+    byKey = false;
+  }
+
+  function onKey() {
+    byKey = true;
+  }
+
+  function check() {
+    const [had] = path;
+    const active = document.activeElement;
+    if (!had || (active !== null && active !== document.body)) return;
+    if (isUsable(had.element)) return;
+    const view = path.findLast(({ element }) => !element.isConnected)?.element.matches('main:not(.workspace)');
+    // Another view begins at its own top; what lay over a view gives way to what opened it.
+    const next = (view ? null : beside() ?? trail.findLast((element) => isUsable(element) && (byKey || !element.matches(TYPED)))) ?? root.querySelector('main');
+    path = [];
+    if (!(next instanceof HTMLElement)) return;
+    if (!next.matches(USABLE)) next.tabIndex = -1;
+    next.focus({ preventScroll: !byKey });
+  }
+
+  /** For one of several things: its neighbour. For a part of the page: nothing, as what opened it is the better place. */
+  function beside() {
+    const gone = path.findLastIndex(({ element }) => !element.isConnected);
+    const { element, at } = path[Math.max(0, gone)];
+    if (gone >= 0 && !element.matches(`li, [role=group], ${USABLE}`)) return undefined;
+    const home = path[Math.max(0, gone) + 1]?.element;
+    if (!home?.isConnected) return undefined;
+    const others = [...home.querySelectorAll(USABLE)];
+    return others.slice(Math.max(0, at)).find(isUsable) ?? others.slice(0, Math.max(0, at)).findLast(isUsable);
+  }
+
+  // A part of the page may know better where the focus goes next, and says so within a frame.
+  let waiting = false;
+  const observer = new MutationObserver(() => {
+    if (path.length === 0 || waiting) return;
+    waiting = true;
+    requestAnimationFrame(() => requestAnimationFrame(() => {
+      waiting = false;
+      check();
+    }));
+  });
+  observer.observe(root, { childList: true, subtree: true, attributes: true, attributeFilter: ['disabled', 'open', 'hidden'] });
+  root.addEventListener('focusin', remember);
+  root.addEventListener('pointerdown', forget, { capture: true });
+  root.addEventListener('keydown', onKey, { capture: true });
+  return () => {
+    observer.disconnect();
+    root.removeEventListener('focusin', remember);
+    root.removeEventListener('pointerdown', forget, { capture: true });
+    root.removeEventListener('keydown', onKey, { capture: true });
+  };
+}
+
+function isUsable(element: Element) {
+  return element.isConnected && !element.matches(':disabled') && element.checkVisibility({ visibilityProperty: true });
+}

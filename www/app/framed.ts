@@ -1,0 +1,32 @@
+/**
+ * A page of another site could hold this one in a frame, and have people press what they do not see. Hosts forbid it by a
+ * header (`public/_headers`), which a page cannot do for itself; so it refuses to work there. The first import of
+ * `main.tsx`: where this module throws, nothing else of the program begins.
+ */
+
+import { strings } from '../strings/strings.ts';
+
+if (typeof window !== 'undefined' && isFramedByOthers(window)) {
+  refuse(document);
+  throw new Error('Inkpanel does not work in a page of another site.');
+}
+
+/** @returns whether any of the pages around it is of another origin */
+export function isFramedByOthers(inner: Window): boolean {
+  try {
+    // Browsers let nobody look into a page of another origin.
+    for (let at = inner; at.parent !== at; at = at.parent) void at.parent.document;
+    return false;
+  } catch {
+    return true;
+  }
+}
+
+/** Says so, and offers the way out. */
+function refuse(document: Document) {
+  const make = (tag: string, fields: object) => Object.assign(document.createElement(tag), fields);
+  const main = make('main', { className: 'framed' });
+  const link = make('a', { className: 'button', href: document.location.href, target: '_blank', rel: 'noopener', textContent: strings.openInTab });
+  main.append(make('h1', { textContent: strings.name }), make('p', { textContent: strings.framed }), link);
+  document.getElementById('app')?.replaceChildren(main);
+}

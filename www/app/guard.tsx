@@ -1,0 +1,52 @@
+/** Where the views cannot draw what is in the store: then there is something else in their place, until there is another project. */
+
+import { Component } from 'preact';
+import { useApp } from './context.ts';
+import type { Ui } from './ui.ts';
+import type { ComponentChildren } from 'preact';
+
+export function Guard({ children, instead }: { children: ComponentChildren, instead: ComponentChildren }) {
+  const { ui, keeping } = useApp();
+  const onFailed = (error: unknown) => {
+    ui.failed.value = error;
+    keeping.failedToShow(error);
+  };
+  return <Catcher failed={ui.failed.value !== null} onFailed={onFailed} instead={instead}>{children}</Catcher>;
+}
+
+type Caught = { failed: boolean, onFailed: (error: unknown) => void, children: ComponentChildren, instead: ComponentChildren };
+
+class Catcher extends Component<Caught> {
+  componentDidCatch(error: unknown) {
+    const { failed, onFailed } = this.props;
+    // What stands in their place must not fail.
+    if (failed) throw error;
+    onFailed(error);
+    this.setState({});
+  }
+
+  render() {
+    const { failed, children, instead } = this.props;
+    return failed ? instead : children;
+  }
+}
+
+/**
+ * Waits until the views have drawn what is in the store now.
+ * @returns rejects with what they threw
+ */
+export async function drawn(ui: Ui): Promise<void> {
+  await new Promise((resolve) => {
+    // A tab in the background draws no frames; its views are made all the same.
+    const patience = setTimeout(resolve, PATIENCE);
+    requestAnimationFrame(() => requestAnimationFrame(() => setTimeout(() => {
+      clearTimeout(patience);
+      resolve(undefined);
+    })));
+  });
+  const error = ui.failed.peek();
+  if (error !== null) throw error;
+}
+
+/** Milliseconds. */
+const PATIENCE = 150;

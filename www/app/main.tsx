@@ -1,0 +1,173 @@
+/**
+ * The wiring: makes the parts, joins them, and keeps `document.body.dataset.idle` true to its word.
+ */
+
+import './framed.ts';
+import { effect, untracked } from '@preact/signals';
+import { render } from 'preact';
+import { createEngine } from '../engine/engine.ts';
+import { unreadMeta } from '../document/album.ts';
+import { createAlternatives } from '../page/alternatives.ts';
+import { createBook } from '../book/book.ts';
+import { keepBook } from '../book/book-upkeep.ts';
+import { createArrivals } from './arrivals.ts';
+import { createChoosing } from '../photos/choosing.ts';
+import { createDesigner } from '../designer/designer.ts';
+import { createDownload } from '../export/download.ts';
+import { createDroppedFiles } from './dropped-files.ts';
+import { createExplorer } from '../explorer/explorer.ts';
+import { createKeeping } from '../storage/storage.ts';
+import { createShelves } from '../storage/shelves.ts';
+import { createFraming } from '../page/panels/framing.ts';
+import { createInstalling } from '../offline/installing.ts';
+import { freshPhotoPrefix } from '../photos/intake.ts';
+import { createKeys } from './keys.ts';
+import { createLettering } from '../lettering/lettering.ts';
+import { createMerging } from '../page/panels/merging.ts';
+import { createMessages } from './messages.ts';
+import { createOffline } from '../offline/offline.ts';
+import { createOwnLayouts } from '../layouts/own-layouts.ts';
+import { createOwnStyles, freshStyleId } from '../styles/own-styles.ts';
+import { createPages, freshSeed } from '../document/pages.ts';
+import { createReading } from '../photos/reading.ts';
+import { createReshaping } from '../page/panels/reshaping.ts';
+import { createScrubbing } from '../photos/scrubbing.ts';
+import { createSelection } from '../page/panels/selection.ts';
+import { createStore } from '../document/store.ts';
+import { createShownPages } from '../book/shown-pages.ts';
+import { createSubtitling } from '../lettering/subtitling.ts';
+import { isStyleLink } from '../styles/style-link.ts';
+import { createStyling } from '../styles/styling.ts';
+import { createSubjects } from '../photos/subjects.ts';
+import { createUi } from './ui.ts';
+import { strings } from '../strings/strings.ts';
+import { App } from './app.tsx';
+import { AppContext } from './context.ts';
+import { acceptFiles } from './drop.ts';
+import { drawn } from './guard.tsx';
+import { keepFocus } from './focus-keeper.ts';
+import { openFiles } from '../photos/file-input.tsx';
+
+const engine = createEngine();
+const store = createStore();
+const ui = createUi(window);
+const messages = createMessages();
+const pages = createPages(store);
+const reading = createReading({ store, pages, engine, messages, prefix: freshPhotoPrefix() });
+const book = createBook({ store, pages, messages });
+const choosing = createChoosing({ store, pages, reading });
+const scrubbing = createScrubbing({ store, pages, reading, engine, messages });
+const selection = createSelection({ store });
+const lettering = createLettering({ store, messages, selection, load: engine.lettering });
+const subtitling = createSubtitling({ store, lettering, messages });
+const merging = createMerging({ store, pages, selection });
+const framing = createFraming({ store, pages });
+const reshaping = createReshaping({ store, pages, seed: freshSeed });
+const ownLayouts = createOwnLayouts({ store, pages, messages });
+const designer = createDesigner({ store, pages, messages, ui, freshId: freshStyleId });
+const ownStyles = createOwnStyles({ store, pages, messages, designer, freshId: freshStyleId });
+const shelves = createShelves({ store, messages, box: () => window.localStorage });
+const shownPages = createShownPages({ store, pages });
+const views = { drawn: () => drawn(ui), retry: () => { ui.failed.value = null; } };
+const keeping = createKeeping({ store, reading, engine, shelves, messages, window, leave, chooseFiles: openFiles, views });
+const explorer = createExplorer({ store, engine, messages, ownStyles, seed: freshSeed, judged: ui.detects });
+const styling = createStyling({ store, ownStyles });
+const subjects = createSubjects({
+  store, pages, messages, engine, painted: () => ui.painted.value === store.page.value, wanted: ui.detects, window,
+});
+const download = createDownload({ store, pages, engine, messages, pageFiles: keeping.pageFiles });
+const alternatives = createAlternatives({ store, pages });
+const installing = createInstalling(window);
+const { take: intake, openProjects, busy: taking } = createDroppedFiles({ store, keeping, reading, subtitling, messages, ownLayouts, ownStyles, showProjects: () => { ui.work.value = 'projects'; } });
+const arrivals = createArrivals({ window, intake, messages });
+
+// The database is read while the core is compiled.
+const begun = keeping.begin();
+engine.ready.then(
+  (planner) => {
+    store.planner.value = lettering.within(styling.within(planner));
+    shelves.recall();
+    void begun.then(openLink);
+    void begun.then(arrivals.begin);
+    setTimeout(warmUp);
+  },
+  (error) => {
+    keeping.running.value = false;
+    messages.grave(strings.coreFailed(error.message));
+  },
+);
+
+/** Reads the catalogues and has the planner compiled while nobody waits; the first page would else wait for both. */
+function warmUp() {
+  store.layouts.peek();
+  store.styles.peek();
+  const keep = { layout: false, style: false, photos: false };
+  store.planner.peek()?.plan({ seed: 0, photos: [unreadMeta('none')], page: store.project.peek().settings, current: null, keep });
+}
+
+window.addEventListener('keydown', createKeys({ pages, download, ui, selection, framing, reshaping, book, lettering }));
+acceptFiles(window, intake);
+
+/** Whether something is on its way that nobody should wait for longer than need be. */
+const busy = () => store.planner.value === null || store.reading.value !== null || store.fetching.value || keeping.running.value || keeping.turning.value ||
+  keeping.files.progress.value !== null || taking.value;
+if (import.meta.env.PROD) createOffline({ window, messages, keeping, script: import.meta.url, busy: () => busy() || !subjects.settled.value });
+
+window.addEventListener('hashchange', openLink);
+window.addEventListener('storage', shelves.hear);
+
+effect(() => {
+  if (store.page.value && ui.painted.value === store.page.value) keeping.drawn();
+});
+
+effect(() => {
+  const page = store.page.value;
+  // A page without photos to choose from is not shown.
+  const unseen = page === null || store.tray.value.length === 0 || ui.failed.value !== null;
+  const painted = unseen || (ui.painted.value === page && (lettering.words.value.length === 0 || reshaping.editing.value || ui.lettered.value === page));
+  const idle = !busy() && painted;
+  document.body.dataset.idle = String(idle);
+  // Of a large album the first page is drawn long before all is read.
+  const read = store.page.value?.panels.every(({ photo }) => photo === null || store.album.value.get(photo)?.meta);
+  document.body.dataset.drawn = String(painted && !!read);
+  // Detection refines what is there already, so it is told apart.
+  document.body.dataset.searched = String(idle && subjects.searched.value);
+  document.body.dataset.detected = String(idle && subjects.settled.value);
+});
+
+keepBook({ store, pages });
+// What was begun on a page ends when another is turned to.
+book.sheet.subscribe(() => untracked(leavePage));
+
+render(
+  <AppContext.Provider value={{ store, pages, book, selection, lettering, subtitling, intake, openProjects, installing, merging, framing, reshaping, ownLayouts, designer, ownStyles, styling, explorer, keeping, shownPages, subjects, reading, choosing, scrubbing, download, alternatives, messages, ui, engine }}>
+    <App />
+  </AppContext.Provider>,
+  (document.getElementById('app') as HTMLElement),
+);
+
+keepFocus((document.getElementById('app') as HTMLElement));
+
+/** Takes the style of the address, which then stands for the page alone again. */
+function openLink() {
+  const { hash } = window.location;
+  if (!isStyleLink(hash)) return;
+  window.history.replaceState(null, '', window.location.href.slice(0, -hash.length));
+  void ownStyles.openLink(hash);
+}
+
+/** Closes what belongs to the page before. */
+function leavePage() {
+  framing.mode.value = null;
+  reshaping.editing.value = false;
+  selection.choose(false);
+  lettering.choose(-1);
+}
+
+/** Closes what belongs to the project before. */
+function leave() {
+  leavePage();
+  explorer.stop();
+  ui.stack.value = null;
+  ui.work.value = null;
+}

@@ -1,0 +1,139 @@
+/**
+ * What the page tells the person. What is grave stays, first of all, until it is over or closed; alerts and offers stay
+ * until they are closed, notes go by themselves. Files that cannot be read are one message, with a list where they are
+ * many.
+ */
+
+import { batch, signal } from '@preact/signals';
+import { strings } from '../strings/strings.ts';
+import { byName } from '../document/album.ts';
+import type { Signal } from '@preact/signals';
+
+/** Something that can be done about it; the message goes with it unless it `stays`. */
+export type Way = { label: string, run: () => void, stays?: boolean };
+/** `grave`: work or photos are lost if nothing is done. */
+type Kind = 'grave' | 'alert' | 'offer' | 'note';
+/** `more`: another way */
+export type Message = { id: number, kind: Kind, text: string, way?: Way, more?: Way };
+/** a file that could not be read; `text` tells of it alone */
+type Failure = { name: string, why: string, text: string, way?: Way };
+export type Messages = ReturnType<typeof createMessages>;
+
+const NOTE_MS = 4_000;
+/** Time to find the button, and to press it. */
+const WAY_MS = 12_000;
+/** Messages that are kept; what is grave is kept beyond it. */
+const MOST = 24;
+/** What gives way first where there are more. */
+const GIVES_WAY: readonly Kind[] = ['note', 'alert', 'offer'];
+/** Files of the list; beyond it they are counted. */
+export const MOST_NAMED = 2_000;
+/** Files fail a few at a time: so many ms after the first all of them are counted. */
+const GATHER_MS = 400;
+/** After that the count is told anew so often at most, in ms: it is read aloud each time. */
+const COUNT_MS = 2_000;
+
+export function createMessages() {
+  /** In the order in which they were said. */
+  const list: Signal<readonly Message[]> = signal([]);
+  /** Files that could not be read, as they are told. */
+  const failures: Signal<readonly Failure[]> = signal([]);
+  /** How many more there are. */
+  const unnamed = signal(0);
+  /** Whether the list of those files is open. */
+  const listed = signal(false);
+  let last = 0;
+  /** The message about those files; 0 while there is none. */
+  let summary = 0;
+  /** All of them, by name and reason. */
+  let failed: Map<string, Failure> = new Map();
+  let beyond = 0;
+  let telling: ReturnType<typeof setTimeout> | undefined;
+
+  /** @returns to close it by */
+  function say(kind: Kind, text: string, way?: Way, more?: Way): number {
+    last += 1;
+    const id = last;
+    const others = list.value.filter((message) => message.text !== text && (kind !== 'note' || message.kind !== 'note'));
+    list.value = bounded([...others, { id, kind, text, way, more }]);
+    if (kind === 'note') setTimeout(() => close(id), way ? WAY_MS : NOTE_MS);
+    return id;
+  }
+
+  /**
+   * Tells a message anew, in its place.
+   * @returns whether it is still there
+   */
+  function change(id: number, text: string, way?: Way, more?: Way): boolean {
+    const there = list.value.some((message) => message.id === id);
+    if (there) list.value = list.value.map((message) => (message.id === id ? { ...message, text, way, more } : message));
+    return there;
+  }
+
+  function close(id: number) {
+    batch(() => {
+      list.value = list.value.filter((message) => message.id !== id);
+      if (id === summary && summary > 0) forgetFiles();
+    });
+  }
+
+  function forgetFiles() {
+    clearTimeout(telling);
+    telling = undefined;
+    [summary, beyond] = [0, 0];
+    failed = new Map();
+    failures.value = [];
+    unnamed.value = 0;
+    listed.value = false;
+  }
+
+  /**
+   * A file that could not be read. It joins those of the message that is there.
+   * @param alone the sentence for it alone, and what can be done with it
+   */
+  function fileFailed(name: string, why: string, { text = strings.fileFailed(name, why), way }: { text?: string, way?: Way } = {}) {
+    const key = `${name}\n${why}`;
+    if (failed.size >= MOST_NAMED && !failed.has(key)) beyond += 1;
+    else failed.set(key, { name, why, text, way });
+    if (telling !== undefined) return;
+    tellOfFiles();
+    clearTimeout(telling);
+    telling = setTimeout(tellOfFiles, GATHER_MS);
+  }
+
+  function tellOfFiles() {
+    const all = byName([...failed.values()]);
+    const count = all.length + beyond;
+    const fresh = count > failures.peek().length + unnamed.peek();
+    telling = fresh ? setTimeout(tellOfFiles, COUNT_MS) : undefined;
+    if (!fresh) return;
+    batch(() => {
+      failures.value = all;
+      unnamed.value = beyond;
+      const [text, way] = count === 1 ? [all[0].text, all[0].way] : [strings.filesFailed(count), { label: strings.showList, run: () => { listed.value = true; }, stays: true }];
+      if (!change(summary, text, way)) summary = say('alert', text, way);
+    });
+  }
+
+  return {
+    list, failures, unnamed, listed,
+    /** Work or photos are lost if nothing is done. */
+    grave: (text: string, way?: Way, more?: Way) => say('grave', text, way, more),
+    alert: (text: string, way?: Way, more?: Way) => say('alert', text, way, more),
+    note: (text: string, way?: Way, more?: Way) => say('note', text, way, more),
+    /** What can be done now or later. */
+    offer: (text: string, way?: Way) => say('offer', text, way),
+    fileFailed, change, close,
+  };
+}
+
+/** @returns as many as there may be */
+function bounded(messages: Message[]): Message[] {
+  const left = [...messages];
+  while (left.length > MOST) {
+    const kind = GIVES_WAY.find((one) => left.some((message) => message.kind === one));
+    if (kind === undefined) break;
+    left.splice(left.findIndex((message) => message.kind === kind), 1);
+  }
+  return left;
+}

@@ -1,0 +1,90 @@
+/**
+ * Messages, in live regions that are there from the start: a region that appears with its text is often not read.
+ */
+
+import { strings } from '../strings/strings.ts';
+import { IconButton } from '../ui/button.tsx';
+import { useApp } from './context.ts';
+import { FailedFiles } from './failed-files.tsx';
+import { Icon } from '../ui/icon.tsx';
+import type { Message } from './messages.ts';
+
+export function Toasts() {
+  const { messages, download, keeping } = useApp();
+  const opening = keeping.files.progress.value;
+  const list = messages.list.value;
+  const running = download.progress.value;
+  const percent = running ? Math.round(100 * running.done / running.total) : 0;
+  return (
+    <>
+      <div class="toasts">
+        <div role="alert" class="toast-alerts">
+          <Alerts class="toast-list toast-grave" list={list.filter(({ kind }) => kind === 'grave')} />
+          <Alerts class="toast-list" list={list.filter(({ kind }) => kind === 'alert')} />
+        </div>
+        {running && (
+          <div class="toast" aria-busy="true">
+            <div class="toast-work">
+              <span>{strings.exporting(percent)}</span>
+              <progress class="progress" aria-label={strings.exporting(percent)} value={running.done} max={running.total} />
+            </div>
+            <button type="button" class="button" onClick={download.cancel}>{strings.cancel}</button>
+          </div>
+        )}
+        {opening && (
+          <div class="toast" aria-busy="true">
+            <div class="toast-work">
+              <span>{strings.openingProject(opening.name)}</span>
+              <progress class="progress" aria-label={strings.openingProject(opening.name)} value={opening.done} max={opening.total} />
+            </div>
+            <button type="button" class="button" onClick={keeping.files.cancel}>{strings.cancel}</button>
+          </div>
+        )}
+        <div role="status" class="toast-list">
+          {list.filter(({ kind }) => kind === 'offer' || kind === 'note').map(({ id, kind, text, way, more }) => (
+            <div class="toast" key={id}>
+              <Said text={text} way={way} more={more} close={() => messages.close(id)} />
+              {kind === 'offer' && <IconButton icon="close" label={strings.dismiss} onClick={() => messages.close(id)} />}
+            </div>
+          ))}
+        </div>
+      </div>
+      {messages.listed.value && <FailedFiles />}
+    </>
+  );
+}
+
+function Alerts({ list, class: name }: { list: Message[], class: string }) {
+  const { messages } = useApp();
+  return (
+    <div class={name}>
+      {list.map(({ id, text, way, more }) => (
+        <div class="toast bad" key={id}>
+          <Icon name="alert" />
+          <Said text={text} way={way} more={more} close={() => messages.close(id)} short={SHORT_ALERT} />
+          <IconButton icon="close" label={strings.dismiss} onClick={() => messages.close(id)} />
+        </div>
+      ))}
+    </div>
+  );
+}
+
+/** Beside more text than this, in characters, a button would leave it a column a word wide; beside a mark and `Dismiss`, too, there is less room. */
+const SHORT = 60;
+const SHORT_ALERT = 20;
+
+/** What is long, and two ways on, have a line of their own. */
+function Said({ text, way, more, close, short = SHORT }: Pick<Message, 'text' | 'way' | 'more'> & { close: () => void, short?: number }) {
+  if (!more && (!way || text.length <= short)) return <><span class="toast-text">{text}</span><Way of={way} close={close} /></>;
+  return (
+    <div class="toast-body">
+      <span class="toast-text">{text}</span>
+      <span class="toast-ways"><Way of={way} close={close} /><Way of={more} close={close} /></span>
+    </div>
+  );
+}
+
+function Way({ of, close }: { of: import('./messages.ts').Way | undefined, close: () => void }) {
+  if (!of) return null;
+  return <button type="button" class="button" onClick={() => { if (!of.stays) close(); of.run(); }}>{of.label}</button>;
+}

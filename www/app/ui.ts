@@ -1,0 +1,94 @@
+/**
+ * What the window looks like: never part of the document, never undone.
+ */
+
+import { effect, signal } from '@preact/signals';
+import type { PageDocument } from '../engine/documents.ts';
+import type { Signal } from '@preact/signals';
+
+export type Sheet = 'photos' | 'styles' | 'layouts' | 'words' | 'settings';
+type Theme = 'light' | 'dark';
+export type Ui = ReturnType<typeof createUi>;
+
+const THEME_KEY = 'inkpanel.theme';
+const LETTERS_KEY = 'inkpanel.letters';
+const DETECT_KEY = 'inkpanel.detect';
+
+export function createUi(window: Window) {
+  const wide = mediaSignal(window, '(min-width: 1000px)');
+  const systemDark = mediaSignal(window, '(prefers-color-scheme: dark)');
+  /** The person's choice; null follows the system. */
+  const theme: Signal<Theme | null> = signal(stored(window));
+
+  effect(() => {
+    const root = window.document.documentElement;
+    if (theme.value) root.dataset.theme = theme.value;
+    else delete root.dataset.theme;
+  });
+
+  /** Whether single letters are shortcuts: speech input and unsteady hands set them off unasked. */
+  const letterKeys = signal(remembered(window, LETTERS_KEY) !== 'off');
+
+  return {
+    wide,
+    letterKeys,
+    useLetterKeys(on: boolean) {
+      letterKeys.value = on;
+      keep(window, LETTERS_KEY, on ? 'on' : 'off');
+    },
+    theme,
+    systemDark,
+    /** The sheet that is open on a small screen. */
+    sheet: (signal(null)) as Signal<Sheet | null>,
+    /** The workspace that lies over the board. */
+    work: (signal(null)) as Signal<'designer' | 'explorer' | 'projects' | 'pages' | null>,
+    /** Whether photos are looked at for faces and objects; `inkpanel.detect` = `off` in the storage says no. */
+    detects: remembered(window, DETECT_KEY) !== 'off',
+    /** Whether the boxes of what was found are drawn. */
+    subjects: signal(false),
+    /** A photo of the stack that is open. */
+    stack: (signal(null)) as Signal<string | null>,
+    dialog: (signal(null)) as Signal<'keys' | 'export' | null>,
+    /** The page that is on the screen with all its panels; null while work for it is going on. */
+    painted: (signal(null)) as Signal<PageDocument | null>,
+    /** The page whose words are all on the screen, likewise. */
+    lettered: (signal(null)) as Signal<PageDocument | null>,
+    /** What the views threw when they drew what is in the store. */
+    failed: (signal(null)) as Signal<unknown>,
+    toggleTheme() {
+      const dark = (theme.value ?? (systemDark.value ? 'dark' : 'light')) === 'dark';
+      theme.value = dark ? 'light' : 'dark';
+      keep(window, THEME_KEY, theme.value);
+    },
+  };
+}
+
+function stored(window: Window): Theme | null {
+  const value = remembered(window, THEME_KEY);
+  return value === 'light' || value === 'dark' ? value : null;
+}
+
+function remembered(window: Window, key: string) {
+  try {
+    return window.localStorage.getItem(key);
+  } catch {
+    return null;
+  }
+}
+
+function keep(window: Window, key: string, value: string) {
+  try {
+    window.localStorage.setItem(key, value);
+  } catch {
+    // Storage may be refused; the choice then lasts as long as the page.
+  }
+}
+
+function mediaSignal(window: Window, query: string) {
+  const list = window.matchMedia(query);
+  const value = signal(list.matches);
+  list.addEventListener('change', () => {
+    value.value = list.matches;
+  });
+  return value;
+}

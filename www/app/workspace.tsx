@@ -1,0 +1,23 @@
+import { useEffect, useRef } from 'preact/hooks';
+import { strings } from '../strings/strings.ts';
+import { IconButton } from '../ui/button.tsx';
+import type { ComponentChildren } from 'preact';
+
+/** A workspace that lies over the board; the page stays drawn beneath. */
+export function Workspace({ title, tools, onClose, class: extra, busy = false, children }: { title: string, tools?: ComponentChildren, onClose: () => void, class: string, busy?: boolean, children: ComponentChildren }) {
+  const ref = useRef((null as HTMLElement | null));
+  // What had the focus is out of sight now.
+  useEffect(() => ref.current?.focus(), []);
+  return (
+    <main class="workspace">
+      <section class={`workspace-body ${extra}`} aria-label={title} aria-busy={busy} ref={ref} tabIndex={-1}>
+        <header class="workspace-head">
+          <IconButton icon="previous" label={strings.backToPage} onClick={onClose} />
+          <h2>{title}</h2>
+          {tools}
+        </header>
+        {children}
+      </section>
+    </main>
+  );
+}

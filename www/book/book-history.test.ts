@@ -1,0 +1,81 @@
+import { beforeEach, describe, expect, test } from 'vitest';
+import { opened } from './book-testing.ts';
+import { versions } from '../document/history.ts';
+import { projectJson } from '../storage/files/project-json.ts';
+import { photosOf } from '../storage/snapshot.ts';
+import { createShownPages } from './shown-pages.ts';
+
+let app: Awaited<ReturnType<typeof opened>>;
+beforeEach(async () => {
+  app = await opened(12);
+});
+
+describe('page settings', () => {
+  test('are of all pages, as one step', () => {
+    const { book, pages, store } = app;
+    book.spreadAlbum();
+    const steps = store.history.value.past.length;
+    for (const gutter of [0.02, 0.03]) pages.changeSettings({ gutter }, 'gutter-1');
+    pages.changeSettings({ width: 2000 });
+    expect(store.sheets.value.map(({ page }) => [page.gutter, page.width])).toEqual([[0.03, 2000], [0.03, 2000]]);
+    expect(store.history.value.past.length).toBe(steps + 2);
+    pages.undo();
+    pages.undo();
+    expect(store.sheets.value.map(({ page }) => page.gutter)).toEqual([0.018, 0.018]);
+  });
+
+  test('hold for a version that comes back', () => {
+    const { book, pages, store } = app;
+    book.spreadAlbum();
+    pages.shuffle('all');
+    pages.changeSettings({ paper: '#ffcc00' });
+    pages.previous();
+    expect(store.page.value?.page.paper).toBe('#ffcc00');
+  });
+});
+
+describe('versions', () => {
+  test('are of the page that is edited', () => {
+    const { book, pages, store } = app;
+    book.spreadAlbum();
+    book.go(1);
+    const first = store.page.value;
+    pages.shuffle('style');
+    book.go(0);
+    book.go(1);
+    expect(versions(store.history.value).length).toBe(2);
+    pages.previous();
+    expect(store.page.value).toEqual(first);
+    const others = store.project.value.others;
+    pages.previous();
+    expect(store.page.value).toEqual(first);
+    expect(store.project.value.others).toEqual(others);
+  });
+
+  test('come back in the place that they belong to', () => {
+    const { book, pages, store } = app;
+    const shownPages = createShownPages(app);
+    book.spreadAlbum();
+    book.go(1);
+    const [one, two] = store.sheets.value;
+    pages.shuffle('style');
+    book.go(0);
+    const entry = shownPages.entries.value.find(({ page }) => page === two);
+    expect(entry?.place).toBe(2);
+    shownPages.go(Number(entry?.id));
+    expect(store.project.value.at).toBe(1);
+    expect(store.sheets.value).toEqual([one, two]);
+  });
+});
+
+describe('keeping', () => {
+  test('keeps the pages and their photos, in the browser and in a file', () => {
+    const { book, store, ids } = app;
+    book.spreadAlbum();
+    const { gesture: _gesture, ...history } = store.history.value;
+    expect([...photosOf({ ...history, shown: [], past: [] })].sort()).toEqual(ids().sort());
+    const facts = (store.facts.value.map((fact) => ({ ...fact, type: 'image/jpeg' })) as any[]);
+    const { history: opened } = JSON.parse(projectJson(history, facts, []).json);
+    expect(opened.present.others).toEqual(store.project.value.others);
+  });
+});

@@ -1,0 +1,22 @@
+/** A storyboard for the tests of its state. */
+
+import { createBook } from './book.ts';
+import { keepBook } from './book-upkeep.ts';
+import { fakeApp } from '../document/testing.ts';
+import type { PageDocument } from '../engine/documents.ts';
+
+const names = (count: number) => Array.from({ length: count }, (_, i) => `${i}.jpg`);
+export const photosOfPage = (page: PageDocument) => page.panels.map(({ photo }) => photo);
+
+/** A storyboard of one page, with so many photos. */
+export async function opened(count: number) {
+  const app = fakeApp();
+  const book = createBook(app);
+  const waiting: (() => void)[] = [];
+  keepBook({ store: app.store, pages: app.pages, later: (work) => waiting.push(work) });
+  await app.reading.addFiles(app.files(...names(count)));
+  const ids = () => app.store.photos.value.map(({ id }) => id);
+  const shown = () => app.store.sheets.value.map(photosOfPage);
+  const idle = () => { while (waiting.length > 0) waiting.shift()?.(); };
+  return { ...app, book, ids, shown, idle };
+}

@@ -1,0 +1,130 @@
+/**
+ * What the other pages of a storyboard owe to the photos, while a person edits one of them: a photo that is no longer
+ * in use leaves them at once, and their crops follow what is found in photos, when there is time. Neither is a step of
+ * the undo: the one belongs to the step that took the photo away, the other is no edit.
+ */
+
+import { effect, untracked } from '@preact/signals';
+import { photosFor, placesOf } from '../document/page-photos.ts';
+import { photosOn, sheetsOf } from '../document/sheets.ts';
+import type { Pages } from '../document/pages.ts';
+import type { Store } from '../document/store.ts';
+import type { PageDocument } from '../engine/documents.ts';
+import type { PhotoMeta } from '../engine/protocol.ts';
+
+const KEEP_ALL = Object.freeze({ layout: true, style: true, photos: true });
+/** Photos are looked at one after the other: crops follow when nothing was found for so long, in ms. */
+const REST = 400;
+
+/** @param app `later` runs what can wait, when nothing else is to be done */
+export function keepBook({ store, pages, later = whenIdle }: {
+  store: Store, pages: Pick<Pages, 'plan'>,
+  later?: (work: () => void) => void,
+}) {
+  /** What was known of the photos of a page when its crops were made. */
+  const known: WeakMap<PageDocument, string> = new WeakMap();
+  let waiting = false;
+
+  effect(() => {
+    const { others, page } = store.project.value;
+    const photos = store.photos.value;
+    if (others.length === 0 || !store.planner.value) return;
+    untracked(() => {
+      const byId = new Map(photos.map((photo) => [photo.id, photo]));
+      repair(byId);
+      const stale = remember(byId);
+      // The page that is edited follows by itself, and is up to date when it is turned away.
+      if (page) known.set(page, essence(page, byId));
+      if (stale && !waiting) {
+        waiting = true;
+        later(refineOne);
+      }
+    });
+  });
+
+  /**
+   * Notes pages that are new here.
+   * @param photos in use
+   * @returns whether one has crops of what was known before
+   */
+  function remember(photos: Map<string, PhotoMeta>): boolean {
+    let stale = false;
+    for (const { page } of store.project.peek().others) {
+      if (!known.has(page)) known.set(page, essence(page, photos));
+      stale ||= known.get(page) !== essence(page, photos);
+    }
+    return stale;
+  }
+
+  /** Makes the crops of one page anew; the change that it is asks for the next. */
+  function refineOne() {
+    waiting = false;
+    const project = store.project.peek();
+    const photos = new Map(store.photos.peek().map((photo) => [photo.id, photo]));
+    const stale = project.others.find(({ page }) => known.has(page) && known.get(page) !== essence(page, photos));
+    if (!stale || store.reading.peek()) return;
+    const own = [...photosOn([stale.page])].flatMap((id) => photos.get(id) ?? []);
+    const better = pages.plan({ keep: KEEP_ALL, current: stale.page, seed: stale.page.seed, photos: own });
+    known.set(stale.page, essence(stale.page, photos));
+    if (!better) return;
+    known.set(better, essence(better, photos));
+    const page = JSON.stringify(better) === JSON.stringify(stale.page) ? stale.page : better;
+    const sheets = sheetsOf(project).map((sheet) => (sheet.sheet === stale.sheet ? { ...sheet, page } : sheet));
+    store.change({ type: 'set-sheets', sheets, at: project.at, silent: true });
+  }
+
+  /**
+   * Puts other photos where one is gone, and takes out pages that none is left for.
+   * @param photos in use
+   */
+  function repair(photos: Map<string, PhotoMeta>) {
+    const project = store.project.peek();
+    const torn = project.others.filter(({ page }) => page.panels.some(({ photo }) => photo !== null && !photos.has(photo)));
+    if (torn.length === 0) return;
+    let sheets = sheetsOf(project);
+    for (const sheet of torn) {
+      const rest = sheets.filter((other) => other.sheet !== sheet.sheet);
+      const page = mended(sheet.page, rest.map((other) => other.page), photos);
+      sheets = page ? sheets.map((other) => (other.sheet === sheet.sheet ? { ...sheet, page } : other)) : rest;
+    }
+    const at = sheets.findIndex(({ sheet }) => sheet === project.sheet);
+    store.change({ type: 'set-sheets', sheets, at, silent: true });
+  }
+
+  /**
+   * @param photos in use
+   * @returns with photos in use only; nothing when there is none for it
+   */
+  function mended(page: PageDocument, elsewhere: readonly PageDocument[], photos: Map<string, PhotoMeta>): PageDocument | null {
+    const verdicts = store.verdicts.peek();
+    const free = photosFor([...photos.values()], elsewhere, page);
+    // Of a stack, the one that was taken in its place comes first.
+    const alike = (photo: string) => free.find(({ id }) => verdicts.has(photo) && verdicts.get(id)?.group === verdicts.get(photo)?.group)?.id;
+    const swap = (photo: string) => (photos.has(photo) ? photo : alike(photo) ?? photo);
+    const panels = page.panels.map((use) => (
+      use.photo === null || photos.has(use.photo) ? use : { ...use, photo: swap(use.photo), crop: null, edited: false, locked: false }
+    ));
+    const current = { ...page, panels, order: [...new Set(page.order.map(swap))] };
+    if (free.length === 0) return null;
+    const layout = free.length >= placesOf(page);
+    return pages.plan({ keep: { ...KEEP_ALL, layout }, current, seed: page.seed, photos: [...free], ...(layout ? {} : { panels: free.length }) });
+  }
+}
+
+/**
+ * @param photos in use
+ * @returns all that crops of the page depend on
+ */
+function essence({ panels }: PageDocument, photos: ReadonlyMap<string, PhotoMeta>): string {
+  return JSON.stringify(panels.map(({ photo }) => {
+    const { width, height, subjects, focus } = photos.get(photo ?? '') ?? {};
+    return [photo, width, height, subjects, focus];
+  }));
+}
+
+function whenIdle(work: () => void) {
+  setTimeout(() => {
+    if (globalThis.requestIdleCallback) globalThis.requestIdleCallback(work, { timeout: 10 * REST });
+    else work();
+  }, REST);
+}

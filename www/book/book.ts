@@ -1,0 +1,154 @@
+/**
+ * A storyboard of several pages: pages added, spread over, turned, moved, removed. Each is one step of the undo but
+ * turning, which changes nothing; an undo turns to the page that it changes.
+ */
+
+import { computed } from '@preact/signals';
+import { strings } from '../strings/strings.ts';
+import { freshPageId, freshSheet } from '../document/history.ts';
+import { placesOf } from '../document/page-photos.ts';
+import { photosOn, sheetsOf } from '../document/sheets.ts';
+import { spread, varied } from './spreading.ts';
+import type { Messages } from '../app/messages.ts';
+import type { Pages } from '../document/pages.ts';
+import type { Sheet } from '../document/sheets.ts';
+import type { Store } from '../document/store.ts';
+
+export type Book = ReturnType<typeof createBook>;
+
+/** Panels of a page among others where no number is wanted: what the first page has at most. */
+const USUAL = 6;
+/** Fewer photos than this that no page shows make no page of their own. */
+const FEWEST = 2;
+
+export function createBook({ store, pages, messages }: {
+  store: Store, pages: Pick<Pages, 'plan'>,
+  messages: Pick<Messages, 'note'>,
+}) {
+  /** The photos in use that no page shows. */
+  const left = computed(() => {
+    const shown = photosOn(store.sheets.value);
+    return store.photos.value.filter(({ id }) => !shown.has(id));
+  });
+  /** Whether all pages have the style of this one. */
+  const oneStyle = computed(() => new Set(store.sheets.value.map(({ style }) => JSON.stringify(style))).size <= 1);
+
+  const at = computed(() => store.project.value.at);
+  const several = computed(() => store.project.value.others.length > 0);
+
+  /** Names the page that is edited through all its versions. */
+  const sheet = computed(() => store.project.value.sheet);
+
+  return { left, oneStyle, at, several, sheet, cannotAdd, cannotSpread, go, step, add, remove, move, spreadAlbum, styleAll };
+
+  /** @returns why there can be no more pages now; empty when there can */
+  function cannotAdd(): string {
+    if (store.reading.value) return strings.book.reading;
+    return store.page.value ? '' : strings.noPhotosInUse;
+  }
+
+  /** @returns why the album cannot be spread; empty when it can */
+  function cannotSpread(): string {
+    return cannotAdd() || (store.project.value.locks.photos ? strings.locked.photos : '');
+  }
+
+  /**
+   * Turns to a page.
+   * @param at its place, from 0
+   */
+  function go(at: number) {
+    const project = store.project.peek();
+    if (at !== project.at && project.page && at >= 0 && at <= project.others.length) set(sheetsOf(project), at, { silent: true });
+  }
+
+  /** Turns some pages on or back. */
+  function step(by: number) {
+    go(store.project.peek().at + by);
+  }
+
+  /** A page behind this one, of photos that no page shows as long as there are some, in the style of this one. */
+  function add() {
+    const { page, panels, locks, at } = store.project.peek();
+    if (!page || cannotAdd() !== '') return;
+    const layout = locks.layout ? { layout: page.layout } : {};
+    const wanted = locks.layout ? placesOf(page) : panels ?? USUAL;
+    const all = store.photos.peek();
+    const enough = left.peek().length >= (locks.layout ? wanted : FEWEST);
+    const photos = enough ? left.peek().slice(0, wanted) : [...all];
+    // Photos that are on a page already come in another order, else it would be the same page twice.
+    const order = enough ? {} : { mode: ('photos' as const) };
+    const fresh = varied([page], () => pages.plan({
+      keep: { layout: false, style: false, photos: false }, current: null, style: page.style,
+      photos, panels: Math.min(wanted, photos.length), ...layout, ...order,
+    }));
+    if (!fresh) return;
+    const history = store.history.peek();
+    const added = { page: fresh, pageId: freshPageId(history), sheet: freshSheet(history) };
+    set(sheetsOf(store.project.peek()).toSpliced(at + 1, 0, added), at + 1);
+  }
+
+  /** Takes this page out of the storyboard; its photos are free for the others. */
+  function remove() {
+    const { at, others } = store.project.peek();
+    if (others.length === 0) return;
+    const sheets = sheetsOf(store.project.peek());
+    set(sheets.toSpliced(at, 1), Math.min(at, others.length - 1));
+    messages.note(strings.book.removed(at + 1), { label: strings.bringBack, run: () => {
+      const now = sheetsOf(store.project.peek());
+      if (now.every(({ sheet }) => sheet !== sheets[at].sheet)) bringBack(now.toSpliced(at, 0, sheets[at]), Math.min(at, now.length));
+    } });
+  }
+
+  /** Pages as they were: not by an undo, which would take back what was done since. */
+  function bringBack(sheets: readonly Sheet[], at: number) {
+    const album = store.album.peek();
+    // Another project may be open by now.
+    if ([...photosOn(sheets.map(({ page }) => page))].every((photo) => album.has(photo))) set(sheets, at);
+  }
+
+  /**
+   * The page that is edited stays the one that is edited.
+   * @param to its place when it was taken out
+   */
+  function move(from: number, to: number) {
+    const sheets = sheetsOf(store.project.peek());
+    if (from === to || !sheets[from] || !sheets[to]) return;
+    const edited = sheets[store.project.peek().at];
+    const moved = sheets.toSpliced(from, 1).toSpliced(to, 0, sheets[from]);
+    set(moved, moved.indexOf(edited));
+  }
+
+  /** All photos in use on as many pages as they need, in the place of the pages that there are. */
+  function spreadAlbum() {
+    const project = store.project.peek();
+    const before = sheetsOf(project);
+    if (!project.page || cannotSpread() !== '') return;
+    const photos = store.photos.peek();
+    const fixed = project.locks.layout ? { layout: project.page.layout, places: placesOf(project.page) } : null;
+    const counts = store.layouts.peek().filter(({ own }) => own === null).map(({ count }) => count);
+    const made = spread({
+      photos, before: before.map(({ page }) => page), style: project.page.style, per: project.panels ?? USUAL, counts, fixed, plan: pages.plan,
+    });
+    const history = store.history.peek();
+    const [pageId, place] = [freshPageId(history), freshSheet(history)];
+    // Each goes on in the place of one that was there, whose versions can be brought back.
+    set(made.map((page, i) => ({ page, pageId: pageId + i, sheet: before[i]?.sheet ?? place + i })), 0);
+    messages.note(strings.book.spread(photos.length, made.length), { label: strings.book.takeBack, run: () => bringBack(before, project.at) });
+  }
+
+  /** Gives all pages the style of this one. */
+  function styleAll() {
+    const { page, at } = store.project.peek();
+    if (!page) return;
+    const fresh = freshPageId(store.history.peek());
+    const same = (other: Sheet) => JSON.stringify(other.page.style) === JSON.stringify(page.style);
+    const styled = (other: Sheet, i: number) => (
+      same(other) ? other : { ...other, page: { ...other.page, style: page.style }, pageId: fresh + i }
+    );
+    if (!oneStyle.peek()) set(sheetsOf(store.project.peek()).map(styled), at);
+  }
+
+  function set(sheets: readonly Sheet[], at: number, how?: { silent?: boolean }) {
+    store.change({ type: 'set-sheets', sheets, at, ...how });
+  }
+}

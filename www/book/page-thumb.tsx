@@ -1,0 +1,55 @@
+import { useEffect, useRef } from 'preact/hooks';
+import { Priority } from '../engine/queue.ts';
+import { strings } from '../strings/strings.ts';
+import { Bitmap, screenPixels } from '../page/bitmap.tsx';
+import { useApp } from '../app/context.ts';
+import type { PageDocument } from '../engine/documents.ts';
+import type { PageDrag } from './page-drag.ts';
+
+/**
+ * A page of the storyboard, small: pressed it is turned to, and it is carried to another place by dragging, or by Alt
+ * with the arrow keys.
+ * @param props `marked`: a dragged page would land on that side of it
+ */
+export function PageThumb({ page, at, of, current, marked, drag }: {
+  page: PageDocument, at: number, of: number, current: boolean, marked: '' | 'before' | 'behind', drag: PageDrag,
+}) {
+  const { book, engine, ui } = useApp();
+  const ref = useRef((null as HTMLButtonElement | null));
+  const width = () => screenPixels(ref.current?.clientWidth ?? 64);
+  // The page on the screen comes first: its own small picture waits until it is there.
+  const drawn = useRef(page);
+  if (!current || ui.painted.value === page) drawn.current = page;
+
+  useEffect(() => {
+    if (current) ref.current?.scrollIntoView({ block: 'nearest', inline: 'nearest' });
+  }, [current, at]);
+
+  function onKeyDown(event: KeyboardEvent) {
+    const by = { ArrowUp: -1, ArrowLeft: -1, ArrowDown: 1, ArrowRight: 1 }[event.key];
+    if (!event.altKey || by === undefined) return;
+    event.preventDefault();
+    event.stopPropagation();
+    book.move(at, at + by);
+    // The browser takes the focus from what is moved.
+    requestAnimationFrame(() => ref.current?.focus());
+  }
+
+  return (
+    <li class="book-page" style={{ '--aspect': page.page.width / page.page.height }} data-marked={marked} data-carried={drag.carried?.from === at}>
+      <button
+        type="button"
+        ref={ref}
+        aria-label={strings.book.page(at + 1, of)}
+        aria-current={current ? 'true' : undefined}
+        title={`${strings.book.page(at + 1, of)}\n${strings.book.dragHelp}`}
+        onPointerDown={(event) => drag.take(event, at)}
+        onKeyDown={onKeyDown}
+        onClick={() => { if (!drag.dragged.current) book.go(at); }}
+      >
+        <Bitmap of={drawn.current} draw={(call) => engine.renderPage(drawn.current, width(), { ...call, priority: Priority.REST })} />
+      </button>
+      <span class="book-number" aria-hidden="true">{at + 1}</span>
+    </li>
+  );
+}

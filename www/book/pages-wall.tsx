@@ -1,0 +1,56 @@
+/** All pages shown so far, to be searched by eye: back to one, and on from there. */
+
+import { useEffect, useRef, useState } from 'preact/hooks';
+import { strings } from '../strings/strings.ts';
+import { Bitmap, screenPixels } from '../page/bitmap.tsx';
+import { IconButton } from '../ui/button.tsx';
+import { useApp } from '../app/context.ts';
+import { Icon } from '../ui/icon.tsx';
+import { Workspace } from '../app/workspace.tsx';
+import type { Entry } from './shown-pages.ts';
+
+export function PagesWall() {
+  const { shownPages, ui } = useApp();
+  const [only, setOnly] = useState(false);
+  const list = useRef((null as HTMLUListElement | null));
+  const all = shownPages.entries.value;
+  const entries = only ? all.filter(({ loved }) => loved) : all;
+
+  useEffect(() => list.current?.querySelector('[aria-current]')?.scrollIntoView({ block: 'center' }), []);
+
+  const tools = (
+    <div class="wall-bar">
+      <button type="button" class="button" aria-pressed={only} onClick={() => setOnly(!only)}><Icon name="heart" />{strings.favouritePages}</button>
+    </div>
+  );
+  return (
+    <Workspace title={strings.pagesShown} class="pages-wall" tools={tools} onClose={() => { ui.work.value = null; }}>
+      <ul class="page-wall" ref={list}>{entries.map((entry) => <ShownPage key={entry.id} entry={entry} />)}</ul>
+      {entries.length === 0 && <p class="wall-empty">{strings.noFavouritePages}</p>}
+    </Workspace>
+  );
+}
+
+function ShownPage({ entry: { id, number, page, from, place, loved, current } }: { entry: Entry }) {
+  const { shownPages, engine, ui } = useApp();
+  const ref = useRef((null as HTMLButtonElement | null));
+  const width = () => screenPixels(ref.current?.clientWidth ?? 120);
+  return (
+    <li class="shown-page" style={{ '--aspect': page.page.width / page.page.height }}>
+      <button
+        type="button"
+        ref={ref}
+        class="shown-picture"
+        aria-label={strings.pageNumber(number)}
+        aria-current={current ? 'true' : undefined}
+        onClick={() => { shownPages.go(id); ui.work.value = null; }}
+      >
+        <Bitmap of={page} draw={(call) => engine.renderPage(page, width(), call)} />
+      </button>
+      <div class="shown-about">
+        <span>{number}{place !== null ? <i>{strings.versionOf(place)}</i> : from !== null && <i>{strings.pageFrom(from)}</i>}</span>
+        <IconButton icon="heart" label={strings.favouritePage} pressed={loved} class="page-heart" onClick={() => shownPages.love(id, !loved)} />
+      </div>
+    </li>
+  );
+}

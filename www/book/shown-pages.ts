@@ -1,0 +1,46 @@
+/** The pages shown so far, as a person looks through them: which came from which, and which are favourites. */
+
+import { computed } from '@preact/signals';
+import { sheetsOf } from '../document/sheets.ts';
+import type { Pages } from '../document/pages.ts';
+import type { PageDocument } from '../document/project.ts';
+import type { Store } from '../document/store.ts';
+
+/**
+ * `from`: the number of the page it was made from, where that is not the one before it; `place`: which page of the
+ * storyboard it is a version of, null where there is but one, or where that was removed.
+ */
+export type Entry = { id: number, number: number, page: PageDocument, from: number | null, place: number | null, loved: boolean, current: boolean };
+export type ShownPages = ReturnType<typeof createShownPages>;
+
+export function createShownPages({ store, pages }: { store: Store, pages: Pick<Pages, 'bringBack'> }) {
+  const entries = computed(() => {
+    const { history } = store;
+    const { shown, present } = history.value;
+    const numbers = new Map(shown.map(({ id }, i) => [id, i + 1]));
+    const places = new Map(sheetsOf(present).map(({ sheet }, i) => [sheet, i + 1]));
+    return shown.map(({ id, page, from, sheet = 0 }, i) => {
+      const place = places.size > 1 ? places.get(sheet) ?? null : null;
+      const number = from === undefined ? null : numbers.get(from) ?? null;
+      return { id, number: i + 1, page, from: number === i ? null : number, place, loved: present.loved.includes(id), current: present.page !== null && id === present.pageId };
+    });
+  });
+
+  return { entries, go, love, loved: computed(() => store.project.value.loved.includes(store.project.value.pageId)), loveThis };
+
+  /** Goes back to a page; a shuffle from there begins another branch. */
+  function go(id: number) {
+    const target = store.history.peek().shown.find((entry) => entry.id === id);
+    if (target && (store.page.peek() === null || id !== store.project.peek().pageId)) pages.bringBack(target);
+  }
+
+  function love(id: number, on: boolean) {
+    store.change({ type: 'love-page', pageId: id, on });
+  }
+
+  /** Makes the page a favourite, or no longer. */
+  function loveThis() {
+    const { pageId, loved } = store.project.peek();
+    if (store.page.peek()) love(pageId, !loved.includes(pageId));
+  }
+}

@@ -1,0 +1,58 @@
+/**
+ * One layer: its blocks as cards joined by arrows, in the order in which they run. Cards are moved by dragging, also
+ * to the other layer, by buttons, and by Alt with the arrow keys.
+ */
+
+import { FOREGROUND } from '../engine/design.ts';
+import { misfits } from './designer-draft.ts';
+import { strings } from '../strings/strings.ts';
+import { useApp } from '../app/context.ts';
+import { Icon } from '../ui/icon.tsx';
+import { Card } from './card.tsx';
+import type { CardDrag } from './card-drag.ts';
+import type { Draft, Layer } from './designer-draft.ts';
+
+export function Lane({ layer, draft, drag, drawn, onAdd }: {
+  layer: Layer, draft: Draft, drag: CardDrag, onAdd: () => void,
+  drawn: { times: ReadonlyMap<number, number>, stages: ReadonlyMap<number, ImageBitmap> },
+}) {
+  const { designer } = useApp();
+  const { carried, take } = drag;
+  /** Where a dragged card would go. */
+  const gap = carried?.gap?.layer === layer ? carried.gap.at : -1;
+  const steps = draft[layer];
+  const blocks = designer.blocks.value;
+  const lacks = misfits(steps, blocks);
+  const first = layer === 'foreground' ? FOREGROUND : 0;
+
+  return (
+    <section class="lane" data-layer={layer} onFocusIn={() => { designer.layer.value = layer; }}>
+      <header class="lane-head">
+        <h3 title={strings.layerHelp[layer]}>{strings.layerName[layer]}</h3>
+        {layer === 'foreground' && (
+          <input type="color" aria-label={strings.ink} title={strings.ink} value={draft.ink}
+            onChange={(event) => designer.change({ type: 'ink', ink: event.currentTarget.value })} />
+        )}
+      </header>
+      <ol class="cards" aria-label={strings.layerName[layer]}>
+        {steps.map((step, at) => (
+          <Card
+            key={step.key}
+            step={step}
+            layer={layer}
+            at={at}
+            last={at === steps.length - 1}
+            lacks={lacks[at]}
+            marked={gap === at ? 'before' : gap === steps.length && at === steps.length - 1 ? 'behind' : ''}
+            ms={drawn.times.get(first + at)}
+            picture={drawn.stages.get(first + at)}
+            carried={carried?.from.layer === layer && carried.from.at === at}
+            onTake={(event) => take(event, { layer, at })}
+          />
+        ))}
+      </ol>
+      {steps.length === 0 && <p class="quiet lane-empty" data-target={gap >= 0}>{strings.emptyLayer[layer]}</p>}
+      <button type="button" class="button small lane-add" onClick={onAdd}><Icon name="add" />{strings.addToLayer[layer]}</button>
+    </section>
+  );
+}

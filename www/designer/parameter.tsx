@@ -1,0 +1,82 @@
+/**
+ * A parameter of a block, as its descriptor says: a slider with a number field, a switch, or a choice.
+ */
+
+import { strings } from '../strings/strings.ts';
+import type { BlockParam } from '../engine/documents.ts';
+
+/** @param props `onMove`: in the middle of a drag, which `onRest` ends */
+export function Parameter({ block, param, value, onMove, onSet, onRest }: { block: string, param: BlockParam, value: any, onMove: (value: any) => void, onSet: (value: any) => void, onRest: () => void }) {
+  const { kind } = param;
+  const label = strings.parameterName(block, param);
+  const help = strings.parameterHelp(block, param);
+  if (kind === 'boolean') {
+    return (
+      <label class="parameter switch" title={help}>
+        <input type="checkbox" checked={value} onChange={(event) => onSet(event.currentTarget.checked)} />
+        <span>{label}</span>
+      </label>
+    );
+  }
+  if (kind === 'choice') {
+    return (
+      <label class="parameter choice" title={help}>
+        <span>{label}</span>
+        <select class="select" value={value} onChange={(event) => onSet(event.currentTarget.value)}>
+          {param.choices?.map((name) => <option key={name} value={name}>{strings.choiceName(name)}</option>)}
+        </select>
+      </label>
+    );
+  }
+  return <Range param={param} label={label} help={help} value={value} onMove={onMove} onSet={onSet} onRest={onRest} />;
+}
+
+function Range({ param: { min = 0, max = 1, step = 1, unit = '', default: usual }, label, help, value, onMove, onSet, onRest }: { param: BlockParam, label: string, help: string, value: number, onMove: (value: number) => void, onSet: (value: number) => void, onRest: () => void }) {
+  const mark = (usual - min) / (max - min);
+  const text = `${value}${unit ? ` ${unit}` : ''}`;
+  return (
+    <div class="parameter" title={help}>
+      <span class="parameter-name" aria-hidden="true">{label}</span>
+      <span class="parameter-number">
+        <input
+          class="number"
+          type="number"
+          aria-label={strings.valueOf(label)}
+          min={min}
+          max={max}
+          step={step}
+          value={value}
+          onChange={({ currentTarget }) => {
+            const typed = currentTarget.valueAsNumber;
+            if (Number.isFinite(typed)) onSet(rounded(Math.min(max, Math.max(min, typed)), step));
+            // What was typed may be no value: the field shows what counts.
+            currentTarget.value = String(Number.isFinite(typed) ? rounded(Math.min(max, Math.max(min, typed)), step) : value);
+          }}
+        />
+        <span class="unit">{unit}</span>
+      </span>
+      <span class="parameter-slider" style={{ '--usual': mark }} data-usual={value === usual}>
+        <input
+          type="range"
+          aria-label={label}
+          aria-valuetext={text}
+          min={min}
+          max={max}
+          step={step}
+          value={value}
+          onInput={(event) => onMove(rounded(event.currentTarget.valueAsNumber, step))}
+          onChange={onRest}
+          onDblClick={() => onSet(usual)}
+        />
+        <i class="usual-mark" title={strings.defaultIs(`${usual}${unit ? ` ${unit}` : ''}`)} />
+      </span>
+    </div>
+  );
+}
+
+/** To the digits of the step, finer where a person types finer: a number that a style file would hold. */
+function rounded(value: number, step: number) {
+  if (Number.isInteger(step)) return Math.round(value);
+  const digits = (String(step).split('.')[1] ?? '').length + 1;
+  return Number(value.toFixed(digits));
+}

@@ -1,0 +1,93 @@
+/**
+ * Keeps a preview true to the style: one picture is drawn and one waits, and the next begins with what is wanted by
+ * then, so that the worker never idles during a drag and no work piles up. When the hand rests the cards get their pictures, and the preview the
+ * full size of its place.
+ */
+
+import type { Designed } from '../engine/design.ts';
+import type { Style } from '../engine/documents.ts';
+import type { Engine } from '../engine/engine.ts';
+
+/** `full`: the width of the preview on the screen */
+type Wish = { id: string, style: Style, width: number, height: number, full: number };
+
+/** The hand rests when nothing changed for so long, in ms. */
+const REST = 140;
+/** Pictures on their way at once. */
+const AHEAD = 2;
+/** The longer side of the pictures on the cards. */
+const CARD = 176;
+
+/** @param options `cards`: whether the cards want pictures */
+export function createPreviewLoop({ engine, cards, onPicture, onStages, onBusy, onError }: {
+  engine: Pick<Engine, 'drawDesign' | 'stylePhoto'>, cards: () => boolean,
+  onPicture: (picture: { bitmap: ImageBitmap }) => void, onStages: (designed: Designed) => void, onBusy: (busy: boolean) => void,
+  onError: (error: Error) => void,
+}) {
+  let wanted: Wish | null = null;
+  /** What was sent last. */
+  let sent: Wish | null = null;
+  let flying = 0;
+  let timer: any;
+  let stop = new AbortController();
+
+  return {
+    show(wish: Wish) {
+      wanted = wish;
+      stop.abort();
+      clearTimeout(timer);
+      onBusy(true);
+      next();
+    },
+    dispose() {
+      wanted = null;
+      stop.abort();
+      clearTimeout(timer);
+    },
+  };
+
+  function next() {
+    if (wanted && sent !== wanted && flying < AHEAD) void draw(wanted);
+    else if (wanted && flying === 0) timer = setTimeout(refine, REST);
+  }
+
+  async function draw(wish: Wish) {
+    const { id, style, width, height } = wish;
+    sent = wish;
+    flying += 1;
+    try {
+      const designed = await engine.drawDesign(id, style, { width, height });
+      if (wanted) onPicture(designed);
+    } catch (error) {
+      tell(error);
+    }
+    flying -= 1;
+    next();
+  }
+
+  async function refine() {
+    const wish = (wanted as Wish);
+    const { id, style, width, height, full } = wish;
+    stop = new AbortController();
+    const { signal } = stop;
+    try {
+      if (cards()) {
+        const designed = await engine.drawDesign(id, style, { width, height, stages: CARD }, { signal });
+        if (wanted === wish) onStages(designed);
+      }
+      if (full > width * 1.05 && wanted === wish) {
+        const size = { width: full, height: Math.max(1, Math.round(full * height / width)), tier: ('work' as const) };
+        const picture = await engine.stylePhoto(id, style, size, { signal });
+        if (wanted === wish) onPicture(picture);
+      }
+    } catch (error) {
+      tell(error);
+    }
+    if (wanted === wish) onBusy(false);
+  }
+
+  function tell(error: unknown) {
+    const { code } = (error as { code?: string });
+    if (code !== 'cancelled' && wanted) onError((error as Error));
+  }
+}

@@ -1,0 +1,92 @@
+import { describe, expect, it } from 'vitest';
+import { fakeApp } from './testing.ts';
+import { createLettering } from '../lettering/lettering.ts';
+import { MOST, wellFormed } from './limits.ts';
+import { createShelves } from '../storage/shelves.ts';
+import { joined } from './shared-lists.ts';
+import { spread } from '../book/spreading.ts';
+import { anchored } from '../lettering/word-places.ts';
+
+/** A page with a hand that letters it. */
+async function lettered() {
+  const app = fakeApp();
+  await app.reading.addFiles(app.files('a.jpg', 'b.jpg'));
+  const letters = { settle: (page: any) => page.words, measure: () => [] };
+  const lettering = createLettering({
+    store: app.store, messages: app.messages, selection: ({ panels: { peek: () => [] } } as any), load: async () => (letters as any),
+  });
+  return { ...app, lettering };
+}
+
+const word = ({ kind: 'caption', text: 'x' } as const);
+const styles = (count: number, of: string) => Array.from({ length: count }, (_, i) => ({ id: `${of}${i}` } as any));
+
+describe('what the page itself can write is readable again', () => {
+  it('words of a page are bounded, and it is said', async () => {
+    const { lettering, messages } = await lettered();
+    expect(await lettering.addAll(Array.from({ length: MOST.words - 1 }, () => word))).toBe(MOST.words - 1);
+    expect(messages.list.value).toEqual([]);
+    expect(await lettering.addAll([word, word, word])).toBe(1);
+    expect(lettering.words.value.length).toBe(MOST.words);
+    expect(messages.list.value.map(({ text }) => text)).toEqual([expect.stringContaining('200')]);
+    expect([await lettering.add('balloon'), lettering.words.value.length]).toEqual([false, MOST.words]);
+  });
+
+  it('halves of letters are none, and a text has an end', async () => {
+    const { lettering } = await lettered();
+    await lettering.addAll([word]);
+    lettering.write(0, 'a\ud800b\udc00 \u{1f600}');
+    expect(lettering.words.value[0].text).toBe('a\ufffdb\ufffd \u{1f600}');
+    lettering.write(0, '\u{1f600}'.repeat(5_000));
+    expect([...lettering.words.value[0].text].length).toBe(MOST.letters);
+    expect(wellFormed('\udc00\ud800')).toBe('\ufffd\ufffd');
+  });
+
+  it('a word beside a narrow panel stays within reach of it', () => {
+    const geometry = { width: 1, height: 1, panels: [{ bounds: { x: 0.9, y: 0, width: 0.02, height: 1 }, overlay: false }] };
+    const { x, tail } = anchored(geometry, { kind: 'balloon', text: 'x', panel: 0 }, [0.1, 0.5], [0, 0.5]);
+    expect([x, tail?.x]).toEqual([-MOST.away, -MOST.away]);
+  });
+
+  it('photos of a project are bounded, and it is said', async () => {
+    const { store, reading, messages, files } = fakeApp();
+    store.change({ type: 'add-photos', ids: Array.from({ length: MOST.photos - 1 }, (_, i) => `q${i}`) });
+    await reading.addFiles(files('a.jpg', 'b.jpg'));
+    expect(store.tray.value.length).toBe(MOST.photos);
+    expect(messages.list.value.map(({ text }) => text)).toEqual([expect.stringContaining('5,000')]);
+  });
+
+  it('names have an end', () => {
+    const { store } = fakeApp();
+    store.change({ type: 'rename', name: `${'copy '.repeat(400)}\ud800` });
+    expect(store.project.value.name.length).toBe(MOST.name);
+  });
+
+  it('styles of projects that are joined are bounded', () => {
+    const { store } = fakeApp();
+    const lists = joined({ ...store.project.value, mine: styles(900, 'a') }, { mine: styles(900, 'b') });
+    expect([lists.mine?.length, lists.mine?.[0].id]).toEqual([MOST.styles, 'b0']);
+  });
+
+  it('so are those of this browser', () => {
+    const { store, messages } = fakeApp();
+    Object.assign((store.planner.value as any), { checkStyle: JSON.parse });
+    const shelves = createShelves({ store, messages, box: () => ({ getItem: () => JSON.stringify(styles(3_000, 's')), setItem: () => {} }) });
+    shelves.recall();
+    expect(store.project.value.mine.length).toBe(MOST.styles);
+  });
+
+  it('an album is spread over no more pages than a storyboard has, each with no more words than a page', () => {
+    const photos = Array.from({ length: 2_500 }, (_, i) => ({ id: `p${i}` } as any));
+    const plan = ({ photos: own, layout = 'l', current }: any) => ({
+      ...current, layout, order: [], panels: (own ?? []).map(({ id }: any) => ({ photo: id, crop: null })), words: current?.words ?? [],
+    });
+    const before = ([0, 1].map(() => ({ panels: [{ photo: 'p0' }], words: Array.from({ length: 150 }, () => ({ ...word, panel: 0 })) })) as any[]);
+    for (const fixed of [null, { layout: 'one', places: 1 }]) {
+      const made = spread({ photos, before, style: 's', per: 1, counts: [1, 2, 3], fixed, plan });
+      expect(made.length).toBeLessThanOrEqual(MOST.sheets);
+      expect(made.flatMap(({ panels }) => panels).length).toBe(2_500);
+      expect(made[0].words?.length).toBe(MOST.words);
+    }
+  });
+});

@@ -1,0 +1,118 @@
+import { describe, expect, test, vi } from 'vitest';
+import { createAlternatives } from '../page/alternatives.ts';
+import { fakeApp } from './testing.ts';
+
+vi.useFakeTimers();
+
+async function opened() {
+  const app = fakeApp();
+  await app.reading.addFiles(app.files('a.jpg', 'b.jpg', 'c.jpg', 'd.jpg'));
+  return app;
+}
+
+describe('shuffle', () => {
+  test('keeps what is locked and says so to the planner', async () => {
+    const { pages, planner } = await opened();
+    pages.lock('style', true);
+    pages.shuffle('all');
+    expect(planner.requests.at(-1)).toMatchObject({ mode: 'shuffle', keep: { layout: false, style: true, photos: false } });
+  });
+
+  test('of one part keeps the others', async () => {
+    const { pages, planner } = await opened();
+    pages.shuffle('layout');
+    expect(planner.requests.at(-1)).toMatchObject({ keep: { layout: false, style: true, photos: true } });
+    pages.shuffle('photos');
+    expect(planner.requests.at(-1)).toMatchObject({ mode: 'photos', keep: { layout: true, style: true, photos: false } });
+  });
+
+  test('of a locked part does nothing', async () => {
+    const { pages, store } = await opened();
+    pages.lock('layout', true);
+    const before = store.page.value;
+    pages.shuffle('layout');
+    expect(store.page.value).toBe(before);
+  });
+
+  test('with locked photos asks for a place for each of them', async () => {
+    const { pages, planner, store } = await opened();
+    const places = store.page.value?.panels.length;
+    pages.lock('photos', true);
+    pages.shuffle('all');
+    expect(planner.requests.at(-1)).toMatchObject({ panels: places, keep: { photos: true } });
+  });
+
+  test('respects the wanted number of panels, unless the layout stays', async () => {
+    const { pages, planner, store } = await opened();
+    pages.wantPanels(2);
+    expect(store.page.value?.panels.length).toBe(2);
+    pages.shuffle('all');
+    expect(planner.requests.at(-1)?.panels).toBe(2);
+    pages.shuffle('style');
+    expect(planner.requests.at(-1)?.panels).toBeUndefined();
+  });
+});
+
+describe('settings', () => {
+  test('change the page without another plan of its parts, and one drag is one step', async () => {
+    const { pages, planner, store } = await opened();
+    const steps = store.history.value.past.length;
+    for (const gutter of [0.02, 0.03, 0.04]) pages.changeSettings({ gutter }, 'gutter-0');
+    expect(planner.requests.at(-1)).toMatchObject({ keep: { layout: true, style: true, photos: true } });
+    expect(store.page.value?.page.gutter).toBe(0.04);
+    expect(store.history.value.past.length).toBe(steps + 1);
+  });
+
+  test('hold for the next page', async () => {
+    const { pages, store } = await opened();
+    pages.changeSettings({ paper: '#ffcc00' });
+    pages.shuffle('all');
+    expect(store.page.value?.page.paper).toBe('#ffcc00');
+  });
+});
+
+describe('walking', () => {
+  test('previous and next lead through the pages shown, and stop at the ends', async () => {
+    const { pages, store } = await opened();
+    const first = store.page.value;
+    pages.shuffle('all');
+    const second = store.page.value;
+    pages.next();
+    expect(store.page.value).toBe(second);
+    pages.previous();
+    expect(store.page.value).toBe(first);
+    pages.previous();
+    expect(store.page.value).toBe(first);
+    pages.next();
+    expect(store.page.value).toBe(second);
+  });
+});
+
+describe('alternatives', () => {
+  test('stay while one of them is chosen, and go when their basis goes', async () => {
+    const { pages, store, reading } = await opened();
+    const alternatives = createAlternatives({ store, pages });
+    alternatives.more(5);
+    const items = alternatives.items.value;
+    expect(items.length).toBe(5);
+    pages.show(items[2]);
+    expect(alternatives.items.value).toBe(items);
+    pages.lock('style', true);
+    expect(alternatives.items.value).toEqual([]);
+    pages.undo();
+    alternatives.more(5);
+    reading.use('p1', false);
+    expect(alternatives.items.value).toEqual([]);
+  });
+
+  test('never repeat themselves, and end when there are no more', async () => {
+    const { pages, store } = await opened();
+    const alternatives = createAlternatives({ store, pages });
+    pages.lock('style', true);
+    pages.lock('layout', true);
+    alternatives.more(5);
+    expect(alternatives.items.value.length).toBe(1);
+    alternatives.more(5);
+    expect(alternatives.items.value.length).toBe(1);
+  });
+});

@@ -1,0 +1,166 @@
+/**
+ * What a person does to the page: shuffle, choose, lock, set, walk through what was shown.
+ */
+
+import { freshPageId, position, versions } from './history.ts';
+import { casting, photosFor, placesOf } from './page-photos.ts';
+import { createPageSettings } from './page-settings.ts';
+import { sheetsOf } from './sheets.ts';
+import type { Keep, PageDocument, PlanRequest } from '../engine/documents.ts';
+import type { Shown } from './history.ts';
+import type { Part } from './project.ts';
+import type { Store } from './store.ts';
+
+/** A page of more panels than this is a page of stamps, unless a person asks for it. */
+const MOST_PANELS = 9;
+
+const KEEP_ALL = Object.freeze({ layout: true, style: true, photos: true });
+
+/** @returns a seed that was likely never used */
+export function freshSeed(): number {
+  return crypto.getRandomValues(new Uint32Array(1))[0];
+}
+
+export function createPages(store: Store, seed: () => number = freshSeed) {
+  const settings = createPageSettings({ store, plan });
+
+  return {
+    plan, show, amend, refine, reorder, refit, shuffle, chooseLayout, chooseStyle, lock, wantPanels,
+    changeSettings: settings.changeSettings, bringBack, previous, next, undo, redo,
+  };
+
+  /** A new page from the photos in use that are free for it; null while there are none. */
+  function plan(wish: Parameters<Plan>[0]): ReturnType<Plan> {
+    const planner = store.planner.peek();
+    const project = store.project.peek();
+    const photos = store.photos.peek();
+    if (!planner || photos.length === 0) return null;
+    const free = !wish.keep.layout && wish.layout === undefined;
+    const request = { seed: seed(), page: project.settings, current: project.page, ...(free ? shape() : {}), ...wish };
+    return planner.plan({ ...request, ...(wish.photos ? { photos: wish.photos } : casting(request, photos, elsewhere(), planner)) });
+  }
+
+  /** The other pages of the storyboard. */
+  function elsewhere() {
+    return store.project.peek().others.map(({ page }) => page);
+  }
+
+  /** What a free layout must have: the number of panels that a person wants, or else a place for each locked photo. */
+  function shape(): Partial<PlanRequest> {
+    const { page, panels, locks } = store.project.peek();
+    const places = locks.photos && page ? { panels: placesOf(page) } : {};
+    return panels === null ? places : { ...places, panels };
+  }
+
+  /** Makes a page the page. */
+  function show(page: PageDocument | null, how?: { silent?: boolean, gesture?: string }) {
+    if (page && page !== store.page.peek()) store.change({ type: 'show-page', page, pageId: freshPageId(store.history.peek()), ...how });
+  }
+
+  /** The page after a change by hand; what it does not touch stays. */
+  function amend(changed: PageDocument, how?: { gesture?: string }) {
+    const page = plan({ keep: KEEP_ALL, current: changed, seed: changed.seed });
+    if (page) store.change({ type: 'change-page', page, ...how });
+  }
+
+  /** Fits the crops of the page to what is known of its photos by now. */
+  function refine() {
+    const { page } = store.project.peek();
+    const better = page && plan({ keep: KEEP_ALL, seed: page.seed });
+    if (better && JSON.stringify(better) !== JSON.stringify(page)) {
+      store.change({ type: 'change-page', page: better, silent: true });
+    }
+  }
+
+  /** Puts the photos of the first page in their right order, some of them set aside, in the same layout if they still fill it. */
+  function reorder() {
+    const { page } = store.project.peek();
+    if (!page) return;
+    const { length } = store.photos.peek();
+    const layout = length >= page.panels.length;
+    const better = plan({ keep: { layout, style: true, photos: false }, seed: page.seed, ...(layout ? {} : { panels: length }) });
+    if (better) store.change({ type: 'change-page', page: better, silent: true });
+  }
+
+  /**
+   * A page after the photos in use changed: as it was where it can be.
+   * @param how whether there are more photos than before
+   */
+  function refit({ grow }: { grow: boolean }): PageDocument | null {
+    const { page, locks, panels, others } = store.project.peek();
+    if (page && others.length > 0) return refitAmong(page);
+    const enough = page !== null && store.photos.peek().length >= page.panels.length;
+    const layout = locks.layout || (panels !== null && page?.panels.length === panels) || (enough && !grow);
+    // A photo that was just added is looked for on the page, so each gets a panel.
+    const all = grow && !layout && panels === null ? { panels: Math.min(store.photos.peek().length, MOST_PANELS) } : {};
+    return plan({ keep: { layout, style: true, photos: locks.photos || !grow }, ...all });
+  }
+
+  /** The same for a page among others: what is new goes to no page by itself, and a page loses but what is gone. */
+  function refitAmong(page: PageDocument) {
+    const { length } = photosFor(store.photos.peek(), elsewhere(), page);
+    const layout = length === 0 || length >= placesOf(page);
+    const next = plan({ keep: { ...KEEP_ALL, layout }, seed: page.seed, ...(layout ? {} : { panels: length }) });
+    return JSON.stringify(next) === JSON.stringify(page) ? page : next;
+  }
+
+  function shuffle(part: Part | 'all') {
+    const { locks, page } = store.project.peek();
+    if (!page || (part !== 'all' && locks[part])) return;
+    // A locked panel stays where it is.
+    if (part === 'all') show(plan({ keep: { ...locks, layout: locks.layout || page.panels.some((panel) => panel.locked) }, mode: 'shuffle' }));
+    else if (part === 'photos') show(plan({ keep: { ...KEEP_ALL, photos: false }, mode: 'photos' }));
+    else show(plan({ keep: { ...KEEP_ALL, [part]: false } }));
+  }
+
+  function chooseLayout(layout: string | object) {
+    show(plan({ keep: { ...KEEP_ALL }, layout }));
+  }
+
+  function chooseStyle(style: string | object) {
+    show(plan({ keep: { ...KEEP_ALL }, style }));
+  }
+
+  function lock(part: Part, on: boolean) {
+    store.change({ type: 'lock', part, on });
+  }
+
+  function wantPanels(count: number | null) {
+    const gesture = `panels-${count}`;
+    store.change({ type: 'want-panels', count, gesture });
+    const { page } = store.project.peek();
+    if (count === null || !page || page.panels.length === count) return;
+    show(plan({ keep: { ...KEEP_ALL, layout: false } }), { gesture });
+  }
+
+  function walk(step: number) {
+    const history = store.history.peek();
+    const target = versions(history)[position(history) + step];
+    if (target) bringBack(target);
+  }
+
+  /** Shows a page that was shown before, in its place in the storyboard, or where that is gone in the place of the present one. */
+  function bringBack({ id, page, sheet = 0 }: Shown) {
+    const sheets = sheetsOf(store.project.peek());
+    const at = sheets.findIndex((other) => other.pageId === id || other.sheet === sheet);
+    // To turn the pages is no step of the undo.
+    if (at >= 0 && at !== store.project.peek().at) store.change({ type: 'set-sheets', sheets, at, silent: true });
+    if (sheets[at]?.pageId !== id) store.change({ type: 'show-page', page: settings.fitted(page), pageId: id });
+  }
+
+  function previous() { walk(-1); }
+
+  function next() { walk(1); }
+
+  function undo() {
+    store.change({ type: 'undo' });
+  }
+
+  function redo() {
+    store.change({ type: 'redo' });
+  }
+}
+
+/** `photos` says which are free for it, if not those that no other page shows */
+export type Plan = (wish: Partial<PlanRequest> & { keep: Keep }) => PageDocument | null;
+export type Pages = ReturnType<typeof createPages>;

@@ -1,0 +1,114 @@
+import { expect, test } from 'vitest';
+import { shifted } from '../page/panels/cuts.tsx';
+import { createMerging, grown, whyNotMerge } from '../page/panels/merging.ts';
+import { createReshaping, spliced } from '../page/panels/reshaping.ts';
+import { createSelection } from '../page/panels/selection.ts';
+import { fakeApp } from './testing.ts';
+import { strings } from '../strings/strings.ts';
+import type { PageDocument } from '../engine/documents.ts';
+
+async function app(names = ['a', 'b', 'c', 'd']) {
+  const made = fakeApp();
+  await made.reading.addFiles(made.files(...names));
+  const { store, pages } = made;
+  const selection = createSelection({ store });
+  const merging = createMerging({ store, pages, selection });
+  const reshaping = createReshaping({ store, pages, seed: () => 7 });
+  const page = () => (store.page.value as PageDocument);
+  return { ...made, selection, merging, reshaping, page };
+}
+
+test('a click chooses one panel, with a key or in the mode for it one more', async () => {
+  const { selection } = await app();
+  selection.press(2, false);
+  selection.press(1, false);
+  expect(selection.panels.value).toEqual([1]);
+  selection.press(3, true);
+  selection.choose(true);
+  selection.press(0, false);
+  selection.press(3, false);
+  expect(selection.panels.value).toEqual([0, 1]);
+  selection.choose(false);
+  expect(selection.panels.value).toEqual([]);
+});
+
+test('a choice belongs to its page', async () => {
+  const { selection, pages } = await app();
+  selection.set([0, 1]);
+  pages.shuffle('style');
+  expect(selection.panels.value).toEqual([]);
+});
+
+test('panels are merged and split, each one step of the undo', async () => {
+  const { selection, merging, pages, page } = await app();
+  expect(merging.cannotMerge()).toBe(strings.merging.few);
+  expect(merging.cannotSplit()).toBe(strings.merging.none);
+  const photos = page().panels.map(({ photo }) => photo);
+  selection.set([1, 0]);
+  merging.merge();
+  expect(page().merges).toEqual([[0, 1]]);
+  expect(merging.cannotMerge()).toBe(strings.merging.already);
+  expect(page().panels.map(({ photo }) => photo).slice(2)).toEqual(photos.slice(2));
+  // With nothing chosen the only merge is meant.
+  selection.clear();
+  merging.split();
+  expect(page().merges).toEqual([]);
+  pages.undo();
+  expect(page().merges).toEqual([[0, 1]]);
+  pages.undo();
+  expect(page().merges).toEqual([]);
+});
+
+test('a merge needs panels that hang together below the overlays', () => {
+  const facts = ({ base: 4, adjacent: [[0, 1], [1, 2], [2, 3]] } as any);
+  const page = (...merges: number[][]) => ({ merges } as any);
+  expect(whyNotMerge([0, 2], page(), facts)).toBe(strings.merging.apart);
+  expect(whyNotMerge([0, 2, 1], page(), facts)).toBe('');
+  expect(whyNotMerge([3, 4], page(), facts)).toBe(strings.merging.overlay);
+  // Panels that share an image already are taken along.
+  expect(whyNotMerge([0, 3], page([1, 2]), facts)).toBe(strings.merging.apart);
+  expect(whyNotMerge([0, 1], page([1, 2]), facts)).toBe('');
+  expect(grown([0, 1], page([1, 2]))).toEqual([0, 1, 2]);
+});
+
+test('a surprise has the wanted number of panels', async () => {
+  const { reshaping, pages, page } = await app();
+  pages.wantPanels(3);
+  reshaping.surprise();
+  expect(page().layout).toEqual({ id: 'g3', family: 'generated' });
+});
+
+test('one drag of a cut is one step of the undo', async () => {
+  const { reshaping, pages, store, page } = await app();
+  const { layout } = page();
+  const steps = store.history.value.past.length;
+  for (const fraction of [0.4, 0.5, 0.6]) reshaping.moveCut(0, { fraction, slant: 0 }, 'drag');
+  expect((page().layout as any).change).toEqual({ type: 'move-cut', cut: 0, fraction: 0.6, slant: 0 });
+  expect(store.history.value.past.length).toBe(steps + 1);
+  pages.undo();
+  expect(page().layout).toBe(layout);
+});
+
+test('a panel is split and taken away, and the others keep their photos', async () => {
+  const { reshaping, page } = await app();
+  const plain = ({
+    panels: ['a', 'b', 'c', 'd'].map((photo) => ({ photo })), merges: [[0, 1], [2, 3]],
+  } as any);
+  const more = spliced(plain, 1, 1);
+  expect(more.panels.map(({ photo }) => photo)).toEqual(['a', 'b', null, 'c', 'd']);
+  expect(more.merges).toEqual([[3, 4]]);
+  const fewer = spliced(plain, 2, -1);
+  expect(fewer.panels.map(({ photo }) => photo)).toEqual(['a', 'b', 'd']);
+  expect(fewer.merges).toEqual([[0, 1]]);
+  reshaping.removePanel(0);
+  expect(page().panels.length).toBe(3);
+});
+
+test('an end of a cut moves, the other stays', () => {
+  const cut = ({ fraction: 0.5, slant: 0.1 } as any);
+  expect(shifted(cut, 'both', 0.1)).toEqual({ fraction: 0.6, slant: 0.1 });
+  for (const [end, fixed] of ([['from', 1], ['to', -1]] as const)) {
+    const { fraction, slant } = shifted(cut, end, 0.2);
+    expect(fraction + fixed * slant / 2).toBeCloseTo(0.5 + fixed * 0.05);
+  }
+});

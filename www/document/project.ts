@@ -1,0 +1,185 @@
+/**
+ * The document that a person edits, and the pure function that changes it.
+ *
+ * A project is plain data: which photos are in the tray and used, the locks, the wanted number of panels, and the
+ * page. What is known of a photo (its name, size, measures) never changes and lives in the album, so that undoing
+ * an edit does not undo what was read meanwhile.
+ */
+
+import { MOST, wellFormed } from './limits.ts';
+import { exchangedOn, withSheets } from './sheets.ts';
+import type { Draft } from '../designer/designer-draft.ts';
+import type { PageDocument, PageSettings, Style, Template } from '../engine/documents.ts';
+import type { Sheet } from './sheets.ts';
+
+export type { PageDocument };
+export type Part = 'layout' | 'style' | 'photos';
+/** How a shuffle draws a style: the share of invented ones, and the layers that stay. */
+export type Styling = { invented: number, keepLines: boolean, keepColours: boolean };
+type Locks = { layout: boolean, style: boolean, photos: boolean };
+
+/**
+ * A photo in the tray. `use` is what the person chose; null follows the selection's verdict. `focus` is the point of
+ * the photo that matters, in parts of it, where a person marked one.
+ */
+export type TrayItem = { id: string, use: boolean | null, focus?: { x: number, y: number } | null };
+
+/** of the photos: as they were taken where all say so, or as their files are called */
+export type Order = 'time' | 'name';
+
+/**
+ * `name`: what the person calls it, empty until then; `alike`: photos whose fingerprints differ in at most so many of 64 bits show the same picture; `panels`:
+ *   the wanted number, null for any; `pageId` names the page among those shown; `sheet` is its place in a storyboard
+ *   of several pages, `others` are the other pages of it, `at` of which come before this one; `draft`: the style in the designer;
+ *   `mine`, `favourites` and `ownLayouts`: a person's own styles and layouts, which all projects share; `loved`: the
+ *   favourites among the pages shown, by their ids
+ */
+export type Project = {
+  name: string, tray: readonly TrayItem[], alike: number, order: Order, locks: Locks, panels: number | null, settings: PageSettings,
+  page: PageDocument | null, pageId: number, sheet: number, others: readonly Sheet[], at: number, draft: Draft | null, mine: readonly Style[],
+  favourites: readonly Style[], ownLayouts: readonly Template[], loved: readonly number[], styling: Styling,
+};
+
+export type Action = 
+  | { type: 'add-photos', ids: string[] }
+  | { type: 'remove-photo', id: string }
+  | { type: 'remove-photos', ids: readonly string[] }
+  | { type: 'forget-photos', ids: string[] }
+  | { type: 'use-photo', id: string, use: boolean }
+  | { type: 'use-photos', uses: ReadonlyMap<string, boolean> }
+  | { type: 'exchange-photo', id: string, by: string }
+  | { type: 'choose-by', alike?: number, order?: Order }
+  | { type: 'focus-photo', id: string, focus: { x: number, y: number } | null }
+  | { type: 'lock', part: Part, on: boolean }
+  | { type: 'want-panels', count: number | null }
+  | { type: 'show-page', page: PageDocument, pageId: number }
+  | { type: 'change-page', page: PageDocument }
+  | { type: 'change-settings', settings: PageSettings, page: PageDocument | null }
+  | { type: 'set-sheets', sheets: readonly Sheet[], at: number }
+  | { type: 'no-page' }
+  | { type: 'design', draft: Draft | null }
+  | { type: 'own-styles', mine: readonly Style[] }
+  | { type: 'favourites', favourites: readonly Style[] }
+  | { type: 'own-layouts', ownLayouts: readonly Template[] }
+  | { type: 'love-page', pageId: number, on: boolean }
+  | { type: 'rename', name: string }
+  | { type: 'styling', styling: Styling };
+
+/** A4 portrait at 300 dpi, as the core has it. */
+export const DEFAULT_SETTINGS = Object.freeze({
+  width: 2480,
+  height: 3508,
+  dpi: 300,
+  gutter: 0.018,
+  margin: 0.027,
+  border: 0.004,
+  cornerRadius: 0,
+  paper: '#ffffff',
+  borderColor: '#111111',
+});
+
+export const EMPTY_PROJECT: Project = Object.freeze({
+  name: '',
+  tray: Object.freeze([]),
+  alike: 10,
+  order: 'time',
+  locks: Object.freeze({ layout: false, style: false, photos: false }),
+  panels: null,
+  settings: DEFAULT_SETTINGS,
+  page: null,
+  pageId: 0,
+  sheet: 0,
+  others: Object.freeze([]),
+  at: 0,
+  draft: null,
+  mine: Object.freeze([]),
+  favourites: Object.freeze([]),
+  ownLayouts: Object.freeze([]),
+  loved: Object.freeze([]),
+  styling: Object.freeze({ invented: 0, keepLines: false, keepColours: false }),
+});
+
+/** @returns the same object when nothing changed */
+export function reduce(project: Project, action: Action): Project {
+  switch (action.type) {
+    case 'add-photos': {
+      const known = new Set(project.tray.map(({ id }) => id));
+      const fresh = [...new Set(action.ids)].filter((id) => !known.has(id));
+      if (fresh.length === 0) return project;
+      return { ...project, tray: [...project.tray, ...fresh.map((id) => ({ id, use: null }))] };
+    }
+    case 'remove-photo':
+      return without(project, [action.id]);
+    case 'remove-photos':
+    case 'forget-photos':
+      return without(project, action.ids);
+    case 'use-photo':
+      return {
+        ...project,
+        tray: project.tray.map((item) => (item.id === action.id ? { ...item, use: action.use } : item)),
+      };
+    case 'use-photos':
+      return {
+        ...project,
+        tray: project.tray.map((item) => ({ ...item, use: action.uses.get(item.id) ?? item.use })),
+      };
+    case 'exchange-photo':
+      return {
+        ...project,
+        tray: project.tray.map((item) => (item.id === action.id ? { ...item, id: action.by, use: true } : item)),
+        others: exchangedOn(project.others, action.id, action.by),
+      };
+    case 'choose-by': {
+      const { alike = project.alike, order = project.order } = action;
+      return alike === project.alike && order === project.order ? project : { ...project, alike, order };
+    }
+    case 'focus-photo':
+      return {
+        ...project,
+        tray: project.tray.map((item) => (item.id === action.id ? { ...item, focus: action.focus } : item)),
+      };
+    case 'lock':
+      if (project.locks[action.part] === action.on) return project;
+      return { ...project, locks: { ...project.locks, [action.part]: action.on } };
+    case 'want-panels':
+      return project.panels === action.count ? project : { ...project, panels: action.count };
+    case 'show-page':
+      return { ...project, page: action.page, pageId: action.pageId, settings: action.page.page };
+    case 'change-page':
+      return project.page === null ? project : { ...project, page: action.page, settings: action.page.page };
+    case 'change-settings':
+      return { ...project, settings: action.settings, page: action.page };
+    case 'set-sheets':
+      return withSheets(project, action.sheets, action.at);
+    case 'no-page':
+      return project.page === null ? project : { ...project, page: null, others: [], at: 0 };
+    case 'design':
+      return { ...project, draft: action.draft };
+    case 'own-styles':
+      return { ...project, mine: action.mine };
+    case 'favourites':
+      return { ...project, favourites: action.favourites };
+    case 'own-layouts':
+      return { ...project, ownLayouts: action.ownLayouts };
+    case 'love-page': {
+      if (project.loved.includes(action.pageId) === action.on) return project;
+      const others = project.loved.filter((id) => id !== action.pageId);
+      return { ...project, loved: action.on ? [...others, action.pageId] : others };
+    }
+    case 'rename':
+      return renamed(project, wellFormed(action.name).slice(0, MOST.name));
+    case 'styling':
+      return { ...project, styling: action.styling };
+    default:
+      return project;
+  }
+}
+
+function renamed(project: Project, name: string) {
+  return project.name === name ? project : { ...project, name };
+}
+
+function without(project: Project, ids: readonly string[]): Project {
+  const tray = project.tray.filter((item) => !ids.includes(item.id));
+  return tray.length === project.tray.length ? project : { ...project, tray };
+}

@@ -1,0 +1,141 @@
+/**
+ * The state as signals. `change` is the only way to change the history; everything else is derived, or belongs to
+ * the session and is never saved.
+ */
+
+import { batch, computed, signal } from '@preact/signals';
+import { chronological, isUsed, unreadMeta } from './album.ts';
+import { EMPTY_HISTORY, advance } from './history.ts';
+import { freshPlace } from '../storage/place.ts';
+import type { Planner } from '../engine/core.ts';
+import type { Template } from '../engine/documents.ts';
+import type { Place } from '../storage/place.ts';
+import type { Album, Fact, Verdict, Video } from './album.ts';
+import type { Change } from './history.ts';
+import type { ReadonlySignal, Signal } from '@preact/signals';
+
+export type { Planner };
+export type Store = ReturnType<typeof createStore>;
+export type Progress = { done: number, total: number };
+
+export function createStore() {
+  const history = signal(EMPTY_HISTORY);
+  /** It changes in one step with the history, which so is never saved in the place of another. */
+  const place = signal(freshPlace());
+  const album: Signal<Album> = signal(new Map());
+  const planner: Signal<Planner | null> = signal(null);
+  /** The photos being read; null when all are. */
+  const reading: Signal<Progress | null> = signal(null);
+
+  /** The videos that photos in the tray were taken from. */
+  const videos: Signal<ReadonlyMap<string, Video>> = signal(new Map());
+
+  /** The files of photos that are still being read. */
+  const originals: Map<string, File> = new Map();
+
+  /** Files that were chosen and are not on the table yet, as nothing can be laid out so far. */
+  const arriving = signal(0);
+
+  /** Whether the sample album is on its way. */
+  const fetching = signal(false);
+
+  const project = computed(() => history.value.present);
+  const page = computed(() => project.value.page);
+  const others = computed(() => project.value.others);
+  const at = computed(() => project.value.at);
+  /** All pages of the storyboard in order, the one that is edited among them; none while there is no page. */
+  const sheets = computed(() => (page.value ? others.value.map((sheet) => sheet.page).toSpliced(at.value, 0, page.value) : []));
+  const tray = computed(() => project.value.tray);
+  /** Facts of the tray, in its order. */
+  const facts = computed(() => tray.value.flatMap(({ id }) => album.value.get(id) ?? []));
+
+  /** What the selection compares of the photos that were read. */
+  const measured = computed(() => (
+    facts.value.filter((fact) => fact.measures !== null).map(({ id, name, measures }) => ({ id, name, ...measures }))
+  ));
+
+  let judged: ReadonlyMap<string, Verdict> = new Map();
+  /** The selection's word on each photo; it waits until all are read, so that no photo comes and goes. */
+  const verdicts = computed(() => {
+    if (!planner.value || reading.value) return judged;
+    judged = new Map(planner.value.choose(measured.value, project.value.alike).map((verdict) => [verdict.id, verdict]));
+    return judged;
+  });
+
+  /** The photos in use, as the planner wants them: in their order. */
+  const photos = computed(() => {
+    const focus = new Map(tray.value.map((item) => [item.id, item.focus ?? null]));
+    const used = new Set(tray.value.filter((item) => isUsed(item, verdicts.value)).map(({ id }) => id));
+    const list = facts.value.filter(({ id }) => used.has(id));
+    // While photos arrive the order of the files stands, else the page would be shuffled with each of them.
+    const dated = !reading.value && project.value.order === 'time';
+    return (dated ? chronological(list) : list).map(({ id, meta }) => {
+      const known = meta ?? unreadMeta(id);
+      return focus.get(id) ? { ...known, focus: focus.get(id) ?? null } : known;
+    });
+  });
+
+  /** A person's own layouts, in full. */
+  const own: ReadonlySignal<readonly Template[]> = computed(() => project.value.ownLayouts);
+  /** The size of the page, the only part of its settings that says which layouts suit. */
+  const size = computed(() => `${project.value.settings.width} ${project.value.settings.height}`);
+  /** The layouts to choose from: a person's own, and those that are good for the page. */
+  const layouts = computed(() => {
+    const [width, height] = size.value.split(' ').map(Number);
+    return planner.value?.listLayouts({ page: { width, height }, own: [...own.value] }) ?? [];
+  });
+  /** What can be done to the layout of the page. */
+  const layoutFacts = computed(() => {
+    if (!planner.value || !page.value) return null;
+    return planner.value.layoutFacts(page.value.layout, page.value.page);
+  });
+  const styles = computed(() => planner.value?.styles() ?? []);
+  const geometry = computed(() => {
+    if (!planner.value || !page.value) return null;
+    return planner.value.geometry(page.value.layout, page.value.page);
+  });
+
+  return {
+    history,
+    /** Where the history is kept. */
+    place: (computed(() => place.value)) as ReadonlySignal<Place>,
+    album,
+    videos,
+    originals,
+    planner,
+    reading,
+    arriving,
+    fetching,
+    project,
+    page,
+    sheets,
+    tray,
+    facts,
+    measured,
+    verdicts,
+    photos,
+    own,
+    layouts,
+    layoutFacts,
+    styles,
+    geometry,
+    change: (change: Change) => {
+      history.value = advance(history.value, change);
+    },
+    /**
+     * Puts another document in the place of this one.
+     * @param other `place`: where it is kept; left out where it goes on as the same project
+     */
+    load: (other: {
+  history: import('./history.ts').History, album: Album, videos: ReadonlyMap<string, Video>, place?: Place,
+}) => batch(() => {
+      place.value = other.place ?? place.peek();
+      album.value = other.album;
+      videos.value = other.videos;
+      history.value = other.history;
+    }),
+    know: (fact: Fact) => {
+      album.value = new Map(album.value).set(fact.id, fact);
+    },
+  };
+}

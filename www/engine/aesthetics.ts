@@ -1,0 +1,38 @@
+/**
+ * How good a photo looks in a style, by a net: the style is drawn by the core, the picture is scored by a worker of its
+ * own. That, and all it needs, is loaded with the first call. The net is optional when the site is built.
+ */
+
+import { NET } from './aesthetics-net.ts';
+import { createPool } from './pool.ts';
+import { failure } from './protocol.ts';
+import { Priority } from './queue.ts';
+import type { Call } from './engine.ts';
+import type { createPhotos } from './photos.ts';
+import type { Job } from './pool.ts';
+import type { PixelPatch } from './protocol.ts';
+
+export function createAesthetics({ run, photos }: { run: (job: Job) => Promise<any>, photos: ReturnType<typeof createPhotos> }) {
+  let pool: ReturnType<typeof createPool> | undefined;
+  return { judges: NET !== undefined, judgeStyle, dispose: () => pool?.dispose() };
+
+  /**
+   * The mean score from 1 to 10 that people would give a photo in a style.
+   * @param id of an imported photo
+   * @param size at which it is drawn
+   */
+  async function judgeStyle(id: string, style: object, { width, height }: { width: number, height: number }, call?: Call): Promise<number> {
+    if (!NET) throw failure('net-missing', 'The net that scores pictures is not part of this site.');
+    const [photo] = photos.handles([id], 'small');
+    const job = { photo: photos.names([id]), priority: Priority.REST, ...call };
+    const args = { photo, style: JSON.stringify(style), width, height };
+    const picture: PixelPatch = await run({ ...job, op: 'stylePixels', args, holds: [photo.key] });
+    pool ??= createPool({ size: 1, spawn });
+    const { data } = picture;
+    return pool.run({ ...job, op: 'judge', args: { width, height, data, net: new URL(NET, document.baseURI).href }, transfer: [data.buffer] });
+  }
+}
+
+function spawn() {
+  return new Worker(new URL('./aesthetics-worker.ts', import.meta.url), { type: 'module', name: 'inkpanel-aesthetics' });
+}

@@ -1,0 +1,26 @@
+import { expect, test, vi } from 'vitest';
+import { blobOf } from './blobs.ts';
+
+const BYTES = Uint8Array.from([1, 2, 3]);
+
+/** @param bad how many of the first blobs cannot be read */
+function browser(bad: number) {
+  return vi.fn((parts: BlobPart[], options: BlobPropertyBag) => {
+    const blob = new Blob(parts, options);
+    const refused = () => ({ arrayBuffer: async () => { throw new DOMException('', 'NotReadableError'); } });
+    return (((bad -= 1) >= 0 ? { slice: refused } : blob) as any);
+  });
+}
+
+test('a blob is made until it can be read', async () => {
+  const make = browser(3);
+  const blob = await blobOf(BYTES, { type: 'image/png', wait: 0, make });
+  expect(make).toHaveBeenCalledTimes(4);
+  expect([blob.type, [...new Uint8Array(await blob.arrayBuffer())]]).toEqual(['image/png', [1, 2, 3]]);
+});
+
+test('where there never is room it is an error with a code', async () => {
+  const make = browser(Infinity);
+  await expect(blobOf(BYTES, { wait: 0, make })).rejects.toMatchObject({ code: 'no-room' });
+  expect(make.mock.calls.length).toBeLessThan(10);
+});

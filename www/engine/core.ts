@@ -1,0 +1,121 @@
+/**
+ * The wasm module: compiled once here, instantiated on the main thread for planning and in each worker for pixels.
+ */
+
+import initCore, * as core from '../pkg/inkpanel.js';
+import { expanded, interned } from './interned.ts';
+import { failure } from './protocol.ts';
+import type { Block, Geometry, Layout, LayoutChange, LayoutEntry, LayoutFacts, PageDocument, PageSettings, PlanRequest, Style, Template, Verdict } from './documents.ts';
+import type { KeptHistory } from './interned.ts';
+
+/** Photos no longer planned with that are remembered, since undo may bring them back. */
+const SPARE_PHOTOS = 500;
+
+const ADDRESS = new URL('../pkg/inkpanel_bg.wasm', import.meta.url);
+
+async function compile(): Promise<WebAssembly.Module> {
+  const response = await fetch(ADDRESS);
+  if (!response.ok) throw failure('core-missing', `The program could not be loaded (${response.status}).`);
+  // A static host may serve wasm under any content type, which streaming would refuse.
+  const streams = response.headers.get('content-type')?.startsWith('application/wasm');
+  return streams ? WebAssembly.compileStreaming(response) : WebAssembly.compile(await response.arrayBuffer());
+}
+
+export async function loadCore(): Promise<{ module: WebAssembly.Module, planner: Planner }> {
+  const module = await compile();
+  await initCore({ module_or_path: module });
+  return { module, planner: createPlanner() };
+}
+
+export type Planner = ReturnType<typeof createPlanner>;
+
+/**
+ * The pure functions of the core, with plain objects in place of JSON. Each takes well under a millisecond or
+ * two and throws an error with a `code`.
+ */
+function createPlanner() {
+  const albumOf = createAlbum();
+  return {
+    blocks: (): Block[] => JSON.parse(core.blocks()),
+    layouts: (): Layout[] => JSON.parse(core.layouts()),
+    styles: (): Style[] => JSON.parse(core.styles()),
+    /**
+     * @param json the text of a style file
+     * @param file its name, for the message
+     */
+    checkStyle: (json: string, file: string): Style => JSON.parse(core.check_style(json, file)),
+    /**
+     * @param json the text of a layout file
+     * @param file its name, for the message
+     */
+    checkLayout: (json: string, file: string): Template => JSON.parse(core.check_layout(json, file)),
+    geometry: (layout: string | object, page: PageSettings): Geometry => JSON.parse(core.page_geometry(JSON.stringify({ layout, page }))),
+    /**
+     * @param request `own`: a person's own layouts
+     * @returns those first, then the catalogue's that are good for the page
+     */
+    listLayouts: (request: { page: Partial<PageSettings>, own: Template[] }): LayoutEntry[] => JSON.parse(core.list_layouts(JSON.stringify(request))),
+    layoutFacts: (layout: string | object, page: PageSettings): LayoutFacts => JSON.parse(core.layout_facts(JSON.stringify({ layout, page }))),
+    /** @returns in full */
+    layoutFile: (layout: string | object): Template => JSON.parse(core.layout_file(JSON.stringify({ layout }))),
+    /** @param request the numbers of panels */
+    generateLayout: (request: { seed: number, page: PageSettings, least: number, most: number }): Template => JSON.parse(core.generate_layout(JSON.stringify(request))),
+    changeLayout: (layout: string | object, change: LayoutChange): Template => JSON.parse(core.change_layout(JSON.stringify({ layout, change }))),
+    plan: ({ photos, ...rest }: PlanRequest): PageDocument => JSON.parse(albumOf(photos).plan(JSON.stringify(rest), JSON.stringify(photos.map(({ id }) => id)))),
+    /** @returns invented */
+    inventStyle: (seed: number): Style => JSON.parse(core.invent_style(seed)),
+    /**
+     * @param request `surprise`: 0 to 1
+     * @returns a child of both
+     */
+    breedStyle: (request: { a: string | object, b: string | object, seed: number, surprise: number }): Style => JSON.parse(core.breed_style(JSON.stringify(request))),
+    choose: (photos: object[], threshold: number): Verdict[] => JSON.parse(core.choose_photos(JSON.stringify({ photos, threshold }))),
+    /**
+     * Reads a project file or the text of a page PNG and checks all of it. Throws `damaged-project` or `newer-project`.
+     * @param how `prefix`: all photos and videos get fresh ids that begin with it
+     * @returns `dropped`: sentences about what was left out
+     */
+    readProject: (text: string, { prefix }: { prefix?: string } = {}): { format: string, version: number, history: { present: any, shown: any[] }, photos: any[], videos: any[], dropped: string[] } => JSON.parse(core.read_project(text, prefix)),
+    readHistory,
+  };
+}
+
+/**
+ * Reads a history out of the database and checks all of it. What states share they share again. Throws `damaged-project` or
+ * `newer-project`.
+ * @param record with `version` and `history`
+ * @returns `dropped`: sentences about
+ *   what was left out
+ */
+function readHistory(record: any): { version: number, history: KeptHistory, dropped: string[] } {
+  let text;
+  try {
+    text = JSON.stringify({ version: record?.version, history: interned(record?.history) });
+  } catch {
+    // Something that refers to itself, or a number without end.
+    throw failure('damaged-project', 'history: is no plain data');
+  }
+  const { version, history, dropped } = JSON.parse(core.read_history(text));
+  return { version, history: expanded(history), dropped };
+}
+
+/**
+ * The core's album, which is told of a photo once, and again when more is known of it.
+ * @returns that knows these photos
+ */
+function createAlbum(): (photos: PlanRequest['photos']) => core.Album {
+  const album = new core.Album();
+  const told: Map<string, PlanRequest['photos'][number]> = new Map();
+  return (photos) => {
+    const fresh = photos.filter((photo) => told.get(photo.id) !== photo);
+    if (fresh.length > 0) album.know(JSON.stringify(fresh));
+    for (const photo of fresh) told.set(photo.id, photo);
+    if (told.size > 2 * photos.length + SPARE_PHOTOS) {
+      const ids = new Set(photos.map(({ id }) => id));
+      album.keep(JSON.stringify([...ids]));
+      for (const id of [...told.keys()]) if (!ids.has(id)) told.delete(id);
+    }
+    return album;
+  };
+}
+

@@ -1,0 +1,108 @@
+/**
+ * Faces and objects in photos, each by a worker of its own, side by side. A worker and all it needs are loaded with
+ * its first call, or before by `load`.
+ */
+
+import { createPool } from './pool.ts';
+import { Priority } from './queue.ts';
+import type { Look } from './detector-worker.ts';
+import type { Call } from './engine.ts';
+import type { createPhotos } from './photos.ts';
+
+/** Something found in a photo; its place in fractions of the photo. */
+export type Found = { label: string, score: number, x: number, y: number, width: number, height: number };
+
+type Net = 'faces' | 'objects';
+
+/** @param spare asks that so many other workers stay idle meanwhile, where nobody waits */
+export function createDetector(photos: ReturnType<typeof createPhotos>, spare: (workers: number) => void) {
+  const pools: Partial<Record<Net, ReturnType<typeof createPool>>> = {};
+  /** Nets that are made, or in line to be. */
+  const made: Partial<Record<Net, Promise<void>>> = {};
+  /** The end of that line. */
+  let last = Promise.resolve();
+  let running = 0;
+
+  return {
+    load, detect, findFaces, findMoreFaces, findObjects,
+    dispose: () => Object.values(pools).forEach((pool) => pool.dispose()),
+  };
+
+  /** Fetches what the nets need, which takes no core from whoever works; what fails is told by the first look. */
+  function load() {
+    for (const net of (['objects', 'faces'] as const)) {
+      if (!pools[net]) order(net, 'load').catch(() => {});
+    }
+  }
+
+  /**
+   * Everything that is found in a photo, faces first.
+   * @param id of an imported photo
+   */
+  async function detect(id: string, call?: Call): Promise<Found[]> {
+    const faces = async () => {
+      const { boxes, closer } = await findFaces(id, call);
+      return closer ? findMoreFaces(id, boxes, call) : boxes;
+    };
+    const [objects, all] = await Promise.all([findObjects(id, call), faces()]);
+    return [...all, ...objects];
+  }
+
+  /**
+   * `closer` tells whether `findMoreFaces` may find more.
+   * @param id of an imported photo
+   */
+  function findFaces(id: string, call?: Call): Promise<{ boxes: Found[], closer: boolean }> {
+    return run('faces', 'faces', id, {}, call);
+  }
+
+  /**
+   * Also the small faces, by looking at parts of the photo.
+   * @param id of an imported photo
+   * @param boxes the faces found at first
+   * @returns what to take in their place
+   */
+  function findMoreFaces(id: string, boxes: Found[], call?: Call): Promise<Found[]> {
+    return run('faces', 'closer', id, { boxes }, call);
+  }
+
+  /** @param id of an imported photo */
+  function findObjects(id: string, call?: Call): Promise<Found[]> {
+    return run('objects', 'objects', id, {}, call);
+  }
+
+  async function run(net: Net, op: Look, id: string, more: { boxes?: Found[] }, call?: Call): Promise<any> {
+    const { name, work } = photos.get(id);
+    spare((running += 1));
+    try {
+      await make(net);
+      return await open(net).run({ op, args: { photo: work, ...more }, photo: name, priority: Priority.REST, ...call });
+    } finally {
+      spare((running -= 1));
+    }
+  }
+
+  /**
+   * One net after the other: the browser compiles the module's code while the first is made, and two at a time wait for
+   * each other's share of the cores.
+   */
+  function make(net: Net) {
+    made[net] ??= last = last.catch(() => {}).then(() => order(net, 'make')).catch((error) => {
+      delete made[net];
+      throw error;
+    });
+    return made[net];
+  }
+
+  function order(net: Net, op: 'load' | 'make'): Promise<void> {
+    return open(net).run({ op, args: { net }, priority: Priority.REST });
+  }
+
+  function open(net: Net) {
+    return (pools[net] ??= createPool({ size: 1, spawn }));
+  }
+}
+
+function spawn() {
+  return new Worker(new URL('./detector-worker.ts', import.meta.url), { type: 'module', name: 'inkpanel-detector' });
+}

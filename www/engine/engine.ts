@@ -1,0 +1,164 @@
+/**
+ * The engine: everything that makes pixels, behind promises. It knows nothing of the page that uses it, so that
+ * benchmarks and other sites use the same.
+ */
+
+import { createAesthetics } from './aesthetics.ts';
+import { loadCore } from './core.ts';
+import { createDesign } from './design.ts';
+import { createDetector } from './detector.ts';
+import { createExports } from './export.ts';
+import { createFiles } from './files.ts';
+import { createMeasures } from './measures.ts';
+import { createPhotos } from './photos.ts';
+import { createPool } from './pool.ts';
+import { Priority } from './queue.ts';
+import { createRenders, nameOf } from './renders.ts';
+import { readVideo } from './video.ts';
+import { givesWebp } from './webp.ts';
+import { createWords } from './words.ts';
+import type { Found } from './detector.ts';
+import type { Block, Layout, PageDocument, Style } from './documents.ts';
+import type { Job } from './pool.ts';
+import type { Imported, PixelPatch } from './protocol.ts';
+import type { Frame } from './video.ts';
+
+export type Call = { signal?: AbortSignal, priority?: number, key?: string };
+export type Engine = ReturnType<typeof createEngine>;
+
+const MOST_WORKERS = 8;
+/** Photos that all workers together keep at hand, in bytes. */
+const PHOTO_BUDGET = 256 * 2 ** 20;
+const LEAST_BUDGET = 64 * 2 ** 20;
+
+/** @param options `workers`: as many as the device has cores unless told, 8 at most */
+export function createEngine({ workers = navigator.hardwareConcurrency || 2 }: { workers?: number } = {}) {
+  const size = Math.max(1, Math.min(MOST_WORKERS, Math.floor(workers)));
+  const photos = createPhotos();
+  const detector = createDetector(photos, (count) => pool?.spare(count));
+  const design = createDesign(photos);
+  const words = createWords();
+  const files = createFiles();
+  let pool: ReturnType<typeof createPool> | undefined;
+  let imported = 0;
+
+  const ready = loadCore().then(({ module, planner }) => {
+    const budget = Math.max(LEAST_BUDGET, PHOTO_BUDGET / size);
+    pool = createPool({ size, spawn: () => spawn(module, budget) });
+    design.prepare(() => spawn(module, LEAST_BUDGET));
+    return planner;
+  });
+  // Whoever awaits it is told; nobody has to.
+  ready.catch(() => {});
+
+  const renders = createRenders({ run, photos, words });
+  const aesthetics = createAesthetics({ run, photos });
+
+  return {
+    /** Resolves to the planner, whose functions are synchronous. */
+    ready,
+    blocks: async (): Promise<Block[]> => (await ready).blocks(),
+    layouts: async (): Promise<Layout[]> => (await ready).layouts(),
+    styles: async (): Promise<Style[]> => (await ready).styles(),
+    stylize, compose, select, detect, dispose, importPhoto, importVideo,
+    /** Subjects of an imported photo, in fractions of it. */
+    loadDetectors: detector.load, findFaces: detector.findFaces, findMoreFaces: detector.findMoreFaces, findObjects: detector.findObjects,
+    forgetPhoto: photos.forget, hasPhoto: photos.has, photos,
+    lettering: words.lettering,
+    ...renders,
+    judges: aesthetics.judges, judgeStyle: aesthetics.judgeStyle,
+    drawDesign: design.draw,
+    ...createExports({ run, photos, words, files }), ...createMeasures({ run, renders, files }), givesWebp,
+  };
+
+  async function run(job: Job): Promise<any> {
+    await ready;
+    return (pool as NonNullable<typeof pool>).run(job);
+  }
+
+  /** @param image RGBA */
+  function stylize({ width, height, data, style }: { width: number, height: number, data: Uint8Array | Uint8ClampedArray, style: string | object }, call?: Call): Promise<PixelPatch> {
+    const bytes = new Uint8Array(data);
+    const args = { style: JSON.stringify(style), width, height, data: bytes };
+    return run({ op: 'stylize', args, transfer: [bytes.buffer], priority: Priority.PAGE, ...call });
+  }
+
+  /**
+   * A whole page as pixels.
+   * @param options `photos`: files by id, for those not imported yet
+   */
+  async function compose(document: PageDocument, { width, photos: files = {}, ...call }: Call & { width: number, photos?: Record<string, Blob> }): Promise<PixelPatch> {
+    const missing = Object.keys(files).filter((id) => !photos.has(id));
+    await Promise.all(missing.map((id) => importPhoto(id, files[id], call)));
+    return renders.composePixels(document, width, call);
+  }
+
+  /** Which of some photos are worth keeping, and why. */
+  async function select(blobs: Blob[], { signal, threshold = 10 }: { signal?: AbortSignal, threshold?: number } = {}) {
+    const ids = blobs.map(() => `select-${(imported += 1)}`);
+    try {
+      const read = await Promise.all(blobs.map((blob, i) => importPhoto(ids[i], blob, { signal })));
+      const measured = read.map((meta, i) => ({ id: ids[i], name: nameOf(blobs[i], ids[i]), ...meta.measures }));
+      const verdicts = (await ready).choose(measured, threshold);
+      return verdicts.map(({ group, kept, why }, i) => (
+        { fingerprint: read[i].fingerprint, sharpness: read[i].sharpness, group, kept, why }
+      ));
+    } finally {
+      ids.forEach(photos.forget);
+    }
+  }
+
+  /** Faces and objects, in pixels of the upright photo. */
+  async function detect(blob: Blob, call?: { signal?: AbortSignal }): Promise<Found[]> {
+    const id = `detect-${(imported += 1)}`;
+    try {
+      const { width, height } = await importPhoto(id, blob, call);
+      const found = await detector.detect(id, call);
+      return found.map((box) => ({ ...box, x: box.x * width, y: box.y * height, width: box.width * width, height: box.height * height }));
+    } finally {
+      photos.forget(id);
+    }
+  }
+
+  /** Decodes a photo, reduces and measures it, and keeps it under `id`. */
+  async function importPhoto(id: string, file: Blob, call?: Call): Promise<Imported['meta']> {
+    const name = nameOf(file, id);
+    const job = { op: 'import', args: { id, file }, photo: name, holds: [`${id}/work`, `${id}/small`] };
+    const { meta, work, small } = await run({ ...job, priority: Priority.PAGE, ...call });
+    photos.add(id, { name, file, work, small });
+    return meta;
+  }
+
+  /**
+   * Takes frames out of a video; each becomes a photo, kept under the id given for its place.
+   * @param wish one frame an id, between `start` and `end` in seconds, those `leading` first; `time` is where in the video the frame is
+   */
+  async function importVideo(file: Blob, { ids, leading = [], start, end, signal, onAbout = () => {}, onPhoto }: {
+  ids: string[], leading?: string[], start?: number, end?: number, signal?: AbortSignal,
+  onAbout?: (about: { duration: number }) => void,
+  onPhoto: (id: string, meta: Imported['meta'], time: number) => void,
+}) {
+    await ready;
+    const name = nameOf(file, 'video');
+    await readVideo(file, { count: ids.length, start, end, leading: leading.map((id) => ids.indexOf(id)) }, { signal, onAbout, onFrame });
+
+    async function onFrame({ index, time, ...frame }: Frame) {
+      const id = ids[index];
+      const job = { op: 'importFrame', args: { id, frame }, transfer: [frame.data.buffer], photo: name, holds: [`${id}/work`, `${id}/small`] };
+      const { meta, work, small, file: still } = await run({ ...job, priority: leading.includes(id) ? Priority.PAGE : Priority.REST, signal });
+      photos.add(id, { name, file: still, work, small });
+      onPhoto(id, meta, time);
+    }
+  }
+
+  function dispose() {
+    for (const part of [detector, design, aesthetics, words, files]) part.dispose();
+    ready.then(() => pool?.dispose(), () => {});
+  }
+}
+
+function spawn(module: WebAssembly.Module, budget: number) {
+  const worker = new Worker(new URL('./worker.ts', import.meta.url), { type: 'module', name: 'inkpanel' });
+  worker.postMessage({ id: 0, op: 'start', args: { module, budget } });
+  return worker;
+}

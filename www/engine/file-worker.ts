@@ -1,0 +1,100 @@
+/**
+ * The worker that makes files: the module of words, loaded with the first job, and the browser's own encoder of WebP.
+ */
+
+import initWords, { Book, Cut, Lettering, Print } from '../pkg-words/inkpanel.js';
+import { blobOf } from './blobs.ts';
+import { fileMs } from './measured.ts';
+import { failure } from './protocol.ts';
+import { LOADING, STORING, serveJobs } from './serving.ts';
+import { withDpi } from './webp.ts';
+import type { Picture } from './files.ts';
+import type { PixelPatch } from './protocol.ts';
+import type { Tell } from './serving.ts';
+
+const MODULE = new URL('../pkg-words/inkpanel_bg.wasm', import.meta.url);
+
+/** Milliseconds for a page of a PDF file, whose pictures are made by then. */
+const PAGE = 500;
+
+type Answer = { ok: any, transfer: Transferable[] };
+
+let started: Promise<WebAssembly.Memory> | undefined;
+
+const OPERATIONS: Record<string, (args: any, tell: Tell) => Promise<Answer>> = { jpeg, webp, pictures, pdf };
+
+serveJobs(async (op, args, tell) => {
+  tell.waits(LOADING);
+  // WebP is the browser's own work.
+  if (op !== 'webp') started ??= start();
+  const memory = await started;
+  const answer = await OPERATIONS[op](args, tell);
+  return { ...answer, memory: memory?.buffer.byteLength ?? 0 };
+});
+
+async function start() {
+  const response = await fetch(MODULE).catch(() => null);
+  if (!response?.ok) throw failure('words-missing', 'The part of the program that makes this kind of file could not be loaded. Try again, or save a PNG.');
+  const { memory } = await initWords({ module_or_path: await response.arrayBuffer() });
+  return memory;
+}
+
+async function jpeg({ document, size, patches, quality }: { document: string, size: { width: number, height: number }, patches: PixelPatch[], quality: number }, tell: Tell): Promise<Answer> {
+  tell.expects(fileMs(2 * size.width * size.height));
+  const print = new Print(document, size.width, size.height);
+  try {
+    for (const { x, y, width, height, data } of patches) print.lay(x, y, width, height, bytesOf(data));
+    const bytes = (print.jpeg(quality) as Uint8Array<ArrayBuffer>);
+    tell.waits(STORING);
+    return { ok: await blobOf(bytes, { type: 'image/jpeg' }), transfer: [] };
+  } finally {
+    print.free();
+  }
+}
+
+async function webp({ picture, quality, dpi }: { picture: Blob, quality: number, dpi: number }, tell: Tell): Promise<Answer> {
+  const bitmap = await createImageBitmap(picture);
+  tell.expects(fileMs(4 * bitmap.width * bitmap.height));
+  const canvas = new OffscreenCanvas(bitmap.width, bitmap.height);
+  (canvas.getContext('2d') as OffscreenCanvasRenderingContext2D).drawImage(bitmap, 0, 0);
+  bitmap.close();
+  const made = await canvas.convertToBlob({ type: 'image/webp', quality: quality / 100 });
+  if (made.type !== 'image/webp') throw failure('no-webp', 'This browser makes no WebP files. Choose PNG or JPEG.');
+  const { width, height } = canvas;
+  return { ok: withDpi(new Uint8Array(await made.arrayBuffer()), { width, height, dpi }), transfer: [] };
+}
+
+async function pictures({ document, patches, quality }: { document: string, patches: (PixelPatch & { index: number })[], quality: number }, tell: Tell): Promise<Answer> {
+  const ok: Picture[] = patches.map(({ index, x, y, width, height, data }) => {
+    tell.expects(fileMs(2 * width * height));
+    const cut = new Cut(document, index, x, y, width, height, bytesOf(data), quality);
+    const made = (cut.take() as Uint8Array<ArrayBuffer>);
+    const place = { x: cut.x, y: cut.y, width: cut.width, height: cut.height };
+    cut.free();
+    return { index, ...place, jpeg: made };
+  });
+  return { ok, transfer: ok.map((picture) => picture.jpeg.buffer) };
+}
+
+async function pdf({ pages, title }: { pages: { document: string, pictures: Picture[] }[], title: string }, tell: Tell): Promise<Answer> {
+  const book = new Book();
+  const letters = new Lettering();
+  try {
+    for (const page of pages) {
+      tell.expects(PAGE);
+      book.add_page(page.document);
+      for (const { index, x, y, width, height, jpeg: bytes } of page.pictures) book.add_picture(index, x, y, width, height, bytes);
+    }
+    tell.expects(PAGE * pages.length);
+    const bytes = (book.finish(letters, title) as Uint8Array<ArrayBuffer>);
+    tell.waits(STORING);
+    return { ok: await blobOf(bytes, { type: 'application/pdf' }), transfer: [] };
+  } finally {
+    book.free();
+    letters.free();
+  }
+}
+
+function bytesOf(data: Uint8ClampedArray<ArrayBuffer>) {
+  return new Uint8Array(data.buffer, data.byteOffset, data.length);
+}

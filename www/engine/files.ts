@@ -1,0 +1,65 @@
+/**
+ * Files that the core does not make: JPEG, WebP and PDF. A worker of its own with the module of words, loaded when the
+ * first is asked for, so that words on the screen do not wait for a file.
+ */
+
+import { createPool } from './pool.ts';
+import { Priority } from './queue.ts';
+import type { PageDocument } from './documents.ts';
+import type { Box, PixelPatch } from './protocol.ts';
+
+type Call = { signal?: AbortSignal };
+/** a panel in a PDF file */
+export type Picture = Box & { index: number, jpeg: Uint8Array<ArrayBuffer> };
+
+export function createFiles() {
+  let pool: ReturnType<typeof createPool> | undefined;
+
+  return { jpeg, webp, pictures, pdf, dispose: () => pool?.dispose() };
+
+  function run(op: string, args: object, transfer: Transferable[], call?: Call) {
+    pool ??= createPool({ size: 1, spawn });
+    return pool.run({ op, args, transfer, priority: Priority.PAGE, ...call });
+  }
+
+  /**
+   * A page, of the patches that lie on it.
+   * @param size in pixels
+   * @param patches are handed over
+   * @param quality from 1 to 100
+   */
+  async function jpeg(document: PageDocument, { width, height }: { width: number, height: number }, patches: PixelPatch[], quality: number, call?: Call): Promise<Blob> {
+    return run('jpeg', { document: JSON.stringify(document), size: { width, height }, patches, quality }, buffersOf(patches), call);
+  }
+
+  /**
+   * @param picture that the browser can read
+   * @param wish `quality` from 1 to 100
+   */
+  async function webp(picture: Blob, { quality, dpi }: { quality: number, dpi: number }, call?: Call): Promise<Blob> {
+    return run('webp', { picture, quality, dpi }, [], call);
+  }
+
+  /**
+   * Panels as a PDF file has them.
+   * @param patches panels drawn without borders at full width; they are handed over
+   * @param quality from 1 to 100
+   */
+  async function pictures(document: PageDocument, patches: (PixelPatch & { index: number })[], quality: number, call?: Call): Promise<Picture[]> {
+    return run('pictures', { document: JSON.stringify(document), patches, quality }, buffersOf(patches), call);
+  }
+
+  /** @param pages the pictures are handed over */
+  async function pdf(pages: { document: PageDocument, pictures: Picture[] }[], title: string, call?: Call): Promise<Blob> {
+    const args = { title, pages: pages.map((page) => ({ ...page, document: JSON.stringify(page.document) })) };
+    return run('pdf', args, pages.flatMap((page) => page.pictures.map((picture) => picture.jpeg.buffer)), call);
+  }
+}
+
+function buffersOf(patches: PixelPatch[]) {
+  return patches.map(({ data }) => data.buffer);
+}
+
+function spawn() {
+  return new Worker(new URL('./file-worker.ts', import.meta.url), { type: 'module', name: 'inkpanel-files' });
+}

@@ -1,0 +1,94 @@
+/**
+ * Photos that the core has no decoder for: HEIC and AVIF, decoded by the browser. WebCodecs gives the pixels; reading
+ * them back from a canvas would not do, since browsers that guard against fingerprinting alter them there.
+ */
+
+import { rgbaOf } from './frame-pixels.ts';
+import { failure } from './protocol.ts';
+
+/** Bytes before the pixels of a BMP file. */
+const HEADER = 54;
+const HEIF_BRANDS = ['heic', 'heix', 'heim', 'heis', 'hevc', 'hevx', 'mif1', 'msf1'];
+
+/**
+ * @param bytes of a file
+ * @returns by its content; null for what the core is asked to read
+ */
+export function foreignKind(bytes: Uint8Array): 'AVIF' | 'HEIC' | null {
+  const text = (at: number) => String.fromCharCode(...bytes.subarray(at, at + 4));
+  if (text(4) !== 'ftyp') return null;
+  const brands = [text(8)];
+  const length = new DataView(bytes.buffer, bytes.byteOffset).getUint32(0);
+  for (let at = 16; at + 4 <= Math.min(length, bytes.length, 256); at += 4) brands.push(text(at));
+  if (brands.some((brand) => brand === 'avif' || brand === 'avis')) return 'AVIF';
+  return brands.some((brand) => HEIF_BRANDS.includes(brand)) ? 'HEIC' : null;
+}
+
+/**
+ * The whole photo as a file that the core reads: what the browser decoded, upright, in sRGB and laid on white, behind the
+ * header of a BMP file. So nothing else has to be known of such photos, and every limit holds for them too.
+ */
+export async function asBmp(kind: 'AVIF' | 'HEIC', bytes: Uint8Array<ArrayBuffer>): Promise<Uint8Array<ArrayBuffer>> {
+  const frame = (await decoded(kind, bytes) as VideoFrame & { rotation?: number, flip?: boolean });
+  const { rotation = 0, flip = false } = frame;
+  return bmp({ ...await rgbaOf(frame), rotation, flip });
+}
+
+/**
+ * @param picture RGBA, to be turned
+ *   clockwise by so many degrees and then mirrored
+ */
+function bmp({ width, height, data, rotation, flip }: { width: number, height: number, data: Uint8Array, rotation: number, flip: boolean }) {
+  const [columns, rows] = rotation % 180 === 0 ? [width, height] : [height, width];
+  /** Where the pixel of the upright picture lies. */
+  const place = (x: number, y: number) => {
+    const across = flip ? columns - 1 - x : x;
+    if (rotation === 90) return 4 * ((height - 1 - across) * width + y);
+    if (rotation === 180) return 4 * ((height - 1 - y) * width + width - 1 - across);
+    if (rotation === 270) return 4 * (across * width + width - 1 - y);
+    return 4 * (y * width + across);
+  };
+  const step = place(1, 0) - place(0, 0);
+  const stride = 4 * Math.ceil(3 * columns / 4);
+  const file = new Uint8Array(HEADER + stride * rows);
+  const view = new DataView(file.buffer);
+  file.set([0x42, 0x4d]);
+  // Length, start of the pixels, length of what follows, sides (a negative height: from the top down), planes, bits.
+  for (const [at, value] of [[2, file.length], [10, HEADER], [14, 40], [18, columns], [22, -rows]]) view.setInt32(at, value, true);
+  view.setUint16(26, 1, true);
+  view.setUint16(28, 24, true);
+  for (let y = 0; y < rows; y += 1) {
+    let from = place(0, y);
+    for (let to = HEADER + y * stride, end = to + 3 * columns; to < end; to += 3, from += step) {
+      const alpha = data[from + 3];
+      const ground = 255 * (255 - alpha) + 127;
+      file[to] = (data[from + 2] * alpha + ground) / 255;
+      file[to + 1] = (data[from + 1] * alpha + ground) / 255;
+      file[to + 2] = (data[from] * alpha + ground) / 255;
+    }
+  }
+  return file;
+}
+
+async function decoded(kind: 'AVIF' | 'HEIC', data: Uint8Array<ArrayBuffer>): Promise<VideoFrame> {
+  const type = `image/${kind.toLowerCase()}`;
+  if (typeof ImageDecoder !== 'undefined' && await ImageDecoder.isTypeSupported(type)) {
+    const decoder = new ImageDecoder({ type, data });
+    try {
+      return (await decoder.decode()).image;
+    } catch {
+      throw failure('damaged', `The ${kind} file is damaged or cut short.`);
+    } finally {
+      decoder.close();
+    }
+  }
+  try {
+    // Safari decodes HEIC, but has no ImageDecoder.
+    const bitmap = await createImageBitmap(new Blob([data], { type }), { premultiplyAlpha: 'none' });
+    const frame = new VideoFrame(bitmap, { timestamp: 0 });
+    bitmap.close();
+    return frame;
+  } catch {
+    throw failure('no-decoder', `This browser cannot read this ${kind} photo. Save it as JPEG, or open this page in a browser that shows ${kind}${kind === 'HEIC' ? ', like Safari' : ''}.`);
+  }
+}

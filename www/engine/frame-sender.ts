@@ -1,0 +1,52 @@
+/**
+ * What the workers that take frames out of a file have in common: one wish, then frames no faster than they are dealt
+ * with.
+ *
+ * In: `{ file, count, start, end, leading }`, then one `{ next: true }` for each frame that was dealt with.
+ * Out: `{ about }`, then `{ frame }` for each, then `{ done: true }`; or `{ error: { code, message } }`.
+ */
+
+import { describe } from './protocol.ts';
+import type { Frame, Wish } from './video.ts';
+
+export type FileWish = Wish & { file: Blob };
+
+/** Frames that may be on their way at once. */
+const AHEAD = 2;
+
+let credit = AHEAD;
+let wake: () => void = () => {};
+
+/**
+ * Answers this worker's messages.
+ * @param read sends the frames
+ */
+export function serveFrames(read: (wish: FileWish) => Promise<void>) {
+  globalThis.onmessage = async ({ data }: MessageEvent<FileWish & { next?: boolean }>) => {
+    if (data.next) {
+      credit += 1;
+      wake();
+      return;
+    }
+    try {
+      await read(data);
+      postMessage({ done: true });
+    } catch (error) {
+      postMessage({ error: describe(error) });
+    }
+  };
+}
+
+/** @returns when the page has dealt with enough of the frames before */
+export function mayGoOn(): Promise<void> {
+  if (credit > 0) return Promise.resolve();
+  return new Promise((resolve) => {
+    wake = resolve;
+  });
+}
+
+/** @param frame its pixels are handed over */
+export function sendFrame(frame: Frame) {
+  credit -= 1;
+  postMessage({ frame }, { transfer: [frame.data.buffer] });
+}

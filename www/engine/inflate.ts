@@ -1,0 +1,69 @@
+/** What was packed with DEFLATE, unpacked piece by piece: what a file says of its own length is not believed. */
+
+import { failure } from './protocol.ts';
+
+/** Pieces are small; so many bytes of them become a blob, which the browser can lay on the disk. */
+const PART = 4 * 2 ** 20;
+
+/**
+ * Bytes that are unpacked at once. Browsers unpack all that they were given before anyone can count it, and a byte may be
+ * a thousand.
+ */
+const STEP = 8 * 2 ** 10;
+
+/** Something that waits for a file: `beat` is called with every piece. */
+export type Watch = { signal?: AbortSignal, beat?: () => void };
+
+/**
+ * @param how `take` is asked for each piece whether there is room for it
+ * @returns rejects with `damaged`, with `too-large` where there is no room, and as `signal` is aborted
+ */
+export async function inflated(packed: Blob, format: 'deflate' | 'deflate-raw', { take, signal, beat = () => {} }: { take: (bytes: number) => boolean } & Watch): Promise<Blob> {
+  const reader = inSteps(packed).pipeThrough(new DecompressionStream(format)).getReader();
+  const blobs: Blob[] = [];
+  let parts: BlobPart[] = [];
+  let length = 0;
+  try {
+    for (;;) {
+      signal?.throwIfAborted();
+      const { value, done } = await reader.read().catch((cause) => { throw Object.assign(failure('damaged', 'It cannot be unpacked.'), { cause }); });
+      if (done) return new Blob([...blobs, ...parts]);
+      beat();
+      if (!take(value.length)) throw failure('too-large', 'It unpacks to more than it may.');
+      parts.push(value);
+      length += value.length;
+      if (length < PART) continue;
+      blobs.push(new Blob(parts));
+      [parts, length] = [[], 0];
+    }
+  } catch (error) {
+    void reader.cancel().catch(() => {});
+    throw error;
+  }
+}
+
+/** @returns room for so many bytes */
+export function roomFor(most: number): (bytes: number) => boolean {
+  let left = most;
+  return (bytes) => (left -= bytes) >= 0;
+}
+
+function inSteps(blob: Blob): ReadableStream<Uint8Array<ArrayBuffer>> {
+  const reader = blob.stream().getReader();
+  let left = new Uint8Array(0);
+  return new ReadableStream({
+    async pull(controller) {
+      if (left.length === 0) {
+        const { value, done } = await reader.read();
+        if (done) {
+          controller.close();
+          return;
+        }
+        left = value;
+      }
+      controller.enqueue(left.subarray(0, STEP));
+      left = left.subarray(STEP);
+    },
+    cancel: (reason) => reader.cancel(reason),
+  }, { highWaterMark: 0 });
+}

@@ -1,0 +1,37 @@
+/**
+ * Files that are large, and that not everyone needs: the browser keeps them from their first use on, so that they are
+ * there without a connection. Here and not in a service worker, which a first visit does not have yet.
+ */
+
+/** The service worker throws away what no build of the site names any more (`offline/worker/versions.ts`). */
+const STORE = 'inkpanel-nets';
+/** Milliseconds until what was loaded is kept: it was loaded to be used now, and keeping it would take a core from that. */
+const LATER = 5_000;
+/** A name that changes with the content, as the build gives it: any other may be of an older file. */
+const HASHED = /-[\w-]{8}\.\w+$/;
+
+/** As `fetch`. */
+export async function fetchKept(address: string, { caches = globalThis.caches, fetch = globalThis.fetch, later = LATER }: { caches?: CacheStorage, fetch?: typeof globalThis.fetch, later?: number } = {}): Promise<Response> {
+  // Refused without https, and in some private windows.
+  const store = HASHED.test(address) ? await caches?.open(STORE).catch(() => undefined) : undefined;
+  const kept = await store?.match(address).catch(() => undefined);
+  if (kept) return kept;
+  const response = await fetch(address);
+  if (store && response.ok && !isPage(response)) {
+    const copy = response.clone();
+    // Where storage is full it is loaded again the next time.
+    setTimeout(() => void keep(store, address, copy).catch(() => {}), later);
+  }
+  return response;
+}
+
+/** Two workers may have loaded the same file. */
+async function keep(store: Cache, address: string, response: Response) {
+  if (await store.match(address)) await response.body?.cancel();
+  else await store.put(address, response);
+}
+
+/** A host may answer with a page of its own where a file is missing. */
+export function isPage(response: Response) {
+  return response.headers.get('content-type')?.startsWith('text/html') ?? false;
+}

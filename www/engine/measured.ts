@@ -1,0 +1,77 @@
+/**
+ * How long the work of a worker takes, in milliseconds: as measured in Chromium on one thread of an AMD EPYC (2 cores),
+ * what is slow of its kind. Not for anyone to see: a worker that takes many times as long hangs (`pace.ts`).
+ */
+
+import { announcedPixels } from './announced-pixels.ts';
+
+/** A million pixels of a photo, decoded, reduced and measured: JPEG 20, TIFF and WebP 60. */
+const PHOTO = 60;
+/** What the browser decodes says its size in ways that are not read here: a large one. */
+const FOREIGN_PIXELS = 25_000_000;
+/** A million pixels through a block: 5 to 50. */
+const BLOCK = 50;
+/** Of a designed style, of which only the name is known. */
+const BLOCKS = 8;
+/** A million pixels of a PNG file. */
+const PNG = 100;
+/** A million pixels of a JPEG or WebP file, or of pages put together. */
+const FILE = 60;
+/** A million pixels of a page on which a word is drawn. */
+const WORD = 20;
+/** What costs the same whatever the size. */
+const CALL = 20;
+
+/** A look of a net, and a look at parts of a photo. */
+export const LOOKS = { faces: 40, closer: 600, objects: 160, judge: 110 };
+
+const millions = (pixels: number) => pixels / 1e6;
+
+/**
+ * @param bytes of its file
+ * @param foreign what the browser decodes
+ */
+export const photoMs = (bytes: Uint8Array, foreign: string | null) => CALL + PHOTO * millions(foreign ? FOREIGN_PIXELS : announcedPixels(bytes));
+
+/** A frame of a film, which is also made a PNG file. */
+export const frameMs = (pixels: number) => CALL + (PHOTO + PNG) * millions(pixels);
+
+export const pngMs = (pixels: number) => CALL + PNG * millions(pixels);
+
+export const fileMs = (pixels: number) => CALL + FILE * millions(pixels);
+
+/** @param pixels of the page */
+export const wordMs = (pixels: number) => CALL + WORD * millions(pixels);
+
+export const blocksMs = (pixels: number, blocks: number) => CALL + BLOCK * blocks * millions(pixels);
+
+/** @param style as JSON */
+export const styleMs = (style: string, pixels: number) => blocksMs(pixels, blocksOf(parsed(style)));
+
+/**
+ * A page, or some panels of it.
+ * @param document as JSON
+ * @param width in pixels
+ * @param panels how many; all unless told
+ */
+export function pageMs(document: string, width: number, panels?: number) {
+  const { page, panels: all, merges, style } = parsed(document) ?? {};
+  const tall = page?.height / page?.width;
+  // A panel may well be twice as large as the others, a picture across several larger yet.
+  const share = panels === undefined || merges?.length > 0 ? 1 : Math.min(1, (2 * panels) / (all?.length || 1));
+  return blocksMs(share * width * width * (Number.isFinite(tall) ? tall : 1.5), blocksOf(style));
+}
+
+/** @returns what is wrong with it the core tells */
+function parsed(json: string): any {
+  try {
+    return JSON.parse(json);
+  } catch {
+    return null;
+  }
+}
+
+function blocksOf(style: any) {
+  const { background, foreground } = style ?? {};
+  return Array.isArray(background) ? background.length + (foreground?.length ?? 0) : BLOCKS;
+}

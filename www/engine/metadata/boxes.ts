@@ -1,0 +1,179 @@
+/**
+ * Boxes, of which films (MP4, QuickTime) and some photos (HEIC, AVIF) are made, without what they say beside their pixels.
+ * Positions in such a file are counted from its beginning, so what has to go is blanked where it stands.
+ * Sources: ISO/IEC 14496-12; QuickTime File Format.
+ */
+
+/** `start` is where the box begins, `inner` where its content does. */
+export type Box = { type: string, start: number, inner: number, end: number };
+
+/** Boxes that hold others. */
+const NESTED = new Set(['moov', 'trak', 'mdia', 'minf', 'dinf', 'stbl', 'edts', 'mvex', 'moof', 'traf', 'mfra', 'tapt']);
+/** Boxes that say where the pictures and sounds are, how long each is seen, and how it is coded. */
+const NEEDED = new Set([
+  'mvhd', 'tkhd', 'mdhd', 'hdlr', 'vmhd', 'smhd', 'nmhd', 'gmhd', 'dref', 'elst', 'tref', 'clef', 'prof', 'enof', 'mehd', 'trex', 'leva',
+  'stsd', 'stts', 'ctts', 'cslg', 'stss', 'stsh', 'stsc', 'stsz', 'stz2', 'stco', 'co64', 'sdtp', 'sbgp', 'sgpd', 'subs', 'padb', 'stdp', 'stps', 'saiz', 'saio',
+  'mfhd', 'tfhd', 'tfdt', 'trun', 'tfra', 'mfro',
+]);
+/** What may stand beside them at the top of a film; of the last three the content is nothing. */
+const AT_TOP = new Set(['ftyp', 'styp', 'sidx', 'ssix', 'mdat', 'free', 'skip', 'wide']);
+const EMPTY = new Set(['free', 'skip', 'wide']);
+/** Boxes that begin with when they were made and changed. */
+const DATED = new Set(['mvhd', 'tkhd', 'mdhd']);
+/** Tracks of pictures and sounds. Others tell of places, or of the time of day. */
+const SEEN_OR_HEARD = new Set(['vide', 'auxv', 'pict', 'soun']);
+const COMPRESSED = 'cmov';
+/** In the head of how pictures are coded: who made the coder, and its name. */
+const CODER = [[20, 24], [50, 82]];
+/** No part of a film that is read as a whole is larger. */
+const MOST_BYTES = 256 * 2 ** 20;
+/** So much of a box that is not read is put in the place of one that goes. */
+const NOTHING = new Uint8Array(2 ** 20);
+
+/**
+ * @param file a film
+ * @returns `clean`: false where a track of it tells more, which
+ *   stays; null where it is not whole
+ */
+export async function filmParts(file: Blob): Promise<{ parts: BlobPart[], clean: boolean } | null> {
+  const parts: BlobPart[] = [];
+  /** So many of them are not behind all that is seen. */
+  let last = 0;
+  let clean = true;
+  const seen = new Set();
+  for (let at = 0; at < file.size;) {
+    const head = new DataView(await file.slice(at, at + 16).arrayBuffer());
+    const box = boxAt(head, 0, file.size - at);
+    if (!box) {
+      // What follows a whole film is no part of it, unless it is a box of it that was cut.
+      const type = head.byteLength < 8 ? '' : typeAt(head, 4);
+      if (!seen.has('moov') || !seen.has('mdat') || AT_TOP.has(type) || NESTED.has(type)) return null;
+      break;
+    }
+    const { type, inner, end } = box;
+    const part = file.slice(at, at + end);
+    seen.add(type);
+    if (NESTED.has(type)) {
+      if (end > MOST_BYTES) return null;
+      const bytes = new Uint8Array(await part.arrayBuffer());
+      clean = scrubBoxes(bytes) && clean;
+      parts.push(bytes);
+      last = parts.length;
+    } else if (AT_TOP.has(type) && !EMPTY.has(type)) {
+      parts.push(part);
+      last = parts.length;
+    } else {
+      const name = EMPTY.has(type) ? type : 'free';
+      parts.push(part.slice(0, 4), name, part.slice(8, inner), ...nothing(end - inner));
+    }
+    at += end;
+  }
+  return { parts: parts.slice(0, last), clean };
+}
+
+/** @returns so many bytes of nothing, which are held once */
+function nothing(length: number): BlobPart[] {
+  const whole = Array(Math.floor(length / NOTHING.length)).fill(NOTHING);
+  return [...whole, NOTHING.subarray(0, length % NOTHING.length)];
+}
+
+export function typeAt(view: DataView, at: number) {
+  return String.fromCharCode(...[0, 1, 2, 3].map((i) => view.getUint8(at + i)));
+}
+
+/**
+ * @param room bytes until the end of what it is in
+ * @returns null where it is longer, or no box
+ */
+export function boxAt(view: DataView, at: number, room: number): Box | null {
+  if (at + 8 > view.byteLength || room < 8) return null;
+  const short = view.getUint32(at);
+  if (short === 1 && at + 16 > view.byteLength) return null;
+  const [head, length] = short === 1 ? [16, Number(view.getBigUint64(at + 8))] : [8, short === 0 ? room : short];
+  return length < head || length > room ? null : { type: typeAt(view, at + 4), start: at, inner: at + head, end: at + length };
+}
+
+/** @returns one after the other; null where something else is among them */
+export function boxesIn(view: DataView, from: number, to: number): Box[] | null {
+  const found: Box[] = [];
+  for (let at = from; at < to;) {
+    const box = boxAt(view, at, to - at);
+    if (!box) return null;
+    found.push(box);
+    at = box.end;
+  }
+  return found;
+}
+
+/**
+ * A box called `free` is passed over by every reader.
+ * @param bytes are changed
+ */
+export function blankBox(bytes: Uint8Array, { start, inner, end }: Box) {
+  bytes.set([0x66, 0x72, 0x65, 0x65], start + 4);
+  bytes.fill(0, inner, end);
+}
+
+/**
+ * @param bytes of boxes, one after the other; changed
+ * @returns whether nothing is told any more
+ */
+export function scrubBoxes(bytes: Uint8Array): boolean {
+  const view = new DataView(bytes.buffer, bytes.byteOffset, bytes.byteLength);
+  /** @param track what it is, where it is known */
+  const scrub = (from: number, to: number, parent: string, track: string): boolean => {
+    let at = from;
+    let clean = true;
+    const inside = boxesIn(view, from, to);
+    // QuickTime ends a list of boxes with four bytes of nothing.
+    const found = inside ?? boxesIn(view, from, to - 4);
+    if (!found) return false;
+    if (!inside) bytes.fill(0, to - 4, to);
+    const told = parent === 'mdia' ? found.find(({ type }) => type === 'hdlr') : undefined;
+    const kind = told && told.end - told.inner >= 12 ? typeAt(view, told.inner + 8) : track;
+    if (told && !SEEN_OR_HEARD.has(kind)) clean = false;
+    for (const box of found) {
+      const { type, inner, end } = box;
+      at = inner;
+      if (NESTED.has(type)) clean = scrub(at, end, type, kind) && clean;
+      else if (type === COMPRESSED) clean = false;
+      else if (!NEEDED.has(type)) blankBox(bytes, box);
+      else if (DATED.has(type)) bytes.fill(0, Math.min(end, at + 4), Math.min(end, at + (bytes[at] === 1 ? 20 : 12)));
+      else if (type === 'hdlr') blankHandler(bytes, box);
+      else if (type === 'dref') clean = scrubPlaces(bytes, view, box) && clean;
+      else if (type === 'stsd' && kind !== 'soun') scrubCoders(bytes, view, box);
+    }
+    return clean;
+  };
+  return scrub(0, bytes.length, '', '');
+}
+
+/**
+ * Its name and who made it; what it handles stays.
+ * @param bytes are changed
+ */
+export function blankHandler(bytes: Uint8Array, { inner, end }: Box) {
+  bytes.fill(0, Math.min(end, inner + 12), end);
+}
+
+/**
+ * Where its pictures and sounds lie: in this very file, for which some writers give the names of disk and folder too.
+ * @param bytes are changed
+ * @returns false where they lie elsewhere
+ */
+function scrubPlaces(bytes: Uint8Array, view: DataView, { inner, end }: Box): boolean {
+  const places = boxesIn(view, inner + 8, end);
+  if (!places) return false;
+  for (const place of places) {
+    if (place.end - place.inner < 4 || !(view.getUint32(place.inner) & 1)) return false;
+    bytes.fill(0, place.inner + 4, place.end);
+  }
+  return true;
+}
+
+/** @param bytes are changed */
+function scrubCoders(bytes: Uint8Array, view: DataView, { inner, end }: Box) {
+  for (const { start, end: stop } of boxesIn(view, inner + 8, end) ?? []) {
+    for (const [from, to] of CODER) bytes.fill(0, Math.min(stop, start + from), Math.min(stop, start + to));
+  }
+}

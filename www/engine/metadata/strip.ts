@@ -1,0 +1,65 @@
+/**
+ * Photos and films without what they say beside their pixels: place, date, camera, names, comments. The pixels stay as
+ * they are, bit by bit; which side is up and the colour profile stay too, as the pixels mean nothing without. What stays is
+ * on a list for each kind of file. All else goes, whatever it is called and wherever it lies: in fields that nobody knows,
+ * in gaps, behind the end.
+ *
+ * By our own hand: what npm has either takes the orientation away with the rest, or decodes and encodes again.
+ */
+
+import { foreignKind } from '../foreign.ts';
+import { chunkOf, chunksOf, dataOf, isPng, pngOf, wholeChunk } from '../png-chunks.ts';
+import { bmpParts } from './bmp.ts';
+import { filmParts } from './boxes.ts';
+import { orientationOf, recordOf } from './exif.ts';
+import { gifParts } from './gif.ts';
+import { itemParts } from './items.ts';
+import { jpegParts } from './jpeg.ts';
+import { tiffParts } from './tiff.ts';
+import { webpParts } from './webp.ts';
+
+/** `clean`: false where the file is of a kind, or so broken, that what it says is in it still, or some of it. */
+export type Stripped = { blob: Blob, clean: boolean };
+
+/** Chunks of a PNG that change how its pixels look, and those of an animation. Others go, whatever they are. */
+const PNG_CHUNKS = ['IHDR', 'PLTE', 'IDAT', 'IEND', 'tRNS', 'cHRM', 'gAMA', 'iCCP', 'sBIT', 'sRGB', 'cICP', 'mDCV', 'cLLI', 'bKGD', 'pHYs', 'acTL', 'fcTL', 'fdAT'];
+/** A file that is larger than this is a film; of films only some parts are read. */
+const MOST_BYTES = 512 * 2 ** 20;
+
+/** @returns the same again when it is stripped again */
+export async function withoutMetadata(file: Blob): Promise<Stripped> {
+  const parts = await partsOf(file);
+  return parts ? { blob: new Blob(parts.parts, { type: file.type }), clean: parts.clean } : { blob: file, clean: false };
+}
+
+async function partsOf(file: Blob): Promise<{ parts: BlobPart[], clean: boolean } | null> {
+  const head = new Uint8Array(await file.slice(0, 256).arrayBuffer());
+  const text = String.fromCharCode(...head.subarray(0, 12));
+  if (await isPng(file)) return whole(await pngParts(file));
+  if (text.slice(4, 8) === 'ftyp' && !foreignKind(head)) return filmParts(file);
+  if (['moov', 'mdat', 'wide', 'skip'].includes(text.slice(4, 8))) return filmParts(file);
+  if (file.size > MOST_BYTES) return null;
+  const bytes = new Uint8Array(await file.arrayBuffer());
+  if (text.startsWith('\xff\xd8\xff')) return whole(jpegParts(bytes, file));
+  if (text.startsWith('RIFF') && text.endsWith('WEBP')) return whole(webpParts(bytes, file));
+  if (text.startsWith('GIF8')) return whole(gifParts(bytes, file));
+  if (text.startsWith('BM')) return whole(bmpParts(bytes));
+  if (/^(II\*\0|MM\0\*)/.test(text)) return tiffParts(bytes);
+  return foreignKind(head) ? itemParts(bytes) : null;
+}
+
+function whole(parts: BlobPart[] | null) {
+  return parts && { parts, clean: true };
+}
+
+/** @returns null where it is not whole */
+async function pngParts(file: Blob): Promise<BlobPart[] | null> {
+  const chunks = await chunksOf(file);
+  if (!chunks) return null;
+  const record = chunks.find(({ type }) => type === 'eXIf');
+  const data = record && await dataOf(file, record);
+  const orientation = data ? orientationOf(new Uint8Array(await data.arrayBuffer())) : 1;
+  const kept = chunks.filter(({ type }) => PNG_CHUNKS.includes(type)).map((chunk) => wholeChunk(file, chunk));
+  const said = orientation > 1 ? [await chunkOf('eXIf', recordOf(orientation))] : [];
+  return [pngOf([...kept.slice(0, 1), ...said, ...kept.slice(1)])];
+}

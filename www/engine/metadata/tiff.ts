@@ -1,0 +1,166 @@
+/**
+ * TIFF files without what they say beside their pixels. Positions in such a file are counted from its beginning, so what
+ * stays, stays where it is: the fields that are on a list, their values and the pixels that they lead to. All else is
+ * blank, or cut off behind the last of it. Sources: TIFF 6.0; TIFF Technical Note 2; ICC.1, annex B.3.
+ */
+
+import { blankAround, joined, meet } from './ranges.ts';
+import type { Range } from './ranges.ts';
+
+/** `at` is where its value lies, in the field or elsewhere; `length` is that of the value in bytes. */
+type Field = { tag: number, type: number, count: number, at: number, length: number };
+/** `place` is where it lies. */
+type Directory = { place: number, end: number, fields: Field[], next: number };
+
+/** What each picture of the file needs, by tag. */
+const NEEDED = new Set([
+  254, 255, // which kind of picture it is
+  256, 257, 258, 259, 262, 266, 274, 277, 284, // sides, bits, compression, colours, order of bits, which side is up, samples, planes
+  273, 278, 279, // strips
+  322, 323, 324, 325, // tiles
+  263, 264, 265, 280, 281, 290, 291, 301, 318, 319, 320, 332, 334, 336, 338, 339, 340, 341, 342, // what its samples mean
+  282, 283, 296, // pixels an inch
+  292, 293, 317, 347, 50674, // what its compression needs
+  529, 530, 531, 532, // luma and chroma
+  34675, // the colour profile
+]);
+
+const [KIND, COMPRESSION, SUB_DIRECTORIES, DNG] = [254, 259, 330, 50706];
+/** Where the pixels are, and how long: of strips, of tiles. */
+const PIXELS = [[273, 279], [324, 325]];
+/** A kind: a smaller copy of another picture. */
+const REDUCED = 1;
+/** JPEG as it was done before Technical Note 2, with tables anywhere. */
+const OLD_JPEG = 6;
+/** Bytes of a value by its type. */
+const SIZES = [0, 1, 1, 2, 4, 8, 1, 1, 2, 4, 8, 4, 8, 4];
+const [SHORT, LONG] = [3, 4];
+const FIELD = 12;
+/** Pictures in a file; a scanned book has hundreds. */
+const MOST_DIRECTORIES = 4096;
+/** Fields, strips and tiles of all of them: what overlaps could make millions of a few. */
+const MOST_PIECES = 2 ** 20;
+
+/**
+ * @param bytes of a file; changed
+ * @returns null where it is not whole, or of a kind whose pixels need what
+ *   is on no list; `clean`: false where pixels and what is said beside them are the same bytes
+ */
+export function tiffParts(bytes: Uint8Array<ArrayBuffer>): { parts: BlobPart[], clean: boolean } | null {
+  const view = new DataView(bytes.buffer, bytes.byteOffset, bytes.byteLength);
+  const little = bytes[0] === 0x49;
+  const directories = directoriesOf(view, little);
+  if (!directories) return null;
+  // Smaller copies may show what was cut from the picture; the first is the one that is opened.
+  const pictures = directories.filter(({ fields }, i) => i === 0 || !(valueOf(view, little, fields, KIND) & REDUCED));
+
+  const pixels: Range[] = [];
+  const values: Range[] = [];
+  /** What is told of besides. */
+  const gone: Range[] = [];
+  const all: Range[] = directories.map(({ place, end }) => [place, end + 4]);
+  for (const directory of directories) {
+    const { fields } = directory;
+    const stays = pictures.includes(directory);
+    for (const { tag, at, length } of fields) if (length > 4) (stays && NEEDED.has(tag) ? values : gone).push([at, at + length]);
+    if (!stays) continue;
+    if (fields.some(({ tag }) => tag === DNG) || valueOf(view, little, fields, COMPRESSION) === OLD_JPEG || hasFullSize(view, little, fields)) return null;
+    for (const [places, lengths] of PIXELS) {
+      const [from, long] = [places, lengths].map((tag) => numbersOf(view, little, fields, tag));
+      if (from.length !== long.length || pixels.length + from.length > MOST_PIECES) return null;
+      from.forEach((at, i) => pixels.push([at, at + long[i]]));
+    }
+  }
+  const tables = pictures.map(({ place, fields }) => ([place, place + 2 + FIELD * fields.filter(isNeeded).length + 4] as Range));
+  const kept = joined([[0, 8], ...pixels, ...values, ...tables]);
+  const end = kept[kept.length - 1][1];
+  // The last table may have been cut behind its fields.
+  if (pixels.length === 0 || joined([...pixels, ...values]).some(([, to]) => to > bytes.length) || meet([...pixels, ...values], all)) return null;
+
+  const made = pictures.map((directory, i) => tableOf(view, little, directory, pictures[i + 1]?.place ?? 0));
+  const clean = !meet([...pixels, ...values], gone);
+  const whole = bytes.length < end ? grown(bytes, end) : bytes.subarray(0, end);
+  blankAround(whole, kept);
+  pictures.forEach(({ place }, i) => whole.set(made[i], place));
+  return { parts: [whole], clean };
+}
+
+/** @returns the same and nothing behind it */
+function grown(bytes: Uint8Array, length: number): Uint8Array<ArrayBuffer> {
+  const longer = new Uint8Array(length);
+  longer.set(bytes);
+  return longer;
+}
+
+const isNeeded = ({ tag }: Field) => NEEDED.has(tag);
+
+/** @returns the fields of it that stay */
+function tableOf(view: DataView, little: boolean, { fields }: Directory, next: number): Uint8Array<ArrayBuffer> {
+  const kept = fields.filter(isNeeded);
+  const table = new Uint8Array(2 + FIELD * kept.length + 4);
+  const to = new DataView(table.buffer);
+  to.setUint16(0, kept.length, little);
+  kept.forEach(({ tag, type, count, at, length }, i) => {
+    const field = 2 + FIELD * i;
+    to.setUint16(field, tag, little);
+    to.setUint16(field + 2, type, little);
+    to.setUint32(field + 4, count, little);
+    if (length > 4) to.setUint32(field + 8, at, little);
+    // A short value leaves bytes of the field over.
+    else for (let j = 0; j < length; j += 1) to.setUint8(field + 8 + j, view.getUint8(at + j));
+  });
+  to.setUint32(2 + FIELD * kept.length, next, little);
+  return table;
+}
+
+/** @returns those of the pictures one after the other; null where they are not whole */
+function directoriesOf(view: DataView, little: boolean): Directory[] | null {
+  const found: Map<number, Directory> = new Map();
+  let pieces = 0;
+  for (let at = view.byteLength < 8 ? 0 : view.getUint32(4, little); at !== 0;) {
+    const directory = found.has(at) || found.size === MOST_DIRECTORIES ? null : directoryAt(view, little, at);
+    pieces += directory?.fields.length ?? 0;
+    if (!directory || pieces > MOST_PIECES) return null;
+    found.set(at, directory);
+    at = directory.next;
+  }
+  return found.size === 0 ? null : [...found.values()];
+}
+
+/** @returns null where it is cut short */
+function directoryAt(view: DataView, little: boolean, place: number): Directory | null {
+  if (place < 8 || place + 2 > view.byteLength) return null;
+  const end = place + 2 + FIELD * view.getUint16(place, little);
+  if (end > view.byteLength) return null;
+  const fields: Map<number, Field> = new Map();
+  for (let field = place + 2; field < end; field += FIELD) {
+    const [tag, type, count] = [view.getUint16(field, little), view.getUint16(field + 2, little), view.getUint32(field + 4, little)];
+    const length = count * (SIZES[type] ?? 1);
+    const at = length > 4 ? view.getUint32(field + 8, little) : field + 8;
+    // Said twice, the first holds.
+    if (!fields.has(tag)) fields.set(tag, { tag, type, count, at, length });
+  }
+  // Some writers leave out the end of the last one.
+  return { place, end, fields: [...fields.values()], next: end + 4 <= view.byteLength ? view.getUint32(end, little) : 0 };
+}
+
+/** @returns none where it is not there, or no list of numbers */
+function numbersOf(view: DataView, little: boolean, fields: readonly Field[], tag: number): number[] {
+  const field = fields.find((other) => other.tag === tag);
+  if (!field || ![SHORT, LONG].includes(field.type) || field.at + field.length > view.byteLength) return [];
+  const { type, count, at } = field;
+  return Array.from({ length: count }, (_, i) => (type === SHORT ? view.getUint16(at + 2 * i, little) : view.getUint32(at + 4 * i, little)));
+}
+
+/** @returns 0 where it is not said */
+function valueOf(view: DataView, little: boolean, fields: readonly Field[], tag: number): number {
+  return numbersOf(view, little, fields, tag)[0] ?? 0;
+}
+
+/** Files of cameras (DNG, NEF) have a small picture in front, and the large one behind it needs much that is on no list. */
+function hasFullSize(view: DataView, little: boolean, fields: readonly Field[]) {
+  return numbersOf(view, little, fields, SUB_DIRECTORIES).some((place) => {
+    const inner = directoryAt(view, little, place);
+    return inner !== null && !(valueOf(view, little, inner.fields, KIND) & REDUCED);
+  });
+}

@@ -1,9 +1,0 @@
-// @ts-check
-/** Where the module of the nets is: beside the worker that loads it, as the build puts it there (`nets-module.js`). */
-
-/** @type {string[]} */
-// @ts-ignore: the build puts it here.
-const [script, module] = INKPANEL_NETS;
-
-export const SCRIPT = new URL(script, globalThis.location.href);
-export const MODULE = new URL(module, globalThis.location.href);

@@ -1,0 +1,174 @@
+/**
+ * What a worker does, one function an operation of `protocol.ts`. Each answers with the value and the buffers
+ * to hand over.
+ */
+
+import { blobOf } from './blobs.ts';
+import { asBmp, foreignKind } from './foreign.ts';
+import { fileMs, frameMs, pageMs, photoMs, pngMs, styleMs } from './measured.ts';
+import { failure } from './protocol.ts';
+import { STORING, readingOf } from './serving.ts';
+import { createStyleOperations } from './style-operations.ts';
+import { takenOf } from './taken.ts';
+import type { Patch, Studio } from '../pkg/inkpanel.js';
+import type { createLru } from './lru.ts';
+import type { BitmapPatch, Operations, PhotoHandle, PixelPatch } from './protocol.ts';
+import type { Tell } from './serving.ts';
+
+export type Answer = { ok: any, transfer: Transferable[] };
+
+/** No photo is larger; a film that was dropped by mistake must not fill the memory. */
+const MOST_BYTES = 512 * 2 ** 20;
+
+/** @param held the photos in the studio */
+export function createOperations(studio: Studio, held: ReturnType<typeof createLru>): Record<string, (args: any, tell: Tell) => Promise<Answer>> {
+  return {
+    import: importPhoto, importFrame, panel, page, compose, stylePhoto, stylePixels, stylize, fullPanels, encode,
+    ...createStyleOperations({ studio, fetchPhotos, bitmap }),
+  };
+
+  async function importPhoto({ id, file }: Operations['import']['args'], tell: Tell) {
+    tell.waits(readingOf(file));
+    const { work, small, ...meta } = await read(id, await bytesOf(file), tell);
+    tell.waits(STORING);
+    const ok = { meta, work: await keep(`${id}/work`, work), small: await keep(`${id}/small`, small) };
+    evict([]);
+    return { ok, transfer: [] };
+  }
+
+  /**
+   * @param bytes of the file
+   * @returns the photo's facts
+   */
+  async function read(id: string, bytes: Uint8Array<ArrayBuffer>, tell: Tell): Promise<any> {
+    const kind = foreignKind(bytes);
+    tell.expects(photoMs(bytes, kind));
+    if (!kind) return JSON.parse(studio.import_photo(id, bytes));
+    const facts = JSON.parse(studio.import_photo(id, await asBmp(kind, bytes)));
+    return { ...facts, format: kind, taken: takenOf(bytes) };
+  }
+
+  async function importFrame({ id, frame: { width, height, data, squareWidth, squareHeight, rotation } }: Operations['importFrame']['args'], tell: Tell) {
+    tell.expects(frameMs(width * height + squareWidth * squareHeight));
+    const { work, small, ...meta } = JSON.parse(studio.import_frame(id, width, height, data, squareWidth, squareHeight, rotation));
+    const png = (studio.take_file() as Uint8Array<ArrayBuffer>);
+    tell.waits(STORING);
+    const file = await blobOf(png, { type: 'image/png' });
+    const ok = { meta, work: await keep(`${id}/work`, work), small: await keep(`${id}/small`, small), file };
+    evict([]);
+    return { ok, transfer: [] };
+  }
+
+  async function panel({ document, index, width, tier, photos }: Operations['panel']['args'], tell: Tell) {
+    await fetchPhotos(photos, tell);
+    tell.expects(pageMs(document, width, 1));
+    return bitmap(studio.render_panel(document, index, width, tier));
+  }
+
+  async function page({ document, width, tier, photos }: Operations['page']['args'], tell: Tell) {
+    await fetchPhotos(photos, tell);
+    tell.expects(pageMs(document, width));
+    return bitmap(studio.compose(document, width, tier));
+  }
+
+  async function compose({ document, width, tier, photos }: Operations['compose']['args'], tell: Tell) {
+    await fetchPhotos(photos, tell);
+    tell.expects(pageMs(document, width));
+    return pixels(studio.compose(document, width, tier));
+  }
+
+  async function stylePhoto({ photo, style, width, height, crop }: Operations['stylePhoto']['args'], tell: Tell) {
+    await fetchPhotos([photo], tell);
+    tell.expects(styleMs(style, width * height));
+    return bitmap(studio.stylize_photo(photo.key, style, width, height, crop));
+  }
+
+  async function stylePixels({ photo, style, width, height }: Operations['stylePixels']['args'], tell: Tell) {
+    await fetchPhotos([photo], tell);
+    tell.expects(styleMs(style, width * height));
+    return pixels(studio.stylize_photo(photo.key, style, width, height, ''));
+  }
+
+  async function stylize({ style, width, height, data }: Operations['stylize']['args'], tell: Tell) {
+    tell.expects(styleMs(style, width * height));
+    const styled = studio.stylize(style, width, height, data);
+    const ok = { x: 0, y: 0, width, height, data: new Uint8ClampedArray(styled.buffer, styled.byteOffset, styled.length) };
+    return { ok, transfer: [styled.buffer] };
+  }
+
+  /** The panels that show one photo, from its original file at full size, so that it is decoded once for all. */
+  async function fullPanels({ id, file, document, indexes, width }: Operations['fullPanels']['args'], tell: Tell) {
+    tell.waits(readingOf(file));
+    const bytes = await bytesOf(file);
+    const kind = foreignKind(bytes);
+    tell.expects(photoMs(bytes, kind));
+    studio.import_full(id, kind ? await asBmp(kind, bytes) : bytes);
+    try {
+      const ok = [];
+      for (const index of indexes) {
+        tell.expects(pageMs(document, width, 1));
+        ok.push({ ...pixels(studio.render_panel(document, index, width, 'full')).ok, index });
+      }
+      return { ok, transfer: ok.map((patch) => patch.data.buffer) };
+    } finally {
+      studio.drop_photo(`${id}/full`);
+    }
+  }
+
+  async function encode({ document, width, patches }: Operations['encode']['args'], tell: Tell) {
+    const drawn = patches.reduce((sum, patch) => sum + patch.width * patch.height, 0);
+    // The page is about as large as what lies on it.
+    tell.expects(fileMs(drawn) + pngMs(2 * drawn + width * width));
+    studio.begin_page(document, width);
+    for (const { index, x, y, width: w, height: h, data } of patches) {
+      studio.add_patch(index, x, y, w, h, new Uint8Array(data.buffer, data.byteOffset, data.length));
+    }
+    const png = (studio.finish_png() as Uint8Array<ArrayBuffer>);
+    tell.waits(STORING);
+    return { ok: await blobOf(png, { type: 'image/png' }), transfer: [] };
+  }
+
+  /** Puts the planes of a fresh photo into a Blob, which the page hands to the other workers. */
+  async function keep(key: string, { width, height }: { width: number, height: number }): Promise<PhotoHandle> {
+    const planes = (studio.photo_planes(key) as Uint8Array<ArrayBuffer>);
+    held.touch(key, planes.length);
+    return { key, width, height, planes: await blobOf(planes) };
+  }
+
+  /** Reads into the studio what it lacks. */
+  async function fetchPhotos(photos: PhotoHandle[], tell: Tell) {
+    if (photos.some(({ key }) => !studio.has_photo(key))) tell.waits(STORING);
+    await Promise.all(photos.map(async ({ key, width, height, planes }) => {
+      if (!studio.has_photo(key)) studio.put_photo(key, width, height, await bytesOf(planes));
+      held.touch(key, planes.size);
+    }));
+    evict(photos.map(({ key }) => key));
+  }
+
+  function evict(needed: string[]) {
+    for (const key of held.evict((other) => needed.includes(other))) studio.drop_photo(key);
+  }
+}
+
+async function bytesOf(blob: Blob): Promise<Uint8Array<ArrayBuffer>> {
+  if (blob.size > MOST_BYTES) throw failure('too-large', `The file is larger than ${MOST_BYTES / 2 ** 20} MB.`);
+  try {
+    return new Uint8Array(await blob.arrayBuffer());
+  } catch (cause) {
+    // The browser throws this when a file was moved, changed or deleted since it was chosen.
+    throw Object.assign(new Error('The file can no longer be read.', { cause }), { code: 'unreadable-file' });
+  }
+}
+
+function pixels(patch: Patch): { ok: PixelPatch, transfer: Transferable[] } {
+  const { x, y, width, height } = patch;
+  const data = (patch.take() as Uint8ClampedArray<ArrayBuffer>);
+  patch.free();
+  return { ok: { x, y, width, height, data }, transfer: [data.buffer] };
+}
+
+async function bitmap(patch: Patch): Promise<{ ok: BitmapPatch, transfer: Transferable[] }> {
+  const { ok: { x, y, width, height, data } } = pixels(patch);
+  const image = await createImageBitmap(new ImageData(data, width, height));
+  return { ok: { x, y, width, height, bitmap: image }, transfer: [image] };
+}

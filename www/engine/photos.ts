@@ -1,0 +1,38 @@
+/**
+ * The photos of an album as the main thread holds them: the original file and two Blobs of planes each. The
+ * browser keeps Blobs outside this page's memory; workers read what a job needs.
+ */
+
+import { failure } from './protocol.ts';
+import type { PhotoHandle } from './protocol.ts';
+
+type Entry = { name: string, file: Blob, work: PhotoHandle, small: PhotoHandle };
+
+export function createPhotos() {
+  const entries: Map<string, Entry> = new Map();
+
+  return {
+    add: (id: string, entry: Entry) => void entries.set(id, entry),
+    has: (id: string) => entries.has(id),
+    forget: (id: string) => void entries.delete(id),
+    get,
+    handles,
+    names,
+  };
+
+  function get(id: string): Entry {
+    const entry = entries.get(id);
+    if (!entry) throw failure('missing-photo', `The photo ${id} is not in this album.`);
+    return entry;
+  }
+
+  /** @returns one a photo, however often it is used */
+  function handles(ids: (string | null)[], tier: 'small' | 'work'): PhotoHandle[] {
+    return [...new Set(ids)].flatMap((id) => (id === null ? [] : get(id)[tier]));
+  }
+
+  /** @returns the names of the photos, for messages */
+  function names(ids: (string | null)[]): string {
+    return [...new Set(ids)].flatMap((id) => (id === null ? [] : entries.get(id)?.name ?? id)).join(', ');
+  }
+}

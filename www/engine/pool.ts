@@ -1,0 +1,203 @@
+/**
+ * A pool of workers that each do one job at a time.
+ *
+ * - Jobs wait in priority order; a newer job overtakes an older one of the same key, waiting or running.
+ * - An aborted job leaves the queue at once; a running one is dropped when its answer comes, since wasm cannot be
+ *   interrupted.
+ * - A worker tells before each part of a job how long that takes, or what it waits for (`serving.ts`). One that says
+ *   nothing in time hangs: it costs seconds for short work, and a large photo on a slow device is given its minute.
+ * - A worker that traps, crashes or hangs is terminated and replaced. The job is tried once more on a fresh worker, with
+ *   more patience; when that fails too the job rejects with `worker-lost`, naming its photo.
+ * - wasm memory never shrinks: an idle worker whose memory is above the high-water mark is replaced.
+ */
+
+import { createPace } from './pace.ts';
+import { patience } from './patience.ts';
+import { TRAP, cancelled, failure, lost } from './protocol.ts';
+import { Priority, createQueue } from './queue.ts';
+import type { Reply, Sign } from './protocol.ts';
+
+/** `photo` is the name to blame; `holds` are the photo keys that the job needs and leaves in the worker */
+export type Job = {
+  op: string, args: any, transfer?: Transferable[], priority: number, key?: string, signal?: AbortSignal,
+  photo?: string, holds?: string[],
+};
+
+type Entry = Job & { resolve: (value: any) => void, reject: (error: Error) => void, tries: number, over: boolean, release: () => void };
+/** `here`: it has said that it is there; `expected`: what it is about, in ms where that was measured, and `since` when. */
+type Slot = {
+  worker: Worker, entry: Entry | null, held: Set<string>, id: number, relax: () => void, dead: boolean, here: boolean,
+  expected: number, since: number,
+};
+
+/** Milliseconds until a worker has said that it is there: its script may come over a slow line. */
+const STARTING = 30_000;
+/** How much more patience there is where nothing comes after it: a device may be slower than it ever was before. */
+const LAST_CHANCE = 2;
+const HIGH_WATER = 512 * 2 ** 20;
+
+export function createPool({ size, spawn, highWater = HIGH_WATER }: { size: number, spawn: () => Worker, highWater?: number }) {
+  const queue: ReturnType<typeof createQueue<Entry>> = createQueue();
+  const pace = createPace();
+  const slots: Slot[] = [];
+  let [nextId, reserved, closed] = [1, 0, false];
+
+  for (let i = 0; i < size; i += 1) slots.push(open({}));
+  return { run, spare, dispose, size };
+
+  /** Leaves so many workers idle for all that nobody waits for, as long as others need the cores. */
+  function spare(count: number) {
+    reserved = Math.min(count, size - 1);
+    dispatch();
+  }
+
+  /** @returns the worker's answer */
+  function run(job: Job): Promise<any> {
+    if (closed) return Promise.reject(failure('disposed', 'The engine was disposed of.'));
+    if (job.signal?.aborted) return Promise.reject(cancelled());
+    return new Promise((resolve, reject) => {
+      const abort = () => drop(entry);
+      const entry: Entry = { ...job, resolve, reject, tries: 0, over: false, release: () => job.signal?.removeEventListener('abort', abort) };
+      job.signal?.addEventListener('abort', abort, { once: true });
+      const waiting = queue.push(entry);
+      if (waiting) drop(waiting);
+      for (const slot of slots) {
+        if (entry.key !== undefined && slot.entry?.key === entry.key) drop(slot.entry);
+      }
+      dispatch();
+    });
+  }
+
+  /** Cancels a job wherever it is. */
+  function drop(entry: Entry) {
+    queue.remove(entry);
+    settle(entry, () => entry.reject(cancelled()));
+  }
+
+  function settle(entry: Entry, how: () => void) {
+    if (entry.over) return;
+    entry.over = true;
+    entry.release();
+    how();
+  }
+
+  function dispatch() {
+    for (const slot of slots) {
+      if (slot.entry || queue.length === 0) continue;
+      const idle = Math.max(reserved, queue.crowded && size > 1 ? 1 : 0);
+      if (queue.urgency > Priority.PAGE && slots.filter(({ entry }) => entry).length >= size - idle) return;
+      const entry = queue.take((other) => (other.holds ?? []).filter((key) => slot.held.has(key)).length);
+      if (entry) start(slot, entry);
+    }
+  }
+
+  function start(slot: Slot, entry: Entry) {
+    if (slot.dead) open(slot);
+    slot.entry = entry;
+    slot.id = nextId;
+    nextId += 1;
+    for (const key of entry.holds ?? []) slot.held.add(key);
+    wait(slot, slot.here ? pace.patience(0) : STARTING);
+    try {
+      slot.worker.postMessage({ id: slot.id, op: entry.op, args: entry.args }, entry.transfer ?? []);
+    } catch (error) {
+      finish(slot);
+      settle(entry, () => entry.reject((error as Error)));
+      dispatch();
+    }
+  }
+
+  /** Gives a worker so long for its next word. */
+  function wait(slot: Slot, ms: number) {
+    slot.relax();
+    const last = slot.entry && !mayTryAgain(slot.entry);
+    slot.relax = patience(slot.here && last ? LAST_CHANCE * ms : ms, () => lose(slot));
+  }
+
+  function hear(slot: Slot, news: Reply | Sign) {
+    if (!slot.here) {
+      slot.here = true;
+      if (slot.entry) wait(slot, pace.patience(0));
+    }
+    if (!slot.entry || news.id !== slot.id) return;
+    pace.took(slot.expected, performance.now() - slot.since);
+    slot.expected = 0;
+    if ('waits' in news) {
+      wait(slot, news.waits);
+    } else if ('expects' in news) {
+      slot.expected = news.expects;
+      slot.since = performance.now();
+      wait(slot, pace.patience(news.expects));
+    } else {
+      answer(slot, news);
+    }
+  }
+
+  function answer(slot: Slot, reply: Reply) {
+    if (reply.error?.code === TRAP) {
+      lose(slot);
+      return;
+    }
+    const entry = finish(slot);
+    const { error } = reply;
+    if (error) settle(entry, () => entry.reject(failure(error.code, error.message, { photo: entry.photo })));
+    else settle(entry, () => entry.resolve(reply.ok));
+    if (reply.memory > highWater) open(slot);
+    dispatch();
+  }
+
+  function finish(slot: Slot): Entry {
+    const entry = (slot.entry as Entry);
+    slot.relax();
+    slot.entry = null;
+    slot.expected = 0;
+    return entry;
+  }
+
+  /** Replaces a worker that died in the middle of a job, or between two. */
+  function lose(slot: Slot) {
+    const entry = slot.entry && finish(slot);
+    open(slot);
+    if (entry && !entry.over) {
+      const again = mayTryAgain(entry);
+      entry.tries += 1;
+      // On the fresh worker, where nothing is wrong yet.
+      if (again) start(slot, entry);
+      else settle(entry, () => entry.reject(lost(entry.photo)));
+    }
+    dispatch();
+  }
+
+  /** Not where a buffer was handed over, which is gone with its worker. */
+  function mayTryAgain(entry: Entry) {
+    return entry.tries === 0 && !entry.transfer?.length;
+  }
+
+  /** Gives a slot a fresh worker. */
+  function open(slot: Partial<Slot>): Slot {
+    slot.worker?.terminate();
+    const worker = spawn();
+    const filled = (Object.assign(slot, { worker, entry: null, held: new Set(), id: 0, relax: () => {}, dead: false, here: false, expected: 0, since: 0 }) as Slot);
+    const mine = () => filled.worker === worker && !closed;
+    worker.onmessage = (event) => mine() && hear(filled, event.data);
+    worker.onerror = (event) => {
+      event.preventDefault();
+      if (!mine()) return;
+      // An idle worker is replaced when it is next needed: one that cannot even load would be replaced for ever.
+      if (filled.entry) lose(filled);
+      else filled.dead = true;
+    };
+    worker.onmessageerror = () => mine() && lose(filled);
+    return filled;
+  }
+
+  function dispose() {
+    closed = true;
+    const left = [...queue.clear(), ...slots.flatMap((slot) => slot.entry ?? [])];
+    for (const slot of slots) {
+      slot.relax();
+      slot.worker.terminate();
+    }
+    for (const entry of left) settle(entry, () => entry.reject(cancelled()));
+  }
+}

@@ -1,0 +1,84 @@
+/**
+ * The order of waiting work: lower priority numbers first, then first come, first served. At most one waiting
+ * entry a key: a newer one takes the older one's place.
+ */
+
+/** What the person looks at comes first. */
+export const Priority = {
+  /** A panel of the visible page. */
+  PANEL: 0,
+  /** A photo that the visible page waits for, and the file that a person asked to download. */
+  PAGE: 1,
+  /** A thumbnail in view. */
+  VIEW: 2,
+  /** Everything else. */
+  REST: 3,
+} as const;
+
+/** One of them. */
+export type Priority = (typeof Priority)[keyof typeof Priority];
+
+/** Waiting entries from which on the page shall stay quick rather than all be done soon. */
+export const CROWD = 24;
+
+export function createQueue<T extends { priority: number, key?: string }>() {
+  const waiting: T[] = [];
+
+  return {
+    get length(): number {
+      return waiting.length;
+    },
+
+    /** @returns the priority of what comes next */
+    get urgency(): number {
+      return waiting[0]?.priority ?? Infinity;
+    },
+
+    /** @returns whether there is nothing else but much that nobody waits for: with it on all cores, the page would wait for one */
+    get crowded(): boolean {
+      return waiting.length > CROWD && waiting[0].priority >= Priority.REST;
+    },
+
+    /** @returns the older entry of the same key that was dropped for this one */
+    push(entry: T): T | undefined {
+      const older = entry.key === undefined ? -1 : waiting.findIndex((other) => other.key === entry.key);
+      const dropped = older < 0 ? undefined : waiting.splice(older, 1)[0];
+      let at = waiting.length;
+      while (at > 0 && waiting[at - 1].priority > entry.priority) at -= 1;
+      waiting.splice(at, 0, entry);
+      return dropped;
+    },
+
+    /**
+     * Takes the first entry, or, among those of the same priority, the one that suits best.
+     * @param suits higher is better; the earlier of equals is taken
+     */
+    take(suits?: (entry: T) => number): T | undefined {
+      if (waiting.length === 0) return undefined;
+      let best = 0;
+      if (suits) {
+        let mark = suits(waiting[0]);
+        for (let i = 1; i < waiting.length && waiting[i].priority === waiting[0].priority; i += 1) {
+          const other = suits(waiting[i]);
+          if (other > mark) {
+            best = i;
+            mark = other;
+          }
+        }
+      }
+      return waiting.splice(best, 1)[0];
+    },
+
+    /** @returns whether it was waiting */
+    remove(entry: T): boolean {
+      const at = waiting.indexOf(entry);
+      if (at >= 0) waiting.splice(at, 1);
+      return at >= 0;
+    },
+
+    /** @returns everything that was waiting */
+    clear(): T[] {
+      return waiting.splice(0);
+    },
+  };
+}

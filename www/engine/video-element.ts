@@ -1,0 +1,85 @@
+/**
+ * The slow way to the frames of a video, for browsers without WebCodecs or without the codec there: a hidden muted
+ * `<video>` is wound to each time. `seeked` comes before the frame is there, so the frame's own callback is waited for.
+ */
+
+import { cancelled, failure } from './protocol.ts';
+import { runs, sampleTimes } from './sample-times.ts';
+import type { Listener, Wish } from './video.ts';
+
+/** A frame that does not come within this time, in ms, is taken as it is. */
+const PATIENCE = 1500;
+/** A video that does not open within this time, in ms, is given up. */
+const OPENING = 10_000;
+
+/** @param why the fast way failed */
+export async function readByElement(file: Blob, { count, start, end, leading }: Wish, { signal, onAbout, onFrame }: Listener, why: string) {
+  const video = document.createElement('video');
+  video.muted = true;
+  video.playsInline = true;
+  video.preload = 'auto';
+  const address = URL.createObjectURL(file);
+  try {
+    video.src = address;
+    const opened = await happens(video, 'loadeddata', OPENING);
+    // A codec that the system lacks may load without an error, as a film without a picture.
+    if (!opened || video.videoWidth === 0) throw failure('video-codec', why);
+    const duration = await lengthOf(video);
+    onAbout({ duration });
+    const times = sampleTimes({ first: 0, duration, count, start, end });
+    for (const index of runs(times.length, leading).flat()) {
+      const time = times[index];
+      if (signal?.aborted) throw cancelled();
+      await wind(video, time);
+      await onFrame({ index, time, rotation: 0, ...await pixelsOf(video) });
+    }
+  } finally {
+    video.removeAttribute('src');
+    video.load();
+    URL.revokeObjectURL(address);
+  }
+}
+
+/** Recordings of a browser do not know their length until they were wound to the end. */
+async function lengthOf(video: HTMLVideoElement) {
+  if (Number.isFinite(video.duration)) return video.duration;
+  const known = happens(video, 'durationchange', OPENING);
+  video.currentTime = 1e9;
+  await known;
+  if (!Number.isFinite(video.duration)) throw failure('video-format', 'Its length cannot be found.');
+  return video.duration;
+}
+
+/** @param time seconds */
+async function wind(video: HTMLVideoElement, time: number) {
+  const shown = new Promise((resolve) => {
+    const told = 'requestVideoFrameCallback' in video;
+    if (told) video.requestVideoFrameCallback(resolve);
+    else (video as HTMLVideoElement).addEventListener('seeked', resolve, { once: true });
+    setTimeout(resolve, PATIENCE);
+  });
+  video.currentTime = time;
+  await shown;
+}
+
+async function pixelsOf(video: HTMLVideoElement): Promise<{ width: number, height: number, squareWidth: number, squareHeight: number, data: Uint8Array<ArrayBuffer> }> {
+  const { videoWidth: width, videoHeight: height } = video;
+  const canvas = new OffscreenCanvas(width, height);
+  const context = canvas.getContext('2d', { willReadFrequently: true });
+  if (!context) throw failure('video-memory', 'There is not enough memory for a frame.');
+  context.drawImage(video, 0, 0, width, height);
+  const { data } = context.getImageData(0, 0, width, height);
+  return { width, height, squareWidth: width, squareHeight: height, data: new Uint8Array(data.buffer) };
+}
+
+/**
+ * @param patience ms
+ * @returns whether it came in time, and before an error
+ */
+function happens(video: HTMLVideoElement, event: string, patience: number): Promise<boolean> {
+  return new Promise((resolve) => {
+    video.addEventListener(event, () => resolve(true), { once: true });
+    video.addEventListener('error', () => resolve(false), { once: true });
+    setTimeout(() => resolve(false), patience);
+  });
+}

@@ -1,0 +1,92 @@
+/**
+ * Frames of a video, one after the other: by WebCodecs in a worker, or, where the browser lacks it or the codec, by a
+ * hidden `<video>` that is wound to each of the times. An animated GIF or WebP file is read likewise, by the browser's decoder
+ * of images.
+ */
+
+import { pictureEnds } from './animation-times.ts';
+import { patience } from './patience.ts';
+import { cancelled, failure } from './protocol.ts';
+import { readByElement } from './video-element.ts';
+
+/**
+ * `count` frames between `start` and `end`, in seconds; the whole video unless told. `leading` are the numbers of those
+ * that are wanted first.
+ */
+export type Wish = { count: number, start?: number, end?: number, leading?: readonly number[] };
+/** RGBA of `width` x `height` pixels, to be stretched to the square size and turned clockwise by `rotation` */
+export type Frame = {
+  index: number, time: number, width: number, height: number, squareWidth: number, squareHeight: number,
+  rotation: number, data: Uint8Array<ArrayBuffer>,
+};
+/** the next frame is asked for when the promise of `onFrame` settles */
+export type Listener = {
+  signal?: AbortSignal, onAbout: (about: { duration: number }) => void, onFrame: (frame: Frame) => Promise<void>,
+};
+
+/** Milliseconds without a word of the reader: a slow device may decode hundreds of frames between two of the times. */
+const SILENCE = 60_000;
+
+export function isVideo(file: Blob & { name?: string }): boolean {
+  return file.type.startsWith('video/') || /\.(mp4|m4v|mov|webm|mkv)$/i.test(file.name ?? '');
+}
+
+/** @returns when all frames were dealt with */
+export async function readVideo(file: Blob, wish: Wish, listener: Listener): Promise<void> {
+  if ((await pictureEnds(file)).length > 0) {
+    const worker = new Worker(new URL('./animation-worker.ts', import.meta.url), { type: 'module', name: 'inkpanel-animation' });
+    return readByWorker(worker, { file, ...wish }, listener);
+  }
+  try {
+    const worker = new Worker(new URL('./video-worker.ts', import.meta.url), { type: 'module', name: 'inkpanel-video' });
+    await readByWorker(worker, { file, ...wish }, listener);
+  } catch (error) {
+    if ((error as { code?: string }).code !== 'video-decoder') throw error;
+    await readByElement(file, wish, listener, (error as Error).message);
+  }
+}
+
+/**
+ * @param worker which ends with it
+ * @param first its first message
+ */
+function readByWorker(worker: Worker, first: object, { signal, onAbout, onFrame }: Listener): Promise<void> {
+  const busy: Promise<void>[] = [];
+  /** Frames that the page deals with: the reader waits for it meanwhile. */
+  let dealing = 0;
+  let relax = () => {};
+  const read = new Promise((resolve: (value?: any) => void, reject) => {
+    if (signal?.aborted) reject(cancelled());
+    signal?.addEventListener('abort', () => reject(cancelled()), { once: true });
+    const stopped = () => reject(failure('video-worker', 'Its reader stopped.'));
+    const listen = () => {
+      relax();
+      relax = dealing > 0 ? () => {} : patience(SILENCE, stopped);
+    };
+    worker.onerror = (event) => {
+      event.preventDefault();
+      stopped();
+    };
+    worker.onmessage = ({ data: { about, frame, done, error } }) => {
+      if (frame) dealing += 1;
+      listen();
+      if (about) onAbout(about);
+      if (error) reject(failure(error.code, error.message));
+      if (done) Promise.all(busy).then(() => resolve(), reject);
+      if (!frame) return;
+      const dealt = onFrame(frame);
+      busy.push(dealt);
+      dealt.then(() => {
+        dealing -= 1;
+        listen();
+        worker.postMessage({ next: true });
+      }, reject);
+    };
+    listen();
+    worker.postMessage(first);
+  });
+  return read.finally(() => {
+    relax();
+    worker.terminate();
+  });
+}

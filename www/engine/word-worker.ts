@@ -1,0 +1,70 @@
+/**
+ * The worker that draws words: their wasm module, loaded with the first job.
+ */
+
+import initWords, { Lettering } from '../pkg-words/inkpanel.js';
+import { wordMs } from './measured.ts';
+import { failure } from './protocol.ts';
+import { LOADING, serveJobs } from './serving.ts';
+import type { Tell } from './serving.ts';
+
+const MODULE = new URL('../pkg-words/inkpanel_bg.wasm', import.meta.url);
+
+type Args = { document: string, width: number, index: number, bitmap: ImageBitmap };
+type Answer = { ok: any, transfer: Transferable[] };
+
+let started: Promise<Lettering> | undefined;
+
+const OPERATIONS: Record<string, (letters: Lettering, args: Args, tell: Tell) => Promise<Answer>> = { word, words, over };
+
+serveJobs(async (op, args, tell) => {
+  tell.waits(LOADING);
+  started ??= start();
+  return OPERATIONS[op](await started, args, tell);
+});
+
+async function start() {
+  const response = await fetch(MODULE).catch(() => null);
+  if (!response?.ok) throw failure('words-missing', 'The letters could not be loaded.');
+  await initWords({ module_or_path: await response.arrayBuffer() });
+  return new Lettering();
+}
+
+async function word(letters: Lettering, { document, index, width }: Args, tell: Tell): Promise<Answer> {
+  tell.expects(wordMs(width * width));
+  const { data, ...place } = pixels(letters, document, index, width);
+  const bitmap = await createImageBitmap(new ImageData(data, place.width, place.height));
+  return { ok: { ...place, bitmap }, transfer: [bitmap] };
+}
+
+async function words(letters: Lettering, { document, width }: Args, tell: Tell): Promise<Answer> {
+  const ok = all(letters, document, width, tell);
+  return { ok, transfer: ok.map(({ data }) => data.buffer) };
+}
+
+async function over(letters: Lettering, { document, width, bitmap }: Args, tell: Tell): Promise<Answer> {
+  const canvas = new OffscreenCanvas(bitmap.width, bitmap.height);
+  const context = (canvas.getContext('2d') as OffscreenCanvasRenderingContext2D);
+  context.drawImage(bitmap, 0, 0);
+  for (const { data, x, y, ...size } of all(letters, document, width, tell)) {
+    context.drawImage(await createImageBitmap(new ImageData(data, size.width, size.height)), x, y);
+  }
+  const drawn = canvas.transferToImageBitmap();
+  return { ok: drawn, transfer: [drawn] };
+}
+
+function all(letters: Lettering, document: string, width: number, tell: Tell) {
+  const { length } = JSON.parse(document).words;
+  return Array.from({ length }, (_, index) => {
+    tell.expects(wordMs(width * width));
+    return pixels(letters, document, index, width);
+  });
+}
+
+function pixels(letters: Lettering, document: string, index: number, width: number) {
+  const picture = letters.render(document, index, width);
+  const { x, y, width: wide, height } = picture;
+  const data = (picture.take() as Uint8ClampedArray<ArrayBuffer>);
+  picture.free();
+  return { x, y, width: wide, height, data };
+}

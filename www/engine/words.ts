@@ -1,0 +1,103 @@
+/**
+ * Words on pages: a wasm module of its own with the fonts, loaded when a page first has words. One worker draws them; on
+ * the main thread the same module says where they are, while a page is planned.
+ */
+
+import { createPool } from './pool.ts';
+import { failure } from './protocol.ts';
+import { Priority } from './queue.ts';
+import type { PageDocument, Word, WordBox } from './documents.ts';
+import type { Call } from './engine.ts';
+import type { BitmapPatch, PixelPatch } from './protocol.ts';
+
+export type Lettering = Awaited<ReturnType<ReturnType<typeof createWords>['lettering']>>;
+
+const MODULE = new URL('../pkg-words/inkpanel_bg.wasm', import.meta.url);
+export function createWords() {
+  let pool: ReturnType<typeof createPool> | undefined;
+  let opened: ReturnType<typeof open> | null = null;
+
+  return { lettering, draw, patches, over, lay, dispose: () => pool?.dispose() };
+
+  /** What plans with words: pure functions of a millisecond. The next call tries again where it failed. */
+  function lettering() {
+    opened ??= open().catch((error) => {
+      opened = null;
+      throw error;
+    });
+    return opened;
+  }
+
+  function run(op: string, document: PageDocument, args: object, call?: Call & { transfer?: Transferable[] }) {
+    pool ??= createPool({ size: 1, spawn });
+    return pool.run({ op, args: { document: JSON.stringify(document), ...args }, priority: Priority.PANEL, ...call });
+  }
+
+  /**
+   * One word of a page.
+   * @param width of the page, in pixels
+   */
+  async function draw(document: PageDocument, index: number, width: number, call?: Call): Promise<BitmapPatch> {
+    return run('word', document, { index, width }, call);
+  }
+
+  /** All words of a page, as pixels. */
+  async function patches(document: PageDocument, width: number, call?: Call): Promise<PixelPatch[]> {
+    return document.words?.length ? run('words', document, { width }, call) : [];
+  }
+
+  /** The picture of a page with its words over it. */
+  async function over(document: PageDocument, width: number, page: BitmapPatch, call?: Call): Promise<BitmapPatch> {
+    if (!document.words?.length) return page;
+    const { bitmap } = page;
+    return { ...page, bitmap: await run('over', document, { width, bitmap }, { ...call, transfer: [bitmap] }) };
+  }
+
+  /** The same for pixels: the words are laid on those of an opaque page. */
+  async function lay(document: PageDocument, width: number, page: PixelPatch, call?: Call) {
+    for (const patch of await patches(document, width, call)) layPixels(page, patch);
+    return page;
+  }
+}
+
+/** @param patch straight alpha; what is beyond the page is left out */
+export function layPixels(page: PixelPatch, patch: PixelPatch) {
+  for (let y = Math.max(0, -patch.y); y < patch.height && patch.y + y < page.height; y += 1) {
+    for (let x = Math.max(0, -patch.x); x < patch.width && patch.x + x < page.width; x += 1) {
+      const from = (y * patch.width + x) * 4;
+      const to = ((patch.y + y) * page.width + patch.x + x) * 4;
+      const alpha = patch.data[from + 3];
+      for (let i = 0; i < 3; i += 1) {
+        // As the core rounds it.
+        page.data[to + i] = Math.floor((patch.data[from + i] * alpha + page.data[to + i] * (255 - alpha) + 127) / 255);
+      }
+    }
+  }
+}
+
+async function open() {
+  const [{ default: init, Lettering }, bytes] = await Promise.all([import('../pkg-words/inkpanel.js'), loadWords()]);
+  await init({ module_or_path: bytes });
+  const letters = new Lettering();
+  return {
+    /**
+     * @param subjects what is in the photos, by their ids
+     * @returns the words of the document, those placed by themselves where they hide no face
+     */
+    settle: (document: PageDocument, subjects: Record<string, object[]>): Word[] => JSON.parse(letters.settle(JSON.stringify(document), JSON.stringify(subjects))),
+    measure: (document: PageDocument): WordBox[] => JSON.parse(letters.measure(JSON.stringify(document))),
+  };
+}
+
+/** @returns rejects with `words-missing` */
+export async function loadWords(): Promise<ArrayBuffer> {
+  const response = await fetch(MODULE).catch(() => null);
+  // A host may answer with a page of its own where a file is missing.
+  const text = response?.headers.get('content-type')?.startsWith('text/html');
+  if (!response?.ok || text) throw failure('words-missing', 'The letters could not be loaded.');
+  return response.arrayBuffer();
+}
+
+function spawn() {
+  return new Worker(new URL('./word-worker.ts', import.meta.url), { type: 'module', name: 'inkpanel-words' });
+}

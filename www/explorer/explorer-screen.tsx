@@ -1,0 +1,90 @@
+/**
+ * The style explorer: a wall of styles that nobody designed, on the person's own photo, that keeps growing.
+ */
+
+import { useEffect, useRef } from 'preact/hooks';
+import { strings } from '../strings/strings.ts';
+import { screenPixels } from '../page/bitmap.tsx';
+import { IconButton } from '../ui/button.tsx';
+import { useApp } from '../app/context.ts';
+import { useHero } from '../photos/hero.ts';
+import { Icon } from '../ui/icon.tsx';
+import { Workspace } from '../app/workspace.tsx';
+import { Dials } from './dials.tsx';
+import { Judging } from './judging.tsx';
+import { useVisible } from './visible.ts';
+import { WallItem } from './wall-item.tsx';
+import type { Item, Photo } from './explorer.ts';
+import type { VNode } from 'preact';
+
+/** The size that thumbnails cover, in CSS pixels. */
+const SIZE = { width: 160, height: 120 };
+
+export function Explorer() {
+  const { explorer, designer } = useApp();
+  const photo = usePhoto();
+  const items = explorer.items.value;
+  const shown = explorer.shown.value;
+  const running = explorer.progress.value;
+  const vnodes = useItems(shown, photo);
+  const wall = useVisible(explorer.scores.visible, shown);
+
+  useEffect(() => {
+    if (photo) void explorer.showFavourites(photo);
+    return explorer.stop;
+  }, [photo?.id]);
+
+  const tools = (
+    <div class="explorer-bar">
+      {running
+        ? <button type="button" class="button strong" onClick={explorer.stop}><Icon name="close" />{strings.stop}</button>
+        : <button type="button" class="button strong" disabled={!photo} onClick={() => photo && void explorer.generate(photo)}><Icon name="surprise" />{strings.generate}</button>}
+      <button type="button" class="button" aria-pressed={explorer.sorted.value} title={explorer.scores.off.value ? strings.sortedByLight : strings.sortedByNet} onClick={() => { explorer.sorted.value = !explorer.sorted.value; }}>{strings.sortByScore}</button>
+      <select class="select" aria-label={strings.looks} value={explorer.look.value} onChange={(event) => { explorer.look.value = event.currentTarget.value; }}>
+        {Object.entries(strings.lookName).map(([id, name]) => <option key={id} value={id}>{name}</option>)}
+      </select>
+      <Dials />
+      <span class="count" title={strings.dropped(explorer.dropped.value)}>{items.length > 0 && strings.inventedCount(shown.length, items.length)}</span>
+      <IconButton icon="bin" label={strings.clearWall} disabled={items.length === 0} onClick={explorer.clear} />
+    </div>
+  );
+  return (
+    <Workspace title={strings.styleExplorer} class="explorer" tools={tools} busy={running !== null} onClose={designer.close}>
+      {running && (
+        <progress class="progress explorer-progress" aria-label={strings.inventing(running.done, running.total)} value={running.done} max={running.total} />
+      )}
+      {!running && <Judging />}
+      {explorer.parent.value && <p class="explorer-hint">{strings.breedWith(explorer.parent.value.name)}</p>}
+      <ul class="wall" ref={wall}>{vnodes}</ul>
+      {items.length === 0 && !running && <p class="wall-empty">{strings.explorerEmpty}</p>}
+      {items.length > 0 && shown.length === 0 && <p class="wall-empty">{strings.explorerNone}</p>}
+    </Workspace>
+  );
+}
+
+/** The photo that styles are tried on. */
+function usePhoto(): Photo | null {
+  const { store } = useApp();
+  const hero = useHero();
+  const meta = store.facts.value.find(({ id }) => id === hero)?.meta;
+  if (hero === null || !meta) return null;
+  const scale = Math.max(screenPixels(SIZE.width) / meta.width, screenPixels(SIZE.height) / meta.height);
+  return { id: hero, width: Math.round(meta.width * scale), height: Math.round(meta.height * scale) };
+}
+
+/** The same element is handed over as long as nothing in it changes, so that a wall of hundreds grows quickly. */
+function useItems(shown: readonly Item[], photo: Photo | null) {
+  const { explorer, ownStyles } = useApp();
+  const made = useRef((new Map() as Map<string, VNode>));
+  const parent = explorer.parent.value?.id;
+  return shown.map((item) => {
+    const { id } = item.style;
+    const judgement = explorer.scores.judged.value.get(id);
+    const key = `${id} ${judgement} ${ownStyles.isFavourite(id)} ${parent === id} ${photo?.id}`;
+    const found = made.current.get(key);
+    if (found) return found;
+    const vnode = <WallItem key={id} item={item} judgement={judgement} photo={photo} favourite={ownStyles.isFavourite(id)} parent={parent === id} />;
+    made.current.set(key, vnode);
+    return vnode;
+  });
+}

@@ -1,0 +1,150 @@
+/**
+ * The ways out: pages as files, on the clipboard or in the share sheet, and one panel. Rendered at print size in the
+ * background, with progress, one at a time.
+ */
+
+import { signal } from '@preact/signals';
+import { strings } from '../strings/strings.ts';
+import { save } from './files.ts';
+import { FORMATS, fileName, isArchive, panelName } from './formats.ts';
+import { createMaking } from './page-making.ts';
+import { sized } from '../page/paper.ts';
+import type { Messages } from '../app/messages.ts';
+import type { Pages } from '../document/pages.ts';
+import type { Progress, Store } from '../document/store.ts';
+import type { PageDocument, PageSettings } from '../engine/documents.ts';
+import type { Engine } from '../engine/engine.ts';
+import type { PageFiles } from '../storage/files/page-files.ts';
+import type { Carry, Wish, Work } from './page-making.ts';
+import type { Signal } from '@preact/signals';
+
+export type Download = ReturnType<typeof createDownload>;
+
+export function createDownload({ store, pages, engine, messages, pageFiles }: {
+  store: Store, pages: Pages, messages: Messages,
+  engine: Pick<Engine, 'exportPng' | 'exportJpeg' | 'exportWebp' | 'exportPdf' | 'exportPanel'>,
+  pageFiles: Pick<PageFiles, 'take' | 'carrying'>,
+}) {
+  const progress: Signal<Progress | null> = signal(null);
+  let running: AbortController | null = null;
+  const make = createMaking({ store, engine });
+
+  return { progress, start, saveAs, copy, share, savePanel, cancel, preview, sheets, scaledSheets };
+
+  /** @returns the pages of the storyboard, in their order */
+  function sheets(): readonly PageDocument[] {
+    return store.sheets.value;
+  }
+
+  /** All pages with more or fewer pixels, else as they are. */
+  function scaledSheets(factor: number): PageDocument[] {
+    const by = (length: number) => Math.round(length * factor);
+    return sheets().map((document) => {
+      const { width, height, dpi } = document.page;
+      return { ...document, page: sized(document.page, { width: by(width), height: by(height), dpi: by(dpi) }) };
+    });
+  }
+
+  /** The page at another size: the same photos in the same layout, cropped anew. */
+  function preview(size: Partial<PageSettings>): PageDocument | null {
+    const page = store.page.peek();
+    const settings = page && sized(page.page, size);
+    if (!page || !settings) return null;
+    const same = settings.width === page.page.width && settings.height === page.page.height;
+    return same ? page : pages.plan({ keep: { layout: true, style: true, photos: true }, page: settings, seed: page.seed });
+  }
+
+  /** @param page the page as it is, unless told */
+  async function start(page: PageDocument | null = store.page.peek()) {
+    if (page) await saveAs({ pages: [page], format: 'png' });
+  }
+
+  async function saveAs(wish: Wish) {
+    const cargo = loaded(wish);
+    const file = await work((how) => make(wish, how, cargo.carry), strings.exportFailed);
+    if (!file) return;
+    save(file, fileName(wish.pages, wish.format));
+    const saved = strings.pagesSaved(wish.pages.length);
+    messages.note(cargo.unclean > 0 ? `${saved} ${strings.photosUnclean(cargo.unclean)}` : saved);
+  }
+
+  /** What the PNG of a wish carries of its project; `unclean`: photos in it that keep what their files say. */
+  function loaded({ format, inside = 'png' }: Wish) {
+    // At once: what the person chose is for this file.
+    const what = (isArchive(format) ? inside : format) === 'png' ? pageFiles.take() : 'none';
+    const cargo = {
+      unclean: 0,
+      carry: ((async (png, page) => {
+        const carrying = await pageFiles.carrying(png, page, what);
+        cargo.unclean += carrying.unclean;
+        return carrying.png;
+      }) as Carry),
+    };
+    return cargo;
+  }
+
+  /** @param index of a panel of the page */
+  async function savePanel(index: number) {
+    const page = store.page.peek();
+    const file = page && await work((how) => engine.exportPanel(page, index, how), strings.exportFailed);
+    if (!file) return;
+    save(file, panelName(page, index));
+    messages.note(strings.panelSaved);
+  }
+
+  /** The browser is handed the promise of a picture, as some allow the clipboard only in the moment of the click. */
+  async function copy(page: PageDocument) {
+    const png = work((how) => engine.exportPng(page, how), strings.exportFailed);
+    const promised = png.then((file) => file ?? Promise.reject(new DOMException('', 'AbortError')));
+    try {
+      await navigator.clipboard.write([new ClipboardItem({ 'image/png': promised })]);
+      messages.note(strings.copied);
+    } catch (error) {
+      // What stopped the picture itself has been said.
+      if (await png) messages.alert(strings.copyFailed((error as Error).message));
+    }
+  }
+
+  async function share(wish: Wish) {
+    const made = await work((how) => make(wish, how, loaded(wish).carry), strings.exportFailed);
+    if (made) await hand(new File([made], fileName(wish.pages, wish.format), { type: FORMATS[wish.format].type }));
+  }
+
+  async function hand(file: File) {
+    try {
+      await navigator.share({ files: [file] });
+    } catch (error) {
+      const { name, message } = (error as Error);
+      // Drawing took longer than a click counts, so the browser wants another.
+      if (name === 'NotAllowedError') messages.note(strings.readyToShare, { label: strings.sharePart, run: () => void hand(file) });
+      else if (name !== 'AbortError') messages.alert(strings.shareFailed(message));
+    }
+  }
+
+  /**
+   * Runs one piece of work at a time, with progress; what goes wrong is said.
+   * @returns null where it was cancelled or failed
+   */
+  async function work(make: (how: Work) => Promise<Blob>, failed: (why: string) => string): Promise<Blob | null> {
+    if (running) return null;
+    running = new AbortController();
+    const { signal: stop } = running;
+    try {
+      const made = await make({ signal: stop, onProgress: (done, total) => { progress.value = { done, total }; } });
+      return stop.aborted ? null : made;
+    } catch (error) {
+      const { code, message, photo } = (error as { code?: string, message: string, photo?: string });
+      // The loss of a worker says itself what it was busy with.
+      const why = photo && code !== 'worker-lost' ? strings.fileFailed(photo, strings.reasons[code ?? ''] ?? message) : message;
+      if (code !== 'cancelled') messages.alert(failed(why));
+      return null;
+    } finally {
+      running = null;
+      progress.value = null;
+    }
+  }
+
+  function cancel() {
+    running?.abort();
+  }
+}

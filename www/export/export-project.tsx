@@ -1,0 +1,27 @@
+/** What the PNG carries besides its picture, in the export dialog. */
+
+import { useEffect } from 'preact/hooks';
+import { strings } from '../strings/strings.ts';
+import { useApp } from '../app/context.ts';
+import type { Cargo } from '../storage/files/page-files.ts';
+
+const KINDS: readonly Cargo[] = ['project', 'photos', 'none'];
+
+export function ExportProject() {
+  const { cargo } = useApp().keeping.pageFiles;
+  const now = cargo.value;
+  // Photos go with the file that is saved from here, not with a later one.
+  useEffect(() => () => { if (cargo.peek() === 'photos') cargo.value = 'project'; }, []);
+  return (
+    <fieldset class="cargo">
+      <legend>{strings.cargo}</legend>
+      {KINDS.map((kind) => (
+        <label class="cargo-kind" key={kind}>
+          <input type="radio" name="cargo" value={kind} checked={now === kind} aria-describedby="cargo-help" onChange={() => { cargo.value = kind; }} />
+          <span>{strings.cargoKind[kind]}</span>
+        </label>
+      ))}
+      <p class="quiet" id="cargo-help">{strings.cargoHelp[now]} {now !== 'none' && strings.cargoClean}</p>
+    </fieldset>
+  );
+}

@@ -1,0 +1,35 @@
+import { useEffect, useState } from 'preact/hooks';
+import { estimated } from './estimate.ts';
+import { isArchive } from './formats.ts';
+import { strings } from '../strings/strings.ts';
+import { useApp } from '../app/context.ts';
+import type { Wish } from './page-making.ts';
+
+/** While a slider is dragged nothing is measured. */
+const REST_MS = 250;
+
+/** About how large the file will be; nothing where it cannot be told. */
+export function FileSize({ wish }: { wish: Wish }) {
+  const { engine } = useApp();
+  const [bytes, setBytes] = useState((null as number | null));
+  const [busy, setBusy] = useState(true);
+  useEffect(() => {
+    const stop = new AbortController();
+    setBusy(true);
+    const later = setTimeout(async () => {
+      const { pages, format, inside = 'png', quality = 0 } = wish;
+      // The pictures are what counts in a PDF file and in an archive.
+      const picture = format === 'pdf' ? 'jpeg' : isArchive(format) ? inside : (format as 'png');
+      const about = pages.length > 0 ? await estimated(engine, pages, { format: picture, quality, signal: stop.signal }).catch(() => null) : null;
+      if (stop.signal.aborted) return;
+      setBytes(about);
+      setBusy(false);
+    }, REST_MS);
+    return () => {
+      clearTimeout(later);
+      stop.abort();
+    };
+  }, [wish]);
+  const text = busy && bytes === null ? strings.measuring : bytes === null ? '' : strings.aboutSize(bytes);
+  return <output class="file-size" aria-busy={busy}>{text}</output>;
+}

@@ -1,0 +1,10 @@
+/** Files that the page gives to the person. */
+
+export function save(blob: Blob, name: string) {
+  const link = document.createElement('a');
+  link.href = URL.createObjectURL(blob);
+  link.download = name;
+  link.click();
+  // The browser reads the address after the click returns; a minute is far more than it needs.
+  setTimeout(() => URL.revokeObjectURL(link.href), 60_000);
+}

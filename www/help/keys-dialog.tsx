@@ -1,0 +1,26 @@
+import { strings } from '../strings/strings.ts';
+import { useApp } from '../app/context.ts';
+import { Dialog } from '../app/dialog.tsx';
+import { LanguageChoice } from './language-choice.tsx';
+
+/** The list of keys. */
+export function KeysDialog() {
+  const { ui } = useApp();
+  return (
+    <Dialog title={strings.keys} class="keys-dialog" onClose={() => { ui.dialog.value = null; }}>
+      <dl class="keys">
+        {strings.keyList.map(({ keys, does }) => (
+          <div key={does}>
+            <dt>{keys.map((key) => <kbd key={key}>{key}</kbd>)}</dt>
+            <dd>{does}</dd>
+          </div>
+        ))}
+      </dl>
+      <label class="letter-keys">
+        <input type="checkbox" checked={ui.letterKeys.value} onChange={({ currentTarget }) => ui.useLetterKeys(currentTarget.checked)} />
+        <span>{strings.letterKeys}</span>
+      </label>
+      <LanguageChoice />
+    </Dialog>
+  );
+}

@@ -1,0 +1,75 @@
+/**
+ * `My layouts`: kept in this browser (`storage/shelves.ts`), saved as files, opened from files. They are a part of the
+ * project, so a layout that was removed comes back by undo.
+ */
+
+import { strings } from '../strings/strings.ts';
+import { save as saveFile } from '../export/files.ts';
+import type { Messages } from '../app/messages.ts';
+import type { Pages } from '../document/pages.ts';
+import type { Store } from '../document/store.ts';
+import type { Template } from '../engine/documents.ts';
+
+export type OwnLayouts = ReturnType<typeof createOwnLayouts>;
+
+/** More would make the list long and the storage full; the oldest go. */
+const MOST = 200;
+/** No layout file is longer, in bytes; the core says so too, but only after all of it was read. */
+const LONGEST = 256 * 1024;
+
+export function createOwnLayouts({ store, pages, messages }: { store: Store, pages: Pages, messages: Messages }) {
+  return { save, open, remove, isOwn };
+
+  /** The layout of the page as a file, and in the list. */
+  function save() {
+    const layout = full();
+    if (!layout) return;
+    keep(layout);
+    saveFile(new Blob([`${JSON.stringify(layout, null, 2)}\n`], { type: 'application/json' }), `${layout.id}.json`);
+    messages.note(strings.layoutSaved);
+  }
+
+  /** Takes layouts from files; the last good one becomes the page's. */
+  async function open(files: readonly File[]) {
+    const planner = store.planner.peek();
+    if (!planner) return;
+    let last = (null as Template | null);
+    for (const file of files) {
+      try {
+        if (file.size > LONGEST) throw new Error(strings.layoutTooLong(file.name));
+        last = planner.checkLayout(await file.text(), file.name);
+        keep(last);
+      } catch (error) {
+        const { message } = (error as Error);
+        messages.fileFailed(file.name, message, { text: message });
+      }
+    }
+    if (!last) return;
+    if (store.page.peek()) pages.chooseLayout(last);
+    else messages.note(strings.layoutKept);
+  }
+
+  function remove(id: string) {
+    write(store.own.peek().filter((layout) => layout.id !== id));
+  }
+
+  /** @returns the layout of the page in full */
+  function full(): Template | null {
+    const page = store.page.peek();
+    return (page && store.planner.peek()?.layoutFile(page.layout)) ?? null;
+  }
+
+  function isOwn(id: string) {
+    return store.own.value.some((layout) => layout.id === id);
+  }
+
+  function keep(layout: Template) {
+    // One of the catalogue is in the list already.
+    if (store.layouts.peek().some(({ id, own }) => id === layout.id && own === null)) return;
+    write([layout, ...store.own.peek().filter(({ id }) => id !== layout.id)].slice(0, MOST));
+  }
+
+  function write(ownLayouts: readonly Template[]) {
+    store.change({ type: 'own-layouts', ownLayouts });
+  }
+}

@@ -1,0 +1,87 @@
+import { beforeEach, describe, expect, test } from 'vitest';
+import { createLettering } from './lettering.ts';
+import { createSelection } from '../page/panels/selection.ts';
+import { fakeApp } from '../document/testing.ts';
+import type { PageDocument, Word } from '../engine/documents.ts';
+
+let lettering: ReturnType<typeof createLettering>;
+let store: ReturnType<typeof fakeApp>['store'];
+let pages: ReturnType<typeof fakeApp>['pages'];
+
+/** As the core does in little: automatic words go to a quarter of their panel, and all are a tenth of the page wide. */
+const letters = {
+  settle: ({ words }: any) => words.map((word: Word) => (word.auto ? { ...word, x: 0.25, y: 0.25, tail: null } : word)),
+  measure: ({ words }: any) => words.map(({ x = 0.5, y = 0.5, tail }: Word) => (
+    { x: x - 0.05, y: y - 0.05, width: 0.1, height: 0.1, tip: tail ? [tail.x, tail.y] : null, size: 0.02, cut: false }
+  )),
+};
+
+beforeEach(async () => {
+  const app = fakeApp();
+  ({ store, pages } = app);
+  const selection = createSelection({ store });
+  lettering = createLettering({ store, messages: app.messages, selection, load: async () => (letters as any) });
+  store.planner.value = lettering.within((app.planner as any));
+  await app.reading.addFiles(app.files('a.jpg', 'b.jpg'));
+});
+
+const past = () => store.history.peek().past.length;
+
+describe('words', () => {
+  test('one is added, placed and chosen as one step', async () => {
+    const before = past();
+    expect(await lettering.add('balloon')).toBe(true);
+    expect(lettering.words.value).toEqual([{ kind: 'balloon', text: 'Hello!', panel: 0, auto: true, x: 0.25, y: 0.25, tail: null }]);
+    expect([lettering.chosen.value, past() - before]).toEqual([0, 1]);
+    await lettering.add('caption');
+    expect(lettering.words.value[1].panel).toBe(1);
+    pages.undo();
+    pages.undo();
+    expect(lettering.words.value).toEqual([]);
+  });
+
+  test('text is written; nothing removes the word', async () => {
+    await lettering.add('caption');
+    lettering.write(0, ' e\u0301te\u0301 \n');
+    expect(lettering.words.value[0].text).toBe('été');
+    const steps = past();
+    lettering.write(0, 'été');
+    expect(past()).toBe(steps);
+    lettering.write(0, '  ');
+    expect(lettering.words.value).toEqual([]);
+    pages.undo();
+    expect(lettering.words.value[0].text).toBe('été');
+  });
+
+  test('a drag is one step, and what was moved stays where it is through every shuffle', async () => {
+    await lettering.add('balloon');
+    const steps = past();
+    const gesture = lettering.step();
+    lettering.move(0, [0.4, 0.4], gesture);
+    lettering.move(0, [0.6, 0.7], gesture);
+    lettering.point(0, [0.9, 0.9], gesture);
+    expect(past() - steps).toBe(1);
+    expect(lettering.words.value[0]).toMatchObject({ x: 0.6, y: 0.7, tail: { x: 0.9, y: 0.9 }, auto: false });
+    pages.shuffle('all');
+    expect(lettering.words.value[0]).toMatchObject({ x: 0.6, y: 0.7 });
+    lettering.point(0, null);
+    expect(lettering.words.value[0].tail).toBeNull();
+    lettering.settleOne(0);
+    expect(lettering.words.value[0]).toMatchObject({ x: 0.25, auto: true });
+  });
+
+  test('another page has the words of this one', async () => {
+    await lettering.add('effect');
+    const other = (pages.plan({ keep: { layout: false, style: false, photos: false } }) as PageDocument);
+    expect(lettering.on({ ...other, words: [] }).words).toEqual(lettering.words.value);
+  });
+
+  test('without letters the page stays, and the reason is said', async () => {
+    const app = fakeApp();
+    const failing = createLettering({ store: app.store, messages: app.messages, selection: createSelection({ store: app.store }), load: () => Promise.reject(new Error('offline')) });
+    await app.reading.addFiles(app.files('a.jpg'));
+    expect(await failing.add('caption')).toBe(false);
+    expect(app.messages.list.value.at(-1)?.text).toContain('offline');
+    expect(failing.words.value).toEqual([]);
+  });
+});

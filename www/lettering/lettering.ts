@@ -1,0 +1,153 @@
+/**
+ * Words on the page, by hand: added, written, moved, pointed, removed. Each edit is one step of the undo. A word that
+ * nobody has moved is placed by the core, again and again as the page changes, so that it hides no face.
+ */
+
+import { computed, signal } from '@preact/signals';
+import { strings } from '../strings/strings.ts';
+import { MOST, wellFormed } from '../document/limits.ts';
+import { anchored, pagePoint } from './word-places.ts';
+import { createWordPlanning } from './word-planning.ts';
+import type { Messages } from '../app/messages.ts';
+import type { Store } from '../document/store.ts';
+import type { Word } from '../engine/documents.ts';
+import type { Engine } from '../engine/engine.ts';
+import type { Signal } from '@preact/signals';
+
+export type Lettering = ReturnType<typeof createLettering>;
+/** What the next click on the page is for. */
+export type Mode = 'move' | 'tail';
+
+/** @param app `load`: what knows the letters */
+export function createLettering({ store, messages, selection, load }: {
+  store: Store, messages: Pick<Messages, 'alert' | 'note'>,
+  selection: Pick<import('../page/panels/selection.ts').Selection, 'panels'>, load: Engine['lettering'],
+}) {
+  const planning = createWordPlanning({ store, messages, load });
+  const { words, letters, ready, failed, settled } = planning;
+  const boxes = computed(() => {
+    const page = store.page.value;
+    return page && letters.value && words.value.length > 0 ? letters.value.measure(page) : [];
+  });
+  const marked = signal(-1);
+  /** The word that is being changed. */
+  const chosen = computed(() => (marked.value < words.value.length ? marked.value : -1));
+  /** The word whose text is being written. */
+  const editing = signal(-1);
+  const mode: Signal<Mode | null> = signal(null);
+  let steps = 0;
+
+  return {
+    words, boxes, chosen, editing, mode, rested: planning.rested, within: planning.within, on: planning.on,
+    choose, add, addAll, edit, write, move, point, remove, settleOne, step, pageAt,
+  };
+
+  /** @returns the name of a new gesture */
+  function step(): string {
+    steps += 1;
+    return `word-${steps}`;
+  }
+
+  function choose(index: number) {
+    if (index !== marked.peek()) mode.value = null;
+    marked.value = index;
+  }
+
+  /**
+   * A new word on the panel that is chosen, else on the first that has none.
+   * @returns whether it is there
+   */
+  async function add(kind: Word['kind']): Promise<boolean> {
+    const page = store.page.peek();
+    if (!page) return false;
+    const busy = new Set(words.peek().map(({ panel }) => panel));
+    const free = page.panels.findIndex((_, i) => !busy.has(i));
+    const panel = selection.panels.peek()[0] ?? Math.max(0, free);
+    const added = await addAll([{ kind, text: strings.wordSample[kind], panel, auto: true, ...(kind === 'effect' ? { angle: -8 } : {}) }]);
+    if (added > 0) choose(words.peek().length - 1);
+    return added > 0;
+  }
+
+  /** @returns how many of them are on the page */
+  async function addAll(fresh: Word[]): Promise<number> {
+    try {
+      await ready();
+    } catch (error) {
+      failed((error as Error));
+      return 0;
+    }
+    const page = store.page.peek();
+    if (!page) return 0;
+    const before = words.peek();
+    const some = fresh.slice(0, Math.max(0, MOST.words - before.length)).map((word) => ({ ...word, text: bounded(word.text) }));
+    if (some.length < fresh.length) messages.alert(strings.wordsFull(MOST.words));
+    if (some.length === 0) return 0;
+    const all = [...before, ...some];
+    const places = some.map((_, i) => before.length + i);
+    store.change({ type: 'change-page', page: settled({ ...page, words: all }, places) });
+    return some.length;
+  }
+
+  function edit(index: number, news: Partial<Word>, gesture?: string) {
+    const page = store.page.peek();
+    if (!page || !words.peek()[index]) return;
+    const changed = words.peek().map((word, i) => (i === index ? { ...word, ...news } : word));
+    store.change({ type: 'change-page', page: settled({ ...page, words: changed }, [index]), gesture });
+  }
+
+  /** @param text nothing removes the word */
+  function write(index: number, text: string) {
+    const clean = bounded(text.trim()).trim();
+    editing.value = -1;
+    if (clean === '') remove(index);
+    else if (clean !== words.peek()[index]?.text) edit(index, { text: clean });
+  }
+
+  /** @param to its middle, in page widths */
+  function move(index: number, to: [number, number], gesture?: string) {
+    const geometry = store.geometry.peek();
+    const word = words.peek()[index];
+    if (!geometry || !word) return;
+    const tip = boxes.peek()[index]?.tip ?? null;
+    edit(index, { ...anchored(geometry, word, to, tip), auto: false }, gesture);
+  }
+
+  /** @param to in page widths; null takes the tail off */
+  function point(index: number, to: [number, number] | null, gesture?: string) {
+    const geometry = store.geometry.peek();
+    const word = words.peek()[index];
+    const box = boxes.peek()[index];
+    if (!geometry || !word || !box) return;
+    const middle = ([box.x + box.width / 2, box.y + box.height / 2] as [number, number]);
+    edit(index, { ...anchored(geometry, word, middle, to), auto: false }, gesture);
+  }
+
+  function remove(index: number) {
+    const page = store.page.peek();
+    const word = words.peek()[index];
+    if (!page || !word) return;
+    choose(-1);
+    editing.value = -1;
+    store.change({ type: 'change-page', page: { ...page, words: words.peek().filter((_, i) => i !== index) } });
+    messages.note(strings.wordRemoved(strings.word(word.kind, word.text)));
+  }
+
+  /** Lets a word find its place again. */
+  function settleOne(index: number) {
+    edit(index, { auto: true, width: null, size: 'auto' });
+  }
+
+  /** @returns its middle, in page widths */
+  function pageAt(index: number): [number, number] {
+    const box = boxes.peek()[index];
+    const geometry = store.geometry.peek();
+    if (box) return [box.x + box.width / 2, box.y + box.height / 2];
+    const word = words.peek()[index];
+    return geometry && word ? pagePoint(geometry, word, [word.x ?? 0.5, word.y ?? 0.5]) : [0.5, 0.5];
+  }
+}
+
+/** @returns as the core takes it */
+function bounded(text: string): string {
+  return [...wellFormed(text).normalize('NFC')].slice(0, MOST.letters).join('');
+}

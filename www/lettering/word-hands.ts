@@ -1,0 +1,120 @@
+/** What mouse, touch and keys do with a word and with its tail. A drag, or a key that is held, is one step of the undo. */
+
+import { useRef } from 'preact/hooks';
+import { useApp } from '../app/context.ts';
+import { WAYS } from '../page/panels/panel-shape.ts';
+import type { Bounds } from '../engine/documents.ts';
+
+/** What an arrow moves by, in page widths, and with Shift. */
+const STEP = 0.005;
+const LARGE_STEP = 0.03;
+/** Pixels before a press counts as a drag. */
+const SLACK = 4;
+
+/** in page widths */
+type Place = [number, number];
+type Grip = { id: number, x: number, y: number, at: Place, gesture: string, moved: boolean };
+
+/** @param event on the page or something on it */
+export function pointOn({ clientX, clientY, currentTarget }: MouseEvent): Place {
+  const { left, top, width } = pageOf(currentTarget);
+  return [(clientX - left) / width, (clientY - top) / width];
+}
+
+function pageOf(element: EventTarget | null) {
+  return ((element as Element).closest('.page') as Element).getBoundingClientRect();
+}
+
+export function useWordHands(index: number) {
+  const { lettering } = useApp();
+  const middle = () => lettering.pageAt(index);
+  const tip = () => lettering.boxes.peek()[index]?.tip ?? middle();
+  const body = useHand(middle, (to, gesture) => lettering.move(index, to, gesture));
+  const tail = useHand(tip, (to, gesture) => lettering.point(index, to, gesture));
+
+  function press(event: KeyboardEvent) {
+    if (event.ctrlKey || event.metaKey || event.altKey) return;
+    if (event.key === 'Enter') lettering.editing.value = index;
+    else if (event.key === 'Delete' || event.key === 'Backspace') {
+      lettering.remove(index);
+      // The focus goes on to what is left, not to the top of the window.
+      requestAnimationFrame(() => focusOn('[data-word]', '.panels > [tabindex="0"]'));
+    } else if (event.key === 'Escape' && lettering.mode.peek()) lettering.mode.value = null;
+    else if (event.key === 'Escape' && lettering.chosen.peek() === index) lettering.choose(-1);
+    else {
+      body.onKeyDown(event);
+      return;
+    }
+    event.preventDefault();
+    event.stopPropagation();
+  }
+
+  return {
+    body: {
+      ...body,
+      onKeyDown: press,
+      onClick: (event: MouseEvent) => {
+        event.stopPropagation();
+        lettering.choose(index);
+      },
+      onDblClick: () => { lettering.editing.value = index; },
+    },
+    tail: { ...tail, onClick: (event: MouseEvent) => event.stopPropagation() },
+  };
+
+  function useHand(where: () => Place, put: (to: Place, gesture: string) => void) {
+    const grip = useRef((null as Grip | null));
+    const keys = useRef('');
+    return {
+      onPointerDown: (event: PointerEvent) => {
+        // The page below must neither be panned nor turned.
+        event.stopPropagation();
+        if (event.button !== 0) return;
+        const { pointerId: id, clientX: x, clientY: y } = event;
+        grip.current = { id, x, y, at: where(), gesture: lettering.step(), moved: false };
+        (event.currentTarget as Element).setPointerCapture(id);
+      },
+      onPointerMove: (event: PointerEvent) => {
+        const held = grip.current;
+        if (held?.id !== event.pointerId) return;
+        event.stopPropagation();
+        const [x, y] = [event.clientX - held.x, event.clientY - held.y];
+        if (!held.moved && Math.hypot(x, y) < SLACK) return;
+        if (!held.moved) lettering.choose(index);
+        held.moved = true;
+        const { width } = pageOf(event.currentTarget);
+        put([held.at[0] + x / width, held.at[1] + y / width], held.gesture);
+      },
+      onPointerUp: () => { grip.current = null; },
+      onPointerCancel: () => { grip.current = null; },
+      onKeyDown: (event: KeyboardEvent) => {
+        const way = WAYS[event.key];
+        if (!way || event.ctrlKey || event.metaKey || event.altKey) return;
+        event.preventDefault();
+        event.stopPropagation();
+        lettering.choose(index);
+        const step = event.shiftKey ? LARGE_STEP : STEP;
+        if (keys.current === '') keys.current = lettering.step();
+        const [x, y] = where();
+        put([x + way[0] * step, y + way[1] * step], keys.current);
+      },
+      onKeyUp: () => { keys.current = ''; },
+    };
+  }
+}
+
+/** @param selectors the first of which something is there says what gets the focus */
+export function focusOn(...selectors: (string)[]) {
+  const found = selectors.map((selector) => document.querySelector(selector)).find((element) => element !== null);
+  (found as HTMLElement | undefined)?.focus();
+}
+
+/**
+ * Around the middle of a box, for an element that may be larger than it.
+ * @param box in page widths
+ * @param height of the page, in its widths
+ */
+export function placed({ x, y, width, height: tall }: Bounds, height: number) {
+  const percent = (part: number) => `${(part * 100).toFixed(3)}%`;
+  return { left: percent(x + width / 2), top: percent((y + tall / 2) / height), width: percent(width), height: percent(tall / height) };
+}

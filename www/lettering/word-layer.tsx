@@ -1,0 +1,94 @@
+/**
+ * The words on the page: a canvas with their pictures, and over it one focusable element a word, the tail of the one
+ * that is chosen, and the field where text is written.
+ */
+
+import { useEffect, useRef } from 'preact/hooks';
+import { strings } from '../strings/strings.ts';
+import { useApp } from '../app/context.ts';
+import { placed, pointOn, useWordHands } from './word-hands.ts';
+import { WordEditor } from './word-editor.tsx';
+import { createWordPainter } from './word-painter.ts';
+import type { Geometry, PageDocument, WordBox } from '../engine/documents.ts';
+
+/** @param props `width` of the page in pixels of the screen */
+export function WordLayer({ page, geometry, width }: { page: PageDocument, geometry: Geometry, width: number }) {
+  const { engine, ui, messages, lettering } = useApp();
+  const canvas = useRef((null as HTMLCanvasElement | null));
+  const painter = useRef((null as ReturnType<typeof createWordPainter> | null));
+  const words = lettering.words.value;
+  const boxes = lettering.boxes.value;
+  const editing = lettering.editing.value;
+
+  useEffect(() => {
+    painter.current = createWordPainter((canvas.current as HTMLCanvasElement), {
+      render: engine.renderWord,
+      onPainted: (document) => { ui.lettered.value = document; },
+      onError: ({ message }) => messages.alert(strings.wordsFailed(message)),
+    });
+    return () => painter.current?.dispose();
+  }, []);
+  useEffect(() => {
+    if (width > 0) painter.current?.show(page, width);
+  }, [page, width]);
+
+  return (
+    <>
+      <canvas ref={canvas} class="word-canvas" aria-hidden="true" />
+      <div class="words" role="group" aria-label={strings.wordList}>
+        {words.map((_, i) => boxes[i] && i !== editing && <Word key={i} index={i} box={boxes[i]} height={geometry.height} />)}
+        {lettering.mode.value && <Aim />}
+        {boxes[editing] && <WordEditor key={`edit-${editing}`} index={editing} box={boxes[editing]} height={geometry.height} />}
+      </div>
+    </>
+  );
+}
+
+/** @param props `height` of the page, in its widths */
+function Word({ index, box, height }: { index: number, box: WordBox, height: number }) {
+  const { lettering } = useApp();
+  const hands = useWordHands(index);
+  const word = lettering.words.value[index];
+  const chosen = lettering.chosen.value === index;
+  const name = strings.word(word.kind, word.text);
+  return (
+    <>
+      <button
+        type="button"
+        class="word"
+        data-word={index}
+        aria-label={name}
+        aria-description={strings.wordKeys}
+        aria-pressed={chosen}
+        style={placed(box, height)}
+        {...hands.body}
+      />
+      {chosen && box.tip && (
+        <button
+          type="button"
+          class="word-tail"
+          aria-label={strings.wordTail(name)}
+          aria-description={strings.tailKeys}
+          style={{ left: `${box.tip[0] * 100}%`, top: `${box.tip[1] / height * 100}%` }}
+          {...hands.tail}
+        />
+      )}
+    </>
+  );
+}
+
+/** Over the whole page while the next click says where something goes. */
+function Aim() {
+  const { lettering } = useApp();
+  const index = lettering.chosen.value;
+
+  function press(event: MouseEvent) {
+    event.stopPropagation();
+    const at = pointOn(event);
+    if (lettering.mode.peek() === 'tail') lettering.point(index, at);
+    else lettering.move(index, at);
+    lettering.mode.value = null;
+  }
+
+  return <div class="word-aim" role="presentation" onClick={press} onPointerDown={(event) => event.stopPropagation()} />;
+}

@@ -1,0 +1,81 @@
+/**
+ * Keeps the canvas of the words true to the document: one picture a word, so that a hand that moves one does not have
+ * all drawn anew. A word waits for the picture that is being drawn of it before it asks for the next.
+ */
+
+import type { PageDocument } from '../engine/documents.ts';
+import type { Engine } from '../engine/engine.ts';
+import type { BitmapPatch } from '../engine/protocol.ts';
+
+type Sheet = { document: PageDocument, width: number, keys: string[] };
+
+/** Pictures kept: those of a few pages. */
+const MOST = 80;
+
+export function createWordPainter(canvas: HTMLCanvasElement, { render, onPainted, onError }: {
+  render: Engine['renderWord'],
+  onPainted: (document: PageDocument | null) => void, onError: (error: Error & { code?: string }) => void,
+}) {
+  /** By key, oldest first. */
+  const kept: Map<string, BitmapPatch> = new Map();
+  /** The last picture of each place, shown until the next comes. */
+  let shown: (BitmapPatch | null)[] = [];
+  const running: Set<number> = new Set();
+  /** What could not be drawn is not tried again. */
+  const failed: Set<string> = new Set();
+  let sheet: Sheet | null = null;
+
+  return { show, dispose };
+
+  /** @param width of the page, in pixels of the screen */
+  function show(document: PageDocument, width: number) {
+    const { words = [], layout, page } = document;
+    const same = sheet && sheet.width === width && JSON.stringify([sheet.document.layout, sheet.document.page]) === JSON.stringify([layout, page]);
+    // Another page does not show the words of the one before in their old places.
+    if (!same || words.length !== sheet?.keys.length) shown = [];
+    sheet = { document, width, keys: words.map((word) => JSON.stringify([word, layout, page, width])) };
+    words.forEach((_, i) => request(i));
+    paint();
+  }
+
+  function request(index: number) {
+    const now = sheet;
+    if (!now || running.has(index) || index >= now.keys.length) return;
+    const key = now.keys[index];
+    if (kept.has(key) || failed.has(key)) return;
+    running.add(index);
+    render(now.document, index, now.width).then(
+      (patch) => {
+        kept.set(key, patch);
+        for (const old of [...kept.keys()].slice(0, Math.max(0, kept.size - MOST))) kept.delete(old);
+      },
+      (error) => {
+        failed.add(key);
+        if (error.code !== 'cancelled') onError(error);
+      },
+    ).finally(() => {
+      running.delete(index);
+      request(index);
+      paint();
+    });
+  }
+
+  function paint() {
+    if (!sheet) return;
+    const { document, width, keys } = sheet;
+    const height = Math.max(1, Math.round(width * document.page.height / document.page.width));
+    shown = keys.map((key, i) => kept.get(key) ?? shown[i] ?? null);
+    canvas.width = width;
+    canvas.height = height;
+    const context = canvas.getContext('2d');
+    for (const patch of shown) {
+      if (patch) context?.drawImage(patch.bitmap, patch.x, patch.y);
+    }
+    onPainted(keys.every((key) => kept.has(key) || failed.has(key)) ? document : null);
+  }
+
+  function dispose() {
+    sheet = null;
+    kept.clear();
+  }
+}

@@ -1,0 +1,46 @@
+/** Places of words: fractions of a panel, or of the page, and back to page widths. */
+
+import { MOST } from '../document/limits.ts';
+import type { Bounds, Geometry, Word } from '../engine/documents.ts';
+
+type Place = [number, number];
+
+/**
+ * What the places of a word are fractions of.
+ * @returns in page widths
+ */
+export function frameOf({ panels, height }: Geometry, { panel }: Pick<Word, 'panel'>): Bounds {
+  const own = panel === null || panel === undefined ? undefined : (panels[panel] ?? panels.at(-1));
+  return own?.bounds ?? { x: 0, y: 0, width: 1, height };
+}
+
+/**
+ * @param place fractions
+ * @returns in page widths
+ */
+export function pagePoint(geometry: Geometry, word: Pick<Word, 'panel'>, [x, y]: Place): Place {
+  const frame = frameOf(geometry, word);
+  return [frame.x + x * frame.width, frame.y + y * frame.height];
+}
+
+/**
+ * A word with its middle at a place of the page: it stands on the panel there, the uppermost where several lie on one
+ * another, and stays on its own in a gutter. The tail points where it is told.
+ */
+export function anchored(geometry: Geometry, word: Word, to: Place, tip: Place | null): Partial<Word> {
+  const at = ([Math.min(1, Math.max(0, to[0])), Math.min(geometry.height, Math.max(0, to[1]))] as Place);
+  const below = geometry.panels.findLastIndex(({ bounds }) => contains(bounds, at));
+  const panel = below < 0 ? (word.panel ?? null) : below;
+  const frame = frameOf(geometry, { panel });
+  const part = ([x, y]: Place) => ({ x: within((x - frame.x) / frame.width), y: within((y - frame.y) / frame.height) });
+  return { panel, ...part(at), tail: tip && part(tip) };
+}
+
+function contains({ x, y, width, height }: Bounds, [px, py]: Place) {
+  return px >= x && px <= x + width && py >= y && py <= y + height;
+}
+
+/** @returns one that the core takes: of a narrow panel the page is many widths */
+function within(part: number): number {
+  return Math.min(MOST.away, Math.max(-MOST.away, Math.round(part * 1e5) / 1e5));
+}

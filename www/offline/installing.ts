@@ -1,0 +1,27 @@
+/** The page as a program of the device, where the browser offers that. */
+
+import { computed, signal } from '@preact/signals';
+import type { Signal } from '@preact/signals';
+
+type InstallEvent = Event & { prompt: () => Promise<unknown> };
+export type Installing = ReturnType<typeof createInstalling>;
+
+export function createInstalling(window: Pick<Window, 'addEventListener'>) {
+  const offer: Signal<InstallEvent | null> = signal(null);
+  window.addEventListener('beforeinstallprompt', (event) => {
+    // The button says it, when the person wants to know.
+    event.preventDefault();
+    offer.value = (event as InstallEvent);
+  });
+  window.addEventListener('appinstalled', () => { offer.value = null; });
+
+  return {
+    possible: computed(() => offer.value !== null),
+    /** Has the browser ask the person; it can be asked once. */
+    install: () => {
+      const event = offer.value;
+      offer.value = null;
+      void event?.prompt().catch(() => {});
+    },
+  };
+}

@@ -1,0 +1,87 @@
+/**
+ * The site without a connection: a service worker keeps its files (`service-worker/`), and a new version of them is taken
+ * when the person says so. Where there are no service workers the page is as it is without.
+ */
+
+import { effect } from '@preact/signals';
+import { strings } from '../strings/strings.ts';
+import type { Messages } from '../app/messages.ts';
+import type { Keeping } from '../storage/storage.ts';
+
+/** Milliseconds at rest after which the files are fetched: the first page must not wait for them. */
+const CALM = 2_000;
+/** Milliseconds between two looks for a new version, of a page that stays open. */
+const OFTEN = 3600_000;
+/** Milliseconds after which a new version that does not take over is waited for no longer. */
+const PATIENCE = 10_000;
+/** Of the locks by which the worker knows what the open pages are made of. */
+const PAGE_LOCK = 'inkpanel.page ';
+
+/** @param app `script`: the address of the page's own script; `busy` reads signals */
+export function createOffline({ window, messages, keeping, script, busy, calm = CALM }: {
+  window: Window, messages: Pick<Messages, 'offer' | 'alert'>,
+  keeping: Pick<Keeping, 'flush' | 'isSafe'> & { files: Pick<Keeping['files'], 'save'> },
+  script: string, busy: () => boolean, calm?: number,
+}) {
+  const { navigator, document } = window;
+  const workers = navigator.serviceWorker;
+  let registration: ServiceWorkerRegistration | undefined;
+  let looked = 0;
+  if (!workers) return;
+
+  // Held as long as the page is open.
+  void navigator.locks?.request(`${PAGE_LOCK}${script}`, { mode: 'shared' }, () => new Promise(() => {})).catch(() => {});
+
+  let timer: ReturnType<typeof setTimeout> | undefined;
+  const stop = effect(() => {
+    clearTimeout(timer);
+    if (!busy()) timer = setTimeout(() => { stop(); void begin(); }, calm);
+  });
+
+  async function begin() {
+    try {
+      registration = await workers.register(new URL('./service-worker.js', document.baseURI), { updateViaCache: 'none' });
+      looked = Date.now();
+      if (registration.waiting) tell();
+      registration.addEventListener('updatefound', () => {
+        registration?.installing?.addEventListener('statechange', () => registration?.waiting && tell());
+      });
+      document.addEventListener('visibilitychange', look);
+      const { active } = await workers.ready;
+      active?.postMessage({ op: 'settle', extras: !((navigator as any).connection?.saveData) });
+    } catch {
+      // Refused, as in some private windows, or there is no such file: the page works without.
+    }
+  }
+
+  /** Looks for a new version when the person comes back to the page. */
+  function look() {
+    if (document.visibilityState !== 'visible' || Date.now() - looked < OFTEN) return;
+    looked = Date.now();
+    void registration?.update().catch(() => {});
+  }
+
+  function tell() {
+    // A page that no worker serves came from the host just now.
+    if (workers.controller) messages.offer(strings.newVersion, { label: strings.reload, run: () => void reload() });
+  }
+
+  /** The other pages of the version before go on with it. */
+  async function reload() {
+    await keeping.flush();
+    if (!keeping.isSafe()) {
+      messages.alert(strings.notReloaded, { label: strings.saveToFile, run: () => void keeping.files.save() });
+      tell();
+      return;
+    }
+    const { waiting } = registration ?? {};
+    if (waiting) {
+      await new Promise((resolve) => {
+        workers.addEventListener('controllerchange', resolve, { once: true });
+        setTimeout(resolve, PATIENCE);
+        waiting.postMessage({ op: 'take-over' });
+      });
+    }
+    window.location.reload();
+  }
+}

@@ -1,0 +1,41 @@
+/**
+ * Files that another program shares with the page: the browser posts them, and as no server takes them they wait in a
+ * cache for the page that is opened next. The page's half is `app/arrivals.ts`.
+ */
+
+/** Where the browser posts to, as the manifest says. */
+export const SHARE = 'share';
+export const SHARED = 'inkpanel-shared';
+const FOLDER = 'shared/';
+/** Milliseconds after which nobody comes for what was shared. */
+const LONGEST = 24 * 3600_000;
+
+/** @param world `scope`: the address of the site's folder */
+export function createShares({ scope, caches, now = Date.now }: { scope: string, caches: CacheStorage, now?: () => number }) {
+  return { take, sweep };
+
+  /** @returns on to the page, which finds the files by the name in the address */
+  async function take(request: Request): Promise<Response> {
+    const id = `${now()}-${crypto.randomUUID().slice(0, 8)}`;
+    const stored = await store(id, request).then(() => id, () => 'lost');
+    return Response.redirect(new URL(`?shared=${stored}`, scope).href, 303);
+  }
+
+  async function store(id: string, request: Request) {
+    const form = await request.formData();
+    const files = [...form.values()].filter((value) => typeof value !== 'string');
+    const cache = await caches.open(SHARED);
+    await Promise.all(files.map((file, i) => {
+      const headers = { 'content-type': file.type || 'application/octet-stream', 'x-name': encodeURIComponent(file.name) };
+      return cache.put(new URL(`${FOLDER}${id}/${i}`, scope).href, new Response(file, { headers }));
+    }));
+  }
+
+  async function sweep() {
+    const cache = await caches.open(SHARED);
+    for (const { url } of await cache.keys()) {
+      const since = url.startsWith(scope) ? Number.parseInt(url.slice(scope.length + FOLDER.length), 10) : now();
+      if (now() - since > LONGEST) await cache.delete(url);
+    }
+  }
+}

@@ -1,0 +1,70 @@
+/**
+ * A strip of other pages that grows as it is scrolled.
+ */
+
+import { useEffect, useMemo, useRef } from 'preact/hooks';
+import { strings } from '../strings/strings.ts';
+import { Bitmap, screenPixels, useInView } from './bitmap.tsx';
+import { useApp } from '../app/context.ts';
+import type { PageDocument } from '../engine/documents.ts';
+
+/** Pages made at a time: more than any strip shows at once. */
+const BATCH = 24;
+
+export function Alternatives() {
+  const { store, alternatives } = useApp();
+  const strip = useRef((null as HTMLUListElement | null));
+  const end = useRef((null as HTMLLIElement | null));
+  const atEnd = useInView(end);
+  const items = alternatives.items.value;
+  const basis = alternatives.basis.value;
+
+  // Both in tasks of their own: scrolling lays the page out, and making pages is as much work as showing what has changed.
+  useEffect(() => {
+    const frame = requestAnimationFrame(() => strip.current?.scrollTo({ left: 0 }));
+    return () => cancelAnimationFrame(frame);
+  }, [basis]);
+  useEffect(() => {
+    if (basis === '' || (!atEnd && items.length > 0)) return undefined;
+    const task = setTimeout(() => alternatives.more(BATCH));
+    return () => clearTimeout(task);
+  }, [basis, atEnd, items]);
+
+  function onWheel(event: WheelEvent) {
+    // A wheel that only goes up and down moves the strip sideways.
+    if (event.deltaX === 0 && !event.ctrlKey && strip.current) strip.current.scrollLeft += event.deltaY;
+  }
+
+  return (
+    <section class="alternatives" aria-label={strings.alternatives} aria-busy={basis === ''}>
+      <ul class="strip" ref={strip} onWheel={onWheel}>
+        {items.map((page, i) => <Alternative key={`${basis}/${i}`} page={page} number={i + 1} />)}
+        {items.length === 0 && Array.from({ length: BATCH }, (_, i) => <li key={i} class="alternative"><span class="bitmap" /></li>)}
+        <li class="strip-end" ref={end} aria-hidden="true" />
+      </ul>
+      {store.page.value && items.length === 0 && <span class="visually-hidden">{strings.alternativesWait}</span>}
+    </section>
+  );
+}
+
+function Alternative({ page, number }: { page: PageDocument, number: number }) {
+  const { store, pages, engine, lettering } = useApp();
+  const words = lettering.rested.value;
+  // Words belong to the story: another page has those of this one.
+  const shown = useMemo(() => lettering.on(page), [page, words]);
+  const ref = useRef((null as HTMLButtonElement | null));
+  const width = () => screenPixels(ref.current?.clientWidth ?? 100);
+  return (
+    <li class="alternative" style={{ '--aspect': page.page.width / page.page.height }}>
+      <button
+        type="button"
+        ref={ref}
+        aria-label={strings.alternative(number)}
+        aria-current={store.page.value === shown ? 'true' : undefined}
+        onClick={() => pages.show(lettering.on(page))}
+      >
+        <Bitmap of={shown} draw={(call) => engine.renderPage(shown, width(), call)} />
+      </button>
+    </li>
+  );
+}

@@ -1,0 +1,90 @@
+/**
+ * An endless stream of other pages, made as they come into view. It depends on the photos that are free for the page, the page
+ * settings, the wanted number of panels and what is locked, single panels too: while these stand, so does the
+ * stream, whichever of its pages is chosen.
+ */
+
+import { computed, signal } from '@preact/signals';
+import { photosFor } from '../document/page-photos.ts';
+import type { Pages } from '../document/pages.ts';
+import type { Store } from '../document/store.ts';
+import type { PageDocument } from '../engine/documents.ts';
+import type { Signal } from '@preact/signals';
+
+export type Alternatives = ReturnType<typeof createAlternatives>;
+
+/** Seeds are tried this often for a page that is not in the stream yet; then there are no more. */
+const TRIES = 12;
+/** Milliseconds that pages are made at a stretch: a frame's time, so that nothing else on the page waits. */
+const STRETCH = 12;
+
+export function createAlternatives({ store, pages }: { store: Store, pages: Pages }) {
+  /** What the stream depends on, as text. */
+  const basis = computed(() => {
+    const { project, photos, reading, planner } = store;
+    const { page, locks, panels, settings, styling, others, sheet } = project.value;
+    // The first page comes first; nothing else is drawn while it waits for photos.
+    if (!planner.value || !page || reading.value) return '';
+    return JSON.stringify([
+      photosFor(photos.value, others.map((other) => other.page), page).map(({ id }) => id), sheet, settings, panels, locks, styling, locks.layout && page.layout, locks.style && page.style,
+      locks.photos && [page.order, page.panels],
+      page.panels.filter(({ locked }) => locked).map(({ photo }) => photo),
+    ]);
+  });
+
+  const stream: Signal<{ basis: string, items: readonly PageDocument[], over: boolean }> = signal({ basis: '', items: [], over: false });
+  const empty = { items: ([] as readonly PageDocument[]), over: false };
+  let running = false;
+
+  return {
+    basis,
+    /** The pages made so far. */
+    items: computed(() => (stream.value.basis === basis.value ? stream.value : empty).items),
+    more,
+  };
+
+  /** Makes the stream longer, a few pages at a stretch. */
+  async function more(count: number) {
+    if (running) return;
+    running = true;
+    try {
+      const now = basis.peek();
+      const goal = current(now).items.length + count;
+      while (now !== '' && basis.peek() === now && !current(now).over && current(now).items.length < goal) {
+        stretch(now, goal);
+        await new Promise((resolve) => { setTimeout(resolve); });
+      }
+    } finally {
+      running = false;
+    }
+    // What it depends on has changed meanwhile, and nobody else would begin again.
+    if (basis.peek() !== '' && current(basis.peek()).items.length === 0 && !current(basis.peek()).over) await more(count);
+  }
+
+  function current(now: string) {
+    return stream.peek().basis === now ? stream.peek() : empty;
+  }
+
+  function stretch(now: string, goal: number) {
+    const fresh = [...current(now).items];
+    const known = new Set(fresh.map(look));
+    const end = performance.now() + STRETCH;
+    let tries = 0;
+    while (fresh.length < goal && tries < TRIES && (performance.now() < end || tries > 0)) {
+      const page = pages.plan({ keep: { ...store.project.peek().locks }, mode: 'shuffle' });
+      if (!page || known.has(look(page))) {
+        tries += 1;
+        continue;
+      }
+      tries = 0;
+      known.add(look(page));
+      fresh.push(page);
+    }
+    stream.value = { basis: now, items: fresh, over: tries >= TRIES };
+  }
+}
+
+/** @returns the same for pages that look the same */
+function look(page: PageDocument): string {
+  return JSON.stringify({ ...page, seed: 0 });
+}

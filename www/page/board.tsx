@@ -1,0 +1,86 @@
+/**
+ * The board: the page in the middle, everything else around it and quiet. On a small screen the sides become
+ * sheets that open below the page and leave it in view.
+ */
+
+import { strings } from '../strings/strings.ts';
+import { Alternatives } from './alternatives-strip.tsx';
+import { PageStrip } from '../book/page-strip.tsx';
+import { BottomBar } from '../app/bottom-bar.tsx';
+import { useApp } from '../app/context.ts';
+import { LayoutTools } from '../layouts/layout-tools.tsx';
+import { LayoutsList } from '../layouts/layouts-list.tsx';
+import { PageSettings } from './page-settings-form.tsx';
+import { PanelTools } from './panels/panel-tools.tsx';
+import { Sheet } from '../app/drawer.tsx';
+import { ShuffleButton, ShuffleParts } from './shuffle-bar.tsx';
+import { Stage } from './stage.tsx';
+import { StyleTools } from '../styles/style-tools.tsx';
+import { StylesList } from '../styles/styles-list.tsx';
+import { Tray } from '../photos/tray.tsx';
+import { WordTools } from '../lettering/word-tools.tsx';
+import { Workspaces } from '../app/workspaces.tsx';
+
+/** Window heights from which the settings are open from the start, in CSS pixels. */
+const TALL = 760;
+
+export function Board() {
+  const { ui } = useApp();
+  return ui.wide.value ? <WideBoard /> : <NarrowBoard />;
+}
+
+function WideBoard() {
+  return (
+    <>
+      <div class="left"><Tray /></div>
+      <main class="centre">
+        <Stage />
+        <PageStrip />
+        <PanelTools />
+        <div class="shuffle-bar"><ShuffleButton /><ShuffleParts /></div>
+      </main>
+      <aside class="right" aria-label={strings.look}>
+        <div class="side-section grows">
+          <header class="section-head styles-head"><h2>{strings.styles}</h2><StyleTools /></header>
+          <StylesList />
+        </div>
+        <div class="side-section grows">
+          <header class="section-head"><h2>{strings.layouts}</h2><LayoutTools /></header>
+          <LayoutsList />
+        </div>
+        <details name="side" class="side-section settings-section words-section">
+          <summary class="section-head"><h2>{strings.words}</h2></summary>
+          <WordTools />
+        </details>
+        <details name="side" class="side-section settings-section" open={globalThis.innerHeight >= TALL}>
+          <summary class="section-head"><h2>{strings.pageSettings}</h2></summary>
+          <PageSettings />
+        </details>
+      </aside>
+      <Alternatives />
+    </>
+  );
+}
+
+function NarrowBoard() {
+  const { ui, book, selection, reshaping } = useApp();
+  const sheet = ui.sheet.value;
+  const several = book.several.value;
+  const byHand = reshaping.editing.value || selection.several.value || selection.panels.value.length > 0;
+  return (
+    <>
+      <main class="centre">
+        {several && sheet === null && <PageStrip />}
+        <Stage />
+        {byHand ? <PanelTools /> : sheet === null && <ShuffleParts />}
+      </main>
+      {sheet === null && (several ? <Alternatives /> : <div class="strip-row"><PageStrip /><Alternatives /></div>)}
+      {sheet === 'photos' && <Sheet title={strings.photos} bare><Tray /></Sheet>}
+      {sheet === 'styles' && <Sheet title={strings.styles}><div class="styles-head"><Workspaces /><StyleTools /></div><StylesList /></Sheet>}
+      {sheet === 'layouts' && <Sheet title={strings.layouts}><LayoutTools /><LayoutsList /></Sheet>}
+      {sheet === 'words' && <Sheet title={strings.words}><WordTools /></Sheet>}
+      {sheet === 'settings' && <Sheet title={strings.pageSettings}><PageSettings /></Sheet>}
+      <BottomBar />
+    </>
+  );
+}

@@ -1,0 +1,20 @@
+/** How a page differs from the one before it, which says whether old pictures may stand in for new ones. */
+
+import type { Geometry, PageDocument } from '../engine/documents.ts';
+import type { Sheet } from './painter.ts';
+
+/** @returns whether the panels of both are the same ones, so that their pictures can follow each other */
+export function sameShape(a: PageDocument, b: PageDocument): boolean {
+  return JSON.stringify([a.layout, a.merges]) === JSON.stringify([b.layout, b.merges]);
+}
+
+/** @returns whether there are as many panels as before */
+export function onlyMoved({ slots }: Sheet, { panels }: Geometry): boolean {
+  return slots.length === panels.length;
+}
+
+/** @returns whether only lengths and colours differ, which must follow the hand at once */
+export function sameLook(a: PageDocument, b: PageDocument): boolean {
+  const photos = ({ panels }: PageDocument) => panels.map(({ photo }) => photo);
+  return JSON.stringify([a.style, photos(a)]) === JSON.stringify([b.style, photos(b)]);
+}

@@ -1,0 +1,31 @@
+/** The page in words, to be copied to where the page is shown. */
+
+import { describePage } from './describing.ts';
+import { strings } from '../strings/strings.ts';
+import { useApp } from '../app/context.ts';
+import { styleOfPage } from '../styles/style-tools.tsx';
+
+export function PageDescription() {
+  const app = useApp();
+  const { store, messages } = app;
+  const page = store.page.value;
+  if (page === null) return null;
+  const style = styleOfPage(app);
+  const text = describePage(page, store.album.value, style ? strings.styleTitle(style) : strings.ownStyle);
+
+  function copy() {
+    // Without a secure address there is no clipboard.
+    (navigator.clipboard?.writeText(text) ?? Promise.reject(new Error('no clipboard'))).then(
+      () => messages.note(strings.descriptionCopied),
+      () => messages.alert(strings.descriptionNotCopied(text)),
+    );
+  }
+
+  return (
+    <details class="page-description">
+      <summary>{strings.description}</summary>
+      <p class="quiet">{text}</p>
+      <button type="button" class="button small" title={strings.descriptionHelp} onClick={copy}>{strings.copyDescription}</button>
+    </details>
+  );
+}

@@ -1,0 +1,80 @@
+/**
+ * The page's size, lengths and colours, all live. One drag of a slider is one step of the undo.
+ */
+
+import { useRef, useState } from 'preact/hooks';
+import { PAGE_SIZES, sizeId } from './paper.ts';
+import { strings } from '../strings/strings.ts';
+import { useApp } from '../app/context.ts';
+import { CustomSize } from './custom-size.tsx';
+import { PageDescription } from './page-description.tsx';
+import type { PageSettings } from '../engine/documents.ts';
+
+/** Lengths, in hundredths of the page's width. */
+const LENGTHS: { name: 'gutter' | 'margin' | 'border' | 'cornerRadius', most: number, step: number }[] = [
+  { name: 'gutter', most: 6, step: 0.1 },
+  { name: 'margin', most: 10, step: 0.1 },
+  { name: 'border', most: 1.5, step: 0.05 },
+  { name: 'cornerRadius', most: 6, step: 0.1 },
+];
+
+const COLOURS: ('paper' | 'borderColor')[] = ['paper', 'borderColor'];
+
+export function PageSettings() {
+  const { store, pages } = useApp();
+  const { settings } = store.project.value;
+  const drags = useRef(0);
+  /** Whether a size of one's own was asked for; it may be that of a known one for a while. */
+  const [custom, setCustom] = useState(false);
+  const size = custom ? 'custom' : sizeId(settings);
+
+  const change = (name: keyof PageSettings, value: number | string) => pages.changeSettings({ [name]: value }, `${name}-${drags.current}`);
+  const rest = () => { drags.current += 1; };
+
+  function resize(id: string) {
+    setCustom(id === 'custom');
+    const found = PAGE_SIZES.find((other) => other.id === id);
+    if (found) pages.changeSettings({ width: found.width, height: found.height, dpi: found.dpi });
+  }
+
+  return (
+    <section class="settings" aria-label={strings.pageSettings}>
+      <label class="field">
+        <span>{strings.pageSize}</span>
+        <select class="select" value={size} onChange={(event) => resize(event.currentTarget.value)}>
+          {PAGE_SIZES.map(({ id }) => <option key={id} value={id}>{strings.size[(id as 'a4')]}</option>)}
+          <option value="custom">{strings.size.custom}</option>
+        </select>
+      </label>
+      {size === 'custom' && <CustomSize />}
+      {LENGTHS.map(({ name, most, step }) => (
+        <label class="field length" key={name}>
+          <span>{strings[name]}</span>
+          <input
+            type="range"
+            min="0"
+            max={most}
+            step={step}
+            value={settings[name] * 100}
+            aria-valuetext={strings.percent(settings[name] * 100)}
+            onInput={(event) => change(name, Number((event.currentTarget.valueAsNumber / 100).toFixed(5)))}
+            onChange={rest}
+          />
+          <output aria-hidden="true">{strings.percent(settings[name] * 100)}</output>
+        </label>
+      ))}
+      {COLOURS.map((name) => (
+        <label class="field colour" key={name}>
+          <span>{strings[name]}</span>
+          <input
+            type="color"
+            value={settings[name]}
+            onInput={(event) => change(name, event.currentTarget.value)}
+            onChange={rest}
+          />
+        </label>
+      ))}
+      <PageDescription />
+    </section>
+  );
+}

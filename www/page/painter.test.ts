@@ -1,0 +1,133 @@
+import { beforeEach, expect, test, vi } from 'vitest';
+import { createPainter } from './painter.ts';
+
+vi.useFakeTimers();
+vi.stubGlobal('requestAnimationFrame', (paint: () => void) => setTimeout(paint, 16));
+vi.stubGlobal('cancelAnimationFrame', clearTimeout);
+
+let jobs: any[] = [];
+let drawn: string[] = [];
+beforeEach(() => {
+  jobs = [];
+  drawn = [];
+});
+
+/** A page of two panels. */
+const page = (layout: string, rest?: object): any => ({
+  layout, style: 's', merges: [], panels: [{ photo: 'a' }, { photo: 'b' }], page: { width: 10, height: 10, gutter: 0 }, ...rest });
+const panel = (name: string) => ({ name, polygon: [[0, 0], [1, 0], [1, 1]], bounds: { x: 0, y: 0, width: 1, height: 1 } });
+/** Each layout has shapes of its own. */
+const geometry = (layout: string): any => ({ width: 1, height: 1, panels: [panel(layout), panel(layout)] });
+
+function painter(readable = ['a', 'b']) {
+  const context = new Proxy({}, {
+    get: (_, name) => (...args: any[]) => {
+      if (name === 'fillRect') drawn = [];
+      if (name === 'drawImage') drawn.push(args[0].name);
+      if (name === 'fill') drawn.push('wait');
+    },
+    set: () => true,
+  });
+  const canvas = ({ width: 1, height: 1, getContext: () => context } as any);
+  const renderPanel = (document: any, index: number, width: number, call: any) => {
+    const job = ({ name: `${document.layout}${document.style}${index}`, tier: call.tier, signal: call.signal } as any);
+    const promise = new Promise((resolve, reject) => {
+      job.done = () => resolve({ x: 0, y: 0, width, height: width, bitmap: { name: job.name, width: 1, height: 1 } });
+      job.fail = (code: string) => reject(Object.assign(new Error(code), { code }));
+    });
+    jobs.push(job);
+    return promise;
+  };
+  const painted = vi.fn();
+  const errors = vi.fn();
+  const hasPhoto = (id: string) => readable.includes(id);
+  const made = createPainter(canvas, { engine: ({ renderPanel, hasPhoto } as any), onPainted: painted, onError: errors });
+  return { ...made, painted, errors };
+}
+
+const finish = async (name: string) => {
+  jobs.find((job) => job.name === name).done();
+  await vi.advanceTimersByTimeAsync(20);
+};
+
+test('another layout appears at once when all of its panels are there', async () => {
+  const { show, painted } = painter();
+  show(page('A'), geometry('A'), 10);
+  await finish('As0');
+  await finish('As1');
+  expect(drawn).toEqual(['As0', 'As1']);
+  const other = page('B');
+  show(other, geometry(other.layout), 10);
+  await finish('Bs0');
+  expect(drawn).toEqual(['As0', 'As1']);
+  expect(painted).toHaveBeenLastCalledWith(null);
+  await finish('Bs1');
+  expect(drawn).toEqual(['Bs0', 'Bs1']);
+  expect(painted).toHaveBeenLastCalledWith(other);
+});
+
+test('a slow page is shown with what there is, and filled', async () => {
+  const { show } = painter();
+  show(page('A'), geometry('A'), 10);
+  await finish('As0');
+  await finish('As1');
+  show(page('B'), geometry('B'), 10);
+  await finish('Bs0');
+  await vi.advanceTimersByTimeAsync(150);
+  expect(drawn).toEqual(['Bs0', 'wait']);
+  await finish('Bs1');
+  expect(drawn).toEqual(['Bs0', 'Bs1']);
+});
+
+test('a length follows the hand with the old pictures', async () => {
+  const { show } = painter();
+  show(page('A'), geometry('A'), 10);
+  await finish('As0');
+  await finish('As1');
+  show(page('A', { page: { width: 10, height: 10, gutter: 0.1 } }), geometry('A'), 10);
+  await vi.advanceTimersByTimeAsync(20);
+  expect(drawn).toEqual(['wait', 'As0', 'wait', 'As1']);
+});
+
+test('pictures that nobody wants any more are cancelled, those still wanted are not asked for twice', async () => {
+  const { show } = painter();
+  show(page('A'), geometry('A'), 10);
+  show(page('A', { panels: [{ photo: 'a' }, { photo: 'c' }] }), geometry('A'), 10);
+  expect(jobs.map(({ signal }) => signal.aborted)).toEqual([false, true]);
+  show(page('A', { panels: [{ photo: 'a' }, { photo: 'b' }] }), geometry('A'), 10);
+  await finish('As0');
+  expect(jobs.filter(({ name }) => name === 'As0').length).toBe(1);
+});
+
+test('the page before is there without work', async () => {
+  const { show } = painter();
+  for (const layout of ['A', 'B']) {
+    show(page(layout), geometry(layout), 10);
+    await finish(`${layout}s0`);
+    await finish(`${layout}s1`);
+  }
+  const asked = jobs.length;
+  show(page('A'), geometry('A'), 10);
+  await vi.advanceTimersByTimeAsync(20);
+  expect(drawn).toEqual(['As0', 'As1']);
+  expect(jobs.length).toBe(asked);
+});
+
+test('a photo that is still being read leaves its panel empty, and the page counts as painted without it', async () => {
+  const { show, painted } = painter(['a']);
+  const document = page('A');
+  show(document, geometry(document.layout), 10);
+  await finish('As0');
+  expect(drawn).toEqual(['As0', 'wait']);
+  expect(painted).toHaveBeenLastCalledWith(document);
+});
+
+test('a panel that fails is told once, and does not hold the page', async () => {
+  const { show, painted, errors } = painter();
+  const document = page('A');
+  show(document, geometry(document.layout), 10);
+  jobs[0].fail('worker-lost');
+  await finish('As1');
+  expect(errors).toHaveBeenCalledTimes(1);
+  expect(painted).toHaveBeenLastCalledWith(document);
+});

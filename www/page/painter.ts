@@ -1,0 +1,152 @@
+/**
+ * Keeps the page's canvas true to the document. Panels are rendered one by one; a page in another layout appears
+ * at once when all of its panels are there, or after a moment with those that are, so that a shuffle neither
+ * flickers nor waits. While a length is dragged the old pictures follow the new geometry until the new ones come.
+ */
+
+import { drawPage, sheetSize } from './drawing.ts';
+import { onlyMoved, sameLook, sameShape } from './likeness.ts';
+import { createPatches } from './patches.ts';
+import type { Geometry, PageDocument } from '../engine/documents.ts';
+import type { Engine } from '../engine/engine.ts';
+import type { Patch } from './patches.ts';
+
+/** `signature` says everything the picture of a panel depends on. */
+export type Slot = { signature: string, patch: Patch | null, coarse: Patch | null, older: Patch | null, failed: boolean };
+export type Sheet = { document: PageDocument, geometry: Geometry, width: number, slots: Slot[] };
+
+/** A new layout is shown with what there is after this time, in ms. */
+const PATIENCE = 120;
+/** A page that will take longer than this, in ms, is first drawn at half the size. */
+const COARSE_ABOVE = 100;
+
+export function createPainter(canvas: HTMLCanvasElement, { engine, onPainted, onError }: {
+  engine: Pick<Engine, 'renderPanel' | 'hasPhoto'>,
+  onPainted: (document: PageDocument | null) => void, onError: (error: Error & { code?: string }) => void,
+}) {
+  const patches = createPatches(engine.renderPanel);
+  let sheet: Sheet | null = null;
+  /** What is on the canvas. */
+  let visible: Sheet | null = null;
+  /** What is being drawn of each panel, by its place: a hand that moves it waits for that picture before the next. */
+  const running: Map<number, string> = new Map();
+  let frame = 0;
+  let timer: any;
+
+  return { show, dispose };
+
+  /**
+   * @param width of the page on the screen, in its pixels
+   * @param follow whether the layout is changed by hand, so that the pictures follow its panels
+   */
+  function show(document: PageDocument, geometry: Geometry, width: number, follow: boolean = false) {
+    const old = sheet;
+    sheet = { document, geometry, width, slots: [] };
+    const near = old !== null && (sameShape(old.document, document) || (follow && onlyMoved(old, geometry)));
+    sheet.slots = document.panels.map((_, i) => slotOf((sheet as Sheet), i, near ? old : null));
+    const moving = near && sameLook((old as Sheet).document, document);
+    const wanted = sheet.slots.map(({ signature }) => signature);
+    if (!moving) running.clear();
+    patches.keepOnly([...wanted, ...running.values()]);
+    const slow = patches.expected(document, width) > COARSE_ABOVE;
+    sheet.slots.forEach((slot, index) => request((sheet as Sheet), slot, index, slow));
+    clearTimeout(timer);
+    if (!visible || (moving && sameLook(visible.document, document)) || complete(sheet)) paintSoon();
+    else timer = setTimeout(paintSoon, PATIENCE);
+    report();
+  }
+
+  /** @param near the sheet before where its panels are the same ones */
+  function slotOf({ document, geometry, width }: Sheet, index: number, near: Sheet | null): Slot {
+    const signature = patches.signature(document, geometry, index, width);
+    const before = near?.slots[index];
+    if (before?.signature === signature) return { ...before, failed: false };
+    const older = before ? before.patch ?? before.coarse ?? before.older : null;
+    return { signature, patch: patches.cached(signature), coarse: null, older, failed: false };
+  }
+
+  function request(from: Sheet, slot: Slot, index: number, slow: boolean) {
+    const { photo } = from.document.panels[index];
+    if (slot.patch || photo === null || !engine.hasPhoto(photo)) return;
+    const before = running.get(index);
+    if (before !== undefined && before !== slot.signature) return;
+    running.set(index, slot.signature);
+    if (slow && !slot.coarse && !slot.older) {
+      patches.coarse(from.document, from.geometry, index, from.width).then((patch) => {
+        if (!slot.patch && from === sheet) arrive(slot, { coarse: patch });
+      }, () => {});
+    }
+    patches.get(slot.signature, from.document, from.geometry, index, from.width).then(
+      (patch) => {
+        if (stale(slot, index)) follow(index, patch);
+        // The sheet may have been replaced by one that wants the very same picture.
+        const wanted = sheet?.slots.find((other) => other.signature === slot.signature);
+        if (wanted) arrive(wanted, { patch });
+      },
+      (error) => {
+        if (stale(slot, index)) follow(index, null);
+        if (error.code === 'cancelled' || from !== sheet) return;
+        arrive(slot, { failed: true });
+        onError(error);
+      },
+    );
+  }
+
+  /** Whether a picture came for a panel that has moved on meanwhile. */
+  function stale({ signature }: Slot, index: number) {
+    if (running.get(index) !== signature) return false;
+    running.delete(index);
+    return sheet !== null && sheet.slots[index] !== undefined && sheet.slots[index].signature !== signature;
+  }
+
+  /** Shows the picture in the place of the one before, and asks for what is wanted by now. */
+  function follow(index: number, patch: Patch | null) {
+    const now = (sheet as Sheet);
+    const slot = now.slots[index];
+    if (patch && !slot.patch) arrive(slot, { older: patch });
+    request(now, slot, index, false);
+  }
+
+  function arrive(slot: Slot, news: Partial<Slot>) {
+    Object.assign(slot, news);
+    if (sheet && (visible === sheet || complete(sheet))) paintSoon();
+    report();
+  }
+
+  /** @returns whether nothing more is to come */
+  function complete(of: Sheet): boolean {
+    return of.slots.every((slot, i) => {
+      const { photo } = of.document.panels[i];
+      return slot.patch || slot.failed || photo === null || !engine.hasPhoto(photo);
+    });
+  }
+
+  function paintSoon() {
+    clearTimeout(timer);
+    frame ||= requestAnimationFrame(paint);
+  }
+
+  function paint() {
+    frame = 0;
+    if (!sheet) return;
+    visible = sheet;
+    const { width, height } = sheetSize(sheet);
+    if (canvas.width !== width) canvas.width = width;
+    if (canvas.height !== height) canvas.height = height;
+    const context = canvas.getContext('2d');
+    if (context) drawPage(context, sheet);
+    report();
+  }
+
+  function report() {
+    const done = sheet !== null && sheet === visible && frame === 0 && complete(sheet);
+    onPainted(done ? (sheet as Sheet).document : null);
+  }
+
+  function dispose() {
+    cancelAnimationFrame(frame);
+    clearTimeout(timer);
+    patches.dispose();
+    sheet = null;
+  }
+}

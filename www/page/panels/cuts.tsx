@@ -1,0 +1,127 @@
+/**
+ * The cuts of the layout as handles over the page: a cut is dragged, its ends slant it, arrows do both, and so do the
+ * tools of the cut that is chosen.
+ */
+
+import { useRef } from 'preact/hooks';
+import { strings } from '../../strings/strings.ts';
+import { useApp } from '../../app/context.ts';
+import type { Cut } from '../../engine/documents.ts';
+
+/** which part of a cut is held */
+type End = 'both' | 'from' | 'to';
+type Grip = { id: number, x: number, y: number, cut: Cut, end: End, name: string };
+
+/** What an arrow key moves a cut by, and with Shift. */
+const STEP = 0.01;
+const LARGE_STEP = 0.05;
+
+export function Cuts() {
+  const { store } = useApp();
+  const cuts = store.layoutFacts.value?.cuts ?? [];
+  const height = store.geometry.value?.height ?? 1;
+  return (
+    <div class="cuts" role="group" aria-label={strings.cuts}>
+      {cuts.map((cut, i) => <CutHandle key={i} cut={cut} index={i} count={cuts.length} height={height} />)}
+      {cuts.length === 0 && <p class="cuts-none">{strings.noCuts}</p>}
+    </div>
+  );
+}
+
+let gestures = 0;
+
+/** @param props `height` of the page, in its widths */
+function CutHandle({ cut, index, count, height }: { cut: Cut, index: number, count: number, height: number }) {
+  const { reshaping } = useApp();
+  const grip = useRef((null as Grip | null));
+  const keys = useRef('');
+  const ref = useRef((null as HTMLDivElement | null));
+
+  function take(event: PointerEvent, end: End) {
+    if (event.button !== 0) return;
+    // The page below must neither be panned nor turned.
+    event.stopPropagation();
+    ref.current?.setPointerCapture(event.pointerId);
+    gestures += 1;
+    grip.current = { id: event.pointerId, x: event.clientX, y: event.clientY, cut, end, name: `cut-${gestures}` };
+  }
+
+  function drag(event: PointerEvent) {
+    const held = grip.current;
+    const page = ref.current?.parentElement;
+    if (!held || held.id !== event.pointerId || !page) return;
+    event.stopPropagation();
+    const moved = held.cut.axis === 'rows' ? event.clientY - held.y : event.clientX - held.x;
+    reshaping.moveCut(index, shifted(held.cut, held.end, moved / page.clientWidth / held.cut.length), held.name);
+  }
+
+  function release() {
+    grip.current = null;
+  }
+
+  function press(event: KeyboardEvent) {
+    const way = wayOf(event.key, cut.axis, event.altKey);
+    if (way === 0 || event.ctrlKey || event.metaKey) return;
+    event.preventDefault();
+    event.stopPropagation();
+    const step = way * (event.shiftKey ? LARGE_STEP : STEP);
+    if (keys.current === '') keys.current = `cut-keys-${gestures += 1}`;
+    const { fraction, slant } = cut;
+    reshaping.moveCut(index, event.altKey ? { fraction, slant: slant + 2 * step } : { fraction: fraction + step, slant }, keys.current);
+  }
+
+  const [[x1, y1], [x2, y2]] = [cut.from, cut.to];
+  const length = Math.hypot(x2 - x1, y2 - y1);
+  const angle = Math.atan2(y2 - y1, x2 - x1);
+  return (
+    <div
+      ref={ref}
+      class="cut"
+      role="slider"
+      tabIndex={0}
+      aria-label={strings.cut(index + 1, count)}
+      aria-orientation={cut.axis === 'rows' ? 'vertical' : 'horizontal'}
+      aria-valuemin={0}
+      aria-valuemax={100}
+      aria-valuenow={Math.round(cut.fraction * 100)}
+      aria-valuetext={strings.cutAt(cut.fraction * 100, cut.slant * 100)}
+      aria-description={strings.cutKeys}
+      data-axis={cut.axis}
+      data-chosen={reshaping.cut.value === index}
+      style={{
+        left: `${(x1 + x2) * 50}%`,
+        top: `${(y1 + y2) * 50 / height}%`,
+        width: `${length * 100}%`,
+        rotate: `${angle}rad`,
+      }}
+      onFocus={() => { reshaping.cut.value = index; }}
+      onPointerDown={(event) => take(event, 'both')}
+      onPointerMove={drag}
+      onPointerUp={release}
+      onPointerCancel={release}
+      onKeyDown={press}
+      // A held key is one step of the undo.
+      onKeyUp={() => { keys.current = ''; }}
+    >
+      <span class="cut-end" onPointerDown={(event) => take(event, 'from')} />
+      <span class="cut-grip" />
+      <span class="cut-end" onPointerDown={(event) => take(event, 'to')} />
+    </div>
+  );
+}
+
+/**
+ * @param cut as it was when it was taken
+ * @param by parts of its cell
+ */
+export function shifted({ fraction, slant }: Cut, end: End, by: number): { fraction: number, slant: number } {
+  if (end === 'both') return { fraction: fraction + by, slant };
+  return { fraction: fraction + by / 2, slant: slant + (end === 'to' ? by : -by) };
+}
+
+function wayOf(key: string, axis: Cut['axis'], slants: boolean): -1 | 0 | 1 {
+  const [less, more] = axis === 'rows' ? ['ArrowUp', 'ArrowDown'] : ['ArrowLeft', 'ArrowRight'];
+  if (key === more || (slants && (key === 'ArrowRight' || key === 'ArrowDown'))) return 1;
+  if (key === less || (slants && (key === 'ArrowLeft' || key === 'ArrowUp'))) return -1;
+  return 0;
+}

@@ -1,0 +1,162 @@
+/**
+ * Photos in panels, by hand: moved, enlarged, fitted, exchanged, replaced, locked. What is done to a panel is done to
+ * all that share its image.
+ */
+
+import { signal } from '@preact/signals';
+import { fitted, panned, zoomed } from './crop.ts';
+import { grown } from './merging.ts';
+import type { Pages } from '../../document/pages.ts';
+import type { Store } from '../../document/store.ts';
+import type { Bounds, PageDocument, PanelUse } from '../../engine/documents.ts';
+import type { Crop } from './crop.ts';
+import type { Signal } from '@preact/signals';
+
+export type Framing = ReturnType<typeof createFraming>;
+
+/** What the next key or click on the page is for; `at` is where the focus point would be, in parts of the image. */
+export type Mode = { kind: 'frame' | 'swap' | 'focus', panel: number, at?: [number, number] };
+
+export function createFraming({ store, pages }: { store: Store, pages: Pages }) {
+  let steps = 0;
+  const mode: Signal<Mode | null> = signal(null);
+
+  return { mode, step, toggle, cropOf, boundsOf, isLocked, pan, zoom, closer, fit, reset, swap, swapWith, replace, lock, focus };
+
+  /** @returns the name of a new gesture: all that bears it is one step of the undo */
+  function step(): string {
+    steps += 1;
+    return `frame-${steps}`;
+  }
+
+  function toggle(kind: Mode['kind'], panel: number) {
+    mode.value = mode.peek()?.kind === kind ? null : { kind, panel };
+  }
+
+  /** @returns what it shows; nothing for an empty panel */
+  function cropOf(panel: number): Crop | null {
+    const page = store.page.peek();
+    const use = page?.panels[groupOf(page, panel)[0]];
+    return use?.photo ? use.crop : null;
+  }
+
+  /** @returns of its image on the page, in page widths */
+  function boundsOf(panel: number): Bounds | null {
+    const page = store.page.peek();
+    const panels = store.geometry.peek()?.panels;
+    if (!page || !panels?.[panel]) return null;
+    return groupOf(page, panel).map((i) => panels[i].bounds).reduce(union);
+  }
+
+  function isLocked(panel: number) {
+    return store.page.value?.panels[panel]?.locked ?? false;
+  }
+
+  /**
+   * @param from the crop when it was taken hold of
+   * @param by parts of the image
+   */
+  function pan(panel: number, from: Crop, [x, y]: [number, number], gesture: string) {
+    setCrop(panel, panned(from, x, y), gesture);
+  }
+
+  function zoom(panel: number, from: Crop, factor: number, at: [number, number] | undefined, gesture: string) {
+    setCrop(panel, zoomed(from, factor, at), gesture);
+  }
+
+  function closer(panel: number, factor: number, gesture: string = step()) {
+    const crop = cropOf(panel);
+    if (crop) zoom(panel, crop, factor, undefined, gesture);
+  }
+
+  /** Shows the subject large; without one, what the page would choose. */
+  function fit(panel: number) {
+    const bounds = boundsOf(panel);
+    const meta = store.photos.peek().find(({ id }) => id === photoOf(panel));
+    const crop = meta && bounds && fitted((meta.subjects as any), meta, bounds.width / bounds.height);
+    if (crop) setCrop(panel, crop, step());
+    else reset(panel);
+  }
+
+  /** The crop that the page would choose. */
+  function reset(panel: number) {
+    change(panel, { crop: null, edited: false }, step());
+  }
+
+  function swap(one: number, other: number, gesture?: string) {
+    const page = store.page.peek();
+    if (!page || isLocked(one) || isLocked(other)) return;
+    const [a, b] = [groupOf(page, one), groupOf(page, other)];
+    if (a[0] === b[0]) return;
+    const fresh = (from: number) => ({ photo: page.panels[from].photo, crop: null, edited: false });
+    const panels = page.panels.map((panel, i) => (
+      a.includes(i) ? { ...panel, ...fresh(b[0]) } : b.includes(i) ? { ...panel, ...fresh(a[0]) } : panel
+    ));
+    pages.amend({ ...page, panels }, { gesture });
+  }
+
+  /** Ends the mode for it. */
+  function swapWith(panel: number) {
+    const from = mode.peek();
+    mode.value = null;
+    if (from?.kind === 'swap') swap(from.panel, panel);
+  }
+
+  function replace(panel: number, photo: string) {
+    if (isLocked(panel) || photoOf(panel) === photo) return;
+    const gesture = step();
+    // A photo that was set aside is in use from now on.
+    if (!store.photos.peek().some(({ id }) => id === photo)) store.change({ type: 'use-photo', id: photo, use: true, gesture });
+    change(panel, { photo, crop: null, edited: false }, gesture);
+  }
+
+  function lock(panel: number, on: boolean) {
+    change(panel, { locked: on });
+  }
+
+  /**
+   * Marks the point that matters in the photo of a panel; every crop keeps it, and those of the page are made anew.
+   * @param at parts of the image; none forgets the point
+   */
+  function focus(panel: number, at: [number, number] | null) {
+    const page = store.page.peek();
+    const id = photoOf(panel);
+    const crop = cropOf(panel);
+    if (!page || !id || !crop) return;
+    const gesture = step();
+    const point = at && { x: crop.x + at[0] * crop.width, y: crop.y + at[1] * crop.height };
+    store.change({ type: 'focus-photo', id, focus: point, gesture });
+    const panels = page.panels.map((use) => (use.photo === id && !use.locked ? { ...use, crop: null, edited: false } : use));
+    pages.amend({ ...page, panels }, { gesture });
+  }
+
+  function setCrop(panel: number, crop: Crop, gesture: string) {
+    const page = store.page.peek();
+    if (!page || isLocked(panel)) return;
+    const group = groupOf(page, panel);
+    const panels = page.panels.map((use, i) => (group.includes(i) ? { ...use, crop, edited: true } : use));
+    store.change({ type: 'change-page', page: { ...page, panels }, gesture });
+  }
+
+  function change(panel: number, news: Partial<PanelUse>, gesture?: string) {
+    const page = store.page.peek();
+    if (!page || (isLocked(panel) && news.locked === undefined)) return;
+    const group = groupOf(page, panel);
+    pages.amend({ ...page, panels: page.panels.map((use, i) => (group.includes(i) ? { ...use, ...news } : use)) }, { gesture });
+  }
+
+  function photoOf(panel: number) {
+    const page = store.page.peek();
+    return page?.panels[groupOf(page, panel)[0]]?.photo ?? null;
+  }
+}
+
+/** @returns the panels that share its image, the first of them first */
+function groupOf(page: PageDocument, panel: number): number[] {
+  return grown([panel], page);
+}
+
+function union(a: Bounds, b: Bounds): Bounds {
+  const [x, y] = [Math.min(a.x, b.x), Math.min(a.y, b.y)];
+  return { x, y, width: Math.max(a.x + a.width, b.x + b.width) - x, height: Math.max(a.y + a.height, b.y + b.height) - y };
+}

@@ -1,0 +1,78 @@
+/**
+ * Panels that share one image: which can, and how they are joined and parted again.
+ */
+
+import { strings } from '../../strings/strings.ts';
+import type { Pages } from '../../document/pages.ts';
+import type { Store } from '../../document/store.ts';
+import type { LayoutFacts, PageDocument } from '../../engine/documents.ts';
+import type { Selection } from './selection.ts';
+
+export type Merging = ReturnType<typeof createMerging>;
+
+export function createMerging({ store, pages, selection }: { store: Store, pages: Pages, selection: Selection }) {
+  return { merge, split, cannotMerge, cannotSplit };
+
+  /** @returns why the chosen panels cannot be merged; empty when they can */
+  function cannotMerge(): string {
+    const page = store.page.value;
+    const facts = store.layoutFacts.value;
+    return page && facts ? whyNotMerge(selection.panels.value, page, facts) : strings.merging.few;
+  }
+
+  /** @returns why nothing can be split; empty when something can */
+  function cannotSplit(): string {
+    const page = store.page.value;
+    return page && splitting(selection.panels.value, page).length > 0 ? '' : strings.merging.none;
+  }
+
+  function merge() {
+    const page = store.page.peek();
+    if (!page || cannotMerge() !== '') return;
+    const group = grown(selection.panels.peek(), page);
+    const rest = page.merges.filter((other) => !group.includes(other[0]));
+    selection.set(group);
+    pages.amend({ ...page, merges: [...rest, group] });
+  }
+
+  function split() {
+    const page = store.page.peek();
+    if (!page) return;
+    const parted = splitting(selection.panels.peek(), page);
+    if (parted.length === 0) return;
+    const merges = page.merges.filter((group) => !parted.includes(group));
+    // The first panel of a group keeps the photo, the others get new ones.
+    const open = parted.flatMap((group) => group.slice(1));
+    const panels = page.panels.map((panel, i) => (open.includes(i) ? { ...panel, photo: null, crop: null, edited: false } : panel));
+    pages.amend({ ...page, merges, panels: panels.map((panel, i) => (parted.flat().includes(i) ? { ...panel, edited: false } : panel)) });
+  }
+}
+
+/**
+ * The panels, with those that they share an image with already.
+ * @returns in ascending order
+ */
+export function grown(panels: readonly number[], { merges }: PageDocument): number[] {
+  const groups = merges.filter((group) => group.some((panel) => panels.includes(panel)));
+  return [...new Set([...panels, ...groups.flat()])].sort((a, b) => a - b);
+}
+
+/** @returns a reason, or nothing when they can be merged */
+export function whyNotMerge(panels: readonly number[], page: PageDocument, { base, adjacent }: LayoutFacts): string {
+  if (panels.length < 2) return strings.merging.few;
+  if (panels.some((panel) => panel >= base)) return strings.merging.overlay;
+  const group = grown(panels, page);
+  if (page.merges.some((other) => other.length === group.length && other.includes(group[0]))) return strings.merging.already;
+  const reached = [group[0]];
+  // The list grows while it is walked.
+  for (const from of reached) {
+    const beside = adjacent.flatMap(([a, b]) => (a === from ? [b] : b === from ? [a] : []));
+    reached.push(...beside.filter((to) => group.includes(to) && !reached.includes(to)));
+  }
+  return reached.length === group.length ? '' : strings.merging.apart;
+}
+
+/** The groups that `Split` parts: those with a chosen panel, or all when none is chosen. */
+export function splitting(panels: readonly number[], { merges }: PageDocument) {
+  return panels.length === 0 ? merges : merges.filter((group) => group.some((panel) => panels.includes(panel)));
+}

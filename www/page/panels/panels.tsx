@@ -1,0 +1,103 @@
+/**
+ * The panels of the page for keyboard, pointer and screen reader: transparent elements over the canvas, one tab
+ * stop for all, arrows move between them by where they are on the page. A click chooses a panel, with Shift or Ctrl
+ * one more; what else the hand does is in `panel-gestures.ts` and `panel-keys.ts`.
+ */
+
+import { useRef, useState } from 'preact/hooks';
+import { describePanel } from '../describing.ts';
+import { strings } from '../../strings/strings.ts';
+import { useApp } from '../../app/context.ts';
+import { target, usePanelGestures, within } from './panel-gestures.ts';
+import { PanelMarks } from './panel-marks.tsx';
+import { usePanelKeys } from './panel-keys.ts';
+import { place } from './panel-shape.ts';
+import type { Geometry, PageDocument } from '../../engine/documents.ts';
+
+type PanelShape = Geometry['panels'][number];
+
+export function Panels({ page, geometry }: { page: PageDocument, geometry: Geometry }) {
+  const { selection, framing } = useApp();
+  const ref = useRef((null as HTMLDivElement | null));
+  const [active, setActive] = useState(0);
+  const [focused, setFocused] = useState((null as number | null));
+  const count = Math.min(page.panels.length, geometry.panels.length);
+  const stop = Math.min(active, count - 1);
+  const chosen = selection.panels.value;
+  const describe = useDescription(page);
+
+  const gestures = usePanelGestures();
+  const mode = framing.mode.value;
+  const onKey = usePanelKeys({
+    panels: geometry.panels,
+    go: (panel) => (ref.current?.children[panel] as HTMLElement | undefined)?.focus(),
+  });
+
+  function leave() {
+    setFocused(null);
+    if (framing.mode.peek()?.kind === 'frame') framing.mode.value = null;
+  }
+
+  function press(event: MouseEvent, panel: number) {
+    event.stopPropagation();
+    if (gestures.wasDrag()) return;
+    const bounds = framing.boundsOf(panel);
+    if (mode?.kind === 'swap') framing.swapWith(panel);
+    else if (mode?.kind === 'focus' && bounds && ref.current) {
+      framing.mode.value = null;
+      framing.focus(panel, within({ x: event.clientX, y: event.clientY }, ref.current.getBoundingClientRect(), bounds));
+    } else {
+      framing.mode.value = null;
+      selection.press(panel, event.shiftKey || event.ctrlKey || event.metaKey);
+    }
+  }
+
+  return (
+    <>
+      <div class="panels" ref={ref} data-mode={mode?.kind} onFocusOut={leave}>
+        {geometry.panels.slice(0, count).map((panel, i) => (
+          <div
+            key={i}
+            class="panel"
+            role="group"
+            aria-label={strings.panel(i + 1, count)}
+            aria-description={describe(i)}
+            tabIndex={i === stop ? 0 : -1}
+            style={place(panel, geometry.height)}
+            {...gestures.on(i)}
+            onClick={(event) => press(event, i)}
+            onKeyDown={(event) => onKey(event, i)}
+            onFocus={() => {
+              setActive(i);
+              setFocused(i);
+            }}
+          />
+        ))}
+      </div>
+      <svg class="panel-ring" viewBox={`0 0 1000 ${geometry.height * 1000}`} aria-hidden="true">
+        {focused !== null && geometry.panels[focused] && outline(geometry.panels[focused])}
+      </svg>
+      <svg class="panel-choice" viewBox={`0 0 1000 ${geometry.height * 1000}`} aria-hidden="true">
+        {chosen.map((i) => geometry.panels[i] && outline(geometry.panels[i], i))}
+        {target.value !== null && geometry.panels[target.value] && <g class="panel-target">{outline(geometry.panels[target.value])}</g>}
+      </svg>
+      <PanelMarks page={page} geometry={geometry} />
+    </>
+  );
+}
+
+/** What is said of a panel beside its name: its photo, what is in it, and whether it is chosen. */
+function useDescription(page: PageDocument): (panel: number) => string | undefined {
+  const { store, selection } = useApp();
+  return (panel) => {
+    const name = store.album.value.get(page.panels[panel].photo ?? '')?.name;
+    const chosen = selection.panels.value.includes(panel) ? strings.chosenPanel : '';
+    const locked = page.panels[panel].locked ? strings.lockedPanel : '';
+    return [name, describePanel(page, store.album.value, panel), chosen, locked].filter(Boolean).join(', ') || undefined;
+  };
+}
+
+function outline({ polygon, circle }: PanelShape, key?: number) {
+  if (circle) return <circle key={key} cx={circle.x * 1000} cy={circle.y * 1000} r={circle.radius * 1000} />;
+  return <polygon key={key} points={(polygon ?? []).map(([x, y]) => `${x * 1000},${y * 1000}`).join(' ')} />;
+}

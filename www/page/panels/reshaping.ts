@@ -1,0 +1,76 @@
+/**
+ * Layouts that a person makes: a surprise, a cut that is moved, a panel that is split or taken away. The layout then
+ * stands in the page in full, like any other.
+ */
+
+import { signal } from '@preact/signals';
+import type { Pages } from '../../document/pages.ts';
+import type { Store } from '../../document/store.ts';
+import type { LayoutChange, PageDocument, PanelUse } from '../../engine/documents.ts';
+import type { Signal } from '@preact/signals';
+
+export type Reshaping = ReturnType<typeof createReshaping>;
+
+/** Panels of a surprise where no number is wanted. */
+const USUAL = { least: 3, most: 8 };
+
+const EMPTY: PanelUse = { photo: null, crop: null, locked: false, edited: false };
+
+export function createReshaping({ store, pages, seed }: { store: Store, pages: Pages, seed: () => number }) {
+  return {
+    /** Whether the cuts show their handles. */
+    editing: signal(false),
+    /** The cut that was chosen last, by its place in the facts of the layout. */
+    cut: (signal(null)) as Signal<number | null>,
+    surprise,
+    moveCut,
+    splitPanel,
+    removePanel,
+  };
+
+  /** A layout that nobody has seen, with the wanted number of panels. */
+  function surprise() {
+    const planner = store.planner.peek();
+    const { panels, settings, page } = store.project.peek();
+    if (!planner || !page) return;
+    const most = Math.max(USUAL.least, Math.min(USUAL.most, store.photos.peek().length));
+    const count = panels === null ? { least: USUAL.least, most } : { least: panels, most: panels };
+    pages.chooseLayout(planner.generateLayout({ seed: seed(), page: settings, ...count }));
+  }
+
+  /**
+   * @param cut its place in the facts of the layout
+   * @param gesture names the drag, which is one step of the undo
+   */
+  function moveCut(cut: number, to: { fraction: number, slant: number }, gesture: string) {
+    change({ type: 'move-cut', cut, ...to }, (page) => page, gesture);
+  }
+
+  function splitPanel(panel: number, axis: 'rows' | 'columns') {
+    change({ type: 'split', panel, axis }, (page) => spliced(page, panel, 1));
+  }
+
+  function removePanel(panel: number) {
+    change({ type: 'remove', panel }, (page) => spliced(page, panel, -1));
+  }
+
+  /** @param follow what becomes of the panels */
+  function change(wish: LayoutChange, follow: (page: PageDocument) => PageDocument, gesture?: string) {
+    const planner = store.planner.peek();
+    const page = store.page.peek();
+    if (!planner || !page) return;
+    const layout = planner.changeLayout(page.layout, wish);
+    pages.amend({ ...follow(page), layout }, { gesture });
+  }
+}
+
+/** The page with an open panel after that one, or without that one; merges that lose their sense are parted. */
+export function spliced(page: PageDocument, panel: number, by: 1 | -1): PageDocument {
+  const panels = [...page.panels];
+  if (by > 0) panels.splice(panel + 1, 0, EMPTY);
+  else panels.splice(panel, 1);
+  const moved = (other: number) => (other > panel ? other + by : other);
+  // The half of a merged panel, or what is left of a group, need not hang together any more.
+  const merges = page.merges.filter((group) => !group.includes(panel)).map((group) => group.map(moved));
+  return { ...page, panels, merges };
+}

@@ -1,0 +1,117 @@
+/**
+ * The pictures of panels: asked for once, shared, and kept for a while, so that the previous page is there at once.
+ */
+
+import { Priority } from '../engine/queue.ts';
+import type { Bounds, Geometry, PageDocument } from '../engine/documents.ts';
+import type { Engine } from '../engine/engine.ts';
+
+/** `page`: the width of the page it was drawn for; `crop` of the photo in `bounds` of the page */
+export type Patch = { x: number, y: number, width: number, height: number, bitmap: ImageBitmap, page: number, crop: Bounds | null, bounds: Bounds };
+type Flight = { promise: Promise<Patch>, stop: AbortController };
+
+/** Pictures kept, in bytes: a dozen pages on a large screen. */
+const BUDGET = 96 * 2 ** 20;
+
+export function createPatches(render: Engine['renderPanel']) {
+  /** Oldest first. */
+  const kept: Map<string, Patch> = new Map();
+  const flights: Map<string, Flight> = new Map();
+  let bytes = 0;
+  /** How long a page of a style took, in ms a pixel. */
+  const pace: Map<string, number> = new Map();
+
+  return { signature, cached, get, coarse, keepOnly, expected, dispose };
+
+  /**
+   * A cut that is moved leaves the panels that it does not touch as they are: what counts is the shape of the panel
+   * and of those that it shares an image with, and how many panels there are, which says how wide lines are.
+   * @returns all that the picture depends on
+   */
+  function signature({ style, page, merges, panels }: PageDocument, geometry: Geometry, index: number, width: number): string {
+    const group = merges.find((other) => other.includes(index)) ?? [index];
+    const { photo, crop } = panels[group[0]];
+    const shapes = group.map((i) => geometry.panels[i]);
+    return JSON.stringify([style, page, photo, crop, geometry.panels[index], shapes, geometry.panels.filter(({ overlay }) => !overlay).length, width]);
+  }
+
+  function cached(key: string): Patch | null {
+    const patch = kept.get(key);
+    if (!patch) return null;
+    kept.delete(key);
+    kept.set(key, patch);
+    return patch;
+  }
+
+  function get(key: string, document: PageDocument, geometry: Geometry, index: number, width: number): Promise<Patch> {
+    const before = flights.get(key);
+    if (before) return before.promise;
+    const stop = new AbortController();
+    const start = performance.now();
+    const promise = render(document, index, width, { tier: 'work', priority: Priority.PANEL, signal: stop.signal })
+      .then((patch) => {
+        learn(document, width, performance.now() - start);
+        return keep(key, { ...patch, page: width, ...shown(document, geometry, index) });
+      })
+      .finally(() => flights.delete(key));
+    flights.set(key, { promise, stop });
+    return promise;
+  }
+
+  /** A quick picture at half the size, from the small copy of the photo. */
+  async function coarse(document: PageDocument, geometry: Geometry, index: number, width: number): Promise<Patch> {
+    const page = Math.ceil(width / 2);
+    const key = `coarse/${index}`;
+    return { ...await render(document, index, page, { tier: 'small', priority: Priority.PANEL, key }), page, ...shown(document, geometry, index) };
+  }
+
+  /** Cancels the pictures that nobody waits for any more. */
+  function keepOnly(wanted: string[]) {
+    for (const [key, { stop }] of flights) {
+      if (!wanted.includes(key)) stop.abort();
+    }
+  }
+
+  /** The last of a page's panels tells how long the page took: they were all asked for together. */
+  function learn({ style, page }: PageDocument, width: number, ms: number) {
+    const name = JSON.stringify(style);
+    const now = ms / (width * width * page.height / page.width);
+    pace.set(name, Math.max(now, (pace.get(name) ?? 0) * 0.8));
+  }
+
+  /** @returns how long the page will likely take, in ms */
+  function expected({ style, page }: PageDocument, width: number): number {
+    return (pace.get(JSON.stringify(style)) ?? 0) * width * width * page.height / page.width;
+  }
+
+  function keep(key: string, patch: Patch) {
+    kept.set(key, patch);
+    bytes += size(patch);
+    for (const [old, { bitmap }] of kept) {
+      if (bytes <= BUDGET || old === key) break;
+      bytes -= size({ bitmap });
+      kept.delete(old);
+      // Not closed: the canvas may still show it. The browser frees it when nobody holds it.
+    }
+    return patch;
+  }
+
+  function dispose() {
+    for (const { stop } of flights.values()) stop.abort();
+    kept.clear();
+  }
+}
+
+function size({ bitmap }: { bitmap: ImageBitmap }) {
+  return bitmap.width * bitmap.height * 4;
+}
+
+/** The part of the photo that a panel's image shows, and where that image is: its own, or that of its group. */
+export function shown({ panels, merges }: PageDocument, geometry: Geometry, index: number): { crop: Bounds | null, bounds: Bounds } {
+  const group = merges.find((other) => other.includes(index)) ?? [index];
+  const boxes = group.map((i) => geometry.panels[i].bounds);
+  const [x, y] = [Math.min(...boxes.map((box) => box.x)), Math.min(...boxes.map((box) => box.y))];
+  const width = Math.max(...boxes.map((box) => box.x + box.width)) - x;
+  const height = Math.max(...boxes.map((box) => box.y + box.height)) - y;
+  return { crop: panels[group[0]].crop, bounds: { x, y, width, height } };
+}

@@ -1,0 +1,98 @@
+/**
+ * The page, as large as the window allows: a canvas, and over it one focusable element a panel.
+ */
+
+import { useEffect, useRef, useState } from 'preact/hooks';
+import { versions } from '../document/history.ts';
+import { strings } from '../strings/strings.ts';
+import { screenPixels } from './bitmap.tsx';
+import { useApp } from '../app/context.ts';
+import { Cuts } from './panels/cuts.tsx';
+import { createPainter } from './painter.ts';
+import { Panels } from './panels/panels.tsx';
+import { styleOfPage } from '../styles/style-tools.tsx';
+import { PanelSubjects } from './panels/subject-boxes.tsx';
+import { useSwipe } from './swipe.ts';
+import { WordLayer } from '../lettering/word-layer.tsx';
+import type { App } from '../app/context.ts';
+import type { Store } from '../document/store.ts';
+
+export function Stage() {
+  const app = useApp();
+  const { store, pages, engine, messages, ui, selection, reshaping } = app;
+  const canvas = useRef((null as HTMLCanvasElement | null));
+  const sheet = useRef((null as HTMLDivElement | null));
+  const painter = useRef((null as ReturnType<typeof createPainter> | null));
+  const width = useWidth(sheet);
+  const page = store.page.value;
+  const geometry = store.geometry.value;
+  const { settings } = store.project.value;
+  const swipe = useSwipe(sheet, { forth: () => (atEnd(store) ? pages.shuffle('all') : pages.next()), back: pages.previous });
+
+  useEffect(() => {
+    const made = createPainter((canvas.current as HTMLCanvasElement), {
+      engine,
+      onPainted: (document) => { ui.painted.value = document; },
+      onError: ({ message, code }) => messages.alert(strings.panelFailed(strings.reasons[code ?? ''] ?? message)),
+    });
+    painter.current = made;
+    return () => {
+      made.dispose();
+      ui.painted.value = null;
+    };
+  }, []);
+
+  const about = description(app);
+  /** Said once a page, when it is there to be seen. */
+  const [said, say] = useState('');
+  useEffect(() => {
+    if (ui.painted.value === page && about) say(about);
+  }, [ui.painted.value, page, about]);
+
+  // The number of photos read is part of what the page shows: panels fill as they come.
+  const read = store.reading.value?.done;
+  useEffect(() => {
+    if (page && geometry && width > 0) painter.current?.show(page, geometry, screenPixels(width), reshaping.editing.peek());
+  }, [page, geometry, width, read]);
+
+  return (
+    <section class="stage" aria-label={strings.page} aria-description={about} aria-busy={store.reading.value !== null || (page !== null && ui.painted.value !== page)}>
+      <div class="stage-area" {...swipe} onClick={selection.clear}>
+        <div class="page" ref={sheet} style={{ '--aspect': settings.width / settings.height }}>
+          <canvas ref={canvas} class="page-canvas" aria-hidden="true" />
+          {page && geometry && <Panels page={page} geometry={geometry} />}
+          {page && geometry && !reshaping.editing.value && <WordLayer page={page} geometry={geometry} width={width > 0 ? screenPixels(width) : 0} />}
+          {page && geometry && ui.subjects.value && <PanelSubjects page={page} geometry={geometry} />}
+          {page && geometry && reshaping.editing.value && <Cuts />}
+        </div>
+      </div>
+      <p class="visually-hidden" aria-live="polite">{said}</p>
+      {!page && <p class="stage-note">{strings.noPhotosInUse}</p>}
+    </section>
+  );
+}
+
+/** How the page is made; what is in each panel is said there. */
+function description(app: App) {
+  const { store } = app;
+  const layout = store.layoutFacts.value;
+  const style = styleOfPage(app);
+  if (!store.page.value) return undefined;
+  return strings.pageHolds(store.page.value.panels.length, layout ? strings.layoutTitle(layout) : '', style ? strings.styleTitle(style) : strings.ownStyle);
+}
+
+function atEnd(store: Store) {
+  const history = store.history.peek();
+  return versions(history).at(-1)?.id === history.present.pageId;
+}
+
+/** @returns the width of an element in CSS pixels, as it changes */
+function useWidth(ref: { current: Element | null }): number {
+  const [width, setWidth] = useState(0);
+  useEffect(() => {
+    const observer = new ResizeObserver(([entry]) => setWidth(Math.round(entry.contentRect.width)));
+    if (ref.current) observer.observe(ref.current);
+    return () => observer.disconnect();
+  }, []);
+  return width;
+}

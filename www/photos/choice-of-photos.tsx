@@ -1,0 +1,60 @@
+/** How photos are chosen: how alike two may be before one is set aside, and their order. */
+
+import { useState } from 'preact/hooks';
+import { strings } from '../strings/strings.ts';
+import { useApp } from '../app/context.ts';
+import type { Order } from '../document/project.ts';
+import type { Store } from '../document/store.ts';
+
+const STRICT = 4;
+const LOOSE = 16;
+
+export function ChoiceOfPhotos() {
+  const { store, choosing } = useApp();
+  const { alike, order } = store.project.value;
+  /** Where the slider is while it is dragged. */
+  const [wish, setWish] = useState((null as number | null));
+  const [open, setOpen] = useState(false);
+  const shown = wish ?? alike;
+  const busy = store.reading.value !== null;
+  return (
+    <details class="choice" onToggle={({ currentTarget }) => setOpen(currentTarget.open)}>
+      <summary>{strings.choice}</summary>
+      <label class="field">
+        <span>{strings.alike}</span>
+        <input
+          type="range"
+          min={STRICT}
+          max={LOOSE}
+          value={shown}
+          disabled={busy}
+          aria-valuetext={strings.alikeValue(shown)}
+          onInput={({ currentTarget }) => setWish(currentTarget.valueAsNumber)}
+          onChange={({ currentTarget }) => {
+            setWish(null);
+            choosing.setAlike(currentTarget.valueAsNumber);
+          }}
+        />
+        <output aria-hidden="true">{open && !busy && strings.alikeKept(keptAt(store, shown), store.tray.value.length)}</output>
+      </label>
+      <label class="field">
+        <span>{strings.order}</span>
+        <select
+          class="select"
+          value={order}
+          disabled={busy}
+          onChange={({ currentTarget }) => choosing.setOrder((currentTarget.value as Order))}
+        >
+          <option value="time">{strings.orders.time}</option>
+          <option value="name">{strings.orders.name}</option>
+        </select>
+      </label>
+    </details>
+  );
+}
+
+/** How many photos the selection would keep. */
+function keptAt(store: Store, alike: number) {
+  const photos = store.measured.value;
+  return store.planner.value?.choose(photos, alike).filter(({ kept }) => kept).length ?? photos.length;
+}

@@ -1,0 +1,153 @@
+/**
+ * What becomes of a file: a photo of the album with its facts, or a message with the reason, and the count of both.
+ */
+
+import { batch } from '@preact/signals';
+import { CROWD, Priority } from '../engine/queue.ts';
+import { freshId } from '../document/fresh-id.ts';
+import { strings } from '../strings/strings.ts';
+import { looksLike } from '../storage/files/identity.ts';
+import { emptyFrames } from '../storage/files/placeholder.ts';
+import type { Messages } from '../app/messages.ts';
+import type { Fact } from '../document/album.ts';
+import type { Pages } from '../document/pages.ts';
+import type { Store } from '../document/store.ts';
+import type { Engine } from '../engine/engine.ts';
+import type { Imported } from '../engine/protocol.ts';
+
+export type Intake = ReturnType<typeof createIntake>;
+
+/** Milliseconds in which photos of a crowd are told of together: whatever depends on the album would else be computed and painted anew for each. */
+const TOGETHER = 300;
+
+/** @returns what the ids of photos begin with, so that no other session of any browser has the same */
+export function freshPhotoPrefix(): string {
+  return `p${freshId(6)}-`;
+}
+
+/** @param app `prefix` begins the ids of photos */
+export function createIntake({ store, pages, engine, messages, prefix = 'p' }: {
+  store: Store, pages: Pick<Pages, 'refine'>,
+  engine: Pick<Engine, 'importPhoto'>, messages: Pick<Messages, 'fileFailed'>, prefix?: string,
+}) {
+  let lastId = 0;
+  let untold: (() => void)[] = [];
+  let timer: ReturnType<typeof setTimeout> | undefined;
+
+  return { freshIds, isShown, readPhoto, arrived, failed, leaveOut, count };
+
+  function freshIds(many: number): string[] {
+    return Array.from({ length: many }, () => `${prefix}${(lastId += 1)}`);
+  }
+
+  /** Whether a photo is on the page, where somebody waits for it. */
+  function isShown(id: string): boolean {
+    return !!store.page.peek()?.panels.some((panel) => panel.photo === id);
+  }
+
+  async function readPhoto(id: string, file: File, signal: AbortSignal) {
+    store.originals.set(id, file);
+    const priority = isShown(id) ? Priority.PAGE : Priority.REST;
+    let last = false;
+    let read = await engine.importPhoto(id, file, { priority, signal }).then((meta) => ({ meta }), (error) => ({ error }));
+    if ('error' in read && store.album.peek().get(id)?.meta) {
+      failed(file, read.error);
+      read = await emptyFrame(id).then((meta) => ({ meta }), (error) => ({ error }));
+    }
+    await together(isShown(id), () => {
+      try {
+        if ('error' in read) throw read.error;
+        arrived(id, read.meta);
+      } catch (error) {
+        failed(file, error);
+      }
+      store.originals.delete(id);
+      leaveOut([id]);
+      last = isLast();
+      if (!last) count(1, 0);
+    });
+    if (!last) return;
+    // What follows, when all are read, is as much work as showing the last of them: a task of its own.
+    await new Promise((resolve) => { setTimeout(resolve); });
+    count(1, 0);
+  }
+
+  /** Of a photo that was read before, and now cannot be: its place on the pages is kept. */
+  async function emptyFrame(id: string) {
+    const [{ fact, file }] = await emptyFrames([(store.album.peek().get(id) as Fact)]);
+    const meta = await engine.importPhoto(id, file, { priority: isShown(id) ? Priority.PAGE : Priority.REST });
+    store.know(fact);
+    return meta;
+  }
+
+  /** Whether a photo is the last of many. */
+  function isLast() {
+    const { done, total } = progress();
+    return total > CROWD && total - done === 1;
+  }
+
+  /**
+   * @param now whether somebody waits for it
+   * @returns when it was told
+   */
+  function together(now: boolean, tell: () => void): Promise<void> {
+    const { done, total } = progress();
+    return new Promise((resolve) => {
+      untold.push(() => { tell(); resolve(); });
+      if (now || total - done <= CROWD) tellAll();
+      else timer ??= setTimeout(tellAll, TOGETHER);
+    });
+  }
+
+  function tellAll() {
+    clearTimeout(timer);
+    timer = undefined;
+    const all = untold;
+    untold = [];
+    batch(() => all.forEach((tell) => tell()));
+  }
+
+  function arrived(id: string, meta: Imported['meta'], more?: Partial<Fact>) {
+    const fact = store.album.peek().get(id);
+    // A frame of a film that nobody wants any more.
+    if (!fact) return;
+    store.know({ ...fact, ...knownOf(fact, meta), ...more });
+    if (isShown(id)) pages.refine();
+  }
+
+  function knownOf({ meta: before, absent }: Fact, meta: Imported['meta']): Partial<Fact> {
+    if (absent) {
+      const { width, height, subjects, measured } = absent;
+      // The photo itself turned up, or else it is the frame that keeps its place, and is compared with none.
+      if (looksLike(meta, absent)) return { meta: { ...meta, subjects: subjects ?? [] }, measures: measured ? meta.measures : null, looked: subjects !== null, absent: undefined };
+      return { meta: { ...meta, width, height, taken: before?.taken ?? null, subjects: subjects ?? [] }, measures: null };
+    }
+    // A photo that is read again keeps what was found in it.
+    return before ? { meta: { ...meta, subjects: before.subjects } } : { meta, measures: meta.measures };
+  }
+
+  function failed(file: File, error: unknown) {
+    const { code, message } = (error as { code: string, message: string });
+    if (code !== 'cancelled') messages.fileFailed(file.name, strings.reasons[code] ?? message);
+  }
+
+  /**
+   * Forgets those of some photos that did not come.
+   * @returns the others
+   */
+  function leaveOut(ids: readonly string[]): string[] {
+    const missing = ids.filter((id) => !store.album.peek().get(id)?.meta);
+    if (missing.length > 0) store.change({ type: 'forget-photos', ids: missing });
+    return ids.filter((id) => !missing.includes(id));
+  }
+
+  function progress() {
+    return store.reading.peek() ?? { done: 0, total: 0 };
+  }
+
+  function count(done: number, more: number) {
+    const before = progress();
+    const now = { done: before.done + done, total: before.total + more };
+    store.reading.value = now.done < now.total ? now : null;
+  }
+}

@@ -1,0 +1,120 @@
+import { describe, expect, test, vi } from 'vitest';
+import { fakeApp } from '../document/testing.ts';
+
+vi.useFakeTimers();
+
+const names = ({ store }: ReturnType<typeof fakeApp>) => (store.page.value?.panels ?? []).map(({ photo }) => store.album.value.get(String(photo))?.name);
+const alerts = ({ messages }: ReturnType<typeof fakeApp>) => messages.list.value.map(({ text }) => text);
+
+describe('the first photos', () => {
+  test('are laid out before any is read, in the order of their names', async () => {
+    const app = fakeApp();
+    const done = app.reading.addFiles(app.files('p10.jpg', 'p2.jpg', 'p1.jpg'));
+    await Promise.resolve();
+    expect(app.store.reading.value).toEqual({ done: 0, total: 3 });
+    expect(names(app)).toEqual(['p1.jpg', 'p2.jpg', 'p10.jpg']);
+    const { layout } = app.store.page.value ?? {};
+    await done;
+    expect(app.store.reading.value).toBe(null);
+    expect(app.store.page.value?.layout).toBe(layout);
+    expect(names(app)).toEqual(['p1.jpg', 'p2.jpg', 'p10.jpg']);
+  });
+
+  test('cannot be undone: there is nothing before them', async () => {
+    const app = fakeApp();
+    await app.reading.addFiles(app.files('a.jpg', 'b.jpg'));
+    expect(app.store.history.value.past).toEqual([]);
+    expect(app.store.history.value.shown.length).toBe(1);
+  });
+
+  test('that cannot be read are named; the others become the page', async () => {
+    const app = fakeApp({ 'b.txt': 'bad' });
+    await app.reading.addFiles(app.files('a.jpg', 'b.txt', 'c.jpg'));
+    await vi.advanceTimersByTimeAsync(1_000);
+    expect(alerts(app)).toEqual(['b.txt: not a photo']);
+    expect(names(app)).toEqual(['a.jpg', 'c.jpg']);
+    expect(app.store.tray.value.length).toBe(2);
+  });
+
+  test('that are all bad leave nothing but the word of it', async () => {
+    const app = fakeApp({ 'a.txt': 'bad', 'b.txt': 'bad' });
+    await app.reading.addFiles(app.files('a.txt', 'b.txt'));
+    expect(app.store.tray.value).toEqual([]);
+    expect(app.store.page.value).toBe(null);
+    await vi.advanceTimersByTimeAsync(1_000);
+    expect(alerts(app)).toEqual(['2 files could not be read.', expect.stringContaining('None of these files')]);
+    expect(app.messages.failures.value.map(({ text }) => text)).toEqual(['a.txt: not a photo', 'b.txt: not a photo']);
+    expect(app.store.history.value.shown).toEqual([]);
+    await app.reading.addFiles(app.files('good.jpg'));
+    expect(alerts(app)).toEqual(['2 files could not be read.']);
+    expect(app.store.history.value.shown.length).toBe(1);
+  });
+
+  test('that look like another are set aside', async () => {
+    const app = fakeApp({ 'c.jpg': 'twin' });
+    await app.reading.addFiles(app.files('a.jpg', 'b.jpg', 'c.jpg'));
+    expect(names(app)).toEqual(['a.jpg', 'b.jpg']);
+    expect(app.store.verdicts.value.get('p3')).toMatchObject({ kept: false, why: 'same as another' });
+  });
+});
+
+test('of hundreds those that are not on the page are told of together, and all are known at the end', async () => {
+  const app = fakeApp();
+  let changes = -1;
+  app.store.album.subscribe(() => { changes += 1; });
+  const done = app.reading.addFiles(app.files(...Array.from({ length: 200 }, (_, i) => `${i}.jpg`)));
+  await vi.advanceTimersByTimeAsync(250);
+  const early = app.store.facts.value.filter(({ meta }) => meta).length;
+  expect(early).toBeLessThan(20);
+  await vi.advanceTimersByTimeAsync(400);
+  await done;
+  expect(app.store.facts.value.filter(({ meta }) => meta).length).toBe(200);
+  expect(app.store.reading.value).toBe(null);
+  expect(changes).toBeLessThan(40);
+});
+
+describe('photos added later', () => {
+  test('join the page as one step', async () => {
+    const app = fakeApp();
+    await app.reading.addFiles(app.files('a.jpg'));
+    const before = app.store.page.value;
+    await app.reading.addFiles(app.files('b.jpg', 'c.jpg'));
+    expect(names(app)).toEqual(['a.jpg', 'b.jpg', 'c.jpg']);
+    expect(app.planner.requests.at(-1)).toMatchObject({ panels: 3 });
+    app.pages.undo();
+    expect(app.store.page.value).toBe(before);
+    expect(app.store.tray.value.length).toBe(1);
+  });
+
+  test('that are all bad change nothing', async () => {
+    const app = fakeApp({ 'b.txt': 'bad' });
+    await app.reading.addFiles(app.files('a.jpg'));
+    const { page, history } = app.store;
+    const before = page.value;
+    await app.reading.addFiles(app.files('b.txt'));
+    expect(page.value).toBe(before);
+    expect(history.value.past).toEqual([]);
+  });
+});
+
+describe('the tray', () => {
+  test('a photo that is not used any more leaves the page, as one step', async () => {
+    const app = fakeApp();
+    await app.reading.addFiles(app.files('a.jpg', 'b.jpg', 'c.jpg'));
+    app.reading.use('p2', false);
+    expect(names(app)).toEqual(['a.jpg', 'c.jpg']);
+    app.pages.undo();
+    expect(names(app)).toEqual(['a.jpg', 'b.jpg', 'c.jpg']);
+    expect(app.store.history.value.past).toEqual([]);
+  });
+
+  test('without a photo in use there is no page, and the tray stays', async () => {
+    const app = fakeApp();
+    await app.reading.addFiles(app.files('a.jpg'));
+    app.reading.use('p1', false);
+    expect(app.store.page.value).toBe(null);
+    expect(app.store.tray.value.length).toBe(1);
+    app.reading.use('p1', true);
+    expect(names(app)).toEqual(['a.jpg']);
+  });
+});

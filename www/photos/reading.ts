@@ -1,0 +1,220 @@
+/**
+ * Photos in: the page is laid out for all of them at once and its panels fill as they are read, so that nothing
+ * jumps. A file that cannot be read is named, and the rest go on.
+ */
+
+import { batch } from '@preact/signals';
+import { mayMove, pictureEnds } from '../engine/animation-times.ts';
+import { isVideo } from '../engine/video.ts';
+import { strings } from '../strings/strings.ts';
+import { byName } from '../document/album.ts';
+import { FRAMES, createFrames } from './frames.ts';
+import { createIntake } from './intake.ts';
+import { MOST } from '../document/limits.ts';
+import { fetchSamples } from './samples.ts';
+import type { Messages } from '../app/messages.ts';
+import type { Video } from '../document/album.ts';
+import type { Pages } from '../document/pages.ts';
+import type { Action } from '../document/project.ts';
+import type { Store } from '../document/store.ts';
+import type { PageDocument } from '../engine/documents.ts';
+
+/** a file, and the photos that it becomes */
+type Source = { file: File, ids: readonly string[], video: Video | null };
+type Engine = Pick<import('../engine/engine.ts').Engine, 'importPhoto' | 'importVideo' | 'forgetPhoto' | 'ready'>;
+export type Reading = ReturnType<typeof createReading>;
+
+/** The first page shows this many photos at most: large enough to be looked at. */
+const FIRST_PANELS = 6;
+
+/** @param app `prefix` begins the ids of photos */
+export function createReading({ store, pages, engine, messages, prefix }: { store: Store, pages: Pages, engine: Engine, messages: Messages, prefix?: string }) {
+  let clicks = 0;
+  /** The photos of the last plan, to see whether another is due. */
+  let planned = '';
+  /** The step of the undo that the photos being read belong to; none for the first, which cannot be undone. */
+  let gesture = (null as string | null);
+  /** The message that there is no page, which the next page takes away. */
+  let complaint = 0;
+
+  /** Stops what is being read. */
+  let stop: AbortController | null = null;
+
+  const intake = createIntake({ store, pages, engine, messages, prefix });
+  const frames = createFrames({ store, engine, intake });
+
+  return { addFiles, addSamples, resume, resample, cancel, use, remove, removeAll, edit, freshIds: intake.freshIds, count: intake.count };
+
+  /** @param credits the authors to name, by file name */
+  async function addFiles(given: readonly File[], credits?: ReadonlyMap<string, string>) {
+    if (given.length === 0) return;
+    store.arriving.value += given.length;
+    const sources = await onTable(given, credits).finally(() => {
+      store.arriving.value -= given.length;
+    });
+    if (sources) await readAll(sources);
+  }
+
+  /** @returns what is in the tray from now on; null where there is no planner */
+  async function onTable(given: readonly File[], credits?: ReadonlyMap<string, string>): Promise<Source[] | null> {
+    try {
+      // Nothing can be laid out before the planner is there.
+      await engine.ready;
+    } catch {
+      return null;
+    }
+    const moving = new Map(given.some(mayMove) ? await Promise.all(given.filter(mayMove).map(async (file) => ([file, (await pictureEnds(file)).length] as const))) : []);
+    const first = store.tray.peek().length === 0;
+    // As one change: hundreds one by one would each be looked at by all that depends on the album.
+    let room = MOST.photos - store.tray.peek().length;
+    const sources = batch(() => byName(given).flatMap((file) => {
+      const frames = framesOf(file, moving.get(file) ?? 0);
+      if (Math.max(1, frames) > room) return [];
+      room -= Math.max(1, frames);
+      return [sourceOf(file, credits?.get(file.name), frames)];
+    }));
+    if (sources.length < given.length) messages.alert(strings.tooManyPhotos(given.length - sources.length, MOST.photos));
+    if (sources.length === 0) return null;
+    const ids = sources.flatMap((source) => source.ids);
+    intake.count(0, ids.length);
+    if (first) {
+      gesture = null;
+      store.change({ type: 'add-photos', ids, silent: true });
+      planned = inUse();
+      const panels = Math.min(ids.length, FIRST_PANELS);
+      // Each photo once: a first page says what there is.
+      pages.show(pages.plan({ keep: { layout: false, style: false, photos: false }, panels }), { silent: true });
+    } else {
+      // A page that is there stays as it is until the new photos are known to be any good.
+      gesture ??= `add-${ids[0]}`;
+      store.change({ type: 'add-photos', ids, gesture });
+    }
+    return sources;
+  }
+
+  /**
+   * @param pictures of an animation
+   * @returns the frames to take of it, none of a photo
+   */
+  function framesOf(file: File, pictures: number): number {
+    return isVideo(file) || pictures > 0 ? Math.min(FRAMES, pictures || FRAMES) : 0;
+  }
+
+  /** @param count of its frames */
+  function sourceOf(file: File, credit: string | undefined, count: number): Source {
+    const video = count > 0 ? frames.open(file, { frames: count }) : null;
+    const ids = video ? video.ids : intake.freshIds(1);
+    for (const id of ids) store.know({ id, name: file.name, credit, meta: null, measures: null });
+    return { file, ids, video };
+  }
+
+  async function readAll(sources: Source[]) {
+    const signal = stopSignal();
+    await Promise.all(sources.map((source) => (source.video ? frames.read(source.video, signal) : intake.readPhoto(source.ids[0], source.file, signal))));
+    if (!store.reading.peek()) settle();
+  }
+
+  /**
+   * Reads photos that are in the tray already: what was known of them stands.
+   * @param films keys of videos whose frames are taken once more
+   */
+  async function resume(photos: readonly { id: string, file: File }[], films: readonly string[] = []) {
+    const videos = films.flatMap((key) => store.videos.peek().get(key) ?? []);
+    const count = videos.reduce((sum, { ids }) => sum + ids.length, photos.length);
+    if (count === 0) return;
+    intake.count(0, count);
+    planned = inUse();
+    // Stopping it would take them out of the tray.
+    const { signal } = new AbortController();
+    await Promise.all([...photos.map(({ id, file }) => intake.readPhoto(id, file, signal)), ...videos.map((video) => frames.read(video, signal))]);
+    if (!store.reading.peek()) settle();
+  }
+
+  /**
+   * Takes other frames of a video in place of those that are there, as one step.
+   * @param wish seconds, and how many
+   */
+  async function resample(key: string, wish: { start: number, end: number, frames: number }) {
+    if (store.reading.peek()) return;
+    if (store.tray.peek().length + wish.frames > MOST.photos) {
+      messages.alert(strings.tooManyPhotos(1, MOST.photos));
+      return;
+    }
+    clicks += 1;
+    gesture = `video-${clicks}`;
+    await frames.resample(key, wish, { gesture, signal: stopSignal() });
+    if (!store.reading.peek()) settle();
+  }
+
+  function stopSignal() {
+    stop ??= new AbortController();
+    return stop.signal;
+  }
+
+  /** Stops reading; what was read stays. */
+  function cancel() {
+    stop?.abort();
+  }
+
+  /** All are read: duplicates are set aside and the order of time is known, which may ask for another page. */
+  function settle() {
+    const step = gesture;
+    gesture = null;
+    stop = null;
+    messages.close(complaint);
+    if (store.photos.peek().length === 0) {
+      store.change({ type: 'no-page', silent: true });
+      complaint = messages.alert(strings.noUsablePhoto);
+    } else if (planned === inUse()) {
+      pages.refine();
+    } else {
+      planned = inUse();
+      if (step !== null) pages.show(pages.refit({ grow: true }), { gesture: step });
+      else pages.reorder();
+    }
+  }
+
+  function inUse() {
+    return store.photos.peek().map(({ id }) => id).join();
+  }
+
+  /** The album that ships with the program. */
+  async function addSamples() {
+    if (store.fetching.peek()) return;
+    store.fetching.value = true;
+    const album = await fetchSamples().catch(() => null);
+    store.fetching.value = false;
+    if (album) await addFiles(album.files, album.credits);
+    else messages.alert(strings.noSamples);
+  }
+
+  function use(id: string, on: boolean) {
+    edit({ type: 'use-photo', id, use: on }, () => pages.refit({ grow: on }));
+  }
+
+  function remove(id: string) {
+    edit({ type: 'remove-photo', id }, () => pages.refit({ grow: false }));
+  }
+
+  function removeAll(ids: readonly string[]) {
+    edit({ type: 'remove-photos', ids }, () => pages.refit({ grow: false }));
+  }
+
+  /**
+   * A change of the tray and the page that follows from it, as one step.
+   * @param follow undefined: the page stays
+   * @param control whose changes one after the other are one step
+   */
+  function edit(action: Action, follow: () => PageDocument | null | undefined, control?: string) {
+    if (control === undefined) clicks += 1;
+    const step = { gesture: control ?? `tray-${clicks}` };
+    const before = store.project.peek();
+    store.change({ ...action, ...step });
+    if (store.project.peek() === before) return;
+    planned = inUse();
+    const page = follow();
+    if (page === undefined) return;
+    if (page) pages.show(page, step);
+    else store.change({ type: 'no-page', ...step });
+  }
+}

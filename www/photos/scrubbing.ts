@@ -1,0 +1,101 @@
+/**
+ * A panel that shows a frame of a video can show an earlier or a later one: the frame takes the place of the other in
+ * the tray and on the page. Presses that come while a frame is read add up.
+ */
+
+import { signal } from '@preact/signals';
+import { strings } from '../strings/strings.ts';
+import { grown } from '../page/panels/merging.ts';
+import type { Messages } from '../app/messages.ts';
+import type { Fact } from '../document/album.ts';
+import type { Pages } from '../document/pages.ts';
+import type { Store } from '../document/store.ts';
+import type { Engine } from '../engine/engine.ts';
+import type { Reading } from './reading.ts';
+
+export type Scrubbing = ReturnType<typeof createScrubbing>;
+
+/** Seconds of a press: two or three frames of most films. */
+export const STEP = 0.1;
+export const LARGE_STEP = 1;
+
+export function createScrubbing({ store, pages, reading, engine, messages }: {
+  store: Store, pages: Pages, reading: Reading,
+  engine: Pick<Engine, 'importVideo'>, messages: Pick<Messages, 'fileFailed'>,
+}) {
+  /** Seconds still to go, and in which panel. */
+  let pending = { panel: -1, seconds: 0, gesture: '' };
+  const busy = signal(false);
+
+  return { busy, isFrame, nudge };
+
+  /** Whether a panel shows a frame of a video. */
+  function isFrame(panel: number) {
+    return sourceOf(panel) !== null;
+  }
+
+  /**
+   * @param seconds forward, or back where negative
+   * @param gesture the step of the undo
+   */
+  async function nudge(panel: number, seconds: number, gesture: string) {
+    pending = { panel, seconds: (pending.panel === panel ? pending.seconds : 0) + seconds, gesture };
+    if (busy.peek()) return;
+    busy.value = true;
+    try {
+      while (Math.abs(pending.seconds) > 1e-6) {
+        const now = pending;
+        pending = { ...now, seconds: 0 };
+        await go(now);
+      }
+    } finally {
+      busy.value = false;
+    }
+  }
+
+  async function go({ panel, seconds, gesture }: typeof pending) {
+    const source = sourceOf(panel);
+    if (!source) return;
+    const { fact, video } = source;
+    const last = Math.max(0, (video.duration ?? Infinity) - STEP / 2);
+    const time = Math.min(last, Math.max(0, fact.time + seconds));
+    if (time === fact.time) return;
+    const [id] = reading.freshIds(1);
+    try {
+      await engine.importVideo(video.file, {
+        ids: [id],
+        start: time,
+        end: time,
+        onPhoto: (_, { measures: _measures, ...meta }) => {
+          // A frame that a person looked for is not set aside for being like its neighbours.
+          store.know({ id, name: strings.frameName(video.name, time), meta, measures: null, video: video.key, time });
+        },
+      });
+    } catch (error) {
+      const { code, message } = (error as { code: string, message: string });
+      messages.fileFailed(video.name, strings.reasons[code] ?? message);
+    }
+    if (store.album.peek().get(id)?.meta) exchange(fact.id, id, video.key, gesture);
+  }
+
+  function exchange(old: string, fresh: string, key: string, gesture: string) {
+    const videos = store.videos.peek();
+    const video = videos.get(key);
+    if (video) store.videos.value = new Map(videos).set(key, { ...video, ids: [...video.ids, fresh] });
+    store.change({ type: 'exchange-photo', id: old, by: fresh, gesture });
+    const page = store.page.peek();
+    if (!page) return;
+    const swap = (photo: string | null) => (photo === old ? fresh : photo);
+    const panels = page.panels.map((use) => ({ ...use, photo: swap(use.photo) }));
+    pages.amend({ ...page, panels, order: page.order.map((photo) => swap(photo) ?? photo) }, { gesture });
+  }
+
+  function sourceOf(panel: number) {
+    const page = store.page.value;
+    const use = page?.panels[page ? grown([panel], page)[0] : 0];
+    const fact = use?.photo ? store.album.value.get(use.photo) : undefined;
+    const video = fact?.video === undefined ? undefined : store.videos.value.get(fact.video);
+    if (!fact || !video || fact.time === undefined) return null;
+    return { fact: (fact as Fact & { time: number }), video };
+  }
+}

@@ -1,0 +1,115 @@
+import { signal } from '@preact/signals';
+import { describe, expect, it } from 'vitest';
+import { createSubjects } from './subjects.ts';
+import { fakeApp } from '../document/testing.ts';
+
+const face = { label: 'face', score: 0.9, x: 0.1, y: 0.1, width: 0.2, height: 0.2 };
+
+const dog = { label: 'dog', score: 0.8, x: 0.4, y: 0.4, width: 0.3, height: 0.3 };
+
+/**
+ * @param look for faces
+ * @param found objects of every photo
+ */
+function app(look: (id: string) => Promise<any>, found: any[] = [], window: any = undefined) {
+  const made = fakeApp();
+  const asked: string[] = [];
+  const objects: string[] = [];
+  const painted = signal(false);
+  const engine = {
+    hasPhoto: () => true, loadDetectors: () => {},
+    findFaces: async (id: string) => {
+      asked.push(id);
+      return look(id);
+    },
+    findMoreFaces: async (id: string, boxes: any[]) => {
+      asked.push(`${id} closer`);
+      return [...boxes, face];
+    },
+    findObjects: async (id: string) => {
+      objects.push(id);
+      return found;
+    },
+  };
+  const subjects = createSubjects({ ...made, engine, painted: () => painted.value, window });
+  return { ...made, subjects, painted, asked, objects };
+}
+
+const settle = () => new Promise((done) => { setTimeout(done, 10); });
+
+describe('subjects', () => {
+  it('waits for the page, then looks at every photo, closer after all others', async () => {
+    const { reading, files, subjects, painted, asked, store, planner } = app(async (id) => ({ boxes: [face], closer: id === 'p1' }));
+    await reading.addFiles(files('1.jpg', '2.jpg', '3.jpg'));
+    await settle();
+    expect(asked).toEqual([]);
+    expect(subjects.settled.value).toBe(false);
+    painted.value = true;
+    await settle();
+    expect(asked).toEqual(['p1', 'p2', 'p3', 'p1 closer']);
+    expect(subjects.settled.value).toBe(true);
+    expect(store.album.value.get('p1')?.meta?.subjects).toEqual([face, face]);
+    expect(planner.requests.at(-1)?.photos[1].subjects).toEqual([face]);
+    expect(subjects.progress.value).toBeNull();
+  });
+
+  it('finds objects beside the faces, and tells of a photo when both are known', async () => {
+    let answer: (value: any) => void = () => {};
+    const { reading, files, painted, objects, store } = app(() => new Promise((done) => { answer = done; }), [dog]);
+    await reading.addFiles(files('1.jpg', '2.jpg'));
+    painted.value = true;
+    await settle();
+    expect(objects).toEqual(['p1', 'p2']);
+    expect(store.album.value.get('p1')?.meta?.subjects).toEqual([]);
+    answer({ boxes: [face], closer: false });
+    await settle();
+    expect(store.album.value.get('p1')?.meta?.subjects).toEqual([face, dog]);
+    expect(store.album.value.get('p2')?.meta?.subjects).toEqual([]);
+  });
+
+  it('says once that there are no detectors, and asks no more', async () => {
+    const { reading, files, subjects, painted, asked, messages } = app(async () => {
+      throw Object.assign(new Error('gone'), { code: 'detector-missing' });
+    });
+    painted.value = true;
+    await reading.addFiles(files('1.jpg', '2.jpg'));
+    await settle();
+    expect(asked).toHaveLength(1);
+    expect(messages.list.value).toHaveLength(1);
+    expect(subjects.settled.value).toBe(true);
+  });
+
+  it('tries again when the connection is back, and says nothing twice', async () => {
+    const net = { there: false };
+    const window = Object.assign(new EventTarget(), { navigator: { onLine: false } });
+    const { reading, files, subjects, painted, asked, messages } = app(async () => {
+      if (!net.there) throw Object.assign(new Error('gone'), { code: 'detector-missing' });
+      return { boxes: [face], closer: false };
+    }, [], window);
+    painted.value = true;
+    await reading.addFiles(files('1.jpg', '2.jpg'));
+    await settle();
+    expect(messages.list.value.map(({ text }) => text)).toEqual([expect.stringContaining('until you are online')]);
+    window.dispatchEvent(new Event('online'));
+    await settle();
+    expect(messages.list.value).toHaveLength(1);
+    net.there = true;
+    window.dispatchEvent(new Event('online'));
+    await settle();
+    expect(asked).toEqual(['p1', 'p1', 'p1', 'p2']);
+    expect(subjects.settled.value).toBe(true);
+  });
+
+  it('passes over a photo that cannot be looked at', async () => {
+    const { reading, files, subjects, painted, asked, messages } = app(async (id) => {
+      if (id === 'p1') throw Object.assign(new Error('gone'), { code: 'missing-photo' });
+      return { boxes: [], closer: false };
+    });
+    painted.value = true;
+    await reading.addFiles(files('1.jpg', '2.jpg'));
+    await settle();
+    expect(asked).toEqual(['p1', 'p2']);
+    expect(messages.list.value).toEqual([]);
+    expect(subjects.settled.value).toBe(true);
+  });
+});

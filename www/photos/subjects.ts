@@ -1,0 +1,141 @@
+/**
+ * What is in the photos: found once the page is on the screen, those on the page first, then those on other pages,
+ * faces and objects side by side. The crops follow; nobody waits for it.
+ */
+
+import { computed, effect, signal } from '@preact/signals';
+import { strings } from '../strings/strings.ts';
+import { photosOn } from '../document/sheets.ts';
+import type { Messages } from '../app/messages.ts';
+import type { Pages } from '../document/pages.ts';
+import type { Progress, Store } from '../document/store.ts';
+import type { Found } from '../engine/detector.ts';
+import type { Engine } from '../engine/engine.ts';
+import type { Signal } from '@preact/signals';
+
+export type Subjects = ReturnType<typeof createSubjects>;
+
+/** What was found in a photo so far; what failed counts as nothing found. `closer`: a look for small faces is due. */
+type Looked = { faces?: Found[], objects?: Found[], closer?: boolean };
+type Lane = 'faces' | 'objects';
+
+/** Without the detectors none of the other photos can be looked at. */
+const FATAL = new Set(['detector-missing', 'worker-lost', 'detector']);
+
+/** @param app `painted` reads signals: whether the page as it is now is on the screen; not `wanted`, nothing is looked at */
+export function createSubjects({ store, pages, messages, engine, painted, wanted = true, window = globalThis.window }: {
+  store: Store, pages: Pages, messages: Messages,
+  engine: Pick<Engine, 'loadDetectors' | 'findFaces' | 'findMoreFaces' | 'findObjects' | 'hasPhoto'>,
+  painted: () => boolean, wanted?: boolean, window?: Pick<Window, 'addEventListener' | 'navigator'>,
+}) {
+  const known: Map<string, Looked> = new Map();
+  const progress: Signal<Progress | null> = signal(null);
+  const off = signal(!wanted);
+  const running = signal((new Set() as ReadonlySet<Lane>));
+  /** Whether the detectors could not be loaded, and whether that was said. */
+  const lacking = { now: false, said: false };
+  /** Bumped when `known` changes. */
+  const round = signal(0);
+
+  const photos = computed(() => {
+    round.value;
+    const [shown, beside] = [photosOn(store.page.value ? [store.page.value] : []), photosOn(store.sheets.value)];
+    const rank = (id: string) => (shown.has(id) ? 0 : beside.has(id) ? 1 : 2);
+    const read = store.facts.value.filter(({ id, meta, looked }) => meta !== null && !looked && engine.hasPhoto(id));
+    return read.map(({ id }) => id).sort((a, b) => rank(a) - rank(b));
+  });
+  /** Whether everything is found that will be. */
+  const settled = computed(() => off.value || store.page.value === null || (running.value.size === 0 && !next('faces') && !next('objects')));
+
+  /** Whether every photo was looked at by both, which most crops wait for; closer looks may go on. */
+  const searched = computed(() => off.value || store.page.value === null || !photos.value.some(unsearched));
+
+  effect(() => {
+    if (off.value || store.page.value === null || !painted()) return;
+    // While the last photos are read; a first page is on the screen.
+    engine.loadDetectors();
+    if (store.reading.value !== null) return;
+    // What takes longer is first in line.
+    for (const lane of (['objects', 'faces'] as const)) if (!running.value.has(lane) && next(lane)) void run(lane);
+  });
+
+  window?.addEventListener('online', () => {
+    if (lacking.now) off.value = false;
+    lacking.now = false;
+  });
+
+  return { progress, settled, searched };
+
+  /** The photo to look at next; a closer look waits until every photo was looked at. */
+  function next(lane: Lane): string | undefined {
+    const looked = (id: string) => known.get(id) ?? {};
+    const first = photos.value.find((id) => looked(id)[lane] === undefined);
+    return first ?? (lane === 'faces' ? photos.value.find((id) => looked(id).closer) : undefined);
+  }
+
+  async function run(lane: Lane) {
+    running.value = new Set([...running.peek(), lane]);
+    try {
+      // New photos begin another round when their page is drawn.
+      for (let id = next(lane); id !== undefined && !off.peek() && store.reading.peek() === null; id = next(lane)) {
+        count();
+        known.set(id, { ...known.get(id), ...await look(lane, id) });
+        tell(id);
+        round.value += 1;
+      }
+    } catch (error) {
+      if (!off.peek()) giveUp((error as { code?: string }).code === 'detector-missing');
+    } finally {
+      running.value = new Set([...running.peek()].filter((other) => other !== lane));
+      count();
+    }
+  }
+
+  function unsearched(id: string) {
+    const { faces, objects } = known.get(id) ?? {};
+    return !faces || !objects;
+  }
+
+  /** @param missing whether they may be there later */
+  function giveUp(missing: boolean) {
+    const away = missing && window?.navigator.onLine === false;
+    if (!lacking.said) messages.note(away ? strings.noDetectorOffline : strings.noDetector);
+    lacking.said = true;
+    lacking.now = missing;
+    off.value = true;
+  }
+
+  /** Progress of the first looks; the closer ones change little. */
+  function count() {
+    const left = off.peek() ? 0 : photos.peek().filter(unsearched).length;
+    const total = Math.max(progress.peek()?.total ?? 0, left);
+    progress.value = left > 0 && running.peek().size > 0 ? { done: total - left, total } : null;
+  }
+
+  /** @returns what is new */
+  async function look(lane: Lane, id: string): Promise<Looked> {
+    const before = known.get(id)?.faces;
+    try {
+      if (lane === 'objects') return { objects: await engine.findObjects(id) };
+      if (before) return { faces: await engine.findMoreFaces(id, before), closer: false };
+      const { boxes, closer } = await engine.findFaces(id);
+      return { faces: boxes, closer };
+    } catch (error) {
+      if (FATAL.has((error as { code: string }).code)) throw error;
+      // One photo that cannot be looked at is framed by contrast.
+      return lane === 'objects' ? { objects: [] } : { faces: before ?? [], closer: false };
+    }
+  }
+
+  /** Lets the page follow when both lanes have looked. */
+  function tell(id: string) {
+    const { faces, objects, closer } = known.get(id) ?? {};
+    const fact = store.album.peek().get(id);
+    if (!faces || !objects || !fact?.meta) return;
+    const subjects = [...faces, ...objects];
+    const same = JSON.stringify(fact.meta.subjects) === JSON.stringify(subjects);
+    // What is found once is found: the next visit need not look again.
+    if (!same || !closer) store.know({ ...fact, meta: same ? fact.meta : { ...fact.meta, subjects }, ...(closer ? {} : { looked: true }) });
+    if (!same && store.page.peek()?.panels.some(({ photo }) => photo === id)) pages.refine();
+  }
+}

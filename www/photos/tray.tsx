@@ -1,0 +1,89 @@
+/**
+ * The photos: those on the table, and those set aside with the reason.
+ */
+
+import { useRef } from 'preact/hooks';
+import { isUsed } from '../document/album.ts';
+import { strings } from '../strings/strings.ts';
+import { IconButton } from '../ui/button.tsx';
+import { useApp } from '../app/context.ts';
+import { openFiles } from './file-input.tsx';
+import { useGrowing } from '../ui/growing.ts';
+import { ChoiceOfPhotos } from './choice-of-photos.tsx';
+import { PhotoTile } from './photo-tile.tsx';
+import { Stack, stacks } from './stack.tsx';
+import { Videos } from './videos.tsx';
+import type { TrayItem } from '../document/project.ts';
+import type { Progress } from '../document/store.ts';
+import type { VNode } from 'preact';
+
+export function Tray() {
+  const tile = useTiles();
+  const { store, subjects, ui } = useApp();
+  const tray = store.tray.value;
+  const verdicts = store.verdicts.value;
+  const reading = store.reading.value;
+  const finding = subjects.progress.value;
+  const kept = tray.filter((item) => isUsed(item, verdicts));
+  const all = stacks(tray, verdicts);
+  const open = all.get(ui.stack.value ?? '') ?? [];
+  const first = open.find((item) => isUsed(item, verdicts))?.id;
+  // What is in the open stack is shown there alone.
+  const inside = new Set(first === undefined ? [] : open.map(({ id }) => id));
+  const aside = tray.filter((item) => !isUsed(item, verdicts) && !inside.has(item.id));
+  const closed = kept.filter(({ id }) => !inside.has(id) || id === first);
+  const shown = useGrowing([...closed.map(({ id }) => `used ${id}`), ...aside.map(({ id }) => `aside ${id}`)]);
+  return (
+    <section class="tray" aria-label={strings.photos} aria-busy={reading !== null}>
+      <header class="section-head">
+        <h2>{strings.photos}</h2>
+        {finding
+          ? <span class="count" title={strings.findingLong(finding.done, finding.total)}>{strings.finding(finding.done, finding.total)}</span>
+          : <span class="count">{strings.photoCount(kept.length, tray.length)}</span>}
+        <IconButton icon="subjects" label={strings.showSubjects} pressed={ui.subjects.value} onClick={() => { ui.subjects.value = !ui.subjects.value; }} />
+        <IconButton icon="add" label={strings.addPhotos} onClick={openFiles} />
+      </header>
+      {reading && <Reading done={reading.done} total={reading.total} />}
+      <Videos />
+      {tray.length > 1 && <ChoiceOfPhotos />}
+      <ul class="photos">
+        {closed.filter(({ id }) => shown.has(`used ${id}`)).map((item) => {
+          const stack = all.get(item.id) ?? [];
+          if (item.id === first) return <Stack key="stack" items={stack} />;
+          // The first that is used stands for its stack.
+          const top = stack.find((other) => isUsed(other, verdicts)) === item;
+          return tile(item, true, top ? stack.length : 0);
+        })}
+      </ul>
+      {aside.length > 0 && <h3 class="aside-head">{strings.setAside}</h3>}
+      {aside.length > 0 && <ul class="photos">{aside.filter(({ id }) => shown.has(`aside ${id}`)).map((item) => tile(item, false, 0))}</ul>}
+    </section>
+  );
+}
+
+/**
+ * The tile of a photo, the same object as long as nothing about it changes: a tray of hundreds is gone through with
+ * every photo that is read.
+ */
+function useTiles(): (item: TrayItem, used: boolean, stack: number) => VNode {
+  const known = useRef((new Map() as Map<string, { of: string, item: TrayItem, tile: VNode }>));
+  return (item, used, stack) => {
+    const of = `${used} ${stack}`;
+    const last = known.current.get(item.id);
+    if (last?.of === of && last.item === item) return last.tile;
+    const tile = <PhotoTile key={item.id} item={item} used={used} stack={stack} />;
+    known.current.set(item.id, { of, item, tile });
+    return tile;
+  };
+}
+
+function Reading({ done, total }: Progress) {
+  const { reading } = useApp();
+  const label = strings.reading(done, total);
+  return (
+    <div class="reading">
+      <progress class="progress" aria-label={label} title={label} value={done} max={total} />
+      <IconButton icon="close" label={strings.cancelReading} onClick={reading.cancel} />
+    </div>
+  );
+}

@@ -1,0 +1,91 @@
+/**
+ * The videos on the table: how many frames each gave, and the stretch that they come from, which can be changed.
+ */
+
+import { useState } from 'preact/hooks';
+import { strings } from '../strings/strings.ts';
+import { useApp } from '../app/context.ts';
+import type { Video } from '../document/album.ts';
+
+const MOST_FRAMES = 120;
+/** The shortest stretch, in seconds. */
+const SHORTEST = 0.1;
+
+export function Videos() {
+  const { store } = useApp();
+  const tray = new Set(store.tray.value.map(({ id }) => id));
+  // A video is there as long as one of its frames is: undo takes both away.
+  const videos = [...store.videos.value.values()].filter(({ ids }) => ids.some((id) => tray.has(id)));
+  if (videos.length === 0) return null;
+  return <ul class="videos" aria-label={strings.videos}>{videos.map((video) => <Trim key={video.key} video={video} />)}</ul>;
+}
+
+function Trim({ video }: { video: Video }) {
+  const { store, reading } = useApp();
+  const { key, name, ids, duration } = video;
+  const [wish, setWish] = useState({ start: video.start, end: video.end, frames: ids.length });
+  if (duration === null) return null;
+  const end = wish.end ?? duration;
+  const set = (part: Partial<typeof wish>) => setWish({ ...wish, end, ...part });
+  return (
+    <li class="video">
+      <details>
+        <summary>
+          <span class="video-name">{name}</span>
+          <span class="count">{strings.videoFrames(ids.length)}</span>
+        </summary>
+        <Time
+          label={strings.trimStart}
+          value={wish.start}
+          max={duration}
+          onInput={(start) => set({ start: Math.min(start, end - SHORTEST) })}
+        />
+        <Time
+          label={strings.trimEnd}
+          value={end}
+          max={duration}
+          onInput={(value) => set({ end: Math.max(value, wish.start + SHORTEST) })}
+        />
+        <label class="field">
+          <span>{strings.frames}</span>
+          <input
+            type="number"
+            min="1"
+            max={MOST_FRAMES}
+            value={wish.frames}
+            onInput={({ currentTarget }) => {
+              const frames = Math.round(currentTarget.valueAsNumber);
+              if (frames >= 1) set({ frames: Math.min(MOST_FRAMES, frames) });
+            }}
+          />
+        </label>
+        <button
+          type="button"
+          class="button"
+          disabled={store.reading.value !== null}
+          onClick={() => reading.resample(key, { start: wish.start, end, frames: wish.frames })}
+        >
+          {strings.takeFrames}
+        </button>
+      </details>
+    </li>
+  );
+}
+
+function Time({ label, value, max, onInput }: { label: string, value: number, max: number, onInput: (seconds: number) => void }) {
+  return (
+    <label class="field">
+      <span>{label}</span>
+      <input
+        type="range"
+        min="0"
+        max={max}
+        step="0.1"
+        value={value}
+        aria-valuetext={strings.clock(value)}
+        onInput={({ currentTarget }) => onInput(currentTarget.valueAsNumber)}
+      />
+      <output aria-hidden="true">{strings.clock(value)}</output>
+    </label>
+  );
+}

@@ -1,0 +1,206 @@
+import { beforeEach, describe, expect, it, vi } from 'vitest';
+import { save as saveFile } from '../export/files.ts';
+import { readArchive } from './files/archive.ts';
+import { openDatabase } from './database.ts';
+import { documentOf, fakeBrowser } from './testing.ts';
+import type { Database } from './database.ts';
+import type { Tab } from './files/testing-pages.ts';
+
+vi.mock('../export/files.ts', () => ({ save: vi.fn() }));
+
+let browser: ReturnType<typeof fakeBrowser>;
+let base: Database;
+/** The open project as it was saved. */
+let id: string;
+let before: ReturnType<typeof documentOf>;
+
+const said = (tab: Tab) => tab.messages.list.value.map(({ text }) => text);
+
+/** The tab that made it has died. */
+async function later(of?: Parameters<ReturnType<typeof fakeBrowser>['tab']>[0]) {
+  return fakeBrowser(browser).tab(of);
+}
+
+async function spoil(table: 'projects' | 'states' | 'facts' | 'photos', change: (record: any) => any, key: string = id) {
+  await base.put(table, change(await base.get(table, key)));
+}
+
+beforeEach(async () => {
+  vi.mocked(saveFile).mockClear();
+  browser = fakeBrowser();
+  const tab = await browser.tab();
+  await tab.add('a.jpg', 'b.jpg');
+  tab.store.change({ type: 'rename', name: 'Trip' });
+  tab.pages.shuffle('all');
+  tab.keeping.drawn();
+  await tab.keeping.flush();
+  before = documentOf(tab);
+  id = tab.keeping.current.value;
+  base = await openDatabase();
+});
+
+const present = (record: any, fields: any) => ({ ...record, history: { ...record.history, present: { ...record.history.present, ...fields } } });
+
+describe('a project that cannot be read', () => {
+  it('is told, and goes back to what was drawn last; its photos stay for good', async () => {
+    await spoil('states', (record) => present(record, { tray: [null] }));
+    const tab = await later();
+    expect([tab.names(), tab.keeping.running.value, said(tab)]).toEqual([[], false, []]);
+    expect(tab.keeping.broken.value).toMatchObject({ id, name: 'Trip', why: 'damaged-project', back: true });
+    expect((await base.get('projects', id))?.held?.length).toBe(2);
+    expect(await tab.keeping.goBack()).toBe(true);
+    expect([tab.keeping.broken.value, documentOf(tab).present, said(tab)]).toEqual([null, before.present, [expect.stringContaining('Trip is back')]]);
+    await tab.keeping.flush();
+    const again = await later();
+    expect([documentOf(again).present, again.keeping.broken.value]).toEqual([before.present, null]);
+    expect((await base.get('projects', id))?.held?.length).toBe(2);
+  });
+
+  it('is told again when the page is loaded again, until something else was made', async () => {
+    await spoil('states', () => ({ id, version: 1 }));
+    const { session, keeping } = await later();
+    expect(keeping.broken.value?.id).toBe(id);
+    const second = await later({ session });
+    expect(second.keeping.broken.value?.id).toBe(id);
+    await second.add('c.jpg');
+    const third = await later({ session });
+    expect([third.keeping.broken.value, third.names()]).toEqual([null, ['c.jpg']]);
+  });
+
+  it('opens in no other project\'s place', async () => {
+    await spoil('states', (record) => present(record, { alike: 'ten' }));
+    const tab = await later();
+    await tab.add('c.jpg');
+    const [mine, now] = [tab.keeping.current.value, documentOf(tab)];
+    expect(await tab.keeping.open(id)).toBe(false);
+    expect([tab.keeping.current.value, documentOf(tab), tab.keeping.broken.value?.id]).toEqual([mine, now, id]);
+    // Nobody holds it.
+    expect(await tab.keeping.goBack()).toBe(true);
+    expect([tab.keeping.current.value, tab.names()]).toEqual([id, ['a.jpg', 'b.jpg']]);
+  });
+
+  it('of which nothing else is left has no way back, and says so', async () => {
+    await base.clear('states');
+    await base.put('states', ({ id, version: 1, history: 'lost', facts: [] } as any));
+    const tab = await later();
+    expect(tab.keeping.broken.value?.back).toBe(false);
+  });
+
+  it('of which the last drawn state is spoilt, too, goes back to the one before', async () => {
+    await spoil('states', (record) => ({ ...record, drawn: [...record.drawn, { ...record.drawn[0], name: 'Other', alike: null }] }), `drawn ${id}`);
+    await spoil('states', () => ({ id }));
+    const tab = await later();
+    expect(await tab.keeping.goBack()).toBe(true);
+    expect(tab.store.project.value.name).toBe('Trip');
+  });
+
+  it.each([
+    ['a state that is text', (record: any) => ({ ...record, history: 'once upon a time' })],
+    ['a state of a newer version', (record: any) => ({ ...record, version: 99 })],
+    ['a state of nothing', () => ({ id })],
+  ])('is saved as a file with its photos: %s', async (_, change) => {
+    await spoil('states', change);
+    const tab = await later();
+    await tab.keeping.saveBroken();
+    const [blob, name] = vi.mocked(saveFile).mock.calls[0];
+    expect(name).toBe('Trip.inkpanel');
+    const entries = await readArchive(new File([blob], name));
+    expect([...entries.keys()]).toEqual(['project.json', expect.stringMatching(/a\.jpg/), expect.stringMatching(/b\.jpg/)]);
+    const text = await (await entries.get('project.json')?.read())?.text();
+    const kept = (await base.get('states', id) as any);
+    for (const part of [kept.history, kept.version].filter((value) => typeof value !== 'object' && value !== undefined)) expect(text).toContain(String(part));
+  });
+});
+
+describe('the list of projects', () => {
+  it.each([
+    ['another kind of everything', (record: any) => ({ id: record.id, name: 5, created: 'x', changed: {}, stamp: {}, photos: null, picture: 'none', refs: 7, gone: null })],
+    ['times that are none', (record: any) => ({ ...record, changed: NaN, created: 1e300 })],
+    ['nothing', ({ id: key }) => ({ id: key })],
+  ])('shows a record of %s, which opens, is copied and deleted', async (_, change) => {
+    await spoil('projects', change);
+    const tab = await later();
+    await tab.keeping.refresh();
+    expect(tab.keeping.list.value.map((entry) => [entry.id, Number.isFinite(entry.changed), typeof entry.name])).toEqual([[id, true, 'string']]);
+    expect(tab.names()).toEqual(['a.jpg', 'b.jpg']);
+    await tab.keeping.create();
+    const copy = await tab.keeping.duplicate(id);
+    expect(await tab.keeping.open(String(copy))).toBe(true);
+    await tab.keeping.remove(id);
+    await tab.keeping.refresh();
+    expect(tab.keeping.list.value.map((entry) => entry.id)).toEqual([copy]);
+  });
+
+  it('shows a project whose record was lost, and none that is not a project', async () => {
+    await base.clear('projects');
+    for (const key of [5, new Date(0), ['x']]) await base.put('projects', ({ id: key, gone: null } as any));
+    const tab = await later();
+    await tab.keeping.refresh();
+    expect(tab.keeping.list.value.map((entry) => entry.id)).toEqual([id]);
+    expect(tab.names()).toEqual(['a.jpg', 'b.jpg']);
+    tab.store.change({ type: 'rename', name: 'Found' });
+    await tab.keeping.flush();
+    expect((await base.get('projects', id))?.name).toBe('Found');
+  });
+});
+
+describe('what lies beside the document', () => {
+  it.each([
+    ['facts of nothing', 'facts', (record: any) => ({ id: record.id })],
+    ['a photo without sides', 'facts', (record: any) => ({ ...record, fact: { ...record.fact, meta: { ...record.fact.meta, width: 0 } } })],
+    ['copies without planes', 'photos', (record: any) => ({ ...record, work: { key: 1 }, small: {} })],
+  ])('%s: the photo is read again from its file', async (_, table, change) => {
+    const [key] = (await base.get('states', id))?.facts ?? [];
+    await spoil((table as 'facts'), change, key);
+    const tab = await later();
+    await vi.waitFor(() => expect(tab.decoded).toEqual(['a.jpg']));
+    await vi.waitFor(() => expect(tab.store.reading.value).toBe(null));
+    expect([tab.names(), tab.store.facts.value.every(({ meta }) => (meta?.width ?? 0) > 0)]).toEqual([['a.jpg', 'b.jpg'], true]);
+  });
+
+  it('a photo of nothing is missing and named, and the rest is there', async () => {
+    const [key] = (await base.get('states', id))?.facts ?? [];
+    await spoil('photos', (record) => ({ id: record.id, name: 5, file: 'x', work: 7 }), key);
+    const tab = await later();
+    await vi.waitFor(() => expect(tab.store.reading.value).toBe(null));
+    expect([tab.names(), tab.store.facts.value.map(({ absent }) => !!absent), tab.keeping.broken.value]).toEqual([['a.jpg', 'b.jpg'], [true, false], null]);
+    expect(said(tab).join()).toContain('a.jpg');
+  });
+});
+
+describe('a project that the views cannot draw', () => {
+  const views = () => ({ drawn: vi.fn(async () => {}), retry: vi.fn() });
+
+  it('is taken back while it is tried, and nothing of it was saved', async () => {
+    const eyes = views();
+    const tab = await later({ views: eyes });
+    await tab.keeping.files.save();
+    const [blob] = vi.mocked(saveFile).mock.calls[0];
+    const now = documentOf(tab);
+    eyes.drawn.mockImplementation(async () => {
+      expect(tab.keeping.current.value).not.toBe(id);
+      // Longer than autosave waits.
+      await new Promise((resolve) => { setTimeout(resolve, 600); });
+      throw new Error('a view that cannot');
+    });
+    await tab.keeping.files.open(new File([blob], 'trap.inkpanel'));
+    expect([documentOf(tab), tab.keeping.current.value, tab.keeping.status.value]).toEqual([now, id, 'saved']);
+    expect(said(tab).at(-1)).toContain('trap.inkpanel could not be opened');
+    expect([await base.count('projects'), eyes.retry.mock.calls.length]).toEqual([1, 3]);
+    eyes.drawn.mockImplementation(async () => {});
+    tab.store.change({ type: 'rename', name: 'On' });
+    await tab.keeping.flush();
+    expect((await base.getAll('projects')).map(({ name }) => name)).toEqual(['On']);
+  });
+
+  it('by an edit goes back to the last state that they could', async () => {
+    const tab = await later({ views: views() });
+    tab.keeping.drawn();
+    tab.store.change({ type: 'rename', name: 'Trap' });
+    tab.keeping.failedToShow(new Error('a view that cannot'));
+    expect(tab.keeping.broken.value).toMatchObject({ id, name: 'Trap', why: '', detail: 'a view that cannot', back: true });
+    expect(await tab.keeping.goBack()).toBe(true);
+    await tab.keeping.flush();
+    expect([tab.store.project.value.name, tab.keeping.current.value, (await base.get('projects', id))?.name]).toEqual(['Trip', id, 'Trip']);
+  });
+});

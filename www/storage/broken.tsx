@@ -1,0 +1,28 @@
+import { strings } from '../strings/strings.ts';
+import { useApp } from '../app/context.ts';
+import { Icon } from '../ui/icon.tsx';
+
+/** Says that a project cannot be shown, and what can be done about it. */
+export function Broken() {
+  const { keeping, ui } = useApp();
+  const project = keeping.broken.value;
+  if (!project) return null;
+  const { name, why, detail, back } = project;
+  const listed = ui.work.value === 'projects';
+  const said = strings.projectBroken(name || strings.untitled, strings.brokenReasons[why] ?? strings.brokenOtherwise);
+  return (
+    <div class="broken" role="group" aria-label={said}>
+      <p class="broken-what" role="alert"><Icon name="alert" /><span>{said}</span></p>
+      <p class="broken-more">{strings.brokenKept} {!back && strings.noGoodState}</p>
+      <p class="broken-ways">
+        {back && <button type="button" class="button strong" onClick={() => void keeping.goBack().then((done) => { if (done) ui.work.value = null; })}>{strings.goBack}</button>}
+        {!listed && <button type="button" class="button" onClick={() => { ui.work.value = 'projects'; }}>{strings.openAnother}</button>}
+        <button type="button" class="button" onClick={() => void keeping.saveBroken()}>{strings.saveAsFile}</button>
+      </p>
+      {detail !== '' && <p class="broken-detail"><code>{detail.slice(0, MOST)}</code></p>}
+    </div>
+  );
+}
+
+/** Characters of what the program says about it. */
+const MOST = 200;

@@ -1,0 +1,82 @@
+/**
+ * The tables of the browser's database.
+ *
+ * - `projects`: what the list of projects shows, one small record each
+ * - `states`: the document of a project with its history; under ids that no project has the states of it that were drawn
+ *   (`drawn-states.ts`), and since when photos are needed by nobody (`orphans.ts`)
+ * - `facts`: what is known of a photo
+ * - `photos`: the file of a photo and, once it was decoded and where there is room, its two reduced copies; or the file of a video
+ *
+ * Photos have ids that no other photo has in any project, so a copy of a project costs no second copy of them.
+ */
+
+import { deleteDB, openDB } from 'idb';
+import type { Fact, Video } from '../document/album.ts';
+import type { PhotoHandle } from '../engine/protocol.ts';
+import type { DBSchema, IDBPDatabase } from 'idb';
+
+/**
+ * `stamp` changes with each writing; `refs` are the keys in `photos` that the project needs; `held` those of a state of it
+ * that could not be opened; `gone`: when it was deleted, in ms.
+ */
+export type ProjectRecord = {
+  id: string, name: string, created: number, changed: number, stamp: string, photos: number, picture: Blob | null,
+  refs: string[], gone: number | null, held?: string[],
+};
+
+export type KeptVideo = Omit<Video, 'file'> & { fileKey: string };
+export type KeptHistory = Omit<import('../document/history.ts').History, 'gesture'>;
+export type StateRecord = { id: string, version: number, stamp: string, history: KeptHistory, facts: string[], videos: KeptVideo[] };
+type FactRecord = { id: string, fact: Fact };
+
+/** Without `work` the photo must be decoded again; without `file` it could not be read when it was written. */
+export type PhotoRecord = { id: string, name: string, file: Blob | null, work: PhotoHandle | null, small: PhotoHandle | null };
+
+export type Schema = DBSchema & {
+  projects: { key: string, value: ProjectRecord },
+  states: { key: string, value: StateRecord },
+  facts: { key: string, value: FactRecord },
+  photos: { key: string, value: PhotoRecord },
+};
+
+export type Database = IDBPDatabase<Schema>;
+
+const TABLES = (['projects', 'states', 'facts', 'photos'] as const);
+const NAME = 'inkpanel';
+/** Of the tables; what is in them has a version of its own (`versions.ts`). */
+const VERSION = 1;
+
+/**
+ * @param options `onClosed`: it can no longer be used
+ * @returns rejects where the browser refuses storage
+ */
+export async function openDatabase({ name = NAME, onClosed = () => {} }: { name?: string, onClosed?: () => void } = {}): Promise<Database> {
+  const database = await open(name, onClosed);
+  if (database.objectStoreNames.length > 0) return database;
+  // Somebody opened one that was not there, and so made it, without any table.
+  database.close();
+  await deleteDB(name);
+  return open(name, onClosed);
+}
+
+async function open(name: string, onClosed: () => void) {
+  const database: Database = await openDB(name, VERSION, {
+    upgrade(made) {
+      for (const table of TABLES) {
+        if (!made.objectStoreNames.contains(table)) made.createObjectStore(table, { keyPath: 'id' });
+      }
+    },
+    // A newer page in another tab wants other tables, or the database is deleted: neither shall wait for this page.
+    blocking: () => {
+      database?.close();
+      onClosed();
+    },
+    terminated: onClosed,
+  });
+  return database;
+}
+
+/** @returns whether the storage took no more */
+export function isFull(error: unknown): boolean {
+  return (error as { name?: string })?.name === 'QuotaExceededError';
+}

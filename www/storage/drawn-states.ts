@@ -1,0 +1,58 @@
+/**
+ * The last states of a project that were drawn: ways back when one comes that cannot be. They are written with the
+ * project, in a record of their own, so that what spoils the one need not spoil the other.
+ */
+
+import { ORPHANS } from './orphans.ts';
+import type { Project } from '../document/project.ts';
+import type { Store } from '../document/store.ts';
+import type { Place } from './place.ts';
+
+export type DrawnStates = ReturnType<typeof createDrawnStates>;
+
+/** So many are kept. */
+const MOST = 3;
+
+/**
+ * @param id of a project
+ * @returns the key of its record among the states, which no project has
+ */
+export function drawnId(id: string): string {
+  return `drawn ${id}`;
+}
+
+/**
+ * @param key among the states
+ * @returns whether it is that of a project
+ */
+export function isProjectId(key: unknown): boolean {
+  return typeof key === 'string' && key !== ORPHANS && !key.startsWith(drawnId(''));
+}
+
+export function createDrawnStates({ store }: { store: Pick<Store, 'project' | 'place'> }) {
+  const kept: WeakMap<Place, readonly Project[]> = new WeakMap();
+  /** The state that was drawn last, until the next saving. */
+  let last: { place: Place, project: Project } | null = null;
+
+  return { note, know, of };
+
+  /** The page is drawn as it is now. */
+  function note() {
+    const project = store.project.peek();
+    if (project.page) last = { place: store.place.peek(), project };
+  }
+
+  /** States that were read with a project. */
+  function know(place: Place, states: readonly Project[]) {
+    kept.set(place, states);
+  }
+
+  /** @returns of its project, the last drawn at the end */
+  function of(place: Place): readonly Project[] {
+    const before = kept.get(place) ?? [];
+    if (last?.place !== place || before.at(-1) === last.project) return before;
+    const now = [...before, last.project].slice(-MOST);
+    kept.set(place, now);
+    return now;
+  }
+}

@@ -1,0 +1,138 @@
+/**
+ * Photos that a page names and nobody has: an empty frame keeps the place of each. Files that are added are held against
+ * them first, and one that is such a photo takes the place of its frame wherever that stands, in every state of the undo.
+ * A message tells of them as long as there are any, and how many are left.
+ */
+
+import { computed, effect, untracked } from '@preact/signals';
+import { Priority } from '../../engine/queue.ts';
+import { isVideo } from '../../engine/video.ts';
+import { strings } from '../../strings/strings.ts';
+import { hashOf, looksLike } from './identity.ts';
+import { absentOf } from './placeholder.ts';
+import { renamed } from './project-json.ts';
+import type { Messages, Way } from '../../app/messages.ts';
+import type { Absent, Fact } from '../../document/album.ts';
+import type { Store } from '../../document/store.ts';
+import type { Engine } from '../../engine/engine.ts';
+import type { Imported } from '../../engine/protocol.ts';
+import type { Reading } from '../../photos/reading.ts';
+import type { ReadonlySignal } from '@preact/signals';
+
+type Match = { frame: Fact, id: string, name: string, meta: Imported['meta'] };
+export type AbsentPhotos = ReturnType<typeof createAbsentPhotos>;
+
+/** Milliseconds in which who opened the project can say more than that photos are missing. */
+const MORE_TO_SAY = 300;
+
+/** @param app `missing`: photos that are on the page, but can be saved no more */
+export function createAbsentPhotos({ store, engine, reading, messages, chooseFiles, missing }: {
+  store: Store, engine: Pick<Engine, 'importPhoto' | 'forgetPhoto'>,
+  reading: Pick<Reading, 'freshIds' | 'count'>, messages: Pick<Messages, 'note' | 'grave' | 'change' | 'close'>,
+  chooseFiles: () => void, missing?: ReadonlySignal<readonly Fact[]>,
+}) {
+  const empty = computed(() => store.facts.value.filter(({ absent }) => absent));
+  const list = computed(() => [
+    ...empty.value,
+    ...(missing?.value ?? []).flatMap((fact) => (store.album.value.has(fact.id) ? { ...fact, absent: absentOf(fact) } : [])),
+  ]);
+
+  const way = { label: strings.choosePhotos, run: chooseFiles };
+  /** What was told: the message, of which frames, and how many they were. */
+  let told: { id: number, frames: ReadonlySet<string>, count: number, more?: Way } | null = null;
+  let telling: ReturnType<typeof setTimeout> | undefined;
+
+  effect(() => {
+    const frames = empty.value.map(({ id }) => id);
+    untracked(() => follow(frames));
+  });
+
+  return { list, fill, tell };
+
+  /**
+   * Keeps the message true.
+   * @param frames that are empty now
+   */
+  function follow(frames: readonly string[]) {
+    clearTimeout(telling);
+    const { id = 0, count = 0 } = told ?? {};
+    // Those of another project are another message.
+    if (!frames.some((frame) => told?.frames.has(frame))) {
+      messages.close(id);
+      told = null;
+      if (frames.length > 0) telling = setTimeout(() => tell(strings.photosStillMissing(frames.length)), MORE_TO_SAY);
+    } else if (told && frames.length !== count) {
+      told = { ...told, count: frames.length };
+      messages.change(id, strings.photosStillMissing(frames.length), way, told.more);
+    }
+  }
+
+  /**
+   * Tells that photos of the project on the page are missing.
+   * @param more another way than to choose them
+   */
+  function tell(text: string, more?: Way) {
+    clearTimeout(telling);
+    messages.close(told?.id ?? 0);
+    const frames = empty.peek().map(({ id }) => id);
+    told = frames.length > 0 ? { id: messages.grave(text, way, more), frames: new Set(frames), count: frames.length, more } : null;
+  }
+
+  /** @returns those that no frame waits for */
+  async function fill(files: readonly File[]): Promise<File[]> {
+    const frames = [...list.peek()];
+    if (frames.length === 0 || files.length === 0) return [...files];
+    reading.count(0, files.length);
+    const matches: Map<File, Match> = new Map();
+    const free = () => frames.filter((frame) => ![...matches.values()].some((match) => match.frame === frame));
+    try {
+      const hashes = new Map();
+      for (const file of files) if (!isVideo(file)) hashes.set(file, await hashOf(file));
+      // A photo that is the very one comes before one that looks like it.
+      for (const exact of [true, false]) {
+        for (const [file, hash] of hashes) {
+          if (matches.has(file) || free().length === 0) continue;
+          const known = exact ? free().find(({ absent }) => hash !== '' && absent?.hash === hash) : undefined;
+          if (exact && !known) continue;
+          await tried(file, known);
+        }
+      }
+    } finally {
+      reading.count(files.length, 0);
+    }
+    if (matches.size > 0) {
+      put([...matches.values()]);
+      messages.note(strings.photosBack(matches.size));
+      const left = empty.peek().length;
+      // Whoever closed the message is busy with them again.
+      if (left > 0 && !messages.change(told?.id ?? 0, strings.photosStillMissing(left), way, told?.more)) tell(strings.photosStillMissing(left));
+    }
+    return files.filter((file) => !matches.has(file));
+
+    /** @param known the frame that waits for it, where its bytes say so */
+    async function tried(file: File, known?: Fact) {
+      const [id] = reading.freshIds(1);
+      // What cannot be read is named where it is added as a photo.
+      const meta = await engine.importPhoto(id, file, { priority: Priority.PAGE }).catch(() => null);
+      const frame = meta && (known ?? free().find(({ absent }) => absent && looksLike(meta, absent)) ??
+        free().find(({ name, absent }) => absent?.fingerprint === '' && name === file.name));
+      if (frame) matches.set(file, { frame, id, name: file.name, meta });
+      else if (meta) engine.forgetPhoto(id);
+    }
+  }
+
+  function put(matches: readonly Match[]) {
+    const album = new Map(store.album.peek());
+    const names = new Map(matches.map(({ frame, id }) => [frame.id, id]));
+    for (const { frame, id, name, meta } of matches) {
+      const { subjects, measured } = (frame.absent as Absent);
+      album.delete(frame.id);
+      // Its place in time is the one that it had among the others of its page.
+      const taken = frame.meta?.taken ?? meta.taken;
+      const known = { meta: { ...meta, taken, subjects: subjects ?? [] }, measures: measured ? meta.measures : null, looked: subjects !== null };
+      album.set(id, { id, name, credit: frame.credit, ...known });
+    }
+    store.load({ history: renamed(store.history.peek(), names), album, videos: store.videos.peek() });
+    for (const { frame } of matches) engine.forgetPhoto(frame.id);
+  }
+}

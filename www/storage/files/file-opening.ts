@@ -1,0 +1,200 @@
+/**
+ * What opening has in common whatever kind of file it is: one after the other, with progress, and what is opened is read and
+ * checked in full before anything on the page changes. It becomes a project of its own.
+ */
+
+import { signal } from '@preact/signals';
+import { PHOTOS_AT_ONCE, SILENCE } from '../../engine/limits.ts';
+import { patience } from '../../engine/patience.ts';
+import { cancelled as stopped, failure } from '../../engine/protocol.ts';
+import { Priority } from '../../engine/queue.ts';
+import { strings } from '../../strings/strings.ts';
+import { freshPlace } from '../place.ts';
+import { takenBy } from './project-json.ts';
+import { UNLIKE, placeholderOf } from './placeholder.ts';
+import { damaged } from '../versions.ts';
+import type { Messages, Way } from '../../app/messages.ts';
+import type { Fact } from '../../document/album.ts';
+import type { Planner } from '../../document/store.ts';
+import type { Engine } from '../../engine/engine.ts';
+import type { Watch } from '../../engine/inflate.ts';
+import type { Imported } from '../../engine/protocol.ts';
+import type { Opening } from '../opening.ts';
+import type { Content } from '../restoring.ts';
+import type { readArchive } from './archive.ts';
+import type { FilePhoto } from './project-json.ts';
+import type { Signal } from '@preact/signals';
+
+export type Archive = Awaited<ReturnType<typeof readArchive>>;
+export type FileOpening = ReturnType<typeof createFileOpening>;
+
+/** Reads a photo into the engine; all that it took is let go when the opening fails. */
+type Take = (id: string, blob: Blob) => Promise<Imported['meta']>;
+/** A photo that could not be read. */
+type Failed = { name: string, why: string };
+/** `watch` is told of whatever arrives, so that a file of which nothing comes is given up. */
+export type Hands = {
+  planner: Planner, photos: (wanted: readonly FilePhoto[], archive: Archive) => Promise<Fact[]>,
+  absent: (photo: FilePhoto, number: number) => Promise<Fact>, watch: Required<Watch>,
+};
+
+export function createFileOpening({ engine, messages, opening }: {
+  engine: Pick<Engine, 'ready' | 'importPhoto' | 'forgetPhoto'>,
+  messages: Pick<Messages, 'fileFailed' | 'alert'>, opening: Pick<Opening, 'enter'>,
+}) {
+  /** What is being read. */
+  const progress: Signal<{ name: string, done: number, total: number } | null> = signal(null);
+  let stop: AbortController | null = null;
+  /** The last of those that wait for each other. */
+  let last: Promise<unknown> = Promise.resolve();
+  /** How often a person has stopped it. */
+  let stops = 0;
+
+  return { progress, open, cancel, stops: () => stops };
+
+  /** Ends what is being read, and those that wait for it. */
+  function cancel() {
+    stops += 1;
+    stop?.abort(stopped());
+  }
+
+  /**
+   * @param way what else can be done with the file, where it cannot be opened
+   * @returns whether it is on the page now
+   */
+  function open(file: File, read: (hands: Hands) => Promise<Content>, way?: Way): Promise<boolean> {
+    const before = stops;
+    const done = last.then(() => stops === before && openNow(file, read, way));
+    last = done.catch(() => {});
+    return done;
+  }
+
+  async function openNow(file: File, read: (hands: Hands) => Promise<Content>, way?: Way) {
+    stop = new AbortController();
+    progress.value = { name: file.name, done: 0, total: 1 };
+    /** Photos that are in the engine. */
+    const taken: string[] = [];
+    /** The others, which are named when the rest is open. */
+    const failed: Failed[] = [];
+    const { signal: cancelled } = stop;
+    const quiet = silence(stop);
+    const watch = { signal: cancelled, beat: quiet.beat };
+    const take: Take = async (id, blob) => {
+      const meta = await engine.importPhoto(id, blob, { priority: Priority.PAGE, signal: cancelled });
+      quiet.beat();
+      taken.push(id);
+      return meta;
+    };
+    try {
+      const planner = await engine.ready;
+      quiet.beat();
+      const content = await Promise.race([quiet.over, read({
+        planner, watch,
+        photos: (wanted, archive) => readPhotos(wanted, archive, { take, watch, failed }),
+        absent: (photo, number) => placeFor(photo, number, take),
+      })]);
+      cancelled.throwIfAborted();
+      await opening.enter(freshPlace(), content, undefined, { join: true });
+      if (content.dropped?.length) messages.alert(strings.partsLeftOut(file.name, content.dropped.length));
+      for (const { name, why } of failed) messages.fileFailed(name, why);
+      return true;
+    } catch (error) {
+      taken.forEach(engine.forgetPhoto);
+      // What was stopped fails in many ways, for the one reason.
+      const { code, message } = ((cancelled.aborted ? cancelled.reason : error) as { code?: string, message: string });
+      const why = strings.projectReasons[code ?? ''] ?? message;
+      if (code !== 'cancelled') messages.fileFailed(file.name, why, { text: strings.projectFileNotOpened(file.name, why), way });
+      return false;
+    } finally {
+      quiet.end();
+      progress.value = null;
+    }
+  }
+
+  /** @returns those that can be read; the others are named in `failed` */
+  async function readPhotos(photos: readonly FilePhoto[], archive: Archive, { take, watch, failed }: { take: Take, watch: Hands['watch'], failed: Failed[] }): Promise<Fact[]> {
+    // Thousands that are one file would be read thousands of times.
+    if (new Set(photos.map(({ path }) => path)).size < photos.length) throw damaged('photos: two of them are one file');
+    const packed = photos.some(({ path }) => archive.get(path)?.packed);
+    // What has to be unpacked is held as a whole while it is read.
+    const facts = await inTurns(photos, packed ? 1 : PHOTOS_AT_ONCE, async (photo) => {
+      const { path, type, subjects, measured, rank: _rank, like, absent, ...fact } = photo;
+      try {
+        const found = archive.get(path);
+        if (!found) throw damaged(`${path} is missing`);
+        const meta = await take(fact.id, new File([await found.read(watch)], fact.name, { type }));
+        const known = { ...fact, meta: { ...meta, taken: takenBy(photo, meta.taken), subjects: subjects ?? [] } };
+        if (absent && like) return keepsPlace(known, photo);
+        return { ...known, measures: measured ? meta.measures : null, looked: subjects !== null };
+      } catch (error) {
+        const { code, message } = (error as { code?: string, message: string });
+        if (watch.signal.aborted || ['cancelled', 'too-large-project'].includes(code ?? '')) throw error;
+        failed.push({ name: fact.name, why: strings.reasons[code ?? ''] ?? message });
+        return [];
+      } finally {
+        const now = progress.peek();
+        if (now && !watch.signal.aborted) progress.value = { ...now, done: now.done + 1, total: photos.length };
+      }
+    });
+    return facts.flat();
+  }
+}
+
+/**
+ * @param work none is begun any more after one has failed
+ * @returns in the order of the list
+ */
+async function inTurns<T, R>(list: readonly T[], atOnce: number, work: (item: T) => Promise<R>): Promise<R[]> {
+  const done: R[] = Array(list.length);
+  let next = 0;
+  const runner = async () => {
+    while (next < list.length) {
+      const at = next;
+      next += 1;
+      done[at] = await work(list[at]).catch((error) => { next = list.length; throw error; });
+    }
+  };
+  await Promise.all(Array.from({ length: atOnce }, runner));
+  return done;
+}
+
+/**
+ * Gives up what shows no sign of life for a minute.
+ * @returns `beat`: something came; `over` rejects when it is given up, or stopped
+ */
+function silence(stop: AbortController): { beat: () => void, over: Promise<never>, end: () => void } {
+  let relax = () => {};
+  let since = -Infinity;
+  const beat = () => {
+    // Pieces come in thousands; timers need not.
+    if (performance.now() - since < SILENCE / 60) return;
+    since = performance.now();
+    relax();
+    relax = patience(SILENCE, () => stop.abort(failure('silent-project', 'Nothing of it came for a minute.')));
+  };
+  const over: Promise<never> = new Promise((_, reject) => { stop.signal.addEventListener('abort', () => reject(stop.signal.reason), { once: true }); });
+  // It is no failure of what has ended well.
+  over.catch(() => {});
+  return { beat, over, end: () => { relax(); since = Infinity; } };
+}
+
+/**
+ * An empty frame in the place of a photo that is not here.
+ * @param number from 1
+ */
+async function placeFor(photo: FilePhoto, number: number, take: Take): Promise<Fact> {
+  const { id, credit, like } = photo;
+  const name = strings.absentPhoto(number);
+  const meta = await take(id, new File([await placeholderOf(like ?? UNLIKE)], name, { type: 'image/png' }));
+  return keepsPlace({ id, name, credit, meta: { ...meta, taken: takenBy(photo, null) } }, { ...photo, like: like ?? UNLIKE });
+}
+
+/**
+ * @param fact of the empty frame
+ * @returns it is framed as the photo was, and compared with none
+ */
+function keepsPlace(fact: Omit<Fact, 'meta' | 'measures'> & { meta: NonNullable<Fact['meta']> }, { like, subjects, measured }: FilePhoto): Fact {
+  const { width, height, ...rest } = like ?? UNLIKE;
+  const meta = { ...fact.meta, width, height, subjects: subjects ?? [] };
+  return { ...fact, meta, measures: null, looked: true, absent: { width, height, ...rest, subjects, measured } };
+}

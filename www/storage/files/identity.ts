@@ -1,0 +1,50 @@
+/**
+ * What a photo is known by, wherever it lies: the SHA-256 of its file without what cameras and programs write beside the
+ * pixels. So a photo is the same before and after it went through a project file.
+ */
+
+import { withoutMetadata } from '../../engine/metadata/strip.ts';
+import type { Stripped } from '../../engine/metadata/strip.ts';
+
+/**
+ * How a photo is recognised: `hash` of 64 hex digits, empty where the browser makes none; `fingerprint` of 16, and the
+ * sides in pixels, upright.
+ */
+export type Likeness = { hash: string, fingerprint: string, width: number, height: number };
+
+/** Files larger than this are recognised by their looks. */
+const MOST_BYTES = 256 * 2 ** 20;
+
+const stripped: WeakMap<Blob, Promise<Stripped>> = new WeakMap();
+const hashes: WeakMap<Blob, Promise<string>> = new WeakMap();
+
+/** @returns worked out once */
+export function strippedOf(file: Blob): Promise<Stripped> {
+  const known = stripped.get(file) ?? withoutMetadata(file);
+  stripped.set(file, known);
+  known.catch(() => stripped.delete(file));
+  return known;
+}
+
+/** @returns 64 hex digits; empty where there is no telling, as on a page without https */
+export function hashOf(file: Blob): Promise<string> {
+  const known = hashes.get(file) ?? hashed(file);
+  hashes.set(file, known);
+  return known;
+}
+
+async function hashed(file: Blob) {
+  if (!globalThis.crypto?.subtle || file.size === 0 || file.size > MOST_BYTES) return '';
+  try {
+    const { blob } = await strippedOf(file);
+    const digest = await crypto.subtle.digest('SHA-256', await blob.arrayBuffer());
+    return [...new Uint8Array(digest)].map((byte) => byte.toString(16).padStart(2, '0')).join('');
+  } catch {
+    // A file that went away is missed where its pixels are needed.
+    return '';
+  }
+}
+
+export function looksLike(one: { fingerprint: string, width: number, height: number }, other: { fingerprint: string, width: number, height: number }) {
+  return one.fingerprint === other.fingerprint && one.width === other.width && one.height === other.height;
+}

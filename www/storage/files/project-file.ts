@@ -1,0 +1,158 @@
+/**
+ * A project as one file: a ZIP of `project.json` and the files of its photos and videos, with every pixel that they had
+ * but without what cameras write beside them.
+ */
+
+import { PLACES_FOR_LOST, TEXT } from '../../engine/limits.ts';
+import { strings } from '../../strings/strings.ts';
+import { advance } from '../../document/history.ts';
+import { sheetsOf } from '../../document/sheets.ts';
+import { save as saveFile } from '../../export/files.ts';
+import { archiveOf, readArchive } from './archive.ts';
+import { strippedOf } from './identity.ts';
+import { projectJson, readProjectJson } from './project-json.ts';
+import { photosOf, snapshotOf } from '../snapshot.ts';
+import { damaged } from '../versions.ts';
+import type { Messages } from '../../app/messages.ts';
+import type { Fact } from '../../document/album.ts';
+import type { PageDocument } from '../../document/project.ts';
+import type { Store } from '../../document/store.ts';
+import type { Engine } from '../../engine/engine.ts';
+import type { Saving } from '../saving.ts';
+import type { Snapshot } from '../snapshot.ts';
+import type { Archive, FileOpening, Hands } from './file-opening.ts';
+import type { FilePhoto, FileProject } from './project-json.ts';
+
+
+export const EXTENSION = '.inkpanel';
+
+export function isProjectFile({ name }: { name: string }) {
+  return name.toLowerCase().endsWith(EXTENSION);
+}
+
+export function createProjectFiles({ store, engine, messages, saving, fileOpening }: {
+  store: Store, engine: Pick<Engine, 'photos'>,
+  messages: Pick<Messages, 'alert' | 'note'>, saving: Pick<Saving, 'filed'>,
+  fileOpening: FileOpening,
+}) {
+  return { save, open };
+
+  /** Gives the project to the person as a file. */
+  async function save() {
+    try {
+      const { file, name, unclean } = await packed();
+      saveFile(file, name);
+      saving.filed();
+      messages.note(strings.projectSaved(unclean));
+    } catch (error) {
+      messages.alert(strings.projectNotSaved((error as Error).message));
+    }
+  }
+
+  async function packed() {
+    const { history, facts, videos } = snapshotOf(store);
+    const read = facts.filter(({ id }) => engine.photos.has(id));
+    const blobs: Map<string, Blob> = new Map();
+    for (const { id } of read) blobs.set(id, engine.photos.get(id).file);
+    for (const { key, file } of videos) blobs.set(videoKey(key), file);
+    return packedProject({ history, facts: read, videos }, blobs);
+  }
+
+  /** Opens a project file beside those that there are. */
+  function open(file: File) {
+    return fileOpening.open(file, async ({ planner, photos: read, absent, watch }) => {
+      const archive = await readArchive(file);
+      const text = await archive.get('project.json')?.read({ most: TEXT.project, ...watch });
+      if (!text) throw damaged('project.json is missing');
+      const project = readProjectJson(await text.text(), planner);
+      const films = project.videos.map(({ path }) => path);
+      if (new Set(films).size < films.length) throw damaged('videos: two of them are one file');
+      const facts = await read(project.photos, archive);
+      if (facts.length === 0 && project.photos.length > 0) throw damaged('none of its photos can be read');
+      const videos = await readVideos(project, archive, watch);
+      const { name } = project.history.present;
+      const { history, waiting } = withoutLost({ ...project.history, gesture: null }, facts);
+      for (const [i, id] of waiting.entries()) {
+        const told = project.photos.find((photo) => photo.id === id);
+        const frame = await absent(told ?? unknown(id), i + 1);
+        facts.push(told ? { ...frame, name: told.name } : frame);
+      }
+      const present = { ...history.present, name: name || file.name.slice(0, -EXTENSION.length) };
+      return {
+        history: { ...history, present }, album: new Map(facts.map((fact) => [fact.id, fact])),
+        videos: new Map(videos.map((video) => [video.key, video])), records: [], unread: [], dropped: project.dropped,
+      };
+    });
+  }
+}
+
+/** @param key of a video, which is no id of a photo */
+export function videoKey(key: string) {
+  return `video ${key}`;
+}
+
+/**
+ * @param blobs the files of its photos, by their ids, and of its videos
+ * @param version of the history
+ * @returns `unclean`: files whose place and date could not be taken out
+ */
+export async function packedProject({ history, facts, videos }: Pick<Snapshot, 'history' | 'facts' | 'videos'>, blobs: ReadonlyMap<string, Blob>, version?: number): Promise<{ file: Blob, name: string, unclean: string[] }> {
+  const { json, paths } = projectJson(history, facts.map((fact) => ({ ...fact, type: blobs.get(fact.id)?.type ?? '' })), videos, version);
+  const unclean: string[] = [];
+  const entries = [];
+  for (const [id, name] of paths) {
+    const { blob, clean } = await strippedOf((blobs.get(id) as Blob));
+    if (!clean) unclean.push(facts.find((fact) => fact.id === id)?.name ?? videos.find(({ key }) => videoKey(key) === id)?.name ?? name);
+    entries.push({ name, blob });
+  }
+  const file = await archiveOf([{ name: 'project.json', blob: new Blob([json]) }, ...entries]);
+  return { file: new Blob([file], { type: 'application/zip' }), name: fileNameOf(history.present.name), unclean };
+}
+
+/** @param name of a project */
+export function fileNameOf(name: string) {
+  return `${(name || strings.untitled).replaceAll(/[^\p{L}\p{N} ._-]+/gu, '-').slice(0, 80)}${EXTENSION}`;
+}
+
+/**
+ * Photos on pages that are not in the file keep their places, as they may come back; thousands that never were have none.
+ * @param facts of the photos that are there
+ * @returns `waiting`: the photos whose places are kept
+ */
+function withoutLost(history: import('../../document/history.ts').History, facts: readonly Fact[]): { history: import('../../document/history.ts').History, waiting: string[] } {
+  const here = new Set(facts.map(({ id }) => id));
+  const lost = [...photosOf(history)].filter((id) => !here.has(id));
+  const shown = new Set(sheetsOf(history.present).flatMap(({ page }) => page.panels.map(({ photo }) => photo)));
+  const waits = new Set(lost.filter((id) => shown.has(id)).slice(0, PLACES_FOR_LOST));
+  const gone = new Set(lost.filter((id) => !waits.has(id)));
+  if (gone.size === 0) return { history, waiting: [...waits] };
+  const { present, shown: before, ...rest } = advance(history, { type: 'forget-photos', ids: [...gone] });
+  const without: <T extends { page: PageDocument }>(one: T) => T = (one) => ({ ...one, page: pageWithout(one.page, gone) });
+  const page = present.page && pageWithout(present.page, gone);
+  const whole = { ...rest, present: { ...present, page, others: present.others.map(without) }, shown: before.map(without) };
+  return { history: whole, waiting: [...waits] };
+}
+
+/** @returns of a photo of which nothing is told */
+function unknown(id: string): FilePhoto {
+  return { id, name: id, path: '', type: '', subjects: null, measured: true, rank: null, like: null, absent: true };
+}
+
+/** @param gone photos */
+function pageWithout(page: PageDocument, gone: ReadonlySet<string>) {
+  const panels = page.panels.map((panel) => (gone.has(panel.photo ?? '') ? { ...panel, photo: null } : panel));
+  return { ...page, panels, order: page.order.filter((id) => !gone.has(id)) };
+}
+
+async function readVideos({ videos }: FileProject, archive: Archive, watch: Hands['watch']) {
+  const read = [];
+  for (const { path, type, ...video } of videos) {
+    // Without its video a frame is a photo like others.
+    const blob = await archive.get(path)?.read(watch).catch((error) => {
+      if (error.code !== 'damaged-project') throw error;
+      return null;
+    });
+    if (blob) read.push({ ...video, file: new File([blob], video.name, { type }) });
+  }
+  return read;
+}

@@ -1,0 +1,83 @@
+/**
+ * `project.json` of a project file: the document, the pages shown, and what is told of each photo and video. The undo
+ * stays behind. What a file says the core reads (`readProject`); what the photos say themselves is read from them again.
+ */
+
+import { freshId } from '../../document/fresh-id.ts';
+import { VERSION } from '../versions.ts';
+import type { Fact, Video } from '../../document/album.ts';
+import type { Planner } from '../../document/store.ts';
+import type { KeptHistory } from '../database.ts';
+import type { Likeness } from './identity.ts';
+
+/**
+ * `subjects`: what was found in it, null when it was not searched; `measured`: it is compared with other photos; `rank`:
+ * its place in time among the photos, null where nobody knows it; `like`: how it is recognised where its file is not
+ * here, null where it need not be; `absent`: an empty frame stands for it.
+ */
+export type FilePhoto = Pick<Fact, 'id' | 'name' | 'credit' | 'video' | 'time'> & {
+  path: string, type: string, subjects: any[] | null, measured: boolean, rank: number | null, like: Likeness | null, absent: boolean,
+};
+export type FileVideo = Omit<Video, 'file'> & { path: string, type: string };
+/** `dropped`: what was left out, and why */
+export type FileProject = { history: KeptHistory, photos: FilePhoto[], videos: FileVideo[], dropped: string[] };
+
+const FORMAT = 'inkpanel';
+
+/**
+ * @param facts with the types of their files
+ * @param version of the history, where it is not the newest that there is
+ * @returns `paths`: where in the file each photo is, by its id, and each
+ *   video, by `video` and its key
+ */
+export function projectJson({ present, shown }: Pick<KeptHistory, 'present' | 'shown'>, facts: readonly (Fact & { type: string, like?: Likeness })[], videos: readonly Video[], version: number = VERSION): { json: string, paths: Map<string, string> } {
+  const paths: Map<string, string> = new Map();
+  const place = (id: string, folder: string, name: string) => {
+    const path = `${folder}/${String(paths.size + 1).padStart(3, '0')}-${name.replaceAll(/[^\p{L}\p{N}._-]+/gu, '-').slice(-60)}`;
+    paths.set(id, path);
+    return path;
+  };
+  // When a photo was taken is nobody's business; which came first is enough for their order.
+  const times = [...new Set(facts.flatMap(({ meta }) => meta?.taken ?? []))].sort();
+  const photos = facts.map(({ id, name, credit, video, time, meta, measures, looked, type, absent, like }) => ({
+    id, name, credit, video, time, path: place(id, 'photos', name), type, measured: measures !== null,
+    subjects: absent ? absent.subjects : looked && meta ? meta.subjects : null,
+    rank: meta?.taken ? times.indexOf(meta.taken) : undefined, like: absent ? likenessOf(absent) : like && likenessOf(like), absent: absent ? true : undefined,
+  }));
+  const films = videos.map(({ file, ...video }) => ({ ...video, path: place(`video ${video.key}`, 'videos', video.name), type: file.type }));
+  const history = { present, shown };
+  return { json: JSON.stringify({ format: FORMAT, version, history, photos, videos: films }, null, 1), paths };
+}
+
+/**
+ * Reads a project. Its photos get ids that no photo of this browser has: the same file may be opened twice, or be made by hand.
+ * @returns throws `damaged-project` or `newer-project`
+ */
+export function readProjectJson(text: string, planner: Pick<Planner, 'readProject'>): FileProject {
+  const { history, photos, videos, dropped } = planner.readProject(text, { prefix: `p${freshId(8)}-` });
+  return { history: { ...history, past: [], future: [] }, photos, videos, dropped };
+}
+
+/** @returns nothing else of it */
+function likenessOf({ hash, fingerprint, width, height }: Likeness): Likeness {
+  return { hash, fingerprint, width, height };
+}
+
+/**
+ * @param taken what its file says, as those of older project files do
+ * @returns something that sorts as the times do
+ */
+export function takenBy({ rank }: FilePhoto, taken: string | null): string | null {
+  return rank === null ? taken : String(rank).padStart(9, '0');
+}
+
+/** @returns the same with other names wherever a text is one of them */
+export function renamed<T>(value: T, names: ReadonlyMap<string, string>): T {
+  const change = (part: unknown): unknown => {
+    if (typeof part === 'string') return names.get(part) ?? part;
+    if (Array.isArray(part)) return part.map(change);
+    if (typeof part !== 'object' || part === null) return part;
+    return Object.fromEntries(Object.entries(part).map(([key, item]) => [names.get(key) ?? key, change(item)]));
+  };
+  return (change(value) as T);
+}

@@ -1,0 +1,216 @@
+/**
+ * The edits that are not in the database yet, written at once, so that one made right before the page closes is there
+ * after. A project has one entry in the small storage of the browser: how its history differs from the one that was
+ * written last, by whose stamp it is known. While another is being written the difference to that is told too, as nobody
+ * knows which of the two will be found. The entry goes when there is no difference any more.
+ *
+ * What is found is trusted as little as a file: what does not fit, or makes no history, is passed over.
+ */
+
+import { VERSION as DOCUMENT } from './versions.ts';
+import type { Shown } from '../document/history.ts';
+import type { Project } from '../document/project.ts';
+import type { KeptHistory } from './database.ts';
+
+type Box = Pick<Storage, 'getItem' | 'setItem' | 'removeItem' | 'key' | 'length'>;
+/** A history that is in the database, or may be. */
+export type Base = { stamp: string, history: KeptHistory };
+/** Photos that the database does not know: their ids and names. */
+type Names = readonly (readonly [string, string])[];
+type Told = { history: KeptHistory, photos: Names };
+/** Stretches of a list: where it begins, and how many. */
+type Runs = [number, number][];
+/**
+ * States by their numbers: those of the base count from 0, `past`, `present` and `future` in a row; those in `states`
+ * from -1 down. `shown` likewise, with `pages`. A state tells the fields that differ from the base's present.
+ */
+type Patch = {
+  states: Record<string, unknown>[], past: Runs, present: number, future: Runs, pages: (Omit<Shown, 'page'> & { page: unknown })[], shown: Runs,
+};
+/** The core's reading of a history. */
+type Read = (kept: { version: number, history: unknown }) => { history: KeptHistory, dropped: string[] };
+export type Journal = ReturnType<typeof createJournal>;
+
+const VERSION = 1;
+const PREFIX = 'inkpanel.journal.';
+
+/** Characters of an entry: more would hold up the hand that edits, and crowd out what else is kept there. */
+const MOST = 400_000;
+/** Of a list. */
+const MOST_ITEMS = 10_000;
+
+/** @param app `box` may throw where storage is refused */
+export function createJournal({ box, most = MOST }: { box: () => Box, most?: number }) {
+  return { note, clear, recall, names, tidy };
+
+  /**
+   * @param id of the project
+   * @returns whether all of it is told; what is too much for it leaves no entry
+   */
+  function note(id: string, { bases, history, photos }: { bases: readonly Base[], history: KeptHistory, photos: Names }): boolean {
+    try {
+      const told = bases.map((base) => ({ stamp: base.stamp, patch: patchOf(base.history, history) }));
+      const text = JSON.stringify({ version: VERSION, bases: told, photos });
+      if (text.length <= most) {
+        box().setItem(PREFIX + id, text);
+        return true;
+      }
+    } catch {
+      // There is no storage, or no room in it.
+    }
+    clear(id);
+    return false;
+  }
+
+  function clear(id: string) {
+    try {
+      box().removeItem(PREFIX + id);
+    } catch {
+      // Then there is none.
+    }
+  }
+
+  /**
+   * @param id of a project
+   * @param base it as it is in the database
+   * @param readHistory reads what may be a history
+   * @returns it as it was on the page; null where nothing is told, or nothing that fits
+   */
+  function recall(id: string, base: Base, readHistory: Read): Told | null {
+    try {
+      const entry = read(id);
+      const fits = entry?.bases.find(({ stamp }: any) => stamp === base.stamp);
+      if (!entry || !fits) return null;
+      const history = patched(base.history, fits.patch);
+      const found = readHistory({ version: DOCUMENT, history });
+      if (found.dropped.length > 0) return null;
+      // What is the same in both stays the very same object, by which the next entry knows it.
+      return { history: kinOf(found.history, (history as KeptHistory), base.history), photos: entry.photos };
+    } catch {
+      return null;
+    }
+  }
+
+  /**
+   * @param id of a project
+   * @returns the photos that it had, and that were written nowhere
+   */
+  function names(id: string): string[] {
+    try {
+      return read(id)?.photos.map(([, name]) => name) ?? [];
+    } catch {
+      return [];
+    }
+  }
+
+  function read(id: string): { bases: any[], photos: [string, string][] } | null {
+    const text = box().getItem(PREFIX + id);
+    if (text === null) return null;
+    const { version, bases, photos } = JSON.parse(text);
+    const good = version === VERSION && Array.isArray(bases) && Array.isArray(photos) && photos.length <= MOST_ITEMS &&
+      photos.every((photo) => Array.isArray(photo) && photo.length === 2 && photo.every((part) => typeof part === 'string' && part !== ''));
+    return good ? { bases, photos } : null;
+  }
+
+  /**
+   * Throws away what fits no project any more.
+   * @param stampOf of a project in the database
+   */
+  async function tidy(stampOf: (id: string) => Promise<string | undefined>) {
+    try {
+      const keys = Array.from({ length: box().length }, (_, i) => box().key(i)).flatMap((key) => (key?.startsWith(PREFIX) ? key : []));
+      for (const key of keys) {
+        const id = key.slice(PREFIX.length);
+        const stamp = await stampOf(id);
+        if (!read(id)?.bases.some((base) => base?.stamp === stamp)) clear(id);
+      }
+    } catch {
+      // Then it stays.
+    }
+  }
+}
+
+/** @param now made from it by edits, so that what is the same in both is the very same object */
+export function patchOf(base: KeptHistory, now: KeptHistory): Patch {
+  const known = new Map([...base.past, base.present, ...base.future].map((state, i) => [state, i]));
+  const pages: Map<unknown, number> = new Map();
+  const states: Patch['states'] = [];
+  const number = (state: Project) => {
+    const at = known.get(state);
+    if (at !== undefined) return at;
+    states.push(differing(state, base.present));
+    known.set(state, -states.length);
+    if (state.page && state.page !== base.present.page) pages.set(state.page, -states.length);
+    return -states.length;
+  };
+  const past = runsOf(now.past.map(number));
+  const present = number(now.present);
+  const future = runsOf(now.future.map(number));
+  const there = new Map(base.shown.map((entry, i) => [entry, i]));
+  const fresh: Patch['pages'] = [];
+  const shown = runsOf(now.shown.map((entry) => {
+    const at = there.get(entry);
+    if (at !== undefined) return at;
+    // Most are the page of a state that is told already.
+    fresh.push({ ...entry, page: pages.get(entry.page) ?? entry.page });
+    return -fresh.length;
+  }));
+  return { states, past, present, future, pages: fresh, shown };
+}
+
+function differing(state: any, base: any): Record<string, unknown> {
+  return Object.fromEntries(Object.entries(state).filter(([field, value]) => value !== base[field]));
+}
+
+/** @returns a history that is yet to be checked */
+function patched(base: KeptHistory, { states, past, present, future, pages, shown }: any): unknown {
+  const fresh = list(states).map((state) => ({ ...base.present, ...state }));
+  const all = [...base.past, base.present, ...base.future];
+  const state = (at: number) => pick(at, all, fresh);
+  const entries = list(pages).map((entry) => ({ ...entry, page: typeof entry.page === 'number' ? state(entry.page).page : entry.page }));
+  return {
+    past: numbersOf(past).map(state), present: state(present), future: numbersOf(future).map(state),
+    shown: numbersOf(shown).map((at) => pick(at, base.shown, entries)),
+  };
+}
+
+/**
+ * @param from what it was read from, made of the base
+ * @returns with the states and pages of the base where they are the same
+ */
+function kinOf(read: KeptHistory, from: KeptHistory, base: KeptHistory): KeptHistory {
+  const known = new Set([...base.past, base.present, ...base.future, ...base.shown]);
+  const kin: <T extends Project | Shown>(list: readonly T[], source: readonly T[]) => T[] = (list, source) => list.map((item, i) => (known.has(source[i]) ? source[i] : item));
+  const [present] = kin([read.present], [from.present]);
+  return { past: kin(read.past, from.past), present, future: kin(read.future, from.future), shown: kin(read.shown, from.shown) };
+}
+
+function pick<T>(at: number, old: readonly T[], fresh: readonly T[]) {
+  const found = at >= 0 ? old[at] : fresh[-1 - at];
+  if (found === undefined) throw new RangeError('The journal tells of what is not there.');
+  return found;
+}
+
+function runsOf(numbers: readonly number[]): Runs {
+  const runs: Runs = [];
+  for (const at of numbers) {
+    const last = runs.at(-1);
+    if (last && at >= 0 && last[0] >= 0 && last[0] + last[1] === at) last[1] += 1;
+    else runs.push([at, 1]);
+  }
+  return runs;
+}
+
+function numbersOf(runs: unknown): number[] {
+  const numbers: number[] = [];
+  for (const [from, count] of list(runs)) {
+    if (!Number.isSafeInteger(from) || !Number.isSafeInteger(count) || count < 1 || count > MOST_ITEMS - numbers.length) throw new RangeError('The journal is damaged.');
+    for (let i = 0; i < count; i += 1) numbers.push(from + i);
+  }
+  return numbers;
+}
+
+function list(value: unknown): any[] {
+  if (!Array.isArray(value) || value.length > MOST_ITEMS) throw new RangeError('The journal is damaged.');
+  return value;
+}

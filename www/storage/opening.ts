@@ -1,0 +1,359 @@
+/**
+ * Which project is on the page. A project is open in one tab at a time; a tab that finds it taken offers a copy, and
+ * opens it when the other lets go.
+ */
+
+import { computed, effect, signal } from '@preact/signals';
+import { failure } from '../engine/protocol.ts';
+import { strings } from '../strings/strings.ts';
+import { EMPTY_HISTORY } from '../document/history.ts';
+import { freshPlace } from './place.ts';
+import { joined } from '../document/shared-lists.ts';
+import { projectLock } from './locks.ts';
+import { drawnOnce, exchanged, rehearsed } from './rehearsing.ts';
+import { beginningWith, drawnOf, holdPhotos, isThere, nameOf, readProject, readState } from './restoring.ts';
+import type { Messages } from '../app/messages.ts';
+import type { Project } from '../document/project.ts';
+import type { Store } from '../document/store.ts';
+import type { Engine } from '../engine/engine.ts';
+import type { Reading } from '../photos/reading.ts';
+import type { Database } from './database.ts';
+import type { DrawnStates } from './drawn-states.ts';
+import type { Journal } from './journal.ts';
+import type { createLastProject } from './last-project.ts';
+import type { Locks } from './locks.ts';
+import type { PhotoRecords } from './photo-records.ts';
+import type { Place } from './place.ts';
+import type { Content } from './restoring.ts';
+import type { Saving } from './saving.ts';
+import type { Shelves } from './shelves.ts';
+import type { Signal } from '@preact/signals';
+
+export type Opening = ReturnType<typeof createOpening>;
+
+/** A page that is loaded again waits so long for its former self to let go, in ms. */
+const PATIENCE = 2_000;
+
+/**
+ * A project that cannot be shown. `why` is a key of the reasons in `strings`, `detail` the place of the fault; `back`:
+ * there are states of it to go back to.
+ */
+type Broken = { id: string, name: string, why: string, detail: string, back: boolean };
+/** `drawn` waits until the views have drawn what is in the store and rejects where they cannot; `retry` has them try again. */
+export type Views = { drawn: () => Promise<void>, retry: () => void };
+
+/** Reasons that are not the project's. */
+const OUTSIDE = new Set(['not-saved', 'missing-project', 'no-storage']);
+
+function isOutside(error: unknown) {
+  return OUTSIDE.has((error as { code: string }).code);
+}
+
+/**
+ * @param app `leave` closes what belongs to the project before; `onMissing`: photos of a project that was opened are not here;
+ *   `onUnwritten`: photos of a project of which nothing was written
+ */
+export function createOpening({
+  store, reading, engine, shelves, saving, records, locks, messages, database, journal, last, drawnStates, leave, onMissing, onUnwritten,
+  views = { retry: () => {}, drawn: async () => {} },
+}: {
+  store: Store, reading: Pick<Reading, 'resume'>,
+  engine: Pick<Engine, 'ready' | 'photos' | 'renderPage'>, shelves: Pick<Shelves, 'lists'>,
+  saving: Saving, records: PhotoRecords, locks: Locks,
+  messages: Pick<Messages, 'alert' | 'note'>, database: () => Promise<Database>,
+  journal: Pick<Journal, 'recall' | 'names'>, last: ReturnType<typeof createLastProject>,
+  drawnStates: DrawnStates, leave: () => void, views?: Views,
+  onMissing: (photos: readonly { id: string, name: string }[]) => void, onUnwritten: (names: readonly string[]) => void,
+}) {
+  /** The project that another tab has open. */
+  const elsewhere: Signal<{ id: string, name: string, follows: boolean } | null> = signal(null);
+  const broken: Signal<Broken | null> = signal(null);
+  const first = last.recall();
+  /** Whether the project of the last visit is still on its way. */
+  const running = signal(first !== null);
+  /** Those that are about to take the place of this one. */
+  const turns = signal(0);
+  const turning = computed(() => turns.value > 0);
+  /** Photos on their way belong to the project that is there. */
+  const busy = computed(() => store.reading.value !== null || store.fetching.value);
+  let release = () => {};
+  let trying = false;
+  /** Ends the waiting for a project that another tab has. */
+  let waiting = new AbortController();
+  /** One after the other. */
+  let queue: Promise<unknown> = Promise.resolve();
+  /** States that were gone back to in vain, of the project that is broken. */
+  const vain: Set<string> = new Set();
+
+  return {
+    elsewhere, broken, running, turning, busy, current: computed(() => store.place.value.id),
+    begin, open, create, enter, goOnAsCopy, goBack, failedToShow, say,
+  };
+
+  /** Opens what this tab had open, or else what was open last. */
+  async function begin() {
+    try {
+      release = await lockOf(store.place.peek());
+      if (first) await openLast(first);
+      else last.opened(store.place.peek().id);
+    } catch (error) {
+      say(error);
+    } finally {
+      running.value = false;
+    }
+  }
+
+  async function openLast({ id, here }: { id: string, here: boolean }) {
+    const base = await database();
+    if (!await isThere(base, id)) {
+      if (here && !await base.get('projects', id)) onUnwritten(journal.names(id));
+      return last.opened(store.place.peek().id);
+    }
+    const free = await locks.take(projectLock(id), here ? PATIENCE : 0);
+    if (free) return load(id, free);
+    last.opened(store.place.peek().id);
+    elsewhere.value = { id, name: await nameOf(base, id), follows: true };
+    void follow(id);
+  }
+
+  /** Opens a project when the tab that has it lets go, unless something was begun here meanwhile. */
+  async function follow(id: string) {
+    const { signal: stop } = waiting;
+    const free = await locks.wait(projectLock(id), stop).catch(() => null);
+    if (!free) return;
+    if (elsewhere.peek()?.id !== id || store.tray.peek().length > 0) free();
+    else await load(id, free).catch(say);
+  }
+
+  /** @returns whether it is the one on the page now */
+  async function open(id: string): Promise<boolean> {
+    if (id === store.place.peek().id) return true;
+    turns.value += 1;
+    return openNow(id).finally(() => { turns.value -= 1; });
+  }
+
+  async function openNow(id: string) {
+    const free = await locks.take(projectLock(id));
+    if (!free) {
+      elsewhere.value = { id, name: await nameOf(await database(), id), follows: false };
+      return false;
+    }
+    try {
+      await load(id, free);
+      return id === store.place.peek().id;
+    } catch (error) {
+      say(error);
+      return false;
+    }
+  }
+
+  /**
+   * One that cannot be shown is told so; what is on the page stays.
+   * @param free lets go of its lock
+   */
+  async function load(id: string, free: () => void) {
+    const base = await database();
+    try {
+      const found = await readProject(base, id, engine.ready, journal.recall);
+      await arrive(found, free).catch(async (error) => {
+        // What the journal tells may be what cannot be shown.
+        if (!found.place.stored || isOutside(error)) throw error;
+        await arrive(await readProject(base, id, engine.ready), free);
+      });
+    } catch (error) {
+      free();
+      if (isOutside(error)) throw error;
+      await holdPhotos(base, id).catch(() => {});
+      const back = (await drawnOf(base, id, engine.ready).catch(() => [])).length > 0;
+      breaks({ id, name: await nameOf(base, id), back }, error);
+    }
+  }
+
+  async function arrive({ place, content, drawn }: Awaited<ReturnType<typeof readProject>>, free: () => void) {
+    await enter(place, content, free);
+    drawnStates.know(place, drawn);
+    records.know(content.records);
+    if (content.missing?.length) onMissing(content.missing);
+    if (content.filmless?.length) messages.alert(strings.filmsNotHere(content.filmless));
+    if (content.dropped?.length) {
+      await database().then((base) => holdPhotos(base, place.id)).catch(() => {});
+      messages.alert(strings.partsLeftOut(store.project.peek().name || strings.untitled, content.dropped.length));
+    }
+    void reading.resume(content.unread, content.films);
+  }
+
+  function breaks(project: Pick<Broken, 'id' | 'name' | 'back'>, error: unknown) {
+    const { code, message } = (error as { code?: unknown, message: string });
+    vain.clear();
+    broken.value = { ...project, why: typeof code === 'string' ? code : '', detail: message };
+  }
+
+  /**
+   * An empty project in the place of this one.
+   * @returns whether it came to that
+   */
+  async function create(): Promise<boolean> {
+    try {
+      await enter(freshPlace(), { history: EMPTY_HISTORY, album: new Map(), videos: new Map(), records: [], unread: [] });
+      return true;
+    } catch (error) {
+      say(error);
+      return false;
+    }
+  }
+
+  /**
+   * Puts a project in the place of the one on the page, once that is saved (else it rejects with `not-saved`) and once
+   * this one was found to be such as can be shown. Until then nothing changes; what fails after that is taken back.
+   * @param free lets go of its lock, where it is held already; whoever took it has it still when this fails
+   * @param how `join`: its styles and layouts are added to those of this browser
+   */
+  function enter(next: Place, content: Content, free?: () => void, how?: { join?: boolean }): Promise<void> {
+    const turn = queue.then(() => enterNow(next, content, free, how));
+    queue = turn.catch(() => {});
+    return turn;
+  }
+
+  async function enterNow(next: Parameters<typeof enter>[0], content: Parameters<typeof enter>[1], free: Parameters<typeof enter>[2], { join = false }: Parameters<typeof enter>[3] = {}): ReturnType<typeof enter> {
+    const planner = await engine.ready;
+    await allRead();
+    const lock = free ?? await lockOf(next);
+    turns.value += 1;
+    try {
+      const shared = join ? joined(content.history.present, shelves.lists()) : shelves.lists();
+      const whole = rehearsed(content, { planner, shared });
+      // Where nothing is lost, nobody need wait for it.
+      if (store.tray.peek().length > 0) await drawnOnce(whole, engine);
+      await saving.flush();
+      if (next.id !== store.place.peek().id && !saving.isSafe()) throw failure('not-saved', 'This project is not saved.');
+      await saving.during(() => shown(whole, next));
+    } catch (error) {
+      if (!free) lock();
+      throw error;
+    } finally {
+      turns.value -= 1;
+    }
+    arrived(next, lock);
+    leave();
+  }
+
+  async function shown(content: Content, next: Place) {
+    const turn = exchanged(content, next, { store, photos: engine.photos });
+    trying = true;
+    try {
+      views.retry();
+      await views.drawn();
+      turn.settle();
+    } catch (error) {
+      turn.takeBack();
+      views.retry();
+      throw error;
+    } finally {
+      trying = false;
+    }
+  }
+
+  /** What is on the page goes on as a project of its own; the one that it was stays as it is. */
+  async function goOnAsCopy() {
+    const next = freshPlace();
+    const lock = await lockOf(next);
+    const [history, album, videos] = [store.history.peek(), store.album.peek(), store.videos.peek()];
+    store.load({ history, album, videos, place: next });
+    arrived(next, lock);
+  }
+
+  /** The views cannot draw what is on the page. */
+  function failedToShow(error: unknown) {
+    // The one that is tried is taken back.
+    if (trying) return;
+    const place = store.place.peek();
+    breaks({ id: place.id, name: store.project.peek().name, back: drawnStates.of(place).length > 0 }, error);
+  }
+
+  /**
+   * Opens the last state of the broken project that was drawn and can be again.
+   * @returns whether one is on the page now
+   */
+  async function goBack(): Promise<boolean> {
+    const project = broken.peek();
+    if (!project) return false;
+    const here = project.id === store.place.peek().id;
+    try {
+      const free = here ? release : await locks.take(projectLock(project.id), PATIENCE);
+      if (!free) {
+        elsewhere.value = { id: project.id, name: project.name, follows: false };
+        return false;
+      }
+      const done = await (here ? goBackHere(free) : goBackTo(project.id, free));
+      if (done) messages.note(strings.wentBack(project.name || strings.untitled));
+      else broken.value = { ...project, back: false };
+      if (!done && !here) free();
+      return done;
+    } catch (error) {
+      say(error);
+      return false;
+    }
+  }
+
+  async function goBackHere(free: () => void) {
+    const place = store.place.peek();
+    const [album, videos] = [store.album.peek(), store.videos.peek()];
+    return tried(drawnStates.of(place), async (state) => {
+      await enter(place, { history: beginningWith(state), album, videos, records: [], unread: [] }, free);
+    });
+  }
+
+  async function goBackTo(id: string, free: () => void) {
+    const base = await database();
+    const states = await drawnOf(base, id, engine.ready);
+    return tried(states, async (state) => {
+      await arrive({ ...await readState(base, id, state), drawn: [...states] }, free);
+      // What the database has is the state that cannot be shown.
+      store.load({ history: { ...store.history.peek() }, album: store.album.peek(), videos: store.videos.peek() });
+    });
+  }
+
+  /** @param states the last drawn at the end */
+  async function tried(states: readonly Project[], attempt: (state: Project) => Promise<void>) {
+    for (const state of states.toReversed()) {
+      const essence = JSON.stringify(state);
+      if (vain.has(essence)) continue;
+      vain.add(essence);
+      try {
+        await attempt(state);
+        return true;
+      } catch (error) {
+        if (isOutside(error)) throw error;
+      }
+    }
+    return false;
+  }
+
+  /** Photos on their way arrive first. */
+  function allRead(): Promise<void> {
+    return new Promise((resolve) => {
+      const stop = effect(() => {
+        if (!busy.value) queueMicrotask(() => { stop(); resolve(); });
+      });
+    });
+  }
+
+  async function lockOf({ id }: Place) {
+    return await locks.take(projectLock(id)) ?? (() => {});
+  }
+
+  function arrived(place: Place, lock: () => void) {
+    if (release !== lock) release();
+    release = lock;
+    waiting.abort();
+    waiting = new AbortController();
+    elsewhere.value = null;
+    broken.value = null;
+    last.opened(place.id);
+  }
+
+  function say(error: unknown) {
+    const { code, message } = (error as { code?: string, message: string });
+    messages.alert(strings.projectNotOpened(strings.projectReasons[code ?? ''] ?? message));
+  }
+}

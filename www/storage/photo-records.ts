@@ -1,0 +1,282 @@
+/**
+ * Photos into the database: first the file of each, bare, so that all are safe soon, whether they were decoded or not; then,
+ * where there is room, the reduced copies that spare the next visit the decoding.
+ *
+ * What is written is read back, and `lose` is told what the database turns out to have no more: it is written again from
+ * what the page holds. The empty frame of a photo that is absent is drawn anew whenever it is needed, and never written: it
+ * must not take the place of a photo that turns up after all.
+ */
+
+import { isFull } from './database.ts';
+import type { Fact, Video } from '../document/album.ts';
+import type { createPhotos } from '../engine/photos.ts';
+import type { Database, KeptVideo, PhotoRecord } from './database.ts';
+
+/** What a project refers to. */
+type Wanted = { facts: readonly Fact[], videos: readonly Video[] };
+/** What the page holds of a photo or a film: `entry` once it was decoded. */
+type Held = { id: string, name: string, file: Blob, entry: ReturnType<ReturnType<typeof createPhotos>['get']> | null };
+export type PhotoRecords = ReturnType<typeof createPhotoRecords>;
+
+/** Bytes of each photo that are compared when it is read back. */
+const SAMPLE = 64;
+
+/** Files that are written together: many small ones cost little more than one, and none waits long for its turn to be safe. */
+const TOGETHER = 40;
+const BYTES_TOGETHER = 24 * 2 ** 20;
+/** Photos whose copies are written together. */
+const COPIES_TOGETHER = 4;
+/** So few that wait are written with their copies at once, where they were decoded by now. */
+const FEW = 8;
+
+/** @param app `room`: bytes that the browser would still take */
+export function createPhotoRecords({ photos, originals, room = roomLeft }: {
+  photos: Pick<ReturnType<typeof createPhotos>, 'has' | 'get'>, originals: ReadonlyMap<string, File>,
+  room?: () => Promise<number>,
+}) {
+  /** How much of a photo is kept: its file alone, as it was still being read or there is no room, or all. */
+  const kept: Map<string, 'file' | 'bare' | 'all'> = new Map();
+  /** Those that could be read no more when they were to be written. */
+  const unreadable: Set<string> = new Set();
+  const fileKeys: WeakMap<Blob, string> = new WeakMap();
+
+  /** Those that the person goes on without. */
+  const forgone: Set<string> = new Set();
+
+  /** What was written and is to be read back, when the rest is written, too. */
+  let unproved: PhotoRecord[] = [];
+
+  return { keyed, protect, prove, improve, waiting, missing, know, lose, retry, forgo };
+
+  /** Photos that the database is known to have. */
+  function know(records: readonly PhotoRecord[]) {
+    for (const { id, file, work } of records) {
+      kept.set(id, work ? 'all' : 'file');
+      if (file) fileKeys.set(file, id);
+    }
+  }
+
+  /**
+   * @param keys that the database has not
+   * @returns how many of them it had
+   */
+  function lose(keys: readonly string[]): number {
+    return keys.filter((key) => kept.delete(key)).length;
+  }
+
+  /** What could not be read may be there again. */
+  function retry() {
+    unreadable.clear();
+  }
+
+  /** @param ids that are no longer missed */
+  function forgo(ids: readonly string[]) {
+    for (const id of ids) forgone.add(id);
+  }
+
+  function keyed(videos: readonly Video[]): KeptVideo[] {
+    return videos.map(({ file, ...video }) => ({ ...video, fileKey: keyOf(file, video.key) }));
+  }
+
+  function keyOf(file: Blob, video: string) {
+    const key = fileKeys.get(file) ?? `file-${video}`;
+    fileKeys.set(file, key);
+    return key;
+  }
+
+  /** @returns files that are not in the database, and can be written */
+  function waiting(wanted: Wanted): number {
+    return unwritten(wanted).length;
+  }
+
+  /**
+   * What neither the database has nor the page can write. A frame of a film that is still to be taken is not missing: its
+   * film is there.
+   */
+  function missing({ facts, videos }: Wanted): Fact[] {
+    const gone = facts.filter((fact) => {
+      if (kept.has(fact.id) || forgone.has(fact.id) || fact.absent) return false;
+      return unreadable.has(fact.id) || (fact.meta !== null && heldOf(fact) === null);
+    });
+    const films = videos.filter(({ file, key }) => unreadable.has(keyOf(file, key)) && !forgone.has(keyOf(file, key)));
+    return [...gone, ...films.map(({ file, key, name }) => ({ id: keyOf(file, key), name, meta: null, measures: null }))];
+  }
+
+  function heldOf({ id, name, absent }: Fact): Held | null {
+    if (absent) return null;
+    const entry = photos.has(id) ? photos.get(id) : null;
+    const file = entry?.file ?? originals.get(id);
+    return file ? { id, name, file, entry } : null;
+  }
+
+  /** @returns those that are still being read before those that were: they are the quicker to write */
+  function unwritten({ facts, videos }: Wanted): Held[] {
+    const open = (id: string) => !kept.has(id) && !unreadable.has(id);
+    const list = facts.flatMap((fact) => (open(fact.id) ? heldOf(fact) ?? [] : []));
+    const films = videos.flatMap(({ file, name, key }) => {
+      const id = keyOf(file, key);
+      return open(id) ? { id, name, file, entry: null } : [];
+    });
+    return [...list.filter(({ entry }) => entry === null), ...films, ...list.filter(({ entry }) => entry !== null)];
+  }
+
+  /**
+   * Writes the next files that are not in the database yet.
+   * @returns how many; none when all are there that can be
+   */
+  async function protect(database: Database, wanted: Wanted): Promise<number> {
+    const all = unwritten(wanted);
+    if (all.length === 0) return 0;
+    const alone = all[0].entry !== null && all.length <= FEW;
+    const batch = alone ? [all[0]] : batchOf(all);
+    const written = alone ? [await tried(database, all[0])] : await putAll(database, batch);
+    unproved.push(...written.flatMap((record) => record ?? []));
+    return batch.length;
+  }
+
+  /**
+   * Reads some of the files back that were written.
+   * @returns whether there were any left
+   */
+  async function prove(database: Database): Promise<boolean> {
+    const some = unproved.slice(0, TOGETHER);
+    unproved = unproved.slice(TOGETHER);
+    await verify(database, some);
+    return some.length > 0;
+  }
+
+  /**
+   * Adds their copies to the next photos that have been decoded since their files were written.
+   * @returns whether there were any
+   */
+  async function improve(database: Database, { facts }: Wanted): Promise<boolean> {
+    const next = facts.filter(({ id, absent }) => kept.get(id) === 'file' && photos.has(id) && !absent).slice(0, COPIES_TOGETHER);
+    await Promise.all(next.map((fact) => addCopies(database, (heldOf(fact) as Held))));
+    return next.length > 0;
+  }
+
+  async function addCopies(database: Database, held: Held) {
+    const { id, entry } = held;
+    const record = { ...bareOf(held), work: entry?.work ?? null, small: entry?.small ?? null };
+    // Its file is safe, whatever becomes of this.
+    kept.set(id, 'bare');
+    if (!await hasRoom(record)) return;
+    try {
+      await database.put('photos', record);
+    } catch (error) {
+      if (isFull(error) || !await allReadable(held)) return;
+      throw error;
+    }
+    kept.set(id, 'all');
+    await verify(database, [record]);
+  }
+
+  /** @param batch of files alone */
+  async function putAll(database: Database, batch: readonly Held[]): Promise<(PhotoRecord | null)[]> {
+    const records = batch.map(bareOf);
+    const all = database.transaction('photos', 'readwrite');
+    try {
+      await Promise.all([...records.map((record) => all.store.put(record)), all.done]);
+    } catch (error) {
+      all.done.catch(() => {});
+      if (isFull(error) && batch.length === 1) throw error;
+      // One of them is the reason; the others are none the worse for it.
+      const written = [];
+      for (const held of batch) written.push(await tried(database, held));
+      return written;
+    }
+    for (const { id } of batch) kept.set(id, 'file');
+    return records;
+  }
+
+  /** @returns null where it can be read no more */
+  async function tried(database: Database, held: Held): Promise<PhotoRecord | null> {
+    const { id, entry } = held;
+    const bare = bareOf(held);
+    try {
+      const record = entry ? await put(database, { ...bare, work: entry.work, small: entry.small }) : await putFile(database, bare);
+      kept.set(id, record.work ? 'all' : entry ? 'bare' : 'file');
+      return record;
+    } catch (error) {
+      if (isFull(error) || await allReadable(held)) throw error;
+      unreadable.add(id);
+      return null;
+    }
+  }
+
+  async function put(database: Database, record: PhotoRecord) {
+    if (await hasRoom(record)) {
+      try {
+        return await putFile(database, record);
+      } catch (error) {
+        if (!isFull(error)) throw error;
+      }
+    }
+    return putFile(database, { ...record, work: null, small: null });
+  }
+
+  /** The files of all photos are worth more than the copies of some. */
+  async function hasRoom({ file, work, small }: PhotoRecord) {
+    return await room() > 4 * ((file?.size ?? 0) + (work?.planes.size ?? 0) + (small?.planes.size ?? 0));
+  }
+
+  async function putFile(database: Database, record: PhotoRecord) {
+    try {
+      await database.put('photos', record);
+      return record;
+    } catch (error) {
+      if (isFull(error) || record.file === null || record.work === null || await readable(record.file)) throw error;
+      // The file was moved or deleted since it was chosen; the copies are all that is left of it.
+      const rest = { ...record, file: null };
+      await database.put('photos', rest);
+      return rest;
+    }
+  }
+
+  /** Reads photos back that were just written. */
+  async function verify(database: Database, written: readonly PhotoRecord[]) {
+    const whole = await Promise.all(written.map(async (record) => {
+      const found = await database.get('photos', record.id);
+      const parts = [[record.file, found?.file], [record.work?.planes, found?.work?.planes], [record.small?.planes, found?.small?.planes]];
+      return (await Promise.all(parts.map(([one, other]) => alike(one, other)))).every(Boolean);
+    }));
+    const bad = written.filter((_record, i) => !whole[i]);
+    for (const { id } of bad) kept.delete(id);
+    if (bad.length > 0) throw new Error(`${bad[0].name} could not be read back`);
+  }
+}
+
+function bareOf({ id, name, file }: Held): PhotoRecord {
+  return { id, name, file, work: null, small: null };
+}
+
+/** @returns the first of them, as many as are written together */
+function batchOf(all: readonly Held[]): Held[] {
+  let bytes = 0;
+  const end = all.findIndex(({ file }, i) => {
+    bytes += file.size;
+    return i > 0 && (i >= TOGETHER || bytes > BYTES_TOGETHER);
+  });
+  return end < 0 ? [...all] : all.slice(0, end);
+}
+
+async function allReadable({ file, entry }: Held) {
+  const sources = [file, ...(entry ? [entry.work.planes, entry.small.planes] : [])];
+  return (await Promise.all(sources.map(readable))).every(Boolean);
+}
+
+async function readable(blob: Blob) {
+  return blob.slice(0, SAMPLE).arrayBuffer().then(() => true, () => false);
+}
+
+async function alike(one: Blob | null | undefined, other: Blob | null | undefined) {
+  if (!one || !other) return (one ?? null) === (other ?? null);
+  if (one.size !== other.size) return false;
+  const end = (blob: Blob) => blob.slice(-SAMPLE).arrayBuffer().then((bytes) => new Uint8Array(bytes).join());
+  return await end(one) === await end(other);
+}
+
+async function roomLeft() {
+  const { quota = Infinity, usage = 0 } = await globalThis.navigator?.storage?.estimate?.() ?? {};
+  return quota - usage;
+}

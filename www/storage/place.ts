@@ -1,0 +1,16 @@
+/** Where a project is kept. */
+
+import { freshId } from '../document/fresh-id.ts';
+import type { KeptHistory } from './database.ts';
+
+/**
+ * `stamp` is that of the last writing, empty before the first: who writes changes it here. The object itself stands for
+ * the project as long as it is open. `stored` is the history that the database has of it, where the journal told of one that
+ * is further.
+ */
+export type Place = { readonly id: string, readonly created: number, stamp: string, readonly stored?: KeptHistory };
+
+/** @returns of a project that is kept nowhere yet */
+export function freshPlace(): Place {
+  return { id: freshId(), created: Date.now(), stamp: '' };
+}

@@ -1,0 +1,86 @@
+/** In the bar above: what the project is called, whether it is saved, and the way to the others. */
+
+import { strings } from '../strings/strings.ts';
+import { IconButton } from '../ui/button.tsx';
+import { useApp } from '../app/context.ts';
+import { Icon } from '../ui/icon.tsx';
+import type { Keeping } from './storage.ts';
+
+/** Characters of a name. */
+const LONGEST = 80;
+
+export function ProjectBar() {
+  const { store, ui } = useApp();
+  const empty = store.tray.value.length === 0;
+  if (!ui.wide.value) return <ProjectsButton small dot={!empty} />;
+  if (empty) return <ProjectsButton />;
+  return (
+    <>
+      <ProjectName />
+      <SaveState />
+      <ProjectsButton small />
+    </>
+  );
+}
+
+/** Edited in place; Escape leaves it as it was. */
+export function ProjectName() {
+  const { store } = useApp();
+  const { name } = store.project.value;
+  return (
+    <input
+      type="text"
+      class="project-name"
+      aria-label={strings.projectName}
+      placeholder={strings.untitled}
+      maxLength={LONGEST}
+      autocomplete="off"
+      spellcheck={false}
+      value={name}
+      onChange={({ currentTarget }) => {
+        store.change({ type: 'rename', name: currentTarget.value.trim() });
+        currentTarget.value = store.project.peek().name;
+      }}
+      onKeyDown={(event) => {
+        if (event.key !== 'Enter' && event.key !== 'Escape') return;
+        if (event.key === 'Escape') event.currentTarget.value = name;
+        event.preventDefault();
+        event.currentTarget.blur();
+      }}
+    />
+  );
+}
+
+/** Whether all is saved; where it is not, a way to save it all the same. */
+export function SaveState() {
+  const { keeping } = useApp();
+  const state = keeping.status.value;
+  const text = stateText(keeping);
+  if (text === '') return null;
+  // Where there is little room the text is cut short.
+  if (state === 'saving' || state === 'saved') return <span class="save-state" data-state={state} title={`${text}. ${strings.saveHelp}`}>{text}</span>;
+  return (
+    <button type="button" class="save-state" data-state="not" title={`${text}. ${strings.saveToFile}`} onClick={() => void keeping.files.save()}>
+      <Icon name="alert" /><span>{text}</span>
+    </button>
+  );
+}
+
+function stateText({ status, progress }: Keeping) {
+  const [state, files] = [status.value, progress.value];
+  return state === 'saving' && files && files.total > 1 ? strings.savingCount(files.done, files.total) : strings.saveState[state];
+}
+
+/** @param props `dot`: it says, too, that not all is saved, where there is no room for words */
+function ProjectsButton({ small = false, dot = false }: { small?: boolean, dot?: boolean }) {
+  const { ui, keeping } = useApp();
+  const on = ui.work.value === 'projects';
+  const toggle = () => { ui.work.value = on ? null : 'projects'; };
+  if (small) {
+    const state = keeping.status.value;
+    const text = dot ? stateText(keeping) : '';
+    const sign = text === '' || state === 'saved' ? '' : state !== 'saving' ? 'save-dot bad' : keeping.progress.value ? 'save-dot' : '';
+    return <IconButton icon="open" label={strings.projects} help={text ? `${strings.projects}. ${text}` : undefined} class={sign} pressed={on} onClick={toggle} />;
+  }
+  return <button type="button" class="button" aria-pressed={on} onClick={toggle}><Icon name="open" />{strings.projects}</button>;
+}

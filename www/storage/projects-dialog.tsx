@@ -1,0 +1,83 @@
+/** The projects of this browser, as thumbnails, and what can be done with them. */
+
+import { useEffect, useRef, useState } from 'preact/hooks';
+import { EXTENSION } from './files/project-file.ts';
+import { language, strings } from '../strings/strings.ts';
+import { IconButton } from '../ui/button.tsx';
+import { ChosenFiles } from '../photos/chosen-files.tsx';
+import { useApp } from '../app/context.ts';
+import { Icon } from '../ui/icon.tsx';
+import { InstallButton } from '../offline/install.tsx';
+import { Workspace } from '../app/workspace.tsx';
+import { Broken } from './broken.tsx';
+import { Elsewhere } from './elsewhere.tsx';
+import { ProjectName, SaveState } from './project-bar.tsx';
+import type { ProjectRecord } from './database.ts';
+
+export function Projects() {
+  const { store, keeping, ui, openProjects } = useApp();
+  const input = useRef((null as HTMLInputElement | null));
+  const list = keeping.list.value;
+  const empty = store.tray.value.length === 0;
+  const status = keeping.status.value;
+
+  useEffect(() => void keeping.refresh().catch(() => {}), [status]);
+
+  const tools = (
+    <div class="wall-bar">
+      <button type="button" class="button" disabled={keeping.busy.value || empty} onClick={() => void keeping.create()}><Icon name="add" />{strings.newProject}</button>
+      <button type="button" class="button" onClick={() => input.current?.click()}><Icon name="open" />{strings.openProject}</button>
+      <button type="button" class="button" disabled={empty} onClick={() => void keeping.files.save()}><Icon name="save" />{strings.saveProject}</button>
+      <InstallButton />
+      <ChosenFiles input={input} label={strings.projectFile} accept={`${EXTENSION},.png`} onFiles={openProjects} />
+    </div>
+  );
+  return (
+    <Workspace title={strings.projects} class="projects" tools={tools} onClose={() => { ui.work.value = null; }}>
+      <Elsewhere />
+      <Broken />
+      {!empty && !ui.wide.value && <p class="project-now"><ProjectName /><SaveState /></p>}
+      <ul class="project-wall">{list.map((project) => <Project key={project.id} project={project} />)}</ul>
+      {list.length === 0 && <p class="wall-empty">{strings.noProjects}</p>}
+    </Workspace>
+  );
+}
+
+function Project({ project: { id, name, changed, photos, picture } }: { project: ProjectRecord }) {
+  const { keeping, ui } = useApp();
+  const title = name || strings.untitled;
+  const current = keeping.current.value === id;
+  const when = new Date(changed).toLocaleString(language === 'en' ? undefined : language, { dateStyle: 'medium', timeStyle: 'short' });
+  const busy = keeping.busy.value;
+
+  async function open() {
+    if (await keeping.open(id)) ui.work.value = null;
+  }
+
+  return (
+    <li class="project" aria-label={title} data-current={current}>
+      <button type="button" class="project-picture" aria-label={strings.openNamed(title)} aria-current={current ? 'true' : undefined}
+        disabled={busy && !current} onClick={() => void open()}>
+        {picture && <Picture blob={picture} />}
+      </button>
+      <div class="project-about">
+        <strong>{title}</strong>
+        <span>{strings.projectAbout(photos, changed > 0 ? when : '')}</span>
+      </div>
+      <div class="project-tools">
+        <IconButton icon="duplicate" label={strings.duplicateNamed(title)} onClick={() => void keeping.duplicate(id)} />
+        <IconButton icon="bin" label={strings.deleteNamed(title)} disabled={busy && current} onClick={() => void keeping.remove(id)} />
+      </div>
+    </li>
+  );
+}
+
+function Picture({ blob }: { blob: Blob }) {
+  const [address, setAddress] = useState('');
+  useEffect(() => {
+    const made = URL.createObjectURL(blob);
+    setAddress(made);
+    return () => URL.revokeObjectURL(made);
+  }, [blob]);
+  return address === '' ? null : <img src={address} alt="" />;
+}

@@ -1,0 +1,99 @@
+/**
+ * A project is tried before it takes the place of the one on the page, and the change of places is one step that can be
+ * taken back.
+ */
+
+import { Priority } from '../engine/queue.ts';
+import { unreadMeta } from '../document/album.ts';
+import { rebased } from '../document/shared-lists.ts';
+import { sheetsOf } from '../document/sheets.ts';
+import { createStore } from '../document/store.ts';
+import type { SharedLists } from '../document/shared-lists.ts';
+import type { Planner, Store } from '../document/store.ts';
+import type { Engine } from '../engine/engine.ts';
+import type { createPhotos } from '../engine/photos.ts';
+import type { Place } from './place.ts';
+import type { Content } from './restoring.ts';
+
+type Photos = ReturnType<typeof createPhotos>;
+
+const KEEP_ALL = Object.freeze({ layout: true, style: true, photos: true });
+/** Pixels of a page that nobody sees. */
+const WIDTH = 64;
+/** The project is at fault, not a photo of it nor the device. */
+const FAULTS = /^(?:(?:invalid|unknown)-(?:document|layout|style)|worker-lost)$/;
+
+/**
+ * Shows a project to nobody: in a store beside the page's, all that the page will ask for is worked out.
+ * @param app `shared`: the
+ *   lists that all projects have in common
+ * @returns with these lists; throws what the page would
+ */
+export function rehearsed(content: Content, { planner, shared }: { planner: Planner, shared: Partial<SharedLists> }): Content {
+  const whole = { ...content, history: rebased(content.history, shared) };
+  const stage = createStore();
+  stage.planner.value = planner;
+  stage.load(whole);
+  for (const part of [stage.layouts, stage.layoutFacts, stage.geometry]) part.peek();
+  const known = new Map(stage.photos.peek().map((photo) => [photo.id, photo]));
+  for (const { page } of sheetsOf(stage.project.peek())) {
+    const ids = [...new Set([...page.panels.flatMap(({ photo }) => photo ?? []), ...page.order])];
+    if (ids.length === 0) continue;
+    planner.plan({ seed: page.seed, photos: ids.map((id) => known.get(id) ?? unreadMeta(id)), page: page.page, current: page, keep: KEEP_ALL });
+  }
+  return whole;
+}
+
+/**
+ * Has the engine draw the page of a project, in a size that takes no time.
+ * @returns rejects where the engine does not take the page
+ */
+export async function drawnOnce({ history, records }: Content, { photos, renderPage }: { photos: Photos, renderPage: Engine['renderPage'] }): Promise<void> {
+  const { page } = history.present;
+  if (!page) return;
+  const fresh = addTo(photos, records);
+  try {
+    // Photos that are still to be read have no part in it.
+    const panels = page.panels.map((panel) => (panel.photo !== null && photos.has(panel.photo) ? panel : { ...panel, photo: null }));
+    const { bitmap } = await renderPage({ ...page, panels }, WIDTH, { priority: Priority.PAGE });
+    bitmap.close();
+  } catch (error) {
+    if (FAULTS.test(String((error as { code?: unknown }).code))) throw error;
+  } finally {
+    fresh.forEach(photos.forget);
+  }
+}
+
+/**
+ * Makes a project the one on the page; when that fails, everything is as it was.
+ * @param place where it is kept
+ * @returns one of which is called when it is known whether it can stay
+ */
+export function exchanged({ history, album, videos, records }: Content, place: Place, { store, photos }: { store: Store, photos: Photos }): { settle: () => void, takeBack: () => void } {
+  const before = { history: store.history.peek(), album: store.album.peek(), videos: store.videos.peek(), place: store.place.peek() };
+  const fresh = addTo(photos, records);
+  const takeBack = () => {
+    store.load(before);
+    fresh.forEach(photos.forget);
+  };
+  try {
+    store.load({ history, album, videos, place });
+  } catch (error) {
+    takeBack();
+    throw error;
+  }
+  const settle = () => {
+    for (const id of before.album.keys()) if (!album.has(id)) photos.forget(id);
+  };
+  return { settle, takeBack };
+}
+
+/** @returns the ids of those that were not there */
+function addTo(photos: Photos, records: Content['records']): string[] {
+  return records.flatMap(({ id, name, file, work, small }) => {
+    if (!work || !small || photos.has(id)) return [];
+    // A file that could not be kept is missed by the export alone, which says so.
+    photos.add(id, { name, file: file ?? new Blob(), work, small });
+    return [id];
+  });
+}

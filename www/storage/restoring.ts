@@ -1,0 +1,207 @@
+/**
+ * A project out of the database. Nothing that comes out of it is trusted: the core reads the document, and of the records
+ * beside it what is no such record counts as missing.
+ */
+
+import { failure } from '../engine/protocol.ts';
+import { strings } from '../strings/strings.ts';
+import { sheetsOf } from '../document/sheets.ts';
+import { drawnId } from './drawn-states.ts';
+import { emptyFrames } from './files/placeholder.ts';
+import { photosOf } from './snapshot.ts';
+import type { Fact, Video } from '../document/album.ts';
+import type { History } from '../document/history.ts';
+import type { Project } from '../document/project.ts';
+import type { Planner } from '../document/store.ts';
+import type { Database, KeptVideo, PhotoRecord, ProjectRecord, StateRecord } from './database.ts';
+import type { Journal } from './journal.ts';
+import type { Place } from './place.ts';
+
+type Ready = Promise<Planner>;
+
+/**
+ * A project in parts: `records` are what the database has of its photos, `unread` files that must be decoded again, `films`
+ * the keys of videos whose frames must be; `missing` are the photos in the tray for which an empty frame stands, `filmless`
+ * the names of videos that left nothing but their frames; `dropped` tells of parts that could not be read.
+ */
+export type Content = {
+  history: History, album: ReadonlyMap<string, Fact>, videos: ReadonlyMap<string, Video>, records: PhotoRecord[],
+  unread: { id: string, file: File }[], films?: string[], missing?: { id: string, name: string }[], filmless?: string[],
+  dropped?: readonly string[],
+};
+
+/**
+ * @param recall what the journal tells of edits that are not in the database
+ * @returns rejects with `missing-project`,
+ *   `damaged-project` or `newer-project`
+ */
+export async function readProject(database: Database, id: string, ready: Ready, recall: Journal['recall'] = () => null): Promise<{ place: Place, content: Content, drawn: Project[] }> {
+  const [place, state] = await Promise.all([placeOf(database, id), database.get('states', id)]);
+  if (!state) throw failure('missing-project', 'There is no such project any more.');
+  const { readHistory } = await ready;
+  const { history: stored, dropped } = readHistory(state);
+  const told = recall(id, { stamp: place.stamp, history: stored }, readHistory);
+  const drawn = await drawnOf(database, id, ready);
+  const names = new Map(told?.photos);
+  const content = await contentOf(database, { ...(told?.history ?? stored), gesture: null }, { drawn, state, names });
+  return { place: told ? { ...place, stored } : place, content: { ...content, dropped }, drawn };
+}
+
+/** @returns the states of a project that were drawn and can be read, the last at the end */
+export async function drawnOf(database: Database, id: string, ready: Ready): Promise<Project[]> {
+  const record = (await database.get('states', drawnId(id)) as any);
+  if (!Array.isArray(record?.drawn)) return [];
+  const planner = await ready;
+  return record.drawn.flatMap((present: any) => {
+    try {
+      return [planner.readHistory({ version: record.version, history: { past: [], present, future: [], shown: [] } }).history.present];
+    } catch {
+      return [];
+    }
+  });
+}
+
+/** A project in a state that it had. */
+export async function readState(database: Database, id: string, state: Project): Promise<{ place: Place, content: Content }> {
+  const [place, kept] = await Promise.all([placeOf(database, id), database.get('states', id)]);
+  return { place, content: await contentOf(database, beginningWith(state), { state: kept }) };
+}
+
+/** @returns of this state and nothing before it */
+export function beginningWith(state: Project): History {
+  const shown = sheetsOf(state).map(({ page, pageId, sheet }) => (sheet === 0 ? { id: pageId, page } : { id: pageId, page, sheet }));
+  return { past: [], present: state, future: [], shown, gesture: null };
+}
+
+/** @returns whether there is such a project, and not deleted */
+export async function isThere(database: Database, id: string): Promise<boolean> {
+  const project = await database.get('projects', id);
+  return project ? !isGone(project) : await database.getKey('states', id) !== undefined;
+}
+
+export function isGone({ gone }: ProjectRecord) {
+  return typeof gone === 'number';
+}
+
+/** @returns what the project is called */
+export async function nameOf(database: Database, id: string): Promise<string> {
+  return textOr((await database.get('projects', id))?.name, '');
+}
+
+/** Keeps the photos of a state that cannot be shown as long as the project is there, whatever state it goes on with. */
+export async function holdPhotos(database: Database, id: string) {
+  const all = database.transaction(['projects', 'states'], 'readwrite');
+  const [project, state] = await Promise.all([all.objectStore('projects').get(id), all.objectStore('states').get(id)]);
+  if (project) {
+    const keys = [...textsIn(project.held), ...textsIn(project.refs), ...textsIn(state?.facts), ...videosIn(state).map(({ fileKey }) => fileKey)];
+    await all.objectStore('projects').put({ ...project, held: [...new Set(keys)] });
+  }
+  await all.done;
+}
+
+async function placeOf(database: Database, id: string): Promise<Place> {
+  const project = await database.get('projects', id);
+  return { id, stamp: textOr(project?.stamp, ''), created: Number.isFinite(project?.created) ? Number(project?.created) : Date.now() };
+}
+
+/**
+ * Every photo of the history, whatever became of it: what was not decoded, or lost what was known of it, is read again from
+ * its file, a frame from its film; where there is neither, an empty frame keeps its place until somebody brings it back.
+ * @param about `drawn`: states whose photos are needed, too; `state` as it is kept; `names` what the journal tells of photos
+ */
+async function contentOf(database: Database, history: History, { drawn = [], state, names = new Map() }: {
+  drawn?: readonly Project[], state: StateRecord | undefined, names?: ReadonlyMap<string, string>,
+}): Promise<Content> {
+  const ids = [...photosOf({ ...history, past: [...history.past, ...drawn] })];
+  const kept = videosIn(state);
+  const all = database.transaction(['photos', 'facts']);
+  const read = (table: 'photos' | 'facts', keys: string[]) => (
+    Promise.all(keys.map((key) => (all.objectStore(table) as any).get(key))).then((found) => found.filter(Boolean))
+  );
+  const [found, told, films] = await Promise.all([read('photos', ids), read('facts', ids), read('photos', kept.map(({ fileKey }) => fileKey))]);
+  const [records, files] = [found.map(asRecord), films.map(asRecord)];
+  const facts = told.flatMap(({ id, fact }) => (isFact(fact, id) ? [fact] : []));
+  const filmOf = new Map(files.map((record) => [record.id, record.file]));
+  const videos = kept.flatMap(({ fileKey, ...video }) => {
+    const file = filmOf.get(fileKey);
+    return file ? [{ ...video, file: asFile(file, video.name) }] : [];
+  });
+  const { album, unread, frames, missing } = photosFrom(ids, { records, facts, videos, names });
+  const empty = await emptyFrames(missing);
+  for (const { fact } of empty) album.set(fact.id, fact);
+  const inTray = new Set(history.present.tray.map(({ id }) => id));
+  return {
+    history,
+    album,
+    videos: new Map(videos.map((video) => [video.key, video])),
+    records: [...records, ...files],
+    unread: [...unread, ...empty.map(({ fact: { id }, file }) => ({ id, file }))],
+    films: frames,
+    filmless: kept.flatMap(({ fileKey, name }) => (filmOf.get(fileKey) ? [] : name)),
+    missing: missing.flatMap(({ id, name }) => (inTray.has(id) ? { id, name } : [])),
+  };
+}
+
+function photosFrom(ids: readonly string[], { records, facts, videos, names }: { records: readonly PhotoRecord[], facts: readonly Fact[], videos: readonly Video[], names: ReadonlyMap<string, string> }) {
+  const [byId, factOf] = [new Map(records.map((record) => [record.id, record])), new Map(facts.map((fact) => [fact.id, fact]))];
+  const filmOf = new Map(videos.flatMap((video) => video.ids.map((id) => [id, video.key])));
+  const album: Map<string, Fact> = new Map();
+  const unread: Content['unread'] = [];
+  const missing: Fact[] = [];
+  const frames: Set<string> = new Set();
+  for (const id of ids) {
+    const record = byId.get(id);
+    const { file = null, work = null, small = null } = record ?? {};
+    const name = names.get(id) ?? record?.name ?? strings.absentPhoto(missing.length + 1);
+    const fact = factOf.get(id) ?? { id, name, meta: null, measures: null };
+    album.set(id, fact);
+    const film = filmOf.get(id);
+    if (fact.meta && work && small) continue;
+    if (file) unread.push({ id, file: asFile(file, fact.name) });
+    else if (film !== undefined && !fact.absent) frames.add(film);
+    else missing.push(fact);
+  }
+  return { album, unread, frames: [...frames], missing };
+}
+
+/** @param record out of the database */
+function asRecord({ id, name, file, work, small }: any): PhotoRecord {
+  return { id, name: textOr(name, 'photo'), file: file instanceof Blob ? file : null, work: isHandle(work) ? work : null, small: isHandle(small) ? small : null };
+}
+
+function isHandle(handle: any) {
+  return typeof handle?.key === 'string' && isSide(handle.width) && isSide(handle.height) && handle.planes instanceof Blob;
+}
+
+function isFact(fact: any, id: string) {
+  if (fact?.id !== id || typeof fact.name !== 'string') return false;
+  const { meta, measures } = fact;
+  if (meta === null) return true;
+  return meta?.id === id && isSide(meta.width) && isSide(meta.height) && /^[0-9a-f]{16}$/.test(meta.fingerprint) && Number.isFinite(meta.sharpness) &&
+    (meta.taken === null || typeof meta.taken === 'string') && typeof meta.energy?.values === 'string' && Array.isArray(meta.subjects) &&
+    (measures === null || typeof measures === 'object');
+}
+
+function isSide(side: unknown) {
+  return Number.isSafeInteger(side) && Number(side) > 0;
+}
+
+function videosIn(state: any): KeptVideo[] {
+  const list = Array.isArray(state?.videos) ? state.videos : [];
+  return list.filter((video: any) => (
+    [video?.key, video?.name, video?.fileKey].every((text) => typeof text === 'string') && Array.isArray(video.ids) &&
+    [video.duration ?? 0, video.start, video.end ?? 0].every(Number.isFinite)
+  ));
+}
+
+function textsIn(list: unknown): string[] {
+  return Array.isArray(list) ? list.filter((text) => typeof text === 'string') : [];
+}
+
+function textOr(text: unknown, other: string) {
+  return typeof text === 'string' ? text : other;
+}
+
+function asFile(blob: Blob, name: string) {
+  return blob instanceof File ? blob : new File([blob], name, { type: blob.type });
+}

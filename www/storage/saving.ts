@@ -1,0 +1,395 @@
+/**
+ * Saves by itself. The state is written first: the document, what is known of its photos, and which they are; a moment
+ * after a change, at the latest after a second of changes, and at once where photos were added. Their files follow and are
+ * counted. It says `saved` only when the state was read back and the database was found to have all that it refers to;
+ * what it has no more, be it one photo or everything, is written anew from what the page holds. What a save could not do
+ * is tried again by itself, but for want of room.
+ *
+ * What is written goes to the place that its snapshot names, and what is known of the saving of a project is known of its
+ * place: whatever comes and goes on the page, no project is written in the place of another.
+ */
+
+import { effect, signal, untracked } from '@preact/signals';
+import { failure } from '../engine/protocol.ts';
+import { freshId } from '../document/fresh-id.ts';
+import { EMPTY_HISTORY } from '../document/history.ts';
+import { isFull } from './database.ts';
+import { drawnId } from './drawn-states.ts';
+import { PHOTOS_LOCK } from './locks.ts';
+import { adopt } from './orphans.ts';
+import { snapshotOf } from './snapshot.ts';
+import { VERSION } from './versions.ts';
+import type { Fact } from '../document/album.ts';
+import type { Store } from '../document/store.ts';
+import type { Database, KeptHistory, KeptVideo } from './database.ts';
+import type { DrawnStates } from './drawn-states.ts';
+import type { Base, Journal } from './journal.ts';
+import type { Locks } from './locks.ts';
+import type { PhotoRecords } from './photo-records.ts';
+import type { Place } from './place.ts';
+import type { Snapshot } from './snapshot.ts';
+import type { Signal } from '@preact/signals';
+
+/** `missing`: some photos can be read no more, all else is saved. */
+export type Status = 'empty' | 'saving' | 'saved' | 'missing' | 'full' | 'refused' | 'failed';
+/** What there was at one moment: all of it, what of it is saved, and how many photos it had. */
+type Moment = { now: unknown[], shot: Snapshot, known: number };
+/**
+ * What is known of the saving of one project: `facts` as they were written; `clean` is what there was when nothing needed
+ * saving; `dirty`: something does; `due` is to be written now; `base` is the history that the database has, `next` the one on its way there;
+ * `shot` is what was written last, `complete`: with all of its photos, which were `looked` for; `known` photos were there
+ * then; `covered`: the journal tells all else; `inFile` is what was saved as a file, `since` when the first change came that
+ * is not written.
+ */
+type Ledger = {
+  place: Place, facts: Map<string, Fact>, clean: unknown[], dirty: boolean, due: Moment | null, base: Base, next: Base | null, shot: Snapshot | null,
+  looked: boolean, complete: boolean, known: number, covered: boolean, done: number, inFile: unknown, since: number, status: Status,
+};
+export type Saving = ReturnType<typeof createSaving>;
+
+/** Milliseconds. */
+const QUIET = 250;
+const LONGEST = 1000;
+/** Pauses before what could not be saved is tried again: the first, each twice the one before, and the longest. */
+const PAUSE = 1000;
+const LONGEST_PAUSE = 60_000;
+/** How often what the database lost is written again before it is said that it keeps nothing. */
+const MOST_REPAIRS = 3;
+
+/** @param app `onWritten`: the state is in the database; `onSaved`: its photos are, too */
+export function createSaving({ store, records, journal, locks, database, drawnStates, onTrouble, onWritten = () => {}, onSaved = () => {} }: {
+  store: Store, records: PhotoRecords, journal: Journal,
+  locks: Locks, database: () => Promise<Database>, drawnStates: Pick<DrawnStates, 'of'>,
+  onTrouble: (status: Status, error: Error) => void, onWritten?: (place: Place) => void, onSaved?: (place: Place) => void,
+}) {
+  const status: Signal<Status> = signal('empty');
+  /** The files on their way into the database; null while there are none. */
+  const progress: Signal<{ done: number, total: number } | null> = signal(null);
+  /** Whether something would be lost if the page closed now. */
+  const unsaved = signal(false);
+  /** Photos and films that the database has not, and that can be read no more. */
+  const missing: Signal<readonly Fact[]> = signal([]);
+  /** A project that another took the place of for a moment is known as it was. */
+  const ledgers: WeakMap<Place, Ledger> = new WeakMap();
+  let ledger = ledgerOf(store.place.peek());
+  let running: Promise<void> | null = null;
+  let attempts = 0;
+  /** What is on the page now may be taken back until this is over. */
+  let trial: Promise<void> | null = null;
+  let timer: any;
+
+  effect(() => {
+    const place = store.place.value;
+    const now = parts();
+    untracked(() => {
+      if (place !== ledger.place) turnTo(place);
+      touch(now);
+    });
+  });
+
+  return { status, progress, unsaved, missing, flush, during, check, again, isSafe, filed };
+
+  function parts() {
+    return [store.history.value, store.album.value, store.videos.value];
+  }
+
+  function ledgerOf(place: Place): Ledger {
+    const found = ledgers.get(place);
+    if (found) return found;
+    const kept = place.stamp !== '';
+    const now = parts();
+    // What came out of the database is there, but for edits that the journal told; what is new is yet to be written.
+    const history = place.stored ?? (kept ? store.history.peek() : EMPTY_HISTORY);
+    const fresh: Ledger = {
+      place, facts: new Map(kept ? store.album.peek() : []), clean: kept ? [history, ...now.slice(1)] : [], dirty: false, due: null,
+      base: { stamp: place.stamp, history }, next: null, shot: null, looked: false, complete: false, known: kept ? store.album.peek().size : 0,
+      covered: true, done: 0, inFile: null, since: 0, status: kept ? 'saved' : 'empty',
+    };
+    ledgers.set(place, fresh);
+    return fresh;
+  }
+
+  function turnTo(place: Place) {
+    clearTimeout(timer);
+    ledger.status = status.peek();
+    ledger = ledgerOf(place);
+    attempts = 0;
+    progress.value = null;
+    missing.value = [];
+    say(ledger.status);
+  }
+
+  function say(now: Status) {
+    status.value = now;
+    weigh();
+  }
+
+  /** What the journal tells is not lost, nor are photos that must only be decoded again. */
+  function weigh() {
+    const now = status.peek();
+    const loose = () => !ledger.covered || records.waiting({ facts: store.facts.peek(), videos: [...store.videos.peek().values()] }) > 0;
+    unsaved.value = now === 'saving' ? loose() : now !== 'saved' && now !== 'empty';
+  }
+
+  function touch(now: unknown[]) {
+    if (now.every((part, i) => part === ledger.clean[i])) return;
+    const { tray, name } = store.project.peek();
+    if (ledger.place.stamp === '' && tray.length === 0 && name === '') return;
+    if (!ledger.dirty) ledger.since = performance.now();
+    ledger.dirty = true;
+    if (!trial) tell(ledger);
+    say(status.peek() === 'saved' || status.peek() === 'empty' || status.peek() === 'missing' ? 'saving' : status.peek());
+    clearTimeout(timer);
+    // Photos are not in the journal.
+    const quiet = store.album.peek().size > ledger.known && attempts === 0 ? 0 : QUIET;
+    timer = setTimeout(save, Math.max(0, Math.min(quiet, ledger.since + LONGEST - performance.now())));
+  }
+
+  /** Into the journal, what is not in the database. */
+  function tell({ place: { id }, clean, base, next, facts }: Ledger) {
+    const { gesture: _gesture, ...history } = store.history.peek();
+    if (store.history.peek() === clean[0]) {
+      journal.clear(id);
+      ledger.covered = true;
+      return;
+    }
+    const photos = store.facts.peek().filter((fact) => !facts.has(fact.id)).map((fact) => ([fact.id, fact.name] as const));
+    ledger.covered = journal.note(id, { bases: next ? [base, next] : [base], history, photos });
+  }
+
+  /** @returns when all that there is now was written, or could not be */
+  async function flush(): Promise<void> {
+    clearTimeout(timer);
+    if (running) {
+      if (ledger.dirty) ledger.due = moment();
+      await running;
+    }
+    if (ledger.dirty || !['saved', 'empty', 'missing'].includes(status.peek())) await save();
+  }
+
+  /** Looks whether the database still has what is saved, as after it was closed, and sees to it that it has. */
+  async function check(): Promise<void> {
+    if (ledger.place.stamp === '') return;
+    ledger.shot ??= moment().shot;
+    ledger.looked = ledger.complete = false;
+    await run();
+  }
+
+  /** Tries once more what could not be read. */
+  function again(): Promise<void> {
+    records.retry();
+    return save();
+  }
+
+  async function save(): Promise<void> {
+    clearTimeout(timer);
+    if (trial) {
+      await trial;
+      if (!ledger.dirty) return;
+    }
+    ledger.due = moment();
+    return run();
+  }
+
+  /** Nothing is written, nor told to the journal, while a project is tried: it may be taken back. */
+  function during<T>(work: () => Promise<T>): Promise<T> {
+    let over = () => {};
+    trial = new Promise((resolve) => { over = resolve; });
+    return work().finally(() => {
+      trial = null;
+      if (ledger.dirty) tell(ledger);
+      over();
+    });
+  }
+
+  function moment(): Moment {
+    return { now: untracked(parts), shot: snapshotOf(store, drawnStates.of(store.place.peek())), known: store.album.peek().size };
+  }
+
+  function run(): Promise<void> {
+    running ??= work(ledger).finally(() => {
+      running = null;
+      // What came while the last step was ending.
+      if (ledger.due) void run();
+    });
+    return running;
+  }
+
+  async function work(of: Ledger) {
+    try {
+      let repairs = 0;
+      // One that another took the place of goes where it belongs; its photos are in the hands of that other.
+      while (of === ledger || of.due) {
+        const base = await database();
+        const step = await locks.during(PHOTOS_LOCK, { mode: 'shared' }, () => stepOf(of, base));
+        if (step === 'done') return;
+        if (step === 'lost' && (repairs += 1) > MOST_REPAIRS) throw new Error('What was saved could not be read back.');
+      }
+    } catch (error) {
+      failed(of, (error as Error));
+    }
+  }
+
+  /**
+   * What is most urgent: which photos there are, then their files, then the newest state, as the journal tells it meanwhile;
+   * then to read back and to look for all of it. Copies of photos have time.
+   * @returns `lost`: the database has not what it had
+   */
+  async function stepOf(of: Ledger, base: Database): Promise<'on' | 'lost' | 'done'> {
+    const { shot, due } = of;
+    const first = due && (!shot || !of.covered || of !== ledger || due.known > of.known);
+    const written = first || !shot ? 0 : await records.protect(base, shot);
+    if (shot && written > 0) {
+      of.looked = of.complete = false;
+      count(of, shot, written);
+      return 'on';
+    }
+    if (of.due) return write(of, of === ledger ? moment() : of.due, base);
+    if (!shot) return 'done';
+    if (await records.prove(base)) return 'on';
+    if (!of.looked) {
+      of.looked = await look(of, shot, base);
+      if (of.looked) return 'on';
+      if (of === ledger && !of.dirty) say('saving');
+      return 'lost';
+    }
+    if (!of.complete) complete(of, shot);
+    return await records.improve(base, shot) ? 'on' : 'done';
+  }
+
+  function count(of: Ledger, shot: Snapshot, written: number) {
+    if (of !== ledger) return;
+    of.done += written;
+    const total = of.done + records.waiting(shot);
+    progress.value = total > 0 ? { done: of.done, total } : null;
+    weigh();
+  }
+
+  function complete(of: Ledger, shot: Snapshot) {
+    of.complete = true;
+    of.done = 0;
+    attempts = 0;
+    if (of === ledger) {
+      progress.value = null;
+      missing.value = records.missing(shot);
+      if (!of.dirty) say(missing.peek().length > 0 ? 'missing' : 'saved');
+    }
+    onSaved(of.place);
+  }
+
+  function failed(of: Ledger, error: Error & { code?: string }) {
+    of.due = null;
+    if (of !== ledger) return;
+    progress.value = null;
+    const why = isFull(error) ? 'full' : error.code === 'no-storage' || error.name === 'SecurityError' ? 'refused' : 'failed';
+    say(why);
+    onTrouble(why, error);
+    // Of a full storage and a project that is another's by now only a change can make something else.
+    if (why === 'full' || error.code === 'conflict') return;
+    clearTimeout(timer);
+    timer = setTimeout(save, Math.min(LONGEST_PAUSE, PAUSE * 2 ** attempts));
+    attempts += 1;
+  }
+
+  async function write(of: Ledger, { now, shot, known }: Moment, base: Database): Promise<'on'> {
+    of.due = null;
+    of.dirty = false;
+    of.since = performance.now();
+    of.next = { stamp: freshId(), history: shot.history };
+    try {
+      await writeState(base, shot, { stamp: of.next.stamp, videos: records.keyed(shot.videos), facts: of.facts });
+    } catch (error) {
+      of.dirty = true;
+      of.next = null;
+      throw error;
+    }
+    shot.place.stamp = of.next.stamp;
+    Object.assign(of, { shot, clean: now, base: of.next, next: null, looked: false, complete: false, known });
+    if (of === ledger) tell(of);
+    onWritten(of.place);
+    count(of, shot, 0);
+    return 'on';
+  }
+
+  async function writeState(base: Database, { place: { id, created, stamp: before }, history, drawn, facts: known }: Snapshot, { stamp, videos, facts }: { stamp: string, videos: KeptVideo[], facts: Ledger['facts'] }) {
+    const all = base.transaction(['projects', 'states', 'facts'], 'readwrite');
+    const projects = all.objectStore('projects');
+    const ids = known.map((fact) => fact.id);
+    try {
+      const found = await projects.get(id);
+      // A project that is gone, with the whole database it may be, was changed by nobody.
+      if (typeof found?.stamp === 'string' && found.stamp !== before) throw conflict();
+      const { name, tray } = history.present;
+      const refs = [...ids, ...videos.map(({ fileKey }) => fileKey)];
+      const about = { ...(found?.held && { held: found.held }), id, name, created, changed: Date.now(), stamp, photos: tray.length, refs, gone: null };
+      await adopt(all.objectStore('states'), refs);
+      const fresh = known.filter((fact) => facts.get(fact.id) !== fact);
+      const asked = [
+        () => projects.put({ ...about, picture: found?.picture ?? null }),
+        () => all.objectStore('states').put({ id, version: VERSION, stamp, history, facts: ids, videos }),
+        ...(drawn.length > 0 ? [() => all.objectStore('states').put(({ id: drawnId(id), version: VERSION, drawn, facts: ids } as any))] : []),
+        ...fresh.map((fact) => () => all.objectStore('facts').put({ id: fact.id, fact })),
+      ].map((ask) => {
+        const answer = ask();
+        // Where a later one cannot even be asked for, nobody waits for this one any more.
+        answer.catch(() => {});
+        return answer;
+      });
+      await Promise.all([...asked, all.done]);
+      for (const fact of fresh) facts.set(fact.id, fact);
+    } catch (error) {
+      // What the transaction itself has to say comes a second time with its end.
+      all.done.catch(() => {});
+      abort(all);
+      throw error;
+    }
+  }
+
+  /**
+   * Reads the state back, and looks for all that it refers to, by the keys alone.
+   * @returns whether it is there; what is not is going to be written
+   */
+  async function look(of: Ledger, { place: { id, stamp }, history, facts, videos }: Snapshot, base: Database): Promise<boolean> {
+    const all = base.transaction(['projects', 'states', 'facts', 'photos']);
+    const [project, state, known, there] = await Promise.all([
+      all.objectStore('projects').get(id), all.objectStore('states').get(id), all.objectStore('facts').getAllKeys(), all.objectStore('photos').getAllKeys(),
+    ]);
+    if (project && project.stamp !== stamp) throw conflict();
+    const spoilt = project === undefined || state?.stamp !== stamp || !alike(state.history, history);
+    const [factKeys, photoKeys] = [new Set(known), new Set(there)];
+    const unknown = facts.filter((fact) => !factKeys.has(fact.id));
+    for (const fact of unknown) of.facts.delete(fact.id);
+    if (of === ledger && (spoilt || unknown.length > 0)) of.due = moment();
+    const lost = records.lose([...facts.map((fact) => fact.id), ...records.keyed(videos).map(({ fileKey }) => fileKey)].filter((key) => !photoKeys.has(key)));
+    return !of.due && lost === 0;
+  }
+
+  /** Whether nothing is lost when another project takes the place of this one. */
+  function isSafe() {
+    if (store.tray.peek().length === 0 && ledger.place.stamp === '') return true;
+    return store.history.peek() === ledger.inFile || (!ledger.dirty && (status.peek() === 'saved' || status.peek() === 'empty'));
+  }
+
+  /** What there is now is in a file. */
+  function filed() {
+    ledger.inFile = store.history.peek();
+  }
+}
+
+function alike(one: KeptHistory, other: KeptHistory) {
+  const size = ({ past, future, shown }: KeptHistory) => `${past.length} ${future.length} ${shown.length}`;
+  return size(one) === size(other) && JSON.stringify(one.present) === JSON.stringify(other.present);
+}
+
+/** All of it or nothing: what was asked for before the fault would else be written. */
+function abort(transaction: { abort: () => void }) {
+  try {
+    transaction.abort();
+  } catch {
+    // It is over already.
+  }
+}
+
+function conflict() {
+  return failure('conflict', 'Another tab has changed this project.');
+}

@@ -1,0 +1,104 @@
+/**
+ * A person's own styles, favourites and layouts in this browser's storage. All projects and all tabs share them: what
+ * is written is what was changed, so that no tab takes back what another did.
+ */
+
+import { effect, untracked } from '@preact/signals';
+import { MOST } from '../document/limits.ts';
+import { SHARED, carried } from '../document/shared-lists.ts';
+import { strings } from '../strings/strings.ts';
+import type { Messages } from '../app/messages.ts';
+import type { SharedLists } from '../document/shared-lists.ts';
+import type { Store } from '../document/store.ts';
+
+type Box = Pick<Storage, 'getItem' | 'setItem'>;
+export type Shelves = ReturnType<typeof createShelves>;
+
+const KEYS: Record<keyof SharedLists, string> = { mine: 'inkpanel.styles', favourites: 'inkpanel.favourites', ownLayouts: 'inkpanel.layouts' };
+
+/** @param app `box` may throw where storage is refused */
+export function createShelves({ store, messages, box }: {
+  store: Store, messages: Pick<Messages, 'grave'>, box: () => Box,
+}) {
+  /** What is known to be kept; nothing is written before it was read. */
+  let kept: SharedLists | null = null;
+  /** The lists that were dealt with last. */
+  let seen: Partial<SharedLists> = {};
+
+  // Undo, too, changes what is kept.
+  effect(() => {
+    const project = store.project.value;
+    untracked(() => SHARED.forEach((field) => write(field, project[field])));
+  });
+
+  return { recall, restore, hear, lists };
+
+  /** Writes again what is there no more: nobody takes a list away, an empty one is written too. */
+  function restore() {
+    for (const field of SHARED) if (kept !== null && kept[field].length > 0 && isGone(field)) write(field, store.project.peek()[field], true);
+  }
+
+  /** Reads what is kept. One that can no longer be read is left out; it is said nowhere, as nobody asked. */
+  function recall() {
+    restore();
+    const now = { mine: read('mine'), favourites: read('favourites'), ownLayouts: read('ownLayouts') };
+    const here = store.project.peek();
+    // What could not be written here stays.
+    const next = kept === null ? now : Object.fromEntries(SHARED.map((field) => (
+      [field, carried((here[field] as any), (kept as SharedLists)[field], now[field])]
+    )));
+    kept = now;
+    store.change({ type: 'share', lists: next });
+  }
+
+  /** Another tab has written, or thrown all away. */
+  function hear({ key }: { key: string | null }) {
+    if (kept !== null && (key === null || SHARED.some((field) => KEYS[field] === key))) recall();
+  }
+
+  /** @returns what all projects have in common */
+  function lists(): Partial<SharedLists> {
+    const { mine, favourites, ownLayouts } = store.project.peek();
+    return kept === null ? {} : { mine, favourites, ownLayouts };
+  }
+
+  /** @param gone nothing of it is kept any more */
+  function write(field: keyof SharedLists, list: readonly any[], gone: boolean = false) {
+    if (kept === null || (list === seen[field] && !gone)) return;
+    seen = { ...seen, [field]: list };
+    if (JSON.stringify(list) === JSON.stringify(kept[field]) && !gone) return;
+    try {
+      const merged = gone || isGone(field) ? list : carried((read(field) as any[]), kept[field], list);
+      box().setItem(KEYS[field], JSON.stringify(merged));
+      kept = { ...kept, [field]: list };
+    } catch {
+      messages.grave(strings.stylesNotKept);
+    }
+  }
+
+  function isGone(field: keyof SharedLists) {
+    try {
+      return box().getItem(KEYS[field]) === null;
+    } catch {
+      return false;
+    }
+  }
+
+  function read(field: keyof SharedLists): any[] {
+    const planner = store.planner.peek();
+    if (!planner) return [];
+    const check = field === 'ownLayouts' ? planner.checkLayout : planner.checkStyle;
+    try {
+      const found = JSON.parse(box().getItem(KEYS[field]) ?? '[]');
+      return (Array.isArray(found) ? found : []).slice(0, MOST.styles).flatMap((item) => {
+        try {
+          return [check(JSON.stringify(item), KEYS[field])];
+        } catch {
+          return [];
+        }
+      });
+    } catch {
+      return [];
+    }
+  }
+}

@@ -1,0 +1,40 @@
+/** What of the session is kept: the document with its history, and of the photos all that any of its states needs. */
+
+import type { Fact, Video } from '../document/album.ts';
+import type { History } from '../document/history.ts';
+import type { Project } from '../document/project.ts';
+import type { Store } from '../document/store.ts';
+import type { KeptHistory } from './database.ts';
+import type { Place } from './place.ts';
+
+/** `place` is where this history is kept, and no other. */
+export type Snapshot = { place: Place, history: KeptHistory, drawn: readonly Project[], facts: Fact[], videos: Video[] };
+
+/** @param drawn states to go back to */
+export function snapshotOf(store: Store, drawn: readonly Project[] = []): Snapshot {
+  const { gesture: _gesture, ...history } = store.history.peek();
+  const album = store.album.peek();
+  const facts = [...photosOf({ ...history, past: [...history.past, ...drawn] })].flatMap((id) => album.get(id) ?? []);
+  const needed = new Set(facts.map(({ id }) => id));
+  const videos = [...store.videos.peek().values()].filter(({ ids }) => ids.some((id) => needed.has(id)));
+  return { place: store.place.peek(), history, drawn, facts, videos };
+}
+
+/** @returns the photos of all times */
+export function photosOf({ past, present, future, shown }: Omit<History, 'gesture'>): Set<string> {
+  const ids: Set<string> = new Set();
+  // Most states have the tray of their neighbour.
+  const seen = new Set();
+  const states = [present, ...past, ...future];
+  const once = (part: unknown, look: () => void) => {
+    if (!seen.has(part)) look();
+    seen.add(part);
+  };
+  for (const { tray } of states) once(tray, () => tray.forEach(({ id }) => ids.add(id)));
+  const others = states.flatMap((state) => state.others.map(({ page }) => page));
+  const pages = [...states.map(({ page }) => page), ...others, ...shown.map(({ page }) => page)];
+  for (const page of pages) {
+    if (page) once(page, () => page.panels.forEach(({ photo }) => photo !== null && ids.add(photo)));
+  }
+  return ids;
+}

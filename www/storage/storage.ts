@@ -1,0 +1,210 @@
+/**
+ * Nothing is lost: the parts that keep the work of a person, joined.
+ *
+ * - `database.ts` the tables; `versions.ts` checks and migrates what comes out of them, or out of a file
+ * - `snapshot.ts` what of the session is kept; `photo-records.ts` photos; `saving.ts` when and how; `journal.ts` the last edits
+ * - `restoring.ts` the way back; `rehearsing.ts` tries a project before it is shown; `opening.ts` which project is on the page
+ *   (`last-project.ts` at first), and which cannot be; `rescue.ts` makes a file of that; `projects.ts` the list of them
+ * - `drawn-states.ts` the last states that were drawn, to go back to
+ * - `pictures.ts` its thumbnails; `sweeping.ts` throws away what no project needs, a day after (`orphans.ts`)
+ * - `locks.ts` keeps tabs apart; `shelves.ts` holds what all projects share
+ * - `archive.ts` ZIP files; `project-file.ts` a project as one of them; `file-opening.ts` opens a file of any kind
+ * - `page-files.ts` PNGs that carry their project: `page-json.ts` what they tell, `page-file.ts` where in the PNG it is
+ * - `identity.ts` how a photo is recognised; `found-photos.ts` looks for it here; `absent-photos.ts` waits for it
+ *
+ * The document is plain data and is saved whole: a field that is added to it needs nothing here.
+ */
+
+import { effect } from '@preact/signals';
+import { failure } from '../engine/protocol.ts';
+import { strings } from '../strings/strings.ts';
+import { save as saveFile } from '../export/files.ts';
+import { createAbsentPhotos } from './files/absent-photos.ts';
+import { openDatabase } from './database.ts';
+import { createDrawnStates } from './drawn-states.ts';
+import { createFileOpening } from './files/file-opening.ts';
+import { createJournal } from './journal.ts';
+import { createLastProject } from './last-project.ts';
+import { createLocks } from './locks.ts';
+import { createOpening } from './opening.ts';
+import { createPageFiles } from './files/page-files.ts';
+import { createPhotoRecords } from './photo-records.ts';
+import { createPictures } from './pictures.ts';
+import { createProjectFiles } from './files/project-file.ts';
+import { createProjects } from './projects.ts';
+import { rescued } from './rescue.ts';
+import { createSaving } from './saving.ts';
+import { sweep } from './sweeping.ts';
+import type { Messages, Way } from '../app/messages.ts';
+import type { Store } from '../document/store.ts';
+import type { Engine } from '../engine/engine.ts';
+import type { Reading } from '../photos/reading.ts';
+import type { Database } from './database.ts';
+import type { Views } from './opening.ts';
+import type { Place } from './place.ts';
+import type { Status } from './saving.ts';
+import type { Shelves } from './shelves.ts';
+
+export type Keeping = ReturnType<typeof createKeeping>;
+
+/** Milliseconds after the start until what nobody needs is thrown away. */
+const SWEEP_AFTER = 8_000;
+/** Milliseconds until a database that was closed from outside is looked at: whoever closed it comes first. */
+const LOOK_AFTER = 300;
+
+/** @param app `chooseFiles` opens the browser's file dialog */
+export function createKeeping({ store, reading, engine, shelves, messages, window, leave, chooseFiles = () => {}, views }: {
+  store: Store, reading: Reading, engine: Engine,
+  shelves: Shelves, messages: Messages, window: Window, leave: () => void,
+  chooseFiles?: () => void, views?: Views,
+}) {
+  const { navigator } = window;
+  const locks = createLocks(navigator.locks);
+  const last = createLastProject({ tab: () => window.sessionStorage, browser: () => window.localStorage });
+  const records = createPhotoRecords({ photos: engine.photos, originals: store.originals });
+  const pictures = createPictures({ store, engine, database, onDrawn: () => void projects.refresh().catch(() => {}) });
+  const drawnStates = createDrawnStates({ store });
+  const journal = createJournal({ box: () => window.localStorage });
+  const saving = createSaving({ store, records, journal, locks, database, drawnStates, onTrouble, onWritten, onSaved });
+  const opening = createOpening({
+    store, reading, engine, shelves, saving, records, locks, messages, database, journal, last, drawnStates, leave, views,
+    onMissing: (photos) => tellMissing(photos), onUnwritten: (names) => void (names.length > 0 && messages.grave(strings.photosNeverSaved(names), choose)),
+  });
+  const projects = createProjects({ store, opening, saving, locks, messages, database });
+  const fileOpening = createFileOpening({ engine, messages, opening });
+  const files = { ...createProjectFiles({ store, engine, messages, saving, fileOpening }), progress: fileOpening.progress, cancel: fileOpening.cancel, stops: fileOpening.stops };
+  const choose = { label: strings.choosePhotos, run: chooseFiles };
+  const absentPhotos = createAbsentPhotos({ store, engine, reading, messages, chooseFiles, missing: saving.missing });
+  const pageFiles = createPageFiles({ store, engine, reading, messages, fileOpening, opening, projects, database, absentPhotos });
+  let opened: Promise<Database> | null = null;
+  /** The trouble that was told, and its message. */
+  let told = { why: '', message: 0 };
+  /** Whether the person had what could not be read tried again. */
+  let tried = false;
+  let asked = false;
+
+  window.addEventListener('pagehide', () => void saving.flush());
+  window.document.addEventListener('visibilitychange', () => {
+    if (window.document.visibilityState === 'hidden') void saving.flush();
+    else void look();
+  });
+  // Only while there is something to lose: a page that asks is kept by no browser for the way back.
+  effect(() => {
+    if (saving.unsaved.value || store.arriving.value > 0) window.addEventListener('beforeunload', ask);
+    else window.removeEventListener('beforeunload', ask);
+  });
+
+  return {
+    ...opening, ...projects, status: saving.status, progress: saving.progress, flush: saving.flush, isSafe: saving.isSafe, files, pageFiles, absentPhotos,
+    begin, drawn: drawnStates.note, saveBroken,
+  };
+
+  async function begin() {
+    await opening.begin();
+    await projects.refresh().catch(() => {});
+    setTimeout(() => void database().then(async (base) => {
+      await sweep(base, locks);
+      await journal.tidy(async (id) => (await base.get('projects', id))?.stamp);
+    }).catch(() => {}), SWEEP_AFTER);
+  }
+
+  function ask(event: BeforeUnloadEvent) {
+    event.preventDefault();
+  }
+
+  /** Whether what is saved is still there, when the person comes back, or somebody has closed the database. */
+  async function look() {
+    shelves.restore();
+    await saving.check();
+  }
+
+  /** Gives the project that cannot be shown to the person as a file. */
+  async function saveBroken() {
+    const project = opening.broken.peek();
+    if (!project) return;
+    if (project.id === store.place.peek().id) return files.save();
+    try {
+      const { file, name, unclean } = await rescued(await database(), project.id);
+      saveFile(file, name);
+      messages.note(strings.projectSaved(unclean));
+    } catch (error) {
+      messages.alert(strings.projectNotSaved((error as Error).message));
+    }
+  }
+
+  function database() {
+    opened ??= connect();
+    return opened;
+  }
+
+  async function connect() {
+    try {
+      return await openDatabase({ onClosed });
+    } catch (cause) {
+      opened = null;
+      throw failure('no-storage', (cause as Error).message);
+    }
+  }
+
+  /** Closed for a newer page, or by the browser, which may have thrown all away: what is used next is opened again. */
+  function onClosed() {
+    opened = null;
+    setTimeout(() => void look(), LOOK_AFTER);
+  }
+
+  function onWritten({ id }: Place) {
+    last.saved(id);
+    last.opened(id);
+  }
+
+  function onSaved() {
+    pictures.later();
+    const gone = saving.missing.peek();
+    const why = gone.map(({ id }) => id).join();
+    if (told.why !== why || tried) {
+      messages.close(told.message);
+      told = { why, message: why === '' ? 0 : tellUnreadable(gone, tried) };
+    }
+    tried = false;
+    // The browser may ask the person, who then knows what for.
+    if (asked || navigator.userActivation?.hasBeenActive === false) return;
+    asked = true;
+    void navigator.storage?.persist?.().catch(() => false);
+  }
+
+  /** Photos of a project that was opened are not in the database. */
+  function tellMissing(photos: readonly { id: string, name: string }[]) {
+    const names = photos.map(({ name }) => name);
+    absentPhotos.tell(strings.photosNotHere(names, store.tray.peek().length), without(photos));
+  }
+
+  /**
+   * Photos that are on the page can be read no more, and so not be saved.
+   * @param again whether they were tried again
+   * @returns the message
+   */
+  function tellUnreadable(photos: readonly { id: string, name: string }[], again: boolean): number {
+    const text = strings.photosUnreadable(photos.map(({ name }) => name));
+    if (again) return messages.grave(text, choose, without(photos));
+    return messages.grave(text, { label: strings.saveAgain, run: () => { tried = true; void saving.again(); } }, choose);
+  }
+
+  function without(photos: readonly { id: string }[]): Way {
+    const ids = photos.map(({ id }) => id);
+    return { label: strings.goOnWithout, run: () => { records.forgo(ids); reading.removeAll(ids); void saving.check(); } };
+  }
+
+  function onTrouble(why: Status, error: Error & { code?: string }) {
+    if (error.code === 'conflict') {
+      // Both versions are kept.
+      void opening.goOnAsCopy().then(() => {
+        store.change({ type: 'rename', name: strings.copyOf(store.project.peek().name || strings.untitled), silent: true });
+      });
+      messages.note(strings.conflict);
+      return;
+    }
+    if (told.why === why) return;
+    const message = messages.grave(strings.notSaved(why, error.message), { label: strings.saveToFile, run: () => void files.save() });
+    told = { why, message };
+  }
+}

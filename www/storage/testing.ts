@@ -1,0 +1,147 @@
+/** A browser's storage for the tests of keeping: tabs that share tables, locks and small storages. */
+
+import 'fake-indexeddb/auto';
+import { IDBFactory } from 'fake-indexeddb';
+import { createPhotos } from '../engine/photos.ts';
+import { createMessages } from '../app/messages.ts';
+import { createPages } from '../document/pages.ts';
+import { createStore } from '../document/store.ts';
+import { fakePlanner } from '../document/testing.ts';
+import { createKeeping } from './storage.ts';
+import { createShelves } from './shelves.ts';
+import { fakeReading } from './files/testing-reading.ts';
+import { createReading } from '../photos/reading.ts';
+import { unreadMeta } from '../document/album.ts';
+import type { Store } from '../document/store.ts';
+import type { Views } from './opening.ts';
+
+/** Locks as the browser has them, in the little that is used: exclusive and shared, waited for or not. */
+function fakeLocks() {
+  const held: Map<string, { shared: boolean, count: number }> = new Map();
+  let queue: (() => boolean)[] = [];
+  const settle = () => { queue = queue.filter((attempt) => !attempt()); };
+  return {
+    async request(name: string, { mode = 'exclusive', ifAvailable = false, signal }: any, work: any) {
+      const free = () => !held.has(name) || (mode === 'shared' && held.get(name)?.shared);
+      const run = async () => {
+        const now = held.get(name) ?? { shared: mode === 'shared', count: 0 };
+        held.set(name, { ...now, count: now.count + 1 });
+        try {
+          return await work({ name });
+        } finally {
+          const after = (held.get(name) as any);
+          if (after.count === 1) held.delete(name);
+          else held.set(name, { ...after, count: after.count - 1 });
+          settle();
+        }
+      };
+      if (free()) return run();
+      if (ifAvailable) return work(null);
+      return new Promise((resolve, reject) => {
+        let over = false;
+        signal?.addEventListener('abort', () => { over = true; reject(signal.reason); });
+        queue.push(() => {
+          if (over) return true;
+          if (!free()) return false;
+          resolve(run());
+          return true;
+        });
+      });
+    },
+  };
+}
+
+/** A small storage. */
+function boxOf() {
+  const kept: Map<string, string> = new Map();
+  return {
+    getItem: (key: string) => kept.get(key) ?? null,
+    setItem: (key: string, value: string) => void kept.set(key, value),
+    removeItem: (key: string) => void kept.delete(key),
+    key: (at: number) => [...kept.keys()][at] ?? null,
+    get length() { return kept.size; },
+  };
+}
+
+const living: (() => void)[] = [];
+
+/** Ends all tabs of all browsers, which would else go on saving during the next test. */
+export function allDie() {
+  living.splice(0).forEach((die) => die());
+}
+
+/**
+ * A browser: what its tabs share.
+ * @param before the same after all of its tabs have died
+ */
+export function fakeBrowser({ factory = new IDBFactory(), local = boxOf() }: { factory?: IDBFactory, local?: ReturnType<typeof boxOf> } = {}) {
+  Object.assign(globalThis, { indexedDB: factory });
+  const locks = fakeLocks();
+  living.push(die);
+  return { factory, local, locks, tab, died: () => { die(); return fakeBrowser({ factory, local }); } };
+
+  /** All of its tabs die: what they were about to do is not done. */
+  function die() {
+    // Whatever is written waits for a lock.
+    locks.request = () => new Promise(() => {});
+  }
+
+  /** @param of a tab that is loaded again has the session it had; `prepare` comes before it opens anything */
+  async function tab({ session = boxOf(), views, prepare = () => {} }: {
+  session?: ReturnType<typeof boxOf>, views?: Views, prepare?: (tab: any) => void,
+} = {}) {
+    const store = createStore();
+    const planner = fakePlanner();
+    (planner as any).checkStyle = JSON.parse;
+    (planner as any).geometry = (layout: any) => {
+      const count = Number(String(layout.id ?? layout).slice(1));
+      if (!(count > 0)) throw new Error('no such layout');
+      return { width: 1, height: 1, panels: Array.from({ length: count }, () => ({})) };
+    };
+    Object.assign(planner, fakeReading((planner as any).geometry));
+    store.planner.value = (planner as any);
+    const messages = createMessages();
+    let seed = 0;
+    const pages = createPages(store, () => (seed += 1));
+    const photos = createPhotos();
+    const decoded = ([] as string[]);
+    const engine = ({
+      ready: Promise.resolve(planner), photos, hasPhoto: photos.has, forgetPhoto: photos.forget,
+      importPhoto: async (id: string, file: File) => {
+        const text = await file.text();
+        if (text.startsWith('bad')) throw Object.assign(new Error('not a photo'), { code: 'unsupported-format' });
+        decoded.push(file.name);
+        const handle = (tier: string) => ({ key: `${id}/${tier}`, width: 2, height: 1, planes: new Blob([`${tier} of ${file.name}`]) });
+        photos.add(id, { name: file.name, file, work: handle('work'), small: handle('small') });
+        // The same file looks the same wherever it is read.
+        return { ...unreadMeta(id), fingerprint: unreadMeta(text).fingerprint, measures: { twin: 0 } };
+      },
+      renderPage: () => Promise.reject(new Error('no pixels here')),
+    } as any);
+    const reading = createReading({ store, pages, engine, messages, prefix: `p${Math.random()}-` });
+    const shelves = createShelves({ store, messages, box: () => local });
+    shelves.recall();
+    const window = (Object.assign(new EventTarget(), {
+      navigator: { locks, storage: {} }, sessionStorage: session, localStorage: local,
+      document: Object.assign(new EventTarget(), { visibilityState: 'visible' }),
+    }) as any);
+    /** Whether the tab asks before it closes. */
+    const asks = () => !window.dispatchEvent(new Event('beforeunload', { cancelable: true }));
+    const keeping = createKeeping({ store, reading, engine, shelves, messages, window, leave: () => {}, views });
+    prepare({ engine });
+    await keeping.begin();
+    const files = (...names: string[]) => names.map((name) => new File([name], name));
+    const add = async (...names: string[]) => {
+      await reading.addFiles(files(...names));
+      await keeping.flush();
+    };
+    const names = () => store.facts.peek().map(({ name }) => name);
+    return { store, pages, reading, keeping, messages, engine, photos, decoded, session, window, shelves, asks, add, files, names };
+  }
+}
+
+/** What a person can tell of a project. */
+export function documentOf({ store }: { store: Store }) {
+  const { gesture: _gesture, ...history } = store.history.peek();
+  return structuredClone(history);
+}

@@ -1,0 +1,41 @@
+/** Every word of the page in English: the language that the others are checked against and fall back to. */
+
+import { boardStrings } from './board.ts';
+import { bookStrings } from './book.ts';
+import { coreStrings } from './core.ts';
+import { describingStrings } from './describing.ts';
+import { designerStrings } from './designer.ts';
+import { exportStrings } from './export.ts';
+import { faultStrings } from './faults.ts';
+import { keepingStrings } from './keeping.ts';
+import { keyStrings } from './keys.ts';
+import { offlineStrings } from './offline.ts';
+import { pageStrings } from './page.ts';
+import { panelStrings } from './panels.ts';
+import { photoStrings } from './photos.ts';
+import { pngStrings } from './png.ts';
+import { sideStrings } from './side.ts';
+import { startStrings } from './start.ts';
+import { wordStrings } from './words.ts';
+
+export const english = {
+  ...startStrings,
+  ...boardStrings,
+  ...bookStrings,
+  ...sideStrings,
+  ...panelStrings,
+  ...designerStrings,
+  ...keepingStrings,
+  ...pngStrings,
+  ...offlineStrings,
+  ...wordStrings,
+  ...photoStrings,
+  ...pageStrings,
+  ...exportStrings,
+  ...keyStrings,
+  ...faultStrings,
+  ...coreStrings,
+  ...describingStrings,
+};
+
+export type Strings = typeof english;

@@ -1,0 +1,40 @@
+/** Words of photos and videos, and of what is found in them. */
+
+export const photoStrings = {
+  photos: 'Photos',
+  usePhoto: (name: string) => `Use ${name}`,
+  removePhoto: (name: string) => `Remove ${name}`,
+  photoMissing: 'Missing',
+  addPhotos: 'Add photos',
+  kept: 'On the table',
+  setAside: 'Set aside',
+  choice: 'Choice of photos',
+  alike: 'Set aside look-alikes',
+  alikeValue: (bits: number) => (
+    bits < 7 ? `${bits}, nearly identical` : bits < 11 ? `${bits}, the same picture` : bits < 14 ? `${bits}, much alike` : `${bits}, somewhat alike`
+  ),
+  alikeKept: (kept: number, all: number) => `${kept} of ${all} kept`,
+  order: 'Order',
+  orders: { time: 'By time taken', name: 'By file name' },
+  stackOf: (count: number) => `${count} alike`,
+  openStack: (count: number, name: string) => `Show the ${count} photos like ${name}`,
+  take: 'Take',
+  takeInstead: (name: string) => `Take ${name} instead`,
+  credit: ({ title, author, licence }: { title: string, author: string, licence: string }) => `${title}, by ${author} (${licence})`,
+  photoCount: (used: number, all: number) => (used === all ? `${all}` : `${used} of ${all}`),
+  reading: (done: number, total: number) => `Reading photos, ${done} of ${total}`,
+  cancelReading: 'Stop reading',
+
+  // Videos
+  videos: 'Videos',
+  videoFrames: (count: number) => (count === 1 ? '1 frame' : `${count} frames`),
+  trimStart: 'Start',
+  trimEnd: 'End',
+  frames: 'Frames',
+  takeFrames: 'Take these frames',
+
+  showSubjects: 'Show subjects',
+  finding: (done: number, total: number) => `Faces ${done}/${total}`,
+  findingLong: (done: number, total: number) => `Looking for faces and objects: ${done} of ${total} photos`,
+  noDetector: 'Faces cannot be found here, so photos are cropped by contrast.',
+};

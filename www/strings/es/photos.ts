@@ -1,0 +1,38 @@
+export const photoStrings = {
+  photos: 'Fotos',
+  usePhoto: (name: string) => `Usar ${name}`,
+  removePhoto: (name: string) => `Quitar ${name}`,
+  photoMissing: 'Falta',
+  addPhotos: 'Añadir fotos',
+  kept: 'En la mesa',
+  setAside: 'Apartadas',
+  choice: 'Selección de fotos',
+  alike: 'Apartar las parecidas',
+  alikeValue: (bits: number) => (
+    bits < 7 ? `${bits}, casi idénticas` : bits < 11 ? `${bits}, la misma imagen` : bits < 14 ? `${bits}, muy parecidas` : `${bits}, algo parecidas`
+  ),
+  alikeKept: (kept: number, all: number) => `Quedan ${kept} de ${all}`,
+  order: 'Orden',
+  orders: { time: 'Por fecha de la toma', name: 'Por nombre de archivo' },
+  stackOf: (count: number) => `${count} parecidas`,
+  openStack: (count: number, name: string) => `Mostrar las ${count} fotos parecidas a ${name}`,
+  take: 'Tomar',
+  takeInstead: (name: string) => `Tomar ${name} en su lugar`,
+  credit: ({ title, author, licence }: { title: string, author: string, licence: string }) => `${title}, de ${author} (${licence})`,
+  photoCount: (used: number, all: number) => (used === all ? `${all}` : `${used} de ${all}`),
+  reading: (done: number, total: number) => `Leyendo fotos, ${done} de ${total}`,
+  cancelReading: 'Dejar de leer',
+
+  // Videos
+  videos: 'Vídeos',
+  videoFrames: (count: number) => (count === 1 ? '1 fotograma' : `${count} fotogramas`),
+  trimStart: 'Inicio',
+  trimEnd: 'Fin',
+  frames: 'Fotogramas',
+  takeFrames: 'Tomar estos fotogramas',
+
+  showSubjects: 'Mostrar lo detectado',
+  finding: (done: number, total: number) => `Caras ${done}/${total}`,
+  findingLong: (done: number, total: number) => `Buscando caras y objetos: ${done} de ${total} fotos`,
+  noDetector: 'Aquí no se pueden buscar caras, así que las fotos se recortan por contraste.',
+};

@@ -1,0 +1,12 @@
+export const startStrings = {
+  lead: ['Suelta tus fotos.', 'Saca una página de cómic.'],
+  leadMore: 'Inkpanel las elige, las recorta, las entinta y las coloca. Baraja hasta que te encante.',
+  chooseFiles: 'Elegir fotos o un vídeo',
+  filesLabel: 'Fotos o vídeo',
+  trySamples: 'Probar el álbum de muestra',
+  privacy: 'Nada sale de este dispositivo.',
+  dropHere: 'Suelta para añadir tus fotos',
+  framed: 'Otro sitio muestra Inkpanel dentro de su propia página. Ahí no funciona, para que nadie te haga pulsar lo que no ves.',
+  openInTab: 'Abrir Inkpanel en una pestaña propia',
+  starting: 'Preparando la tinta',
+};

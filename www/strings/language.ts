@@ -1,0 +1,40 @@
+/** Which language the page speaks: the person's choice, else the browser's first that there is, else English. */
+
+/** Languages by code, each in its own words. */
+export const LANGUAGES = { en: 'English', es: 'Español' };
+
+export type Language = keyof typeof LANGUAGES;
+
+const KEY = 'inkpanel.language';
+
+/**
+ * @param chosen by the person, if ever
+ * @param wanted the browser's languages, the best first: `es-MX`
+ */
+export function pickLanguage(chosen: string | null, wanted: readonly string[]): Language {
+  const codes = [chosen ?? '', ...wanted].map((tag) => tag.toLowerCase().split('-')[0]);
+  return (codes.find((code) => Object.hasOwn(LANGUAGES, code)) as Language | undefined) ?? 'en';
+}
+
+/** The language of this visit. Without a document (in tests of parts) it is English. */
+export function currentLanguage(): Language {
+  if (typeof document === 'undefined') return 'en';
+  return pickLanguage(remembered(), navigator.languages);
+}
+
+/** Keeps the choice for the next load; where the browser keeps nothing it is lost. */
+export function rememberLanguage(language: Language) {
+  try {
+    window.localStorage.setItem(KEY, language);
+  } catch {
+    // Storage is refused: the browser's own languages decide.
+  }
+}
+
+function remembered(): string | null {
+  try {
+    return window.localStorage.getItem(KEY);
+  } catch {
+    return null;
+  }
+}

@@ -1,0 +1,135 @@
+/**
+ * `My styles` and the favourites: kept in this browser (`storage/shelves.ts`), saved as files, shared as links. They are
+ * a part of the project, so a style that was deleted comes back by undo.
+ */
+
+import { computed } from '@preact/signals';
+import { strings } from '../strings/strings.ts';
+import { save as saveFile } from '../export/files.ts';
+import { LONGEST_STYLE, isStyleLink, linkOf, textOfLink } from './style-link.ts';
+import type { Messages } from '../app/messages.ts';
+import type { Designer } from '../designer/designer.ts';
+import type { Pages } from '../document/pages.ts';
+import type { Store } from '../document/store.ts';
+import type { Style } from '../engine/documents.ts';
+
+export type OwnStyles = ReturnType<typeof createOwnStyles>;
+
+/** More would make the lists long and the storage full; the oldest go. */
+const MOST = 300;
+
+/** @returns an id that no other style has */
+export function freshStyleId(): string {
+  return `my-${Array.from(crypto.getRandomValues(new Uint8Array(6)), (byte) => byte.toString(16).padStart(2, '0')).join('')}`;
+}
+
+export function createOwnStyles({ store, pages, messages, designer, freshId }: {
+  store: Store, pages: Pages, messages: Messages,
+  designer: Pick<Designer, 'open' | 'change'>, freshId: () => string,
+}) {
+  const mine = computed(() => store.project.value.mine);
+  const favourites = computed(() => store.project.value.favourites);
+
+  return { mine, favourites, save, remove, duplicate, exportFile, open, openLink, copyLink, favour, isFavourite, find };
+
+  /** @returns one of the person's own or favourite styles */
+  function find(id: string): Style | undefined {
+    return [...mine.peek(), ...favourites.peek()].find((style) => style.id === id);
+  }
+
+  /** Keeps a style, in the place of the one with its id. */
+  function save(style: Style) {
+    put(style);
+    messages.note(strings.styleSaved(style.name));
+  }
+
+  function remove(id: string) {
+    const gone = mine.peek().find((style) => style.id === id);
+    if (!gone) return;
+    store.change({ type: 'own-styles', mine: mine.peek().filter((style) => style !== gone) });
+    messages.note(strings.styleDeleted(gone.name));
+  }
+
+  /** @returns a copy, kept */
+  function duplicate(style: Style): Style {
+    const copy = { ...style, id: freshId(), name: strings.copyOf(style.name) };
+    put(copy);
+    return copy;
+  }
+
+  function exportFile(style: Style) {
+    const name = style.name.toLowerCase().replaceAll(/[^a-z0-9]+/g, '-').replaceAll(/^-|-$/g, '') || style.id;
+    saveFile(new Blob([`${JSON.stringify(style, null, 2)}\n`], { type: 'application/json' }), `${name}.json`);
+  }
+
+  /** Takes styles from files; the last good one goes to the designer. */
+  async function open(files: readonly File[]) {
+    let last = (null as Style | null);
+    for (const file of files) {
+      try {
+        if (file.size > LONGEST_STYLE) throw new Error(strings.styleTooLong(file.name));
+        last = take(await file.text(), file.name);
+      } catch (error) {
+        const { message } = (error as Error);
+        messages.fileFailed(file.name, message, { text: message });
+      }
+    }
+    if (last) show(last);
+  }
+
+  /** Takes the style of a link, if it is one. */
+  async function openLink(hash: string) {
+    if (!isStyleLink(hash)) return;
+    try {
+      show(take(await textOfLink(hash), strings.linkedStyle));
+    } catch (error) {
+      messages.alert((error as Error).message);
+    }
+  }
+
+  /**
+   * @param to `write` puts a text into the clipboard
+   * @returns the link
+   */
+  async function copyLink(style: Style, { address, write: copy }: { address: string, write: (text: string) => Promise<void> }): Promise<string> {
+    const link = address.replace(/#.*$/s, '') + await linkOf(style);
+    await copy(link).then(() => messages.note(strings.linkCopied), () => messages.alert(strings.linkNotCopied(link)));
+    return link;
+  }
+
+  /** Marks a style as a favourite, or no longer. */
+  function favour(style: Style) {
+    const others = favourites.peek().filter(({ id }) => id !== style.id);
+    const all = others.length === favourites.peek().length ? [style, ...others] : others;
+    store.change({ type: 'favourites', favourites: all.slice(0, MOST) });
+  }
+
+  function isFavourite(id: string) {
+    return favourites.value.some((style) => style.id === id);
+  }
+
+  /**
+   * @param file its name, for the message
+   * @returns checked and kept
+   */
+  function take(json: string, file: string): Style {
+    const planner = store.planner.peek();
+    if (!planner) throw new Error(strings.starting);
+    const style = planner.checkStyle(json, file);
+    // A designed style, or another one of that id, stays what it is.
+    const taken = [...planner.styles(), ...mine.peek()].find(({ id }) => id === style.id);
+    const same = taken && JSON.stringify(taken) === JSON.stringify(style);
+    const kept = taken && !same ? { ...style, id: freshId() } : style;
+    put(kept);
+    return kept;
+  }
+
+  function show(style: Style) {
+    if (store.page.peek()) designer.open(style);
+    else messages.note(strings.styleKept(style.name));
+  }
+
+  function put(style: Style) {
+    store.change({ type: 'own-styles', mine: [style, ...mine.peek().filter(({ id }) => id !== style.id)].slice(0, MOST) });
+  }
+}

@@ -1,0 +1,53 @@
+/** What can be done with the style of the page, and how Shuffle chooses the next. */
+
+import { useSignal } from '@preact/signals';
+import { useRef } from 'preact/hooks';
+import { strings } from '../strings/strings.ts';
+import { IconButton } from '../ui/button.tsx';
+import { useApp } from '../app/context.ts';
+import type { App } from '../app/context.ts';
+import type { Style } from '../engine/documents.ts';
+
+/** The style of the page in full. */
+export function styleOfPage({ store, ownStyles }: App) {
+  const style = store.page.value?.style;
+  if (typeof style !== 'string') return (style as Style | undefined);
+  return ownStyles.find(style) ?? store.styles.value.find(({ id }) => id === style);
+}
+
+export function StyleTools() {
+  const app = useApp();
+  const open = useSignal(false);
+  const style = styleOfPage(app);
+  return (
+    <>
+      <div class="style-side-tools">
+        <IconButton icon="designer" label={style ? strings.editStyle(strings.styleTitle(style)) : strings.edit} disabled={!style} onClick={() => app.designer.open(style)} />
+        <IconButton icon="settings" label={strings.styleShuffle} pressed={open.value} onClick={() => { open.value = !open.value; }} />
+      </div>
+      {open.value && <StyleShuffle />}
+    </>
+  );
+}
+
+function StyleShuffle() {
+  const { store, styling } = useApp();
+  const drags = useRef(0);
+  const { invented, keepLines, keepColours } = store.project.value.styling;
+  return (
+    <fieldset class="style-shuffle">
+      <legend class="visually-hidden">{strings.styleShuffle}</legend>
+      <label class="field">
+        <span>{strings.inventedShare}</span>
+        <input type="range" min="0" max="1" step="0.05" value={invented} aria-valuetext={strings.share(invented)}
+          onInput={(event) => styling.change({ invented: event.currentTarget.valueAsNumber }, `invented-${drags.current}`)}
+          onChange={() => { drags.current += 1; }} />
+        <output aria-hidden="true">{strings.share(invented)}</output>
+      </label>
+      <div class="style-locks">
+        <button type="button" class="button small" aria-pressed={keepColours} onClick={() => styling.change({ keepColours: !keepColours })}>{strings.keepColours}</button>
+        <button type="button" class="button small" aria-pressed={keepLines} onClick={() => styling.change({ keepLines: !keepLines })}>{strings.keepLines}</button>
+      </div>
+    </fieldset>
+  );
+}

@@ -1,0 +1,25 @@
+import { signal } from '@preact/signals';
+import { expect, it } from 'vitest';
+import { createStyling } from './styling.ts';
+import { fakeApp } from '../document/testing.ts';
+
+const style = (id: string) => ({ id, name: id, tags: [], background: [] });
+
+it('draws from one’s own styles and favourites, each once, only where a style is drawn', async () => {
+  const { store, planner, pages, reading, files } = fakeApp();
+  const ownStyles = { mine: signal([style('a'), style('b')]), favourites: signal([style('b'), style('c')]) };
+  const styling = createStyling(({ store, ownStyles } as any));
+  store.planner.value = styling.within((planner as any));
+  await reading.addFiles(files('1', '2', '3'));
+  styling.change({ invented: 0.4, keepLines: true });
+  pages.shuffle('style');
+  const told = planner.requests.at(-1)?.styling;
+  expect(told).toMatchObject({ invented: 0.4, keepLines: true, keepColours: false });
+  expect(told?.extra.map(({ id }: any) => id)).toEqual(['a', 'b', 'c']);
+  pages.shuffle('layout');
+  expect(planner.requests.at(-1)?.styling).toBe(undefined);
+  pages.undo();
+  pages.undo();
+  pages.undo();
+  expect(store.project.value.styling).toEqual({ invented: 0, keepLines: false, keepColours: false });
+});

@@ -1,0 +1,32 @@
+/** How a shuffle draws styles: also from a person's own and favourites, some of them invented, a layer of the page kept. */
+
+import type { Styling } from '../document/project.ts';
+import type { Store } from '../document/store.ts';
+import type { Planner } from '../engine/core.ts';
+import type { OwnStyles } from './own-styles.ts';
+
+export type StylingDeeds = ReturnType<typeof createStyling>;
+
+export function createStyling({ store, ownStyles }: { store: Store, ownStyles: Pick<OwnStyles, 'mine' | 'favourites'> }) {
+  return { within, change };
+
+  /** A planner whose pages are drawn like that. */
+  function within(planner: Planner): Planner {
+    return {
+      ...planner,
+      plan: (request) => {
+        // A style that stays or is named is not drawn; hundreds of others need not cross to the core.
+        if (request.keep.style || request.style !== undefined) return planner.plan(request);
+        const { invented, keepLines, keepColours } = store.project.peek().styling;
+        const mine = ownStyles.mine.peek();
+        const extra = [...mine, ...ownStyles.favourites.peek().filter(({ id }) => mine.every((style) => style.id !== id))];
+        return planner.plan({ ...request, styling: { extra, invented, keepLines, keepColours } });
+      },
+    };
+  }
+
+  /** @param gesture names one drag of a control, which is one step of the undo */
+  function change(wish: Partial<Styling>, gesture?: string) {
+    store.change({ type: 'styling', styling: { ...store.project.peek().styling, ...wish }, gesture });
+  }
+}

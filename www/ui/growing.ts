@@ -1,0 +1,29 @@
+/** Long lists whose items are made a few at a time, so that the page answers in between. */
+
+import { useEffect, useRef, useState } from 'preact/hooks';
+
+/** What is made in one task: well below 50 ms, and more than a screen shows at first. */
+const PIECE = 24;
+
+/**
+ * Which items to show now: those that were there, and some of the new ones; all of them some frames later.
+ * @param keys of all items, in order
+ */
+export function useGrowing(keys: readonly string[]): ReadonlySet<string> {
+  const last = useRef((new Set() as ReadonlySet<string>));
+  const [, again] = useState(0);
+  let room = PIECE;
+  const shown = new Set(keys.filter((key) => last.current.has(key) || (room -= 1) >= 0));
+  useEffect(() => {
+    last.current = shown;
+    if (shown.size === keys.length) return undefined;
+    let task = (undefined as ReturnType<typeof setTimeout> | undefined);
+    // After the frame that shows this piece.
+    const frame = requestAnimationFrame(() => { task = setTimeout(() => again((n) => n + 1)); });
+    return () => {
+      cancelAnimationFrame(frame);
+      clearTimeout(task);
+    };
+  });
+  return shown;
+}
