@@ -19,23 +19,33 @@ export async function crowd(browser, address, photos) {
   await page.addInitScript(() => {
     const tasks = /** @type {number[]} */ ([]);
     Object.assign(globalThis, { tasks });
-    new PerformanceObserver((list) => tasks.push(...list.getEntries().map(({ duration }) => duration))).observe({ entryTypes: ['longtask'] });
+    new PerformanceObserver((list) => tasks.push(...list.getEntries().map(({ duration }) => duration))).observe({
+      entryTypes: ['longtask'],
+    });
   });
   await page.goto(address);
   const input = page.getByLabel('Photos or video');
   await input.waitFor({ state: 'attached' });
   await page.evaluate(() => {
-    document.addEventListener('change', () => {
-      /** @type {any} */ (globalThis).tasks.length = 0;
-      Object.assign(globalThis, { begun: performance.now() });
-    }, { capture: true, once: true });
+    document.addEventListener(
+      'change',
+      () => {
+        /** @type {any} */ (globalThis).tasks.length = 0;
+        Object.assign(globalThis, { begun: performance.now() });
+      },
+      { capture: true, once: true },
+    );
   });
   /** Milliseconds until the body says so. @param {'drawn' | 'idle' | 'detected'} flag */
   const since = async (flag) => {
-    const handle = await page.waitForFunction((name) => {
-      const { begun } = /** @type {any} */ (globalThis);
-      return document.body.dataset[name] === 'true' && performance.now() - begun;
-    }, flag, { polling: 50, timeout: 300_000 });
+    const handle = await page.waitForFunction(
+      (name) => {
+        const { begun } = /** @type {any} */ (globalThis);
+        return document.body.dataset[name] === 'true' && performance.now() - begun;
+      },
+      flag,
+      { polling: 50, timeout: 300_000 },
+    );
     return /** @type {number} */ (await handle.jsonValue());
   };
   await input.setInputFiles(photos);
@@ -59,12 +69,14 @@ async function peak(browser) {
   const session = await browser.newBrowserCDPSession();
   const { processInfo } = await session.send('SystemInfo.getProcessInfo');
   await session.detach();
-  const tabs = processInfo.filter(({ type }) => type === 'renderer').map(({ id }) => {
-    try {
-      return Number(/^VmHWM:\s+(\d+) kB/m.exec(readFileSync(`/proc/${id}/status`, 'utf8'))?.[1] ?? 0) * 1024;
-    } catch {
-      return 0;
-    }
-  });
+  const tabs = processInfo
+    .filter(({ type }) => type === 'renderer')
+    .map(({ id }) => {
+      try {
+        return Number(/^VmHWM:\s+(\d+) kB/m.exec(readFileSync(`/proc/${id}/status`, 'utf8'))?.[1] ?? 0) * 1024;
+      } catch {
+        return 0;
+      }
+    });
   return Math.max(0, ...tabs) || null;
 }

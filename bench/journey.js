@@ -14,7 +14,11 @@ const RESIZES = 8;
  *   `refined` from the first page until all photos are searched, `closer` until the small faces are looked for, too
  */
 export async function journey(browser, address, photos) {
-  const page = await browser.newPage({ viewport: { width: 1920, height: 1080 }, serviceWorkers: 'block', acceptDownloads: true });
+  const page = await browser.newPage({
+    viewport: { width: 1920, height: 1080 },
+    serviceWorkers: 'block',
+    acceptDownloads: true,
+  });
   await page.addInitScript(watch);
   await page.goto(address);
   const input = page.getByLabel('Photos or video');
@@ -25,11 +29,14 @@ export async function journey(browser, address, photos) {
   const [refined, closer] = await page.evaluate(async () => {
     const start = performance.now();
     // A loop of animation frames would have the browser draw sixty times a second what does not change.
-    const until = (/** @type {'searched' | 'detected'} */ flag) => new Promise((resolve) => {
-      const look = () => { if (document.body.dataset[flag] === 'true') resolve(performance.now() - start); };
-      new MutationObserver(look).observe(document.body, { attributes: true });
-      look();
-    });
+    const until = (/** @type {'searched' | 'detected'} */ flag) =>
+      new Promise((resolve) => {
+        const look = () => {
+          if (document.body.dataset[flag] === 'true') resolve(performance.now() - start);
+        };
+        new MutationObserver(look).observe(document.body, { attributes: true });
+        look();
+      });
     return [await until('searched'), await until('detected')];
   });
   const times = [];
@@ -40,7 +47,12 @@ export async function journey(browser, address, photos) {
   const resizes = [];
   for (let i = 0; i < RESIZES; i += 1) {
     const size = page.getByRole('combobox', { name: 'Page size' });
-    resizes.push(await size.evaluate((select, to) => /** @type {any} */ (globalThis).watch.afterChange(select, to), i % 2 ? 'a4' : 'letter'));
+    resizes.push(
+      await size.evaluate(
+        (select, to) => /** @type {any} */ (globalThis).watch.afterChange(select, to),
+        i % 2 ? 'a4' : 'letter',
+      ),
+    );
     await page.waitForFunction(() => document.body.dataset.idle === 'true');
   }
   const listed = await page.getByRole('listbox', { name: 'Layouts' }).getByRole('option').count();

@@ -20,7 +20,9 @@ export async function making(browser, address, photos) {
   const input = page.getByLabel('Photos or video');
   await input.waitFor({ state: 'attached' });
   await input.setInputFiles(photos);
-  await page.waitForFunction(() => document.body.dataset.idle === 'true' && document.querySelector('.page-canvas') !== null);
+  await page.waitForFunction(
+    () => document.body.dataset.idle === 'true' && document.querySelector('.page-canvas') !== null,
+  );
   await page.getByRole('button', { name: 'Designer', exact: true }).click();
   // The same photo every time, whatever the page shows.
   await page.getByRole('list', { name: 'Photo of the preview' }).getByRole('button').first().click();
@@ -58,7 +60,9 @@ async function drag(element, ms) {
 
 /** Runs in the page: one round of the explorer; gives the styles tried a second. */
 async function round() {
-  const button = /** @type {HTMLButtonElement} */ ([...document.querySelectorAll('button')].find(({ textContent }) => textContent === 'Generate'));
+  const button = /** @type {HTMLButtonElement} */ (
+    [...document.querySelectorAll('button')].find(({ textContent }) => textContent === 'Generate')
+  );
   const region = /** @type {Element} */ (document.querySelector('.explorer'));
   const start = performance.now();
   button.click();

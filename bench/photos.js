@@ -15,7 +15,9 @@ import { join } from 'node:path';
  */
 export async function makePhotos(browser, album, folder, count) {
   mkdirSync(folder, { recursive: true });
-  const names = readdirSync(album).filter((name) => name.endsWith('.jpg')).sort();
+  const names = readdirSync(album)
+    .filter((name) => name.endsWith('.jpg'))
+    .sort();
   const paths = Array.from({ length: count }, (_, i) => join(folder, `${String(i).padStart(3, '0')}.jpg`));
   const page = await browser.newPage();
   for (const [i, path] of paths.entries()) {
@@ -39,10 +41,19 @@ async function enlarge([source, part]) {
   const canvas = new OffscreenCanvas(width, height);
   const context = /** @type {OffscreenCanvasRenderingContext2D} */ (canvas.getContext('2d'));
   context.imageSmoothingQuality = 'high';
-  const random = (/** @type {number} */ n) => { const x = Math.sin(part * 12.9898 + n * 78.233) * 43758.5453; return x - Math.floor(x); };
+  const random = (/** @type {number} */ n) => {
+    const x = Math.sin(part * 12.9898 + n * 78.233) * 43758.5453;
+    return x - Math.floor(x);
+  };
   if (part > 0 && random(2) < 0.5) context.setTransform(-1, 0, 0, 1, width, 0);
   const zoom = part > 0 ? 1.1 + random(1) : 1;
-  context.drawImage(bitmap, width * (1 - zoom) * random(3), height * (1 - zoom) * random(4), width * zoom, height * zoom);
+  context.drawImage(
+    bitmap,
+    width * (1 - zoom) * random(3),
+    height * (1 - zoom) * random(4),
+    width * zoom,
+    height * zoom,
+  );
   const image = context.getImageData(0, 0, width, height);
   let seed = 1;
   for (let i = 0; i < image.data.length; i += 1) {

@@ -20,12 +20,24 @@ const PEERS = { opencv: 'OpenCV.js', canvas: 'canvas 2D', vips: 'wasm-vips', pho
 const PIXELS = 1920 * 1080;
 
 /** @param {Results} results */
-export function markdown({ machine, rows, times, failed, versions, journey, masks, detect, aesthetics, crowd, making }) {
+export function markdown({
+  machine,
+  rows,
+  times,
+  failed,
+  versions,
+  journey,
+  masks,
+  detect,
+  aesthetics,
+  crowd,
+  making,
+}) {
   const peers = Object.entries(PEERS);
   const heads = peers.map(([id, name]) => (versions[id] ? `${name} ${versions[id]}` : name));
   const lines = [
     `Milliseconds at 1920x1080 on one thread of ${machine.cpu} (${machine.cores} cores), ${machine.browser}, medians.`,
-    'A peer\'s column has its time and how many times longer it takes; wasm-vips uses all cores. *Of copy* is the time',
+    "A peer's column has its time and how many times longer it takes; wasm-vips uses all cores. *Of copy* is the time",
     `to copy the same bytes at the measured ${(machine.copySpeed / 1e9).toFixed(1)} GB/s, as a share of the block's.`,
     '',
     `| Block | ms | of copy | ${heads.join(' | ')} |`,
@@ -42,7 +54,8 @@ export function markdown({ machine, rows, times, failed, versions, journey, mask
     lines.push(`| ${row.label} | ${short(own)} | ${Math.round(share * 100)} % | ${cells.join(' | ')} |`);
   }
   for (const [id, reason] of Object.entries(failed)) lines.push('', `${PEERS[id] ?? id} failed: ${reason}`);
-  if (journey || masks || detect || aesthetics || crowd || making) lines.push('', '| In the page, all workers | |', '|---|--:|');
+  if (journey || masks || detect || aesthetics || crowd || making)
+    lines.push('', '| In the page, all workers | |', '|---|--:|');
   if (journey) {
     lines.push(
       `| Twelve 12-megapixel JPEG files to the first page | ${(journey.firstPage / 1000).toFixed(2)} s |`,
@@ -53,7 +66,8 @@ export function markdown({ machine, rows, times, failed, versions, journey, mask
       `| The ${journey.listed} thumbnails of the layouts, for another page size | ${Math.round(journey.thumbnails)} ms |`,
     );
   }
-  if (masks) lines.push(`| Masks and borders of a page at 2480 x 3508, slowest layout, one thread | ${short(masks.ms)} ms |`);
+  if (masks)
+    lines.push(`| Masks and borders of a page at 2480 x 3508, slowest layout, one thread | ${short(masks.ms)} ms |`);
   if (detect) {
     lines.push(
       `| Faces of a photo, one worker | ${short(detect.faces)} ms |`,

@@ -24,7 +24,10 @@ const VARIANTS = [
 const COMIC = {
   id: 'comic-row',
   name: 'Comic',
-  background: [{ block: 'detail', delta: -100 }, { block: 'posterize', levels: 8 }],
+  background: [
+    { block: 'detail', delta: -100 },
+    { block: 'posterize', levels: 8 },
+  ],
   foreground: [{ block: 'to_gray' }, { block: 'xdog' }, { block: 'soft_threshold' }],
 };
 
@@ -35,15 +38,33 @@ const COMIC = {
  */
 export function rows(blocks, styles) {
   const found = new Map(blocks.map((block) => [block.id, block]));
-  const list = blocks.map((block) => blockRow(block, block.input !== 'color' && !COLOURFUL.includes(block.id), TELLING[block.id] ?? {}));
+  const list = blocks.map((block) =>
+    blockRow(block, block.input !== 'color' && !COLOURFUL.includes(block.id), TELLING[block.id] ?? {}),
+  );
   for (const [id, luma, params] of VARIANTS) {
     const block = found.get(id);
     if (block && (block.input === 'any' || luma === (block.input === 'luma'))) list.push(blockRow(block, luma, params));
   }
   // The other row with To Color makes U and V, too, which the chain kept here. No peer has a name for half of it.
   const alone = { id: 'row', name: 'Row', background: [{ block: 'to_gray' }, { block: 'to_color' }] };
-  list.push({ id: 'alone to_color', label: 'To Color alone', luma: false, planes: 3, done: 1, style: alone, params: {} });
-  list.push({ id: 'comic', label: 'Comic: smoothed, 8 levels, ink', luma: false, planes: 3, done: null, style: COMIC, params: {} });
+  list.push({
+    id: 'alone to_color',
+    label: 'To Color alone',
+    luma: false,
+    planes: 3,
+    done: 1,
+    style: alone,
+    params: {},
+  });
+  list.push({
+    id: 'comic',
+    label: 'Comic: smoothed, 8 levels, ink',
+    luma: false,
+    planes: 3,
+    done: null,
+    style: COMIC,
+    params: {},
+  });
   for (const style of styles.filter(({ id }) => id.startsWith('paper-'))) {
     list.push({ id: style.id, label: `Style ${style.name}`, luma: false, planes: 3, done: null, style, params: {} });
   }

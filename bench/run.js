@@ -85,8 +85,12 @@ function asked(part) {
 async function blocks() {
   const www = join(options.root, 'www');
   const folders = {
-    page: join(here, 'page'), modules: join(here, 'node_modules'), album,
-    pkg: join(options.target, 'bench/pkg'), detector: join(www, 'pkg-detector'), models: join(www, 'models'),
+    page: join(here, 'page'),
+    modules: join(here, 'node_modules'),
+    album,
+    pkg: join(options.target, 'bench/pkg'),
+    detector: join(www, 'pkg-detector'),
+    models: join(www, 'models'),
   };
   const { address, close } = await serve(folders, { isolated: true });
   const page = await browser.newPage();

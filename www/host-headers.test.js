@@ -22,12 +22,17 @@ test('the policy of the headers is that of the page, and forbids frames of other
 
 test('nginx is told the same', async () => {
   const conf = await read('../docs/hosting/nginx.conf');
-  const told = Object.fromEntries([...conf.matchAll(/^ {4}add_header (\S+) "(.*)" always;$/gm)].map(([, name, value]) => [name, value]));
+  const told = Object.fromEntries(
+    [...conf.matchAll(/^ {4}add_header (\S+) "(.*)" always;$/gm)].map(([, name, value]) => [name, value]),
+  );
   expect(told).toEqual(await headers());
 });
 
 test('headers are read as hosts read them', () => {
-  expect(headersOfAll('# a: b\n/*\n  X-One: 1: 2\n\n\tX-Two: 3\n/other\n  X-Three: 4\n')).toEqual({ 'X-One': '1: 2', 'X-Two': '3' });
+  expect(headersOfAll('# a: b\n/*\n  X-One: 1: 2\n\n\tX-Two: 3\n/other\n  X-Three: 4\n')).toEqual({
+    'X-One': '1: 2',
+    'X-Two': '3',
+  });
 });
 
 test('the file is not among those that the service worker keeps: hosts that read it do not give it away', async () => {
@@ -35,6 +40,11 @@ test('the file is not among those that the service worker keeps: hosts that read
   await mkdir(join(folder, 'assets'));
   await Promise.all(['_headers', 'index.html', 'assets/index-x.js'].map((path) => writeFile(join(folder, path), path)));
   const { needed, extras, onUse } = await filesOf(folder);
-  expect([...needed, ...extras].map(([path]) => path).concat(onUse).sort()).toEqual(['', 'assets/index-x.js']);
+  expect(
+    [...needed, ...extras]
+      .map(([path]) => path)
+      .concat(onUse)
+      .sort(),
+  ).toEqual(['', 'assets/index-x.js']);
   await rm(folder, { recursive: true });
 });

@@ -12,7 +12,10 @@ const FOLDER = new URL('./public/', import.meta.url);
 const SAFE = 0.86;
 
 const svg = await readFile(new URL('icon.svg', FOLDER), 'utf8');
-const browser = await chromium.launch({ executablePath: process.env.CHROMIUM ?? '/usr/bin/chromium', args: ['--no-sandbox'] });
+const browser = await chromium.launch({
+  executablePath: process.env.CHROMIUM ?? '/usr/bin/chromium',
+  args: ['--no-sandbox'],
+});
 const page = await browser.newPage();
 for (const { file, side, maskable } of [
   { file: 'icon-192.png', side: 192, maskable: false },

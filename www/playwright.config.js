@@ -13,7 +13,7 @@ export default defineConfig({
   // The machine may be busy: a limit ends what hangs, it does not measure.
   timeout: 240_000,
   expect: { timeout: 30_000 },
-  reporter: [["list"]],
+  reporter: [['list']],
   forbidOnly: !!process.env.CI,
   use: {
     baseURL: `http://127.0.0.1:${PORT}${PATH}`,

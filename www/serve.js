@@ -24,7 +24,7 @@ const server = createServer(async (request, response) => {
   const path = decodeURIComponent(new URL(request.url ?? '/', 'http://host').pathname);
   const inside = path.startsWith(base) ? normalize(join(root, path.slice(base.length) || 'index.html')) : '';
   const found = inside.startsWith(normalize(root + sep)) && statSync(inside, { throwIfNoEntry: false })?.isFile();
-  if (!found || !await whole(inside, response)) {
+  if (!found || !(await whole(inside, response))) {
     response.writeHead(404, { 'content-type': 'text/plain' }).end('not found');
     return;
   }

@@ -27,7 +27,9 @@ export function siteFiles() {
   return {
     name: 'inkpanel-site-files',
     apply: 'build',
-    configResolved: ({ root, build: { outDir } }) => { folder = resolve(root, outDir); },
+    configResolved: ({ root, build: { outDir } }) => {
+      folder = resolve(root, outDir);
+    },
     closeBundle: { order: 'post', sequential: true, handler: () => sealSite(folder) },
   };
 }
@@ -39,10 +41,15 @@ export function siteFiles() {
 export async function sealSite(folder) {
   const site = await filesOf(folder);
   await build({
-    configFile: false, logLevel: 'warn', publicDir: false,
+    configFile: false,
+    logLevel: 'warn',
+    publicDir: false,
     define: { INKPANEL_SITE: JSON.stringify(site) },
     build: {
-      outDir: folder, emptyOutDir: false, target: 'es2022', modulePreload: false,
+      outDir: folder,
+      emptyOutDir: false,
+      target: 'es2022',
+      modulePreload: false,
       // One file, and no module: Firefox before 147 has no service workers of modules.
       rolldownOptions: { input: SOURCE, output: { format: 'iife', entryFileNames: WORKER } },
     },
@@ -55,11 +62,19 @@ export async function sealSite(folder) {
  */
 export async function filesOf(folder) {
   const entries = await readdir(folder, { recursive: true, withFileTypes: true });
-  const paths = entries.filter((entry) => entry.isFile()).map(({ parentPath, name }) => relative(folder, join(parentPath, name)).split(sep).join('/'));
+  const paths = entries
+    .filter((entry) => entry.isFile())
+    .map(({ parentPath, name }) => relative(folder, join(parentPath, name)).split(sep).join('/'));
   const kept = paths.filter((path) => path !== WORKER && !NOT.test(path)).sort();
-  const files = await Promise.all(kept.map(async (path) => (
-    /** @type {import('./offline/worker/worker-types.ts').SiteFile} */ ([path === 'index.html' ? '' : path, await integrityOf(join(folder, path))])
-  )));
+  const files = await Promise.all(
+    kept.map(
+      async (path) =>
+        /** @type {import('./offline/worker/worker-types.ts').SiteFile} */ ([
+          path === 'index.html' ? '' : path,
+          await integrityOf(join(folder, path)),
+        ]),
+    ),
+  );
   const needed = files.filter(([path]) => !ON_USE.test(path) && !EXTRAS.test(path));
   const extras = files.filter(([path]) => EXTRAS.test(path));
   const onUse = files.map(([path]) => path).filter((path) => ON_USE.test(path));
@@ -69,7 +84,9 @@ export async function filesOf(folder) {
 
 /** @param {string} file */
 async function integrityOf(file) {
-  return `sha256-${createHash('sha256').update(await readFile(file)).digest('base64')}`;
+  return `sha256-${createHash('sha256')
+    .update(await readFile(file))
+    .digest('base64')}`;
 }
 
 if (process.argv[1] === fileURLToPath(import.meta.url)) await sealSite(resolve(process.argv[2]));

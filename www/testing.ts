@@ -1,4 +1,13 @@
-import type { Browser, BrowserContext as Context, Page, PlaywrightTestArgs, PlaywrightTestOptions, PlaywrightWorkerArgs, PlaywrightWorkerOptions, TestType } from '@playwright/test';
+import type {
+  Browser,
+  BrowserContext as Context,
+  Page,
+  PlaywrightTestArgs,
+  PlaywrightTestOptions,
+  PlaywrightWorkerArgs,
+  PlaywrightWorkerOptions,
+  TestType,
+} from '@playwright/test';
 /**
  * The packages that the browser tests use. The tests stand in `tests/web`, outside this folder's
  * `node_modules`, and reach them through this file.

@@ -32,7 +32,9 @@ export async function aesthetics() {
 /** @param {string} address */
 async function pixelsOf(address) {
   const bitmap = await createImageBitmap(await (await fetch(address)).blob());
-  const context = /** @type {OffscreenCanvasRenderingContext2D} */ (new OffscreenCanvas(WIDTH, HEIGHT).getContext('2d'));
+  const context = /** @type {OffscreenCanvasRenderingContext2D} */ (
+    new OffscreenCanvas(WIDTH, HEIGHT).getContext('2d')
+  );
   context.drawImage(bitmap, 0, 0, WIDTH, HEIGHT);
   return new Uint8Array(context.getImageData(0, 0, WIDTH, HEIGHT).data.buffer);
 }

@@ -36,10 +36,13 @@ async function planesOf(address) {
   const bitmap = await createImageBitmap(await (await fetch(address)).blob());
   const scale = Math.min(1, SIDE / Math.max(bitmap.width, bitmap.height));
   const [width, height] = [Math.round(bitmap.width * scale), Math.round(bitmap.height * scale)];
-  const context = /** @type {OffscreenCanvasRenderingContext2D} */ (new OffscreenCanvas(width, height).getContext('2d'));
+  const context = /** @type {OffscreenCanvasRenderingContext2D} */ (
+    new OffscreenCanvas(width, height).getContext('2d')
+  );
   context.drawImage(bitmap, 0, 0, width, height);
   const { data } = context.getImageData(0, 0, width, height);
   const planes = new Uint8Array(width * height * 3);
-  for (let i = 0; i < width * height; i += 1) for (let c = 0; c < 3; c += 1) planes[c * width * height + i] = data[i * 4 + c];
+  for (let i = 0; i < width * height; i += 1)
+    for (let c = 0; c < 3; c += 1) planes[c * width * height + i] = data[i * 4 + c];
   return { width, height, planes };
 }

@@ -16,7 +16,11 @@ import { TopBar } from './top-bar.tsx';
 
 /** The whole window; where the project cannot be shown, the ways on from there. */
 export function App() {
-  return <Guard instead={<Unshown />}><Everything /></Guard>;
+  return (
+    <Guard instead={<Unshown />}>
+      <Everything />
+    </Guard>
+  );
 }
 
 /** In the place of a project that the views cannot draw. */
@@ -25,8 +29,20 @@ function Unshown() {
   const projects = ui.work.value === 'projects';
   return (
     <div class="app" data-view="start" data-work={projects ? 'projects' : undefined}>
-      <header class="top-bar"><div class="top-start"><h1 class="brand">{strings.name}</h1></div></header>
-      {projects ? <Projects /> : <main class="start"><div class="start-body alone"><Broken /></div></main>}
+      <header class="top-bar">
+        <div class="top-start">
+          <h1 class="brand">{strings.name}</h1>
+        </div>
+      </header>
+      {projects ? (
+        <Projects />
+      ) : (
+        <main class="start">
+          <div class="start-body alone">
+            <Broken />
+          </div>
+        </main>
+      )}
       <Toasts />
     </div>
   );
@@ -38,7 +54,12 @@ function Everything() {
   const dialog = ui.dialog.value;
   const projects = ui.work.value === 'projects';
   return (
-    <div class="app" data-view={empty ? 'start' : 'board'} data-sheet={ui.sheet.value ?? 'none'} data-work={empty && !projects ? undefined : ui.work.value ?? undefined}>
+    <div
+      class="app"
+      data-view={empty ? 'start' : 'board'}
+      data-sheet={ui.sheet.value ?? 'none'}
+      data-work={empty && !projects ? undefined : (ui.work.value ?? undefined)}
+    >
       <TopBar />
       {!empty ? <Board /> : keeping.running.value ? <Waiting /> : !projects && <Start />}
       {!empty && ui.work.value === 'designer' && <Designer />}
@@ -48,12 +69,20 @@ function Everything() {
       <Toasts />
       {dialog === 'keys' && <KeysDialog />}
       {dialog === 'export' && store.page.value && <ExportDialog />}
-      {dragging.value && <div class="drop-veil"><p>{strings.dropHere}</p></div>}
+      {dragging.value && (
+        <div class="drop-veil">
+          <p>{strings.dropHere}</p>
+        </div>
+      )}
     </div>
   );
 }
 
 /** While the project of the last visit is on its way. */
 function Waiting() {
-  return <main class="start" aria-busy="true"><p class="visually-hidden">{strings.openingLast}</p></main>;
+  return (
+    <main class="start" aria-busy="true">
+      <p class="visually-hidden">{strings.openingLast}</p>
+    </main>
+  );
 }

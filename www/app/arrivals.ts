@@ -10,11 +10,18 @@ import type { Messages } from './messages.ts';
 const SHARED = 'inkpanel-shared';
 const PARAMETER = 'shared';
 
-type Handle = { name: string, getFile: () => Promise<File> };
+type Handle = { name: string; getFile: () => Promise<File> };
 
-export function createArrivals({ window, intake, messages }: {
-  window: Window & { launchQueue?: { setConsumer: (consumer: (launch: { files?: readonly Handle[] }) => void) => void } },
-  intake: (files: File[]) => void, messages: Pick<Messages, 'alert'>,
+export function createArrivals({
+  window,
+  intake,
+  messages,
+}: {
+  window: Window & {
+    launchQueue?: { setConsumer: (consumer: (launch: { files?: readonly Handle[] }) => void) => void };
+  };
+  intake: (files: File[]) => void;
+  messages: Pick<Messages, 'alert'>;
 }) {
   return { begin };
 
@@ -32,10 +39,14 @@ export function createArrivals({ window, intake, messages }: {
   }
 
   async function open(handles: readonly Handle[]) {
-    const files = await Promise.all(handles.map((handle) => handle.getFile().catch(() => {
-      messages.alert(strings.launchFailed(handle.name));
-      return null;
-    })));
+    const files = await Promise.all(
+      handles.map((handle) =>
+        handle.getFile().catch(() => {
+          messages.alert(strings.launchFailed(handle.name));
+          return null;
+        }),
+      ),
+    );
     take(files.filter((file) => file !== null));
   }
 
@@ -44,12 +55,14 @@ export function createArrivals({ window, intake, messages }: {
     const store = await window.caches.open(SHARED);
     const folder = new URL(`shared/${id}/`, window.document.baseURI).href;
     const requests = (await store.keys()).filter(({ url }) => url.startsWith(folder));
-    const files = await Promise.all(requests.map(async (request) => {
-      const response = (await store.match(request) as Response);
-      const { headers } = response;
-      const [name, type] = [decodeURIComponent(headers.get('x-name') ?? ''), headers.get('content-type') ?? ''];
-      return new File([await response.blob()], name, { type });
-    }));
+    const files = await Promise.all(
+      requests.map(async (request) => {
+        const response = (await store.match(request)) as Response;
+        const { headers } = response;
+        const [name, type] = [decodeURIComponent(headers.get('x-name') ?? ''), headers.get('content-type') ?? ''];
+        return new File([await response.blob()], name, { type });
+      }),
+    );
     take(files);
     // In memory by now, where not even a full storage can take them away.
     await Promise.all(requests.map((request) => store.delete(request)));

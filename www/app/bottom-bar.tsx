@@ -14,19 +14,35 @@ export function BottomBar() {
       <ShuffleButton />
       <Tab sheet="layouts" icon="layout" label={strings.layouts} />
       <Tab sheet="words" icon="balloon" label={strings.words} />
-      <button type="button" class="tab" disabled={store.page.value === null} onClick={() => { ui.dialog.value = 'export'; }}>
-        <Icon name="export" />{strings.export}
+      <button
+        type="button"
+        class="tab"
+        disabled={store.page.value === null}
+        onClick={() => {
+          ui.dialog.value = 'export';
+        }}
+      >
+        <Icon name="export" />
+        {strings.export}
       </button>
     </nav>
   );
 }
 
-function Tab({ sheet, icon, label }: { sheet: Sheet, icon: string, label: string }) {
+function Tab({ sheet, icon, label }: { sheet: Sheet; icon: string; label: string }) {
   const { ui } = useApp();
   const open = ui.sheet.value === sheet;
   return (
-    <button type="button" class="tab" aria-expanded={open} onClick={() => { ui.sheet.value = open ? null : sheet; }}>
-      <Icon name={icon} />{label}
+    <button
+      type="button"
+      class="tab"
+      aria-expanded={open}
+      onClick={() => {
+        ui.sheet.value = open ? null : sheet;
+      }}
+    >
+      <Icon name={icon} />
+      {label}
     </button>
   );
 }

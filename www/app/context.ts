@@ -31,37 +31,37 @@ import type { Messages } from './messages.ts';
 import type { Ui } from './ui.ts';
 
 export type App = {
-  store: Store,
-  pages: Pages,
-  book: Book,
-  subjects: Subjects,
-  reading: Reading,
-  scrubbing: Scrubbing,
-  choosing: Choosing,
-  selection: import('../page/panels/selection.ts').Selection,
-  merging: Merging,
-  lettering: Lettering,
-  subtitling: Subtitling,
-  intake: (files: File[]) => void,
-  openProjects: (files: File[]) => void,
-  installing: Installing,
-  framing: Framing,
-  reshaping: Reshaping,
-  ownLayouts: OwnLayouts,
-  designer: Designer,
-  ownStyles: OwnStyles,
-  explorer: Explorer,
-  styling: StylingDeeds,
-  keeping: Keeping,
-  shownPages: ShownPages,
-  download: Download,
-  alternatives: Alternatives,
-  messages: Messages,
-  ui: Ui,
-  engine: Engine,
+  store: Store;
+  pages: Pages;
+  book: Book;
+  subjects: Subjects;
+  reading: Reading;
+  scrubbing: Scrubbing;
+  choosing: Choosing;
+  selection: import('../page/panels/selection.ts').Selection;
+  merging: Merging;
+  lettering: Lettering;
+  subtitling: Subtitling;
+  intake: (files: File[]) => void;
+  openProjects: (files: File[]) => void;
+  installing: Installing;
+  framing: Framing;
+  reshaping: Reshaping;
+  ownLayouts: OwnLayouts;
+  designer: Designer;
+  ownStyles: OwnStyles;
+  explorer: Explorer;
+  styling: StylingDeeds;
+  keeping: Keeping;
+  shownPages: ShownPages;
+  download: Download;
+  alternatives: Alternatives;
+  messages: Messages;
+  ui: Ui;
+  engine: Engine;
 };
 
-export const AppContext = createContext((null as App | null));
+export const AppContext = createContext(null as App | null);
 
 export function useApp(): App {
   const app = useContext(AppContext);

@@ -4,8 +4,18 @@ import { IconButton } from '../ui/button.tsx';
 import type { ComponentChildren } from 'preact';
 
 /** A modal dialog: the browser keeps the focus inside, Escape closes, so does a click beside it. */
-export function Dialog({ title, onClose, children, class: extra = '' }: { title: string, onClose: () => void, children: ComponentChildren, class?: string }) {
-  const ref = useRef((null as HTMLDialogElement | null));
+export function Dialog({
+  title,
+  onClose,
+  children,
+  class: extra = '',
+}: {
+  title: string;
+  onClose: () => void;
+  children: ComponentChildren;
+  class?: string;
+}) {
+  const ref = useRef(null as HTMLDialogElement | null);
   useEffect(() => {
     const dialog = ref.current;
     dialog?.showModal();

@@ -8,16 +8,30 @@ import type { ComponentChildren } from 'preact';
  * A part of the board on a small screen, below the page.
  * @param props `bare`: the content brings its own heading
  */
-export function Sheet({ title, bare = false, children }: { title: string, bare?: boolean, children: ComponentChildren }) {
+export function Sheet({
+  title,
+  bare = false,
+  children,
+}: {
+  title: string;
+  bare?: boolean;
+  children: ComponentChildren;
+}) {
   const { ui } = useApp();
-  const ref = useRef((null as HTMLElement | null));
+  const ref = useRef(null as HTMLElement | null);
   // It comes before the bar that opens it: without this, Tab would go past it.
   useEffect(() => ref.current?.focus({ preventScroll: true }), []);
   return (
     <section class="sheet" aria-label={strings.drawer} ref={ref} tabIndex={-1}>
       <div class="section-head sheet-head">
         {!bare && <h2>{title}</h2>}
-        <IconButton icon="close" label={strings.close} onClick={() => { ui.sheet.value = null; }} />
+        <IconButton
+          icon="close"
+          label={strings.close}
+          onClick={() => {
+            ui.sheet.value = null;
+          }}
+        />
       </div>
       <div class="sheet-body">{children}</div>
     </section>

@@ -46,7 +46,7 @@ async function walk(entry: FileSystemEntry): Promise<File[]> {
   const found = [];
   // A reader gives at most a hundred entries a call.
   for (;;) {
-    const some = (await new Promise((resolve, reject) => reader.readEntries(resolve, reject)) as FileSystemEntry[]);
+    const some = (await new Promise((resolve, reject) => reader.readEntries(resolve, reject))) as FileSystemEntry[];
     if (some.length === 0) break;
     found.push(...some);
   }

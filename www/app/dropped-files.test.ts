@@ -13,7 +13,13 @@ type Tab = Awaited<ReturnType<ReturnType<typeof fakeBrowser>['tab']>>;
 function dropsOn(tab: Tab) {
   const showProjects = vi.fn();
   const open = vi.fn(async () => {});
-  const made = createDroppedFiles({ ...(tab as any), subtitling: { open }, ownLayouts: { open }, ownStyles: { open }, showProjects });
+  const made = createDroppedFiles({
+    ...(tab as any),
+    subtitling: { open },
+    ownLayouts: { open },
+    ownStyles: { open },
+    showProjects,
+  });
   return { ...made, showProjects };
 }
 
@@ -30,7 +36,8 @@ async function made(name: string, ...photos: string[]) {
 }
 
 /** A PNG of it without its photos. */
-const pngOf = async (tab: Tab, name: string) => new File([await downloaded(tab, 'project')], name, { type: 'image/png' });
+const pngOf = async (tab: Tab, name: string) =>
+  new File([await downloaded(tab, 'project')], name, { type: 'image/png' });
 
 const texts = ({ messages }: Tab) => messages.list.value.map(({ text }) => text);
 const projects = ({ keeping }: Tab) => keeping.list.value.map(({ name }) => name).sort();
@@ -70,7 +77,11 @@ describe('project files that are dropped together', () => {
 
   it('that cannot be opened are named, and the others open', async () => {
     const tab = await fakeBrowser().tab();
-    await dropsOn(tab).take([one.file, new File(['no project'], 'Odd.inkpanel'), new File(['none either'], 'Zzz.inkpanel')]);
+    await dropsOn(tab).take([
+      one.file,
+      new File(['no project'], 'Odd.inkpanel'),
+      new File(['none either'], 'Zzz.inkpanel'),
+    ]);
     expect(tab.store.project.value.name).toBe('One');
     await vi.waitFor(() => expect(texts(tab)).toContain('2 files could not be read.'));
     expect(tab.messages.failures.value.map(({ name }) => name)).toEqual(['Odd.inkpanel', 'Zzz.inkpanel']);
@@ -87,7 +98,7 @@ describe('project files that are dropped together', () => {
 
   it('that are stopped open no more, and bring no photos', async () => {
     const tab = await fakeBrowser().tab();
-    const begun = ([] as string[]);
+    const begun = [] as string[];
     tab.keeping.files.progress.subscribe((progress) => {
       if (!progress) return;
       begun.push(progress.name);
@@ -160,5 +171,7 @@ it('several files that are chosen as projects are all opened; a picture among th
   await tab.keeping.flush();
   await tab.keeping.refresh();
   expect([tab.store.project.value.name, projects(tab)]).toEqual(['Two', ['One', 'Two']]);
-  await vi.waitFor(() => expect(texts(tab)).toContain('plain.png could not be opened: it is a picture without project data.'));
+  await vi.waitFor(() =>
+    expect(texts(tab)).toContain('plain.png could not be opened: it is a picture without project data.'),
+  );
 });

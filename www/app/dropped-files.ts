@@ -20,15 +20,28 @@ import type { Keeping } from '../storage/storage.ts';
 import type { OwnStyles } from '../styles/own-styles.ts';
 import type { Messages } from './messages.ts';
 
-type Opened = { id: string, name: string };
-type ProjectFile = { name: string, open: () => Promise<boolean> };
+type Opened = { id: string; name: string };
+type ProjectFile = { name: string; open: () => Promise<boolean> };
 
 /** @param app `showProjects` opens the list of projects */
-export function createDroppedFiles({ store, keeping, reading, subtitling, messages, ownLayouts, ownStyles, showProjects }: {
-  store: Store, keeping: Pick<Keeping, 'files' | 'pageFiles' | 'absentPhotos' | 'current' | 'open'>,
-  reading: Pick<Reading, 'addFiles'>, subtitling: Pick<Subtitling, 'open'>,
-  messages: Pick<Messages, 'offer'>, ownLayouts: Pick<OwnLayouts, 'open'>,
-  ownStyles: Pick<OwnStyles, 'open'>, showProjects: () => void,
+export function createDroppedFiles({
+  store,
+  keeping,
+  reading,
+  subtitling,
+  messages,
+  ownLayouts,
+  ownStyles,
+  showProjects,
+}: {
+  store: Store;
+  keeping: Pick<Keeping, 'files' | 'pageFiles' | 'absentPhotos' | 'current' | 'open'>;
+  reading: Pick<Reading, 'addFiles'>;
+  subtitling: Pick<Subtitling, 'open'>;
+  messages: Pick<Messages, 'offer'>;
+  ownLayouts: Pick<OwnLayouts, 'open'>;
+  ownStyles: Pick<OwnStyles, 'open'>;
+  showProjects: () => void;
 }) {
   /** Projects of one drop are not mixed with those of the next, and photos wait for those before them. */
   let before: Promise<unknown> = Promise.resolve();
@@ -40,7 +53,9 @@ export function createDroppedFiles({ store, keeping, reading, subtitling, messag
 
   async function take(files: readonly File[]) {
     taking.value += 1;
-    await takeIn(files).finally(() => { taking.value -= 1; });
+    await takeIn(files).finally(() => {
+      taking.value -= 1;
+    });
   }
 
   async function takeIn(files: readonly File[]) {
@@ -59,9 +74,10 @@ export function createDroppedFiles({ store, keeping, reading, subtitling, messag
 
   /** Opens files that were chosen as projects. */
   async function openProjects(files: readonly File[]) {
-    const projects = byName(files).map((file) => (
-      { name: file.name, open: () => (isNamedPng(file) ? keeping.pageFiles.openChosen(file) : keeping.files.open(file)) }
-    ));
+    const projects = byName(files).map((file) => ({
+      name: file.name,
+      open: () => (isNamedPng(file) ? keeping.pageFiles.openChosen(file) : keeping.files.open(file)),
+    }));
     const turn = before.then(() => oneByOne(projects));
     before = turn.catch(() => {});
     tell(await turn);
@@ -71,7 +87,10 @@ export function createDroppedFiles({ store, keeping, reading, subtitling, messag
    * @param files of projects
    * @returns photos that no frame waited for, and the project that came with them
    */
-  async function openAll(files: readonly File[], pictures: readonly File[]): Promise<{ photos: File[], shown?: Opened }> {
+  async function openAll(
+    files: readonly File[],
+    pictures: readonly File[],
+  ): Promise<{ photos: File[]; shown?: Opened }> {
     const pages = await keeping.pageFiles.allAmong(pictures);
     const projects = byName([
       ...files.map((file) => ({ name: file.name, open: () => keeping.files.open(file) })),
@@ -80,7 +99,7 @@ export function createDroppedFiles({ store, keeping, reading, subtitling, messag
     const photos = pictures.filter((file) => !pages.some((page) => page.file === file));
     if (projects.length === 0) return { photos: await keeping.absentPhotos.fill(photos) };
     const stops = keeping.files.stops();
-    const placed = (new Set() as Set<File>);
+    const placed = new Set() as Set<File>;
     const opened = await oneByOne(projects, async () => {
       const rest = await keeping.absentPhotos.fill(photos);
       for (const file of photos) if (!rest.includes(file)) placed.add(file);
@@ -94,13 +113,16 @@ export function createDroppedFiles({ store, keeping, reading, subtitling, messag
    * @param each when one is on the page
    * @returns those that could be opened
    */
-  async function oneByOne(projects: readonly ProjectFile[], each: () => Promise<void> = async () => {}): Promise<Opened[]> {
+  async function oneByOne(
+    projects: readonly ProjectFile[],
+    each: () => Promise<void> = async () => {},
+  ): Promise<Opened[]> {
     const opened: Opened[] = [];
     const stops = keeping.files.stops();
     for (const { open } of projects) {
       // Whoever stops one wants none of those that follow.
       if (keeping.files.stops() > stops) break;
-      if (!await open()) continue;
+      if (!(await open())) continue;
       await each();
       opened.push({ id: keeping.current.peek(), name: store.project.peek().name || strings.untitled });
     }
@@ -112,7 +134,8 @@ export function createDroppedFiles({ store, keeping, reading, subtitling, messag
     const count = store.tray.peek().length;
     await reading.addFiles(photos);
     const added = store.tray.peek().length - count;
-    if (shown && added > 0 && keeping.current.peek() === shown.id) messages.offer(strings.photosWithProject(added, shown.name));
+    if (shown && added > 0 && keeping.current.peek() === shown.id)
+      messages.offer(strings.photosWithProject(added, shown.name));
   }
 
   function tell(opened: readonly Opened[]) {
@@ -120,7 +143,16 @@ export function createDroppedFiles({ store, keeping, reading, subtitling, messag
     const shown = opened.at(-1);
     if (!shown || others.length === 0) return;
     const [{ id, name }] = others;
-    const way = others.length === 1 ? { label: strings.openNamed(name), run: () => void keeping.open(id) } : { label: strings.projects, run: showProjects };
-    messages.offer(strings.projectsOpened(others.map((other) => other.name), shown.name), way);
+    const way =
+      others.length === 1
+        ? { label: strings.openNamed(name), run: () => void keeping.open(id) }
+        : { label: strings.projects, run: showProjects };
+    messages.offer(
+      strings.projectsOpened(
+        others.map((other) => other.name),
+        shown.name,
+      ),
+      way,
+    );
   }
 }

@@ -6,7 +6,9 @@ import { Dialog } from './dialog.tsx';
 export function FailedFiles() {
   const { messages } = useApp();
   const { failures, unnamed, listed } = messages;
-  const close = () => { listed.value = false; };
+  const close = () => {
+    listed.value = false;
+  };
   return (
     <Dialog title={strings.filesFailed(failures.value.length + unnamed.value)} onClose={close} class="failed-files">
       <ul>
@@ -14,7 +16,18 @@ export function FailedFiles() {
           <li key={`${name}\n${why}`}>
             <strong>{name}</strong>
             <span>{why}</span>
-            {way && <button type="button" class="button" onClick={() => { close(); way.run(); }}>{way.label}</button>}
+            {way && (
+              <button
+                type="button"
+                class="button"
+                onClick={() => {
+                  close();
+                  way.run();
+                }}
+              >
+                {way.label}
+              </button>
+            )}
           </li>
         ))}
       </ul>

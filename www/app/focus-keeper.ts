@@ -17,7 +17,7 @@ export function keepFocus(root: HTMLElement): () => void {
   /** Where the focus was, the last one last. */
   let trail: HTMLElement[] = [];
   /** From what has the focus up to the root, with the place of each among what can have it. */
-  let path: { element: Element, at: number }[] = [];
+  let path: { element: Element; at: number }[] = [];
   /** Whether a key was pressed last: a hand on the glass wants nothing scrolled, and no keyboard to come up. */
   let byKey = false;
 
@@ -25,7 +25,7 @@ export function keepFocus(root: HTMLElement): () => void {
     if (!(target instanceof HTMLElement)) return;
     trail = [...trail.filter((element) => element !== target && element.isConnected), target].slice(-LONGEST);
     path = [];
-    for (let element = (target as Element | null); element && element !== root; element = element.parentElement) {
+    for (let element = target as Element | null; element && element !== root; element = element.parentElement) {
       const within = element.parentElement ? [...element.parentElement.querySelectorAll(USABLE)] : [];
       path.push({ element, at: within.findIndex((other) => element?.contains(other)) });
     }
@@ -48,7 +48,11 @@ export function keepFocus(root: HTMLElement): () => void {
     if (isUsable(had.element)) return;
     const view = path.findLast(({ element }) => !element.isConnected)?.element.matches('main:not(.workspace)');
     // Another view begins at its own top; what lay over a view gives way to what opened it.
-    const next = (view ? null : beside() ?? trail.findLast((element) => isUsable(element) && (byKey || !element.matches(TYPED)))) ?? root.querySelector('main');
+    const next =
+      (view
+        ? null
+        : (beside() ?? trail.findLast((element) => isUsable(element) && (byKey || !element.matches(TYPED))))) ??
+      root.querySelector('main');
     path = [];
     if (!(next instanceof HTMLElement)) return;
     if (!next.matches(USABLE)) next.tabIndex = -1;
@@ -71,12 +75,19 @@ export function keepFocus(root: HTMLElement): () => void {
   const observer = new MutationObserver(() => {
     if (path.length === 0 || waiting) return;
     waiting = true;
-    requestAnimationFrame(() => requestAnimationFrame(() => {
-      waiting = false;
-      check();
-    }));
+    requestAnimationFrame(() =>
+      requestAnimationFrame(() => {
+        waiting = false;
+        check();
+      }),
+    );
   });
-  observer.observe(root, { childList: true, subtree: true, attributes: true, attributeFilter: ['disabled', 'open', 'hidden'] });
+  observer.observe(root, {
+    childList: true,
+    subtree: true,
+    attributes: true,
+    attributeFilter: ['disabled', 'open', 'hidden'],
+  });
   root.addEventListener('focusin', remember);
   root.addEventListener('pointerdown', forget, { capture: true });
   root.addEventListener('keydown', onKey, { capture: true });

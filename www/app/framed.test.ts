@@ -5,13 +5,15 @@ import { isFramedByOthers } from './framed.ts';
  * Windows in each other, the outermost first.
  * @returns the innermost
  */
-function windows(...origins: (('own' | 'other'))[]): Window {
+function windows(...origins: ('own' | 'other')[]): Window {
   let parent: any;
   for (const origin of origins) {
-    const made = { get document() {
-      if (origin === 'other') throw new DOMException('Blocked a frame', 'SecurityError');
-      return {};
-    } };
+    const made = {
+      get document() {
+        if (origin === 'other') throw new DOMException('Blocked a frame', 'SecurityError');
+        return {};
+      },
+    };
     parent = Object.assign(Object.create(null, Object.getOwnPropertyDescriptors(made)), { parent: parent ?? null });
     parent.parent ??= parent;
   }

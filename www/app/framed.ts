@@ -26,7 +26,13 @@ export function isFramedByOthers(inner: Window): boolean {
 function refuse(document: Document) {
   const make = (tag: string, fields: object) => Object.assign(document.createElement(tag), fields);
   const main = make('main', { className: 'framed' });
-  const link = make('a', { className: 'button', href: document.location.href, target: '_blank', rel: 'noopener', textContent: strings.openInTab });
+  const link = make('a', {
+    className: 'button',
+    href: document.location.href,
+    target: '_blank',
+    rel: 'noopener',
+    textContent: strings.openInTab,
+  });
   main.append(make('h1', { textContent: strings.name }), make('p', { textContent: strings.framed }), link);
   document.getElementById('app')?.replaceChildren(main);
 }

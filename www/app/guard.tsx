@@ -5,16 +5,25 @@ import { useApp } from './context.ts';
 import type { Ui } from './ui.ts';
 import type { ComponentChildren } from 'preact';
 
-export function Guard({ children, instead }: { children: ComponentChildren, instead: ComponentChildren }) {
+export function Guard({ children, instead }: { children: ComponentChildren; instead: ComponentChildren }) {
   const { ui, keeping } = useApp();
   const onFailed = (error: unknown) => {
     ui.failed.value = error;
     keeping.failedToShow(error);
   };
-  return <Catcher failed={ui.failed.value !== null} onFailed={onFailed} instead={instead}>{children}</Catcher>;
+  return (
+    <Catcher failed={ui.failed.value !== null} onFailed={onFailed} instead={instead}>
+      {children}
+    </Catcher>
+  );
 }
 
-type Caught = { failed: boolean, onFailed: (error: unknown) => void, children: ComponentChildren, instead: ComponentChildren };
+type Caught = {
+  failed: boolean;
+  onFailed: (error: unknown) => void;
+  children: ComponentChildren;
+  instead: ComponentChildren;
+};
 
 class Catcher extends Component<Caught> {
   componentDidCatch(error: unknown) {
@@ -39,10 +48,14 @@ export async function drawn(ui: Ui): Promise<void> {
   await new Promise((resolve) => {
     // A tab in the background draws no frames; its views are made all the same.
     const patience = setTimeout(resolve, PATIENCE);
-    requestAnimationFrame(() => requestAnimationFrame(() => setTimeout(() => {
-      clearTimeout(patience);
-      resolve(undefined);
-    })));
+    requestAnimationFrame(() =>
+      requestAnimationFrame(() =>
+        setTimeout(() => {
+          clearTimeout(patience);
+          resolve(undefined);
+        }),
+      ),
+    );
   });
   const error = ui.failed.peek();
   if (error !== null) throw error;

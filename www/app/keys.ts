@@ -10,12 +10,28 @@ import type { Framing } from '../page/panels/framing.ts';
 import type { Reshaping } from '../page/panels/reshaping.ts';
 import type { Ui } from './ui.ts';
 
-type Deeds = { pages: Pages, download: Download, ui: Ui,
-  selection: import('../page/panels/selection.ts').Selection, framing: Framing, reshaping: Reshaping,
-  book: Pick<Book, 'step' | 'several'>, lettering: Pick<Lettering, 'mode'> };
+type Deeds = {
+  pages: Pages;
+  download: Download;
+  ui: Ui;
+  selection: import('../page/panels/selection.ts').Selection;
+  framing: Framing;
+  reshaping: Reshaping;
+  book: Pick<Book, 'step' | 'several'>;
+  lettering: Pick<Lettering, 'mode'>;
+};
 
 /** @returns a listener for `keydown` on the window */
-export function createKeys({ pages, download, ui, selection, framing, reshaping, book, lettering }: Deeds): (event: KeyboardEvent) => void {
+export function createKeys({
+  pages,
+  download,
+  ui,
+  selection,
+  framing,
+  reshaping,
+  book,
+  lettering,
+}: Deeds): (event: KeyboardEvent) => void {
   return (event) => {
     if (event.defaultPrevented || ui.dialog.peek() !== null || event.altKey) return;
     const deed = event.ctrlKey || event.metaKey ? withControl(event) : plain(event);
@@ -27,10 +43,14 @@ export function createKeys({ pages, download, ui, selection, framing, reshaping,
   function withControl({ key, shiftKey, target }: KeyboardEvent) {
     if (typesText(target)) return undefined;
     switch (key.toLowerCase()) {
-      case 'z': return shiftKey ? pages.redo : pages.undo;
-      case 'y': return pages.redo;
-      case 's': return ui.work.peek() === null ? () => download.start() : undefined;
-      default: return undefined;
+      case 'z':
+        return shiftKey ? pages.redo : pages.undo;
+      case 'y':
+        return pages.redo;
+      case 's':
+        return ui.work.peek() === null ? () => download.start() : undefined;
+      default:
+        return undefined;
     }
   }
 
@@ -45,7 +65,10 @@ export function createKeys({ pages, download, ui, selection, framing, reshaping,
 
   /** Whether a key turns the pages: lists and sliders have another use for it. */
   function turns(target: EventTarget | null) {
-    return book.several.peek() && !(target instanceof Element && target.closest('input, select, [role=listbox], [role=slider]'));
+    return (
+      book.several.peek() &&
+      !(target instanceof Element && target.closest('input, select, [role=listbox], [role=slider]'))
+    );
   }
 
   function plain({ key, target }: KeyboardEvent) {
@@ -55,14 +78,26 @@ export function createKeys({ pages, download, ui, selection, framing, reshaping,
     // Letters alone may be switched off; what needs no letter stays.
     if (/^[a-z?]$/i.test(key) && !ui.letterKeys.peek()) return undefined;
     switch (key) {
-      case ' ': return pressesItself(target) ? undefined : () => pages.shuffle('all');
-      case 'l': case 'L': return () => pages.shuffle('layout');
-      case 's': case 'S': return () => pages.shuffle('style');
-      case 'p': case 'P': return () => pages.shuffle('photos');
-      case 'PageUp': case 'PageDown': return turns(target) ? () => book.step(key === 'PageUp' ? -1 : 1) : undefined;
-      case '?': return () => void (ui.dialog.value = 'keys');
-      case 'Escape': return leave();
-      default: return undefined;
+      case ' ':
+        return pressesItself(target) ? undefined : () => pages.shuffle('all');
+      case 'l':
+      case 'L':
+        return () => pages.shuffle('layout');
+      case 's':
+      case 'S':
+        return () => pages.shuffle('style');
+      case 'p':
+      case 'P':
+        return () => pages.shuffle('photos');
+      case 'PageUp':
+      case 'PageDown':
+        return turns(target) ? () => book.step(key === 'PageUp' ? -1 : 1) : undefined;
+      case '?':
+        return () => void (ui.dialog.value = 'keys');
+      case 'Escape':
+        return leave();
+      default:
+        return undefined;
     }
   }
 }

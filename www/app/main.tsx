@@ -65,20 +65,56 @@ const framing = createFraming({ store, pages });
 const reshaping = createReshaping({ store, pages, seed: freshSeed });
 const ownLayouts = createOwnLayouts({ store, pages, messages });
 const designer = createDesigner({ store, pages, messages, ui, freshId: freshStyleId });
-const ownStyles = createOwnStyles({ store, pages, messages, designer, freshId: freshStyleId });
+const ownStyles = createOwnStyles({ store, messages, designer, freshId: freshStyleId });
 const shelves = createShelves({ store, messages, box: () => window.localStorage });
 const shownPages = createShownPages({ store, pages });
-const views = { drawn: () => drawn(ui), retry: () => { ui.failed.value = null; } };
-const keeping = createKeeping({ store, reading, engine, shelves, messages, window, leave, chooseFiles: openFiles, views });
+const views = {
+  drawn: () => drawn(ui),
+  retry: () => {
+    ui.failed.value = null;
+  },
+};
+const keeping = createKeeping({
+  store,
+  reading,
+  engine,
+  shelves,
+  messages,
+  window,
+  leave,
+  chooseFiles: openFiles,
+  views,
+});
 const explorer = createExplorer({ store, engine, messages, ownStyles, seed: freshSeed, judged: ui.detects });
 const styling = createStyling({ store, ownStyles });
 const subjects = createSubjects({
-  store, pages, messages, engine, painted: () => ui.painted.value === store.page.value, wanted: ui.detects, window,
+  store,
+  pages,
+  messages,
+  engine,
+  painted: () => ui.painted.value === store.page.value,
+  wanted: ui.detects,
+  window,
 });
 const download = createDownload({ store, pages, engine, messages, pageFiles: keeping.pageFiles });
 const alternatives = createAlternatives({ store, pages });
 const installing = createInstalling(window);
-const { take: intake, openProjects, busy: taking } = createDroppedFiles({ store, keeping, reading, subtitling, messages, ownLayouts, ownStyles, showProjects: () => { ui.work.value = 'projects'; } });
+const {
+  take: intake,
+  openProjects,
+  busy: taking,
+} = createDroppedFiles({
+  store,
+  keeping,
+  reading,
+  subtitling,
+  messages,
+  ownLayouts,
+  ownStyles,
+  showProjects: () => {
+    ui.work.value = 'projects';
+  },
+});
 const arrivals = createArrivals({ window, intake, messages });
 
 // The database is read while the core is compiled.
@@ -102,16 +138,25 @@ function warmUp() {
   store.layouts.peek();
   store.styles.peek();
   const keep = { layout: false, style: false, photos: false };
-  store.planner.peek()?.plan({ seed: 0, photos: [unreadMeta('none')], page: store.project.peek().settings, current: null, keep });
+  store.planner
+    .peek()
+    ?.plan({ seed: 0, photos: [unreadMeta('none')], page: store.project.peek().settings, current: null, keep });
 }
 
 window.addEventListener('keydown', createKeys({ pages, download, ui, selection, framing, reshaping, book, lettering }));
 acceptFiles(window, intake);
 
 /** Whether something is on its way that nobody should wait for longer than need be. */
-const busy = () => store.planner.value === null || store.reading.value !== null || store.fetching.value || keeping.running.value || keeping.turning.value ||
-  keeping.files.progress.value !== null || taking.value;
-if (import.meta.env.PROD) createOffline({ window, messages, keeping, script: import.meta.url, busy: () => busy() || !subjects.settled.value });
+const busy = () =>
+  store.planner.value === null ||
+  store.reading.value !== null ||
+  store.fetching.value ||
+  keeping.running.value ||
+  keeping.turning.value ||
+  keeping.files.progress.value !== null ||
+  taking.value;
+if (import.meta.env.PROD)
+  createOffline({ window, messages, keeping, script: import.meta.url, busy: () => busy() || !subjects.settled.value });
 
 window.addEventListener('hashchange', openLink);
 window.addEventListener('storage', shelves.hear);
@@ -124,7 +169,10 @@ effect(() => {
   const page = store.page.value;
   // A page without photos to choose from is not shown.
   const unseen = page === null || store.tray.value.length === 0 || ui.failed.value !== null;
-  const painted = unseen || (ui.painted.value === page && (lettering.words.value.length === 0 || reshaping.editing.value || ui.lettered.value === page));
+  const painted =
+    unseen ||
+    (ui.painted.value === page &&
+      (lettering.words.value.length === 0 || reshaping.editing.value || ui.lettered.value === page));
   const idle = !busy() && painted;
   document.body.dataset.idle = String(idle);
   // Of a large album the first page is drawn long before all is read.
@@ -140,13 +188,44 @@ keepBook({ store, pages });
 book.sheet.subscribe(() => untracked(leavePage));
 
 render(
-  <AppContext.Provider value={{ store, pages, book, selection, lettering, subtitling, intake, openProjects, installing, merging, framing, reshaping, ownLayouts, designer, ownStyles, styling, explorer, keeping, shownPages, subjects, reading, choosing, scrubbing, download, alternatives, messages, ui, engine }}>
+  <AppContext.Provider
+    value={{
+      store,
+      pages,
+      book,
+      selection,
+      lettering,
+      subtitling,
+      intake,
+      openProjects,
+      installing,
+      merging,
+      framing,
+      reshaping,
+      ownLayouts,
+      designer,
+      ownStyles,
+      styling,
+      explorer,
+      keeping,
+      shownPages,
+      subjects,
+      reading,
+      choosing,
+      scrubbing,
+      download,
+      alternatives,
+      messages,
+      ui,
+      engine,
+    }}
+  >
     <App />
   </AppContext.Provider>,
-  (document.getElementById('app') as HTMLElement),
+  document.getElementById('app') as HTMLElement,
 );
 
-keepFocus((document.getElementById('app') as HTMLElement));
+keepFocus(document.getElementById('app') as HTMLElement);
 
 /** Takes the style of the address, which then stands for the page alone again. */
 function openLink() {

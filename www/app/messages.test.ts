@@ -67,7 +67,9 @@ describe('files that cannot be read', () => {
     vi.advanceTimersByTime(10_000);
     expect([...told]).toEqual(['3.jpg: reason 3.', '9 files could not be read.']);
     expect(texts(messages)).toEqual(['9 files could not be read.']);
-    expect(messages.failures.value.map(({ name, why }) => `${name} ${why}`)).toEqual([1, 2, 3, 4, 5, 7, 8, 9, 10].map((i) => `${i}.jpg reason ${i}.`));
+    expect(messages.failures.value.map(({ name, why }) => `${name} ${why}`)).toEqual(
+      [1, 2, 3, 4, 5, 7, 8, 9, 10].map((i) => `${i}.jpg reason ${i}.`),
+    );
     const [{ id, way }] = messages.list.value;
     expect(messages.listed.value).toBe(false);
     way?.run();

@@ -10,13 +10,13 @@ import { byName } from '../document/album.ts';
 import type { Signal } from '@preact/signals';
 
 /** Something that can be done about it; the message goes with it unless it `stays`. */
-export type Way = { label: string, run: () => void, stays?: boolean };
+export type Way = { label: string; run: () => void; stays?: boolean };
 /** `grave`: work or photos are lost if nothing is done. */
 type Kind = 'grave' | 'alert' | 'offer' | 'note';
 /** `more`: another way */
-export type Message = { id: number, kind: Kind, text: string, way?: Way, more?: Way };
+export type Message = { id: number; kind: Kind; text: string; way?: Way; more?: Way };
 /** a file that could not be read; `text` tells of it alone */
-type Failure = { name: string, why: string, text: string, way?: Way };
+type Failure = { name: string; why: string; text: string; way?: Way };
 export type Messages = ReturnType<typeof createMessages>;
 
 const NOTE_MS = 4_000;
@@ -54,7 +54,9 @@ export function createMessages() {
   function say(kind: Kind, text: string, way?: Way, more?: Way): number {
     last += 1;
     const id = last;
-    const others = list.value.filter((message) => message.text !== text && (kind !== 'note' || message.kind !== 'note'));
+    const others = list.value.filter(
+      (message) => message.text !== text && (kind !== 'note' || message.kind !== 'note'),
+    );
     list.value = bounded([...others, { id, kind, text, way, more }]);
     if (kind === 'note') setTimeout(() => close(id), way ? WAY_MS : NOTE_MS);
     return id;
@@ -66,7 +68,8 @@ export function createMessages() {
    */
   function change(id: number, text: string, way?: Way, more?: Way): boolean {
     const there = list.value.some((message) => message.id === id);
-    if (there) list.value = list.value.map((message) => (message.id === id ? { ...message, text, way, more } : message));
+    if (there)
+      list.value = list.value.map((message) => (message.id === id ? { ...message, text, way, more } : message));
     return there;
   }
 
@@ -91,7 +94,11 @@ export function createMessages() {
    * A file that could not be read. It joins those of the message that is there.
    * @param alone the sentence for it alone, and what can be done with it
    */
-  function fileFailed(name: string, why: string, { text = strings.fileFailed(name, why), way }: { text?: string, way?: Way } = {}) {
+  function fileFailed(
+    name: string,
+    why: string,
+    { text = strings.fileFailed(name, why), way }: { text?: string; way?: Way } = {},
+  ) {
     const key = `${name}\n${why}`;
     if (failed.size >= MOST_NAMED && !failed.has(key)) beyond += 1;
     else failed.set(key, { name, why, text, way });
@@ -110,20 +117,37 @@ export function createMessages() {
     batch(() => {
       failures.value = all;
       unnamed.value = beyond;
-      const [text, way] = count === 1 ? [all[0].text, all[0].way] : [strings.filesFailed(count), { label: strings.showList, run: () => { listed.value = true; }, stays: true }];
+      const [text, way] =
+        count === 1
+          ? [all[0].text, all[0].way]
+          : [
+              strings.filesFailed(count),
+              {
+                label: strings.showList,
+                run: () => {
+                  listed.value = true;
+                },
+                stays: true,
+              },
+            ];
       if (!change(summary, text, way)) summary = say('alert', text, way);
     });
   }
 
   return {
-    list, failures, unnamed, listed,
+    list,
+    failures,
+    unnamed,
+    listed,
     /** Work or photos are lost if nothing is done. */
     grave: (text: string, way?: Way, more?: Way) => say('grave', text, way, more),
     alert: (text: string, way?: Way, more?: Way) => say('alert', text, way, more),
     note: (text: string, way?: Way, more?: Way) => say('note', text, way, more),
     /** What can be done now or later. */
     offer: (text: string, way?: Way) => say('offer', text, way),
-    fileFailed, change, close,
+    fileFailed,
+    change,
+    close,
   };
 }
 
@@ -133,7 +157,10 @@ function bounded(messages: Message[]): Message[] {
   while (left.length > MOST) {
     const kind = GIVES_WAY.find((one) => left.some((message) => message.kind === one));
     if (kind === undefined) break;
-    left.splice(left.findIndex((message) => message.kind === kind), 1);
+    left.splice(
+      left.findIndex((message) => message.kind === kind),
+      1,
+    );
   }
   return left;
 }

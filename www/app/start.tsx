@@ -21,22 +21,34 @@ export function Start() {
         <div class="start-words">
           <Elsewhere />
           <Broken />
-          <h1>{strings.lead.map((line) => <span key={line}>{line} </span>)}</h1>
+          <h1>
+            {strings.lead.map((line) => (
+              <span key={line}>{line} </span>
+            ))}
+          </h1>
           <p class="start-more">{strings.leadMore}</p>
           <div class="start-buttons">
             <button type="button" class="button strong large" onClick={openFiles}>
-              <Icon name="photos" />{strings.chooseFiles}
+              <Icon name="photos" />
+              {strings.chooseFiles}
             </button>
             <button type="button" class="button large" aria-busy={store.fetching.value} onClick={reading.addSamples}>
               {strings.trySamples}
             </button>
           </div>
           <div class="start-foot">
-            <p class="start-promise"><Icon name="lock" />{strings.privacy}</p>
+            <p class="start-promise">
+              <Icon name="lock" />
+              {strings.privacy}
+            </p>
             <InstallButton />
             <LanguageChoice />
           </div>
-          {store.planner.value === null && <p class="visually-hidden" role="status">{strings.starting}</p>}
+          {store.planner.value === null && (
+            <p class="visually-hidden" role="status">
+              {strings.starting}
+            </p>
+          )}
         </div>
       </div>
     </main>

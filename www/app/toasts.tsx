@@ -14,7 +14,7 @@ export function Toasts() {
   const opening = keeping.files.progress.value;
   const list = messages.list.value;
   const running = download.progress.value;
-  const percent = running ? Math.round(100 * running.done / running.total) : 0;
+  const percent = running ? Math.round((100 * running.done) / running.total) : 0;
   return (
     <>
       <div class="toasts">
@@ -26,27 +26,45 @@ export function Toasts() {
           <div class="toast" aria-busy="true">
             <div class="toast-work">
               <span>{strings.exporting(percent)}</span>
-              <progress class="progress" aria-label={strings.exporting(percent)} value={running.done} max={running.total} />
+              <progress
+                class="progress"
+                aria-label={strings.exporting(percent)}
+                value={running.done}
+                max={running.total}
+              />
             </div>
-            <button type="button" class="button" onClick={download.cancel}>{strings.cancel}</button>
+            <button type="button" class="button" onClick={download.cancel}>
+              {strings.cancel}
+            </button>
           </div>
         )}
         {opening && (
           <div class="toast" aria-busy="true">
             <div class="toast-work">
               <span>{strings.openingProject(opening.name)}</span>
-              <progress class="progress" aria-label={strings.openingProject(opening.name)} value={opening.done} max={opening.total} />
+              <progress
+                class="progress"
+                aria-label={strings.openingProject(opening.name)}
+                value={opening.done}
+                max={opening.total}
+              />
             </div>
-            <button type="button" class="button" onClick={keeping.files.cancel}>{strings.cancel}</button>
+            <button type="button" class="button" onClick={keeping.files.cancel}>
+              {strings.cancel}
+            </button>
           </div>
         )}
         <div role="status" class="toast-list">
-          {list.filter(({ kind }) => kind === 'offer' || kind === 'note').map(({ id, kind, text, way, more }) => (
-            <div class="toast" key={id}>
-              <Said text={text} way={way} more={more} close={() => messages.close(id)} />
-              {kind === 'offer' && <IconButton icon="close" label={strings.dismiss} onClick={() => messages.close(id)} />}
-            </div>
-          ))}
+          {list
+            .filter(({ kind }) => kind === 'offer' || kind === 'note')
+            .map(({ id, kind, text, way, more }) => (
+              <div class="toast" key={id}>
+                <Said text={text} way={way} more={more} close={() => messages.close(id)} />
+                {kind === 'offer' && (
+                  <IconButton icon="close" label={strings.dismiss} onClick={() => messages.close(id)} />
+                )}
+              </div>
+            ))}
         </div>
       </div>
       {messages.listed.value && <FailedFiles />}
@@ -54,7 +72,7 @@ export function Toasts() {
   );
 }
 
-function Alerts({ list, class: name }: { list: Message[], class: string }) {
+function Alerts({ list, class: name }: { list: Message[]; class: string }) {
   const { messages } = useApp();
   return (
     <div class={name}>
@@ -74,17 +92,43 @@ const SHORT = 60;
 const SHORT_ALERT = 20;
 
 /** What is long, and two ways on, have a line of their own. */
-function Said({ text, way, more, close, short = SHORT }: Pick<Message, 'text' | 'way' | 'more'> & { close: () => void, short?: number }) {
-  if (!more && (!way || text.length <= short)) return <><span class="toast-text">{text}</span><Way of={way} close={close} /></>;
+function Said({
+  text,
+  way,
+  more,
+  close,
+  short = SHORT,
+}: Pick<Message, 'text' | 'way' | 'more'> & { close: () => void; short?: number }) {
+  if (!more && (!way || text.length <= short))
+    return (
+      <>
+        <span class="toast-text">{text}</span>
+        <Way of={way} close={close} />
+      </>
+    );
   return (
     <div class="toast-body">
       <span class="toast-text">{text}</span>
-      <span class="toast-ways"><Way of={way} close={close} /><Way of={more} close={close} /></span>
+      <span class="toast-ways">
+        <Way of={way} close={close} />
+        <Way of={more} close={close} />
+      </span>
     </div>
   );
 }
 
-function Way({ of, close }: { of: import('./messages.ts').Way | undefined, close: () => void }) {
+function Way({ of, close }: { of: import('./messages.ts').Way | undefined; close: () => void }) {
   if (!of) return null;
-  return <button type="button" class="button" onClick={() => { if (!of.stays) close(); of.run(); }}>{of.label}</button>;
+  return (
+    <button
+      type="button"
+      class="button"
+      onClick={() => {
+        if (!of.stays) close();
+        of.run();
+      }}
+    >
+      {of.label}
+    </button>
+  );
 }

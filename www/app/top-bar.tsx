@@ -16,7 +16,11 @@ export function TopBar() {
   return (
     <header class="top-bar">
       <div class="top-start">
-        {store.tray.value.length === 0 && ui.work.value !== 'projects' ? <span class="brand">{strings.name}</span> : <h1 class="brand">{strings.name}</h1>}
+        {store.tray.value.length === 0 && ui.work.value !== 'projects' ? (
+          <span class="brand">{strings.name}</span>
+        ) : (
+          <h1 class="brand">{strings.name}</h1>
+        )}
         <ProjectBar />
       </div>
       <FileInput />
@@ -24,17 +28,49 @@ export function TopBar() {
       <div class="top-end">
         {page && !compact && <Workspaces />}
         <ThemeButton />
-        {!compact && <IconButton icon="help" label={strings.keys} shortcut="?" onClick={() => { ui.dialog.value = 'keys'; }} />}
-        {compact && page && <IconButton icon="settings" label={strings.pageSettings} pressed={ui.sheet.value === 'settings'}
-          onClick={() => { ui.sheet.value = ui.sheet.value === 'settings' ? null : 'settings'; }} />}
-        {page && compact && <IconButton icon="download" label={strings.download} disabled={running !== null} onClick={() => download.start()} />}
+        {!compact && (
+          <IconButton
+            icon="help"
+            label={strings.keys}
+            shortcut="?"
+            onClick={() => {
+              ui.dialog.value = 'keys';
+            }}
+          />
+        )}
+        {compact && page && (
+          <IconButton
+            icon="settings"
+            label={strings.pageSettings}
+            pressed={ui.sheet.value === 'settings'}
+            onClick={() => {
+              ui.sheet.value = ui.sheet.value === 'settings' ? null : 'settings';
+            }}
+          />
+        )}
+        {page && compact && (
+          <IconButton
+            icon="download"
+            label={strings.download}
+            disabled={running !== null}
+            onClick={() => download.start()}
+          />
+        )}
         {page && !compact && (
           <>
-            <button type="button" class="button" onClick={() => { ui.dialog.value = 'export'; }}>
-              <Icon name="export" />{strings.export}
+            <button
+              type="button"
+              class="button"
+              onClick={() => {
+                ui.dialog.value = 'export';
+              }}
+            >
+              <Icon name="export" />
+              {strings.export}
             </button>
             <button type="button" class="button strong" disabled={running !== null} onClick={() => download.start()}>
-              <Icon name="download" />{strings.download}
+              <Icon name="download" />
+              {strings.download}
             </button>
           </>
         )}
@@ -51,14 +87,58 @@ function Steps() {
   const { length } = versions(history);
   return (
     <>
-      <IconButton icon="undo" label={strings.undo} shortcut="Ctrl+Z" disabled={history.past.length === 0} onClick={pages.undo} />
-      <IconButton icon="redo" label={strings.redo} shortcut="Shift+Ctrl+Z" disabled={history.future.length === 0} onClick={pages.redo} />
+      <IconButton
+        icon="undo"
+        label={strings.undo}
+        shortcut="Ctrl+Z"
+        disabled={history.past.length === 0}
+        onClick={pages.undo}
+      />
+      <IconButton
+        icon="redo"
+        label={strings.redo}
+        shortcut="Shift+Ctrl+Z"
+        disabled={history.future.length === 0}
+        onClick={pages.redo}
+      />
       <span class="divider" />
-      <IconButton icon="previous" label={strings.previous} help={strings.previousHelp} disabled={at <= 0} onClick={pages.previous} />
-      <button type="button" class="page-number" aria-label={strings.pagesShownAt(at + 1, length)} title={strings.version(at + 1, length)}
-        aria-pressed={ui.work.value === 'pages'} onClick={() => { ui.work.value = ui.work.value === 'pages' ? null : 'pages'; }}>{at + 1}<i>/</i>{length}</button>
-      <IconButton icon="next" label={strings.next} help={strings.nextHelp} disabled={at >= length - 1} onClick={pages.next} />
-      {ui.wide.value && <IconButton icon="heart" label={strings.favouritePage} pressed={shownPages.loved.value} class="page-heart" onClick={shownPages.loveThis} />}
+      <IconButton
+        icon="previous"
+        label={strings.previous}
+        help={strings.previousHelp}
+        disabled={at <= 0}
+        onClick={pages.previous}
+      />
+      <button
+        type="button"
+        class="page-number"
+        aria-label={strings.pagesShownAt(at + 1, length)}
+        title={strings.version(at + 1, length)}
+        aria-pressed={ui.work.value === 'pages'}
+        onClick={() => {
+          ui.work.value = ui.work.value === 'pages' ? null : 'pages';
+        }}
+      >
+        {at + 1}
+        <i>/</i>
+        {length}
+      </button>
+      <IconButton
+        icon="next"
+        label={strings.next}
+        help={strings.nextHelp}
+        disabled={at >= length - 1}
+        onClick={pages.next}
+      />
+      {ui.wide.value && (
+        <IconButton
+          icon="heart"
+          label={strings.favouritePage}
+          pressed={shownPages.loved.value}
+          class="page-heart"
+          onClick={shownPages.loveThis}
+        />
+      )}
     </>
   );
 }
@@ -67,6 +147,10 @@ function ThemeButton() {
   const { ui } = useApp();
   const dark = (ui.theme.value ?? (ui.systemDark.value ? 'dark' : 'light')) === 'dark';
   return (
-    <IconButton icon={dark ? 'sun' : 'moon'} label={dark ? strings.theme.light : strings.theme.dark} onClick={ui.toggleTheme} />
+    <IconButton
+      icon={dark ? 'sun' : 'moon'}
+      label={dark ? strings.theme.light : strings.theme.dark}
+      onClick={ui.toggleTheme}
+    />
   );
 }

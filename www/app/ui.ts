@@ -39,22 +39,22 @@ export function createUi(window: Window) {
     theme,
     systemDark,
     /** The sheet that is open on a small screen. */
-    sheet: (signal(null)) as Signal<Sheet | null>,
+    sheet: signal(null) as Signal<Sheet | null>,
     /** The workspace that lies over the board. */
-    work: (signal(null)) as Signal<'designer' | 'explorer' | 'projects' | 'pages' | null>,
+    work: signal(null) as Signal<'designer' | 'explorer' | 'projects' | 'pages' | null>,
     /** Whether photos are looked at for faces and objects; `inkpanel.detect` = `off` in the storage says no. */
     detects: remembered(window, DETECT_KEY) !== 'off',
     /** Whether the boxes of what was found are drawn. */
     subjects: signal(false),
     /** A photo of the stack that is open. */
-    stack: (signal(null)) as Signal<string | null>,
-    dialog: (signal(null)) as Signal<'keys' | 'export' | null>,
+    stack: signal(null) as Signal<string | null>,
+    dialog: signal(null) as Signal<'keys' | 'export' | null>,
     /** The page that is on the screen with all its panels; null while work for it is going on. */
-    painted: (signal(null)) as Signal<PageDocument | null>,
+    painted: signal(null) as Signal<PageDocument | null>,
     /** The page whose words are all on the screen, likewise. */
-    lettered: (signal(null)) as Signal<PageDocument | null>,
+    lettered: signal(null) as Signal<PageDocument | null>,
     /** What the views threw when they drew what is in the store. */
-    failed: (signal(null)) as Signal<unknown>,
+    failed: signal(null) as Signal<unknown>,
     toggleTheme() {
       const dark = (theme.value ?? (systemDark.value ? 'dark' : 'light')) === 'dark';
       theme.value = dark ? 'light' : 'dark';

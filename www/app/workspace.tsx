@@ -4,8 +4,22 @@ import { IconButton } from '../ui/button.tsx';
 import type { ComponentChildren } from 'preact';
 
 /** A workspace that lies over the board; the page stays drawn beneath. */
-export function Workspace({ title, tools, onClose, class: extra, busy = false, children }: { title: string, tools?: ComponentChildren, onClose: () => void, class: string, busy?: boolean, children: ComponentChildren }) {
-  const ref = useRef((null as HTMLElement | null));
+export function Workspace({
+  title,
+  tools,
+  onClose,
+  class: extra,
+  busy = false,
+  children,
+}: {
+  title: string;
+  tools?: ComponentChildren;
+  onClose: () => void;
+  class: string;
+  busy?: boolean;
+  children: ComponentChildren;
+}) {
+  const ref = useRef(null as HTMLElement | null);
   // What had the focus is out of sight now.
   useEffect(() => ref.current?.focus(), []);
   return (

@@ -9,9 +9,17 @@ export function Workspaces() {
     const on = ui.work.value === work;
     return (
       <button type="button" key={work} class="button" aria-pressed={on} onClick={on ? designer.close : open}>
-        <Icon name={work} />{strings[work]}
+        <Icon name={work} />
+        {strings[work]}
       </button>
     );
   };
-  return <>{button('designer', () => designer.open())}{button('explorer', () => { ui.work.value = 'explorer'; })}</>;
+  return (
+    <>
+      {button('designer', () => designer.open())}
+      {button('explorer', () => {
+        ui.work.value = 'explorer';
+      })}
+    </>
+  );
 }

@@ -17,7 +17,10 @@ describe('page settings', () => {
     const steps = store.history.value.past.length;
     for (const gutter of [0.02, 0.03]) pages.changeSettings({ gutter }, 'gutter-1');
     pages.changeSettings({ width: 2000 });
-    expect(store.sheets.value.map(({ page }) => [page.gutter, page.width])).toEqual([[0.03, 2000], [0.03, 2000]]);
+    expect(store.sheets.value.map(({ page }) => [page.gutter, page.width])).toEqual([
+      [0.03, 2000],
+      [0.03, 2000],
+    ]);
     expect(store.history.value.past.length).toBe(steps + 2);
     pages.undo();
     pages.undo();
@@ -74,7 +77,7 @@ describe('keeping', () => {
     book.spreadAlbum();
     const { gesture: _gesture, ...history } = store.history.value;
     expect([...photosOf({ ...history, shown: [], past: [] })].sort()).toEqual(ids().sort());
-    const facts = (store.facts.value.map((fact) => ({ ...fact, type: 'image/jpeg' })) as any[]);
+    const facts = store.facts.value.map((fact) => ({ ...fact, type: 'image/jpeg' })) as any[];
     const { history: opened } = JSON.parse(projectJson(history, facts, []).json);
     expect(opened.present.others).toEqual(store.project.value.others);
   });

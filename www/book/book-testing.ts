@@ -17,6 +17,8 @@ export async function opened(count: number) {
   await app.reading.addFiles(app.files(...names(count)));
   const ids = () => app.store.photos.value.map(({ id }) => id);
   const shown = () => app.store.sheets.value.map(photosOfPage);
-  const idle = () => { while (waiting.length > 0) waiting.shift()?.(); };
+  const idle = () => {
+    while (waiting.length > 0) waiting.shift()?.();
+  };
   return { ...app, book, ids, shown, idle };
 }

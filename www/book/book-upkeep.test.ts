@@ -51,7 +51,7 @@ describe('photos among pages', () => {
     book.spreadAlbum();
     book.go(1);
     const before = store.project.value;
-    const [gone] = (shown()[0] as string[]);
+    const [gone] = shown()[0] as string[];
     const here = shown()[1];
     reading.remove(gone);
     expect(shown().flat()).not.toContain(gone);
@@ -68,7 +68,7 @@ describe('photos among pages', () => {
     book.spreadAlbum();
     book.go(1);
     const gone = photosOfPage(store.sheets.value[0]);
-    store.change({ type: 'remove-photos', ids: (gone as string[]) });
+    store.change({ type: 'remove-photos', ids: gone as string[] });
     expect(store.sheets.value.length).toBe(1);
     pages.undo();
     expect(store.sheets.value.length).toBe(2);
@@ -86,8 +86,8 @@ describe('photos among pages', () => {
   test('a frame in the place of another is it on all pages', () => {
     const { book, store, shown } = app;
     book.spreadAlbum();
-    const [old] = (shown()[1] as string[]);
-    const fact = (store.album.value.get(old) as any);
+    const [old] = shown()[1] as string[];
+    const fact = store.album.value.get(old) as any;
     store.know({ ...fact, id: 'fresh', meta: { ...fact.meta, id: 'fresh' } });
     store.change({ type: 'exchange-photo', id: old, by: 'fresh' });
     expect(shown()[1][0]).toBe('fresh');
@@ -97,10 +97,13 @@ describe('photos among pages', () => {
     const { book, store, planner, shown, idle } = app;
     book.spreadAlbum();
     const steps = store.history.value.past.length;
-    const [id] = (shown()[1] as string[]);
-    const fact = (store.album.value.get(id) as any);
+    const [id] = shown()[1] as string[];
+    const fact = store.album.value.get(id) as any;
     const asked = planner.requests.length;
-    store.know({ ...fact, meta: { ...fact.meta, subjects: [{ label: 'face', score: 1, x: 0, y: 0, width: 0.1, height: 0.1 }] } });
+    store.know({
+      ...fact,
+      meta: { ...fact.meta, subjects: [{ label: 'face', score: 1, x: 0, y: 0, width: 0.1, height: 0.1 }] },
+    });
     expect(planner.requests.length).toBe(asked);
     idle();
     expect(planner.requests.length).toBe(asked + 1);

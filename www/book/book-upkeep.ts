@@ -17,9 +17,14 @@ const KEEP_ALL = Object.freeze({ layout: true, style: true, photos: true });
 const REST = 400;
 
 /** @param app `later` runs what can wait, when nothing else is to be done */
-export function keepBook({ store, pages, later = whenIdle }: {
-  store: Store, pages: Pick<Pages, 'plan'>,
-  later?: (work: () => void) => void,
+export function keepBook({
+  store,
+  pages,
+  later = whenIdle,
+}: {
+  store: Store;
+  pages: Pick<Pages, 'plan'>;
+  later?: (work: () => void) => void;
 }) {
   /** What was known of the photos of a page when its crops were made. */
   const known: WeakMap<PageDocument, string> = new WeakMap();
@@ -79,12 +84,18 @@ export function keepBook({ store, pages, later = whenIdle }: {
    */
   function repair(photos: Map<string, PhotoMeta>) {
     const project = store.project.peek();
-    const torn = project.others.filter(({ page }) => page.panels.some(({ photo }) => photo !== null && !photos.has(photo)));
+    const torn = project.others.filter(({ page }) =>
+      page.panels.some(({ photo }) => photo !== null && !photos.has(photo)),
+    );
     if (torn.length === 0) return;
     let sheets = sheetsOf(project);
     for (const sheet of torn) {
       const rest = sheets.filter((other) => other.sheet !== sheet.sheet);
-      const page = mended(sheet.page, rest.map((other) => other.page), photos);
+      const page = mended(
+        sheet.page,
+        rest.map((other) => other.page),
+        photos,
+      );
       sheets = page ? sheets.map((other) => (other.sheet === sheet.sheet ? { ...sheet, page } : other)) : rest;
     }
     const at = sheets.findIndex(({ sheet }) => sheet === project.sheet);
@@ -95,19 +106,32 @@ export function keepBook({ store, pages, later = whenIdle }: {
    * @param photos in use
    * @returns with photos in use only; nothing when there is none for it
    */
-  function mended(page: PageDocument, elsewhere: readonly PageDocument[], photos: Map<string, PhotoMeta>): PageDocument | null {
+  function mended(
+    page: PageDocument,
+    elsewhere: readonly PageDocument[],
+    photos: Map<string, PhotoMeta>,
+  ): PageDocument | null {
     const verdicts = store.verdicts.peek();
     const free = photosFor([...photos.values()], elsewhere, page);
     // Of a stack, the one that was taken in its place comes first.
-    const alike = (photo: string) => free.find(({ id }) => verdicts.has(photo) && verdicts.get(id)?.group === verdicts.get(photo)?.group)?.id;
-    const swap = (photo: string) => (photos.has(photo) ? photo : alike(photo) ?? photo);
-    const panels = page.panels.map((use) => (
-      use.photo === null || photos.has(use.photo) ? use : { ...use, photo: swap(use.photo), crop: null, edited: false, locked: false }
-    ));
+    const alike = (photo: string) =>
+      free.find(({ id }) => verdicts.has(photo) && verdicts.get(id)?.group === verdicts.get(photo)?.group)?.id;
+    const swap = (photo: string) => (photos.has(photo) ? photo : (alike(photo) ?? photo));
+    const panels = page.panels.map((use) =>
+      use.photo === null || photos.has(use.photo)
+        ? use
+        : { ...use, photo: swap(use.photo), crop: null, edited: false, locked: false },
+    );
     const current = { ...page, panels, order: [...new Set(page.order.map(swap))] };
     if (free.length === 0) return null;
     const layout = free.length >= placesOf(page);
-    return pages.plan({ keep: { ...KEEP_ALL, layout }, current, seed: page.seed, photos: [...free], ...(layout ? {} : { panels: free.length }) });
+    return pages.plan({
+      keep: { ...KEEP_ALL, layout },
+      current,
+      seed: page.seed,
+      photos: [...free],
+      ...(layout ? {} : { panels: free.length }),
+    });
   }
 }
 
@@ -116,10 +140,12 @@ export function keepBook({ store, pages, later = whenIdle }: {
  * @returns all that crops of the page depend on
  */
 function essence({ panels }: PageDocument, photos: ReadonlyMap<string, PhotoMeta>): string {
-  return JSON.stringify(panels.map(({ photo }) => {
-    const { width, height, subjects, focus } = photos.get(photo ?? '') ?? {};
-    return [photo, width, height, subjects, focus];
-  }));
+  return JSON.stringify(
+    panels.map(({ photo }) => {
+      const { width, height, subjects, focus } = photos.get(photo ?? '') ?? {};
+      return [photo, width, height, subjects, focus];
+    }),
+  );
 }
 
 function whenIdle(work: () => void) {

@@ -67,11 +67,13 @@ describe('spreading the album', () => {
 
   test('keeps words on their photos', () => {
     const { book, store, ids } = app;
-    const page = (store.page.value as PageDocument);
+    const page = store.page.value as PageDocument;
     const photo = page.panels[5].photo;
     store.change({ type: 'change-page', page: { ...page, words: [{ kind: 'caption', text: 'Here', panel: 5 }] } });
     book.spreadAlbum();
-    const found = store.sheets.value.flatMap(({ words, panels }) => (words ?? []).map((word) => panels[word.panel ?? 0].photo));
+    const found = store.sheets.value.flatMap(({ words, panels }) =>
+      (words ?? []).map((word) => panels[word.panel ?? 0].photo),
+    );
     expect(found).toEqual([photo]);
     expect(ids()).toContain(photo);
   });
@@ -167,7 +169,7 @@ describe('turning, moving, removing', () => {
     const { book, store, pages } = app;
     pages.shuffle('style');
     expect(book.oneStyle.value).toBe(false);
-    const { style } = (store.page.value as PageDocument);
+    const { style } = store.page.value as PageDocument;
     book.styleAll();
     expect(store.sheets.value.map((page) => page.style)).toEqual([style, style]);
     pages.undo();

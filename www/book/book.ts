@@ -21,9 +21,14 @@ const USUAL = 6;
 /** Fewer photos than this that no page shows make no page of their own. */
 const FEWEST = 2;
 
-export function createBook({ store, pages, messages }: {
-  store: Store, pages: Pick<Pages, 'plan'>,
-  messages: Pick<Messages, 'note'>,
+export function createBook({
+  store,
+  pages,
+  messages,
+}: {
+  store: Store;
+  pages: Pick<Pages, 'plan'>;
+  messages: Pick<Messages, 'note'>;
 }) {
   /** The photos in use that no page shows. */
   const left = computed(() => {
@@ -39,7 +44,22 @@ export function createBook({ store, pages, messages }: {
   /** Names the page that is edited through all its versions. */
   const sheet = computed(() => store.project.value.sheet);
 
-  return { left, oneStyle, at, several, sheet, cannotAdd, cannotSpread, go, step, add, remove, move, spreadAlbum, styleAll };
+  return {
+    left,
+    oneStyle,
+    at,
+    several,
+    sheet,
+    cannotAdd,
+    cannotSpread,
+    go,
+    step,
+    add,
+    remove,
+    move,
+    spreadAlbum,
+    styleAll,
+  };
 
   /** @returns why there can be no more pages now; empty when there can */
   function cannotAdd(): string {
@@ -58,7 +78,8 @@ export function createBook({ store, pages, messages }: {
    */
   function go(at: number) {
     const project = store.project.peek();
-    if (at !== project.at && project.page && at >= 0 && at <= project.others.length) set(sheetsOf(project), at, { silent: true });
+    if (at !== project.at && project.page && at >= 0 && at <= project.others.length)
+      set(sheetsOf(project), at, { silent: true });
   }
 
   /** Turns some pages on or back. */
@@ -71,16 +92,23 @@ export function createBook({ store, pages, messages }: {
     const { page, panels, locks, at } = store.project.peek();
     if (!page || cannotAdd() !== '') return;
     const layout = locks.layout ? { layout: page.layout } : {};
-    const wanted = locks.layout ? placesOf(page) : panels ?? USUAL;
+    const wanted = locks.layout ? placesOf(page) : (panels ?? USUAL);
     const all = store.photos.peek();
     const enough = left.peek().length >= (locks.layout ? wanted : FEWEST);
     const photos = enough ? left.peek().slice(0, wanted) : [...all];
     // Photos that are on a page already come in another order, else it would be the same page twice.
-    const order = enough ? {} : { mode: ('photos' as const) };
-    const fresh = varied([page], () => pages.plan({
-      keep: { layout: false, style: false, photos: false }, current: null, style: page.style,
-      photos, panels: Math.min(wanted, photos.length), ...layout, ...order,
-    }));
+    const order = enough ? {} : { mode: 'photos' as const };
+    const fresh = varied([page], () =>
+      pages.plan({
+        keep: { layout: false, style: false, photos: false },
+        current: null,
+        style: page.style,
+        photos,
+        panels: Math.min(wanted, photos.length),
+        ...layout,
+        ...order,
+      }),
+    );
     if (!fresh) return;
     const history = store.history.peek();
     const added = { page: fresh, pageId: freshPageId(history), sheet: freshSheet(history) };
@@ -93,10 +121,14 @@ export function createBook({ store, pages, messages }: {
     if (others.length === 0) return;
     const sheets = sheetsOf(store.project.peek());
     set(sheets.toSpliced(at, 1), Math.min(at, others.length - 1));
-    messages.note(strings.book.removed(at + 1), { label: strings.bringBack, run: () => {
-      const now = sheetsOf(store.project.peek());
-      if (now.every(({ sheet }) => sheet !== sheets[at].sheet)) bringBack(now.toSpliced(at, 0, sheets[at]), Math.min(at, now.length));
-    } });
+    messages.note(strings.book.removed(at + 1), {
+      label: strings.bringBack,
+      run: () => {
+        const now = sheetsOf(store.project.peek());
+        if (now.every(({ sheet }) => sheet !== sheets[at].sheet))
+          bringBack(now.toSpliced(at, 0, sheets[at]), Math.min(at, now.length));
+      },
+    });
   }
 
   /** Pages as they were: not by an undo, which would take back what was done since. */
@@ -125,15 +157,30 @@ export function createBook({ store, pages, messages }: {
     if (!project.page || cannotSpread() !== '') return;
     const photos = store.photos.peek();
     const fixed = project.locks.layout ? { layout: project.page.layout, places: placesOf(project.page) } : null;
-    const counts = store.layouts.peek().filter(({ own }) => own === null).map(({ count }) => count);
+    const counts = store.layouts
+      .peek()
+      .filter(({ own }) => own === null)
+      .map(({ count }) => count);
     const made = spread({
-      photos, before: before.map(({ page }) => page), style: project.page.style, per: project.panels ?? USUAL, counts, fixed, plan: pages.plan,
+      photos,
+      before: before.map(({ page }) => page),
+      style: project.page.style,
+      per: project.panels ?? USUAL,
+      counts,
+      fixed,
+      plan: pages.plan,
     });
     const history = store.history.peek();
     const [pageId, place] = [freshPageId(history), freshSheet(history)];
     // Each goes on in the place of one that was there, whose versions can be brought back.
-    set(made.map((page, i) => ({ page, pageId: pageId + i, sheet: before[i]?.sheet ?? place + i })), 0);
-    messages.note(strings.book.spread(photos.length, made.length), { label: strings.book.takeBack, run: () => bringBack(before, project.at) });
+    set(
+      made.map((page, i) => ({ page, pageId: pageId + i, sheet: before[i]?.sheet ?? place + i })),
+      0,
+    );
+    messages.note(strings.book.spread(photos.length, made.length), {
+      label: strings.book.takeBack,
+      run: () => bringBack(before, project.at),
+    });
   }
 
   /** Gives all pages the style of this one. */
@@ -142,9 +189,8 @@ export function createBook({ store, pages, messages }: {
     if (!page) return;
     const fresh = freshPageId(store.history.peek());
     const same = (other: Sheet) => JSON.stringify(other.page.style) === JSON.stringify(page.style);
-    const styled = (other: Sheet, i: number) => (
-      same(other) ? other : { ...other, page: { ...other.page, style: page.style }, pageId: fresh + i }
-    );
+    const styled = (other: Sheet, i: number) =>
+      same(other) ? other : { ...other, page: { ...other.page, style: page.style }, pageId: fresh + i };
     if (!oneStyle.peek()) set(sheetsOf(store.project.peek()).map(styled), at);
   }
 

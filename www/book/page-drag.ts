@@ -7,7 +7,7 @@ import { useRef, useState } from 'preact/hooks';
 import { onEscape } from '../ui/on-escape.ts';
 
 /** a page, and before which one it would land */
-type Carried = { from: number, gap: number | null };
+type Carried = { from: number; gap: number | null };
 export type PageDrag = ReturnType<typeof usePageDrag>;
 
 /** What a shaking hand moves, in CSS pixels. */
@@ -22,15 +22,15 @@ const BESIDE = 60;
 
 /** @param onDrop `to`: its place once it was taken out */
 export function usePageDrag(onDrop: (from: number, to: number) => void) {
-  const [carried, setCarried] = useState((null as Carried | null));
+  const [carried, setCarried] = useState(null as Carried | null);
   /** Whether the click that follows belongs to a drag. */
   const dragged = useRef(false);
 
   /** @param event on a page */
   function take(event: PointerEvent, from: number) {
     if (!event.isPrimary || event.button !== 0) return;
-    const page = (event.currentTarget as HTMLElement);
-    const list = (page.closest('.book-pages') as HTMLElement);
+    const page = event.currentTarget as HTMLElement;
+    const list = page.closest('.book-pages') as HTMLElement;
     const start = { x: event.clientX, y: event.clientY };
     const mouse = event.pointerType === 'mouse';
     let last = start;
@@ -65,23 +65,32 @@ export function usePageDrag(onDrop: (from: number, to: number) => void) {
       setCarried(null);
     };
 
-    page.addEventListener('pointermove', ({ clientX, clientY }) => {
-      last = { x: clientX, y: clientY };
-      const far = Math.hypot(last.x - start.x, last.y - start.y) > SLACK;
-      if (holds) point();
-      else if (far && mouse) begin();
-      else if (far) end();
-    }, { signal });
-    page.addEventListener('pointerup', () => {
-      end();
-      if (!holds || gap === null) return;
-      // Taking the page out moves those behind it up by one.
-      const to = from < gap ? gap - 1 : gap;
-      if (to !== from) onDrop(from, to);
-    }, { signal });
+    page.addEventListener(
+      'pointermove',
+      ({ clientX, clientY }) => {
+        last = { x: clientX, y: clientY };
+        const far = Math.hypot(last.x - start.x, last.y - start.y) > SLACK;
+        if (holds) point();
+        else if (far && mouse) begin();
+        else if (far) end();
+      },
+      { signal },
+    );
+    page.addEventListener(
+      'pointerup',
+      () => {
+        end();
+        if (!holds || gap === null) return;
+        // Taking the page out moves those behind it up by one.
+        const to = from < gap ? gap - 1 : gap;
+        if (to !== from) onDrop(from, to);
+      },
+      { signal },
+    );
     for (const type of ['pointercancel', 'lostpointercapture']) page.addEventListener(type, end, { signal });
     // A page in hand neither scrolls the strip nor opens a menu.
-    for (const type of ['touchmove', 'contextmenu']) list.addEventListener(type, (other) => holds && other.preventDefault(), { signal, passive: false });
+    for (const type of ['touchmove', 'contextmenu'])
+      list.addEventListener(type, (other) => holds && other.preventDefault(), { signal, passive: false });
     onEscape(end, signal);
   }
 

@@ -44,14 +44,31 @@ function Several() {
     <section class="book" aria-label={strings.book.name} data-several="true">
       <ol class="book-pages">
         {sheets.map(({ page, sheet }, i) => (
-          <PageThumb key={sheet} page={page} at={i} of={sheets.length} current={i === at} drag={drag}
-            marked={gap === i ? 'before' : gap === sheets.length && i === sheets.length - 1 ? 'behind' : ''} />
+          <PageThumb
+            key={sheet}
+            page={page}
+            at={i}
+            of={sheets.length}
+            current={i === at}
+            drag={drag}
+            marked={gap === i ? 'before' : gap === sheets.length && i === sheets.length - 1 ? 'behind' : ''}
+          />
         ))}
       </ol>
       <AddPage />
-      {!wide && <IconButton icon="dots" class="book-more" label={strings.book.tools} expanded={open} onClick={() => setOpen(!open)} />}
+      {!wide && (
+        <IconButton
+          icon="dots"
+          class="book-more"
+          label={strings.book.tools}
+          expanded={open}
+          onClick={() => setOpen(!open)}
+        />
+      )}
       {(wide || open) && <Tools count={sheets.length} />}
-      <span class="visually-hidden" aria-live="polite">{strings.book.page(at + 1, sheets.length)}</span>
+      <span class="visually-hidden" aria-live="polite">
+        {strings.book.page(at + 1, sheets.length)}
+      </span>
     </section>
   );
 }
@@ -64,11 +81,26 @@ function Tools({ count }: { count: number }) {
   return (
     <div class="book-tools">
       <div class="book-icons">
-        <IconButton icon={back} label={strings.book.earlier} disabled={at === 0} onClick={() => book.move(at, at - 1)} />
-        <IconButton icon={forth} label={strings.book.later} disabled={at === count - 1} onClick={() => book.move(at, at + 1)} />
+        <IconButton
+          icon={back}
+          label={strings.book.earlier}
+          disabled={at === 0}
+          onClick={() => book.move(at, at - 1)}
+        />
+        <IconButton
+          icon={forth}
+          label={strings.book.later}
+          disabled={at === count - 1}
+          onClick={() => book.move(at, at + 1)}
+        />
         <IconButton icon="bin" label={strings.book.remove} onClick={book.remove} />
       </div>
-      {!book.oneStyle.value && <button type="button" class="book-text" onClick={book.styleAll}><Icon name="style" />{strings.book.styleAll}</button>}
+      {!book.oneStyle.value && (
+        <button type="button" class="book-text" onClick={book.styleAll}>
+          <Icon name="style" />
+          {strings.book.styleAll}
+        </button>
+      )}
       <SpreadAlbum />
     </div>
   );
@@ -80,9 +112,17 @@ function AddPage() {
   const why = book.cannotAdd();
   const left = book.left.value.length;
   return (
-    <button type="button" class="book-ghost" disabled={why !== ''} onClick={book.add}
-      title={why || (left > 0 ? strings.book.addMore(left) : strings.book.addHelp)}>
-      <span class="book-outline"><Icon name="add" /></span>{strings.book.add}
+    <button
+      type="button"
+      class="book-ghost"
+      disabled={why !== ''}
+      onClick={book.add}
+      title={why || (left > 0 ? strings.book.addMore(left) : strings.book.addHelp)}
+    >
+      <span class="book-outline">
+        <Icon name="add" />
+      </span>
+      {strings.book.add}
     </button>
   );
 }
@@ -91,8 +131,15 @@ function SpreadAlbum() {
   const { store, book } = useApp();
   const why = book.cannotSpread();
   return (
-    <button type="button" class="book-text" disabled={why !== ''} onClick={book.spreadAlbum} title={why || strings.book.spreadHelp(store.photos.value.length)}>
-      <Icon name="spread" />{strings.book.spreadAlbum}
+    <button
+      type="button"
+      class="book-text"
+      disabled={why !== ''}
+      onClick={book.spreadAlbum}
+      title={why || strings.book.spreadHelp(store.photos.value.length)}
+    >
+      <Icon name="spread" />
+      {strings.book.spreadAlbum}
     </button>
   );
 }

@@ -11,11 +11,23 @@ import type { PageDrag } from './page-drag.ts';
  * with the arrow keys.
  * @param props `marked`: a dragged page would land on that side of it
  */
-export function PageThumb({ page, at, of, current, marked, drag }: {
-  page: PageDocument, at: number, of: number, current: boolean, marked: '' | 'before' | 'behind', drag: PageDrag,
+export function PageThumb({
+  page,
+  at,
+  of,
+  current,
+  marked,
+  drag,
+}: {
+  page: PageDocument;
+  at: number;
+  of: number;
+  current: boolean;
+  marked: '' | 'before' | 'behind';
+  drag: PageDrag;
 }) {
   const { book, engine, ui } = useApp();
-  const ref = useRef((null as HTMLButtonElement | null));
+  const ref = useRef(null as HTMLButtonElement | null);
   const width = () => screenPixels(ref.current?.clientWidth ?? 64);
   // The page on the screen comes first: its own small picture waits until it is there.
   const drawn = useRef(page);
@@ -36,7 +48,12 @@ export function PageThumb({ page, at, of, current, marked, drag }: {
   }
 
   return (
-    <li class="book-page" style={{ '--aspect': page.page.width / page.page.height }} data-marked={marked} data-carried={drag.carried?.from === at}>
+    <li
+      class="book-page"
+      style={{ '--aspect': page.page.width / page.page.height }}
+      data-marked={marked}
+      data-carried={drag.carried?.from === at}
+    >
       <button
         type="button"
         ref={ref}
@@ -45,11 +62,18 @@ export function PageThumb({ page, at, of, current, marked, drag }: {
         title={`${strings.book.page(at + 1, of)}\n${strings.book.dragHelp}`}
         onPointerDown={(event) => drag.take(event, at)}
         onKeyDown={onKeyDown}
-        onClick={() => { if (!drag.dragged.current) book.go(at); }}
+        onClick={() => {
+          if (!drag.dragged.current) book.go(at);
+        }}
       >
-        <Bitmap of={drawn.current} draw={(call) => engine.renderPage(drawn.current, width(), { ...call, priority: Priority.REST })} />
+        <Bitmap
+          of={drawn.current}
+          draw={(call) => engine.renderPage(drawn.current, width(), { ...call, priority: Priority.REST })}
+        />
       </button>
-      <span class="book-number" aria-hidden="true">{at + 1}</span>
+      <span class="book-number" aria-hidden="true">
+        {at + 1}
+      </span>
     </li>
   );
 }

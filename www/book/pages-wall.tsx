@@ -12,7 +12,7 @@ import type { Entry } from './shown-pages.ts';
 export function PagesWall() {
   const { shownPages, ui } = useApp();
   const [only, setOnly] = useState(false);
-  const list = useRef((null as HTMLUListElement | null));
+  const list = useRef(null as HTMLUListElement | null);
   const all = shownPages.entries.value;
   const entries = only ? all.filter(({ loved }) => loved) : all;
 
@@ -20,12 +20,26 @@ export function PagesWall() {
 
   const tools = (
     <div class="wall-bar">
-      <button type="button" class="button" aria-pressed={only} onClick={() => setOnly(!only)}><Icon name="heart" />{strings.favouritePages}</button>
+      <button type="button" class="button" aria-pressed={only} onClick={() => setOnly(!only)}>
+        <Icon name="heart" />
+        {strings.favouritePages}
+      </button>
     </div>
   );
   return (
-    <Workspace title={strings.pagesShown} class="pages-wall" tools={tools} onClose={() => { ui.work.value = null; }}>
-      <ul class="page-wall" ref={list}>{entries.map((entry) => <ShownPage key={entry.id} entry={entry} />)}</ul>
+    <Workspace
+      title={strings.pagesShown}
+      class="pages-wall"
+      tools={tools}
+      onClose={() => {
+        ui.work.value = null;
+      }}
+    >
+      <ul class="page-wall" ref={list}>
+        {entries.map((entry) => (
+          <ShownPage key={entry.id} entry={entry} />
+        ))}
+      </ul>
       {entries.length === 0 && <p class="wall-empty">{strings.noFavouritePages}</p>}
     </Workspace>
   );
@@ -33,7 +47,7 @@ export function PagesWall() {
 
 function ShownPage({ entry: { id, number, page, from, place, loved, current } }: { entry: Entry }) {
   const { shownPages, engine, ui } = useApp();
-  const ref = useRef((null as HTMLButtonElement | null));
+  const ref = useRef(null as HTMLButtonElement | null);
   const width = () => screenPixels(ref.current?.clientWidth ?? 120);
   return (
     <li class="shown-page" style={{ '--aspect': page.page.width / page.page.height }}>
@@ -43,13 +57,25 @@ function ShownPage({ entry: { id, number, page, from, place, loved, current } }:
         class="shown-picture"
         aria-label={strings.pageNumber(number)}
         aria-current={current ? 'true' : undefined}
-        onClick={() => { shownPages.go(id); ui.work.value = null; }}
+        onClick={() => {
+          shownPages.go(id);
+          ui.work.value = null;
+        }}
       >
         <Bitmap of={page} draw={(call) => engine.renderPage(page, width(), call)} />
       </button>
       <div class="shown-about">
-        <span>{number}{place !== null ? <i>{strings.versionOf(place)}</i> : from !== null && <i>{strings.pageFrom(from)}</i>}</span>
-        <IconButton icon="heart" label={strings.favouritePage} pressed={loved} class="page-heart" onClick={() => shownPages.love(id, !loved)} />
+        <span>
+          {number}
+          {place !== null ? <i>{strings.versionOf(place)}</i> : from !== null && <i>{strings.pageFrom(from)}</i>}
+        </span>
+        <IconButton
+          icon="heart"
+          label={strings.favouritePage}
+          pressed={loved}
+          class="page-heart"
+          onClick={() => shownPages.love(id, !loved)}
+        />
       </div>
     </li>
   );

@@ -10,23 +10,45 @@ import type { Store } from '../document/store.ts';
  * `from`: the number of the page it was made from, where that is not the one before it; `place`: which page of the
  * storyboard it is a version of, null where there is but one, or where that was removed.
  */
-export type Entry = { id: number, number: number, page: PageDocument, from: number | null, place: number | null, loved: boolean, current: boolean };
+export type Entry = {
+  id: number;
+  number: number;
+  page: PageDocument;
+  from: number | null;
+  place: number | null;
+  loved: boolean;
+  current: boolean;
+};
 export type ShownPages = ReturnType<typeof createShownPages>;
 
-export function createShownPages({ store, pages }: { store: Store, pages: Pick<Pages, 'bringBack'> }) {
+export function createShownPages({ store, pages }: { store: Store; pages: Pick<Pages, 'bringBack'> }) {
   const entries = computed(() => {
     const { history } = store;
     const { shown, present } = history.value;
     const numbers = new Map(shown.map(({ id }, i) => [id, i + 1]));
     const places = new Map(sheetsOf(present).map(({ sheet }, i) => [sheet, i + 1]));
     return shown.map(({ id, page, from, sheet = 0 }, i) => {
-      const place = places.size > 1 ? places.get(sheet) ?? null : null;
-      const number = from === undefined ? null : numbers.get(from) ?? null;
-      return { id, number: i + 1, page, from: number === i ? null : number, place, loved: present.loved.includes(id), current: present.page !== null && id === present.pageId };
+      const place = places.size > 1 ? (places.get(sheet) ?? null) : null;
+      const number = from === undefined ? null : (numbers.get(from) ?? null);
+      return {
+        id,
+        number: i + 1,
+        page,
+        from: number === i ? null : number,
+        place,
+        loved: present.loved.includes(id),
+        current: present.page !== null && id === present.pageId,
+      };
     });
   });
 
-  return { entries, go, love, loved: computed(() => store.project.value.loved.includes(store.project.value.pageId)), loveThis };
+  return {
+    entries,
+    go,
+    love,
+    loved: computed(() => store.project.value.loved.includes(store.project.value.pageId)),
+    loveThis,
+  };
 
   /** Goes back to a page; a shuffle from there begins another branch. */
   function go(id: number) {

@@ -12,21 +12,40 @@ import { Parameter } from './parameter.tsx';
 import type { Layer, Step } from './designer-draft.ts';
 
 /** @param props `marked`: a dragged card would land on that side of it */
-export function Card({ step, layer, at, last, lacks, marked, ms, picture, carried, onTake }: {
-  step: Step, layer: Layer, at: number, last: boolean, lacks: '' | 'luma' | 'color', marked: '' | 'before' | 'behind', ms?: number,
-  picture?: ImageBitmap, carried: boolean, onTake: (event: PointerEvent) => void,
+export function Card({
+  step,
+  layer,
+  at,
+  last,
+  lacks,
+  marked,
+  ms,
+  picture,
+  carried,
+  onTake,
+}: {
+  step: Step;
+  layer: Layer;
+  at: number;
+  last: boolean;
+  lacks: '' | 'luma' | 'color';
+  marked: '' | 'before' | 'behind';
+  ms?: number;
+  picture?: ImageBitmap;
+  carried: boolean;
+  onTake: (event: PointerEvent) => void;
 }) {
   const { designer } = useApp();
-  const ref = useRef((null as HTMLLIElement | null));
+  const ref = useRef(null as HTMLLIElement | null);
   const block = designer.blocks.value.find(({ id }) => id === step.block);
   if (!block) return null;
 
   /** Moves the card and keeps the focus where it was, which the browser takes from what is moved. */
   function move(to: number) {
-    const focused = (document.activeElement as HTMLElement | null);
+    const focused = document.activeElement as HTMLElement | null;
     designer.change({ type: 'move', layer, at, toLayer: layer, to });
     requestAnimationFrame(() => {
-      const usable = focused?.isConnected && !((focused as HTMLButtonElement).disabled);
+      const usable = focused?.isConnected && !(focused as HTMLButtonElement).disabled;
       (usable ? focused : ref.current)?.focus();
       ref.current?.scrollIntoView({ block: 'nearest' });
     });
@@ -37,7 +56,7 @@ export function Card({ step, layer, at, last, lacks, marked, ms, picture, carrie
     const toLayer = layer === 'background' ? 'foreground' : 'background';
     designer.change({ type: 'move', layer, at, toLayer, to: MOST_BLOCKS });
     requestAnimationFrame(() => {
-      const moved = (document.querySelector(`.card[data-key="${step.key}"]`) as HTMLElement | null);
+      const moved = document.querySelector(`.card[data-key="${step.key}"]`) as HTMLElement | null;
       moved?.focus();
       moved?.scrollIntoView({ block: 'nearest' });
     });
@@ -45,7 +64,7 @@ export function Card({ step, layer, at, last, lacks, marked, ms, picture, carrie
 
   function remove() {
     const cards = [...(ref.current?.parentElement?.children ?? [])];
-    const next = ((cards[at + 1] ?? cards[at - 1]) as HTMLElement | undefined);
+    const next = (cards[at + 1] ?? cards[at - 1]) as HTMLElement | undefined;
     designer.change({ type: 'remove', layer, at });
     next?.focus();
   }
@@ -60,29 +79,58 @@ export function Card({ step, layer, at, last, lacks, marked, ms, picture, carrie
   }
 
   return (
-    <li class="card" ref={ref} tabIndex={-1} aria-label={strings.card(strings.blockName(block), at + 1)} data-bypass={step.bypass} data-marked={marked} data-carried={carried} data-key={step.key} onKeyDown={onKeyDown}>
+    <li
+      class="card"
+      ref={ref}
+      tabIndex={-1}
+      aria-label={strings.card(strings.blockName(block), at + 1)}
+      data-bypass={step.bypass}
+      data-marked={marked}
+      data-carried={carried}
+      data-key={step.key}
+      onKeyDown={onKeyDown}
+    >
       <div class="card-head" title={strings.handle} onPointerDown={onTake}>
         <Picture bitmap={picture} />
         <div class="card-name">
           <h4>{strings.blockName(block)}</h4>
           <span class="count">{ms !== undefined && !step.bypass ? strings.milliseconds(ms) : ''}</span>
         </div>
-        <span class="card-handle" aria-hidden="true"><Icon name="handle" /></span>
+        <span class="card-handle" aria-hidden="true">
+          <Icon name="handle" />
+        </span>
       </div>
       <div class="card-tools">
-        <IconButton icon={step.bypass ? 'hidden' : 'shown'} label={strings.bypass} pressed={step.bypass}
-          onClick={() => designer.change({ type: 'bypass', layer, at, on: !step.bypass })} />
+        <IconButton
+          icon={step.bypass ? 'hidden' : 'shown'}
+          label={strings.bypass}
+          pressed={step.bypass}
+          onClick={() => designer.change({ type: 'bypass', layer, at, on: !step.bypass })}
+        />
         <IconButton icon="up" label={strings.moveUp} disabled={at === 0} onClick={() => move(at - 1)} />
         <IconButton icon="down" label={strings.moveDown} disabled={last} onClick={() => move(at + 1)} />
         <IconButton icon="across" label={strings.moveAcross} onClick={moveAcross} />
-        <IconButton icon="duplicate" label={strings.duplicate} onClick={() => designer.change({ type: 'duplicate', layer, at })} />
-        <IconButton icon="reset" label={strings.reset} disabled={block.params.length === 0} onClick={() => designer.change({ type: 'reset', layer, at })} />
+        <IconButton
+          icon="duplicate"
+          label={strings.duplicate}
+          onClick={() => designer.change({ type: 'duplicate', layer, at })}
+        />
+        <IconButton
+          icon="reset"
+          label={strings.reset}
+          disabled={block.params.length === 0}
+          onClick={() => designer.change({ type: 'reset', layer, at })}
+        />
         <IconButton icon="bin" label={strings.remove} onClick={remove} />
       </div>
       {lacks && (
         <p class="card-lacks">
           <span>{strings.lacks[lacks]}</span>
-          <button type="button" class="button small" onClick={() => designer.change({ type: 'add', layer, at, blocks: [REMEDIES[lacks]] })}>
+          <button
+            type="button"
+            class="button small"
+            onClick={() => designer.change({ type: 'add', layer, at, blocks: [REMEDIES[lacks]] })}
+          >
             {strings.fix[lacks]}
           </button>
         </p>
@@ -103,7 +151,7 @@ export function Card({ step, layer, at, last, lacks, marked, ms, picture, carrie
 }
 
 function Picture({ bitmap }: { bitmap?: ImageBitmap }) {
-  const ref = useRef((null as HTMLCanvasElement | null));
+  const ref = useRef(null as HTMLCanvasElement | null);
   useEffect(() => {
     const canvas = ref.current;
     if (!canvas || !bitmap) return;

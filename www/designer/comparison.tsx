@@ -18,18 +18,38 @@ const LIVE = { long: 960, short: 540 };
 /** The long side of the copy of a photo that is drawn from. */
 const WORK = 1600;
 /** What the arrow keys and the page keys move the divider by. */
-const STEPS: Record<string, number> = { ArrowLeft: -0.02, ArrowDown: -0.02, ArrowRight: 0.02, ArrowUp: 0.02, PageDown: -0.1, PageUp: 0.1, Home: -1, End: 1 };
+const STEPS: Record<string, number> = {
+  ArrowLeft: -0.02,
+  ArrowDown: -0.02,
+  ArrowRight: 0.02,
+  ArrowUp: 0.02,
+  PageDown: -0.1,
+  PageUp: 0.1,
+  Home: -1,
+  End: 1,
+};
 
 /** @param props `small`: one of several; `split`: the part that shows the photo as it is, while it is compared */
-export function Comparison({ fact: { id, name, meta }, style, small, split, onStages, onBusy }: {
-  fact: Fact & { meta: NonNullable<Fact['meta']> }, style: Style, small: boolean, split: Signal<number> | null,
-  onStages: ((designed: Designed) => void) | null, onBusy: (busy: boolean) => void,
+export function Comparison({
+  fact: { id, name, meta },
+  style,
+  small,
+  split,
+  onStages,
+  onBusy,
+}: {
+  fact: Fact & { meta: NonNullable<Fact['meta']> };
+  style: Style;
+  small: boolean;
+  split: Signal<number> | null;
+  onStages: ((designed: Designed) => void) | null;
+  onBusy: (busy: boolean) => void;
 }) {
   const { engine, messages } = useApp();
-  const box = useRef((null as HTMLDivElement | null));
-  const styled = useRef((null as HTMLCanvasElement | null));
-  const plain = useRef((null as HTMLCanvasElement | null));
-  const loop = useRef((null as ReturnType<typeof createPreviewLoop> | null));
+  const box = useRef(null as HTMLDivElement | null);
+  const styled = useRef(null as HTMLCanvasElement | null);
+  const plain = useRef(null as HTMLCanvasElement | null);
+  const loop = useRef(null as ReturnType<typeof createPreviewLoop> | null);
   const stages = useRef(onStages);
   stages.current = onStages;
   const size = liveSize(meta, small);
@@ -54,7 +74,7 @@ export function Comparison({ fact: { id, name, meta }, style, small, split, onSt
   }, []);
 
   useEffect(() => {
-    const most = WORK / Math.max(WORK, meta.width, meta.height) * meta.width;
+    const most = (WORK / Math.max(WORK, meta.width, meta.height)) * meta.width;
     const full = Math.min(Math.round(most), screenPixels(box.current?.clientWidth ?? 0));
     loop.current?.show({ id, style, ...size, full });
   }, [id, style, size.width, size.height]);
@@ -63,7 +83,10 @@ export function Comparison({ fact: { id, name, meta }, style, small, split, onSt
   useEffect(() => {
     if (!compared) return undefined;
     const stop = new AbortController();
-    engine.stylePhoto(id, PLAIN, { ...size, tier: 'work' }, { signal: stop.signal }).then(({ bitmap }) => show(plain.current, bitmap), () => {});
+    engine.stylePhoto(id, PLAIN, { ...size, tier: 'work' }, { signal: stop.signal }).then(
+      ({ bitmap }) => show(plain.current, bitmap),
+      () => {},
+    );
     return () => stop.abort();
   }, [id, compared]);
 
@@ -82,13 +105,28 @@ export function Comparison({ fact: { id, name, meta }, style, small, split, onSt
   }
 
   return (
-    <div class="comparison" ref={box} style={{ '--aspect': meta.width / meta.height, '--split': split?.value ?? 0 }} data-compared={compared}>
+    <div
+      class="comparison"
+      ref={box}
+      style={{ '--aspect': meta.width / meta.height, '--split': split?.value ?? 0 }}
+      data-compared={compared}
+    >
       <canvas ref={plain} class="comparison-plain" aria-hidden="true" hidden={!compared} />
       <canvas ref={styled} class="comparison-styled" role="img" aria-label={strings.previewOf(name)} />
       {split && (
         <div class="comparison-hit" onPointerDown={drag} onPointerMove={drag}>
-          <div class="comparison-divider" role="slider" tabIndex={0} aria-label={strings.divider} aria-orientation="horizontal"
-            aria-valuemin={0} aria-valuemax={100} aria-valuenow={Math.round(split.value * 100)} aria-valuetext={strings.share(split.value)} onKeyDown={onKeyDown} />
+          <div
+            class="comparison-divider"
+            role="slider"
+            tabIndex={0}
+            aria-label={strings.divider}
+            aria-orientation="horizontal"
+            aria-valuemin={0}
+            aria-valuemax={100}
+            aria-valuenow={Math.round(split.value * 100)}
+            aria-valuetext={strings.share(split.value)}
+            onKeyDown={onKeyDown}
+          />
         </div>
       )}
     </div>
@@ -99,7 +137,7 @@ export function Comparison({ fact: { id, name, meta }, style, small, split, onSt
  * Covers 960 x 540, either way up, or half of it for one of several, also where the photo has less: lines are then as
  * fine as on a large one.
  */
-function liveSize({ width, height }: { width: number, height: number }, small: boolean) {
+function liveSize({ width, height }: { width: number; height: number }, small: boolean) {
   const [long, short] = [Math.max(width, height), Math.min(width, height)];
   const wanted = Math.max(LIVE.long / long, LIVE.short / short) / (small ? 2 : 1);
   const scale = Math.min(wanted, WORK / long);

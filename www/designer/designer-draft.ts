@@ -7,20 +7,27 @@ import { MOST, wellFormed } from '../document/limits.ts';
 import type { Block, Style } from '../engine/documents.ts';
 
 export type Layer = 'background' | 'foreground';
-export type Step = { key: number, block: string, values: Record<string, any>, bypass: boolean };
-export type Draft = { id: string, name: string, tags: string[], background: readonly Step[], foreground: readonly Step[], ink: string };
+export type Step = { key: number; block: string; values: Record<string, any>; bypass: boolean };
+export type Draft = {
+  id: string;
+  name: string;
+  tags: string[];
+  background: readonly Step[];
+  foreground: readonly Step[];
+  ink: string;
+};
 
 /** A place is a layer and a position in it. */
-export type Edit = 
-  | { type: 'add', layer: Layer, at: number, blocks: string[] }
-  | { type: 'move', layer: Layer, at: number, toLayer: Layer, to: number }
-  | { type: 'remove', layer: Layer, at: number }
-  | { type: 'duplicate', layer: Layer, at: number }
-  | { type: 'bypass', layer: Layer, at: number, on: boolean }
-  | { type: 'set', layer: Layer, at: number, param: string, value: any }
-  | { type: 'reset', layer: Layer, at: number }
-  | { type: 'name', name: string }
-  | { type: 'ink', ink: string };
+export type Edit =
+  | { type: 'add'; layer: Layer; at: number; blocks: string[] }
+  | { type: 'move'; layer: Layer; at: number; toLayer: Layer; to: number }
+  | { type: 'remove'; layer: Layer; at: number }
+  | { type: 'duplicate'; layer: Layer; at: number }
+  | { type: 'bypass'; layer: Layer; at: number; on: boolean }
+  | { type: 'set'; layer: Layer; at: number; param: string; value: any }
+  | { type: 'reset'; layer: Layer; at: number }
+  | { type: 'name'; name: string }
+  | { type: 'ink'; ink: string };
 
 export const LAYERS: readonly Layer[] = ['background', 'foreground'];
 /** Blocks that the core takes in one layer. */
@@ -33,12 +40,17 @@ export function emptyDraft(id: string, name: string): Draft {
 /** @param style a valid one */
 export function draftOf(style: Style, blocks: readonly Block[]): Draft {
   let key = 0;
-  const steps = (list: any[]) => list.map(({ block, bypass = false, ...values }) => {
-    key += 1;
-    return { key, block, values: { ...defaults(block, blocks), ...values }, bypass };
-  });
+  const steps = (list: any[]) =>
+    list.map(({ block, bypass = false, ...values }) => {
+      key += 1;
+      return { key, block, values: { ...defaults(block, blocks), ...values }, bypass };
+    });
   return {
-    id: style.id, name: style.name, tags: [...style.tags], background: steps(style.background ?? []), foreground: steps(style.foreground ?? []),
+    id: style.id,
+    name: style.name,
+    tags: [...style.tags],
+    background: steps(style.background ?? []),
+    foreground: steps(style.foreground ?? []),
     ink: style.ink ?? '#000000',
   };
 }
@@ -47,7 +59,11 @@ export function draftOf(style: Style, blocks: readonly Block[]): Draft {
  * The style file of a draft. What is the default is left out.
  * @param how `tolerant`: blocks that cannot take what comes before them are bypassed
  */
-export function styleOf(draft: Draft, blocks: readonly Block[], { tolerant = false }: { tolerant?: boolean } = {}): Style {
+export function styleOf(
+  draft: Draft,
+  blocks: readonly Block[],
+  { tolerant = false }: { tolerant?: boolean } = {},
+): Style {
   const steps = (layer: Layer) => {
     const wrong = tolerant ? misfits(draft[layer], blocks) : [];
     return draft[layer].map(({ block, values, bypass }, i) => {
@@ -57,7 +73,10 @@ export function styleOf(draft: Draft, blocks: readonly Block[], { tolerant = fal
     });
   };
   return {
-    id: draft.id, name: draft.name.trim() || draft.id, tags: draft.tags, background: steps('background'),
+    id: draft.id,
+    name: draft.name.trim() || draft.id,
+    tags: draft.tags,
+    background: steps('background'),
     ...(draft.foreground.length > 0 ? { foreground: steps('foreground') } : {}),
     ...(draft.ink === '#000000' ? {} : { ink: draft.ink }),
   };
@@ -72,7 +91,7 @@ export function misfits(steps: readonly Step[], blocks: readonly Block[]): ('' |
   return steps.map(({ block, bypass }) => {
     const found = blocks.find(({ id }) => id === block);
     if (!found || bypass) return '';
-    if (found.input !== 'any' && found.input !== channels) return (found.input as 'luma' | 'color');
+    if (found.input !== 'any' && found.input !== channels) return found.input as 'luma' | 'color';
     if (found.output !== 'any') channels = found.output;
     return '';
   });
@@ -100,7 +119,11 @@ export function edit(draft: Draft, change: Edit, blocks: readonly Block[]): Draf
   if (change.type === 'add') {
     if (steps.length + change.blocks.length > MOST_BLOCKS) return draft;
     const first = freshKey(draft);
-    steps.splice(at, 0, ...change.blocks.map((block, i) => ({ key: first + i, block, values: defaults(block, blocks), bypass: false })));
+    steps.splice(
+      at,
+      0,
+      ...change.blocks.map((block, i) => ({ key: first + i, block, values: defaults(block, blocks), bypass: false })),
+    );
     return { ...draft, [layer]: steps };
   }
   if (!step) return draft;

@@ -15,22 +15,30 @@ import { Preview } from './preview.tsx';
 import { StyleBar } from './style-bar.tsx';
 import type { Designed } from '../engine/design.ts';
 
-const NOTHING: { times: ReadonlyMap<number, number>, stages: ReadonlyMap<number, ImageBitmap> } = { times: new Map(), stages: new Map() };
+const NOTHING: { times: ReadonlyMap<number, number>; stages: ReadonlyMap<number, ImageBitmap> } = {
+  times: new Map(),
+  stages: new Map(),
+};
 
 export function Designer() {
   const { store, designer } = useApp();
   const [drawn, setDrawn] = useState(NOTHING);
   const [adding, setAdding] = useState(false);
-  const opener = useRef((null as HTMLButtonElement | null));
+  const opener = useRef(null as HTMLButtonElement | null);
   const draft = designer.draft.value;
 
-  const drag = useCardDrag((from, to) => designer.change({ type: 'move', layer: from.layer, at: from.at, toLayer: to.layer, to: to.at }));
+  const drag = useCardDrag((from, to) =>
+    designer.change({ type: 'move', layer: from.layer, at: from.at, toLayer: to.layer, to: to.at }),
+  );
 
   // A slider's drag that is cut short, by leaving say, is kept as far as it went; a card's is not.
-  useEffect(() => () => {
-    designer.release();
-    drag.cancel.current();
-  }, []);
+  useEffect(
+    () => () => {
+      designer.release();
+      drag.cancel.current();
+    },
+    [],
+  );
   if (!draft) return null;
 
   function onStages({ times, stages }: Designed) {
@@ -49,28 +57,43 @@ export function Designer() {
       <Preview onStages={onStages} />
       <div class="lanes-side">
         <header class="lanes-head">
-          <button type="button" class="button strong" ref={opener} aria-expanded={adding} onClick={() => setAdding(!adding)}>
-            <Icon name="add" />{strings.addBlock}
+          <button
+            type="button"
+            class="button strong"
+            ref={opener}
+            aria-expanded={adding}
+            onClick={() => setAdding(!adding)}
+          >
+            <Icon name="add" />
+            {strings.addBlock}
           </button>
           {drawn.times.size > 0 && <span class="count">{strings.totalTime(total)}</span>}
         </header>
-        {adding
-          ? <Palette onClose={closePalette} onAdded={() => setAdding(false)} />
-          : (
-            <div class="lanes">
-              {LAYERS.map((layer) => (
-                <Lane key={layer} layer={layer} draft={draft} drag={drag} drawn={drawn} onAdd={() => {
+        {adding ? (
+          <Palette onClose={closePalette} onAdded={() => setAdding(false)} />
+        ) : (
+          <div class="lanes">
+            {LAYERS.map((layer) => (
+              <Lane
+                key={layer}
+                layer={layer}
+                draft={draft}
+                drag={drag}
+                drawn={drawn}
+                onAdd={() => {
                   designer.layer.value = layer;
                   setAdding(true);
-                }} />
-              ))}
-              {empty && store.page.value && (
-                <button type="button" class="button lanes-begin" onClick={designer.beginWithPage}>
-                  <Icon name="style" />{strings.beginWithPage}
-                </button>
-              )}
-            </div>
-          )}
+                }}
+              />
+            ))}
+            {empty && store.page.value && (
+              <button type="button" class="button lanes-begin" onClick={designer.beginWithPage}>
+                <Icon name="style" />
+                {strings.beginWithPage}
+              </button>
+            )}
+          </div>
+        )}
       </div>
     </Workspace>
   );

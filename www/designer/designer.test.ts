@@ -5,13 +5,38 @@ import { draftOf, edit, emptyDraft, misfits, remedy, styleOf } from './designer-
 import { fakeApp } from '../document/testing.ts';
 import type { Draft, Edit } from './designer-draft.ts';
 
-const number = (id: string, usual = 1) => ({ id, label: id, help: '', kind: 'number', default: usual, min: 0, max: 10, step: 0.1 });
-const block = (id: string, input = 'any', output = 'any', params = [number('amount')]) => ({ id, label: id, help: '', input, output, params });
-const BLOCKS = [block('blur'), block('to_gray', 'any', 'luma', []), block('to_color', 'any', 'color', []), block('pattern', 'luma'), block('saturate', 'color')];
+const number = (id: string, usual = 1) => ({
+  id,
+  label: id,
+  help: '',
+  kind: 'number',
+  default: usual,
+  min: 0,
+  max: 10,
+  step: 0.1,
+});
+const block = (id: string, input = 'any', output = 'any', params = [number('amount')]) => ({
+  id,
+  label: id,
+  help: '',
+  input,
+  output,
+  params,
+});
+const BLOCKS = [
+  block('blur'),
+  block('to_gray', 'any', 'luma', []),
+  block('to_color', 'any', 'color', []),
+  block('pattern', 'luma'),
+  block('saturate', 'color'),
+];
 
-const made = (...edits: Edit[]) => edits.reduce((draft, change) => edit(draft, change, BLOCKS), emptyDraft('my-1', 'Mine'));
-const add = (name: string, at = 99, layer = ('background' as const)) => ({ type: 'add', layer, at, blocks: [name] } as Edit);
-const names = (draft: Draft, layer = ('background' as 'background' | 'foreground')) => draft[layer].map(({ block: id }) => id);
+const made = (...edits: Edit[]) =>
+  edits.reduce((draft, change) => edit(draft, change, BLOCKS), emptyDraft('my-1', 'Mine'));
+const add = (name: string, at = 99, layer = 'background' as const) =>
+  ({ type: 'add', layer, at, blocks: [name] }) as Edit;
+const names = (draft: Draft, layer = 'background' as 'background' | 'foreground') =>
+  draft[layer].map(({ block: id }) => id);
 
 describe('a draft', () => {
   it('is built, ordered and taken apart, and its cards keep their keys', () => {
@@ -40,13 +65,22 @@ describe('a draft', () => {
 
   it('becomes a style file without what is the default, and comes back', () => {
     const draft = [
-      { type: 'set', layer: 'background', at: 0, param: 'amount', value: 3 }, { type: 'bypass', layer: 'background', at: 1, on: true },
-      { type: 'ink', ink: '#102030' }, { type: 'add', layer: 'foreground', at: 0, blocks: ['to_gray'] },
-    ].reduce((now, change) => edit(now, (change as Edit), BLOCKS), made(add('blur'), add('saturate')));
+      { type: 'set', layer: 'background', at: 0, param: 'amount', value: 3 },
+      { type: 'bypass', layer: 'background', at: 1, on: true },
+      { type: 'ink', ink: '#102030' },
+      { type: 'add', layer: 'foreground', at: 0, blocks: ['to_gray'] },
+    ].reduce((now, change) => edit(now, change as Edit, BLOCKS), made(add('blur'), add('saturate')));
     const style = styleOf(draft, BLOCKS);
     expect(style).toEqual({
-      id: 'my-1', name: 'Mine', tags: [], background: [{ block: 'blur', amount: 3 }, { block: 'saturate', bypass: true }],
-      foreground: [{ block: 'to_gray' }], ink: '#102030',
+      id: 'my-1',
+      name: 'Mine',
+      tags: [],
+      background: [
+        { block: 'blur', amount: 3 },
+        { block: 'saturate', bypass: true },
+      ],
+      foreground: [{ block: 'to_gray' }],
+      ink: '#102030',
     });
     expect(styleOf(draftOf(style, BLOCKS), BLOCKS)).toEqual(style);
     const reset = edit(draft, { type: 'reset', layer: 'background', at: 0 }, BLOCKS);
@@ -57,7 +91,10 @@ describe('a draft', () => {
     const draft = made(add('pattern'), add('to_gray'), add('saturate'), add('pattern'));
     expect(misfits(draft.background, BLOCKS)).toEqual(['luma', '', 'color', '']);
     expect(styleOf(draft, BLOCKS, { tolerant: true }).background).toEqual([
-      { block: 'pattern', bypass: true }, { block: 'to_gray' }, { block: 'saturate', bypass: true }, { block: 'pattern' },
+      { block: 'pattern', bypass: true },
+      { block: 'to_gray' },
+      { block: 'saturate', bypass: true },
+      { block: 'pattern' },
     ]);
     expect(remedy([], 'pattern', BLOCKS)).toBe('to_gray');
     expect(remedy(draft.background, 'saturate', BLOCKS)).toBe('to_color');
@@ -70,9 +107,9 @@ function app() {
   (fake.planner as any).blocks = () => BLOCKS;
   (fake.planner as any).styles = () => [{ id: 'noir', name: 'Noir', tags: [], background: [{ block: 'blur' }] }];
   (fake.planner as any).checkStyle = (json: string) => JSON.parse(json);
-  fake.store.planner.value = ({ ...fake.planner } as any);
+  fake.store.planner.value = { ...fake.planner } as any;
   let ids = 0;
-  const ui = { work: signal((null as 'designer' | 'explorer' | null)) };
+  const ui = { work: signal(null as 'designer' | 'explorer' | null) };
   const designer = createDesigner({ ...fake, ui, freshId: () => `my-${(ids += 1)}` });
   return { ...fake, ui, designer };
 }
@@ -111,9 +148,11 @@ describe('the designer', () => {
     expect(ui.work.value).toBe(null);
     expect(designer.onPage.value).toBe(true);
     designer.change(add('saturate'));
-    expect((store.page.value?.style as any).background).toHaveLength(2);
+    expect((store.page.value!.style as any).background).toHaveLength(2);
     pages.undo();
-    expect([designer.draft.value?.background.length, (store.page.value?.style as any).background.length]).toEqual([1, 1]);
+    expect([designer.draft.value?.background.length, (store.page.value!.style as any).background.length]).toEqual([
+      1, 1,
+    ]);
   });
 
   it('says what the core finds wrong, and uses nothing of it', async () => {
@@ -127,6 +166,8 @@ describe('the designer', () => {
     };
     designer.use();
     expect(store.page.value).toBe(before);
-    expect(messages.list.value.map(({ text }) => text)).toEqual(['style Untitled style: background[0] (pattern): needs gray']);
+    expect(messages.list.value.map(({ text }) => text)).toEqual([
+      'style Untitled style: background[0] (pattern): needs gray',
+    ]);
   });
 });

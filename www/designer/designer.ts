@@ -17,9 +17,18 @@ import type { Signal } from '@preact/signals';
 
 export type Designer = ReturnType<typeof createDesigner>;
 
-export function createDesigner({ store, pages, messages, ui, freshId }: {
-  store: Store, pages: Pages, messages: Messages, ui: Pick<Ui, 'work'>,
-  freshId: () => string,
+export function createDesigner({
+  store,
+  pages,
+  messages,
+  ui,
+  freshId,
+}: {
+  store: Store;
+  pages: Pages;
+  messages: Messages;
+  ui: Pick<Ui, 'work'>;
+  freshId: () => string;
 }) {
   const blocks = computed(() => store.planner.value?.blocks() ?? []);
   /** The draft in the middle of a drag. */
@@ -35,7 +44,22 @@ export function createDesigner({ store, pages, messages, ui, freshId }: {
     return typeof style === 'object' && style.id !== undefined && style.id === store.project.value.draft?.id;
   });
 
-  return { blocks, draft, shown, onPage, layer: signal(('background' as Layer)), open, close, begin, beginWithPage, change, hold, release, use, checked };
+  return {
+    blocks,
+    draft,
+    shown,
+    onPage,
+    layer: signal('background' as Layer),
+    open,
+    close,
+    begin,
+    beginWithPage,
+    change,
+    hold,
+    release,
+    use,
+    checked,
+  };
 
   /** @param style to begin with; the draft as it was left unless told */
   function open(style?: Style) {
@@ -58,7 +82,10 @@ export function createDesigner({ store, pages, messages, ui, freshId }: {
     if (!style) keep(emptyDraft(freshId(), strings.untitledStyle));
     else {
       const fresh = draftOf(style, blocks.peek());
-      const designed = store.planner.peek()?.styles().some(({ id }) => id === style.id);
+      const designed = store.planner
+        .peek()
+        ?.styles()
+        .some(({ id }) => id === style.id);
       keep(designed ? { ...fresh, id: freshId(), name: strings.copyOf(style.name) } : fresh);
     }
   }
@@ -66,8 +93,14 @@ export function createDesigner({ store, pages, messages, ui, freshId }: {
   /** A new draft of the style that the page has. */
   function beginWithPage() {
     const style = store.page.peek()?.style;
-    const known = typeof style === 'object' ? style : store.planner.peek()?.styles().find(({ id }) => id === style);
-    if (known) begin((known as Style));
+    const known =
+      typeof style === 'object'
+        ? style
+        : store.planner
+            .peek()
+            ?.styles()
+            .find(({ id }) => id === style);
+    if (known) begin(known as Style);
   }
 
   function change(change: Edit) {
@@ -101,7 +134,9 @@ export function createDesigner({ store, pages, messages, ui, freshId }: {
 
   /** @returns whether every block can work where it is */
   function whole(of: Draft): boolean {
-    return [of.background, of.foreground].every((steps) => misfits(steps, blocks.peek()).every((lacks) => lacks === ''));
+    return [of.background, of.foreground].every((steps) =>
+      misfits(steps, blocks.peek()).every((lacks) => lacks === ''),
+    );
   }
 
   /** @returns the draft as a style file that the core has checked; what is wrong is said */

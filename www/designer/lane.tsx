@@ -12,9 +12,18 @@ import { Card } from './card.tsx';
 import type { CardDrag } from './card-drag.ts';
 import type { Draft, Layer } from './designer-draft.ts';
 
-export function Lane({ layer, draft, drag, drawn, onAdd }: {
-  layer: Layer, draft: Draft, drag: CardDrag, onAdd: () => void,
-  drawn: { times: ReadonlyMap<number, number>, stages: ReadonlyMap<number, ImageBitmap> },
+export function Lane({
+  layer,
+  draft,
+  drag,
+  drawn,
+  onAdd,
+}: {
+  layer: Layer;
+  draft: Draft;
+  drag: CardDrag;
+  onAdd: () => void;
+  drawn: { times: ReadonlyMap<number, number>; stages: ReadonlyMap<number, ImageBitmap> };
 }) {
   const { designer } = useApp();
   const { carried, take } = drag;
@@ -26,12 +35,23 @@ export function Lane({ layer, draft, drag, drawn, onAdd }: {
   const first = layer === 'foreground' ? FOREGROUND : 0;
 
   return (
-    <section class="lane" data-layer={layer} onFocusIn={() => { designer.layer.value = layer; }}>
+    <section
+      class="lane"
+      data-layer={layer}
+      onFocusIn={() => {
+        designer.layer.value = layer;
+      }}
+    >
       <header class="lane-head">
         <h3 title={strings.layerHelp[layer]}>{strings.layerName[layer]}</h3>
         {layer === 'foreground' && (
-          <input type="color" aria-label={strings.ink} title={strings.ink} value={draft.ink}
-            onChange={(event) => designer.change({ type: 'ink', ink: event.currentTarget.value })} />
+          <input
+            type="color"
+            aria-label={strings.ink}
+            title={strings.ink}
+            value={draft.ink}
+            onChange={(event) => designer.change({ type: 'ink', ink: event.currentTarget.value })}
+          />
         )}
       </header>
       <ol class="cards" aria-label={strings.layerName[layer]}>
@@ -51,8 +71,15 @@ export function Lane({ layer, draft, drag, drawn, onAdd }: {
           />
         ))}
       </ol>
-      {steps.length === 0 && <p class="quiet lane-empty" data-target={gap >= 0}>{strings.emptyLayer[layer]}</p>}
-      <button type="button" class="button small lane-add" onClick={onAdd}><Icon name="add" />{strings.addToLayer[layer]}</button>
+      {steps.length === 0 && (
+        <p class="quiet lane-empty" data-target={gap >= 0}>
+          {strings.emptyLayer[layer]}
+        </p>
+      )}
+      <button type="button" class="button small lane-add" onClick={onAdd}>
+        <Icon name="add" />
+        {strings.addToLayer[layer]}
+      </button>
     </section>
   );
 }

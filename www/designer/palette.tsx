@@ -15,12 +15,16 @@ import type { Draft, Layer } from './designer-draft.ts';
 
 const SIZE = { width: 132, height: 99 };
 /** What a picture shows of the blocks whose usual values do nothing. */
-const TELLING: Record<string, Record<string, any>> = { hue: { angle: 90 }, size: { percent: 20 }, dynamic_range: { range: 255 } };
+const TELLING: Record<string, Record<string, any>> = {
+  hue: { angle: 90 },
+  size: { percent: 20 },
+  dynamic_range: { range: 255 },
+};
 
-export function Palette({ onClose, onAdded }: { onClose: () => void, onAdded: () => void }) {
+export function Palette({ onClose, onAdded }: { onClose: () => void; onAdded: () => void }) {
   const { store, designer, engine } = useApp();
   const [words, setWords] = useState('');
-  const field = useRef((null as HTMLInputElement | null));
+  const field = useRef(null as HTMLInputElement | null);
   const hero = useHero();
   const blocks = designer.blocks.value;
   const draft = designer.draft.value;
@@ -29,7 +33,10 @@ export function Palette({ onClose, onAdded }: { onClose: () => void, onAdded: ()
   const meta = store.facts.value.find(({ id }) => id === hero)?.meta;
   const size = thumbnail(meta, SIZE.width, SIZE.height);
   const found = search(blocks, words);
-  const pictures = useMemo(() => new Map(blocks.map((block) => [block.id, draft && styleWith(draft, layer, block, blocks)])), [draft, layer, blocks]);
+  const pictures = useMemo(
+    () => new Map(blocks.map((block) => [block.id, draft && styleWith(draft, layer, block, blocks)])),
+    [draft, layer, blocks],
+  );
   useEffect(() => field.current?.focus(), []);
 
   function add(block: Block) {
@@ -43,23 +50,43 @@ export function Palette({ onClose, onAdded }: { onClose: () => void, onAdded: ()
   }
 
   return (
-    <section class="palette" aria-label={strings.palette} onKeyDown={(event) => {
-      if (event.key !== 'Escape') return;
-      event.preventDefault();
-      event.stopPropagation();
-      onClose();
-    }}>
+    <section
+      class="palette"
+      aria-label={strings.palette}
+      onKeyDown={(event) => {
+        if (event.key !== 'Escape') return;
+        event.preventDefault();
+        event.stopPropagation();
+        onClose();
+      }}
+    >
       <div class="palette-head">
-        <input ref={field} class="text" type="search" aria-label={strings.searchBlocks} placeholder={strings.searchBlocks} value={words}
+        <input
+          ref={field}
+          class="text"
+          type="search"
+          aria-label={strings.searchBlocks}
+          placeholder={strings.searchBlocks}
+          value={words}
           onInput={(event) => setWords(event.currentTarget.value)}
           onKeyDown={(event) => {
             if (event.key === 'Enter' && found.length > 0 && words !== '') add(found[0]);
-          }} />
+          }}
+        />
         <IconButton icon="close" label={strings.close} onClick={onClose} />
       </div>
       <div class="segments">
         {LAYERS.map((name) => (
-          <button type="button" key={name} aria-pressed={name === layer} onClick={() => { designer.layer.value = name; }}>{strings.addToLayer[name]}</button>
+          <button
+            type="button"
+            key={name}
+            aria-pressed={name === layer}
+            onClick={() => {
+              designer.layer.value = name;
+            }}
+          >
+            {strings.addToLayer[name]}
+          </button>
         ))}
       </div>
       {steps.length >= MOST_BLOCKS - 1 && <p class="quiet">{strings.fullLayer}</p>}
@@ -69,10 +96,21 @@ export function Palette({ onClose, onAdded }: { onClose: () => void, onAdded: ()
           const note = before ? strings.brings[before === 'to_gray' ? 'luma' : 'color'] : '';
           return (
             <li key={block.id}>
-              <button type="button" class="palette-block" title={strings.blockHelp(block)} aria-description={[strings.blockHelp(block), note].filter(Boolean).join(' ')}
-                disabled={steps.length + (before ? 2 : 1) > MOST_BLOCKS} onClick={() => add(block)}>
-                {hero === null ? <span class="bitmap" /> : (
-                  <Bitmap of={pictures.get(block.id)} draw={(call) => engine.stylePhoto(hero, pictures.get(block.id) ?? {}, size, call)} />
+              <button
+                type="button"
+                class="palette-block"
+                title={strings.blockHelp(block)}
+                aria-description={[strings.blockHelp(block), note].filter(Boolean).join(' ')}
+                disabled={steps.length + (before ? 2 : 1) > MOST_BLOCKS}
+                onClick={() => add(block)}
+              >
+                {hero === null ? (
+                  <span class="bitmap" />
+                ) : (
+                  <Bitmap
+                    of={pictures.get(block.id)}
+                    draw={(call) => engine.stylePhoto(hero, pictures.get(block.id) ?? {}, size, call)}
+                  />
                 )}
                 <span class="palette-name">{strings.blockName(block)}</span>
                 {note && <span class="palette-note">{note}</span>}
@@ -91,7 +129,12 @@ function search(blocks: readonly Block[], words: string): Block[] {
   const wanted = words.toLowerCase().split(/\s+/);
   const has = (text: string) => wanted.every((word) => text.toLowerCase().includes(word));
   const named = blocks.filter((block) => has(`${block.id} ${block.label} ${strings.blockName(block)}`));
-  return [...named, ...blocks.filter((block) => !named.includes(block) && has(`${strings.blockName(block)} ${strings.blockHelp(block)}`))];
+  return [
+    ...named,
+    ...blocks.filter(
+      (block) => !named.includes(block) && has(`${strings.blockName(block)} ${strings.blockHelp(block)}`),
+    ),
+  ];
 }
 
 /** The layer with the block at its end, by itself. */
@@ -99,6 +142,10 @@ function styleWith(draft: Draft, layer: Layer, block: Block, blocks: readonly Bl
   const alone = { ...draft, background: draft[layer], foreground: [] };
   const style = styleOf(alone, blocks, { tolerant: true });
   const before = remedy(draft[layer], block.id, blocks);
-  const steps = [...(style.background ?? []), ...(before ? [{ block: before }] : []), { block: block.id, ...TELLING[block.id] }];
+  const steps = [
+    ...(style.background ?? []),
+    ...(before ? [{ block: before }] : []),
+    { block: block.id, ...TELLING[block.id] },
+  ];
   return { id: 'palette', name: 'palette', tags: [], background: steps.slice(-MOST_BLOCKS) };
 }

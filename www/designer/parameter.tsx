@@ -6,7 +6,21 @@ import { strings } from '../strings/strings.ts';
 import type { BlockParam } from '../engine/documents.ts';
 
 /** @param props `onMove`: in the middle of a drag, which `onRest` ends */
-export function Parameter({ block, param, value, onMove, onSet, onRest }: { block: string, param: BlockParam, value: any, onMove: (value: any) => void, onSet: (value: any) => void, onRest: () => void }) {
+export function Parameter({
+  block,
+  param,
+  value,
+  onMove,
+  onSet,
+  onRest,
+}: {
+  block: string;
+  param: BlockParam;
+  value: any;
+  onMove: (value: any) => void;
+  onSet: (value: any) => void;
+  onRest: () => void;
+}) {
   const { kind } = param;
   const label = strings.parameterName(block, param);
   const help = strings.parameterHelp(block, param);
@@ -23,7 +37,11 @@ export function Parameter({ block, param, value, onMove, onSet, onRest }: { bloc
       <label class="parameter choice" title={help}>
         <span>{label}</span>
         <select class="select" value={value} onChange={(event) => onSet(event.currentTarget.value)}>
-          {param.choices?.map((name) => <option key={name} value={name}>{strings.choiceName(name)}</option>)}
+          {param.choices?.map((name) => (
+            <option key={name} value={name}>
+              {strings.choiceName(name)}
+            </option>
+          ))}
         </select>
       </label>
     );
@@ -31,12 +49,30 @@ export function Parameter({ block, param, value, onMove, onSet, onRest }: { bloc
   return <Range param={param} label={label} help={help} value={value} onMove={onMove} onSet={onSet} onRest={onRest} />;
 }
 
-function Range({ param: { min = 0, max = 1, step = 1, unit = '', default: usual }, label, help, value, onMove, onSet, onRest }: { param: BlockParam, label: string, help: string, value: number, onMove: (value: number) => void, onSet: (value: number) => void, onRest: () => void }) {
+function Range({
+  param: { min = 0, max = 1, step = 1, unit = '', default: usual },
+  label,
+  help,
+  value,
+  onMove,
+  onSet,
+  onRest,
+}: {
+  param: BlockParam;
+  label: string;
+  help: string;
+  value: number;
+  onMove: (value: number) => void;
+  onSet: (value: number) => void;
+  onRest: () => void;
+}) {
   const mark = (usual - min) / (max - min);
   const text = `${value}${unit ? ` ${unit}` : ''}`;
   return (
     <div class="parameter" title={help}>
-      <span class="parameter-name" aria-hidden="true">{label}</span>
+      <span class="parameter-name" aria-hidden="true">
+        {label}
+      </span>
       <span class="parameter-number">
         <input
           class="number"
@@ -50,7 +86,9 @@ function Range({ param: { min = 0, max = 1, step = 1, unit = '', default: usual 
             const typed = currentTarget.valueAsNumber;
             if (Number.isFinite(typed)) onSet(rounded(Math.min(max, Math.max(min, typed)), step));
             // What was typed may be no value: the field shows what counts.
-            currentTarget.value = String(Number.isFinite(typed) ? rounded(Math.min(max, Math.max(min, typed)), step) : value);
+            currentTarget.value = String(
+              Number.isFinite(typed) ? rounded(Math.min(max, Math.max(min, typed)), step) : value,
+            );
           }}
         />
         <span class="unit">{unit}</span>

@@ -1,23 +1,32 @@
 import { expect, it } from 'vitest';
 import { createPreviewLoop } from './preview-loop.ts';
 
-const settle = (ms = 5) => new Promise((done) => { setTimeout(done, ms); });
+const settle = (ms = 5) =>
+  new Promise((done) => {
+    setTimeout(done, ms);
+  });
 
 function loop(draw: (style: any) => any = () => ({})) {
-  const calls: { style: any, stages: number, end: () => void }[] = [];
+  const calls: { style: any; stages: number; end: () => void }[] = [];
   const shown: any[] = [];
   const told: string[] = [];
   let busy = false;
-  const engine = ({
+  const engine = {
     drawDesign: async (_: string, style: any, { stages = 0 }: any) => {
       await new Promise((end: (value?: any) => void) => calls.push({ style, stages, end }));
       return { ...draw(style), bitmap: style, stages: [] };
     },
     stylePhoto: async (_: string, style: any) => ({ bitmap: `full ${style}` }),
-  } as any);
+  } as any;
   const made = createPreviewLoop({
-    engine, cards: () => true, onPicture: ({ bitmap }) => shown.push(bitmap), onStages: () => shown.push('cards'),
-    onBusy: (now) => { busy = now; }, onError: ({ message }) => told.push(message),
+    engine,
+    cards: () => true,
+    onPicture: ({ bitmap }) => shown.push(bitmap),
+    onStages: () => shown.push('cards'),
+    onBusy: (now) => {
+      busy = now;
+    },
+    onError: ({ message }) => told.push(message),
   });
   const show = (style: any) => made.show({ id: 'p', style, width: 960, height: 540, full: 1920 });
   return { made, calls, shown, told, show, busy: () => busy };

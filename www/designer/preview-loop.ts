@@ -9,7 +9,7 @@ import type { Style } from '../engine/documents.ts';
 import type { Engine } from '../engine/engine.ts';
 
 /** `full`: the width of the preview on the screen */
-type Wish = { id: string, style: Style, width: number, height: number, full: number };
+type Wish = { id: string; style: Style; width: number; height: number; full: number };
 
 /** The hand rests when nothing changed for so long, in ms. */
 const REST = 140;
@@ -19,10 +19,20 @@ const AHEAD = 2;
 const CARD = 176;
 
 /** @param options `cards`: whether the cards want pictures */
-export function createPreviewLoop({ engine, cards, onPicture, onStages, onBusy, onError }: {
-  engine: Pick<Engine, 'drawDesign' | 'stylePhoto'>, cards: () => boolean,
-  onPicture: (picture: { bitmap: ImageBitmap }) => void, onStages: (designed: Designed) => void, onBusy: (busy: boolean) => void,
-  onError: (error: Error) => void,
+export function createPreviewLoop({
+  engine,
+  cards,
+  onPicture,
+  onStages,
+  onBusy,
+  onError,
+}: {
+  engine: Pick<Engine, 'drawDesign' | 'stylePhoto'>;
+  cards: () => boolean;
+  onPicture: (picture: { bitmap: ImageBitmap }) => void;
+  onStages: (designed: Designed) => void;
+  onBusy: (busy: boolean) => void;
+  onError: (error: Error) => void;
 }) {
   let wanted: Wish | null = null;
   /** What was sent last. */
@@ -66,7 +76,7 @@ export function createPreviewLoop({ engine, cards, onPicture, onStages, onBusy, 
   }
 
   async function refine() {
-    const wish = (wanted as Wish);
+    const wish = wanted as Wish;
     const { id, style, width, height, full } = wish;
     stop = new AbortController();
     const { signal } = stop;
@@ -76,7 +86,7 @@ export function createPreviewLoop({ engine, cards, onPicture, onStages, onBusy, 
         if (wanted === wish) onStages(designed);
       }
       if (full > width * 1.05 && wanted === wish) {
-        const size = { width: full, height: Math.max(1, Math.round(full * height / width)), tier: ('work' as const) };
+        const size = { width: full, height: Math.max(1, Math.round((full * height) / width)), tier: 'work' as const };
         const picture = await engine.stylePhoto(id, style, size, { signal });
         if (wanted === wish) onPicture(picture);
       }
@@ -87,7 +97,7 @@ export function createPreviewLoop({ engine, cards, onPicture, onStages, onBusy, 
   }
 
   function tell(error: unknown) {
-    const { code } = (error as { code?: string });
-    if (code !== 'cancelled' && wanted) onError((error as Error));
+    const { code } = error as { code?: string };
+    if (code !== 'cancelled' && wanted) onError(error as Error);
   }
 }

@@ -15,16 +15,16 @@ const THUMB = 64;
 
 export function Preview({ onStages }: { onStages: (designed: Designed) => void }) {
   const { store, engine, designer } = useApp();
-  const chosen = useSignal((null as string | null));
+  const chosen = useSignal(null as string | null);
   const four = useSignal(false);
   const compare = useSignal(false);
   const split = useSignal(0.5);
   /** The photos that are being drawn. */
-  const busy = useSignal((new Set() as ReadonlySet<string>));
+  const busy = useSignal(new Set() as ReadonlySet<string>);
   const hero = useHero();
   const facts = store.facts.value.filter(({ id, meta }) => meta && engine.hasPhoto(id));
   const ids = facts.map(({ id }) => id);
-  const first = chosen.value && ids.includes(chosen.value) ? chosen.value : hero ?? ids[0];
+  const first = chosen.value && ids.includes(chosen.value) ? chosen.value : (hero ?? ids[0]);
   const at = Math.max(0, ids.indexOf(first));
   const shown = four.value ? [...ids.slice(at), ...ids.slice(0, at)].slice(0, 4) : ids.slice(at, at + 1);
 
@@ -34,7 +34,7 @@ export function Preview({ onStages }: { onStages: (designed: Designed) => void }
         {shown.map((id, i) => (
           <Comparison
             key={`${id}/${shown.length}`}
-            fact={(facts.find((fact) => fact.id === id) as any)}
+            fact={facts.find((fact) => fact.id === id) as any}
             style={designer.shown.value ?? PLAIN}
             small={shown.length > 1}
             split={compare.value ? split : null}
@@ -47,12 +47,39 @@ export function Preview({ onStages }: { onStages: (designed: Designed) => void }
         ))}
       </div>
       <div class="preview-tools">
-        <button type="button" class="button small" aria-pressed={compare.value} onClick={() => { compare.value = !compare.value; }}>{strings.compare}</button>
-        <button type="button" class="button small" aria-pressed={four.value} disabled={ids.length < 2} onClick={() => { four.value = !four.value; }}>{strings.fourPhotos}</button>
+        <button
+          type="button"
+          class="button small"
+          aria-pressed={compare.value}
+          onClick={() => {
+            compare.value = !compare.value;
+          }}
+        >
+          {strings.compare}
+        </button>
+        <button
+          type="button"
+          class="button small"
+          aria-pressed={four.value}
+          disabled={ids.length < 2}
+          onClick={() => {
+            four.value = !four.value;
+          }}
+        >
+          {strings.fourPhotos}
+        </button>
         <ul class="preview-photos" aria-label={strings.previewPhotos}>
           {facts.map(({ id, name, meta }) => (
             <li key={id}>
-              <button type="button" aria-label={strings.previewOf(name)} title={name} aria-current={id === first ? 'true' : undefined} onClick={() => { chosen.value = id; }}>
+              <button
+                type="button"
+                aria-label={strings.previewOf(name)}
+                title={name}
+                aria-current={id === first ? 'true' : undefined}
+                onClick={() => {
+                  chosen.value = id;
+                }}
+              >
                 <Bitmap of={id} draw={(call) => engine.stylePhoto(id, PLAIN, thumbnail(meta, THUMB), call)} />
               </button>
             </li>

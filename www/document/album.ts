@@ -7,7 +7,7 @@ import type { PhotoMeta } from '../engine/protocol.ts';
 import type { Likeness } from '../storage/files/identity.ts';
 import type { TrayItem } from './project.ts';
 
-export type Absent = Likeness & { subjects: any[] | null, measured: boolean };
+export type Absent = Likeness & { subjects: any[] | null; measured: boolean };
 
 /**
  * `meta` and `measures` are null until the photo was read; `credit` names the author of a sample; a frame of a video
@@ -15,8 +15,15 @@ export type Absent = Likeness & { subjects: any[] | null, measured: boolean };
  * keeps a place for, and what is known of it.
  */
 export type Fact = {
-  id: string, name: string, credit?: string, meta: PhotoMeta | null, measures: Record<string, number | string> | null,
-  video?: string, time?: number, looked?: boolean, absent?: Absent,
+  id: string;
+  name: string;
+  credit?: string;
+  meta: PhotoMeta | null;
+  measures: Record<string, number | string> | null;
+  video?: string;
+  time?: number;
+  looked?: boolean;
+  absent?: Absent;
 };
 export type Album = ReadonlyMap<string, Fact>;
 
@@ -25,7 +32,13 @@ export type Album = ReadonlyMap<string, Fact>;
  * until the file was opened.
  */
 export type Video = {
-  key: string, name: string, file: File, ids: readonly string[], duration: number | null, start: number, end: number | null,
+  key: string;
+  name: string;
+  file: File;
+  ids: readonly string[];
+  duration: number | null;
+  start: number;
+  end: number | null;
 };
 
 /** What the planner is told of a photo that is still being read, so that its place on the page is found at once. */
@@ -46,7 +59,8 @@ export function unreadMeta(id: string): PhotoMeta {
 /** A fingerprint that is far from any other, so that photos that nobody has seen do not count as alike (FNV-1a). */
 function unlike(text: string) {
   let hash = 0xcbf29ce484222325n;
-  for (const character of text) hash = ((hash ^ BigInt(character.charCodeAt(0))) * 0x100000001b3n) & 0xffffffffffffffffn;
+  for (const character of text)
+    hash = ((hash ^ BigInt(character.charCodeAt(0))) * 0x100000001b3n) & 0xffffffffffffffffn;
   return hash.toString(16).padStart(16, '0');
 }
 

@@ -11,12 +11,15 @@ import type { SharedLists } from './shared-lists.ts';
 import type { Sheet } from './sheets.ts';
 
 /** A page that was shown; `from` is the page that it was made from, `sheet` its place in the storyboard, 0 unless told. */
-export type Shown = { id: number, page: PageDocument, from?: number, sheet?: number };
+export type Shown = { id: number; page: PageDocument; from?: number; sheet?: number };
 
 /** `gesture` names the edit that the last step belongs to, such as one drag of a slider */
 export type History = {
-  past: readonly Project[], present: Project, future: readonly Project[], shown: readonly Shown[],
-  gesture: string | null,
+  past: readonly Project[];
+  present: Project;
+  future: readonly Project[];
+  shown: readonly Shown[];
+  gesture: string | null;
 };
 
 /**
@@ -25,9 +28,11 @@ export type History = {
  * step before joins it.
  * `share` tells a list that all projects have in common, as it is now outside of this one: no step, at no time undone.
  */
-export type Change = 
-  | Action & { silent?: boolean, gesture?: string } | { type: 'undo' } | { type: 'redo' }
-  | { type: 'share', lists: Partial<SharedLists> };
+export type Change =
+  | (Action & { silent?: boolean; gesture?: string })
+  | { type: 'undo' }
+  | { type: 'redo' }
+  | { type: 'share'; lists: Partial<SharedLists> };
 
 const MOST_STEPS = 500;
 /** Beyond so many the oldest go, favourites never. */
@@ -50,7 +55,8 @@ export function advance(history: History, change: Change): History {
   const present = reduce(history.present, change);
   if (present === history.present) return history;
   // A first page none of whose photos could be read was none.
-  if (change.type === 'no-page' && change.silent) return { ...history, present, shown: history.shown.filter(({ id }) => id !== history.present.pageId) };
+  if (change.type === 'no-page' && change.silent)
+    return { ...history, present, shown: history.shown.filter(({ id }) => id !== history.present.pageId) };
   const same = history.present.page && history.present.sheet === present.sheet;
   const shown = note(history.shown, present, same ? history.present.pageId : undefined);
   if (change.silent) return { ...history, present, shown };
@@ -71,13 +77,17 @@ export function position({ shown, present }: Pick<History, 'shown' | 'present'>)
 
 /** @returns a page id that was never used, nor any above it */
 export function freshPageId({ shown, past, present, future }: History): number {
-  const states = [...past, present, ...future].map(({ pageId, others }) => others.reduce((most, other) => Math.max(most, other.pageId), pageId));
+  const states = [...past, present, ...future].map(({ pageId, others }) =>
+    others.reduce((most, other) => Math.max(most, other.pageId), pageId),
+  );
   return greatest([...shown.map(({ id }) => id), ...states]) + 1;
 }
 
 /** @returns an id for a place in the storyboard that was never used, nor any above it */
 export function freshSheet({ shown, past, present, future }: History): number {
-  const states = [...past, present, ...future].map(({ sheet, others }) => others.reduce((most, other) => Math.max(most, other.sheet), sheet));
+  const states = [...past, present, ...future].map(({ sheet, others }) =>
+    others.reduce((most, other) => Math.max(most, other.sheet), sheet),
+  );
   return greatest([...shown.map(({ sheet = 0 }) => sheet), ...states]) + 1;
 }
 
@@ -89,13 +99,25 @@ function undo(history: History): History {
   const present = history.past.at(-1);
   if (!present) return history;
   const past = history.past.slice(0, -1);
-  return { past, present, future: [history.present, ...history.future], shown: note(history.shown, present), gesture: null };
+  return {
+    past,
+    present,
+    future: [history.present, ...history.future],
+    shown: note(history.shown, present),
+    gesture: null,
+  };
 }
 
 function redo(history: History): History {
   const [present, ...future] = history.future;
   if (!present) return history;
-  return { past: [...history.past, history.present], present, future, shown: note(history.shown, present), gesture: null };
+  return {
+    past: [...history.past, history.present],
+    present,
+    future,
+    shown: note(history.shown, present),
+    gesture: null,
+  };
 }
 
 /** A photo that could not be read is gone from all times: no undo brings it back. */
@@ -121,7 +143,11 @@ function note(shown: readonly Shown[], project: Project, from?: number): readonl
 }
 
 /** @param stay pages that do not go when there are too many */
-function noteOne(shown: readonly Shown[], { page, pageId, sheet, from }: Sheet & { from?: number }, stay: ReadonlySet<number>): readonly Shown[] {
+function noteOne(
+  shown: readonly Shown[],
+  { page, pageId, sheet, from }: Sheet & { from?: number },
+  stay: ReadonlySet<number>,
+): readonly Shown[] {
   const place = sheet === 0 ? {} : { sheet };
   const at = shown.findIndex(({ id }) => id === pageId);
   if (at < 0) {

@@ -13,13 +13,16 @@ async function lettered() {
   await app.reading.addFiles(app.files('a.jpg', 'b.jpg'));
   const letters = { settle: (page: any) => page.words, measure: () => [] };
   const lettering = createLettering({
-    store: app.store, messages: app.messages, selection: ({ panels: { peek: () => [] } } as any), load: async () => (letters as any),
+    store: app.store,
+    messages: app.messages,
+    selection: { panels: { peek: () => [] } } as any,
+    load: async () => letters as any,
   });
   return { ...app, lettering };
 }
 
-const word = ({ kind: 'caption', text: 'x' } as const);
-const styles = (count: number, of: string) => Array.from({ length: count }, (_, i) => ({ id: `${of}${i}` } as any));
+const word = { kind: 'caption', text: 'x' } as const;
+const styles = (count: number, of: string) => Array.from({ length: count }, (_, i) => ({ id: `${of}${i}` }) as any);
 
 describe('what the page itself can write is readable again', () => {
   it('words of a page are bounded, and it is said', async () => {
@@ -43,7 +46,11 @@ describe('what the page itself can write is readable again', () => {
   });
 
   it('a word beside a narrow panel stays within reach of it', () => {
-    const geometry = { width: 1, height: 1, panels: [{ bounds: { x: 0.9, y: 0, width: 0.02, height: 1 }, overlay: false }] };
+    const geometry = {
+      width: 1,
+      height: 1,
+      panels: [{ bounds: { x: 0.9, y: 0, width: 0.02, height: 1 }, overlay: false }],
+    };
     const { x, tail } = anchored(geometry, { kind: 'balloon', text: 'x', panel: 0 }, [0.1, 0.5], [0, 0.5]);
     expect([x, tail?.x]).toEqual([-MOST.away, -MOST.away]);
   });
@@ -70,18 +77,29 @@ describe('what the page itself can write is readable again', () => {
 
   it('so are those of this browser', () => {
     const { store, messages } = fakeApp();
-    Object.assign((store.planner.value as any), { checkStyle: JSON.parse });
-    const shelves = createShelves({ store, messages, box: () => ({ getItem: () => JSON.stringify(styles(3_000, 's')), setItem: () => {} }) });
+    Object.assign(store.planner.value as any, { checkStyle: JSON.parse });
+    const shelves = createShelves({
+      store,
+      messages,
+      box: () => ({ getItem: () => JSON.stringify(styles(3_000, 's')), setItem: () => {} }),
+    });
     shelves.recall();
     expect(store.project.value.mine.length).toBe(MOST.styles);
   });
 
   it('an album is spread over no more pages than a storyboard has, each with no more words than a page', () => {
-    const photos = Array.from({ length: 2_500 }, (_, i) => ({ id: `p${i}` } as any));
+    const photos = Array.from({ length: 2_500 }, (_, i) => ({ id: `p${i}` }) as any);
     const plan = ({ photos: own, layout = 'l', current }: any) => ({
-      ...current, layout, order: [], panels: (own ?? []).map(({ id }: any) => ({ photo: id, crop: null })), words: current?.words ?? [],
+      ...current,
+      layout,
+      order: [],
+      panels: (own ?? []).map(({ id }: any) => ({ photo: id, crop: null })),
+      words: current?.words ?? [],
     });
-    const before = ([0, 1].map(() => ({ panels: [{ photo: 'p0' }], words: Array.from({ length: 150 }, () => ({ ...word, panel: 0 })) })) as any[]);
+    const before = [0, 1].map(() => ({
+      panels: [{ photo: 'p0' }],
+      words: Array.from({ length: 150 }, () => ({ ...word, panel: 0 })),
+    })) as any[];
     for (const fixed of [null, { layout: 'one', places: 1 }]) {
       const made = spread({ photos, before, style: 's', per: 1, counts: [1, 2, 3], fixed, plan });
       expect(made.length).toBeLessThanOrEqual(MOST.sheets);

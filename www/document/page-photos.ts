@@ -14,7 +14,11 @@ import type { PhotoMeta } from '../engine/protocol.ts';
  * @param current the page itself
  * @returns those that are free for the page, in the same order; all where it is the only page
  */
-export function photosFor(all: readonly PhotoMeta[], elsewhere: readonly PageDocument[], current: PageDocument | null): readonly PhotoMeta[] {
+export function photosFor(
+  all: readonly PhotoMeta[],
+  elsewhere: readonly PageDocument[],
+  current: PageDocument | null,
+): readonly PhotoMeta[] {
   if (elsewhere.length === 0) return all;
   const taken = photosOn(elsewhere);
   const own = photosOn(current ? [current] : []);
@@ -26,7 +30,12 @@ export function photosFor(all: readonly PhotoMeta[], elsewhere: readonly PageDoc
  * @param all photos in use
  * @param elsewhere the other pages
  */
-export function casting(request: Omit<PlanRequest, 'photos'>, all: readonly PhotoMeta[], elsewhere: readonly PageDocument[], planner: Pick<Planner, 'layoutFacts'>): Pick<PlanRequest, 'photos' | 'panels'> {
+export function casting(
+  request: Omit<PlanRequest, 'photos'>,
+  all: readonly PhotoMeta[],
+  elsewhere: readonly PageDocument[],
+  planner: Pick<Planner, 'layoutFacts'>,
+): Pick<PlanRequest, 'photos' | 'panels'> {
   const { current } = request;
   const photos = [...photosFor(all, elsewhere, current)];
   if (elsewhere.length === 0) return { photos };
@@ -38,7 +47,10 @@ export function casting(request: Omit<PlanRequest, 'photos'>, all: readonly Phot
 }
 
 /** @returns the photos that fill the page without repeats; one where its layout is still to be drawn */
-function needed({ layout, panels, keep, current, page }: Omit<PlanRequest, 'photos'>, planner: Pick<Planner, 'layoutFacts'>): number {
+function needed(
+  { layout, panels, keep, current, page }: Omit<PlanRequest, 'photos'>,
+  planner: Pick<Planner, 'layoutFacts'>,
+): number {
   if (layout !== undefined) return planner.layoutFacts(layout, page).count;
   if (panels !== undefined) return panels;
   return keep.layout && current ? placesOf(current) : 1;

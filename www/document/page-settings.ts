@@ -7,7 +7,7 @@ import type { Store } from './store.ts';
 
 const KEEP_ALL = Object.freeze({ layout: true, style: true, photos: true });
 
-export function createPageSettings({ store, plan }: { store: Store, plan: Plan }) {
+export function createPageSettings({ store, plan }: { store: Store; plan: Plan }) {
   return { changeSettings, fitted };
 
   /** @param gesture names one drag of a control, which is one step of the undo */
@@ -23,7 +23,7 @@ export function createPageSettings({ store, plan }: { store: Store, plan: Plan }
   /** A page that was shown before, on the paper that the storyboard has now; one that is alone brings its own. */
   function fitted(page: PageDocument): PageDocument {
     const { settings, others } = store.project.peek();
-    const same = Object.entries(settings).every(([field, value]) => page.page[(field as keyof PageSettings)] === value);
+    const same = Object.entries(settings).every(([field, value]) => page.page[field as keyof PageSettings] === value);
     return others.length === 0 || same ? page : onPaper(page, settings);
   }
 
@@ -41,6 +41,8 @@ export function createPageSettings({ store, plan }: { store: Store, plan: Plan }
   /** Whether a layout is as good on another page as it is on its own. */
   function suits(page: PageDocument, changed: PageSettings) {
     const planner = store.planner.peek();
-    return !planner || planner.layoutFacts(page.layout, changed).good || !planner.layoutFacts(page.layout, page.page).good;
+    return (
+      !planner || planner.layoutFacts(page.layout, changed).good || !planner.layoutFacts(page.layout, page.page).good
+    );
   }
 }

@@ -15,7 +15,10 @@ describe('shuffle', () => {
     const { pages, planner } = await opened();
     pages.lock('style', true);
     pages.shuffle('all');
-    expect(planner.requests.at(-1)).toMatchObject({ mode: 'shuffle', keep: { layout: false, style: true, photos: false } });
+    expect(planner.requests.at(-1)).toMatchObject({
+      mode: 'shuffle',
+      keep: { layout: false, style: true, photos: false },
+    });
   });
 
   test('of one part keeps the others', async () => {
@@ -23,7 +26,10 @@ describe('shuffle', () => {
     pages.shuffle('layout');
     expect(planner.requests.at(-1)).toMatchObject({ keep: { layout: false, style: true, photos: true } });
     pages.shuffle('photos');
-    expect(planner.requests.at(-1)).toMatchObject({ mode: 'photos', keep: { layout: true, style: true, photos: false } });
+    expect(planner.requests.at(-1)).toMatchObject({
+      mode: 'photos',
+      keep: { layout: true, style: true, photos: false },
+    });
   });
 
   test('of a locked part does nothing', async () => {

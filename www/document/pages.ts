@@ -25,8 +25,23 @@ export function createPages(store: Store, seed: () => number = freshSeed) {
   const settings = createPageSettings({ store, plan });
 
   return {
-    plan, show, amend, refine, reorder, refit, shuffle, chooseLayout, chooseStyle, lock, wantPanels,
-    changeSettings: settings.changeSettings, bringBack, previous, next, undo, redo,
+    plan,
+    show,
+    amend,
+    refine,
+    reorder,
+    refit,
+    shuffle,
+    chooseLayout,
+    chooseStyle,
+    lock,
+    wantPanels,
+    changeSettings: settings.changeSettings,
+    bringBack,
+    previous,
+    next,
+    undo,
+    redo,
   };
 
   /** A new page from the photos in use that are free for it; null while there are none. */
@@ -37,7 +52,10 @@ export function createPages(store: Store, seed: () => number = freshSeed) {
     if (!planner || photos.length === 0) return null;
     const free = !wish.keep.layout && wish.layout === undefined;
     const request = { seed: seed(), page: project.settings, current: project.page, ...(free ? shape() : {}), ...wish };
-    return planner.plan({ ...request, ...(wish.photos ? { photos: wish.photos } : casting(request, photos, elsewhere(), planner)) });
+    return planner.plan({
+      ...request,
+      ...(wish.photos ? { photos: wish.photos } : casting(request, photos, elsewhere(), planner)),
+    });
   }
 
   /** The other pages of the storyboard. */
@@ -53,8 +71,9 @@ export function createPages(store: Store, seed: () => number = freshSeed) {
   }
 
   /** Makes a page the page. */
-  function show(page: PageDocument | null, how?: { silent?: boolean, gesture?: string }) {
-    if (page && page !== store.page.peek()) store.change({ type: 'show-page', page, pageId: freshPageId(store.history.peek()), ...how });
+  function show(page: PageDocument | null, how?: { silent?: boolean; gesture?: string }) {
+    if (page && page !== store.page.peek())
+      store.change({ type: 'show-page', page, pageId: freshPageId(store.history.peek()), ...how });
   }
 
   /** The page after a change by hand; what it does not touch stays. */
@@ -78,7 +97,11 @@ export function createPages(store: Store, seed: () => number = freshSeed) {
     if (!page) return;
     const { length } = store.photos.peek();
     const layout = length >= page.panels.length;
-    const better = plan({ keep: { layout, style: true, photos: false }, seed: page.seed, ...(layout ? {} : { panels: length }) });
+    const better = plan({
+      keep: { layout, style: true, photos: false },
+      seed: page.seed,
+      ...(layout ? {} : { panels: length }),
+    });
     if (better) store.change({ type: 'change-page', page: better, silent: true });
   }
 
@@ -108,7 +131,13 @@ export function createPages(store: Store, seed: () => number = freshSeed) {
     const { locks, page } = store.project.peek();
     if (!page || (part !== 'all' && locks[part])) return;
     // A locked panel stays where it is.
-    if (part === 'all') show(plan({ keep: { ...locks, layout: locks.layout || page.panels.some((panel) => panel.locked) }, mode: 'shuffle' }));
+    if (part === 'all')
+      show(
+        plan({
+          keep: { ...locks, layout: locks.layout || page.panels.some((panel) => panel.locked) },
+          mode: 'shuffle',
+        }),
+      );
     else if (part === 'photos') show(plan({ keep: { ...KEEP_ALL, photos: false }, mode: 'photos' }));
     else show(plan({ keep: { ...KEEP_ALL, [part]: false } }));
   }
@@ -148,9 +177,13 @@ export function createPages(store: Store, seed: () => number = freshSeed) {
     if (sheets[at]?.pageId !== id) store.change({ type: 'show-page', page: settings.fitted(page), pageId: id });
   }
 
-  function previous() { walk(-1); }
+  function previous() {
+    walk(-1);
+  }
 
-  function next() { walk(1); }
+  function next() {
+    walk(1);
+  }
 
   function undo() {
     store.change({ type: 'undo' });

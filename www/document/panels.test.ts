@@ -14,7 +14,7 @@ async function app(names = ['a', 'b', 'c', 'd']) {
   const selection = createSelection({ store });
   const merging = createMerging({ store, pages, selection });
   const reshaping = createReshaping({ store, pages, seed: () => 7 });
-  const page = () => (store.page.value as PageDocument);
+  const page = () => store.page.value as PageDocument;
   return { ...made, selection, merging, reshaping, page };
 }
 
@@ -48,7 +48,11 @@ test('panels are merged and split, each one step of the undo', async () => {
   merging.merge();
   expect(page().merges).toEqual([[0, 1]]);
   expect(merging.cannotMerge()).toBe(strings.merging.already);
-  expect(page().panels.map(({ photo }) => photo).slice(2)).toEqual(photos.slice(2));
+  expect(
+    page()
+      .panels.map(({ photo }) => photo)
+      .slice(2),
+  ).toEqual(photos.slice(2));
   // With nothing chosen the only merge is meant.
   selection.clear();
   merging.split();
@@ -60,8 +64,15 @@ test('panels are merged and split, each one step of the undo', async () => {
 });
 
 test('a merge needs panels that hang together below the overlays', () => {
-  const facts = ({ base: 4, adjacent: [[0, 1], [1, 2], [2, 3]] } as any);
-  const page = (...merges: number[][]) => ({ merges } as any);
+  const facts = {
+    base: 4,
+    adjacent: [
+      [0, 1],
+      [1, 2],
+      [2, 3],
+    ],
+  } as any;
+  const page = (...merges: number[][]) => ({ merges }) as any;
   expect(whyNotMerge([0, 2], page(), facts)).toBe(strings.merging.apart);
   expect(whyNotMerge([0, 2, 1], page(), facts)).toBe('');
   expect(whyNotMerge([3, 4], page(), facts)).toBe(strings.merging.overlay);
@@ -91,9 +102,13 @@ test('one drag of a cut is one step of the undo', async () => {
 
 test('a panel is split and taken away, and the others keep their photos', async () => {
   const { reshaping, page } = await app();
-  const plain = ({
-    panels: ['a', 'b', 'c', 'd'].map((photo) => ({ photo })), merges: [[0, 1], [2, 3]],
-  } as any);
+  const plain = {
+    panels: ['a', 'b', 'c', 'd'].map((photo) => ({ photo })),
+    merges: [
+      [0, 1],
+      [2, 3],
+    ],
+  } as any;
   const more = spliced(plain, 1, 1);
   expect(more.panels.map(({ photo }) => photo)).toEqual(['a', 'b', null, 'c', 'd']);
   expect(more.merges).toEqual([[3, 4]]);
@@ -105,10 +120,13 @@ test('a panel is split and taken away, and the others keep their photos', async 
 });
 
 test('an end of a cut moves, the other stays', () => {
-  const cut = ({ fraction: 0.5, slant: 0.1 } as any);
+  const cut = { fraction: 0.5, slant: 0.1 } as any;
   expect(shifted(cut, 'both', 0.1)).toEqual({ fraction: 0.6, slant: 0.1 });
-  for (const [end, fixed] of ([['from', 1], ['to', -1]] as const)) {
+  for (const [end, fixed] of [
+    ['from', 1],
+    ['to', -1],
+  ] as const) {
     const { fraction, slant } = shifted(cut, end, 0.2);
-    expect(fraction + fixed * slant / 2).toBeCloseTo(0.5 + fixed * 0.05);
+    expect(fraction + (fixed * slant) / 2).toBeCloseTo(0.5 + fixed * 0.05);
   }
 });

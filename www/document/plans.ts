@@ -4,7 +4,10 @@ import { LONGEST_STYLE } from '../styles/style-link.ts';
 import type { OwnLayouts } from '../layouts/own-layouts.ts';
 import type { OwnStyles } from '../styles/own-styles.ts';
 
-export async function openPlans(files: readonly File[], { ownLayouts, ownStyles }: { ownLayouts: Pick<OwnLayouts, 'open'>, ownStyles: Pick<OwnStyles, 'open'> }) {
+export async function openPlans(
+  files: readonly File[],
+  { ownLayouts, ownStyles }: { ownLayouts: Pick<OwnLayouts, 'open'>; ownStyles: Pick<OwnStyles, 'open'> },
+) {
   const kinds = await Promise.all(files.map(isStyle));
   await ownLayouts.open(files.filter((_, i) => !kinds[i]));
   await ownStyles.open(files.filter((_, i) => kinds[i]));

@@ -15,14 +15,14 @@ import type { Sheet } from './sheets.ts';
 export type { PageDocument };
 export type Part = 'layout' | 'style' | 'photos';
 /** How a shuffle draws a style: the share of invented ones, and the layers that stay. */
-export type Styling = { invented: number, keepLines: boolean, keepColours: boolean };
-type Locks = { layout: boolean, style: boolean, photos: boolean };
+export type Styling = { invented: number; keepLines: boolean; keepColours: boolean };
+type Locks = { layout: boolean; style: boolean; photos: boolean };
 
 /**
  * A photo in the tray. `use` is what the person chose; null follows the selection's verdict. `focus` is the point of
  * the photo that matters, in parts of it, where a person marked one.
  */
-export type TrayItem = { id: string, use: boolean | null, focus?: { x: number, y: number } | null };
+export type TrayItem = { id: string; use: boolean | null; focus?: { x: number; y: number } | null };
 
 /** of the photos: as they were taken where all say so, or as their files are called */
 export type Order = 'time' | 'name';
@@ -35,35 +35,50 @@ export type Order = 'time' | 'name';
  *   favourites among the pages shown, by their ids
  */
 export type Project = {
-  name: string, tray: readonly TrayItem[], alike: number, order: Order, locks: Locks, panels: number | null, settings: PageSettings,
-  page: PageDocument | null, pageId: number, sheet: number, others: readonly Sheet[], at: number, draft: Draft | null, mine: readonly Style[],
-  favourites: readonly Style[], ownLayouts: readonly Template[], loved: readonly number[], styling: Styling,
+  name: string;
+  tray: readonly TrayItem[];
+  alike: number;
+  order: Order;
+  locks: Locks;
+  panels: number | null;
+  settings: PageSettings;
+  page: PageDocument | null;
+  pageId: number;
+  sheet: number;
+  others: readonly Sheet[];
+  at: number;
+  draft: Draft | null;
+  mine: readonly Style[];
+  favourites: readonly Style[];
+  ownLayouts: readonly Template[];
+  loved: readonly number[];
+  styling: Styling;
 };
 
-export type Action = 
-  | { type: 'add-photos', ids: string[] }
-  | { type: 'remove-photo', id: string }
-  | { type: 'remove-photos', ids: readonly string[] }
-  | { type: 'forget-photos', ids: string[] }
-  | { type: 'use-photo', id: string, use: boolean }
-  | { type: 'use-photos', uses: ReadonlyMap<string, boolean> }
-  | { type: 'exchange-photo', id: string, by: string }
-  | { type: 'choose-by', alike?: number, order?: Order }
-  | { type: 'focus-photo', id: string, focus: { x: number, y: number } | null }
-  | { type: 'lock', part: Part, on: boolean }
-  | { type: 'want-panels', count: number | null }
-  | { type: 'show-page', page: PageDocument, pageId: number }
-  | { type: 'change-page', page: PageDocument }
-  | { type: 'change-settings', settings: PageSettings, page: PageDocument | null }
-  | { type: 'set-sheets', sheets: readonly Sheet[], at: number }
+export type Action =
+  | { type: 'add-photos'; ids: string[] }
+  | { type: 'remove-photo'; id: string }
+  | { type: 'remove-photos'; ids: readonly string[] }
+  | { type: 'forget-photos'; ids: string[] }
+  | { type: 'use-photo'; id: string; use: boolean }
+  | { type: 'use-photos'; uses: ReadonlyMap<string, boolean> }
+  | { type: 'exchange-photo'; id: string; by: string }
+  | { type: 'choose-by'; alike?: number; order?: Order }
+  | { type: 'focus-photo'; id: string; focus: { x: number; y: number } | null }
+  | { type: 'lock'; part: Part; on: boolean }
+  | { type: 'want-panels'; count: number | null }
+  | { type: 'show-page'; page: PageDocument; pageId: number }
+  | { type: 'change-page'; page: PageDocument }
+  | { type: 'change-settings'; settings: PageSettings; page: PageDocument | null }
+  | { type: 'set-sheets'; sheets: readonly Sheet[]; at: number }
   | { type: 'no-page' }
-  | { type: 'design', draft: Draft | null }
-  | { type: 'own-styles', mine: readonly Style[] }
-  | { type: 'favourites', favourites: readonly Style[] }
-  | { type: 'own-layouts', ownLayouts: readonly Template[] }
-  | { type: 'love-page', pageId: number, on: boolean }
-  | { type: 'rename', name: string }
-  | { type: 'styling', styling: Styling };
+  | { type: 'design'; draft: Draft | null }
+  | { type: 'own-styles'; mine: readonly Style[] }
+  | { type: 'favourites'; favourites: readonly Style[] }
+  | { type: 'own-layouts'; ownLayouts: readonly Template[] }
+  | { type: 'love-page'; pageId: number; on: boolean }
+  | { type: 'rename'; name: string }
+  | { type: 'styling'; styling: Styling };
 
 /** A4 portrait at 300 dpi, as the core has it. */
 export const DEFAULT_SETTINGS = Object.freeze({

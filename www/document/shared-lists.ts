@@ -25,13 +25,18 @@ export function rebased(history: History, lists: Partial<SharedLists>): History 
   const carry = (project: Project) => {
     const changed = news.map((field) => {
       const list = project[field];
-      const known = made.get(list) ?? carried(list, history.present[field], (lists[field] as readonly Item[]));
+      const known = made.get(list) ?? carried(list, history.present[field], lists[field] as readonly Item[]);
       made.set(list, known);
       return [field, known];
     });
     return { ...project, ...Object.fromEntries(changed) };
   };
-  return { ...history, past: history.past.map(carry), present: carry(history.present), future: history.future.map(carry) };
+  return {
+    ...history,
+    past: history.past.map(carry),
+    present: carry(history.present),
+    future: history.future.map(carry),
+  };
 }
 
 /** What was done between two states of a list, done to another state of it. */
@@ -40,17 +45,25 @@ export function carried<T extends Item>(list: readonly T[], before: readonly T[]
   const was = new Map(before.map((item) => [item.id, item]));
   const is = new Map(after.map((item) => [item.id, item]));
   const fresh = after.filter((item) => !same(item, was.get(item.id)));
-  const touched = new Set([...fresh.map(({ id }) => id), ...before.filter(({ id }) => !is.has(id)).map(({ id }) => id)]);
+  const touched = new Set([
+    ...fresh.map(({ id }) => id),
+    ...before.filter(({ id }) => !is.has(id)).map(({ id }) => id),
+  ]);
   if (touched.size === 0) return list;
   return [...fresh, ...list.filter(({ id }) => !touched.has(id))].slice(0, MOST.styles);
 }
 
 /** @param project whose own styles and layouts are added */
 export function joined(project: SharedLists, lists: Partial<SharedLists>): Partial<SharedLists> {
-  return Object.fromEntries(SHARED.map((field) => {
-    const there = new Set(lists[field]?.map(({ id }) => id));
-    return [field, [...(lists[field] ?? []), ...project[field].filter(({ id }) => !there.has(id))].slice(0, MOST.styles)];
-  }));
+  return Object.fromEntries(
+    SHARED.map((field) => {
+      const there = new Set(lists[field]?.map(({ id }) => id));
+      return [
+        field,
+        [...(lists[field] ?? []), ...project[field].filter(({ id }) => !there.has(id))].slice(0, MOST.styles),
+      ];
+    }),
+  );
 }
 
 function same(a: unknown, b: unknown) {

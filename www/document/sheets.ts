@@ -7,10 +7,16 @@ import type { PageDocument } from '../engine/documents.ts';
 import type { Project } from './project.ts';
 
 /** A page of a storyboard: `sheet` names its place through all its versions, `pageId` the version. */
-export type Sheet = { page: PageDocument, pageId: number, sheet: number };
+export type Sheet = { page: PageDocument; pageId: number; sheet: number };
 
 /** @returns in order, the one that is edited among them; none while there is no page */
-export function sheetsOf({ page, pageId, sheet, others, at }: Pick<Project, 'page' | 'pageId' | 'sheet' | 'others' | 'at'>): readonly Sheet[] {
+export function sheetsOf({
+  page,
+  pageId,
+  sheet,
+  others,
+  at,
+}: Pick<Project, 'page' | 'pageId' | 'sheet' | 'others' | 'at'>): readonly Sheet[] {
   if (page === null) return [];
   return [...others.slice(0, at), { page, pageId, sheet }, ...others.slice(at)];
 }
@@ -32,12 +38,16 @@ export function photosOn(pages: readonly PageDocument[]): Set<string> {
 /** @returns with another photo wherever one was; the same pages where it was not */
 export function exchangedOn(sheets: readonly Sheet[], id: string, by: string): readonly Sheet[] {
   const swap = (photo: string) => (photo === id ? by : photo);
-  return sheets.map((sheet) => (!photosOn([sheet.page]).has(id) ? sheet : {
-    ...sheet,
-    page: {
-      ...sheet.page,
-      order: sheet.page.order.map(swap),
-      panels: sheet.page.panels.map((use) => (use.photo === id ? { ...use, photo: by } : use)),
-    },
-  }));
+  return sheets.map((sheet) =>
+    !photosOn([sheet.page]).has(id)
+      ? sheet
+      : {
+          ...sheet,
+          page: {
+            ...sheet.page,
+            order: sheet.page.order.map(swap),
+            panels: sheet.page.panels.map((use) => (use.photo === id ? { ...use, photo: by } : use)),
+          },
+        },
+  );
 }

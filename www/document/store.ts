@@ -16,7 +16,7 @@ import type { ReadonlySignal, Signal } from '@preact/signals';
 
 export type { Planner };
 export type Store = ReturnType<typeof createStore>;
-export type Progress = { done: number, total: number };
+export type Progress = { done: number; total: number };
 
 export function createStore() {
   const history = signal(EMPTY_HISTORY);
@@ -44,15 +44,17 @@ export function createStore() {
   const others = computed(() => project.value.others);
   const at = computed(() => project.value.at);
   /** All pages of the storyboard in order, the one that is edited among them; none while there is no page. */
-  const sheets = computed(() => (page.value ? others.value.map((sheet) => sheet.page).toSpliced(at.value, 0, page.value) : []));
+  const sheets = computed(() =>
+    page.value ? others.value.map((sheet) => sheet.page).toSpliced(at.value, 0, page.value) : [],
+  );
   const tray = computed(() => project.value.tray);
   /** Facts of the tray, in its order. */
   const facts = computed(() => tray.value.flatMap(({ id }) => album.value.get(id) ?? []));
 
   /** What the selection compares of the photos that were read. */
-  const measured = computed(() => (
-    facts.value.filter((fact) => fact.measures !== null).map(({ id, name, measures }) => ({ id, name, ...measures }))
-  ));
+  const measured = computed(() =>
+    facts.value.filter((fact) => fact.measures !== null).map(({ id, name, measures }) => ({ id, name, ...measures })),
+  );
 
   let judged: ReadonlyMap<string, Verdict> = new Map();
   /** The selection's word on each photo; it waits until all are read, so that no photo comes and goes. */
@@ -98,7 +100,7 @@ export function createStore() {
   return {
     history,
     /** Where the history is kept. */
-    place: (computed(() => place.value)) as ReadonlySignal<Place>,
+    place: computed(() => place.value) as ReadonlySignal<Place>,
     album,
     videos,
     originals,
@@ -127,13 +129,17 @@ export function createStore() {
      * @param other `place`: where it is kept; left out where it goes on as the same project
      */
     load: (other: {
-  history: import('./history.ts').History, album: Album, videos: ReadonlyMap<string, Video>, place?: Place,
-}) => batch(() => {
-      place.value = other.place ?? place.peek();
-      album.value = other.album;
-      videos.value = other.videos;
-      history.value = other.history;
-    }),
+      history: import('./history.ts').History;
+      album: Album;
+      videos: ReadonlyMap<string, Video>;
+      place?: Place;
+    }) =>
+      batch(() => {
+        place.value = other.place ?? place.peek();
+        album.value = other.album;
+        videos.value = other.videos;
+        history.value = other.history;
+      }),
     know: (fact: Fact) => {
       album.value = new Map(album.value).set(fact.id, fact);
     },

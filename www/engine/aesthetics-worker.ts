@@ -7,10 +7,16 @@ import type { AestheticsNet } from '../pkg-detector/inkpanel.js';
 
 let judgeNet: { ready: () => Promise<AestheticsNet> } | undefined;
 
-serveJobs(async (_, { width, height, data, net: address }: { width: number, height: number, data: Uint8ClampedArray, net: string }, tell) => {
-  tell.waits(LOADING);
-  judgeNet ??= net(address, ({ AestheticsNet }, onnx) => new AestheticsNet(onnx));
-  const judge = await judgeNet.ready();
-  tell.expects(LOOKS.judge);
-  return { ok: judge.score(width, height, new Uint8Array(data.buffer, data.byteOffset, data.length)) };
-});
+serveJobs(
+  async (
+    _,
+    { width, height, data, net: address }: { width: number; height: number; data: Uint8ClampedArray; net: string },
+    tell,
+  ) => {
+    tell.waits(LOADING);
+    judgeNet ??= net(address, ({ AestheticsNet }, onnx) => new AestheticsNet(onnx));
+    const judge = await judgeNet.ready();
+    tell.expects(LOOKS.judge);
+    return { ok: judge.score(width, height, new Uint8Array(data.buffer, data.byteOffset, data.length)) };
+  },
+);

@@ -12,7 +12,13 @@ import type { createPhotos } from './photos.ts';
 import type { Job } from './pool.ts';
 import type { PixelPatch } from './protocol.ts';
 
-export function createAesthetics({ run, photos }: { run: (job: Job) => Promise<any>, photos: ReturnType<typeof createPhotos> }) {
+export function createAesthetics({
+  run,
+  photos,
+}: {
+  run: (job: Job) => Promise<any>;
+  photos: ReturnType<typeof createPhotos>;
+}) {
   let pool: ReturnType<typeof createPool> | undefined;
   return { judges: NET !== undefined, judgeStyle, dispose: () => pool?.dispose() };
 
@@ -21,7 +27,12 @@ export function createAesthetics({ run, photos }: { run: (job: Job) => Promise<a
    * @param id of an imported photo
    * @param size at which it is drawn
    */
-  async function judgeStyle(id: string, style: object, { width, height }: { width: number, height: number }, call?: Call): Promise<number> {
+  async function judgeStyle(
+    id: string,
+    style: object,
+    { width, height }: { width: number; height: number },
+    call?: Call,
+  ): Promise<number> {
     if (!NET) throw failure('net-missing', 'The net that scores pictures is not part of this site.');
     const [photo] = photos.handles([id], 'small');
     const job = { photo: photos.names([id]), priority: Priority.REST, ...call };
@@ -29,10 +40,18 @@ export function createAesthetics({ run, photos }: { run: (job: Job) => Promise<a
     const picture: PixelPatch = await run({ ...job, op: 'stylePixels', args, holds: [photo.key] });
     pool ??= createPool({ size: 1, spawn });
     const { data } = picture;
-    return pool.run({ ...job, op: 'judge', args: { width, height, data, net: new URL(NET, document.baseURI).href }, transfer: [data.buffer] });
+    return pool.run({
+      ...job,
+      op: 'judge',
+      args: { width, height, data, net: new URL(NET, document.baseURI).href },
+      transfer: [data.buffer],
+    });
   }
 }
 
 function spawn() {
-  return new Worker(new URL('./aesthetics-worker.ts', import.meta.url), { type: 'module', name: 'inkpanel-aesthetics' });
+  return new Worker(new URL('./aesthetics-worker.ts', import.meta.url), {
+    type: 'module',
+    name: 'inkpanel-aesthetics',
+  });
 }

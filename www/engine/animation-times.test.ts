@@ -19,7 +19,8 @@ describe('the times of an animation', () => {
   });
 
   test('are none for a still picture and for any other file', async () => {
-    for (const name of readdirSync(new URL('files/', DATA)).filter((other) => !other.includes('animated'))) expect(endsOf(file(`files/${name}`)), name).toEqual([]);
+    for (const name of readdirSync(new URL('files/', DATA)).filter((other) => !other.includes('animated')))
+      expect(endsOf(file(`files/${name}`)), name).toEqual([]);
     expect(endsOf(new Uint8Array())).toEqual([]);
     const gif = new File([file('animations/kept.gif')], 'a.gif');
     // Without WebCodecs there is but the first picture.
@@ -46,7 +47,8 @@ describe('the times of an animation', () => {
   test('of a file cut anywhere are no error', () => {
     for (const name of ['kept.gif', 'clear.webp']) {
       const bytes = file(`animations/${name}`);
-      for (let length = 0; length < bytes.length; length += 1) expect(endsOf(bytes.subarray(0, length)).length).toBeLessThanOrEqual(6);
+      for (let length = 0; length < bytes.length; length += 1)
+        expect(endsOf(bytes.subarray(0, length)).length).toBeLessThanOrEqual(6);
     }
   });
 });

@@ -32,7 +32,12 @@ export async function pictureEnds(file: Blob & { name?: string }): Promise<numbe
 export function endsOf(bytes: Uint8Array): number[] {
   const view = new DataView(bytes.buffer, bytes.byteOffset, bytes.byteLength);
   const text = (from: number, to: number) => String.fromCharCode(...bytes.subarray(from, to));
-  const { delays, pixels } = text(0, 4) === 'GIF8' ? ofGif(bytes, view) : text(0, 4) === 'RIFF' && text(8, 12) === 'WEBP' ? ofWebp(view, text) : { delays: [], pixels: 1 };
+  const { delays, pixels } =
+    text(0, 4) === 'GIF8'
+      ? ofGif(bytes, view)
+      : text(0, 4) === 'RIFF' && text(8, 12) === 'WEBP'
+        ? ofWebp(view, text)
+        : { delays: [], pixels: 1 };
   if (delays.length < 2) return [];
   let end = 0;
   const most = Math.min(MOST_PICTURES, Math.floor(MOST_PIXELS / Math.max(1, pixels)));

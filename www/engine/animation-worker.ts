@@ -26,13 +26,25 @@ async function read({ file, count, start, end, leading }: FileWish) {
       const frameIndex = later < 0 ? ends.length - 1 : later;
       // A slow animation may show one picture at two of the times.
       if (sent.has(frameIndex)) continue;
-      const picture = await decoder.decode({ frameIndex }).then(({ image }) => image, () => null);
+      const picture = await decoder.decode({ frameIndex }).then(
+        ({ image }) => image,
+        () => null,
+      );
       // A file that breaks off ends with its last whole picture.
       if (!picture) break;
       sent.add(frameIndex);
       await mayGoOn();
       const { width, height, data } = await rgbaOf(picture);
-      sendFrame({ index, time: times[index], width, height, squareWidth: width, squareHeight: height, rotation: 0, data });
+      sendFrame({
+        index,
+        time: times[index],
+        width,
+        height,
+        squareWidth: width,
+        squareHeight: height,
+        rotation: 0,
+        data,
+      });
     }
   }
   if (sent.size === 0) throw failure('damaged', 'The animation is damaged or cut short.');

@@ -11,7 +11,7 @@ const PIXELS_A_BYTE = 10;
 /** @param bytes of a file */
 export function announcedPixels(bytes: Uint8Array): number {
   const view = new DataView(bytes.buffer, bytes.byteOffset, bytes.byteLength);
-  let size;
+  let size: ReturnType<typeof jpeg> = null;
   try {
     size = jpeg(view) ?? png(view) ?? gif(view) ?? bmp(view) ?? webp(view) ?? tiff(view);
   } catch {
@@ -30,10 +30,11 @@ function says(view: DataView, at: number, text: string) {
 
 function jpeg(view: DataView): Size {
   if (view.getUint16(0) !== 0xffd8) return null;
-  for (let at = 2; view.getUint8(at) === 0xff;) {
+  for (let at = 2; view.getUint8(at) === 0xff; ) {
     const marker = view.getUint8(at + 1);
     // Frames of all kinds; the three in between are tables.
-    if (marker >= 0xc0 && marker <= 0xcf && ![0xc4, 0xc8, 0xcc].includes(marker)) return [view.getUint16(at + 7), view.getUint16(at + 5)];
+    if (marker >= 0xc0 && marker <= 0xcf && ![0xc4, 0xc8, 0xcc].includes(marker))
+      return [view.getUint16(at + 7), view.getUint16(at + 5)];
     at += marker === 0xff ? 1 : 2 + view.getUint16(at + 2);
   }
   return null;

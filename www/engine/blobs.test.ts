@@ -7,8 +7,12 @@ const BYTES = Uint8Array.from([1, 2, 3]);
 function browser(bad: number) {
   return vi.fn((parts: BlobPart[], options: BlobPropertyBag) => {
     const blob = new Blob(parts, options);
-    const refused = () => ({ arrayBuffer: async () => { throw new DOMException('', 'NotReadableError'); } });
-    return (((bad -= 1) >= 0 ? { slice: refused } : blob) as any);
+    const refused = () => ({
+      arrayBuffer: async () => {
+        throw new DOMException('', 'NotReadableError');
+      },
+    });
+    return ((bad -= 1) >= 0 ? { slice: refused } : blob) as any;
   });
 }
 

@@ -10,7 +10,14 @@ const TRIES = 6;
  * megabytes there Chromium refuses them for moments, while it makes room, and tells nobody before the blob is read.
  * @param options `make`: for tests
  */
-export async function blobOf(bytes: Uint8Array<ArrayBuffer>, { type = '', wait = WAIT, make = (parts, options) => new Blob(parts, options) }: { type?: string, wait?: number, make?: (parts: BlobPart[], options: BlobPropertyBag) => Blob } = {}): Promise<Blob> {
+export async function blobOf(
+  bytes: Uint8Array<ArrayBuffer>,
+  {
+    type = '',
+    wait = WAIT,
+    make = (parts, options) => new Blob(parts, options),
+  }: { type?: string; wait?: number; make?: (parts: BlobPart[], options: BlobPropertyBag) => Blob } = {},
+): Promise<Blob> {
   for (let tries = 1; ; tries += 1) {
     const blob = make([bytes], { type });
     try {
@@ -18,8 +25,11 @@ export async function blobOf(bytes: Uint8Array<ArrayBuffer>, { type = '', wait =
       await blob.slice(0, 1).arrayBuffer();
       return blob;
     } catch (cause) {
-      if (tries === TRIES) throw Object.assign(new Error('The browser has no room for the photo.', { cause }), { code: 'no-room' });
-      await new Promise((resolve) => { setTimeout(resolve, wait * 2 ** (tries - 1)); });
+      if (tries === TRIES)
+        throw Object.assign(new Error('The browser has no room for the photo.', { cause }), { code: 'no-room' });
+      await new Promise((resolve) => {
+        setTimeout(resolve, wait * 2 ** (tries - 1));
+      });
     }
   }
 }

@@ -5,7 +5,20 @@
 import initCore, * as core from '../pkg/inkpanel.js';
 import { expanded, interned } from './interned.ts';
 import { failure } from './protocol.ts';
-import type { Block, Geometry, Layout, LayoutChange, LayoutEntry, LayoutFacts, PageDocument, PageSettings, PlanRequest, Style, Template, Verdict } from './documents.ts';
+import type {
+  Block,
+  Geometry,
+  Layout,
+  LayoutChange,
+  LayoutEntry,
+  LayoutFacts,
+  PageDocument,
+  PageSettings,
+  PlanRequest,
+  Style,
+  Template,
+  Verdict,
+} from './documents.ts';
 import type { KeptHistory } from './interned.ts';
 
 /** Photos no longer planned with that are remembered, since undo may bring them back. */
@@ -21,7 +34,7 @@ async function compile(): Promise<WebAssembly.Module> {
   return streams ? WebAssembly.compileStreaming(response) : WebAssembly.compile(await response.arrayBuffer());
 }
 
-export async function loadCore(): Promise<{ module: WebAssembly.Module, planner: Planner }> {
+export async function loadCore(): Promise<{ module: WebAssembly.Module; planner: Planner }> {
   const module = await compile();
   await initCore({ module_or_path: module });
   return { module, planner: createPlanner() };
@@ -49,33 +62,51 @@ function createPlanner() {
      * @param file its name, for the message
      */
     checkLayout: (json: string, file: string): Template => JSON.parse(core.check_layout(json, file)),
-    geometry: (layout: string | object, page: PageSettings): Geometry => JSON.parse(core.page_geometry(JSON.stringify({ layout, page }))),
+    geometry: (layout: string | object, page: PageSettings): Geometry =>
+      JSON.parse(core.page_geometry(JSON.stringify({ layout, page }))),
     /**
      * @param request `own`: a person's own layouts
      * @returns those first, then the catalogue's that are good for the page
      */
-    listLayouts: (request: { page: Partial<PageSettings>, own: Template[] }): LayoutEntry[] => JSON.parse(core.list_layouts(JSON.stringify(request))),
-    layoutFacts: (layout: string | object, page: PageSettings): LayoutFacts => JSON.parse(core.layout_facts(JSON.stringify({ layout, page }))),
+    listLayouts: (request: { page: Partial<PageSettings>; own: Template[] }): LayoutEntry[] =>
+      JSON.parse(core.list_layouts(JSON.stringify(request))),
+    layoutFacts: (layout: string | object, page: PageSettings): LayoutFacts =>
+      JSON.parse(core.layout_facts(JSON.stringify({ layout, page }))),
     /** @returns in full */
     layoutFile: (layout: string | object): Template => JSON.parse(core.layout_file(JSON.stringify({ layout }))),
     /** @param request the numbers of panels */
-    generateLayout: (request: { seed: number, page: PageSettings, least: number, most: number }): Template => JSON.parse(core.generate_layout(JSON.stringify(request))),
-    changeLayout: (layout: string | object, change: LayoutChange): Template => JSON.parse(core.change_layout(JSON.stringify({ layout, change }))),
-    plan: ({ photos, ...rest }: PlanRequest): PageDocument => JSON.parse(albumOf(photos).plan(JSON.stringify(rest), JSON.stringify(photos.map(({ id }) => id)))),
+    generateLayout: (request: { seed: number; page: PageSettings; least: number; most: number }): Template =>
+      JSON.parse(core.generate_layout(JSON.stringify(request))),
+    changeLayout: (layout: string | object, change: LayoutChange): Template =>
+      JSON.parse(core.change_layout(JSON.stringify({ layout, change }))),
+    plan: ({ photos, ...rest }: PlanRequest): PageDocument =>
+      JSON.parse(albumOf(photos).plan(JSON.stringify(rest), JSON.stringify(photos.map(({ id }) => id)))),
     /** @returns invented */
     inventStyle: (seed: number): Style => JSON.parse(core.invent_style(seed)),
     /**
      * @param request `surprise`: 0 to 1
      * @returns a child of both
      */
-    breedStyle: (request: { a: string | object, b: string | object, seed: number, surprise: number }): Style => JSON.parse(core.breed_style(JSON.stringify(request))),
-    choose: (photos: object[], threshold: number): Verdict[] => JSON.parse(core.choose_photos(JSON.stringify({ photos, threshold }))),
+    breedStyle: (request: { a: string | object; b: string | object; seed: number; surprise: number }): Style =>
+      JSON.parse(core.breed_style(JSON.stringify(request))),
+    choose: (photos: object[], threshold: number): Verdict[] =>
+      JSON.parse(core.choose_photos(JSON.stringify({ photos, threshold }))),
     /**
      * Reads a project file or the text of a page PNG and checks all of it. Throws `damaged-project` or `newer-project`.
      * @param how `prefix`: all photos and videos get fresh ids that begin with it
      * @returns `dropped`: sentences about what was left out
      */
-    readProject: (text: string, { prefix }: { prefix?: string } = {}): { format: string, version: number, history: { present: any, shown: any[] }, photos: any[], videos: any[], dropped: string[] } => JSON.parse(core.read_project(text, prefix)),
+    readProject: (
+      text: string,
+      { prefix }: { prefix?: string } = {},
+    ): {
+      format: string;
+      version: number;
+      history: { present: any; shown: any[] };
+      photos: any[];
+      videos: any[];
+      dropped: string[];
+    } => JSON.parse(core.read_project(text, prefix)),
     readHistory,
   };
 }
@@ -87,8 +118,8 @@ function createPlanner() {
  * @returns `dropped`: sentences about
  *   what was left out
  */
-function readHistory(record: any): { version: number, history: KeptHistory, dropped: string[] } {
-  let text;
+function readHistory(record: any): { version: number; history: KeptHistory; dropped: string[] } {
+  let text: string;
   try {
     text = JSON.stringify({ version: record?.version, history: interned(record?.history) });
   } catch {
@@ -118,4 +149,3 @@ function createAlbum(): (photos: PlanRequest['photos']) => core.Album {
     return album;
   };
 }
-

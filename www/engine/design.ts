@@ -14,7 +14,7 @@ import type { BitmapPatch } from './protocol.ts';
  * `times`: milliseconds of each block by its place, 256 more in the foreground; `stages`: the pictures after them,
  * where they were asked for.
  */
-export type Designed = BitmapPatch & { times: [number, number][], stages: { place: number, bitmap: ImageBitmap }[] };
+export type Designed = BitmapPatch & { times: [number, number][]; stages: { place: number; bitmap: ImageBitmap }[] };
 
 /** What is added to the place of a block in the foreground. */
 export const FOREGROUND = 256;
@@ -37,9 +37,14 @@ export function createDesign(photos: ReturnType<typeof createPhotos>) {
    * @param size `stages`: the longer side of the pictures after
    *   each block; none unless told
    */
-  async function draw(id: string, style: Style, { width, height, stages = 0 }: { width: number, height: number, stages?: number }, call?: Call): Promise<Designed> {
+  async function draw(
+    id: string,
+    style: Style,
+    { width, height, stages = 0 }: { width: number; height: number; stages?: number },
+    call?: Call,
+  ): Promise<Designed> {
     const { name, work } = photos.get(id);
-    pool ??= createPool({ size: 1, spawn: (spawn as () => Worker) });
+    pool ??= createPool({ size: 1, spawn: spawn as () => Worker });
     const args = { photo: work, style: JSON.stringify(style), width, height, stages };
     return pool.run({ op: 'design', args, photo: name, holds: [work.key], priority: Priority.PANEL, ...call });
   }

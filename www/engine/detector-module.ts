@@ -10,7 +10,10 @@ type Nets = typeof import('../pkg-detector/inkpanel.js');
  * A net in two steps: `load` fetches what it needs, which costs hardly any time of a core; `ready` gives the net, made at
  * the first call. What failed is tried again when it is asked for again.
  */
-export function net<T>(address: URL | string, make: (nets: Nets, net: Uint8Array) => T): { load: () => Promise<unknown>, ready: () => Promise<T> } {
+export function net<T>(
+  address: URL | string,
+  make: (nets: Nets, net: Uint8Array) => T,
+): { load: () => Promise<unknown>; ready: () => Promise<T> } {
   const files = onceMore(() => Promise.all([script(), load(MODULE), load(address)]));
   const made = onceMore(async () => {
     const [nets, module, onnx] = await files.get();
@@ -25,7 +28,9 @@ export function net<T>(address: URL | string, make: (nets: Nets, net: Uint8Array
 /** A promise that is made when it is first asked for, and anew after it failed. */
 function onceMore<T>(begin: () => Promise<T>) {
   let begun: Promise<T> | undefined;
-  const forget = () => { begun = undefined; };
+  const forget = () => {
+    begun = undefined;
+  };
   const get = () => {
     begun ??= begin().catch((error) => {
       forget();
@@ -38,7 +43,9 @@ function onceMore<T>(begin: () => Promise<T>) {
 
 /** @returns the script of the module */
 function script(): Promise<Nets> {
-  return import(/* @vite-ignore */ SCRIPT.href).catch(() => { throw missing(); });
+  return import(/* @vite-ignore */ SCRIPT.href).catch(() => {
+    throw missing();
+  });
 }
 
 async function load(address: URL | string) {

@@ -10,7 +10,7 @@ import type { Call } from './engine.ts';
 import type { createPhotos } from './photos.ts';
 
 /** Something found in a photo; its place in fractions of the photo. */
-export type Found = { label: string, score: number, x: number, y: number, width: number, height: number };
+export type Found = { label: string; score: number; x: number; y: number; width: number; height: number };
 
 type Net = 'faces' | 'objects';
 
@@ -24,13 +24,17 @@ export function createDetector(photos: ReturnType<typeof createPhotos>, spare: (
   let running = 0;
 
   return {
-    load, detect, findFaces, findMoreFaces, findObjects,
+    load,
+    detect,
+    findFaces,
+    findMoreFaces,
+    findObjects,
     dispose: () => Object.values(pools).forEach((pool) => pool.dispose()),
   };
 
   /** Fetches what the nets need, which takes no core from whoever works; what fails is told by the first look. */
   function load() {
-    for (const net of (['objects', 'faces'] as const)) {
+    for (const net of ['objects', 'faces'] as const) {
       if (!pools[net]) order(net, 'load').catch(() => {});
     }
   }
@@ -52,7 +56,7 @@ export function createDetector(photos: ReturnType<typeof createPhotos>, spare: (
    * `closer` tells whether `findMoreFaces` may find more.
    * @param id of an imported photo
    */
-  function findFaces(id: string, call?: Call): Promise<{ boxes: Found[], closer: boolean }> {
+  function findFaces(id: string, call?: Call): Promise<{ boxes: Found[]; closer: boolean }> {
     return run('faces', 'faces', id, {}, call);
   }
 
@@ -87,10 +91,13 @@ export function createDetector(photos: ReturnType<typeof createPhotos>, spare: (
    * each other's share of the cores.
    */
   function make(net: Net) {
-    made[net] ??= last = last.catch(() => {}).then(() => order(net, 'make')).catch((error) => {
-      delete made[net];
-      throw error;
-    });
+    made[net] ??= last = last
+      .catch(() => {})
+      .then(() => order(net, 'make'))
+      .catch((error) => {
+        delete made[net];
+        throw error;
+      });
     return made[net];
   }
 

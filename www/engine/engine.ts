@@ -23,7 +23,7 @@ import type { Job } from './pool.ts';
 import type { Imported, PixelPatch } from './protocol.ts';
 import type { Frame } from './video.ts';
 
-export type Call = { signal?: AbortSignal, priority?: number, key?: string };
+export type Call = { signal?: AbortSignal; priority?: number; key?: string };
 export type Engine = ReturnType<typeof createEngine>;
 
 const MOST_WORKERS = 8;
@@ -60,15 +60,29 @@ export function createEngine({ workers = navigator.hardwareConcurrency || 2 }: {
     blocks: async (): Promise<Block[]> => (await ready).blocks(),
     layouts: async (): Promise<Layout[]> => (await ready).layouts(),
     styles: async (): Promise<Style[]> => (await ready).styles(),
-    stylize, compose, select, detect, dispose, importPhoto, importVideo,
+    stylize,
+    compose,
+    select,
+    detect,
+    dispose,
+    importPhoto,
+    importVideo,
     /** Subjects of an imported photo, in fractions of it. */
-    loadDetectors: detector.load, findFaces: detector.findFaces, findMoreFaces: detector.findMoreFaces, findObjects: detector.findObjects,
-    forgetPhoto: photos.forget, hasPhoto: photos.has, photos,
+    loadDetectors: detector.load,
+    findFaces: detector.findFaces,
+    findMoreFaces: detector.findMoreFaces,
+    findObjects: detector.findObjects,
+    forgetPhoto: photos.forget,
+    hasPhoto: photos.has,
+    photos,
     lettering: words.lettering,
     ...renders,
-    judges: aesthetics.judges, judgeStyle: aesthetics.judgeStyle,
+    judges: aesthetics.judges,
+    judgeStyle: aesthetics.judgeStyle,
     drawDesign: design.draw,
-    ...createExports({ run, photos, words, files }), ...createMeasures({ run, renders, files }), givesWebp,
+    ...createExports({ run, photos, words, files }),
+    ...createMeasures({ run, renders, files }),
+    givesWebp,
   };
 
   async function run(job: Job): Promise<any> {
@@ -77,7 +91,15 @@ export function createEngine({ workers = navigator.hardwareConcurrency || 2 }: {
   }
 
   /** @param image RGBA */
-  function stylize({ width, height, data, style }: { width: number, height: number, data: Uint8Array | Uint8ClampedArray, style: string | object }, call?: Call): Promise<PixelPatch> {
+  function stylize(
+    {
+      width,
+      height,
+      data,
+      style,
+    }: { width: number; height: number; data: Uint8Array | Uint8ClampedArray; style: string | object },
+    call?: Call,
+  ): Promise<PixelPatch> {
     const bytes = new Uint8Array(data);
     const args = { style: JSON.stringify(style), width, height, data: bytes };
     return run({ op: 'stylize', args, transfer: [bytes.buffer], priority: Priority.PAGE, ...call });
@@ -87,22 +109,29 @@ export function createEngine({ workers = navigator.hardwareConcurrency || 2 }: {
    * A whole page as pixels.
    * @param options `photos`: files by id, for those not imported yet
    */
-  async function compose(document: PageDocument, { width, photos: files = {}, ...call }: Call & { width: number, photos?: Record<string, Blob> }): Promise<PixelPatch> {
+  async function compose(
+    document: PageDocument,
+    { width, photos: files = {}, ...call }: Call & { width: number; photos?: Record<string, Blob> },
+  ): Promise<PixelPatch> {
     const missing = Object.keys(files).filter((id) => !photos.has(id));
     await Promise.all(missing.map((id) => importPhoto(id, files[id], call)));
     return renders.composePixels(document, width, call);
   }
 
   /** Which of some photos are worth keeping, and why. */
-  async function select(blobs: Blob[], { signal, threshold = 10 }: { signal?: AbortSignal, threshold?: number } = {}) {
+  async function select(blobs: Blob[], { signal, threshold = 10 }: { signal?: AbortSignal; threshold?: number } = {}) {
     const ids = blobs.map(() => `select-${(imported += 1)}`);
     try {
       const read = await Promise.all(blobs.map((blob, i) => importPhoto(ids[i], blob, { signal })));
       const measured = read.map((meta, i) => ({ id: ids[i], name: nameOf(blobs[i], ids[i]), ...meta.measures }));
       const verdicts = (await ready).choose(measured, threshold);
-      return verdicts.map(({ group, kept, why }, i) => (
-        { fingerprint: read[i].fingerprint, sharpness: read[i].sharpness, group, kept, why }
-      ));
+      return verdicts.map(({ group, kept, why }, i) => ({
+        fingerprint: read[i].fingerprint,
+        sharpness: read[i].sharpness,
+        group,
+        kept,
+        why,
+      }));
     } finally {
       ids.forEach(photos.forget);
     }
@@ -114,7 +143,13 @@ export function createEngine({ workers = navigator.hardwareConcurrency || 2 }: {
     try {
       const { width, height } = await importPhoto(id, blob, call);
       const found = await detector.detect(id, call);
-      return found.map((box) => ({ ...box, x: box.x * width, y: box.y * height, width: box.width * width, height: box.height * height }));
+      return found.map((box) => ({
+        ...box,
+        x: box.x * width,
+        y: box.y * height,
+        width: box.width * width,
+        height: box.height * height,
+      }));
     } finally {
       photos.forget(id);
     }
@@ -133,19 +168,49 @@ export function createEngine({ workers = navigator.hardwareConcurrency || 2 }: {
    * Takes frames out of a video; each becomes a photo, kept under the id given for its place.
    * @param wish one frame an id, between `start` and `end` in seconds, those `leading` first; `time` is where in the video the frame is
    */
-  async function importVideo(file: Blob, { ids, leading = [], start, end, signal, onAbout = () => {}, onPhoto }: {
-  ids: string[], leading?: string[], start?: number, end?: number, signal?: AbortSignal,
-  onAbout?: (about: { duration: number }) => void,
-  onPhoto: (id: string, meta: Imported['meta'], time: number) => void,
-}) {
+  async function importVideo(
+    file: Blob,
+    {
+      ids,
+      leading = [],
+      start,
+      end,
+      signal,
+      onAbout = () => {},
+      onPhoto,
+    }: {
+      ids: string[];
+      leading?: string[];
+      start?: number;
+      end?: number;
+      signal?: AbortSignal;
+      onAbout?: (about: { duration: number }) => void;
+      onPhoto: (id: string, meta: Imported['meta'], time: number) => void;
+    },
+  ) {
     await ready;
     const name = nameOf(file, 'video');
-    await readVideo(file, { count: ids.length, start, end, leading: leading.map((id) => ids.indexOf(id)) }, { signal, onAbout, onFrame });
+    await readVideo(
+      file,
+      { count: ids.length, start, end, leading: leading.map((id) => ids.indexOf(id)) },
+      { signal, onAbout, onFrame },
+    );
 
     async function onFrame({ index, time, ...frame }: Frame) {
       const id = ids[index];
-      const job = { op: 'importFrame', args: { id, frame }, transfer: [frame.data.buffer], photo: name, holds: [`${id}/work`, `${id}/small`] };
-      const { meta, work, small, file: still } = await run({ ...job, priority: leading.includes(id) ? Priority.PAGE : Priority.REST, signal });
+      const job = {
+        op: 'importFrame',
+        args: { id, frame },
+        transfer: [frame.data.buffer],
+        photo: name,
+        holds: [`${id}/work`, `${id}/small`],
+      };
+      const {
+        meta,
+        work,
+        small,
+        file: still,
+      } = await run({ ...job, priority: leading.includes(id) ? Priority.PAGE : Priority.REST, signal });
       photos.add(id, { name, file: still, work, small });
       onPhoto(id, meta, time);
     }
@@ -153,7 +218,10 @@ export function createEngine({ workers = navigator.hardwareConcurrency || 2 }: {
 
   function dispose() {
     for (const part of [detector, design, aesthetics, words, files]) part.dispose();
-    ready.then(() => pool?.dispose(), () => {});
+    ready.then(
+      () => pool?.dispose(),
+      () => {},
+    );
   }
 }
 

@@ -12,14 +12,24 @@ import type { PixelPatch } from './protocol.ts';
 import type { createWords } from './words.ts';
 
 type PanelPatch = PixelPatch & { index: number };
-type Call = { signal?: AbortSignal, onProgress?: (done: number, total: number) => void };
+type Call = { signal?: AbortSignal; onProgress?: (done: number, total: number) => void };
 type Parts = {
-  run: (job: Job) => Promise<any>, photos: ReturnType<typeof createPhotos>,
-  words: Pick<ReturnType<typeof createWords>, 'patches'>, files: ReturnType<typeof createFiles>,
+  run: (job: Job) => Promise<any>;
+  photos: ReturnType<typeof createPhotos>;
+  words: Pick<ReturnType<typeof createWords>, 'patches'>;
+  files: ReturnType<typeof createFiles>;
 };
 
 /** What stands on the page of a single panel; its patch brings the rest. */
-const ALONE = { layout: 'grid-2', panels: [{ photo: null, crop: null }, { photo: null, crop: null }], merges: [], words: [] };
+const ALONE = {
+  layout: 'grid-2',
+  panels: [
+    { photo: null, crop: null },
+    { photo: null, crop: null },
+  ],
+  merges: [],
+  words: [],
+};
 
 export function createExports({ run, photos, words, files }: Parts) {
   return { exportPng, exportJpeg, exportWebp, exportPdf, exportPanel };
@@ -38,7 +48,9 @@ export function createExports({ run, photos, words, files }: Parts) {
 
   /** @param call `quality` from 1 to 100 */
   async function exportJpeg(document: PageDocument, { quality, ...call }: Call & { quality: number }): Promise<Blob> {
-    return whole(document, call, (patches, signal) => files.jpeg(document, document.page, patches, quality, { signal }));
+    return whole(document, call, (patches, signal) =>
+      files.jpeg(document, document.page, patches, quality, { signal }),
+    );
   }
 
   /** @returns rejects with `no-webp` where the browser makes none */
@@ -48,8 +60,14 @@ export function createExports({ run, photos, words, files }: Parts) {
   }
 
   /** @returns one file of all pages */
-  async function exportPdf(documents: readonly PageDocument[], { quality, title, ...call }: Call & { quality: number, title: string }): Promise<Blob> {
-    const step = steps(documents.reduce((sum, document) => sum + shown(document), 1), call.onProgress);
+  async function exportPdf(
+    documents: readonly PageDocument[],
+    { quality, title, ...call }: Call & { quality: number; title: string },
+  ): Promise<Blob> {
+    const step = steps(
+      documents.reduce((sum, document) => sum + shown(document), 1),
+      call.onProgress,
+    );
     return stoppable(call.signal, async (signal) => {
       const pages = [];
       for (const document of documents) {
@@ -90,7 +108,11 @@ export function createExports({ run, photos, words, files }: Parts) {
   }
 
   /** @param encode of the panels and the words, in their order */
-  async function whole(document: PageDocument, { signal: stop, onProgress }: Call | undefined = {}, encode: (patches: PixelPatch[], signal: AbortSignal) => Promise<Blob>) {
+  async function whole(
+    document: PageDocument,
+    { signal: stop, onProgress }: Call | undefined = {},
+    encode: (patches: PixelPatch[], signal: AbortSignal) => Promise<Blob>,
+  ) {
     // Encoding counts as one step.
     const step = steps(shown(document) + 1, onProgress);
     return stoppable(stop, async (signal) => {
@@ -111,14 +133,21 @@ export function createExports({ run, photos, words, files }: Parts) {
    * @param use what becomes of those of one photo
    * @returns in the order of the panels
    */
-  async function byPhoto<T extends { index: number }>(document: PageDocument, wanted: readonly number[] | undefined, signal: AbortSignal, use: (patches: PanelPatch[]) => Promise<T[]>): Promise<T[]> {
+  async function byPhoto<T extends { index: number }>(
+    document: PageDocument,
+    wanted: readonly number[] | undefined,
+    signal: AbortSignal,
+    use: (patches: PanelPatch[]) => Promise<T[]>,
+  ): Promise<T[]> {
     const json = JSON.stringify(document);
     const { width } = document.page;
-    const parts = await Promise.all([...panelsByPhoto(document, wanted)].map(async ([id, indexes]) => {
-      const { file, name } = photos.get(id);
-      const args = { id, file, document: json, indexes, width };
-      return use(await run({ op: 'fullPanels', args, photo: name, priority: Priority.PAGE, signal }));
-    }));
+    const parts = await Promise.all(
+      [...panelsByPhoto(document, wanted)].map(async ([id, indexes]) => {
+        const { file, name } = photos.get(id);
+        const args = { id, file, document: json, indexes, width };
+        return use(await run({ op: 'fullPanels', args, photo: name, priority: Priority.PAGE, signal }));
+      }),
+    );
     return parts.flat().sort((a, b) => a.index - b.index);
   }
 }
@@ -136,7 +165,7 @@ async function stoppable<T>(signal: AbortSignal | undefined, work: (signal: Abor
 function steps(total: number, onProgress: Call['onProgress'] = () => {}) {
   let done = 0;
   onProgress(done, total);
-  return (count: number) => onProgress(done += count, total);
+  return (count: number) => onProgress((done += count), total);
 }
 
 function shown(document: PageDocument) {

@@ -17,7 +17,7 @@ const MODULE = new URL('../pkg-words/inkpanel_bg.wasm', import.meta.url);
 /** Milliseconds for a page of a PDF file, whose pictures are made by then. */
 const PAGE = 500;
 
-type Answer = { ok: any, transfer: Transferable[] };
+type Answer = { ok: any; transfer: Transferable[] };
 
 let started: Promise<WebAssembly.Memory> | undefined;
 
@@ -34,17 +34,29 @@ serveJobs(async (op, args, tell) => {
 
 async function start() {
   const response = await fetch(MODULE).catch(() => null);
-  if (!response?.ok) throw failure('words-missing', 'The part of the program that makes this kind of file could not be loaded. Try again, or save a PNG.');
+  if (!response?.ok)
+    throw failure(
+      'words-missing',
+      'The part of the program that makes this kind of file could not be loaded. Try again, or save a PNG.',
+    );
   const { memory } = await initWords({ module_or_path: await response.arrayBuffer() });
   return memory;
 }
 
-async function jpeg({ document, size, patches, quality }: { document: string, size: { width: number, height: number }, patches: PixelPatch[], quality: number }, tell: Tell): Promise<Answer> {
+async function jpeg(
+  {
+    document,
+    size,
+    patches,
+    quality,
+  }: { document: string; size: { width: number; height: number }; patches: PixelPatch[]; quality: number },
+  tell: Tell,
+): Promise<Answer> {
   tell.expects(fileMs(2 * size.width * size.height));
   const print = new Print(document, size.width, size.height);
   try {
     for (const { x, y, width, height, data } of patches) print.lay(x, y, width, height, bytesOf(data));
-    const bytes = (print.jpeg(quality) as Uint8Array<ArrayBuffer>);
+    const bytes = print.jpeg(quality) as Uint8Array<ArrayBuffer>;
     tell.waits(STORING);
     return { ok: await blobOf(bytes, { type: 'image/jpeg' }), transfer: [] };
   } finally {
@@ -52,7 +64,10 @@ async function jpeg({ document, size, patches, quality }: { document: string, si
   }
 }
 
-async function webp({ picture, quality, dpi }: { picture: Blob, quality: number, dpi: number }, tell: Tell): Promise<Answer> {
+async function webp(
+  { picture, quality, dpi }: { picture: Blob; quality: number; dpi: number },
+  tell: Tell,
+): Promise<Answer> {
   const bitmap = await createImageBitmap(picture);
   tell.expects(fileMs(4 * bitmap.width * bitmap.height));
   const canvas = new OffscreenCanvas(bitmap.width, bitmap.height);
@@ -64,11 +79,14 @@ async function webp({ picture, quality, dpi }: { picture: Blob, quality: number,
   return { ok: withDpi(new Uint8Array(await made.arrayBuffer()), { width, height, dpi }), transfer: [] };
 }
 
-async function pictures({ document, patches, quality }: { document: string, patches: (PixelPatch & { index: number })[], quality: number }, tell: Tell): Promise<Answer> {
+async function pictures(
+  { document, patches, quality }: { document: string; patches: (PixelPatch & { index: number })[]; quality: number },
+  tell: Tell,
+): Promise<Answer> {
   const ok: Picture[] = patches.map(({ index, x, y, width, height, data }) => {
     tell.expects(fileMs(2 * width * height));
     const cut = new Cut(document, index, x, y, width, height, bytesOf(data), quality);
-    const made = (cut.take() as Uint8Array<ArrayBuffer>);
+    const made = cut.take() as Uint8Array<ArrayBuffer>;
     const place = { x: cut.x, y: cut.y, width: cut.width, height: cut.height };
     cut.free();
     return { index, ...place, jpeg: made };
@@ -76,17 +94,21 @@ async function pictures({ document, patches, quality }: { document: string, patc
   return { ok, transfer: ok.map((picture) => picture.jpeg.buffer) };
 }
 
-async function pdf({ pages, title }: { pages: { document: string, pictures: Picture[] }[], title: string }, tell: Tell): Promise<Answer> {
+async function pdf(
+  { pages, title }: { pages: { document: string; pictures: Picture[] }[]; title: string },
+  tell: Tell,
+): Promise<Answer> {
   const book = new Book();
   const letters = new Lettering();
   try {
     for (const page of pages) {
       tell.expects(PAGE);
       book.add_page(page.document);
-      for (const { index, x, y, width, height, jpeg: bytes } of page.pictures) book.add_picture(index, x, y, width, height, bytes);
+      for (const { index, x, y, width, height, jpeg: bytes } of page.pictures)
+        book.add_picture(index, x, y, width, height, bytes);
     }
     tell.expects(PAGE * pages.length);
-    const bytes = (book.finish(letters, title) as Uint8Array<ArrayBuffer>);
+    const bytes = book.finish(letters, title) as Uint8Array<ArrayBuffer>;
     tell.waits(STORING);
     return { ok: await blobOf(bytes, { type: 'application/pdf' }), transfer: [] };
   } finally {

@@ -10,7 +10,7 @@ import type { Box, PixelPatch } from './protocol.ts';
 
 type Call = { signal?: AbortSignal };
 /** a panel in a PDF file */
-export type Picture = Box & { index: number, jpeg: Uint8Array<ArrayBuffer> };
+export type Picture = Box & { index: number; jpeg: Uint8Array<ArrayBuffer> };
 
 export function createFiles() {
   let pool: ReturnType<typeof createPool> | undefined;
@@ -28,15 +28,26 @@ export function createFiles() {
    * @param patches are handed over
    * @param quality from 1 to 100
    */
-  async function jpeg(document: PageDocument, { width, height }: { width: number, height: number }, patches: PixelPatch[], quality: number, call?: Call): Promise<Blob> {
-    return run('jpeg', { document: JSON.stringify(document), size: { width, height }, patches, quality }, buffersOf(patches), call);
+  async function jpeg(
+    document: PageDocument,
+    { width, height }: { width: number; height: number },
+    patches: PixelPatch[],
+    quality: number,
+    call?: Call,
+  ): Promise<Blob> {
+    return run(
+      'jpeg',
+      { document: JSON.stringify(document), size: { width, height }, patches, quality },
+      buffersOf(patches),
+      call,
+    );
   }
 
   /**
    * @param picture that the browser can read
    * @param wish `quality` from 1 to 100
    */
-  async function webp(picture: Blob, { quality, dpi }: { quality: number, dpi: number }, call?: Call): Promise<Blob> {
+  async function webp(picture: Blob, { quality, dpi }: { quality: number; dpi: number }, call?: Call): Promise<Blob> {
     return run('webp', { picture, quality, dpi }, [], call);
   }
 
@@ -45,14 +56,28 @@ export function createFiles() {
    * @param patches panels drawn without borders at full width; they are handed over
    * @param quality from 1 to 100
    */
-  async function pictures(document: PageDocument, patches: (PixelPatch & { index: number })[], quality: number, call?: Call): Promise<Picture[]> {
+  async function pictures(
+    document: PageDocument,
+    patches: (PixelPatch & { index: number })[],
+    quality: number,
+    call?: Call,
+  ): Promise<Picture[]> {
     return run('pictures', { document: JSON.stringify(document), patches, quality }, buffersOf(patches), call);
   }
 
   /** @param pages the pictures are handed over */
-  async function pdf(pages: { document: PageDocument, pictures: Picture[] }[], title: string, call?: Call): Promise<Blob> {
+  async function pdf(
+    pages: { document: PageDocument; pictures: Picture[] }[],
+    title: string,
+    call?: Call,
+  ): Promise<Blob> {
     const args = { title, pages: pages.map((page) => ({ ...page, document: JSON.stringify(page.document) })) };
-    return run('pdf', args, pages.flatMap((page) => page.pictures.map((picture) => picture.jpeg.buffer)), call);
+    return run(
+      'pdf',
+      args,
+      pages.flatMap((page) => page.pictures.map((picture) => picture.jpeg.buffer)),
+      call,
+    );
   }
 }
 

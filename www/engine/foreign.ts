@@ -29,16 +29,28 @@ export function foreignKind(bytes: Uint8Array): 'AVIF' | 'HEIC' | null {
  * header of a BMP file. So nothing else has to be known of such photos, and every limit holds for them too.
  */
 export async function asBmp(kind: 'AVIF' | 'HEIC', bytes: Uint8Array<ArrayBuffer>): Promise<Uint8Array<ArrayBuffer>> {
-  const frame = (await decoded(kind, bytes) as VideoFrame & { rotation?: number, flip?: boolean });
+  const frame = (await decoded(kind, bytes)) as VideoFrame & { rotation?: number; flip?: boolean };
   const { rotation = 0, flip = false } = frame;
-  return bmp({ ...await rgbaOf(frame), rotation, flip });
+  return bmp({ ...(await rgbaOf(frame)), rotation, flip });
 }
 
 /**
  * @param picture RGBA, to be turned
  *   clockwise by so many degrees and then mirrored
  */
-function bmp({ width, height, data, rotation, flip }: { width: number, height: number, data: Uint8Array, rotation: number, flip: boolean }) {
+function bmp({
+  width,
+  height,
+  data,
+  rotation,
+  flip,
+}: {
+  width: number;
+  height: number;
+  data: Uint8Array;
+  rotation: number;
+  flip: boolean;
+}) {
   const [columns, rows] = rotation % 180 === 0 ? [width, height] : [height, width];
   /** Where the pixel of the upright picture lies. */
   const place = (x: number, y: number) => {
@@ -49,12 +61,19 @@ function bmp({ width, height, data, rotation, flip }: { width: number, height: n
     return 4 * (y * width + across);
   };
   const step = place(1, 0) - place(0, 0);
-  const stride = 4 * Math.ceil(3 * columns / 4);
+  const stride = 4 * Math.ceil((3 * columns) / 4);
   const file = new Uint8Array(HEADER + stride * rows);
   const view = new DataView(file.buffer);
   file.set([0x42, 0x4d]);
   // Length, start of the pixels, length of what follows, sides (a negative height: from the top down), planes, bits.
-  for (const [at, value] of [[2, file.length], [10, HEADER], [14, 40], [18, columns], [22, -rows]]) view.setInt32(at, value, true);
+  for (const [at, value] of [
+    [2, file.length],
+    [10, HEADER],
+    [14, 40],
+    [18, columns],
+    [22, -rows],
+  ])
+    view.setInt32(at, value, true);
   view.setUint16(26, 1, true);
   view.setUint16(28, 24, true);
   for (let y = 0; y < rows; y += 1) {
@@ -72,7 +91,7 @@ function bmp({ width, height, data, rotation, flip }: { width: number, height: n
 
 async function decoded(kind: 'AVIF' | 'HEIC', data: Uint8Array<ArrayBuffer>): Promise<VideoFrame> {
   const type = `image/${kind.toLowerCase()}`;
-  if (typeof ImageDecoder !== 'undefined' && await ImageDecoder.isTypeSupported(type)) {
+  if (typeof ImageDecoder !== 'undefined' && (await ImageDecoder.isTypeSupported(type))) {
     const decoder = new ImageDecoder({ type, data });
     try {
       return (await decoder.decode()).image;
@@ -89,6 +108,9 @@ async function decoded(kind: 'AVIF' | 'HEIC', data: Uint8Array<ArrayBuffer>): Pr
     bitmap.close();
     return frame;
   } catch {
-    throw failure('no-decoder', `This browser cannot read this ${kind} photo. Save it as JPEG, or open this page in a browser that shows ${kind}${kind === 'HEIC' ? ', like Safari' : ''}.`);
+    throw failure(
+      'no-decoder',
+      `This browser cannot read this ${kind} photo. Save it as JPEG, or open this page in a browser that shows ${kind}${kind === 'HEIC' ? ', like Safari' : ''}.`,
+    );
   }
 }

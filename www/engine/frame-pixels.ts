@@ -4,10 +4,12 @@
  * @param frame which is closed
  * @returns RGBA in sRGB, not premultiplied
  */
-export async function rgbaOf(frame: VideoFrame): Promise<{ width: number, height: number, data: Uint8Array<ArrayBuffer> }> {
+export async function rgbaOf(
+  frame: VideoFrame,
+): Promise<{ width: number; height: number; data: Uint8Array<ArrayBuffer> }> {
   try {
-    const { width, height } = (frame.visibleRect as DOMRectReadOnly);
-    const layout = ({ format: 'RGBA', colorSpace: 'srgb' } as any);
+    const { width, height } = frame.visibleRect as DOMRectReadOnly;
+    const layout = { format: 'RGBA', colorSpace: 'srgb' } as any;
     const data = new Uint8Array(frame.allocationSize(layout));
     await frame.copyTo(data, layout);
     return { width, height, data };

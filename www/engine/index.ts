@@ -6,4 +6,3 @@ export type { Call, Engine } from './engine.ts';
 export type { PhotoMeta, PixelPatch } from './protocol.ts';
 
 export { createEngine } from './engine.ts';
-

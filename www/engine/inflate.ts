@@ -12,13 +12,17 @@ const PART = 4 * 2 ** 20;
 const STEP = 8 * 2 ** 10;
 
 /** Something that waits for a file: `beat` is called with every piece. */
-export type Watch = { signal?: AbortSignal, beat?: () => void };
+export type Watch = { signal?: AbortSignal; beat?: () => void };
 
 /**
  * @param how `take` is asked for each piece whether there is room for it
  * @returns rejects with `damaged`, with `too-large` where there is no room, and as `signal` is aborted
  */
-export async function inflated(packed: Blob, format: 'deflate' | 'deflate-raw', { take, signal, beat = () => {} }: { take: (bytes: number) => boolean } & Watch): Promise<Blob> {
+export async function inflated(
+  packed: Blob,
+  format: 'deflate' | 'deflate-raw',
+  { take, signal, beat = () => {} }: { take: (bytes: number) => boolean } & Watch,
+): Promise<Blob> {
   const reader = inSteps(packed).pipeThrough(new DecompressionStream(format)).getReader();
   const blobs: Blob[] = [];
   let parts: BlobPart[] = [];
@@ -26,7 +30,9 @@ export async function inflated(packed: Blob, format: 'deflate' | 'deflate-raw', 
   try {
     for (;;) {
       signal?.throwIfAborted();
-      const { value, done } = await reader.read().catch((cause) => { throw Object.assign(failure('damaged', 'It cannot be unpacked.'), { cause }); });
+      const { value, done } = await reader.read().catch((cause) => {
+        throw Object.assign(failure('damaged', 'It cannot be unpacked.'), { cause });
+      });
       if (done) return new Blob([...blobs, ...parts]);
       beat();
       if (!take(value.length)) throw failure('too-large', 'It unpacks to more than it may.');
@@ -51,19 +57,22 @@ export function roomFor(most: number): (bytes: number) => boolean {
 function inSteps(blob: Blob): ReadableStream<Uint8Array<ArrayBuffer>> {
   const reader = blob.stream().getReader();
   let left = new Uint8Array(0);
-  return new ReadableStream({
-    async pull(controller) {
-      if (left.length === 0) {
-        const { value, done } = await reader.read();
-        if (done) {
-          controller.close();
-          return;
+  return new ReadableStream(
+    {
+      async pull(controller) {
+        if (left.length === 0) {
+          const { value, done } = await reader.read();
+          if (done) {
+            controller.close();
+            return;
+          }
+          left = value;
         }
-        left = value;
-      }
-      controller.enqueue(left.subarray(0, STEP));
-      left = left.subarray(STEP);
+        controller.enqueue(left.subarray(0, STEP));
+        left = left.subarray(STEP);
+      },
+      cancel: (reason) => reader.cancel(reason),
     },
-    cancel: (reason) => reader.cancel(reason),
-  }, { highWaterMark: 0 });
+    { highWaterMark: 0 },
+  );
 }

@@ -3,15 +3,22 @@ import { EMPTY_HISTORY, advance } from '../document/history.ts';
 import { expanded, interned } from './interned.ts';
 import type { Change } from '../document/history.ts';
 
-const page = (layout: string) => ({ version: 1, layout, panels: [], page: { width: 100, height: 150 } } as any);
+const page = (layout: string) => ({ version: 1, layout, panels: [], page: { width: 100, height: 150 } }) as any;
 
 /** A history of five states that share most of what is in them. */
 function worked() {
   const changes: Change[] = [
     { type: 'add-photos', ids: ['a', 'b', 'c'] },
     { type: 'show-page', page: page('one'), pageId: 1 },
-    { type: 'own-styles', mine: [({ id: 'x' } as any), ({ id: 'y' } as any)] },
-    { type: 'set-sheets', sheets: [{ page: page('one'), pageId: 1, sheet: 0 }, { page: page('two'), pageId: 2, sheet: 1 }], at: 1 },
+    { type: 'own-styles', mine: [{ id: 'x' } as any, { id: 'y' } as any] },
+    {
+      type: 'set-sheets',
+      sheets: [
+        { page: page('one'), pageId: 1, sheet: 0 },
+        { page: page('two'), pageId: 2, sheet: 1 },
+      ],
+      at: 1,
+    },
     { type: 'use-photo', id: 'b', use: false },
     { type: 'undo' },
   ];
@@ -38,12 +45,27 @@ describe('a history with tables', () => {
   });
 
   it('never takes a number for the name of a part', () => {
-    const told = interned({ present: { tray: 0, page: 0, settings: null, mine: [1], others: [{ page: 3 }] }, shown: [{ id: 1, page: 0 }] });
+    const told = interned({
+      present: { tray: 0, page: 0, settings: null, mine: [1], others: [{ page: 3 }] },
+      shown: [{ id: 1, page: 0 }],
+    });
     expect(told.present).toEqual({ tray: '0', page: '0', settings: null, mine: 0, others: 0 });
-    expect([told.parts.shelves, told.parts.sheets, told.shown]).toEqual([[['1']], [{ page: '3' }], [{ id: 1, page: '0' }]]);
+    expect([told.parts.shelves, told.parts.sheets, told.shown]).toEqual([
+      [['1']],
+      [{ page: '3' }],
+      [{ id: 1, page: '0' }],
+    ]);
   });
 
-  it.each([[null], [7], ['x'], [[]], [{ past: 5, present: null, shown: [null, 3] }], [{ present: { tray: [[]], others: { length: 5 } } }], [undefined]])('takes %j as it is', (wrong) => {
+  it.each([
+    [null],
+    [7],
+    ['x'],
+    [[]],
+    [{ past: 5, present: null, shown: [null, 3] }],
+    [{ present: { tray: [[]], others: { length: 5 } } }],
+    [undefined],
+  ])('takes %j as it is', (wrong) => {
     expect(() => JSON.stringify(interned(wrong))).not.toThrow();
   });
 });

@@ -4,25 +4,44 @@
  */
 
 /** As a history is kept: states of a project, and the pages shown. */
-export type KeptHistory = { past: any[], present: any, future: any[], shown: any[] };
+export type KeptHistory = { past: any[]; present: any; future: any[]; shown: any[] };
 type Plain = Record<string, any>;
 
 /** What of a state stands in a table. */
-const PARTS: readonly [field: string, table: string][] = [['settings', 'settings'], ['page', 'pages'], ['draft', 'drafts']];
+const PARTS: readonly [field: string, table: string][] = [
+  ['settings', 'settings'],
+  ['page', 'pages'],
+  ['draft', 'drafts'],
+];
 /** Which lists of a state stand in a table, and what is in them. */
 const LISTS: readonly [field: string, table: string, entries: string][] = [
-  ['tray', 'trays', 'items'], ['others', 'books', 'sheets'], ['mine', 'shelves', 'styles'], ['favourites', 'shelves', 'styles'],
+  ['tray', 'trays', 'items'],
+  ['others', 'books', 'sheets'],
+  ['mine', 'shelves', 'styles'],
+  ['favourites', 'shelves', 'styles'],
   ['ownLayouts', 'layoutShelves', 'layouts'],
 ];
-const TABLES = ['items', 'trays', 'pages', 'sheets', 'books', 'styles', 'shelves', 'layouts', 'layoutShelves', 'settings', 'drafts'];
+const TABLES = [
+  'items',
+  'trays',
+  'pages',
+  'sheets',
+  'books',
+  'styles',
+  'shelves',
+  'layouts',
+  'layoutShelves',
+  'settings',
+  'drafts',
+];
 
 /**
  * @param history of a record, which may be anything
  * @returns with `parts`
  */
 export function interned(history: unknown): Plain {
-  if (!isObject(history)) return (history as any);
-  const parts = (Object.fromEntries(TABLES.map((table) => [table, []])) as Record<string, any[]>);
+  if (!isObject(history)) return history as any;
+  const parts = Object.fromEntries(TABLES.map((table) => [table, []])) as Record<string, any[]>;
   const known = new Map(TABLES.map((table) => [table, new Map()]));
 
   /**
@@ -31,7 +50,7 @@ export function interned(history: unknown): Plain {
    */
   function named(table: string, value: unknown, told: (value: any) => unknown = (same) => same): unknown {
     if (typeof value !== 'object' || value === null) return typeof value === 'number' ? String(value) : value;
-    const places = (known.get(table) as Map<unknown, number>);
+    const places = known.get(table) as Map<unknown, number>;
     const before = places.get(value);
     if (before !== undefined) return before;
     const part = told(value);
@@ -40,22 +59,33 @@ export function interned(history: unknown): Plain {
     return index;
   }
 
-  const withPage = (value: any) => (isObject(value) && 'page' in value ? { ...value, page: named('pages', value.page) } : value);
-  const listOf = (entries: string) => (list: any) => (
-    Array.isArray(list) ? Array.from(list, (entry) => named(entries, entry, entries === 'sheets' ? withPage : undefined)) : list
-  );
+  const withPage = (value: any) =>
+    isObject(value) && 'page' in value ? { ...value, page: named('pages', value.page) } : value;
+  const listOf = (entries: string) => (list: any) =>
+    Array.isArray(list)
+      ? Array.from(list, (entry) => named(entries, entry, entries === 'sheets' ? withPage : undefined))
+      : list;
 
   function told(state: any) {
     if (!isObject(state)) return state;
     const made = { ...state };
     for (const [field, table] of PARTS) if (field in made) made[field] = named(table, made[field]);
-    for (const [field, table, entries] of LISTS) if (field in made) made[field] = named(table, made[field], listOf(entries));
+    for (const [field, table, entries] of LISTS)
+      if (field in made) made[field] = named(table, made[field], listOf(entries));
     return made;
   }
 
-  const all = (states: any, change: (state: any) => any) => (Array.isArray(states) ? Array.from(states, change) : states);
+  const all = (states: any, change: (state: any) => any) =>
+    Array.isArray(states) ? Array.from(states, change) : states;
   const { past, present, future, shown, ...rest } = history;
-  return { ...rest, parts, past: all(past, told), present: told(present), future: all(future, told), shown: all(shown, withPage) };
+  return {
+    ...rest,
+    parts,
+    past: all(past, told),
+    present: told(present),
+    future: all(future, told),
+    shown: all(shown, withPage),
+  };
 }
 
 /**
@@ -65,10 +95,12 @@ export function interned(history: unknown): Plain {
 export function expanded({ parts, past, present, future, shown }: Plain): KeptHistory {
   const withPage = (entry: any) => ({ ...entry, page: parts.pages[entry.page] });
   const sheets = parts.sheets.map(withPage);
-  const lists = Object.fromEntries(LISTS.map(([, table, entries]) => {
-    const from = entries === 'sheets' ? sheets : parts[entries];
-    return [table, parts[table].map((list: number[]) => list.map((i) => from[i]))];
-  }));
+  const lists = Object.fromEntries(
+    LISTS.map(([, table, entries]) => {
+      const from = entries === 'sheets' ? sheets : parts[entries];
+      return [table, parts[table].map((list: number[]) => list.map((i) => from[i]))];
+    }),
+  );
 
   const whole = (state: any) => {
     const made = { ...state };

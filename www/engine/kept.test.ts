@@ -20,7 +20,7 @@ it('it is kept when whoever loaded it has had time to use it, and once where two
   const caches = fakeCaches();
   const store = await caches.open('inkpanel-nets');
   const put = vi.spyOn(store, 'put');
-  const one = ({ open: async () => store } as any);
+  const one = { open: async () => store } as any;
   await Promise.all([fetchKept(NET, { caches: one, fetch: net }), fetchKept(NET, { caches: one, fetch: net })]);
   await vi.advanceTimersByTimeAsync(1000);
   expect(put).not.toHaveBeenCalled();
@@ -30,18 +30,25 @@ it('it is kept when whoever loaded it has had time to use it, and once where two
 });
 
 it.each([
-  ['has no name of its content', NET.replace('-Ab3_-x9Q', ''), net], ['is missing', NET, async () => new Response('', { status: 404 })],
+  ['has no name of its content', NET.replace('-Ab3_-x9Q', ''), net],
+  ['is missing', NET, async () => new Response('', { status: 404 })],
   ['is the page of the host', NET, page],
 ])('what %s is not kept', async (_, address, fetch) => {
   const caches = fakeCaches();
   await fetchKept(address, { caches, fetch, later: 0 });
-  await new Promise((resolve) => { setTimeout(resolve, 20); });
+  await new Promise((resolve) => {
+    setTimeout(resolve, 20);
+  });
   expect(await caches.match(address)).toBeUndefined();
 });
 
 it('where the browser keeps nothing it is loaded each time', async () => {
   const fetch = vi.fn(net);
-  const refused = ({ open: async () => { throw new Error('SecurityError'); } } as any);
+  const refused = {
+    open: async () => {
+      throw new Error('SecurityError');
+    },
+  } as any;
   expect(await (await fetchKept(NET, { caches: refused, fetch })).text()).toBe('net');
   expect(await (await fetchKept(NET, { caches: undefined, fetch })).text()).toBe('net');
   expect(fetch).toHaveBeenCalledTimes(2);

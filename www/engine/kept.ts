@@ -11,7 +11,14 @@ const LATER = 5_000;
 const HASHED = /-[\w-]{8}\.\w+$/;
 
 /** As `fetch`. */
-export async function fetchKept(address: string, { caches = globalThis.caches, fetch = globalThis.fetch, later = LATER }: { caches?: CacheStorage, fetch?: typeof globalThis.fetch, later?: number } = {}): Promise<Response> {
+export async function fetchKept(
+  address: string,
+  {
+    caches = globalThis.caches,
+    fetch = globalThis.fetch,
+    later = LATER,
+  }: { caches?: CacheStorage; fetch?: typeof globalThis.fetch; later?: number } = {},
+): Promise<Response> {
   // Refused without https, and in some private windows.
   const store = HASHED.test(address) ? await caches?.open(STORE).catch(() => undefined) : undefined;
   const kept = await store?.match(address).catch(() => undefined);

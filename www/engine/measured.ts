@@ -31,7 +31,8 @@ const millions = (pixels: number) => pixels / 1e6;
  * @param bytes of its file
  * @param foreign what the browser decodes
  */
-export const photoMs = (bytes: Uint8Array, foreign: string | null) => CALL + PHOTO * millions(foreign ? FOREIGN_PIXELS : announcedPixels(bytes));
+export const photoMs = (bytes: Uint8Array, foreign: string | null) =>
+  CALL + PHOTO * millions(foreign ? FOREIGN_PIXELS : announcedPixels(bytes));
 
 /** A frame of a film, which is also made a PNG file. */
 export const frameMs = (pixels: number) => CALL + (PHOTO + PNG) * millions(pixels);

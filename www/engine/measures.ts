@@ -8,9 +8,14 @@ import type { createRenders } from './renders.ts';
 
 export type PictureFormat = 'png' | 'jpeg' | 'webp';
 
-export function createMeasures({ run, renders, files }: {
-  run: (job: Job) => Promise<any>, renders: Pick<ReturnType<typeof createRenders>, 'composePixels'>,
-  files: ReturnType<typeof createFiles>,
+export function createMeasures({
+  run,
+  renders,
+  files,
+}: {
+  run: (job: Job) => Promise<any>;
+  renders: Pick<ReturnType<typeof createRenders>, 'composePixels'>;
+  files: ReturnType<typeof createFiles>;
 }) {
   return { measureFile };
 
@@ -18,10 +23,14 @@ export function createMeasures({ run, renders, files }: {
    * @param wish `width` of the page in pixels
    * @returns the size of the file, and of the picture in it
    */
-  async function measureFile(document: PageDocument, { width, format, quality, signal }: { width: number, format: PictureFormat, quality: number, signal?: AbortSignal }): Promise<{ bytes: number, pixels: number }> {
+  async function measureFile(
+    document: PageDocument,
+    { width, format, quality, signal }: { width: number; format: PictureFormat; quality: number; signal?: AbortSignal },
+  ): Promise<{ bytes: number; pixels: number }> {
     const page = await renders.composePixels(document, width, { signal });
     const pixels = page.width * page.height;
-    if (format === 'jpeg') return { bytes: (await files.jpeg(document, page, [page], quality, { signal })).size, pixels };
+    if (format === 'jpeg')
+      return { bytes: (await files.jpeg(document, page, [page], quality, { signal })).size, pixels };
     const args = { document: JSON.stringify(document), width, patches: [{ ...page, index: 0 }] };
     const png = await run({ op: 'encode', args, transfer: [page.data.buffer], priority: Priority.PAGE, signal });
     const file = format === 'png' ? png : await files.webp(png, { quality, dpi: document.page.dpi }, { signal });

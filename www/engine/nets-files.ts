@@ -1,7 +1,9 @@
 /** Where the module of the nets is: beside the worker that loads it, as the build puts it there (`nets-module.js`). */
 
-// @ts-ignore: the build puts it here.
-const [script, module]: string[] = INKPANEL_NETS;
+/** A constant of the build. */
+declare const INKPANEL_NETS: string[];
+
+const [script, module] = INKPANEL_NETS;
 
 export const SCRIPT = new URL(script, globalThis.location.href);
 export const MODULE = new URL(module, globalThis.location.href);

@@ -15,15 +15,27 @@ import type { createLru } from './lru.ts';
 import type { BitmapPatch, Operations, PhotoHandle, PixelPatch } from './protocol.ts';
 import type { Tell } from './serving.ts';
 
-export type Answer = { ok: any, transfer: Transferable[] };
+export type Answer = { ok: any; transfer: Transferable[] };
 
 /** No photo is larger; a film that was dropped by mistake must not fill the memory. */
 const MOST_BYTES = 512 * 2 ** 20;
 
 /** @param held the photos in the studio */
-export function createOperations(studio: Studio, held: ReturnType<typeof createLru>): Record<string, (args: any, tell: Tell) => Promise<Answer>> {
+export function createOperations(
+  studio: Studio,
+  held: ReturnType<typeof createLru>,
+): Record<string, (args: any, tell: Tell) => Promise<Answer>> {
   return {
-    import: importPhoto, importFrame, panel, page, compose, stylePhoto, stylePixels, stylize, fullPanels, encode,
+    import: importPhoto,
+    importFrame,
+    panel,
+    page,
+    compose,
+    stylePhoto,
+    stylePixels,
+    stylize,
+    fullPanels,
+    encode,
     ...createStyleOperations({ studio, fetchPhotos, bitmap }),
   };
 
@@ -48,10 +60,15 @@ export function createOperations(studio: Studio, held: ReturnType<typeof createL
     return { ...facts, format: kind, taken: takenOf(bytes) };
   }
 
-  async function importFrame({ id, frame: { width, height, data, squareWidth, squareHeight, rotation } }: Operations['importFrame']['args'], tell: Tell) {
+  async function importFrame(
+    { id, frame: { width, height, data, squareWidth, squareHeight, rotation } }: Operations['importFrame']['args'],
+    tell: Tell,
+  ) {
     tell.expects(frameMs(width * height + squareWidth * squareHeight));
-    const { work, small, ...meta } = JSON.parse(studio.import_frame(id, width, height, data, squareWidth, squareHeight, rotation));
-    const png = (studio.take_file() as Uint8Array<ArrayBuffer>);
+    const { work, small, ...meta } = JSON.parse(
+      studio.import_frame(id, width, height, data, squareWidth, squareHeight, rotation),
+    );
+    const png = studio.take_file() as Uint8Array<ArrayBuffer>;
     tell.waits(STORING);
     const file = await blobOf(png, { type: 'image/png' });
     const ok = { meta, work: await keep(`${id}/work`, work), small: await keep(`${id}/small`, small), file };
@@ -92,7 +109,13 @@ export function createOperations(studio: Studio, held: ReturnType<typeof createL
   async function stylize({ style, width, height, data }: Operations['stylize']['args'], tell: Tell) {
     tell.expects(styleMs(style, width * height));
     const styled = studio.stylize(style, width, height, data);
-    const ok = { x: 0, y: 0, width, height, data: new Uint8ClampedArray(styled.buffer, styled.byteOffset, styled.length) };
+    const ok = {
+      x: 0,
+      y: 0,
+      width,
+      height,
+      data: new Uint8ClampedArray(styled.buffer, styled.byteOffset, styled.length),
+    };
     return { ok, transfer: [styled.buffer] };
   }
 
@@ -123,14 +146,14 @@ export function createOperations(studio: Studio, held: ReturnType<typeof createL
     for (const { index, x, y, width: w, height: h, data } of patches) {
       studio.add_patch(index, x, y, w, h, new Uint8Array(data.buffer, data.byteOffset, data.length));
     }
-    const png = (studio.finish_png() as Uint8Array<ArrayBuffer>);
+    const png = studio.finish_png() as Uint8Array<ArrayBuffer>;
     tell.waits(STORING);
     return { ok: await blobOf(png, { type: 'image/png' }), transfer: [] };
   }
 
   /** Puts the planes of a fresh photo into a Blob, which the page hands to the other workers. */
-  async function keep(key: string, { width, height }: { width: number, height: number }): Promise<PhotoHandle> {
-    const planes = (studio.photo_planes(key) as Uint8Array<ArrayBuffer>);
+  async function keep(key: string, { width, height }: { width: number; height: number }): Promise<PhotoHandle> {
+    const planes = studio.photo_planes(key) as Uint8Array<ArrayBuffer>;
     held.touch(key, planes.length);
     return { key, width, height, planes: await blobOf(planes) };
   }
@@ -138,10 +161,12 @@ export function createOperations(studio: Studio, held: ReturnType<typeof createL
   /** Reads into the studio what it lacks. */
   async function fetchPhotos(photos: PhotoHandle[], tell: Tell) {
     if (photos.some(({ key }) => !studio.has_photo(key))) tell.waits(STORING);
-    await Promise.all(photos.map(async ({ key, width, height, planes }) => {
-      if (!studio.has_photo(key)) studio.put_photo(key, width, height, await bytesOf(planes));
-      held.touch(key, planes.size);
-    }));
+    await Promise.all(
+      photos.map(async ({ key, width, height, planes }) => {
+        if (!studio.has_photo(key)) studio.put_photo(key, width, height, await bytesOf(planes));
+        held.touch(key, planes.size);
+      }),
+    );
     evict(photos.map(({ key }) => key));
   }
 
@@ -160,15 +185,17 @@ async function bytesOf(blob: Blob): Promise<Uint8Array<ArrayBuffer>> {
   }
 }
 
-function pixels(patch: Patch): { ok: PixelPatch, transfer: Transferable[] } {
+function pixels(patch: Patch): { ok: PixelPatch; transfer: Transferable[] } {
   const { x, y, width, height } = patch;
-  const data = (patch.take() as Uint8ClampedArray<ArrayBuffer>);
+  const data = patch.take() as Uint8ClampedArray<ArrayBuffer>;
   patch.free();
   return { ok: { x, y, width, height, data }, transfer: [data.buffer] };
 }
 
-async function bitmap(patch: Patch): Promise<{ ok: BitmapPatch, transfer: Transferable[] }> {
-  const { ok: { x, y, width, height, data } } = pixels(patch);
+async function bitmap(patch: Patch): Promise<{ ok: BitmapPatch; transfer: Transferable[] }> {
+  const {
+    ok: { x, y, width, height, data },
+  } = pixels(patch);
   const image = await createImageBitmap(new ImageData(data, width, height));
   return { ok: { x, y, width, height, bitmap: image }, transfer: [image] };
 }

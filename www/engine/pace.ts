@@ -16,7 +16,6 @@ const REST = 3_000;
 /** Work that takes this many times as long as work took here is given up. */
 const MARGIN = 4;
 
-
 export function createPace() {
   let pace = FIRST;
 

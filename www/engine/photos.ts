@@ -6,7 +6,7 @@
 import { failure } from './protocol.ts';
 import type { PhotoHandle } from './protocol.ts';
 
-type Entry = { name: string, file: Blob, work: PhotoHandle, small: PhotoHandle };
+type Entry = { name: string; file: Blob; work: PhotoHandle; small: PhotoHandle };
 
 export function createPhotos() {
   const entries: Map<string, Entry> = new Map();
@@ -33,6 +33,6 @@ export function createPhotos() {
 
   /** @returns the names of the photos, for messages */
   function names(ids: (string | null)[]): string {
-    return [...new Set(ids)].flatMap((id) => (id === null ? [] : entries.get(id)?.name ?? id)).join(', ');
+    return [...new Set(ids)].flatMap((id) => (id === null ? [] : (entries.get(id)?.name ?? id))).join(', ');
   }
 }

@@ -14,10 +14,10 @@ const drawn = () => {
 const types = async (file: Blob) => (await chunksOf(file))?.map(({ type }) => type);
 
 async function read(file: Blob, keyword: string) {
-  for (const chunk of await chunksOf(file) ?? []) {
+  for (const chunk of (await chunksOf(file)) ?? []) {
     if (chunk.type !== 'iTXt') continue;
     const data = await dataOf(file, chunk);
-    const head = data && await textHead(data);
+    const head = data && (await textHead(data));
     if (head?.keyword === keyword) return textOf(head, 1 << 20);
   }
   return undefined;
@@ -26,7 +26,10 @@ async function read(file: Blob, keyword: string) {
 describe('chunks of a PNG', () => {
   it('are put in around the pixels, which stay', async () => {
     const file = drawn();
-    const more = await withChunks(file, { before: [await textChunk('inkpanel', 'of before')], after: [await chunkOf('ipPh', new Uint8Array(99))] });
+    const more = await withChunks(file, {
+      before: [await textChunk('inkpanel', 'of before')],
+      after: [await chunkOf('ipPh', new Uint8Array(99))],
+    });
     expect(await types(file)).toEqual(['IHDR', 'IDAT', 'IEND']);
     expect(await types(more)).toEqual(['IHDR', 'iTXt', 'IDAT', 'ipPh', 'IEND']);
     const decode = async (blob: Blob) => PNG.sync.read(Buffer.from(await blob.arrayBuffer())).data;
@@ -35,22 +38,29 @@ describe('chunks of a PNG', () => {
   });
 
   it('hold any text', async () => {
-    await fc.assert(fc.asyncProperty(fc.string({ unit: 'grapheme' }), async (text) => {
-      const file = await withChunks(drawn(), { before: [await textChunk('other', 'x'), await textChunk('inkpanel', text)] });
-      expect(await read(file, 'inkpanel')).toBe(text);
-    }), { numRuns: 40 });
+    await fc.assert(
+      fc.asyncProperty(fc.string({ unit: 'grapheme' }), async (text) => {
+        const file = await withChunks(drawn(), {
+          before: [await textChunk('other', 'x'), await textChunk('inkpanel', text)],
+        });
+        expect(await read(file, 'inkpanel')).toBe(text);
+      }),
+      { numRuns: 40 },
+    );
   });
 
   it('have the checksum of zlib', async () => {
-    await fc.assert(fc.asyncProperty(fc.uint8Array({ maxLength: 300 }), async (bytes) => {
-      expect(await crcOf(new Blob([(bytes as Uint8Array<ArrayBuffer>)]))).toBe(crc32(bytes));
-    }));
+    await fc.assert(
+      fc.asyncProperty(fc.uint8Array({ maxLength: 300 }), async (bytes) => {
+        expect(await crcOf(new Blob([bytes as Uint8Array<ArrayBuffer>]))).toBe(crc32(bytes));
+      }),
+    );
   });
 
   it('that are broken are told, wherever the byte', async () => {
     const file = await withChunks(drawn(), { before: [await textChunk('inkpanel', 'a text')] });
     const bytes = new Uint8Array(await file.arrayBuffer());
-    const [, text] = await chunksOf(file) ?? [];
+    const [, text] = (await chunksOf(file)) ?? [];
     for (let at = text.at - 8; at < text.at + text.length + 4; at += 1) {
       const spoilt = bytes.slice();
       spoilt[at] ^= 0x20;
@@ -73,9 +83,11 @@ describe('chunks of a PNG', () => {
   });
 
   it('survive bytes of any kind', async () => {
-    await fc.assert(fc.asyncProperty(fc.uint8Array({ maxLength: 400 }), async (tail) => {
-      const found = await chunksOf(pngOf([new Blob([(tail as Uint8Array<ArrayBuffer>)])]));
-      expect(found === null || found.length > 0).toBe(true);
-    }));
+    await fc.assert(
+      fc.asyncProperty(fc.uint8Array({ maxLength: 400 }), async (tail) => {
+        const found = await chunksOf(pngOf([new Blob([tail as Uint8Array<ArrayBuffer>])]));
+        expect(found === null || found.length > 0).toBe(true);
+      }),
+    );
   });
 });

@@ -8,7 +8,7 @@ import { inflated, roomFor } from './inflate.ts';
 import { PNG } from './limits.ts';
 
 /** A chunk: `at` is where its data begins, `length` is that of the data in bytes. */
-export type Chunk = { type: string, at: number, length: number };
+export type Chunk = { type: string; at: number; length: number };
 
 const SIGNATURE = [0x89, 0x50, 0x4e, 0x47, 0x0d, 0x0a, 0x1a, 0x0a];
 /** Length and type before the data, CRC after it. */
@@ -31,7 +31,7 @@ export async function chunksOf(file: Blob): Promise<Chunk[] | null> {
   const chunks: Chunk[] = [];
   let from = 0;
   let view = new DataView(new ArrayBuffer(0));
-  for (let at = SIGNATURE.length; at + HEAD + FOOT <= file.size;) {
+  for (let at = SIGNATURE.length; at + HEAD + FOOT <= file.size; ) {
     if (at + HEAD > from + view.byteLength) {
       from = at;
       view = new DataView(await file.slice(at, at + WINDOW).arrayBuffer());
@@ -40,7 +40,8 @@ export async function chunksOf(file: Blob): Promise<Chunk[] | null> {
     const type = String.fromCharCode(...[4, 5, 6, 7].map((i) => view.getUint8(at - from + i)));
     const chunk = { type, at: at + HEAD, length };
     at += HEAD + length + FOOT;
-    if (length > MOST_LENGTH || at > file.size || chunks.length === PNG.chunks || !/^[A-Za-z]{4}$/.test(type)) return null;
+    if (length > MOST_LENGTH || at > file.size || chunks.length === PNG.chunks || !/^[A-Za-z]{4}$/.test(type))
+      return null;
     chunks.push(chunk);
     if (type === 'IEND') return chunks;
   }
@@ -55,7 +56,7 @@ export function wholeChunk(file: Blob, { at, length }: Chunk): Blob {
 /** @returns its data, null where they are not what was written */
 export async function dataOf(file: Blob, { at, length }: Chunk): Promise<Blob | null> {
   const foot = new DataView(await file.slice(at + length, at + length + FOOT).arrayBuffer());
-  return await crcOf(file.slice(at - 4, at + length)) === foot.getUint32(0) ? file.slice(at, at + length) : null;
+  return (await crcOf(file.slice(at - 4, at + length))) === foot.getUint32(0) ? file.slice(at, at + length) : null;
 }
 
 /**
@@ -81,13 +82,19 @@ export function pngOf(chunks: readonly Blob[]): Blob {
  * @param more chunks to put before and after the pixels
  * @returns the file as it is where it has no chunks
  */
-export async function withChunks(file: Blob, { before = [], after = [] }: { before?: readonly Blob[], after?: readonly Blob[] }): Promise<Blob> {
+export async function withChunks(
+  file: Blob,
+  { before = [], after = [] }: { before?: readonly Blob[]; after?: readonly Blob[] },
+): Promise<Blob> {
   const chunks = await chunksOf(file);
   const pixels = chunks?.find(({ type }) => type === 'IDAT');
   const end = chunks?.at(-1);
   if (!pixels || !end) return file;
   const [first, last] = [pixels.at - HEAD, end.at - HEAD];
-  return new Blob([file.slice(0, first), ...before, file.slice(first, last), ...after, file.slice(last, end.at + FOOT)], { type: 'image/png' });
+  return new Blob(
+    [file.slice(0, first), ...before, file.slice(first, last), ...after, file.slice(last, end.at + FOOT)],
+    { type: 'image/png' },
+  );
 }
 
 /** @returns an `iTXt` chunk, deflated */
@@ -98,20 +105,27 @@ export async function textChunk(keyword: string, text: string): Promise<Blob> {
 }
 
 /** @param data of an `iTXt` chunk */
-export async function textHead(data: Blob): Promise<{ keyword: string, deflated: boolean, body: Blob } | null> {
+export async function textHead(data: Blob): Promise<{ keyword: string; deflated: boolean; body: Blob } | null> {
   const head = new Uint8Array(await data.slice(0, PNG.textHead).arrayBuffer());
   const keyword = head.indexOf(0);
   const language = keyword < 0 ? -1 : head.indexOf(0, keyword + 3);
   const end = language < 0 ? -1 : head.indexOf(0, language + 1);
   if (end < 0 || head[keyword + 2] !== 0) return null;
-  return { keyword: new TextDecoder('latin1').decode(head.subarray(0, keyword)), deflated: head[keyword + 1] === 1, body: data.slice(end + 1) };
+  return {
+    keyword: new TextDecoder('latin1').decode(head.subarray(0, keyword)),
+    deflated: head[keyword + 1] === 1,
+    body: data.slice(end + 1),
+  };
 }
 
 /**
  * @param longest bytes that it may unpack to
  * @returns null where it is longer, or cannot be unpacked
  */
-export async function textOf({ deflated, body }: { deflated: boolean, body: Blob }, longest: number): Promise<string | null> {
+export async function textOf(
+  { deflated, body }: { deflated: boolean; body: Blob },
+  longest: number,
+): Promise<string | null> {
   if (!deflated) return body.size > longest ? null : body.text();
   try {
     // What unpacks to more was made to fill the memory.

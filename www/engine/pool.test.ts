@@ -10,8 +10,11 @@ describe('order', () => {
     const pool = createPool({ size: 1, spawn: fakes.spawn });
     const order: string[] = [];
     const all = [
-      pool.run(job('busy')), pool.run(job('rest', { priority: Priority.REST })), pool.run(job('view 1')),
-      pool.run(job('panel', { priority: Priority.PANEL })), pool.run(job('view 2')),
+      pool.run(job('busy')),
+      pool.run(job('rest', { priority: Priority.REST })),
+      pool.run(job('view 1')),
+      pool.run(job('panel', { priority: Priority.PANEL })),
+      pool.run(job('view 2')),
     ].map((promise) => promise.then((name) => order.push(name)));
     for (const name of ['busy', 'panel', 'view 1', 'view 2', 'rest']) {
       fakes.answer(name);
@@ -125,7 +128,7 @@ describe('workers that die', () => {
     expect(await result).toBe('photo');
   });
 
-  test('the second try is the fresh worker\'s, though another is idle', async () => {
+  test("the second try is the fresh worker's, though another is idle", async () => {
     const fakes = fakeWorkers();
     const pool = createPool({ size: 2, spawn: fakes.spawn });
     const [one, two] = [pool.run(job('one')), pool.run(job('two'))];
@@ -136,7 +139,7 @@ describe('workers that die', () => {
     expect(await Promise.all([one, two])).toEqual(['one', 'two']);
   });
 
-  test('a second trap is the photo\'s fault, and the rest goes on', async () => {
+  test("a second trap is the photo's fault, and the rest goes on", async () => {
     const fakes = fakeWorkers();
     const pool = createPool({ size: 1, spawn: fakes.spawn });
     const result = pool.run(job('photo', { photo: 'beach.jpg' })).catch((error) => error);

@@ -19,15 +19,34 @@ import type { Reply, Sign } from './protocol.ts';
 
 /** `photo` is the name to blame; `holds` are the photo keys that the job needs and leaves in the worker */
 export type Job = {
-  op: string, args: any, transfer?: Transferable[], priority: number, key?: string, signal?: AbortSignal,
-  photo?: string, holds?: string[],
+  op: string;
+  args: any;
+  transfer?: Transferable[];
+  priority: number;
+  key?: string;
+  signal?: AbortSignal;
+  photo?: string;
+  holds?: string[];
 };
 
-type Entry = Job & { resolve: (value: any) => void, reject: (error: Error) => void, tries: number, over: boolean, release: () => void };
+type Entry = Job & {
+  resolve: (value: any) => void;
+  reject: (error: Error) => void;
+  tries: number;
+  over: boolean;
+  release: () => void;
+};
 /** `here`: it has said that it is there; `expected`: what it is about, in ms where that was measured, and `since` when. */
 type Slot = {
-  worker: Worker, entry: Entry | null, held: Set<string>, id: number, relax: () => void, dead: boolean, here: boolean,
-  expected: number, since: number,
+  worker: Worker;
+  entry: Entry | null;
+  held: Set<string>;
+  id: number;
+  relax: () => void;
+  dead: boolean;
+  here: boolean;
+  expected: number;
+  since: number;
 };
 
 /** Milliseconds until a worker has said that it is there: its script may come over a slow line. */
@@ -36,7 +55,15 @@ const STARTING = 30_000;
 const LAST_CHANCE = 2;
 const HIGH_WATER = 512 * 2 ** 20;
 
-export function createPool({ size, spawn, highWater = HIGH_WATER }: { size: number, spawn: () => Worker, highWater?: number }) {
+export function createPool({
+  size,
+  spawn,
+  highWater = HIGH_WATER,
+}: {
+  size: number;
+  spawn: () => Worker;
+  highWater?: number;
+}) {
   const queue: ReturnType<typeof createQueue<Entry>> = createQueue();
   const pace = createPace();
   const slots: Slot[] = [];
@@ -57,7 +84,14 @@ export function createPool({ size, spawn, highWater = HIGH_WATER }: { size: numb
     if (job.signal?.aborted) return Promise.reject(cancelled());
     return new Promise((resolve, reject) => {
       const abort = () => drop(entry);
-      const entry: Entry = { ...job, resolve, reject, tries: 0, over: false, release: () => job.signal?.removeEventListener('abort', abort) };
+      const entry: Entry = {
+        ...job,
+        resolve,
+        reject,
+        tries: 0,
+        over: false,
+        release: () => job.signal?.removeEventListener('abort', abort),
+      };
       job.signal?.addEventListener('abort', abort, { once: true });
       const waiting = queue.push(entry);
       if (waiting) drop(waiting);
@@ -102,7 +136,7 @@ export function createPool({ size, spawn, highWater = HIGH_WATER }: { size: numb
       slot.worker.postMessage({ id: slot.id, op: entry.op, args: entry.args }, entry.transfer ?? []);
     } catch (error) {
       finish(slot);
-      settle(entry, () => entry.reject((error as Error)));
+      settle(entry, () => entry.reject(error as Error));
       dispatch();
     }
   }
@@ -147,7 +181,7 @@ export function createPool({ size, spawn, highWater = HIGH_WATER }: { size: numb
   }
 
   function finish(slot: Slot): Entry {
-    const entry = (slot.entry as Entry);
+    const entry = slot.entry as Entry;
     slot.relax();
     slot.entry = null;
     slot.expected = 0;
@@ -177,7 +211,17 @@ export function createPool({ size, spawn, highWater = HIGH_WATER }: { size: numb
   function open(slot: Partial<Slot>): Slot {
     slot.worker?.terminate();
     const worker = spawn();
-    const filled = (Object.assign(slot, { worker, entry: null, held: new Set(), id: 0, relax: () => {}, dead: false, here: false, expected: 0, since: 0 }) as Slot);
+    const filled = Object.assign(slot, {
+      worker,
+      entry: null,
+      held: new Set(),
+      id: 0,
+      relax: () => {},
+      dead: false,
+      here: false,
+      expected: 0,
+      since: 0,
+    }) as Slot;
     const mine = () => filled.worker === worker && !closed;
     worker.onmessage = (event) => mine() && hear(filled, event.data);
     worker.onerror = (event) => {

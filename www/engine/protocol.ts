@@ -14,9 +14,9 @@ import type { Frame } from './video.ts';
  * What a worker needs of a photo before it can draw with it. `key` is `ID/work` or `ID/small`; `planes` holds
  * the red, green and blue planes one after the other, `width * height` bytes each.
  */
-export type PhotoHandle = { key: string, width: number, height: number, planes: Blob };
+export type PhotoHandle = { key: string; width: number; height: number; planes: Blob };
 
-export type Box = { x: number, y: number, width: number, height: number };
+export type Box = { x: number; y: number; width: number; height: number };
 
 /** A rendered rectangle of a page, in page pixels. */
 export type BitmapPatch = Box & { bitmap: ImageBitmap };
@@ -24,19 +24,28 @@ export type PixelPatch = Box & { data: Uint8ClampedArray<ArrayBuffer> };
 
 /** The operations of a worker: arguments and answer. */
 export type Operations = {
-  start: { args: { module: WebAssembly.Module, budget: number }, ok: null },
-  import: { args: { id: string, file: Blob }, ok: Imported },
-  importFrame: { args: { id: string, frame: Omit<Frame, 'index' | 'time'> }, ok: Imported & { file: Blob } },
-  panel: { args: { document: string, index: number, width: number, tier: Tier, photos: PhotoHandle[] }, ok: BitmapPatch },
-  page: { args: { document: string, width: number, tier: Tier, photos: PhotoHandle[] }, ok: BitmapPatch },
-  compose: { args: { document: string, width: number, tier: Tier, photos: PhotoHandle[] }, ok: PixelPatch },
-  stylePhoto: { args: { photo: PhotoHandle, style: string, width: number, height: number, crop: string }, ok: BitmapPatch },
-  stylePixels: { args: { photo: PhotoHandle, style: string, width: number, height: number }, ok: PixelPatch },
-  design: { args: { photo: PhotoHandle, style: string, width: number, height: number, stages: number }, ok: Designed },
-  explore: { args: { photo: PhotoHandle, styles: string[], width: number, height: number }, ok: Explored[] },
-  stylize: { args: { style: string, width: number, height: number, data: Uint8Array }, ok: PixelPatch },
-  fullPanels: { args: { id: string, file: Blob, document: string, indexes: number[], width: number }, ok: (PixelPatch & { index: number })[] },
-  encode: { args: { document: string, width: number, patches: (PixelPatch & { index: number })[] }, ok: Blob },
+  start: { args: { module: WebAssembly.Module; budget: number }; ok: null };
+  import: { args: { id: string; file: Blob }; ok: Imported };
+  importFrame: { args: { id: string; frame: Omit<Frame, 'index' | 'time'> }; ok: Imported & { file: Blob } };
+  panel: {
+    args: { document: string; index: number; width: number; tier: Tier; photos: PhotoHandle[] };
+    ok: BitmapPatch;
+  };
+  page: { args: { document: string; width: number; tier: Tier; photos: PhotoHandle[] }; ok: BitmapPatch };
+  compose: { args: { document: string; width: number; tier: Tier; photos: PhotoHandle[] }; ok: PixelPatch };
+  stylePhoto: {
+    args: { photo: PhotoHandle; style: string; width: number; height: number; crop: string };
+    ok: BitmapPatch;
+  };
+  stylePixels: { args: { photo: PhotoHandle; style: string; width: number; height: number }; ok: PixelPatch };
+  design: { args: { photo: PhotoHandle; style: string; width: number; height: number; stages: number }; ok: Designed };
+  explore: { args: { photo: PhotoHandle; styles: string[]; width: number; height: number }; ok: Explored[] };
+  stylize: { args: { style: string; width: number; height: number; data: Uint8Array }; ok: PixelPatch };
+  fullPanels: {
+    args: { id: string; file: Blob; document: string; indexes: number[]; width: number };
+    ok: (PixelPatch & { index: number })[];
+  };
+  encode: { args: { document: string; width: number; patches: (PixelPatch & { index: number })[] }; ok: Blob };
 };
 
 type Tier = 'small' | 'work' | 'full';
@@ -46,23 +55,39 @@ type Tier = 'small' | 'work' | 'full';
  * may be the photo itself, what is wrong with it if anything, its look (`line`, `gray`, `flat` or `wild`), and a
  * signature that is nearly the same for pictures that look the same.
  */
-export type Explored = { index: number, score: number, novelty: number, fault: string, look: string, signature: Uint8Array, bitmap: ImageBitmap };
+export type Explored = {
+  index: number;
+  score: number;
+  novelty: number;
+  fault: string;
+  look: string;
+  signature: Uint8Array;
+  bitmap: ImageBitmap;
+};
 
 export type PhotoMeta = {
-  id: string, width: number, height: number, fingerprint: string, sharpness: number, taken: string | null,
-  energy: { columns: number, rows: number, values: string }, subjects: Found[], focus: { x: number, y: number } | null,
+  id: string;
+  width: number;
+  height: number;
+  fingerprint: string;
+  sharpness: number;
+  taken: string | null;
+  energy: { columns: number; rows: number; values: string };
+  subjects: Found[];
+  focus: { x: number; y: number } | null;
 };
 
 /** The answer to `import`: what is known of a photo, and its two reduced copies. */
 export type Imported = {
-  meta: PhotoMeta & { format: string, measures: Record<string, number | string> },
-  work: PhotoHandle, small: PhotoHandle,
+  meta: PhotoMeta & { format: string; measures: Record<string, number | string> };
+  work: PhotoHandle;
+  small: PhotoHandle;
 };
 
-type Failure = { code: string, message: string };
-export type Reply = { id: number, ok?: any, error?: Failure, memory: number };
+type Failure = { code: string; message: string };
+export type Reply = { id: number; ok?: any; error?: Failure; memory: number };
 /** Milliseconds of work, where it was measured; or of waiting for what is not the worker's. */
-export type Sign = { id: number, expects: number } | { id: number, waits: number };
+export type Sign = { id: number; expects: number } | { id: number; waits: number };
 
 /** A worker answers with this code when its wasm instance can no longer be trusted. */
 export const TRAP = 'trap';
@@ -71,7 +96,11 @@ export const TRAP = 'trap';
  * An error with a stable code, as every failing call of the engine rejects with.
  * @param about the name of the photo at fault, where there is one
  */
-export function failure(code: string, message: string, about: { photo?: string } = {}): Error & { code: string, photo?: string } {
+export function failure(
+  code: string,
+  message: string,
+  about: { photo?: string } = {},
+): Error & { code: string; photo?: string } {
   return Object.assign(new Error(message), { code, ...about });
 }
 
@@ -88,13 +117,19 @@ export function cancelled() {
 /** @returns the two fields that cross to the page */
 export function describe(error: unknown): Failure {
   if (error instanceof WebAssembly.RuntimeError) return { code: TRAP, message: error.message };
-  if (error instanceof RangeError && /memory|allocation/i.test(error.message)) return { code: TRAP, message: error.message };
-  const { code, message } = ((error ?? {}) as { code?: unknown, message?: unknown });
-  return { code: typeof code === 'string' ? code : 'internal', message: typeof message === 'string' ? message : String(error) };
+  if (error instanceof RangeError && /memory|allocation/i.test(error.message))
+    return { code: TRAP, message: error.message };
+  const { code, message } = (error ?? {}) as { code?: unknown; message?: unknown };
+  return {
+    code: typeof code === 'string' ? code : 'internal',
+    message: typeof message === 'string' ? message : String(error),
+  };
 }
 
 /** @param photo the name of the photo that the worker was busy with */
 export function lost(photo: string | undefined) {
-  const what = photo ? `The worker stopped while it was busy with ${photo}.` : 'A worker stopped in the middle of its work.';
+  const what = photo
+    ? `The worker stopped while it was busy with ${photo}.`
+    : 'A worker stopped in the middle of its work.';
   return failure('worker-lost', what, { photo });
 }

@@ -21,7 +21,7 @@ export type Priority = (typeof Priority)[keyof typeof Priority];
 /** Waiting entries from which on the page shall stay quick rather than all be done soon. */
 export const CROWD = 24;
 
-export function createQueue<T extends { priority: number, key?: string }>() {
+export function createQueue<T extends { priority: number; key?: string }>() {
   const waiting: T[] = [];
 
   return {

@@ -10,14 +10,27 @@ import type { Job } from './pool.ts';
 import type { BitmapPatch, Explored, PhotoHandle, PixelPatch } from './protocol.ts';
 import type { createWords } from './words.ts';
 
-export function createRenders({ run, photos, words }: { run: (job: Job) => Promise<any>, photos: ReturnType<typeof createPhotos>, words: ReturnType<typeof createWords> }) {
+export function createRenders({
+  run,
+  photos,
+  words,
+}: {
+  run: (job: Job) => Promise<any>;
+  photos: ReturnType<typeof createPhotos>;
+  words: ReturnType<typeof createWords>;
+}) {
   return { renderPanel, renderWord: words.draw, renderPage, composePixels, stylePhoto, exploreStyles };
 
   /**
    * One panel of a page.
    * @param width of the page, in pixels
    */
-  async function renderPanel(document: PageDocument, index: number, width: number, { tier = 'work', ...call }: Call & { tier?: 'small' | 'work' } = {}): Promise<BitmapPatch> {
+  async function renderPanel(
+    document: PageDocument,
+    index: number,
+    width: number,
+    { tier = 'work', ...call }: Call & { tier?: 'small' | 'work' } = {},
+  ): Promise<BitmapPatch> {
     const needed = photos.handles([document.panels[index].photo], tier);
     const args = { document: JSON.stringify(document), index, width, tier, photos: needed };
     const photo = photos.names([document.panels[index].photo]);
@@ -37,17 +50,46 @@ export function createRenders({ run, photos, words }: { run: (job: Job) => Promi
   }
 
   /** A crop of a photo in some style: thumbnails. */
-  async function stylePhoto(id: string, style: string | object, { width, height, crop = null, tier = 'small' }: { width: number, height: number, crop?: object | null, tier?: 'small' | 'work' }, call?: Call): Promise<BitmapPatch> {
+  async function stylePhoto(
+    id: string,
+    style: string | object,
+    {
+      width,
+      height,
+      crop = null,
+      tier = 'small',
+    }: { width: number; height: number; crop?: object | null; tier?: 'small' | 'work' },
+    call?: Call,
+  ): Promise<BitmapPatch> {
     const [photo] = photos.handles([id], tier);
     const args = { photo, style: JSON.stringify(style), width, height, crop: crop ? JSON.stringify(crop) : '' };
-    return run({ op: 'stylePhoto', args, photo: photos.names([id]), holds: [photo.key], priority: Priority.VIEW, ...call });
+    return run({
+      op: 'stylePhoto',
+      args,
+      photo: photos.names([id]),
+      holds: [photo.key],
+      priority: Priority.VIEW,
+      ...call,
+    });
   }
 
   /** A photo in many styles, with what is known of each picture. */
-  async function exploreStyles(id: string, styles: object[], { width, height }: { width: number, height: number }, call?: Call): Promise<Explored[]> {
+  async function exploreStyles(
+    id: string,
+    styles: object[],
+    { width, height }: { width: number; height: number },
+    call?: Call,
+  ): Promise<Explored[]> {
     const [photo] = photos.handles([id], 'small');
     const args = { photo, styles: styles.map((style) => JSON.stringify(style)), width, height };
-    return run({ op: 'explore', args, photo: photos.names([id]), holds: [photo.key], priority: Priority.REST, ...call });
+    return run({
+      op: 'explore',
+      args,
+      photo: photos.names([id]),
+      holds: [photo.key],
+      priority: Priority.REST,
+      ...call,
+    });
   }
 
   function pageJob(document: PageDocument, width: number, tier: 'small' | 'work') {

@@ -9,7 +9,10 @@ describe('the times of frames', () => {
 
   it('come in two runs where some are waited for, else in one', () => {
     expect(runs(4)).toEqual([[0, 1, 2, 3]]);
-    expect(runs(5, [3, 1])).toEqual([[1, 3], [0, 2, 4]]);
+    expect(runs(5, [3, 1])).toEqual([
+      [1, 3],
+      [0, 2, 4],
+    ]);
     expect(runs(2, [0, 1])).toEqual([[0, 1]]);
   });
 });

@@ -9,7 +9,7 @@ import { describe } from './protocol.ts';
  * `expects`: work, in ms where it was measured (`measured.ts`); `waits`: at most so many ms for something that is not this
  * worker's to do, as reading a file.
  */
-export type Tell = { expects: (ms: number) => void, waits: (ms: number) => void };
+export type Tell = { expects: (ms: number) => void; waits: (ms: number) => void };
 
 /** Milliseconds for what comes over the network, and is then compiled: the largest net on a slow line. */
 export const LOADING = 120_000;
@@ -23,8 +23,10 @@ export function readingOf({ size }: Blob): number {
   return STORING + size / BYTES_A_MS;
 }
 
-export function serveJobs(work: (op: string, args: any, tell: Tell) => Promise<{ ok: any, transfer?: Transferable[], memory?: number }>) {
-  globalThis.onmessage = async ({ data: { id, op, args } }: MessageEvent<{ id: number, op: string, args: any }>) => {
+export function serveJobs(
+  work: (op: string, args: any, tell: Tell) => Promise<{ ok: any; transfer?: Transferable[]; memory?: number }>,
+) {
+  globalThis.onmessage = async ({ data: { id, op, args } }: MessageEvent<{ id: number; op: string; args: any }>) => {
     const tell = {
       expects: (ms: number) => postMessage({ id, expects: ms }),
       waits: (ms: number) => postMessage({ id, waits: ms }),

@@ -7,28 +7,41 @@ import type { Answer } from './operations.ts';
 import type { BitmapPatch, Operations, PhotoHandle } from './protocol.ts';
 import type { Tell } from './serving.ts';
 
-export function createStyleOperations({ studio, fetchPhotos, bitmap }: {
-  studio: Studio, fetchPhotos: (photos: PhotoHandle[], tell: Tell) => Promise<void>,
-  bitmap: (patch: Patch) => Promise<{ ok: BitmapPatch, transfer: Transferable[] }>,
+export function createStyleOperations({
+  studio,
+  fetchPhotos,
+  bitmap,
+}: {
+  studio: Studio;
+  fetchPhotos: (photos: PhotoHandle[], tell: Tell) => Promise<void>;
+  bitmap: (patch: Patch) => Promise<{ ok: BitmapPatch; transfer: Transferable[] }>;
 }) {
   /** How long each block took when it ran last, by photo and size. */
   const clocks: Map<string, Map<number, number>> = new Map();
 
   return { design, explore };
 
-  async function design({ photo, style, width, height, stages }: Operations['design']['args'], tell: Tell): Promise<Answer> {
+  async function design(
+    { photo, style, width, height, stages }: Operations['design']['args'],
+    tell: Tell,
+  ): Promise<Answer> {
     await fetchPhotos([photo], tell);
     tell.expects(blocksMs(width * height, 1));
     studio.design(photo.key, style, width, height);
     const { background, foreground = [] } = JSON.parse(style);
-    const places = [...background.map((_: any, i: number) => i), ...foreground.map((_: any, i: number) => FOREGROUND + i)];
+    const places = [
+      ...background.map((_: any, i: number) => i),
+      ...foreground.map((_: any, i: number) => FOREGROUND + i),
+    ];
     const times = timed(`${photo.key} ${width} ${height}`, () => tell.expects(blocksMs(width * height, 1)));
     tell.expects(blocksMs(width * height, 1) + blocksMs(stages * stages, stages > 0 ? places.length : 0));
     const whole = await bitmap(studio.design_result());
-    const pictures = await Promise.all((stages > 0 ? places : []).map(async (place) => {
-      const { ok } = await bitmap(studio.design_stage(place, stages));
-      return { place, bitmap: ok.bitmap };
-    }));
+    const pictures = await Promise.all(
+      (stages > 0 ? places : []).map(async (place) => {
+        const { ok } = await bitmap(studio.design_stage(place, stages));
+        return { place, bitmap: ok.bitmap };
+      }),
+    );
     const ok = { ...whole.ok, times: places.map((place) => [place, times.get(place) ?? 0]), stages: pictures };
     return { ok, transfer: [...whole.transfer, ...pictures.map((picture) => picture.bitmap)] };
   }
@@ -54,14 +67,16 @@ export function createStyleOperations({ studio, fetchPhotos, bitmap }: {
   /** A photo in some styles, each with its score, look and signature; a style that fails is left out. */
   async function explore({ photo, styles, width, height }: Operations['explore']['args'], tell: Tell): Promise<Answer> {
     await fetchPhotos([photo], tell);
-    const ok = await Promise.all(styles.map(async (style, index) => {
-      tell.expects(styleMs(style, width * height));
-      const found = studio.explore(photo.key, style, width, height);
-      const { score, novelty, fault, look, signature } = found;
-      const patch = found.patch();
-      found.free();
-      return { index, score, novelty, fault, look, signature, bitmap: (await bitmap(patch)).ok.bitmap };
-    }));
+    const ok = await Promise.all(
+      styles.map(async (style, index) => {
+        tell.expects(styleMs(style, width * height));
+        const found = studio.explore(photo.key, style, width, height);
+        const { score, novelty, fault, look, signature } = found;
+        const patch = found.patch();
+        found.free();
+        return { index, score, novelty, fault, look, signature, bitmap: (await bitmap(patch)).ok.bitmap };
+      }),
+    );
     return { ok, transfer: ok.map((item) => item.bitmap) };
   }
 }

@@ -33,7 +33,8 @@ function dateOf(view: DataView, start: number, little: boolean) {
   /** Position of a field. */
   const find = (directory: number, tag: number) => {
     const count = view.getUint16(directory, little);
-    for (let i = 0; i < count; i += 1) if (view.getUint16(directory + 2 + 12 * i, little) === tag) return directory + 2 + 12 * i;
+    for (let i = 0; i < count; i += 1)
+      if (view.getUint16(directory + 2 + 12 * i, little) === tag) return directory + 2 + 12 * i;
     return 0;
   };
   try {

@@ -6,11 +6,18 @@ import { Priority } from './queue.ts';
 export function fakeWorkers() {
   const workers: any[] = [];
   const spawn = () => {
-    const worker = { /** @type {any} */ request: null, dead: false,
-      postMessage(request: any) { this.request = request; },
-      terminate() { this.dead = true; } };
+    const worker = {
+      /** @type {any} */ request: null,
+      dead: false,
+      postMessage(request: any) {
+        this.request = request;
+      },
+      terminate() {
+        this.dead = true;
+      },
+    };
     workers.push(worker);
-    return (worker as any);
+    return worker as any;
   };
   const live = () => workers.filter((worker) => !worker.dead);
   const holding = (name: string) => live().find((worker) => worker.request?.args === name);
@@ -31,4 +38,8 @@ export function fakeWorkers() {
 }
 
 export const job = (name: string, rest?: object) => ({ op: 'work', args: name, priority: Priority.VIEW, ...rest });
-export const caught = (promise: Promise<any>) => promise.then(() => 'done', (error) => error.code);
+export const caught = (promise: Promise<any>) =>
+  promise.then(
+    () => 'done',
+    (error) => error.code,
+  );

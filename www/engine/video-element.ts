@@ -13,7 +13,12 @@ const PATIENCE = 1500;
 const OPENING = 10_000;
 
 /** @param why the fast way failed */
-export async function readByElement(file: Blob, { count, start, end, leading }: Wish, { signal, onAbout, onFrame }: Listener, why: string) {
+export async function readByElement(
+  file: Blob,
+  { count, start, end, leading }: Wish,
+  { signal, onAbout, onFrame }: Listener,
+  why: string,
+) {
   const video = document.createElement('video');
   video.muted = true;
   video.playsInline = true;
@@ -31,7 +36,7 @@ export async function readByElement(file: Blob, { count, start, end, leading }: 
       const time = times[index];
       if (signal?.aborted) throw cancelled();
       await wind(video, time);
-      await onFrame({ index, time, rotation: 0, ...await pixelsOf(video) });
+      await onFrame({ index, time, rotation: 0, ...(await pixelsOf(video)) });
     }
   } finally {
     video.removeAttribute('src');
@@ -62,7 +67,13 @@ async function wind(video: HTMLVideoElement, time: number) {
   await shown;
 }
 
-async function pixelsOf(video: HTMLVideoElement): Promise<{ width: number, height: number, squareWidth: number, squareHeight: number, data: Uint8Array<ArrayBuffer> }> {
+async function pixelsOf(video: HTMLVideoElement): Promise<{
+  width: number;
+  height: number;
+  squareWidth: number;
+  squareHeight: number;
+  data: Uint8Array<ArrayBuffer>;
+}> {
   const { videoWidth: width, videoHeight: height } = video;
   const canvas = new OffscreenCanvas(width, height);
   const context = canvas.getContext('2d', { willReadFrequently: true });

@@ -48,7 +48,8 @@ async function open(input: Input) {
   if (!(await input.canRead())) throw failure('video-format', 'It is not an MP4, MOV, WebM or Matroska video.');
   const track = await input.getPrimaryVideoTrack();
   if (!track) throw failure('video-empty', 'There is no picture in it, only sound.');
-  if (!(await track.canDecode())) throw failure('video-decoder', `This browser cannot decode ${track.codec ?? 'its format'}.`);
+  if (!(await track.canDecode()))
+    throw failure('video-decoder', `This browser cannot decode ${track.codec ?? 'its format'}.`);
   return track;
 }
 

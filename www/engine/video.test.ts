@@ -5,15 +5,22 @@ let worker: any;
 
 beforeEach(() => {
   vi.useFakeTimers();
-  vi.stubGlobal('Worker', class {
-    ended = false;
-    asked = 0;
-    constructor() {
-      worker = this;
-    }
-    postMessage() { this.asked += 1; }
-    terminate() { this.ended = true; }
-  });
+  vi.stubGlobal(
+    'Worker',
+    class {
+      ended = false;
+      asked = 0;
+      constructor() {
+        worker = this;
+      }
+      postMessage() {
+        this.asked += 1;
+      }
+      terminate() {
+        this.ended = true;
+      }
+    },
+  );
 });
 afterEach(() => {
   vi.useRealTimers();
@@ -24,7 +31,10 @@ const film = new File(['no film'], 'film.mp4', { type: 'video/mp4' });
 
 async function begin(onFrame: (frame: any) => Promise<void>) {
   const outcome = vi.fn();
-  readVideo(film, { count: 3 }, { onAbout: () => {}, onFrame }).then(() => outcome('read'), ({ code }) => outcome(code));
+  readVideo(film, { count: 3 }, { onAbout: () => {}, onFrame }).then(
+    () => outcome('read'),
+    ({ code }) => outcome(code),
+  );
   await vi.waitFor(() => expect(worker?.asked).toBe(1));
   return outcome;
 }
@@ -42,7 +52,12 @@ test('a reader that says nothing for a minute is given up, with a reason', async
 
 test('it is not to blame while its frames wait for the page', async () => {
   let dealt = () => {};
-  const outcome = await begin(() => new Promise((resolve) => { dealt = () => resolve(); }));
+  const outcome = await begin(
+    () =>
+      new Promise((resolve) => {
+        dealt = () => resolve();
+      }),
+  );
   worker.onmessage({ data: { frame: { index: 0 } } });
   await vi.advanceTimersByTimeAsync(600_000);
   expect(outcome).not.toHaveBeenCalled();

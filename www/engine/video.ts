@@ -13,15 +13,23 @@ import { readByElement } from './video-element.ts';
  * `count` frames between `start` and `end`, in seconds; the whole video unless told. `leading` are the numbers of those
  * that are wanted first.
  */
-export type Wish = { count: number, start?: number, end?: number, leading?: readonly number[] };
+export type Wish = { count: number; start?: number; end?: number; leading?: readonly number[] };
 /** RGBA of `width` x `height` pixels, to be stretched to the square size and turned clockwise by `rotation` */
 export type Frame = {
-  index: number, time: number, width: number, height: number, squareWidth: number, squareHeight: number,
-  rotation: number, data: Uint8Array<ArrayBuffer>,
+  index: number;
+  time: number;
+  width: number;
+  height: number;
+  squareWidth: number;
+  squareHeight: number;
+  rotation: number;
+  data: Uint8Array<ArrayBuffer>;
 };
 /** the next frame is asked for when the promise of `onFrame` settles */
 export type Listener = {
-  signal?: AbortSignal, onAbout: (about: { duration: number }) => void, onFrame: (frame: Frame) => Promise<void>,
+  signal?: AbortSignal;
+  onAbout: (about: { duration: number }) => void;
+  onFrame: (frame: Frame) => Promise<void>;
 };
 
 /** Milliseconds without a word of the reader: a slow device may decode hundreds of frames between two of the times. */
@@ -34,11 +42,17 @@ export function isVideo(file: Blob & { name?: string }): boolean {
 /** @returns when all frames were dealt with */
 export async function readVideo(file: Blob, wish: Wish, listener: Listener): Promise<void> {
   if ((await pictureEnds(file)).length > 0) {
-    const worker = new Worker(new URL('./animation-worker.ts', import.meta.url), { type: 'module', name: 'inkpanel-animation' });
+    const worker = new Worker(new URL('./animation-worker.ts', import.meta.url), {
+      type: 'module',
+      name: 'inkpanel-animation',
+    });
     return readByWorker(worker, { file, ...wish }, listener);
   }
   try {
-    const worker = new Worker(new URL('./video-worker.ts', import.meta.url), { type: 'module', name: 'inkpanel-video' });
+    const worker = new Worker(new URL('./video-worker.ts', import.meta.url), {
+      type: 'module',
+      name: 'inkpanel-video',
+    });
     await readByWorker(worker, { file, ...wish }, listener);
   } catch (error) {
     if ((error as { code?: string }).code !== 'video-decoder') throw error;

@@ -2,7 +2,11 @@ import { expect, test } from 'vitest';
 import { chunksOf, withDpi } from './webp.ts';
 
 /** A file of one chunk of three bytes, as a browser gives it. */
-const PLAIN = Uint8Array.from([...'RIFF', 16, 0, 0, 0, ...'WEBP', ...'VP8 ', 3, 0, 0, 0, 7, 8, 9, 0].map((part) => (typeof part === 'string' ? part.charCodeAt(0) : part)));
+const PLAIN = Uint8Array.from(
+  [...'RIFF', 16, 0, 0, 0, ...'WEBP', ...'VP8 ', 3, 0, 0, 0, 7, 8, 9, 0].map((part) =>
+    typeof part === 'string' ? part.charCodeAt(0) : part,
+  ),
+);
 
 test('the file says its dots an inch and has its picture as it was', async () => {
   const file = new Uint8Array(await withDpi(PLAIN, { width: 2480, height: 3508, dpi: 300 }).arrayBuffer());

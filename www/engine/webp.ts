@@ -23,11 +23,18 @@ export function givesWebp(): Promise<boolean> {
 }
 
 /** @returns the same picture in a file that says its dots an inch */
-export function withDpi(file: Uint8Array<ArrayBuffer>, { width, height, dpi }: { width: number, height: number, dpi: number }): Blob {
+export function withDpi(
+  file: Uint8Array<ArrayBuffer>,
+  { width, height, dpi }: { width: number; height: number; dpi: number },
+): Blob {
   const chunks = chunksOf(file).filter(({ name }) => name !== 'EXIF');
   const head = chunks.find(({ name }) => name === 'VP8X')?.data.slice() ?? extended(chunks, width, height);
   head[0] |= EXIF_FLAG;
-  const parts = [chunk('VP8X', head), ...chunks.filter(({ name }) => name !== 'VP8X').map(({ name, data }) => chunk(name, data)), chunk('EXIF', exif(dpi))];
+  const parts = [
+    chunk('VP8X', head),
+    ...chunks.filter(({ name }) => name !== 'VP8X').map(({ name, data }) => chunk(name, data)),
+    chunk('EXIF', exif(dpi)),
+  ];
   const riff = new Uint8Array(12);
   riff.set(letters('RIFF'));
   new DataView(riff.buffer).setUint32(4, 4 + parts.reduce((sum, part) => sum + part.length, 0), true);
@@ -35,19 +42,22 @@ export function withDpi(file: Uint8Array<ArrayBuffer>, { width, height, dpi }: {
   return new Blob([riff, ...parts], { type: 'image/webp' });
 }
 
-export function chunksOf(file: Uint8Array<ArrayBuffer>): { name: string, data: Uint8Array<ArrayBuffer> }[] {
+export function chunksOf(file: Uint8Array<ArrayBuffer>): { name: string; data: Uint8Array<ArrayBuffer> }[] {
   const view = new DataView(file.buffer, file.byteOffset, file.length);
   const found = [];
-  for (let at = 12; at + 8 <= file.length;) {
+  for (let at = 12; at + 8 <= file.length; ) {
     const length = view.getUint32(at + 4, true);
-    found.push({ name: String.fromCharCode(...file.subarray(at, at + 4)), data: file.subarray(at + 8, at + 8 + length) });
+    found.push({
+      name: String.fromCharCode(...file.subarray(at, at + 4)),
+      data: file.subarray(at + 8, at + 8 + length),
+    });
     at += 8 + length + (length % 2);
   }
   return found;
 }
 
 /** The chunk that files with more than pixels begin with. */
-function extended(chunks: { name: string, data: Uint8Array }[], width: number, height: number) {
+function extended(chunks: { name: string; data: Uint8Array }[], width: number, height: number) {
   const data = new Uint8Array(10);
   // Of a lossless picture its own head says whether it is opaque.
   const lossless = chunks.find(({ name }) => name === 'VP8L');
@@ -70,7 +80,11 @@ function chunk(name: string, data: Uint8Array) {
 /** One directory of three fields; the dots follow it. */
 function exif(dpi: number) {
   const view = new DataView(new ArrayBuffer(66));
-  const fields = [[ACROSS, RATIONAL, 50], [DOWN, RATIONAL, 58], [UNIT, SHORT, INCHES]];
+  const fields = [
+    [ACROSS, RATIONAL, 50],
+    [DOWN, RATIONAL, 58],
+    [UNIT, SHORT, INCHES],
+  ];
   view.setUint32(0, 0x49492a00);
   view.setUint32(4, 8, true);
   view.setUint16(8, fields.length, true);

@@ -10,12 +10,16 @@ import type { Tell } from './serving.ts';
 
 const MODULE = new URL('../pkg-words/inkpanel_bg.wasm', import.meta.url);
 
-type Args = { document: string, width: number, index: number, bitmap: ImageBitmap };
-type Answer = { ok: any, transfer: Transferable[] };
+type Args = { document: string; width: number; index: number; bitmap: ImageBitmap };
+type Answer = { ok: any; transfer: Transferable[] };
 
 let started: Promise<Lettering> | undefined;
 
-const OPERATIONS: Record<string, (letters: Lettering, args: Args, tell: Tell) => Promise<Answer>> = { word, words, over };
+const OPERATIONS: Record<string, (letters: Lettering, args: Args, tell: Tell) => Promise<Answer>> = {
+  word,
+  words,
+  over,
+};
 
 serveJobs(async (op, args, tell) => {
   tell.waits(LOADING);
@@ -44,7 +48,7 @@ async function words(letters: Lettering, { document, width }: Args, tell: Tell):
 
 async function over(letters: Lettering, { document, width, bitmap }: Args, tell: Tell): Promise<Answer> {
   const canvas = new OffscreenCanvas(bitmap.width, bitmap.height);
-  const context = (canvas.getContext('2d') as OffscreenCanvasRenderingContext2D);
+  const context = canvas.getContext('2d') as OffscreenCanvasRenderingContext2D;
   context.drawImage(bitmap, 0, 0);
   for (const { data, x, y, ...size } of all(letters, document, width, tell)) {
     context.drawImage(await createImageBitmap(new ImageData(data, size.width, size.height)), x, y);
@@ -64,7 +68,7 @@ function all(letters: Lettering, document: string, width: number, tell: Tell) {
 function pixels(letters: Lettering, document: string, index: number, width: number) {
   const picture = letters.render(document, index, width);
   const { x, y, width: wide, height } = picture;
-  const data = (picture.take() as Uint8ClampedArray<ArrayBuffer>);
+  const data = picture.take() as Uint8ClampedArray<ArrayBuffer>;
   picture.free();
   return { x, y, width: wide, height, data };
 }

@@ -84,7 +84,8 @@ async function open() {
      * @param subjects what is in the photos, by their ids
      * @returns the words of the document, those placed by themselves where they hide no face
      */
-    settle: (document: PageDocument, subjects: Record<string, object[]>): Word[] => JSON.parse(letters.settle(JSON.stringify(document), JSON.stringify(subjects))),
+    settle: (document: PageDocument, subjects: Record<string, object[]>): Word[] =>
+      JSON.parse(letters.settle(JSON.stringify(document), JSON.stringify(subjects))),
     measure: (document: PageDocument): WordBox[] => JSON.parse(letters.measure(JSON.stringify(document))),
   };
 }

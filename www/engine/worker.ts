@@ -7,7 +7,7 @@ import { createLru } from './lru.ts';
 import { createOperations } from './operations.ts';
 import { STORING, serveJobs } from './serving.ts';
 
-let started: Promise<{ studio: Studio, operations: ReturnType<typeof createOperations> }> | undefined;
+let started: Promise<{ studio: Studio; operations: ReturnType<typeof createOperations> }> | undefined;
 
 serveJobs(async (op, args, tell) => {
   if (op === 'start') {
@@ -22,7 +22,7 @@ serveJobs(async (op, args, tell) => {
   return { ...answer, memory: studio.memory() };
 });
 
-async function start({ module, budget }: { module: WebAssembly.Module, budget: number }) {
+async function start({ module, budget }: { module: WebAssembly.Module; budget: number }) {
   await initCore({ module_or_path: module });
   const studio = new Studio();
   return { studio, operations: createOperations(studio, createLru(budget)) };

@@ -2,10 +2,25 @@ import { signal } from '@preact/signals';
 import { describe, expect, it, vi } from 'vitest';
 import { createScores } from './explorer-scores.ts';
 
-const item = (n: number, more?: object) => ({ style: { id: `s${n}` }, score: n / 100, novelty: 1, look: 'wild', photo: { id: 'p', width: 4, height: 3 }, ...more });
+const item = (n: number, more?: object) => ({
+  style: { id: `s${n}` },
+  score: n / 100,
+  novelty: 1,
+  look: 'wild',
+  photo: { id: 'p', width: 4, height: 3 },
+  ...more,
+});
 
-function app({ judge = (style) => Number(style.id.slice(1)) / 10, judges = true, wanted = true }: { judge?: (style: any) => any, judges?: boolean, wanted?: boolean } = {}) {
-  const items = signal(([] as any[]));
+function app({
+  judge = (style) => Number(style.id.slice(1)) / 10,
+  judges = true,
+  wanted = true,
+}: {
+  judge?: (style: any) => any;
+  judges?: boolean;
+  wanted?: boolean;
+} = {}) {
+  const items = signal([] as any[]);
   const sorted = signal(false);
   const asked: string[] = [];
   const messages = { alert: vi.fn() };
@@ -14,12 +29,14 @@ function app({ judge = (style) => Number(style.id.slice(1)) / 10, judges = true,
     hasPhoto: (id: string) => id === 'p',
     judgeStyle: async (_: string, style: any, __: any, call: any) => {
       asked.push(style.id);
-      await new Promise((done) => { setTimeout(done, 1); });
+      await new Promise((done) => {
+        setTimeout(done, 1);
+      });
       if (call.signal.aborted) throw Object.assign(new Error('stopped'), { code: 'cancelled' });
       return judge(style);
     },
   };
-  const scores = createScores(({ engine, messages, items, sorted, wanted } as any));
+  const scores = createScores({ engine, messages, items, sorted, wanted } as any);
   return { scores, items, sorted, asked, messages };
 }
 
@@ -41,7 +58,7 @@ describe('the scores of the net', () => {
     items.value = [item(60), item(50), item(65, { novelty: 0.5 })];
     sorted.value = true;
     await vi.waitFor(() => expect(scores.progress.value).toBe(null));
-    const late = (item(99) as any);
+    const late = item(99) as any;
     const ranked = [...items.value, late].sort((a, b) => scores.rank(b) - scores.rank(a));
     expect(ranked.map(({ style }) => style.id)).toEqual(['s60', 's50', 's65', 's99']);
   });
@@ -55,7 +72,9 @@ describe('the scores of the net', () => {
     await vi.waitFor(() => expect(asked).toEqual(['s1', 's2']));
     sorted.value = false;
     expect(scores.progress.value).toBe(null);
-    await new Promise((done) => { setTimeout(done, 20); });
+    await new Promise((done) => {
+      setTimeout(done, 20);
+    });
     expect(asked).toEqual(['s1', 's2']);
     expect(scores.judged.value.has('s2')).toBe(false);
   });
@@ -66,7 +85,9 @@ describe('the scores of the net', () => {
     sorted.value = true;
     scores.pause();
     items.value = [...items.value, item(3)];
-    await new Promise((done) => { setTimeout(done, 20); });
+    await new Promise((done) => {
+      setTimeout(done, 20);
+    });
     expect(asked).toEqual(['s1']);
     sorted.value = false;
     sorted.value = true;
@@ -75,14 +96,26 @@ describe('the scores of the net', () => {
 
   it('leave out a style that fails or whose photo is gone, and give up when the net fails', async () => {
     const wrong = (code: string) => Object.assign(new Error('broken'), { code });
-    const odd = app({ judge: ({ id }) => { if (id === 's1') throw wrong('internal'); return 5; } });
+    const odd = app({
+      judge: ({ id }) => {
+        if (id === 's1') throw wrong('internal');
+        return 5;
+      },
+    });
     odd.items.value = [item(1), item(2), item(3, { photo: { id: 'gone' } })];
     odd.sorted.value = true;
     await vi.waitFor(() => expect(odd.scores.progress.value).toBe(null));
-    expect([...odd.scores.judged.value]).toEqual([['s1', null], ['s2', 5]]);
+    expect([...odd.scores.judged.value]).toEqual([
+      ['s1', null],
+      ['s2', 5],
+    ]);
     expect(odd.messages.alert).not.toHaveBeenCalled();
 
-    const dead = app({ judge: () => { throw wrong('detector-missing'); } });
+    const dead = app({
+      judge: () => {
+        throw wrong('detector-missing');
+      },
+    });
     dead.items.value = [item(1), item(2)];
     dead.sorted.value = true;
     await vi.waitFor(() => expect(dead.scores.off.value).toBe(true));
@@ -95,7 +128,7 @@ describe('the scores of the net', () => {
       const { scores, items, sorted, asked } = app(how);
       items.value = [item(1)];
       sorted.value = true;
-      expect([asked, scores.off.value, scores.rank((items.value[0] as any))]).toEqual([[], true, 0.01]);
+      expect([asked, scores.off.value, scores.rank(items.value[0] as any)]).toEqual([[], true, 0.01]);
     }
   });
 });

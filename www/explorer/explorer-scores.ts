@@ -11,17 +11,24 @@ import type { Engine } from '../engine/engine.ts';
 import type { Item } from './explorer-wall.ts';
 import type { ReadonlySignal, Signal } from '@preact/signals';
 
-
 /** Without the net no other style can be judged. */
 const FATAL = new Set(['detector-missing', 'worker-lost', 'detector']);
 /** What others may wait before they are sorted in, in milliseconds: a wall that never rests cannot be read. */
 const REST = 1200;
 
 /** @param app not `wanted`, the net is not asked */
-export function createScores({ engine, messages, items, sorted, wanted }: {
-  engine: Pick<Engine, 'judges' | 'judgeStyle' | 'hasPhoto'>, messages: Messages,
-  items: ReadonlySignal<readonly Item[]>, sorted: ReadonlySignal<boolean>,
-  wanted: boolean,
+export function createScores({
+  engine,
+  messages,
+  items,
+  sorted,
+  wanted,
+}: {
+  engine: Pick<Engine, 'judges' | 'judgeStyle' | 'hasPhoto'>;
+  messages: Messages;
+  items: ReadonlySignal<readonly Item[]>;
+  sorted: ReadonlySignal<boolean>;
+  wanted: boolean;
 }) {
   /** Scores from 1 to 10 times the picture's novelty, by style; what failed is null. */
   const known: Map<string, number | null> = new Map();
@@ -80,13 +87,20 @@ export function createScores({ engine, messages, items, sorted, wanted }: {
     running = mine;
     let shown = performance.now();
     for (let item = next(); item && !mine.signal.aborted; item = next()) {
-      const { style: { id }, photo, novelty } = item;
-      progress.value = { done: items.peek().filter(({ style }) => known.has(style.id)).length, total: items.peek().length };
+      const {
+        style: { id },
+        photo,
+        novelty,
+      } = item;
+      progress.value = {
+        done: items.peek().filter(({ style }) => known.has(style.id)).length,
+        total: items.peek().length,
+      };
       try {
         const mean = await engine.judgeStyle(photo.id, item.style, photo, { signal: mine.signal });
         if (!mine.signal.aborted) known.set(id, mean * novelty);
       } catch (error) {
-        const { code, message } = (error as { code?: string, message: string });
+        const { code, message } = error as { code?: string; message: string };
         if (code === 'cancelled') break;
         known.set(id, null);
         if (FATAL.has(code ?? '')) {

@@ -36,26 +36,75 @@ export function Explorer() {
 
   const tools = (
     <div class="explorer-bar">
-      {running
-        ? <button type="button" class="button strong" onClick={explorer.stop}><Icon name="close" />{strings.stop}</button>
-        : <button type="button" class="button strong" disabled={!photo} onClick={() => photo && void explorer.generate(photo)}><Icon name="surprise" />{strings.generate}</button>}
-      <button type="button" class="button" aria-pressed={explorer.sorted.value} title={explorer.scores.off.value ? strings.sortedByLight : strings.sortedByNet} onClick={() => { explorer.sorted.value = !explorer.sorted.value; }}>{strings.sortByScore}</button>
-      <select class="select" aria-label={strings.looks} value={explorer.look.value} onChange={(event) => { explorer.look.value = event.currentTarget.value; }}>
-        {Object.entries(strings.lookName).map(([id, name]) => <option key={id} value={id}>{name}</option>)}
+      {running ? (
+        <button type="button" class="button strong" onClick={explorer.stop}>
+          <Icon name="close" />
+          {strings.stop}
+        </button>
+      ) : (
+        <button
+          type="button"
+          class="button strong"
+          disabled={!photo}
+          onClick={() => photo && void explorer.generate(photo)}
+        >
+          <Icon name="surprise" />
+          {strings.generate}
+        </button>
+      )}
+      <button
+        type="button"
+        class="button"
+        aria-pressed={explorer.sorted.value}
+        title={explorer.scores.off.value ? strings.sortedByLight : strings.sortedByNet}
+        onClick={() => {
+          explorer.sorted.value = !explorer.sorted.value;
+        }}
+      >
+        {strings.sortByScore}
+      </button>
+      <select
+        class="select"
+        aria-label={strings.looks}
+        value={explorer.look.value}
+        onChange={(event) => {
+          explorer.look.value = event.currentTarget.value;
+        }}
+      >
+        {Object.entries(strings.lookName).map(([id, name]) => (
+          <option key={id} value={id}>
+            {name}
+          </option>
+        ))}
       </select>
       <Dials />
-      <span class="count" title={strings.dropped(explorer.dropped.value)}>{items.length > 0 && strings.inventedCount(shown.length, items.length)}</span>
+      <span class="count" title={strings.dropped(explorer.dropped.value)}>
+        {items.length > 0 && strings.inventedCount(shown.length, items.length)}
+      </span>
       <IconButton icon="bin" label={strings.clearWall} disabled={items.length === 0} onClick={explorer.clear} />
     </div>
   );
   return (
-    <Workspace title={strings.styleExplorer} class="explorer" tools={tools} busy={running !== null} onClose={designer.close}>
+    <Workspace
+      title={strings.styleExplorer}
+      class="explorer"
+      tools={tools}
+      busy={running !== null}
+      onClose={designer.close}
+    >
       {running && (
-        <progress class="progress explorer-progress" aria-label={strings.inventing(running.done, running.total)} value={running.done} max={running.total} />
+        <progress
+          class="progress explorer-progress"
+          aria-label={strings.inventing(running.done, running.total)}
+          value={running.done}
+          max={running.total}
+        />
       )}
       {!running && <Judging />}
       {explorer.parent.value && <p class="explorer-hint">{strings.breedWith(explorer.parent.value.name)}</p>}
-      <ul class="wall" ref={wall}>{vnodes}</ul>
+      <ul class="wall" ref={wall}>
+        {vnodes}
+      </ul>
       {items.length === 0 && !running && <p class="wall-empty">{strings.explorerEmpty}</p>}
       {items.length > 0 && shown.length === 0 && <p class="wall-empty">{strings.explorerNone}</p>}
     </Workspace>
@@ -75,7 +124,7 @@ function usePhoto(): Photo | null {
 /** The same element is handed over as long as nothing in it changes, so that a wall of hundreds grows quickly. */
 function useItems(shown: readonly Item[], photo: Photo | null) {
   const { explorer, ownStyles } = useApp();
-  const made = useRef((new Map() as Map<string, VNode>));
+  const made = useRef(new Map() as Map<string, VNode>);
   const parent = explorer.parent.value?.id;
   return shown.map((item) => {
     const { id } = item.style;
@@ -83,7 +132,16 @@ function useItems(shown: readonly Item[], photo: Photo | null) {
     const key = `${id} ${judgement} ${ownStyles.isFavourite(id)} ${parent === id} ${photo?.id}`;
     const found = made.current.get(key);
     if (found) return found;
-    const vnode = <WallItem key={id} item={item} judgement={judgement} photo={photo} favourite={ownStyles.isFavourite(id)} parent={parent === id} />;
+    const vnode = (
+      <WallItem
+        key={id}
+        item={item}
+        judgement={judgement}
+        photo={photo}
+        favourite={ownStyles.isFavourite(id)}
+        parent={parent === id}
+      />
+    );
     made.current.set(key, vnode);
     return vnode;
   });

@@ -13,7 +13,7 @@ import type { Signal } from '@preact/signals';
  * A style that hangs there: its light score from 0 to 1, how new its picture is, which any score is multiplied by, and
  * the photo that it is on.
  */
-export type Item = { style: Style, score: number, novelty: number, look: string, photo: Photo };
+export type Item = { style: Style; score: number; novelty: number; look: string; photo: Photo };
 
 /** Mean difference of two signatures, in steps of 255, up to which they look the same. */
 const ALIKE = 7;

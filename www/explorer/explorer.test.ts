@@ -7,34 +7,42 @@ import { fakeApp } from '../document/testing.ts';
 const PHOTO = { id: 'p1', width: 160, height: 120 };
 
 /** What a style looks like, here: its seed in the signature. */
-const looks = (style: any) => ({ score: (style.seed % 100) / 100, novelty: 1, fault: '', look: style.seed % 2 ? 'line' : 'flat', signature: Uint8Array.from([style.seed % 256, (style.seed * 50) % 256]) });
+const looks = (style: any) => ({
+  score: (style.seed % 100) / 100,
+  novelty: 1,
+  fault: '',
+  look: style.seed % 2 ? 'line' : 'flat',
+  signature: Uint8Array.from([style.seed % 256, (style.seed * 50) % 256]),
+});
 
 function app(judge: (style: any) => any = looks) {
   const made = fakeApp();
   const bred: any[] = [];
-  const planner = ({
+  const planner = {
     ...made.planner,
     inventStyle: (seed: number) => ({ id: `invented-${seed}`, name: `${seed}`, tags: [], seed }),
     breedStyle: (wish: any) => {
       bred.push(wish);
       return { id: `bred-${wish.seed}`, name: 'child', tags: [], seed: 1000 + wish.seed * 10 };
     },
-  } as any);
+  } as any;
   made.store.planner.value = planner;
   let sent = 0;
   const engine = {
     judges: false,
     exploreStyles: async (_: string, styles: any[], __: any, call: any) => {
       sent += styles.length;
-      await new Promise((done) => { setTimeout(done, 1); });
+      await new Promise((done) => {
+        setTimeout(done, 1);
+      });
       if (call.signal.aborted) throw Object.assign(new Error('stopped'), { code: 'cancelled' });
       return styles.map((style, index) => ({ index, ...judge(style), bitmap: { close: () => {} } }));
     },
   };
-  const favourites = signal(([] as any[]));
+  const favourites = signal([] as any[]);
   const ownStyles = { favourites, isFavourite: (id: string) => favourites.value.some((style) => style.id === id) };
   let seeds = 0;
-  const explorer = createExplorer(({ ...made, engine, ownStyles, seed: () => (seeds += 1) } as any));
+  const explorer = createExplorer({ ...made, engine, ownStyles, seed: () => (seeds += 1) } as any);
   return { ...made, explorer, favourites, bred, sent: () => sent };
 }
 
@@ -54,7 +62,11 @@ describe('the explorer', () => {
   });
 
   it('leaves out what is empty, and what looks like another', async () => {
-    const { explorer } = app((style) => ({ ...looks(style), fault: style.seed % 3 === 0 ? 'pale' : '', signature: Uint8Array.from([style.seed % 3 === 1 ? 9 : style.seed % 256]) }));
+    const { explorer } = app((style) => ({
+      ...looks(style),
+      fault: style.seed % 3 === 0 ? 'pale' : '',
+      signature: Uint8Array.from([style.seed % 3 === 1 ? 9 : style.seed % 256]),
+    }));
     explorer.begin(0);
     await explorer.generate(PHOTO);
     const seeds = explorer.items.value.map(({ style }) => (style as any).seed);
@@ -104,7 +116,13 @@ describe('the explorer', () => {
   });
 
   it('hangs favourites of earlier days, whatever they look like', async () => {
-    const { explorer, favourites } = app(() => ({ score: 0, novelty: 1, fault: 'flat', look: 'wild', signature: Uint8Array.from([1]) }));
+    const { explorer, favourites } = app(() => ({
+      score: 0,
+      novelty: 1,
+      fault: 'flat',
+      look: 'wild',
+      signature: Uint8Array.from([1]),
+    }));
     favourites.value = [1, 2].map((seed) => ({ id: `f${seed}`, name: 'F', tags: [], seed }));
     await explorer.showFavourites(PHOTO);
     await explorer.showFavourites(PHOTO);
@@ -114,6 +132,16 @@ describe('the explorer', () => {
 
 it('signatures are near within a few steps', () => {
   const base = new Uint8Array(432).fill(100);
-  expect(near(base, base.map((value) => value + 5))).toBe(true);
-  expect(near(base, base.map((value) => value + 9))).toBe(false);
+  expect(
+    near(
+      base,
+      base.map((value) => value + 5),
+    ),
+  ).toBe(true);
+  expect(
+    near(
+      base,
+      base.map((value) => value + 9),
+    ),
+  ).toBe(false);
 });

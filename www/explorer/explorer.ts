@@ -17,7 +17,7 @@ import type { Signal } from '@preact/signals';
 
 export type { Item };
 /** what the styles are tried on, and how large */
-export type Photo = { id: string, width: number, height: number };
+export type Photo = { id: string; width: number; height: number };
 export type Explorer = ReturnType<typeof createExplorer>;
 
 /** Styles that one press invents. */
@@ -29,10 +29,20 @@ const PARCEL = 6;
 const AHEAD = 4;
 
 /** @param app not `judged`, styles are sorted by the light score alone */
-export function createExplorer({ store, engine, messages, ownStyles, seed, judged = true }: {
-  store: Store, engine: Pick<Engine, 'exploreStyles' | 'judges' | 'judgeStyle' | 'hasPhoto'>,
-  messages: Messages, ownStyles: Pick<OwnStyles, 'favourites' | 'isFavourite'>,
-  seed: () => number, judged?: boolean,
+export function createExplorer({
+  store,
+  engine,
+  messages,
+  ownStyles,
+  seed,
+  judged = true,
+}: {
+  store: Store;
+  engine: Pick<Engine, 'exploreStyles' | 'judges' | 'judgeStyle' | 'hasPhoto'>;
+  messages: Messages;
+  ownStyles: Pick<OwnStyles, 'favourites' | 'isFavourite'>;
+  seed: () => number;
+  judged?: boolean;
 }) {
   const wall = createWall(ownStyles.isFavourite);
   const progress: Signal<Progress | null> = signal(null);
@@ -48,15 +58,32 @@ export function createExplorer({ store, engine, messages, ownStyles, seed, judge
 
   const shown = computed(() => {
     const kind = look.value;
-    const list = wall.items.value.filter(({ style, look: own }) => (
-      kind === 'all' || own === kind || (kind === 'favourites' && ownStyles.isFavourite(style.id))
-    ));
+    const list = wall.items.value.filter(
+      ({ style, look: own }) =>
+        kind === 'all' || own === kind || (kind === 'favourites' && ownStyles.isFavourite(style.id)),
+    );
     return sorted.value ? list.sort((a, b) => scores.rank(b) - scores.rank(a)) : list;
   });
 
   return {
-    items: wall.items, dropped: wall.dropped, pictures: wall.pictures,
-    shown, progress, sorted, scores, look, surprise, parent, first, generate, stop, clear, begin, breed, moreLike, showFavourites,
+    items: wall.items,
+    dropped: wall.dropped,
+    pictures: wall.pictures,
+    shown,
+    progress,
+    sorted,
+    scores,
+    look,
+    surprise,
+    parent,
+    first,
+    generate,
+    stop,
+    clear,
+    begin,
+    breed,
+    moreLike,
+    showFavourites,
   };
 
   /** Invents another round. */
@@ -124,7 +151,7 @@ export function createExplorer({ store, engine, messages, ownStyles, seed, judge
     try {
       await Promise.all(Array.from({ length: AHEAD }, work));
     } catch (error) {
-      const { code, message } = (error as { code?: string, message: string });
+      const { code, message } = error as { code?: string; message: string };
       if (code !== 'cancelled') messages.alert(strings.explorerFailed(message));
       mine.abort();
     }

@@ -9,9 +9,16 @@ export function Judging() {
   if (!progress) return null;
   return (
     <div class="judging">
-      <progress class="progress" aria-label={strings.judging(progress.done, progress.total)} value={progress.done} max={progress.total} />
+      <progress
+        class="progress"
+        aria-label={strings.judging(progress.done, progress.total)}
+        value={progress.done}
+        max={progress.total}
+      />
       <span class="count">{strings.judging(progress.done, progress.total)}</span>
-      <button type="button" class="button small" onClick={explorer.scores.pause}>{strings.stopJudging}</button>
+      <button type="button" class="button small" onClick={explorer.scores.pause}>
+        {strings.stopJudging}
+      </button>
     </div>
   );
 }

@@ -7,16 +7,19 @@ import type { RefObject } from 'preact';
  * @returns for the wall, whose items name their style in `data-style`
  */
 export function useVisible(visible: Set<string>, shown: readonly Item[]): RefObject<HTMLUListElement | null> {
-  const wall = useRef((null as HTMLUListElement | null));
+  const wall = useRef(null as HTMLUListElement | null);
   useEffect(() => {
     const root = wall.current;
     if (!root) return undefined;
-    const observer = new IntersectionObserver((entries) => {
-      for (const { target, isIntersecting } of entries) {
-        const { style } = (target as HTMLElement).dataset;
-        if (style !== undefined) visible[isIntersecting ? 'add' : 'delete'](style);
-      }
-    }, { root });
+    const observer = new IntersectionObserver(
+      (entries) => {
+        for (const { target, isIntersecting } of entries) {
+          const { style } = (target as HTMLElement).dataset;
+          if (style !== undefined) visible[isIntersecting ? 'add' : 'delete'](style);
+        }
+      },
+      { root },
+    );
     visible.clear();
     for (const item of root.children) observer.observe(item);
     return () => observer.disconnect();

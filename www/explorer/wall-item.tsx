@@ -7,12 +7,22 @@ import { useApp } from '../app/context.ts';
 import type { Item, Photo } from './explorer.ts';
 
 /** @param props `judgement`: what the net thinks of it, if it was asked; `parent`: it waits for another to breed with */
-export function WallItem({ item: { style, score }, judgement, photo, favourite, parent }: {
-  item: Item, judgement?: number | null, photo: Photo | null, favourite: boolean, parent: boolean,
+export function WallItem({
+  item: { style, score },
+  judgement,
+  photo,
+  favourite,
+  parent,
+}: {
+  item: Item;
+  judgement?: number | null;
+  photo: Photo | null;
+  favourite: boolean;
+  parent: boolean;
 }) {
   const { explorer, ownStyles, pages, designer, ui } = useApp();
-  const ref = useRef((null as HTMLLIElement | null));
-  const canvas = useRef((null as HTMLCanvasElement | null));
+  const ref = useRef(null as HTMLLIElement | null);
+  const canvas = useRef(null as HTMLCanvasElement | null);
 
   useEffect(() => {
     const bitmap = explorer.pictures.get(style.id);
@@ -37,13 +47,32 @@ export function WallItem({ item: { style, score }, judgement, photo, favourite, 
   return (
     <li class="wall-item" ref={ref} data-style={style.id} aria-label={style.name} data-parent={parent}>
       <canvas ref={canvas} class="bitmap" aria-hidden="true" onClick={use} title={strings.useStyle} />
-      <span class="wall-score" data-net={!!judgement} title={label} role="img" aria-label={label}>{judgement ? strings.netScore(judgement) : strings.lightScore(score)}</span>
-      <IconButton icon="heart" label={strings.favourite} pressed={favourite} class="wall-heart" onClick={() => ownStyles.favour(style)} />
+      <span class="wall-score" data-net={!!judgement} title={label} role="img" aria-label={label}>
+        {judgement ? strings.netScore(judgement) : strings.lightScore(score)}
+      </span>
+      <IconButton
+        icon="heart"
+        label={strings.favourite}
+        pressed={favourite}
+        class="wall-heart"
+        onClick={() => ownStyles.favour(style)}
+      />
       <div class="wall-tools">
         <IconButton icon="check" label={strings.useStyle} onClick={use} />
         <IconButton icon="designer" label={strings.editInDesigner} onClick={() => designer.open(style)} />
-        <IconButton icon="breed" label={strings.breed} pressed={parent} disabled={!photo} onClick={() => photo && atTop(explorer.breed(style, photo))} />
-        <IconButton icon="more" label={strings.moreLikeThis} disabled={!photo} onClick={() => photo && atTop(explorer.moreLike(style, photo))} />
+        <IconButton
+          icon="breed"
+          label={strings.breed}
+          pressed={parent}
+          disabled={!photo}
+          onClick={() => photo && atTop(explorer.breed(style, photo))}
+        />
+        <IconButton
+          icon="more"
+          label={strings.moreLikeThis}
+          disabled={!photo}
+          onClick={() => photo && atTop(explorer.moreLike(style, photo))}
+        />
       </div>
     </li>
   );

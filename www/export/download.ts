@@ -20,10 +20,18 @@ import type { Signal } from '@preact/signals';
 
 export type Download = ReturnType<typeof createDownload>;
 
-export function createDownload({ store, pages, engine, messages, pageFiles }: {
-  store: Store, pages: Pages, messages: Messages,
-  engine: Pick<Engine, 'exportPng' | 'exportJpeg' | 'exportWebp' | 'exportPdf' | 'exportPanel'>,
-  pageFiles: Pick<PageFiles, 'take' | 'carrying'>,
+export function createDownload({
+  store,
+  pages,
+  engine,
+  messages,
+  pageFiles,
+}: {
+  store: Store;
+  pages: Pages;
+  messages: Messages;
+  engine: Pick<Engine, 'exportPng' | 'exportJpeg' | 'exportWebp' | 'exportPdf' | 'exportPanel'>;
+  pageFiles: Pick<PageFiles, 'take' | 'carrying'>;
 }) {
   const progress: Signal<Progress | null> = signal(null);
   let running: AbortController | null = null;
@@ -51,7 +59,9 @@ export function createDownload({ store, pages, engine, messages, pageFiles }: {
     const settings = page && sized(page.page, size);
     if (!page || !settings) return null;
     const same = settings.width === page.page.width && settings.height === page.page.height;
-    return same ? page : pages.plan({ keep: { layout: true, style: true, photos: true }, page: settings, seed: page.seed });
+    return same
+      ? page
+      : pages.plan({ keep: { layout: true, style: true, photos: true }, page: settings, seed: page.seed });
   }
 
   /** @param page the page as it is, unless told */
@@ -74,11 +84,11 @@ export function createDownload({ store, pages, engine, messages, pageFiles }: {
     const what = (isArchive(format) ? inside : format) === 'png' ? pageFiles.take() : 'none';
     const cargo = {
       unclean: 0,
-      carry: ((async (png, page) => {
+      carry: (async (png, page) => {
         const carrying = await pageFiles.carrying(png, page, what);
         cargo.unclean += carrying.unclean;
         return carrying.png;
-      }) as Carry),
+      }) as Carry,
     };
     return cargo;
   }
@@ -86,7 +96,7 @@ export function createDownload({ store, pages, engine, messages, pageFiles }: {
   /** @param index of a panel of the page */
   async function savePanel(index: number) {
     const page = store.page.peek();
-    const file = page && await work((how) => engine.exportPanel(page, index, how), strings.exportFailed);
+    const file = page && (await work((how) => engine.exportPanel(page, index, how), strings.exportFailed));
     if (!file) return;
     save(file, panelName(page, index));
     messages.note(strings.panelSaved);
@@ -114,9 +124,10 @@ export function createDownload({ store, pages, engine, messages, pageFiles }: {
     try {
       await navigator.share({ files: [file] });
     } catch (error) {
-      const { name, message } = (error as Error);
+      const { name, message } = error as Error;
       // Drawing took longer than a click counts, so the browser wants another.
-      if (name === 'NotAllowedError') messages.note(strings.readyToShare, { label: strings.sharePart, run: () => void hand(file) });
+      if (name === 'NotAllowedError')
+        messages.note(strings.readyToShare, { label: strings.sharePart, run: () => void hand(file) });
       else if (name !== 'AbortError') messages.alert(strings.shareFailed(message));
     }
   }
@@ -130,12 +141,18 @@ export function createDownload({ store, pages, engine, messages, pageFiles }: {
     running = new AbortController();
     const { signal: stop } = running;
     try {
-      const made = await make({ signal: stop, onProgress: (done, total) => { progress.value = { done, total }; } });
+      const made = await make({
+        signal: stop,
+        onProgress: (done, total) => {
+          progress.value = { done, total };
+        },
+      });
       return stop.aborted ? null : made;
     } catch (error) {
-      const { code, message, photo } = (error as { code?: string, message: string, photo?: string });
+      const { code, message, photo } = error as { code?: string; message: string; photo?: string };
       // The loss of a worker says itself what it was busy with.
-      const why = photo && code !== 'worker-lost' ? strings.fileFailed(photo, strings.reasons[code ?? ''] ?? message) : message;
+      const why =
+        photo && code !== 'worker-lost' ? strings.fileFailed(photo, strings.reasons[code ?? ''] ?? message) : message;
       if (code !== 'cancelled') messages.alert(failed(why));
       return null;
     } finally {

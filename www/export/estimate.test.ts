@@ -1,13 +1,45 @@
 import { expect, test } from 'vitest';
 import { estimated, extrapolated, spread } from './estimate.ts';
 
-const page = (width: number) => ({ page: { width, height: width * 2 } } as any);
+const page = (width: number) => ({ page: { width, height: width * 2 } }) as any;
 
 test('bytes grow with the pixels as they did between the small sizes, and never faster than the pixels', () => {
-  expect(extrapolated([{ bytes: 100, pixels: 100 }, { bytes: 200, pixels: 400 }], 1600)).toBeCloseTo(400);
-  expect(extrapolated([{ bytes: 100, pixels: 100 }, { bytes: 400, pixels: 400 }], 1600)).toBeCloseTo(1600);
-  expect(extrapolated([{ bytes: 100, pixels: 100 }, { bytes: 900, pixels: 400 }], 1600)).toBeCloseTo(3600);
-  expect(extrapolated([{ bytes: 100, pixels: 100 }, { bytes: 100, pixels: 100 }], 400)).toBeCloseTo(400);
+  expect(
+    extrapolated(
+      [
+        { bytes: 100, pixels: 100 },
+        { bytes: 200, pixels: 400 },
+      ],
+      1600,
+    ),
+  ).toBeCloseTo(400);
+  expect(
+    extrapolated(
+      [
+        { bytes: 100, pixels: 100 },
+        { bytes: 400, pixels: 400 },
+      ],
+      1600,
+    ),
+  ).toBeCloseTo(1600);
+  expect(
+    extrapolated(
+      [
+        { bytes: 100, pixels: 100 },
+        { bytes: 900, pixels: 400 },
+      ],
+      1600,
+    ),
+  ).toBeCloseTo(3600);
+  expect(
+    extrapolated(
+      [
+        { bytes: 100, pixels: 100 },
+        { bytes: 100, pixels: 100 },
+      ],
+      400,
+    ),
+  ).toBeCloseTo(400);
 });
 
 test('a few pages stand for many', async () => {

@@ -7,7 +7,7 @@ import type { PageDocument } from '../engine/documents.ts';
 import type { Engine } from '../engine/engine.ts';
 import type { PictureFormat } from '../engine/measures.ts';
 
-type Measure = { bytes: number, pixels: number };
+type Measure = { bytes: number; pixels: number };
 
 /** Parts of the width at which pages are encoded. */
 const PARTS = [1 / 8, 1 / 4];
@@ -27,13 +27,18 @@ export function extrapolated([small, large]: readonly [Measure, Measure], pixels
 }
 
 /** @returns bytes of all pages together */
-export async function estimated(engine: Pick<Engine, 'measureFile'>, documents: readonly PageDocument[], wish: { format: PictureFormat, quality: number, signal?: AbortSignal }): Promise<number> {
+export async function estimated(
+  engine: Pick<Engine, 'measureFile'>,
+  documents: readonly PageDocument[],
+  wish: { format: PictureFormat; quality: number; signal?: AbortSignal },
+): Promise<number> {
   const some = spread(documents, MOST_PAGES);
   let sum = 0;
   for (const document of some) {
     const { width, height } = document.page;
     const measures: Measure[] = [];
-    for (const part of PARTS) measures.push(await engine.measureFile(document, { ...wish, width: Math.max(64, Math.round(width * part)) }));
+    for (const part of PARTS)
+      measures.push(await engine.measureFile(document, { ...wish, width: Math.max(64, Math.round(width * part)) }));
     sum += extrapolated([measures[0], measures[1]], width * height);
   }
   return (sum / some.length) * documents.length;

@@ -7,7 +7,7 @@ import type { Format } from './formats.ts';
 import type { Wish } from './page-making.ts';
 
 /** What can be done with the pages: the copy is always a PNG of this page. */
-export function ExportActions({ wish, page, close }: { wish: Wish, page: PageDocument | null, close: () => void }) {
+export function ExportActions({ wish, page, close }: { wish: Wish; page: PageDocument | null; close: () => void }) {
   const { download } = useApp();
   const off = wish.pages.length === 0 || download.progress.value !== null;
   const act = (run: () => Promise<void>) => () => {
@@ -17,16 +17,19 @@ export function ExportActions({ wish, page, close }: { wish: Wish, page: PageDoc
   return (
     <div class="export-actions">
       <button type="button" class="button strong wide" disabled={off} onClick={act(() => download.saveAs(wish))}>
-        <Icon name="download" />{strings.save}
+        <Icon name="download" />
+        {strings.save}
       </button>
       {page && canCopy() && (
         <button type="button" class="button" disabled={off} onClick={act(() => download.copy(page))}>
-          <Icon name="duplicate" />{strings.copyPage}
+          <Icon name="duplicate" />
+          {strings.copyPage}
         </button>
       )}
       {canShare(wish.format) && (
         <button type="button" class="button" disabled={off} onClick={act(() => download.share(wish))}>
-          <Icon name="export" />{strings.shareFile}
+          <Icon name="export" />
+          {strings.shareFile}
         </button>
       )}
     </div>

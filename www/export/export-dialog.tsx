@@ -22,24 +22,29 @@ const PREVIEW = 220;
 
 export function ExportDialog() {
   const { store, download, engine, ui } = useApp();
-  const page = (store.page.value as PageDocument);
+  const page = store.page.value as PageDocument;
   const count = download.sheets().length;
   const [every, setEvery] = useState(false);
   const all = every && count > 1;
   const [size, setSize] = useState(sizeId(page.page));
   const [factor, setFactor] = useState(1);
-  const [one, setOne] = useState(('png' as Format));
-  const [many, setMany] = useState(('pdf' as Format));
-  const [inside, setInside] = useState(('png' as Inside));
+  const [one, setOne] = useState('png' as Format);
+  const [many, setMany] = useState('pdf' as Format);
+  const [inside, setInside] = useState('png' as Inside);
   const [quality, setQuality] = useState(USUAL_QUALITY);
-  const base = all ? page.page : PAGE_SIZES.find(({ id }) => id === size) ?? page.page;
+  const base = all ? page.page : (PAGE_SIZES.find(({ id }) => id === size) ?? page.page);
   const { width, height, dpi } = scaled(base, factor);
   const document = useMemo(() => download.preview({ width, height, dpi }), [page, width, height, dpi]);
-  const sheets = useMemo(() => (all ? download.scaledSheets(factor) : document ? [document] : []), [all, factor, document]);
+  const sheets = useMemo(
+    () => (all ? download.scaledSheets(factor) : document ? [document] : []),
+    [all, factor, document],
+  );
   const format = all ? many : one;
   const lossy = isArchive(format) ? FORMATS[inside].lossy : FORMATS[format].lossy;
   const wish = useMemo(() => ({ pages: sheets, format, inside, quality }), [sheets, format, inside, quality]);
-  const close = () => { ui.dialog.value = null; };
+  const close = () => {
+    ui.dialog.value = null;
+  };
   const drawnWidth = screenPixels(PREVIEW * Math.min(1, width / height));
 
   return (
@@ -54,8 +59,14 @@ export function ExportDialog() {
           {count > 1 && (
             <fieldset class="export-pages">
               <legend>{strings.whichPages}</legend>
-              <label class="choice"><input type="radio" name="pages" checked={!all} onChange={() => setEvery(false)} />{strings.thisPage}</label>
-              <label class="choice"><input type="radio" name="pages" checked={all} onChange={() => setEvery(true)} />{strings.allPages(count)}</label>
+              <label class="choice">
+                <input type="radio" name="pages" checked={!all} onChange={() => setEvery(false)} />
+                {strings.thisPage}
+              </label>
+              <label class="choice">
+                <input type="radio" name="pages" checked={all} onChange={() => setEvery(true)} />
+                {strings.allPages(count)}
+              </label>
             </fieldset>
           )}
           {!all && <Sizes size={size} choose={setSize} />}
@@ -66,15 +77,30 @@ export function ExportDialog() {
               <option value={0.5}>{strings.half}</option>
             </select>
           </label>
-          <FormatChoice formats={all ? OF_MANY : OF_ONE} format={format} choose={all ? setMany : setOne} inside={inside} chooseInside={setInside} />
+          <FormatChoice
+            formats={all ? OF_MANY : OF_ONE}
+            format={format}
+            choose={all ? setMany : setOne}
+            inside={inside}
+            chooseInside={setInside}
+          />
           {lossy && (
             <label class="field">
               <span>{strings.pictureQuality}</span>
-              <input type="range" min="30" max="100" value={quality} onInput={(event) => setQuality(Number(event.currentTarget.value))} />
+              <input
+                type="range"
+                min="30"
+                max="100"
+                value={quality}
+                onInput={(event) => setQuality(Number(event.currentTarget.value))}
+              />
               <output aria-hidden="true">{quality}</output>
             </label>
           )}
-          <p class="quiet export-facts"><span>{strings.pixels(width, height)}</span><FileSize wish={wish} /></p>
+          <p class="quiet export-facts">
+            <span>{strings.pixels(width, height)}</span>
+            <FileSize wish={wish} />
+          </p>
           {(isArchive(format) ? inside : format) === 'png' && <ExportProject />}
           <ExportActions wish={wish} page={document} close={close} />
         </div>
@@ -83,22 +109,28 @@ export function ExportDialog() {
   );
 }
 
-function Sizes({ size, choose }: { size: string, choose: (id: string) => void }) {
+function Sizes({ size, choose }: { size: string; choose: (id: string) => void }) {
   return (
     <fieldset class="sizes">
       <legend>{strings.pageSize}</legend>
       {PAGE_SIZES.map((option) => (
         <label class="size" key={option.id}>
-          <input type="radio" name="size" value={option.id} checked={size === option.id} onChange={() => choose(option.id)} />
+          <input
+            type="radio"
+            name="size"
+            value={option.id}
+            checked={size === option.id}
+            onChange={() => choose(option.id)}
+          />
           <SizePicture width={option.width} height={option.height} />
-          <span>{strings.size[(option.id as 'a4')]}</span>
+          <span>{strings.size[option.id as 'a4']}</span>
         </label>
       ))}
     </fieldset>
   );
 }
 
-function SizePicture({ width, height }: { width: number, height: number }) {
+function SizePicture({ width, height }: { width: number; height: number }) {
   const scale = 30 / Math.max(width, height);
   const w = width * scale;
   const h = height * scale;

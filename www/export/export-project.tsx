@@ -11,17 +11,33 @@ export function ExportProject() {
   const { cargo } = useApp().keeping.pageFiles;
   const now = cargo.value;
   // Photos go with the file that is saved from here, not with a later one.
-  useEffect(() => () => { if (cargo.peek() === 'photos') cargo.value = 'project'; }, []);
+  useEffect(
+    () => () => {
+      if (cargo.peek() === 'photos') cargo.value = 'project';
+    },
+    [],
+  );
   return (
     <fieldset class="cargo">
       <legend>{strings.cargo}</legend>
       {KINDS.map((kind) => (
         <label class="cargo-kind" key={kind}>
-          <input type="radio" name="cargo" value={kind} checked={now === kind} aria-describedby="cargo-help" onChange={() => { cargo.value = kind; }} />
+          <input
+            type="radio"
+            name="cargo"
+            value={kind}
+            checked={now === kind}
+            aria-describedby="cargo-help"
+            onChange={() => {
+              cargo.value = kind;
+            }}
+          />
           <span>{strings.cargoKind[kind]}</span>
         </label>
       ))}
-      <p class="quiet" id="cargo-help">{strings.cargoHelp[now]} {now !== 'none' && strings.cargoClean}</p>
+      <p class="quiet" id="cargo-help">
+        {strings.cargoHelp[now]} {now !== 'none' && strings.cargoClean}
+      </p>
     </fieldset>
   );
 }

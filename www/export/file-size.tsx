@@ -11,7 +11,7 @@ const REST_MS = 250;
 /** About how large the file will be; nothing where it cannot be told. */
 export function FileSize({ wish }: { wish: Wish }) {
   const { engine } = useApp();
-  const [bytes, setBytes] = useState((null as number | null));
+  const [bytes, setBytes] = useState(null as number | null);
   const [busy, setBusy] = useState(true);
   useEffect(() => {
     const stop = new AbortController();
@@ -20,7 +20,10 @@ export function FileSize({ wish }: { wish: Wish }) {
       const { pages, format, inside = 'png', quality = 0 } = wish;
       // The pictures are what counts in a PDF file and in an archive.
       const picture = format === 'pdf' ? 'jpeg' : isArchive(format) ? inside : (format as 'png');
-      const about = pages.length > 0 ? await estimated(engine, pages, { format: picture, quality, signal: stop.signal }).catch(() => null) : null;
+      const about =
+        pages.length > 0
+          ? await estimated(engine, pages, { format: picture, quality, signal: stop.signal }).catch(() => null)
+          : null;
       if (stop.signal.aborted) return;
       setBytes(about);
       setBusy(false);
@@ -31,5 +34,9 @@ export function FileSize({ wish }: { wish: Wish }) {
     };
   }, [wish]);
   const text = busy && bytes === null ? strings.measuring : bytes === null ? '' : strings.aboutSize(bytes);
-  return <output class="file-size" aria-busy={busy}>{text}</output>;
+  return (
+    <output class="file-size" aria-busy={busy}>
+      {text}
+    </output>
+  );
 }

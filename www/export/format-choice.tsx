@@ -5,7 +5,19 @@ import { useApp } from '../app/context.ts';
 import type { Format, Inside } from './formats.ts';
 
 /** The kind of file, and of the pictures in it where it is an archive. WebP is offered where the browser makes it. */
-export function FormatChoice({ formats, format, choose, inside, chooseInside }: { formats: readonly Format[], format: Format, choose: (format: Format) => void, inside: Inside, chooseInside: (inside: Inside) => void }) {
+export function FormatChoice({
+  formats,
+  format,
+  choose,
+  inside,
+  chooseInside,
+}: {
+  formats: readonly Format[];
+  format: Format;
+  choose: (format: Format) => void;
+  inside: Inside;
+  chooseInside: (inside: Inside) => void;
+}) {
   const { engine } = useApp();
   const [webp, setWebp] = useState(false);
   useEffect(() => {
@@ -15,14 +27,20 @@ export function FormatChoice({ formats, format, choose, inside, chooseInside }: 
     <>
       <label class="field">
         <span>{strings.format}</span>
-        <select class="select" value={format} onChange={(event) => choose((event.currentTarget.value as Format))}>
-          {formats.filter((id) => id !== 'webp' || webp).map((id) => <option key={id} value={id}>{strings.formats[id]}</option>)}
+        <select class="select" value={format} onChange={(event) => choose(event.currentTarget.value as Format)}>
+          {formats
+            .filter((id) => id !== 'webp' || webp)
+            .map((id) => (
+              <option key={id} value={id}>
+                {strings.formats[id]}
+              </option>
+            ))}
         </select>
       </label>
       {isArchive(format) && (
         <label class="field">
           <span>{strings.pictures}</span>
-          <select class="select" value={inside} onChange={(event) => chooseInside((event.currentTarget.value as Inside))}>
+          <select class="select" value={inside} onChange={(event) => chooseInside(event.currentTarget.value as Inside)}>
             <option value="png">{strings.insides.png}</option>
             <option value="jpeg">{strings.insides.jpeg}</option>
           </select>

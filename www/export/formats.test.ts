@@ -1,7 +1,7 @@
 import { expect, test } from 'vitest';
 import { fileName, pageName, panelName } from './formats.ts';
 
-const page = ({ layout: 'grid-6', style: { id: 'mine' }, seed: 7 } as any);
+const page = { layout: 'grid-6', style: { id: 'mine' }, seed: 7 } as any;
 
 test('files are called after what they show', () => {
   expect(fileName([page], 'png')).toBe('inkpanel-grid-6-mine-7.png');

@@ -6,7 +6,7 @@ export type Format = 'png' | 'jpeg' | 'webp' | 'pdf' | 'zip' | 'cbz';
 /** the pictures of a ZIP or CBZ file */
 export type Inside = 'png' | 'jpeg';
 
-export const FORMATS: Record<Format, { ending: string, type: string, lossy: boolean }> = {
+export const FORMATS: Record<Format, { ending: string; type: string; lossy: boolean }> = {
   png: { ending: 'png', type: 'image/png', lossy: false },
   jpeg: { ending: 'jpg', type: 'image/jpeg', lossy: true },
   webp: { ending: 'webp', type: 'image/webp', lossy: true },
@@ -46,5 +46,5 @@ export function panelName(page: PageDocument, index: number) {
 }
 
 function nameOf(part: string | { id?: string }) {
-  return typeof part === 'string' ? part : part.id ?? 'own';
+  return typeof part === 'string' ? part : (part.id ?? 'own');
 }

@@ -7,17 +7,31 @@ import { LanguageChoice } from './language-choice.tsx';
 export function KeysDialog() {
   const { ui } = useApp();
   return (
-    <Dialog title={strings.keys} class="keys-dialog" onClose={() => { ui.dialog.value = null; }}>
+    <Dialog
+      title={strings.keys}
+      class="keys-dialog"
+      onClose={() => {
+        ui.dialog.value = null;
+      }}
+    >
       <dl class="keys">
         {strings.keyList.map(({ keys, does }) => (
           <div key={does}>
-            <dt>{keys.map((key) => <kbd key={key}>{key}</kbd>)}</dt>
+            <dt>
+              {keys.map((key) => (
+                <kbd key={key}>{key}</kbd>
+              ))}
+            </dt>
             <dd>{does}</dd>
           </div>
         ))}
       </dl>
       <label class="letter-keys">
-        <input type="checkbox" checked={ui.letterKeys.value} onChange={({ currentTarget }) => ui.useLetterKeys(currentTarget.checked)} />
+        <input
+          type="checkbox"
+          checked={ui.letterKeys.value}
+          onChange={({ currentTarget }) => ui.useLetterKeys(currentTarget.checked)}
+        />
         <span>{strings.letterKeys}</span>
       </label>
       <LanguageChoice />

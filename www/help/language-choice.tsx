@@ -19,8 +19,16 @@ export function LanguageChoice() {
   return (
     <label class="language" title={strings.languageHelp}>
       <span>{strings.language}</span>
-      <select class="select" value={language} onChange={({ currentTarget }) => void choose((currentTarget.value as Language))}>
-        {Object.entries(LANGUAGES).map(([code, name]) => <option key={code} value={code} lang={code}>{name}</option>)}
+      <select
+        class="select"
+        value={language}
+        onChange={({ currentTarget }) => void choose(currentTarget.value as Language)}
+      >
+        {Object.entries(LANGUAGES).map(([code, name]) => (
+          <option key={code} value={code} lang={code}>
+            {name}
+          </option>
+        ))}
       </select>
     </label>
   );

@@ -6,7 +6,13 @@ import type { LayoutEntry } from '../engine/documents.ts';
 const WIDTH = 1000;
 
 /** @param props `aspect`: of the page, width over height */
-export function LayoutPicture({ layout: { base, over }, aspect }: { layout: Pick<LayoutEntry, 'base' | 'over'>, aspect: number }) {
+export function LayoutPicture({
+  layout: { base, over },
+  aspect,
+}: {
+  layout: Pick<LayoutEntry, 'base' | 'over'>;
+  aspect: number;
+}) {
   const height = WIDTH / aspect;
   return (
     <svg class="layout-picture" viewBox={`0 0 ${WIDTH} ${Math.round(height)}`} aria-hidden="true">

@@ -9,17 +9,31 @@ import { Icon } from '../ui/icon.tsx';
 
 export function LayoutTools() {
   const { store, reshaping, ownLayouts } = useApp();
-  const file = useRef((null as HTMLInputElement | null));
+  const file = useRef(null as HTMLInputElement | null);
   const facts = store.layoutFacts.value;
   const editing = reshaping.editing.value;
   return (
     <div class="layout-tools">
-      <button type="button" class="button small" disabled={facts === null} aria-label={strings.surprise} title={strings.surprise}
-        onClick={reshaping.surprise}>
-        <Icon name="surprise" />{strings.surpriseShort}
+      <button
+        type="button"
+        class="button small"
+        disabled={facts === null}
+        aria-label={strings.surprise}
+        title={strings.surprise}
+        onClick={reshaping.surprise}
+      >
+        <Icon name="surprise" />
+        {strings.surpriseShort}
       </button>
-      <IconButton icon="edit" label={strings.editLayout} disabled={facts === null} pressed={editing}
-        onClick={() => { reshaping.editing.value = !editing; }} />
+      <IconButton
+        icon="edit"
+        label={strings.editLayout}
+        disabled={facts === null}
+        pressed={editing}
+        onClick={() => {
+          reshaping.editing.value = !editing;
+        }}
+      />
       <IconButton icon="save" label={strings.saveLayout} disabled={facts === null} onClick={ownLayouts.save} />
       <IconButton icon="open" label={strings.loadLayout} onClick={() => file.current?.click()} />
       {facts && ownLayouts.isOwn(facts.id) && (

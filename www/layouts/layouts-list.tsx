@@ -23,21 +23,26 @@ export function LayoutsList() {
   const current = useCurrent(layouts);
   // The same drawing is handed over each time, so that a shuffle does not compare hundreds of shapes.
   const pictures = useMemo(
-    () => new Map(layouts.map((layout) => [layout.id, <LayoutPicture key={layout.id} layout={layout} aspect={aspect} />])),
+    () =>
+      new Map(layouts.map((layout) => [layout.id, <LayoutPicture key={layout.id} layout={layout} aspect={aspect} />])),
     [layouts, aspect],
   );
   const own = layouts.filter((layout) => layout.own !== null);
   const families = [...new Set(layouts.filter((layout) => layout.own === null).map((layout) => layout.family))];
   const counts = [...new Set(layouts.map((layout) => layout.count))].sort((a, b) => a - b);
   const filter = own.length === 0 && family.value === MINE ? '' : family.value;
-  const shown = layouts.filter((layout) => (
-    (filter === '' || layout.family === filter || (filter === MINE && layout.own !== null))
-    && (panels === null || layout.count === panels)
-  ));
+  const shown = layouts.filter(
+    (layout) =>
+      (filter === '' || layout.family === filter || (filter === MINE && layout.own !== null)) &&
+      (panels === null || layout.count === panels),
+  );
   const groups = [
     { name: strings.thisPage, options: current ? [current] : [] },
     { name: strings.myLayouts, options: shown.filter((layout) => layout.own !== null) },
-    { name: own.length > 0 || current ? strings.allLayouts : '', options: shown.filter((layout) => layout.own === null) },
+    {
+      name: own.length > 0 || current ? strings.allLayouts : '',
+      options: shown.filter((layout) => layout.own === null),
+    },
   ];
 
   function choose(id: string) {
@@ -52,20 +57,32 @@ export function LayoutsList() {
           class="select"
           aria-label={strings.family}
           value={filter}
-          onChange={(event) => { family.value = event.currentTarget.value; }}
+          onChange={(event) => {
+            family.value = event.currentTarget.value;
+          }}
         >
           <option value="">{strings.anyFamily}</option>
           {own.length > 0 && <option value={MINE}>{strings.myLayouts}</option>}
-          {families.map((name) => <option key={name} value={name}>{strings.familyName(name)}</option>)}
+          {families.map((name) => (
+            <option key={name} value={name}>
+              {strings.familyName(name)}
+            </option>
+          ))}
         </select>
         <select
           class="select"
           aria-label={strings.panels}
           value={panels ?? ''}
-          onChange={(event) => pages.wantPanels(event.currentTarget.value === '' ? null : Number(event.currentTarget.value))}
+          onChange={(event) =>
+            pages.wantPanels(event.currentTarget.value === '' ? null : Number(event.currentTarget.value))
+          }
         >
           <option value="">{strings.anyPanels}</option>
-          {counts.map((count) => <option key={count} value={count}>{strings.panelCount(count)}</option>)}
+          {counts.map((count) => (
+            <option key={count} value={count}>
+              {strings.panelCount(count)}
+            </option>
+          ))}
         </select>
       </div>
       <Listbox
@@ -91,7 +108,7 @@ function useCurrent(layouts: readonly LayoutEntry[]): LayoutEntry | null {
   const listed = typeof layout !== 'object' || layouts.some(({ id }) => id === layout.id);
   return useMemo(() => {
     if (listed || !planner) return null;
-    const own = [(layout as Template)];
+    const own = [layout as Template];
     return planner.listLayouts({ page: { width, height }, own })[0];
   }, [listed, layout, planner, width, height]);
 }

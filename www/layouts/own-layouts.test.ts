@@ -6,17 +6,23 @@ import { fakeApp } from '../document/testing.ts';
 
 vi.mock('../export/files.ts', () => ({ save: vi.fn() }));
 
-function app(kept = (null as string | null)) {
+function app(kept = null as string | null) {
   const made = fakeApp();
   const { store, pages, messages } = made;
   let text = kept;
-  const box = { getItem: () => text, setItem: (_: string, value: string) => { text = value; } };
+  const box = {
+    getItem: () => text,
+    setItem: (_: string, value: string) => {
+      text = value;
+    },
+  };
   const layouts = createOwnLayouts({ store, pages, messages });
   const shelves = createShelves({ store, messages, box: () => box });
   return { ...made, layouts, shelves, kept: () => JSON.parse(text ?? '[]') };
 }
 
-const file = (name: string, layout: any) => new File([typeof layout === 'string' ? layout : JSON.stringify(layout)], name);
+const file = (name: string, layout: any) =>
+  new File([typeof layout === 'string' ? layout : JSON.stringify(layout)], name);
 
 test('a layout is opened from a file, shown, kept and forgotten', async () => {
   const { layouts, shelves, store, reading, files, kept, pages } = app();

@@ -17,7 +17,7 @@ const MOST = 200;
 /** No layout file is longer, in bytes; the core says so too, but only after all of it was read. */
 const LONGEST = 256 * 1024;
 
-export function createOwnLayouts({ store, pages, messages }: { store: Store, pages: Pages, messages: Messages }) {
+export function createOwnLayouts({ store, pages, messages }: { store: Store; pages: Pages; messages: Messages }) {
   return { save, open, remove, isOwn };
 
   /** The layout of the page as a file, and in the list. */
@@ -33,14 +33,14 @@ export function createOwnLayouts({ store, pages, messages }: { store: Store, pag
   async function open(files: readonly File[]) {
     const planner = store.planner.peek();
     if (!planner) return;
-    let last = (null as Template | null);
+    let last = null as Template | null;
     for (const file of files) {
       try {
         if (file.size > LONGEST) throw new Error(strings.layoutTooLong(file.name));
         last = planner.checkLayout(await file.text(), file.name);
         keep(last);
       } catch (error) {
-        const { message } = (error as Error);
+        const { message } = error as Error;
         messages.fileFailed(file.name, message, { text: message });
       }
     }

@@ -11,17 +11,24 @@ let pages: ReturnType<typeof fakeApp>['pages'];
 /** As the core does in little: automatic words go to a quarter of their panel, and all are a tenth of the page wide. */
 const letters = {
   settle: ({ words }: any) => words.map((word: Word) => (word.auto ? { ...word, x: 0.25, y: 0.25, tail: null } : word)),
-  measure: ({ words }: any) => words.map(({ x = 0.5, y = 0.5, tail }: Word) => (
-    { x: x - 0.05, y: y - 0.05, width: 0.1, height: 0.1, tip: tail ? [tail.x, tail.y] : null, size: 0.02, cut: false }
-  )),
+  measure: ({ words }: any) =>
+    words.map(({ x = 0.5, y = 0.5, tail }: Word) => ({
+      x: x - 0.05,
+      y: y - 0.05,
+      width: 0.1,
+      height: 0.1,
+      tip: tail ? [tail.x, tail.y] : null,
+      size: 0.02,
+      cut: false,
+    })),
 };
 
 beforeEach(async () => {
   const app = fakeApp();
   ({ store, pages } = app);
   const selection = createSelection({ store });
-  lettering = createLettering({ store, messages: app.messages, selection, load: async () => (letters as any) });
-  store.planner.value = lettering.within((app.planner as any));
+  lettering = createLettering({ store, messages: app.messages, selection, load: async () => letters as any });
+  store.planner.value = lettering.within(app.planner as any);
   await app.reading.addFiles(app.files('a.jpg', 'b.jpg'));
 });
 
@@ -31,7 +38,9 @@ describe('words', () => {
   test('one is added, placed and chosen as one step', async () => {
     const before = past();
     expect(await lettering.add('balloon')).toBe(true);
-    expect(lettering.words.value).toEqual([{ kind: 'balloon', text: 'Hello!', panel: 0, auto: true, x: 0.25, y: 0.25, tail: null }]);
+    expect(lettering.words.value).toEqual([
+      { kind: 'balloon', text: 'Hello!', panel: 0, auto: true, x: 0.25, y: 0.25, tail: null },
+    ]);
     expect([lettering.chosen.value, past() - before]).toEqual([0, 1]);
     await lettering.add('caption');
     expect(lettering.words.value[1].panel).toBe(1);
@@ -72,13 +81,18 @@ describe('words', () => {
 
   test('another page has the words of this one', async () => {
     await lettering.add('effect');
-    const other = (pages.plan({ keep: { layout: false, style: false, photos: false } }) as PageDocument);
+    const other = pages.plan({ keep: { layout: false, style: false, photos: false } }) as PageDocument;
     expect(lettering.on({ ...other, words: [] }).words).toEqual(lettering.words.value);
   });
 
   test('without letters the page stays, and the reason is said', async () => {
     const app = fakeApp();
-    const failing = createLettering({ store: app.store, messages: app.messages, selection: createSelection({ store: app.store }), load: () => Promise.reject(new Error('offline')) });
+    const failing = createLettering({
+      store: app.store,
+      messages: app.messages,
+      selection: createSelection({ store: app.store }),
+      load: () => Promise.reject(new Error('offline')),
+    });
     await app.reading.addFiles(app.files('a.jpg'));
     expect(await failing.add('caption')).toBe(false);
     expect(app.messages.list.value.at(-1)?.text).toContain('offline');

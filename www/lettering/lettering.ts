@@ -19,9 +19,16 @@ export type Lettering = ReturnType<typeof createLettering>;
 export type Mode = 'move' | 'tail';
 
 /** @param app `load`: what knows the letters */
-export function createLettering({ store, messages, selection, load }: {
-  store: Store, messages: Pick<Messages, 'alert' | 'note'>,
-  selection: Pick<import('../page/panels/selection.ts').Selection, 'panels'>, load: Engine['lettering'],
+export function createLettering({
+  store,
+  messages,
+  selection,
+  load,
+}: {
+  store: Store;
+  messages: Pick<Messages, 'alert' | 'note'>;
+  selection: Pick<import('../page/panels/selection.ts').Selection, 'panels'>;
+  load: Engine['lettering'];
 }) {
   const planning = createWordPlanning({ store, messages, load });
   const { words, letters, ready, failed, settled } = planning;
@@ -38,8 +45,25 @@ export function createLettering({ store, messages, selection, load }: {
   let steps = 0;
 
   return {
-    words, boxes, chosen, editing, mode, rested: planning.rested, within: planning.within, on: planning.on,
-    choose, add, addAll, edit, write, move, point, remove, settleOne, step, pageAt,
+    words,
+    boxes,
+    chosen,
+    editing,
+    mode,
+    rested: planning.rested,
+    within: planning.within,
+    on: planning.on,
+    choose,
+    add,
+    addAll,
+    edit,
+    write,
+    move,
+    point,
+    remove,
+    settleOne,
+    step,
+    pageAt,
   };
 
   /** @returns the name of a new gesture */
@@ -63,7 +87,9 @@ export function createLettering({ store, messages, selection, load }: {
     const busy = new Set(words.peek().map(({ panel }) => panel));
     const free = page.panels.findIndex((_, i) => !busy.has(i));
     const panel = selection.panels.peek()[0] ?? Math.max(0, free);
-    const added = await addAll([{ kind, text: strings.wordSample[kind], panel, auto: true, ...(kind === 'effect' ? { angle: -8 } : {}) }]);
+    const added = await addAll([
+      { kind, text: strings.wordSample[kind], panel, auto: true, ...(kind === 'effect' ? { angle: -8 } : {}) },
+    ]);
     if (added > 0) choose(words.peek().length - 1);
     return added > 0;
   }
@@ -73,13 +99,15 @@ export function createLettering({ store, messages, selection, load }: {
     try {
       await ready();
     } catch (error) {
-      failed((error as Error));
+      failed(error as Error);
       return 0;
     }
     const page = store.page.peek();
     if (!page) return 0;
     const before = words.peek();
-    const some = fresh.slice(0, Math.max(0, MOST.words - before.length)).map((word) => ({ ...word, text: bounded(word.text) }));
+    const some = fresh
+      .slice(0, Math.max(0, MOST.words - before.length))
+      .map((word) => ({ ...word, text: bounded(word.text) }));
     if (some.length < fresh.length) messages.alert(strings.wordsFull(MOST.words));
     if (some.length === 0) return 0;
     const all = [...before, ...some];
@@ -118,7 +146,7 @@ export function createLettering({ store, messages, selection, load }: {
     const word = words.peek()[index];
     const box = boxes.peek()[index];
     if (!geometry || !word || !box) return;
-    const middle = ([box.x + box.width / 2, box.y + box.height / 2] as [number, number]);
+    const middle = [box.x + box.width / 2, box.y + box.height / 2] as [number, number];
     edit(index, { ...anchored(geometry, word, middle, to), auto: false }, gesture);
   }
 

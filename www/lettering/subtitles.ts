@@ -5,10 +5,10 @@
 import { strings } from '../strings/strings.ts';
 
 /** seconds, and the text without marks */
-export type Cue = { start: number, end: number, text: string };
+export type Cue = { start: number; end: number; text: string };
 
 /** What `readSubtitles` gives: `left` subtitles too many for it, and `cut` ones whose text was too long. */
-type Subtitles = { cues: Cue[], left: number, cut: number };
+type Subtitles = { cues: Cue[]; left: number; cut: number };
 
 const MOST_BYTES = 5_000_000;
 /** Of a film of ten hours with a subtitle every other second there are fewer. */
@@ -17,7 +17,14 @@ export const MOST_CUES = 20_000;
 export const MOST_LETTERS = 1_000;
 const TIME = /^(?:(\d{1,4}):)?([0-5]?\d):([0-5]?\d)[.,](\d{1,3})$/;
 /** Entities that WebVTT knows. */
-const ENTITIES: Record<string, string> = { '&amp;': '&', '&lt;': '<', '&gt;': '>', '&nbsp;': ' ', '&lrm;': '', '&rlm;': '' };
+const ENTITIES: Record<string, string> = {
+  '&amp;': '&',
+  '&lt;': '<',
+  '&gt;': '>',
+  '&nbsp;': ' ',
+  '&lrm;': '',
+  '&rlm;': '',
+};
 
 export function isSubtitles({ name }: { name: string }) {
   return /\.(srt|vtt)$/i.test(name);
@@ -27,8 +34,9 @@ export function isSubtitles({ name }: { name: string }) {
 export async function readSubtitles(file: Blob & { name: string }): Promise<Subtitles> {
   if (file.size > MOST_BYTES) throw invalid(strings.subtitleErrors.large);
   const bytes = new Uint8Array(await file.arrayBuffer());
-  const wide = (bytes[0] === 0xff && bytes[1] === 0xfe) ? 'utf-16le' : (bytes[0] === 0xfe && bytes[1] === 0xff) ? 'utf-16be' : 'utf-8';
-  let text;
+  const wide =
+    bytes[0] === 0xff && bytes[1] === 0xfe ? 'utf-16le' : bytes[0] === 0xfe && bytes[1] === 0xff ? 'utf-16be' : 'utf-8';
+  let text: string;
   try {
     text = new TextDecoder(wide, { fatal: true }).decode(bytes);
   } catch {
@@ -102,8 +110,14 @@ function seconds(time: string): number | null {
 
 /** @returns without tags, places and entities */
 function plain(lines: string[]): string {
-  const text = lines.map((line) => without(without(line, '<', '>'), '{\\', '}').trim()).filter(Boolean).join(' ');
-  return text.replace(/&\w+;/g, (entity) => ENTITIES[entity] ?? entity).replace(/\s+/g, ' ').trim();
+  const text = lines
+    .map((line) => without(without(line, '<', '>'), '{\\', '}').trim())
+    .filter(Boolean)
+    .join(' ');
+  return text
+    .replace(/&\w+;/g, (entity) => ENTITIES[entity] ?? entity)
+    .replace(/\s+/g, ' ')
+    .trim();
 }
 
 /**
@@ -126,7 +140,10 @@ function without(line: string, open: string, close: string): string {
 function firstLetters(text: string): string {
   if (text.length <= MOST_LETTERS) return text;
   // A letter has two units at most; a half that this leaves at the end is beyond those taken.
-  return Array.from(text.slice(0, 2 * MOST_LETTERS)).slice(0, MOST_LETTERS).join('').trim();
+  return Array.from(text.slice(0, 2 * MOST_LETTERS))
+    .slice(0, MOST_LETTERS)
+    .join('')
+    .trim();
 }
 
 function shortened(line: string) {

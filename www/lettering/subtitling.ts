@@ -18,9 +18,14 @@ export type Subtitling = ReturnType<typeof createSubtitling>;
 /** Seconds that a frame may be before or after what is said. */
 const SLACK = 0.75;
 
-export function createSubtitling({ store, lettering, messages }: {
-  store: Store, lettering: Pick<Lettering, 'addAll'>,
-  messages: Pick<Messages, 'alert' | 'note' | 'fileFailed'>,
+export function createSubtitling({
+  store,
+  lettering,
+  messages,
+}: {
+  store: Store;
+  lettering: Pick<Lettering, 'addAll'>;
+  messages: Pick<Messages, 'alert' | 'note' | 'fileFailed'>;
 }) {
   /** What subtitles become. */
   const kind: Signal<'caption' | 'balloon'> = signal('caption');
@@ -62,7 +67,9 @@ export function createSubtitling({ store, lettering, messages }: {
     const all = (page?.panels ?? []).flatMap(({ photo }, panel) => {
       const fact = album.get(photo ?? '');
       const leads = page?.merges.every((group) => !group.includes(panel) || group[0] === panel);
-      return fact?.video !== undefined && fact.time !== undefined && leads ? [{ panel, time: fact.time, video: fact.video }] : [];
+      return fact?.video !== undefined && fact.time !== undefined && leads
+        ? [{ panel, time: fact.time, video: fact.video }]
+        : [];
     });
     const matching = all.filter(({ video }) => own.includes(video));
     return matching.length > 0 ? matching : all;
@@ -70,8 +77,12 @@ export function createSubtitling({ store, lettering, messages }: {
 }
 
 /** Words for the frames at whose times something is said; a subtitle goes to one frame only, the nearest to its middle. */
-export function matched(cues: readonly Cue[], frames: readonly { panel: number, time: number }[], kind: 'caption' | 'balloon'): Word[] {
-  const places: Map<Cue, { panel: number, time: number }> = new Map();
+export function matched(
+  cues: readonly Cue[],
+  frames: readonly { panel: number; time: number }[],
+  kind: 'caption' | 'balloon',
+): Word[] {
+  const places: Map<Cue, { panel: number; time: number }> = new Map();
   for (const frame of frames) {
     const cue = cueAt(cues, frame.time, SLACK);
     const before = cue && places.get(cue);

@@ -13,16 +13,16 @@ const LEAST = 14;
  * The text of a word, written where it stands: Enter takes it, Shift with Enter begins a line, Escape leaves it as it was.
  * @param props `height` of the page, in its widths
  */
-export function WordEditor({ index, box, height }: { index: number, box: WordBox, height: number }) {
+export function WordEditor({ index, box, height }: { index: number; box: WordBox; height: number }) {
   const { lettering } = useApp();
-  const field = useRef((null as HTMLTextAreaElement | null));
+  const field = useRef(null as HTMLTextAreaElement | null);
   const word = lettering.words.value[index];
   const done = useRef(false);
   const place = placed(box, height);
 
   useLayoutEffect(() => {
-    const area = (field.current as HTMLTextAreaElement);
-    const page = (area.closest('.page') as HTMLElement);
+    const area = field.current as HTMLTextAreaElement;
+    const page = area.closest('.page') as HTMLElement;
     area.style.fontSize = `${Math.max(LEAST, box.size * page.clientWidth)}px`;
     area.focus();
     area.select();
@@ -38,7 +38,8 @@ export function WordEditor({ index, box, height }: { index: number, box: WordBox
     if (text === null) lettering.editing.value = -1;
     else lettering.write(index, text);
     // Whoever clicked elsewhere has the focus there.
-    if (byKey) requestAnimationFrame(() => focusOn(`[data-word="${index}"]`, '[data-word]', '.panels > [tabindex="0"]'));
+    if (byKey)
+      requestAnimationFrame(() => focusOn(`[data-word="${index}"]`, '[data-word]', '.panels > [tabindex="0"]'));
   }
 
   function press(event: KeyboardEvent & { currentTarget: HTMLTextAreaElement }) {

@@ -7,7 +7,14 @@ import { Icon } from '../ui/icon.tsx';
 import type { Word } from '../engine/documents.ts';
 import type { Mode } from './lettering.ts';
 
-type AmountProps = { label: string, value: number, least: number, most: number, step?: number, onValue: (value: number) => void };
+type AmountProps = {
+  label: string;
+  value: number;
+  least: number;
+  most: number;
+  step?: number;
+  onValue: (value: number) => void;
+};
 
 /** Colours and fonts that the core takes where a word says none. */
 const USUAL = {
@@ -23,7 +30,9 @@ export function WordFields({ index }: { index: number }) {
   const height = store.geometry.value?.height ?? 1;
   const gesture = useRef(lettering.step());
   if (!box) return null;
-  const rest = () => { gesture.current = lettering.step(); };
+  const rest = () => {
+    gesture.current = lettering.step();
+  };
   const set = (news: Partial<Word>) => lettering.edit(index, news, gesture.current);
   const [x, y] = [box.x + box.width / 2, box.y + box.height / 2];
   const font = word.font ?? (word.shape === 'whisper' ? 'comic-neue' : USUAL[word.kind].font);
@@ -37,32 +46,113 @@ export function WordFields({ index }: { index: number }) {
   return (
     <div class="word-fields">
       <div class="word-deeds">
-        <Deed icon="text" label={strings.editWord} onClick={() => { lettering.editing.value = index; if (!ui.wide.peek()) ui.sheet.value = null; }} />
-        <Deed icon="put" label={strings.moveWord} pressed={lettering.mode.value === 'move'} onClick={() => aim('move')} />
-        {word.kind === 'balloon' && <Deed icon="focus" label={strings.pointTail} pressed={lettering.mode.value === 'tail'} onClick={() => aim('tail')} />}
-        {word.kind === 'balloon' && box.tip && <Deed icon="close" label={strings.removeTail} onClick={() => lettering.point(index, null)} />}
+        <Deed
+          icon="text"
+          label={strings.editWord}
+          onClick={() => {
+            lettering.editing.value = index;
+            if (!ui.wide.peek()) ui.sheet.value = null;
+          }}
+        />
+        <Deed
+          icon="put"
+          label={strings.moveWord}
+          pressed={lettering.mode.value === 'move'}
+          onClick={() => aim('move')}
+        />
+        {word.kind === 'balloon' && (
+          <Deed
+            icon="focus"
+            label={strings.pointTail}
+            pressed={lettering.mode.value === 'tail'}
+            onClick={() => aim('tail')}
+          />
+        )}
+        {word.kind === 'balloon' && box.tip && (
+          <Deed icon="close" label={strings.removeTail} onClick={() => lettering.point(index, null)} />
+        )}
         <Deed icon="reset" label={strings.placeWord} onClick={() => lettering.settleOne(index)} />
         <Deed icon="bin" label={strings.removeWord} onClick={() => lettering.remove(index)} />
       </div>
-      {lettering.mode.value && <p class="quiet" role="note">{strings.wordModes[lettering.mode.value]}</p>}
-      {box.cut && <p class="quiet" role="note">{strings.wordCut}</p>}
+      {lettering.mode.value && (
+        <p class="quiet" role="note">
+          {strings.wordModes[lettering.mode.value]}
+        </p>
+      )}
+      {box.cut && (
+        <p class="quiet" role="note">
+          {strings.wordCut}
+        </p>
+      )}
       {word.kind === 'balloon' && (
-        <Choice label={strings.shape} value={word.shape ?? 'oval'} names={strings.shapes} onValue={(shape) => set({ shape: (shape as 'oval') })} />
+        <Choice
+          label={strings.shape}
+          value={word.shape ?? 'oval'}
+          names={strings.shapes}
+          onValue={(shape) => set({ shape: shape as 'oval' })}
+        />
       )}
       <Choice label={strings.wordFont} value={font} names={strings.fonts} onValue={(value) => set({ font: value })} />
       <div class="word-numbers" onFocusOut={rest}>
-        <Amount label={strings.wordX} value={x * 100} least={0} most={100} onValue={(value) => lettering.move(index, [value / 100, y], gesture.current)} />
-        <Amount label={strings.wordY} value={y / height * 100} least={0} most={100} onValue={(value) => lettering.move(index, [x, value / 100 * height], gesture.current)} />
-        <Amount label={strings.wordWidth} value={(word.width ?? box.width) * 100} least={4} most={96} onValue={(value) => set({ width: value / 100 })} />
-        <Amount label={strings.wordSize} value={box.size * 100} least={0.5} most={40} step={0.1} onValue={(value) => set({ size: value / 100 })} />
-        {word.kind === 'effect' && <Amount label={strings.wordAngle} value={word.angle ?? 0} least={-180} most={180} onValue={(angle) => set({ angle })} />}
-        {word.kind === 'effect' && <Amount label={strings.wordArc} value={(word.arc ?? 0) * 100} least={-100} most={100} step={5} onValue={(value) => set({ arc: value / 100 })} />}
+        <Amount
+          label={strings.wordX}
+          value={x * 100}
+          least={0}
+          most={100}
+          onValue={(value) => lettering.move(index, [value / 100, y], gesture.current)}
+        />
+        <Amount
+          label={strings.wordY}
+          value={(y / height) * 100}
+          least={0}
+          most={100}
+          onValue={(value) => lettering.move(index, [x, (value / 100) * height], gesture.current)}
+        />
+        <Amount
+          label={strings.wordWidth}
+          value={(word.width ?? box.width) * 100}
+          least={4}
+          most={96}
+          onValue={(value) => set({ width: value / 100 })}
+        />
+        <Amount
+          label={strings.wordSize}
+          value={box.size * 100}
+          least={0.5}
+          most={40}
+          step={0.1}
+          onValue={(value) => set({ size: value / 100 })}
+        />
+        {word.kind === 'effect' && (
+          <Amount
+            label={strings.wordAngle}
+            value={word.angle ?? 0}
+            least={-180}
+            most={180}
+            onValue={(angle) => set({ angle })}
+          />
+        )}
+        {word.kind === 'effect' && (
+          <Amount
+            label={strings.wordArc}
+            value={(word.arc ?? 0) * 100}
+            least={-100}
+            most={100}
+            step={5}
+            onValue={(value) => set({ arc: value / 100 })}
+          />
+        )}
       </div>
       <div class="word-numbers">
-        {((['color', 'fill'] as const)).map((name) => (
+        {(['color', 'fill'] as const).map((name) => (
           <label class="field colour" key={name}>
             <span>{name === 'color' ? strings.wordColor : strings.wordFill}</span>
-            <input type="color" value={word[name] ?? USUAL[word.kind][name]} onInput={({ currentTarget }) => set({ [name]: currentTarget.value })} onChange={rest} />
+            <input
+              type="color"
+              value={word[name] ?? USUAL[word.kind][name]}
+              onInput={({ currentTarget }) => set({ [name]: currentTarget.value })}
+              onChange={rest}
+            />
           </label>
         ))}
       </div>
@@ -70,18 +160,44 @@ export function WordFields({ index }: { index: number }) {
   );
 }
 
-function Deed({ icon, label, onClick, pressed }: { icon: string, label: string, onClick: () => void, pressed?: boolean }) {
+function Deed({
+  icon,
+  label,
+  onClick,
+  pressed,
+}: {
+  icon: string;
+  label: string;
+  onClick: () => void;
+  pressed?: boolean;
+}) {
   return (
-    <button type="button" class="icon-button" aria-label={label} title={label} aria-pressed={pressed} onClick={onClick}><Icon name={icon} /></button>
+    <button type="button" class="icon-button" aria-label={label} title={label} aria-pressed={pressed} onClick={onClick}>
+      <Icon name={icon} />
+    </button>
   );
 }
 
-function Choice({ label, value, names, onValue }: { label: string, value: string, names: Record<string, string>, onValue: (value: string) => void }) {
+function Choice({
+  label,
+  value,
+  names,
+  onValue,
+}: {
+  label: string;
+  value: string;
+  names: Record<string, string>;
+  onValue: (value: string) => void;
+}) {
   return (
     <label class="field">
       <span>{label}</span>
       <select class="select" value={value} onChange={({ currentTarget }) => onValue(currentTarget.value)}>
-        {Object.entries(names).map(([id, name]) => <option key={id} value={id}>{name}</option>)}
+        {Object.entries(names).map(([id, name]) => (
+          <option key={id} value={id}>
+            {name}
+          </option>
+        ))}
       </select>
     </label>
   );
@@ -92,11 +208,18 @@ function Amount({ label, value, least, most, step = 1, onValue }: AmountProps) {
   return (
     <label class="field">
       <span>{label}</span>
-      <input type="number" min={least} max={most} step={step} value={Number(value.toFixed(1))} onChange={({ currentTarget }) => {
-        const number = currentTarget.valueAsNumber;
-        if (number >= least && number <= most) onValue(number);
-        else currentTarget.value = value.toFixed(1);
-      }} />
+      <input
+        type="number"
+        min={least}
+        max={most}
+        step={step}
+        value={Number(value.toFixed(1))}
+        onChange={({ currentTarget }) => {
+          const number = currentTarget.valueAsNumber;
+          if (number >= least && number <= most) onValue(number);
+          else currentTarget.value = value.toFixed(1);
+        }}
+      />
     </label>
   );
 }

@@ -13,7 +13,7 @@ const SLACK = 4;
 
 /** in page widths */
 type Place = [number, number];
-type Grip = { id: number, x: number, y: number, at: Place, gesture: string, moved: boolean };
+type Grip = { id: number; x: number; y: number; at: Place; gesture: string; moved: boolean };
 
 /** @param event on the page or something on it */
 export function pointOn({ clientX, clientY, currentTarget }: MouseEvent): Place {
@@ -57,13 +57,15 @@ export function useWordHands(index: number) {
         event.stopPropagation();
         lettering.choose(index);
       },
-      onDblClick: () => { lettering.editing.value = index; },
+      onDblClick: () => {
+        lettering.editing.value = index;
+      },
     },
     tail: { ...tail, onClick: (event: MouseEvent) => event.stopPropagation() },
   };
 
   function useHand(where: () => Place, put: (to: Place, gesture: string) => void) {
-    const grip = useRef((null as Grip | null));
+    const grip = useRef(null as Grip | null);
     const keys = useRef('');
     return {
       onPointerDown: (event: PointerEvent) => {
@@ -85,8 +87,12 @@ export function useWordHands(index: number) {
         const { width } = pageOf(event.currentTarget);
         put([held.at[0] + x / width, held.at[1] + y / width], held.gesture);
       },
-      onPointerUp: () => { grip.current = null; },
-      onPointerCancel: () => { grip.current = null; },
+      onPointerUp: () => {
+        grip.current = null;
+      },
+      onPointerCancel: () => {
+        grip.current = null;
+      },
       onKeyDown: (event: KeyboardEvent) => {
         const way = WAYS[event.key];
         if (!way || event.ctrlKey || event.metaKey || event.altKey) return;
@@ -98,13 +104,15 @@ export function useWordHands(index: number) {
         const [x, y] = where();
         put([x + way[0] * step, y + way[1] * step], keys.current);
       },
-      onKeyUp: () => { keys.current = ''; },
+      onKeyUp: () => {
+        keys.current = '';
+      },
     };
   }
 }
 
 /** @param selectors the first of which something is there says what gets the focus */
-export function focusOn(...selectors: (string)[]) {
+export function focusOn(...selectors: string[]) {
   const found = selectors.map((selector) => document.querySelector(selector)).find((element) => element !== null);
   (found as HTMLElement | undefined)?.focus();
 }
@@ -116,5 +124,10 @@ export function focusOn(...selectors: (string)[]) {
  */
 export function placed({ x, y, width, height: tall }: Bounds, height: number) {
   const percent = (part: number) => `${(part * 100).toFixed(3)}%`;
-  return { left: percent(x + width / 2), top: percent((y + tall / 2) / height), width: percent(width), height: percent(tall / height) };
+  return {
+    left: percent(x + width / 2),
+    top: percent((y + tall / 2) / height),
+    width: percent(width),
+    height: percent(tall / height),
+  };
 }

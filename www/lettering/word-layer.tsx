@@ -12,18 +12,20 @@ import { createWordPainter } from './word-painter.ts';
 import type { Geometry, PageDocument, WordBox } from '../engine/documents.ts';
 
 /** @param props `width` of the page in pixels of the screen */
-export function WordLayer({ page, geometry, width }: { page: PageDocument, geometry: Geometry, width: number }) {
+export function WordLayer({ page, geometry, width }: { page: PageDocument; geometry: Geometry; width: number }) {
   const { engine, ui, messages, lettering } = useApp();
-  const canvas = useRef((null as HTMLCanvasElement | null));
-  const painter = useRef((null as ReturnType<typeof createWordPainter> | null));
+  const canvas = useRef(null as HTMLCanvasElement | null);
+  const painter = useRef(null as ReturnType<typeof createWordPainter> | null);
   const words = lettering.words.value;
   const boxes = lettering.boxes.value;
   const editing = lettering.editing.value;
 
   useEffect(() => {
-    painter.current = createWordPainter((canvas.current as HTMLCanvasElement), {
+    painter.current = createWordPainter(canvas.current as HTMLCanvasElement, {
       render: engine.renderWord,
-      onPainted: (document) => { ui.lettered.value = document; },
+      onPainted: (document) => {
+        ui.lettered.value = document;
+      },
       onError: ({ message }) => messages.alert(strings.wordsFailed(message)),
     });
     return () => painter.current?.dispose();
@@ -36,16 +38,20 @@ export function WordLayer({ page, geometry, width }: { page: PageDocument, geome
     <>
       <canvas ref={canvas} class="word-canvas" aria-hidden="true" />
       <div class="words" role="group" aria-label={strings.wordList}>
-        {words.map((_, i) => boxes[i] && i !== editing && <Word key={i} index={i} box={boxes[i]} height={geometry.height} />)}
+        {words.map(
+          (_, i) => boxes[i] && i !== editing && <Word key={i} index={i} box={boxes[i]} height={geometry.height} />,
+        )}
         {lettering.mode.value && <Aim />}
-        {boxes[editing] && <WordEditor key={`edit-${editing}`} index={editing} box={boxes[editing]} height={geometry.height} />}
+        {boxes[editing] && (
+          <WordEditor key={`edit-${editing}`} index={editing} box={boxes[editing]} height={geometry.height} />
+        )}
       </div>
     </>
   );
 }
 
 /** @param props `height` of the page, in its widths */
-function Word({ index, box, height }: { index: number, box: WordBox, height: number }) {
+function Word({ index, box, height }: { index: number; box: WordBox; height: number }) {
   const { lettering } = useApp();
   const hands = useWordHands(index);
   const word = lettering.words.value[index];
@@ -69,7 +75,7 @@ function Word({ index, box, height }: { index: number, box: WordBox, height: num
           class="word-tail"
           aria-label={strings.wordTail(name)}
           aria-description={strings.tailKeys}
-          style={{ left: `${box.tip[0] * 100}%`, top: `${box.tip[1] / height * 100}%` }}
+          style={{ left: `${box.tip[0] * 100}%`, top: `${(box.tip[1] / height) * 100}%` }}
           {...hands.tail}
         />
       )}
@@ -90,5 +96,7 @@ function Aim() {
     lettering.mode.value = null;
   }
 
-  return <div class="word-aim" role="presentation" onClick={press} onPointerDown={(event) => event.stopPropagation()} />;
+  return (
+    <div class="word-aim" role="presentation" onClick={press} onPointerDown={(event) => event.stopPropagation()} />
+  );
 }

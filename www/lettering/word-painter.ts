@@ -7,15 +7,23 @@ import type { PageDocument } from '../engine/documents.ts';
 import type { Engine } from '../engine/engine.ts';
 import type { BitmapPatch } from '../engine/protocol.ts';
 
-type Sheet = { document: PageDocument, width: number, keys: string[] };
+type Sheet = { document: PageDocument; width: number; keys: string[] };
 
 /** Pictures kept: those of a few pages. */
 const MOST = 80;
 
-export function createWordPainter(canvas: HTMLCanvasElement, { render, onPainted, onError }: {
-  render: Engine['renderWord'],
-  onPainted: (document: PageDocument | null) => void, onError: (error: Error & { code?: string }) => void,
-}) {
+export function createWordPainter(
+  canvas: HTMLCanvasElement,
+  {
+    render,
+    onPainted,
+    onError,
+  }: {
+    render: Engine['renderWord'];
+    onPainted: (document: PageDocument | null) => void;
+    onError: (error: Error & { code?: string }) => void;
+  },
+) {
   /** By key, oldest first. */
   const kept: Map<string, BitmapPatch> = new Map();
   /** The last picture of each place, shown until the next comes. */
@@ -30,7 +38,10 @@ export function createWordPainter(canvas: HTMLCanvasElement, { render, onPainted
   /** @param width of the page, in pixels of the screen */
   function show(document: PageDocument, width: number) {
     const { words = [], layout, page } = document;
-    const same = sheet && sheet.width === width && JSON.stringify([sheet.document.layout, sheet.document.page]) === JSON.stringify([layout, page]);
+    const same =
+      sheet &&
+      sheet.width === width &&
+      JSON.stringify([sheet.document.layout, sheet.document.page]) === JSON.stringify([layout, page]);
     // Another page does not show the words of the one before in their old places.
     if (!same || words.length !== sheet?.keys.length) shown = [];
     sheet = { document, width, keys: words.map((word) => JSON.stringify([word, layout, page, width])) };
@@ -44,26 +55,28 @@ export function createWordPainter(canvas: HTMLCanvasElement, { render, onPainted
     const key = now.keys[index];
     if (kept.has(key) || failed.has(key)) return;
     running.add(index);
-    render(now.document, index, now.width).then(
-      (patch) => {
-        kept.set(key, patch);
-        for (const old of [...kept.keys()].slice(0, Math.max(0, kept.size - MOST))) kept.delete(old);
-      },
-      (error) => {
-        failed.add(key);
-        if (error.code !== 'cancelled') onError(error);
-      },
-    ).finally(() => {
-      running.delete(index);
-      request(index);
-      paint();
-    });
+    render(now.document, index, now.width)
+      .then(
+        (patch) => {
+          kept.set(key, patch);
+          for (const old of [...kept.keys()].slice(0, Math.max(0, kept.size - MOST))) kept.delete(old);
+        },
+        (error) => {
+          failed.add(key);
+          if (error.code !== 'cancelled') onError(error);
+        },
+      )
+      .finally(() => {
+        running.delete(index);
+        request(index);
+        paint();
+      });
   }
 
   function paint() {
     if (!sheet) return;
     const { document, width, keys } = sheet;
-    const height = Math.max(1, Math.round(width * document.page.height / document.page.width));
+    const height = Math.max(1, Math.round((width * document.page.height) / document.page.width));
     shown = keys.map((key, i) => kept.get(key) ?? shown[i] ?? null);
     canvas.width = width;
     canvas.height = height;

@@ -3,7 +3,7 @@ import { anchored, frameOf, pagePoint } from './word-places.ts';
 
 const bounds = (x: number, y: number) => ({ bounds: { x, y, width: 0.4, height: 0.5 }, overlay: false });
 const geometry = { width: 1, height: 1.4, panels: [bounds(0.05, 0.1), bounds(0.55, 0.1), bounds(0.3, 0.3)] };
-const word = ({ kind: 'balloon', text: 'x', panel: 0 } as const);
+const word = { kind: 'balloon', text: 'x', panel: 0 } as const;
 
 test('a place of a panel is one of the page and back', () => {
   expect(pagePoint(geometry, { panel: 1 }, [0.5, 0.5])).toEqual([0.75, 0.35]);

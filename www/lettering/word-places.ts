@@ -28,7 +28,7 @@ export function pagePoint(geometry: Geometry, word: Pick<Word, 'panel'>, [x, y]:
  * another, and stays on its own in a gutter. The tail points where it is told.
  */
 export function anchored(geometry: Geometry, word: Word, to: Place, tip: Place | null): Partial<Word> {
-  const at = ([Math.min(1, Math.max(0, to[0])), Math.min(geometry.height, Math.max(0, to[1]))] as Place);
+  const at = [Math.min(1, Math.max(0, to[0])), Math.min(geometry.height, Math.max(0, to[1]))] as Place;
   const below = geometry.panels.findLastIndex(({ bounds }) => contains(bounds, at));
   const panel = below < 0 ? (word.panel ?? null) : below;
   const frame = frameOf(geometry, { panel });

@@ -16,11 +16,17 @@ import type { Signal } from '@preact/signals';
 const REST = 300;
 
 /** @param app `load`: what knows the letters */
-export function createWordPlanning({ store, messages, load }: {
-  store: Store, messages: Pick<Messages, 'alert'>, load: () => Promise<Letters>,
+export function createWordPlanning({
+  store,
+  messages,
+  load,
+}: {
+  store: Store;
+  messages: Pick<Messages, 'alert'>;
+  load: () => Promise<Letters>;
 }) {
   const letters: Signal<Letters | null> = signal(null);
-  const none = ([] as readonly Word[]);
+  const none = [] as readonly Word[];
   const words = computed(() => store.page.value?.words ?? none);
   /** The words as they were when they last rested. */
   const rested = signal(none);
@@ -29,7 +35,10 @@ export function createWordPlanning({ store, messages, load }: {
   effect(() => {
     const now = words.value;
     clearTimeout(timer);
-    if (essence(now) !== essence(rested.peek())) timer = setTimeout(() => { rested.value = now; }, REST);
+    if (essence(now) !== essence(rested.peek()))
+      timer = setTimeout(() => {
+        rested.value = now;
+      }, REST);
   });
   // A page that comes with words, from a file or a session before, needs the letters too.
   effect(() => {
@@ -58,10 +67,12 @@ export function createWordPlanning({ store, messages, load }: {
     const stays = (i: number) => only !== undefined && !only.includes(i);
     if (!table || !all.some(({ auto }, i) => auto !== false && !stays(i))) return page;
     const album = store.album.peek();
-    const subjects = Object.fromEntries(page.panels.flatMap(({ photo }) => {
-      const meta = photo === null ? undefined : album.get(photo)?.meta;
-      return meta ? [[photo, meta.subjects]] : [];
-    }));
+    const subjects = Object.fromEntries(
+      page.panels.flatMap(({ photo }) => {
+        const meta = photo === null ? undefined : album.get(photo)?.meta;
+        return meta ? [[photo, meta.subjects]] : [];
+      }),
+    );
     const fixed = all.map((word, i) => (stays(i) ? { ...word, auto: false } : word));
     const placed = table.settle({ ...page, words: fixed }, subjects);
     return { ...page, words: all.map((word, i) => (stays(i) ? word : placed[i])) };
@@ -75,7 +86,8 @@ export function createWordPlanning({ store, messages, load }: {
   function settle(silent: boolean) {
     const page = store.page.peek();
     const next = page && settled(page);
-    if (next && JSON.stringify(next.words) !== JSON.stringify(page.words)) store.change({ type: 'change-page', page: next, silent });
+    if (next && JSON.stringify(next.words) !== JSON.stringify(page.words))
+      store.change({ type: 'change-page', page: next, silent });
   }
 }
 

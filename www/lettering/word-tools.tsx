@@ -16,7 +16,7 @@ export function WordTools() {
   const chosen = lettering.chosen.value;
 
   async function add(kind: Kind) {
-    if (!await lettering.add(kind)) return;
+    if (!(await lettering.add(kind))) return;
     if (!ui.wide.peek()) ui.sheet.value = null;
     lettering.editing.value = lettering.words.peek().length - 1;
   }
@@ -25,9 +25,17 @@ export function WordTools() {
     <section class="word-tools" aria-label={strings.words}>
       <div class="word-adders">
         {KINDS.map((kind) => (
-          <button key={kind} type="button" class="button small" aria-label={strings.addWord[kind]} title={strings.addWord[kind]}
-            disabled={store.page.value === null} onClick={() => add(kind)}>
-            <Icon name={kind} />{strings.wordShort[kind]}
+          <button
+            key={kind}
+            type="button"
+            class="button small"
+            aria-label={strings.addWord[kind]}
+            title={strings.addWord[kind]}
+            disabled={store.page.value === null}
+            onClick={() => add(kind)}
+          >
+            <Icon name={kind} />
+            {strings.wordShort[kind]}
           </button>
         ))}
       </div>
@@ -36,8 +44,14 @@ export function WordTools() {
         <ul class="word-list" aria-label={strings.wordList}>
           {words.map(({ kind, text }, i) => (
             <li key={i}>
-              <button type="button" class="word-entry" aria-expanded={i === chosen} onClick={() => lettering.choose(i === chosen ? -1 : i)}>
-                <Icon name={kind} /><span>{text}</span>
+              <button
+                type="button"
+                class="word-entry"
+                aria-expanded={i === chosen}
+                onClick={() => lettering.choose(i === chosen ? -1 : i)}
+              >
+                <Icon name={kind} />
+                <span>{text}</span>
               </button>
               {i === chosen && <WordFields index={i} />}
             </li>
@@ -51,18 +65,31 @@ export function WordTools() {
 
 function Subtitles() {
   const { subtitling, store } = useApp();
-  const file = useRef((null as HTMLInputElement | null));
+  const file = useRef(null as HTMLInputElement | null);
   if (store.videos.value.size === 0) return null;
   return (
     <fieldset class="subtitles">
       <legend>{strings.subtitles}</legend>
       <label class="field">
         <span>{strings.subtitlesAs}</span>
-        <select class="select" value={subtitling.kind.value} onChange={({ currentTarget }) => { subtitling.kind.value = (currentTarget.value as 'caption'); }}>
-          {((['caption', 'balloon'] as const)).map((kind) => <option key={kind} value={kind}>{strings.subtitlesKinds[kind]}</option>)}
+        <select
+          class="select"
+          value={subtitling.kind.value}
+          onChange={({ currentTarget }) => {
+            subtitling.kind.value = currentTarget.value as 'caption';
+          }}
+        >
+          {(['caption', 'balloon'] as const).map((kind) => (
+            <option key={kind} value={kind}>
+              {strings.subtitlesKinds[kind]}
+            </option>
+          ))}
         </select>
       </label>
-      <button type="button" class="button small" onClick={() => file.current?.click()}><Icon name="open" />{strings.addSubtitles}</button>
+      <button type="button" class="button small" onClick={() => file.current?.click()}>
+        <Icon name="open" />
+        {strings.addSubtitles}
+      </button>
       <ChosenFiles input={file} accept=".srt,.vtt,text/vtt" label={strings.subtitlesFile} onFiles={subtitling.open} />
     </fieldset>
   );

@@ -8,7 +8,8 @@ export function InstallButton() {
   if (!installing.possible.value) return null;
   return (
     <button type="button" class="button install" title={strings.installHelp} onClick={installing.install}>
-      <Icon name="install" />{strings.install}
+      <Icon name="install" />
+      {strings.install}
     </button>
   );
 }

@@ -11,9 +11,11 @@ export function createInstalling(window: Pick<Window, 'addEventListener'>) {
   window.addEventListener('beforeinstallprompt', (event) => {
     // The button says it, when the person wants to know.
     event.preventDefault();
-    offer.value = (event as InstallEvent);
+    offer.value = event as InstallEvent;
   });
-  window.addEventListener('appinstalled', () => { offer.value = null; });
+  window.addEventListener('appinstalled', () => {
+    offer.value = null;
+  });
 
   return {
     possible: computed(() => offer.value !== null),

@@ -3,19 +3,36 @@ import { describe, expect, it, vi } from 'vitest';
 import { createMessages } from '../app/messages.ts';
 import { createOffline } from './offline.ts';
 
-const settle = () => new Promise((done) => { setTimeout(done, 15); });
+const settle = () =>
+  new Promise((done) => {
+    setTimeout(done, 15);
+  });
 
-function app({ controlled = true, waits = true, safe = true, refused = false }: { controlled?: boolean, waits?: boolean, safe?: boolean, refused?: boolean } = {}) {
-  const workers = (new EventTarget() as any);
+function app({
+  controlled = true,
+  waits = true,
+  safe = true,
+  refused = false,
+}: {
+  controlled?: boolean;
+  waits?: boolean;
+  safe?: boolean;
+  refused?: boolean;
+} = {}) {
+  const workers = new EventTarget() as any;
   const waiting = { postMessage: vi.fn(() => workers.dispatchEvent(new Event('controllerchange'))) };
   const active = { postMessage: vi.fn() };
   const registration = Object.assign(new EventTarget(), { waiting: waits ? waiting : null, active });
   Object.assign(workers, {
-    controller: controlled ? active : null, ready: Promise.resolve(registration),
-    register: vi.fn(async () => { if (refused) throw new Error('refused'); return registration; }),
+    controller: controlled ? active : null,
+    ready: Promise.resolve(registration),
+    register: vi.fn(async () => {
+      if (refused) throw new Error('refused');
+      return registration;
+    }),
   });
   const document = Object.assign(new EventTarget(), { baseURI: 'https://host.test/', visibilityState: 'visible' });
-  const window = ({ navigator: { serviceWorker: workers }, document, location: { reload: vi.fn() } } as any);
+  const window = { navigator: { serviceWorker: workers }, document, location: { reload: vi.fn() } } as any;
   const busy = signal(true);
   const messages = createMessages();
   const keeping = { flush: vi.fn(async () => {}), isSafe: () => safe, files: { save: vi.fn() } };
@@ -83,6 +100,6 @@ describe('a page without a connection', () => {
     busy.value = false;
     await settle();
     expect(messages.list.value).toEqual([]);
-    createOffline(({ window: { navigator: {}, document: {} } } as any));
+    createOffline({ window: { navigator: {}, document: {} } } as any);
   });
 });

@@ -18,10 +18,20 @@ const PATIENCE = 10_000;
 const PAGE_LOCK = 'inkpanel.page ';
 
 /** @param app `script`: the address of the page's own script; `busy` reads signals */
-export function createOffline({ window, messages, keeping, script, busy, calm = CALM }: {
-  window: Window, messages: Pick<Messages, 'offer' | 'alert'>,
-  keeping: Pick<Keeping, 'flush' | 'isSafe'> & { files: Pick<Keeping['files'], 'save'> },
-  script: string, busy: () => boolean, calm?: number,
+export function createOffline({
+  window,
+  messages,
+  keeping,
+  script,
+  busy,
+  calm = CALM,
+}: {
+  window: Window;
+  messages: Pick<Messages, 'offer' | 'alert'>;
+  keeping: Pick<Keeping, 'flush' | 'isSafe'> & { files: Pick<Keeping['files'], 'save'> };
+  script: string;
+  busy: () => boolean;
+  calm?: number;
 }) {
   const { navigator, document } = window;
   const workers = navigator.serviceWorker;
@@ -30,17 +40,25 @@ export function createOffline({ window, messages, keeping, script, busy, calm = 
   if (!workers) return;
 
   // Held as long as the page is open.
-  void navigator.locks?.request(`${PAGE_LOCK}${script}`, { mode: 'shared' }, () => new Promise(() => {})).catch(() => {});
+  void navigator.locks
+    ?.request(`${PAGE_LOCK}${script}`, { mode: 'shared' }, () => new Promise(() => {}))
+    .catch(() => {});
 
   let timer: ReturnType<typeof setTimeout> | undefined;
   const stop = effect(() => {
     clearTimeout(timer);
-    if (!busy()) timer = setTimeout(() => { stop(); void begin(); }, calm);
+    if (!busy())
+      timer = setTimeout(() => {
+        stop();
+        void begin();
+      }, calm);
   });
 
   async function begin() {
     try {
-      registration = await workers.register(new URL('./service-worker.js', document.baseURI), { updateViaCache: 'none' });
+      registration = await workers.register(new URL('./service-worker.js', document.baseURI), {
+        updateViaCache: 'none',
+      });
       looked = Date.now();
       if (registration.waiting) tell();
       registration.addEventListener('updatefound', () => {
@@ -48,7 +66,7 @@ export function createOffline({ window, messages, keeping, script, busy, calm = 
       });
       document.addEventListener('visibilitychange', look);
       const { active } = await workers.ready;
-      active?.postMessage({ op: 'settle', extras: !((navigator as any).connection?.saveData) });
+      active?.postMessage({ op: 'settle', extras: !(navigator as any).connection?.saveData });
     } catch {
       // Refused, as in some private windows, or there is no such file: the page works without.
     }

@@ -13,8 +13,8 @@ const BATCH = 24;
 
 export function Alternatives() {
   const { store, alternatives } = useApp();
-  const strip = useRef((null as HTMLUListElement | null));
-  const end = useRef((null as HTMLLIElement | null));
+  const strip = useRef(null as HTMLUListElement | null);
+  const end = useRef(null as HTMLLIElement | null);
   const atEnd = useInView(end);
   const items = alternatives.items.value;
   const basis = alternatives.basis.value;
@@ -38,8 +38,15 @@ export function Alternatives() {
   return (
     <section class="alternatives" aria-label={strings.alternatives} aria-busy={basis === ''}>
       <ul class="strip" ref={strip} onWheel={onWheel}>
-        {items.map((page, i) => <Alternative key={`${basis}/${i}`} page={page} number={i + 1} />)}
-        {items.length === 0 && Array.from({ length: BATCH }, (_, i) => <li key={i} class="alternative"><span class="bitmap" /></li>)}
+        {items.map((page, i) => (
+          <Alternative key={`${basis}/${i}`} page={page} number={i + 1} />
+        ))}
+        {items.length === 0 &&
+          Array.from({ length: BATCH }, (_, i) => (
+            <li key={i} class="alternative">
+              <span class="bitmap" />
+            </li>
+          ))}
         <li class="strip-end" ref={end} aria-hidden="true" />
       </ul>
       {store.page.value && items.length === 0 && <span class="visually-hidden">{strings.alternativesWait}</span>}
@@ -47,12 +54,12 @@ export function Alternatives() {
   );
 }
 
-function Alternative({ page, number }: { page: PageDocument, number: number }) {
+function Alternative({ page, number }: { page: PageDocument; number: number }) {
   const { store, pages, engine, lettering } = useApp();
   const words = lettering.rested.value;
   // Words belong to the story: another page has those of this one.
   const shown = useMemo(() => lettering.on(page), [page, words]);
-  const ref = useRef((null as HTMLButtonElement | null));
+  const ref = useRef(null as HTMLButtonElement | null);
   const width = () => screenPixels(ref.current?.clientWidth ?? 100);
   return (
     <li class="alternative" style={{ '--aspect': page.page.width / page.page.height }}>

@@ -18,7 +18,7 @@ const TRIES = 12;
 /** Milliseconds that pages are made at a stretch: a frame's time, so that nothing else on the page waits. */
 const STRETCH = 12;
 
-export function createAlternatives({ store, pages }: { store: Store, pages: Pages }) {
+export function createAlternatives({ store, pages }: { store: Store; pages: Pages }) {
   /** What the stream depends on, as text. */
   const basis = computed(() => {
     const { project, photos, reading, planner } = store;
@@ -26,14 +26,29 @@ export function createAlternatives({ store, pages }: { store: Store, pages: Page
     // The first page comes first; nothing else is drawn while it waits for photos.
     if (!planner.value || !page || reading.value) return '';
     return JSON.stringify([
-      photosFor(photos.value, others.map((other) => other.page), page).map(({ id }) => id), sheet, settings, panels, locks, styling, locks.layout && page.layout, locks.style && page.style,
+      photosFor(
+        photos.value,
+        others.map((other) => other.page),
+        page,
+      ).map(({ id }) => id),
+      sheet,
+      settings,
+      panels,
+      locks,
+      styling,
+      locks.layout && page.layout,
+      locks.style && page.style,
       locks.photos && [page.order, page.panels],
       page.panels.filter(({ locked }) => locked).map(({ photo }) => photo),
     ]);
   });
 
-  const stream: Signal<{ basis: string, items: readonly PageDocument[], over: boolean }> = signal({ basis: '', items: [], over: false });
-  const empty = { items: ([] as readonly PageDocument[]), over: false };
+  const stream: Signal<{ basis: string; items: readonly PageDocument[]; over: boolean }> = signal({
+    basis: '',
+    items: [],
+    over: false,
+  });
+  const empty = { items: [] as readonly PageDocument[], over: false };
   let running = false;
 
   return {
@@ -52,13 +67,16 @@ export function createAlternatives({ store, pages }: { store: Store, pages: Page
       const goal = current(now).items.length + count;
       while (now !== '' && basis.peek() === now && !current(now).over && current(now).items.length < goal) {
         stretch(now, goal);
-        await new Promise((resolve) => { setTimeout(resolve); });
+        await new Promise((resolve) => {
+          setTimeout(resolve);
+        });
       }
     } finally {
       running = false;
     }
     // What it depends on has changed meanwhile, and nobody else would begin again.
-    if (basis.peek() !== '' && current(basis.peek()).items.length === 0 && !current(basis.peek()).over) await more(count);
+    if (basis.peek() !== '' && current(basis.peek()).items.length === 0 && !current(basis.peek()).over)
+      await more(count);
   }
 
   function current(now: string) {

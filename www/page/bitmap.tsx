@@ -11,10 +11,16 @@ import type { Call } from '../engine/engine.ts';
 const MARGIN = '160px';
 
 /** @param props `of`: what is drawn; another value asks for another picture */
-export function Bitmap({ of, draw, class: extra = '' }: {
-  of: unknown, draw: (call: Call) => Promise<{ bitmap: ImageBitmap }>, class?: string,
+export function Bitmap({
+  of,
+  draw,
+  class: extra = '',
+}: {
+  of: unknown;
+  draw: (call: Call) => Promise<{ bitmap: ImageBitmap }>;
+  class?: string;
 }) {
-  const ref = useRef((null as HTMLCanvasElement | null));
+  const ref = useRef(null as HTMLCanvasElement | null);
   const [drawn, setDrawn] = useState(false);
   const inView = useInView(ref);
 
@@ -46,8 +52,11 @@ export function useInView(ref: { current: Element | null }): boolean {
   const [inView, setInView] = useState(false);
   useEffect(() => {
     // `scrollMargin` looks ahead inside lists that scroll, `rootMargin` in the window.
-    const options = ({ rootMargin: MARGIN, scrollMargin: MARGIN } as IntersectionObserverInit);
-    const observer = new IntersectionObserver((entries) => setInView(entries[entries.length - 1].isIntersecting), options);
+    const options = { rootMargin: MARGIN, scrollMargin: MARGIN } as IntersectionObserverInit;
+    const observer = new IntersectionObserver(
+      (entries) => setInView(entries[entries.length - 1].isIntersecting),
+      options,
+    );
     if (ref.current) observer.observe(ref.current);
     return () => observer.disconnect();
   }, []);

@@ -10,7 +10,7 @@ import { BottomBar } from '../app/bottom-bar.tsx';
 import { useApp } from '../app/context.ts';
 import { LayoutTools } from '../layouts/layout-tools.tsx';
 import { LayoutsList } from '../layouts/layouts-list.tsx';
-import { PageSettings } from './page-settings-form.tsx';
+import { PageSettingsForm } from './page-settings-form.tsx';
 import { PanelTools } from './panels/panel-tools.tsx';
 import { Sheet } from '../app/drawer.tsx';
 import { ShuffleButton, ShuffleParts } from './shuffle-bar.tsx';
@@ -32,29 +32,44 @@ export function Board() {
 function WideBoard() {
   return (
     <>
-      <div class="left"><Tray /></div>
+      <div class="left">
+        <Tray />
+      </div>
       <main class="centre">
         <Stage />
         <PageStrip />
         <PanelTools />
-        <div class="shuffle-bar"><ShuffleButton /><ShuffleParts /></div>
+        <div class="shuffle-bar">
+          <ShuffleButton />
+          <ShuffleParts />
+        </div>
       </main>
       <aside class="right" aria-label={strings.look}>
         <div class="side-section grows">
-          <header class="section-head styles-head"><h2>{strings.styles}</h2><StyleTools /></header>
+          <header class="section-head styles-head">
+            <h2>{strings.styles}</h2>
+            <StyleTools />
+          </header>
           <StylesList />
         </div>
         <div class="side-section grows">
-          <header class="section-head"><h2>{strings.layouts}</h2><LayoutTools /></header>
+          <header class="section-head">
+            <h2>{strings.layouts}</h2>
+            <LayoutTools />
+          </header>
           <LayoutsList />
         </div>
         <details name="side" class="side-section settings-section words-section">
-          <summary class="section-head"><h2>{strings.words}</h2></summary>
+          <summary class="section-head">
+            <h2>{strings.words}</h2>
+          </summary>
           <WordTools />
         </details>
         <details name="side" class="side-section settings-section" open={globalThis.innerHeight >= TALL}>
-          <summary class="section-head"><h2>{strings.pageSettings}</h2></summary>
-          <PageSettings />
+          <summary class="section-head">
+            <h2>{strings.pageSettings}</h2>
+          </summary>
+          <PageSettingsForm />
         </details>
       </aside>
       <Alternatives />
@@ -74,12 +89,45 @@ function NarrowBoard() {
         <Stage />
         {byHand ? <PanelTools /> : sheet === null && <ShuffleParts />}
       </main>
-      {sheet === null && (several ? <Alternatives /> : <div class="strip-row"><PageStrip /><Alternatives /></div>)}
-      {sheet === 'photos' && <Sheet title={strings.photos} bare><Tray /></Sheet>}
-      {sheet === 'styles' && <Sheet title={strings.styles}><div class="styles-head"><Workspaces /><StyleTools /></div><StylesList /></Sheet>}
-      {sheet === 'layouts' && <Sheet title={strings.layouts}><LayoutTools /><LayoutsList /></Sheet>}
-      {sheet === 'words' && <Sheet title={strings.words}><WordTools /></Sheet>}
-      {sheet === 'settings' && <Sheet title={strings.pageSettings}><PageSettings /></Sheet>}
+      {sheet === null &&
+        (several ? (
+          <Alternatives />
+        ) : (
+          <div class="strip-row">
+            <PageStrip />
+            <Alternatives />
+          </div>
+        ))}
+      {sheet === 'photos' && (
+        <Sheet title={strings.photos} bare>
+          <Tray />
+        </Sheet>
+      )}
+      {sheet === 'styles' && (
+        <Sheet title={strings.styles}>
+          <div class="styles-head">
+            <Workspaces />
+            <StyleTools />
+          </div>
+          <StylesList />
+        </Sheet>
+      )}
+      {sheet === 'layouts' && (
+        <Sheet title={strings.layouts}>
+          <LayoutTools />
+          <LayoutsList />
+        </Sheet>
+      )}
+      {sheet === 'words' && (
+        <Sheet title={strings.words}>
+          <WordTools />
+        </Sheet>
+      )}
+      {sheet === 'settings' && (
+        <Sheet title={strings.pageSettings}>
+          <PageSettingsForm />
+        </Sheet>
+      )}
       <BottomBar />
     </>
   );

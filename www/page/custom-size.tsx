@@ -14,9 +14,9 @@ type Field = 'width' | 'height' | 'dpi';
 export function CustomSize() {
   const { store, pages } = useApp();
   const { settings } = store.project.value;
-  const [unit, setUnit] = useState(('px' as Unit));
+  const [unit, setUnit] = useState('px' as Unit);
   /** What is being typed and is no page yet. */
-  const [typed, setTyped] = useState(({} as Partial<Record<Field, string>>));
+  const [typed, setTyped] = useState({} as Partial<Record<Field, string>>);
   const { width, height, dpi } = settings;
   const shown = {
     width: typed.width ?? String(lengthIn(width, unit, dpi)),
@@ -28,9 +28,10 @@ export function CustomSize() {
   function read(fields: Record<Field, string>) {
     const dots = Math.round(Number(fields.dpi));
     // What nobody touched keeps its pixels; a length that was rounded for the eye must not change them.
-    const side = (name: 'width' | 'height') => (
-      fields[name] === String(lengthIn(settings[name], unit, dpi)) && dots === dpi ? settings[name] : pixelsOf(Number(fields[name]), unit, dots)
-    );
+    const side = (name: 'width' | 'height') =>
+      fields[name] === String(lengthIn(settings[name], unit, dpi)) && dots === dpi
+        ? settings[name]
+        : pixelsOf(Number(fields[name]), unit, dots);
     return { width: side('width'), height: side('height'), dpi: dots };
   }
 
@@ -66,14 +67,26 @@ export function CustomSize() {
       ))}
       <label class="field stacked">
         <span>{strings.customSize.unit}</span>
-        <select class="select" value={unit} onChange={(event) => {
-          setTyped({});
-          setUnit((event.currentTarget.value as Unit));
-        }}>
-          {UNITS.map((name) => <option key={name} value={name}>{strings.units[name]}</option>)}
+        <select
+          class="select"
+          value={unit}
+          onChange={(event) => {
+            setTyped({});
+            setUnit(event.currentTarget.value as Unit);
+          }}
+        >
+          {UNITS.map((name) => (
+            <option key={name} value={name}>
+              {strings.units[name]}
+            </option>
+          ))}
         </select>
       </label>
-      {wrong !== '' && <p class="custom-wrong" id="size-wrong" aria-live="polite">{strings.wrongSize[wrong]}</p>}
+      {wrong !== '' && (
+        <p class="custom-wrong" id="size-wrong" aria-live="polite">
+          {strings.wrongSize[wrong]}
+        </p>
+      )}
     </div>
   );
 }

@@ -7,7 +7,7 @@ import type { Bounds, PageDocument } from '../engine/documents.ts';
 import type { Seen } from '../strings/en/describing.ts';
 
 /** a box in parts of its photo */
-type Subject = Bounds & { label: string, score?: number };
+type Subject = Bounds & { label: string; score?: number };
 
 /** What the net is less sure of is often something else. */
 const SURE = 0.5;
@@ -40,7 +40,7 @@ function holds(crop: Bounds, { x, y, width, height }: Bounds) {
 export function describePanel(page: PageDocument, album: Album, panel: number): string {
   // Panels that are merged show one photo together.
   const { photo, crop } = page.panels[grown([panel], page)[0]];
-  const subjects = ((album.get(photo ?? '')?.meta?.subjects ?? []) as readonly Subject[]);
+  const subjects = (album.get(photo ?? '')?.meta?.subjects ?? []) as readonly Subject[];
   return strings.seen(seenIn(subjects, crop));
 }
 
@@ -49,9 +49,11 @@ export function describePanel(page: PageDocument, album: Album, panel: number): 
  * @returns sentences that stand for the page, as the `alt` of an image does
  */
 export function describePage(page: PageDocument, album: Album, style: string): string {
-  const panels = page.panels.map(({ photo }, i) => (
-    strings.panelHolds(i + 1, photo === null ? strings.emptyPanel : describePanel(page, album, i) || strings.somePhoto)
-  ));
-  const words = (page.words ?? []).map(({ kind, text }) => strings.wordSays(strings.wordKind[kind], text.replaceAll(/\s+/g, ' ').trim()));
+  const panels = page.panels.map(({ photo }, i) =>
+    strings.panelHolds(i + 1, photo === null ? strings.emptyPanel : describePanel(page, album, i) || strings.somePhoto),
+  );
+  const words = (page.words ?? []).map(({ kind, text }) =>
+    strings.wordSays(strings.wordKind[kind], text.replaceAll(/\s+/g, ' ').trim()),
+  );
   return [strings.pageAs(panels.length, style), ...panels, ...words].join(' ');
 }

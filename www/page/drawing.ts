@@ -7,10 +7,9 @@ import type { Geometry } from '../engine/documents.ts';
 import type { Sheet, Slot } from './painter.ts';
 import type { Patch } from './patches.ts';
 
-
 /** @returns of the canvas */
-export function sheetSize({ document, width }: Sheet): { width: number, height: number } {
-  return { width, height: Math.max(1, Math.round(width * document.page.height / document.page.width)) };
+export function sheetSize({ document, width }: Sheet): { width: number; height: number } {
+  return { width, height: Math.max(1, Math.round((width * document.page.height) / document.page.width)) };
 }
 
 export function drawPage(context: CanvasRenderingContext2D, sheet: Sheet) {
@@ -47,20 +46,32 @@ function drawPanel(context: CanvasRenderingContext2D, sheet: Sheet, { patch, coa
 }
 
 /** A picture that no longer fits: where only the crop was moved it is moved along, else stretched to the panel. */
-function drawOlder(context: CanvasRenderingContext2D, { document, geometry, width }: Sheet, older: Patch, index: number) {
+function drawOlder(
+  context: CanvasRenderingContext2D,
+  { document, geometry, width }: Sheet,
+  older: Patch,
+  index: number,
+) {
   const { crop, bounds } = shown(document, geometry, index);
   const scale = width / older.page;
   if (crop && older.crop && JSON.stringify(bounds) === JSON.stringify(older.bounds)) {
     const [zoomX, zoomY] = [older.crop.width / crop.width, older.crop.height / crop.height];
-    const left = (bounds.x + (older.crop.x - crop.x) / crop.width * bounds.width - bounds.x * zoomX) * width;
-    const top = (bounds.y + (older.crop.y - crop.y) / crop.height * bounds.height - bounds.y * zoomY) * width;
+    const left = (bounds.x + ((older.crop.x - crop.x) / crop.width) * bounds.width - bounds.x * zoomX) * width;
+    const top = (bounds.y + ((older.crop.y - crop.y) / crop.height) * bounds.height - bounds.y * zoomY) * width;
     // Its border must not wander over the picture.
     const rim = Math.ceil(document.page.border * older.page) + 2;
     const [w, h] = [older.width - 2 * rim, older.height - 2 * rim];
     if (w < 1 || h < 1) return;
     context.drawImage(
-      older.bitmap, rim, rim, w, h,
-      left + (older.x + rim) * scale * zoomX, top + (older.y + rim) * scale * zoomY, w * scale * zoomX, h * scale * zoomY,
+      older.bitmap,
+      rim,
+      rim,
+      w,
+      h,
+      left + (older.x + rim) * scale * zoomX,
+      top + (older.y + rim) * scale * zoomY,
+      w * scale * zoomX,
+      h * scale * zoomY,
     );
     return;
   }
@@ -69,13 +80,18 @@ function drawOlder(context: CanvasRenderingContext2D, { document, geometry, widt
 }
 
 /** @param radius of the corners, in page widths */
-function trace(context: CanvasRenderingContext2D, { polygon, circle }: Geometry['panels'][number], width: number, radius: number) {
+function trace(
+  context: CanvasRenderingContext2D,
+  { polygon, circle }: Geometry['panels'][number],
+  width: number,
+  radius: number,
+) {
   context.beginPath();
   if (circle) {
     context.arc(circle.x * width, circle.y * width, circle.radius * width, 0, 2 * Math.PI);
     return;
   }
-  const points = (polygon ?? []).map(([x, y]) => ([x * width, y * width] as [number, number]));
+  const points = (polygon ?? []).map(([x, y]) => [x * width, y * width] as [number, number]);
   if (points.length === 0) return;
   const [firstX, firstY] = middle(points[points.length - 1], points[0]);
   context.moveTo(firstX, firstY);

@@ -25,7 +25,9 @@ export function PageDescription() {
     <details class="page-description">
       <summary>{strings.description}</summary>
       <p class="quiet">{text}</p>
-      <button type="button" class="button small" title={strings.descriptionHelp} onClick={copy}>{strings.copyDescription}</button>
+      <button type="button" class="button small" title={strings.descriptionHelp} onClick={copy}>
+        {strings.copyDescription}
+      </button>
     </details>
   );
 }

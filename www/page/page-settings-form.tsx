@@ -11,7 +11,7 @@ import { PageDescription } from './page-description.tsx';
 import type { PageSettings } from '../engine/documents.ts';
 
 /** Lengths, in hundredths of the page's width. */
-const LENGTHS: { name: 'gutter' | 'margin' | 'border' | 'cornerRadius', most: number, step: number }[] = [
+const LENGTHS: { name: 'gutter' | 'margin' | 'border' | 'cornerRadius'; most: number; step: number }[] = [
   { name: 'gutter', most: 6, step: 0.1 },
   { name: 'margin', most: 10, step: 0.1 },
   { name: 'border', most: 1.5, step: 0.05 },
@@ -20,7 +20,7 @@ const LENGTHS: { name: 'gutter' | 'margin' | 'border' | 'cornerRadius', most: nu
 
 const COLOURS: ('paper' | 'borderColor')[] = ['paper', 'borderColor'];
 
-export function PageSettings() {
+export function PageSettingsForm() {
   const { store, pages } = useApp();
   const { settings } = store.project.value;
   const drags = useRef(0);
@@ -28,8 +28,11 @@ export function PageSettings() {
   const [custom, setCustom] = useState(false);
   const size = custom ? 'custom' : sizeId(settings);
 
-  const change = (name: keyof PageSettings, value: number | string) => pages.changeSettings({ [name]: value }, `${name}-${drags.current}`);
-  const rest = () => { drags.current += 1; };
+  const change = (name: keyof PageSettings, value: number | string) =>
+    pages.changeSettings({ [name]: value }, `${name}-${drags.current}`);
+  const rest = () => {
+    drags.current += 1;
+  };
 
   function resize(id: string) {
     setCustom(id === 'custom');
@@ -42,7 +45,11 @@ export function PageSettings() {
       <label class="field">
         <span>{strings.pageSize}</span>
         <select class="select" value={size} onChange={(event) => resize(event.currentTarget.value)}>
-          {PAGE_SIZES.map(({ id }) => <option key={id} value={id}>{strings.size[(id as 'a4')]}</option>)}
+          {PAGE_SIZES.map(({ id }) => (
+            <option key={id} value={id}>
+              {strings.size[id as 'a4']}
+            </option>
+          ))}
           <option value="custom">{strings.size.custom}</option>
         </select>
       </label>

@@ -14,23 +14,42 @@ beforeEach(() => {
 
 /** A page of two panels. */
 const page = (layout: string, rest?: object): any => ({
-  layout, style: 's', merges: [], panels: [{ photo: 'a' }, { photo: 'b' }], page: { width: 10, height: 10, gutter: 0 }, ...rest });
-const panel = (name: string) => ({ name, polygon: [[0, 0], [1, 0], [1, 1]], bounds: { x: 0, y: 0, width: 1, height: 1 } });
+  layout,
+  style: 's',
+  merges: [],
+  panels: [{ photo: 'a' }, { photo: 'b' }],
+  page: { width: 10, height: 10, gutter: 0 },
+  ...rest,
+});
+const panel = (name: string) => ({
+  name,
+  polygon: [
+    [0, 0],
+    [1, 0],
+    [1, 1],
+  ],
+  bounds: { x: 0, y: 0, width: 1, height: 1 },
+});
 /** Each layout has shapes of its own. */
 const geometry = (layout: string): any => ({ width: 1, height: 1, panels: [panel(layout), panel(layout)] });
 
 function painter(readable = ['a', 'b']) {
-  const context = new Proxy({}, {
-    get: (_, name) => (...args: any[]) => {
-      if (name === 'fillRect') drawn = [];
-      if (name === 'drawImage') drawn.push(args[0].name);
-      if (name === 'fill') drawn.push('wait');
+  const context = new Proxy(
+    {},
+    {
+      get:
+        (_, name) =>
+        (...args: any[]) => {
+          if (name === 'fillRect') drawn = [];
+          if (name === 'drawImage') drawn.push(args[0].name);
+          if (name === 'fill') drawn.push('wait');
+        },
+      set: () => true,
     },
-    set: () => true,
-  });
-  const canvas = ({ width: 1, height: 1, getContext: () => context } as any);
+  );
+  const canvas = { width: 1, height: 1, getContext: () => context } as any;
   const renderPanel = (document: any, index: number, width: number, call: any) => {
-    const job = ({ name: `${document.layout}${document.style}${index}`, tier: call.tier, signal: call.signal } as any);
+    const job = { name: `${document.layout}${document.style}${index}`, tier: call.tier, signal: call.signal } as any;
     const promise = new Promise((resolve, reject) => {
       job.done = () => resolve({ x: 0, y: 0, width, height: width, bitmap: { name: job.name, width: 1, height: 1 } });
       job.fail = (code: string) => reject(Object.assign(new Error(code), { code }));
@@ -41,7 +60,7 @@ function painter(readable = ['a', 'b']) {
   const painted = vi.fn();
   const errors = vi.fn();
   const hasPhoto = (id: string) => readable.includes(id);
-  const made = createPainter(canvas, { engine: ({ renderPanel, hasPhoto } as any), onPainted: painted, onError: errors });
+  const made = createPainter(canvas, { engine: { renderPanel, hasPhoto } as any, onPainted: painted, onError: errors });
   return { ...made, painted, errors };
 }
 

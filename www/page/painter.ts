@@ -12,18 +12,32 @@ import type { Engine } from '../engine/engine.ts';
 import type { Patch } from './patches.ts';
 
 /** `signature` says everything the picture of a panel depends on. */
-export type Slot = { signature: string, patch: Patch | null, coarse: Patch | null, older: Patch | null, failed: boolean };
-export type Sheet = { document: PageDocument, geometry: Geometry, width: number, slots: Slot[] };
+export type Slot = {
+  signature: string;
+  patch: Patch | null;
+  coarse: Patch | null;
+  older: Patch | null;
+  failed: boolean;
+};
+export type Sheet = { document: PageDocument; geometry: Geometry; width: number; slots: Slot[] };
 
 /** A new layout is shown with what there is after this time, in ms. */
 const PATIENCE = 120;
 /** A page that will take longer than this, in ms, is first drawn at half the size. */
 const COARSE_ABOVE = 100;
 
-export function createPainter(canvas: HTMLCanvasElement, { engine, onPainted, onError }: {
-  engine: Pick<Engine, 'renderPanel' | 'hasPhoto'>,
-  onPainted: (document: PageDocument | null) => void, onError: (error: Error & { code?: string }) => void,
-}) {
+export function createPainter(
+  canvas: HTMLCanvasElement,
+  {
+    engine,
+    onPainted,
+    onError,
+  }: {
+    engine: Pick<Engine, 'renderPanel' | 'hasPhoto'>;
+    onPainted: (document: PageDocument | null) => void;
+    onError: (error: Error & { code?: string }) => void;
+  },
+) {
   const patches = createPatches(engine.renderPanel);
   let sheet: Sheet | null = null;
   /** What is on the canvas. */
@@ -43,13 +57,13 @@ export function createPainter(canvas: HTMLCanvasElement, { engine, onPainted, on
     const old = sheet;
     sheet = { document, geometry, width, slots: [] };
     const near = old !== null && (sameShape(old.document, document) || (follow && onlyMoved(old, geometry)));
-    sheet.slots = document.panels.map((_, i) => slotOf((sheet as Sheet), i, near ? old : null));
+    sheet.slots = document.panels.map((_, i) => slotOf(sheet as Sheet, i, near ? old : null));
     const moving = near && sameLook((old as Sheet).document, document);
     const wanted = sheet.slots.map(({ signature }) => signature);
     if (!moving) running.clear();
     patches.keepOnly([...wanted, ...running.values()]);
     const slow = patches.expected(document, width) > COARSE_ABOVE;
-    sheet.slots.forEach((slot, index) => request((sheet as Sheet), slot, index, slow));
+    sheet.slots.forEach((slot, index) => request(sheet as Sheet, slot, index, slow));
     clearTimeout(timer);
     if (!visible || (moving && sameLook(visible.document, document)) || complete(sheet)) paintSoon();
     else timer = setTimeout(paintSoon, PATIENCE);
@@ -61,7 +75,7 @@ export function createPainter(canvas: HTMLCanvasElement, { engine, onPainted, on
     const signature = patches.signature(document, geometry, index, width);
     const before = near?.slots[index];
     if (before?.signature === signature) return { ...before, failed: false };
-    const older = before ? before.patch ?? before.coarse ?? before.older : null;
+    const older = before ? (before.patch ?? before.coarse ?? before.older) : null;
     return { signature, patch: patches.cached(signature), coarse: null, older, failed: false };
   }
 
@@ -72,9 +86,12 @@ export function createPainter(canvas: HTMLCanvasElement, { engine, onPainted, on
     if (before !== undefined && before !== slot.signature) return;
     running.set(index, slot.signature);
     if (slow && !slot.coarse && !slot.older) {
-      patches.coarse(from.document, from.geometry, index, from.width).then((patch) => {
-        if (!slot.patch && from === sheet) arrive(slot, { coarse: patch });
-      }, () => {});
+      patches.coarse(from.document, from.geometry, index, from.width).then(
+        (patch) => {
+          if (!slot.patch && from === sheet) arrive(slot, { coarse: patch });
+        },
+        () => {},
+      );
     }
     patches.get(slot.signature, from.document, from.geometry, index, from.width).then(
       (patch) => {
@@ -101,7 +118,7 @@ export function createPainter(canvas: HTMLCanvasElement, { engine, onPainted, on
 
   /** Shows the picture in the place of the one before, and asks for what is wanted by now. */
   function follow(index: number, patch: Patch | null) {
-    const now = (sheet as Sheet);
+    const now = sheet as Sheet;
     const slot = now.slots[index];
     if (patch && !slot.patch) arrive(slot, { older: patch });
     request(now, slot, index, false);

@@ -4,7 +4,7 @@
 
 import type { PageSettings } from '../engine/documents.ts';
 
-type PageSize = { id: string, width: number, height: number, dpi: number };
+type PageSize = { id: string; width: number; height: number; dpi: number };
 
 /** As the core offers them, the default first. */
 export const PAGE_SIZES: readonly PageSize[] = [
@@ -19,16 +19,19 @@ export const PAGE_SIZES: readonly PageSize[] = [
 ];
 
 /** @returns the id of the size, or `custom` */
-export function sizeId({ width, height }: { width: number, height: number }): string {
+export function sizeId({ width, height }: { width: number; height: number }): string {
   return PAGE_SIZES.find((size) => size.width === width && size.height === height)?.id ?? 'custom';
 }
 
-export function sized(settings: PageSettings, { width = settings.width, height = settings.height, dpi = settings.dpi }: Partial<PageSettings>): PageSettings {
+export function sized(
+  settings: PageSettings,
+  { width = settings.width, height = settings.height, dpi = settings.dpi }: Partial<PageSettings>,
+): PageSettings {
   return { ...settings, width, height, dpi };
 }
 
 /** The same page with fewer or more pixels. */
-export function scaled({ width, height, dpi }: { width: number, height: number, dpi: number }, factor: number) {
+export function scaled({ width, height, dpi }: { width: number; height: number; dpi: number }, factor: number) {
   return { width: Math.round(width * factor), height: Math.round(height * factor), dpi: Math.round(dpi * factor) };
 }
 
@@ -53,11 +56,19 @@ export function lengthIn(pixels: number, unit: Unit, dpi: number): number {
 /** @returns whole pixels */
 export function pixelsOf(length: number, unit: Unit, dpi: number): number {
   if (unit === 'px') return Math.round(length);
-  return Math.round(unit === 'in' ? length * dpi : length / 25.4 * dpi);
+  return Math.round(unit === 'in' ? length * dpi : (length / 25.4) * dpi);
 }
 
 /** @returns what the core would not take */
-export function whyNotSize({ width, height, dpi }: { width: number, height: number, dpi: number }): '' | 'side' | 'pixels' | 'dpi' {
+export function whyNotSize({
+  width,
+  height,
+  dpi,
+}: {
+  width: number;
+  height: number;
+  dpi: number;
+}): '' | 'side' | 'pixels' | 'dpi' {
   const within = (value: number, least: number, most: number) => value >= least && value <= most;
   if (!within(dpi, LEAST_DPI, MOST_DPI)) return 'dpi';
   if (!within(width, LEAST_SIDE, MOST_SIDE) || !within(height, LEAST_SIDE, MOST_SIDE)) return 'side';

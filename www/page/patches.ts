@@ -7,8 +7,17 @@ import type { Bounds, Geometry, PageDocument } from '../engine/documents.ts';
 import type { Engine } from '../engine/engine.ts';
 
 /** `page`: the width of the page it was drawn for; `crop` of the photo in `bounds` of the page */
-export type Patch = { x: number, y: number, width: number, height: number, bitmap: ImageBitmap, page: number, crop: Bounds | null, bounds: Bounds };
-type Flight = { promise: Promise<Patch>, stop: AbortController };
+export type Patch = {
+  x: number;
+  y: number;
+  width: number;
+  height: number;
+  bitmap: ImageBitmap;
+  page: number;
+  crop: Bounds | null;
+  bounds: Bounds;
+};
+type Flight = { promise: Promise<Patch>; stop: AbortController };
 
 /** Pictures kept, in bytes: a dozen pages on a large screen. */
 const BUDGET = 96 * 2 ** 20;
@@ -28,11 +37,25 @@ export function createPatches(render: Engine['renderPanel']) {
    * and of those that it shares an image with, and how many panels there are, which says how wide lines are.
    * @returns all that the picture depends on
    */
-  function signature({ style, page, merges, panels }: PageDocument, geometry: Geometry, index: number, width: number): string {
+  function signature(
+    { style, page, merges, panels }: PageDocument,
+    geometry: Geometry,
+    index: number,
+    width: number,
+  ): string {
     const group = merges.find((other) => other.includes(index)) ?? [index];
     const { photo, crop } = panels[group[0]];
     const shapes = group.map((i) => geometry.panels[i]);
-    return JSON.stringify([style, page, photo, crop, geometry.panels[index], shapes, geometry.panels.filter(({ overlay }) => !overlay).length, width]);
+    return JSON.stringify([
+      style,
+      page,
+      photo,
+      crop,
+      geometry.panels[index],
+      shapes,
+      geometry.panels.filter(({ overlay }) => !overlay).length,
+      width,
+    ]);
   }
 
   function cached(key: string): Patch | null {
@@ -62,7 +85,11 @@ export function createPatches(render: Engine['renderPanel']) {
   async function coarse(document: PageDocument, geometry: Geometry, index: number, width: number): Promise<Patch> {
     const page = Math.ceil(width / 2);
     const key = `coarse/${index}`;
-    return { ...await render(document, index, page, { tier: 'small', priority: Priority.PANEL, key }), page, ...shown(document, geometry, index) };
+    return {
+      ...(await render(document, index, page, { tier: 'small', priority: Priority.PANEL, key })),
+      page,
+      ...shown(document, geometry, index),
+    };
   }
 
   /** Cancels the pictures that nobody waits for any more. */
@@ -75,13 +102,13 @@ export function createPatches(render: Engine['renderPanel']) {
   /** The last of a page's panels tells how long the page took: they were all asked for together. */
   function learn({ style, page }: PageDocument, width: number, ms: number) {
     const name = JSON.stringify(style);
-    const now = ms / (width * width * page.height / page.width);
+    const now = ms / ((width * width * page.height) / page.width);
     pace.set(name, Math.max(now, (pace.get(name) ?? 0) * 0.8));
   }
 
   /** @returns how long the page will likely take, in ms */
   function expected({ style, page }: PageDocument, width: number): number {
-    return (pace.get(JSON.stringify(style)) ?? 0) * width * width * page.height / page.width;
+    return ((pace.get(JSON.stringify(style)) ?? 0) * width * width * page.height) / page.width;
   }
 
   function keep(key: string, patch: Patch) {
@@ -107,7 +134,11 @@ function size({ bitmap }: { bitmap: ImageBitmap }) {
 }
 
 /** The part of the photo that a panel's image shows, and where that image is: its own, or that of its group. */
-export function shown({ panels, merges }: PageDocument, geometry: Geometry, index: number): { crop: Bounds | null, bounds: Bounds } {
+export function shown(
+  { panels, merges }: PageDocument,
+  geometry: Geometry,
+  index: number,
+): { crop: Bounds | null; bounds: Bounds } {
   const group = merges.find((other) => other.includes(index)) ?? [index];
   const boxes = group.map((i) => geometry.panels[i].bounds);
   const [x, y] = [Math.min(...boxes.map((box) => box.x)), Math.min(...boxes.map((box) => box.y))];

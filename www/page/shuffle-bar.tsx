@@ -7,7 +7,11 @@ import { useApp } from '../app/context.ts';
 import { Icon } from '../ui/icon.tsx';
 import type { Part } from '../document/project.ts';
 
-const PARTS: { part: Part, key: string }[] = [{ part: 'layout', key: 'L' }, { part: 'style', key: 'S' }, { part: 'photos', key: 'P' }];
+const PARTS: { part: Part; key: string }[] = [
+  { part: 'layout', key: 'L' },
+  { part: 'style', key: 'S' },
+  { part: 'photos', key: 'P' },
+];
 
 export function ShuffleButton() {
   const { store, pages } = useApp();

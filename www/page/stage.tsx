@@ -20,19 +20,24 @@ import type { Store } from '../document/store.ts';
 export function Stage() {
   const app = useApp();
   const { store, pages, engine, messages, ui, selection, reshaping } = app;
-  const canvas = useRef((null as HTMLCanvasElement | null));
-  const sheet = useRef((null as HTMLDivElement | null));
-  const painter = useRef((null as ReturnType<typeof createPainter> | null));
+  const canvas = useRef(null as HTMLCanvasElement | null);
+  const sheet = useRef(null as HTMLDivElement | null);
+  const painter = useRef(null as ReturnType<typeof createPainter> | null);
   const width = useWidth(sheet);
   const page = store.page.value;
   const geometry = store.geometry.value;
   const { settings } = store.project.value;
-  const swipe = useSwipe(sheet, { forth: () => (atEnd(store) ? pages.shuffle('all') : pages.next()), back: pages.previous });
+  const swipe = useSwipe(sheet, {
+    forth: () => (atEnd(store) ? pages.shuffle('all') : pages.next()),
+    back: pages.previous,
+  });
 
   useEffect(() => {
-    const made = createPainter((canvas.current as HTMLCanvasElement), {
+    const made = createPainter(canvas.current as HTMLCanvasElement, {
       engine,
-      onPainted: (document) => { ui.painted.value = document; },
+      onPainted: (document) => {
+        ui.painted.value = document;
+      },
       onError: ({ message, code }) => messages.alert(strings.panelFailed(strings.reasons[code ?? ''] ?? message)),
     });
     painter.current = made;
@@ -52,21 +57,31 @@ export function Stage() {
   // The number of photos read is part of what the page shows: panels fill as they come.
   const read = store.reading.value?.done;
   useEffect(() => {
-    if (page && geometry && width > 0) painter.current?.show(page, geometry, screenPixels(width), reshaping.editing.peek());
+    if (page && geometry && width > 0)
+      painter.current?.show(page, geometry, screenPixels(width), reshaping.editing.peek());
   }, [page, geometry, width, read]);
 
   return (
-    <section class="stage" aria-label={strings.page} aria-description={about} aria-busy={store.reading.value !== null || (page !== null && ui.painted.value !== page)}>
+    <section
+      class="stage"
+      aria-label={strings.page}
+      aria-description={about}
+      aria-busy={store.reading.value !== null || (page !== null && ui.painted.value !== page)}
+    >
       <div class="stage-area" {...swipe} onClick={selection.clear}>
         <div class="page" ref={sheet} style={{ '--aspect': settings.width / settings.height }}>
           <canvas ref={canvas} class="page-canvas" aria-hidden="true" />
           {page && geometry && <Panels page={page} geometry={geometry} />}
-          {page && geometry && !reshaping.editing.value && <WordLayer page={page} geometry={geometry} width={width > 0 ? screenPixels(width) : 0} />}
+          {page && geometry && !reshaping.editing.value && (
+            <WordLayer page={page} geometry={geometry} width={width > 0 ? screenPixels(width) : 0} />
+          )}
           {page && geometry && ui.subjects.value && <PanelSubjects page={page} geometry={geometry} />}
           {page && geometry && reshaping.editing.value && <Cuts />}
         </div>
       </div>
-      <p class="visually-hidden" aria-live="polite">{said}</p>
+      <p class="visually-hidden" aria-live="polite">
+        {said}
+      </p>
       {!page && <p class="stage-note">{strings.noPhotosInUse}</p>}
     </section>
   );
@@ -78,7 +93,11 @@ function description(app: App) {
   const layout = store.layoutFacts.value;
   const style = styleOfPage(app);
   if (!store.page.value) return undefined;
-  return strings.pageHolds(store.page.value.panels.length, layout ? strings.layoutTitle(layout) : '', style ? strings.styleTitle(style) : strings.ownStyle);
+  return strings.pageHolds(
+    store.page.value.panels.length,
+    layout ? strings.layoutTitle(layout) : '',
+    style ? strings.styleTitle(style) : strings.ownStyle,
+  );
 }
 
 function atEnd(store: Store) {

@@ -9,8 +9,11 @@ const ENOUGH = 0.22;
 /** Pixels before a touch counts as a swipe. */
 const SLACK = 12;
 
-export function useSwipe(moved: { current: HTMLElement | null }, { forth, back }: { forth: () => void, back: () => void }) {
-  const from = useRef((null as { id: number, x: number, y: number } | null));
+export function useSwipe(
+  moved: { current: HTMLElement | null },
+  { forth, back }: { forth: () => void; back: () => void },
+) {
+  const from = useRef(null as { id: number; x: number; y: number } | null);
 
   function shift(x: number) {
     if (moved.current) moved.current.style.translate = x === 0 ? '' : `${x}px`;

@@ -13,7 +13,7 @@ export function ChoiceOfPhotos() {
   const { store, choosing } = useApp();
   const { alike, order } = store.project.value;
   /** Where the slider is while it is dragged. */
-  const [wish, setWish] = useState((null as number | null));
+  const [wish, setWish] = useState(null as number | null);
   const [open, setOpen] = useState(false);
   const shown = wish ?? alike;
   const busy = store.reading.value !== null;
@@ -35,7 +35,9 @@ export function ChoiceOfPhotos() {
             choosing.setAlike(currentTarget.valueAsNumber);
           }}
         />
-        <output aria-hidden="true">{open && !busy && strings.alikeKept(keptAt(store, shown), store.tray.value.length)}</output>
+        <output aria-hidden="true">
+          {open && !busy && strings.alikeKept(keptAt(store, shown), store.tray.value.length)}
+        </output>
       </label>
       <label class="field">
         <span>{strings.order}</span>
@@ -43,7 +45,7 @@ export function ChoiceOfPhotos() {
           class="select"
           value={order}
           disabled={busy}
-          onChange={({ currentTarget }) => choosing.setOrder((currentTarget.value as Order))}
+          onChange={({ currentTarget }) => choosing.setOrder(currentTarget.value as Order)}
         >
           <option value="time">{strings.orders.time}</option>
           <option value="name">{strings.orders.name}</option>

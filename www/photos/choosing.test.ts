@@ -3,10 +3,17 @@ import { createChoosing, exchanged, resorted } from './choosing.ts';
 import { fakeApp } from '../document/testing.ts';
 import type { PageDocument } from '../document/project.ts';
 
-const names = ({ store }: ReturnType<typeof fakeApp>) => (store.page.value?.panels ?? []).map(({ photo }) => store.album.value.get(String(photo))?.name);
+const names = ({ store }: ReturnType<typeof fakeApp>) =>
+  (store.page.value?.panels ?? []).map(({ photo }) => store.album.value.get(String(photo))?.name);
 
-const page = (more: Partial<PageDocument>) => ({ merges: [], order: [], ...more } as any);
-const panel = (photo: string | null, more = {}) => ({ photo, crop: { x: 0, y: 0, width: 1, height: 1 }, locked: false, edited: true, ...more });
+const page = (more: Partial<PageDocument>) => ({ merges: [], order: [], ...more }) as any;
+const panel = (photo: string | null, more = {}) => ({
+  photo,
+  crop: { x: 0, y: 0, width: 1, height: 1 },
+  locked: false,
+  edited: true,
+  ...more,
+});
 
 test('another photo of a stack takes its place in the page, but not in a locked panel', () => {
   const before = page({ panels: [panel('a'), panel('b'), panel('a', { locked: true })], order: ['a', 'b', 'c'] });
@@ -19,7 +26,9 @@ test('another photo of a stack takes its place in the page, but not in a locked 
 
 test('photos are put in order without those that are locked, and merged panels stay together', () => {
   const before = page({
-    panels: [panel('c'), panel('b', { locked: true }), panel('a'), panel('a'), panel('d')], merges: [[2, 3]], order: ['c', 'b', 'a', 'd'],
+    panels: [panel('c'), panel('b', { locked: true }), panel('a'), panel('a'), panel('d')],
+    merges: [[2, 3]],
+    order: ['c', 'b', 'a', 'd'],
   });
   const after = resorted(before, ['a', 'b', 'c', 'd']);
   expect(after.panels.map(({ photo }) => photo)).toEqual(['a', 'b', 'c', 'c', 'd']);
@@ -52,8 +61,11 @@ test('the order is that of time only where the person wants it', async () => {
   const app = fakeApp();
   const choosing = createChoosing(app);
   await app.reading.addFiles(app.files('a.jpg', 'b.jpg'));
-  for (const [id, taken] of [['p1', '2026:02:01 00:00:00'], ['p2', '2026:01:01 00:00:00']]) {
-    const fact = (app.store.album.value.get(id) as any);
+  for (const [id, taken] of [
+    ['p1', '2026:02:01 00:00:00'],
+    ['p2', '2026:01:01 00:00:00'],
+  ]) {
+    const fact = app.store.album.value.get(id) as any;
     app.store.know({ ...fact, meta: { ...fact.meta, taken } });
   }
   expect(app.store.photos.value.map(({ id }) => id)).toEqual(['p2', 'p1']);

@@ -13,19 +13,30 @@ export type Choosing = ReturnType<typeof createChoosing>;
 
 const KEEP_ALL = Object.freeze({ layout: true, style: true, photos: true });
 
-export function createChoosing({ store, pages, reading }: { store: Store, pages: Pages, reading: Reading }) {
+export function createChoosing({ store, pages, reading }: { store: Store; pages: Pages; reading: Reading }) {
   return { setAlike, setOrder, take };
 
   /** @param alike bits of a fingerprint, 4 to 16 */
   function setAlike(alike: number) {
     const before = store.photos.peek().length;
-    reading.edit({ type: 'choose-by', alike }, () => pages.refit({ grow: store.photos.peek().length > before }), 'alike');
+    reading.edit(
+      { type: 'choose-by', alike },
+      () => pages.refit({ grow: store.photos.peek().length > before }),
+      'alike',
+    );
   }
 
   function setOrder(order: Order) {
     reading.edit({ type: 'choose-by', order }, () => {
       const { page, locks } = store.project.peek();
-      return page && !locks.photos ? replanned(resorted(page, store.photos.peek().map(({ id }) => id))) : undefined;
+      return page && !locks.photos
+        ? replanned(
+            resorted(
+              page,
+              store.photos.peek().map(({ id }) => id),
+            ),
+          )
+        : undefined;
     });
   }
 
@@ -49,9 +60,11 @@ export function createChoosing({ store, pages, reading }: { store: Store, pages:
 /** The page with one photo wherever it shows another of a stack, but in locked panels. */
 export function exchanged(page: PageDocument, id: string, alike: readonly string[]): PageDocument {
   const swap = (photo: string) => (alike.includes(photo) ? id : photo);
-  const panels = page.panels.map((panel) => (
-    panel.locked || panel.photo === null || !alike.includes(panel.photo) ? panel : { ...panel, photo: id, crop: null, edited: false }
-  ));
+  const panels = page.panels.map((panel) =>
+    panel.locked || panel.photo === null || !alike.includes(panel.photo)
+      ? panel
+      : { ...panel, photo: id, crop: null, edited: false },
+  );
   return { ...page, panels, order: [...new Set(page.order.map(swap))] };
 }
 

@@ -3,9 +3,18 @@
 import type { RefObject } from 'preact';
 
 /** @param props `input`: to open it by a click */
-export function ChosenFiles({ label, accept, onFiles, id, input }: {
-  label: string, accept: string, onFiles: (files: File[]) => void, id?: string,
-  input?: RefObject<HTMLInputElement | null>,
+export function ChosenFiles({
+  label,
+  accept,
+  onFiles,
+  id,
+  input,
+}: {
+  label: string;
+  accept: string;
+  onFiles: (files: File[]) => void;
+  id?: string;
+  input?: RefObject<HTMLInputElement | null>;
 }) {
   return (
     <input

@@ -4,7 +4,7 @@ import { screenPixels } from '../page/bitmap.tsx';
 import type { Bounds } from '../engine/documents.ts';
 
 /** of a photo; none while it is not read */
-type Size = { width: number, height: number } | null | undefined;
+type Size = { width: number; height: number } | null | undefined;
 
 /** A style without blocks shows the photo as it is. */
 export const PLAIN = Object.freeze({ id: 'plain', name: 'Plain', tags: [], background: [] });

@@ -7,7 +7,14 @@ const ID = 'files';
 /** The one file input of the page; the buttons open it. */
 export function FileInput() {
   const { intake } = useApp();
-  return <ChosenFiles id={ID} accept="image/*,video/*,.heic,.heif,.avif,.mkv,.srt,.vtt" label={strings.filesLabel} onFiles={intake} />;
+  return (
+    <ChosenFiles
+      id={ID}
+      accept="image/*,video/*,.heic,.heif,.avif,.mkv,.srt,.vtt"
+      label={strings.filesLabel}
+      onFiles={intake}
+    />
+  );
 }
 
 /** Opens the browser's file dialog. Must be called from a click or a key press. */

@@ -12,7 +12,15 @@ import type { Intake } from './intake.ts';
 /** Frames taken of a video unless told: four times as many as the first page shows, for some are alike or blurred. */
 export const FRAMES = 24;
 
-export function createFrames({ store, engine, intake }: { store: Store, engine: Pick<Engine, 'importVideo'>, intake: Intake }) {
+export function createFrames({
+  store,
+  engine,
+  intake,
+}: {
+  store: Store;
+  engine: Pick<Engine, 'importVideo'>;
+  intake: Intake;
+}) {
   return { open, read, resample };
 
   function open(file: File, { frames = FRAMES, ...wish }: Partial<Video> & { frames?: number } = {}): Video {
@@ -55,7 +63,11 @@ export function createFrames({ store, engine, intake }: { store: Store, engine: 
    * @param wish seconds, and how many
    * @param how the step of the undo that it is
    */
-  async function resample(key: string, { start, end, frames }: { start: number, end: number, frames: number }, { gesture, signal }: { gesture: string, signal: AbortSignal }) {
+  async function resample(
+    key: string,
+    { start, end, frames }: { start: number; end: number; frames: number },
+    { gesture, signal }: { gesture: string; signal: AbortSignal },
+  ) {
     const old = store.videos.peek().get(key);
     if (!old) return;
     const video = open(old.file, { frames, duration: old.duration, start, end });

@@ -6,7 +6,7 @@ import { useApp } from '../app/context.ts';
 /** The first page's largest photo, for as long as it is in use, so that the pictures stay while pages come and go. */
 export function useHero(): string | null {
   const { store, engine } = useApp();
-  const hero = useRef((null as string | null));
+  const hero = useRef(null as string | null);
   const usable = store.photos.value.map(({ id }) => id).filter(engine.hasPhoto);
   if (hero.current === null || !usable.includes(hero.current)) {
     const panels = store.page.value?.panels ?? [];

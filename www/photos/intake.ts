@@ -26,9 +26,18 @@ export function freshPhotoPrefix(): string {
 }
 
 /** @param app `prefix` begins the ids of photos */
-export function createIntake({ store, pages, engine, messages, prefix = 'p' }: {
-  store: Store, pages: Pick<Pages, 'refine'>,
-  engine: Pick<Engine, 'importPhoto'>, messages: Pick<Messages, 'fileFailed'>, prefix?: string,
+export function createIntake({
+  store,
+  pages,
+  engine,
+  messages,
+  prefix = 'p',
+}: {
+  store: Store;
+  pages: Pick<Pages, 'refine'>;
+  engine: Pick<Engine, 'importPhoto'>;
+  messages: Pick<Messages, 'fileFailed'>;
+  prefix?: string;
 }) {
   let lastId = 0;
   let untold: (() => void)[] = [];
@@ -49,10 +58,16 @@ export function createIntake({ store, pages, engine, messages, prefix = 'p' }: {
     store.originals.set(id, file);
     const priority = isShown(id) ? Priority.PAGE : Priority.REST;
     let last = false;
-    let read = await engine.importPhoto(id, file, { priority, signal }).then((meta) => ({ meta }), (error) => ({ error }));
+    let read = await engine.importPhoto(id, file, { priority, signal }).then(
+      (meta) => ({ meta }),
+      (error) => ({ error }),
+    );
     if ('error' in read && store.album.peek().get(id)?.meta) {
       failed(file, read.error);
-      read = await emptyFrame(id).then((meta) => ({ meta }), (error) => ({ error }));
+      read = await emptyFrame(id).then(
+        (meta) => ({ meta }),
+        (error) => ({ error }),
+      );
     }
     await together(isShown(id), () => {
       try {
@@ -68,13 +83,15 @@ export function createIntake({ store, pages, engine, messages, prefix = 'p' }: {
     });
     if (!last) return;
     // What follows, when all are read, is as much work as showing the last of them: a task of its own.
-    await new Promise((resolve) => { setTimeout(resolve); });
+    await new Promise((resolve) => {
+      setTimeout(resolve);
+    });
     count(1, 0);
   }
 
   /** Of a photo that was read before, and now cannot be: its place on the pages is kept. */
   async function emptyFrame(id: string) {
-    const [{ fact, file }] = await emptyFrames([(store.album.peek().get(id) as Fact)]);
+    const [{ fact, file }] = await emptyFrames([store.album.peek().get(id) as Fact]);
     const meta = await engine.importPhoto(id, file, { priority: isShown(id) ? Priority.PAGE : Priority.REST });
     store.know(fact);
     return meta;
@@ -93,7 +110,10 @@ export function createIntake({ store, pages, engine, messages, prefix = 'p' }: {
   function together(now: boolean, tell: () => void): Promise<void> {
     const { done, total } = progress();
     return new Promise((resolve) => {
-      untold.push(() => { tell(); resolve(); });
+      untold.push(() => {
+        tell();
+        resolve();
+      });
       if (now || total - done <= CROWD) tellAll();
       else timer ??= setTimeout(tellAll, TOGETHER);
     });
@@ -119,15 +139,24 @@ export function createIntake({ store, pages, engine, messages, prefix = 'p' }: {
     if (absent) {
       const { width, height, subjects, measured } = absent;
       // The photo itself turned up, or else it is the frame that keeps its place, and is compared with none.
-      if (looksLike(meta, absent)) return { meta: { ...meta, subjects: subjects ?? [] }, measures: measured ? meta.measures : null, looked: subjects !== null, absent: undefined };
-      return { meta: { ...meta, width, height, taken: before?.taken ?? null, subjects: subjects ?? [] }, measures: null };
+      if (looksLike(meta, absent))
+        return {
+          meta: { ...meta, subjects: subjects ?? [] },
+          measures: measured ? meta.measures : null,
+          looked: subjects !== null,
+          absent: undefined,
+        };
+      return {
+        meta: { ...meta, width, height, taken: before?.taken ?? null, subjects: subjects ?? [] },
+        measures: null,
+      };
     }
     // A photo that is read again keeps what was found in it.
     return before ? { meta: { ...meta, subjects: before.subjects } } : { meta, measures: meta.measures };
   }
 
   function failed(file: File, error: unknown) {
-    const { code, message } = (error as { code: string, message: string });
+    const { code, message } = error as { code: string; message: string };
     if (code !== 'cancelled') messages.fileFailed(file.name, strings.reasons[code] ?? message);
   }
 

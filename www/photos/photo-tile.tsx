@@ -13,8 +13,16 @@ import type { TrayItem } from '../document/project.ts';
 const SIDE = 96;
 
 /** @param props `stack`: how many it stands for, on top of a closed stack; `onTake`: to take it in place of the others */
-export function PhotoTile({ item: { id }, used, stack = 0, onTake }: {
-  item: TrayItem, used: boolean, stack?: number, onTake?: () => void,
+export function PhotoTile({
+  item: { id },
+  used,
+  stack = 0,
+  onTake,
+}: {
+  item: TrayItem;
+  used: boolean;
+  stack?: number;
+  onTake?: () => void;
 }) {
   const { store, reading, engine, selection, framing, ui } = useApp();
   const [panel, ...others] = selection.panels.value;
@@ -35,9 +43,11 @@ export function PhotoTile({ item: { id }, used, stack = 0, onTake }: {
       onDragStart={(event) => event.dataTransfer?.setData(PHOTO, id)}
     >
       <label class="photo-picture">
-        {ready
-          ? <Bitmap of={id} draw={(call) => engine.stylePhoto(id, PLAIN, thumbnail(fact?.meta, SIDE), call)} />
-          : <span class="bitmap" />}
+        {ready ? (
+          <Bitmap of={id} draw={(call) => engine.stylePhoto(id, PLAIN, thumbnail(fact?.meta, SIDE), call)} />
+        ) : (
+          <span class="bitmap" />
+        )}
         {ui.subjects.value && <PhotoSubjects id={id} />}
         <input
           type="checkbox"
@@ -74,17 +84,25 @@ export function PhotoTile({ item: { id }, used, stack = 0, onTake }: {
           aria-expanded="false"
           aria-label={strings.openStack(stack, name)}
           title={strings.openStack(stack, name)}
-          onClick={() => { ui.stack.value = id; }}
+          onClick={() => {
+            ui.stack.value = id;
+          }}
         >
           {stack}
         </button>
       )}
       {onTake && (
-        <button type="button" class="photo-take" aria-label={strings.takeInstead(name)} onClick={onTake}>{strings.take}</button>
+        <button type="button" class="photo-take" aria-label={strings.takeInstead(name)} onClick={onTake}>
+          {strings.take}
+        </button>
       )}
       <span class="photo-name">{fact?.credit ?? name}</span>
       {fact?.absent && <span class="photo-why photo-missing">{strings.photoMissing}</span>}
-      {verdict && <span class="photo-why" id={`why-${id}`}>{strings.verdict(verdict.why)}</span>}
+      {verdict && (
+        <span class="photo-why" id={`why-${id}`}>
+          {strings.verdict(verdict.why)}
+        </span>
+      )}
     </li>
   );
 }

@@ -3,7 +3,8 @@ import { fakeApp } from '../document/testing.ts';
 
 vi.useFakeTimers();
 
-const names = ({ store }: ReturnType<typeof fakeApp>) => (store.page.value?.panels ?? []).map(({ photo }) => store.album.value.get(String(photo))?.name);
+const names = ({ store }: ReturnType<typeof fakeApp>) =>
+  (store.page.value?.panels ?? []).map(({ photo }) => store.album.value.get(String(photo))?.name);
 const alerts = ({ messages }: ReturnType<typeof fakeApp>) => messages.list.value.map(({ text }) => text);
 
 describe('the first photos', () => {
@@ -61,7 +62,9 @@ describe('the first photos', () => {
 test('of hundreds those that are not on the page are told of together, and all are known at the end', async () => {
   const app = fakeApp();
   let changes = -1;
-  app.store.album.subscribe(() => { changes += 1; });
+  app.store.album.subscribe(() => {
+    changes += 1;
+  });
   const done = app.reading.addFiles(app.files(...Array.from({ length: 200 }, (_, i) => `${i}.jpg`)));
   await vi.advanceTimersByTimeAsync(250);
   const early = app.store.facts.value.filter(({ meta }) => meta).length;

@@ -20,7 +20,7 @@ import type { Store } from '../document/store.ts';
 import type { PageDocument } from '../engine/documents.ts';
 
 /** a file, and the photos that it becomes */
-type Source = { file: File, ids: readonly string[], video: Video | null };
+type Source = { file: File; ids: readonly string[]; video: Video | null };
 type Engine = Pick<import('../engine/engine.ts').Engine, 'importPhoto' | 'importVideo' | 'forgetPhoto' | 'ready'>;
 export type Reading = ReturnType<typeof createReading>;
 
@@ -28,12 +28,24 @@ export type Reading = ReturnType<typeof createReading>;
 const FIRST_PANELS = 6;
 
 /** @param app `prefix` begins the ids of photos */
-export function createReading({ store, pages, engine, messages, prefix }: { store: Store, pages: Pages, engine: Engine, messages: Messages, prefix?: string }) {
+export function createReading({
+  store,
+  pages,
+  engine,
+  messages,
+  prefix,
+}: {
+  store: Store;
+  pages: Pages;
+  engine: Engine;
+  messages: Messages;
+  prefix?: string;
+}) {
   let clicks = 0;
   /** The photos of the last plan, to see whether another is due. */
   let planned = '';
   /** The step of the undo that the photos being read belong to; none for the first, which cannot be undone. */
-  let gesture = (null as string | null);
+  let gesture = null as string | null;
   /** The message that there is no page, which the next page takes away. */
   let complaint = 0;
 
@@ -43,7 +55,19 @@ export function createReading({ store, pages, engine, messages, prefix }: { stor
   const intake = createIntake({ store, pages, engine, messages, prefix });
   const frames = createFrames({ store, engine, intake });
 
-  return { addFiles, addSamples, resume, resample, cancel, use, remove, removeAll, edit, freshIds: intake.freshIds, count: intake.count };
+  return {
+    addFiles,
+    addSamples,
+    resume,
+    resample,
+    cancel,
+    use,
+    remove,
+    removeAll,
+    edit,
+    freshIds: intake.freshIds,
+    count: intake.count,
+  };
 
   /** @param credits the authors to name, by file name */
   async function addFiles(given: readonly File[], credits?: ReadonlyMap<string, string>) {
@@ -63,17 +87,26 @@ export function createReading({ store, pages, engine, messages, prefix }: { stor
     } catch {
       return null;
     }
-    const moving = new Map(given.some(mayMove) ? await Promise.all(given.filter(mayMove).map(async (file) => ([file, (await pictureEnds(file)).length] as const))) : []);
+    const moving = new Map(
+      given.some(mayMove)
+        ? await Promise.all(
+            given.filter(mayMove).map(async (file) => [file, (await pictureEnds(file)).length] as const),
+          )
+        : [],
+    );
     const first = store.tray.peek().length === 0;
     // As one change: hundreds one by one would each be looked at by all that depends on the album.
     let room = MOST.photos - store.tray.peek().length;
-    const sources = batch(() => byName(given).flatMap((file) => {
-      const frames = framesOf(file, moving.get(file) ?? 0);
-      if (Math.max(1, frames) > room) return [];
-      room -= Math.max(1, frames);
-      return [sourceOf(file, credits?.get(file.name), frames)];
-    }));
-    if (sources.length < given.length) messages.alert(strings.tooManyPhotos(given.length - sources.length, MOST.photos));
+    const sources = batch(() =>
+      byName(given).flatMap((file) => {
+        const frames = framesOf(file, moving.get(file) ?? 0);
+        if (Math.max(1, frames) > room) return [];
+        room -= Math.max(1, frames);
+        return [sourceOf(file, credits?.get(file.name), frames)];
+      }),
+    );
+    if (sources.length < given.length)
+      messages.alert(strings.tooManyPhotos(given.length - sources.length, MOST.photos));
     if (sources.length === 0) return null;
     const ids = sources.flatMap((source) => source.ids);
     intake.count(0, ids.length);
@@ -110,7 +143,11 @@ export function createReading({ store, pages, engine, messages, prefix }: { stor
 
   async function readAll(sources: Source[]) {
     const signal = stopSignal();
-    await Promise.all(sources.map((source) => (source.video ? frames.read(source.video, signal) : intake.readPhoto(source.ids[0], source.file, signal))));
+    await Promise.all(
+      sources.map((source) =>
+        source.video ? frames.read(source.video, signal) : intake.readPhoto(source.ids[0], source.file, signal),
+      ),
+    );
     if (!store.reading.peek()) settle();
   }
 
@@ -118,7 +155,7 @@ export function createReading({ store, pages, engine, messages, prefix }: { stor
    * Reads photos that are in the tray already: what was known of them stands.
    * @param films keys of videos whose frames are taken once more
    */
-  async function resume(photos: readonly { id: string, file: File }[], films: readonly string[] = []) {
+  async function resume(photos: readonly { id: string; file: File }[], films: readonly string[] = []) {
     const videos = films.flatMap((key) => store.videos.peek().get(key) ?? []);
     const count = videos.reduce((sum, { ids }) => sum + ids.length, photos.length);
     if (count === 0) return;
@@ -126,7 +163,10 @@ export function createReading({ store, pages, engine, messages, prefix }: { stor
     planned = inUse();
     // Stopping it would take them out of the tray.
     const { signal } = new AbortController();
-    await Promise.all([...photos.map(({ id, file }) => intake.readPhoto(id, file, signal)), ...videos.map((video) => frames.read(video, signal))]);
+    await Promise.all([
+      ...photos.map(({ id, file }) => intake.readPhoto(id, file, signal)),
+      ...videos.map((video) => frames.read(video, signal)),
+    ]);
     if (!store.reading.peek()) settle();
   }
 
@@ -134,7 +174,7 @@ export function createReading({ store, pages, engine, messages, prefix }: { stor
    * Takes other frames of a video in place of those that are there, as one step.
    * @param wish seconds, and how many
    */
-  async function resample(key: string, wish: { start: number, end: number, frames: number }) {
+  async function resample(key: string, wish: { start: number; end: number; frames: number }) {
     if (store.reading.peek()) return;
     if (store.tray.peek().length + wish.frames > MOST.photos) {
       messages.alert(strings.tooManyPhotos(1, MOST.photos));
@@ -175,7 +215,10 @@ export function createReading({ store, pages, engine, messages, prefix }: { stor
   }
 
   function inUse() {
-    return store.photos.peek().map(({ id }) => id).join();
+    return store.photos
+      .peek()
+      .map(({ id }) => id)
+      .join();
   }
 
   /** The album that ships with the program. */

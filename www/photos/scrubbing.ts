@@ -19,9 +19,18 @@ export type Scrubbing = ReturnType<typeof createScrubbing>;
 export const STEP = 0.1;
 export const LARGE_STEP = 1;
 
-export function createScrubbing({ store, pages, reading, engine, messages }: {
-  store: Store, pages: Pages, reading: Reading,
-  engine: Pick<Engine, 'importVideo'>, messages: Pick<Messages, 'fileFailed'>,
+export function createScrubbing({
+  store,
+  pages,
+  reading,
+  engine,
+  messages,
+}: {
+  store: Store;
+  pages: Pages;
+  reading: Reading;
+  engine: Pick<Engine, 'importVideo'>;
+  messages: Pick<Messages, 'fileFailed'>;
 }) {
   /** Seconds still to go, and in which panel. */
   let pending = { panel: -1, seconds: 0, gesture: '' };
@@ -72,7 +81,7 @@ export function createScrubbing({ store, pages, reading, engine, messages }: {
         },
       });
     } catch (error) {
-      const { code, message } = (error as { code: string, message: string });
+      const { code, message } = error as { code: string; message: string };
       messages.fileFailed(video.name, strings.reasons[code] ?? message);
     }
     if (store.album.peek().get(id)?.meta) exchange(fact.id, id, video.key, gesture);
@@ -96,6 +105,6 @@ export function createScrubbing({ store, pages, reading, engine, messages }: {
     const fact = use?.photo ? store.album.value.get(use.photo) : undefined;
     const video = fact?.video === undefined ? undefined : store.videos.value.get(fact.video);
     if (!fact || !video || fact.time === undefined) return null;
-    return { fact: (fact as Fact & { time: number }), video };
+    return { fact: fact as Fact & { time: number }, video };
   }
 }

@@ -22,7 +22,7 @@ export function stacks(tray: readonly TrayItem[], verdicts: ReadonlyMap<string, 
 
 export function Stack({ items }: { items: TrayItem[] }) {
   const { store, choosing, ui } = useApp();
-  const button = useRef((null as HTMLButtonElement | null));
+  const button = useRef(null as HTMLButtonElement | null);
   const verdicts = store.verdicts.value;
   const ids = items.map(({ id }) => id);
   const used = items.filter((item) => isUsed(item, verdicts));
@@ -30,7 +30,15 @@ export function Stack({ items }: { items: TrayItem[] }) {
   useEffect(() => button.current?.focus(), []);
   return (
     <li class="stack">
-      <button ref={button} type="button" class="stack-head" aria-expanded="true" onClick={() => { ui.stack.value = null; }}>
+      <button
+        ref={button}
+        type="button"
+        class="stack-head"
+        aria-expanded="true"
+        onClick={() => {
+          ui.stack.value = null;
+        }}
+      >
         <span>{strings.stackOf(items.length)}</span>
         <Icon name="close" />
       </button>

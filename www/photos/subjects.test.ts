@@ -17,7 +17,8 @@ function app(look: (id: string) => Promise<any>, found: any[] = [], window: any 
   const objects: string[] = [];
   const painted = signal(false);
   const engine = {
-    hasPhoto: () => true, loadDetectors: () => {},
+    hasPhoto: () => true,
+    loadDetectors: () => {},
     findFaces: async (id: string) => {
       asked.push(id);
       return look(id);
@@ -35,11 +36,17 @@ function app(look: (id: string) => Promise<any>, found: any[] = [], window: any 
   return { ...made, subjects, painted, asked, objects };
 }
 
-const settle = () => new Promise((done) => { setTimeout(done, 10); });
+const settle = () =>
+  new Promise((done) => {
+    setTimeout(done, 10);
+  });
 
 describe('subjects', () => {
   it('waits for the page, then looks at every photo, closer after all others', async () => {
-    const { reading, files, subjects, painted, asked, store, planner } = app(async (id) => ({ boxes: [face], closer: id === 'p1' }));
+    const { reading, files, subjects, painted, asked, store, planner } = app(async (id) => ({
+      boxes: [face],
+      closer: id === 'p1',
+    }));
     await reading.addFiles(files('1.jpg', '2.jpg', '3.jpg'));
     await settle();
     expect(asked).toEqual([]);
@@ -55,7 +62,13 @@ describe('subjects', () => {
 
   it('finds objects beside the faces, and tells of a photo when both are known', async () => {
     let answer: (value: any) => void = () => {};
-    const { reading, files, painted, objects, store } = app(() => new Promise((done) => { answer = done; }), [dog]);
+    const { reading, files, painted, objects, store } = app(
+      () =>
+        new Promise((done) => {
+          answer = done;
+        }),
+      [dog],
+    );
     await reading.addFiles(files('1.jpg', '2.jpg'));
     painted.value = true;
     await settle();
@@ -82,10 +95,14 @@ describe('subjects', () => {
   it('tries again when the connection is back, and says nothing twice', async () => {
     const net = { there: false };
     const window = Object.assign(new EventTarget(), { navigator: { onLine: false } });
-    const { reading, files, subjects, painted, asked, messages } = app(async () => {
-      if (!net.there) throw Object.assign(new Error('gone'), { code: 'detector-missing' });
-      return { boxes: [face], closer: false };
-    }, [], window);
+    const { reading, files, subjects, painted, asked, messages } = app(
+      async () => {
+        if (!net.there) throw Object.assign(new Error('gone'), { code: 'detector-missing' });
+        return { boxes: [face], closer: false };
+      },
+      [],
+      window,
+    );
     painted.value = true;
     await reading.addFiles(files('1.jpg', '2.jpg'));
     await settle();

@@ -16,22 +16,34 @@ import type { Signal } from '@preact/signals';
 export type Subjects = ReturnType<typeof createSubjects>;
 
 /** What was found in a photo so far; what failed counts as nothing found. `closer`: a look for small faces is due. */
-type Looked = { faces?: Found[], objects?: Found[], closer?: boolean };
+type Looked = { faces?: Found[]; objects?: Found[]; closer?: boolean };
 type Lane = 'faces' | 'objects';
 
 /** Without the detectors none of the other photos can be looked at. */
 const FATAL = new Set(['detector-missing', 'worker-lost', 'detector']);
 
 /** @param app `painted` reads signals: whether the page as it is now is on the screen; not `wanted`, nothing is looked at */
-export function createSubjects({ store, pages, messages, engine, painted, wanted = true, window = globalThis.window }: {
-  store: Store, pages: Pages, messages: Messages,
-  engine: Pick<Engine, 'loadDetectors' | 'findFaces' | 'findMoreFaces' | 'findObjects' | 'hasPhoto'>,
-  painted: () => boolean, wanted?: boolean, window?: Pick<Window, 'addEventListener' | 'navigator'>,
+export function createSubjects({
+  store,
+  pages,
+  messages,
+  engine,
+  painted,
+  wanted = true,
+  window = globalThis.window,
+}: {
+  store: Store;
+  pages: Pages;
+  messages: Messages;
+  engine: Pick<Engine, 'loadDetectors' | 'findFaces' | 'findMoreFaces' | 'findObjects' | 'hasPhoto'>;
+  painted: () => boolean;
+  wanted?: boolean;
+  window?: Pick<Window, 'addEventListener' | 'navigator'>;
 }) {
   const known: Map<string, Looked> = new Map();
   const progress: Signal<Progress | null> = signal(null);
   const off = signal(!wanted);
-  const running = signal((new Set() as ReadonlySet<Lane>));
+  const running = signal(new Set() as ReadonlySet<Lane>);
   /** Whether the detectors could not be loaded, and whether that was said. */
   const lacking = { now: false, said: false };
   /** Bumped when `known` changes. */
@@ -45,7 +57,9 @@ export function createSubjects({ store, pages, messages, engine, painted, wanted
     return read.map(({ id }) => id).sort((a, b) => rank(a) - rank(b));
   });
   /** Whether everything is found that will be. */
-  const settled = computed(() => off.value || store.page.value === null || (running.value.size === 0 && !next('faces') && !next('objects')));
+  const settled = computed(
+    () => off.value || store.page.value === null || (running.value.size === 0 && !next('faces') && !next('objects')),
+  );
 
   /** Whether every photo was looked at by both, which most crops wait for; closer looks may go on. */
   const searched = computed(() => off.value || store.page.value === null || !photos.value.some(unsearched));
@@ -56,7 +70,7 @@ export function createSubjects({ store, pages, messages, engine, painted, wanted
     engine.loadDetectors();
     if (store.reading.value !== null) return;
     // What takes longer is first in line.
-    for (const lane of (['objects', 'faces'] as const)) if (!running.value.has(lane) && next(lane)) void run(lane);
+    for (const lane of ['objects', 'faces'] as const) if (!running.value.has(lane) && next(lane)) void run(lane);
   });
 
   window?.addEventListener('online', () => {
@@ -79,7 +93,7 @@ export function createSubjects({ store, pages, messages, engine, painted, wanted
       // New photos begin another round when their page is drawn.
       for (let id = next(lane); id !== undefined && !off.peek() && store.reading.peek() === null; id = next(lane)) {
         count();
-        known.set(id, { ...known.get(id), ...await look(lane, id) });
+        known.set(id, { ...known.get(id), ...(await look(lane, id)) });
         tell(id);
         round.value += 1;
       }
@@ -135,7 +149,8 @@ export function createSubjects({ store, pages, messages, engine, painted, wanted
     const subjects = [...faces, ...objects];
     const same = JSON.stringify(fact.meta.subjects) === JSON.stringify(subjects);
     // What is found once is found: the next visit need not look again.
-    if (!same || !closer) store.know({ ...fact, meta: same ? fact.meta : { ...fact.meta, subjects }, ...(closer ? {} : { looked: true }) });
+    if (!same || !closer)
+      store.know({ ...fact, meta: same ? fact.meta : { ...fact.meta, subjects }, ...(closer ? {} : { looked: true }) });
     if (!same && store.page.peek()?.panels.some(({ photo }) => photo === id)) pages.refine();
   }
 }

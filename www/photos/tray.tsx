@@ -37,26 +37,41 @@ export function Tray() {
     <section class="tray" aria-label={strings.photos} aria-busy={reading !== null}>
       <header class="section-head">
         <h2>{strings.photos}</h2>
-        {finding
-          ? <span class="count" title={strings.findingLong(finding.done, finding.total)}>{strings.finding(finding.done, finding.total)}</span>
-          : <span class="count">{strings.photoCount(kept.length, tray.length)}</span>}
-        <IconButton icon="subjects" label={strings.showSubjects} pressed={ui.subjects.value} onClick={() => { ui.subjects.value = !ui.subjects.value; }} />
+        {finding ? (
+          <span class="count" title={strings.findingLong(finding.done, finding.total)}>
+            {strings.finding(finding.done, finding.total)}
+          </span>
+        ) : (
+          <span class="count">{strings.photoCount(kept.length, tray.length)}</span>
+        )}
+        <IconButton
+          icon="subjects"
+          label={strings.showSubjects}
+          pressed={ui.subjects.value}
+          onClick={() => {
+            ui.subjects.value = !ui.subjects.value;
+          }}
+        />
         <IconButton icon="add" label={strings.addPhotos} onClick={openFiles} />
       </header>
       {reading && <Reading done={reading.done} total={reading.total} />}
       <Videos />
       {tray.length > 1 && <ChoiceOfPhotos />}
       <ul class="photos">
-        {closed.filter(({ id }) => shown.has(`used ${id}`)).map((item) => {
-          const stack = all.get(item.id) ?? [];
-          if (item.id === first) return <Stack key="stack" items={stack} />;
-          // The first that is used stands for its stack.
-          const top = stack.find((other) => isUsed(other, verdicts)) === item;
-          return tile(item, true, top ? stack.length : 0);
-        })}
+        {closed
+          .filter(({ id }) => shown.has(`used ${id}`))
+          .map((item) => {
+            const stack = all.get(item.id) ?? [];
+            if (item.id === first) return <Stack key="stack" items={stack} />;
+            // The first that is used stands for its stack.
+            const top = stack.find((other) => isUsed(other, verdicts)) === item;
+            return tile(item, true, top ? stack.length : 0);
+          })}
       </ul>
       {aside.length > 0 && <h3 class="aside-head">{strings.setAside}</h3>}
-      {aside.length > 0 && <ul class="photos">{aside.filter(({ id }) => shown.has(`aside ${id}`)).map((item) => tile(item, false, 0))}</ul>}
+      {aside.length > 0 && (
+        <ul class="photos">{aside.filter(({ id }) => shown.has(`aside ${id}`)).map((item) => tile(item, false, 0))}</ul>
+      )}
     </section>
   );
 }
@@ -66,7 +81,7 @@ export function Tray() {
  * every photo that is read.
  */
 function useTiles(): (item: TrayItem, used: boolean, stack: number) => VNode {
-  const known = useRef((new Map() as Map<string, { of: string, item: TrayItem, tile: VNode }>));
+  const known = useRef(new Map() as Map<string, { of: string; item: TrayItem; tile: VNode }>);
   return (item, used, stack) => {
     const of = `${used} ${stack}`;
     const last = known.current.get(item.id);

@@ -17,7 +17,13 @@ export function Videos() {
   // A video is there as long as one of its frames is: undo takes both away.
   const videos = [...store.videos.value.values()].filter(({ ids }) => ids.some((id) => tray.has(id)));
   if (videos.length === 0) return null;
-  return <ul class="videos" aria-label={strings.videos}>{videos.map((video) => <Trim key={video.key} video={video} />)}</ul>;
+  return (
+    <ul class="videos" aria-label={strings.videos}>
+      {videos.map((video) => (
+        <Trim key={video.key} video={video} />
+      ))}
+    </ul>
+  );
 }
 
 function Trim({ video }: { video: Video }) {
@@ -72,7 +78,17 @@ function Trim({ video }: { video: Video }) {
   );
 }
 
-function Time({ label, value, max, onInput }: { label: string, value: number, max: number, onInput: (seconds: number) => void }) {
+function Time({
+  label,
+  value,
+  max,
+  onInput,
+}: {
+  label: string;
+  value: number;
+  max: number;
+  onInput: (seconds: number) => void;
+}) {
   return (
     <label class="field">
       <span>{label}</span>

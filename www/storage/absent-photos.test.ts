@@ -8,7 +8,8 @@ import { downloaded, dropped, tripTab } from './files/testing-pages.ts';
 vi.mock('../export/files.ts', () => ({ save: vi.fn() }));
 
 type Tab = Awaited<ReturnType<ReturnType<typeof fakeBrowser>['tab']>>;
-const graves = ({ messages }: Tab) => messages.list.value.filter(({ kind }) => kind === 'grave').map(({ text }) => text);
+const graves = ({ messages }: Tab) =>
+  messages.list.value.filter(({ kind }) => kind === 'grave').map(({ text }) => text);
 
 describe('the message that photos are missing', () => {
   it('counts down while they come back, and goes with the last', async () => {
@@ -21,7 +22,9 @@ describe('the message that photos are missing', () => {
     await dropped(other, ...other.files('b.jpg', 'c.jpg'));
     expect(graves(other)).toEqual([]);
     // No second message says it again later.
-    await new Promise((resolve) => { setTimeout(resolve, 500); });
+    await new Promise((resolve) => {
+      setTimeout(resolve, 500);
+    });
     expect(graves(other)).toEqual([]);
   });
 
@@ -46,10 +49,14 @@ describe('the message that photos are missing', () => {
     await other.keeping.create();
     expect(graves(other)).toEqual([]);
     await other.keeping.open(id);
-    await vi.waitFor(() => expect(graves(other)).toEqual([expect.stringMatching(/^All 3 photos are not in this browser/)]));
+    await vi.waitFor(() =>
+      expect(graves(other)).toEqual([expect.stringMatching(/^All 3 photos are not in this browser/)]),
+    );
     await other.keeping.flush();
     const again = await fakeBrowser(browser).tab({ session: other.session });
-    await vi.waitFor(() => expect(graves(again)).toEqual([expect.stringMatching(/^All 3 photos are not in this browser/)]));
+    await vi.waitFor(() =>
+      expect(graves(again)).toEqual([expect.stringMatching(/^All 3 photos are not in this browser/)]),
+    );
     await dropped(again, ...again.files('a.jpg', 'b.jpg'));
     expect(graves(again)).toEqual([expect.stringMatching(/^1 photo of this page is still missing/)]);
   });
@@ -61,7 +68,9 @@ describe('the message that photos are missing', () => {
     const [blob, name] = vi.mocked(saveFile).mock.calls[0];
     const third = await fakeBrowser().tab();
     await third.keeping.files.open(new File([blob], name));
-    await vi.waitFor(() => expect(graves(third)).toEqual([expect.stringMatching(/^3 photos of this page are still missing/)]));
+    await vi.waitFor(() =>
+      expect(graves(third)).toEqual([expect.stringMatching(/^3 photos of this page are still missing/)]),
+    );
   });
 
   it('that was closed comes back only when more is known', async () => {
@@ -70,7 +79,9 @@ describe('the message that photos are missing', () => {
     await dropped(other, file);
     other.messages.list.value.filter(({ kind }) => kind === 'grave').forEach(({ id }) => other.messages.close(id));
     other.store.change({ type: 'rename', name: 'Later' });
-    await new Promise((resolve) => { setTimeout(resolve, 500); });
+    await new Promise((resolve) => {
+      setTimeout(resolve, 500);
+    });
     expect(graves(other)).toEqual([]);
     await dropped(other, ...other.files('a.jpg'));
     expect(graves(other)).toEqual([expect.stringMatching(/^2 photos of this page are still missing/)]);

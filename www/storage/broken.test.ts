@@ -21,7 +21,11 @@ async function later(of?: Parameters<ReturnType<typeof fakeBrowser>['tab']>[0]) 
   return fakeBrowser(browser).tab(of);
 }
 
-async function spoil(table: 'projects' | 'states' | 'facts' | 'photos', change: (record: any) => any, key: string = id) {
+async function spoil(
+  table: 'projects' | 'states' | 'facts' | 'photos',
+  change: (record: any) => any,
+  key: string = id,
+) {
   await base.put(table, change(await base.get(table, key)));
 }
 
@@ -39,7 +43,10 @@ beforeEach(async () => {
   base = await openDatabase();
 });
 
-const present = (record: any, fields: any) => ({ ...record, history: { ...record.history, present: { ...record.history.present, ...fields } } });
+const present = (record: any, fields: any) => ({
+  ...record,
+  history: { ...record.history, present: { ...record.history.present, ...fields } },
+});
 
 describe('a project that cannot be read', () => {
   it('is told, and goes back to what was drawn last; its photos stay for good', async () => {
@@ -49,7 +56,11 @@ describe('a project that cannot be read', () => {
     expect(tab.keeping.broken.value).toMatchObject({ id, name: 'Trip', why: 'damaged-project', back: true });
     expect((await base.get('projects', id))?.held?.length).toBe(2);
     expect(await tab.keeping.goBack()).toBe(true);
-    expect([tab.keeping.broken.value, documentOf(tab).present, said(tab)]).toEqual([null, before.present, [expect.stringContaining('Trip is back')]]);
+    expect([tab.keeping.broken.value, documentOf(tab).present, said(tab)]).toEqual([
+      null,
+      before.present,
+      [expect.stringContaining('Trip is back')],
+    ]);
     await tab.keeping.flush();
     const again = await later();
     expect([documentOf(again).present, again.keeping.broken.value]).toEqual([before.present, null]);
@@ -67,7 +78,7 @@ describe('a project that cannot be read', () => {
     expect([third.keeping.broken.value, third.names()]).toEqual([null, ['c.jpg']]);
   });
 
-  it('opens in no other project\'s place', async () => {
+  it("opens in no other project's place", async () => {
     await spoil('states', (record) => present(record, { alike: 'ten' }));
     const tab = await later();
     await tab.add('c.jpg');
@@ -81,13 +92,17 @@ describe('a project that cannot be read', () => {
 
   it('of which nothing else is left has no way back, and says so', async () => {
     await base.clear('states');
-    await base.put('states', ({ id, version: 1, history: 'lost', facts: [] } as any));
+    await base.put('states', { id, version: 1, history: 'lost', facts: [] } as any);
     const tab = await later();
     expect(tab.keeping.broken.value?.back).toBe(false);
   });
 
   it('of which the last drawn state is spoilt, too, goes back to the one before', async () => {
-    await spoil('states', (record) => ({ ...record, drawn: [...record.drawn, { ...record.drawn[0], name: 'Other', alike: null }] }), `drawn ${id}`);
+    await spoil(
+      'states',
+      (record) => ({ ...record, drawn: [...record.drawn, { ...record.drawn[0], name: 'Other', alike: null }] }),
+      `drawn ${id}`,
+    );
     await spoil('states', () => ({ id }));
     const tab = await later();
     expect(await tab.keeping.goBack()).toBe(true);
@@ -105,23 +120,43 @@ describe('a project that cannot be read', () => {
     const [blob, name] = vi.mocked(saveFile).mock.calls[0];
     expect(name).toBe('Trip.inkpanel');
     const entries = await readArchive(new File([blob], name));
-    expect([...entries.keys()]).toEqual(['project.json', expect.stringMatching(/a\.jpg/), expect.stringMatching(/b\.jpg/)]);
+    expect([...entries.keys()]).toEqual([
+      'project.json',
+      expect.stringMatching(/a\.jpg/),
+      expect.stringMatching(/b\.jpg/),
+    ]);
     const text = await (await entries.get('project.json')?.read())?.text();
-    const kept = (await base.get('states', id) as any);
-    for (const part of [kept.history, kept.version].filter((value) => typeof value !== 'object' && value !== undefined)) expect(text).toContain(String(part));
+    const kept = (await base.get('states', id)) as any;
+    for (const part of [kept.history, kept.version].filter((value) => typeof value !== 'object' && value !== undefined))
+      expect(text).toContain(String(part));
   });
 });
 
 describe('the list of projects', () => {
   it.each([
-    ['another kind of everything', (record: any) => ({ id: record.id, name: 5, created: 'x', changed: {}, stamp: {}, photos: null, picture: 'none', refs: 7, gone: null })],
+    [
+      'another kind of everything',
+      (record: any) => ({
+        id: record.id,
+        name: 5,
+        created: 'x',
+        changed: {},
+        stamp: {},
+        photos: null,
+        picture: 'none',
+        refs: 7,
+        gone: null,
+      }),
+    ],
     ['times that are none', (record: any) => ({ ...record, changed: NaN, created: 1e300 })],
     ['nothing', ({ id: key }) => ({ id: key })],
   ])('shows a record of %s, which opens, is copied and deleted', async (_, change) => {
     await spoil('projects', change);
     const tab = await later();
     await tab.keeping.refresh();
-    expect(tab.keeping.list.value.map((entry) => [entry.id, Number.isFinite(entry.changed), typeof entry.name])).toEqual([[id, true, 'string']]);
+    expect(
+      tab.keeping.list.value.map((entry) => [entry.id, Number.isFinite(entry.changed), typeof entry.name]),
+    ).toEqual([[id, true, 'string']]);
     expect(tab.names()).toEqual(['a.jpg', 'b.jpg']);
     await tab.keeping.create();
     const copy = await tab.keeping.duplicate(id);
@@ -133,7 +168,7 @@ describe('the list of projects', () => {
 
   it('shows a project whose record was lost, and none that is not a project', async () => {
     await base.clear('projects');
-    for (const key of [5, new Date(0), ['x']]) await base.put('projects', ({ id: key, gone: null } as any));
+    for (const key of [5, new Date(0), ['x']]) await base.put('projects', { id: key, gone: null } as any);
     const tab = await later();
     await tab.keeping.refresh();
     expect(tab.keeping.list.value.map((entry) => entry.id)).toEqual([id]);
@@ -147,15 +182,22 @@ describe('the list of projects', () => {
 describe('what lies beside the document', () => {
   it.each([
     ['facts of nothing', 'facts', (record: any) => ({ id: record.id })],
-    ['a photo without sides', 'facts', (record: any) => ({ ...record, fact: { ...record.fact, meta: { ...record.fact.meta, width: 0 } } })],
+    [
+      'a photo without sides',
+      'facts',
+      (record: any) => ({ ...record, fact: { ...record.fact, meta: { ...record.fact.meta, width: 0 } } }),
+    ],
     ['copies without planes', 'photos', (record: any) => ({ ...record, work: { key: 1 }, small: {} })],
   ])('%s: the photo is read again from its file', async (_, table, change) => {
     const [key] = (await base.get('states', id))?.facts ?? [];
-    await spoil((table as 'facts'), change, key);
+    await spoil(table as 'facts', change, key);
     const tab = await later();
     await vi.waitFor(() => expect(tab.decoded).toEqual(['a.jpg']));
     await vi.waitFor(() => expect(tab.store.reading.value).toBe(null));
-    expect([tab.names(), tab.store.facts.value.every(({ meta }) => (meta?.width ?? 0) > 0)]).toEqual([['a.jpg', 'b.jpg'], true]);
+    expect([tab.names(), tab.store.facts.value.every(({ meta }) => (meta?.width ?? 0) > 0)]).toEqual([
+      ['a.jpg', 'b.jpg'],
+      true,
+    ]);
   });
 
   it('a photo of nothing is missing and named, and the rest is there', async () => {
@@ -163,7 +205,11 @@ describe('what lies beside the document', () => {
     await spoil('photos', (record) => ({ id: record.id, name: 5, file: 'x', work: 7 }), key);
     const tab = await later();
     await vi.waitFor(() => expect(tab.store.reading.value).toBe(null));
-    expect([tab.names(), tab.store.facts.value.map(({ absent }) => !!absent), tab.keeping.broken.value]).toEqual([['a.jpg', 'b.jpg'], [true, false], null]);
+    expect([tab.names(), tab.store.facts.value.map(({ absent }) => !!absent), tab.keeping.broken.value]).toEqual([
+      ['a.jpg', 'b.jpg'],
+      [true, false],
+      null,
+    ]);
     expect(said(tab).join()).toContain('a.jpg');
   });
 });
@@ -180,7 +226,9 @@ describe('a project that the views cannot draw', () => {
     eyes.drawn.mockImplementation(async () => {
       expect(tab.keeping.current.value).not.toBe(id);
       // Longer than autosave waits.
-      await new Promise((resolve) => { setTimeout(resolve, 600); });
+      await new Promise((resolve) => {
+        setTimeout(resolve, 600);
+      });
       throw new Error('a view that cannot');
     });
     await tab.keeping.files.open(new File([blob], 'trap.inkpanel'));
@@ -198,9 +246,19 @@ describe('a project that the views cannot draw', () => {
     tab.keeping.drawn();
     tab.store.change({ type: 'rename', name: 'Trap' });
     tab.keeping.failedToShow(new Error('a view that cannot'));
-    expect(tab.keeping.broken.value).toMatchObject({ id, name: 'Trap', why: '', detail: 'a view that cannot', back: true });
+    expect(tab.keeping.broken.value).toMatchObject({
+      id,
+      name: 'Trap',
+      why: '',
+      detail: 'a view that cannot',
+      back: true,
+    });
     expect(await tab.keeping.goBack()).toBe(true);
     await tab.keeping.flush();
-    expect([tab.store.project.value.name, tab.keeping.current.value, (await base.get('projects', id))?.name]).toEqual(['Trip', id, 'Trip']);
+    expect([tab.store.project.value.name, tab.keeping.current.value, (await base.get('projects', id))?.name]).toEqual([
+      'Trip',
+      id,
+      'Trip',
+    ]);
   });
 });

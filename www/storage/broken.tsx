@@ -12,14 +12,47 @@ export function Broken() {
   const said = strings.projectBroken(name || strings.untitled, strings.brokenReasons[why] ?? strings.brokenOtherwise);
   return (
     <div class="broken" role="group" aria-label={said}>
-      <p class="broken-what" role="alert"><Icon name="alert" /><span>{said}</span></p>
-      <p class="broken-more">{strings.brokenKept} {!back && strings.noGoodState}</p>
-      <p class="broken-ways">
-        {back && <button type="button" class="button strong" onClick={() => void keeping.goBack().then((done) => { if (done) ui.work.value = null; })}>{strings.goBack}</button>}
-        {!listed && <button type="button" class="button" onClick={() => { ui.work.value = 'projects'; }}>{strings.openAnother}</button>}
-        <button type="button" class="button" onClick={() => void keeping.saveBroken()}>{strings.saveAsFile}</button>
+      <p class="broken-what" role="alert">
+        <Icon name="alert" />
+        <span>{said}</span>
       </p>
-      {detail !== '' && <p class="broken-detail"><code>{detail.slice(0, MOST)}</code></p>}
+      <p class="broken-more">
+        {strings.brokenKept} {!back && strings.noGoodState}
+      </p>
+      <p class="broken-ways">
+        {back && (
+          <button
+            type="button"
+            class="button strong"
+            onClick={() =>
+              void keeping.goBack().then((done) => {
+                if (done) ui.work.value = null;
+              })
+            }
+          >
+            {strings.goBack}
+          </button>
+        )}
+        {!listed && (
+          <button
+            type="button"
+            class="button"
+            onClick={() => {
+              ui.work.value = 'projects';
+            }}
+          >
+            {strings.openAnother}
+          </button>
+        )}
+        <button type="button" class="button" onClick={() => void keeping.saveBroken()}>
+          {strings.saveAsFile}
+        </button>
+      </p>
+      {detail !== '' && (
+        <p class="broken-detail">
+          <code>{detail.slice(0, MOST)}</code>
+        </p>
+      )}
     </div>
   );
 }

@@ -20,28 +20,49 @@ import type { DBSchema, IDBPDatabase } from 'idb';
  * that could not be opened; `gone`: when it was deleted, in ms.
  */
 export type ProjectRecord = {
-  id: string, name: string, created: number, changed: number, stamp: string, photos: number, picture: Blob | null,
-  refs: string[], gone: number | null, held?: string[],
+  id: string;
+  name: string;
+  created: number;
+  changed: number;
+  stamp: string;
+  photos: number;
+  picture: Blob | null;
+  refs: string[];
+  gone: number | null;
+  held?: string[];
 };
 
 export type KeptVideo = Omit<Video, 'file'> & { fileKey: string };
 export type KeptHistory = Omit<import('../document/history.ts').History, 'gesture'>;
-export type StateRecord = { id: string, version: number, stamp: string, history: KeptHistory, facts: string[], videos: KeptVideo[] };
-type FactRecord = { id: string, fact: Fact };
+export type StateRecord = {
+  id: string;
+  version: number;
+  stamp: string;
+  history: KeptHistory;
+  facts: string[];
+  videos: KeptVideo[];
+};
+type FactRecord = { id: string; fact: Fact };
 
 /** Without `work` the photo must be decoded again; without `file` it could not be read when it was written. */
-export type PhotoRecord = { id: string, name: string, file: Blob | null, work: PhotoHandle | null, small: PhotoHandle | null };
+export type PhotoRecord = {
+  id: string;
+  name: string;
+  file: Blob | null;
+  work: PhotoHandle | null;
+  small: PhotoHandle | null;
+};
 
 export type Schema = DBSchema & {
-  projects: { key: string, value: ProjectRecord },
-  states: { key: string, value: StateRecord },
-  facts: { key: string, value: FactRecord },
-  photos: { key: string, value: PhotoRecord },
+  projects: { key: string; value: ProjectRecord };
+  states: { key: string; value: StateRecord };
+  facts: { key: string; value: FactRecord };
+  photos: { key: string; value: PhotoRecord };
 };
 
 export type Database = IDBPDatabase<Schema>;
 
-const TABLES = (['projects', 'states', 'facts', 'photos'] as const);
+const TABLES = ['projects', 'states', 'facts', 'photos'] as const;
 const NAME = 'inkpanel';
 /** Of the tables; what is in them has a version of its own (`versions.ts`). */
 const VERSION = 1;
@@ -50,7 +71,13 @@ const VERSION = 1;
  * @param options `onClosed`: it can no longer be used
  * @returns rejects where the browser refuses storage
  */
-export async function openDatabase({ name = NAME, onClosed = () => {} }: { name?: string, onClosed?: () => void } = {}): Promise<Database> {
+export async function openDatabase({
+  name = NAME,
+  onClosed = () => {},
+}: {
+  name?: string;
+  onClosed?: () => void;
+} = {}): Promise<Database> {
   const database = await open(name, onClosed);
   if (database.objectStoreNames.length > 0) return database;
   // Somebody opened one that was not there, and so made it, without any table.

@@ -32,7 +32,7 @@ export function isProjectId(key: unknown): boolean {
 export function createDrawnStates({ store }: { store: Pick<Store, 'project' | 'place'> }) {
   const kept: WeakMap<Place, readonly Project[]> = new WeakMap();
   /** The state that was drawn last, until the next saving. */
-  let last: { place: Place, project: Project } | null = null;
+  let last: { place: Place; project: Project } | null = null;
 
   return { note, know, of };
 

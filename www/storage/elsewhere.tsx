@@ -8,8 +8,20 @@ export function Elsewhere() {
   if (!other) return null;
   return (
     <div class="elsewhere">
-      <p>{strings.openElsewhere(other.name || strings.untitled)} {other.follows && strings.opensWhenFree}</p>
-      <button type="button" class="button" onClick={() => void keeping.openCopy().then((done) => { if (done) ui.work.value = null; })}>{strings.openCopy}</button>
+      <p>
+        {strings.openElsewhere(other.name || strings.untitled)} {other.follows && strings.opensWhenFree}
+      </p>
+      <button
+        type="button"
+        class="button"
+        onClick={() =>
+          void keeping.openCopy().then((done) => {
+            if (done) ui.work.value = null;
+          })
+        }
+      >
+        {strings.openCopy}
+      </button>
     </div>
   );
 }

@@ -8,7 +8,9 @@ describe('storage that takes no more', () => {
 
   it('is said once, with a way out, and the next change tries again', async () => {
     const tab = await fakeBrowser().tab();
-    const put = vi.spyOn((IDBObjectStore.prototype as any), 'put').mockImplementation(() => { throw full; });
+    const put = vi.spyOn(IDBObjectStore.prototype as any, 'put').mockImplementation(() => {
+      throw full;
+    });
     await tab.add('a.jpg');
     tab.pages.shuffle('all');
     await tab.keeping.flush();
@@ -24,16 +26,15 @@ describe('storage that takes no more', () => {
   it('keeps the files where there is no room for their copies', async () => {
     const browser = fakeBrowser();
     const tab = await browser.tab();
-    const store = (IDBObjectStore.prototype as any);
+    const store = IDBObjectStore.prototype as any;
     const { put: original } = store;
     vi.spyOn(store, 'put').mockImplementation(function put(value: any) {
       if (value.work) throw full;
-      // @ts-ignore -- `this` is the table
       return original.call(this, value);
     });
     await tab.add('a.jpg');
     const [fact] = tab.store.facts.value;
-    const face = ({ label: 'face', score: 1, x: 0.1, y: 0.1, width: 0.2, height: 0.2 } as any);
+    const face = { label: 'face', score: 1, x: 0.1, y: 0.1, width: 0.2, height: 0.2 } as any;
     tab.store.know({ ...fact, meta: { ...(fact.meta as any), subjects: [face] }, looked: true });
     await tab.keeping.flush();
     expect(tab.keeping.status.value).toBe('saved');
@@ -47,10 +48,9 @@ describe('storage that takes no more', () => {
 
   it('says not saved where what was written cannot be read back', async () => {
     const tab = await fakeBrowser().tab();
-    const store = (IDBObjectStore.prototype as any);
+    const store = IDBObjectStore.prototype as any;
     const { put: original } = store;
     vi.spyOn(store, 'put').mockImplementation(function put(value: any) {
-      // @ts-ignore -- `this` is the table
       return original.call(this, value.history ? { ...value, history: { ...value.history, shown: [] } } : value);
     });
     await tab.add('a.jpg');
@@ -60,7 +60,9 @@ describe('storage that takes no more', () => {
 
   it('that is refused altogether takes nothing from the page', async () => {
     const browser = fakeBrowser();
-    vi.spyOn(browser.factory, 'open').mockImplementation(() => { throw Object.assign(new Error('refused'), { name: 'SecurityError' }); });
+    vi.spyOn(browser.factory, 'open').mockImplementation(() => {
+      throw Object.assign(new Error('refused'), { name: 'SecurityError' });
+    });
     const tab = await browser.tab();
     await tab.add('a.jpg');
     expect([tab.keeping.status.value, tab.names()]).toEqual(['refused', ['a.jpg']]);

@@ -9,17 +9,27 @@ import type { Change, History } from '../document/history.ts';
 
 vi.mock('../export/files.ts', () => ({ save: vi.fn() }));
 
-const page = (seed: number): any => ({ version: 1, seed, layout: 'a', style: 'b', order: [], panels: [], merges: [], page: DEFAULT_SETTINGS, words: [] });
+const page = (seed: number): any => ({
+  version: 1,
+  seed,
+  layout: 'a',
+  style: 'b',
+  order: [],
+  panels: [],
+  merges: [],
+  page: DEFAULT_SETTINGS,
+  words: [],
+});
 const kept = ({ gesture: _gesture, ...history }: History) => history;
 
 const anyChange: fc.Arbitrary<Change> = fc.oneof(
-  fc.nat(9).map((id) => ({ type: 'show-page', page: page(id), pageId: id } as Change)),
-  fc.nat(99).map((seed) => ({ type: 'change-page', page: page(seed), gesture: `g${seed % 3}` } as Change)),
-  fc.string().map((name) => ({ type: 'rename', name } as Change)),
-  fc.nat(5).map((n) => ({ type: 'add-photos', ids: [`p${n}`] } as Change)),
-  fc.nat(5).map((n) => ({ type: 'remove-photo', id: `p${n}` } as Change)),
-  fc.nat(9).map((pageId) => ({ type: 'love-page', pageId, on: pageId % 2 === 0 } as Change)),
-  fc.constantFrom(({ type: 'undo' } as Change), ({ type: 'redo' } as Change)),
+  fc.nat(9).map((id) => ({ type: 'show-page', page: page(id), pageId: id }) as Change),
+  fc.nat(99).map((seed) => ({ type: 'change-page', page: page(seed), gesture: `g${seed % 3}` }) as Change),
+  fc.string().map((name) => ({ type: 'rename', name }) as Change),
+  fc.nat(5).map((n) => ({ type: 'add-photos', ids: [`p${n}`] }) as Change),
+  fc.nat(5).map((n) => ({ type: 'remove-photo', id: `p${n}` }) as Change),
+  fc.nat(9).map((pageId) => ({ type: 'love-page', pageId, on: pageId % 2 === 0 }) as Change),
+  fc.constantFrom({ type: 'undo' } as Change, { type: 'redo' } as Change),
 );
 
 const boxOf = () => fakeBrowser().local;
@@ -27,16 +37,27 @@ const { readHistory } = fakeReading(() => ({ panels: [] }));
 
 describe('a journal', () => {
   it('tells any edits, steps back and forth among them', () => {
-    fc.assert(fc.property(fc.array(anyChange), fc.array(anyChange), (before, after) => {
-      const base = before.reduce(advance, EMPTY_HISTORY);
-      const now = after.reduce(advance, base);
-      const box = boxOf();
-      const journal = createJournal({ box: () => box });
-      expect(journal.note('one', { bases: [{ stamp: 's', history: kept(base) }], history: kept(now), photos: [['p9', 'late.jpg']] })).toBe(true);
-      // What the database gives back is equal, never the same.
-      const found = structuredClone(kept(base));
-      expect(journal.recall('one', { stamp: 's', history: found }, readHistory)).toEqual({ history: kept(now), photos: [['p9', 'late.jpg']] });
-    }));
+    fc.assert(
+      fc.property(fc.array(anyChange), fc.array(anyChange), (before, after) => {
+        const base = before.reduce(advance, EMPTY_HISTORY);
+        const now = after.reduce(advance, base);
+        const box = boxOf();
+        const journal = createJournal({ box: () => box });
+        expect(
+          journal.note('one', {
+            bases: [{ stamp: 's', history: kept(base) }],
+            history: kept(now),
+            photos: [['p9', 'late.jpg']],
+          }),
+        ).toBe(true);
+        // What the database gives back is equal, never the same.
+        const found = structuredClone(kept(base));
+        expect(journal.recall('one', { stamp: 's', history: found }, readHistory)).toEqual({
+          history: kept(now),
+          photos: [['p9', 'late.jpg']],
+        });
+      }),
+    );
   });
 
   it('tells one edit of a long history in few words', () => {
@@ -71,8 +92,16 @@ describe('a journal', () => {
     const long = kept(advance(EMPTY_HISTORY, { type: 'rename', name: 'x'.repeat(3000) }));
     expect(journal.note('one', { bases: [base], history: long, photos: [] })).toBe(false);
     expect(journal.recall('one', base, readHistory)).toBe(null);
-    const refused = createJournal({ box: () => { throw new Error('refused'); } });
-    expect([refused.note('one', { bases: [base], history, photos: [] }), refused.recall('one', base, readHistory), refused.names('one')]).toEqual([false, null, []]);
+    const refused = createJournal({
+      box: () => {
+        throw new Error('refused');
+      },
+    });
+    expect([
+      refused.note('one', { bases: [base], history, photos: [] }),
+      refused.recall('one', base, readHistory),
+      refused.names('one'),
+    ]).toEqual([false, null, []]);
   });
 
   it.each([
@@ -80,16 +109,44 @@ describe('a journal', () => {
     ['of another version', (entry: any) => ({ ...entry, version: 2 })],
     ['without bases', (entry: any) => ({ ...entry, bases: null })],
     ['with a photo without a name', (entry: any) => ({ ...entry, photos: [['p1']] })],
-    ['that tells of states that are not there', (entry: any) => { entry.bases[0].patch.present = 7; return entry; }],
-    ['that repeats without end', (entry: any) => { entry.bases[0].patch.past = [[0, 1e9]]; return entry; }],
-    ['with a page that is none', (entry: any) => { entry.bases[0].patch.states[0].page = { panels: [null] }; return entry; }],
-    ['with a tray of numbers', (entry: any) => { entry.bases[0].patch.states[0].tray = [1]; return entry; }],
+    [
+      'that tells of states that are not there',
+      (entry: any) => {
+        entry.bases[0].patch.present = 7;
+        return entry;
+      },
+    ],
+    [
+      'that repeats without end',
+      (entry: any) => {
+        entry.bases[0].patch.past = [[0, 1e9]];
+        return entry;
+      },
+    ],
+    [
+      'with a page that is none',
+      (entry: any) => {
+        entry.bases[0].patch.states[0].page = { panels: [null] };
+        return entry;
+      },
+    ],
+    [
+      'with a tray of numbers',
+      (entry: any) => {
+        entry.bases[0].patch.states[0].tray = [1];
+        return entry;
+      },
+    ],
   ])('%s is passed over', (_what, spoil) => {
     const box = boxOf();
     const journal = createJournal({ box: () => box });
     const base = { stamp: 's', history: kept(EMPTY_HISTORY) };
-    journal.note('one', { bases: [base], history: kept(advance(EMPTY_HISTORY, { type: 'rename', name: 'One' })), photos: [] });
-    const entry = JSON.parse((box.getItem('inkpanel.journal.one') as string));
+    journal.note('one', {
+      bases: [base],
+      history: kept(advance(EMPTY_HISTORY, { type: 'rename', name: 'One' })),
+      photos: [],
+    });
+    const entry = JSON.parse(box.getItem('inkpanel.journal.one') as string);
     const bad = spoil(entry);
     box.setItem('inkpanel.journal.one', typeof bad === 'string' ? bad : JSON.stringify(bad));
     expect(journal.recall('one', base, readHistory)).toBe(null);
@@ -99,10 +156,14 @@ describe('a journal', () => {
     const box = boxOf();
     const journal = createJournal({ box: () => box });
     const history = kept(advance(EMPTY_HISTORY, { type: 'rename', name: 'One' }));
-    for (const id of ['one', 'two', 'three']) journal.note(id, { bases: [{ stamp: 's', history: kept(EMPTY_HISTORY) }], history, photos: [] });
+    for (const id of ['one', 'two', 'three'])
+      journal.note(id, { bases: [{ stamp: 's', history: kept(EMPTY_HISTORY) }], history, photos: [] });
     box.setItem('inkpanel.styles', '[]');
     await journal.tidy(async (id) => ({ one: 's', two: 'other' })[id]);
-    expect(Array.from({ length: box.length }, (_, i) => box.key(i))).toEqual(['inkpanel.journal.one', 'inkpanel.styles']);
+    expect(Array.from({ length: box.length }, (_, i) => box.key(i))).toEqual([
+      'inkpanel.journal.one',
+      'inkpanel.styles',
+    ]);
   });
 });
 
@@ -117,7 +178,11 @@ describe('an edit right before the page closes', () => {
     const [page, steps] = [before.store.page.value, before.store.history.value.past.length];
 
     const after = await browser.died().tab();
-    expect([after.store.project.value.name, after.store.page.value, after.store.history.value.past.length]).toEqual(['Last words', page, steps]);
+    expect([after.store.project.value.name, after.store.page.value, after.store.history.value.past.length]).toEqual([
+      'Last words',
+      page,
+      steps,
+    ]);
     await after.keeping.flush();
     expect(after.keeping.status.value).toBe('saved');
     expect(browser.local.getItem(`inkpanel.journal.${after.keeping.current.value}`)).toBe(null);
@@ -134,7 +199,7 @@ describe('an edit right before the page closes', () => {
       const { put } = IDBObjectStore.prototype;
       let edited = false;
       vi.spyOn(IDBObjectStore.prototype, 'put').mockImplementation(function spied(value: any, key) {
-        // @ts-ignore -- `this` is the table
+        // @ts-expect-error -- `this` is the table
         const request = put.call(this, value, key);
         if (value.history && !edited) {
           edited = true;
@@ -146,7 +211,9 @@ describe('an edit right before the page closes', () => {
       });
       void before.keeping.flush();
       await vi.waitFor(() => expect(edited).toBe(true));
-      await new Promise((resolve) => { setTimeout(resolve, 20); });
+      await new Promise((resolve) => {
+        setTimeout(resolve, 20);
+      });
       const later = browser.died();
       vi.restoreAllMocks();
       const after = await later.tab();
@@ -160,7 +227,7 @@ describe('an edit right before the page closes', () => {
     await before.add('a.jpg');
     const key = `inkpanel.journal.${before.keeping.current.value}`;
     before.store.change({ type: 'rename', name: 'Lost in time' });
-    const entry = (browser.local.getItem(key) as string);
+    const entry = browser.local.getItem(key) as string;
     before.store.change({ type: 'rename', name: 'Written' });
     await before.keeping.flush();
     browser.local.setItem(key, entry);
@@ -174,7 +241,7 @@ describe('an edit right before the page closes', () => {
     await before.add('a.jpg');
     const key = `inkpanel.journal.${before.keeping.current.value}`;
     before.pages.shuffle('all');
-    const entry = JSON.parse((browser.local.getItem(key) as string));
+    const entry = JSON.parse(browser.local.getItem(key) as string);
     const at = entry.bases[0].patch.states.findIndex(({ page: one }: any) => one);
     entry.bases[0].patch.states[at].page.layout = 'none';
     const later = browser.died();

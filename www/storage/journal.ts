@@ -14,10 +14,10 @@ import type { KeptHistory } from './database.ts';
 
 type Box = Pick<Storage, 'getItem' | 'setItem' | 'removeItem' | 'key' | 'length'>;
 /** A history that is in the database, or may be. */
-export type Base = { stamp: string, history: KeptHistory };
+export type Base = { stamp: string; history: KeptHistory };
 /** Photos that the database does not know: their ids and names. */
 type Names = readonly (readonly [string, string])[];
-type Told = { history: KeptHistory, photos: Names };
+type Told = { history: KeptHistory; photos: Names };
 /** Stretches of a list: where it begins, and how many. */
 type Runs = [number, number][];
 /**
@@ -25,10 +25,15 @@ type Runs = [number, number][];
  * from -1 down. `shown` likewise, with `pages`. A state tells the fields that differ from the base's present.
  */
 type Patch = {
-  states: Record<string, unknown>[], past: Runs, present: number, future: Runs, pages: (Omit<Shown, 'page'> & { page: unknown })[], shown: Runs,
+  states: Record<string, unknown>[];
+  past: Runs;
+  present: number;
+  future: Runs;
+  pages: (Omit<Shown, 'page'> & { page: unknown })[];
+  shown: Runs;
 };
 /** The core's reading of a history. */
-type Read = (kept: { version: number, history: unknown }) => { history: KeptHistory, dropped: string[] };
+type Read = (kept: { version: number; history: unknown }) => { history: KeptHistory; dropped: string[] };
 export type Journal = ReturnType<typeof createJournal>;
 
 const VERSION = 1;
@@ -40,14 +45,17 @@ const MOST = 400_000;
 const MOST_ITEMS = 10_000;
 
 /** @param app `box` may throw where storage is refused */
-export function createJournal({ box, most = MOST }: { box: () => Box, most?: number }) {
+export function createJournal({ box, most = MOST }: { box: () => Box; most?: number }) {
   return { note, clear, recall, names, tidy };
 
   /**
    * @param id of the project
    * @returns whether all of it is told; what is too much for it leaves no entry
    */
-  function note(id: string, { bases, history, photos }: { bases: readonly Base[], history: KeptHistory, photos: Names }): boolean {
+  function note(
+    id: string,
+    { bases, history, photos }: { bases: readonly Base[]; history: KeptHistory; photos: Names },
+  ): boolean {
     try {
       const told = bases.map((base) => ({ stamp: base.stamp, patch: patchOf(base.history, history) }));
       const text = JSON.stringify({ version: VERSION, bases: told, photos });
@@ -85,7 +93,7 @@ export function createJournal({ box, most = MOST }: { box: () => Box, most?: num
       const found = readHistory({ version: DOCUMENT, history });
       if (found.dropped.length > 0) return null;
       // What is the same in both stays the very same object, by which the next entry knows it.
-      return { history: kinOf(found.history, (history as KeptHistory), base.history), photos: entry.photos };
+      return { history: kinOf(found.history, history as KeptHistory, base.history), photos: entry.photos };
     } catch {
       return null;
     }
@@ -103,12 +111,19 @@ export function createJournal({ box, most = MOST }: { box: () => Box, most?: num
     }
   }
 
-  function read(id: string): { bases: any[], photos: [string, string][] } | null {
+  function read(id: string): { bases: any[]; photos: [string, string][] } | null {
     const text = box().getItem(PREFIX + id);
     if (text === null) return null;
     const { version, bases, photos } = JSON.parse(text);
-    const good = version === VERSION && Array.isArray(bases) && Array.isArray(photos) && photos.length <= MOST_ITEMS &&
-      photos.every((photo) => Array.isArray(photo) && photo.length === 2 && photo.every((part) => typeof part === 'string' && part !== ''));
+    const good =
+      version === VERSION &&
+      Array.isArray(bases) &&
+      Array.isArray(photos) &&
+      photos.length <= MOST_ITEMS &&
+      photos.every(
+        (photo) =>
+          Array.isArray(photo) && photo.length === 2 && photo.every((part) => typeof part === 'string' && part !== ''),
+      );
     return good ? { bases, photos } : null;
   }
 
@@ -118,7 +133,9 @@ export function createJournal({ box, most = MOST }: { box: () => Box, most?: num
    */
   async function tidy(stampOf: (id: string) => Promise<string | undefined>) {
     try {
-      const keys = Array.from({ length: box().length }, (_, i) => box().key(i)).flatMap((key) => (key?.startsWith(PREFIX) ? key : []));
+      const keys = Array.from({ length: box().length }, (_, i) => box().key(i)).flatMap((key) =>
+        key?.startsWith(PREFIX) ? key : [],
+      );
       for (const key of keys) {
         const id = key.slice(PREFIX.length);
         const stamp = await stampOf(id);
@@ -148,13 +165,15 @@ export function patchOf(base: KeptHistory, now: KeptHistory): Patch {
   const future = runsOf(now.future.map(number));
   const there = new Map(base.shown.map((entry, i) => [entry, i]));
   const fresh: Patch['pages'] = [];
-  const shown = runsOf(now.shown.map((entry) => {
-    const at = there.get(entry);
-    if (at !== undefined) return at;
-    // Most are the page of a state that is told already.
-    fresh.push({ ...entry, page: pages.get(entry.page) ?? entry.page });
-    return -fresh.length;
-  }));
+  const shown = runsOf(
+    now.shown.map((entry) => {
+      const at = there.get(entry);
+      if (at !== undefined) return at;
+      // Most are the page of a state that is told already.
+      fresh.push({ ...entry, page: pages.get(entry.page) ?? entry.page });
+      return -fresh.length;
+    }),
+  );
   return { states, past, present, future, pages: fresh, shown };
 }
 
@@ -167,9 +186,14 @@ function patched(base: KeptHistory, { states, past, present, future, pages, show
   const fresh = list(states).map((state) => ({ ...base.present, ...state }));
   const all = [...base.past, base.present, ...base.future];
   const state = (at: number) => pick(at, all, fresh);
-  const entries = list(pages).map((entry) => ({ ...entry, page: typeof entry.page === 'number' ? state(entry.page).page : entry.page }));
+  const entries = list(pages).map((entry) => ({
+    ...entry,
+    page: typeof entry.page === 'number' ? state(entry.page).page : entry.page,
+  }));
   return {
-    past: numbersOf(past).map(state), present: state(present), future: numbersOf(future).map(state),
+    past: numbersOf(past).map(state),
+    present: state(present),
+    future: numbersOf(future).map(state),
     shown: numbersOf(shown).map((at) => pick(at, base.shown, entries)),
   };
 }
@@ -180,9 +204,15 @@ function patched(base: KeptHistory, { states, past, present, future, pages, show
  */
 function kinOf(read: KeptHistory, from: KeptHistory, base: KeptHistory): KeptHistory {
   const known = new Set([...base.past, base.present, ...base.future, ...base.shown]);
-  const kin: <T extends Project | Shown>(list: readonly T[], source: readonly T[]) => T[] = (list, source) => list.map((item, i) => (known.has(source[i]) ? source[i] : item));
+  const kin: <T extends Project | Shown>(list: readonly T[], source: readonly T[]) => T[] = (list, source) =>
+    list.map((item, i) => (known.has(source[i]) ? source[i] : item));
   const [present] = kin([read.present], [from.present]);
-  return { past: kin(read.past, from.past), present, future: kin(read.future, from.future), shown: kin(read.shown, from.shown) };
+  return {
+    past: kin(read.past, from.past),
+    present,
+    future: kin(read.future, from.future),
+    shown: kin(read.shown, from.shown),
+  };
 }
 
 function pick<T>(at: number, old: readonly T[], fresh: readonly T[]) {
@@ -204,7 +234,8 @@ function runsOf(numbers: readonly number[]): Runs {
 function numbersOf(runs: unknown): number[] {
   const numbers: number[] = [];
   for (const [from, count] of list(runs)) {
-    if (!Number.isSafeInteger(from) || !Number.isSafeInteger(count) || count < 1 || count > MOST_ITEMS - numbers.length) throw new RangeError('The journal is damaged.');
+    if (!Number.isSafeInteger(from) || !Number.isSafeInteger(count) || count < 1 || count > MOST_ITEMS - numbers.length)
+      throw new RangeError('The journal is damaged.');
     for (let i = 0; i < count; i += 1) numbers.push(from + i);
   }
   return numbers;

@@ -5,7 +5,7 @@ type Box = Pick<Storage, 'getItem' | 'setItem'>;
 const KEY = 'inkpanel.project';
 
 /** @param boxes small storages, which may throw */
-export function createLastProject({ tab, browser }: { tab: () => Box, browser: () => Box }) {
+export function createLastProject({ tab, browser }: { tab: () => Box; browser: () => Box }) {
   return {
     recall,
     /** This tab has it open now. */
@@ -14,7 +14,7 @@ export function createLastProject({ tab, browser }: { tab: () => Box, browser: (
   };
 
   /** @returns `here`: this very tab had it open */
-  function recall(): { id: string, here: boolean } | null {
+  function recall(): { id: string; here: boolean } | null {
     try {
       const here = tab().getItem(KEY);
       const last = here ?? browser().getItem(KEY);

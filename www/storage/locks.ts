@@ -17,16 +17,20 @@ export function createLocks(manager: Pick<LockManager, 'request'> | undefined) {
 
   /** @returns when it is free; rejects when aborted */
   async function wait(name: string, signal: AbortSignal): Promise<Release> {
-    return (hold(name, { signal }) as Promise<Release>);
+    return hold(name, { signal }) as Promise<Release>;
   }
 
   function hold(name: string, options: LockOptions): Promise<Release | null> {
     if (!manager) return Promise.resolve(() => {});
     return new Promise((resolve, reject) => {
-      manager.request(name, options, (lock) => {
-        if (!lock) return resolve(null);
-        return new Promise((release) => { resolve(() => release(undefined)); });
-      }).catch(reject);
+      manager
+        .request(name, options, (lock) => {
+          if (!lock) return resolve(null);
+          return new Promise((release) => {
+            resolve(() => release(undefined));
+          });
+        })
+        .catch(reject);
     });
   }
 

@@ -38,9 +38,9 @@ const PATIENCE = 2_000;
  * A project that cannot be shown. `why` is a key of the reasons in `strings`, `detail` the place of the fault; `back`:
  * there are states of it to go back to.
  */
-type Broken = { id: string, name: string, why: string, detail: string, back: boolean };
+type Broken = { id: string; name: string; why: string; detail: string; back: boolean };
 /** `drawn` waits until the views have drawn what is in the store and rejects where they cannot; `retry` has them try again. */
-export type Views = { drawn: () => Promise<void>, retry: () => void };
+export type Views = { drawn: () => Promise<void>; retry: () => void };
 
 /** Reasons that are not the project's. */
 const OUTSIDE = new Set(['not-saved', 'missing-project', 'no-storage']);
@@ -54,19 +54,42 @@ function isOutside(error: unknown) {
  *   `onUnwritten`: photos of a project of which nothing was written
  */
 export function createOpening({
-  store, reading, engine, shelves, saving, records, locks, messages, database, journal, last, drawnStates, leave, onMissing, onUnwritten,
+  store,
+  reading,
+  engine,
+  shelves,
+  saving,
+  records,
+  locks,
+  messages,
+  database,
+  journal,
+  last,
+  drawnStates,
+  leave,
+  onMissing,
+  onUnwritten,
   views = { retry: () => {}, drawn: async () => {} },
 }: {
-  store: Store, reading: Pick<Reading, 'resume'>,
-  engine: Pick<Engine, 'ready' | 'photos' | 'renderPage'>, shelves: Pick<Shelves, 'lists'>,
-  saving: Saving, records: PhotoRecords, locks: Locks,
-  messages: Pick<Messages, 'alert' | 'note'>, database: () => Promise<Database>,
-  journal: Pick<Journal, 'recall' | 'names'>, last: ReturnType<typeof createLastProject>,
-  drawnStates: DrawnStates, leave: () => void, views?: Views,
-  onMissing: (photos: readonly { id: string, name: string }[]) => void, onUnwritten: (names: readonly string[]) => void,
+  store: Store;
+  reading: Pick<Reading, 'resume'>;
+  engine: Pick<Engine, 'ready' | 'photos' | 'renderPage'>;
+  shelves: Pick<Shelves, 'lists'>;
+  saving: Saving;
+  records: PhotoRecords;
+  locks: Locks;
+  messages: Pick<Messages, 'alert' | 'note'>;
+  database: () => Promise<Database>;
+  journal: Pick<Journal, 'recall' | 'names'>;
+  last: ReturnType<typeof createLastProject>;
+  drawnStates: DrawnStates;
+  leave: () => void;
+  views?: Views;
+  onMissing: (photos: readonly { id: string; name: string }[]) => void;
+  onUnwritten: (names: readonly string[]) => void;
 }) {
   /** The project that another tab has open. */
-  const elsewhere: Signal<{ id: string, name: string, follows: boolean } | null> = signal(null);
+  const elsewhere: Signal<{ id: string; name: string; follows: boolean } | null> = signal(null);
   const broken: Signal<Broken | null> = signal(null);
   const first = last.recall();
   /** Whether the project of the last visit is still on its way. */
@@ -86,8 +109,20 @@ export function createOpening({
   const vain: Set<string> = new Set();
 
   return {
-    elsewhere, broken, running, turning, busy, current: computed(() => store.place.value.id),
-    begin, open, create, enter, goOnAsCopy, goBack, failedToShow, say,
+    elsewhere,
+    broken,
+    running,
+    turning,
+    busy,
+    current: computed(() => store.place.value.id),
+    begin,
+    open,
+    create,
+    enter,
+    goOnAsCopy,
+    goBack,
+    failedToShow,
+    say,
   };
 
   /** Opens what this tab had open, or else what was open last. */
@@ -103,10 +138,10 @@ export function createOpening({
     }
   }
 
-  async function openLast({ id, here }: { id: string, here: boolean }) {
+  async function openLast({ id, here }: { id: string; here: boolean }) {
     const base = await database();
-    if (!await isThere(base, id)) {
-      if (here && !await base.get('projects', id)) onUnwritten(journal.names(id));
+    if (!(await isThere(base, id))) {
+      if (here && !(await base.get('projects', id))) onUnwritten(journal.names(id));
       return last.opened(store.place.peek().id);
     }
     const free = await locks.take(projectLock(id), here ? PATIENCE : 0);
@@ -129,7 +164,9 @@ export function createOpening({
   async function open(id: string): Promise<boolean> {
     if (id === store.place.peek().id) return true;
     turns.value += 1;
-    return openNow(id).finally(() => { turns.value -= 1; });
+    return openNow(id).finally(() => {
+      turns.value -= 1;
+    });
   }
 
   async function openNow(id: string) {
@@ -176,14 +213,16 @@ export function createOpening({
     if (content.missing?.length) onMissing(content.missing);
     if (content.filmless?.length) messages.alert(strings.filmsNotHere(content.filmless));
     if (content.dropped?.length) {
-      await database().then((base) => holdPhotos(base, place.id)).catch(() => {});
+      await database()
+        .then((base) => holdPhotos(base, place.id))
+        .catch(() => {});
       messages.alert(strings.partsLeftOut(store.project.peek().name || strings.untitled, content.dropped.length));
     }
     void reading.resume(content.unread, content.films);
   }
 
   function breaks(project: Pick<Broken, 'id' | 'name' | 'back'>, error: unknown) {
-    const { code, message } = (error as { code?: unknown, message: string });
+    const { code, message } = error as { code?: unknown; message: string };
     vain.clear();
     broken.value = { ...project, why: typeof code === 'string' ? code : '', detail: message };
   }
@@ -194,7 +233,13 @@ export function createOpening({
    */
   async function create(): Promise<boolean> {
     try {
-      await enter(freshPlace(), { history: EMPTY_HISTORY, album: new Map(), videos: new Map(), records: [], unread: [] });
+      await enter(freshPlace(), {
+        history: EMPTY_HISTORY,
+        album: new Map(),
+        videos: new Map(),
+        records: [],
+        unread: [],
+      });
       return true;
     } catch (error) {
       say(error);
@@ -214,10 +259,15 @@ export function createOpening({
     return turn;
   }
 
-  async function enterNow(next: Parameters<typeof enter>[0], content: Parameters<typeof enter>[1], free: Parameters<typeof enter>[2], { join = false }: Parameters<typeof enter>[3] = {}): ReturnType<typeof enter> {
+  async function enterNow(
+    next: Parameters<typeof enter>[0],
+    content: Parameters<typeof enter>[1],
+    free: Parameters<typeof enter>[2],
+    { join = false }: Parameters<typeof enter>[3] = {},
+  ): ReturnType<typeof enter> {
     const planner = await engine.ready;
     await allRead();
-    const lock = free ?? await lockOf(next);
+    const lock = free ?? (await lockOf(next));
     turns.value += 1;
     try {
       const shared = join ? joined(content.history.present, shelves.lists()) : shelves.lists();
@@ -225,7 +275,8 @@ export function createOpening({
       // Where nothing is lost, nobody need wait for it.
       if (store.tray.peek().length > 0) await drawnOnce(whole, engine);
       await saving.flush();
-      if (next.id !== store.place.peek().id && !saving.isSafe()) throw failure('not-saved', 'This project is not saved.');
+      if (next.id !== store.place.peek().id && !saving.isSafe())
+        throw failure('not-saved', 'This project is not saved.');
       await saving.during(() => shown(whole, next));
     } catch (error) {
       if (!free) lock();
@@ -307,7 +358,7 @@ export function createOpening({
     const base = await database();
     const states = await drawnOf(base, id, engine.ready);
     return tried(states, async (state) => {
-      await arrive({ ...await readState(base, id, state), drawn: [...states] }, free);
+      await arrive({ ...(await readState(base, id, state)), drawn: [...states] }, free);
       // What the database has is the state that cannot be shown.
       store.load({ history: { ...store.history.peek() }, album: store.album.peek(), videos: store.videos.peek() });
     });
@@ -333,13 +384,17 @@ export function createOpening({
   function allRead(): Promise<void> {
     return new Promise((resolve) => {
       const stop = effect(() => {
-        if (!busy.value) queueMicrotask(() => { stop(); resolve(); });
+        if (!busy.value)
+          queueMicrotask(() => {
+            stop();
+            resolve();
+          });
       });
     });
   }
 
   async function lockOf({ id }: Place) {
-    return await locks.take(projectLock(id)) ?? (() => {});
+    return (await locks.take(projectLock(id))) ?? (() => {});
   }
 
   function arrived(place: Place, lock: () => void) {
@@ -353,7 +408,7 @@ export function createOpening({
   }
 
   function say(error: unknown) {
-    const { code, message } = (error as { code?: string, message: string });
+    const { code, message } = error as { code?: string; message: string };
     messages.alert(strings.projectNotOpened(strings.projectReasons[code ?? ''] ?? message));
   }
 }

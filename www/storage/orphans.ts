@@ -12,12 +12,12 @@ export const ORPHANS = 'orphans';
 
 /** @returns times in ms, by the keys of photos */
 export async function orphansIn(states: States): Promise<Map<string, number>> {
-  const kept = (await states.get(ORPHANS) as any)?.since;
+  const kept = ((await states.get(ORPHANS)) as any)?.since;
   return kept instanceof Map ? kept : new Map();
 }
 
 export async function putOrphans(states: States, since: Map<string, number>) {
-  await states.put(({ id: ORPHANS, since } as any));
+  await states.put({ id: ORPHANS, since } as any);
 }
 
 /** Photos that are needed again. */

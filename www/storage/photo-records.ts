@@ -13,9 +13,9 @@ import type { createPhotos } from '../engine/photos.ts';
 import type { Database, KeptVideo, PhotoRecord } from './database.ts';
 
 /** What a project refers to. */
-type Wanted = { facts: readonly Fact[], videos: readonly Video[] };
+type Wanted = { facts: readonly Fact[]; videos: readonly Video[] };
 /** What the page holds of a photo or a film: `entry` once it was decoded. */
-type Held = { id: string, name: string, file: Blob, entry: ReturnType<ReturnType<typeof createPhotos>['get']> | null };
+type Held = { id: string; name: string; file: Blob; entry: ReturnType<ReturnType<typeof createPhotos>['get']> | null };
 export type PhotoRecords = ReturnType<typeof createPhotoRecords>;
 
 /** Bytes of each photo that are compared when it is read back. */
@@ -30,9 +30,14 @@ const COPIES_TOGETHER = 4;
 const FEW = 8;
 
 /** @param app `room`: bytes that the browser would still take */
-export function createPhotoRecords({ photos, originals, room = roomLeft }: {
-  photos: Pick<ReturnType<typeof createPhotos>, 'has' | 'get'>, originals: ReadonlyMap<string, File>,
-  room?: () => Promise<number>,
+export function createPhotoRecords({
+  photos,
+  originals,
+  room = roomLeft,
+}: {
+  photos: Pick<ReturnType<typeof createPhotos>, 'has' | 'get'>;
+  originals: ReadonlyMap<string, File>;
+  room?: () => Promise<number>;
 }) {
   /** How much of a photo is kept: its file alone, as it was still being read or there is no room, or all. */
   const kept: Map<string, 'file' | 'bare' | 'all'> = new Map();
@@ -99,7 +104,10 @@ export function createPhotoRecords({ photos, originals, room = roomLeft }: {
       return unreadable.has(fact.id) || (fact.meta !== null && heldOf(fact) === null);
     });
     const films = videos.filter(({ file, key }) => unreadable.has(keyOf(file, key)) && !forgone.has(keyOf(file, key)));
-    return [...gone, ...films.map(({ file, key, name }) => ({ id: keyOf(file, key), name, meta: null, measures: null }))];
+    return [
+      ...gone,
+      ...films.map(({ file, key, name }) => ({ id: keyOf(file, key), name, meta: null, measures: null })),
+    ];
   }
 
   function heldOf({ id, name, absent }: Fact): Held | null {
@@ -112,7 +120,7 @@ export function createPhotoRecords({ photos, originals, room = roomLeft }: {
   /** @returns those that are still being read before those that were: they are the quicker to write */
   function unwritten({ facts, videos }: Wanted): Held[] {
     const open = (id: string) => !kept.has(id) && !unreadable.has(id);
-    const list = facts.flatMap((fact) => (open(fact.id) ? heldOf(fact) ?? [] : []));
+    const list = facts.flatMap((fact) => (open(fact.id) ? (heldOf(fact) ?? []) : []));
     const films = videos.flatMap(({ file, name, key }) => {
       const id = keyOf(file, key);
       return open(id) ? { id, name, file, entry: null } : [];
@@ -150,8 +158,10 @@ export function createPhotoRecords({ photos, originals, room = roomLeft }: {
    * @returns whether there were any
    */
   async function improve(database: Database, { facts }: Wanted): Promise<boolean> {
-    const next = facts.filter(({ id, absent }) => kept.get(id) === 'file' && photos.has(id) && !absent).slice(0, COPIES_TOGETHER);
-    await Promise.all(next.map((fact) => addCopies(database, (heldOf(fact) as Held))));
+    const next = facts
+      .filter(({ id, absent }) => kept.get(id) === 'file' && photos.has(id) && !absent)
+      .slice(0, COPIES_TOGETHER);
+    await Promise.all(next.map((fact) => addCopies(database, heldOf(fact) as Held)));
     return next.length > 0;
   }
 
@@ -160,11 +170,11 @@ export function createPhotoRecords({ photos, originals, room = roomLeft }: {
     const record = { ...bareOf(held), work: entry?.work ?? null, small: entry?.small ?? null };
     // Its file is safe, whatever becomes of this.
     kept.set(id, 'bare');
-    if (!await hasRoom(record)) return;
+    if (!(await hasRoom(record))) return;
     try {
       await database.put('photos', record);
     } catch (error) {
-      if (isFull(error) || !await allReadable(held)) return;
+      if (isFull(error) || !(await allReadable(held))) return;
       throw error;
     }
     kept.set(id, 'all');
@@ -194,11 +204,13 @@ export function createPhotoRecords({ photos, originals, room = roomLeft }: {
     const { id, entry } = held;
     const bare = bareOf(held);
     try {
-      const record = entry ? await put(database, { ...bare, work: entry.work, small: entry.small }) : await putFile(database, bare);
+      const record = entry
+        ? await put(database, { ...bare, work: entry.work, small: entry.small })
+        : await putFile(database, bare);
       kept.set(id, record.work ? 'all' : entry ? 'bare' : 'file');
       return record;
     } catch (error) {
-      if (isFull(error) || await allReadable(held)) throw error;
+      if (isFull(error) || (await allReadable(held))) throw error;
       unreadable.add(id);
       return null;
     }
@@ -217,7 +229,7 @@ export function createPhotoRecords({ photos, originals, room = roomLeft }: {
 
   /** The files of all photos are worth more than the copies of some. */
   async function hasRoom({ file, work, small }: PhotoRecord) {
-    return await room() > 4 * ((file?.size ?? 0) + (work?.planes.size ?? 0) + (small?.planes.size ?? 0));
+    return (await room()) > 4 * ((file?.size ?? 0) + (work?.planes.size ?? 0) + (small?.planes.size ?? 0));
   }
 
   async function putFile(database: Database, record: PhotoRecord) {
@@ -225,7 +237,7 @@ export function createPhotoRecords({ photos, originals, room = roomLeft }: {
       await database.put('photos', record);
       return record;
     } catch (error) {
-      if (isFull(error) || record.file === null || record.work === null || await readable(record.file)) throw error;
+      if (isFull(error) || record.file === null || record.work === null || (await readable(record.file))) throw error;
       // The file was moved or deleted since it was chosen; the copies are all that is left of it.
       const rest = { ...record, file: null };
       await database.put('photos', rest);
@@ -235,11 +247,17 @@ export function createPhotoRecords({ photos, originals, room = roomLeft }: {
 
   /** Reads photos back that were just written. */
   async function verify(database: Database, written: readonly PhotoRecord[]) {
-    const whole = await Promise.all(written.map(async (record) => {
-      const found = await database.get('photos', record.id);
-      const parts = [[record.file, found?.file], [record.work?.planes, found?.work?.planes], [record.small?.planes, found?.small?.planes]];
-      return (await Promise.all(parts.map(([one, other]) => alike(one, other)))).every(Boolean);
-    }));
+    const whole = await Promise.all(
+      written.map(async (record) => {
+        const found = await database.get('photos', record.id);
+        const parts = [
+          [record.file, found?.file],
+          [record.work?.planes, found?.work?.planes],
+          [record.small?.planes, found?.small?.planes],
+        ];
+        return (await Promise.all(parts.map(([one, other]) => alike(one, other)))).every(Boolean);
+      }),
+    );
     const bad = written.filter((_record, i) => !whole[i]);
     for (const { id } of bad) kept.delete(id);
     if (bad.length > 0) throw new Error(`${bad[0].name} could not be read back`);
@@ -266,17 +284,27 @@ async function allReadable({ file, entry }: Held) {
 }
 
 async function readable(blob: Blob) {
-  return blob.slice(0, SAMPLE).arrayBuffer().then(() => true, () => false);
+  return blob
+    .slice(0, SAMPLE)
+    .arrayBuffer()
+    .then(
+      () => true,
+      () => false,
+    );
 }
 
 async function alike(one: Blob | null | undefined, other: Blob | null | undefined) {
   if (!one || !other) return (one ?? null) === (other ?? null);
   if (one.size !== other.size) return false;
-  const end = (blob: Blob) => blob.slice(-SAMPLE).arrayBuffer().then((bytes) => new Uint8Array(bytes).join());
-  return await end(one) === await end(other);
+  const end = (blob: Blob) =>
+    blob
+      .slice(-SAMPLE)
+      .arrayBuffer()
+      .then((bytes) => new Uint8Array(bytes).join());
+  return (await end(one)) === (await end(other));
 }
 
 async function roomLeft() {
-  const { quota = Infinity, usage = 0 } = await globalThis.navigator?.storage?.estimate?.() ?? {};
+  const { quota = Infinity, usage = 0 } = (await globalThis.navigator?.storage?.estimate?.()) ?? {};
   return quota - usage;
 }

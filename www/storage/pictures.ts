@@ -11,10 +11,16 @@ const LATER = 1_500;
 /** Pixels. */
 const WIDTH = 320;
 
-export function createPictures({ store, engine, database, onDrawn }: {
-  store: Store,
-  engine: Pick<Engine, 'renderPage' | 'hasPhoto'>,
-  database: () => Promise<Database>, onDrawn: () => void,
+export function createPictures({
+  store,
+  engine,
+  database,
+  onDrawn,
+}: {
+  store: Store;
+  engine: Pick<Engine, 'renderPage' | 'hasPhoto'>;
+  database: () => Promise<Database>;
+  onDrawn: () => void;
 }) {
   let timer: any;
   let drawn: unknown = null;

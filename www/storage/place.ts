@@ -8,7 +8,7 @@ import type { KeptHistory } from './database.ts';
  * the project as long as it is open. `stored` is the history that the database has of it, where the journal told of one that
  * is further.
  */
-export type Place = { readonly id: string, readonly created: number, stamp: string, readonly stored?: KeptHistory };
+export type Place = { readonly id: string; readonly created: number; stamp: string; readonly stored?: KeptHistory };
 
 /** @returns of a project that is kept nowhere yet */
 export function freshPlace(): Place {

@@ -58,29 +58,66 @@ export function SaveState() {
   const text = stateText(keeping);
   if (text === '') return null;
   // Where there is little room the text is cut short.
-  if (state === 'saving' || state === 'saved') return <span class="save-state" data-state={state} title={`${text}. ${strings.saveHelp}`}>{text}</span>;
+  if (state === 'saving' || state === 'saved')
+    return (
+      <span class="save-state" data-state={state} title={`${text}. ${strings.saveHelp}`}>
+        {text}
+      </span>
+    );
   return (
-    <button type="button" class="save-state" data-state="not" title={`${text}. ${strings.saveToFile}`} onClick={() => void keeping.files.save()}>
-      <Icon name="alert" /><span>{text}</span>
+    <button
+      type="button"
+      class="save-state"
+      data-state="not"
+      title={`${text}. ${strings.saveToFile}`}
+      onClick={() => void keeping.files.save()}
+    >
+      <Icon name="alert" />
+      <span>{text}</span>
     </button>
   );
 }
 
 function stateText({ status, progress }: Keeping) {
   const [state, files] = [status.value, progress.value];
-  return state === 'saving' && files && files.total > 1 ? strings.savingCount(files.done, files.total) : strings.saveState[state];
+  return state === 'saving' && files && files.total > 1
+    ? strings.savingCount(files.done, files.total)
+    : strings.saveState[state];
 }
 
 /** @param props `dot`: it says, too, that not all is saved, where there is no room for words */
-function ProjectsButton({ small = false, dot = false }: { small?: boolean, dot?: boolean }) {
+function ProjectsButton({ small = false, dot = false }: { small?: boolean; dot?: boolean }) {
   const { ui, keeping } = useApp();
   const on = ui.work.value === 'projects';
-  const toggle = () => { ui.work.value = on ? null : 'projects'; };
+  const toggle = () => {
+    ui.work.value = on ? null : 'projects';
+  };
   if (small) {
     const state = keeping.status.value;
     const text = dot ? stateText(keeping) : '';
-    const sign = text === '' || state === 'saved' ? '' : state !== 'saving' ? 'save-dot bad' : keeping.progress.value ? 'save-dot' : '';
-    return <IconButton icon="open" label={strings.projects} help={text ? `${strings.projects}. ${text}` : undefined} class={sign} pressed={on} onClick={toggle} />;
+    const sign =
+      text === '' || state === 'saved'
+        ? ''
+        : state !== 'saving'
+          ? 'save-dot bad'
+          : keeping.progress.value
+            ? 'save-dot'
+            : '';
+    return (
+      <IconButton
+        icon="open"
+        label={strings.projects}
+        help={text ? `${strings.projects}. ${text}` : undefined}
+        class={sign}
+        pressed={on}
+        onClick={toggle}
+      />
+    );
   }
-  return <button type="button" class="button" aria-pressed={on} onClick={toggle}><Icon name="open" />{strings.projects}</button>;
+  return (
+    <button type="button" class="button" aria-pressed={on} onClick={toggle}>
+      <Icon name="open" />
+      {strings.projects}
+    </button>
+  );
 }

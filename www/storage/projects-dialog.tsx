@@ -16,7 +16,7 @@ import type { ProjectRecord } from './database.ts';
 
 export function Projects() {
   const { store, keeping, ui, openProjects } = useApp();
-  const input = useRef((null as HTMLInputElement | null));
+  const input = useRef(null as HTMLInputElement | null);
   const list = keeping.list.value;
   const empty = store.tray.value.length === 0;
   const status = keeping.status.value;
@@ -25,19 +25,44 @@ export function Projects() {
 
   const tools = (
     <div class="wall-bar">
-      <button type="button" class="button" disabled={keeping.busy.value || empty} onClick={() => void keeping.create()}><Icon name="add" />{strings.newProject}</button>
-      <button type="button" class="button" onClick={() => input.current?.click()}><Icon name="open" />{strings.openProject}</button>
-      <button type="button" class="button" disabled={empty} onClick={() => void keeping.files.save()}><Icon name="save" />{strings.saveProject}</button>
+      <button type="button" class="button" disabled={keeping.busy.value || empty} onClick={() => void keeping.create()}>
+        <Icon name="add" />
+        {strings.newProject}
+      </button>
+      <button type="button" class="button" onClick={() => input.current?.click()}>
+        <Icon name="open" />
+        {strings.openProject}
+      </button>
+      <button type="button" class="button" disabled={empty} onClick={() => void keeping.files.save()}>
+        <Icon name="save" />
+        {strings.saveProject}
+      </button>
       <InstallButton />
       <ChosenFiles input={input} label={strings.projectFile} accept={`${EXTENSION},.png`} onFiles={openProjects} />
     </div>
   );
   return (
-    <Workspace title={strings.projects} class="projects" tools={tools} onClose={() => { ui.work.value = null; }}>
+    <Workspace
+      title={strings.projects}
+      class="projects"
+      tools={tools}
+      onClose={() => {
+        ui.work.value = null;
+      }}
+    >
       <Elsewhere />
       <Broken />
-      {!empty && !ui.wide.value && <p class="project-now"><ProjectName /><SaveState /></p>}
-      <ul class="project-wall">{list.map((project) => <Project key={project.id} project={project} />)}</ul>
+      {!empty && !ui.wide.value && (
+        <p class="project-now">
+          <ProjectName />
+          <SaveState />
+        </p>
+      )}
+      <ul class="project-wall">
+        {list.map((project) => (
+          <Project key={project.id} project={project} />
+        ))}
+      </ul>
       {list.length === 0 && <p class="wall-empty">{strings.noProjects}</p>}
     </Workspace>
   );
@@ -47,7 +72,10 @@ function Project({ project: { id, name, changed, photos, picture } }: { project:
   const { keeping, ui } = useApp();
   const title = name || strings.untitled;
   const current = keeping.current.value === id;
-  const when = new Date(changed).toLocaleString(language === 'en' ? undefined : language, { dateStyle: 'medium', timeStyle: 'short' });
+  const when = new Date(changed).toLocaleString(language === 'en' ? undefined : language, {
+    dateStyle: 'medium',
+    timeStyle: 'short',
+  });
   const busy = keeping.busy.value;
 
   async function open() {
@@ -56,8 +84,14 @@ function Project({ project: { id, name, changed, photos, picture } }: { project:
 
   return (
     <li class="project" aria-label={title} data-current={current}>
-      <button type="button" class="project-picture" aria-label={strings.openNamed(title)} aria-current={current ? 'true' : undefined}
-        disabled={busy && !current} onClick={() => void open()}>
+      <button
+        type="button"
+        class="project-picture"
+        aria-label={strings.openNamed(title)}
+        aria-current={current ? 'true' : undefined}
+        disabled={busy && !current}
+        onClick={() => void open()}
+      >
         {picture && <Picture blob={picture} />}
       </button>
       <div class="project-about">
@@ -66,7 +100,12 @@ function Project({ project: { id, name, changed, photos, picture } }: { project:
       </div>
       <div class="project-tools">
         <IconButton icon="duplicate" label={strings.duplicateNamed(title)} onClick={() => void keeping.duplicate(id)} />
-        <IconButton icon="bin" label={strings.deleteNamed(title)} disabled={busy && current} onClick={() => void keeping.remove(id)} />
+        <IconButton
+          icon="bin"
+          label={strings.deleteNamed(title)}
+          disabled={busy && current}
+          onClick={() => void keeping.remove(id)}
+        />
       </div>
     </li>
   );

@@ -22,10 +22,20 @@ const LAST_TIME = 8.64e15;
 /** The page that is to be deleted may still be writing, so long in ms. */
 const PATIENCE = 2_000;
 
-export function createProjects({ store, opening, saving, locks, messages, database }: {
-  store: Store, opening: Opening, saving: Saving,
-  locks: Locks, messages: Messages,
-  database: () => Promise<Database>,
+export function createProjects({
+  store,
+  opening,
+  saving,
+  locks,
+  messages,
+  database,
+}: {
+  store: Store;
+  opening: Opening;
+  saving: Saving;
+  locks: Locks;
+  messages: Messages;
+  database: () => Promise<Database>;
 }) {
   /** All that are not deleted, the last changed first. */
   const list: Signal<readonly ProjectRecord[]> = signal([]);
@@ -42,7 +52,7 @@ export function createProjects({ store, opening, saving, locks, messages, databa
   /** Opens a copy of a project that another tab has. */
   async function openCopy() {
     const other = opening.elsewhere.peek();
-    const copy = other && await duplicate(other.id);
+    const copy = other && (await duplicate(other.id));
     return copy !== null && opening.open(copy);
   }
 
@@ -58,7 +68,7 @@ export function createProjects({ store, opening, saving, locks, messages, databa
       const [entry] = entryOf({ ...project, id });
       const name = strings.copyOf(entry.name || strings.untitled);
       // A state that cannot be read is copied as it is.
-      const { history } = (state as any);
+      const { history } = state as any;
       const named = history?.present ? { ...history, present: { ...history.present, name } } : history;
       await Promise.all([
         projects.put({ ...entry, ...project, id: copy, stamp, name, created: now, changed: now, gone: null }),
@@ -78,7 +88,7 @@ export function createProjects({ store, opening, saving, locks, messages, databa
   async function remove(id: string) {
     try {
       const mine = id === current.peek();
-      if (mine && !await create()) return;
+      if (mine && !(await create())) return;
       const free = await locks.take(projectLock(id), mine ? PATIENCE : 0);
       if (!free) {
         messages.alert(strings.openElsewhere(nameOf(id)));
@@ -112,7 +122,7 @@ export function createProjects({ store, opening, saving, locks, messages, databa
     const [records, states] = await Promise.all([base.getAll('projects'), base.getAllKeys('states')]);
     const known = new Set(records.map(({ id }) => id));
     // One whose record was lost is there all the same.
-    const lost = states.filter((id) => isProjectId(id) && !known.has(id)).map((id) => ({ id } as any));
+    const lost = states.filter((id) => isProjectId(id) && !known.has(id)).map((id) => ({ id }) as any);
     const all = [...records.filter((record) => !isGone(record)), ...lost].flatMap(entryOf);
     list.value = all.sort((a, b) => b.changed - a.changed);
   }
@@ -129,8 +139,17 @@ export function createProjects({ store, opening, saving, locks, messages, databa
 function entryOf({ id, name, created, changed, stamp, photos, picture, refs }: any): ProjectRecord[] {
   if (typeof id !== 'string') return [];
   const time = (value: unknown) => (typeof value === 'number' && Math.abs(value) <= LAST_TIME ? value : 0);
-  return [{
-    id, name: typeof name === 'string' ? name : '', created: time(created), changed: time(changed), stamp: String(stamp ?? ''),
-    photos: Number.isSafeInteger(photos) ? photos : 0, picture: picture instanceof Blob ? picture : null, refs: Array.isArray(refs) ? refs : [], gone: null,
-  }];
+  return [
+    {
+      id,
+      name: typeof name === 'string' ? name : '',
+      created: time(created),
+      changed: time(changed),
+      stamp: String(stamp ?? ''),
+      photos: Number.isSafeInteger(photos) ? photos : 0,
+      picture: picture instanceof Blob ? picture : null,
+      refs: Array.isArray(refs) ? refs : [],
+      gone: null,
+    },
+  ];
 }

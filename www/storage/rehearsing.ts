@@ -29,7 +29,10 @@ const FAULTS = /^(?:(?:invalid|unknown)-(?:document|layout|style)|worker-lost)$/
  *   lists that all projects have in common
  * @returns with these lists; throws what the page would
  */
-export function rehearsed(content: Content, { planner, shared }: { planner: Planner, shared: Partial<SharedLists> }): Content {
+export function rehearsed(
+  content: Content,
+  { planner, shared }: { planner: Planner; shared: Partial<SharedLists> },
+): Content {
   const whole = { ...content, history: rebased(content.history, shared) };
   const stage = createStore();
   stage.planner.value = planner;
@@ -39,7 +42,13 @@ export function rehearsed(content: Content, { planner, shared }: { planner: Plan
   for (const { page } of sheetsOf(stage.project.peek())) {
     const ids = [...new Set([...page.panels.flatMap(({ photo }) => photo ?? []), ...page.order])];
     if (ids.length === 0) continue;
-    planner.plan({ seed: page.seed, photos: ids.map((id) => known.get(id) ?? unreadMeta(id)), page: page.page, current: page, keep: KEEP_ALL });
+    planner.plan({
+      seed: page.seed,
+      photos: ids.map((id) => known.get(id) ?? unreadMeta(id)),
+      page: page.page,
+      current: page,
+      keep: KEEP_ALL,
+    });
   }
   return whole;
 }
@@ -48,13 +57,18 @@ export function rehearsed(content: Content, { planner, shared }: { planner: Plan
  * Has the engine draw the page of a project, in a size that takes no time.
  * @returns rejects where the engine does not take the page
  */
-export async function drawnOnce({ history, records }: Content, { photos, renderPage }: { photos: Photos, renderPage: Engine['renderPage'] }): Promise<void> {
+export async function drawnOnce(
+  { history, records }: Content,
+  { photos, renderPage }: { photos: Photos; renderPage: Engine['renderPage'] },
+): Promise<void> {
   const { page } = history.present;
   if (!page) return;
   const fresh = addTo(photos, records);
   try {
     // Photos that are still to be read have no part in it.
-    const panels = page.panels.map((panel) => (panel.photo !== null && photos.has(panel.photo) ? panel : { ...panel, photo: null }));
+    const panels = page.panels.map((panel) =>
+      panel.photo !== null && photos.has(panel.photo) ? panel : { ...panel, photo: null },
+    );
     const { bitmap } = await renderPage({ ...page, panels }, WIDTH, { priority: Priority.PAGE });
     bitmap.close();
   } catch (error) {
@@ -69,8 +83,17 @@ export async function drawnOnce({ history, records }: Content, { photos, renderP
  * @param place where it is kept
  * @returns one of which is called when it is known whether it can stay
  */
-export function exchanged({ history, album, videos, records }: Content, place: Place, { store, photos }: { store: Store, photos: Photos }): { settle: () => void, takeBack: () => void } {
-  const before = { history: store.history.peek(), album: store.album.peek(), videos: store.videos.peek(), place: store.place.peek() };
+export function exchanged(
+  { history, album, videos, records }: Content,
+  place: Place,
+  { store, photos }: { store: Store; photos: Photos },
+): { settle: () => void; takeBack: () => void } {
+  const before = {
+    history: store.history.peek(),
+    album: store.album.peek(),
+    videos: store.videos.peek(),
+    place: store.place.peek(),
+  };
   const fresh = addTo(photos, records);
   const takeBack = () => {
     store.load(before);

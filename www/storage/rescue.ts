@@ -9,25 +9,54 @@ import { fileNameOf, packedProject, videoKey } from './files/project-file.ts';
 import { nameOf } from './restoring.ts';
 import type { Database } from './database.ts';
 
-export async function rescued(database: Database, id: string): Promise<{ file: Blob, name: string, unclean: string[] }> {
-  const [project, state, name] = await Promise.all([database.get('projects', id), (database.get('states', id) as Promise<any>), nameOf(database, id)]);
+export async function rescued(
+  database: Database,
+  id: string,
+): Promise<{ file: Blob; name: string; unclean: string[] }> {
+  const [project, state, name] = await Promise.all([
+    database.get('projects', id),
+    database.get('states', id) as Promise<any>,
+    nameOf(database, id),
+  ]);
   const videos = listOf(state?.videos);
-  const keys = new Set([project?.held, project?.refs, state?.facts, videos.map((video) => video?.fileKey)].flatMap(listOf).filter((key) => typeof key === 'string'));
-  const records = (await Promise.all([...keys].map((key) => database.get('photos', key)))).filter((record) => record?.file instanceof Blob);
-  const files = new Map(records.map((record) => ([String(record?.id), (record?.file as Blob)] as const)));
+  const keys = new Set(
+    [project?.held, project?.refs, state?.facts, videos.map((video) => video?.fileKey)]
+      .flatMap(listOf)
+      .filter((key) => typeof key === 'string'),
+  );
+  const records = (await Promise.all([...keys].map((key) => database.get('photos', key)))).filter(
+    (record) => record?.file instanceof Blob,
+  );
+  const files = new Map(records.map((record) => [String(record?.id), record?.file as Blob] as const));
   try {
-    const facts = (await Promise.all(listOf(state.facts).map((key) => database.get('facts', key)))).flatMap((record) => (record && files.has(record.id) ? [record.fact] : []));
-    const films = videos.flatMap(({ fileKey, ...video }) => (files.has(fileKey) ? [{ ...video, file: files.get(fileKey) }] : []));
-    const blobs = new Map([...files, ...films.map(({ key, file }) => ([videoKey(key), file] as const))]);
-    return { ...await packedProject({ history: state.history, facts, videos: films }, blobs, state.version), name: fileNameOf(name) };
+    const facts = (await Promise.all(listOf(state.facts).map((key) => database.get('facts', key)))).flatMap((record) =>
+      record && files.has(record.id) ? [record.fact] : [],
+    );
+    const films = videos.flatMap(({ fileKey, ...video }) =>
+      files.has(fileKey) ? [{ ...video, file: files.get(fileKey) }] : [],
+    );
+    const blobs = new Map([...files, ...films.map(({ key, file }) => [videoKey(key), file] as const)]);
+    return {
+      ...(await packedProject({ history: state.history, facts, videos: films }, blobs, state.version)),
+      name: fileNameOf(name),
+    };
   } catch {
     // Not even its parts are what they should be.
     const entries = [{ name: 'project.json', blob: new Blob([textOf({ format: 'inkpanel', project, state })]) }];
     for (const [i, record] of records.entries()) {
-      const { blob } = await strippedOf((record?.file as Blob));
-      entries.push({ name: `photos/${String(i + 1).padStart(3, '0')}-${String(record?.name).replaceAll(/[^\p{L}\p{N}._-]+/gu, '-').slice(-60)}`, blob });
+      const { blob } = await strippedOf(record?.file as Blob);
+      entries.push({
+        name: `photos/${String(i + 1).padStart(3, '0')}-${String(record?.name)
+          .replaceAll(/[^\p{L}\p{N}._-]+/gu, '-')
+          .slice(-60)}`,
+        blob,
+      });
     }
-    return { file: new Blob([await archiveOf(entries)], { type: 'application/zip' }), name: fileNameOf(name), unclean: [] };
+    return {
+      file: new Blob([await archiveOf(entries)], { type: 'application/zip' }),
+      name: fileNameOf(name),
+      unclean: [],
+    };
   }
 }
 
@@ -38,7 +67,11 @@ function listOf(value: unknown): any[] {
 /** @returns as much of it as JSON can tell */
 function textOf(value: unknown): string {
   try {
-    return JSON.stringify(value, (_, part) => (typeof part === 'bigint' || part instanceof Map || part instanceof Set ? String(part) : part), 1);
+    return JSON.stringify(
+      value,
+      (_, part) => (typeof part === 'bigint' || part instanceof Map || part instanceof Set ? String(part) : part),
+      1,
+    );
   } catch {
     return String(value);
   }

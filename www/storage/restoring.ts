@@ -25,9 +25,15 @@ type Ready = Promise<Planner>;
  * the names of videos that left nothing but their frames; `dropped` tells of parts that could not be read.
  */
 export type Content = {
-  history: History, album: ReadonlyMap<string, Fact>, videos: ReadonlyMap<string, Video>, records: PhotoRecord[],
-  unread: { id: string, file: File }[], films?: string[], missing?: { id: string, name: string }[], filmless?: string[],
-  dropped?: readonly string[],
+  history: History;
+  album: ReadonlyMap<string, Fact>;
+  videos: ReadonlyMap<string, Video>;
+  records: PhotoRecord[];
+  unread: { id: string; file: File }[];
+  films?: string[];
+  missing?: { id: string; name: string }[];
+  filmless?: string[];
+  dropped?: readonly string[];
 };
 
 /**
@@ -35,7 +41,12 @@ export type Content = {
  * @returns rejects with `missing-project`,
  *   `damaged-project` or `newer-project`
  */
-export async function readProject(database: Database, id: string, ready: Ready, recall: Journal['recall'] = () => null): Promise<{ place: Place, content: Content, drawn: Project[] }> {
+export async function readProject(
+  database: Database,
+  id: string,
+  ready: Ready,
+  recall: Journal['recall'] = () => null,
+): Promise<{ place: Place; content: Content; drawn: Project[] }> {
   const [place, state] = await Promise.all([placeOf(database, id), database.get('states', id)]);
   if (!state) throw failure('missing-project', 'There is no such project any more.');
   const { readHistory } = await ready;
@@ -49,12 +60,15 @@ export async function readProject(database: Database, id: string, ready: Ready, 
 
 /** @returns the states of a project that were drawn and can be read, the last at the end */
 export async function drawnOf(database: Database, id: string, ready: Ready): Promise<Project[]> {
-  const record = (await database.get('states', drawnId(id)) as any);
+  const record = (await database.get('states', drawnId(id))) as any;
   if (!Array.isArray(record?.drawn)) return [];
   const planner = await ready;
   return record.drawn.flatMap((present: any) => {
     try {
-      return [planner.readHistory({ version: record.version, history: { past: [], present, future: [], shown: [] } }).history.present];
+      return [
+        planner.readHistory({ version: record.version, history: { past: [], present, future: [], shown: [] } }).history
+          .present,
+      ];
     } catch {
       return [];
     }
@@ -62,21 +76,27 @@ export async function drawnOf(database: Database, id: string, ready: Ready): Pro
 }
 
 /** A project in a state that it had. */
-export async function readState(database: Database, id: string, state: Project): Promise<{ place: Place, content: Content }> {
+export async function readState(
+  database: Database,
+  id: string,
+  state: Project,
+): Promise<{ place: Place; content: Content }> {
   const [place, kept] = await Promise.all([placeOf(database, id), database.get('states', id)]);
   return { place, content: await contentOf(database, beginningWith(state), { state: kept }) };
 }
 
 /** @returns of this state and nothing before it */
 export function beginningWith(state: Project): History {
-  const shown = sheetsOf(state).map(({ page, pageId, sheet }) => (sheet === 0 ? { id: pageId, page } : { id: pageId, page, sheet }));
+  const shown = sheetsOf(state).map(({ page, pageId, sheet }) =>
+    sheet === 0 ? { id: pageId, page } : { id: pageId, page, sheet },
+  );
   return { past: [], present: state, future: [], shown, gesture: null };
 }
 
 /** @returns whether there is such a project, and not deleted */
 export async function isThere(database: Database, id: string): Promise<boolean> {
   const project = await database.get('projects', id);
-  return project ? !isGone(project) : await database.getKey('states', id) !== undefined;
+  return project ? !isGone(project) : (await database.getKey('states', id)) !== undefined;
 }
 
 export function isGone({ gone }: ProjectRecord) {
@@ -93,7 +113,12 @@ export async function holdPhotos(database: Database, id: string) {
   const all = database.transaction(['projects', 'states'], 'readwrite');
   const [project, state] = await Promise.all([all.objectStore('projects').get(id), all.objectStore('states').get(id)]);
   if (project) {
-    const keys = [...textsIn(project.held), ...textsIn(project.refs), ...textsIn(state?.facts), ...videosIn(state).map(({ fileKey }) => fileKey)];
+    const keys = [
+      ...textsIn(project.held),
+      ...textsIn(project.refs),
+      ...textsIn(state?.facts),
+      ...videosIn(state).map(({ fileKey }) => fileKey),
+    ];
     await all.objectStore('projects').put({ ...project, held: [...new Set(keys)] });
   }
   await all.done;
@@ -101,7 +126,11 @@ export async function holdPhotos(database: Database, id: string) {
 
 async function placeOf(database: Database, id: string): Promise<Place> {
   const project = await database.get('projects', id);
-  return { id, stamp: textOr(project?.stamp, ''), created: Number.isFinite(project?.created) ? Number(project?.created) : Date.now() };
+  return {
+    id,
+    stamp: textOr(project?.stamp, ''),
+    created: Number.isFinite(project?.created) ? Number(project?.created) : Date.now(),
+  };
 }
 
 /**
@@ -109,16 +138,32 @@ async function placeOf(database: Database, id: string): Promise<Place> {
  * its file, a frame from its film; where there is neither, an empty frame keeps its place until somebody brings it back.
  * @param about `drawn`: states whose photos are needed, too; `state` as it is kept; `names` what the journal tells of photos
  */
-async function contentOf(database: Database, history: History, { drawn = [], state, names = new Map() }: {
-  drawn?: readonly Project[], state: StateRecord | undefined, names?: ReadonlyMap<string, string>,
-}): Promise<Content> {
+async function contentOf(
+  database: Database,
+  history: History,
+  {
+    drawn = [],
+    state,
+    names = new Map(),
+  }: {
+    drawn?: readonly Project[];
+    state: StateRecord | undefined;
+    names?: ReadonlyMap<string, string>;
+  },
+): Promise<Content> {
   const ids = [...photosOf({ ...history, past: [...history.past, ...drawn] })];
   const kept = videosIn(state);
   const all = database.transaction(['photos', 'facts']);
-  const read = (table: 'photos' | 'facts', keys: string[]) => (
-    Promise.all(keys.map((key) => (all.objectStore(table) as any).get(key))).then((found) => found.filter(Boolean))
-  );
-  const [found, told, films] = await Promise.all([read('photos', ids), read('facts', ids), read('photos', kept.map(({ fileKey }) => fileKey))]);
+  const read = (table: 'photos' | 'facts', keys: string[]) =>
+    Promise.all(keys.map((key) => (all.objectStore(table) as any).get(key))).then((found) => found.filter(Boolean));
+  const [found, told, films] = await Promise.all([
+    read('photos', ids),
+    read('facts', ids),
+    read(
+      'photos',
+      kept.map(({ fileKey }) => fileKey),
+    ),
+  ]);
   const [records, files] = [found.map(asRecord), films.map(asRecord)];
   const facts = told.flatMap(({ id, fact }) => (isFact(fact, id) ? [fact] : []));
   const filmOf = new Map(files.map((record) => [record.id, record.file]));
@@ -142,8 +187,24 @@ async function contentOf(database: Database, history: History, { drawn = [], sta
   };
 }
 
-function photosFrom(ids: readonly string[], { records, facts, videos, names }: { records: readonly PhotoRecord[], facts: readonly Fact[], videos: readonly Video[], names: ReadonlyMap<string, string> }) {
-  const [byId, factOf] = [new Map(records.map((record) => [record.id, record])), new Map(facts.map((fact) => [fact.id, fact]))];
+function photosFrom(
+  ids: readonly string[],
+  {
+    records,
+    facts,
+    videos,
+    names,
+  }: {
+    records: readonly PhotoRecord[];
+    facts: readonly Fact[];
+    videos: readonly Video[];
+    names: ReadonlyMap<string, string>;
+  },
+) {
+  const [byId, factOf] = [
+    new Map(records.map((record) => [record.id, record])),
+    new Map(facts.map((fact) => [fact.id, fact])),
+  ];
   const filmOf = new Map(videos.flatMap((video) => video.ids.map((id) => [id, video.key])));
   const album: Map<string, Fact> = new Map();
   const unread: Content['unread'] = [];
@@ -166,20 +227,36 @@ function photosFrom(ids: readonly string[], { records, facts, videos, names }: {
 
 /** @param record out of the database */
 function asRecord({ id, name, file, work, small }: any): PhotoRecord {
-  return { id, name: textOr(name, 'photo'), file: file instanceof Blob ? file : null, work: isHandle(work) ? work : null, small: isHandle(small) ? small : null };
+  return {
+    id,
+    name: textOr(name, 'photo'),
+    file: file instanceof Blob ? file : null,
+    work: isHandle(work) ? work : null,
+    small: isHandle(small) ? small : null,
+  };
 }
 
 function isHandle(handle: any) {
-  return typeof handle?.key === 'string' && isSide(handle.width) && isSide(handle.height) && handle.planes instanceof Blob;
+  return (
+    typeof handle?.key === 'string' && isSide(handle.width) && isSide(handle.height) && handle.planes instanceof Blob
+  );
 }
 
 function isFact(fact: any, id: string) {
   if (fact?.id !== id || typeof fact.name !== 'string') return false;
   const { meta, measures } = fact;
   if (meta === null) return true;
-  return meta?.id === id && isSide(meta.width) && isSide(meta.height) && /^[0-9a-f]{16}$/.test(meta.fingerprint) && Number.isFinite(meta.sharpness) &&
-    (meta.taken === null || typeof meta.taken === 'string') && typeof meta.energy?.values === 'string' && Array.isArray(meta.subjects) &&
-    (measures === null || typeof measures === 'object');
+  return (
+    meta?.id === id &&
+    isSide(meta.width) &&
+    isSide(meta.height) &&
+    /^[0-9a-f]{16}$/.test(meta.fingerprint) &&
+    Number.isFinite(meta.sharpness) &&
+    (meta.taken === null || typeof meta.taken === 'string') &&
+    typeof meta.energy?.values === 'string' &&
+    Array.isArray(meta.subjects) &&
+    (measures === null || typeof measures === 'object')
+  );
 }
 
 function isSide(side: unknown) {
@@ -188,10 +265,12 @@ function isSide(side: unknown) {
 
 function videosIn(state: any): KeptVideo[] {
   const list = Array.isArray(state?.videos) ? state.videos : [];
-  return list.filter((video: any) => (
-    [video?.key, video?.name, video?.fileKey].every((text) => typeof text === 'string') && Array.isArray(video.ids) &&
-    [video.duration ?? 0, video.start, video.end ?? 0].every(Number.isFinite)
-  ));
+  return list.filter(
+    (video: any) =>
+      [video?.key, video?.name, video?.fileKey].every((text) => typeof text === 'string') &&
+      Array.isArray(video.ids) &&
+      [video.duration ?? 0, video.start, video.end ?? 0].every(Number.isFinite),
+  );
 }
 
 function textsIn(list: unknown): string[] {

@@ -12,16 +12,19 @@ type Tab = Awaited<ReturnType<ReturnType<typeof fakeBrowser>['tab']>>;
 
 const SIX = ['a.jpg', 'b.jpg', 'c.jpg', 'd.jpg', 'e.jpg', 'f.jpg'];
 
-const thrownAway = (factory: IDBFactory) => new Promise((resolve, reject) => {
-  const request = factory.deleteDatabase('inkpanel');
-  request.onsuccess = () => resolve(undefined);
-  request.onerror = () => reject(request.error);
-});
+const thrownAway = (factory: IDBFactory) =>
+  new Promise((resolve, reject) => {
+    const request = factory.deleteDatabase('inkpanel');
+    request.onsuccess = () => resolve(undefined);
+    request.onerror = () => reject(request.error);
+  });
 
 /** What the database has, by its tables. */
 async function counts() {
   const base = await openDatabase();
-  const found = await Promise.all((['projects', 'states', 'facts', 'photos'] as const).map((table) => base.count(table)));
+  const found = await Promise.all(
+    (['projects', 'states', 'facts', 'photos'] as const).map((table) => base.count(table)),
+  );
   base.close();
   return found;
 }
@@ -46,13 +49,16 @@ function failing(wrong: (value: any) => Error | null) {
   return vi.spyOn(IDBObjectStore.prototype, 'put').mockImplementation(function spied(value: any, key) {
     const error = wrong(value);
     if (error) throw error;
-    // @ts-ignore -- `this` is the table
+    // @ts-expect-error -- `this` is the table
     return put.call(this, value, key);
   });
 }
 
 describe('a database that went', () => {
-  it.each([['at rest', false], ['before an edit', true]])('under the page, %s, is made anew from what the page holds', async (_when, edit) => {
+  it.each([
+    ['at rest', false],
+    ['before an edit', true],
+  ])('under the page, %s, is made anew from what the page holds', async (_when, edit) => {
     const browser = fakeBrowser();
     const tab = await browser.tab();
     await tab.add(...SIX);
@@ -69,7 +75,12 @@ describe('a database that went', () => {
     expect(alerts(tab)).toEqual([]);
     const id = tab.keeping.current.value;
     const after = await browser.died().tab();
-    expect([after.keeping.current.value, after.store.project.value.name, after.names(), after.decoded]).toEqual([id, edit ? 'Journey' : 'Trip', SIX, []]);
+    expect([after.keeping.current.value, after.store.project.value.name, after.names(), after.decoded]).toEqual([
+      id,
+      edit ? 'Journey' : 'Trip',
+      SIX,
+      [],
+    ]);
   });
 
   it('while it is written to is made anew, too', async () => {
@@ -91,29 +102,35 @@ describe('a database that went', () => {
     await thrownAway(browser.factory);
     await new Promise((resolve) => {
       const opening = browser.factory.open('inkpanel');
-      opening.onsuccess = () => { opening.result.close(); resolve(undefined); };
+      opening.onsuccess = () => {
+        opening.result.close();
+        resolve(undefined);
+      };
     });
     await vi.waitFor(async () => expect(await counts()).toEqual([1, 1, 1, 1]), { timeout: 5000 });
     await saved(tab);
   });
 
-  it.each((['projects', 'states', 'facts', 'photos'] as const))('with all of its %s is mended at the next save', async (table) => {
-    const browser = fakeBrowser();
-    const tab = await browser.tab();
-    await tab.add('a.jpg', 'b.jpg');
-    const base = await openDatabase();
-    await base.clear(table);
-    base.close();
-    rename(tab, 'Trip');
-    await tab.keeping.flush();
-    expect([tab.keeping.status.value, ...await counts()]).toEqual(['saved', 1, 1, 2, 2]);
-  });
+  it.each(['projects', 'states', 'facts', 'photos'] as const)(
+    'with all of its %s is mended at the next save',
+    async (table) => {
+      const browser = fakeBrowser();
+      const tab = await browser.tab();
+      await tab.add('a.jpg', 'b.jpg');
+      const base = await openDatabase();
+      await base.clear(table);
+      base.close();
+      rename(tab, 'Trip');
+      await tab.keeping.flush();
+      expect([tab.keeping.status.value, ...(await counts())]).toEqual(['saved', 1, 1, 2, 2]);
+    },
+  );
 
   it('is not taken for saved when nothing written stays', async () => {
     const tab = await fakeBrowser().tab();
     await tab.add('a.jpg');
     const keys = vi.spyOn(IDBObjectStore.prototype, 'getAllKeys').mockImplementation(function none() {
-      // @ts-ignore -- `this` is the table
+      // @ts-expect-error -- `this` is the table
       return this.getAll('nothing has this key');
     });
     rename(tab, 'Trip');
@@ -122,12 +139,12 @@ describe('a database that went', () => {
     keys.mockRestore();
   });
 
-  it('takes nobody\'s own styles with it', async () => {
+  it("takes nobody's own styles with it", async () => {
     const browser = fakeBrowser();
     const tab = await browser.tab();
-    const style = ({ id: 'mine-1', name: 'Mine', tags: [], background: [] } as any);
+    const style = { id: 'mine-1', name: 'Mine', tags: [], background: [] } as any;
     tab.store.change({ type: 'own-styles', mine: [style] });
-    for (let at = browser.local.length - 1; at >= 0; at -= 1) browser.local.removeItem((browser.local.key(at) as string));
+    for (let at = browser.local.length - 1; at >= 0; at -= 1) browser.local.removeItem(browser.local.key(at) as string);
     tab.shelves.hear({ key: null });
     expect(tab.store.project.value.mine).toEqual([style]);
     expect(JSON.parse(browser.local.getItem('inkpanel.styles') ?? '')).toEqual([style]);
@@ -167,13 +184,19 @@ describe('photos that the database lost', () => {
     expect([tab.names(), absent(tab)]).toEqual([SIX, ['b.jpg', 'e.jpg']]);
     expect(tab.store.page.value?.panels.map(({ photo }) => photo)).toEqual(panels);
     expect(panels?.every((id) => id === null || tab.photos.has(id))).toBe(true);
-    expect(alerts(tab).map(({ text, way, more }) => [text, way?.label, more?.label])).toEqual([[
-      '2 of 6 photos are not in this browser: b.jpg, e.jpg. Choose or drop them: each goes back to its place.', 'Choose photos', 'Go on without',
-    ]]);
+    expect(alerts(tab).map(({ text, way, more }) => [text, way?.label, more?.label])).toEqual([
+      [
+        '2 of 6 photos are not in this browser: b.jpg, e.jpg. Choose or drop them: each goes back to its place.',
+        'Choose photos',
+        'Go on without',
+      ],
+    ]);
     await tab.keeping.flush();
     expect([tab.keeping.status.value, (await counts())[3]]).toEqual(['saved', 4]);
 
-    expect(await tab.keeping.absentPhotos.fill(tab.files('e.jpg', 'b.jpg', 'new.jpg'))).toMatchObject([{ name: 'new.jpg' }]);
+    expect(await tab.keeping.absentPhotos.fill(tab.files('e.jpg', 'b.jpg', 'new.jpg'))).toMatchObject([
+      { name: 'new.jpg' },
+    ]);
     await tab.keeping.flush();
     expect([tab.names(), absent(tab), tab.keeping.status.value, (await counts())[3]]).toEqual([SIX, [], 'saved', 6]);
   });
@@ -208,7 +231,11 @@ describe('photos that the database lost', () => {
     await base.put('photos', { ...(record as any), work: null, small: null });
     const after = await without.died().tab();
     await vi.waitFor(() => expect(after.store.reading.value).toBe(null));
-    expect([after.names(), absent(after), after.store.facts.value.every(({ measures }) => measures !== null)]).toEqual([['a.jpg', 'b.jpg'], [], true]);
+    expect([after.names(), absent(after), after.store.facts.value.every(({ measures }) => measures !== null)]).toEqual([
+      ['a.jpg', 'b.jpg'],
+      [],
+      true,
+    ]);
   });
 
   it('of which nothing is known but their files are read anew', async () => {
@@ -219,7 +246,11 @@ describe('photos that the database lost', () => {
     await base.clear('facts');
     const tab = await browser.died().tab();
     await vi.waitFor(() => expect(tab.store.reading.value).toBe(null));
-    expect([tab.names(), absent(tab), tab.store.facts.value.every(({ meta }) => meta !== null)]).toEqual([['a.jpg', 'b.jpg'], [], true]);
+    expect([tab.names(), absent(tab), tab.store.facts.value.every(({ meta }) => meta !== null)]).toEqual([
+      ['a.jpg', 'b.jpg'],
+      [],
+      true,
+    ]);
   });
 
   it('keep their places where their files can be read no more', async () => {
@@ -228,7 +259,12 @@ describe('photos that the database lost', () => {
     await before.add('a.jpg', 'b.jpg');
     const [, { id }] = before.store.facts.value;
     const base = await openDatabase();
-    await base.put('photos', { ...(await base.get('photos', id) as any), file: new File(['bad'], 'b.jpg'), work: null, small: null });
+    await base.put('photos', {
+      ...((await base.get('photos', id)) as any),
+      file: new File(['bad'], 'b.jpg'),
+      work: null,
+      small: null,
+    });
     const tab = await browser.died().tab();
     await vi.waitFor(() => expect(tab.store.reading.value).toBe(null));
     expect([tab.names(), absent(tab)]).toEqual([['a.jpg', 'b.jpg'], ['b.jpg']]);
@@ -238,9 +274,15 @@ describe('photos that the database lost', () => {
     const tab = await fakeBrowser().tab();
     await tab.add('a.jpg', 'b.jpg');
     const [, { id }] = tab.store.facts.value;
-    const gone = () => Object.assign(new Blob(['gone']), { slice: () => ({ arrayBuffer: () => Promise.reject(new Error('gone')) }) });
+    const gone = () =>
+      Object.assign(new Blob(['gone']), { slice: () => ({ arrayBuffer: () => Promise.reject(new Error('gone')) }) });
     const { work, small, file } = tab.photos.get(id);
-    tab.photos.add(id, { name: 'b.jpg', file: gone(), work: { ...work, planes: gone() }, small: { ...small, planes: gone() } });
+    tab.photos.add(id, {
+      name: 'b.jpg',
+      file: gone(),
+      work: { ...work, planes: gone() },
+      small: { ...small, planes: gone() },
+    });
     await without(tab, 'b.jpg');
     let refused = true;
     failing((value) => (refused && value.id === id && value.name ? new Error('The blob cannot be read.') : null));
@@ -260,7 +302,12 @@ describe('photos that the database lost', () => {
     expect(tab.keeping.status.value).toBe('missing');
     expect(await tab.keeping.absentPhotos.fill(tab.files('b.jpg'))).toEqual([]);
     await tab.keeping.flush();
-    expect([tab.names(), tab.keeping.status.value, alerts(tab), tab.asks()]).toEqual([['a.jpg', 'b.jpg'], 'saved', [], false]);
+    expect([tab.names(), tab.keeping.status.value, alerts(tab), tab.asks()]).toEqual([
+      ['a.jpg', 'b.jpg'],
+      'saved',
+      [],
+      false,
+    ]);
   });
 });
 
@@ -291,7 +338,9 @@ describe('a save that failed', () => {
       for (let second = 1; second <= 20; second += 1) {
         const before = put.mock.calls.length;
         vi.advanceTimersByTime(1000);
-        await new Promise((resolve) => { setImmediate(() => setImmediate(() => setImmediate(resolve))); });
+        await new Promise((resolve) => {
+          setImmediate(() => setImmediate(() => setImmediate(resolve)));
+        });
         if (put.mock.calls.length > before) tries.push(second);
       }
       expect(tab.keeping.status.value).toBe('failed');
@@ -319,7 +368,7 @@ describe('hundreds of photos', () => {
     const { put } = IDBObjectStore.prototype;
     const stuck = vi.spyOn(IDBObjectStore.prototype, 'put').mockImplementation(function spied(value: any, key) {
       if (value.file && (through += 1) > 41) throw new Error('The page is about to die.');
-      // @ts-ignore -- `this` is the table
+      // @ts-expect-error -- `this` is the table
       return put.call(this, value, key);
     });
     const names = Array.from({ length: 300 }, (_, i) => `photo${i}.jpg`);
@@ -334,7 +383,9 @@ describe('hundreds of photos', () => {
     const after = await later.tab();
     await vi.waitFor(() => expect(after.store.reading.value).toBe(null), { timeout: 10_000 });
     expect([after.names(), absent(after).length]).toEqual([names, 300 - files]);
-    expect(alerts(after).map(({ text }) => text)).toEqual([expect.stringContaining(`${300 - files} of 300 photos are not in this browser: photo`)]);
+    expect(alerts(after).map(({ text }) => text)).toEqual([
+      expect.stringContaining(`${300 - files} of 300 photos are not in this browser: photo`),
+    ]);
     // Nobody knows how they look: their names tell.
     expect(await after.keeping.absentPhotos.fill(after.files(...absent(after)))).toEqual([]);
     expect([after.names(), absent(after)]).toEqual([names, []]);
@@ -345,33 +396,52 @@ describe('hundreds of photos', () => {
     tab.engine.importPhoto = () => new Promise(() => {});
     const seen: string[] = [];
     tab.keeping.progress.subscribe((now) => {
-      if (now) queueMicrotask(() => seen.push(`${tab.keeping.status.value} ${now.done} of ${now.total}${tab.asks() ? ', asks' : ''}`));
+      if (now)
+        queueMicrotask(() =>
+          seen.push(`${tab.keeping.status.value} ${now.done} of ${now.total}${tab.asks() ? ', asks' : ''}`),
+        );
     });
     void tab.reading.addFiles(tab.files(...Array.from({ length: 100 }, (_, i) => `photo${i}.jpg`)));
     await vi.waitFor(() => expect(tab.store.tray.value.length).toBe(100));
     await saved(tab);
-    expect(seen).toEqual(['saving 0 of 100, asks', 'saving 40 of 100, asks', 'saving 80 of 100, asks', 'saving 100 of 100']);
+    expect(seen).toEqual([
+      'saving 0 of 100, asks',
+      'saving 40 of 100, asks',
+      'saving 80 of 100, asks',
+      'saving 100 of 100',
+    ]);
     expect([tab.keeping.progress.value, tab.asks()]).toEqual([null, false]);
   });
 
-  it.each([['what the journal cannot tell', false], ['nothing that the journal tells', true]])('let %s pass before them', async (_what, tells) => {
+  it.each([
+    ['what the journal cannot tell', false],
+    ['nothing that the journal tells', true],
+  ])('let %s pass before them', async (_what, tells) => {
     const browser = fakeBrowser();
     const tab = await browser.tab();
     tab.engine.importPhoto = () => new Promise(() => {});
-    if (!tells) vi.spyOn(browser.local, 'setItem').mockImplementation(() => { throw new Error('full'); });
+    if (!tells)
+      vi.spyOn(browser.local, 'setItem').mockImplementation(() => {
+        throw new Error('full');
+      });
     const { put } = IDBObjectStore.prototype;
     const order: string[] = [];
     vi.spyOn(IDBObjectStore.prototype, 'put').mockImplementation(function spied(value: any, key) {
       if (value.file) order.push('file');
       if (value.history) order.push(value.history.present.name);
-      if (order.length === 43) { rename(tab, 'Trip'); void tab.keeping.flush(); }
-      // @ts-ignore -- `this` is the table
+      if (order.length === 43) {
+        rename(tab, 'Trip');
+        void tab.keeping.flush();
+      }
+      // @ts-expect-error -- `this` is the table
       return put.call(this, value, key);
     });
     void tab.reading.addFiles(tab.files(...Array.from({ length: 160 }, (_, i) => `photo${i}.jpg`)));
     await saved(tab);
     const rest = order.slice(order.indexOf('Trip'));
-    expect([rest.filter((what) => what === 'file').length > 0, order.filter((what) => what === 'file').length]).toEqual([!tells, 160]);
+    expect([rest.filter((what) => what === 'file').length > 0, order.filter((what) => what === 'file').length]).toEqual(
+      [!tells, 160],
+    );
   });
 
   it('of which one is no file any more are saved but for that one', async () => {
@@ -389,7 +459,9 @@ describe('hundreds of photos', () => {
   it('that were chosen before the page could take them are asked for, too', async () => {
     const tab = await fakeBrowser().tab();
     let go = () => {};
-    tab.engine.ready = new Promise((resolve) => { go = () => resolve(tab.store.planner.value); });
+    tab.engine.ready = new Promise((resolve) => {
+      go = () => resolve(tab.store.planner.value);
+    });
     const adding = tab.reading.addFiles(tab.files('a.jpg'));
     expect(tab.asks()).toBe(true);
     go();
@@ -405,7 +477,9 @@ describe('hundreds of photos', () => {
     void before.add('a.jpg', 'b.jpg');
     await vi.waitFor(() => expect(before.store.tray.value.length).toBe(2));
     const after = await later.tab({ session: before.session });
-    expect(alerts(after).map(({ text, way }) => [text, way?.label])).toEqual([['The page closed before a.jpg, b.jpg were saved. Choose them again.', 'Choose photos']]);
+    expect(alerts(after).map(({ text, way }) => [text, way?.label])).toEqual([
+      ['The page closed before a.jpg, b.jpg were saved. Choose them again.', 'Choose photos'],
+    ]);
   });
 });
 
@@ -418,7 +492,9 @@ describe('a tab that closes', () => {
     expect(tab.asks()).toBe(false);
     rename(tab, 'Trip');
     expect([tab.keeping.status.value, tab.asks()]).toEqual(['saving', false]);
-    vi.spyOn(browser.local, 'setItem').mockImplementation(() => { throw new Error('full'); });
+    vi.spyOn(browser.local, 'setItem').mockImplementation(() => {
+      throw new Error('full');
+    });
     rename(tab, 'Journey');
     expect(tab.asks()).toBe(true);
     await tab.keeping.flush();
@@ -455,8 +531,14 @@ describe('a film', () => {
     const { tab: open } = later;
     const after = await open({ prepare: (tab) => films(tab, Infinity) });
     await vi.waitFor(() => expect(after.store.reading.value).toBe(null));
-    expect([after.names().length, absent(after), after.store.facts.value.every(({ video }) => video)]).toEqual([24, [], true]);
-    expect([...after.store.videos.value.values()].map(({ name, ids }) => [name, ids.length])).toEqual([['film.mp4', 24]]);
+    expect([after.names().length, absent(after), after.store.facts.value.every(({ video }) => video)]).toEqual([
+      24,
+      [],
+      true,
+    ]);
+    expect([...after.store.videos.value.values()].map(({ name, ids }) => [name, ids.length])).toEqual([
+      ['film.mp4', 24],
+    ]);
   });
 
   it('that is gone leaves its frames, and is named', async () => {
@@ -470,6 +552,8 @@ describe('a film', () => {
     await base.delete('photos', key);
     const after = await browser.died().tab();
     expect([after.names().length, absent(after), after.store.videos.value.size]).toEqual([24, [], 0]);
-    expect(after.messages.list.value.map(({ text }) => text)).toEqual([expect.stringContaining('film.mp4 is no longer in this browser; its frames are.')]);
+    expect(after.messages.list.value.map(({ text }) => text)).toEqual([
+      expect.stringContaining('film.mp4 is no longer in this browser; its frames are.'),
+    ]);
   });
 });

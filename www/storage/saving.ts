@@ -33,7 +33,7 @@ import type { Signal } from '@preact/signals';
 /** `missing`: some photos can be read no more, all else is saved. */
 export type Status = 'empty' | 'saving' | 'saved' | 'missing' | 'full' | 'refused' | 'failed';
 /** What there was at one moment: all of it, what of it is saved, and how many photos it had. */
-type Moment = { now: unknown[], shot: Snapshot, known: number };
+type Moment = { now: unknown[]; shot: Snapshot; known: number };
 /**
  * What is known of the saving of one project: `facts` as they were written; `clean` is what there was when nothing needed
  * saving; `dirty`: something does; `due` is to be written now; `base` is the history that the database has, `next` the one on its way there;
@@ -42,8 +42,22 @@ type Moment = { now: unknown[], shot: Snapshot, known: number };
  * is not written.
  */
 type Ledger = {
-  place: Place, facts: Map<string, Fact>, clean: unknown[], dirty: boolean, due: Moment | null, base: Base, next: Base | null, shot: Snapshot | null,
-  looked: boolean, complete: boolean, known: number, covered: boolean, done: number, inFile: unknown, since: number, status: Status,
+  place: Place;
+  facts: Map<string, Fact>;
+  clean: unknown[];
+  dirty: boolean;
+  due: Moment | null;
+  base: Base;
+  next: Base | null;
+  shot: Snapshot | null;
+  looked: boolean;
+  complete: boolean;
+  known: number;
+  covered: boolean;
+  done: number;
+  inFile: unknown;
+  since: number;
+  status: Status;
 };
 export type Saving = ReturnType<typeof createSaving>;
 
@@ -57,14 +71,30 @@ const LONGEST_PAUSE = 60_000;
 const MOST_REPAIRS = 3;
 
 /** @param app `onWritten`: the state is in the database; `onSaved`: its photos are, too */
-export function createSaving({ store, records, journal, locks, database, drawnStates, onTrouble, onWritten = () => {}, onSaved = () => {} }: {
-  store: Store, records: PhotoRecords, journal: Journal,
-  locks: Locks, database: () => Promise<Database>, drawnStates: Pick<DrawnStates, 'of'>,
-  onTrouble: (status: Status, error: Error) => void, onWritten?: (place: Place) => void, onSaved?: (place: Place) => void,
+export function createSaving({
+  store,
+  records,
+  journal,
+  locks,
+  database,
+  drawnStates,
+  onTrouble,
+  onWritten = () => {},
+  onSaved = () => {},
+}: {
+  store: Store;
+  records: PhotoRecords;
+  journal: Journal;
+  locks: Locks;
+  database: () => Promise<Database>;
+  drawnStates: Pick<DrawnStates, 'of'>;
+  onTrouble: (status: Status, error: Error) => void;
+  onWritten?: (place: Place) => void;
+  onSaved?: (place: Place) => void;
 }) {
   const status: Signal<Status> = signal('empty');
   /** The files on their way into the database; null while there are none. */
-  const progress: Signal<{ done: number, total: number } | null> = signal(null);
+  const progress: Signal<{ done: number; total: number } | null> = signal(null);
   /** Whether something would be lost if the page closed now. */
   const unsaved = signal(false);
   /** Photos and films that the database has not, and that can be read no more. */
@@ -101,9 +131,22 @@ export function createSaving({ store, records, journal, locks, database, drawnSt
     // What came out of the database is there, but for edits that the journal told; what is new is yet to be written.
     const history = place.stored ?? (kept ? store.history.peek() : EMPTY_HISTORY);
     const fresh: Ledger = {
-      place, facts: new Map(kept ? store.album.peek() : []), clean: kept ? [history, ...now.slice(1)] : [], dirty: false, due: null,
-      base: { stamp: place.stamp, history }, next: null, shot: null, looked: false, complete: false, known: kept ? store.album.peek().size : 0,
-      covered: true, done: 0, inFile: null, since: 0, status: kept ? 'saved' : 'empty',
+      place,
+      facts: new Map(kept ? store.album.peek() : []),
+      clean: kept ? [history, ...now.slice(1)] : [],
+      dirty: false,
+      due: null,
+      base: { stamp: place.stamp, history },
+      next: null,
+      shot: null,
+      looked: false,
+      complete: false,
+      known: kept ? store.album.peek().size : 0,
+      covered: true,
+      done: 0,
+      inFile: null,
+      since: 0,
+      status: kept ? 'saved' : 'empty',
     };
     ledgers.set(place, fresh);
     return fresh;
@@ -127,7 +170,8 @@ export function createSaving({ store, records, journal, locks, database, drawnSt
   /** What the journal tells is not lost, nor are photos that must only be decoded again. */
   function weigh() {
     const now = status.peek();
-    const loose = () => !ledger.covered || records.waiting({ facts: store.facts.peek(), videos: [...store.videos.peek().values()] }) > 0;
+    const loose = () =>
+      !ledger.covered || records.waiting({ facts: store.facts.peek(), videos: [...store.videos.peek().values()] }) > 0;
     unsaved.value = now === 'saving' ? loose() : now !== 'saved' && now !== 'empty';
   }
 
@@ -138,7 +182,9 @@ export function createSaving({ store, records, journal, locks, database, drawnSt
     if (!ledger.dirty) ledger.since = performance.now();
     ledger.dirty = true;
     if (!trial) tell(ledger);
-    say(status.peek() === 'saved' || status.peek() === 'empty' || status.peek() === 'missing' ? 'saving' : status.peek());
+    say(
+      status.peek() === 'saved' || status.peek() === 'empty' || status.peek() === 'missing' ? 'saving' : status.peek(),
+    );
     clearTimeout(timer);
     // Photos are not in the journal.
     const quiet = store.album.peek().size > ledger.known && attempts === 0 ? 0 : QUIET;
@@ -153,7 +199,10 @@ export function createSaving({ store, records, journal, locks, database, drawnSt
       ledger.covered = true;
       return;
     }
-    const photos = store.facts.peek().filter((fact) => !facts.has(fact.id)).map((fact) => ([fact.id, fact.name] as const));
+    const photos = store.facts
+      .peek()
+      .filter((fact) => !facts.has(fact.id))
+      .map((fact) => [fact.id, fact.name] as const);
     ledger.covered = journal.note(id, { bases: next ? [base, next] : [base], history, photos });
   }
 
@@ -194,7 +243,9 @@ export function createSaving({ store, records, journal, locks, database, drawnSt
   /** Nothing is written, nor told to the journal, while a project is tried: it may be taken back. */
   function during<T>(work: () => Promise<T>): Promise<T> {
     let over = () => {};
-    trial = new Promise((resolve) => { over = resolve; });
+    trial = new Promise((resolve) => {
+      over = resolve;
+    });
     return work().finally(() => {
       trial = null;
       if (ledger.dirty) tell(ledger);
@@ -203,7 +254,11 @@ export function createSaving({ store, records, journal, locks, database, drawnSt
   }
 
   function moment(): Moment {
-    return { now: untracked(parts), shot: snapshotOf(store, drawnStates.of(store.place.peek())), known: store.album.peek().size };
+    return {
+      now: untracked(parts),
+      shot: snapshotOf(store, drawnStates.of(store.place.peek())),
+      known: store.album.peek().size,
+    };
   }
 
   function run(): Promise<void> {
@@ -226,7 +281,7 @@ export function createSaving({ store, records, journal, locks, database, drawnSt
         if (step === 'lost' && (repairs += 1) > MOST_REPAIRS) throw new Error('What was saved could not be read back.');
       }
     } catch (error) {
-      failed(of, (error as Error));
+      failed(of, error as Error);
     }
   }
 
@@ -254,7 +309,7 @@ export function createSaving({ store, records, journal, locks, database, drawnSt
       return 'lost';
     }
     if (!of.complete) complete(of, shot);
-    return await records.improve(base, shot) ? 'on' : 'done';
+    return (await records.improve(base, shot)) ? 'on' : 'done';
   }
 
   function count(of: Ledger, shot: Snapshot, written: number) {
@@ -281,7 +336,11 @@ export function createSaving({ store, records, journal, locks, database, drawnSt
     of.due = null;
     if (of !== ledger) return;
     progress.value = null;
-    const why = isFull(error) ? 'full' : error.code === 'no-storage' || error.name === 'SecurityError' ? 'refused' : 'failed';
+    const why = isFull(error)
+      ? 'full'
+      : error.code === 'no-storage' || error.name === 'SecurityError'
+        ? 'refused'
+        : 'failed';
     say(why);
     onTrouble(why, error);
     // Of a full storage and a project that is another's by now only a change can make something else.
@@ -311,7 +370,11 @@ export function createSaving({ store, records, journal, locks, database, drawnSt
     return 'on';
   }
 
-  async function writeState(base: Database, { place: { id, created, stamp: before }, history, drawn, facts: known }: Snapshot, { stamp, videos, facts }: { stamp: string, videos: KeptVideo[], facts: Ledger['facts'] }) {
+  async function writeState(
+    base: Database,
+    { place: { id, created, stamp: before }, history, drawn, facts: known }: Snapshot,
+    { stamp, videos, facts }: { stamp: string; videos: KeptVideo[]; facts: Ledger['facts'] },
+  ) {
     const all = base.transaction(['projects', 'states', 'facts'], 'readwrite');
     const projects = all.objectStore('projects');
     const ids = known.map((fact) => fact.id);
@@ -321,13 +384,25 @@ export function createSaving({ store, records, journal, locks, database, drawnSt
       if (typeof found?.stamp === 'string' && found.stamp !== before) throw conflict();
       const { name, tray } = history.present;
       const refs = [...ids, ...videos.map(({ fileKey }) => fileKey)];
-      const about = { ...(found?.held && { held: found.held }), id, name, created, changed: Date.now(), stamp, photos: tray.length, refs, gone: null };
+      const about = {
+        ...(found?.held && { held: found.held }),
+        id,
+        name,
+        created,
+        changed: Date.now(),
+        stamp,
+        photos: tray.length,
+        refs,
+        gone: null,
+      };
       await adopt(all.objectStore('states'), refs);
       const fresh = known.filter((fact) => facts.get(fact.id) !== fact);
       const asked = [
         () => projects.put({ ...about, picture: found?.picture ?? null }),
         () => all.objectStore('states').put({ id, version: VERSION, stamp, history, facts: ids, videos }),
-        ...(drawn.length > 0 ? [() => all.objectStore('states').put(({ id: drawnId(id), version: VERSION, drawn, facts: ids } as any))] : []),
+        ...(drawn.length > 0
+          ? [() => all.objectStore('states').put({ id: drawnId(id), version: VERSION, drawn, facts: ids } as any)]
+          : []),
         ...fresh.map((fact) => () => all.objectStore('facts').put({ id: fact.id, fact })),
       ].map((ask) => {
         const answer = ask();
@@ -349,10 +424,17 @@ export function createSaving({ store, records, journal, locks, database, drawnSt
    * Reads the state back, and looks for all that it refers to, by the keys alone.
    * @returns whether it is there; what is not is going to be written
    */
-  async function look(of: Ledger, { place: { id, stamp }, history, facts, videos }: Snapshot, base: Database): Promise<boolean> {
+  async function look(
+    of: Ledger,
+    { place: { id, stamp }, history, facts, videos }: Snapshot,
+    base: Database,
+  ): Promise<boolean> {
     const all = base.transaction(['projects', 'states', 'facts', 'photos']);
     const [project, state, known, there] = await Promise.all([
-      all.objectStore('projects').get(id), all.objectStore('states').get(id), all.objectStore('facts').getAllKeys(), all.objectStore('photos').getAllKeys(),
+      all.objectStore('projects').get(id),
+      all.objectStore('states').get(id),
+      all.objectStore('facts').getAllKeys(),
+      all.objectStore('photos').getAllKeys(),
     ]);
     if (project && project.stamp !== stamp) throw conflict();
     const spoilt = project === undefined || state?.stamp !== stamp || !alike(state.history, history);
@@ -360,14 +442,21 @@ export function createSaving({ store, records, journal, locks, database, drawnSt
     const unknown = facts.filter((fact) => !factKeys.has(fact.id));
     for (const fact of unknown) of.facts.delete(fact.id);
     if (of === ledger && (spoilt || unknown.length > 0)) of.due = moment();
-    const lost = records.lose([...facts.map((fact) => fact.id), ...records.keyed(videos).map(({ fileKey }) => fileKey)].filter((key) => !photoKeys.has(key)));
+    const lost = records.lose(
+      [...facts.map((fact) => fact.id), ...records.keyed(videos).map(({ fileKey }) => fileKey)].filter(
+        (key) => !photoKeys.has(key),
+      ),
+    );
     return !of.due && lost === 0;
   }
 
   /** Whether nothing is lost when another project takes the place of this one. */
   function isSafe() {
     if (store.tray.peek().length === 0 && ledger.place.stamp === '') return true;
-    return store.history.peek() === ledger.inFile || (!ledger.dirty && (status.peek() === 'saved' || status.peek() === 'empty'));
+    return (
+      store.history.peek() === ledger.inFile ||
+      (!ledger.dirty && (status.peek() === 'saved' || status.peek() === 'empty'))
+    );
   }
 
   /** What there is now is in a file. */

@@ -21,7 +21,8 @@ function tab(kept: Map<string, string>) {
   const shelves = createShelves({ store: app.store, messages: app.messages, box: () => box });
   shelves.recall();
   const save = (item: any) => app.store.change({ type: 'own-styles', mine: [item, ...app.store.project.peek().mine] });
-  const remove = (id: string) => app.store.change({ type: 'own-styles', mine: app.store.project.peek().mine.filter((item) => item.id !== id) });
+  const remove = (id: string) =>
+    app.store.change({ type: 'own-styles', mine: app.store.project.peek().mine.filter((item) => item.id !== id) });
   const mine = () => ids(app.store.project.peek().mine);
   return { ...app, shelves, save, remove, mine, full, hear: () => shelves.hear({ key: 'inkpanel.styles' }) };
 }
@@ -50,9 +51,15 @@ describe('styles of two tabs', () => {
     two.save(style('b'));
     one.hear();
     one.pages.undo();
-    expect([one.mine(), stored(kept)]).toEqual([['a', 'b'], ['a', 'b']]);
+    expect([one.mine(), stored(kept)]).toEqual([
+      ['a', 'b'],
+      ['a', 'b'],
+    ]);
     one.pages.redo();
-    expect([one.mine(), stored(kept)]).toEqual([['a', 'b', 'c'], ['a', 'b', 'c']]);
+    expect([one.mine(), stored(kept)]).toEqual([
+      ['a', 'b', 'c'],
+      ['a', 'b', 'c'],
+    ]);
   });
 
   it('stay here when the storage takes none, and are written with the next', () => {
@@ -71,15 +78,19 @@ describe('styles of two tabs', () => {
 });
 
 it('what was done to a list is done to another state of it', () => {
-  const list = fc.uniqueArray(fc.record({ id: fc.constantFrom('a', 'b', 'c', 'd'), name: fc.constantFrom('1', '2') }), { selector: ({ id }) => id });
-  fc.assert(fc.property(list, list, list, (state, before, after) => {
-    expect(carried(before, before, after)).toEqual(after);
-    expect(carried(state, before, before)).toEqual(state);
-    const found = ids(carried(state, before, after));
-    expect(new Set(found).size).toBe(found.length);
-    const added = after.filter(({ id }) => !before.some((item) => item.id === id));
-    for (const { id } of added) expect(found).toContain(id);
-    const gone = before.filter(({ id }) => !after.some((item) => item.id === id));
-    for (const { id } of gone) expect(found).not.toContain(id);
-  }));
+  const list = fc.uniqueArray(fc.record({ id: fc.constantFrom('a', 'b', 'c', 'd'), name: fc.constantFrom('1', '2') }), {
+    selector: ({ id }) => id,
+  });
+  fc.assert(
+    fc.property(list, list, list, (state, before, after) => {
+      expect(carried(before, before, after)).toEqual(after);
+      expect(carried(state, before, before)).toEqual(state);
+      const found = ids(carried(state, before, after));
+      expect(new Set(found).size).toBe(found.length);
+      const added = after.filter(({ id }) => !before.some((item) => item.id === id));
+      for (const { id } of added) expect(found).toContain(id);
+      const gone = before.filter(({ id }) => !after.some((item) => item.id === id));
+      for (const { id } of gone) expect(found).not.toContain(id);
+    }),
+  );
 });

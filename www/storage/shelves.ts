@@ -14,11 +14,21 @@ import type { Store } from '../document/store.ts';
 type Box = Pick<Storage, 'getItem' | 'setItem'>;
 export type Shelves = ReturnType<typeof createShelves>;
 
-const KEYS: Record<keyof SharedLists, string> = { mine: 'inkpanel.styles', favourites: 'inkpanel.favourites', ownLayouts: 'inkpanel.layouts' };
+const KEYS: Record<keyof SharedLists, string> = {
+  mine: 'inkpanel.styles',
+  favourites: 'inkpanel.favourites',
+  ownLayouts: 'inkpanel.layouts',
+};
 
 /** @param app `box` may throw where storage is refused */
-export function createShelves({ store, messages, box }: {
-  store: Store, messages: Pick<Messages, 'grave'>, box: () => Box,
+export function createShelves({
+  store,
+  messages,
+  box,
+}: {
+  store: Store;
+  messages: Pick<Messages, 'grave'>;
+  box: () => Box;
 }) {
   /** What is known to be kept; nothing is written before it was read. */
   let kept: SharedLists | null = null;
@@ -35,7 +45,8 @@ export function createShelves({ store, messages, box }: {
 
   /** Writes again what is there no more: nobody takes a list away, an empty one is written too. */
   function restore() {
-    for (const field of SHARED) if (kept !== null && kept[field].length > 0 && isGone(field)) write(field, store.project.peek()[field], true);
+    for (const field of SHARED)
+      if (kept !== null && kept[field].length > 0 && isGone(field)) write(field, store.project.peek()[field], true);
   }
 
   /** Reads what is kept. One that can no longer be read is left out; it is said nowhere, as nobody asked. */
@@ -44,9 +55,12 @@ export function createShelves({ store, messages, box }: {
     const now = { mine: read('mine'), favourites: read('favourites'), ownLayouts: read('ownLayouts') };
     const here = store.project.peek();
     // What could not be written here stays.
-    const next = kept === null ? now : Object.fromEntries(SHARED.map((field) => (
-      [field, carried((here[field] as any), (kept as SharedLists)[field], now[field])]
-    )));
+    const next =
+      kept === null
+        ? now
+        : Object.fromEntries(
+            SHARED.map((field) => [field, carried(here[field] as any, (kept as SharedLists)[field], now[field])]),
+          );
     kept = now;
     store.change({ type: 'share', lists: next });
   }
@@ -68,7 +82,7 @@ export function createShelves({ store, messages, box }: {
     seen = { ...seen, [field]: list };
     if (JSON.stringify(list) === JSON.stringify(kept[field]) && !gone) return;
     try {
-      const merged = gone || isGone(field) ? list : carried((read(field) as any[]), kept[field], list);
+      const merged = gone || isGone(field) ? list : carried(read(field) as any[], kept[field], list);
       box().setItem(KEYS[field], JSON.stringify(merged));
       kept = { ...kept, [field]: list };
     } catch {

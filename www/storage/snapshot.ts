@@ -8,7 +8,13 @@ import type { KeptHistory } from './database.ts';
 import type { Place } from './place.ts';
 
 /** `place` is where this history is kept, and no other. */
-export type Snapshot = { place: Place, history: KeptHistory, drawn: readonly Project[], facts: Fact[], videos: Video[] };
+export type Snapshot = {
+  place: Place;
+  history: KeptHistory;
+  drawn: readonly Project[];
+  facts: Fact[];
+  videos: Video[];
+};
 
 /** @param drawn states to go back to */
 export function snapshotOf(store: Store, drawn: readonly Project[] = []): Snapshot {

@@ -35,7 +35,7 @@ describe('after the page is loaded again', () => {
     const browser = fakeBrowser();
     const before = await browser.tab();
     await before.add('a.jpg', 'b.jpg');
-    const page = ({ ...before.store.page.value, words: [{ text: 'Boom', at: [0.2, 0.3] }] } as any);
+    const page = { ...before.store.page.value, words: [{ text: 'Boom', at: [0.2, 0.3] }] } as any;
     before.store.change({ type: 'change-page', page });
     await before.keeping.flush();
     const wanted = documentOf(before);
@@ -69,7 +69,8 @@ describe('the last states that were drawn', () => {
     await tab.add('a.jpg', 'b.jpg');
     const base = await openDatabase();
     const [project] = await base.getAll('projects');
-    const kept = async () => (await base.get('states', drawnId(project.id)) as any)?.drawn.map(({ name }: any) => name);
+    const kept = async () =>
+      ((await base.get('states', drawnId(project.id))) as any)?.drawn.map(({ name }: any) => name);
     expect(await kept()).toBe(undefined);
     for (const name of ['One', 'Two', 'Three', 'Four', 'Five']) {
       tab.store.change({ type: 'rename', name, silent: true });
@@ -94,15 +95,18 @@ describe('projects', () => {
     tab.store.change({ type: 'rename', name: 'Two' });
     await tab.keeping.flush();
     await tab.keeping.refresh();
-    expect(tab.keeping.list.value.map(({ name, photos }) => [name, photos])).toEqual([['Two', 2], ['One', 1]]);
+    expect(tab.keeping.list.value.map(({ name, photos }) => [name, photos])).toEqual([
+      ['Two', 2],
+      ['One', 1],
+    ]);
     const one = tab.keeping.list.value[1].id;
     expect(await tab.keeping.open(one)).toBe(true);
     expect([tab.names(), tab.store.project.value.name]).toEqual([['a.jpg'], 'One']);
     const copy = await tab.keeping.duplicate(one);
     expect(tab.keeping.list.value.map(({ name }) => name)).toContain('One copy');
-    await tab.keeping.open((copy as string));
+    await tab.keeping.open(copy as string);
     expect(tab.names()).toEqual(['a.jpg']);
-    await tab.keeping.remove((copy as string));
+    await tab.keeping.remove(copy as string);
     expect([tab.names(), tab.keeping.list.value.length]).toEqual([[], 2]);
     tab.messages.list.value[0].way?.run();
     await vi.waitFor(() => expect(tab.names()).toEqual(['a.jpg']));
@@ -119,7 +123,10 @@ describe('projects', () => {
     expect(two.names()).toEqual(['a.jpg']);
     await two.add('b.jpg');
     await one.add('c.jpg');
-    expect([one.names(), two.names()]).toEqual([['a.jpg', 'c.jpg'], ['a.jpg', 'b.jpg']]);
+    expect([one.names(), two.names()]).toEqual([
+      ['a.jpg', 'c.jpg'],
+      ['a.jpg', 'b.jpg'],
+    ]);
     expect(one.keeping.current.value).not.toBe(two.keeping.current.value);
     expect([one.keeping.status.value, two.keeping.status.value]).toEqual(['saved', 'saved']);
   });
@@ -147,11 +154,16 @@ describe('projects', () => {
     await tab.keeping.refresh();
     await tab.keeping.remove(tab.keeping.list.value[1].id);
     const base = await openDatabase();
-    const locks = createLocks((browser.locks as any));
+    const locks = createLocks(browser.locks as any);
     await sweep(base, locks);
     expect([await base.count('projects'), await base.count('photos')]).toEqual([2, 2]);
     await sweep(base, locks, Date.now() + 25 * 3600 * 1000);
-    expect([await base.count('projects'), await base.count('states'), await base.count('photos'), await base.count('facts')]).toEqual([1, 1, 1, 1]);
+    expect([
+      await base.count('projects'),
+      await base.count('states'),
+      await base.count('photos'),
+      await base.count('facts'),
+    ]).toEqual([1, 1, 1, 1]);
     expect((await base.getAll('photos')).map(({ name }) => name)).toEqual(['b.jpg']);
   });
 });

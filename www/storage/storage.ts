@@ -53,10 +53,26 @@ const SWEEP_AFTER = 8_000;
 const LOOK_AFTER = 300;
 
 /** @param app `chooseFiles` opens the browser's file dialog */
-export function createKeeping({ store, reading, engine, shelves, messages, window, leave, chooseFiles = () => {}, views }: {
-  store: Store, reading: Reading, engine: Engine,
-  shelves: Shelves, messages: Messages, window: Window, leave: () => void,
-  chooseFiles?: () => void, views?: Views,
+export function createKeeping({
+  store,
+  reading,
+  engine,
+  shelves,
+  messages,
+  window,
+  leave,
+  chooseFiles = () => {},
+  views,
+}: {
+  store: Store;
+  reading: Reading;
+  engine: Engine;
+  shelves: Shelves;
+  messages: Messages;
+  window: Window;
+  leave: () => void;
+  chooseFiles?: () => void;
+  views?: Views;
 }) {
   const { navigator } = window;
   const locks = createLocks(navigator.locks);
@@ -67,15 +83,44 @@ export function createKeeping({ store, reading, engine, shelves, messages, windo
   const journal = createJournal({ box: () => window.localStorage });
   const saving = createSaving({ store, records, journal, locks, database, drawnStates, onTrouble, onWritten, onSaved });
   const opening = createOpening({
-    store, reading, engine, shelves, saving, records, locks, messages, database, journal, last, drawnStates, leave, views,
-    onMissing: (photos) => tellMissing(photos), onUnwritten: (names) => void (names.length > 0 && messages.grave(strings.photosNeverSaved(names), choose)),
+    store,
+    reading,
+    engine,
+    shelves,
+    saving,
+    records,
+    locks,
+    messages,
+    database,
+    journal,
+    last,
+    drawnStates,
+    leave,
+    views,
+    onMissing: (photos) => tellMissing(photos),
+    onUnwritten: (names) => void (names.length > 0 && messages.grave(strings.photosNeverSaved(names), choose)),
   });
   const projects = createProjects({ store, opening, saving, locks, messages, database });
   const fileOpening = createFileOpening({ engine, messages, opening });
-  const files = { ...createProjectFiles({ store, engine, messages, saving, fileOpening }), progress: fileOpening.progress, cancel: fileOpening.cancel, stops: fileOpening.stops };
+  const files = {
+    ...createProjectFiles({ store, engine, messages, saving, fileOpening }),
+    progress: fileOpening.progress,
+    cancel: fileOpening.cancel,
+    stops: fileOpening.stops,
+  };
   const choose = { label: strings.choosePhotos, run: chooseFiles };
   const absentPhotos = createAbsentPhotos({ store, engine, reading, messages, chooseFiles, missing: saving.missing });
-  const pageFiles = createPageFiles({ store, engine, reading, messages, fileOpening, opening, projects, database, absentPhotos });
+  const pageFiles = createPageFiles({
+    store,
+    engine,
+    reading,
+    messages,
+    fileOpening,
+    opening,
+    projects,
+    database,
+    absentPhotos,
+  });
   let opened: Promise<Database> | null = null;
   /** The trouble that was told, and its message. */
   let told = { why: '', message: 0 };
@@ -95,17 +140,33 @@ export function createKeeping({ store, reading, engine, shelves, messages, windo
   });
 
   return {
-    ...opening, ...projects, status: saving.status, progress: saving.progress, flush: saving.flush, isSafe: saving.isSafe, files, pageFiles, absentPhotos,
-    begin, drawn: drawnStates.note, saveBroken,
+    ...opening,
+    ...projects,
+    status: saving.status,
+    progress: saving.progress,
+    flush: saving.flush,
+    isSafe: saving.isSafe,
+    files,
+    pageFiles,
+    absentPhotos,
+    begin,
+    drawn: drawnStates.note,
+    saveBroken,
   };
 
   async function begin() {
     await opening.begin();
     await projects.refresh().catch(() => {});
-    setTimeout(() => void database().then(async (base) => {
-      await sweep(base, locks);
-      await journal.tidy(async (id) => (await base.get('projects', id))?.stamp);
-    }).catch(() => {}), SWEEP_AFTER);
+    setTimeout(
+      () =>
+        void database()
+          .then(async (base) => {
+            await sweep(base, locks);
+            await journal.tidy(async (id) => (await base.get('projects', id))?.stamp);
+          })
+          .catch(() => {}),
+      SWEEP_AFTER,
+    );
   }
 
   function ask(event: BeforeUnloadEvent) {
@@ -173,7 +234,7 @@ export function createKeeping({ store, reading, engine, shelves, messages, windo
   }
 
   /** Photos of a project that was opened are not in the database. */
-  function tellMissing(photos: readonly { id: string, name: string }[]) {
+  function tellMissing(photos: readonly { id: string; name: string }[]) {
     const names = photos.map(({ name }) => name);
     absentPhotos.tell(strings.photosNotHere(names, store.tray.peek().length), without(photos));
   }
@@ -183,28 +244,52 @@ export function createKeeping({ store, reading, engine, shelves, messages, windo
    * @param again whether they were tried again
    * @returns the message
    */
-  function tellUnreadable(photos: readonly { id: string, name: string }[], again: boolean): number {
+  function tellUnreadable(photos: readonly { id: string; name: string }[], again: boolean): number {
     const text = strings.photosUnreadable(photos.map(({ name }) => name));
     if (again) return messages.grave(text, choose, without(photos));
-    return messages.grave(text, { label: strings.saveAgain, run: () => { tried = true; void saving.again(); } }, choose);
+    return messages.grave(
+      text,
+      {
+        label: strings.saveAgain,
+        run: () => {
+          tried = true;
+          void saving.again();
+        },
+      },
+      choose,
+    );
   }
 
   function without(photos: readonly { id: string }[]): Way {
     const ids = photos.map(({ id }) => id);
-    return { label: strings.goOnWithout, run: () => { records.forgo(ids); reading.removeAll(ids); void saving.check(); } };
+    return {
+      label: strings.goOnWithout,
+      run: () => {
+        records.forgo(ids);
+        reading.removeAll(ids);
+        void saving.check();
+      },
+    };
   }
 
   function onTrouble(why: Status, error: Error & { code?: string }) {
     if (error.code === 'conflict') {
       // Both versions are kept.
       void opening.goOnAsCopy().then(() => {
-        store.change({ type: 'rename', name: strings.copyOf(store.project.peek().name || strings.untitled), silent: true });
+        store.change({
+          type: 'rename',
+          name: strings.copyOf(store.project.peek().name || strings.untitled),
+          silent: true,
+        });
       });
       messages.note(strings.conflict);
       return;
     }
     if (told.why === why) return;
-    const message = messages.grave(strings.notSaved(why, error.message), { label: strings.saveToFile, run: () => void files.save() });
+    const message = messages.grave(strings.notSaved(why, error.message), {
+      label: strings.saveToFile,
+      run: () => void files.save(),
+    });
     told = { why, message };
   }
 }

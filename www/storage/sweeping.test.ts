@@ -19,7 +19,7 @@ beforeEach(async () => {
   tab = await browser.tab();
   await tab.add('a.jpg', 'b.jpg');
   base = await openDatabase();
-  const locks = createLocks((browser.locks as any));
+  const locks = createLocks(browser.locks as any);
   sweptAt = async (hours) => {
     await sweep(base, locks, Date.now() + hours * HOUR);
     return (await base.getAll('photos')).map(({ name }) => name).sort();
@@ -54,11 +54,17 @@ describe('photos', () => {
 
   it('of a state that could not be opened stay as long as its project, and go with it', async () => {
     await release((record) => ({ ...record, refs: [], held: record.refs }));
-    expect([await sweptAt(0), await sweptAt(100)]).toEqual([['a.jpg', 'b.jpg'], ['a.jpg', 'b.jpg']]);
+    expect([await sweptAt(0), await sweptAt(100)]).toEqual([
+      ['a.jpg', 'b.jpg'],
+      ['a.jpg', 'b.jpg'],
+    ]);
     tab.store.change({ type: 'rename', name: 'Saved since' });
     await tab.keeping.flush();
     await release((record) => ({ ...record, refs: [] }));
-    expect([await sweptAt(0), await sweptAt(100)]).toEqual([['a.jpg', 'b.jpg'], ['a.jpg', 'b.jpg']]);
+    expect([await sweptAt(0), await sweptAt(100)]).toEqual([
+      ['a.jpg', 'b.jpg'],
+      ['a.jpg', 'b.jpg'],
+    ]);
   });
 
   it.each([
@@ -75,13 +81,19 @@ describe('photos', () => {
   it('all stay while one project cannot be read at all', async () => {
     await release(({ id }) => ({ id }));
     const [state] = (await base.getAll('states')).filter(({ history }) => history);
-    await base.put('states', ({ id: state.id, facts: 'none' } as any));
-    expect([await sweptAt(0), await sweptAt(100)]).toEqual([['a.jpg', 'b.jpg'], ['a.jpg', 'b.jpg']]);
+    await base.put('states', { id: state.id, facts: 'none' } as any);
+    expect([await sweptAt(0), await sweptAt(100)]).toEqual([
+      ['a.jpg', 'b.jpg'],
+      ['a.jpg', 'b.jpg'],
+    ]);
   });
 
   it('stay where the list of projects lost the one that needs them', async () => {
     await base.clear('projects');
-    expect([await sweptAt(0), await sweptAt(100)]).toEqual([['a.jpg', 'b.jpg'], ['a.jpg', 'b.jpg']]);
+    expect([await sweptAt(0), await sweptAt(100)]).toEqual([
+      ['a.jpg', 'b.jpg'],
+      ['a.jpg', 'b.jpg'],
+    ]);
   });
 
   it('stay when the clock was wrong for a while', async () => {

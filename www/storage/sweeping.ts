@@ -25,13 +25,18 @@ export async function sweep(database: Database, locks: Pick<Locks, 'during'>, no
       void states.delete(id);
       void states.delete(drawnId(id));
     }
-    const needed = await neededBy(records.filter((record) => !over.includes(record)), states);
+    const needed = await neededBy(
+      records.filter((record) => !over.includes(record)),
+      states,
+    );
     if (needed) {
       const before = await orphansIn(states);
       // Photos of a project that is over were needed by nobody else since it was deleted.
-      const released = new Map(over.flatMap(({ refs, gone }) => (Array.isArray(refs) ? refs.map((key) => [key, gone]) : [])));
-      const since = (new Map() as Map<string, number>);
-      for (const table of (['facts', 'photos'] as const)) {
+      const released = new Map(
+        over.flatMap(({ refs, gone }) => (Array.isArray(refs) ? refs.map((key) => [key, gone]) : [])),
+      );
+      const since = new Map() as Map<string, number>;
+      for (const table of ['facts', 'photos'] as const) {
         for (const key of await all.objectStore(table).getAllKeys()) {
           if (needed.has(key)) continue;
           const from = Math.min(before.get(key) ?? released.get(key) ?? now, now);
@@ -47,7 +52,7 @@ export async function sweep(database: Database, locks: Pick<Locks, 'during'>, no
 
 /** @returns the photos that somebody needs; null where that is not known */
 async function neededBy(projects: readonly ProjectRecord[], states: States): Promise<Set<string> | null> {
-  const needed = (new Set() as Set<string>);
+  const needed = new Set() as Set<string>;
   const need = (keys: unknown) => {
     const readable = Array.isArray(keys) && keys.every((key) => typeof key === 'string');
     if (readable) keys.forEach((key) => needed.add(key));
@@ -66,7 +71,9 @@ async function neededBy(projects: readonly ProjectRecord[], states: States): Pro
   return needed;
 
   async function keysOf(id: string) {
-    const state = (await states.get(id) as any);
-    return Array.isArray(state?.facts) ? [...state.facts, ...(Array.isArray(state.videos) ? state.videos.map((video: any) => video?.fileKey) : [])] : null;
+    const state = (await states.get(id)) as any;
+    return Array.isArray(state?.facts)
+      ? [...state.facts, ...(Array.isArray(state.videos) ? state.videos.map((video: any) => video?.fileKey) : [])]
+      : null;
   }
 }

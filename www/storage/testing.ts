@@ -17,9 +17,11 @@ import type { Views } from './opening.ts';
 
 /** Locks as the browser has them, in the little that is used: exclusive and shared, waited for or not. */
 function fakeLocks() {
-  const held: Map<string, { shared: boolean, count: number }> = new Map();
+  const held: Map<string, { shared: boolean; count: number }> = new Map();
   let queue: (() => boolean)[] = [];
-  const settle = () => { queue = queue.filter((attempt) => !attempt()); };
+  const settle = () => {
+    queue = queue.filter((attempt) => !attempt());
+  };
   return {
     async request(name: string, { mode = 'exclusive', ifAvailable = false, signal }: any, work: any) {
       const free = () => !held.has(name) || (mode === 'shared' && held.get(name)?.shared);
@@ -29,7 +31,7 @@ function fakeLocks() {
         try {
           return await work({ name });
         } finally {
-          const after = (held.get(name) as any);
+          const after = held.get(name) as any;
           if (after.count === 1) held.delete(name);
           else held.set(name, { ...after, count: after.count - 1 });
           settle();
@@ -39,7 +41,10 @@ function fakeLocks() {
       if (ifAvailable) return work(null);
       return new Promise((resolve, reject) => {
         let over = false;
-        signal?.addEventListener('abort', () => { over = true; reject(signal.reason); });
+        signal?.addEventListener('abort', () => {
+          over = true;
+          reject(signal.reason);
+        });
         queue.push(() => {
           if (over) return true;
           if (!free()) return false;
@@ -59,7 +64,9 @@ function boxOf() {
     setItem: (key: string, value: string) => void kept.set(key, value),
     removeItem: (key: string) => void kept.delete(key),
     key: (at: number) => [...kept.keys()][at] ?? null,
-    get length() { return kept.size; },
+    get length() {
+      return kept.size;
+    },
   };
 }
 
@@ -74,11 +81,26 @@ export function allDie() {
  * A browser: what its tabs share.
  * @param before the same after all of its tabs have died
  */
-export function fakeBrowser({ factory = new IDBFactory(), local = boxOf() }: { factory?: IDBFactory, local?: ReturnType<typeof boxOf> } = {}) {
+export function fakeBrowser({
+  factory = new IDBFactory(),
+  local = boxOf(),
+}: {
+  factory?: IDBFactory;
+  local?: ReturnType<typeof boxOf>;
+} = {}) {
   Object.assign(globalThis, { indexedDB: factory });
   const locks = fakeLocks();
   living.push(die);
-  return { factory, local, locks, tab, died: () => { die(); return fakeBrowser({ factory, local }); } };
+  return {
+    factory,
+    local,
+    locks,
+    tab,
+    died: () => {
+      die();
+      return fakeBrowser({ factory, local });
+    },
+  };
 
   /** All of its tabs die: what they were about to do is not done. */
   function die() {
@@ -87,9 +109,15 @@ export function fakeBrowser({ factory = new IDBFactory(), local = boxOf() }: { f
   }
 
   /** @param of a tab that is loaded again has the session it had; `prepare` comes before it opens anything */
-  async function tab({ session = boxOf(), views, prepare = () => {} }: {
-  session?: ReturnType<typeof boxOf>, views?: Views, prepare?: (tab: any) => void,
-} = {}) {
+  async function tab({
+    session = boxOf(),
+    views,
+    prepare = () => {},
+  }: {
+    session?: ReturnType<typeof boxOf>;
+    views?: Views;
+    prepare?: (tab: any) => void;
+  } = {}) {
     const store = createStore();
     const planner = fakePlanner();
     (planner as any).checkStyle = JSON.parse;
@@ -99,32 +127,42 @@ export function fakeBrowser({ factory = new IDBFactory(), local = boxOf() }: { f
       return { width: 1, height: 1, panels: Array.from({ length: count }, () => ({})) };
     };
     Object.assign(planner, fakeReading((planner as any).geometry));
-    store.planner.value = (planner as any);
+    store.planner.value = planner as any;
     const messages = createMessages();
     let seed = 0;
     const pages = createPages(store, () => (seed += 1));
     const photos = createPhotos();
-    const decoded = ([] as string[]);
-    const engine = ({
-      ready: Promise.resolve(planner), photos, hasPhoto: photos.has, forgetPhoto: photos.forget,
+    const decoded = [] as string[];
+    const engine = {
+      ready: Promise.resolve(planner),
+      photos,
+      hasPhoto: photos.has,
+      forgetPhoto: photos.forget,
       importPhoto: async (id: string, file: File) => {
         const text = await file.text();
         if (text.startsWith('bad')) throw Object.assign(new Error('not a photo'), { code: 'unsupported-format' });
         decoded.push(file.name);
-        const handle = (tier: string) => ({ key: `${id}/${tier}`, width: 2, height: 1, planes: new Blob([`${tier} of ${file.name}`]) });
+        const handle = (tier: string) => ({
+          key: `${id}/${tier}`,
+          width: 2,
+          height: 1,
+          planes: new Blob([`${tier} of ${file.name}`]),
+        });
         photos.add(id, { name: file.name, file, work: handle('work'), small: handle('small') });
         // The same file looks the same wherever it is read.
         return { ...unreadMeta(id), fingerprint: unreadMeta(text).fingerprint, measures: { twin: 0 } };
       },
       renderPage: () => Promise.reject(new Error('no pixels here')),
-    } as any);
+    } as any;
     const reading = createReading({ store, pages, engine, messages, prefix: `p${Math.random()}-` });
     const shelves = createShelves({ store, messages, box: () => local });
     shelves.recall();
-    const window = (Object.assign(new EventTarget(), {
-      navigator: { locks, storage: {} }, sessionStorage: session, localStorage: local,
+    const window = Object.assign(new EventTarget(), {
+      navigator: { locks, storage: {} },
+      sessionStorage: session,
+      localStorage: local,
       document: Object.assign(new EventTarget(), { visibilityState: 'visible' }),
-    }) as any);
+    }) as any;
     /** Whether the tab asks before it closes. */
     const asks = () => !window.dispatchEvent(new Event('beforeunload', { cancelable: true }));
     const keeping = createKeeping({ store, reading, engine, shelves, messages, window, leave: () => {}, views });
@@ -136,7 +174,23 @@ export function fakeBrowser({ factory = new IDBFactory(), local = boxOf() }: { f
       await keeping.flush();
     };
     const names = () => store.facts.peek().map(({ name }) => name);
-    return { store, pages, reading, keeping, messages, engine, photos, decoded, session, window, shelves, asks, add, files, names };
+    return {
+      store,
+      pages,
+      reading,
+      keeping,
+      messages,
+      engine,
+      photos,
+      decoded,
+      session,
+      window,
+      shelves,
+      asks,
+      add,
+      files,
+      names,
+    };
   }
 }
 

@@ -27,12 +27,16 @@ describe.each([['es', spanish]])('the words in %s', (code, language) => {
 
   it('have no key that English lacks, but for reasons by code', () => {
     const there = new Map(shape(english));
-    expect(shape(language).filter(([path]) => !there.has(path) && !/^\.(reasons|projectReasons)\./.test(path))).toEqual([]);
+    expect(shape(language).filter(([path]) => !there.has(path) && !/^\.(reasons|projectReasons)\./.test(path))).toEqual(
+      [],
+    );
   });
 
   it('are in files that import nothing from outside their folder, for which the page would wait in a circle', () => {
     const folder = new URL(`./${code}/`, import.meta.url);
-    const imports = readdirSync(folder).flatMap((name) => [...readFileSync(new URL(name, folder), 'utf8').matchAll(/^import (?!type ).* from '(.*)'/gm)]);
+    const imports = readdirSync(folder).flatMap((name) => [
+      ...readFileSync(new URL(name, folder), 'utf8').matchAll(/^import (?!type ).* from '(.*)'/gm),
+    ]);
     expect(imports.length).toBeGreaterThan(10);
     expect(imports.map(([, from]) => from).filter((from) => !from.startsWith('./'))).toEqual([]);
   });
@@ -40,15 +44,26 @@ describe.each([['es', spanish]])('the words in %s', (code, language) => {
   it('name every designed style, layout, family and tag', () => {
     const styles = readAll('../../styles/');
     const layouts = readAll('../../layouts/');
-    expect(styles.filter(({ id }) => language.styleTitle({ id, name: 'none' }) === 'none').map(({ id }) => id)).toEqual([]);
-    expect(layouts.filter(({ id }) => language.layoutTitle({ id, name: 'none' }) === 'none').map(({ id }) => id)).toEqual([]);
+    expect(styles.filter(({ id }) => language.styleTitle({ id, name: 'none' }) === 'none').map(({ id }) => id)).toEqual(
+      [],
+    );
+    expect(
+      layouts.filter(({ id }) => language.layoutTitle({ id, name: 'none' }) === 'none').map(({ id }) => id),
+    ).toEqual([]);
     const families = new Set([...styles.flatMap(({ tags }) => tags), ...layouts.map(({ family }) => family)]);
-    expect([...families].filter((id) => language.familyName(id) === english.familyName(id) && !['manga', 'pop'].includes(id))).toEqual([]);
+    expect(
+      [...families].filter(
+        (id) => language.familyName(id) === english.familyName(id) && !['manga', 'pop'].includes(id),
+      ),
+    ).toEqual([]);
   });
 });
 
 it('no two areas have a word of the same name', () => {
-  const areas = (import.meta.glob(['./en/*.ts', '!./en/index.ts'], { eager: true }) as Record<string, Record<string, object>>);
+  const areas = import.meta.glob(['./en/*.ts', '!./en/index.ts'], { eager: true }) as Record<
+    string,
+    Record<string, object>
+  >;
   const names = [everyStrings, ...Object.values(areas).flatMap((area) => Object.values(area))].flatMap(Object.keys);
   expect(names.length).toBeGreaterThan(300);
   expect(names.filter((name, at) => names.indexOf(name) !== at)).toEqual([]);
@@ -63,11 +78,20 @@ it('the person chooses the language, then the browser', () => {
 
 it('turns the reasons for photos', () => {
   const reasons = ['same as only one like it.jpg', 'sharpest of 3', 'only one like it', 'blurred'];
-  expect(reasons.map(spanish.verdict)).toEqual(['igual que only one like it.jpg', 'la más nítida de 3', 'la única así', 'desenfocada']);
+  expect(reasons.map(spanish.verdict)).toEqual([
+    'igual que only one like it.jpg',
+    'la más nítida de 3',
+    'la única así',
+    'desenfocada',
+  ]);
 });
 
 it('counts what is seen', () => {
-  const things = [{ label: 'person', count: 2 }, { label: 'elephant', count: 1 }, { label: 'knife', count: 13 }];
+  const things = [
+    { label: 'person', count: 2 },
+    { label: 'elephant', count: 1 },
+    { label: 'knife', count: 13 },
+  ];
   expect(english.seen(things)).toBe('two people, an elephant, and 13 knives');
   expect(spanish.seen(things)).toBe('dos personas, un elefante y 13 cuchillos');
   expect([english.seen([]), spanish.seen([])]).toEqual(['', '']);
@@ -76,5 +100,7 @@ it('counts what is seen', () => {
 /** @returns the data files in it */
 function readAll(folder: string): any[] {
   const url = new URL(folder, import.meta.url);
-  return readdirSync(url).filter((name) => name.endsWith('.json')).map((name) => JSON.parse(readFileSync(new URL(name, url), 'utf8')));
+  return readdirSync(url)
+    .filter((name) => name.endsWith('.json'))
+    .map((name) => JSON.parse(readFileSync(new URL(name, url), 'utf8')));
 }

@@ -13,7 +13,13 @@ export const language = currentLanguage();
  * Only English is part of the first download. The files of another language import nothing from outside their folder:
  * this module waits for them, and would wait for ever if they waited for it.
  */
-const words = language === 'es' ? await import('./es/index.ts').then(({ spanish }) => spanish, () => english) : english;
+const words =
+  language === 'es'
+    ? await import('./es/index.ts').then(
+        ({ spanish }) => spanish,
+        () => english,
+      )
+    : english;
 
 if (typeof document !== 'undefined') document.documentElement.lang = words === english ? 'en' : language;
 

@@ -13,7 +13,7 @@ const style = (id: string, more = {}) => ({ id, name: id.toUpperCase(), tags: []
 /** @param full whether the storage takes nothing more */
 function app(kept: Record<string, string> = {}, full: boolean = false) {
   const made = fakeApp();
-  const planner = (made.planner as any);
+  const planner = made.planner as any;
   planner.styles = () => [style('noir')];
   planner.checkStyle = (json: string, file: string) => {
     const read = JSON.parse(json);
@@ -60,13 +60,19 @@ describe('my styles', () => {
     const { styles, messages } = app({}, true);
     styles.save(style('a'));
     expect(styles.mine.value).toHaveLength(1);
-    expect(messages.list.value.some(({ kind, text }) => kind === 'grave' && text.includes('full or refused'))).toBe(true);
+    expect(messages.list.value.some(({ kind, text }) => kind === 'grave' && text.includes('full or refused'))).toBe(
+      true,
+    );
   });
 
   it('come from files, each wrong one with its reason', async () => {
     const { styles, messages, kept, reading, files, opened } = app();
     await reading.addFiles(files('a', 'b'));
-    await styles.open([file('bad.json', {}), file('noir.json', style('noir', { name: 'Other' })), file('long.json', ' '.repeat(300_000))]);
+    await styles.open([
+      file('bad.json', {}),
+      file('noir.json', style('noir', { name: 'Other' })),
+      file('long.json', ' '.repeat(300_000)),
+    ]);
     await vi.waitFor(() => expect(messages.list.value.map(({ text }) => text)).toContain('2 files could not be read.'));
     const alerts = messages.failures.value.map(({ text }) => text);
     expect(alerts[0]).toMatch(/bad\.json.*background.*missing/);
@@ -117,7 +123,11 @@ describe('a link that holds no style', () => {
     expect(messages.list.value.map(({ text }) => text)).toEqual([expect.stringMatching(reason)]);
   });
 
-  it.each([['no JSON', 'nope'], ['another thing', '[1]'], ['no layers', '{"id":"a"}']])('%s', async (_, text) => {
+  it.each([
+    ['no JSON', 'nope'],
+    ['another thing', '[1]'],
+    ['no layers', '{"id":"a"}'],
+  ])('%s', async (_, text) => {
     const { styles, messages, kept } = app();
     await styles.openLink(packed(text));
     expect(messages.list.value).toHaveLength(1);

@@ -9,7 +9,6 @@ import { save as saveFile } from '../export/files.ts';
 import { LONGEST_STYLE, isStyleLink, linkOf, textOfLink } from './style-link.ts';
 import type { Messages } from '../app/messages.ts';
 import type { Designer } from '../designer/designer.ts';
-import type { Pages } from '../document/pages.ts';
 import type { Store } from '../document/store.ts';
 import type { Style } from '../engine/documents.ts';
 
@@ -23,9 +22,16 @@ export function freshStyleId(): string {
   return `my-${Array.from(crypto.getRandomValues(new Uint8Array(6)), (byte) => byte.toString(16).padStart(2, '0')).join('')}`;
 }
 
-export function createOwnStyles({ store, pages, messages, designer, freshId }: {
-  store: Store, pages: Pages, messages: Messages,
-  designer: Pick<Designer, 'open' | 'change'>, freshId: () => string,
+export function createOwnStyles({
+  store,
+  messages,
+  designer,
+  freshId,
+}: {
+  store: Store;
+  messages: Messages;
+  designer: Pick<Designer, 'open' | 'change'>;
+  freshId: () => string;
 }) {
   const mine = computed(() => store.project.value.mine);
   const favourites = computed(() => store.project.value.favourites);
@@ -58,19 +64,23 @@ export function createOwnStyles({ store, pages, messages, designer, freshId }: {
   }
 
   function exportFile(style: Style) {
-    const name = style.name.toLowerCase().replaceAll(/[^a-z0-9]+/g, '-').replaceAll(/^-|-$/g, '') || style.id;
+    const name =
+      style.name
+        .toLowerCase()
+        .replaceAll(/[^a-z0-9]+/g, '-')
+        .replaceAll(/^-|-$/g, '') || style.id;
     saveFile(new Blob([`${JSON.stringify(style, null, 2)}\n`], { type: 'application/json' }), `${name}.json`);
   }
 
   /** Takes styles from files; the last good one goes to the designer. */
   async function open(files: readonly File[]) {
-    let last = (null as Style | null);
+    let last = null as Style | null;
     for (const file of files) {
       try {
         if (file.size > LONGEST_STYLE) throw new Error(strings.styleTooLong(file.name));
         last = take(await file.text(), file.name);
       } catch (error) {
-        const { message } = (error as Error);
+        const { message } = error as Error;
         messages.fileFailed(file.name, message, { text: message });
       }
     }
@@ -91,9 +101,15 @@ export function createOwnStyles({ store, pages, messages, designer, freshId }: {
    * @param to `write` puts a text into the clipboard
    * @returns the link
    */
-  async function copyLink(style: Style, { address, write: copy }: { address: string, write: (text: string) => Promise<void> }): Promise<string> {
-    const link = address.replace(/#.*$/s, '') + await linkOf(style);
-    await copy(link).then(() => messages.note(strings.linkCopied), () => messages.alert(strings.linkNotCopied(link)));
+  async function copyLink(
+    style: Style,
+    { address, write: copy }: { address: string; write: (text: string) => Promise<void> },
+  ): Promise<string> {
+    const link = address.replace(/#.*$/s, '') + (await linkOf(style));
+    await copy(link).then(
+      () => messages.note(strings.linkCopied),
+      () => messages.alert(strings.linkNotCopied(link)),
+    );
     return link;
   }
 
@@ -130,6 +146,9 @@ export function createOwnStyles({ store, pages, messages, designer, freshId }: {
   }
 
   function put(style: Style) {
-    store.change({ type: 'own-styles', mine: [style, ...mine.peek().filter(({ id }) => id !== style.id)].slice(0, MOST) });
+    store.change({
+      type: 'own-styles',
+      mine: [style, ...mine.peek().filter(({ id }) => id !== style.id)].slice(0, MOST),
+    });
   }
 }

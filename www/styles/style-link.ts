@@ -15,7 +15,10 @@ export function isStyleLink(hash: string): boolean {
 
 /** @returns what stands behind the page's address */
 export async function linkOf(style: object): Promise<string> {
-  const packed = await gathered(new Blob([JSON.stringify(style)]).stream().pipeThrough(new CompressionStream('deflate-raw')), Infinity);
+  const packed = await gathered(
+    new Blob([JSON.stringify(style)]).stream().pipeThrough(new CompressionStream('deflate-raw')),
+    Infinity,
+  );
   const letters = btoa(Array.from(packed, (byte) => String.fromCharCode(byte)).join(''));
   return MARK + letters.replaceAll('+', '-').replaceAll('/', '_').replace(/=+$/, '');
 }
@@ -26,17 +29,22 @@ export async function textOfLink(hash: string): Promise<string> {
   if (!isStyleLink(hash) || letters === '') throw broken('it is empty');
   if (letters.length > LONGEST_LINK) throw broken('it is too long');
   if (!/^[\w-]+$/.test(letters)) throw broken('it holds letters that no link has');
-  let packed;
+  let packed: Uint8Array<ArrayBuffer>;
   try {
     packed = Uint8Array.from(atob(letters.replaceAll('-', '+').replaceAll('_', '/')), (letter) => letter.charCodeAt(0));
   } catch {
     throw broken('a part of it is missing');
   }
   try {
-    const bytes = await gathered(new Blob([packed]).stream().pipeThrough(new DecompressionStream('deflate-raw')), LONGEST_STYLE);
+    const bytes = await gathered(
+      new Blob([packed]).stream().pipeThrough(new DecompressionStream('deflate-raw')),
+      LONGEST_STYLE,
+    );
     return new TextDecoder('utf-8', { fatal: true }).decode(bytes);
   } catch (error) {
-    throw (error as { code?: string }).code === 'invalid-link' ? error : broken('a part of it is missing or was changed');
+    throw (error as { code?: string }).code === 'invalid-link'
+      ? error
+      : broken('a part of it is missing or was changed');
   }
 }
 

@@ -11,7 +11,7 @@ import type { Style } from '../engine/documents.ts';
 /** The style of the page in full. */
 export function styleOfPage({ store, ownStyles }: App) {
   const style = store.page.value?.style;
-  if (typeof style !== 'string') return (style as Style | undefined);
+  if (typeof style !== 'string') return style as Style | undefined;
   return ownStyles.find(style) ?? store.styles.value.find(({ id }) => id === style);
 }
 
@@ -22,8 +22,20 @@ export function StyleTools() {
   return (
     <>
       <div class="style-side-tools">
-        <IconButton icon="designer" label={style ? strings.editStyle(strings.styleTitle(style)) : strings.edit} disabled={!style} onClick={() => app.designer.open(style)} />
-        <IconButton icon="settings" label={strings.styleShuffle} pressed={open.value} onClick={() => { open.value = !open.value; }} />
+        <IconButton
+          icon="designer"
+          label={style ? strings.editStyle(strings.styleTitle(style)) : strings.edit}
+          disabled={!style}
+          onClick={() => app.designer.open(style)}
+        />
+        <IconButton
+          icon="settings"
+          label={strings.styleShuffle}
+          pressed={open.value}
+          onClick={() => {
+            open.value = !open.value;
+          }}
+        />
       </div>
       {open.value && <StyleShuffle />}
     </>
@@ -39,14 +51,39 @@ function StyleShuffle() {
       <legend class="visually-hidden">{strings.styleShuffle}</legend>
       <label class="field">
         <span>{strings.inventedShare}</span>
-        <input type="range" min="0" max="1" step="0.05" value={invented} aria-valuetext={strings.share(invented)}
-          onInput={(event) => styling.change({ invented: event.currentTarget.valueAsNumber }, `invented-${drags.current}`)}
-          onChange={() => { drags.current += 1; }} />
+        <input
+          type="range"
+          min="0"
+          max="1"
+          step="0.05"
+          value={invented}
+          aria-valuetext={strings.share(invented)}
+          onInput={(event) =>
+            styling.change({ invented: event.currentTarget.valueAsNumber }, `invented-${drags.current}`)
+          }
+          onChange={() => {
+            drags.current += 1;
+          }}
+        />
         <output aria-hidden="true">{strings.share(invented)}</output>
       </label>
       <div class="style-locks">
-        <button type="button" class="button small" aria-pressed={keepColours} onClick={() => styling.change({ keepColours: !keepColours })}>{strings.keepColours}</button>
-        <button type="button" class="button small" aria-pressed={keepLines} onClick={() => styling.change({ keepLines: !keepLines })}>{strings.keepLines}</button>
+        <button
+          type="button"
+          class="button small"
+          aria-pressed={keepColours}
+          onClick={() => styling.change({ keepColours: !keepColours })}
+        >
+          {strings.keepColours}
+        </button>
+        <button
+          type="button"
+          class="button small"
+          aria-pressed={keepLines}
+          onClick={() => styling.change({ keepLines: !keepLines })}
+        >
+          {strings.keepLines}
+        </button>
       </div>
     </fieldset>
   );

@@ -17,8 +17,8 @@ const HEIGHT = 99;
 export function StylesList() {
   const { store, pages, engine, ownStyles } = useApp();
   const hero = useHero();
-  const style = ((store.page.value?.style ?? null) as string | Style | null);
-  const selected = typeof style === 'string' ? style : style?.id ?? null;
+  const style = (store.page.value?.style ?? null) as string | Style | null;
+  const selected = typeof style === 'string' ? style : (style?.id ?? null);
   const meta = store.facts.value.find(({ id }) => id === hero)?.meta;
   const size = thumbnail(meta, WIDTH, HEIGHT);
   const mine = ownStyles.mine.value;
@@ -41,11 +41,16 @@ export function StylesList() {
       onChoose={(id) => pages.chooseStyle(ownStyles.find(id) ?? id)}
       names
       nameOf={strings.styleTitle}
-      picture={(option) => (
-        hero === null
-          ? <span class="bitmap" />
-          : <Bitmap of={designed.includes(option) ? hero : `${hero} ${JSON.stringify(option)}`} draw={(call) => engine.stylePhoto(hero, option, size, call)} />
-      )}
+      picture={(option) =>
+        hero === null ? (
+          <span class="bitmap" />
+        ) : (
+          <Bitmap
+            of={designed.includes(option) ? hero : `${hero} ${JSON.stringify(option)}`}
+            draw={(call) => engine.stylePhoto(hero, option, size, call)}
+          />
+        )
+      }
     />
   );
 }
@@ -56,7 +61,7 @@ function without(styles: readonly Style[], others: readonly Style[]): Style[] {
 }
 
 /** @returns by their first tag, in the order of the catalogue */
-function families(styles: Style[]): { name: string, options: Style[] }[] {
+function families(styles: Style[]): { name: string; options: Style[] }[] {
   const groups: Map<string, Style[]> = new Map();
   for (const style of styles) {
     const tag = style.tags[0] ?? strings.otherStyles;

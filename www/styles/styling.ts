@@ -7,7 +7,13 @@ import type { OwnStyles } from './own-styles.ts';
 
 export type StylingDeeds = ReturnType<typeof createStyling>;
 
-export function createStyling({ store, ownStyles }: { store: Store, ownStyles: Pick<OwnStyles, 'mine' | 'favourites'> }) {
+export function createStyling({
+  store,
+  ownStyles,
+}: {
+  store: Store;
+  ownStyles: Pick<OwnStyles, 'mine' | 'favourites'>;
+}) {
   return { within, change };
 
   /** A planner whose pages are drawn like that. */
@@ -19,7 +25,10 @@ export function createStyling({ store, ownStyles }: { store: Store, ownStyles: P
         if (request.keep.style || request.style !== undefined) return planner.plan(request);
         const { invented, keepLines, keepColours } = store.project.peek().styling;
         const mine = ownStyles.mine.peek();
-        const extra = [...mine, ...ownStyles.favourites.peek().filter(({ id }) => mine.every((style) => style.id !== id))];
+        const extra = [
+          ...mine,
+          ...ownStyles.favourites.peek().filter(({ id }) => mine.every((style) => style.id !== id)),
+        ];
         return planner.plan({ ...request, styling: { extra, invented, keepLines, keepColours } });
       },
     };

@@ -4,9 +4,26 @@ import { Icon } from './icon.tsx';
  * A button that is only an icon to the eye and has its name for everyone: read aloud, and shown on hover.
  * @param props `help`: more than its name, shown in place of it
  */
-export function IconButton({ icon, label, onClick, disabled = false, pressed, expanded, shortcut, class: extra = '', help = label }: {
-  icon: string, label: string, onClick: () => void, disabled?: boolean, pressed?: boolean, expanded?: boolean, shortcut?: string,
-  class?: string, help?: string,
+export function IconButton({
+  icon,
+  label,
+  onClick,
+  disabled = false,
+  pressed,
+  expanded,
+  shortcut,
+  class: extra = '',
+  help = label,
+}: {
+  icon: string;
+  label: string;
+  onClick: () => void;
+  disabled?: boolean;
+  pressed?: boolean;
+  expanded?: boolean;
+  shortcut?: string;
+  class?: string;
+  help?: string;
 }) {
   return (
     <button

@@ -10,16 +10,18 @@ const PIECE = 24;
  * @param keys of all items, in order
  */
 export function useGrowing(keys: readonly string[]): ReadonlySet<string> {
-  const last = useRef((new Set() as ReadonlySet<string>));
+  const last = useRef(new Set() as ReadonlySet<string>);
   const [, again] = useState(0);
   let room = PIECE;
   const shown = new Set(keys.filter((key) => last.current.has(key) || (room -= 1) >= 0));
   useEffect(() => {
     last.current = shown;
     if (shown.size === keys.length) return undefined;
-    let task = (undefined as ReturnType<typeof setTimeout> | undefined);
+    let task = undefined as ReturnType<typeof setTimeout> | undefined;
     // After the frame that shows this piece.
-    const frame = requestAnimationFrame(() => { task = setTimeout(() => again((n) => n + 1)); });
+    const frame = requestAnimationFrame(() => {
+      task = setTimeout(() => again((n) => n + 1));
+    });
     return () => {
       cancelAnimationFrame(frame);
       clearTimeout(task);

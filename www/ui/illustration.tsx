@@ -9,13 +9,25 @@ export function Illustration() {
         <pattern id="ink-hatch" width="7" height="7" patternUnits="userSpaceOnUse" patternTransform="rotate(-38)">
           <rect width="2.6" height="7" class="ink-dark" />
         </pattern>
-        <clipPath id="ink-a"><path d="M54 52h312v118L54 206z" /></clipPath>
-        <clipPath id="ink-b"><path d="M54 222l148-17v203H54z" /></clipPath>
-        <clipPath id="ink-c"><path d="M218 203l148-17v112l-148 18z" /></clipPath>
-        <clipPath id="ink-d"><path d="M218 332l148-18v94H218z" /></clipPath>
+        <clipPath id="ink-a">
+          <path d="M54 52h312v118L54 206z" />
+        </clipPath>
+        <clipPath id="ink-b">
+          <path d="M54 222l148-17v203H54z" />
+        </clipPath>
+        <clipPath id="ink-c">
+          <path d="M218 203l148-17v112l-148 18z" />
+        </clipPath>
+        <clipPath id="ink-d">
+          <path d="M218 332l148-18v94H218z" />
+        </clipPath>
       </defs>
-      <g class="ink-back"><rect x="52" y="44" width="330" height="390" rx="5" transform="rotate(7 210 230)" /></g>
-      <g class="ink-back"><rect x="38" y="38" width="330" height="390" rx="5" transform="rotate(-5 210 230)" /></g>
+      <g class="ink-back">
+        <rect x="52" y="44" width="330" height="390" rx="5" transform="rotate(7 210 230)" />
+      </g>
+      <g class="ink-back">
+        <rect x="38" y="38" width="330" height="390" rx="5" transform="rotate(-5 210 230)" />
+      </g>
       <rect class="ink-paper" x="38" y="36" width="344" height="388" rx="5" />
       <g clip-path="url(#ink-a)">
         <rect class="ink-sky" x="40" y="40" width="340" height="180" />
@@ -26,12 +38,21 @@ export function Illustration() {
       <g clip-path="url(#ink-b)">
         <rect class="ink-light" x="50" y="200" width="160" height="220" />
         <rect fill="url(#ink-dots)" x="50" y="200" width="160" height="220" />
-        <path class="ink-dark" d="M96 420c0-44 8-62 24-72-14-10-20-24-18-40 3-22 18-34 36-33 20 1 32 17 30 38-1 14-8 26-18 33 22 12 32 38 32 78z" />
+        <path
+          class="ink-dark"
+          d="M96 420c0-44 8-62 24-72-14-10-20-24-18-40 3-22 18-34 36-33 20 1 32 17 30 38-1 14-8 26-18 33 22 12 32 38 32 78z"
+        />
       </g>
       <g clip-path="url(#ink-c)">
         <rect class="ink-dark" x="210" y="180" width="170" height="150" />
-        <path class="ink-rays" d="M292 252l-90-60M292 252l-96-14M292 252l-90 46M292 252l-34 76M292 252l30 74M292 252l92 40M292 252l96-16M292 252l70-72M292 252l10-80M292 252l-40-70" />
-        <path class="ink-paper" d="M292 214l11 22 24-8-8 24 22 11-22 11 8 24-24-8-11 22-11-22-24 8 8-24-22-11 22-11-8-24 24 8z" />
+        <path
+          class="ink-rays"
+          d="M292 252l-90-60M292 252l-96-14M292 252l-90 46M292 252l-34 76M292 252l30 74M292 252l92 40M292 252l96-16M292 252l70-72M292 252l10-80M292 252l-40-70"
+        />
+        <path
+          class="ink-paper"
+          d="M292 214l11 22 24-8-8 24 22 11-22 11 8 24-24-8-11 22-11-22-24 8 8-24-22-11 22-11-8-24 24 8z"
+        />
       </g>
       <g clip-path="url(#ink-d)">
         <rect class="ink-light" x="210" y="310" width="170" height="110" />
@@ -40,8 +61,10 @@ export function Illustration() {
         <path class="ink-dark" d="M262 392c12-20 24-28 38-28 16 0 26 10 36 28z" />
       </g>
       <g class="ink-frames">
-        <path d="M54 52h312v118L54 206z" /><path d="M54 222l148-17v203H54z" />
-        <path d="M218 203l148-17v112l-148 18z" /><path d="M218 332l148-18v94H218z" />
+        <path d="M54 52h312v118L54 206z" />
+        <path d="M54 222l148-17v203H54z" />
+        <path d="M218 203l148-17v112l-148 18z" />
+        <path d="M218 332l148-18v94H218z" />
       </g>
     </svg>
   );

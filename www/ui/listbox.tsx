@@ -6,18 +6,38 @@ import { useEffect, useRef, useState } from 'preact/hooks';
 import { useGrowing } from './growing.ts';
 import type { ComponentChild } from 'preact';
 
-type Option = { id: string, name: string };
+type Option = { id: string; name: string };
 
 const asItIs = ({ name }: Option) => name;
 
-export function Listbox<T extends Option>({ label, groups, selected, onChoose, picture, nameOf = asItIs, names = false, empty = '', class: extra = '' }: {
-  label: string, groups: { name: string, options: T[] }[], selected: string | null, onChoose: (id: string) => void,
-  picture: (option: T) => ComponentChild, nameOf?: (option: T) => string, names?: boolean, empty?: string, class?: string,
+export function Listbox<T extends Option>({
+  label,
+  groups,
+  selected,
+  onChoose,
+  picture,
+  nameOf = asItIs,
+  names = false,
+  empty = '',
+  class: extra = '',
+}: {
+  label: string;
+  groups: { name: string; options: T[] }[];
+  selected: string | null;
+  onChoose: (id: string) => void;
+  picture: (option: T) => ComponentChild;
+  nameOf?: (option: T) => string;
+  names?: boolean;
+  empty?: string;
+  class?: string;
 }) {
-  const ref = useRef((null as HTMLDivElement | null));
-  const [active, setActive] = useState((null as string | null));
+  const ref = useRef(null as HTMLDivElement | null);
+  const [active, setActive] = useState(null as string | null);
   const there = useGrowing(groups.flatMap(({ name, options }) => options.map(({ id }) => `${name} ${id}`)));
-  const shown = groups.map(({ name, options }) => ({ name, options: options.filter(({ id }) => there.has(`${name} ${id}`)) }));
+  const shown = groups.map(({ name, options }) => ({
+    name,
+    options: options.filter(({ id }) => there.has(`${name} ${id}`)),
+  }));
   const ids = shown.flatMap(({ options }) => options.map(({ id }) => id));
   const stop = [active, selected, ids[0]].find((id) => id !== null && ids.includes(id));
 
@@ -26,9 +46,9 @@ export function Listbox<T extends Option>({ label, groups, selected, onChoose, p
 
   function onKeyDown(event: KeyboardEvent) {
     const options = [...(ref.current as HTMLElement).querySelectorAll('[role=option]')];
-    const at = options.indexOf((event.target as Element));
+    const at = options.indexOf(event.target as Element);
     if (at < 0 || event.ctrlKey || event.metaKey || event.altKey) return;
-    const to = target(event.key, (options as HTMLElement[]), at);
+    const to = target(event.key, options as HTMLElement[], at);
     if (to === undefined && event.key !== 'Enter' && event.key !== ' ') return;
     event.preventDefault();
     if (to === undefined) onChoose(ids[at]);
@@ -40,28 +60,42 @@ export function Listbox<T extends Option>({ label, groups, selected, onChoose, p
 
   return (
     <div ref={ref} class={`listbox ${extra}`} role="listbox" aria-label={label} onKeyDown={onKeyDown}>
-      {ids.length === 0 && <p class="quiet" role="presentation">{empty}</p>}
-      {shown.filter(({ options }) => options.length > 0).map(({ name, options }) => (
-        <div class="listbox-group" role="group" aria-label={name || label} key={name}>
-          {name && <div class="listbox-heading" aria-hidden="true">{name}</div>}
-          {options.map((option) => (
-            <div
-              key={option.id}
-              class="option"
-              role="option"
-              aria-label={nameOf(option)}
-              aria-selected={option.id === selected}
-              tabIndex={option.id === stop ? 0 : -1}
-              title={nameOf(option)}
-              onFocus={() => setActive(option.id)}
-              onClick={() => onChoose(option.id)}
-            >
-              {picture(option)}
-              {names && <span class="option-name" aria-hidden="true">{nameOf(option)}</span>}
-            </div>
-          ))}
-        </div>
-      ))}
+      {ids.length === 0 && (
+        <p class="quiet" role="presentation">
+          {empty}
+        </p>
+      )}
+      {shown
+        .filter(({ options }) => options.length > 0)
+        .map(({ name, options }) => (
+          <div class="listbox-group" role="group" aria-label={name || label} key={name}>
+            {name && (
+              <div class="listbox-heading" aria-hidden="true">
+                {name}
+              </div>
+            )}
+            {options.map((option) => (
+              <div
+                key={option.id}
+                class="option"
+                role="option"
+                aria-label={nameOf(option)}
+                aria-selected={option.id === selected}
+                tabIndex={option.id === stop ? 0 : -1}
+                title={nameOf(option)}
+                onFocus={() => setActive(option.id)}
+                onClick={() => onChoose(option.id)}
+              >
+                {picture(option)}
+                {names && (
+                  <span class="option-name" aria-hidden="true">
+                    {nameOf(option)}
+                  </span>
+                )}
+              </div>
+            ))}
+          </div>
+        ))}
     </div>
   );
 }
@@ -80,13 +114,20 @@ function reveal(list: HTMLElement | null) {
 function target(key: string, options: HTMLElement[], at: number): number | undefined {
   const last = options.length - 1;
   switch (key) {
-    case 'ArrowRight': return Math.min(last, at + 1);
-    case 'ArrowLeft': return Math.max(0, at - 1);
-    case 'ArrowDown': return nearest(options, at, 1);
-    case 'ArrowUp': return nearest(options, at, -1);
-    case 'Home': return 0;
-    case 'End': return last;
-    default: return undefined;
+    case 'ArrowRight':
+      return Math.min(last, at + 1);
+    case 'ArrowLeft':
+      return Math.max(0, at - 1);
+    case 'ArrowDown':
+      return nearest(options, at, 1);
+    case 'ArrowUp':
+      return nearest(options, at, -1);
+    case 'Home':
+      return 0;
+    case 'End':
+      return last;
+    default:
+      return undefined;
   }
 }
 
@@ -100,7 +141,8 @@ function nearest(options: HTMLElement[], at: number, way: 1 | -1) {
     if (Math.abs(box.top - top) < 2) continue;
     if (Number.isNaN(row)) row = box.top;
     if (Math.abs(box.top - row) > 2) break;
-    if (best === at || Math.abs(box.left - left) < Math.abs(options[best].getBoundingClientRect().left - left)) best = i;
+    if (best === at || Math.abs(box.left - left) < Math.abs(options[best].getBoundingClientRect().left - left))
+      best = i;
   }
   return best;
 }

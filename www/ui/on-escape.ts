@@ -3,10 +3,14 @@
  * @param signal until when
  */
 export function onEscape(end: () => void, signal: AbortSignal) {
-  window.addEventListener('keydown', (event) => {
-    if (event.key !== 'Escape') return;
-    event.preventDefault();
-    event.stopPropagation();
-    end();
-  }, { signal, capture: true });
+  window.addEventListener(
+    'keydown',
+    (event) => {
+      if (event.key !== 'Escape') return;
+      event.preventDefault();
+      event.stopPropagation();
+      end();
+    },
+    { signal, capture: true },
+  );
 }

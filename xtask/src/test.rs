@@ -43,7 +43,7 @@ enum Needs {
 type Outcome = (Tally, bool);
 
 const SUITES: &[Suite] = &[
-    Suite { name: "format", lane: Lane::Native, needs: Needs::Nothing, run: format },
+    Suite { name: "format", lane: Lane::Native, needs: Needs::Packages, run: format },
     Suite { name: "lint", lane: Lane::Native, needs: Needs::Packages, run: lint },
     Suite {
         name: "licences",
@@ -195,10 +195,18 @@ fn checked(result: Result<()>) -> Result<Outcome> {
 }
 
 fn format(project: &Project) -> Result<Outcome> {
-    checked(tools::run(project.cargo().args(["fmt", "--all", "--check"])))
+    tools::run(project.cargo().args(["fmt", "--all", "--check"]))?;
+    checked(tools::run(biome(project).arg("format")))
 }
 
-/// Clippy for this machine and, as it is compiled nowhere else, the web boundaries for wasm.
+/// What formats and lints the page's sources; `biome.jsonc` has its rules.
+fn biome(project: &Project) -> Command {
+    let mut biome = npm::tool(project, "@biomejs/biome/bin/biome");
+    biome.current_dir(&project.root);
+    biome
+}
+
+/// Clippy for this machine and, as it is compiled nowhere else, the web boundaries for wasm; Biome for the page.
 fn lint(project: &Project) -> Result<Outcome> {
     let strict = ["--", "-D", "warnings"];
     for choice in
@@ -221,7 +229,7 @@ fn lint(project: &Project) -> Result<Outcome> {
         ];
         tools::run(project.cargo().args(web).args(strict))?;
     }
-    checked(Ok(()))
+    checked(tools::run(biome(project).args(["lint", "--diagnostic-level=error"])))
 }
 
 /// The crate's documentation, in which a link that leads nowhere is an error, and its examples of stages.

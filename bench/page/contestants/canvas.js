@@ -11,11 +11,13 @@ export async function load({ width, height, data }) {
   const bitmap = await createImageBitmap(new ImageData(new Uint8ClampedArray(data), width, height));
   const canvas = Object.assign(document.createElement('canvas'), { width, height });
   const context = /** @type {CanvasRenderingContext2D} */ (canvas.getContext('2d', { willReadFrequently: true }));
-  const draw = (/** @type {string} */ filter, w = width, h = height) => () => {
-    context.filter = filter;
-    context.drawImage(bitmap, 0, 0, w, h);
-    context.getImageData(0, 0, 1, 1);
-  };
+  const draw =
+    (/** @type {string} */ filter, w = width, h = height) =>
+    () => {
+      context.filter = filter;
+      context.drawImage(bitmap, 0, 0, w, h);
+      context.getImageData(0, 0, 1, 1);
+    };
 
   return ({ id, luma, params: p }) => {
     // A canvas has no plane of luma; it is compared where colour is filtered.

@@ -8,8 +8,7 @@ const table = (f) => Uint8ClampedArray.from({ length: 256 }, (_, value) => f(val
 export const posterize = (levels) => table((v) => (Math.floor((v * levels) / 256) * 255) / (levels - 1));
 
 /** @param {number} phi @param {number} epsilon */
-export const softThreshold = (phi, epsilon) =>
-  table((v) => 255 * (1 + Math.tanh(Math.min(0, phi * (v - epsilon)))));
+export const softThreshold = (phi, epsilon) => table((v) => 255 * (1 + Math.tanh(Math.min(0, phi * (v - epsilon)))));
 
 const LUMA = [0.299, 0.587, 0.114];
 
@@ -23,7 +22,11 @@ export function hue(degrees) {
   // U and V of each primary, and what each of the two gives back to red, green and blue (BT.601, full range).
   const u = [-0.168736, -0.331264, 0.5];
   const v = [0.5, -0.418688, -0.081312];
-  const back = [[0, 1.402], [-0.344136, -0.714136], [1.772, 0]];
+  const back = [
+    [0, 1.402],
+    [-0.344136, -0.714136],
+    [1.772, 0],
+  ];
   return back.flatMap(([fromU, fromV]) =>
     LUMA.map((l, i) => l + fromU * (cos * u[i] - sin * v[i]) + fromV * (sin * u[i] + cos * v[i])),
   );

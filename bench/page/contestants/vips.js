@@ -8,7 +8,13 @@ import * as tables from './tables.js';
 export async function load({ width, height, data }) {
   const vips = await Vips({ dynamicLibraries: [] });
   vips.Cache.max(0);
-  const rgb = vips.Image.newFromMemory(data.filter((_, i) => i % 4 !== 3), width, height, 3, 'uchar').copyMemory();
+  const rgb = vips.Image.newFromMemory(
+    data.filter((_, i) => i % 4 !== 3),
+    width,
+    height,
+    3,
+    'uchar',
+  ).copyMemory();
   const gray = rgb.colourspace('b-w').copyMemory();
   const table = (/** @type {Uint8ClampedArray} */ t) => vips.Image.newFromMemory(t, 256, 1, 1, 'uchar').copyMemory();
   const done = (/** @type {any[]} */ ...images) => {

@@ -8,10 +8,13 @@ test('at least fourteen pages are in view on a large screen, more as one scrolls
   await page.setViewportSize({ width: 1920, height: 1080 });
   await openBoard(page);
   await expect.poll(() => drawn(page).count()).toBeGreaterThanOrEqual(14);
-  const inView = await drawn(page).evaluateAll((list) => list.filter((canvas) => {
-    const { left, right, bottom } = canvas.getBoundingClientRect();
-    return left >= 0 && right <= innerWidth && bottom <= innerHeight;
-  }).length);
+  const inView = await drawn(page).evaluateAll(
+    (list) =>
+      list.filter((canvas) => {
+        const { left, right, bottom } = canvas.getBoundingClientRect();
+        return left >= 0 && right <= innerWidth && bottom <= innerHeight;
+      }).length,
+  );
   expect(inView).toBeGreaterThanOrEqual(14);
   const region = page.getByRole('region', { name: 'Alternatives' });
   const before = await region.getByRole('button').count();

@@ -47,7 +47,12 @@ test('bad files are named with the reason, and the rest go on', async ({ page })
   await expect(page.getByRole('alert')).toContainText('4 files could not be read');
   await page.getByRole('button', { name: 'Show the list' }).click();
   for (const name of ['notes.txt', 'half.jpg', 'empty.png', 'huge.png']) {
-    await expect(page.getByRole('dialog').getByRole('listitem').filter({ hasText: new RegExp(`^${name}.{8,}`) })).toBeVisible();
+    await expect(
+      page
+        .getByRole('dialog')
+        .getByRole('listitem')
+        .filter({ hasText: new RegExp(`^${name}.{8,}`) }),
+    ).toBeVisible();
     await expect(page.getByRole('checkbox', { name: `Use ${name}` })).toHaveCount(0);
   }
   await page.keyboard.press('Escape');

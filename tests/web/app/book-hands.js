@@ -7,12 +7,13 @@ import { contents, idle } from './support.js';
 
 export const strip = (/** @type {Page} */ page) => page.getByRole('region', { name: 'Pages', exact: true });
 export const thumbs = (/** @type {Page} */ page) => strip(page).getByRole('button', { name: /^Page \d+ of \d+$/ });
-export const thumb = (/** @type {Page} */ page, /** @type {number} */ n) => strip(page).getByRole('button', { name: new RegExp(`^Page ${n} of `) });
+export const thumb = (/** @type {Page} */ page, /** @type {number} */ n) =>
+  strip(page).getByRole('button', { name: new RegExp(`^Page ${n} of `) });
 
 /** The photos of every page, turned to one after the other. @param {Page} page */
 export async function photosOfPages(page) {
   const found = [];
-  for (let n = 1; n <= await thumbs(page).count(); n += 1) {
+  for (let n = 1; n <= (await thumbs(page).count()); n += 1) {
     await thumb(page, n).click();
     await idle(page);
     found.push((await contents(page)).photos);

@@ -29,9 +29,11 @@ test('a page that is held moves with the finger', async ({ page }) => {
   const [from, to] = [await thumb(page, 3).boundingBox(), await thumb(page, 1).boundingBox()];
   if (!from || !to) throw new Error('no pages');
   const client = await page.context().newCDPSession(page);
-  const touch = (/** @type {string} */ type, /** @type {number[][]} */ points) => (
-    client.send('Input.dispatchTouchEvent', { type: /** @type {any} */ (type), touchPoints: points.map(([x, y], id) => ({ x, y, id })) })
-  );
+  const touch = (/** @type {string} */ type, /** @type {number[][]} */ points) =>
+    client.send('Input.dispatchTouchEvent', {
+      type: /** @type {any} */ (type),
+      touchPoints: points.map(([x, y], id) => ({ x, y, id })),
+    });
   const steps = way([from.x + from.width / 2, from.y + 20], [to.x + 4, to.y + 20]);
   await touch('touchStart', [steps[0]]);
   await expect(strip(page).locator('[data-carried="true"]')).toHaveCount(1);

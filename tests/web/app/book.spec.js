@@ -15,7 +15,9 @@ async function spreadSamples(page) {
   await press(page, 'Spread album over pages');
 }
 
-test('the sample album is spread over pages: each photo once, one style, and undo brings the page back', async ({ page }) => {
+test('the sample album is spread over pages: each photo once, one style, and undo brings the page back', async ({
+  page,
+}) => {
   await page.goto('./');
   await page.getByRole('button', { name: 'Try the sample album' }).click();
   await expect(page.getByRole('region', { name: 'Storyboard page' })).toBeVisible();
@@ -34,7 +36,9 @@ test('the sample album is spread over pages: each photo once, one style, and und
   expect(await picture(page)).toBe(before);
 });
 
-test('a page is added from photos that are on no other, in the same style, and a reload keeps all', async ({ page }) => {
+test('a page is added from photos that are on no other, in the same style, and a reload keeps all', async ({
+  page,
+}) => {
   await openBoard(page);
   await page.getByRole('combobox', { name: 'Panels' }).selectOption('3');
   await idle(page);
@@ -126,12 +130,18 @@ test('a style goes on all pages, the size of the page is of all, and a removed p
   expect((await contents(page)).style).toBe(style);
   await page.getByRole('combobox', { name: 'Page size' }).selectOption('wide');
   await idle(page);
-  expect((await photosOfPages(page)).map((photos) => [...photos].sort())).toEqual(before.map((photos) => [...photos].sort()));
+  expect((await photosOfPages(page)).map((photos) => [...photos].sort())).toEqual(
+    before.map((photos) => [...photos].sort()),
+  );
   for (const shown of await thumbs(page).all()) {
     const box = await shown.boundingBox();
     expect(Number(box?.width) / Number(box?.height)).toBeCloseTo(16 / 9, 1);
   }
-  await page.getByRole('button', { name: /^Remove A coffee/ }).or(page.getByRole('button', { name: 'Remove 01-coffee.jpg' })).first().click({ force: true });
+  await page
+    .getByRole('button', { name: /^Remove A coffee/ })
+    .or(page.getByRole('button', { name: 'Remove 01-coffee.jpg' }))
+    .first()
+    .click({ force: true });
   await idle(page);
   const coffee = before.flat()[0];
   expect((await photosOfPages(page)).flat()).not.toContain(coffee);
@@ -146,13 +156,17 @@ test('the pages are drawn small, and nothing about them is hard to reach', async
   await press(page, 'Shuffle style');
   await accessible(page);
   await expect(strip(page).locator('canvas[data-drawn="true"]')).toHaveCount(3);
-  const drawn = await strip(page).locator('canvas').evaluateAll((list) => list.map((element) => {
-    const canvas = /** @type {HTMLCanvasElement} */ (element);
-    const copy = document.createElement('canvas');
-    [copy.width, copy.height] = [canvas.width, canvas.height];
-    copy.getContext('2d')?.drawImage(canvas, 0, 0);
-    return copy.toDataURL();
-  }));
+  const drawn = await strip(page)
+    .locator('canvas')
+    .evaluateAll((list) =>
+      list.map((element) => {
+        const canvas = /** @type {HTMLCanvasElement} */ (element);
+        const copy = document.createElement('canvas');
+        [copy.width, copy.height] = [canvas.width, canvas.height];
+        copy.getContext('2d')?.drawImage(canvas, 0, 0);
+        return copy.toDataURL();
+      }),
+    );
   for (const address of drawn) expect(colours(pixelsOf(address))).toBeGreaterThan(1);
   expect(new Set(drawn).size).toBe(3);
 });

@@ -37,7 +37,9 @@ test('a stack opens, another of it is taken, several are kept, and each can be u
   await expect(stack).toHaveCount(0);
 });
 
-test('by keyboard: a stack is opened and closed, look-alikes are set aside less, the order changes', async ({ page }) => {
+test('by keyboard: a stack is opened and closed, look-alikes are set aside less, the order changes', async ({
+  page,
+}) => {
   await openWithCopies(page);
   const opener = page.getByRole('button', { name: 'Show the 3 photos like cat.jpg' });
   await opener.focus();

@@ -15,7 +15,8 @@ export const region = (page) => page.getByRole('region', { name: 'Style designer
 export const button = (page, name) => region(page).getByRole('button', { name, exact: true });
 
 /** @param {Page} page @param {LayerName} [layer] */
-export const cards = (page, layer = 'Background layer') => region(page).getByRole('list', { name: layer }).getByRole('listitem');
+export const cards = (page, layer = 'Background layer') =>
+  region(page).getByRole('list', { name: layer }).getByRole('listitem');
 
 /** The names of the blocks of a layer, in order. @param {Page} page @param {LayerName} [layer] */
 export async function names(page, layer) {
@@ -37,7 +38,9 @@ export async function drawn(page) {
 /** @param {Page} page @param {string} block @param {LayerName} [layer] */
 export async function addBlock(page, block, layer = 'Background layer') {
   await page.getByRole('button', { name: 'Add block' }).click();
-  await page.getByRole('button', { name: layer === 'Background layer' ? 'Add to colours' : 'Add to lines', exact: true }).click();
+  await page
+    .getByRole('button', { name: layer === 'Background layer' ? 'Add to colours' : 'Add to lines', exact: true })
+    .click();
   await page.getByRole('searchbox', { name: 'Search blocks' }).fill(block);
   await page.getByRole('region', { name: 'Blocks to add' }).getByRole('listitem').getByRole('button').first().click();
   await drawn(page);
@@ -46,7 +49,10 @@ export async function addBlock(page, block, layer = 'Background layer') {
 /** The pixels of the preview. @param {Page} page */
 export async function preview(page) {
   await drawn(page);
-  return region(page).locator('.comparison-styled').first().evaluate((canvas) => /** @type {HTMLCanvasElement} */ (canvas).toDataURL());
+  return region(page)
+    .locator('.comparison-styled')
+    .first()
+    .evaluate((canvas) => /** @type {HTMLCanvasElement} */ (canvas).toDataURL());
 }
 
 /** Opens the explorer over four photos and lets it invent from a seed. @param {Page} page */

@@ -23,7 +23,9 @@ test('a card is carried by its handle, also to the other layer, and a finger els
   const all = ['Gaussian Smoothing', 'Posterization', 'Saturation', 'XDoG'];
   expect(await names(page)).toEqual(all);
   const lanes = region(page).locator('.lanes');
-  await lanes.evaluate((element) => { element.scrollTop = 0; });
+  await lanes.evaluate((element) => {
+    element.scrollTop = 0;
+  });
   const before = await preview(page);
 
   // Down by one.

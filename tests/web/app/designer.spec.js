@@ -8,7 +8,10 @@ test('a style is built from nothing by mouse, ordered, bypassed, undone and used
   await addBlock(page, 'Gaussian');
   await addBlock(page, 'Posterization');
   await addBlock(page, 'XDoG', 'Foreground layer');
-  expect([await names(page), await names(page, 'Foreground layer')]).toEqual([['Gaussian Smoothing', 'Posterization'], ['XDoG']]);
+  expect([await names(page), await names(page, 'Foreground layer')]).toEqual([
+    ['Gaussian Smoothing', 'Posterization'],
+    ['XDoG'],
+  ]);
   const built = await preview(page);
   expect(built).not.toBe(plain);
   await expect(cards(page).first()).toContainText(/\d ms/);
@@ -53,7 +56,13 @@ test('a slider shows its effect while it moves, and its drag is one step back', 
   await page.mouse.down();
   for (let i = 1; i <= 8; i += 1) await page.mouse.move(box.x + 12 + i * 12, box.y + box.height / 2);
   // Live, before the hand lets go.
-  await expect.poll(() => region(page).locator('.comparison-styled').evaluate((canvas) => /** @type {HTMLCanvasElement} */ (canvas).toDataURL())).not.toBe(start);
+  await expect
+    .poll(() =>
+      region(page)
+        .locator('.comparison-styled')
+        .evaluate((canvas) => /** @type {HTMLCanvasElement} */ (canvas).toDataURL()),
+    )
+    .not.toBe(start);
   await page.mouse.up();
   const { width, height } = pixelsOf(await preview(page));
   expect(Math.max(width, height)).toBeGreaterThanOrEqual(960);
@@ -155,7 +164,11 @@ test('before and after, and four photos at once', async ({ page }) => {
   await button(page, 'Four photos').click();
   const first = await preview(page);
   // Which photo is shown first depends on the page, which is drawn by chance.
-  await region(page).getByRole('list', { name: 'Photo of the preview' }).locator('button:not([aria-current])').last().click();
+  await region(page)
+    .getByRole('list', { name: 'Photo of the preview' })
+    .locator('button:not([aria-current])')
+    .last()
+    .click();
   await expect.poll(() => preview(page)).not.toBe(first);
 });
 

@@ -23,14 +23,20 @@ test('photos are looked at once the page is there, and what is found can be seen
   for (const name of ['face', 'cat', 'horse', 'bird']) expect(await label(name).count()).toBeGreaterThan(0);
   await expect(page.locator('.tray .chosen-crop')).toHaveCount(4);
   // The face is whole in its panel.
-  const inside = await label('face').first().evaluate((box) => {
-    const clip = document.querySelector((box.getAttribute('clip-path') ?? '').replace(/^url\((.*)\)$/, '$1'));
-    const [face, panel] = [box, clip?.firstElementChild].map((rect) => (
-      ['x', 'y', 'width', 'height'].map((name) => Number(rect?.getAttribute(name)))
-    ));
-    return face[0] >= panel[0] - 1 && face[1] >= panel[1] - 1
-      && face[0] + face[2] <= panel[0] + panel[2] + 1 && face[1] + face[3] <= panel[1] + panel[3] + 1;
-  });
+  const inside = await label('face')
+    .first()
+    .evaluate((box) => {
+      const clip = document.querySelector((box.getAttribute('clip-path') ?? '').replace(/^url\((.*)\)$/, '$1'));
+      const [face, panel] = [box, clip?.firstElementChild].map((rect) =>
+        ['x', 'y', 'width', 'height'].map((name) => Number(rect?.getAttribute(name))),
+      );
+      return (
+        face[0] >= panel[0] - 1 &&
+        face[1] >= panel[1] - 1 &&
+        face[0] + face[2] <= panel[0] + panel[2] + 1 &&
+        face[1] + face[3] <= panel[1] + panel[3] + 1
+      );
+    });
   expect(inside).toBe(true);
   await press(page, 'Show subjects');
   await expect(page.locator('.subject-boxes')).toHaveCount(0);

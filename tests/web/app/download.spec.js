@@ -50,7 +50,9 @@ test('the export dialog saves other sizes', async ({ page }) => {
 test('a download shows its progress and can be cancelled', async ({ page }) => {
   await openBoard(page);
   let downloads = 0;
-  page.on('download', () => { downloads += 1; });
+  page.on('download', () => {
+    downloads += 1;
+  });
   // A fast machine may be done before anyone has pressed Cancel.
   await expect(async () => {
     downloads = 0;

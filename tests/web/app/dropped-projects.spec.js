@@ -11,13 +11,19 @@ async function saved(page, name) {
   await page.getByLabel('Project name').fill(name);
   await page.keyboard.press('Enter');
   await page.getByRole('button', { name: 'Projects', exact: true }).click();
-  const [download] = await Promise.all([page.waitForEvent('download'), page.getByRole('button', { name: 'Save project' }).click()]);
+  const [download] = await Promise.all([
+    page.waitForEvent('download'),
+    page.getByRole('button', { name: 'Save project' }).click(),
+  ]);
   await page.getByRole('button', { name: 'Back to the page' }).click();
   return { name: download.suggestedFilename(), mimeType: '', buffer: await readFile(await download.path()) };
 }
 
 /** @param {Page} page */
-const inTray = (page) => page.getByRole('checkbox', { name: /^Use / }).evaluateAll((boxes) => boxes.map((box) => box.getAttribute('aria-label')?.replace('Use ', '')));
+const inTray = (page) =>
+  page
+    .getByRole('checkbox', { name: /^Use / })
+    .evaluateAll((boxes) => boxes.map((box) => box.getAttribute('aria-label')?.replace('Use ', '')));
 
 test('two projects and a photo that are dropped together are all there', async ({ page, browser, baseURL }) => {
   await openBoard(page, SIX.slice(0, 2));
@@ -25,12 +31,16 @@ test('two projects and a photo that are dropped together are all there', async (
   await add(page, await photos(SIX[2]));
   await idle(page);
   const beta = await saved(page, 'Beta');
-  const other = await (await browser.newContext({ baseURL, serviceWorkers: 'block', viewport: { width: 1280, height: 800 } })).newPage();
+  const other = await (
+    await browser.newContext({ baseURL, serviceWorkers: 'block', viewport: { width: 1280, height: 800 } })
+  ).newPage();
   await other.addInitScript(() => localStorage.setItem('inkpanel.detect', 'off'));
   await openBoard(other, SIX.slice(4, 5));
   await drop(other, [beta, ...(await photos(SIX[5])), alpha]);
   const told = other.getByRole('status');
-  await expect(told).toContainText('2 projects were opened, each on its own. Beta is on the page; Alpha is in Projects.');
+  await expect(told).toContainText(
+    '2 projects were opened, each on its own. Beta is on the page; Alpha is in Projects.',
+  );
   await expect(told).toContainText('The photo that came along was added to Beta.');
   await idle(other);
   await expect(other.getByLabel('Project name')).toHaveValue('Beta');
@@ -40,6 +50,7 @@ test('two projects and a photo that are dropped together are all there', async (
   await expect(other.getByLabel('Project name')).toHaveValue('Alpha');
   await expect.poll(() => inTray(other)).toEqual(SIX.slice(0, 2));
   await other.getByRole('button', { name: 'Projects', exact: true }).click();
-  for (const name of ['Alpha', 'Beta', 'Untitled']) await expect(other.getByRole('button', { name: `Open ${name}` })).toBeVisible();
+  for (const name of ['Alpha', 'Beta', 'Untitled'])
+    await expect(other.getByRole('button', { name: `Open ${name}` })).toBeVisible();
   await other.context().close();
 });

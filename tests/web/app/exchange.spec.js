@@ -31,11 +31,15 @@ test('photos are swapped by a drag, by two clicks and by keyboard', async ({ pag
 test('a photo of the tray is dropped on a panel, or put there with a button', async ({ page }) => {
   await four(page);
   const { photos } = await contents(page);
-  const all = await page.getByRole('region', { name: 'Photos' }).getByRole('checkbox').evaluateAll((list) => (
-    list.map((box) => String(box.getAttribute('aria-label')).slice('Use '.length))
-  ));
+  const all = await page
+    .getByRole('region', { name: 'Photos' })
+    .getByRole('checkbox')
+    .evaluateAll((list) => list.map((box) => String(box.getAttribute('aria-label')).slice('Use '.length)));
   const [first, second] = all.filter((name) => !photos.includes(name));
-  const item = page.getByRole('region', { name: 'Photos' }).getByRole('listitem').filter({ has: page.getByLabel(`Use ${first}`) });
+  const item = page
+    .getByRole('region', { name: 'Photos' })
+    .getByRole('listitem')
+    .filter({ has: page.getByLabel(`Use ${first}`) });
   await item.dragTo(panel(page, 2));
   await idle(page);
   expect((await contents(page)).photos[1]).toBe(first);

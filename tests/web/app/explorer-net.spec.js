@@ -6,12 +6,19 @@ import { accessible, detectingTest as test, expect } from './support.js';
 
 /** @typedef {import('../../../www/testing.ts').Page} Page */
 
-test.skip(!existsSync(new URL('../../../www/models/aesthetics.onnx', import.meta.url)), 'the net is optional, and was not made');
+test.skip(
+  !existsSync(new URL('../../../www/models/aesthetics.onnx', import.meta.url)),
+  'the net is optional, and was not made',
+);
 
 /** @param {Page} page */
 const region = (page) => page.getByRole('region', { name: 'Style explorer' });
 /** The labels of the scores, in the order of the wall. @param {Page} page */
-const labels = (page) => region(page).getByRole('listitem').getByRole('img').evaluateAll((list) => list.map((label) => String(label.getAttribute('aria-label'))));
+const labels = (page) =>
+  region(page)
+    .getByRole('listitem')
+    .getByRole('img')
+    .evaluateAll((list) => list.map((label) => String(label.getAttribute('aria-label'))));
 
 /** Some styles on the wall, and no more coming. @param {Page} page */
 async function wall(page) {
@@ -24,16 +31,24 @@ async function wall(page) {
 test('the net scores the styles in the background, and those of its choice come first', async ({ page }) => {
   /** @type {string[]} */
   const fetched = [];
-  page.on('request', (request) => { if (request.url().includes('aesthetics')) fetched.push(request.url()); });
+  page.on('request', (request) => {
+    if (request.url().includes('aesthetics')) fetched.push(request.url());
+  });
   await wall(page);
   expect(fetched).toEqual([]);
   expect((await labels(page)).every((label) => label.startsWith('Light score'))).toBe(true);
 
   await page.getByRole('button', { name: 'Sort by score' }).click();
   await expect(page.getByRole('progressbar', { name: /Scoring styles/ })).toBeVisible();
-  await expect.poll(async () => (await labels(page)).filter((label) => label.startsWith('NIMA score')).length, { timeout: 60_000 }).toBeGreaterThan(0);
+  await expect
+    .poll(async () => (await labels(page)).filter((label) => label.startsWith('NIMA score')).length, {
+      timeout: 60_000,
+    })
+    .toBeGreaterThan(0);
   await accessible(page);
-  await expect.poll(async () => (await labels(page)).every((label) => label.startsWith('NIMA score')), { timeout: 60_000 }).toBe(true);
+  await expect
+    .poll(async () => (await labels(page)).every((label) => label.startsWith('NIMA score')), { timeout: 60_000 })
+    .toBe(true);
   await expect(page.getByRole('progressbar', { name: /Scoring styles/ })).toHaveCount(0);
   const scores = (await labels(page)).map((label) => Number(/NIMA score ([\d.]+) of 10/.exec(label)?.[1]));
   expect(scores).toEqual([...scores].sort((a, b) => b - a));
@@ -51,5 +66,7 @@ test('scoring can be stopped, and goes on when styles are sorted anew', async ({
   expect(before).toBeGreaterThan(0);
   await sort.click();
   await sort.click();
-  await expect.poll(async () => (await labels(page)).every((label) => label.startsWith('NIMA score')), { timeout: 60_000 }).toBe(true);
+  await expect
+    .poll(async () => (await labels(page)).every((label) => label.startsWith('NIMA score')), { timeout: 60_000 })
+    .toBe(true);
 });

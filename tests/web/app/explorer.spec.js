@@ -22,7 +22,10 @@ async function deed(page, n, name) {
 }
 
 /** @param {Page} page */
-const scores = (page) => wall(page).getByRole('img').evaluateAll((list) => list.map((label) => Number(label.textContent)));
+const scores = (page) =>
+  wall(page)
+    .getByRole('img')
+    .evaluateAll((list) => list.map((label) => Number(label.textContent)));
 
 test('styles are invented, sorted, filtered, favoured, bred and used', async ({ page }) => {
   await explore(page);
@@ -43,7 +46,10 @@ test('styles are invented, sorted, filtered, favoured, bred and used', async ({ 
   expect(parts).toBe(count);
   await look.selectOption('all');
 
-  const [first, second] = [await wall(page).nth(0).getAttribute('aria-label'), await wall(page).nth(1).getAttribute('aria-label')];
+  const [first, second] = [
+    await wall(page).nth(0).getAttribute('aria-label'),
+    await wall(page).nth(1).getAttribute('aria-label'),
+  ];
   await deed(page, 0, 'Favourite');
   await deed(page, 1, 'Favourite');
   await look.selectOption('favourites');
@@ -68,7 +74,12 @@ test('styles are invented, sorted, filtered, favoured, bred and used', async ({ 
   expect(await picture(page)).not.toBe(before);
   const { style } = await contents(page);
   const styles = page.getByRole('listbox', { name: 'Styles' });
-  await expect(styles.getByRole('group', { name: 'Favourites' }).getByRole('option', { name: String(second), exact: true }).first()).toBeVisible();
+  await expect(
+    styles
+      .getByRole('group', { name: 'Favourites' })
+      .getByRole('option', { name: String(second), exact: true })
+      .first(),
+  ).toBeVisible();
   await page.getByRole('button', { name: `Edit ${style}` }).click();
   await drawn(page);
   expect((await names(page)).length).toBeGreaterThan(2);
@@ -113,7 +124,10 @@ test('a shuffle keeps the layer that is locked, and mixes invented styles in', a
   await openBoard(page, FOUR);
   await page.getByRole('button', { name: 'How Shuffle chooses styles' }).click();
   await page.getByRole('slider', { name: 'Invented styles' }).fill('1');
-  const unlisted = page.getByRole('listbox', { name: 'Styles' }).getByRole('group', { name: 'This page' }).getByRole('option', { selected: true });
+  const unlisted = page
+    .getByRole('listbox', { name: 'Styles' })
+    .getByRole('group', { name: 'This page' })
+    .getByRole('option', { selected: true });
   await expect(unlisted).toHaveCount(0);
   await press(page, 'Shuffle style');
   await expect(unlisted).toHaveCount(1);

@@ -5,11 +5,16 @@ import { SIX, add, colours, expect, idle, photos, picture, pixelsOf, press } fro
 // Not the watched test of `support.js`: here errors in workers are the point.
 
 /** @param {import('../../../www/testing.ts').Page} page */
-const crashWorkers = (page) => Promise.all(page.workers().map((worker) => worker.evaluate(() => {
-  setTimeout(() => {
-    throw new Error('a fault made by the test');
-  });
-})));
+const crashWorkers = (page) =>
+  Promise.all(
+    page.workers().map((worker) =>
+      worker.evaluate(() => {
+        setTimeout(() => {
+          throw new Error('a fault made by the test');
+        });
+      }),
+    ),
+  );
 
 plain('workers that die in the middle are replaced, and the page is finished', async ({ page }) => {
   await page.goto('./');

@@ -19,14 +19,20 @@ test('an AVIF photo, which the browser decodes, becomes a panel and is exported 
   await expect(page.getByRole('group', { name: 'Panel 1 of 1' })).toBeVisible();
   expect((await contents(page)).photos).toContain('plain.avif');
   expect(colours(pixelsOf(await picture(page)))).toBeGreaterThan(2);
-  const [download] = await Promise.all([page.waitForEvent('download'), page.getByRole('button', { name: 'Download PNG' }).click()]);
+  const [download] = await Promise.all([
+    page.waitForEvent('download'),
+    page.getByRole('button', { name: 'Download PNG' }).click(),
+  ]);
   expect(await download.path()).toBeTruthy();
 });
 
 test('a HEIC photo that this browser cannot read is named with a way out, and the rest go on', async ({ page }) => {
   const heic = Buffer.from('\0\0\0\x18ftypheic\0\0\0\0mif1heic'.padEnd(400, 'x'), 'latin1');
   await page.goto('./');
-  await add(page, [{ name: 'phone.heic', mimeType: 'image/heic', buffer: heic }, ...(await photos('bee.jpg', 'cat.jpg'))]);
+  await add(page, [
+    { name: 'phone.heic', mimeType: 'image/heic', buffer: heic },
+    ...(await photos('bee.jpg', 'cat.jpg')),
+  ]);
   await idle(page);
   await expect(page.getByRole('alert').getByText(/phone\.heic: .*HEIC.*JPEG/)).toBeVisible();
   await expect(boxes(page, /^Use phone/)).toHaveCount(0);
@@ -74,7 +80,11 @@ test('a GIF that does not move is a photo', async ({ page }) => {
 test('an animation that breaks off gives the pictures that are whole; one without any is named', async ({ page }) => {
   const whole = await file('animations/kept.gif');
   const part = { ...whole, name: 'part.gif', buffer: whole.buffer.subarray(0, Math.floor(whole.buffer.length * 0.8)) };
-  const none = { ...whole, name: 'none.gif', buffer: Buffer.concat([whole.buffer.subarray(0, 30), Buffer.from('rest of nothing')]) };
+  const none = {
+    ...whole,
+    name: 'none.gif',
+    buffer: Buffer.concat([whole.buffer.subarray(0, 30), Buffer.from('rest of nothing')]),
+  };
   await page.goto('./');
   await add(page, [part, none, ...(await photos('bee.jpg'))]);
   await idle(page);

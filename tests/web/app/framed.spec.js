@@ -16,49 +16,85 @@ const REFUSED = 'Another site shows Inkpanel inside its own page.';
 
 /** A page of another origin with a frame. @param {string} inside @param {string} [attributes] of the frame */
 async function otherSite(inside, attributes = '') {
-  const server = createServer((_, response) => response.writeHead(200, { 'content-type': 'text/html' }).end(
-    `<!doctype html><html lang="en"><title>Other</title><main aria-label="Other"><h1>Other</h1><iframe title="Inside" src="${inside}" ${attributes} width="900" height="600"></iframe></main></html>`,
-  ));
-  await new Promise((resolve) => { server.listen(0, '127.0.0.1', () => resolve(null)); });
+  const server = createServer((_, response) =>
+    response
+      .writeHead(200, { 'content-type': 'text/html' })
+      .end(
+        `<!doctype html><html lang="en"><title>Other</title><main aria-label="Other"><h1>Other</h1><iframe title="Inside" src="${inside}" ${attributes} width="900" height="600"></iframe></main></html>`,
+      ),
+  );
+  await new Promise((resolve) => {
+    server.listen(0, '127.0.0.1', () => resolve(null));
+  });
   const about = server.address();
-  return { address: `http://127.0.0.1:${typeof about === 'object' && about ? about.port : 0}/`, close: () => server.close() };
+  return {
+    address: `http://127.0.0.1:${typeof about === 'object' && about ? about.port : 0}/`,
+    close: () => server.close(),
+  };
 }
 
-plain('in a page of another origin nothing of the program begins, and a link leads out', async ({ page, context, baseURL }) => {
-  const asked = /** @type {string[]} */ ([]);
-  context.on('request', (request) => asked.push(request.url()));
-  const site = await otherSite(`${baseURL}#style=x`);
-  await page.goto(site.address);
-  const frame = page.frameLocator('iframe');
-  await expect(frame.getByText(REFUSED)).toBeVisible();
-  await accessible(page);
-  // Neither files nor buttons, no worker, nothing stored, and the module was never asked for.
-  await expect(frame.locator('input, button')).toHaveCount(0);
-  const inner = /** @type {ReturnType<import('./support.js').Page['frames']>[number]} */ (page.frames().find((other) => other.url().startsWith(String(baseURL))));
-  expect(await inner.evaluate(async () => [localStorage.length, (await indexedDB.databases()).length, (await navigator.serviceWorker.getRegistrations()).length])).toEqual([0, 0, 0]);
-  expect(page.workers()).toEqual([]);
-  expect(asked.filter((url) => /\.wasm|worker/.test(url))).toEqual([]);
-  const [own] = await Promise.all([context.waitForEvent('page'), frame.getByRole('link', { name: 'Open Inkpanel in a tab of its own' }).click()]);
-  await expect(own.getByRole('button', { name: 'Try the sample album' })).toBeVisible();
-  expect(await own.evaluate(() => window.opener)).toBe(null);
-  site.close();
-});
+plain(
+  'in a page of another origin nothing of the program begins, and a link leads out',
+  async ({ page, context, baseURL }) => {
+    const asked = /** @type {string[]} */ ([]);
+    context.on('request', (request) => asked.push(request.url()));
+    const site = await otherSite(`${baseURL}#style=x`);
+    await page.goto(site.address);
+    const frame = page.frameLocator('iframe');
+    await expect(frame.getByText(REFUSED)).toBeVisible();
+    await accessible(page);
+    // Neither files nor buttons, no worker, nothing stored, and the module was never asked for.
+    await expect(frame.locator('input, button')).toHaveCount(0);
+    const inner = /** @type {ReturnType<import('./support.js').Page['frames']>[number]} */ (
+      page.frames().find((other) => other.url().startsWith(String(baseURL)))
+    );
+    expect(
+      await inner.evaluate(async () => [
+        localStorage.length,
+        (await indexedDB.databases()).length,
+        (await navigator.serviceWorker.getRegistrations()).length,
+      ]),
+    ).toEqual([0, 0, 0]);
+    expect(page.workers()).toEqual([]);
+    expect(asked.filter((url) => /\.wasm|worker/.test(url))).toEqual([]);
+    const [own] = await Promise.all([
+      context.waitForEvent('page'),
+      frame.getByRole('link', { name: 'Open Inkpanel in a tab of its own' }).click(),
+    ]);
+    await expect(own.getByRole('button', { name: 'Try the sample album' })).toBeVisible();
+    expect(await own.evaluate(() => window.opener)).toBe(null);
+    site.close();
+  },
+);
 
-plain('in a frame without an origin, and in a frame of its own in another site, it refuses too', async ({ page, baseURL }) => {
-  const boxed = await otherSite(String(baseURL), 'sandbox="allow-scripts"');
-  await page.goto(boxed.address);
-  // Its scripts are of another origin then and do not even load; what counts is that nothing works.
-  await expect(page.frameLocator('iframe').locator('input, button')).toHaveCount(0);
-  boxed.close();
-  await page.route(`${baseURL}inner.html`, (route) => route.fulfill({ contentType: 'text/html', body: '<!doctype html><title>Inner</title><iframe title="Innermost" src="./"></iframe>' }));
-  const nested = await otherSite(`${baseURL}inner.html`);
-  await page.goto(nested.address);
-  await expect(page.frameLocator('iframe').frameLocator('iframe').getByText(REFUSED)).toBeVisible();
-  nested.close();
-});
+plain(
+  'in a frame without an origin, and in a frame of its own in another site, it refuses too',
+  async ({ page, baseURL }) => {
+    const boxed = await otherSite(String(baseURL), 'sandbox="allow-scripts"');
+    await page.goto(boxed.address);
+    // Its scripts are of another origin then and do not even load; what counts is that nothing works.
+    await expect(page.frameLocator('iframe').locator('input, button')).toHaveCount(0);
+    boxed.close();
+    await page.route(`${baseURL}inner.html`, (route) =>
+      route.fulfill({
+        contentType: 'text/html',
+        body: '<!doctype html><title>Inner</title><iframe title="Innermost" src="./"></iframe>',
+      }),
+    );
+    const nested = await otherSite(`${baseURL}inner.html`);
+    await page.goto(nested.address);
+    await expect(page.frameLocator('iframe').frameLocator('iframe').getByText(REFUSED)).toBeVisible();
+    nested.close();
+  },
+);
 
 test('in a page of the same origin it works', async ({ page, baseURL }) => {
-  await page.route(`${baseURL}frame.html`, (route) => route.fulfill({ contentType: 'text/html', body: '<!doctype html><title>Own</title><iframe title="Inside" src="./" width="1200" height="700"></iframe>' }));
+  await page.route(`${baseURL}frame.html`, (route) =>
+    route.fulfill({
+      contentType: 'text/html',
+      body: '<!doctype html><title>Own</title><iframe title="Inside" src="./" width="1200" height="700"></iframe>',
+    }),
+  );
   await page.goto('./frame.html');
   const frame = page.frameLocator('iframe');
   await frame.getByLabel('Photos or video').setInputFiles(await photos('cat.jpg', 'bee.jpg'));
@@ -69,30 +105,40 @@ test('in a page of the same origin it works', async ({ page, baseURL }) => {
 plain.describe('with the headers', () => {
   plain.use({ serviceWorkers: 'allow' });
 
-  plain('browsers load the page in no other site, and all that it does is allowed, without a connection too', async ({ page, context }) => {
-    const host = await startHost({ headers: HEADERS });
-    const wrong = /** @type {string[]} */ ([]);
-    context.on('console', (message) => { if (message.type() === 'error') wrong.push(message.text()); });
-    context.on('weberror', (error) => wrong.push(error.error().message));
-    await page.addInitScript(() => localStorage.setItem('inkpanel.detect', 'off'));
-    await page.goto(host.address);
-    await add(page, await photos('cat.jpg', 'bee.jpg'));
-    await idle(page);
-    await press(page, 'Shuffle');
-    await write(page, 'balloon', 'HELLO');
-    expect((await savedAs(page, 'pdf')).bytes.subarray(0, 5).toString()).toBe('%PDF-');
-    await kept(page);
-    expect(wrong).toEqual([]);
-    await host.stop();
-    await page.reload();
-    await idle(page);
-    await expect(page.getByRole('group', { name: 'Panel 1 of 2' })).toBeVisible();
-    await host.start();
-    const site = await otherSite(host.address);
-    await page.goto(site.address);
-    await expect.poll(() => wrong.join()).toMatch(/frame-ancestors|X-Frame-Options/);
-    expect(await page.frames()[1].evaluate(() => document.getElementById('app') !== null).catch(() => false)).toBe(false);
-    site.close();
-    await host.stop();
-  });
+  plain(
+    'browsers load the page in no other site, and all that it does is allowed, without a connection too',
+    async ({ page, context }) => {
+      const host = await startHost({ headers: HEADERS });
+      const wrong = /** @type {string[]} */ ([]);
+      context.on('console', (message) => {
+        if (message.type() === 'error') wrong.push(message.text());
+      });
+      context.on('weberror', (error) => wrong.push(error.error().message));
+      await page.addInitScript(() => localStorage.setItem('inkpanel.detect', 'off'));
+      await page.goto(host.address);
+      await add(page, await photos('cat.jpg', 'bee.jpg'));
+      await idle(page);
+      await press(page, 'Shuffle');
+      await write(page, 'balloon', 'HELLO');
+      expect((await savedAs(page, 'pdf')).bytes.subarray(0, 5).toString()).toBe('%PDF-');
+      await kept(page);
+      expect(wrong).toEqual([]);
+      await host.stop();
+      await page.reload();
+      await idle(page);
+      await expect(page.getByRole('group', { name: 'Panel 1 of 2' })).toBeVisible();
+      await host.start();
+      const site = await otherSite(host.address);
+      await page.goto(site.address);
+      await expect.poll(() => wrong.join()).toMatch(/frame-ancestors|X-Frame-Options/);
+      expect(
+        await page
+          .frames()[1]
+          .evaluate(() => document.getElementById('app') !== null)
+          .catch(() => false),
+      ).toBe(false);
+      site.close();
+      await host.stop();
+    },
+  );
 });

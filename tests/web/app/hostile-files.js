@@ -28,13 +28,58 @@ function chanceOf(seed) {
 const LONG = 100_000;
 /** Characters that one deed may add: what is larger than any project is another test's (`traps.spec.js`). */
 const MOST_TEXT = 2_000_000;
-const NUMBERS = [-1, 0, 0.5, 1, 1.5, 10.5, 101, 255.5, 1e6, 2 ** 31, 2 ** 32, 2 ** 53, -(2 ** 53), 1e-300, 1e308, -1e308];
+const NUMBERS = [
+  -1,
+  0,
+  0.5,
+  1,
+  1.5,
+  10.5,
+  101,
+  255.5,
+  1e6,
+  2 ** 31,
+  2 ** 32,
+  2 ** 53,
+  -(2 ** 53),
+  1e-300,
+  1e308,
+  -1e308,
+];
 const TEXTS = [
-  '', ' ', '\ud800', '\udc00\ud800', 'x\ud83d', '\0', '\u202e\u0000\ufeff', '__proto__', 'constructor', '<img src=x onerror=alert(1)>', '../../etc/passwd', '#12345', '#ffffff00',
-  'NaN', '-1', '💥'.repeat(50), 'a\u0301'.repeat(500), 'y'.repeat(LONG),
+  '',
+  ' ',
+  '\ud800',
+  '\udc00\ud800',
+  'x\ud83d',
+  '\0',
+  '\u202e\u0000\ufeff',
+  '__proto__',
+  'constructor',
+  '<img src=x onerror=alert(1)>',
+  '../../etc/passwd',
+  '#12345',
+  '#ffffff00',
+  'NaN',
+  '-1',
+  '💥'.repeat(50),
+  'a\u0301'.repeat(500),
+  'y'.repeat(LONG),
 ];
 const OTHERS = [
-  null, true, false, [], {}, [null], [[]], [{}], { length: 1e9 }, { toString: 1, id: 7 }, [[[[[[[[1]]]]]]]], 'text', 7,
+  null,
+  true,
+  false,
+  [],
+  {},
+  [null],
+  [[]],
+  [{}],
+  { length: 1e9 },
+  { toString: 1, id: 7 },
+  [[[[[[[[1]]]]]]]],
+  'text',
+  7,
   JSON.parse('{"__proto__": {"tray": 5}, "constructor": {"prototype": 1}}'),
 ];
 
@@ -58,18 +103,39 @@ function placesIn(document) {
 
 /** What is done to a place. @type {Record<string, (chance: Chance, place: { parent: any, key: any }, document: any) => void>} */
 const DEEDS = {
-  swap: (chance, { parent, key }) => { parent[key] = structuredClone(chance.of([...OTHERS, ...NUMBERS, ...TEXTS])); },
-  drop: (_, { parent, key }) => { if (Array.isArray(parent)) parent.splice(Number(key), 1); else delete parent[key]; },
-  number: (chance, { parent, key }) => { parent[key] = typeof parent[key] === 'number' && chance.next() < 0.4 ? -parent[key] * chance.of([1, 10, 1000]) : chance.of(NUMBERS); },
-  text: (chance, { parent, key }) => { parent[key] = chance.next() < 0.3 ? `${parent[key]}${chance.of(TEXTS)}` : chance.of(TEXTS); },
+  swap: (chance, { parent, key }) => {
+    parent[key] = structuredClone(chance.of([...OTHERS, ...NUMBERS, ...TEXTS]));
+  },
+  drop: (_, { parent, key }) => {
+    if (Array.isArray(parent)) parent.splice(Number(key), 1);
+    else delete parent[key];
+  },
+  number: (chance, { parent, key }) => {
+    parent[key] =
+      typeof parent[key] === 'number' && chance.next() < 0.4
+        ? -parent[key] * chance.of([1, 10, 1000])
+        : chance.of(NUMBERS);
+  },
+  text: (chance, { parent, key }) => {
+    parent[key] = chance.next() < 0.3 ? `${parent[key]}${chance.of(TEXTS)}` : chance.of(TEXTS);
+  },
   count: (chance, { parent, key }) => {
     const value = parent[key];
     const few = Math.ceil(MOST_TEXT / (1 + JSON.stringify(value ?? null).length));
-    if (Array.isArray(value) && value.length > 0) parent[key] = Array.from({ length: Math.min(few * value.length, chance.of([2, 200, 1000, 6000])) }, (_, i) => value[i % value.length]);
+    if (Array.isArray(value) && value.length > 0)
+      parent[key] = Array.from(
+        { length: Math.min(few * value.length, chance.of([2, 200, 1000, 6000])) },
+        (_, i) => value[i % value.length],
+      );
     else parent[key] = Array(Math.min(few, chance.of([1, 201, 5001]))).fill(value);
   },
-  deepen: (chance, { parent, key }) => { parent[key] = nested(parent[key], chance.of([1, 2, 100, 1000])); },
-  double: (_, { parent, key }) => { if (Array.isArray(parent)) parent.push(parent[key]); else parent[`${key}2`] = parent[key]; },
+  deepen: (chance, { parent, key }) => {
+    parent[key] = nested(parent[key], chance.of([1, 2, 100, 1000]));
+  },
+  double: (_, { parent, key }) => {
+    if (Array.isArray(parent)) parent.push(parent[key]);
+    else parent[`${key}2`] = parent[key];
+  },
   move: (chance, place, document) => {
     const other = chance.of(placesIn(document));
     other.parent[other.key] = structuredClone(place.parent[place.key]);
@@ -108,7 +174,13 @@ function spoiltDocument(chance, good) {
 /** What is done to the text itself. @type {[string, (chance: Chance, text: string) => string][]} */
 const TEXT_DEEDS = [
   ['cut', (chance, text) => text.slice(0, chance.below(text.length))],
-  ['a sign changed', (chance, text) => { const at = chance.below(text.length); return `${text.slice(0, at)}${chance.of(['{', '}', '[', ']', '"', '\\', '0', '-', '\u0000', ','])}${text.slice(at + 1)}`; }],
+  [
+    'a sign changed',
+    (chance, text) => {
+      const at = chance.below(text.length);
+      return `${text.slice(0, at)}${chance.of(['{', '}', '[', ']', '"', '\\', '0', '-', '\u0000', ','])}${text.slice(at + 1)}`;
+    },
+  ],
   ['a key twice', (_, text) => text.replace('"version"', '"version":1,"history":null,"version"')],
   ['a number of thousands of digits', (_, text) => text.replace(/:(\d+)/, `:${'9'.repeat(4000)}`)],
   ['brackets', (_, text) => text.replace('"photos":', `"more":${'['.repeat(20_000)}${']'.repeat(20_000)},"photos":`)],
@@ -133,12 +205,21 @@ export async function soundProject({ document, photos }) {
 
 /** @param {{ document: any, photos: Entry[] }} good @returns {Promise<Hostile>} the same, of a page */
 export async function soundPage({ document, photos }) {
-  return { seed: 0, name: 'sound.png', bytes: await bytesOf(await withProject(await barePng(), JSON.stringify(document), photos)), what: 'nothing' };
+  return {
+    seed: 0,
+    name: 'sound.png',
+    bytes: await bytesOf(await withProject(await barePng(), JSON.stringify(document), photos)),
+    what: 'nothing',
+  };
 }
 
 /** Its pixels are never looked at. */
 async function barePng() {
-  return pngOf([await chunkOf('IHDR', new Uint8Array(13)), await chunkOf('IDAT', new Uint8Array(9)), await chunkOf('IEND', new Uint8Array(0))]);
+  return pngOf([
+    await chunkOf('IHDR', new Uint8Array(13)),
+    await chunkOf('IDAT', new Uint8Array(9)),
+    await chunkOf('IEND', new Uint8Array(0)),
+  ]);
 }
 
 /** @param {Blob} blob */

@@ -40,18 +40,29 @@ async function first(page) {
   await saved(page);
   const id = String(await page.evaluate(() => sessionStorage.getItem('inkpanel.project')));
   // Its thumbnail comes a while after.
-  await expect.poll(async () => (await tables(page, { of: id })).projects[id].picture, { timeout: 30_000 }).toContain('blob');
+  await expect
+    .poll(async () => (await tables(page, { of: id })).projects[id].picture, { timeout: 30_000 })
+    .toContain('blob');
   return id;
 }
 
 /** What the page shows of the project that is open. @param {Page} page */
-const look = (page) => page.evaluate(() => JSON.stringify([
-  sessionStorage.getItem('inkpanel.project'), document.querySelector('.project-name')?.getAttribute('value') ?? /** @type {any} */ (document.querySelector('.project-name'))?.value,
-  document.querySelector('.page-number')?.textContent,
-  [...document.querySelectorAll('.stage [aria-description]')].map((panel) => panel.getAttribute('aria-description')),
-  [...document.querySelectorAll('.top-middle button, .shuffle-bar button')].map((/** @type {any} */ button) => `${button.ariaLabel} ${button.disabled} ${button.ariaPressed}`),
-  /** @type {HTMLCanvasElement | null} */ (document.querySelector('.page-canvas'))?.toDataURL('image/webp', 0.1),
-]));
+const look = (page) =>
+  page.evaluate(() =>
+    JSON.stringify([
+      sessionStorage.getItem('inkpanel.project'),
+      document.querySelector('.project-name')?.getAttribute('value') ??
+        /** @type {any} */ (document.querySelector('.project-name'))?.value,
+      document.querySelector('.page-number')?.textContent,
+      [...document.querySelectorAll('.stage [aria-description]')].map((panel) =>
+        panel.getAttribute('aria-description'),
+      ),
+      [...document.querySelectorAll('.top-middle button, .shuffle-bar button')].map(
+        (/** @type {any} */ button) => `${button.ariaLabel} ${button.disabled} ${button.ariaPressed}`,
+      ),
+      /** @type {HTMLCanvasElement | null} */ (document.querySelector('.page-canvas'))?.toDataURL('image/webp', 0.1),
+    ]),
+  );
 
 /**
  * Drops files on the window one after the other, each when the page has come to rest after the one before.
@@ -60,36 +71,75 @@ const look = (page) => page.evaluate(() => JSON.stringify([
  * @returns {Promise<{ name: string, opened: boolean, told: boolean, said: string, rested: boolean, same: boolean, ms: number }[]>}
  */
 function fed(page, files) {
-  return page.evaluate(async ([list, rest]) => {
-    const at = () => sessionStorage.getItem('inkpanel.project');
-    const shown = () => JSON.stringify([...document.querySelectorAll('.stage [aria-description], .project-name')].map((one) => one.getAttribute('aria-description') ?? /** @type {any} */ (one).value));
-    const said = () => [...document.querySelectorAll('.toasts')].map(({ textContent }) => textContent).join();
-    /** @type {() => Promise<boolean>} */
-    const resting = () => new Promise((resolve) => {
-      const over = () => { watch.disconnect(); clearTimeout(timer); };
-      const look = () => { if (document.body.dataset.idle === 'true') { over(); resolve(true); } };
-      const watch = new MutationObserver(look);
-      watch.observe(document.body, { attributes: true, attributeFilter: ['data-idle'] });
-      const timer = setTimeout(() => { over(); resolve(false); }, rest);
-      look();
-    });
-    const moment = () => new Promise((resolve) => { setTimeout(resolve); });
-    const results = [];
-    for (const { name, base64 } of list) {
-      const since = performance.now();
-      const [before, view] = [at(), shown()];
-      for (const close of /** @type {NodeListOf<HTMLButtonElement>} */ (document.querySelectorAll('.toast button[aria-label="Dismiss"]'))) close.click();
-      const transfer = new DataTransfer();
-      transfer.items.add(new File([Uint8Array.from(atob(base64), (sign) => sign.charCodeAt(0))], name, { type: name.endsWith('png') ? 'image/png' : 'application/zip' }));
-      for (const type of ['dragenter', 'dragover', 'drop']) document.body.dispatchEvent(new DragEvent(type, { dataTransfer: transfer, bubbles: true, cancelable: true }));
-      await moment();
-      const rested = await resting();
-      // Messages are rendered a moment later.
-      await moment();
-      results.push({ name, opened: at() !== before, told: said().includes(name), said: said(), rested, same: shown() === view, ms: Math.round(performance.now() - since) });
-    }
-    return results;
-  }, /** @type {const} */ ([files.map(({ name, bytes }) => ({ name, base64: bytes.toString('base64') })), REST]));
+  return page.evaluate(
+    async ([list, rest]) => {
+      const at = () => sessionStorage.getItem('inkpanel.project');
+      const shown = () =>
+        JSON.stringify(
+          [...document.querySelectorAll('.stage [aria-description], .project-name')].map(
+            (one) => one.getAttribute('aria-description') ?? /** @type {any} */ (one).value,
+          ),
+        );
+      const said = () => [...document.querySelectorAll('.toasts')].map(({ textContent }) => textContent).join();
+      /** @type {() => Promise<boolean>} */
+      const resting = () =>
+        new Promise((resolve) => {
+          const over = () => {
+            watch.disconnect();
+            clearTimeout(timer);
+          };
+          const look = () => {
+            if (document.body.dataset.idle === 'true') {
+              over();
+              resolve(true);
+            }
+          };
+          const watch = new MutationObserver(look);
+          watch.observe(document.body, { attributes: true, attributeFilter: ['data-idle'] });
+          const timer = setTimeout(() => {
+            over();
+            resolve(false);
+          }, rest);
+          look();
+        });
+      const moment = () =>
+        new Promise((resolve) => {
+          setTimeout(resolve);
+        });
+      const results = [];
+      for (const { name, base64 } of list) {
+        const since = performance.now();
+        const [before, view] = [at(), shown()];
+        for (const close of /** @type {NodeListOf<HTMLButtonElement>} */ (
+          document.querySelectorAll('.toast button[aria-label="Dismiss"]')
+        ))
+          close.click();
+        const transfer = new DataTransfer();
+        transfer.items.add(
+          new File([Uint8Array.from(atob(base64), (sign) => sign.charCodeAt(0))], name, {
+            type: name.endsWith('png') ? 'image/png' : 'application/zip',
+          }),
+        );
+        for (const type of ['dragenter', 'dragover', 'drop'])
+          document.body.dispatchEvent(new DragEvent(type, { dataTransfer: transfer, bubbles: true, cancelable: true }));
+        await moment();
+        const rested = await resting();
+        // Messages are rendered a moment later.
+        await moment();
+        results.push({
+          name,
+          opened: at() !== before,
+          told: said().includes(name),
+          said: said(),
+          rested,
+          same: shown() === view,
+          ms: Math.round(performance.now() - since),
+        });
+      }
+      return results;
+    },
+    /** @type {const} */ ([files.map(({ name, bytes }) => ({ name, base64: bytes.toString('base64') })), REST]),
+  );
 }
 
 /** The most memory that a tab of the browser ever had, its workers included. @param {Page} page */
@@ -97,13 +147,15 @@ async function peak(page) {
   const session = await /** @type {any} */ (page.context().browser()).newBrowserCDPSession();
   const { processInfo } = await session.send('SystemInfo.getProcessInfo');
   await session.detach();
-  const sizes = processInfo.filter((/** @type {any} */ { type }) => type === 'renderer').map((/** @type {any} */ { id }) => {
-    try {
-      return Number(/^VmHWM:\s+(\d+) kB/m.exec(readFileSync(`/proc/${id}/status`, 'utf8'))?.[1] ?? 0) * 1024;
-    } catch {
-      return 0;
-    }
-  });
+  const sizes = processInfo
+    .filter((/** @type {any} */ { type }) => type === 'renderer')
+    .map((/** @type {any} */ { id }) => {
+      try {
+        return Number(/^VmHWM:\s+(\d+) kB/m.exec(readFileSync(`/proc/${id}/status`, 'utf8'))?.[1] ?? 0) * 1024;
+      } catch {
+        return 0;
+      }
+    });
   return Math.max(0, ...sizes);
 }
 
@@ -138,11 +190,17 @@ test('a thousand hostile projects and pages leave the open project byte for byte
   const before = { tables: await tables(page, { of: id }), look: await look(page) };
   let [opened, refused] = [0, 0];
   const begun = Date.now();
-  for (const [kind, make, from] of /** @type {const} */ ([['projects', hostileProject, good.project], ['pages', hostilePage, good.page]])) {
+  for (const [kind, make, from] of /** @type {const} */ ([
+    ['projects', hostileProject, good.project],
+    ['pages', hostilePage, good.page],
+  ])) {
     for (let seed = FIRST_SEED; seed < FIRST_SEED + COUNT; seed += BATCH) {
-      const files = await Promise.all(Array.from({ length: Math.min(BATCH, FIRST_SEED + COUNT - seed) }, (_, i) => make(seed + i, from)));
+      const files = await Promise.all(
+        Array.from({ length: Math.min(BATCH, FIRST_SEED + COUNT - seed) }, (_, i) => make(seed + i, from)),
+      );
       const results = await fed(page, files);
-      for (const { name, ms } of results) if (ms > SLOW) console.log(`${name} took ${ms} ms: ${files.find((file) => file.name === name)?.what}`);
+      for (const { name, ms } of results)
+        if (ms > SLOW) console.log(`${name} took ${ms} ms: ${files.find((file) => file.name === name)?.what}`);
       const about = (/** @type {string} */ name) => `${name}: ${files.find((file) => file.name === name)?.what}`;
       for (const result of results) {
         expect(result.rested, `${about(result.name)}: the page came to rest`).toBe(true);
@@ -156,11 +214,15 @@ test('a thousand hostile projects and pages leave the open project byte for byte
       const now = await tables(page, { of: id });
       // Files that opened bring styles for all projects; saved with these it is the same project.
       const same = now.projects[id].stamp === before.tables.projects[id].stamp;
-      expect(same ? now : essence(now), `${kind} from ${seed}: the tables`).toEqual(same ? before.tables : essence(before.tables));
+      expect(same ? now : essence(now), `${kind} from ${seed}: the tables`).toEqual(
+        same ? before.tables : essence(before.tables),
+      );
     }
   }
   const memory = await peak(page);
-  console.log(`seeds from ${FIRST_SEED}: ${opened} opened, ${refused} refused, ${Math.round((Date.now() - begun) / 1000)} s, ${Math.round(memory / 2 ** 20)} MB at most`);
+  console.log(
+    `seeds from ${FIRST_SEED}: ${opened} opened, ${refused} refused, ${Math.round((Date.now() - begun) / 1000)} s, ${Math.round(memory / 2 ** 20)} MB at most`,
+  );
   expect(memory).toBeLessThan(GIGABYTE);
   expect(Math.min(opened, refused)).toBeGreaterThan(COUNT / 10);
   // The document of the page, and not only its look, is what it was: an edit makes one step of it.
@@ -168,7 +230,12 @@ test('a thousand hostile projects and pages leave the open project byte for byte
   await saved(page);
   const after = (await tables(page, { of: id })).states[id].history;
   const { history } = before.tables.states[id];
-  const wanted = { ...history, past: [...history.past, history.present], future: [], present: { ...history.present, locks: { ...history.present.locks, layout: true } } };
+  const wanted = {
+    ...history,
+    past: [...history.past, history.present],
+    future: [],
+    present: { ...history.present, locks: { ...history.present.locks, layout: true } },
+  };
   expect(unshared(after)).toEqual(unshared(wanted));
   await page.reload();
   await idle(page);
@@ -177,14 +244,20 @@ test('a thousand hostile projects and pages leave the open project byte for byte
 
 /** Without the lists that all projects have in common: files that opened have brought theirs. @param {any} history */
 function unshared({ past, present, future, ...rest }) {
-  const own = (/** @type {any} */ { mine: _mine, favourites: _favourites, ownLayouts: _layouts, ...project }) => project;
+  const own = (/** @type {any} */ { mine: _mine, favourites: _favourites, ownLayouts: _layouts, ...project }) =>
+    project;
   return { ...rest, past: past.map(own), present: own(present), future: future.map(own) };
 }
 
 /** @param {Awaited<ReturnType<typeof tables>>} all of one project, without what any writing of it changes */
 function essence({ projects, states, ...rest }) {
-  const about = Object.values(projects).map(({ changed: _changed, stamp: _stamp, picture: _picture, ...record }) => record);
-  const kept = Object.values(states).map(({ stamp: _stamp, history, ...record }) => ({ ...record, history: unshared(history) }));
+  const about = Object.values(projects).map(
+    ({ changed: _changed, stamp: _stamp, picture: _picture, ...record }) => record,
+  );
+  const kept = Object.values(states).map(({ stamp: _stamp, history, ...record }) => ({
+    ...record,
+    history: unshared(history),
+  }));
   return { about, kept, ...rest };
 }
 

@@ -26,7 +26,10 @@ async function hang(page, which) {
         return value;
       };
     }`;
-    await route.fulfill({ response, body: which(loads) ? `${script}\n${await response.text()}` : await response.text() });
+    await route.fulfill({
+      response,
+      body: which(loads) ? `${script}\n${await response.text()}` : await response.text(),
+    });
   });
 }
 
@@ -47,9 +50,12 @@ plain('a photo on which every worker hangs is named after seconds, and the rest 
   await hang(page, () => true);
   await page.goto('./');
   await add(page, await photos(...SIX));
-  await expect(page.getByRole('alert').getByText(/crab\.jpg: reading it stopped the program twice/)).toBeVisible({ timeout: SECONDS });
+  await expect(page.getByRole('alert').getByText(/crab\.jpg: reading it stopped the program twice/)).toBeVisible({
+    timeout: SECONDS,
+  });
   await idle(page);
-  for (const name of SIX.filter((other) => other !== 'crab.jpg')) await expect(page.getByRole('checkbox', { name: `Use ${name}` })).toBeChecked();
+  for (const name of SIX.filter((other) => other !== 'crab.jpg'))
+    await expect(page.getByRole('checkbox', { name: `Use ${name}` })).toBeChecked();
   await page.unroute(WORKER);
   await press(page, 'Shuffle');
 });

@@ -11,7 +11,8 @@ import { SIX, contents, drop, expect, idle, openBoard, photos, press, test } fro
 /** @param {Page} page */
 const saved = (page) => expect(page.locator('.save-state')).toHaveText('Saved');
 /** @param {Page} page */
-const panels = (page) => page.getByRole('region', { name: 'Storyboard page' }).getByRole('group', { name: /^Panel \d/ });
+const panels = (page) =>
+  page.getByRole('region', { name: 'Storyboard page' }).getByRole('group', { name: /^Panel \d/ });
 
 test('everything is there after the page is loaded again, undo too', async ({ page }) => {
   await openBoard(page);
@@ -141,7 +142,9 @@ test('a project goes into a file and comes back when it is dropped on the window
   expect(await contents(page)).toEqual(before);
   await expect(page.getByLabel('Project name')).toHaveValue('back');
   await saved(page);
-  await drop(page, [{ name: 'bad.inkpanel', mimeType: 'application/zip', buffer: buffer.subarray(0, buffer.length / 2) }]);
+  await drop(page, [
+    { name: 'bad.inkpanel', mimeType: 'application/zip', buffer: buffer.subarray(0, buffer.length / 2) },
+  ]);
   await expect(page.getByRole('alert').getByText('bad.inkpanel could not be opened')).toBeVisible();
   expect(await contents(page)).toEqual(before);
 });

@@ -31,7 +31,11 @@ test('from the start to the file by keyboard alone', async ({ page }) => {
 
 test('L, S and P shuffle their part', async ({ page }) => {
   await openBoard(page);
-  for (const [key, part] of /** @type {const} */ ([['l', 'layout'], ['s', 'style'], ['p', 'photos']])) {
+  for (const [key, part] of /** @type {const} */ ([
+    ['l', 'layout'],
+    ['s', 'style'],
+    ['p', 'photos'],
+  ])) {
     const before = await contents(page);
     await page.keyboard.press(key);
     await idle(page);
@@ -46,7 +50,11 @@ test('arrows move between the panels, which are one tab stop', async ({ page }) 
   await page.getByRole('combobox', { name: 'Panels' }).selectOption('6');
   await idle(page);
   const panels = page.getByRole('group', { name: /^Panel \d of \d$/ });
-  expect(await panels.evaluateAll((list) => list.filter((panel) => /** @type {HTMLElement} */ (panel).tabIndex === 0).length)).toBe(1);
+  expect(
+    await panels.evaluateAll(
+      (list) => list.filter((panel) => /** @type {HTMLElement} */ (panel).tabIndex === 0).length,
+    ),
+  ).toBe(1);
   await panels.first().focus();
   /** @type {Set<string | null | undefined>} */
   const seen = new Set();

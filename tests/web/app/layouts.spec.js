@@ -6,7 +6,8 @@ import { PNG, choose, contents, drop, expect, idle, openBoard, picture, press, t
 
 /** @param {Page} page */
 const layouts = (page) => page.getByRole('listbox', { name: 'Layouts' });
-const cut = (/** @type {Page} */ page, /** @type {number} */ n = 1) => page.getByRole('slider', { name: new RegExp(`^Cut ${n} of`) });
+const cut = (/** @type {Page} */ page, /** @type {number} */ n = 1) =>
+  page.getByRole('slider', { name: new RegExp(`^Cut ${n} of`) });
 
 /**
  * The layout as a file.
@@ -14,7 +15,10 @@ const cut = (/** @type {Page} */ page, /** @type {number} */ n = 1) => page.getB
  * @returns {Promise<{ name: string, bytes: Buffer, layout: any }>}
  */
 async function savedLayout(page) {
-  const [download] = await Promise.all([page.waitForEvent('download'), page.getByRole('button', { name: 'Save layout' }).click()]);
+  const [download] = await Promise.all([
+    page.waitForEvent('download'),
+    page.getByRole('button', { name: 'Save layout' }).click(),
+  ]);
   const bytes = await readFile(await download.path());
   return { name: download.suggestedFilename(), bytes, layout: JSON.parse(bytes.toString()) };
 }
@@ -22,7 +26,8 @@ async function savedLayout(page) {
 /** @param {Page} page @returns {Promise<PNG>} */
 async function exported(page) {
   const [download] = await Promise.all([
-    page.waitForEvent('download', { timeout: 60_000 }), page.getByRole('button', { name: 'Download PNG' }).click(),
+    page.waitForEvent('download', { timeout: 60_000 }),
+    page.getByRole('button', { name: 'Download PNG' }).click(),
   ]);
   return PNG.sync.read(await readFile(await download.path()));
 }
@@ -61,7 +66,9 @@ test('a family is chosen, and gutter and page size change the page', async ({ pa
   await openBoard(page);
   const family = page.getByRole('combobox', { name: 'Family' });
   await family.selectOption('grid');
-  const names = await layouts(page).getByRole('option').evaluateAll((list) => list.map((option) => option.getAttribute('aria-label')));
+  const names = await layouts(page)
+    .getByRole('option')
+    .evaluateAll((list) => list.map((option) => option.getAttribute('aria-label')));
   expect(names.length).toBeGreaterThan(2);
   await layouts(page).getByRole('option').nth(1).click();
   await idle(page);
@@ -134,10 +141,18 @@ test('a surprise becomes the page’s layout, is saved, kept, and loaded in anot
 test('a bad layout file is an alert with file, path and reason', async ({ page }) => {
   await openBoard(page);
   const before = await contents(page);
-  const bad = { id: 'bad', name: 'Bad', family: 'custom', aspect: 0.7, tree: { rows: ['panel', { columns: ['panel', 'pannel'] }] } };
-  const files = [bad, '{ "id": '].map((text, i) => (
-    { name: `bad-${i}.json`, mimeType: 'application/json', buffer: Buffer.from(typeof text === 'string' ? text : JSON.stringify(text)) }
-  ));
+  const bad = {
+    id: 'bad',
+    name: 'Bad',
+    family: 'custom',
+    aspect: 0.7,
+    tree: { rows: ['panel', { columns: ['panel', 'pannel'] }] },
+  };
+  const files = [bad, '{ "id": '].map((text, i) => ({
+    name: `bad-${i}.json`,
+    mimeType: 'application/json',
+    buffer: Buffer.from(typeof text === 'string' ? text : JSON.stringify(text)),
+  }));
   await drop(page, files);
   await page.getByRole('alert').getByRole('button', { name: 'Show the list' }).click();
   const list = page.getByRole('dialog');

@@ -25,7 +25,8 @@ async function trip(page) {
   return shown;
 }
 
-const present = (/** @type {string} */ fields) => `({ ...record, history: { ...record.history, present: { ...record.history.present, ${fields} } } })`;
+const present = (/** @type {string} */ fields) =>
+  `({ ...record, history: { ...record.history, present: { ...record.history.present, ${fields} } } })`;
 const onPage = (/** @type {string} */ fields) => present(`page: { ...record.history.present.page, ${fields} }`);
 
 /** What of a state locks nobody out any more: each was saved by a page that could not open it again. @type {Record<string, string>} */
@@ -48,7 +49,11 @@ const GARBAGE = [
   ['states', 'a newer version', '({ ...record, version: 99 })'],
   ['states', 'no present', '({ ...record, history: { ...record.history, present: 7 } })'],
   ['states', 'a present of bytes', '({ ...record, history: { ...record.history, present: new Uint8Array(9) } })'],
-  ['states', 'a circle', '(() => { const round = { ...record }; round.history = { past: [round], present: round, future: [], shown: [] }; return round; })()'],
+  [
+    'states',
+    'a circle',
+    '(() => { const round = { ...record }; round.history = { past: [round], present: round, future: [], shown: [] }; return round; })()',
+  ],
   ['states', 'a tray of holes', present('tray: [null, 5]')],
   ['states', 'a page of panels of nothing', onPage('panels: [null, null]')],
   ['states', 'an unknown layout', onPage("layout: 'no such layout'")],
@@ -57,11 +62,19 @@ const GARBAGE = [
   ['states', 'videos and facts of another kind', '({ ...record, facts: 5, videos: [null, { key: 1 }] })'],
   ['projects', 'nothing', '({ id: record.id })'],
   ['projects', 'gone', 'undefined'],
-  ['projects', 'another kind of everything', "({ id: record.id, name: 5, created: 'x', changed: {}, stamp: {}, photos: null, picture: 'none', refs: 7, gone: null })"],
+  [
+    'projects',
+    'another kind of everything',
+    "({ id: record.id, name: 5, created: 'x', changed: {}, stamp: {}, photos: null, picture: 'none', refs: 7, gone: null })",
+  ],
   ['projects', 'a time that is none', '({ ...record, changed: NaN, created: 1e300 })'],
   ['facts', 'nothing', '({ id: record.id })'],
   ['facts', 'gone', 'undefined'],
-  ['facts', 'a photo without sides', '({ ...record, fact: { ...record.fact, meta: { ...record.fact.meta, width: 0 } } })'],
+  [
+    'facts',
+    'a photo without sides',
+    '({ ...record, fact: { ...record.fact, meta: { ...record.fact.meta, width: 0 } } })',
+  ],
   ['facts', 'a name that is none', '({ ...record, fact: { ...record.fact, name: 5 } })'],
   ['photos', 'nothing', '({ id: record.id })'],
   ['photos', 'gone', 'undefined'],

@@ -2,7 +2,20 @@
 import { copyFile, mkdir, rename } from 'node:fs/promises';
 import { fileURLToPath } from 'node:url';
 import { test as plain } from '../../../www/testing.ts';
-import { SIX, add, colours, contents, expect, idle, openBoard, photos, picture, pixelsOf, press, test } from './support.js';
+import {
+  SIX,
+  add,
+  colours,
+  contents,
+  expect,
+  idle,
+  openBoard,
+  photos,
+  picture,
+  pixelsOf,
+  press,
+  test,
+} from './support.js';
 
 /** @typedef {import('./support.js').Page} Page */
 
@@ -15,9 +28,10 @@ const PHOTOS = new URL('../../photos/', import.meta.url);
  * @param {string} id
  * @param {string} [unless] an expression
  */
-const sabotage = (page, fault, id, unless = 'false') => page.route(/assets\/worker-[^/]*\.js$/, async (route) => {
-  const response = await route.fetch();
-  const script = `{
+const sabotage = (page, fault, id, unless = 'false') =>
+  page.route(/assets\/worker-[^/]*\.js$/, async (route) => {
+    const response = await route.fetch();
+    const script = `{
     const { parse } = JSON;
     JSON.parse = (text, ...rest) => {
       const value = parse(text, ...rest);
@@ -25,28 +39,37 @@ const sabotage = (page, fault, id, unless = 'false') => page.route(/assets\/work
       return value;
     };
   }`;
-  await route.fulfill({ response, body: `${script}\n${await response.text()}` });
-});
+    await route.fulfill({ response, body: `${script}\n${await response.text()}` });
+  });
 
 const TRAP = "new WebAssembly.RuntimeError('unreachable')";
 const FULL = "new RangeError('Array buffer allocation failed')";
 
-for (const [what, fault] of [['traps', TRAP], ['runs out of memory', FULL]]) {
-  plain(`a photo on which the program ${what} each time is named and left out, and the rest go on`, async ({ page }) => {
-    await sabotage(page, fault, '-3');
-    await page.goto('./');
-    await add(page, await photos(...SIX));
-    await idle(page);
-    await expect(page.getByRole('alert').getByText(/crab\.jpg: .{8,}/)).toBeVisible();
-    await expect(page.getByRole('checkbox', { name: 'Use crab.jpg' })).toHaveCount(0);
-    for (const name of SIX.filter((other) => other !== 'crab.jpg')) await expect(page.getByRole('checkbox', { name: `Use ${name}` })).toBeChecked();
-    expect(colours(pixelsOf(await picture(page)))).toBeGreaterThan(2);
-    await page.unroute(/assets\/worker-[^/]*\.js$/);
-    await press(page, 'Shuffle');
-  });
+for (const [what, fault] of [
+  ['traps', TRAP],
+  ['runs out of memory', FULL],
+]) {
+  plain(
+    `a photo on which the program ${what} each time is named and left out, and the rest go on`,
+    async ({ page }) => {
+      await sabotage(page, fault, '-3');
+      await page.goto('./');
+      await add(page, await photos(...SIX));
+      await idle(page);
+      await expect(page.getByRole('alert').getByText(/crab\.jpg: .{8,}/)).toBeVisible();
+      await expect(page.getByRole('checkbox', { name: 'Use crab.jpg' })).toHaveCount(0);
+      for (const name of SIX.filter((other) => other !== 'crab.jpg'))
+        await expect(page.getByRole('checkbox', { name: `Use ${name}` })).toBeChecked();
+      expect(colours(pixelsOf(await picture(page)))).toBeGreaterThan(2);
+      await page.unroute(/assets\/worker-[^/]*\.js$/);
+      await press(page, 'Shuffle');
+    },
+  );
 }
 
-test('a photo that vanished from the disk is named when the page is saved, and saving works once it is back', async ({ page }, info) => {
+test('a photo that vanished from the disk is named when the page is saved, and saving works once it is back', async ({
+  page,
+}, info) => {
   const folder = info.outputPath('photos');
   await mkdir(folder, { recursive: true });
   const paths = SIX.slice(0, 3).map((name) => `${folder}/${name}`);
@@ -61,7 +84,10 @@ test('a photo that vanished from the disk is named when the page is saved, and s
   expect(await picture(page)).toBe(before);
   expect(await contents(page)).toEqual(shown);
   await rename(`${paths[1]}.gone`, paths[1]);
-  const [download] = await Promise.all([page.waitForEvent('download'), page.getByRole('button', { name: 'Download PNG' }).click()]);
+  const [download] = await Promise.all([
+    page.waitForEvent('download'),
+    page.getByRole('button', { name: 'Download PNG' }).click(),
+  ]);
   expect(await download.path()).toBeTruthy();
 });
 
@@ -90,14 +116,29 @@ plain('workers that die while the page is saved are replaced, and the file comes
   await openBoard(page);
   const saved = page.waitForEvent('download');
   await page.getByRole('button', { name: 'Download PNG' }).click();
-  await Promise.all(page.workers().map((worker) => worker.evaluate(() => {
-    setTimeout(() => {
-      throw new Error('a fault made by the test');
-    });
-  }).catch(() => {})));
-  const outcome = await Promise.race([saved, page.getByRole('alert').getByText(/could not be made/).waitFor().then(() => null)]);
+  await Promise.all(
+    page.workers().map((worker) =>
+      worker
+        .evaluate(() => {
+          setTimeout(() => {
+            throw new Error('a fault made by the test');
+          });
+        })
+        .catch(() => {}),
+    ),
+  );
+  const outcome = await Promise.race([
+    saved,
+    page
+      .getByRole('alert')
+      .getByText(/could not be made/)
+      .waitFor()
+      .then(() => null),
+  ]);
   // What was handed over to a worker is gone with it: then the message says so, and the next try is a good one.
-  const again = outcome ?? (await Promise.all([page.waitForEvent('download'), page.getByRole('button', { name: 'Download PNG' }).click()]))[0];
+  const again =
+    outcome ??
+    (await Promise.all([page.waitForEvent('download'), page.getByRole('button', { name: 'Download PNG' }).click()]))[0];
   expect(await again.path()).toBeTruthy();
 });
 

@@ -43,7 +43,11 @@ test('nothing is fetched a second time while the first page is being made', asyn
   expect(host.asked.filter((path) => path !== 'service-worker.js')).toEqual([]);
 });
 
-test('faces are found without a connection once they were found with one, and looked for when it is back', async ({ page, context, host }) => {
+test('faces are found without a connection once they were found with one, and looked for when it is back', async ({
+  page,
+  context,
+  host,
+}) => {
   await page.goto(host.address);
   await kept(page);
   await page.evaluate(() => {
@@ -77,14 +81,18 @@ test('photos shared by another program become a page', async ({ page, host, cont
   await page.close();
   // The browser posts them from nowhere, as this page does.
   const other = await context.newPage();
-  await other.setContent(`<form method="post" enctype="multipart/form-data" action="${host.address}share"><input type="file" name="files" multiple></form>`);
+  await other.setContent(
+    `<form method="post" enctype="multipart/form-data" action="${host.address}share"><input type="file" name="files" multiple></form>`,
+  );
   await other.locator('input').setInputFiles(await photos('bee.jpg', 'macaw.jpg'));
   await other.locator('form').evaluate((form) => /** @type {HTMLFormElement} */ (form).submit());
   await expect(other.getByRole('checkbox', { name: 'Use macaw.jpg' })).toBeAttached();
   await idle(other);
   expect(other.url()).toBe(host.address);
   expect(colours(pixelsOf(await picture(other)))).toBeGreaterThan(2);
-  await expect.poll(() => other.evaluate(async () => (await (await caches.open('inkpanel-shared')).keys()).length)).toBe(0);
+  await expect
+    .poll(() => other.evaluate(async () => (await (await caches.open('inkpanel-shared')).keys()).length))
+    .toBe(0);
 });
 
 test('the manifest is valid, and its icons are what it says', async ({ page, host, context }) => {
@@ -114,7 +122,9 @@ test('the page is installed by a button that is there when the browser offers it
   await expect(button).toHaveCount(0);
   await page.evaluate(() => {
     const event = Object.assign(new Event('beforeinstallprompt', { cancelable: true }), {
-      prompt: async () => { document.body.dataset.asked = String(event.defaultPrevented); },
+      prompt: async () => {
+        document.body.dataset.asked = String(event.defaultPrevented);
+      },
     });
     window.dispatchEvent(event);
   });

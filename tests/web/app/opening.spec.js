@@ -21,34 +21,62 @@ async function first(page) {
   await press(page, 'Shuffle');
   await saved(page);
   const id = await idOf(page);
-  await expect.poll(async () => (await tables(page, { of: id })).projects[id].picture, { timeout: 30_000 }).toContain('blob');
+  await expect
+    .poll(async () => (await tables(page, { of: id })).projects[id].picture, { timeout: 30_000 })
+    .toContain('blob');
   return id;
 }
 
 /** @param {Page} page */
 async function all(page) {
-  return { tables: await tables(page), contents: await contents(page), picture: await picture(page), undo: await page.getByRole('button', { name: 'Undo' }).isEnabled() };
+  return {
+    tables: await tables(page),
+    contents: await contents(page),
+    picture: await picture(page),
+    undo: await page.getByRole('button', { name: 'Undo' }).isEnabled(),
+  };
 }
 
 /** @type {Record<string, (document: any) => void>} */
 const REFUSED = {
-  'words of nothing': ({ history }) => { history.present.page.words = [null]; },
-  'photos alike by halves': ({ history }) => { history.present.alike = 10.5; },
-  'settings without a width': ({ history }) => { history.present.settings.width = null; },
-  'a merge of nothing': ({ history }) => { history.present.page.merges = [null]; },
-  'a number for a text': ({ history }) => { history.present.page.words = [{ kind: 'caption', text: 5, panel: 0 }]; },
-  'a thousand words': ({ history }) => { history.present.page.words = Array(1000).fill({ kind: 'caption', text: 'MORE', panel: 0 }); },
+  'words of nothing': ({ history }) => {
+    history.present.page.words = [null];
+  },
+  'photos alike by halves': ({ history }) => {
+    history.present.alike = 10.5;
+  },
+  'settings without a width': ({ history }) => {
+    history.present.settings.width = null;
+  },
+  'a merge of nothing': ({ history }) => {
+    history.present.page.merges = [null];
+  },
+  'a number for a text': ({ history }) => {
+    history.present.page.words = [{ kind: 'caption', text: 5, panel: 0 }];
+  },
+  'a thousand words': ({ history }) => {
+    history.present.page.words = Array(1000).fill({ kind: 'caption', text: 'MORE', panel: 0 });
+  },
 };
 
 /** @param {import('./hostile-files.js').Hostile} file */
-const asFile = ({ name, bytes }) => ({ name, mimeType: name.endsWith('png') ? 'image/png' : 'application/zip', buffer: bytes });
+const asFile = ({ name, bytes }) => ({
+  name,
+  mimeType: name.endsWith('png') ? 'image/png' : 'application/zip',
+  buffer: bytes,
+});
 
-test('files that cannot be opened leave the project that is open, its record, its photos and its undo as they were', async ({ page }) => {
+test('files that cannot be opened leave the project that is open, its record, its photos and its undo as they were', async ({
+  page,
+}) => {
   await first(page);
   const good = await goodFiles(page);
   const before = await all(page);
   for (const [what, spoil] of Object.entries(REFUSED)) {
-    for (const [parts, make] of /** @type {const} */ ([[good.project, soundProject], [good.page, soundPage]])) {
+    for (const [parts, make] of /** @type {const} */ ([
+      [good.project, soundProject],
+      [good.page, soundPage],
+    ])) {
       await test.step(`${make.name}: ${what}`, async () => {
         const document = structuredClone(parts.document);
         spoil(document);
@@ -84,12 +112,16 @@ test('a project that the engine refuses changes nothing', async ({ page }) => {
   const before = await all(page);
   good.project.document.history.present.page.words[0].text = 'REFUSE THIS';
   await drop(page, [asFile(await soundProject(good.project))]);
-  await expect(page.getByRole('alert').getByText('sound.inkpanel could not be opened: words: cannot be drawn')).toBeVisible();
+  await expect(
+    page.getByRole('alert').getByText('sound.inkpanel could not be opened: words: cannot be drawn'),
+  ).toBeVisible();
   await idle(page);
   expect(await all(page)).toEqual(before);
 });
 
-test('a project that the page fails to draw is taken back, and one that it fails to draw later has ways on', async ({ page }) => {
+test('a project that the page fails to draw is taken back, and one that it fails to draw later has ways on', async ({
+  page,
+}) => {
   const id = await first(page);
   const good = await goodFiles(page);
   const before = await all(page);
@@ -98,7 +130,8 @@ test('a project that the page fails to draw is taken back, and one that it fails
     const { toFixed } = Number.prototype;
     Object.assign(window, { trap: 7.77 });
     Number.prototype.toFixed = function fixed(digits) {
-      if (Math.abs(Number(this) - /** @type {any} */ (window).trap) < 1e-6) throw new Error('a view that cannot draw this');
+      if (Math.abs(Number(this) - /** @type {any} */ (window).trap) < 1e-6)
+        throw new Error('a view that cannot draw this');
       return toFixed.call(this, digits);
     };
   });
@@ -109,7 +142,9 @@ test('a project that the page fails to draw is taken back, and one that it fails
   await idle(page);
   expect(await all(page)).toEqual(before);
   // An edit that the views cannot draw.
-  await page.evaluate(() => { Object.assign(window, { trap: 3.3 }); });
+  await page.evaluate(() => {
+    Object.assign(window, { trap: 3.3 });
+  });
   await page.getByRole('slider', { name: 'Gutter' }).fill('3.3');
   const broken = page.getByRole('group', { name: 'First cannot be shown: part of it cannot be drawn.' });
   await expect(broken).toBeVisible();
@@ -143,7 +178,15 @@ test('what is typed can be read again', async ({ page }) => {
 test('a page takes two hundred words, and says so', async ({ page }) => {
   await first(page);
   const good = await goodFiles(page);
-  good.project.document.history.present.page.words = Array(200).fill({ kind: 'caption', text: 'MORE', panel: 0, auto: false, x: 0.5, y: 0.5, size: 0.01 });
+  good.project.document.history.present.page.words = Array(200).fill({
+    kind: 'caption',
+    text: 'MORE',
+    panel: 0,
+    auto: false,
+    x: 0.5,
+    y: 0.5,
+    size: 0.01,
+  });
   await drop(page, [asFile(await soundProject(good.project))]);
   await expect(page.getByLabel('Project name')).toHaveValue('Hostile');
   await idle(page);

@@ -13,7 +13,12 @@ test('a style goes out as a file and a link, and comes back by both', async ({ p
   const [download] = await Promise.all([page.waitForEvent('download'), button(page, 'Export style').click()]);
   expect(download.suggestedFilename()).toBe('dots-lines.json');
   const file = JSON.parse(String(await readFile(await download.path())));
-  expect(file).toMatchObject({ name: 'Dots & lines', background: [{ block: 'halftone' }], foreground: [{ block: 'xdog' }], ink: '#203050' });
+  expect(file).toMatchObject({
+    name: 'Dots & lines',
+    background: [{ block: 'halftone' }],
+    foreground: [{ block: 'xdog' }],
+    ink: '#203050',
+  });
   await button(page, 'Copy link').click();
   await expect(page.getByRole('status').getByText('The link is in the clipboard.')).toBeVisible();
   const link = await page.evaluate(() => navigator.clipboard.readText());
@@ -28,18 +33,29 @@ test('a style goes out as a file and a link, and comes back by both', async ({ p
 
   await region(page).getByRole('combobox', { name: 'Start from' }).selectOption({ label: 'An empty style' });
   await expect(cards(page)).toHaveCount(0);
-  await page.getByLabel('Style file').setInputFiles({ name: 'dots.json', mimeType: 'application/json', buffer: Buffer.from(JSON.stringify(file)) });
+  await page
+    .getByLabel('Style file')
+    .setInputFiles({ name: 'dots.json', mimeType: 'application/json', buffer: Buffer.from(JSON.stringify(file)) });
   await expect(cards(page)).toHaveCount(1);
   expect(await preview(page)).toBe(made);
   const wrong = { ...file, background: [{ block: 'halftone' }, { block: 'posterize', levels: 900 }] };
-  await page.getByLabel('Style file').setInputFiles({ name: 'wrong.json', mimeType: 'application/json', buffer: Buffer.from(JSON.stringify(wrong)) });
+  await page
+    .getByLabel('Style file')
+    .setInputFiles({ name: 'wrong.json', mimeType: 'application/json', buffer: Buffer.from(JSON.stringify(wrong)) });
   await expect(page.getByRole('alert')).toContainText(/wrong\.json.*background\[1\] \(posterize\), levels/);
 });
 
 test('a style file dropped on the window is opened, and a style deleted comes back', async ({ page }) => {
   await openBoard(page, FOUR);
-  const style = { id: 'dropped', name: 'Dropped', tags: ['ink'], background: [{ block: 'to_gray' }, { block: 'posterize', levels: 3 }] };
-  await drop(page, [{ name: 'dropped.json', mimeType: 'application/json', buffer: Buffer.from(JSON.stringify(style)) }]);
+  const style = {
+    id: 'dropped',
+    name: 'Dropped',
+    tags: ['ink'],
+    background: [{ block: 'to_gray' }, { block: 'posterize', levels: 3 }],
+  };
+  await drop(page, [
+    { name: 'dropped.json', mimeType: 'application/json', buffer: Buffer.from(JSON.stringify(style)) },
+  ]);
   await drawn(page);
   expect(await names(page)).toEqual(['To GrayScale', 'Posterization']);
   await button(page, 'Use').click();

@@ -158,8 +158,11 @@ test('the picture is drawn anew when the window changes its size', async ({ page
   await page.setViewportSize({ width: 1600, height: 1000 });
   await page.waitForTimeout(100);
   await idle(page);
-  const [drawn, shown] = await page.locator('.page-canvas').evaluate((canvas) => (
-    [/** @type {HTMLCanvasElement} */ (canvas).width, canvas.clientWidth * Math.min(2, devicePixelRatio)]
-  ));
+  const [drawn, shown] = await page
+    .locator('.page-canvas')
+    .evaluate((canvas) => [
+      /** @type {HTMLCanvasElement} */ (canvas).width,
+      canvas.clientWidth * Math.min(2, devicePixelRatio),
+    ]);
   expect(Math.abs(drawn - shown)).toBeLessThanOrEqual(1);
 });

@@ -5,7 +5,8 @@ import { PNG, choose, expect, idle, openBoard, pixelsOf } from './support.js';
 
 /** @typedef {import('../../../www/testing.ts').Page} Page */
 
-export const panel = (/** @type {Page} */ page, /** @type {number} */ n) => page.getByRole('group', { name: new RegExp(`^Panel ${n} of`) });
+export const panel = (/** @type {Page} */ page, /** @type {number} */ n) =>
+  page.getByRole('group', { name: new RegExp(`^Panel ${n} of`) });
 
 /** @param {Page} page @param {number} n @returns {Promise<{ x: number, y: number, width: number, height: number }>} */
 export async function boxOf(page, n) {
@@ -34,7 +35,7 @@ export function changed(a, b) {
 
 /** @param {PNG} one @param {PNG} two @param {number} n */
 function differs(one, two, n) {
-  const [left, top] = [(n - 1) % 2 * one.width / 2, n > 2 ? one.height / 2 : 0];
+  const [left, top] = [(((n - 1) % 2) * one.width) / 2, n > 2 ? one.height / 2 : 0];
   let different = 0;
   for (let y = Math.ceil(top); y < top + one.height / 2 - 1; y += 3) {
     for (let x = Math.ceil(left); x < left + one.width / 2 - 1; x += 3) {

@@ -69,7 +69,12 @@ test('panels are merged by keyboard', async ({ page }) => {
 });
 
 test('panels are chosen and merged by touch', async ({ browser, baseURL }) => {
-  const context = await browser.newContext({ viewport: { width: 360, height: 740 }, hasTouch: true, isMobile: true, baseURL });
+  const context = await browser.newContext({
+    viewport: { width: 360, height: 740 },
+    hasTouch: true,
+    isMobile: true,
+    baseURL,
+  });
   const page = await context.newPage();
   await openBoard(page);
   await page.getByRole('button', { name: 'Layouts', exact: true }).click();

@@ -25,7 +25,10 @@ test('shuffle and the sheets are under the thumb, with the page in view', async 
   const before = await picture(page);
   await press(page, 'Shuffle');
   expect(await picture(page)).not.toBe(before);
-  for (const [tab, list] of [['Styles', 'Styles'], ['Layouts', 'Layouts']]) {
+  for (const [tab, list] of [
+    ['Styles', 'Styles'],
+    ['Layouts', 'Layouts'],
+  ]) {
     await page.getByRole('button', { name: tab, exact: true }).click();
     const box = page.getByRole('listbox', { name: list });
     await expect(box).toBeVisible();
@@ -65,10 +68,9 @@ async function swipe(page, by) {
   const client = await page.context().newCDPSession(page);
   const y = box.y + box.height / 2;
   const from = box.x + box.width / 2 - by / 2;
-  const touch = (/** @type {'touchStart' | 'touchMove' | 'touchEnd'} */ type, /** @type {number} */ x) => (
-    client.send('Input.dispatchTouchEvent', { type, touchPoints: type === 'touchEnd' ? [] : [{ x, y }] })
-  );
+  const touch = (/** @type {'touchStart' | 'touchMove' | 'touchEnd'} */ type, /** @type {number} */ x) =>
+    client.send('Input.dispatchTouchEvent', { type, touchPoints: type === 'touchEnd' ? [] : [{ x, y }] });
   await touch('touchStart', from);
-  for (let i = 1; i <= 5; i += 1) await touch('touchMove', from + by * i / 5);
+  for (let i = 1; i <= 5; i += 1) await touch('touchMove', from + (by * i) / 5);
   await touch('touchEnd', from + by);
 }

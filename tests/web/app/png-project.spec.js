@@ -10,24 +10,36 @@ import { word, write } from './word-hands.js';
 
 /** @typedef {import('../../../www/testing.ts').Page} Page */
 
-const STYLE = { id: 'dropped', name: 'Dropped', tags: ['ink'], background: [{ block: 'posterize', levels: 4 }], foreground: [{ block: 'to_gray' }, { block: 'xdog' }], ink: '#203050' };
+const STYLE = {
+  id: 'dropped',
+  name: 'Dropped',
+  tags: ['ink'],
+  background: [{ block: 'posterize', levels: 4 }],
+  foreground: [{ block: 'to_gray' }, { block: 'xdog' }],
+  ink: '#203050',
+};
 const PLAIN = ['IHDR', 'pHYs', 'IDAT', 'IEND'];
 
 /** Photos as a telephone makes them, turned and told. @param {...string} names */
 async function told(...names) {
-  return Promise.all((await photos(...names)).map(async (file) => (
-    { ...file, buffer: Buffer.from(await loaded(new Blob([new Uint8Array(file.buffer)])).arrayBuffer()) }
-  )));
+  return Promise.all(
+    (await photos(...names)).map(async (file) => ({
+      ...file,
+      buffer: Buffer.from(await loaded(new Blob([new Uint8Array(file.buffer)])).arrayBuffer()),
+    })),
+  );
 }
 
 /** A page with everything that is a person's own. @param {Page} page */
 async function ownPage(page) {
   await page.goto('./');
-  await add(page, [...await told(...SIX.slice(0, 3)), ...await photos(...SIX.slice(3))]);
+  await add(page, [...(await told(...SIX.slice(0, 3))), ...(await photos(...SIX.slice(3)))]);
   await idle(page);
   await page.getByRole('combobox', { name: 'Panels' }).selectOption('6');
   await press(page, 'Surprise layout');
-  await drop(page, [{ name: 'dropped.json', mimeType: 'application/json', buffer: Buffer.from(JSON.stringify(STYLE)) }]);
+  await drop(page, [
+    { name: 'dropped.json', mimeType: 'application/json', buffer: Buffer.from(JSON.stringify(STYLE)) },
+  ]);
   await page.getByRole('region', { name: 'Style designer' }).getByRole('button', { name: 'Use', exact: true }).click();
   await idle(page);
   await panel(page, 1).focus();
@@ -36,7 +48,8 @@ async function ownPage(page) {
   await write(page, 'balloon', 'AS IT WAS');
 }
 
-const download = async (/** @type {Page} */ page) => (await saved(page, () => page.getByRole('button', { name: 'Download PNG' }).click())).bytes;
+const download = async (/** @type {Page} */ page) =>
+  (await saved(page, () => page.getByRole('button', { name: 'Download PNG' }).click())).bytes;
 
 /** @param {Page} page @param {string} cargo @returns {Promise<Buffer>} */
 async function exported(page, cargo) {
@@ -79,7 +92,11 @@ async function elsewhere(browser, baseURL) {
   return page;
 }
 
-test('a page with photos opens on another device, and goes out again byte by byte as it came', async ({ page, browser, baseURL }) => {
+test('a page with photos opens on another device, and goes out again byte by byte as it came', async ({
+  page,
+  browser,
+  baseURL,
+}) => {
   await ownPage(page);
   const png = await exported(page, 'With photos');
   expect(chunksOf(png)).toEqual(['IHDR', 'pHYs', 'iTXt', 'IDAT', 'ipPh', 'IEND']);
@@ -106,10 +123,16 @@ test('a page without photos waits for them, and is then the same picture', async
   const alert = other.getByRole('alert');
   await expect(alert.getByText('page.png is open, but its 6 photos are not on this device.')).toBeVisible();
   await idle(other);
-  await expect(other.getByRole('group', { name: /^Panel \d/ }).first()).toHaveAttribute('aria-description', /Missing photo/);
+  await expect(other.getByRole('group', { name: /^Panel \d/ }).first()).toHaveAttribute(
+    'aria-description',
+    /Missing photo/,
+  );
   await accessible(other);
-  const [chooser] = await Promise.all([other.waitForEvent('filechooser'), alert.getByRole('button', { name: 'Choose photos' }).click()]);
-  await chooser.setFiles([...await told(...SIX.slice(1, 3)), ...await photos(...SIX.slice(3))]);
+  const [chooser] = await Promise.all([
+    other.waitForEvent('filechooser'),
+    alert.getByRole('button', { name: 'Choose photos' }).click(),
+  ]);
+  await chooser.setFiles([...(await told(...SIX.slice(1, 3))), ...(await photos(...SIX.slice(3)))]);
   await expect(other.getByRole('alert').getByText('1 photo of this page is still missing')).toBeVisible();
   await expect(other.locator('.save-state')).toHaveText('Saved');
   await other.reload();
@@ -174,7 +197,9 @@ test('without project data the PNG is the picture and nothing else', async ({ pa
   const whole = await exported(page, 'With project data');
   await page.getByRole('button', { name: 'Projects' }).click();
   await page.getByLabel('Project file').setInputFiles([file('plain.png', png)]);
-  await expect(page.getByRole('alert').getByText('plain.png could not be opened: it is a picture without project data.')).toBeVisible();
+  await expect(
+    page.getByRole('alert').getByText('plain.png could not be opened: it is a picture without project data.'),
+  ).toBeVisible();
   await page.getByLabel('Project file').setInputFiles([file('page.png', whole)]);
   await expect(page.getByRole('status').getByText('page.png is open again')).toBeVisible();
 });

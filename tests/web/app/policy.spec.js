@@ -40,13 +40,18 @@ detectingTest('nothing that the page does is forbidden', async ({ page }) => {
   await drawn(page);
   await addBlock(page, 'Sobel');
   await page.getByRole('button', { name: 'Explorer', exact: true }).click();
-  await page.getByRole('region', { name: 'Style explorer' }).getByRole('button', { name: 'Generate', exact: true }).click();
+  await page
+    .getByRole('region', { name: 'Style explorer' })
+    .getByRole('button', { name: 'Generate', exact: true })
+    .click();
   await expect(page.getByRole('region', { name: 'Style explorer' }).getByRole('listitem')).not.toHaveCount(0);
   await page.getByRole('button', { name: 'Back to the page' }).click();
   await page.getByRole('button', { name: 'Export', exact: true }).click();
   await page.getByRole('dialog').getByRole('button', { name: 'Close' }).click();
   await page.getByRole('button', { name: 'Projects' }).click();
-  await expect(page.getByRole('region', { name: 'Projects' }).getByRole('img').or(page.locator('.project-picture img'))).not.toHaveCount(0);
+  await expect(
+    page.getByRole('region', { name: 'Projects' }).getByRole('img').or(page.locator('.project-picture img')),
+  ).not.toHaveCount(0);
   expect(violations).toEqual([]);
 });
 
@@ -67,7 +72,10 @@ test('a film is read by the element too, where there is no other decoder', async
 test('other hosts cannot be asked for anything', async ({ context }) => {
   /** @type {string[]} */
   const asked = [];
-  await context.route('https://elsewhere.test/**', (route) => { asked.push(route.request().url()); return route.abort(); });
+  await context.route('https://elsewhere.test/**', (route) => {
+    asked.push(route.request().url());
+    return route.abort();
+  });
   const silent = await context.newPage();
   const violations = await watchPolicy(silent);
   await silent.goto('./');
@@ -75,8 +83,16 @@ test('other hosts cannot be asked for anything', async ({ context }) => {
     const other = 'https://elsewhere.test/';
     await fetch(`${other}fetch`).catch(() => {});
     navigator.sendBeacon(`${other}beacon`);
-    for (const [tag, field] of [['img', 'src'], ['script', 'src'], ['iframe', 'src'], ['video', 'src'], ['link', 'href']]) {
-      document.head.append(Object.assign(document.createElement(tag), { [field]: `${other}${tag}`, rel: 'stylesheet' }));
+    for (const [tag, field] of [
+      ['img', 'src'],
+      ['script', 'src'],
+      ['iframe', 'src'],
+      ['video', 'src'],
+      ['link', 'href'],
+    ]) {
+      document.head.append(
+        Object.assign(document.createElement(tag), { [field]: `${other}${tag}`, rel: 'stylesheet' }),
+      );
     }
     const form = Object.assign(document.createElement('form'), { action: `${other}form`, method: 'post' });
     document.body.append(form);
@@ -92,9 +108,18 @@ test('other hosts cannot be asked for anything', async ({ context }) => {
       }
     });
   });
-  await expect.poll(() => [...new Set(violations.map((text) => text.split(' ')[0]))].sort()).toEqual(
-    ['connect-src', 'form-action', 'frame-src', 'img-src', 'media-src', 'script-src', 'script-src-elem', 'style-src-elem'],
-  );
+  await expect
+    .poll(() => [...new Set(violations.map((text) => text.split(' ')[0]))].sort())
+    .toEqual([
+      'connect-src',
+      'form-action',
+      'frame-src',
+      'img-src',
+      'media-src',
+      'script-src',
+      'script-src-elem',
+      'style-src-elem',
+    ]);
   expect(await silent.evaluate(() => 'ran' in window)).toBe(false);
   expect(asked).toEqual([]);
 });

@@ -15,13 +15,24 @@ import { PNG, expect } from './support.js';
 /** Three small photos: the files shall be many, not large. */
 export const SMALL = ['one', 'two', 'three'].map((name, i) => {
   const png = new PNG({ width: 96, height: 64 });
-  for (let at = 0; at < png.data.length; at += 4) png.data.set([(at * (i + 3)) % 251, (at >> (4 + i)) % 256, (at >> 9) % 256, 255], at);
+  for (let at = 0; at < png.data.length; at += 4)
+    png.data.set([(at * (i + 3)) % 251, (at >> (4 + i)) % 256, (at >> 9) % 256, 255], at);
   return { name: `${name}.png`, mimeType: 'image/png', buffer: PNG.sync.write(png) };
 });
 
 export const saved = (/** @type {Page} */ page) => expect(page.locator('.save-state')).toHaveText('Saved');
 
-const STYLE = { id: 'mine', name: 'Mine', tags: ['ink'], background: [{ block: 'posterize', levels: 4 }, { block: 'to_gray', bypass: true }], foreground: [{ block: 'to_gray' }, { block: 'xdog' }], ink: '#203050' };
+const STYLE = {
+  id: 'mine',
+  name: 'Mine',
+  tags: ['ink'],
+  background: [
+    { block: 'posterize', levels: 4 },
+    { block: 'to_gray', bypass: true },
+  ],
+  foreground: [{ block: 'to_gray' }, { block: 'xdog' }],
+  ink: '#203050',
+};
 const LAYOUTS = new URL('../../../layouts/', import.meta.url);
 
 /** The files that the page makes of what is open, with more in them. @param {Page} page @returns {Promise<{ project: Parts, page: Parts }>} */
@@ -31,13 +42,20 @@ export async function goodFiles(page) {
   await page.getByRole('button', { name: 'Save project' }).click();
   const archive = await readArchive(new Blob([new Uint8Array(await readFile(await (await waiting).path()))]));
   await page.getByRole('button', { name: 'Back to the page' }).click();
-  const photos = await Promise.all([...archive.values()].filter(({ name }) => name !== 'project.json').map(async ({ name, read }) => ({ name, blob: await read() })));
+  const photos = await Promise.all(
+    [...archive.values()]
+      .filter(({ name }) => name !== 'project.json')
+      .map(async ({ name, read }) => ({ name, blob: await read() })),
+  );
   const project = JSON.parse(await (await /** @type {any} */ (archive.get('project.json')).read()).text());
   const png = await savedAs(page, 'png');
   const found = /** @type {any} */ (await pageFileOf(new File([new Uint8Array(png.bytes)], 'page.png')));
   const head = /** @type {any} */ (await textHead(/** @type {any} */ (await dataOf(found.file, found.text))));
   const drawn = JSON.parse(String(await textOf(head, 1 << 22)));
-  const packed = drawn.photos.map((/** @type {any} */ { path }, /** @type {number} */ i) => ({ name: path, blob: photos[i % photos.length].blob }));
+  const packed = drawn.photos.map((/** @type {any} */ { path }, /** @type {number} */ i) => ({
+    name: path,
+    blob: photos[i % photos.length].blob,
+  }));
   return { project: { document: enriched(project), photos }, page: { document: enriched(drawn), photos: packed } };
 }
 
@@ -50,7 +68,21 @@ function enriched(document) {
   present.favourites = [{ ...STYLE, id: 'loved' }];
   present.page.words = [
     { kind: 'caption', text: 'Meanwhile', panel: 0, auto: true },
-    { kind: 'balloon', text: 'HO', shape: 'shout', panel: 0, x: 0.4, y: 0.3, width: 0.2, size: 0.03, tail: { x: 0.6, y: 0.6 }, font: 'comic-neue', color: '#111111', fill: '#ffffff', auto: false },
+    {
+      kind: 'balloon',
+      text: 'HO',
+      shape: 'shout',
+      panel: 0,
+      x: 0.4,
+      y: 0.3,
+      width: 0.2,
+      size: 0.03,
+      tail: { x: 0.6, y: 0.6 },
+      font: 'comic-neue',
+      color: '#111111',
+      fill: '#ffffff',
+      auto: false,
+    },
     { kind: 'effect', text: 'BAM', panel: null, x: 0.5, y: 0.5, angle: -8, arc: 0.2, auto: false },
   ];
   present.page.panels[0].crop = { x: 0.1, y: 0.2, width: 0.5, height: 0.4 };

@@ -18,34 +18,49 @@ const tiles = (page) => page.getByRole('region', { name: 'Photos' }).getByRole('
 const missing = (page) => page.getByRole('region', { name: 'Photos' }).getByText('Missing', { exact: true });
 
 /** What the database has, by its tables. @param {Page} page */
-const counts = (page) => page.evaluate(() => new Promise((resolve) => {
-  const opening = indexedDB.open('inkpanel');
-  opening.onerror = () => resolve([0, 0, 0]);
-  // Only looked at: whoever opens what is not there would make it.
-  opening.onupgradeneeded = () => opening.transaction?.abort();
-  opening.onsuccess = () => {
-    const base = opening.result;
-    const all = base.transaction(['projects', 'facts', 'photos']);
-    const asked = ['projects', 'facts', 'photos'].map((table) => all.objectStore(table).count());
-    all.oncomplete = () => { base.close(); resolve(asked.map(({ result }) => result)); };
-  };
-}));
+const counts = (page) =>
+  page.evaluate(
+    () =>
+      new Promise((resolve) => {
+        const opening = indexedDB.open('inkpanel');
+        opening.onerror = () => resolve([0, 0, 0]);
+        // Only looked at: whoever opens what is not there would make it.
+        opening.onupgradeneeded = () => opening.transaction?.abort();
+        opening.onsuccess = () => {
+          const base = opening.result;
+          const all = base.transaction(['projects', 'facts', 'photos']);
+          const asked = ['projects', 'facts', 'photos'].map((table) => all.objectStore(table).count());
+          all.oncomplete = () => {
+            base.close();
+            resolve(asked.map(({ result }) => result));
+          };
+        };
+      }),
+  );
 
 /** Deletes the files of some photos from the database. @param {Page} page @param {string[]} names */
-const lose = (page, names) => page.evaluate((wanted) => new Promise((resolve, reject) => {
-  const opening = indexedDB.open('inkpanel');
-  opening.onerror = () => reject(opening.error);
-  opening.onsuccess = () => {
-    const base = opening.result;
-    const all = base.transaction('photos', 'readwrite');
-    all.objectStore('photos').openCursor().onsuccess = ({ target }) => {
-      const cursor = /** @type {IDBRequest<IDBCursorWithValue | null>} */ (target).result;
-      if (cursor && wanted.includes(cursor.value.name)) cursor.delete();
-      cursor?.continue();
-    };
-    all.oncomplete = () => { base.close(); resolve(undefined); };
-  };
-}), names);
+const lose = (page, names) =>
+  page.evaluate(
+    (wanted) =>
+      new Promise((resolve, reject) => {
+        const opening = indexedDB.open('inkpanel');
+        opening.onerror = () => reject(opening.error);
+        opening.onsuccess = () => {
+          const base = opening.result;
+          const all = base.transaction('photos', 'readwrite');
+          all.objectStore('photos').openCursor().onsuccess = ({ target }) => {
+            const cursor = /** @type {IDBRequest<IDBCursorWithValue | null>} */ (target).result;
+            if (cursor && wanted.includes(cursor.value.name)) cursor.delete();
+            cursor?.continue();
+          };
+          all.oncomplete = () => {
+            base.close();
+            resolve(undefined);
+          };
+        };
+      }),
+    names,
+  );
 
 test('a database that is deleted under the page is made anew', async ({ page }) => {
   await openBoard(page);
@@ -53,7 +68,12 @@ test('a database that is deleted under the page is made anew', async ({ page }) 
   await page.keyboard.press('Enter');
   await saved(page);
   const before = await contents(page);
-  await page.evaluate(() => new Promise((resolve) => { indexedDB.deleteDatabase('inkpanel').onsuccess = resolve; }));
+  await page.evaluate(
+    () =>
+      new Promise((resolve) => {
+        indexedDB.deleteDatabase('inkpanel').onsuccess = resolve;
+      }),
+  );
   await expect.poll(() => counts(page)).toEqual([1, 6, 6]);
   await saved(page);
   await expect(page.getByRole('alert')).toHaveText('');
@@ -73,7 +93,9 @@ test('photos that the database lost are written again with the next edit', async
   await expect.poll(() => counts(page)).toEqual([1, 6, 6]);
 });
 
-test('photos that are gone after a reload keep their places, are named, and go back when they are chosen', async ({ page }) => {
+test('photos that are gone after a reload keep their places, are named, and go back when they are chosen', async ({
+  page,
+}) => {
   await openBoard(page);
   await saved(page);
   const before = await contents(page);
@@ -101,7 +123,8 @@ test('photos that are gone after a reload keep their places, are named, and go b
 test('a reload in the middle of three hundred photos loses none of them without a word', async ({ page }) => {
   const picture = (/** @type {number} */ i) => {
     const png = new PNG({ width: 48, height: 32 });
-    for (let at = 0; at < png.data.length; at += 4) png.data.set([(at * (i + 3)) % 251, (at * 7 + i * 40) % 256, (at >> 4) * i % 256, 255], at);
+    for (let at = 0; at < png.data.length; at += 4)
+      png.data.set([(at * (i + 3)) % 251, (at * 7 + i * 40) % 256, ((at >> 4) * i) % 256, 255], at);
     return { name: `small${String(i).padStart(3, '0')}.png`, mimeType: 'image/png', buffer: PNG.sync.write(png) };
   };
   const files = Array.from({ length: 300 }, (_, i) => picture(i));
@@ -111,12 +134,17 @@ test('a reload in the middle of three hundred photos loses none of them without 
     const seen = /** @type {Map<string, number>} */ (new Map());
     Object.assign(window, { seen });
     const look = () => document.querySelector('.save-state')?.textContent ?? '';
-    new MutationObserver(() => seen.set(look(), seen.get(look()) ?? Math.round(performance.now()))).observe(document.body, { subtree: true, childList: true, characterData: true });
+    new MutationObserver(() => seen.set(look(), seen.get(look()) ?? Math.round(performance.now()))).observe(
+      document.body,
+      { subtree: true, childList: true, characterData: true },
+    );
   });
   await add(page, files);
   await page.waitForTimeout(1800);
   // A busy machine may have come to nothing by then.
-  await page.waitForFunction(() => [.../** @type {any} */ (window).seen.keys()].some((text) => /^Saving \d+ of 300$/.test(text)));
+  await page.waitForFunction(() =>
+    [.../** @type {any} */ (window).seen.keys()].some((text) => /^Saving \d+ of 300$/.test(text)),
+  );
   /** @type {[string, number][]} */
   const seen = await page.evaluate(() => [.../** @type {any} */ (window).seen]);
   await page.reload();
@@ -124,8 +152,13 @@ test('a reload in the middle of three hundred photos loses none of them without 
   await expect(tiles(page)).toHaveCount(300);
   const lost = await missing(page).count();
   test.info().annotations.push({ type: 'not yet written after 1.8 s', description: String(lost) });
-  console.log(`${300 - lost} of 300 were written within 1.8 s; the status said ${seen.map(([text, at]) => `${text} ${at - seen[0][1]} ms`).join(', ')}`);
-  if (lost > 0) await expect(page.getByRole('alert').getByText(`${lost === 300 ? 'All 300' : `${lost} of 300`} photo`)).toBeVisible();
+  console.log(
+    `${300 - lost} of 300 were written within 1.8 s; the status said ${seen.map(([text, at]) => `${text} ${at - seen[0][1]} ms`).join(', ')}`,
+  );
+  if (lost > 0)
+    await expect(
+      page.getByRole('alert').getByText(`${lost === 300 ? 'All 300' : `${lost} of 300`} photo`),
+    ).toBeVisible();
   await saved(page);
 });
 
@@ -158,7 +191,9 @@ test('an edit right before the page is loaded again is there after', async ({ pa
   expect(after.style).not.toBe(before.style);
 });
 
-test('the tab asks before it closes while something is not saved, which is tried again by itself, and only then', async ({ page }) => {
+test('the tab asks before it closes while something is not saved, which is tried again by itself, and only then', async ({
+  page,
+}) => {
   await page.addInitScript(() => {
     const { put } = IDBObjectStore.prototype;
     IDBObjectStore.prototype.put = function broken(...args) {
@@ -168,7 +203,10 @@ test('the tab asks before it closes while something is not saved, which is tried
   });
   /** @type {string[]} */
   const asked = [];
-  page.on('dialog', (dialog) => { asked.push(dialog.type()); void dialog.dismiss(); });
+  page.on('dialog', (dialog) => {
+    asked.push(dialog.type());
+    void dialog.dismiss();
+  });
   await openBoard(page, SIX.slice(0, 2));
   await saved(page);
   await page.evaluate(() => Object.assign(window, { broken: true }));

@@ -8,17 +8,19 @@ import { openWords } from './word-hands.js';
 
 /** @typedef {import('../../../www/testing.ts').Page} Page */
 
-const button = (/** @type {Page} */ page, /** @type {string} */ name) => page.getByRole('button', { name, exact: true });
+const button = (/** @type {Page} */ page, /** @type {string} */ name) =>
+  page.getByRole('button', { name, exact: true });
 
 /** @param {Page} page @param {string} name of a part that is folded on a wide screen */
 async function unfold(page, name) {
   const summary = page.locator('summary').filter({ hasText: name });
-  if (!await summary.evaluate((element) => /** @type {HTMLDetailsElement} */ (element.parentElement).open)) await summary.click();
+  if (!(await summary.evaluate((element) => /** @type {HTMLDetailsElement} */ (element.parentElement).open)))
+    await summary.click();
 }
 
 /** Into the workspaces, whose buttons are among the styles on a small screen. @param {Page} page @param {string} name */
 async function work(page, name) {
-  if (!await button(page, name).isVisible()) await button(page, 'Styles').click();
+  if (!(await button(page, name).isVisible())) await button(page, 'Styles').click();
   await button(page, name).click();
 }
 
@@ -46,7 +48,10 @@ const SCREENS = {
     await button(page, 'Show subjects').click();
   },
   'a stack': async (page) => {
-    await add(page, (await photos('cat.jpg')).map((photo) => ({ ...photo, name: 'cat again.jpg' })));
+    await add(
+      page,
+      (await photos('cat.jpg')).map((photo) => ({ ...photo, name: 'cat again.jpg' })),
+    );
     await idle(page);
     await drawer(page, 'Photos');
     await page.getByRole('button', { name: /^Show the 2 photos like/ }).click();
@@ -112,9 +117,14 @@ const SCREENS = {
     await page.keyboard.press('s');
   },
   'files that could not be read': async (page) => {
-    await add(page, ['notes.txt', 'more.txt', 'a name that is too long for one line of a telephone held upright.txt'].map((name) => (
-      { name, mimeType: 'text/plain', buffer: Buffer.from('no photo') }
-    )));
+    await add(
+      page,
+      ['notes.txt', 'more.txt', 'a name that is too long for one line of a telephone held upright.txt'].map((name) => ({
+        name,
+        mimeType: 'text/plain',
+        buffer: Buffer.from('no photo'),
+      })),
+    );
     await page.getByRole('alert').getByRole('button', { name: 'Show the list' }).click();
     await expect(page.getByRole('dialog').getByRole('listitem')).toHaveCount(3);
   },
@@ -159,14 +169,16 @@ async function back(page) {
 export async function lookAtScreens(page, look, wrong) {
   for (const [name, open] of Object.entries(SCREENS)) {
     // On a small screen nobody is told of keys.
-    if (name === 'list of keys' && !await button(page, 'Keyboard shortcuts').isVisible()) continue;
-    await test.step(name, async () => {
-      await open(page);
-      await look(name);
-      await back(page);
-    }).catch(async (error) => {
-      wrong[name] = String(error.message).slice(0, 400);
-      await back(page);
-    });
+    if (name === 'list of keys' && !(await button(page, 'Keyboard shortcuts').isVisible())) continue;
+    await test
+      .step(name, async () => {
+        await open(page);
+        await look(name);
+        await back(page);
+      })
+      .catch(async (error) => {
+        wrong[name] = String(error.message).slice(0, 400);
+        await back(page);
+      });
   }
 }

@@ -6,7 +6,10 @@ import { lookAtScreens, openFour } from './screens.js';
 import { accessible, add, expect, idle, offences, test } from './support.js';
 
 for (const colorScheme of /** @type {const} */ (['light', 'dark'])) {
-  for (const [width, height] of [[1280, 800], [360, 740]]) {
+  for (const [width, height] of [
+    [1280, 800],
+    [360, 740],
+  ]) {
     test.describe(`in ${colorScheme}, ${width} wide`, () => {
       test.use({ colorScheme, viewport: { width, height } });
 
@@ -34,7 +37,13 @@ for (const colorScheme of /** @type {const} */ (['light', 'dark'])) {
 
 test('axe finds nothing on a video and its stretch, nor while it is read', async ({ page }) => {
   await page.goto('./');
-  await add(page, [{ name: 'album.mp4', mimeType: 'video/mp4', buffer: await readFile(new URL('../../videos/album.mp4', import.meta.url)) }]);
+  await add(page, [
+    {
+      name: 'album.mp4',
+      mimeType: 'video/mp4',
+      buffer: await readFile(new URL('../../videos/album.mp4', import.meta.url)),
+    },
+  ]);
   await expect(page.getByRole('region', { name: 'Storyboard page' })).toBeVisible();
   await accessible(page);
   await idle(page);

@@ -7,7 +7,8 @@ import { expect, idle, openBoard, test } from './support.js';
 /** @typedef {import('../../../www/testing.ts').Page} Page */
 
 /** What WCAG 1.4.12 asks a page to bear. */
-const WIDE_TEXT = '* { line-height: 1.5 !important; letter-spacing: 0.12em !important; word-spacing: 0.16em !important } p { margin-bottom: 2em !important }';
+const WIDE_TEXT =
+  '* { line-height: 1.5 !important; letter-spacing: 0.12em !important; word-spacing: 0.16em !important } p { margin-bottom: 2em !important }';
 
 /** Controls that nobody can reach by scrolling, and words that their controls cut off. @param {Page} page */
 function lost(page) {
@@ -19,17 +20,30 @@ function lost(page) {
       }
       return false;
     };
-    for (const element of document.querySelectorAll('button, input:not([type=file]), select, summary, textarea, [role=slider], [role=option], .panel')) {
+    for (const element of document.querySelectorAll(
+      'button, input:not([type=file]), select, summary, textarea, [role=slider], [role=option], .panel',
+    )) {
       // What lies over the board hides it; a dialog has the page to itself.
       const cover = document.querySelector('dialog[open]') ?? document.querySelector('.workspace');
-      if (!element.checkVisibility({ visibilityProperty: true, opacityProperty: true }) || (cover && !cover.contains(element))) continue;
+      if (
+        !element.checkVisibility({ visibilityProperty: true, opacityProperty: true }) ||
+        (cover && !cover.contains(element))
+      )
+        continue;
       const { left, right, top, bottom, width } = element.getBoundingClientRect();
       const name = element.getAttribute('aria-label') ?? element.textContent?.slice(0, 40);
       if (width === 0) continue;
       if ((right > innerWidth + 1 || left < -1) && !scrolls(element, 'X')) wrong.push(`${name}: beside the window`);
-      if ((bottom > innerHeight + 1 || top < -1) && !scrolls(element, 'Y')) wrong.push(`${name}: above or below the window`);
+      if ((bottom > innerHeight + 1 || top < -1) && !scrolls(element, 'Y'))
+        wrong.push(`${name}: above or below the window`);
       const { overflowX, textOverflow } = getComputedStyle(element);
-      if (element.matches('button') && overflowX !== 'visible' && textOverflow !== 'ellipsis' && element.scrollWidth > element.clientWidth + 1) wrong.push(`${name}: cut off`);
+      if (
+        element.matches('button') &&
+        overflowX !== 'visible' &&
+        textOverflow !== 'ellipsis' &&
+        element.scrollWidth > element.clientWidth + 1
+      )
+        wrong.push(`${name}: cut off`);
     }
     if (document.documentElement.scrollWidth > innerWidth) wrong.push('the page scrolls sideways');
     return wrong;
@@ -114,7 +128,11 @@ test.describe('in the colours of the system', () => {
 
   test('what is chosen, pressed and focused is told by lines', async ({ page }) => {
     await openBoard(page);
-    const line = (/** @type {string} */ selector) => page.locator(selector).first().evaluate((element) => getComputedStyle(element).outlineStyle);
+    const line = (/** @type {string} */ selector) =>
+      page
+        .locator(selector)
+        .first()
+        .evaluate((element) => getComputedStyle(element).outlineStyle);
     await page.getByRole('button', { name: 'Lock style' }).click();
     expect(await line('[aria-pressed=true]')).toBe('solid');
     expect(await line('.option[aria-selected=true]')).toBe('solid');

@@ -19,7 +19,14 @@ const TEXTS = ['.js', '.css', '.html'];
  * @param {{ headers?: Record<string, string> }} [how] `headers` of every file, as of a host that reads `_headers` and keeps that for itself
  */
 export async function startHost({ headers } = {}) {
-  const host = { folder: BUILT, address: '', stop, start, asked: /** @type {string[]} */ ([]), stale: /** @type {string[]} */ ([]) };
+  const host = {
+    folder: BUILT,
+    address: '',
+    stop,
+    start,
+    asked: /** @type {string[]} */ ([]),
+    stale: /** @type {string[]} */ ([]),
+  };
   let port = 0;
   /** @type {import('node:http').Server} */
   let server;
@@ -30,11 +37,18 @@ export async function startHost({ headers } = {}) {
     server = createServer(async ({ url = '/' }, response) => {
       const path = decodeURIComponent(new URL(url, 'http://host').pathname).slice(BASE.length) || 'index.html';
       host.asked.push(path);
-      const bytes = headers && path === '_headers' ? null : await readFile(join(host.stale.includes(path) ? BUILT : host.folder, path)).catch(() => null);
+      const bytes =
+        headers && path === '_headers'
+          ? null
+          : await readFile(join(host.stale.includes(path) ? BUILT : host.folder, path)).catch(() => null);
       if (!bytes) return response.writeHead(404).end();
-      return response.writeHead(200, { ...headers, 'content-type': TYPES[extname(path)] ?? 'application/octet-stream' }).end(bytes);
+      return response
+        .writeHead(200, { ...headers, 'content-type': TYPES[extname(path)] ?? 'application/octet-stream' })
+        .end(bytes);
     });
-    await new Promise((resolve) => { server.listen(port, '127.0.0.1', () => resolve(null)); });
+    await new Promise((resolve) => {
+      server.listen(port, '127.0.0.1', () => resolve(null));
+    });
     const about = server.address();
     port = typeof about === 'object' && about ? about.port : 0;
     host.address = `http://127.0.0.1:${port}${BASE}`;
@@ -42,7 +56,9 @@ export async function startHost({ headers } = {}) {
 
   async function stop() {
     server.closeAllConnections();
-    await new Promise((resolve) => { server.close(resolve); });
+    await new Promise((resolve) => {
+      server.close(resolve);
+    });
   }
 }
 
@@ -60,10 +76,13 @@ export async function anotherBuild(name, change = async () => {}) {
   const fresh = randomBytes(3).toString('hex');
   const renamed = assets.map((old) => ({ old, now: old.replace(/-..([\w-]{6}\.\w+)$/, `-${fresh.slice(0, 2)}$1`) }));
   for (const { old, now } of renamed) await rename(join(folder, 'assets', old), join(folder, 'assets', now));
-  for (const path of ['index.html', ...renamed.map(({ now }) => `assets/${now}`)].filter((file) => TEXTS.includes(extname(file)))) {
+  for (const path of ['index.html', ...renamed.map(({ now }) => `assets/${now}`)].filter((file) =>
+    TEXTS.includes(extname(file)),
+  )) {
     let text = await readFile(join(folder, path), 'utf8');
     for (const { old, now } of renamed) text = text.replaceAll(old, now);
-    if (/^assets\/index-.*\.js$/.test(path)) text = `document.documentElement.dataset.build = ${JSON.stringify(name)};${text}`;
+    if (/^assets\/index-.*\.js$/.test(path))
+      text = `document.documentElement.dataset.build = ${JSON.stringify(name)};${text}`;
     await writeFile(join(folder, path), text);
   }
   await change(folder);

@@ -1,5 +1,18 @@
 // @ts-check
-import { SIX, add, colours, contents, drop, expect, idle, openBoard, photos, picture, pixelsOf, test } from './support.js';
+import {
+  SIX,
+  add,
+  colours,
+  contents,
+  drop,
+  expect,
+  idle,
+  openBoard,
+  photos,
+  picture,
+  pixelsOf,
+  test,
+} from './support.js';
 
 test('the start says what to do, and opens from any sub-path', async ({ page }) => {
   await page.goto('./');
@@ -86,7 +99,10 @@ test('the same photo twice is set aside, with the reason', async ({ page }) => {
   const [cat, bee] = await photos('cat.jpg', 'bee.jpg');
   await add(page, [cat, bee, { ...cat, name: 'cat copy.jpg' }]);
   await idle(page);
-  const twins = [page.getByRole('checkbox', { name: 'Use cat.jpg' }), page.getByRole('checkbox', { name: 'Use cat copy.jpg' })];
+  const twins = [
+    page.getByRole('checkbox', { name: 'Use cat.jpg' }),
+    page.getByRole('checkbox', { name: 'Use cat copy.jpg' }),
+  ];
   const used = await Promise.all(twins.map((twin) => twin.isChecked()));
   expect(used.filter(Boolean).length).toBe(1);
   await expect(twins[used.indexOf(false)]).toHaveAccessibleDescription(/cat/);

@@ -16,24 +16,25 @@ const PHOTOS = new URL('../../photos/', import.meta.url);
  * A test whose page made no request to another origin and threw no error, whatever else it checks.
  * @param {{ detects: boolean }} how whether the page looks for faces and objects
  */
-const watched = ({ detects }) => plain.extend({
-  page: async ({ page, baseURL }, use) => {
-    if (!detects) await page.addInitScript(() => localStorage.setItem('inkpanel.detect', 'off'));
-    const { origin } = new URL(baseURL ?? '');
-    /** @type {string[]} */
-    const wrong = [];
-    page.on('request', (request) => {
-      const url = new URL(request.url());
-      if (!['blob:', 'data:'].includes(url.protocol) && url.origin !== origin) wrong.push(`request to ${url}`);
-    });
-    page.on('pageerror', (error) => wrong.push(`error: ${error.message}`));
-    page.on('console', (message) => {
-      if (message.type() === 'error') wrong.push(`console: ${message.text()}`);
-    });
-    await use(page);
-    expect(wrong).toEqual([]);
-  },
-});
+const watched = ({ detects }) =>
+  plain.extend({
+    page: async ({ page, baseURL }, use) => {
+      if (!detects) await page.addInitScript(() => localStorage.setItem('inkpanel.detect', 'off'));
+      const { origin } = new URL(baseURL ?? '');
+      /** @type {string[]} */
+      const wrong = [];
+      page.on('request', (request) => {
+        const url = new URL(request.url());
+        if (!['blob:', 'data:'].includes(url.protocol) && url.origin !== origin) wrong.push(`request to ${url}`);
+      });
+      page.on('pageerror', (error) => wrong.push(`error: ${error.message}`));
+      page.on('console', (message) => {
+        if (message.type() === 'error') wrong.push(`console: ${message.text()}`);
+      });
+      await use(page);
+      expect(wrong).toEqual([]);
+    },
+  });
 
 /** Most tests do without the detectors, which would only take time. */
 export const test = watched({ detects: false });
@@ -46,9 +47,9 @@ export { PNG, expect };
  * @returns {Promise<{ name: string, mimeType: string, buffer: Buffer }[]>}
  */
 export function photos(...names) {
-  return Promise.all(names.map(async (name) => (
-    { name, mimeType: 'image/jpeg', buffer: await readFile(new URL(name, PHOTOS)) }
-  )));
+  return Promise.all(
+    names.map(async (name) => ({ name, mimeType: 'image/jpeg', buffer: await readFile(new URL(name, PHOTOS)) })),
+  );
 }
 
 /** Six photos: a page, and quick to read. */
@@ -97,7 +98,8 @@ export async function drop(page, files) {
     }
     return made;
   }, plainFiles);
-  for (const type of ['dragenter', 'dragover', 'drop']) await page.dispatchEvent('body', type, { dataTransfer: transfer });
+  for (const type of ['dragenter', 'dragover', 'drop'])
+    await page.dispatchEvent('body', type, { dataTransfer: transfer });
 }
 
 /**
@@ -128,9 +130,8 @@ export async function choose(page, family, name) {
  * @param {Page} page
  */
 export async function contents(page) {
-  const chosen = (/** @type {string} */ list) => (
-    page.getByRole('listbox', { name: list }).getByRole('option', { selected: true }).getAttribute('aria-label')
-  );
+  const chosen = (/** @type {string} */ list) =>
+    page.getByRole('listbox', { name: list }).getByRole('option', { selected: true }).getAttribute('aria-label');
   const panels = page.getByRole('region', { name: 'Storyboard page' }).getByRole('group', { name: /^Panel \d/ });
   return {
     layout: await chosen('Layouts'),
@@ -176,6 +177,8 @@ export async function accessible(page) {
 
 /** What axe finds. @param {Page} page */
 export async function offences(page) {
-  const { violations } = await new AxeBuilder({ page }).options({ rules: { 'target-size': { enabled: true } } }).analyze();
+  const { violations } = await new AxeBuilder({ page })
+    .options({ rules: { 'target-size': { enabled: true } } })
+    .analyze();
   return violations.map(({ id, nodes }) => ({ id, nodes: nodes.map((node) => node.html.slice(0, 160)) }));
 }

@@ -6,7 +6,8 @@ import { touch as fingersGo } from './touch-hands.js';
 
 test.use({ viewport: { width: 360, height: 740 }, hasTouch: true, deviceScaleFactor: 2 });
 
-const panel = (/** @type {Page} */ page, /** @type {number} */ n) => page.getByRole('group', { name: new RegExp(`^Panel ${n} of`) });
+const panel = (/** @type {Page} */ page, /** @type {number} */ n) =>
+  page.getByRole('group', { name: new RegExp(`^Panel ${n} of`) });
 
 /** @param {Page} page */
 async function four(page) {
@@ -30,23 +31,41 @@ async function middle(page, n) {
 }
 
 /** @param {Page} page */
-const photos = (page) => page.getByRole('group', { name: /^Panel \d/ }).evaluateAll((list) => (
-  list.map((element) => element.getAttribute('aria-description')?.split(',')[0])
-));
+const photos = (page) =>
+  page
+    .getByRole('group', { name: /^Panel \d/ })
+    .evaluateAll((list) => list.map((element) => element.getAttribute('aria-description')?.split(',')[0]));
 
 test('two fingers zoom, one pans the panel that was tapped', async ({ page }) => {
   await four(page);
   const start = await picture(page);
   const [x, y] = await middle(page, 1);
   await touch(page, [
-    [[x - 15, y], [x - 30, y], [x - 45, y], [x - 60, y]],
-    [[x + 15, y], [x + 30, y], [x + 45, y], [x + 60, y]],
+    [
+      [x - 15, y],
+      [x - 30, y],
+      [x - 45, y],
+      [x - 60, y],
+    ],
+    [
+      [x + 15, y],
+      [x + 30, y],
+      [x + 45, y],
+      [x + 60, y],
+    ],
   ]);
   const near = await picture(page);
   expect(near).not.toBe(start);
   await panel(page, 1).tap();
   await idle(page);
-  await touch(page, [[[x, y], [x + 10, y + 10], [x + 25, y + 30], [x + 30, y + 40]]]);
+  await touch(page, [
+    [
+      [x, y],
+      [x + 10, y + 10],
+      [x + 25, y + 30],
+      [x + 30, y + 40],
+    ],
+  ]);
   expect(await picture(page)).not.toBe(near);
   const shown = await photos(page);
   expect(new Set(shown).size).toBe(4);

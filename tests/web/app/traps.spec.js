@@ -18,18 +18,37 @@ const MOST_MEMORY = 1024 * MB;
 
 const NOTHING = packedNothing(64);
 /** 64 MB of nothing in 64 kB. @param {string} name @param {number} [size] what it says that it unpacks to */
-const bomb = (name, size = 64 * MB) => ({ name, content: NOTHING, method: 8, length: NOTHING.length, size, crc: NOTHING_CRC });
+const bomb = (name, size = 64 * MB) => ({
+  name,
+  content: NOTHING,
+  method: 8,
+  length: NOTHING.length,
+  size,
+  crc: NOTHING_CRC,
+});
 const NOTHING_CRC = crc32(Buffer.alloc(64 * MB));
 
 /** @param {number} count @param {(photo: any, i: number) => any} [change] */
-const photosOf = (count, change = (photo) => photo) => (
-  Array.from({ length: count }, (_, i) => change({ id: `n${i}`, name: `n${i}.jpg`, path: `photos/${i}.jpg`, type: 'image/jpeg', measured: true, subjects: [] }, i))
-);
+const photosOf = (count, change = (photo) => photo) =>
+  Array.from({ length: count }, (_, i) =>
+    change(
+      { id: `n${i}`, name: `n${i}.jpg`, path: `photos/${i}.jpg`, type: 'image/jpeg', measured: true, subjects: [] },
+      i,
+    ),
+  );
 
 /** @param {any[]} list of photos @param {any} [present] */
 function documentOf(list, present = {}) {
   const tray = list.map(({ id }) => ({ id, use: true }));
-  return Buffer.from(JSON.stringify({ format: 'inkpanel', version: 1, history: { present: { tray, ...present }, shown: [] }, photos: list, videos: [] }));
+  return Buffer.from(
+    JSON.stringify({
+      format: 'inkpanel',
+      version: 1,
+      history: { present: { tray, ...present }, shown: [] },
+      photos: list,
+      videos: [],
+    }),
+  );
 }
 
 /** @param {Buffer} json @param {readonly import('../../../www/storage/files/testing-archives.ts').Made[]} files */
@@ -40,10 +59,14 @@ async function memoryOf(browser) {
   const session = await browser.newBrowserCDPSession();
   const { processInfo } = await session.send('SystemInfo.getProcessInfo');
   await session.detach();
-  const held = await Promise.all(processInfo.filter(({ type }) => ['renderer', 'browser'].includes(type)).map(async ({ type, id }) => {
-    const status = await readFile(`/proc/${id}/status`, 'utf8').catch(() => '');
-    return { type, most: 1024 * Number(/VmHWM:\s+(\d+)/.exec(status)?.[1] ?? 0) };
-  }));
+  const held = await Promise.all(
+    processInfo
+      .filter(({ type }) => ['renderer', 'browser'].includes(type))
+      .map(async ({ type, id }) => {
+        const status = await readFile(`/proc/${id}/status`, 'utf8').catch(() => '');
+        return { type, most: 1024 * Number(/VmHWM:\s+(\d+)/.exec(status)?.[1] ?? 0) };
+      }),
+  );
   return held;
 }
 
@@ -57,7 +80,9 @@ async function trapped(page, path, reason) {
   const before = [await picture(page), await contents(page)];
   const name = path.slice(path.lastIndexOf('/') + 1);
   await page.getByLabel('Photos or video').setInputFiles(path);
-  await expect(page.getByRole('alert').getByText(new RegExp(`${name} could not be opened: .*${reason.source}`))).toBeVisible({ timeout: SOON });
+  await expect(
+    page.getByRole('alert').getByText(new RegExp(`${name} could not be opened: .*${reason.source}`)),
+  ).toBeVisible({ timeout: SOON });
   await idle(page);
   expect([await picture(page), await contents(page)]).toEqual(before);
   await expect(page.getByRole('progressbar')).toHaveCount(0);
@@ -88,16 +113,72 @@ test('project files that are traps are refused in seconds, and what is open stay
   const packed = packedNothing(112, '\xff\xd8\xff');
   const gigabyte = packedNothing(1024);
   for (const [name, buffer, reason] of /** @type {[string, Buffer, RegExp][]} */ ([
-    ['three-gigabytes.inkpanel', project(documentOf(list), files.map((path) => bomb(path))), /more than a project can/],
-    ['silent.inkpanel', project(documentOf(list), files.map((path) => bomb(path, 1000))), /damaged/],
-    ['within-bounds.inkpanel', project(documentOf(photosOf(4)), files.slice(0, 4).map((path) => bomb(path))), /damaged/],
-    ['no-jpeg.inkpanel', project(documentOf(photosOf(1)), [{ name: files[0], content: packed, method: 8, length: packed.length, size: lie.length, crc: crc32(lie) }]), /damaged/],
-    ['document.inkpanel', zipOf([{ name: 'project.json', content: gigabyte, method: 8, length: gigabyte.length, size: 1024 * MB }]), /more than a project can/],
-    ['brackets.inkpanel', zipOf([{ name: 'project.json', content: Buffer.alloc(30 * MB, '['), packed: true }]), /more than a project can/],
-    ['one-photo.inkpanel', project(documentOf(photosOf(5_000, (photo) => ({ ...photo, path: files[0] }))), [{ name: files[0], content: cat.buffer }]), /damaged/],
-    ['name.inkpanel', project(documentOf(photosOf(1), { name: 'x'.repeat(50 * MB) }), [{ name: files[0], content: cat.buffer }]), /more than a project can/],
-    ['words.inkpanel', project(documentOf(photosOf(1), { page: { words: Array(20_000).fill({ kind: 'caption', text: 'Meanwhile' }) } }), [{ name: files[0], content: cat.buffer }]), /more than a project can/],
-    ['entries.inkpanel', zipOf(Array.from({ length: 65_000 }, (_, i) => ({ name: `photos/${i}` }))), /more than a project can/],
+    [
+      'three-gigabytes.inkpanel',
+      project(
+        documentOf(list),
+        files.map((path) => bomb(path)),
+      ),
+      /more than a project can/,
+    ],
+    [
+      'silent.inkpanel',
+      project(
+        documentOf(list),
+        files.map((path) => bomb(path, 1000)),
+      ),
+      /damaged/,
+    ],
+    [
+      'within-bounds.inkpanel',
+      project(
+        documentOf(photosOf(4)),
+        files.slice(0, 4).map((path) => bomb(path)),
+      ),
+      /damaged/,
+    ],
+    [
+      'no-jpeg.inkpanel',
+      project(documentOf(photosOf(1)), [
+        { name: files[0], content: packed, method: 8, length: packed.length, size: lie.length, crc: crc32(lie) },
+      ]),
+      /damaged/,
+    ],
+    [
+      'document.inkpanel',
+      zipOf([{ name: 'project.json', content: gigabyte, method: 8, length: gigabyte.length, size: 1024 * MB }]),
+      /more than a project can/,
+    ],
+    [
+      'brackets.inkpanel',
+      zipOf([{ name: 'project.json', content: Buffer.alloc(30 * MB, '['), packed: true }]),
+      /more than a project can/,
+    ],
+    [
+      'one-photo.inkpanel',
+      project(documentOf(photosOf(5_000, (photo) => ({ ...photo, path: files[0] }))), [
+        { name: files[0], content: cat.buffer },
+      ]),
+      /damaged/,
+    ],
+    [
+      'name.inkpanel',
+      project(documentOf(photosOf(1), { name: 'x'.repeat(50 * MB) }), [{ name: files[0], content: cat.buffer }]),
+      /more than a project can/,
+    ],
+    [
+      'words.inkpanel',
+      project(
+        documentOf(photosOf(1), { page: { words: Array(20_000).fill({ kind: 'caption', text: 'Meanwhile' }) } }),
+        [{ name: files[0], content: cat.buffer }],
+      ),
+      /more than a project can/,
+    ],
+    [
+      'entries.inkpanel',
+      zipOf(Array.from({ length: 65_000 }, (_, i) => ({ name: `photos/${i}` }))),
+      /more than a project can/,
+    ],
   ])) {
     await test.step(name, async () => {
       await writeFile(info.outputPath(name), buffer);
@@ -131,14 +212,20 @@ test('page PNGs that are traps are refused in seconds, and what is open stays', 
   const made = async (text, archive) => {
     const after = archive ? [await chunkOf('ipPh', archive)] : [];
     const plain = new Blob([png.slice(0, 33), png.slice(bytes.indexOf('IDAT') - 4)]);
-    return Buffer.from(await (await withChunks(plain, { before: [await textChunk('inkpanel', text)], after })).arrayBuffer());
+    return Buffer.from(
+      await (await withChunks(plain, { before: [await textChunk('inkpanel', text)], after })).arrayBuffer(),
+    );
   };
   const whole = await textIn(bytes);
   for (const [name, buffer, reason] of /** @type {[string, Buffer, RegExp][]} */ ([
     ['photos.png', await made(whole, zipOf(photosOf(48).map(({ path }) => bomb(path)))), /more than a project can/],
     ['text.png', await made(' '.repeat(256 * MB)), /damaged/],
     ['brackets.png', await made('['.repeat(4 * MB)), /more than a project can/],
-    ['name.png', await made(json.replace('"page"', `"name":"${'x'.repeat(3 * MB)}","page"`)), /more than a project can/],
+    [
+      'name.png',
+      await made(json.replace('"page"', `"name":"${'x'.repeat(3 * MB)}","page"`)),
+      /more than a project can/,
+    ],
   ])) {
     await test.step(name, async () => {
       await writeFile(info.outputPath(name), buffer);
@@ -153,6 +240,6 @@ async function textIn(png) {
   const { chunksOf, textHead, textOf } = await import('../../../www/engine/png-chunks.ts');
   const file = new Blob([new Uint8Array(png)]);
   const chunk = (await chunksOf(file))?.find(({ type }) => type === 'iTXt');
-  const head = chunk && await textHead(file.slice(chunk.at, chunk.at + chunk.length));
-  return /** @type {string} */ (head && await textOf(head, 4 * MB));
+  const head = chunk && (await textHead(file.slice(chunk.at, chunk.at + chunk.length)));
+  return /** @type {string} */ (head && (await textOf(head, 4 * MB)));
 }

@@ -8,7 +8,12 @@ import { anotherBuild } from './site-host.js';
 import { SIX, accessible, add, contents, expect, idle, photos } from './support.js';
 import { word, write } from './word-hands.js';
 
-test('a new version is taken when the person says so; a page of the old one goes on with its own files', async ({ page, host, folders, context }) => {
+test('a new version is taken when the person says so; a page of the old one goes on with its own files', async ({
+  page,
+  host,
+  folders,
+  context,
+}) => {
   await page.goto(host.address);
   await add(page, await photos(...SIX.slice(0, 3)));
   await idle(page);

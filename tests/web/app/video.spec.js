@@ -23,7 +23,10 @@ async function times(page) {
   });
 }
 
-for (const [name, type] of [['album.mp4', 'video/mp4'], ['album.webm', 'video/webm']]) {
+for (const [name, type] of [
+  ['album.mp4', 'video/mp4'],
+  ['album.webm', 'video/webm'],
+]) {
   test(`the frames of ${name} become a page`, async ({ page }) => {
     await page.goto('./');
     await add(page, [await video(name, type)]);
@@ -43,7 +46,9 @@ test('a film lies on the table beside photos, and frames that look alike are set
   await expect(page.getByRole('region', { name: 'Storyboard page' })).toBeVisible();
   await idle(page);
   await expect(page.getByRole('checkbox', { name: 'Use pagoda.jpg' })).toBeChecked();
-  const used = await frames(page).evaluateAll((boxes) => boxes.filter((box) => /** @type {HTMLInputElement} */ (box).checked).length);
+  const used = await frames(page).evaluateAll(
+    (boxes) => boxes.filter((box) => /** @type {HTMLInputElement} */ (box).checked).length,
+  );
   // Six scenes of a second each, four frames of each.
   expect(used).toBeGreaterThanOrEqual(6);
   expect(used).toBeLessThan(24);
@@ -71,7 +76,10 @@ test('a film that was recorded on its side stands upright', async ({ page }) => 
   await add(page, [await video('turned.mov', 'video/quicktime')]);
   await expect(page.getByRole('region', { name: 'Storyboard page' })).toBeVisible();
   await idle(page);
-  const [download] = await Promise.all([page.waitForEvent('download'), page.getByRole('button', { name: 'Download PNG' }).click()]);
+  const [download] = await Promise.all([
+    page.waitForEvent('download'),
+    page.getByRole('button', { name: 'Download PNG' }).click(),
+  ]);
   expect(await download.path()).toBeTruthy();
 });
 

@@ -14,13 +14,24 @@ test.use({ contextOptions: { reducedMotion: 'reduce' } });
 function focus(page) {
   return page.evaluate(() => {
     const element = /** @type {HTMLElement} */ (document.activeElement);
-    const named = element.getAttribute('aria-label') ?? (/** @type {HTMLInputElement} */ (element).labels?.[0]?.innerText ?? element.innerText);
+    const named =
+      element.getAttribute('aria-label') ??
+      /** @type {HTMLInputElement} */ (element).labels?.[0]?.innerText ??
+      element.innerText;
     const outlined = (/** @type {Element | null} */ of, /** @type {string} */ part = '') => {
-      const { outlineStyle, outlineWidth, opacity } = of ? getComputedStyle(of, part) : { outlineStyle: 'none', outlineWidth: '0', opacity: '0' };
+      const { outlineStyle, outlineWidth, opacity } = of
+        ? getComputedStyle(of, part)
+        : { outlineStyle: 'none', outlineWidth: '0', opacity: '0' };
       return outlineStyle !== 'none' && parseFloat(outlineWidth) >= 1 && Number(opacity) > 0;
     };
-    const ring = element.matches('.panel') && document.querySelector('.panel-ring > *')?.checkVisibility({ visibilityProperty: true });
-    const seen = outlined(element) || (element.matches('.cut') && outlined(element, '::before')) || outlined(element.closest('label, li, .card')) || ring === true;
+    const ring =
+      element.matches('.panel') &&
+      document.querySelector('.panel-ring > *')?.checkVisibility({ visibilityProperty: true });
+    const seen =
+      outlined(element) ||
+      (element.matches('.cut') && outlined(element, '::before')) ||
+      outlined(element.closest('label, li, .card')) ||
+      ring === true;
     return { tag: element.tagName, name: named?.trim() ?? '', seen };
   });
 }
@@ -46,11 +57,14 @@ async function tabTo(page, name, { back = false } = {}) {
 
 /** @param {Page} page @param {string | RegExp} name */
 async function expectFocus(page, name) {
-  await expect.poll(async () => (await focus(page)).name).toMatch(typeof name === 'string' ? new RegExp(`^${name}$`) : name);
+  await expect
+    .poll(async () => (await focus(page)).name)
+    .toMatch(typeof name === 'string' ? new RegExp(`^${name}$`) : name);
 }
 
 /** @param {Page} page */
-const expectSomewhere = (page) => expect.poll(async () => (await focus(page)).tag, 'the focus is somewhere').not.toBe('BODY');
+const expectSomewhere = (page) =>
+  expect.poll(async () => (await focus(page)).tag, 'the focus is somewhere').not.toBe('BODY');
 
 test('from the start to a page, shuffled and locked', async ({ page }) => {
   await page.goto('./');
@@ -63,7 +77,7 @@ test('from the start to a page, shuffled and locked', async ({ page }) => {
   const before = await picture(page);
   await page.keyboard.press('Space');
   await idle(page);
-  expect(await picture(page) === before).toBe(false);
+  expect((await picture(page)) === before).toBe(false);
   await tabTo(page, 'Lock style');
   await page.keyboard.press('Enter');
   await expect(page.getByRole('button', { name: 'Lock style' })).toHaveAttribute('aria-pressed', 'true');
@@ -95,8 +109,11 @@ test('a photo is moved, enlarged and exchanged', async ({ page }) => {
   const before = await picture(page);
   for (const key of ['+', 'Enter', 'ArrowRight', 'ArrowRight', 'Enter']) await page.keyboard.press(key);
   await idle(page);
-  expect(await picture(page) === before).toBe(false);
-  const shown = () => page.getByRole('group', { name: /^Panel \d/ }).evaluateAll((list) => list.map((panel) => panel.ariaDescription?.replace(/, selected.*/, '')));
+  expect((await picture(page)) === before).toBe(false);
+  const shown = () =>
+    page
+      .getByRole('group', { name: /^Panel \d/ })
+      .evaluateAll((list) => list.map((panel) => panel.ariaDescription?.replace(/, selected.*/, '')));
   const photos = await shown();
   await page.keyboard.press('Shift+Enter');
   await tabTo(page, 'Swap photo');

@@ -8,11 +8,14 @@ import { accessible, expect, openBoard, test } from './support.js';
 
 /** What the browser makes of a picture. @param {Page} page @param {Buffer} bytes @param {string} type */
 function sizeOf(page, bytes, type) {
-  return page.evaluate(async ([base64, kind]) => {
-    const blob = new Blob([Uint8Array.from(atob(base64), (letter) => letter.charCodeAt(0))], { type: kind });
-    const { width, height } = await createImageBitmap(blob);
-    return [width, height];
-  }, [bytes.toString('base64'), type]);
+  return page.evaluate(
+    async ([base64, kind]) => {
+      const blob = new Blob([Uint8Array.from(atob(base64), (letter) => letter.charCodeAt(0))], { type: kind });
+      const { width, height } = await createImageBitmap(blob);
+      return [width, height];
+    },
+    [bytes.toString('base64'), type],
+  );
 }
 
 test('PNG and JPEG say their dots an inch, and a lower quality makes a smaller file', async ({ page }) => {
@@ -115,7 +118,9 @@ test('one panel is saved at its print size', async ({ page }) => {
 test('making a PDF shows its progress and can be cancelled', async ({ page }) => {
   await openBoard(page);
   let downloads = 0;
-  page.on('download', () => { downloads += 1; });
+  page.on('download', () => {
+    downloads += 1;
+  });
   const dialog = await openExport(page);
   await dialog.getByRole('combobox', { name: 'Format' }).selectOption('pdf');
   await dialog.getByRole('button', { name: 'Save the file' }).click();

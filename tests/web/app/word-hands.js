@@ -5,12 +5,13 @@ import { expect, idle, pixelsOf } from './support.js';
 
 /** @typedef {import('../../../www/testing.ts').Page} Page */
 
-export const word = (/** @type {Page} */ page, /** @type {string | RegExp} */ name) => page.locator('.words').getByRole('button', { name, exact: typeof name === 'string' });
+export const word = (/** @type {Page} */ page, /** @type {string | RegExp} */ name) =>
+  page.locator('.words').getByRole('button', { name, exact: typeof name === 'string' });
 
 /** Opens the drawer of words where it is shut. @param {Page} page */
 export async function openWords(page) {
   const tools = page.getByRole('region', { name: 'Words', exact: true });
-  if (!await tools.isVisible()) await page.locator('.words-section > summary').click();
+  if (!(await tools.isVisible())) await page.locator('.words-section > summary').click();
   await expect(tools).toBeVisible();
 }
 
@@ -26,7 +27,9 @@ export async function write(page, kind, text) {
 
 /** How many pixels of the words are there, and where their middle is. @param {Page} page */
 export async function inked(page) {
-  const address = await page.locator('.word-canvas').evaluate((canvas) => /** @type {HTMLCanvasElement} */ (canvas).toDataURL());
+  const address = await page
+    .locator('.word-canvas')
+    .evaluate((canvas) => /** @type {HTMLCanvasElement} */ (canvas).toDataURL());
   const { width, height, data } = pixelsOf(address);
   let [count, x, y] = [0, 0, 0];
   for (let i = 0; i < width * height; i += 1) {

@@ -57,7 +57,8 @@ test('words stay through shuffles, are on the alternatives and in the PNG', asyn
   const pixels = [];
   for (let i = 0; i < png.width * png.height; i += 1) {
     const [r, g, b] = [png.data[i * 4], png.data[i * 4 + 1], png.data[i * 4 + 2]];
-    if (r === 0xff && g === 0xf6 && b === 0xd6) pixels.push([(i % png.width) / png.width, Math.floor(i / png.width) / png.height]);
+    if (r === 0xff && g === 0xf6 && b === 0xd6)
+      pixels.push([(i % png.width) / png.width, Math.floor(i / png.width) / png.height]);
   }
   expect(pixels.length).toBeGreaterThan(2000);
   const mean = (/** @type {number} */ k) => pixels.reduce((sum, place) => sum + place[k], 0) / pixels.length;
@@ -90,14 +91,18 @@ test.describe('on a phone', () => {
 /** @param {string} name @param {string} text */
 const textFile = (name, text) => ({ name, mimeType: 'text/plain', buffer: Buffer.from(text) });
 
-test('subtitles that come with a video are put on its frames; what is malformed is said with its line', async ({ page }) => {
+test('subtitles that come with a video are put on its frames; what is malformed is said with its line', async ({
+  page,
+}) => {
   await page.goto('./');
   const film = { name: 'album.mp4', mimeType: 'video/mp4', buffer: await readFile(VIDEO) };
   const cues = Array.from({ length: 6 }, (_, i) => `${i + 1}\n00:00:0${i},050 --> 00:00:0${i},950\nSecond ${i}\n`);
   await add(page, [film, textFile('album.srt', cues.join('\n'))]);
   await expect(word(page, /^Caption: Second \d/).first()).toBeVisible({ timeout: 60_000 });
   await idle(page);
-  const texts = await word(page, /^Caption: Second \d/).evaluateAll((list) => list.map((one) => one.getAttribute('aria-label')));
+  const texts = await word(page, /^Caption: Second \d/).evaluateAll((list) =>
+    list.map((one) => one.getAttribute('aria-label')),
+  );
   const times = (await contents(page)).photos.map((name) => /(\d+):([\d.]+)/.exec(name ?? '')?.[2]);
   expect(texts.length).toBeGreaterThan(1);
   for (const text of texts) {

@@ -35,12 +35,19 @@ test('the example page draws a photo as the native program does, within 1', asyn
   const apart = async () => {
     const drawn = await page.locator('canvas').evaluate((canvas) => {
       const { width, height } = /** @type {HTMLCanvasElement} */ (canvas);
-      return [...(/** @type {HTMLCanvasElement} */ (canvas).getContext('2d')?.getImageData(0, 0, width, height).data ?? [])];
+      return [
+        .../** @type {HTMLCanvasElement} */ (canvas.getContext('2d')?.getImageData(0, 0, width, height).data ?? []),
+      ];
     });
-    return drawn.length === native.data.length ? drawn.reduce((most, value, i) => Math.max(most, Math.abs(value - native.data[i])), 0) : 255;
+    return drawn.length === native.data.length
+      ? drawn.reduce((most, value, i) => Math.max(most, Math.abs(value - native.data[i])), 0)
+      : 255;
   };
   await expect.poll(apart, { timeout: 60_000 }).toBeLessThanOrEqual(1);
-  expect(photo.data.some((value, i) => Math.abs(value - native.data[i]) > 30), 'the style changes the photo').toBe(true);
+  expect(
+    photo.data.some((value, i) => Math.abs(value - native.data[i]) > 30),
+    'the style changes the photo',
+  ).toBe(true);
 });
 
 test('all that is promised works, and asks for nothing but files of the package', async ({ page }) => {
@@ -49,11 +56,18 @@ test('all that is promised works, and asks for nothing but files of the package'
   writeFileSync(join(project.folder, 'empty.html'), '<!doctype html><link rel="icon" href="data:,">');
   /** @type {string[]} */
   const strangers = [];
-  page.on('request', (request) => /^(blob|data):/.test(request.url()) || request.url().startsWith(server.address) || strangers.push(request.url()));
+  page.on(
+    'request',
+    (request) =>
+      /^(blob|data):/.test(request.url()) || request.url().startsWith(server.address) || strangers.push(request.url()),
+  );
   await page.goto(`${server.address}empty.html`);
   const seen = await page.evaluate(all, photos);
   expect(seen.catalogues.every((count) => count > 10)).toBe(true);
-  expect(seen.chosen).toEqual([{ group: 0, kept: true }, { group: 1, kept: true }]);
+  expect(seen.chosen).toEqual([
+    { group: 0, kept: true },
+    { group: 1, kept: true },
+  ]);
   expect(seen.fingerprints.every((fingerprint) => /^[0-9a-f]{16}$/.test(fingerprint))).toBe(true);
   expect(seen.labels).toContain('face');
   expect(seen.plain).toEqual([420, 594]);
@@ -70,27 +84,48 @@ async function all(names) {
   /** @type {import('../../../www/engine/engine.ts').Engine} */
   const engine = createEngine({ workers: 2 });
   const blobs = await Promise.all(names.map(async (name) => (await fetch(name)).blob()));
-  const catalogues = (await Promise.all([engine.blocks(), engine.layouts(), engine.styles()])).map(({ length }) => length);
+  const catalogues = (await Promise.all([engine.blocks(), engine.layouts(), engine.styles()])).map(
+    ({ length }) => length,
+  );
   const verdicts = await engine.select(blobs);
   const found = await engine.detect(blobs[1]);
   const photos = await Promise.all(blobs.map((blob, i) => engine.importPhoto(`photo-${i}`, blob)));
-  const page = { width: 420, height: 594, dpi: 96, gutter: .02, margin: .03, border: .004, cornerRadius: 0, paper: '#ffffff', borderColor: '#101014' };
+  const page = {
+    width: 420,
+    height: 594,
+    dpi: 96,
+    gutter: 0.02,
+    margin: 0.03,
+    border: 0.004,
+    cornerRadius: 0,
+    paper: '#ffffff',
+    borderColor: '#101014',
+  };
   const keep = { layout: false, style: false, photos: false };
   const document = (await engine.ready).plan({ seed: 7, photos, page, current: null, keep, style: 'comic', panels: 2 });
   const plain = await engine.compose(document, { width: 420 });
   const words = [{ kind: /** @type {const} */ ('caption'), text: 'Meanwhile, in an empty project', panel: 0 }];
   const lettered = await engine.compose({ ...document, words }, { width: 420 });
   const png = await engine.exportPng(document);
-  const code = (/** @type {Promise<any>} */ promise) => promise.then(() => 'done', (error) => error.code);
+  const code = (/** @type {Promise<any>} */ promise) =>
+    promise.then(
+      () => 'done',
+      (error) => error.code,
+    );
   const picture = { width: 1, height: 1, data: new Uint8ClampedArray(4), style: 'no-such-style' };
   const stopped = AbortSignal.abort();
   const codes = [await code(engine.stylize(picture)), await code(engine.detect(blobs[0], { signal: stopped }))];
   engine.dispose();
   codes.push(await code(engine.stylize(picture)));
   return {
-    catalogues, codes, kind: png.type, plain: [plain.width, plain.height],
-    chosen: verdicts.map(({ group, kept }) => ({ group, kept })), fingerprints: verdicts.map(({ fingerprint }) => fingerprint),
-    labels: found.map(({ label }) => label), changed: plain.data.reduce((count, value, i) => count + Number(value !== lettered.data[i]), 0),
+    catalogues,
+    codes,
+    kind: png.type,
+    plain: [plain.width, plain.height],
+    chosen: verdicts.map(({ group, kept }) => ({ group, kept })),
+    fingerprints: verdicts.map(({ fingerprint }) => fingerprint),
+    labels: found.map(({ label }) => label),
+    changed: plain.data.reduce((count, value, i) => count + Number(value !== lettered.data[i]), 0),
   };
 }
 
@@ -99,7 +134,20 @@ for (const resolution of ['bundler', 'nodenext']) {
     copyFileSync(new URL('use.ts', import.meta.url), join(project.folder, 'use.ts'));
     const module = resolution === 'nodenext' ? 'nodenext' : 'esnext';
     writeFileSync(join(project.folder, 'package.json'), '{ "private": true, "type": "module" }');
-    const options = ['--noEmit', '--strict', '--target', 'es2022', '--lib', 'es2023,dom', '--types', '', '--module', module, '--moduleResolution', resolution];
+    const options = [
+      '--noEmit',
+      '--strict',
+      '--target',
+      'es2022',
+      '--lib',
+      'es2023,dom',
+      '--types',
+      '',
+      '--module',
+      module,
+      '--moduleResolution',
+      resolution,
+    ];
     execFileSync(process.execPath, [TSC, ...options, 'use.ts'], { cwd: project.folder, stdio: 'inherit' });
   });
 }

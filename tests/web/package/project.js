@@ -17,7 +17,11 @@ export function emptyProject() {
   // It needs no other package, so no registry is asked.
   const install = ['install', '--offline', '--no-audit', '--no-fund', '--silent', tarball];
   execFileSync(process.platform === 'win32' ? 'npm.cmd' : 'npm', install, { cwd: folder, stdio: 'inherit' });
-  return { folder, installed: join(folder, 'node_modules/inkpanel'), remove: () => rmSync(folder, { recursive: true }) };
+  return {
+    folder,
+    installed: join(folder, 'node_modules/inkpanel'),
+    remove: () => rmSync(folder, { recursive: true }),
+  };
 }
 
 /**
@@ -35,7 +39,9 @@ export async function serve(folder) {
       response.writeHead(404).end();
       return;
     }
-    response.writeHead(200, { 'content-type': TYPES[extname(file)] ?? 'application/octet-stream' }).end(readFileSync(file));
+    response
+      .writeHead(200, { 'content-type': TYPES[extname(file)] ?? 'application/octet-stream' })
+      .end(readFileSync(file));
   });
   await new Promise((resolve) => server.listen(0, '127.0.0.1', () => resolve(null)));
   const { port } = /** @type {import('node:net').AddressInfo} */ (server.address());

@@ -10,7 +10,10 @@ export async function use(photo: File, document: PageDocument): Promise<number> 
   const least: number | undefined = block.params[0].min;
   const layouts: string[] = (await engine.layouts()).map(({ family }) => family);
   const data = new Uint8ClampedArray(4);
-  const styled: PixelPatch = await engine.stylize({ width: 1, height: 1, data, style: styles[0] }, { signal: stop.signal });
+  const styled: PixelPatch = await engine.stylize(
+    { width: 1, height: 1, data, style: styles[0] },
+    { signal: stop.signal },
+  );
   const found: Found[] = await engine.detect(photo, { signal: stop.signal });
   const chosen = await engine.select([photo], { threshold: 8 });
   const kept: boolean = chosen[0].kept;

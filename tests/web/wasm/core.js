@@ -18,7 +18,8 @@ const TYPES = { '.js': 'text/javascript', '.wasm': 'application/wasm' };
 export async function openCore(page) {
   await page.route(`${ORIGIN}/**`, (route) => {
     const { pathname } = new URL(route.request().url());
-    if (!/^\/(pkg|engine)\//.test(pathname)) return route.fulfill({ contentType: 'text/html', body: '<!doctype html>' });
+    if (!/^\/(pkg|engine)\//.test(pathname))
+      return route.fulfill({ contentType: 'text/html', body: '<!doctype html>' });
     const body = readFileSync(WWW + pathname);
     return route.fulfill({ contentType: TYPES[extname(pathname)], body });
   });

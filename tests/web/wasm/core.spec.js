@@ -56,7 +56,8 @@ test('bad input is an error with a code and a sentence', async ({ page }) => {
     const studio = new core.Studio();
     const attempts = {
       noImage: () => studio.import_photo('a', new Uint8Array([1, 2, 3])),
-      noStyle: () => studio.stylize('{"id":"x","name":"X","background":[{"block":"nonsense"}]}', 1, 1, new Uint8Array(4)),
+      noStyle: () =>
+        studio.stylize('{"id":"x","name":"X","background":[{"block":"nonsense"}]}', 1, 1, new Uint8Array(4)),
       wrongSize: () => studio.stylize('{"id":"x","name":"X","background":[]}', 2, 2, new Uint8Array(4)),
       noPhoto: () => studio.photo_planes('nobody/work'),
       noDocument: () => studio.compose('{', 100, 'work'),

@@ -19,8 +19,11 @@ const ONLY_OURS = /\.tiff?$/;
 const NOT_THEIRS = /^(png-icc-formulas\.png|webp-exif-6\.webp)$/;
 
 /** @param {URL} folder @param {RegExp} [wanted] */
-const files = (folder, wanted = /\.(jpg|png|gif|webp|bmp|avif)$/) => readdirSync(folder).filter((name) => wanted.test(name)).sort()
-  .map((name) => ({ name, base64: readFileSync(new URL(name, folder)).toString('base64') }));
+const files = (folder, wanted = /\.(jpg|png|gif|webp|bmp|avif)$/) =>
+  readdirSync(folder)
+    .filter((name) => wanted.test(name))
+    .sort()
+    .map((name) => ({ name, base64: readFileSync(new URL(name, folder)).toString('base64') }));
 
 test.beforeEach(async ({ page }) => openCore(page));
 
@@ -41,25 +44,45 @@ test('what only the browser decodes comes as Pillow sees it, with its date', asy
   for (const decoder of ['ImageDecoder', 'createImageBitmap']) {
     for (const { name, base64 } of photos) {
       const { meta, rgb } = await page.evaluate(foreign, /** @type {const} */ ([base64, decoder]));
-      const { width, height, data } = PNG.sync.read(readFileSync(new URL(`foreign/${name.replace('avif', 'png')}`, DATA)));
+      const { width, height, data } = PNG.sync.read(
+        readFileSync(new URL(`foreign/${name.replace('avif', 'png')}`, DATA)),
+      );
       const seen = Buffer.from(rgb, 'base64');
-      expect.soft([meta.width, meta.height, meta.taken], `${name} by ${decoder}`).toEqual([width, height, '2019:07:14 18:03:59']);
+      expect
+        .soft([meta.width, meta.height, meta.taken], `${name} by ${decoder}`)
+        .toEqual([width, height, '2019:07:14 18:03:59']);
       let sum = 0;
-      for (let i = 0; i < width * height; i += 1) for (let c = 0; c < 3; c += 1) sum += Math.abs(data[4 * i + c] - seen[c * width * height + i]);
-      expect.soft(sum / seen.length, `${name} by ${decoder}`).toBeLessThanOrEqual(name === 'clear.avif' ? MOST_CLEAR : MOST);
+      for (let i = 0; i < width * height; i += 1)
+        for (let c = 0; c < 3; c += 1) sum += Math.abs(data[4 * i + c] - seen[c * width * height + i]);
+      expect
+        .soft(sum / seen.length, `${name} by ${decoder}`)
+        .toBeLessThanOrEqual(name === 'clear.avif' ? MOST_CLEAR : MOST);
     }
   }
 });
 
 test('what no decoder knows is an error that names a way out', async ({ page }) => {
-  const attempt = (/** @type {string} */ head) => page.evaluate(async (text) => {
-    const { foreignKind, asBmp } = await import(/** @type {any} */ ('/engine/foreign.js'));
-    const bytes = new TextEncoder().encode(text.padEnd(200, 'x'));
-    const kind = foreignKind(bytes);
-    return kind && asBmp(kind, bytes).then(() => 'read', (/** @type {any} */ { code, message }) => ({ code, message }));
-  }, head);
-  expect(await attempt('\0\0\0\x18ftypheic\0\0\0\0mif1heic')).toEqual({ code: 'no-decoder', message: expect.stringMatching(/HEIC.*JPEG.*Safari/) });
-  expect(await attempt('\0\0\0\x18ftypavif\0\0\0\0mif1avif')).toEqual({ code: 'damaged', message: expect.stringContaining('AVIF') });
+  const attempt = (/** @type {string} */ head) =>
+    page.evaluate(async (text) => {
+      const { foreignKind, asBmp } = await import(/** @type {any} */ ('/engine/foreign.js'));
+      const bytes = new TextEncoder().encode(text.padEnd(200, 'x'));
+      const kind = foreignKind(bytes);
+      return (
+        kind &&
+        asBmp(kind, bytes).then(
+          () => 'read',
+          (/** @type {any} */ { code, message }) => ({ code, message }),
+        )
+      );
+    }, head);
+  expect(await attempt('\0\0\0\x18ftypheic\0\0\0\0mif1heic')).toEqual({
+    code: 'no-decoder',
+    message: expect.stringMatching(/HEIC.*JPEG.*Safari/),
+  });
+  expect(await attempt('\0\0\0\x18ftypavif\0\0\0\0mif1avif')).toEqual({
+    code: 'damaged',
+    message: expect.stringContaining('AVIF'),
+  });
   expect(await attempt('\0\0\0\x18ftypisom\0\0\0\0mp42mp41')).toBe(null);
 });
 
@@ -74,13 +97,16 @@ async function compared(base64) {
   // The page itself never reads a canvas back; here it is the browser's own way that is asked for.
   const bitmap = await createImageBitmap(new Blob([bytes]));
   const { width, height } = bitmap;
-  const context = /** @type {OffscreenCanvasRenderingContext2D} */ (new OffscreenCanvas(width, height).getContext('2d'));
+  const context = /** @type {OffscreenCanvasRenderingContext2D} */ (
+    new OffscreenCanvas(width, height).getContext('2d')
+  );
   context.fillStyle = '#fff';
   context.fillRect(0, 0, width, height);
   context.drawImage(bitmap, 0, 0);
   const { data } = context.getImageData(0, 0, width, height);
   let sum = 0;
-  for (let i = 0; i < width * height; i += 1) for (let c = 0; c < 3; c += 1) sum += Math.abs(data[4 * i + c] - planes[c * width * height + i]);
+  for (let i = 0; i < width * height; i += 1)
+    for (let c = 0; c < 3; c += 1) sum += Math.abs(data[4 * i + c] - planes[c * width * height + i]);
   return { ours: [w, h], theirs: [width, height], apart: sum / planes.length };
 }
 

@@ -16,7 +16,9 @@ const FOLDERS = { files: /./, foreign: /\.avif$/, animations: /./ };
 for (const [folder, kinds] of Object.entries(FOLDERS)) {
   test(`photos of ${folder} look the same when what was put in beside their pixels is out`, async ({ page }) => {
     await openCore(page);
-    const names = (await readdir(new URL(`${folder}/`, DATA))).filter((name) => /\.(jpg|png|webp|gif|bmp|tif|avif)$/.test(name) && kinds.test(name));
+    const names = (await readdir(new URL(`${folder}/`, DATA))).filter(
+      (name) => /\.(jpg|png|webp|gif|bmp|tif|avif)$/.test(name) && kinds.test(name),
+    );
     expect(names.length).toBeGreaterThan(1);
     for (const name of names) {
       const file = await readFile(new URL(`${folder}/${name}`, DATA));
@@ -36,7 +38,8 @@ for (const [folder, kinds] of Object.entries(FOLDERS)) {
  */
 async function lookedAt({ plain, loud }) {
   const [{ withoutMetadata }, { asBmp, foreignKind }] = await Promise.all([
-    import(/** @type {any} */ ('/engine/metadata/strip.js')), import(/** @type {any} */ ('/engine/foreign.js')),
+    import(/** @type {any} */ ('/engine/metadata/strip.js')),
+    import(/** @type {any} */ ('/engine/foreign.js')),
   ]);
   /** @param {Uint8Array<ArrayBuffer>} bytes */
   const seen = async (bytes) => {
@@ -55,5 +58,11 @@ async function lookedAt({ plain, loud }) {
   };
   const [once, twice] = [await stripped(bytesOf(loud)), await stripped(bytesOf(plain))];
   const told = new TextDecoder('latin1').decode(once.bytes).includes('SECR');
-  return { before: await seen(bytesOf(plain)), after: await seen(once.bytes), again: await seen(twice.bytes), clean: once.clean, told };
+  return {
+    before: await seen(bytesOf(plain)),
+    after: await seen(once.bytes),
+    again: await seen(twice.bytes),
+    clean: once.clean,
+    told,
+  };
 }

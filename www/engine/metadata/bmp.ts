@@ -25,24 +25,35 @@ export function bmpParts(bytes: Uint8Array<ArrayBuffer>): BlobPart[] | null {
   const head = bytes.length < FILE_HEAD + CORE ? 0 : view.getUint32(FILE_HEAD, true);
   if (!HEADS.includes(head) || FILE_HEAD + head > bytes.length) return null;
   const long = head > CORE;
-  const side = (at: number) => (long ? Math.abs(view.getInt32(FILE_HEAD + 4 + 4 * at, true)) : view.getUint16(FILE_HEAD + 4 + 2 * at, true));
+  const side = (at: number) =>
+    long ? Math.abs(view.getInt32(FILE_HEAD + 4 + 4 * at, true)) : view.getUint16(FILE_HEAD + 4 + 2 * at, true);
   const [width, height, bits] = [side(0), side(1), view.getUint16(FILE_HEAD + (long ? 14 : 10), true)];
-  const [packing, told, used] = long ? [16, 20, 32].map((field) => view.getUint32(FILE_HEAD + field, true)) : [PLAIN, 0, 0];
+  const [packing, told, used] = long
+    ? [16, 20, 32].map((field) => view.getUint32(FILE_HEAD + field, true))
+    : [PLAIN, 0, 0];
   const start = view.getUint32(10, true);
 
   const masks = head === INFO && packing === MASKS ? 12 : head === INFO && packing === ALPHA_MASKS ? 16 : 0;
   const colours = bits > 8 ? 0 : Math.min(used || 2 ** bits, 2 ** bits) * (long ? 4 : 3);
   const behindHead = FILE_HEAD + head + masks + colours;
-  const length = packing === RLE8 || packing === RLE4 ? lengthOfRuns(bytes, start, packing, told)
-    : [PLAIN, MASKS, ALPHA_MASKS].includes(packing) ? rowOf(width, bits) * height : 0;
+  const length =
+    packing === RLE8 || packing === RLE4
+      ? lengthOfRuns(bytes, start, packing, told)
+      : [PLAIN, MASKS, ALPHA_MASKS].includes(packing)
+        ? rowOf(width, bits) * height
+        : 0;
   if (start < behindHead || length === 0 || start + length > bytes.length) return null;
 
-  if (packing !== RLE8 && packing !== RLE4) blankEnds(bytes, start, height, { row: rowOf(width, bits), used: width * bits });
-  const kept: Range[] = [[0, behindHead], [start, start + length]];
+  if (packing !== RLE8 && packing !== RLE4)
+    blankEnds(bytes, start, height, { row: rowOf(width, bits), used: width * bits });
+  const kept: Range[] = [
+    [0, behindHead],
+    [start, start + length],
+  ];
   let end = start + length;
   if (head === V5) {
     const [from, size] = [112, 116].map((field) => view.getUint32(FILE_HEAD + field, true));
-    const profile = ([FILE_HEAD + from, FILE_HEAD + from + size] as const);
+    const profile = [FILE_HEAD + from, FILE_HEAD + from + size] as const;
     if (view.getUint32(FILE_HEAD + 56, true) === EMBEDDED && profile[0] >= behindHead && profile[1] <= bytes.length) {
       kept.push(profile);
       end = Math.max(end, profile[1]);
@@ -64,7 +75,7 @@ export function bmpParts(bytes: Uint8Array<ArrayBuffer>): BlobPart[] | null {
 
 /** @returns bytes of a row, which is whole words */
 function rowOf(width: number, bits: number): number {
-  return 4 * Math.ceil(width * bits / 32);
+  return 4 * Math.ceil((width * bits) / 32);
 }
 
 /**
@@ -72,7 +83,7 @@ function rowOf(width: number, bits: number): number {
  * @param bytes are changed
  * @param lengths bytes of a row, and bits of it that are pixels
  */
-function blankEnds(bytes: Uint8Array, start: number, rows: number, { row, used }: { row: number, used: number }) {
+function blankEnds(bytes: Uint8Array, start: number, rows: number, { row, used }: { row: number; used: number }) {
   const whole = used >> 3;
   if (whole === row) return;
   for (let at = start; at < start + rows * row; at += row) {
@@ -86,7 +97,7 @@ function blankEnds(bytes: Uint8Array, start: number, rows: number, { row, used }
  * @returns bytes of the runs to their end, as long as is told where they have none; 0 where they are cut short
  */
 function lengthOfRuns(bytes: Uint8Array, start: number, packing: number, told: number): number {
-  for (let at = start; at + 1 < bytes.length;) {
+  for (let at = start; at + 1 < bytes.length; ) {
     const [count, value] = [bytes[at], bytes[at + 1]];
     at += 2;
     if (count > 0) continue;

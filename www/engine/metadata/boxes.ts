@@ -5,15 +5,68 @@
  */
 
 /** `start` is where the box begins, `inner` where its content does. */
-export type Box = { type: string, start: number, inner: number, end: number };
+export type Box = { type: string; start: number; inner: number; end: number };
 
 /** Boxes that hold others. */
-const NESTED = new Set(['moov', 'trak', 'mdia', 'minf', 'dinf', 'stbl', 'edts', 'mvex', 'moof', 'traf', 'mfra', 'tapt']);
+const NESTED = new Set([
+  'moov',
+  'trak',
+  'mdia',
+  'minf',
+  'dinf',
+  'stbl',
+  'edts',
+  'mvex',
+  'moof',
+  'traf',
+  'mfra',
+  'tapt',
+]);
 /** Boxes that say where the pictures and sounds are, how long each is seen, and how it is coded. */
 const NEEDED = new Set([
-  'mvhd', 'tkhd', 'mdhd', 'hdlr', 'vmhd', 'smhd', 'nmhd', 'gmhd', 'dref', 'elst', 'tref', 'clef', 'prof', 'enof', 'mehd', 'trex', 'leva',
-  'stsd', 'stts', 'ctts', 'cslg', 'stss', 'stsh', 'stsc', 'stsz', 'stz2', 'stco', 'co64', 'sdtp', 'sbgp', 'sgpd', 'subs', 'padb', 'stdp', 'stps', 'saiz', 'saio',
-  'mfhd', 'tfhd', 'tfdt', 'trun', 'tfra', 'mfro',
+  'mvhd',
+  'tkhd',
+  'mdhd',
+  'hdlr',
+  'vmhd',
+  'smhd',
+  'nmhd',
+  'gmhd',
+  'dref',
+  'elst',
+  'tref',
+  'clef',
+  'prof',
+  'enof',
+  'mehd',
+  'trex',
+  'leva',
+  'stsd',
+  'stts',
+  'ctts',
+  'cslg',
+  'stss',
+  'stsh',
+  'stsc',
+  'stsz',
+  'stz2',
+  'stco',
+  'co64',
+  'sdtp',
+  'sbgp',
+  'sgpd',
+  'subs',
+  'padb',
+  'stdp',
+  'stps',
+  'saiz',
+  'saio',
+  'mfhd',
+  'tfhd',
+  'tfdt',
+  'trun',
+  'tfra',
+  'mfro',
 ]);
 /** What may stand beside them at the top of a film; of the last three the content is nothing. */
 const AT_TOP = new Set(['ftyp', 'styp', 'sidx', 'ssix', 'mdat', 'free', 'skip', 'wide']);
@@ -24,7 +77,10 @@ const DATED = new Set(['mvhd', 'tkhd', 'mdhd']);
 const SEEN_OR_HEARD = new Set(['vide', 'auxv', 'pict', 'soun']);
 const COMPRESSED = 'cmov';
 /** In the head of how pictures are coded: who made the coder, and its name. */
-const CODER = [[20, 24], [50, 82]];
+const CODER = [
+  [20, 24],
+  [50, 82],
+];
 /** No part of a film that is read as a whole is larger. */
 const MOST_BYTES = 256 * 2 ** 20;
 /** So much of a box that is not read is put in the place of one that goes. */
@@ -35,13 +91,13 @@ const NOTHING = new Uint8Array(2 ** 20);
  * @returns `clean`: false where a track of it tells more, which
  *   stays; null where it is not whole
  */
-export async function filmParts(file: Blob): Promise<{ parts: BlobPart[], clean: boolean } | null> {
+export async function filmParts(file: Blob): Promise<{ parts: BlobPart[]; clean: boolean } | null> {
   const parts: BlobPart[] = [];
   /** So many of them are not behind all that is seen. */
   let last = 0;
   let clean = true;
   const seen = new Set();
-  for (let at = 0; at < file.size;) {
+  for (let at = 0; at < file.size; ) {
     const head = new DataView(await file.slice(at, at + 16).arrayBuffer());
     const box = boxAt(head, 0, file.size - at);
     if (!box) {
@@ -90,13 +146,15 @@ export function boxAt(view: DataView, at: number, room: number): Box | null {
   const short = view.getUint32(at);
   if (short === 1 && at + 16 > view.byteLength) return null;
   const [head, length] = short === 1 ? [16, Number(view.getBigUint64(at + 8))] : [8, short === 0 ? room : short];
-  return length < head || length > room ? null : { type: typeAt(view, at + 4), start: at, inner: at + head, end: at + length };
+  return length < head || length > room
+    ? null
+    : { type: typeAt(view, at + 4), start: at, inner: at + head, end: at + length };
 }
 
 /** @returns one after the other; null where something else is among them */
 export function boxesIn(view: DataView, from: number, to: number): Box[] | null {
   const found: Box[] = [];
-  for (let at = from; at < to;) {
+  for (let at = from; at < to; ) {
     const box = boxAt(view, at, to - at);
     if (!box) return null;
     found.push(box);

@@ -7,7 +7,7 @@ const ORIENTATION = 0x0112;
 const FIELD = 12;
 
 /** @returns null where it is no TIFF file */
-function opened(record: Uint8Array): { view: DataView, little: boolean } | null {
+function opened(record: Uint8Array): { view: DataView; little: boolean } | null {
   const view = new DataView(record.buffer, record.byteOffset, record.byteLength);
   const mark = record.length < 8 ? 0 : view.getUint32(0);
   return mark === 0x49492a00 || mark === 0x4d4d002a ? { view, little: mark === 0x49492a00 } : null;
@@ -35,6 +35,13 @@ export function recordOf(orientation: number): Uint8Array<ArrayBuffer> {
   view.setUint32(0, 0x49492a00);
   view.setUint32(4, 8, true);
   // One field: a short, once.
-  for (const [at, value] of [[8, 1], [10, ORIENTATION], [12, 3], [14, 1], [18, orientation]]) view.setUint16(at, value, true);
+  for (const [at, value] of [
+    [8, 1],
+    [10, ORIENTATION],
+    [12, 3],
+    [14, 1],
+    [18, orientation],
+  ])
+    view.setUint16(at, value, true);
   return record;
 }

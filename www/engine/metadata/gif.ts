@@ -13,7 +13,7 @@ export function gifParts(bytes: Uint8Array<ArrayBuffer>, file: Blob): BlobPart[]
   const table = (flags: number) => (flags & 0x80 ? 3 * 2 ** ((flags & 7) + 1) : 0);
   const head = 13 + table(bytes[10]);
   const parts: BlobPart[] = [file.slice(0, head)];
-  for (let at = head; at < bytes.length;) {
+  for (let at = head; at < bytes.length; ) {
     const [start, kind] = [at, bytes[at]];
     if (kind === END) return [...parts, file.slice(at, at + 1)];
     if (kind !== PICTURE && kind !== EXTENSION) return null;

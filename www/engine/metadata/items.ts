@@ -11,17 +11,61 @@ import type { Box } from './boxes.ts';
 import type { Range } from './ranges.ts';
 
 /** `name` is where its name lies, which ends with a byte of nothing. */
-type Item = { type: string, name: Range };
+type Item = { type: string; name: Range };
 
 /** Pictures, and what puts them together. */
-const PICTURES = new Set(['hvc1', 'hev1', 'lhv1', 'av01', 'avc1', 'vvc1', 'evc1', 'jpeg', 'j2k1', 'unci', 'grid', 'iovl', 'iden', 'tmap']);
+const PICTURES = new Set([
+  'hvc1',
+  'hev1',
+  'lhv1',
+  'av01',
+  'avc1',
+  'vvc1',
+  'evc1',
+  'jpeg',
+  'j2k1',
+  'unci',
+  'grid',
+  'iovl',
+  'iden',
+  'tmap',
+]);
 const [EXIF, WORDS] = ['Exif', 'mime'];
 /** What is told of the items: which is the picture, where they lie, how they belong together. */
 const ABOUT = new Set(['hdlr', 'pitm', 'iinf', 'iloc', 'iprp', 'iref', 'idat', 'grpl', 'dinf']);
 /** Properties that the pixels depend on: sides, coders, colours, turns. */
 const PROPERTIES = new Set([
-  'ispe', 'pixi', 'colr', 'pasp', 'clap', 'irot', 'imir', 'auxC', 'rloc', 'clli', 'mdcv', 'cclv', 'amve', 'reve', 'ndwt', 'iscl', 'tols', 'oinf', 'lsel',
-  'hvcC', 'lhvC', 'av1C', 'avcC', 'vvcC', 'evcC', 'jpgC', 'j2kH', 'cmpd', 'uncC', 'a1op', 'a1lx',
+  'ispe',
+  'pixi',
+  'colr',
+  'pasp',
+  'clap',
+  'irot',
+  'imir',
+  'auxC',
+  'rloc',
+  'clli',
+  'mdcv',
+  'cclv',
+  'amve',
+  'reve',
+  'ndwt',
+  'iscl',
+  'tols',
+  'oinf',
+  'lsel',
+  'hvcC',
+  'lhvC',
+  'av1C',
+  'avcC',
+  'vvcC',
+  'evcC',
+  'jpgC',
+  'j2kH',
+  'cmpd',
+  'uncC',
+  'a1op',
+  'a1lx',
 ]);
 /** Of the file itself; the content of the last three is nothing. */
 const AT_TOP = new Set(['ftyp', 'meta', 'mdat', 'moov', 'moof', 'free', 'skip', 'wide']);
@@ -34,7 +78,7 @@ const MOST_PIECES = 2 ** 20;
  * @param bytes of a HEIC or AVIF file; changed
  * @returns null where it is not whole, or of a kind that is not known here
  */
-export function itemParts(bytes: Uint8Array<ArrayBuffer>): { parts: BlobPart[], clean: boolean } | null {
+export function itemParts(bytes: Uint8Array<ArrayBuffer>): { parts: BlobPart[]; clean: boolean } | null {
   const view = new DataView(bytes.buffer, bytes.byteOffset, bytes.byteLength);
   const all = topOf(view);
   const meta = all.find(({ type }) => type === 'meta');
@@ -50,23 +94,31 @@ export function itemParts(bytes: Uint8Array<ArrayBuffer>): { parts: BlobPart[], 
   const last = all.findLastIndex(({ type }) => AT_TOP.has(type) && !['free', 'skip', 'wide'].includes(type));
   const whole = bytes.subarray(0, all[last].end);
   const pictures: Range[] = [];
-  const records: { type: string, ranges: Range[] }[] = [];
+  const records: { type: string; ranges: Range[] }[] = [];
   for (const [id, ranges] of places) {
     if (ranges.some(([, to]) => to > whole.length)) return null;
     const type = items.get(id)?.type ?? '';
     if (PICTURES.has(type)) pictures.push(...ranges);
     else records.push({ type, ranges });
   }
-  let clean = !meet(pictures, records.flatMap(({ ranges }) => ranges));
+  let clean = !meet(
+    pictures,
+    records.flatMap(({ ranges }) => ranges),
+  );
   if (clean) for (const { type, ranges } of records) blankRecord(whole, type, ranges);
-  for (const { type, name: [from, to] } of items.values()) whole.fill(PICTURES.has(type) || type === EXIF ? 0 : BLANK, from, to);
+  for (const {
+    type,
+    name: [from, to],
+  } of items.values())
+    whole.fill(PICTURES.has(type) || type === EXIF ? 0 : BLANK, from, to);
 
   const moves = all.some(({ type }) => FILM.has(type));
   for (const other of all.slice(0, last + 1)) {
     const { type, start, inner, end } = other;
     if (FILM.has(type)) clean = scrubBoxes(whole.subarray(start, end)) && clean;
     // Where the pictures of a film lie among the others is not read.
-    else if (type === PICTURE_BOX && !moves) blankAround(whole, [...pictures, ...records.flatMap(({ ranges }) => ranges)], [inner, end]);
+    else if (type === PICTURE_BOX && !moves)
+      blankAround(whole, [...pictures, ...records.flatMap(({ ranges }) => ranges)], [inner, end]);
     else if (!AT_TOP.has(type)) blankBox(whole, other);
     else if (['free', 'skip', 'wide'].includes(type)) whole.fill(0, inner, end);
   }
@@ -75,7 +127,8 @@ export function itemParts(bytes: Uint8Array<ArrayBuffer>): { parts: BlobPart[], 
     else if (other.type === 'hdlr') blankHandler(whole, other);
     else if (other.type === 'iprp') scrubProperties(whole, view, other);
     else if (other.type === 'dinf') clean = scrubBoxes(whole.subarray(other.start, other.end)) && clean;
-    else if (other.type === 'idat') blankAround(whole, [...pictures, ...records.flatMap(({ ranges }) => ranges)], [other.inner, other.end]);
+    else if (other.type === 'idat')
+      blankAround(whole, [...pictures, ...records.flatMap(({ ranges }) => ranges)], [other.inner, other.end]);
   }
   return { parts: [whole], clean };
 }
@@ -83,7 +136,7 @@ export function itemParts(bytes: Uint8Array<ArrayBuffer>): { parts: BlobPart[], 
 /** @returns the boxes of the file, to its end or to what is none */
 function topOf(view: DataView): Box[] {
   const found: Box[] = [];
-  for (let at = 0; ;) {
+  for (let at = 0; ; ) {
     const box = boxAt(view, at, view.byteLength - at);
     if (!box) return found;
     found.push(box);
@@ -101,7 +154,10 @@ function itemsOf(view: DataView, { inner, end }: Box): Map<number, Item> | null 
     if (version < 2 || version > 3 || typed + 4 > to) return null;
     let stop = typed + 4;
     while (stop < to && view.getUint8(stop) !== 0) stop += 1;
-    items.set(version === 3 ? view.getUint32(from + 4) : view.getUint16(from + 4), { type: typeAt(view, typed), name: [typed + 4, stop] });
+    items.set(version === 3 ? view.getUint32(from + 4) : view.getUint16(from + 4), {
+      type: typeAt(view, typed),
+      name: [typed + 4, stop],
+    });
   }
   return entries && items;
 }
@@ -121,7 +177,12 @@ function placesOf(view: DataView, { inner, end }: Box, data: number): Map<number
     if (size === 8) return Number(view.getBigUint64(at - 8));
     return size === 4 ? view.getUint32(at - 4) : size === 2 ? view.getUint16(at - 2) : 0;
   };
-  const sizes = [view.getUint8(inner + 4) >> 4, view.getUint8(inner + 4) & 15, view.getUint8(inner + 5) >> 4, version > 0 ? view.getUint8(inner + 5) & 15 : 0];
+  const sizes = [
+    view.getUint8(inner + 4) >> 4,
+    view.getUint8(inner + 4) & 15,
+    view.getUint8(inner + 5) >> 4,
+    version > 0 ? view.getUint8(inner + 5) & 15 : 0,
+  ];
   if (sizes.some((size) => ![0, 4, 8].includes(size))) return null;
   const [offset, length, base, index] = sizes;
   const places: Map<number, Range[]> = new Map();
@@ -163,7 +224,9 @@ function blankRecord(bytes: Uint8Array, type: string, ranges: readonly Range[]) 
   const after = new Uint8Array(before.length).fill(type === WORDS ? BLANK : 0);
   if (type === EXIF && before.length >= 4) {
     // Where the record begins is said in front of it: now it is there at once.
-    const record = recordOf(orientationOf(before.subarray(Math.min(before.length, 4 + new DataView(before.buffer).getUint32(0)))));
+    const record = recordOf(
+      orientationOf(before.subarray(Math.min(before.length, 4 + new DataView(before.buffer).getUint32(0)))),
+    );
     if (4 + record.length <= after.length) after.set(record, 4);
   }
   at = 0;

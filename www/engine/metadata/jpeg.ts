@@ -5,7 +5,7 @@ import { orientationOf, recordOf } from './exif.ts';
 const [APP0, APP1, APP2, APP14, SCAN, END] = [0xe0, 0xe1, 0xe2, 0xee, 0xda, 0xd9];
 const EXIF = 'Exif\0\0';
 /** Segments of programs that the pixels depend on: how each begins, and how long it may be. */
-const NEEDED: Record<number, { begins: string, most: number }> = {
+const NEEDED: Record<number, { begins: string; most: number }> = {
   // Without the small picture that may follow.
   [APP0]: { begins: 'JFIF\0', most: 14 },
   [APP2]: { begins: 'ICC_PROFILE\0', most: 0xffff },
@@ -25,7 +25,7 @@ export function jpegParts(bytes: Uint8Array<ArrayBuffer>, file: Blob): BlobPart[
   let orientation = 0;
   /** A record of our own goes behind the segment of JFIF. */
   let place = 1;
-  for (let at = 2; ;) {
+  for (let at = 2; ; ) {
     const start = nextMarker(bytes, at);
     if (start < 0) return null;
     const marker = bytes[start + 1];
@@ -37,11 +37,13 @@ export function jpegParts(bytes: Uint8Array<ArrayBuffer>, file: Blob): BlobPart[
     if (start + 4 > bytes.length) return null;
     const end = start + 2 + view.getUint16(start + 2);
     if (end > bytes.length || end < start + 4) return null;
-    const begins = (text: string) => [...text].every((letter, i) => start + 4 + i < end && bytes[start + 4 + i] === letter.charCodeAt(0));
+    const begins = (text: string) =>
+      [...text].every((letter, i) => start + 4 + i < end && bytes[start + 4 + i] === letter.charCodeAt(0));
     // What is coded follows its head.
     at = marker === SCAN ? nextMarker(bytes, end) : end;
     if (at < 0) return null;
-    if (marker === APP1 && orientation === 0 && begins(EXIF)) orientation = orientationOf(bytes.subarray(start + 4 + EXIF.length, end));
+    if (marker === APP1 && orientation === 0 && begins(EXIF))
+      orientation = orientationOf(bytes.subarray(start + 4 + EXIF.length, end));
     const needed = NEEDED[marker];
     if (needed && begins(needed.begins)) {
       parts.push(shortened(bytes.slice(start, Math.min(end, start + 4 + needed.most))));

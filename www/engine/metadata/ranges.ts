@@ -32,7 +32,7 @@ export function blankAround(bytes: Uint8Array, ranges: readonly Range[], [start,
 /** @returns whether a byte is in both */
 export function meet(ranges: readonly Range[], others: readonly Range[]): boolean {
   const [one, other] = [joined(ranges), joined(others)];
-  for (let i = 0, j = 0; i < one.length && j < other.length;) {
+  for (let i = 0, j = 0; i < one.length && j < other.length; ) {
     if (one[i][0] < other[j][1] && other[j][0] < one[i][1]) return true;
     if (one[i][1] < other[j][1]) i += 1;
     else j += 1;

@@ -19,20 +19,41 @@ import { tiffParts } from './tiff.ts';
 import { webpParts } from './webp.ts';
 
 /** `clean`: false where the file is of a kind, or so broken, that what it says is in it still, or some of it. */
-export type Stripped = { blob: Blob, clean: boolean };
+export type Stripped = { blob: Blob; clean: boolean };
 
 /** Chunks of a PNG that change how its pixels look, and those of an animation. Others go, whatever they are. */
-const PNG_CHUNKS = ['IHDR', 'PLTE', 'IDAT', 'IEND', 'tRNS', 'cHRM', 'gAMA', 'iCCP', 'sBIT', 'sRGB', 'cICP', 'mDCV', 'cLLI', 'bKGD', 'pHYs', 'acTL', 'fcTL', 'fdAT'];
+const PNG_CHUNKS = [
+  'IHDR',
+  'PLTE',
+  'IDAT',
+  'IEND',
+  'tRNS',
+  'cHRM',
+  'gAMA',
+  'iCCP',
+  'sBIT',
+  'sRGB',
+  'cICP',
+  'mDCV',
+  'cLLI',
+  'bKGD',
+  'pHYs',
+  'acTL',
+  'fcTL',
+  'fdAT',
+];
 /** A file that is larger than this is a film; of films only some parts are read. */
 const MOST_BYTES = 512 * 2 ** 20;
 
 /** @returns the same again when it is stripped again */
 export async function withoutMetadata(file: Blob): Promise<Stripped> {
   const parts = await partsOf(file);
-  return parts ? { blob: new Blob(parts.parts, { type: file.type }), clean: parts.clean } : { blob: file, clean: false };
+  return parts
+    ? { blob: new Blob(parts.parts, { type: file.type }), clean: parts.clean }
+    : { blob: file, clean: false };
 }
 
-async function partsOf(file: Blob): Promise<{ parts: BlobPart[], clean: boolean } | null> {
+async function partsOf(file: Blob): Promise<{ parts: BlobPart[]; clean: boolean } | null> {
   const head = new Uint8Array(await file.slice(0, 256).arrayBuffer());
   const text = String.fromCharCode(...head.subarray(0, 12));
   if (await isPng(file)) return whole(await pngParts(file));
@@ -57,7 +78,7 @@ async function pngParts(file: Blob): Promise<BlobPart[] | null> {
   const chunks = await chunksOf(file);
   if (!chunks) return null;
   const record = chunks.find(({ type }) => type === 'eXIf');
-  const data = record && await dataOf(file, record);
+  const data = record && (await dataOf(file, record));
   const orientation = data ? orientationOf(new Uint8Array(await data.arrayBuffer())) : 1;
   const kept = chunks.filter(({ type }) => PNG_CHUNKS.includes(type)).map((chunk) => wholeChunk(file, chunk));
   const said = orientation > 1 ? [await chunkOf('eXIf', recordOf(orientation))] : [];

@@ -8,26 +8,70 @@ import { blankAround, joined, meet } from './ranges.ts';
 import type { Range } from './ranges.ts';
 
 /** `at` is where its value lies, in the field or elsewhere; `length` is that of the value in bytes. */
-type Field = { tag: number, type: number, count: number, at: number, length: number };
+type Field = { tag: number; type: number; count: number; at: number; length: number };
 /** `place` is where it lies. */
-type Directory = { place: number, end: number, fields: Field[], next: number };
+type Directory = { place: number; end: number; fields: Field[]; next: number };
 
 /** What each picture of the file needs, by tag. */
 const NEEDED = new Set([
-  254, 255, // which kind of picture it is
-  256, 257, 258, 259, 262, 266, 274, 277, 284, // sides, bits, compression, colours, order of bits, which side is up, samples, planes
-  273, 278, 279, // strips
-  322, 323, 324, 325, // tiles
-  263, 264, 265, 280, 281, 290, 291, 301, 318, 319, 320, 332, 334, 336, 338, 339, 340, 341, 342, // what its samples mean
-  282, 283, 296, // pixels an inch
-  292, 293, 317, 347, 50674, // what its compression needs
-  529, 530, 531, 532, // luma and chroma
+  254,
+  255, // which kind of picture it is
+  256,
+  257,
+  258,
+  259,
+  262,
+  266,
+  274,
+  277,
+  284, // sides, bits, compression, colours, order of bits, which side is up, samples, planes
+  273,
+  278,
+  279, // strips
+  322,
+  323,
+  324,
+  325, // tiles
+  263,
+  264,
+  265,
+  280,
+  281,
+  290,
+  291,
+  301,
+  318,
+  319,
+  320,
+  332,
+  334,
+  336,
+  338,
+  339,
+  340,
+  341,
+  342, // what its samples mean
+  282,
+  283,
+  296, // pixels an inch
+  292,
+  293,
+  317,
+  347,
+  50674, // what its compression needs
+  529,
+  530,
+  531,
+  532, // luma and chroma
   34675, // the colour profile
 ]);
 
 const [KIND, COMPRESSION, SUB_DIRECTORIES, DNG] = [254, 259, 330, 50706];
 /** Where the pixels are, and how long: of strips, of tiles. */
-const PIXELS = [[273, 279], [324, 325]];
+const PIXELS = [
+  [273, 279],
+  [324, 325],
+];
 /** A kind: a smaller copy of another picture. */
 const REDUCED = 1;
 /** JPEG as it was done before Technical Note 2, with tables anywhere. */
@@ -46,13 +90,13 @@ const MOST_PIECES = 2 ** 20;
  * @returns null where it is not whole, or of a kind whose pixels need what
  *   is on no list; `clean`: false where pixels and what is said beside them are the same bytes
  */
-export function tiffParts(bytes: Uint8Array<ArrayBuffer>): { parts: BlobPart[], clean: boolean } | null {
+export function tiffParts(bytes: Uint8Array<ArrayBuffer>): { parts: BlobPart[]; clean: boolean } | null {
   const view = new DataView(bytes.buffer, bytes.byteOffset, bytes.byteLength);
   const little = bytes[0] === 0x49;
   const directories = directoriesOf(view, little);
   if (!directories) return null;
   // Smaller copies may show what was cut from the picture; the first is the one that is opened.
-  const pictures = directories.filter(({ fields }, i) => i === 0 || !(valueOf(view, little, fields, KIND) & REDUCED));
+  const pictures = directories.filter(({ fields }, i) => i === 0 || !(numberOf(view, little, fields, KIND) & REDUCED));
 
   const pixels: Range[] = [];
   const values: Range[] = [];
@@ -62,20 +106,33 @@ export function tiffParts(bytes: Uint8Array<ArrayBuffer>): { parts: BlobPart[], 
   for (const directory of directories) {
     const { fields } = directory;
     const stays = pictures.includes(directory);
-    for (const { tag, at, length } of fields) if (length > 4) (stays && NEEDED.has(tag) ? values : gone).push([at, at + length]);
+    for (const { tag, at, length } of fields)
+      if (length > 4) (stays && NEEDED.has(tag) ? values : gone).push([at, at + length]);
     if (!stays) continue;
-    if (fields.some(({ tag }) => tag === DNG) || valueOf(view, little, fields, COMPRESSION) === OLD_JPEG || hasFullSize(view, little, fields)) return null;
+    if (
+      fields.some(({ tag }) => tag === DNG) ||
+      numberOf(view, little, fields, COMPRESSION) === OLD_JPEG ||
+      hasFullSize(view, little, fields)
+    )
+      return null;
     for (const [places, lengths] of PIXELS) {
       const [from, long] = [places, lengths].map((tag) => numbersOf(view, little, fields, tag));
       if (from.length !== long.length || pixels.length + from.length > MOST_PIECES) return null;
       from.forEach((at, i) => pixels.push([at, at + long[i]]));
     }
   }
-  const tables = pictures.map(({ place, fields }) => ([place, place + 2 + FIELD * fields.filter(isNeeded).length + 4] as Range));
+  const tables = pictures.map(
+    ({ place, fields }) => [place, place + 2 + FIELD * fields.filter(isNeeded).length + 4] as Range,
+  );
   const kept = joined([[0, 8], ...pixels, ...values, ...tables]);
   const end = kept[kept.length - 1][1];
   // The last table may have been cut behind its fields.
-  if (pixels.length === 0 || joined([...pixels, ...values]).some(([, to]) => to > bytes.length) || meet([...pixels, ...values], all)) return null;
+  if (
+    pixels.length === 0 ||
+    joined([...pixels, ...values]).some(([, to]) => to > bytes.length) ||
+    meet([...pixels, ...values], all)
+  )
+    return null;
 
   const made = pictures.map((directory, i) => tableOf(view, little, directory, pictures[i + 1]?.place ?? 0));
   const clean = !meet([...pixels, ...values], gone);
@@ -117,7 +174,7 @@ function tableOf(view: DataView, little: boolean, { fields }: Directory, next: n
 function directoriesOf(view: DataView, little: boolean): Directory[] | null {
   const found: Map<number, Directory> = new Map();
   let pieces = 0;
-  for (let at = view.byteLength < 8 ? 0 : view.getUint32(4, little); at !== 0;) {
+  for (let at = view.byteLength < 8 ? 0 : view.getUint32(4, little); at !== 0; ) {
     const directory = found.has(at) || found.size === MOST_DIRECTORIES ? null : directoryAt(view, little, at);
     pieces += directory?.fields.length ?? 0;
     if (!directory || pieces > MOST_PIECES) return null;
@@ -134,14 +191,23 @@ function directoryAt(view: DataView, little: boolean, place: number): Directory 
   if (end > view.byteLength) return null;
   const fields: Map<number, Field> = new Map();
   for (let field = place + 2; field < end; field += FIELD) {
-    const [tag, type, count] = [view.getUint16(field, little), view.getUint16(field + 2, little), view.getUint32(field + 4, little)];
+    const [tag, type, count] = [
+      view.getUint16(field, little),
+      view.getUint16(field + 2, little),
+      view.getUint32(field + 4, little),
+    ];
     const length = count * (SIZES[type] ?? 1);
     const at = length > 4 ? view.getUint32(field + 8, little) : field + 8;
     // Said twice, the first holds.
     if (!fields.has(tag)) fields.set(tag, { tag, type, count, at, length });
   }
   // Some writers leave out the end of the last one.
-  return { place, end, fields: [...fields.values()], next: end + 4 <= view.byteLength ? view.getUint32(end, little) : 0 };
+  return {
+    place,
+    end,
+    fields: [...fields.values()],
+    next: end + 4 <= view.byteLength ? view.getUint32(end, little) : 0,
+  };
 }
 
 /** @returns none where it is not there, or no list of numbers */
@@ -149,11 +215,13 @@ function numbersOf(view: DataView, little: boolean, fields: readonly Field[], ta
   const field = fields.find((other) => other.tag === tag);
   if (!field || ![SHORT, LONG].includes(field.type) || field.at + field.length > view.byteLength) return [];
   const { type, count, at } = field;
-  return Array.from({ length: count }, (_, i) => (type === SHORT ? view.getUint16(at + 2 * i, little) : view.getUint32(at + 4 * i, little)));
+  return Array.from({ length: count }, (_, i) =>
+    type === SHORT ? view.getUint16(at + 2 * i, little) : view.getUint32(at + 4 * i, little),
+  );
 }
 
 /** @returns 0 where it is not said */
-function valueOf(view: DataView, little: boolean, fields: readonly Field[], tag: number): number {
+function numberOf(view: DataView, little: boolean, fields: readonly Field[], tag: number): number {
   return numbersOf(view, little, fields, tag)[0] ?? 0;
 }
 
@@ -161,6 +229,6 @@ function valueOf(view: DataView, little: boolean, fields: readonly Field[], tag:
 function hasFullSize(view: DataView, little: boolean, fields: readonly Field[]) {
   return numbersOf(view, little, fields, SUB_DIRECTORIES).some((place) => {
     const inner = directoryAt(view, little, place);
-    return inner !== null && !(valueOf(view, little, inner.fields, KIND) & REDUCED);
+    return inner !== null && !(numberOf(view, little, inner.fields, KIND) & REDUCED);
   });
 }

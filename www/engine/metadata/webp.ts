@@ -22,13 +22,14 @@ export function webpParts(bytes: Uint8Array<ArrayBuffer>, file: Blob): BlobPart[
   const parts: Blob[] = [];
   let flags = -1;
   let orientation = 1;
-  for (let at = 12; at < end;) {
+  for (let at = 12; at < end; ) {
     const chunk = chunkAt(view, at, end);
     if (!chunk) return null;
     const { type, length, next } = chunk;
     if (type === 'VP8X' && at === 12 && length === 10) flags = parts.length;
     // The mark of JPEG before the record is one that some writers put here too.
-    if (type === 'EXIF') orientation = orientationOf(bytes.subarray(at + 8 + (text(at + 8) === 'Exif' ? 6 : 0), at + 8 + length));
+    if (type === 'EXIF')
+      orientation = orientationOf(bytes.subarray(at + 8 + (text(at + 8) === 'Exif' ? 6 : 0), at + 8 + length));
     const part = type === FRAME ? frame(view, at, file, length) : whole(file, at, length);
     if (!part) return null;
     if (NEEDED.includes(type)) parts.push(part);
@@ -51,7 +52,7 @@ export function webpParts(bytes: Uint8Array<ArrayBuffer>, file: Blob): BlobPart[
  * @param end of what it is in
  * @returns null where it is cut short
  */
-function chunkAt(view: DataView, at: number, end: number): { type: string, length: number, next: number } | null {
+function chunkAt(view: DataView, at: number, end: number): { type: string; length: number; next: number } | null {
   if (at + 8 > end) return null;
   const type = String.fromCharCode(...[0, 1, 2, 3].map((i) => view.getUint8(at + i)));
   const length = view.getUint32(at + 4, true);
@@ -67,7 +68,7 @@ function whole(file: Blob, at: number, length: number): Blob {
 function frame(view: DataView, at: number, file: Blob, length: number): Blob | null {
   const end = at + 8 + length;
   const parts: Blob[] = [];
-  for (let inner = at + 8 + FRAME_HEAD; inner < end;) {
+  for (let inner = at + 8 + FRAME_HEAD; inner < end; ) {
     const chunk = chunkAt(view, inner, end);
     if (!chunk) return null;
     if (NEEDED_IN_FRAME.includes(chunk.type)) parts.push(whole(file, inner, chunk.length));

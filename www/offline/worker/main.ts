@@ -8,13 +8,18 @@ import { SHARE, createShares } from './shares.ts';
 import { createVersions } from './versions.ts';
 import type { OrderEvent, RequestEvent, Site, WorkEvent, WorkerScope } from './worker-types.ts';
 
-const worker = ((globalThis as unknown) as WorkerScope);
+const worker = globalThis as unknown as WorkerScope;
 const { scope } = worker.registration;
 
+/** A constant of the build. */
+declare const INKPANEL_SITE: Site;
+
 const versions = createVersions({
-  // @ts-ignore: a constant of the build
-  site: (INKPANEL_SITE as Site),
-  scope, caches, fetch: fetch.bind(globalThis), locks: navigator.locks,
+  site: INKPANEL_SITE,
+  scope,
+  caches,
+  fetch: fetch.bind(globalThis),
+  locks: navigator.locks,
   windows: async () => (await worker.clients.matchAll({ type: 'window', includeUncontrolled: true })).length,
   updating: () => !!(worker.registration.installing ?? worker.registration.waiting),
 });
@@ -23,7 +28,9 @@ const shares = createShares({ scope, caches });
 worker.addEventListener('install', (event: WorkEvent) => event.waitUntil(versions.install()));
 
 // The first page is not controlled until it is claimed; an old one would not be loaded again for it.
-worker.addEventListener('activate', (event: WorkEvent) => event.waitUntil(Promise.all([worker.clients.claim(), versions.sweep()])));
+worker.addEventListener('activate', (event: WorkEvent) =>
+  event.waitUntil(Promise.all([worker.clients.claim(), versions.sweep()])),
+);
 
 worker.addEventListener('message', (event: OrderEvent) => {
   if (event.data?.op === 'take-over') event.waitUntil(worker.skipWaiting());
@@ -36,7 +43,8 @@ worker.addEventListener('fetch', (event: RequestEvent) => {
   if (new URL(request.url).origin !== new URL(scope).origin) return event.respondWith(Response.error());
   const path = versions.pathOf(request);
   if (request.method === 'POST' && path === SHARE) return event.respondWith(shares.take(request));
-  if (request.method === 'GET' && path !== null && versions.has(path)) return event.respondWith(versions.answer(path, request));
+  if (request.method === 'GET' && path !== null && versions.has(path))
+    return event.respondWith(versions.answer(path, request));
 });
 
 /** What can wait until a page is at rest. */

@@ -11,13 +11,24 @@ const FOLDER = 'shared/';
 const LONGEST = 24 * 3600_000;
 
 /** @param world `scope`: the address of the site's folder */
-export function createShares({ scope, caches, now = Date.now }: { scope: string, caches: CacheStorage, now?: () => number }) {
+export function createShares({
+  scope,
+  caches,
+  now = Date.now,
+}: {
+  scope: string;
+  caches: CacheStorage;
+  now?: () => number;
+}) {
   return { take, sweep };
 
   /** @returns on to the page, which finds the files by the name in the address */
   async function take(request: Request): Promise<Response> {
     const id = `${now()}-${crypto.randomUUID().slice(0, 8)}`;
-    const stored = await store(id, request).then(() => id, () => 'lost');
+    const stored = await store(id, request).then(
+      () => id,
+      () => 'lost',
+    );
     return Response.redirect(new URL(`?shared=${stored}`, scope).href, 303);
   }
 
@@ -25,10 +36,15 @@ export function createShares({ scope, caches, now = Date.now }: { scope: string,
     const form = await request.formData();
     const files = [...form.values()].filter((value) => typeof value !== 'string');
     const cache = await caches.open(SHARED);
-    await Promise.all(files.map((file, i) => {
-      const headers = { 'content-type': file.type || 'application/octet-stream', 'x-name': encodeURIComponent(file.name) };
-      return cache.put(new URL(`${FOLDER}${id}/${i}`, scope).href, new Response(file, { headers }));
-    }));
+    await Promise.all(
+      files.map((file, i) => {
+        const headers = {
+          'content-type': file.type || 'application/octet-stream',
+          'x-name': encodeURIComponent(file.name),
+        };
+        return cache.put(new URL(`${FOLDER}${id}/${i}`, scope).href, new Response(file, { headers }));
+      }),
+    );
   }
 
   async function sweep() {

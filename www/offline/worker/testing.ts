@@ -9,14 +9,16 @@ export function fakeCaches(): CacheStorage & { contents: () => Promise<Record<st
   const keyOf = (request: string | { url: string }) => (typeof request === 'string' ? request : request.url);
   const cacheOf = (entries: Map<string, Response>) => ({
     match: async (request: any) => entries.get(keyOf(request))?.clone(),
-    put: async (request: any, response: Response) => { entries.set(keyOf(request), response); },
+    put: async (request: any, response: Response) => {
+      entries.set(keyOf(request), response);
+    },
     delete: async (request: any) => entries.delete(keyOf(request)),
     keys: async () => [...entries.keys()].map((url) => ({ url })),
   });
-  return ({
+  return {
     open: async (name: string) => {
       if (!all.has(name)) all.set(name, new Map());
-      return cacheOf((all.get(name) as Map<string, Response>));
+      return cacheOf(all.get(name) as Map<string, Response>);
     },
     keys: async () => [...all.keys()],
     delete: async (name: string) => all.delete(name),
@@ -25,7 +27,7 @@ export function fakeCaches(): CacheStorage & { contents: () => Promise<Record<st
       return undefined;
     },
     contents: async () => Object.fromEntries([...all].map(([name, entries]) => [name, [...entries.keys()].sort()])),
-  } as any);
+  } as any;
 }
 
 /**

@@ -7,27 +7,51 @@ const at = (path: string) => SCOPE + path;
 
 /** A build: the page, its script, and a module whose name changes with it. */
 function build(version: string) {
-  const files = { '': `page ${version}`, [`assets/index-${version}.js`]: `script ${version}`, 'assets/core-11111111.wasm': 'core' };
+  const files = {
+    '': `page ${version}`,
+    [`assets/index-${version}.js`]: `script ${version}`,
+    'assets/core-11111111.wasm': 'core',
+  };
   return {
     files: Object.fromEntries(Object.entries(files).map(([path, text]) => [at(path), text])),
     site: {
-      version, needed: Object.entries(files).map(([path, text]) => ([path, shaOf(text)] as [string, string])),
-      extras: ([['samples/1.jpg', shaOf('photo')]] as [string, string][]), onUse: [`assets/faces-${version}.onnx`],
+      version,
+      needed: Object.entries(files).map(([path, text]) => [path, shaOf(text)] as [string, string]),
+      extras: [['samples/1.jpg', shaOf('photo')]] as [string, string][],
+      onUse: [`assets/faces-${version}.onnx`],
     },
   };
 }
 
-function world(version: string, { caches = fakeCaches(), files = build(version).files, open = [], updating = false }: { caches?: ReturnType<typeof fakeCaches>, files?: Record<string, string>, open?: string[], updating?: boolean } = {}) {
+function world(
+  version: string,
+  {
+    caches = fakeCaches(),
+    files = build(version).files,
+    open = [],
+    updating = false,
+  }: {
+    caches?: ReturnType<typeof fakeCaches>;
+    files?: Record<string, string>;
+    open?: string[];
+    updating?: boolean;
+  } = {},
+) {
   const host = fakeHost(files);
   const held = open.map((path) => ({ name: `${PAGE_LOCK}${at(path)}` }));
   const versions = createVersions({
-    site: build(version).site, scope: SCOPE, caches, fetch: (host.fetch as any), locks: { query: async () => ({ held }) },
-    windows: async () => 1, updating: () => updating,
+    site: build(version).site,
+    scope: SCOPE,
+    caches,
+    fetch: host.fetch as any,
+    locks: { query: async () => ({ held }) },
+    windows: async () => 1,
+    updating: () => updating,
   });
   return { caches, host, versions };
 }
 
-const asked = (path: string, mode = 'cors') => ({ url: at(path), mode } as any);
+const asked = (path: string, mode = 'cors') => ({ url: at(path), mode }) as any;
 const text = async (response: Promise<Response>) => (await response).text();
 
 describe('a build', () => {
@@ -42,9 +66,10 @@ describe('a build', () => {
   });
 
   it.each([
-    ['is missing', { [at('assets/core-11111111.wasm')]: undefined }], ['is of another build', { [at('')]: 'page two' }],
+    ['is missing', { [at('assets/core-11111111.wasm')]: undefined }],
+    ['is of another build', { [at('')]: 'page two' }],
   ])('of which a file %s is not kept at all', async (_, wrong) => {
-    const files = ({ ...build('one').files, ...wrong } as Record<string, string>);
+    const files = { ...build('one').files, ...wrong } as Record<string, string>;
     const { caches, versions } = world('one', { files });
     await expect(versions.install()).rejects.toThrow();
     expect(await caches.contents()).toEqual({});
@@ -87,7 +112,7 @@ describe('a build', () => {
     const { versions } = world('one');
     const paths = ['', '?shared=1', 'index.html'].map((path) => versions.pathOf(asked(path, 'navigate')));
     expect(paths).toEqual(['', '', '']);
-    expect(versions.pathOf(({ url: 'https://host.test/other/', mode: 'navigate' } as any))).toBeNull();
+    expect(versions.pathOf({ url: 'https://host.test/other/', mode: 'navigate' } as any)).toBeNull();
     expect(['', 'samples/1.jpg', 'assets/of-before.js'].every(versions.has)).toBe(true);
     expect(['assets/faces-one.onnx', 'unknown.html', 'service-worker.js'].some(versions.has)).toBe(false);
   });
@@ -104,12 +129,17 @@ describe('sweeping', () => {
     await (await caches.open('inkpanel /other/ one')).put('x', new Response('of another site'));
     return caches;
   }
-  const builds = async (caches: any) => (await caches.keys()).filter((name: string) => name.startsWith('inkpanel /')).sort();
+  const builds = async (caches: any) =>
+    (await caches.keys()).filter((name: string) => name.startsWith('inkpanel /')).sort();
 
   it('leaves the builds of open pages, their nets too', async () => {
     const caches = await three();
     await world('three', { caches, open: ['assets/index-two.js', 'assets/index-three.js'] }).versions.sweep();
-    expect(await builds(caches)).toEqual(['inkpanel /other/ one', 'inkpanel /some/path/ three', 'inkpanel /some/path/ two']);
+    expect(await builds(caches)).toEqual([
+      'inkpanel /other/ one',
+      'inkpanel /some/path/ three',
+      'inkpanel /some/path/ two',
+    ]);
     expect(await (await caches.open(NETS)).keys()).toHaveLength(3);
   });
 
@@ -117,7 +147,10 @@ describe('sweeping', () => {
     const caches = await three();
     await world('three', { caches, open: ['assets/index-three.js'] }).versions.sweep();
     expect(await builds(caches)).toEqual(['inkpanel /other/ one', 'inkpanel /some/path/ three']);
-    expect((await caches.contents())[NETS]).toEqual(['https://host.test/other/assets/faces.onnx', at('assets/faces-three.onnx')]);
+    expect((await caches.contents())[NETS]).toEqual([
+      'https://host.test/other/assets/faces.onnx',
+      at('assets/faces-three.onnx'),
+    ]);
   });
 
   it('touches nothing while another build is on its way', async () => {

@@ -8,7 +8,6 @@
 
 import type { Site, SiteFile } from './worker-types.ts';
 
-
 /** Of the locks that pages hold as long as they are open; the address of the page's script follows. */
 export const PAGE_LOCK = 'inkpanel.page ';
 /** What the engine keeps of the files in `onUse`. */
@@ -22,9 +21,22 @@ const HASHED = 'assets/';
  * @param world `scope`: the address of the site's folder; `windows`: how many pages are open; `updating`: another build is
  *   being installed or waits
  */
-export function createVersions({ site, scope, caches, fetch, locks, windows, updating }: {
-  site: Site, scope: string, caches: CacheStorage, fetch: typeof globalThis.fetch,
-  locks: Pick<LockManager, 'query'> | undefined, windows: () => Promise<number>, updating: () => boolean,
+export function createVersions({
+  site,
+  scope,
+  caches,
+  fetch,
+  locks,
+  windows,
+  updating,
+}: {
+  site: Site;
+  scope: string;
+  caches: CacheStorage;
+  fetch: typeof globalThis.fetch;
+  locks: Pick<LockManager, 'query'> | undefined;
+  windows: () => Promise<number>;
+  updating: () => boolean;
 }) {
   /** Sites in other folders of the same host have theirs. */
   const prefix = `inkpanel ${new URL(scope).pathname} `;
@@ -59,8 +71,8 @@ export function createVersions({ site, scope, caches, fetch, locks, windows, upd
     const url = new URL(path, scope).href;
     if (await cache.match(url)) return;
     const before = await caches.match(url);
-    const same = before && await integrityOf(before.clone()) === integrity ? before : undefined;
-    await cache.put(url, same ?? await load(path, integrity));
+    const same = before && (await integrityOf(before.clone())) === integrity ? before : undefined;
+    await cache.put(url, same ?? (await load(path, integrity)));
   }
 
   async function load(path: string, integrity: string) {
@@ -125,7 +137,7 @@ export function createVersions({ site, scope, caches, fetch, locks, windows, upd
 
   /** @returns the scripts of the pages that are open; null where nobody can tell */
   async function openPages(): Promise<string[] | null> {
-    if (!locks) return await windows() > 1 ? null : [];
+    if (!locks) return (await windows()) > 1 ? null : [];
     const { held = [] } = await locks.query();
     return held.flatMap((lock) => (lock.name?.startsWith(PAGE_LOCK) ? [lock.name.slice(PAGE_LOCK.length)] : []));
   }

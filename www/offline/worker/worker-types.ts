@@ -1,23 +1,27 @@
 /** What TypeScript's library for pages lacks of service workers. */
 
 export type WorkEvent = Event & { waitUntil: (work: Promise<unknown>) => void };
-export type OrderEvent = WorkEvent & { data: { op?: string, extras?: boolean } | null };
-export type RequestEvent = WorkEvent & { request: Request, respondWith: (response: Response | Promise<Response>) => void };
+export type OrderEvent = WorkEvent & { data: { op?: string; extras?: boolean } | null };
+export type RequestEvent = WorkEvent & {
+  request: Request;
+  respondWith: (response: Response | Promise<Response>) => void;
+};
 
 export type WorkerScope = {
-  registration: ServiceWorkerRegistration, skipWaiting: () => Promise<void>,
-  clients: { claim: () => Promise<void>, matchAll: (of: object) => Promise<readonly unknown[]> },
-  addEventListener: (type: string, listener: (event: any) => void) => void,
+  registration: ServiceWorkerRegistration;
+  skipWaiting: () => Promise<void>;
+  clients: { claim: () => Promise<void>; matchAll: (of: object) => Promise<readonly unknown[]> };
+  addEventListener: (type: string, listener: (event: any) => void) => void;
 };
 
 /** The files of one build, by their path in the site; `''` is the page itself. */
 export type SiteFile = [path: string, integrity: string];
 /** `needed`: the page does not work without; `extras`: good to have; `onUse`: kept by whoever uses them first */
 export type Site = {
-  version: string,
-  needed: SiteFile[],
-  extras: SiteFile[],
-  onUse: string[],
+  version: string;
+  needed: SiteFile[];
+  extras: SiteFile[];
+  onUse: string[];
 };
 
 export {};

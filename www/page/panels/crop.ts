@@ -3,8 +3,8 @@
 import type { Bounds as Crop } from '../../engine/documents.ts';
 
 export type { Crop };
-type Size = { width: number, height: number };
-type Subject = { x: number, y: number, width: number, height: number, label: string, score: number };
+type Size = { width: number; height: number };
+type Subject = { x: number; y: number; width: number; height: number; label: string; score: number };
 
 /** The least part of a photo's side that a crop shows. */
 const LEAST = 0.06;

@@ -15,7 +15,8 @@ export function CutTools() {
   const rows = cut?.axis === 'rows';
 
   function move(by: number, slant: number) {
-    if (cut && at !== null) reshaping.moveCut(at, { fraction: cut.fraction + by, slant: cut.slant + slant }, `cut-clicks-${at}`);
+    if (cut && at !== null)
+      reshaping.moveCut(at, { fraction: cut.fraction + by, slant: cut.slant + slant }, `cut-clicks-${at}`);
   }
 
   return (

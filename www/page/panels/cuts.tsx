@@ -10,7 +10,7 @@ import type { Cut } from '../../engine/documents.ts';
 
 /** which part of a cut is held */
 type End = 'both' | 'from' | 'to';
-type Grip = { id: number, x: number, y: number, cut: Cut, end: End, name: string };
+type Grip = { id: number; x: number; y: number; cut: Cut; end: End; name: string };
 
 /** What an arrow key moves a cut by, and with Shift. */
 const STEP = 0.01;
@@ -22,7 +22,9 @@ export function Cuts() {
   const height = store.geometry.value?.height ?? 1;
   return (
     <div class="cuts" role="group" aria-label={strings.cuts}>
-      {cuts.map((cut, i) => <CutHandle key={i} cut={cut} index={i} count={cuts.length} height={height} />)}
+      {cuts.map((cut, i) => (
+        <CutHandle key={i} cut={cut} index={i} count={cuts.length} height={height} />
+      ))}
       {cuts.length === 0 && <p class="cuts-none">{strings.noCuts}</p>}
     </div>
   );
@@ -31,11 +33,11 @@ export function Cuts() {
 let gestures = 0;
 
 /** @param props `height` of the page, in its widths */
-function CutHandle({ cut, index, count, height }: { cut: Cut, index: number, count: number, height: number }) {
+function CutHandle({ cut, index, count, height }: { cut: Cut; index: number; count: number; height: number }) {
   const { reshaping } = useApp();
-  const grip = useRef((null as Grip | null));
+  const grip = useRef(null as Grip | null);
   const keys = useRef('');
-  const ref = useRef((null as HTMLDivElement | null));
+  const ref = useRef(null as HTMLDivElement | null);
 
   function take(event: PointerEvent, end: End) {
     if (event.button !== 0) return;
@@ -65,9 +67,13 @@ function CutHandle({ cut, index, count, height }: { cut: Cut, index: number, cou
     event.preventDefault();
     event.stopPropagation();
     const step = way * (event.shiftKey ? LARGE_STEP : STEP);
-    if (keys.current === '') keys.current = `cut-keys-${gestures += 1}`;
+    if (keys.current === '') keys.current = `cut-keys-${(gestures += 1)}`;
     const { fraction, slant } = cut;
-    reshaping.moveCut(index, event.altKey ? { fraction, slant: slant + 2 * step } : { fraction: fraction + step, slant }, keys.current);
+    reshaping.moveCut(
+      index,
+      event.altKey ? { fraction, slant: slant + 2 * step } : { fraction: fraction + step, slant },
+      keys.current,
+    );
   }
 
   const [[x1, y1], [x2, y2]] = [cut.from, cut.to];
@@ -90,18 +96,22 @@ function CutHandle({ cut, index, count, height }: { cut: Cut, index: number, cou
       data-chosen={reshaping.cut.value === index}
       style={{
         left: `${(x1 + x2) * 50}%`,
-        top: `${(y1 + y2) * 50 / height}%`,
+        top: `${((y1 + y2) * 50) / height}%`,
         width: `${length * 100}%`,
         rotate: `${angle}rad`,
       }}
-      onFocus={() => { reshaping.cut.value = index; }}
+      onFocus={() => {
+        reshaping.cut.value = index;
+      }}
       onPointerDown={(event) => take(event, 'both')}
       onPointerMove={drag}
       onPointerUp={release}
       onPointerCancel={release}
       onKeyDown={press}
       // A held key is one step of the undo.
-      onKeyUp={() => { keys.current = ''; }}
+      onKeyUp={() => {
+        keys.current = '';
+      }}
     >
       <span class="cut-end" onPointerDown={(event) => take(event, 'from')} />
       <span class="cut-grip" />
@@ -114,7 +124,7 @@ function CutHandle({ cut, index, count, height }: { cut: Cut, index: number, cou
  * @param cut as it was when it was taken
  * @param by parts of its cell
  */
-export function shifted({ fraction, slant }: Cut, end: End, by: number): { fraction: number, slant: number } {
+export function shifted({ fraction, slant }: Cut, end: End, by: number): { fraction: number; slant: number } {
   if (end === 'both') return { fraction: fraction + by, slant };
   return { fraction: fraction + by / 2, slant: slant + (end === 'to' ? by : -by) };
 }

@@ -7,7 +7,13 @@ import type { PageDocument } from '../../engine/documents.ts';
 import type { Crop } from './crop.ts';
 
 const part = fc.double({ min: 0.06, max: 1, noNaN: true });
-const anyCrop = fc.record({ width: part, height: part, u: fc.double({ min: 0, max: 1, noNaN: true }), v: fc.double({ min: 0, max: 1, noNaN: true }) })
+const anyCrop = fc
+  .record({
+    width: part,
+    height: part,
+    u: fc.double({ min: 0, max: 1, noNaN: true }),
+    v: fc.double({ min: 0, max: 1, noNaN: true }),
+  })
   .map(({ width, height, u, v }) => ({ x: u * (1 - width), y: v * (1 - height), width, height }));
 const anyMove = fc.double({ min: -3, max: 3, noNaN: true });
 
@@ -16,11 +22,13 @@ function isInside({ x, y, width, height }: Crop) {
 }
 
 test('however it is moved, no edge of the photo shows, and its shape stays', () => {
-  fc.assert(fc.property(anyCrop, anyMove, anyMove, fc.double({ min: 0.01, max: 50, noNaN: true }), (crop, x, y, factor) => {
-    const near = zoomed(panned(crop, x, y), factor);
-    expect(isInside(near)).toBe(true);
-    expect(near.width / near.height).toBeCloseTo(crop.width / crop.height, 6);
-  }));
+  fc.assert(
+    fc.property(anyCrop, anyMove, anyMove, fc.double({ min: 0.01, max: 50, noNaN: true }), (crop, x, y, factor) => {
+      const near = zoomed(panned(crop, x, y), factor);
+      expect(isInside(near)).toBe(true);
+      expect(near.width / near.height).toBeCloseTo(crop.width / crop.height, 6);
+    }),
+  );
 });
 
 test('the picture follows the hand, and a zoom holds the point under it', () => {
@@ -36,8 +44,8 @@ test('faces are fitted before things, with the aspect of the panel', () => {
   const photo = { width: 3000, height: 2000 };
   const face = { x: 0.6, y: 0.2, width: 0.1, height: 0.2, label: 'face', score: 0.6 };
   const dog = { x: 0.1, y: 0.5, width: 0.3, height: 0.3, label: 'dog', score: 0.9 };
-  const crop = (fitted([dog, face], photo, 0.8) as Crop);
-  expect(crop.width * 3000 / (crop.height * 2000)).toBeCloseTo(0.8);
+  const crop = fitted([dog, face], photo, 0.8) as Crop;
+  expect((crop.width * 3000) / (crop.height * 2000)).toBeCloseTo(0.8);
   expect(crop.x <= face.x && crop.x + crop.width >= face.x + face.width).toBe(true);
   expect(crop.width).toBeLessThan(0.4);
   expect(fitted([], photo, 1)).toBe(null);
@@ -47,7 +55,7 @@ async function app() {
   const made = fakeApp();
   await made.reading.addFiles(made.files('a', 'b', 'c', 'd'));
   const { store, pages } = made;
-  const planner = (made.planner as any);
+  const planner = made.planner as any;
   const panels = Array.from({ length: 4 }, (_, i) => ({ bounds: { x: i / 4, y: 0, width: 0.25, height: 1 } }));
   planner.geometry = () => ({ width: 1, height: 1, panels });
   // The core keeps what it is given; this is what the tests of the core say.
@@ -57,8 +65,11 @@ async function app() {
     return request.keep.photos && request.current ? { ...page, panels: request.current.panels } : page;
   };
   const use = { photo: 'p1', crop: { x: 0.2, y: 0.2, width: 0.4, height: 0.4 } };
-  const page = () => (store.page.value as PageDocument);
-  store.change({ type: 'change-page', page: { ...page(), panels: ['p1', 'p2', 'p3', 'p4'].map((photo) => ({ ...use, photo })) } });
+  const page = () => store.page.value as PageDocument;
+  store.change({
+    type: 'change-page',
+    page: { ...page(), panels: ['p1', 'p2', 'p3', 'p4'].map((photo) => ({ ...use, photo })) },
+  });
   return { ...made, page, framing: createFraming({ store, pages }) };
 }
 
@@ -66,7 +77,7 @@ test('a pan is by hand, one step of the undo, and shared by merged panels', asyn
   const { framing, store, page, pages } = await app();
   store.change({ type: 'change-page', page: { ...page(), merges: [[1, 2]] } });
   const steps = store.history.value.past.length;
-  const crop = (framing.cropOf(2) as Crop);
+  const crop = framing.cropOf(2) as Crop;
   const gesture = framing.step();
   framing.pan(2, crop, [0.1, 0], gesture);
   framing.pan(2, crop, [0.25, 0], gesture);

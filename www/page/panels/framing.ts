@@ -15,13 +15,30 @@ import type { Signal } from '@preact/signals';
 export type Framing = ReturnType<typeof createFraming>;
 
 /** What the next key or click on the page is for; `at` is where the focus point would be, in parts of the image. */
-export type Mode = { kind: 'frame' | 'swap' | 'focus', panel: number, at?: [number, number] };
+export type Mode = { kind: 'frame' | 'swap' | 'focus'; panel: number; at?: [number, number] };
 
-export function createFraming({ store, pages }: { store: Store, pages: Pages }) {
+export function createFraming({ store, pages }: { store: Store; pages: Pages }) {
   let steps = 0;
   const mode: Signal<Mode | null> = signal(null);
 
-  return { mode, step, toggle, cropOf, boundsOf, isLocked, pan, zoom, closer, fit, reset, swap, swapWith, replace, lock, focus };
+  return {
+    mode,
+    step,
+    toggle,
+    cropOf,
+    boundsOf,
+    isLocked,
+    pan,
+    zoom,
+    closer,
+    fit,
+    reset,
+    swap,
+    swapWith,
+    replace,
+    lock,
+    focus,
+  };
 
   /** @returns the name of a new gesture: all that bears it is one step of the undo */
   function step(): string {
@@ -45,7 +62,9 @@ export function createFraming({ store, pages }: { store: Store, pages: Pages }) 
     const page = store.page.peek();
     const panels = store.geometry.peek()?.panels;
     if (!page || !panels?.[panel]) return null;
-    return groupOf(page, panel).map((i) => panels[i].bounds).reduce(union);
+    return groupOf(page, panel)
+      .map((i) => panels[i].bounds)
+      .reduce(union);
   }
 
   function isLocked(panel: number) {
@@ -73,7 +92,7 @@ export function createFraming({ store, pages }: { store: Store, pages: Pages }) 
   function fit(panel: number) {
     const bounds = boundsOf(panel);
     const meta = store.photos.peek().find(({ id }) => id === photoOf(panel));
-    const crop = meta && bounds && fitted((meta.subjects as any), meta, bounds.width / bounds.height);
+    const crop = meta && bounds && fitted(meta.subjects as any, meta, bounds.width / bounds.height);
     if (crop) setCrop(panel, crop, step());
     else reset(panel);
   }
@@ -89,9 +108,9 @@ export function createFraming({ store, pages }: { store: Store, pages: Pages }) 
     const [a, b] = [groupOf(page, one), groupOf(page, other)];
     if (a[0] === b[0]) return;
     const fresh = (from: number) => ({ photo: page.panels[from].photo, crop: null, edited: false });
-    const panels = page.panels.map((panel, i) => (
-      a.includes(i) ? { ...panel, ...fresh(b[0]) } : b.includes(i) ? { ...panel, ...fresh(a[0]) } : panel
-    ));
+    const panels = page.panels.map((panel, i) =>
+      a.includes(i) ? { ...panel, ...fresh(b[0]) } : b.includes(i) ? { ...panel, ...fresh(a[0]) } : panel,
+    );
     pages.amend({ ...page, panels }, { gesture });
   }
 
@@ -106,7 +125,8 @@ export function createFraming({ store, pages }: { store: Store, pages: Pages }) 
     if (isLocked(panel) || photoOf(panel) === photo) return;
     const gesture = step();
     // A photo that was set aside is in use from now on.
-    if (!store.photos.peek().some(({ id }) => id === photo)) store.change({ type: 'use-photo', id: photo, use: true, gesture });
+    if (!store.photos.peek().some(({ id }) => id === photo))
+      store.change({ type: 'use-photo', id: photo, use: true, gesture });
     change(panel, { photo, crop: null, edited: false }, gesture);
   }
 
@@ -126,7 +146,9 @@ export function createFraming({ store, pages }: { store: Store, pages: Pages }) 
     const gesture = step();
     const point = at && { x: crop.x + at[0] * crop.width, y: crop.y + at[1] * crop.height };
     store.change({ type: 'focus-photo', id, focus: point, gesture });
-    const panels = page.panels.map((use) => (use.photo === id && !use.locked ? { ...use, crop: null, edited: false } : use));
+    const panels = page.panels.map((use) =>
+      use.photo === id && !use.locked ? { ...use, crop: null, edited: false } : use,
+    );
     pages.amend({ ...page, panels }, { gesture });
   }
 
@@ -142,7 +164,10 @@ export function createFraming({ store, pages }: { store: Store, pages: Pages }) 
     const page = store.page.peek();
     if (!page || (isLocked(panel) && news.locked === undefined)) return;
     const group = groupOf(page, panel);
-    pages.amend({ ...page, panels: page.panels.map((use, i) => (group.includes(i) ? { ...use, ...news } : use)) }, { gesture });
+    pages.amend(
+      { ...page, panels: page.panels.map((use, i) => (group.includes(i) ? { ...use, ...news } : use)) },
+      { gesture },
+    );
   }
 
   function photoOf(panel: number) {
@@ -158,5 +183,10 @@ function groupOf(page: PageDocument, panel: number): number[] {
 
 function union(a: Bounds, b: Bounds): Bounds {
   const [x, y] = [Math.min(a.x, b.x), Math.min(a.y, b.y)];
-  return { x, y, width: Math.max(a.x + a.width, b.x + b.width) - x, height: Math.max(a.y + a.height, b.y + b.height) - y };
+  return {
+    x,
+    y,
+    width: Math.max(a.x + a.width, b.x + b.width) - x,
+    height: Math.max(a.y + a.height, b.y + b.height) - y,
+  };
 }

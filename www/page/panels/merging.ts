@@ -10,7 +10,7 @@ import type { Selection } from './selection.ts';
 
 export type Merging = ReturnType<typeof createMerging>;
 
-export function createMerging({ store, pages, selection }: { store: Store, pages: Pages, selection: Selection }) {
+export function createMerging({ store, pages, selection }: { store: Store; pages: Pages; selection: Selection }) {
   return { merge, split, cannotMerge, cannotSplit };
 
   /** @returns why the chosen panels cannot be merged; empty when they can */
@@ -43,8 +43,14 @@ export function createMerging({ store, pages, selection }: { store: Store, pages
     const merges = page.merges.filter((group) => !parted.includes(group));
     // The first panel of a group keeps the photo, the others get new ones.
     const open = parted.flatMap((group) => group.slice(1));
-    const panels = page.panels.map((panel, i) => (open.includes(i) ? { ...panel, photo: null, crop: null, edited: false } : panel));
-    pages.amend({ ...page, merges, panels: panels.map((panel, i) => (parted.flat().includes(i) ? { ...panel, edited: false } : panel)) });
+    const panels = page.panels.map((panel, i) =>
+      open.includes(i) ? { ...panel, photo: null, crop: null, edited: false } : panel,
+    );
+    pages.amend({
+      ...page,
+      merges,
+      panels: panels.map((panel, i) => (parted.flat().includes(i) ? { ...panel, edited: false } : panel)),
+    });
   }
 }
 
@@ -62,7 +68,8 @@ export function whyNotMerge(panels: readonly number[], page: PageDocument, { bas
   if (panels.length < 2) return strings.merging.few;
   if (panels.some((panel) => panel >= base)) return strings.merging.overlay;
   const group = grown(panels, page);
-  if (page.merges.some((other) => other.length === group.length && other.includes(group[0]))) return strings.merging.already;
+  if (page.merges.some((other) => other.length === group.length && other.includes(group[0])))
+    return strings.merging.already;
   const reached = [group[0]];
   // The list grows while it is walked.
   for (const from of reached) {

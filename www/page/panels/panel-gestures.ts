@@ -10,8 +10,8 @@ import type { Bounds } from '../../engine/documents.ts';
 import type { Crop } from './crop.ts';
 import type { Signal } from '@preact/signals';
 
-type Point = { x: number, y: number };
-type Grip = { panel: number, crop: Crop, from: Point, span: number, gesture: string, moved: boolean };
+type Point = { x: number; y: number };
+type Grip = { panel: number; crop: Crop; from: Point; span: number; gesture: string; moved: boolean };
 
 /** Pixels before a press counts as a drag. */
 const SLACK = 4;
@@ -25,8 +25,8 @@ export const target: Signal<number | null> = signal(null);
 
 export function usePanelGestures() {
   const { framing, selection } = useApp();
-  const hands = useRef((new Map() as Map<number, Point>));
-  const grip = useRef((null as Grip | null));
+  const hands = useRef(new Map() as Map<number, Point>);
+  const grip = useRef(null as Grip | null);
   const dragged = useRef(false);
   const wheel = useRef({ at: 0, panel: -1, gesture: '' });
 
@@ -49,7 +49,7 @@ export function usePanelGestures() {
     }
     // The second finger is let through: it ends the swipe that the first began.
     if (!pinch) event.stopPropagation();
-    hold(pinch ? grip.current?.panel ?? panel : panel, framing.step());
+    hold(pinch ? (grip.current?.panel ?? panel) : panel, framing.step());
   }
 
   function move(event: PointerEvent) {
@@ -58,7 +58,7 @@ export function usePanelGestures() {
     hands.current.set(event.pointerId, { x: event.clientX, y: event.clientY });
     const bounds = held && framing.boundsOf(held.panel);
     if (!held || !bounds) return;
-    const element = (event.currentTarget as HTMLElement);
+    const element = event.currentTarget as HTMLElement;
     const [now, span] = middle([...hands.current.values()]);
     const [x, y] = [now.x - held.from.x, now.y - held.from.y];
     const pinch = hands.current.size > 1;
@@ -68,11 +68,12 @@ export function usePanelGestures() {
     held.moved = true;
     dragged.current = true;
     const page = (element.parentElement as HTMLElement).getBoundingClientRect();
-    const parts = ([x / page.width / bounds.width, y / page.width / bounds.height] as [number, number]);
+    const parts = [x / page.width / bounds.width, y / page.width / bounds.height] as [number, number];
     const over = pinch ? null : panelAt(event, element);
     target.value = over === held.panel || over === null || framing.isLocked(over) ? null : over;
     if (target.value !== null) framing.pan(held.panel, held.crop, [0, 0], held.gesture);
-    else if (pinch) framing.zoom(held.panel, held.crop, span / held.span, within(held.from, page, bounds), held.gesture);
+    else if (pinch)
+      framing.zoom(held.panel, held.crop, span / held.span, within(held.from, page, bounds), held.gesture);
     else framing.pan(held.panel, held.crop, parts, held.gesture);
   }
 
@@ -82,7 +83,7 @@ export function usePanelGestures() {
     grip.current = null;
     if (held?.moved) event.stopPropagation();
     if (held && target.peek() !== null && event.type === 'pointerup') {
-      framing.swap(held.panel, (target.peek() as number), held.gesture);
+      framing.swap(held.panel, target.peek() as number, held.gesture);
     }
     target.value = null;
   }
@@ -98,7 +99,13 @@ export function usePanelGestures() {
     const page = ((event.currentTarget as HTMLElement).parentElement as HTMLElement).getBoundingClientRect();
     const pixels = event.deltaMode === 0 ? event.deltaY : event.deltaY * 30;
     const factor = Math.exp(-Math.max(-240, Math.min(240, pixels)) * (event.ctrlKey ? 0.01 : 0.002));
-    framing.zoom(panel, crop, factor, within({ x: event.clientX, y: event.clientY }, page, bounds), wheel.current.gesture);
+    framing.zoom(
+      panel,
+      crop,
+      factor,
+      within({ x: event.clientX, y: event.clientY }, page, bounds),
+      wheel.current.gesture,
+    );
   }
 
   return {
@@ -116,7 +123,9 @@ export function usePanelGestures() {
         event.preventDefault();
         target.value = panel;
       },
-      onDragLeave: () => { target.value = null; },
+      onDragLeave: () => {
+        target.value = null;
+      },
       onDrop: (event: DragEvent) => {
         target.value = null;
         const photo = event.dataTransfer?.getData(PHOTO);
@@ -134,7 +143,10 @@ export function usePanelGestures() {
  * @returns parts of the bounds
  */
 export function within({ x, y }: Point, page: DOMRect, bounds: Bounds): [number, number] {
-  return [((x - page.left) / page.width - bounds.x) / bounds.width, ((y - page.top) / page.width - bounds.y) / bounds.height];
+  return [
+    ((x - page.left) / page.width - bounds.x) / bounds.width,
+    ((y - page.top) / page.width - bounds.y) / bounds.height,
+  ];
 }
 
 /** @returns their middle, and how far apart they are */
@@ -149,6 +161,6 @@ function middle(points: Point[]): [Point, number] {
  */
 function panelAt({ clientX, clientY }: PointerEvent, element: HTMLElement): number | null {
   const under = document.elementFromPoint(clientX, clientY);
-  const at = [...(element.parentElement as HTMLElement).children].indexOf((under as Element));
+  const at = [...(element.parentElement as HTMLElement).children].indexOf(under as Element);
   return at < 0 ? null : at;
 }

@@ -16,7 +16,7 @@ const LARGE_STEP = 0.1;
 /** What a key press enlarges a photo by. */
 const ZOOM = 1.1;
 
-export function usePanelKeys({ panels, go }: { panels: PanelShape[], go: (panel: number) => void }) {
+export function usePanelKeys({ panels, go }: { panels: PanelShape[]; go: (panel: number) => void }) {
   const { framing, scrubbing, selection } = useApp();
   /** A key that is held, or pressed again and again, is one step of the undo until another one is pressed. */
   const last = useRef({ key: '', gesture: '' });
@@ -29,14 +29,18 @@ export function usePanelKeys({ panels, go }: { panels: PanelShape[], go: (panel:
     if (!deed) return;
     event.preventDefault();
     event.stopPropagation();
-    if (last.current.key !== `${event.key} ${panel}`) last.current = { key: `${event.key} ${panel}`, gesture: framing.step() };
+    if (last.current.key !== `${event.key} ${panel}`)
+      last.current = { key: `${event.key} ${panel}`, gesture: framing.step() };
     deed(last.current.gesture);
   };
 
   function inMode({ key, shiftKey }: KeyboardEvent, mode: Mode): ((gesture: string) => void) | undefined {
     const way = WAYS[key];
     const step = shiftKey ? LARGE_STEP : STEP;
-    if (way && mode.kind === 'focus') return () => { framing.mode.value = { ...mode, at: moved(mode.at, way, step) }; };
+    if (way && mode.kind === 'focus')
+      return () => {
+        framing.mode.value = { ...mode, at: moved(mode.at, way, step) };
+      };
     if (way && mode.kind === 'frame') return (gesture) => pan(mode.panel, way, step, gesture);
     if (key === 'Enter' || key === ' ') {
       return () => {
@@ -47,20 +51,29 @@ export function usePanelKeys({ panels, go }: { panels: PanelShape[], go: (panel:
     return way ? plain({ key, shiftKey }, mode.panel) : zoomed(key, mode.panel);
   }
 
-  function plain({ key, shiftKey }: { key: string, shiftKey: boolean }, panel: number): ((gesture: string) => void) | undefined {
+  function plain(
+    { key, shiftKey }: { key: string; shiftKey: boolean },
+    panel: number,
+  ): ((gesture: string) => void) | undefined {
     const way = WAYS[key];
     const mode = framing.mode.peek();
     if (way) return () => go(neighbour(panels, panel, way));
     if (key === 'Enter' || key === ' ') {
       if (mode?.kind === 'swap') return () => framing.swapWith(panel);
       if ((key === 'Enter' && shiftKey) || selection.several.peek()) return () => selection.toggle(panel);
-      if (key === 'Enter' && !framing.isLocked(panel)) return () => { framing.mode.value = { kind: 'frame', panel }; };
+      if (key === 'Enter' && !framing.isLocked(panel))
+        return () => {
+          framing.mode.value = { kind: 'frame', panel };
+        };
     }
     return scrubbed({ key, shiftKey }, panel) ?? zoomed(key, panel);
   }
 
   /** A comma and a full stop, as in film editors; with Shift a second. */
-  function scrubbed({ key, shiftKey }: { key: string, shiftKey: boolean }, panel: number): ((gesture: string) => void) | undefined {
+  function scrubbed(
+    { key, shiftKey }: { key: string; shiftKey: boolean },
+    panel: number,
+  ): ((gesture: string) => void) | undefined {
     const way = { ',': -1, '<': -1, '.': 1, '>': 1 }[key];
     if (way === undefined || framing.isLocked(panel) || !scrubbing.isFrame(panel)) return undefined;
     return (gesture) => scrubbing.nudge(panel, way * (shiftKey ? LARGE_SCRUB : SCRUB), gesture);
@@ -80,7 +93,11 @@ export function usePanelKeys({ panels, go }: { panels: PanelShape[], go: (panel:
   }
 }
 
-function moved([u, v]: [number, number] | undefined = [0.5, 0.5], [x, y]: [number, number], step: number): [number, number] {
+function moved(
+  [u, v]: [number, number] | undefined = [0.5, 0.5],
+  [x, y]: [number, number],
+  step: number,
+): [number, number] {
   const clamp = (part: number) => Math.min(1, Math.max(0, part));
   return [clamp(u + x * step), clamp(v + y * step)];
 }

@@ -5,22 +5,32 @@ import { useApp } from '../../app/context.ts';
 import { Icon } from '../../ui/icon.tsx';
 import type { Bounds, Geometry, PageDocument } from '../../engine/documents.ts';
 
-export function PanelMarks({ page, geometry }: { page: PageDocument, geometry: Geometry }) {
+export function PanelMarks({ page, geometry }: { page: PageDocument; geometry: Geometry }) {
   const { framing, store, selection } = useApp();
   const mode = framing.mode.value;
   const [chosen] = selection.panels.value;
   const point = focusOf(mode?.kind === 'focus' ? mode.panel : chosen);
   return (
     <div class="panel-marks">
-      {page.panels.map((use, i) => use.locked && geometry.panels[i] && (
-        <span key={i} class="panel-lock" aria-hidden="true" style={corner(geometry.panels[i])}><Icon name="lock" /></span>
-      ))}
+      {page.panels.map(
+        (use, i) =>
+          use.locked &&
+          geometry.panels[i] && (
+            <span key={i} class="panel-lock" aria-hidden="true" style={corner(geometry.panels[i])}>
+              <Icon name="lock" />
+            </span>
+          ),
+      )}
       {point && <span class="panel-focus" aria-hidden="true" style={at(point.bounds, point.u, point.v)} />}
-      {mode && <p class="panel-hint" aria-live="polite">{strings.modes[mode.kind]}</p>}
+      {mode && (
+        <p class="panel-hint" aria-live="polite">
+          {strings.modes[mode.kind]}
+        </p>
+      )}
     </div>
   );
 
-  function focusOf(panel: number | undefined): { bounds: Bounds, u: number, v: number } | null {
+  function focusOf(panel: number | undefined): { bounds: Bounds; u: number; v: number } | null {
     if (panel === undefined) return null;
     const bounds = framing.boundsOf(panel);
     if (!bounds) return null;
@@ -41,6 +51,6 @@ export function PanelMarks({ page, geometry }: { page: PageDocument, geometry: G
   }
 
   function at({ x, y, width, height }: Bounds, u: number, v: number) {
-    return { left: `${(x + u * width) * 100}%`, top: `${(y + v * height) / geometry.height * 100}%` };
+    return { left: `${(x + u * width) * 100}%`, top: `${((y + v * height) / geometry.height) * 100}%` };
   }
 }

@@ -7,9 +7,9 @@ export type PanelShape = Geometry['panels'][number];
 /** @param height of the page, in its widths */
 export function place({ bounds, polygon, circle }: PanelShape, height: number) {
   const percent = (part: number) => `${(part * 100).toFixed(3)}%`;
-  const points = (polygon ?? []).map(([x, y]) => (
-    `${percent((x - bounds.x) / bounds.width)} ${percent((y - bounds.y) / bounds.height)}`
-  ));
+  const points = (polygon ?? []).map(
+    ([x, y]) => `${percent((x - bounds.x) / bounds.width)} ${percent((y - bounds.y) / bounds.height)}`,
+  );
   return {
     left: percent(bounds.x),
     top: percent(bounds.y / height),
@@ -20,7 +20,12 @@ export function place({ bounds, polygon, circle }: PanelShape, height: number) {
   };
 }
 
-export const WAYS: Record<string, [number, number]> = { ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, -1], ArrowDown: [0, 1] };
+export const WAYS: Record<string, [number, number]> = {
+  ArrowLeft: [-1, 0],
+  ArrowRight: [1, 0],
+  ArrowUp: [0, -1],
+  ArrowDown: [0, 1],
+};
 
 /**
  * The nearest panel in a direction; sideways distance counts double.

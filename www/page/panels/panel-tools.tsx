@@ -17,11 +17,17 @@ export function PanelTools() {
   if (!facts) return null;
   const [panel] = chosen;
   const fixed = oneOf(chosen) || (facts.editable && panel < facts.base ? '' : strings.noCuts);
-  const bare = oneOf(chosen) || (panel < facts.base && (!facts.editable || facts.base === 1) ? strings.notRemoved(facts.editable) : '');
+  const bare =
+    oneOf(chosen) ||
+    (panel < facts.base && (!facts.editable || facts.base === 1) ? strings.notRemoved(facts.editable) : '');
   return (
     <div class="rail" role="group" aria-label={strings.panelTools}>
-      <Tool icon="select" label={strings.selectPanels} pressed={selection.several.value}
-        onClick={() => selection.choose(!selection.several.value)} />
+      <Tool
+        icon="select"
+        label={strings.selectPanels}
+        pressed={selection.several.value}
+        onClick={() => selection.choose(!selection.several.value)}
+      />
       <Tool icon="merge" label={strings.merge} why={merging.cannotMerge()} onClick={merging.merge} />
       <Tool icon="split" label={strings.split} why={merging.cannotSplit()} onClick={merging.split} />
       {!editing && chosen.length > 0 && <PhotoTools />}
@@ -29,14 +35,27 @@ export function PanelTools() {
         <>
           <span class="rail-line" />
           <Tool icon="rows" label={strings.splitRows} why={fixed} onClick={() => reshaping.splitPanel(panel, 'rows')} />
-          <Tool icon="columns" label={strings.splitColumns} why={fixed} onClick={() => reshaping.splitPanel(panel, 'columns')} />
+          <Tool
+            icon="columns"
+            label={strings.splitColumns}
+            why={fixed}
+            onClick={() => reshaping.splitPanel(panel, 'columns')}
+          />
           <Tool icon="bin" label={strings.removePanel} why={bare} onClick={() => reshaping.removePanel(panel)} />
           {facts.cuts.length > 0 && <CutTools />}
           <span class="rail-line" />
-          <Tool icon="check" label={strings.doneEditing} onClick={() => { reshaping.editing.value = false; }} />
+          <Tool
+            icon="check"
+            label={strings.doneEditing}
+            onClick={() => {
+              reshaping.editing.value = false;
+            }}
+          />
         </>
       )}
-      <span class="visually-hidden" aria-live="polite">{chosen.length > 0 ? strings.chosenPanels(chosen.length) : ''}</span>
+      <span class="visually-hidden" aria-live="polite">
+        {chosen.length > 0 ? strings.chosenPanels(chosen.length) : ''}
+      </span>
     </div>
   );
 }
@@ -60,13 +79,39 @@ function PhotoTools() {
       <Tool icon="zoomIn" label={strings.zoomIn} why={why} onClick={() => framing.closer(panel, 1.2)} />
       <Tool icon="zoomOut" label={strings.zoomOut} why={why} onClick={() => framing.closer(panel, 1 / 1.2)} />
       <Tool icon="fit" label={strings.fitSubject} why={why} onClick={() => framing.fit(panel)} />
-      <Tool icon="reset" label={strings.resetCrop} why={why || (edited ? '' : strings.unchanged)} onClick={() => framing.reset(panel)} />
-      <Tool icon="swap" label={strings.swapPhoto} why={chosen.length > 2 ? one : held} pressed={mode === 'swap'} onClick={swap} />
-      <Tool icon="focus" label={strings.focusPoint} why={why} pressed={mode === 'focus'} onClick={() => framing.toggle('focus', panel)} />
-      <Tool icon={framing.isLocked(panel) ? 'lock' : 'unlock'} label={strings.lockPanel} why={one} pressed={framing.isLocked(panel)}
-        onClick={() => framing.lock(panel, !framing.isLocked(panel))} />
-      <Tool icon="save" label={strings.savePanel} why={one || (store.page.value?.panels[panel]?.photo ? '' : strings.noPhotoHere)}
-        onClick={() => download.savePanel(panel)} />
+      <Tool
+        icon="reset"
+        label={strings.resetCrop}
+        why={why || (edited ? '' : strings.unchanged)}
+        onClick={() => framing.reset(panel)}
+      />
+      <Tool
+        icon="swap"
+        label={strings.swapPhoto}
+        why={chosen.length > 2 ? one : held}
+        pressed={mode === 'swap'}
+        onClick={swap}
+      />
+      <Tool
+        icon="focus"
+        label={strings.focusPoint}
+        why={why}
+        pressed={mode === 'focus'}
+        onClick={() => framing.toggle('focus', panel)}
+      />
+      <Tool
+        icon={framing.isLocked(panel) ? 'lock' : 'unlock'}
+        label={strings.lockPanel}
+        why={one}
+        pressed={framing.isLocked(panel)}
+        onClick={() => framing.lock(panel, !framing.isLocked(panel))}
+      />
+      <Tool
+        icon="save"
+        label={strings.savePanel}
+        why={one || (store.page.value?.panels[panel]?.photo ? '' : strings.noPhotoHere)}
+        onClick={() => download.savePanel(panel)}
+      />
       {frame && (
         <>
           <span class="rail-line" />
@@ -83,7 +128,21 @@ function oneOf(chosen: readonly number[]) {
 }
 
 /** @param props `why`: the reason that it cannot be used */
-export function Tool({ icon, label, onClick, why = '', pressed, shortcut }: { icon: string, label: string, onClick: () => void, why?: string, pressed?: boolean, shortcut?: string }) {
+export function Tool({
+  icon,
+  label,
+  onClick,
+  why = '',
+  pressed,
+  shortcut,
+}: {
+  icon: string;
+  label: string;
+  onClick: () => void;
+  why?: string;
+  pressed?: boolean;
+  shortcut?: string;
+}) {
   const name = shortcut ? `${label} (${shortcut})` : label;
   return (
     <button

@@ -16,11 +16,11 @@ import type { Geometry, PageDocument } from '../../engine/documents.ts';
 
 type PanelShape = Geometry['panels'][number];
 
-export function Panels({ page, geometry }: { page: PageDocument, geometry: Geometry }) {
+export function Panels({ page, geometry }: { page: PageDocument; geometry: Geometry }) {
   const { selection, framing } = useApp();
-  const ref = useRef((null as HTMLDivElement | null));
+  const ref = useRef(null as HTMLDivElement | null);
   const [active, setActive] = useState(0);
-  const [focused, setFocused] = useState((null as number | null));
+  const [focused, setFocused] = useState(null as number | null);
   const count = Math.min(page.panels.length, geometry.panels.length);
   const stop = Math.min(active, count - 1);
   const chosen = selection.panels.value;
@@ -79,7 +79,9 @@ export function Panels({ page, geometry }: { page: PageDocument, geometry: Geome
       </svg>
       <svg class="panel-choice" viewBox={`0 0 1000 ${geometry.height * 1000}`} aria-hidden="true">
         {chosen.map((i) => geometry.panels[i] && outline(geometry.panels[i], i))}
-        {target.value !== null && geometry.panels[target.value] && <g class="panel-target">{outline(geometry.panels[target.value])}</g>}
+        {target.value !== null && geometry.panels[target.value] && (
+          <g class="panel-target">{outline(geometry.panels[target.value])}</g>
+        )}
       </svg>
       <PanelMarks page={page} geometry={geometry} />
     </>
@@ -93,7 +95,9 @@ function useDescription(page: PageDocument): (panel: number) => string | undefin
     const name = store.album.value.get(page.panels[panel].photo ?? '')?.name;
     const chosen = selection.panels.value.includes(panel) ? strings.chosenPanel : '';
     const locked = page.panels[panel].locked ? strings.lockedPanel : '';
-    return [name, describePanel(page, store.album.value, panel), chosen, locked].filter(Boolean).join(', ') || undefined;
+    return (
+      [name, describePanel(page, store.album.value, panel), chosen, locked].filter(Boolean).join(', ') || undefined
+    );
   };
 }
 

@@ -16,12 +16,12 @@ const USUAL = { least: 3, most: 8 };
 
 const EMPTY: PanelUse = { photo: null, crop: null, locked: false, edited: false };
 
-export function createReshaping({ store, pages, seed }: { store: Store, pages: Pages, seed: () => number }) {
+export function createReshaping({ store, pages, seed }: { store: Store; pages: Pages; seed: () => number }) {
   return {
     /** Whether the cuts show their handles. */
     editing: signal(false),
     /** The cut that was chosen last, by its place in the facts of the layout. */
-    cut: (signal(null)) as Signal<number | null>,
+    cut: signal(null) as Signal<number | null>,
     surprise,
     moveCut,
     splitPanel,
@@ -42,7 +42,7 @@ export function createReshaping({ store, pages, seed }: { store: Store, pages: P
    * @param cut its place in the facts of the layout
    * @param gesture names the drag, which is one step of the undo
    */
-  function moveCut(cut: number, to: { fraction: number, slant: number }, gesture: string) {
+  function moveCut(cut: number, to: { fraction: number; slant: number }, gesture: string) {
     change({ type: 'move-cut', cut, ...to }, (page) => page, gesture);
   }
 

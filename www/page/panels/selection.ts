@@ -9,7 +9,7 @@ import type { Store } from '../../document/store.ts';
 export type Selection = ReturnType<typeof createSelection>;
 
 export function createSelection({ store }: { store: Store }) {
-  const chosen = signal({ of: '', panels: ([] as readonly number[]) });
+  const chosen = signal({ of: '', panels: [] as readonly number[] });
   /** Whether each click adds to the choice, for hands without Shift or Ctrl. */
   const several = signal(false);
 
@@ -17,7 +17,7 @@ export function createSelection({ store }: { store: Store }) {
     const { page, pageId } = store.project.value;
     return page ? `${pageId} ${page.panels.length}` : '';
   });
-  const none = ([] as readonly number[]);
+  const none = [] as readonly number[];
   /** In ascending order. */
   const panels = computed(() => (chosen.value.of === of.value ? chosen.value.panels : none));
 

@@ -19,27 +19,39 @@ import type { Imported } from '../../engine/protocol.ts';
 import type { Reading } from '../../photos/reading.ts';
 import type { ReadonlySignal } from '@preact/signals';
 
-type Match = { frame: Fact, id: string, name: string, meta: Imported['meta'] };
+type Match = { frame: Fact; id: string; name: string; meta: Imported['meta'] };
 export type AbsentPhotos = ReturnType<typeof createAbsentPhotos>;
 
 /** Milliseconds in which who opened the project can say more than that photos are missing. */
 const MORE_TO_SAY = 300;
 
 /** @param app `missing`: photos that are on the page, but can be saved no more */
-export function createAbsentPhotos({ store, engine, reading, messages, chooseFiles, missing }: {
-  store: Store, engine: Pick<Engine, 'importPhoto' | 'forgetPhoto'>,
-  reading: Pick<Reading, 'freshIds' | 'count'>, messages: Pick<Messages, 'note' | 'grave' | 'change' | 'close'>,
-  chooseFiles: () => void, missing?: ReadonlySignal<readonly Fact[]>,
+export function createAbsentPhotos({
+  store,
+  engine,
+  reading,
+  messages,
+  chooseFiles,
+  missing,
+}: {
+  store: Store;
+  engine: Pick<Engine, 'importPhoto' | 'forgetPhoto'>;
+  reading: Pick<Reading, 'freshIds' | 'count'>;
+  messages: Pick<Messages, 'note' | 'grave' | 'change' | 'close'>;
+  chooseFiles: () => void;
+  missing?: ReadonlySignal<readonly Fact[]>;
 }) {
   const empty = computed(() => store.facts.value.filter(({ absent }) => absent));
   const list = computed(() => [
     ...empty.value,
-    ...(missing?.value ?? []).flatMap((fact) => (store.album.value.has(fact.id) ? { ...fact, absent: absentOf(fact) } : [])),
+    ...(missing?.value ?? []).flatMap((fact) =>
+      store.album.value.has(fact.id) ? { ...fact, absent: absentOf(fact) } : [],
+    ),
   ]);
 
   const way = { label: strings.choosePhotos, run: chooseFiles };
   /** What was told: the message, of which frames, and how many they were. */
-  let told: { id: number, frames: ReadonlySet<string>, count: number, more?: Way } | null = null;
+  let told: { id: number; frames: ReadonlySet<string>; count: number; more?: Way } | null = null;
   let telling: ReturnType<typeof setTimeout> | undefined;
 
   effect(() => {
@@ -75,7 +87,10 @@ export function createAbsentPhotos({ store, engine, reading, messages, chooseFil
     clearTimeout(telling);
     messages.close(told?.id ?? 0);
     const frames = empty.peek().map(({ id }) => id);
-    told = frames.length > 0 ? { id: messages.grave(text, way, more), frames: new Set(frames), count: frames.length, more } : null;
+    told =
+      frames.length > 0
+        ? { id: messages.grave(text, way, more), frames: new Set(frames), count: frames.length, more }
+        : null;
   }
 
   /** @returns those that no frame waits for */
@@ -105,7 +120,8 @@ export function createAbsentPhotos({ store, engine, reading, messages, chooseFil
       messages.note(strings.photosBack(matches.size));
       const left = empty.peek().length;
       // Whoever closed the message is busy with them again.
-      if (left > 0 && !messages.change(told?.id ?? 0, strings.photosStillMissing(left), way, told?.more)) tell(strings.photosStillMissing(left));
+      if (left > 0 && !messages.change(told?.id ?? 0, strings.photosStillMissing(left), way, told?.more))
+        tell(strings.photosStillMissing(left));
     }
     return files.filter((file) => !matches.has(file));
 
@@ -114,8 +130,11 @@ export function createAbsentPhotos({ store, engine, reading, messages, chooseFil
       const [id] = reading.freshIds(1);
       // What cannot be read is named where it is added as a photo.
       const meta = await engine.importPhoto(id, file, { priority: Priority.PAGE }).catch(() => null);
-      const frame = meta && (known ?? free().find(({ absent }) => absent && looksLike(meta, absent)) ??
-        free().find(({ name, absent }) => absent?.fingerprint === '' && name === file.name));
+      const frame =
+        meta &&
+        (known ??
+          free().find(({ absent }) => absent && looksLike(meta, absent)) ??
+          free().find(({ name, absent }) => absent?.fingerprint === '' && name === file.name));
       if (frame) matches.set(file, { frame, id, name: file.name, meta });
       else if (meta) engine.forgetPhoto(id);
     }
@@ -125,11 +144,15 @@ export function createAbsentPhotos({ store, engine, reading, messages, chooseFil
     const album = new Map(store.album.peek());
     const names = new Map(matches.map(({ frame, id }) => [frame.id, id]));
     for (const { frame, id, name, meta } of matches) {
-      const { subjects, measured } = (frame.absent as Absent);
+      const { subjects, measured } = frame.absent as Absent;
       album.delete(frame.id);
       // Its place in time is the one that it had among the others of its page.
       const taken = frame.meta?.taken ?? meta.taken;
-      const known = { meta: { ...meta, taken, subjects: subjects ?? [] }, measures: measured ? meta.measures : null, looked: subjects !== null };
+      const known = {
+        meta: { ...meta, taken, subjects: subjects ?? [] },
+        measures: measured ? meta.measures : null,
+        looked: subjects !== null,
+      };
       album.set(id, { id, name, credit: frame.credit, ...known });
     }
     store.load({ history: renamed(store.history.peek(), names), album, videos: store.videos.peek() });

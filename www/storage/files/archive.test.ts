@@ -16,12 +16,17 @@ async function spoilt(archive: Blob, at: number, value: number) {
 
 describe('an archive', () => {
   it('gives back what was put in', async () => {
-    await fc.assert(fc.asyncProperty(fc.dictionary(fc.string({ minLength: 1, unit: 'grapheme' }), fc.uint8Array()), async (files) => {
-      const names = Object.keys(files);
-      const found = await readArchive(await archiveOf(names.map((name) => entry(name, (files[name] as Uint8Array<ArrayBuffer>)))));
-      expect([...found.keys()].sort()).toEqual([...new Set(names)].sort());
-      for (const name of names) expect(await bytesOf((await found.get(name)?.read() as any))).toEqual(files[name]);
-    }), { numRuns: 50 });
+    await fc.assert(
+      fc.asyncProperty(fc.dictionary(fc.string({ minLength: 1, unit: 'grapheme' }), fc.uint8Array()), async (files) => {
+        const names = Object.keys(files);
+        const found = await readArchive(
+          await archiveOf(names.map((name) => entry(name, files[name] as Uint8Array<ArrayBuffer>))),
+        );
+        expect([...found.keys()].sort()).toEqual([...new Set(names)].sort());
+        for (const name of names) expect(await bytesOf((await found.get(name)?.read()) as any)).toEqual(files[name]);
+      }),
+      { numRuns: 50 },
+    );
   });
 
   it('may have been packed again by another program', async () => {
@@ -30,7 +35,10 @@ describe('an archive', () => {
     const packed = deflateRawSync(text);
     const bytes = await bytesOf(stored);
     const [local, central] = [bytes.slice(0, 35), bytes.slice(35 + text.length, -22)];
-    for (const [part, method, size] of ([[local, 8, 18], [central, 10, 20]] as const)) {
+    for (const [part, method, size] of [
+      [local, 8, 18],
+      [central, 10, 20],
+    ] as const) {
       new DataView(part.buffer).setUint16(method, 8, true);
       new DataView(part.buffer).setUint32(size, packed.length, true);
     }
@@ -40,7 +48,11 @@ describe('an archive', () => {
     expect(await (await found.get('a.txt')?.read())?.text()).toBe(text);
   });
 
-  it.each([['nothing', ''], ['a photo', 'JFIF'.repeat(99)], ['half', null]])('that is %s is refused', async (_, content) => {
+  it.each([
+    ['nothing', ''],
+    ['a photo', 'JFIF'.repeat(99)],
+    ['half', null],
+  ])('that is %s is refused', async (_, content) => {
     const whole = await archiveOf([entry('a', 'first'), entry('b', 'second')]);
     const file = content === null ? whole.slice(0, whole.size >> 1) : new Blob([content]);
     await expect(readArchive(file)).rejects.toMatchObject({ code: 'damaged-project' });
@@ -65,17 +77,29 @@ describe('an archive', () => {
 
   it('of many entries, or of any method and kind that others write, is read', async () => {
     const files = [
-      { name: 'a', content: Buffer.from('stored') }, { name: 'b', content: Buffer.from('packed'), packed: true },
+      { name: 'a', content: Buffer.from('stored') },
+      { name: 'b', content: Buffer.from('packed'), packed: true },
       // Its sizes stand behind it, as programs write it that did not know them before.
-      { name: 'c', content: Buffer.from('told later'), flags: 0x0808, local: { crc: 0, length: 0, size: 0 } }, { name: 'folder/' },
-      { name: 'd', content: Buffer.from('more about it'), extra: Buffer.from('UT\x05\0\x03abcd'), local: { extra: Buffer.from('UT\x01\0\x03') } },
+      { name: 'c', content: Buffer.from('told later'), flags: 0x0808, local: { crc: 0, length: 0, size: 0 } },
+      { name: 'folder/' },
+      {
+        name: 'd',
+        content: Buffer.from('more about it'),
+        extra: Buffer.from('UT\x05\0\x03abcd'),
+        local: { extra: Buffer.from('UT\x01\0\x03') },
+      },
     ];
     const found = await readArchive(new Blob([zipOf(files, { comment: 'a comment' })]));
-    expect(await Promise.all(['a', 'b', 'c', 'd'].map(async (name) => (await found.get(name)?.read())?.text()))).toEqual(['stored', 'packed', 'told later', 'more about it']);
+    expect(
+      await Promise.all(['a', 'b', 'c', 'd'].map(async (name) => (await found.get(name)?.read())?.text())),
+    ).toEqual(['stored', 'packed', 'told later', 'more about it']);
   });
 });
 
-const [one, two] = [{ name: 'a', content: Buffer.from('first') }, { name: 'b', content: Buffer.from('second') }];
+const [one, two] = [
+  { name: 'a', content: Buffer.from('first') },
+  { name: 'b', content: Buffer.from('second') },
+];
 /** Reads all of it, one after the other. */
 async function readAll(file: Uint8Array<ArrayBuffer>) {
   const found = await readArchive(new Blob([file]));
@@ -86,11 +110,24 @@ async function readAll(file: Uint8Array<ArrayBuffer>) {
 // What unpacks to much takes its time on a busy machine.
 describe('an archive that is a trap', { timeout: 60_000 }, () => {
   const nothing = packedNothing(64);
-  const bomb = (name: string, size = 64 * 2 ** 20) => ({ name, content: nothing, method: 8, length: nothing.length, size });
+  const bomb = (name: string, size = 64 * 2 ** 20) => ({
+    name,
+    content: nothing,
+    method: 8,
+    length: nothing.length,
+    size,
+  });
 
   it.each([
     ['whose files claim the same bytes', () => zipOf([one, { ...one, name: 'b', at: 0, again: true }])],
-    ['whose files overlap', () => zipOf([{ ...one, content: Buffer.concat([Buffer.from('x'), zipOf([two])]) }, { ...two, at: 32, again: true }])],
+    [
+      'whose files overlap',
+      () =>
+        zipOf([
+          { ...one, content: Buffer.concat([Buffer.from('x'), zipOf([two])]) },
+          { ...two, at: 32, again: true },
+        ]),
+    ],
     ['whose file lies in its list of files', () => zipOf([one, { ...two, at: 36, again: true }])],
     ['with two files of one name', () => zipOf([one, { ...two, name: 'a' }])],
     ['of a file beyond its end', () => zipOf([one, { ...two, at: 0x7fffffff }])],
@@ -109,7 +146,14 @@ describe('an archive that is a trap', { timeout: 60_000 }, () => {
     ['with another length inside', () => zipOf([{ ...one, local: { length: 4 } }])],
     ['with another size inside', () => zipOf([{ ...one, local: { size: 4 } }])],
     ['with another checksum inside', () => zipOf([{ ...one, local: { crc: 4 } }])],
-    ['whose head reaches into the next file', () => zipOf([{ name: 'a', local: { extra: zipOf([two]).subarray(0, 37) } }, { ...two, at: 31, again: true }])],
+    [
+      'whose head reaches into the next file',
+      () =>
+        zipOf([
+          { name: 'a', local: { extra: zipOf([two]).subarray(0, 37) } },
+          { ...two, at: 31, again: true },
+        ]),
+    ],
     ['that unpacks to more than it says', () => zipOf([bomb('a', 1000)])],
     ['that unpacks to less than it says', () => zipOf([bomb('a', 65 * 2 ** 20)])],
   ])('%s is refused', async (_, make) => {
@@ -119,9 +163,22 @@ describe('an archive that is a trap', { timeout: 60_000 }, () => {
   it.each([
     ['too many files', () => zipOf(Array.from({ length: ARCHIVE.entries + 1 }, (_, i) => ({ name: `${i}` })))],
     ['a name that is too long', () => zipOf([{ ...one, name: 'a'.repeat(ARCHIVE.name + 1) }])],
-    ['a list of files that is too long', () => zipOf(Array.from({ length: 300 }, (_, i) => ({ name: `${i}`, extra: Buffer.alloc(0xf000), local: { extra: Buffer.alloc(0) } })))],
+    [
+      'a list of files that is too long',
+      () =>
+        zipOf(
+          Array.from({ length: 300 }, (_, i) => ({
+            name: `${i}`,
+            extra: Buffer.alloc(0xf000),
+            local: { extra: Buffer.alloc(0) },
+          })),
+        ),
+    ],
     ['a file that says that it unpacks to too much', () => zipOf([bomb('a', ARCHIVE.entry + 1)])],
-    ['files that say that they unpack to too much together', () => zipOf('abcdefgh'.split('').map((name) => bomb(name)))],
+    [
+      'files that say that they unpack to too much together',
+      () => zipOf('abcdefgh'.split('').map((name) => bomb(name))),
+    ],
   ])('of %s is refused before anything is unpacked', async (_, make) => {
     await expect(readArchive(new Blob([make()]))).rejects.toMatchObject({ code: 'too-large-project' });
   });
@@ -129,7 +186,9 @@ describe('an archive that is a trap', { timeout: 60_000 }, () => {
   it('is not unpacked beyond what was asked for, whatever it says', async () => {
     const found = await readArchive(new Blob([zipOf([bomb('a'), { name: 'b', content: Buffer.alloc(99) }])]));
     const pieces = { count: 0 };
-    await expect(found.get('a')?.read({ most: 1000, beat: () => (pieces.count += 1) })).rejects.toMatchObject({ code: 'too-large-project' });
+    await expect(found.get('a')?.read({ most: 1000, beat: () => (pieces.count += 1) })).rejects.toMatchObject({
+      code: 'too-large-project',
+    });
     expect(pieces.count).toBeLessThanOrEqual(1);
     await expect(found.get('b')?.read({ most: 98 })).rejects.toMatchObject({ code: 'too-large-project' });
     expect((await found.get('b')?.read({ most: 99 }))?.size).toBe(99);
@@ -141,17 +200,34 @@ describe('an archive that is a trap', { timeout: 60_000 }, () => {
     // They unpack to more than they say, which is told before they are unpacked any further.
     for (const { read } of found.values()) reasons.push(await read().catch(({ code }) => code));
     expect(reasons).toEqual(Array(5).fill('damaged-project'));
-    const again = ((await readArchive(new Blob([zipOf([bomb('a')])]))).get('a') as any);
+    const again = (await readArchive(new Blob([zipOf([bomb('a')])]))).get('a') as any;
     const codes = [];
-    for (let i = 0; i < 5; i += 1) codes.push(await again.read().then(() => 'read', ({ code }: any) => code));
-    expect(codes).toEqual(['damaged-project', 'damaged-project', 'damaged-project', 'damaged-project', 'too-large-project']);
+    for (let i = 0; i < 5; i += 1)
+      codes.push(
+        await again.read().then(
+          () => 'read',
+          ({ code }: any) => code,
+        ),
+      );
+    expect(codes).toEqual([
+      'damaged-project',
+      'damaged-project',
+      'damaged-project',
+      'damaged-project',
+      'too-large-project',
+    ]);
   });
 
   it('stops being read when nobody waits for it any more', async () => {
     const found = await readArchive(new Blob([zipOf([bomb('a')])]));
     const stop = new AbortController();
     let pieces = 0;
-    const read = found.get('a')?.read({ signal: stop.signal, beat: () => { if ((pieces += 1) === 3) stop.abort(new Error('enough')); } });
+    const read = found.get('a')?.read({
+      signal: stop.signal,
+      beat: () => {
+        if ((pieces += 1) === 3) stop.abort(new Error('enough'));
+      },
+    });
     await expect(read).rejects.toThrow('enough');
     expect(pieces).toBe(3);
   });

@@ -13,14 +13,23 @@ import { ARCHIVE } from '../../engine/limits.ts';
 import { failure } from '../../engine/protocol.ts';
 import type { Watch } from '../../engine/inflate.ts';
 
-type Entry = { name: string, blob: Blob };
+type Entry = { name: string; blob: Blob };
 /**
  * A file in it. `packed`: it has to be unpacked, which takes memory. `read` rejects with `damaged-project` where the bytes
  * are not those that were put in, with `too-large-project` where they are more than `most` or than they may be.
  */
-type Found = { name: string, packed: boolean, read: (how?: { most?: number } & Watch) => Promise<Blob> };
+type Found = { name: string; packed: boolean; read: (how?: { most?: number } & Watch) => Promise<Blob> };
 /** What the list of files says of one; it lies before `end`. */
-type Told = { name: Uint8Array, flags: number, method: number, crc: number, length: number, size: number, offset: number, end: number };
+type Told = {
+  name: Uint8Array;
+  flags: number;
+  method: number;
+  crc: number;
+  length: number;
+  size: number;
+  offset: number;
+  end: number;
+};
 
 const LOCAL = 0x04034b50;
 const CENTRAL = 0x02014b50;
@@ -40,7 +49,8 @@ const [STORED, DEFLATED] = [0, 8];
 
 /** @returns rejects with `too-large` above four gigabytes, and where nobody could open it */
 export async function archiveOf(entries: readonly Entry[]): Promise<Blob> {
-  if (entries.length > ARCHIVE.entries) throw failure('too-large', `The project has more than ${ARCHIVE.entries} photos.`);
+  if (entries.length > ARCHIVE.entries)
+    throw failure('too-large', `The project has more than ${ARCHIVE.entries} photos.`);
   const parts: BlobPart[] = [];
   const directory: BlobPart[] = [];
   let at = 0;
@@ -51,7 +61,13 @@ export async function archiveOf(entries: readonly Entry[]): Promise<Blob> {
     // The time is 1980-01-01: when a file was made is nobody's business.
     const about = [20, UTF8, STORED, 0, 0x21];
     const local = record(LOCAL_SIZE, LOCAL, about, [crc, blob.size, blob.size], [bytes.length, 0]);
-    const central = record(CENTRAL_SIZE, CENTRAL, [20, ...about], [crc, blob.size, blob.size], [bytes.length, 0, 0, 0, 0]);
+    const central = record(
+      CENTRAL_SIZE,
+      CENTRAL,
+      [20, ...about],
+      [crc, blob.size, blob.size],
+      [bytes.length, 0, 0, 0, 0],
+    );
     central.setUint32(42, offset, true);
     parts.push(local, bytes, blob);
     directory.push(central, bytes);
@@ -73,9 +89,18 @@ function record(size: number, signature: number, shorts: number[], longs: number
   const view = new DataView(new ArrayBuffer(size));
   view.setUint32(0, signature, true);
   let at = 4;
-  for (const value of shorts) { view.setUint16(at, value, true); at += 2; }
-  for (const value of longs) { view.setUint32(at, value, true); at += 4; }
-  for (const value of more) { view.setUint16(at, value, true); at += 2; }
+  for (const value of shorts) {
+    view.setUint16(at, value, true);
+    at += 2;
+  }
+  for (const value of longs) {
+    view.setUint32(at, value, true);
+    at += 4;
+  }
+  for (const value of more) {
+    view.setUint16(at, value, true);
+    at += 2;
+  }
   return view;
 }
 
@@ -89,14 +114,19 @@ export async function readArchive(file: Blob): Promise<Map<string, Found>> {
   const told = await listOf(file);
   const packed = told.filter(({ method }) => method !== STORED);
   const most = ARCHIVE.unpacked(file.size);
-  if (packed.some(({ size }) => size > ARCHIVE.entry) || packed.reduce((sum, { size }) => sum + size, 0) > most) throw tooLarge();
+  if (packed.some(({ size }) => size > ARCHIVE.entry) || packed.reduce((sum, { size }) => sum + size, 0) > most)
+    throw tooLarge();
   /** What all of them unpack to. */
   const room = roomFor(most);
   const found: Map<string, Found> = new Map();
   for (const entry of told) {
     const name = new TextDecoder().decode(entry.name);
     if (found.has(name)) throw damaged(`${name} is in it twice`);
-    found.set(name, { name, packed: entry.method !== STORED, read: (how = {}) => readEntry(file, entry, { name, room, ...how }) });
+    found.set(name, {
+      name,
+      packed: entry.method !== STORED,
+      read: (how = {}) => readEntry(file, entry, { name, room, ...how }),
+    });
   }
   return found;
 }
@@ -110,7 +140,8 @@ async function listOf(file: Blob): Promise<Told[]> {
   if (at < 0) throw damaged('its end is missing');
   const [disk, listDisk, here, count] = [4, 6, 8, 10].map((field) => tail.getUint16(at + field, true));
   const [length, start] = [12, 16].map((field) => tail.getUint32(at + field, true));
-  if (count === ELSEWHERE_SHORT || length === ELSEWHERE || start === ELSEWHERE) throw damaged('it is in the form for more than 4 GB');
+  if (count === ELSEWHERE_SHORT || length === ELSEWHERE || start === ELSEWHERE)
+    throw damaged('it is in the form for more than 4 GB');
   if (disk !== 0 || listDisk !== 0 || here !== count) throw damaged('it is a part of several');
   if (start + length > tailAt + at || length < count * CENTRAL_SIZE) throw damaged('its list of files is missing');
   if (count > ARCHIVE.entries || length > ARCHIVE.directory) throw tooLarge();
@@ -118,8 +149,11 @@ async function listOf(file: Blob): Promise<Told[]> {
   const told: Told[] = [];
   let from = 0;
   for (let i = 0; i < count; i += 1) {
-    if (from + CENTRAL_SIZE > length || list.getUint32(from, true) !== CENTRAL) throw damaged('its list of files is broken');
-    const [flags, method, nameLength, extra, comment] = [8, 10, 28, 30, 32].map((field) => list.getUint16(from + field, true));
+    if (from + CENTRAL_SIZE > length || list.getUint32(from, true) !== CENTRAL)
+      throw damaged('its list of files is broken');
+    const [flags, method, nameLength, extra, comment] = [8, 10, 28, 30, 32].map((field) =>
+      list.getUint16(from + field, true),
+    );
     const next = from + CENTRAL_SIZE + nameLength + extra + comment;
     if (next > length) throw damaged('its list of files is broken');
     if (nameLength > ARCHIVE.name) throw tooLarge();
@@ -133,21 +167,33 @@ async function listOf(file: Blob): Promise<Told[]> {
   const inOrder = [...told].sort((one, other) => one.offset - other.offset);
   inOrder.forEach((entry, i) => {
     entry.end = inOrder[i + 1]?.offset ?? start;
-    if (entry.offset + LOCAL_SIZE + entry.name.length + entry.length > entry.end) throw damaged('two of its files are one');
+    if (entry.offset + LOCAL_SIZE + entry.name.length + entry.length > entry.end)
+      throw damaged('two of its files are one');
   });
   return told;
 }
 
-async function readEntry(file: Blob, entry: Told, { name, room, most = Infinity, signal, beat }: { name: string, room: (bytes: number) => boolean, most?: number } & Watch) {
+async function readEntry(
+  file: Blob,
+  entry: Told,
+  {
+    name,
+    room,
+    most = Infinity,
+    signal,
+    beat,
+  }: { name: string; room: (bytes: number) => boolean; most?: number } & Watch,
+) {
   const { flags, method, crc, length, size, offset, end } = entry;
   if (size > most) throw tooLarge();
   const local = await viewOf(file.slice(offset, offset + LOCAL_SIZE + entry.name.length));
   const start = offset + LOCAL_SIZE + local.getUint16(26, true) + local.getUint16(28, true);
   if (!agrees(local, entry) || start + length > end) throw damaged(`${name} is told of in two ways`);
-  if (flags & ENCRYPTED || ![STORED, DEFLATED].includes(method)) throw damaged(`${name} is packed in a way that is not known here`);
+  if (flags & ENCRYPTED || ![STORED, DEFLATED].includes(method))
+    throw damaged(`${name} is packed in a way that is not known here`);
   const raw = file.slice(start, start + length);
   const blob = method === STORED ? raw : await unpacked(raw, size, { name, room, signal, beat });
-  if (blob.size !== size || await crcOf(blob, { signal, beat }) !== crc) throw damaged(`${name} is damaged`);
+  if (blob.size !== size || (await crcOf(blob, { signal, beat })) !== crc) throw damaged(`${name} is damaged`);
   return blob;
 }
 
@@ -157,17 +203,31 @@ async function readEntry(file: Blob, entry: Told, { name, room, most = Infinity,
  */
 function agrees(local: DataView, { name, flags, method, crc, length, size }: Told): boolean {
   const [flagsHere, methodHere, nameLength] = [6, 8, 26].map((field) => local.getUint16(field, true));
-  const numbers = ([[14, crc], [18, length], [22, size]] as const);
+  const numbers = [
+    [14, crc],
+    [18, length],
+    [22, size],
+  ] as const;
   const same = numbers.every(([field, number]) => {
     const here = local.getUint32(field, true);
     return here === number || (here === 0 && (flagsHere & LATER) !== 0) || (here === ELSEWHERE && field !== 14);
   });
-  return same && local.getUint32(0, true) === LOCAL && methodHere === method && (flagsHere & ENCRYPTED) === (flags & ENCRYPTED) &&
-    nameLength === name.length && name.every((byte, i) => local.getUint8(LOCAL_SIZE + i) === byte);
+  return (
+    same &&
+    local.getUint32(0, true) === LOCAL &&
+    methodHere === method &&
+    (flagsHere & ENCRYPTED) === (flags & ENCRYPTED) &&
+    nameLength === name.length &&
+    name.every((byte, i) => local.getUint8(LOCAL_SIZE + i) === byte)
+  );
 }
 
 /** What another program has packed. */
-async function unpacked(raw: Blob, size: number, { name, room, ...watch }: { name: string, room: (bytes: number) => boolean } & Watch) {
+async function unpacked(
+  raw: Blob,
+  size: number,
+  { name, room, ...watch }: { name: string; room: (bytes: number) => boolean } & Watch,
+) {
   const own = roomFor(size);
   let more = false;
   /** It unpacks to more than it says: whatever it is, it is no photo. */
@@ -175,7 +235,7 @@ async function unpacked(raw: Blob, size: number, { name, room, ...watch }: { nam
   try {
     return await inflated(raw, 'deflate-raw', { take, ...watch });
   } catch (error) {
-    const { code } = (error as { code?: string });
+    const { code } = error as { code?: string };
     if (code === 'too-large' && !more) throw tooLarge();
     throw code === 'damaged' || more ? damaged(`${name} is damaged`) : error;
   }

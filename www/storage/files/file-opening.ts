@@ -31,19 +31,26 @@ export type FileOpening = ReturnType<typeof createFileOpening>;
 /** Reads a photo into the engine; all that it took is let go when the opening fails. */
 type Take = (id: string, blob: Blob) => Promise<Imported['meta']>;
 /** A photo that could not be read. */
-type Failed = { name: string, why: string };
+type Failed = { name: string; why: string };
 /** `watch` is told of whatever arrives, so that a file of which nothing comes is given up. */
 export type Hands = {
-  planner: Planner, photos: (wanted: readonly FilePhoto[], archive: Archive) => Promise<Fact[]>,
-  absent: (photo: FilePhoto, number: number) => Promise<Fact>, watch: Required<Watch>,
+  planner: Planner;
+  photos: (wanted: readonly FilePhoto[], archive: Archive) => Promise<Fact[]>;
+  absent: (photo: FilePhoto, number: number) => Promise<Fact>;
+  watch: Required<Watch>;
 };
 
-export function createFileOpening({ engine, messages, opening }: {
-  engine: Pick<Engine, 'ready' | 'importPhoto' | 'forgetPhoto'>,
-  messages: Pick<Messages, 'fileFailed' | 'alert'>, opening: Pick<Opening, 'enter'>,
+export function createFileOpening({
+  engine,
+  messages,
+  opening,
+}: {
+  engine: Pick<Engine, 'ready' | 'importPhoto' | 'forgetPhoto'>;
+  messages: Pick<Messages, 'fileFailed' | 'alert'>;
+  opening: Pick<Opening, 'enter'>;
 }) {
   /** What is being read. */
-  const progress: Signal<{ name: string, done: number, total: number } | null> = signal(null);
+  const progress: Signal<{ name: string; done: number; total: number } | null> = signal(null);
   let stop: AbortController | null = null;
   /** The last of those that wait for each other. */
   let last: Promise<unknown> = Promise.resolve();
@@ -88,11 +95,15 @@ export function createFileOpening({ engine, messages, opening }: {
     try {
       const planner = await engine.ready;
       quiet.beat();
-      const content = await Promise.race([quiet.over, read({
-        planner, watch,
-        photos: (wanted, archive) => readPhotos(wanted, archive, { take, watch, failed }),
-        absent: (photo, number) => placeFor(photo, number, take),
-      })]);
+      const content = await Promise.race([
+        quiet.over,
+        read({
+          planner,
+          watch,
+          photos: (wanted, archive) => readPhotos(wanted, archive, { take, watch, failed }),
+          absent: (photo, number) => placeFor(photo, number, take),
+        }),
+      ]);
       cancelled.throwIfAborted();
       await opening.enter(freshPlace(), content, undefined, { join: true });
       if (content.dropped?.length) messages.alert(strings.partsLeftOut(file.name, content.dropped.length));
@@ -101,9 +112,10 @@ export function createFileOpening({ engine, messages, opening }: {
     } catch (error) {
       taken.forEach(engine.forgetPhoto);
       // What was stopped fails in many ways, for the one reason.
-      const { code, message } = ((cancelled.aborted ? cancelled.reason : error) as { code?: string, message: string });
+      const { code, message } = (cancelled.aborted ? cancelled.reason : error) as { code?: string; message: string };
       const why = strings.projectReasons[code ?? ''] ?? message;
-      if (code !== 'cancelled') messages.fileFailed(file.name, why, { text: strings.projectFileNotOpened(file.name, why), way });
+      if (code !== 'cancelled')
+        messages.fileFailed(file.name, why, { text: strings.projectFileNotOpened(file.name, why), way });
       return false;
     } finally {
       quiet.end();
@@ -112,7 +124,11 @@ export function createFileOpening({ engine, messages, opening }: {
   }
 
   /** @returns those that can be read; the others are named in `failed` */
-  async function readPhotos(photos: readonly FilePhoto[], archive: Archive, { take, watch, failed }: { take: Take, watch: Hands['watch'], failed: Failed[] }): Promise<Fact[]> {
+  async function readPhotos(
+    photos: readonly FilePhoto[],
+    archive: Archive,
+    { take, watch, failed }: { take: Take; watch: Hands['watch']; failed: Failed[] },
+  ): Promise<Fact[]> {
     // Thousands that are one file would be read thousands of times.
     if (new Set(photos.map(({ path }) => path)).size < photos.length) throw damaged('photos: two of them are one file');
     const packed = photos.some(({ path }) => archive.get(path)?.packed);
@@ -127,7 +143,7 @@ export function createFileOpening({ engine, messages, opening }: {
         if (absent && like) return keepsPlace(known, photo);
         return { ...known, measures: measured ? meta.measures : null, looked: subjects !== null };
       } catch (error) {
-        const { code, message } = (error as { code?: string, message: string });
+        const { code, message } = error as { code?: string; message: string };
         if (watch.signal.aborted || ['cancelled', 'too-large-project'].includes(code ?? '')) throw error;
         failed.push({ name: fact.name, why: strings.reasons[code ?? ''] ?? message });
         return [];
@@ -151,7 +167,10 @@ async function inTurns<T, R>(list: readonly T[], atOnce: number, work: (item: T)
     while (next < list.length) {
       const at = next;
       next += 1;
-      done[at] = await work(list[at]).catch((error) => { next = list.length; throw error; });
+      done[at] = await work(list[at]).catch((error) => {
+        next = list.length;
+        throw error;
+      });
     }
   };
   await Promise.all(Array.from({ length: atOnce }, runner));
@@ -162,7 +181,7 @@ async function inTurns<T, R>(list: readonly T[], atOnce: number, work: (item: T)
  * Gives up what shows no sign of life for a minute.
  * @returns `beat`: something came; `over` rejects when it is given up, or stopped
  */
-function silence(stop: AbortController): { beat: () => void, over: Promise<never>, end: () => void } {
+function silence(stop: AbortController): { beat: () => void; over: Promise<never>; end: () => void } {
   let relax = () => {};
   let since = -Infinity;
   const beat = () => {
@@ -172,10 +191,19 @@ function silence(stop: AbortController): { beat: () => void, over: Promise<never
     relax();
     relax = patience(SILENCE, () => stop.abort(failure('silent-project', 'Nothing of it came for a minute.')));
   };
-  const over: Promise<never> = new Promise((_, reject) => { stop.signal.addEventListener('abort', () => reject(stop.signal.reason), { once: true }); });
+  const over: Promise<never> = new Promise((_, reject) => {
+    stop.signal.addEventListener('abort', () => reject(stop.signal.reason), { once: true });
+  });
   // It is no failure of what has ended well.
   over.catch(() => {});
-  return { beat, over, end: () => { relax(); since = Infinity; } };
+  return {
+    beat,
+    over,
+    end: () => {
+      relax();
+      since = Infinity;
+    },
+  };
 }
 
 /**
@@ -186,14 +214,20 @@ async function placeFor(photo: FilePhoto, number: number, take: Take): Promise<F
   const { id, credit, like } = photo;
   const name = strings.absentPhoto(number);
   const meta = await take(id, new File([await placeholderOf(like ?? UNLIKE)], name, { type: 'image/png' }));
-  return keepsPlace({ id, name, credit, meta: { ...meta, taken: takenBy(photo, null) } }, { ...photo, like: like ?? UNLIKE });
+  return keepsPlace(
+    { id, name, credit, meta: { ...meta, taken: takenBy(photo, null) } },
+    { ...photo, like: like ?? UNLIKE },
+  );
 }
 
 /**
  * @param fact of the empty frame
  * @returns it is framed as the photo was, and compared with none
  */
-function keepsPlace(fact: Omit<Fact, 'meta' | 'measures'> & { meta: NonNullable<Fact['meta']> }, { like, subjects, measured }: FilePhoto): Fact {
+function keepsPlace(
+  fact: Omit<Fact, 'meta' | 'measures'> & { meta: NonNullable<Fact['meta']> },
+  { like, subjects, measured }: FilePhoto,
+): Fact {
   const { width, height, ...rest } = like ?? UNLIKE;
   const meta = { ...fact.meta, width, height, subjects: subjects ?? [] };
   return { ...fact, meta, measures: null, looked: true, absent: { width, height, ...rest, subjects, measured } };

@@ -7,18 +7,28 @@ import type { Database, PhotoRecord } from '../database.ts';
 import type { FilePhoto } from './project-json.ts';
 
 /** `exact`: its file has the same hash; else it looks the same, in the same size. */
-type Found = { fact: Fact, record: PhotoRecord | null, exact: boolean };
+type Found = { fact: Fact; record: PhotoRecord | null; exact: boolean };
 
 /** @returns by the ids of those wanted; each photo for one of them */
-export async function foundPhotos(wanted: readonly FilePhoto[], { album, photos, database }: {
-  album: Album, photos: Pick<ReturnType<typeof createPhotos>, 'has' | 'get'>,
-  database: () => Promise<Database>,
-}): Promise<Map<string, Found>> {
+export async function foundPhotos(
+  wanted: readonly FilePhoto[],
+  {
+    album,
+    photos,
+    database,
+  }: {
+    album: Album;
+    photos: Pick<ReturnType<typeof createPhotos>, 'has' | 'get'>;
+    database: () => Promise<Database>;
+  },
+): Promise<Map<string, Found>> {
   const here = [...album.values()].filter(({ id, absent }) => !absent && photos.has(id));
   const base = await database().catch(() => null);
   const saved = base ? (await base.getAll('facts').catch(() => [])).map(({ fact }) => fact) : [];
   const known = new Set(here.map(({ id }) => id));
-  const all = [...here, ...saved.filter(({ id, absent }) => !absent && !known.has(id))].filter(({ meta }) => meta !== null);
+  const all = [...here, ...saved.filter(({ id, absent }) => !absent && !known.has(id))].filter(
+    ({ meta }) => meta !== null,
+  );
 
   const found: Map<string, Found> = new Map();
   const used = new Set();
@@ -27,9 +37,11 @@ export async function foundPhotos(wanted: readonly FilePhoto[], { album, photos,
       if (!like || found.has(id)) continue;
       for (const fact of all) {
         if (used.has(fact.id) || !fact.meta || !looksLike(fact.meta, like)) continue;
-        const record = known.has(fact.id) ? null : await base?.get('photos', fact.id).catch(() => undefined) ?? null;
+        const record = known.has(fact.id)
+          ? null
+          : ((await base?.get('photos', fact.id).catch(() => undefined)) ?? null);
         const file = known.has(fact.id) ? photos.get(fact.id).file : record?.file;
-        if (!file || (exact && (like.hash === '' || await hashOf(file) !== like.hash))) continue;
+        if (!file || (exact && (like.hash === '' || (await hashOf(file)) !== like.hash))) continue;
         used.add(fact.id);
         found.set(id, { fact, record, exact });
         break;

@@ -10,7 +10,7 @@ import type { Stripped } from '../../engine/metadata/strip.ts';
  * How a photo is recognised: `hash` of 64 hex digits, empty where the browser makes none; `fingerprint` of 16, and the
  * sides in pixels, upright.
  */
-export type Likeness = { hash: string, fingerprint: string, width: number, height: number };
+export type Likeness = { hash: string; fingerprint: string; width: number; height: number };
 
 /** Files larger than this are recognised by their looks. */
 const MOST_BYTES = 256 * 2 ** 20;
@@ -45,6 +45,9 @@ async function hashed(file: Blob) {
   }
 }
 
-export function looksLike(one: { fingerprint: string, width: number, height: number }, other: { fingerprint: string, width: number, height: number }) {
+export function looksLike(
+  one: { fingerprint: string; width: number; height: number },
+  other: { fingerprint: string; width: number; height: number },
+) {
   return one.fingerprint === other.fingerprint && one.width === other.width && one.height === other.height;
 }

@@ -14,14 +14,18 @@ import type { Archive } from './file-opening.ts';
 import type { FileProject } from './project-json.ts';
 
 /** A page that was found to have a project. */
-export type PageFile = { file: File, text: Chunk, photos: Chunk | null };
+export type PageFile = { file: File; text: Chunk; photos: Chunk | null };
 
 const KEYWORD = 'inkpanel';
 /** By the letters' cases: not needed for the picture, of one program, may be copied with it. */
 const PHOTOS = 'ipPh';
 
 /** @param photos none: it does without */
-export async function withProject(png: Blob, json: string, photos: readonly { name: string, blob: Blob }[]): Promise<Blob> {
+export async function withProject(
+  png: Blob,
+  json: string,
+  photos: readonly { name: string; blob: Blob }[],
+): Promise<Blob> {
   const before = [await textChunk(KEYWORD, json)];
   const after = photos.length > 0 ? [await chunkOf(PHOTOS, await archiveOf(photos))] : [];
   return withChunks(png, { before, after });
@@ -29,7 +33,7 @@ export async function withProject(png: Blob, json: string, photos: readonly { na
 
 /** @returns null where it has no project, or is no PNG */
 export async function pageFileOf(file: File): Promise<PageFile | null> {
-  if (!await isPng(file)) return null;
+  if (!(await isPng(file))) return null;
   const chunks = await chunksOf(file);
   for (const text of chunks?.filter(({ type }) => type === 'iTXt').slice(0, PNG.texts) ?? []) {
     const head = await textHead(file.slice(text.at, text.at + text.length));
@@ -39,10 +43,13 @@ export async function pageFileOf(file: File): Promise<PageFile | null> {
 }
 
 /** @returns rejects with `damaged-project`, `newer-project` or `too-large-project` */
-export async function readPageFile({ file, text, photos }: PageFile, planner: Pick<Planner, 'readProject'>): Promise<{ project: FileProject, archive: Archive }> {
+export async function readPageFile(
+  { file, text, photos }: PageFile,
+  planner: Pick<Planner, 'readProject'>,
+): Promise<{ project: FileProject; archive: Archive }> {
   const data = text.length > TEXT.page ? null : await dataOf(file, text);
-  const head = data && await textHead(data);
-  const json = head && await textOf(head, TEXT.page);
+  const head = data && (await textHead(data));
+  const json = head && (await textOf(head, TEXT.page));
   if (!json) throw damaged('the text of the page is damaged');
   const project = readProjectJson(json, planner);
   if (!project.history.present.page) throw damaged('page: is missing');

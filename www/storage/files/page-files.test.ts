@@ -21,16 +21,27 @@ beforeEach(async () => {
 function look(of: Tab) {
   const { name, page, tray, settings } = of.store.project.value;
   const ids = tray.map(({ id }) => id);
-  return JSON.parse(ids.reduce((text, id, i) => text.replaceAll(id, `#${i}`), JSON.stringify({ name, page, settings, photos: ids.length })));
+  return JSON.parse(
+    ids.reduce(
+      (text, id, i) => text.replaceAll(id, `#${i}`),
+      JSON.stringify({ name, page, settings, photos: ids.length }),
+    ),
+  );
 }
 
 describe('a page that carries its project', () => {
   it('tells nothing of files, ids and times', async () => {
     const facts = tab.store.facts.value;
-    facts.forEach((fact, i) => tab.store.know({ ...fact, meta: { ...(fact.meta as any), taken: `2021:05:0${i + 1} 07:08:09` } }));
+    facts.forEach((fact, i) =>
+      tab.store.know({ ...fact, meta: { ...(fact.meta as any), taken: `2021:05:0${i + 1} 07:08:09` } }),
+    );
     const text = await textIn(await downloaded(tab, 'photos'));
     for (const secret of ['a.jpg', '2021', ...facts.map(({ id }) => id)]) expect(text).not.toContain(secret);
-    expect(JSON.parse(text).photos.map((photo: any) => [photo.name, photo.rank, photo.like.hash.length])).toEqual([['photo-1', 0, 64], ['photo-2', 1, 64], ['photo-3', 2, 64]]);
+    expect(JSON.parse(text).photos.map((photo: any) => [photo.name, photo.rank, photo.like.hash.length])).toEqual([
+      ['photo-1', 0, 64],
+      ['photo-2', 1, 64],
+      ['photo-3', 2, 64],
+    ]);
     expect(text).toContain('Meanwhile');
   });
 
@@ -43,7 +54,11 @@ describe('a page that carries its project', () => {
     const work = tab.keeping.current.value;
     expect((await dropped(tab, file)).opened).toBe(true);
     expect(look(tab)).toEqual(before);
-    expect([inPanels(tab), tab.store.tray.value.map(({ id }) => id), alerts(tab)]).toEqual([['a.jpg', 'b.jpg', 'c.jpg'], ids, []]);
+    expect([inPanels(tab), tab.store.tray.value.map(({ id }) => id), alerts(tab)]).toEqual([
+      ['a.jpg', 'b.jpg', 'c.jpg'],
+      ids,
+      [],
+    ]);
     await tab.keeping.refresh();
     expect(tab.keeping.list.value.map(({ photos }) => photos).sort()).toEqual([1, 3, 3]);
     const note = tab.messages.list.value.at(-1);
@@ -72,7 +87,10 @@ describe('a page that carries its project', () => {
     await other.add('b.jpg');
     await dropped(other, file);
     expect(inPanels(other)).toEqual(['Missing photo 1', 'b.jpg', 'Missing photo 2']);
-    expect([alerts(other).map(({ text }) => text), alerts(other)[0].way?.label]).toEqual([[expect.stringMatching(/2 of its 3 photos are not on this device/)], 'Choose photos']);
+    expect([alerts(other).map(({ text }) => text), alerts(other)[0].way?.label]).toEqual([
+      [expect.stringMatching(/2 of its 3 photos are not on this device/)],
+      'Choose photos',
+    ]);
     // It goes out as it came, though two photos are not here.
     expect(await textIn(await downloaded(other, 'project'))).toBe(await textIn(file));
     other.store.change({ type: 'rename', name: 'Later' });
@@ -110,7 +128,9 @@ describe('a page that carries its project', () => {
   it('can carry nothing, and photos go with one file only', async () => {
     const { pageFiles } = tab.keeping;
     expect((await chunksOf(await downloaded(tab, 'none')))?.map(({ type }) => type)).toEqual(['IHDR', 'IDAT', 'IEND']);
-    expect(await pageFiles.among([await downloaded(tab, 'none'), new File(['text'], 'x.png'), new File([], 'y.png')])).toBe(null);
+    expect(
+      await pageFiles.among([await downloaded(tab, 'none'), new File(['text'], 'x.png'), new File([], 'y.png')]),
+    ).toBe(null);
     pageFiles.cargo.value = 'photos';
     expect([pageFiles.take(), pageFiles.take()]).toEqual(['photos', 'project']);
     pageFiles.cargo.value = 'none';
@@ -119,25 +139,42 @@ describe('a page that carries its project', () => {
 
   it('that cannot be opened can still be a photo', async () => {
     const json = JSON.parse(await textIn(await downloaded(tab, 'project')));
-    const file = new File([await withProject(await bare(), JSON.stringify({ ...json, version: 99 }), [])], 'new.png', { type: 'image/png' });
+    const file = new File([await withProject(await bare(), JSON.stringify({ ...json, version: 99 }), [])], 'new.png', {
+      type: 'image/png',
+    });
     await dropped(tab, file);
-    expect(alerts(tab).map(({ text }) => text)).toEqual([expect.stringMatching(/^new\.png could not be opened: it was made by a newer Inkpanel/)]);
+    expect(alerts(tab).map(({ text }) => text)).toEqual([
+      expect.stringMatching(/^new\.png could not be opened: it was made by a newer Inkpanel/),
+    ]);
     alerts(tab)[0].way?.run();
     await vi.waitFor(() => expect(tab.names()).toContain('new.png'));
   });
 });
 
 it('the frame of a missing photo has its shape', async () => {
-  const sizes = [[1500, 1000], [1000, 4000], [1, 1_000_000]].map(async ([width, height]) => {
+  const sizes = [
+    [1500, 1000],
+    [1000, 4000],
+    [1, 1_000_000],
+  ].map(async ([width, height]) => {
     const head = new DataView(await (await placeholderOf({ width, height })).slice(16, 24).arrayBuffer());
     return [head.getUint32(0), head.getUint32(4)];
   });
-  expect(await Promise.all(sizes)).toEqual([[480, 320], [120, 480], [8, 480]]);
+  expect(await Promise.all(sizes)).toEqual([
+    [480, 320],
+    [120, 480],
+    [8, 480],
+  ]);
 });
 
 it('the order of time goes through a project file, the times do not', async () => {
   const [a, b, c] = tab.store.facts.value;
-  for (const [fact, day] of ([[a, 3], [b, 1], [c, 2]] as const)) tab.store.know({ ...fact, meta: { ...(fact.meta as any), taken: `2021:05:0${day} 07:08:09` } });
+  for (const [fact, day] of [
+    [a, 3],
+    [b, 1],
+    [c, 2],
+  ] as const)
+    tab.store.know({ ...fact, meta: { ...(fact.meta as any), taken: `2021:05:0${day} 07:08:09` } });
   const order = () => tab.store.photos.value.map(({ id }) => tab.store.album.value.get(id)?.name);
   expect(order()).toEqual(['b.jpg', 'c.jpg', 'a.jpg']);
   await tab.keeping.files.save();

@@ -21,16 +21,21 @@ export function absentOf({ meta, measures, looked, absent }: Fact): Absent {
  * @param facts of photos that are gone
  * @returns frames that keep their places, under their names
  */
-export async function emptyFrames(facts: readonly Fact[]): Promise<{ fact: Fact, file: File }[]> {
+export async function emptyFrames(facts: readonly Fact[]): Promise<{ fact: Fact; file: File }[]> {
   /** Most photos of an album are of one or two shapes. */
   const made: Map<string, Promise<Blob>> = new Map();
-  return Promise.all(facts.map(async (fact) => {
-    const absent = absentOf(fact);
-    const shape = `${absent.width} ${absent.height}`;
-    const picture = made.get(shape) ?? placeholderOf(absent);
-    made.set(shape, picture);
-    return { fact: { ...fact, measures: null, looked: true, absent }, file: new File([await picture], fact.name, { type: 'image/png' }) };
-  }));
+  return Promise.all(
+    facts.map(async (fact) => {
+      const absent = absentOf(fact);
+      const shape = `${absent.width} ${absent.height}`;
+      const picture = made.get(shape) ?? placeholderOf(absent);
+      made.set(shape, picture);
+      return {
+        fact: { ...fact, measures: null, looked: true, absent },
+        file: new File([await picture], fact.name, { type: 'image/png' }),
+      };
+    }),
+  );
 }
 
 /** Pixels of the longer side, and of a line. */
@@ -38,7 +43,7 @@ const [LONGEST, LINE] = [480, 2];
 const [GROUND, INK] = [236, 196];
 
 /** @returns a PNG */
-export async function placeholderOf(photo: { width: number, height: number }): Promise<Blob> {
+export async function placeholderOf(photo: { width: number; height: number }): Promise<Blob> {
   const scale = LONGEST / Math.max(photo.width, photo.height);
   const [width, height] = [photo.width, photo.height].map((side) => Math.max(8, Math.round(side * scale)));
   // Each row begins with the kind of its prediction, which is none.
@@ -50,7 +55,7 @@ export async function placeholderOf(photo: { width: number, height: number }): P
     for (let x = 0; x < width; x += 1) {
       const [fall, rise] = [x * height - y * width, x * height - (height - y) * width];
       const edge = Math.min(x, y, width - 1 - x, height - 1 - y) < LINE;
-      if (edge || Math.min(Math.abs(fall), Math.abs(rise)) < LINE * longer / 2) rows[row + 1 + x] = INK;
+      if (edge || Math.min(Math.abs(fall), Math.abs(rise)) < (LINE * longer) / 2) rows[row + 1 + x] = INK;
     }
   }
   const head = new DataView(new ArrayBuffer(13));
@@ -59,5 +64,9 @@ export async function placeholderOf(photo: { width: number, height: number }): P
   // Eight bits of grey.
   head.setUint8(8, 8);
   const pixels = await new Response(new Blob([rows]).stream().pipeThrough(new CompressionStream('deflate'))).blob();
-  return pngOf([await chunkOf('IHDR', new Uint8Array(head.buffer)), await chunkOf('IDAT', pixels), await chunkOf('IEND', new Blob([]))]);
+  return pngOf([
+    await chunkOf('IHDR', new Uint8Array(head.buffer)),
+    await chunkOf('IDAT', pixels),
+    await chunkOf('IEND', new Blob([])),
+  ]);
 }

@@ -15,7 +15,7 @@ beforeEach(async () => {
   await tab.add('a.jpg', 'b.jpg', 'c.jpg');
   tab.pages.shuffle('all');
   tab.store.change({ type: 'rename', name: 'Trip: one/two' });
-  tab.store.change({ type: 'own-styles', mine: [({ id: 'my-1', name: 'Mine', tags: [] } as any)] });
+  tab.store.change({ type: 'own-styles', mine: [{ id: 'my-1', name: 'Mine', tags: [] } as any] });
   await tab.keeping.files.save();
   const [blob, name] = vi.mocked(saveFile).mock.calls[0];
   file = new File([blob], name);
@@ -26,12 +26,14 @@ const reasons = () => tab.messages.list.value.filter(({ kind }) => kind === 'ale
 /** The file with another `project.json`. */
 async function changed(change: (json: any) => any) {
   const found = await readArchive(file);
-  const entries = await Promise.all([...found.values()].map(async ({ name, read }) => {
-    const blob = await read();
-    if (name !== 'project.json') return [{ name, blob }];
-    const made = change(JSON.parse(await blob.text()));
-    return made === null ? [] : [{ name, blob: new Blob([typeof made === 'string' ? made : JSON.stringify(made)]) }];
-  }));
+  const entries = await Promise.all(
+    [...found.values()].map(async ({ name, read }) => {
+      const blob = await read();
+      if (name !== 'project.json') return [{ name, blob }];
+      const made = change(JSON.parse(await blob.text()));
+      return made === null ? [] : [{ name, blob: new Blob([typeof made === 'string' ? made : JSON.stringify(made)]) }];
+    }),
+  );
   return new File([await archiveOf(entries.flat())], file.name);
 }
 
@@ -45,8 +47,16 @@ describe('a project file', () => {
     await tab.keeping.flush();
     expect(tab.names()).toEqual(['a.jpg', 'b.jpg', 'c.jpg']);
     const now = documentOf(tab);
-    expect([now.present.name, now.shown.length, now.present.mine.map(({ id }) => id)]).toEqual([present.name, shown.length, ['my-1']]);
-    const look = (page: any) => ({ ...page, order: page.order.length, panels: page.panels.map(({ crop }: any) => crop) });
+    expect([now.present.name, now.shown.length, now.present.mine.map(({ id }) => id)]).toEqual([
+      present.name,
+      shown.length,
+      ['my-1'],
+    ]);
+    const look = (page: any) => ({
+      ...page,
+      order: page.order.length,
+      panels: page.panels.map(({ crop }: any) => crop),
+    });
     expect(look(now.present.page)).toEqual(look(present.page));
     const name = (id: string | null) => tab.store.album.value.get(String(id))?.name;
     expect(now.present.page?.panels.every(({ photo }) => name(photo))).toBe(true);
@@ -71,7 +81,11 @@ describe('a project file', () => {
     const bytes = new Uint8Array(await file.arrayBuffer());
     bytes[text.indexOf('photos/002-b.jpgb.jpg') + 'photos/002-b.jpg'.length] ^= 1;
     await tab.keeping.files.open(new File([bytes], file.name));
-    expect(tab.store.facts.value.map(({ name, absent }) => [name, !!absent])).toEqual([['a.jpg', false], ['b.jpg', true], ['c.jpg', false]]);
+    expect(tab.store.facts.value.map(({ name, absent }) => [name, !!absent])).toEqual([
+      ['a.jpg', false],
+      ['b.jpg', true],
+      ['c.jpg', false],
+    ]);
     // Files that fail are told together, a moment later.
     await vi.waitFor(() => expect(reasons().join()).toMatch(/b\.jpg.*damaged/));
   });
@@ -85,16 +99,44 @@ describe('a project file', () => {
     ['of a newer program', () => changed((json) => ({ ...json, version: 99 })), /newer Inkpanel/],
     ['without a version', () => changed(({ version: _version, ...json }) => json), /damaged/],
     ['without a history', () => changed((json) => ({ ...json, history: 7 })), /damaged/],
-    ['with a tray of numbers', () => changed((json) => ({ ...json, history: { ...json.history, present: { ...json.history.present, tray: [1, 2] } } })), /damaged/],
-    ['with a page of an unknown layout', () => changed((json) => {
-      const { present } = json.history;
-      return { ...json, history: { ...json.history, present: { ...present, page: { ...present.page, layout: 'gone' } } } };
-    }), /damaged/],
-    ['with a page that has too few panels', () => changed((json) => {
-      const { present } = json.history;
-      return { ...json, history: { ...json.history, present: { ...present, page: { ...present.page, panels: [] } } } };
-    }), /damaged/],
-    ['with photos that are not in it', () => changed((json) => ({ ...json, photos: json.photos.map((photo: any) => ({ ...photo, path: 'gone.jpg' })) })), /damaged/],
+    [
+      'with a tray of numbers',
+      () =>
+        changed((json) => ({
+          ...json,
+          history: { ...json.history, present: { ...json.history.present, tray: [1, 2] } },
+        })),
+      /damaged/,
+    ],
+    [
+      'with a page of an unknown layout',
+      () =>
+        changed((json) => {
+          const { present } = json.history;
+          return {
+            ...json,
+            history: { ...json.history, present: { ...present, page: { ...present.page, layout: 'gone' } } },
+          };
+        }),
+      /damaged/,
+    ],
+    [
+      'with a page that has too few panels',
+      () =>
+        changed((json) => {
+          const { present } = json.history;
+          return {
+            ...json,
+            history: { ...json.history, present: { ...present, page: { ...present.page, panels: [] } } },
+          };
+        }),
+      /damaged/,
+    ],
+    [
+      'with photos that are not in it',
+      () => changed((json) => ({ ...json, photos: json.photos.map((photo: any) => ({ ...photo, path: 'gone.jpg' })) })),
+      /damaged/,
+    ],
     ['with a photo without an id', () => changed((json) => ({ ...json, photos: [{ name: 'x' }] })), /damaged/],
   ])('%s changes nothing on the page', async (_, make, reason) => {
     const before = documentOf(tab);

@@ -23,17 +23,24 @@ import type { Snapshot } from '../snapshot.ts';
 import type { Archive, FileOpening, Hands } from './file-opening.ts';
 import type { FilePhoto, FileProject } from './project-json.ts';
 
-
 export const EXTENSION = '.inkpanel';
 
 export function isProjectFile({ name }: { name: string }) {
   return name.toLowerCase().endsWith(EXTENSION);
 }
 
-export function createProjectFiles({ store, engine, messages, saving, fileOpening }: {
-  store: Store, engine: Pick<Engine, 'photos'>,
-  messages: Pick<Messages, 'alert' | 'note'>, saving: Pick<Saving, 'filed'>,
-  fileOpening: FileOpening,
+export function createProjectFiles({
+  store,
+  engine,
+  messages,
+  saving,
+  fileOpening,
+}: {
+  store: Store;
+  engine: Pick<Engine, 'photos'>;
+  messages: Pick<Messages, 'alert' | 'note'>;
+  saving: Pick<Saving, 'filed'>;
+  fileOpening: FileOpening;
 }) {
   return { save, open };
 
@@ -79,8 +86,12 @@ export function createProjectFiles({ store, engine, messages, saving, fileOpenin
       }
       const present = { ...history.present, name: name || file.name.slice(0, -EXTENSION.length) };
       return {
-        history: { ...history, present }, album: new Map(facts.map((fact) => [fact.id, fact])),
-        videos: new Map(videos.map((video) => [video.key, video])), records: [], unread: [], dropped: project.dropped,
+        history: { ...history, present },
+        album: new Map(facts.map((fact) => [fact.id, fact])),
+        videos: new Map(videos.map((video) => [video.key, video])),
+        records: [],
+        unread: [],
+        dropped: project.dropped,
       };
     });
   }
@@ -96,13 +107,25 @@ export function videoKey(key: string) {
  * @param version of the history
  * @returns `unclean`: files whose place and date could not be taken out
  */
-export async function packedProject({ history, facts, videos }: Pick<Snapshot, 'history' | 'facts' | 'videos'>, blobs: ReadonlyMap<string, Blob>, version?: number): Promise<{ file: Blob, name: string, unclean: string[] }> {
-  const { json, paths } = projectJson(history, facts.map((fact) => ({ ...fact, type: blobs.get(fact.id)?.type ?? '' })), videos, version);
+export async function packedProject(
+  { history, facts, videos }: Pick<Snapshot, 'history' | 'facts' | 'videos'>,
+  blobs: ReadonlyMap<string, Blob>,
+  version?: number,
+): Promise<{ file: Blob; name: string; unclean: string[] }> {
+  const { json, paths } = projectJson(
+    history,
+    facts.map((fact) => ({ ...fact, type: blobs.get(fact.id)?.type ?? '' })),
+    videos,
+    version,
+  );
   const unclean: string[] = [];
   const entries = [];
   for (const [id, name] of paths) {
-    const { blob, clean } = await strippedOf((blobs.get(id) as Blob));
-    if (!clean) unclean.push(facts.find((fact) => fact.id === id)?.name ?? videos.find(({ key }) => videoKey(key) === id)?.name ?? name);
+    const { blob, clean } = await strippedOf(blobs.get(id) as Blob);
+    if (!clean)
+      unclean.push(
+        facts.find((fact) => fact.id === id)?.name ?? videos.find(({ key }) => videoKey(key) === id)?.name ?? name,
+      );
     entries.push({ name, blob });
   }
   const file = await archiveOf([{ name: 'project.json', blob: new Blob([json]) }, ...entries]);
@@ -119,7 +142,10 @@ export function fileNameOf(name: string) {
  * @param facts of the photos that are there
  * @returns `waiting`: the photos whose places are kept
  */
-function withoutLost(history: import('../../document/history.ts').History, facts: readonly Fact[]): { history: import('../../document/history.ts').History, waiting: string[] } {
+function withoutLost(
+  history: import('../../document/history.ts').History,
+  facts: readonly Fact[],
+): { history: import('../../document/history.ts').History; waiting: string[] } {
   const here = new Set(facts.map(({ id }) => id));
   const lost = [...photosOf(history)].filter((id) => !here.has(id));
   const shown = new Set(sheetsOf(history.present).flatMap(({ page }) => page.panels.map(({ photo }) => photo)));
@@ -127,9 +153,16 @@ function withoutLost(history: import('../../document/history.ts').History, facts
   const gone = new Set(lost.filter((id) => !waits.has(id)));
   if (gone.size === 0) return { history, waiting: [...waits] };
   const { present, shown: before, ...rest } = advance(history, { type: 'forget-photos', ids: [...gone] });
-  const without: <T extends { page: PageDocument }>(one: T) => T = (one) => ({ ...one, page: pageWithout(one.page, gone) });
+  const without: <T extends { page: PageDocument }>(one: T) => T = (one) => ({
+    ...one,
+    page: pageWithout(one.page, gone),
+  });
   const page = present.page && pageWithout(present.page, gone);
-  const whole = { ...rest, present: { ...present, page, others: present.others.map(without) }, shown: before.map(without) };
+  const whole = {
+    ...rest,
+    present: { ...present, page, others: present.others.map(without) },
+    shown: before.map(without),
+  };
   return { history: whole, waiting: [...waits] };
 }
 
@@ -148,10 +181,13 @@ async function readVideos({ videos }: FileProject, archive: Archive, watch: Hand
   const read = [];
   for (const { path, type, ...video } of videos) {
     // Without its video a frame is a photo like others.
-    const blob = await archive.get(path)?.read(watch).catch((error) => {
-      if (error.code !== 'damaged-project') throw error;
-      return null;
-    });
+    const blob = await archive
+      .get(path)
+      ?.read(watch)
+      .catch((error) => {
+        if (error.code !== 'damaged-project') throw error;
+        return null;
+      });
     if (blob) read.push({ ...video, file: new File([blob], video.name, { type }) });
   }
   return read;

@@ -16,11 +16,17 @@ import type { Likeness } from './identity.ts';
  * here, null where it need not be; `absent`: an empty frame stands for it.
  */
 export type FilePhoto = Pick<Fact, 'id' | 'name' | 'credit' | 'video' | 'time'> & {
-  path: string, type: string, subjects: any[] | null, measured: boolean, rank: number | null, like: Likeness | null, absent: boolean,
+  path: string;
+  type: string;
+  subjects: any[] | null;
+  measured: boolean;
+  rank: number | null;
+  like: Likeness | null;
+  absent: boolean;
 };
-export type FileVideo = Omit<Video, 'file'> & { path: string, type: string };
+export type FileVideo = Omit<Video, 'file'> & { path: string; type: string };
 /** `dropped`: what was left out, and why */
-export type FileProject = { history: KeptHistory, photos: FilePhoto[], videos: FileVideo[], dropped: string[] };
+export type FileProject = { history: KeptHistory; photos: FilePhoto[]; videos: FileVideo[]; dropped: string[] };
 
 const FORMAT = 'inkpanel';
 
@@ -30,7 +36,12 @@ const FORMAT = 'inkpanel';
  * @returns `paths`: where in the file each photo is, by its id, and each
  *   video, by `video` and its key
  */
-export function projectJson({ present, shown }: Pick<KeptHistory, 'present' | 'shown'>, facts: readonly (Fact & { type: string, like?: Likeness })[], videos: readonly Video[], version: number = VERSION): { json: string, paths: Map<string, string> } {
+export function projectJson(
+  { present, shown }: Pick<KeptHistory, 'present' | 'shown'>,
+  facts: readonly (Fact & { type: string; like?: Likeness })[],
+  videos: readonly Video[],
+  version: number = VERSION,
+): { json: string; paths: Map<string, string> } {
   const paths: Map<string, string> = new Map();
   const place = (id: string, folder: string, name: string) => {
     const path = `${folder}/${String(paths.size + 1).padStart(3, '0')}-${name.replaceAll(/[^\p{L}\p{N}._-]+/gu, '-').slice(-60)}`;
@@ -40,11 +51,24 @@ export function projectJson({ present, shown }: Pick<KeptHistory, 'present' | 's
   // When a photo was taken is nobody's business; which came first is enough for their order.
   const times = [...new Set(facts.flatMap(({ meta }) => meta?.taken ?? []))].sort();
   const photos = facts.map(({ id, name, credit, video, time, meta, measures, looked, type, absent, like }) => ({
-    id, name, credit, video, time, path: place(id, 'photos', name), type, measured: measures !== null,
+    id,
+    name,
+    credit,
+    video,
+    time,
+    path: place(id, 'photos', name),
+    type,
+    measured: measures !== null,
     subjects: absent ? absent.subjects : looked && meta ? meta.subjects : null,
-    rank: meta?.taken ? times.indexOf(meta.taken) : undefined, like: absent ? likenessOf(absent) : like && likenessOf(like), absent: absent ? true : undefined,
+    rank: meta?.taken ? times.indexOf(meta.taken) : undefined,
+    like: absent ? likenessOf(absent) : like && likenessOf(like),
+    absent: absent ? true : undefined,
   }));
-  const films = videos.map(({ file, ...video }) => ({ ...video, path: place(`video ${video.key}`, 'videos', video.name), type: file.type }));
+  const films = videos.map(({ file, ...video }) => ({
+    ...video,
+    path: place(`video ${video.key}`, 'videos', video.name),
+    type: file.type,
+  }));
   const history = { present, shown };
   return { json: JSON.stringify({ format: FORMAT, version, history, photos, videos: films }, null, 1), paths };
 }
@@ -79,5 +103,5 @@ export function renamed<T>(value: T, names: ReadonlyMap<string, string>): T {
     if (typeof part !== 'object' || part === null) return part;
     return Object.fromEntries(Object.entries(part).map(([key, item]) => [names.get(key) ?? key, change(item)]));
   };
-  return (change(value) as T);
+  return change(value) as T;
 }

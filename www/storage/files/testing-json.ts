@@ -9,7 +9,10 @@ const [QUOTE, BACKSLASH, COMMA] = ['"', '\\', ','].map((sign) => sign.charCodeAt
 const [LIST, LIST_END, OBJECT, OBJECT_END] = ['[', ']', '{', '}'].map((sign) => sign.charCodeAt(0));
 
 /** @returns what it says; throws a `SyntaxError`, or `too-large-project` where it is beyond `most` */
-export function parsedJson(text: string, most: { depth: number, values: number, items: number, string: number } = MOST): any {
+export function parsedJson(
+  text: string,
+  most: { depth: number; values: number; items: number; string: number } = MOST,
+): any {
   let values = 0;
   /** How much there is in each of the lists and objects that are open. */
   const open: number[] = [];

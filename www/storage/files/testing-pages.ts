@@ -10,13 +10,18 @@ export type Tab = Awaited<ReturnType<ReturnType<typeof fakeBrowser>['tab']>>;
 export const CROP = { x: 0.1, y: 0.2, width: 0.5, height: 0.25 };
 
 /** A PNG without pixels: nobody looks at them here. */
-export const bare = async () => pngOf([await chunkOf('IHDR', new Uint8Array(13)), await chunkOf('IDAT', new Uint8Array(9)), await chunkOf('IEND', new Uint8Array(0))]);
+export const bare = async () =>
+  pngOf([
+    await chunkOf('IHDR', new Uint8Array(13)),
+    await chunkOf('IDAT', new Uint8Array(9)),
+    await chunkOf('IEND', new Uint8Array(0)),
+  ]);
 
 /** A browser with a page of three photos, cropped by hand. */
 export async function tripTab(): Promise<Tab> {
   const tab = await fakeBrowser().tab();
   await tab.add('a.jpg', 'b.jpg', 'c.jpg');
-  const page = (tab.store.page.value as any);
+  const page = tab.store.page.value as any;
   const panels = page.panels.map((panel: any) => ({ ...panel, crop: CROP, edited: true }));
   tab.store.change({ type: 'change-page', page: { ...page, panels, words: [{ kind: 'caption', text: 'Meanwhile' }] } });
   tab.store.change({ type: 'rename', name: 'Trip' });
@@ -25,7 +30,7 @@ export async function tripTab(): Promise<Tab> {
 }
 
 export async function downloaded(tab: Tab, what: Cargo): Promise<File> {
-  const page = (tab.store.page.value as any);
+  const page = tab.store.page.value as any;
   const { png } = await tab.keeping.pageFiles.carrying(await bare(), page, what);
   return new File([png], 'page.png', { type: 'image/png' });
 }
@@ -33,7 +38,7 @@ export async function downloaded(tab: Tab, what: Cargo): Promise<File> {
 /** What the page does with files. */
 export async function dropped(tab: Tab, ...files: File[]) {
   const page = await tab.keeping.pageFiles.among(files);
-  const opened = page !== null && await tab.keeping.pageFiles.open(page);
+  const opened = page !== null && (await tab.keeping.pageFiles.open(page));
   const rest = await tab.keeping.absentPhotos.fill(files.filter((file) => file !== page?.file));
   await tab.keeping.flush();
   return { opened, rest };
@@ -42,11 +47,12 @@ export async function dropped(tab: Tab, ...files: File[]) {
 /** @returns what it tells of its project */
 export async function textIn(file: Blob): Promise<string> {
   const chunk = (await chunksOf(file))?.find(({ type }) => type === 'iTXt');
-  const head = chunk && await textHead(file.slice(chunk.at, chunk.at + chunk.length));
-  return head ? (await textOf(head, 1 << 22) as string) : '';
+  const head = chunk && (await textHead(file.slice(chunk.at, chunk.at + chunk.length)));
+  return head ? ((await textOf(head, 1 << 22)) as string) : '';
 }
 
 /** The names of the photos in the panels. */
-export const inPanels = (tab: Tab) => tab.store.page.value?.panels.map(({ photo }) => tab.store.album.value.get(photo ?? '')?.name);
+export const inPanels = (tab: Tab) =>
+  tab.store.page.value?.panels.map(({ photo }) => tab.store.album.value.get(photo ?? '')?.name);
 export const alerts = (tab: Tab) => tab.messages.list.value.filter(({ kind }) => kind === 'alert' || kind === 'grave');
 export const bytesOf = async (blob: Blob) => new Uint8Array(await blob.arrayBuffer());

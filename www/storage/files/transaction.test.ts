@@ -15,11 +15,12 @@ beforeEach(async () => {
   vi.mocked(saveFile).mockClear();
   tab = await fakeBrowser().tab();
   const { planner } = tab.store;
-  const { choose } = (planner.peek() as any);
+  const { choose } = planner.peek() as any;
   // The core takes whole numbers only.
-  Object.assign((planner.peek() as any), {
+  Object.assign(planner.peek() as any, {
     choose: (photos: any[], threshold: number) => {
-      if (!Number.isInteger(threshold)) throw Object.assign(new Error('threshold: is no whole number'), { code: 'invalid-request' });
+      if (!Number.isInteger(threshold))
+        throw Object.assign(new Error('threshold: is no whole number'), { code: 'invalid-request' });
       return choose(photos, threshold);
     },
   });
@@ -35,13 +36,15 @@ beforeEach(async () => {
 /** The file with another document. */
 async function changed(change: (present: any) => void) {
   const found = await readArchive(file);
-  const entries = await Promise.all([...found.values()].map(async ({ name, read }) => {
-    const blob = await read();
-    if (name !== 'project.json') return { name, blob };
-    const json = JSON.parse(await blob.text());
-    change(json.history.present);
-    return { name, blob: new Blob([JSON.stringify(json)]) };
-  }));
+  const entries = await Promise.all(
+    [...found.values()].map(async ({ name, read }) => {
+      const blob = await read();
+      if (name !== 'project.json') return { name, blob };
+      const json = JSON.parse(await blob.text());
+      change(json.history.present);
+      return { name, blob: new Blob([JSON.stringify(json)]) };
+    }),
+  );
   return new File([await archiveOf(entries)], 'other.inkpanel');
 }
 
@@ -54,8 +57,16 @@ async function everything() {
   const { store, keeping, photos: engine } = tab;
   const album = [...store.album.value.keys()];
   return structuredClone({
-    document: documentOf(tab), album, engine: album.map(engine.has), place: keeping.current.value, status: keeping.status.value, safe: keeping.isSafe(),
-    projects, states, facts, photos,
+    document: documentOf(tab),
+    album,
+    engine: album.map(engine.has),
+    place: keeping.current.value,
+    status: keeping.status.value,
+    safe: keeping.isSafe(),
+    projects,
+    states,
+    facts,
+    photos,
   });
 }
 
@@ -67,7 +78,11 @@ describe('a project that fails to open', () => {
   it('for a number that the core does not take leaves all as it was, in the database too', async () => {
     watch();
     const before = await everything();
-    await tab.keeping.files.open(await changed((present) => { present.alike = 10.5; }));
+    await tab.keeping.files.open(
+      await changed((present) => {
+        present.alike = 10.5;
+      }),
+    );
     await tab.keeping.flush();
     expect(alerts()).toEqual([expect.stringContaining('other.inkpanel could not be opened')]);
     expect(await everything()).toEqual(before);
@@ -81,7 +96,11 @@ describe('a project that fails to open', () => {
       shown += 1;
       throw new Error('a view that cannot draw it');
     });
-    await tab.keeping.files.open(await changed((present) => { present.name = 'Trap'; }));
+    await tab.keeping.files.open(
+      await changed((present) => {
+        present.name = 'Trap';
+      }),
+    );
     await tab.keeping.flush();
     expect([shown, alerts().length]).toEqual([1, 1]);
     expect(await everything()).toEqual(before);
@@ -96,7 +115,11 @@ describe('a project that fails to open', () => {
   it('while what is open is not saved yet leaves that to be saved', async () => {
     watch();
     tab.store.change({ type: 'rename', name: 'Later' });
-    await tab.keeping.files.open(await changed((present) => { present.alike = 10.5; }));
+    await tab.keeping.files.open(
+      await changed((present) => {
+        present.alike = 10.5;
+      }),
+    );
     await tab.keeping.flush();
     expect((await everything()).projects.map(({ name }) => name)).toEqual(['Later']);
   });
@@ -105,7 +128,11 @@ describe('a project that fails to open', () => {
     watch();
     const held = [...tab.store.album.value.keys()];
     const added = vi.spyOn(tab.photos, 'add');
-    await tab.keeping.files.open(await changed((present) => { present.alike = 10.5; }));
+    await tab.keeping.files.open(
+      await changed((present) => {
+        present.alike = 10.5;
+      }),
+    );
     expect(held.every(tab.photos.has)).toBe(true);
     expect(added.mock.calls.some(([id]) => tab.photos.has(id))).toBe(false);
   });
@@ -113,15 +140,23 @@ describe('a project that fails to open', () => {
 
 describe('a save', () => {
   it('goes to the place that its history belongs to, whatever comes onto the page while it is on its way', async () => {
-    const put = vi.spyOn((IDBObjectStore.prototype as any), 'put');
+    const put = vi.spyOn(IDBObjectStore.prototype as any, 'put');
     tab.store.change({ type: 'rename', name: 'First' });
     const saving = tab.keeping.flush();
     const first = tab.keeping.current.value;
-    tab.store.load({ history: tab.store.history.value, album: new Map(), videos: new Map(), place: { id: 'second', created: 0, stamp: '' } });
+    tab.store.load({
+      history: tab.store.history.value,
+      album: new Map(),
+      videos: new Map(),
+      place: { id: 'second', created: 0, stamp: '' },
+    });
     await saving;
     await tab.keeping.flush();
     const written = put.mock.calls.map(([record]) => record).filter((record: any) => record.history);
-    expect(written.map(({ id, facts }: any) => [id, facts.length])).toEqual([[first, 2], ['second', 0]]);
+    expect(written.map(({ id, facts }: any) => [id, facts.length])).toEqual([
+      [first, 2],
+      ['second', 0],
+    ]);
     put.mockRestore();
   });
 });

@@ -1,7 +1,7 @@
 /** Names that the core and the data files bring along. They are English there, so here they pass as they are. */
 
-export type Block = { id: string, label: string, help: string };
-export type Parameter = { id: string, label: string, help?: string };
+export type Block = { id: string; label: string; help: string };
+export type Parameter = { id: string; label: string; help?: string };
 
 const asName = (id: string) => id.charAt(0).toUpperCase() + id.slice(1).replaceAll(/[-_]/g, ' ');
 
@@ -18,6 +18,6 @@ export const coreStrings = {
   choiceName: (id: string) => asName(id),
   /** Why a photo is kept or set aside. */
   verdict: (why: string) => why,
-  layoutTitle: (layout: { id: string, name: string }) => layout.name,
-  styleTitle: (style: { id: string, name: string }) => style.name,
+  layoutTitle: (layout: { id: string; name: string }) => layout.name,
+  styleTitle: (style: { id: string; name: string }) => style.name,
 };

@@ -1,17 +1,33 @@
 /** Words that describe what is on the page to who does not see it, and the page's language. */
 
 /** How many of a kind of thing. */
-export type Seen = { label: string, count: number };
+export type Seen = { label: string; count: number };
 
 /** Many of what takes more than an s. */
 const MANY: Record<string, string> = {
-  person: 'people', bus: 'buses', 'stop sign': 'stop signs', bench: 'benches', sheep: 'sheep', skis: 'pairs of skis', 'wine glass': 'wine glasses',
-  knife: 'knives', sandwich: 'sandwiches', broccoli: 'heads of broccoli', couch: 'couches', mouse: 'computer mice', toothbrush: 'toothbrushes',
+  person: 'people',
+  bus: 'buses',
+  'stop sign': 'stop signs',
+  bench: 'benches',
+  sheep: 'sheep',
+  skis: 'pairs of skis',
+  'wine glass': 'wine glasses',
+  knife: 'knives',
+  sandwich: 'sandwiches',
+  broccoli: 'heads of broccoli',
+  couch: 'couches',
+  mouse: 'computer mice',
+  toothbrush: 'toothbrushes',
   scissors: 'pairs of scissors',
 };
 /** One of what takes more than an article. */
 const ONE: Record<string, string> = {
-  skis: 'a pair of skis', scissors: 'a pair of scissors', broccoli: 'broccoli', mouse: 'a computer mouse', tv: 'a television', remote: 'a remote control',
+  skis: 'a pair of skis',
+  scissors: 'a pair of scissors',
+  broccoli: 'broccoli',
+  mouse: 'a computer mouse',
+  tv: 'a television',
+  remote: 'a remote control',
 };
 const NUMBERS = ['', '', 'two', 'three', 'four', 'five', 'six', 'seven', 'eight', 'nine', 'ten', 'eleven', 'twelve'];
 
@@ -25,10 +41,12 @@ const list = new Intl.ListFormat('en');
 export const describingStrings = {
   /** @param things `two people and a dog`; empty for nothing */
   seen: (things: readonly Seen[]) => list.format(things.map(several)),
-  pageHolds: (panels: number, layout: string, style: string) => `${panels === 1 ? 'One panel' : `${panels} panels`}, layout ${layout}, style ${style}`,
+  pageHolds: (panels: number, layout: string, style: string) =>
+    `${panels === 1 ? 'One panel' : `${panels} panels`}, layout ${layout}, style ${style}`,
   panelHolds: (n: number, what: string) => `Panel ${n}: ${what}.`,
   /** The beginning of a text that stands for the page elsewhere. */
-  pageAs: (panels: number, style: string) => `A storyboard page of ${panels === 1 ? 'one panel' : `${panels} panels`} in the style ${style}.`,
+  pageAs: (panels: number, style: string) =>
+    `A storyboard page of ${panels === 1 ? 'one panel' : `${panels} panels`} in the style ${style}.`,
   wordSays: (kind: string, text: string) => `${kind}: “${text}”.`,
   somePhoto: 'a photo',
   emptyPanel: 'empty',
@@ -42,5 +60,6 @@ export const describingStrings = {
 
   language: 'Language',
   languageHelp: 'The page loads again in that language. Your work is saved first.',
-  languageLater: (name: string) => `${name} is for the next visit: your work is not saved, so the page was not loaded again.`,
+  languageLater: (name: string) =>
+    `${name} is for the next visit: your work is not saved, so the page was not loaded again.`,
 };

@@ -6,7 +6,10 @@ export const designerStrings = {
   backToPage: 'Back to the page',
   styleDesigner: 'Style designer',
   untitledStyle: 'Untitled style',
-  copyOf: (name: string) => (/ copy( \d+)?$/.test(name) ? name.replace(/ copy( (\d+))?$/, (_, __, n) => ` copy ${Number(n ?? 1) + 1}`) : `${name} copy`),
+  copyOf: (name: string) =>
+    / copy( \d+)?$/.test(name)
+      ? name.replace(/ copy( (\d+))?$/, (_, __, n) => ` copy ${Number(n ?? 1) + 1}`)
+      : `${name} copy`,
 
   startFrom: 'Start from',
   startFromWhat: 'Start from…',
@@ -29,7 +32,10 @@ export const designerStrings = {
   designedStyles: 'Designed styles',
 
   layerName: { background: 'Background layer', foreground: 'Foreground layer' },
-  layerHelp: { background: 'The colours, from top to bottom.', foreground: 'The lines: what is dark here is drawn in ink over the colours.' },
+  layerHelp: {
+    background: 'The colours, from top to bottom.',
+    foreground: 'The lines: what is dark here is drawn in ink over the colours.',
+  },
   emptyLayer: { background: 'Nothing yet: the photo as it is.', foreground: 'Nothing yet: no lines.' },
   ink: 'Ink colour',
   addBlock: 'Add block',
@@ -51,7 +57,10 @@ export const designerStrings = {
   defaultIs: (value: string) => `Usually ${value}`,
   milliseconds: (ms: number) => `${ms < 10 ? ms.toFixed(1) : Math.round(ms)} ms`,
   totalTime: (ms: number) => `${ms < 10 ? ms.toFixed(1) : Math.round(ms)} ms in all`,
-  lacks: { luma: 'Needs gray, and gets colour here. It is left out until then.', color: 'Needs colour, and gets gray here. It is left out until then.' },
+  lacks: {
+    luma: 'Needs gray, and gets colour here. It is left out until then.',
+    color: 'Needs colour, and gets gray here. It is left out until then.',
+  },
   fix: { luma: 'Put To GrayScale before it', color: 'Put To Color before it' },
   brings: { luma: 'needs gray: brings To GrayScale', color: 'needs colour: brings To Color' },
 
@@ -66,7 +75,8 @@ export const designerStrings = {
   styleDeleted: (name: string) => `${name} was deleted. Undo brings it back.`,
   styleKept: (name: string) => `${name} is in My styles. Add photos to see it.`,
   styleTooLong: (name: string) => `style ${name}: file: is longer than 256 KB`,
-  stylesNotKept: 'The storage of this browser is full or refused, so your styles and layouts last as long as this page. Export what you want to keep.',
+  stylesNotKept:
+    'The storage of this browser is full or refused, so your styles and layouts last as long as this page. Export what you want to keep.',
   linkedStyle: 'style of the link',
   linkCopied: 'The link is in the clipboard.',
   linkNotCopied: (link: string) => `The clipboard cannot be used here. The link is: ${link}`,
@@ -83,7 +93,14 @@ export const designerStrings = {
   clearWall: 'Clear',
   firstSeed: 'Seed',
   looks: 'Kind of look',
-  lookName: { all: 'All looks', line: 'Line', flat: 'Flat colour', gray: 'Gray', wild: 'Wild', favourites: 'Favourites' },
+  lookName: {
+    all: 'All looks',
+    line: 'Line',
+    flat: 'Flat colour',
+    gray: 'Gray',
+    wild: 'Wild',
+    favourites: 'Favourites',
+  },
   surpriseDial: 'Surprise',
   inventedCount: (shown: number, all: number) => (shown === all ? `${all}` : `${shown} of ${all}`),
   dropped: (n: number) => `${n} alike or empty left out`,

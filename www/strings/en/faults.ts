@@ -6,12 +6,14 @@ export const faultStrings = {
   showList: 'Show the list',
   moreFiles: (n: number) => `and ${n} more`,
   /** Reasons in the page's words where it knows better than the core, by error code. */
-  reasons: ({
+  reasons: {
     'worker-lost': 'reading it stopped the program twice, so it was left out.',
     'unreadable-file': 'the file was moved, changed or deleted since you chose it.',
-  }) as Record<string, string>,
-  tooManyPhotos: (n: number, most: number) => `${n === 1 ? '1 file was' : `${n} files were`} left out: a project holds ${most.toLocaleString('en')} photos.`,
-  noUsablePhoto: 'None of these files could be used. Choose JPEG, PNG, WebP, AVIF, GIF, BMP or TIFF photos, or a video.',
+  } as Record<string, string>,
+  tooManyPhotos: (n: number, most: number) =>
+    `${n === 1 ? '1 file was' : `${n} files were`} left out: a project holds ${most.toLocaleString('en')} photos.`,
+  noUsablePhoto:
+    'None of these files could be used. Choose JPEG, PNG, WebP, AVIF, GIF, BMP or TIFF photos, or a video.',
   noSamples: 'The sample album could not be loaded. Check the connection and try again.',
   noPhotosInUse: 'No photo is in use. Tick one in Photos to get a page.',
   panelFailed: (why: string) => `A panel could not be drawn: ${why}`,

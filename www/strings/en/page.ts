@@ -11,8 +11,15 @@ export const pageStrings = {
   borderColor: 'Border colour',
   percent: (value: number) => `${value.toFixed(1)} %`,
   size: {
-    a4: 'A4', 'a4-landscape': 'A4 landscape', letter: 'Letter', square: 'Square', wide: 'Screen 16:9', story: 'Story 9:16',
-    portrait: 'Portrait 4:5', webtoon: 'Webtoon', custom: 'Custom',
+    a4: 'A4',
+    'a4-landscape': 'A4 landscape',
+    letter: 'Letter',
+    square: 'Square',
+    wide: 'Screen 16:9',
+    story: 'Story 9:16',
+    portrait: 'Portrait 4:5',
+    webtoon: 'Webtoon',
+    custom: 'Custom',
   },
 
   customSize: { width: 'Width', height: 'Height', dpi: 'Dots an inch', unit: 'Unit' },

@@ -19,7 +19,9 @@ export const panelStrings = {
   splitRows: 'Split into rows',
   splitColumns: 'Split into columns',
   removePanel: 'Remove panel',
-  notRemoved: ((editable) => (editable ? 'it is the only one' : 'this layout has no cuts')) as (editable: boolean) => string,
+  notRemoved: ((editable) => (editable ? 'it is the only one' : 'this layout has no cuts')) as (
+    editable: boolean,
+  ) => string,
   noCuts: 'this layout has no cuts',
   doneEditing: 'Done',
   zoomIn: 'Zoom in',
@@ -41,9 +43,8 @@ export const panelStrings = {
   },
   cuts: 'Cuts of the layout',
   cut: (n: number, of: number) => `Cut ${n} of ${of}`,
-  cutAt: (at: number, slant: number) => (
-    Math.abs(slant) < 0.5 ? `${Math.round(at)} %` : `${Math.round(at)} %, slanted by ${Math.round(slant)} %`
-  ),
+  cutAt: (at: number, slant: number) =>
+    Math.abs(slant) < 0.5 ? `${Math.round(at)} %` : `${Math.round(at)} %, slanted by ${Math.round(slant)} %`,
   selectCut: 'select a cut',
   cutBack: 'Move cut back',
   cutForth: 'Move cut forth',

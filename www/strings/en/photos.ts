@@ -10,9 +10,14 @@ export const photoStrings = {
   setAside: 'Set aside',
   choice: 'Choice of photos',
   alike: 'Set aside look-alikes',
-  alikeValue: (bits: number) => (
-    bits < 7 ? `${bits}, nearly identical` : bits < 11 ? `${bits}, the same picture` : bits < 14 ? `${bits}, much alike` : `${bits}, somewhat alike`
-  ),
+  alikeValue: (bits: number) =>
+    bits < 7
+      ? `${bits}, nearly identical`
+      : bits < 11
+        ? `${bits}, the same picture`
+        : bits < 14
+          ? `${bits}, much alike`
+          : `${bits}, somewhat alike`,
   alikeKept: (kept: number, all: number) => `${kept} of ${all} kept`,
   order: 'Order',
   orders: { time: 'By time taken', name: 'By file name' },
@@ -20,7 +25,8 @@ export const photoStrings = {
   openStack: (count: number, name: string) => `Show the ${count} photos like ${name}`,
   take: 'Take',
   takeInstead: (name: string) => `Take ${name} instead`,
-  credit: ({ title, author, licence }: { title: string, author: string, licence: string }) => `${title}, by ${author} (${licence})`,
+  credit: ({ title, author, licence }: { title: string; author: string; licence: string }) =>
+    `${title}, by ${author} (${licence})`,
   photoCount: (used: number, all: number) => (used === all ? `${all}` : `${used} of ${all}`),
   reading: (done: number, total: number) => `Reading photos, ${done} of ${total}`,
   cancelReading: 'Stop reading',

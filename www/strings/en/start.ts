@@ -8,7 +8,8 @@ export const startStrings = {
   trySamples: 'Try the sample album',
   privacy: 'Nothing leaves this device.',
   dropHere: 'Drop to add your photos',
-  framed: 'Another site shows Inkpanel inside its own page. There it does not work, so that nobody can make you press what you do not see.',
+  framed:
+    'Another site shows Inkpanel inside its own page. There it does not work, so that nobody can make you press what you do not see.',
   openInTab: 'Open Inkpanel in a tab of its own',
   starting: 'Getting the ink ready',
 };

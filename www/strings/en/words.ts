@@ -51,7 +51,10 @@ export const wordStrings = {
   subtitlesNoFrames: 'there is no frame of a video on the page. Add the video first, then its subtitles.',
   subtitlesNoMatch: 'nothing is said at the times of the frames on the page.',
   subtitlesLeft: (n: number, of: number) => `${of} subtitles were read; ${n} more are too many and were left out.`,
-  subtitlesCut: (n: number) => (n === 1 ? 'a subtitle is too long, so its end was left out.' : `${n} subtitles are too long, so their ends were left out.`),
+  subtitlesCut: (n: number) =>
+    n === 1
+      ? 'a subtitle is too long, so its end was left out.'
+      : `${n} subtitles are too long, so their ends were left out.`,
   subtitleErrors: {
     empty: 'there are no subtitles in it.',
     binary: 'it is not text in UTF-8 or UTF-16.',

@@ -4,7 +4,10 @@ export const designerStrings = {
   backToPage: 'Volver a la página',
   styleDesigner: 'Diseñador de estilos',
   untitledStyle: 'Estilo sin título',
-  copyOf: (name: string) => (/ copia( \d+)?$/.test(name) ? name.replace(/ copia( (\d+))?$/, (_, __, n) => ` copia ${Number(n ?? 1) + 1}`) : `${name} copia`),
+  copyOf: (name: string) =>
+    / copia( \d+)?$/.test(name)
+      ? name.replace(/ copia( (\d+))?$/, (_, __, n) => ` copia ${Number(n ?? 1) + 1}`)
+      : `${name} copia`,
 
   startFrom: 'Partir de',
   startFromWhat: 'Partir de…',
@@ -27,7 +30,10 @@ export const designerStrings = {
   designedStyles: 'Estilos diseñados',
 
   layerName: { background: 'Capa de fondo', foreground: 'Capa de líneas' },
-  layerHelp: { background: 'Los colores, de arriba abajo.', foreground: 'Las líneas: lo oscuro de aquí se dibuja con tinta sobre los colores.' },
+  layerHelp: {
+    background: 'Los colores, de arriba abajo.',
+    foreground: 'Las líneas: lo oscuro de aquí se dibuja con tinta sobre los colores.',
+  },
   emptyLayer: { background: 'Nada aún: la foto como es.', foreground: 'Nada aún: sin líneas.' },
   ink: 'Color de la tinta',
   addBlock: 'Añadir bloque',
@@ -49,7 +55,10 @@ export const designerStrings = {
   defaultIs: (value: string) => `Normalmente ${value}`,
   milliseconds: (ms: number) => `${ms < 10 ? ms.toFixed(1).replace('.', ',') : Math.round(ms)} ms`,
   totalTime: (ms: number) => `${ms < 10 ? ms.toFixed(1).replace('.', ',') : Math.round(ms)} ms en total`,
-  lacks: { luma: 'Necesita gris y aquí le llega color. Hasta entonces se omite.', color: 'Necesita color y aquí le llega gris. Hasta entonces se omite.' },
+  lacks: {
+    luma: 'Necesita gris y aquí le llega color. Hasta entonces se omite.',
+    color: 'Necesita color y aquí le llega gris. Hasta entonces se omite.',
+  },
   fix: { luma: 'Poner antes A escala de grises', color: 'Poner antes A color' },
   brings: { luma: 'necesita gris: trae A escala de grises', color: 'necesita color: trae A color' },
 
@@ -64,7 +73,8 @@ export const designerStrings = {
   styleDeleted: (name: string) => `${name} se ha borrado. Deshacer lo recupera.`,
   styleKept: (name: string) => `${name} está en Mis estilos. Añade fotos para verlo.`,
   styleTooLong: (name: string) => `estilo ${name}: el archivo pasa de 256 KB`,
-  stylesNotKept: 'El almacenamiento de este navegador está lleno o no se permite, así que tus estilos y plantillas duran lo que esta página. Exporta lo que quieras conservar.',
+  stylesNotKept:
+    'El almacenamiento de este navegador está lleno o no se permite, así que tus estilos y plantillas duran lo que esta página. Exporta lo que quieras conservar.',
   linkedStyle: 'estilo del enlace',
   linkCopied: 'El enlace está en el portapapeles.',
   linkNotCopied: (link: string) => `Aquí no se puede usar el portapapeles. El enlace es: ${link}`,
@@ -81,7 +91,14 @@ export const designerStrings = {
   clearWall: 'Vaciar',
   firstSeed: 'Semilla',
   looks: 'Tipo de aspecto',
-  lookName: { all: 'Todos los aspectos', line: 'Línea', flat: 'Color plano', gray: 'Gris', wild: 'Salvaje', favourites: 'Favoritos' },
+  lookName: {
+    all: 'Todos los aspectos',
+    line: 'Línea',
+    flat: 'Color plano',
+    gray: 'Gris',
+    wild: 'Salvaje',
+    favourites: 'Favoritos',
+  },
   surpriseDial: 'Sorpresa',
   inventedCount: (shown: number, all: number) => (shown === all ? `${all}` : `${shown} de ${all}`),
   dropped: (n: number) => `${n} parecidos o vacíos omitidos`,

@@ -8,27 +8,29 @@ const TROUBLE: Record<string, string> = {
 export const keepingStrings = {
   // Saving
   saveState: {
-    empty: '', saving: 'Guardando…', saved: 'Guardado', missing: 'Guardado en parte', full: 'Sin guardar', refused: 'Sin guardar', failed: 'Sin guardar',
+    empty: '',
+    saving: 'Guardando…',
+    saved: 'Guardado',
+    missing: 'Guardado en parte',
+    full: 'Sin guardar',
+    refused: 'Sin guardar',
+    failed: 'Sin guardar',
   },
   savingCount: (done: number, total: number) => `Guardando ${done} de ${total}`,
   saveHelp: 'El trabajo se guarda en este navegador, en este dispositivo',
-  notSaved: (why: string, message: string) => (
-    `Tu trabajo no está guardado: ${TROUBLE[why] ?? message.replace(/\.$/, '')}. Todo sigue aquí mientras esta página esté abierta.`
-  ),
-  photosUnreadable: (names: readonly string[]) => (
-    `${some(names)}: ${names.length === 1 ? 'sin guardar, su archivo ya no se puede leer' : 'sin guardar, sus archivos ya no se pueden leer'}. Todo lo demás está guardado.`
-  ),
+  notSaved: (why: string, message: string) =>
+    `Tu trabajo no está guardado: ${TROUBLE[why] ?? message.replace(/\.$/, '')}. Todo sigue aquí mientras esta página esté abierta.`,
+  photosUnreadable: (names: readonly string[]) =>
+    `${some(names)}: ${names.length === 1 ? 'sin guardar, su archivo ya no se puede leer' : 'sin guardar, sus archivos ya no se pueden leer'}. Todo lo demás está guardado.`,
   photosNotHere: (names: readonly string[], of: number) => {
     const one = names.length === 1;
     const which = names.length < of ? `${names.length} de ${of} fotos` : one ? 'La foto' : `Las ${of} fotos`;
     return `${which} no ${one ? 'está' : 'están'} en este navegador: ${some(names)}. ${one ? 'Elígela o suéltala' : 'Elígelas o suéltalas'} aquí: cada una vuelve a su sitio.`;
   },
-  filmsNotHere: (names: readonly string[]) => (
-    `${some(names)}: ya no ${names.length === 1 ? 'está' : 'están'} en este navegador. Sus fotogramas sí; para tomar otros, añade la película otra vez.`
-  ),
-  photosNeverSaved: (names: readonly string[]) => (
-    `La página se cerró antes de guardar ${some(names)}. ${names.length === 1 ? 'Elígela' : 'Elígelas'} otra vez.`
-  ),
+  filmsNotHere: (names: readonly string[]) =>
+    `${some(names)}: ya no ${names.length === 1 ? 'está' : 'están'} en este navegador. Sus fotogramas sí; para tomar otros, añade la película otra vez.`,
+  photosNeverSaved: (names: readonly string[]) =>
+    `La página se cerró antes de guardar ${some(names)}. ${names.length === 1 ? 'Elígela' : 'Elígelas'} otra vez.`,
   saveAgain: 'Guardar otra vez',
   goOnWithout: 'Seguir sin eso',
   saveToFile: 'Guardar en un archivo',
@@ -46,35 +48,41 @@ export const keepingStrings = {
   duplicateNamed: (name: string) => `Duplicar ${name}`,
   deleteNamed: (name: string) => `Borrar ${name}`,
   openNow: 'Abierto ahora',
-  projectAbout: (photos: number, when: string) => `${photos === 1 ? '1 foto' : `${photos} fotos`}${when && `, ${when}`}`,
+  projectAbout: (photos: number, when: string) =>
+    `${photos === 1 ? '1 foto' : `${photos} fotos`}${when && `, ${when}`}`,
   noProjects: 'Lo que hagas se guarda aquí por sí solo.',
   projectDeleted: (name: string) => `${name} se ha borrado.`,
   bringBack: 'Recuperarlo',
   projectNotOpened: (why: string) => `No se pudo abrir el proyecto: ${why}`,
   projectFileNotOpened: (name: string, why: string) => `No se pudo abrir ${name}: ${why}`,
   projectNotSaved: (why: string) => `No se pudo guardar el proyecto como archivo: ${why}`,
-  projectReasons: ({
+  projectReasons: {
     'damaged-project': 'está dañado o no es un proyecto de Inkpanel. Lo que hay en la página no se ha tocado.',
-    'too-large-project': 'contiene más de lo que cabe en un proyecto, o se descomprime en más. Lo que hay en la página no se ha tocado.',
-    'silent-project': 'no se pudo leer nada de él durante un minuto. Comprueba el disco en el que está e inténtalo otra vez.',
+    'too-large-project':
+      'contiene más de lo que cabe en un proyecto, o se descomprime en más. Lo que hay en la página no se ha tocado.',
+    'silent-project':
+      'no se pudo leer nada de él durante un minuto. Comprueba el disco en el que está e inténtalo otra vez.',
     'newer-project': 'se hizo con un Inkpanel más nuevo. Carga otra vez esta página para tener el último.',
     'not-saved': 'lo que hay en la página no está guardado. Guárdalo primero en un archivo (Guardar proyecto).',
     'missing-project': 'se borró.',
     'no-storage': 'este navegador no guarda nada de las páginas de aquí.',
     'too-large': 'el archivo pasaría de 4 GB.',
-  }) as Record<string, string>,
-  projectsOpened: (others: readonly string[], shown: string) => (
-    `Se han abierto ${others.length + 1} proyectos, cada uno por separado. ${shown} está en la página; ${others.length === 1 ? `${others[0]} está` : `otros ${others.length} están`} en Proyectos.`
-  ),
-  photosWithProject: (n: number, name: string) => (n === 1 ? `La foto que venía con él se ha añadido a ${name}.` : `Las ${n} fotos que venían con él se han añadido a ${name}.`),
+  } as Record<string, string>,
+  projectsOpened: (others: readonly string[], shown: string) =>
+    `Se han abierto ${others.length + 1} proyectos, cada uno por separado. ${shown} está en la página; ${others.length === 1 ? `${others[0]} está` : `otros ${others.length} están`} en Proyectos.`,
+  photosWithProject: (n: number, name: string) =>
+    n === 1
+      ? `La foto que venía con él se ha añadido a ${name}.`
+      : `Las ${n} fotos que venían con él se han añadido a ${name}.`,
   projectBroken: (name: string, why: string) => `No se puede mostrar ${name}: ${why}.`,
-  brokenReasons: ({
+  brokenReasons: {
     'damaged-project': 'una parte está dañada',
     'newer-project': 'se hizo con un Inkpanel más nuevo. Carga otra vez esta página para tener el último',
-  }) as Record<string, string>,
+  } as Record<string, string>,
   brokenOtherwise: 'una parte no se puede dibujar',
   brokenKept: 'Se conserva tal como está, con sus fotos.',
-  partsLeftOut: (name: string, n: number) => `${name} está abierto sin ${n === 1 ? 'una parte que no se pudo leer' : `${n} partes que no se pudieron leer`}.`,
+  partsLeftOut: (name: string, n: number) =>
+    `${name} está abierto sin ${n === 1 ? 'una parte que no se pudo leer' : `${n} partes que no se pudieron leer`}.`,
   openAnother: 'Abrir otro',
   saveAsFile: 'Guardar como archivo',
   goBack: 'Volver al último estado bueno',

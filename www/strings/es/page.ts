@@ -9,8 +9,15 @@ export const pageStrings = {
   borderColor: 'Color del borde',
   percent: (value: number) => `${value.toFixed(1).replace('.', ',')} %`,
   size: {
-    a4: 'A4', 'a4-landscape': 'A4 apaisado', letter: 'Carta', square: 'Cuadrado', wide: 'Pantalla 16:9', story: 'Historia 9:16',
-    portrait: 'Retrato 4:5', webtoon: 'Webtoon', custom: 'A medida',
+    a4: 'A4',
+    'a4-landscape': 'A4 apaisado',
+    letter: 'Carta',
+    square: 'Cuadrado',
+    wide: 'Pantalla 16:9',
+    story: 'Historia 9:16',
+    portrait: 'Retrato 4:5',
+    webtoon: 'Webtoon',
+    custom: 'A medida',
   },
 
   customSize: { width: 'Ancho', height: 'Alto', dpi: 'Puntos por pulgada', unit: 'Unidad' },

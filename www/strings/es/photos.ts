@@ -8,9 +8,14 @@ export const photoStrings = {
   setAside: 'Apartadas',
   choice: 'Selección de fotos',
   alike: 'Apartar las parecidas',
-  alikeValue: (bits: number) => (
-    bits < 7 ? `${bits}, casi idénticas` : bits < 11 ? `${bits}, la misma imagen` : bits < 14 ? `${bits}, muy parecidas` : `${bits}, algo parecidas`
-  ),
+  alikeValue: (bits: number) =>
+    bits < 7
+      ? `${bits}, casi idénticas`
+      : bits < 11
+        ? `${bits}, la misma imagen`
+        : bits < 14
+          ? `${bits}, muy parecidas`
+          : `${bits}, algo parecidas`,
   alikeKept: (kept: number, all: number) => `Quedan ${kept} de ${all}`,
   order: 'Orden',
   orders: { time: 'Por fecha de la toma', name: 'Por nombre de archivo' },
@@ -18,7 +23,8 @@ export const photoStrings = {
   openStack: (count: number, name: string) => `Mostrar las ${count} fotos parecidas a ${name}`,
   take: 'Tomar',
   takeInstead: (name: string) => `Tomar ${name} en su lugar`,
-  credit: ({ title, author, licence }: { title: string, author: string, licence: string }) => `${title}, de ${author} (${licence})`,
+  credit: ({ title, author, licence }: { title: string; author: string; licence: string }) =>
+    `${title}, de ${author} (${licence})`,
   photoCount: (used: number, all: number) => (used === all ? `${all}` : `${used} de ${all}`),
   reading: (done: number, total: number) => `Leyendo fotos, ${done} de ${total}`,
   cancelReading: 'Dejar de leer',

@@ -14,23 +14,23 @@ export const pngStrings = {
     none: 'La imagen y nada más.',
   },
   cargoClean: 'El lugar, la fecha y la cámara de tus fotos nunca van dentro.',
-  photosUnclean: (n: number) => `${photos(n)} de dentro quizá digan aún dónde y cuándo: Inkpanel no puede quitarlo de archivos de ese tipo.`,
+  photosUnclean: (n: number) =>
+    `${photos(n)} de dentro quizá digan aún dónde y cuándo: Inkpanel no puede quitarlo de archivos de ese tipo.`,
 
   noProjectInside: 'es una imagen sin datos de proyecto.',
   pageOpened: (name: string) => `${name} está abierta otra vez, como proyecto propio.`,
-  photosMissing: (name: string, n: number, of: number) => (
-    `${name} está abierta, pero en este dispositivo ${n === 1 ? 'falta' : 'faltan'} ${n} de ${photos(of)}. ${n === 1 ? 'Elígela o suéltala' : 'Elígelas o suéltalas'} y cada una vuelve a su sitio.`
-  ),
+  photosMissing: (name: string, n: number, of: number) =>
+    `${name} está abierta, pero en este dispositivo ${n === 1 ? 'falta' : 'faltan'} ${n} de ${photos(of)}. ${n === 1 ? 'Elígela o suéltala' : 'Elígelas o suéltalas'} y cada una vuelve a su sitio.`,
   photosBack: (n: number) => `${photos(n)} de vuelta en su sitio.`,
-  photosStillMissing: (n: number) => `Aún ${n === 1 ? 'falta' : 'faltan'} ${photos(n)} de esta página. ${n === 1 ? 'Elígela o suéltala' : 'Elígelas o suéltalas'} y cada una vuelve a su sitio.`,
+  photosStillMissing: (n: number) =>
+    `Aún ${n === 1 ? 'falta' : 'faltan'} ${photos(n)} de esta página. ${n === 1 ? 'Elígela o suéltala' : 'Elígelas o suéltalas'} y cada una vuelve a su sitio.`,
   absentPhoto: (n: number) => `Falta la foto ${n}`,
   choosePhotos: 'Elegir fotos',
   useAsPhoto: 'Usar como foto',
   backTo: (name: string) => `Volver a ${name}`,
 
-  projectSaved: (unclean: readonly string[]) => (
+  projectSaved: (unclean: readonly string[]) =>
     unclean.length === 0
       ? 'El proyecto se ha guardado como archivo, con tus fotos a tamaño completo, pero sin su lugar, fecha ni cámara.'
-      : `El proyecto se ha guardado como archivo, con tus fotos a tamaño completo. ${some(unclean)} quizá digan aún dónde y cuándo: Inkpanel no puede quitarlo de archivos de ese tipo.`
-  ),
+      : `El proyecto se ha guardado como archivo, con tus fotos a tamaño completo. ${some(unclean)} quizá digan aún dónde y cuándo: Inkpanel no puede quitarlo de archivos de ese tipo.`,
 };

@@ -45,16 +45,22 @@ export const wordStrings = {
   subtitlesFile: 'Archivo de subtítulos',
   subtitlesAs: 'Como',
   subtitlesKinds: { caption: 'Cartelas', balloon: 'Bocadillos' },
-  subtitlesAdded: (n: number) => (n === 1 ? 'Se ha puesto 1 subtítulo en la página.' : `Se han puesto ${n} subtítulos en la página.`),
+  subtitlesAdded: (n: number) =>
+    n === 1 ? 'Se ha puesto 1 subtítulo en la página.' : `Se han puesto ${n} subtítulos en la página.`,
   subtitlesNoFrames: 'no hay ningún fotograma de vídeo en la página. Añade primero el vídeo y después sus subtítulos.',
   subtitlesNoMatch: 'no se dice nada en los momentos de los fotogramas de la página.',
-  subtitlesLeft: (n: number, of: number) => `se han leído ${of} subtítulos; ${n} más son demasiados y se han dejado fuera.`,
-  subtitlesCut: (n: number) => (n === 1 ? 'un subtítulo es demasiado largo, así que se ha dejado fuera su final.' : `${n} subtítulos son demasiado largos, así que se han dejado fuera sus finales.`),
+  subtitlesLeft: (n: number, of: number) =>
+    `se han leído ${of} subtítulos; ${n} más son demasiados y se han dejado fuera.`,
+  subtitlesCut: (n: number) =>
+    n === 1
+      ? 'un subtítulo es demasiado largo, así que se ha dejado fuera su final.'
+      : `${n} subtítulos son demasiado largos, así que se han dejado fuera sus finales.`,
   subtitleErrors: {
     empty: 'no contiene subtítulos.',
     binary: 'no es texto en UTF-8 ni UTF-16.',
     large: 'pasa de 5 MB.',
-    time: (line: number, text: string) => `línea ${line}: «${text}» no es un tiempo como 00:01:02,500 --> 00:01:04,000.`,
+    time: (line: number, text: string) =>
+      `línea ${line}: «${text}» no es un tiempo como 00:01:02,500 --> 00:01:04,000.`,
     order: (line: number) => `línea ${line}: el subtítulo acaba antes de empezar.`,
     header: 'no empieza por WEBVTT.',
     stray: (line: number, text: string) => `línea ${line}: se esperaba un tiempo, no «${text}».`,
