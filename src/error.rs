@@ -91,6 +91,14 @@ pub enum Error {
         /// What it is, and what is known.
         reason: String,
     },
+    /// A saved project has more of something than a project may.
+    #[error("{location}: {reason}")]
+    TooLargeProject {
+        /// Path of the field.
+        location: String,
+        /// What it has, and what may be.
+        reason: String,
+    },
     /// A file of subtitles breaks its format.
     #[error("{0}")]
     InvalidSubtitles(String),
@@ -140,6 +148,7 @@ impl Error {
             Self::InvalidDocument { .. } => "invalid-document",
             Self::DamagedProject { .. } => "damaged-project",
             Self::NewerProject { .. } => "newer-project",
+            Self::TooLargeProject { .. } => "too-large-project",
             Self::InvalidSubtitles(_) => "invalid-subtitles",
             Self::InvalidBank { .. } => "invalid-bank",
             Self::UnknownStyle(_) => "unknown-style",

@@ -102,7 +102,7 @@ impl ProjectFile {
     /// Reads the text of a project file.
     ///
     /// # Errors
-    /// `damaged-project` or `newer-project`, with the place.
+    /// `damaged-project`, `newer-project` or `too-large-project`, with the place.
     pub fn parse(text: &str) -> Result<Self> {
         let read = json::parse(text, PROJECT).map_err(|wrong| wrong.at("project.json")).and_then(Self::read);
         read.map_err(|wrong| refusal(&wrong))

@@ -33,7 +33,7 @@ const MOST_PARTS: usize = (2 * MOST_STEPS + 1 + MOST_SHOWN) * 100;
 /// Reads a history with its tables.
 ///
 /// # Errors
-/// `damaged-project` or `newer-project`, with the place.
+/// `damaged-project`, `newer-project` or `too-large-project`, with the place.
 pub fn parse(text: &str) -> Result<(History, Dropped)> {
     json::parse(text, HISTORY).and_then(read).map_err(|wrong| refusal(&wrong))
 }

@@ -6,7 +6,7 @@ pub use crate::page::document::{LONGEST_ID, MOST_PHOTOS};
 pub use crate::page::words::model::{MOST_LETTERS, MOST_WORDS};
 
 /// The text of a project file, and the text in a page PNG.
-pub const PROJECT: Bounds = Bounds { bytes: 64 << 20, values: 4_000_000, text: 64 << 10 };
+pub const PROJECT: Bounds = Bounds { bytes: 32 << 20, values: 2_000_000, text: 64 << 10 };
 /// A project with all its undo steps, as the browser's database has it.
 pub const HISTORY: Bounds = Bounds { bytes: 128 << 20, values: 8_000_000, text: 64 << 10 };
 /// Characters of a name: of a project, a photo, a video, an author.

@@ -51,7 +51,7 @@ pub mod subtitles;
 pub mod upkeep;
 
 use crate::error::Error;
-use crate::json::{Fields, Read, Wrong};
+use crate::json::{Fields, Kind, Read, Wrong};
 
 /// Version of what is saved.
 pub const VERSION: u64 = 1;
@@ -80,9 +80,9 @@ fn version(fields: &mut Fields) -> Read<()> {
 fn refusal(wrong: &Wrong) -> Error {
     let location = if wrong.place().is_empty() { "project" } else { wrong.place() }.to_owned();
     let reason = wrong.reason().to_owned();
-    if wrong.is_newer() {
-        Error::NewerProject { location, reason }
-    } else {
-        Error::DamagedProject { location, reason }
+    match wrong.kind() {
+        Kind::Damaged => Error::DamagedProject { location, reason },
+        Kind::Newer => Error::NewerProject { location, reason },
+        Kind::Beyond => Error::TooLargeProject { location, reason },
     }
 }

@@ -189,7 +189,7 @@ fn missing(name: &str) -> Wrong {
 pub fn text_of(value: Value, most: usize) -> Read<String> {
     match value {
         Value::String(text) if text.chars().nth(most).is_none() => Ok(text),
-        Value::String(_) => Err(Wrong::new(&format!("is longer than {most} characters"))),
+        Value::String(_) => Err(Wrong::beyond(&format!("is longer than {most} characters"))),
         _ => Err(Wrong::new("is no text")),
     }
 }
@@ -221,7 +221,7 @@ pub fn items(value: Value, most: usize) -> Read<Vec<Value>> {
     match value {
         Value::Array(items) if items.len() <= most => Ok(items),
         Value::Array(items) => {
-            Err(Wrong::new(&format!("has {} entries, at most {most} are allowed", items.len())))
+            Err(Wrong::beyond(&format!("has {} entries, at most {most} are allowed", items.len())))
         }
         _ => Err(Wrong::new("is no list")),
     }

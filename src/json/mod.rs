@@ -35,8 +35,18 @@ struct Fault {
     place: String,
     /// In words that follow the place.
     reason: String,
-    /// It is not damaged but made by a newer program.
-    newer: bool,
+    kind: Kind,
+}
+
+/// What is the matter with a document as a whole.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Kind {
+    /// It breaks its schema.
+    Damaged,
+    /// It is made by a newer program.
+    Newer,
+    /// It has more of something than any document may.
+    Beyond,
 }
 
 impl Wrong {
@@ -45,15 +55,25 @@ impl Wrong {
     #[cold]
     #[inline(never)]
     pub fn new(reason: &str) -> Self {
-        Self(Box::new(Fault { place: String::new(), reason: reason.to_owned(), newer: false }))
+        Self::of_kind(Kind::Damaged, reason)
+    }
+
+    /// A part that is larger than its bound.
+    #[must_use]
+    #[cold]
+    #[inline(never)]
+    pub fn beyond(reason: &str) -> Self {
+        Self::of_kind(Kind::Beyond, reason)
+    }
+
+    fn of_kind(kind: Kind, reason: &str) -> Self {
+        Self(Box::new(Fault { place: String::new(), reason: reason.to_owned(), kind }))
     }
 
     /// A part of a version that this program does not know.
     #[must_use]
     pub fn newer(version: u64, known: u64) -> Self {
-        let mut wrong = Self::new(&format!("{version} is newer than {known}"));
-        wrong.0.newer = true;
-        wrong
+        Self::of_kind(Kind::Newer, &format!("{version} is newer than {known}"))
     }
 
     /// The place and the reason of an error of the engine.
@@ -66,7 +86,7 @@ impl Wrong {
             | Error::InvalidLayout { location, reason, .. }
             | Error::InvalidDocument { location, reason } => {
                 let place = if location == "file" { String::new() } else { location };
-                Self(Box::new(Fault { place, reason, newer: false }))
+                Self(Box::new(Fault { place, reason, kind: Kind::Damaged }))
             }
             other => Self::new(&other.to_string()),
         }
@@ -114,10 +134,10 @@ impl Wrong {
         &self.0.reason
     }
 
-    /// It is not damaged but made by a newer program.
+    /// Damaged, or rather newer or larger than what is read.
     #[must_use]
-    pub fn is_newer(&self) -> bool {
-        self.0.newer
+    pub fn kind(&self) -> Kind {
+        self.0.kind
     }
 }
 

@@ -24,21 +24,23 @@ pub struct Bounds {
 /// For what is no JSON, and beyond the bounds, with the place.
 pub fn parse(json: &str, bounds: Bounds) -> Read<Value> {
     if json.len() > bounds.bytes {
-        return Err(Wrong::new(&format!("is longer than {} MB", bounds.bytes >> 20)));
+        return Err(Wrong::beyond(&format!("is longer than {} MB", bounds.bytes >> 20)));
     }
     let json = whole_characters(json);
     let budget =
-        Budget { bounds, left: Cell::new(bounds.values), path: RefCell::default(), wrong: Cell::new(false) };
+        Budget { bounds, left: Cell::new(bounds.values), path: RefCell::default(), over: Cell::new(false) };
     let mut deserializer = serde_json::Deserializer::from_str(&json);
     let parsed = Seed(&budget).deserialize(&mut deserializer);
     let parsed = parsed.and_then(|value| deserializer.end().map(|()| value));
     parsed.map_err(|error| {
         let text = error.to_string();
-        if !budget.wrong.get() {
-            return Wrong::new(&format!("is no JSON: {text}"));
+        if !budget.over.get() {
+            let reason = format!("is no JSON: {text}");
+            let deep = text.starts_with("recursion limit");
+            return if deep { Wrong::beyond(&reason) } else { Wrong::new(&reason) };
         }
         let reason = text.split(" at line ").next().unwrap_or_default();
-        budget.path.take().into_iter().rev().fold(Wrong::new(reason), |wrong, step| match step {
+        budget.path.take().into_iter().rev().fold(Wrong::beyond(reason), |wrong, step| match step {
             Step::Field(name) => wrong.at(&name),
             Step::Item(index) => wrong.in_list(index),
         })
@@ -81,7 +83,8 @@ struct Budget {
     bounds: Bounds,
     left: Cell<usize>,
     path: RefCell<Vec<Step>>,
-    wrong: Cell<bool>,
+    /// Whether a bound was passed.
+    over: Cell<bool>,
 }
 
 enum Step {
@@ -91,7 +94,7 @@ enum Step {
 
 impl Budget {
     fn error<E: serde::de::Error>(&self, reason: &str) -> E {
-        self.wrong.set(true);
+        self.over.set(true);
         E::custom(reason)
     }
 

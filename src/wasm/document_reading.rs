@@ -8,7 +8,7 @@ use wasm_bindgen::prelude::*;
 
 /// The text of a project file or of a page PNG, normalised, with what was left out: `{format, version, history: {present,
 /// shown}, photos, videos, dropped}`. With a prefix all photos and videos get ids that begin with it.
-/// Throws `damaged-project` or `newer-project`.
+/// Throws `damaged-project`, `newer-project` or `too-large-project`.
 #[wasm_bindgen]
 pub fn read_project(json: &str, prefix: Option<String>) -> std::result::Result<String, JsValue> {
     let read = move || -> Result<String> {

@@ -24,7 +24,7 @@ impl Editor {
     }
 
     /// Puts a history with tables of its parts (see `document::kept`) in the place of what is there. Throws
-    /// `damaged-project` or `newer-project`, and then nothing changed. Gives what was left out, a JSON array.
+    /// `damaged-project`, `newer-project` or `too-large-project`, and then nothing changed. Gives what was left out, a JSON array.
     pub fn load(&mut self, json: &str) -> std::result::Result<String, JsValue> {
         let (history, dropped) = kept::parse(json).map_err(thrown)?;
         self.hands = Hands::new(history);

@@ -92,7 +92,7 @@ function createPlanner() {
     choose: (photos: object[], threshold: number): Verdict[] =>
       JSON.parse(core.choose_photos(JSON.stringify({ photos, threshold }))),
     /**
-     * Reads a project file or the text of a page PNG and checks all of it. Throws `damaged-project` or `newer-project`.
+     * Reads a project file or the text of a page PNG and checks all of it. Throws `damaged-project`, `newer-project` or `too-large-project`.
      * @param how `prefix`: all photos and videos get fresh ids that begin with it
      * @returns `dropped`: sentences about what was left out
      */
