@@ -3,6 +3,8 @@
  * to be looked at. Of the document inside of a project the core has the limits.
  */
 
+import { MOST } from './bounds.ts';
+
 const KB = 2 ** 10;
 const MB = 2 ** 20;
 
@@ -29,7 +31,7 @@ export const ARCHIVE = Object.freeze({
 /** Of `project.json`, before it is given to the core, which has the limits of what is in it. */
 export const TEXT = Object.freeze({
   /** Bytes in a project file: a thousand pages take a fifth. */
-  project: 32 * MB,
+  project: MOST.text,
   /** Bytes in a page PNG: a page of a hundred panels takes a hundredth. */
   page: 4 * MB,
 });

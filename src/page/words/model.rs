@@ -8,6 +8,8 @@ use serde_json::Value;
 pub const MOST_LETTERS: usize = 4_000;
 /// Most words of a page.
 pub const MOST_WORDS: usize = 200;
+/// A place of a word, in widths and heights of its panel to either side.
+pub const FARTHEST: f64 = 10.0;
 
 /// What a word is.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -163,7 +165,7 @@ impl<'v> Field<'v> {
 
     /// A coordinate; the middle where it is missing.
     fn place(&self, name: &str) -> Result<f64> {
-        Ok(self.number(name, -10.0, 10.0)?.unwrap_or(0.5))
+        Ok(self.number(name, -FARTHEST, FARTHEST)?.unwrap_or(0.5))
     }
 
     #[inline(never)]
