@@ -1,6 +1,6 @@
 //! Pages of the command line as files: rendered from the photos at their full size, with their words.
 
-use crate::{Complaint, decode_file};
+use crate::Complaint;
 use inkpanel::Error;
 use inkpanel::page::import::Imported;
 use inkpanel::page::pdf::{self, picture};
@@ -9,7 +9,7 @@ use inkpanel::page::{Document, Scene, compose, jpeg, png};
 use inkpanel::raster::Image;
 use inkpanel::style::Context;
 use rayon::prelude::*;
-use std::collections::HashMap;
+use std::collections::{HashMap, HashSet};
 use std::path::{Path, PathBuf};
 
 /// Puts the words of a file on a page; those without a place go where they hide no face.
@@ -29,15 +29,34 @@ pub(crate) fn add_words(
     Letters::bundled().and_then(settle).map_err(|error| complain(error.to_string()))
 }
 
-/// Renders a document from the files of its photos, decoded at their full size, as the kind of file that the ending of
-/// `output` names: `.jpg`, `.pdf`, or PNG.
-pub(crate) fn draw(
-    document: &Document,
-    photos: &[(PathBuf, Imported)],
-    output: &Path,
-) -> Result<Vec<u8>, Complaint> {
-    let ending = output.extension().map(|ending| ending.to_string_lossy().to_lowercase()).unwrap_or_default();
-    if ending == "pdf" {
+/// A kind of file.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) enum Kind {
+    Png,
+    Jpeg,
+    Pdf,
+}
+
+impl Kind {
+    /// What the ending of a file names.
+    pub(crate) fn of(output: &Path) -> Result<Self, Complaint> {
+        let ending = output.extension().map(|ending| ending.to_string_lossy().to_lowercase());
+        match ending.as_deref() {
+            Some("png") => Ok(Self::Png),
+            Some("jpg" | "jpeg") => Ok(Self::Jpeg),
+            Some("pdf") => Ok(Self::Pdf),
+            _ => Err(format!("{}: give the page a name that ends in .png, .jpg or .pdf", output.display())),
+        }
+    }
+}
+
+/// Decodes a photo at its full size by its id; gives nothing for one that is not there.
+pub(crate) type Photos<'p> = dyn Fn(&str) -> Result<Option<Image>, Complaint> + Sync + 'p;
+
+/// Renders a document from its photos, decoded at their full size, as the kind of file that `output` names.
+pub(crate) fn draw(document: &Document, photos: &Photos<'_>, output: &Path) -> Result<Vec<u8>, Complaint> {
+    let kind = Kind::of(output)?;
+    if kind == Kind::Pdf {
         return draw_pdf(document, photos, output);
     }
     let mut sheet = compose::Sheet::new(&scene_of(document)?);
@@ -47,8 +66,8 @@ pub(crate) fn draw(
     let lay = |letters: Letters| word_drawing::lay_words(&mut sheet, document, &letters);
     Letters::bundled().and_then(lay).map_err(|error| error.to_string())?;
     let dpi = document.page.dpi;
-    let file = match ending.as_str() {
-        "jpg" | "jpeg" => jpeg::encode_rgb(sheet.width(), sheet.height(), sheet.rgb(), dpi, QUALITY),
+    let file = match kind {
+        Kind::Jpeg => jpeg::encode_rgb(sheet.width(), sheet.height(), sheet.rgb(), dpi, QUALITY),
         _ => png::encode(&sheet, dpi),
     };
     file.map_err(|error| error.to_string())
@@ -58,11 +77,7 @@ pub(crate) fn draw(
 const QUALITY: u8 = 90;
 
 /// The same as a file of one page whose title is the file's name.
-fn draw_pdf(
-    document: &Document,
-    photos: &[(PathBuf, Imported)],
-    output: &Path,
-) -> Result<Vec<u8>, Complaint> {
+fn draw_pdf(document: &Document, photos: &Photos<'_>, output: &Path) -> Result<Vec<u8>, Complaint> {
     let scene = scene_of(document)?;
     let patches = patches(&picture::bare(document), photos)?;
     let pictures = patches
@@ -83,15 +98,12 @@ fn scene_of(document: &Document) -> Result<Scene, Complaint> {
 }
 
 /// The panels of a document in their order.
-fn patches(document: &Document, photos: &[(PathBuf, Imported)]) -> Result<Vec<compose::Patch>, Complaint> {
+fn patches(document: &Document, photos: &Photos<'_>) -> Result<Vec<compose::Patch>, Complaint> {
     let scene = scene_of(document)?;
-    let wanted: Vec<_> = photos
-        .iter()
-        .filter(|(_, photo)| scene.panels.iter().any(|panel| panel.photo.as_ref() == Some(&photo.meta.id)))
-        .collect();
+    let wanted: HashSet<&str> = scene.panels.iter().filter_map(|panel| panel.photo.as_deref()).collect();
     let images: HashMap<&str, Image> = wanted
-        .par_iter()
-        .map(|(path, photo)| Ok((photo.meta.id.as_str(), decode_file(path)?)))
+        .into_par_iter()
+        .filter_map(|id| photos(id).transpose().map(|image| Ok((id, image?))))
         .collect::<Result<_, Complaint>>()?;
     let render = |index: usize| -> inkpanel::Result<compose::Patch> {
         let photo = scene.panels[index].photo.as_deref().and_then(|id| images.get(id));

@@ -6,6 +6,7 @@
 mod detectors;
 mod drawing;
 mod inventor;
+mod reopening;
 
 use clap::{Parser, Subcommand};
 use inkpanel::layout::{PageSettings, Template};
@@ -20,6 +21,7 @@ use inkpanel::style::{Context, Style, stylize};
 use inkpanel::{Error, style};
 use rayon::prelude::*;
 use serde_json::{Value, json};
+use std::collections::HashMap;
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
@@ -34,8 +36,8 @@ struct Cli {
 
 #[derive(Subcommand)]
 enum Command {
-    /// Make a storyboard page of photos.
-    Render(Render),
+    /// Make a storyboard page of photos, or draw a saved one.
+    Render(Box<Render>),
     /// Draw one photo in a style.
     Stylize {
         /// Id of a designed style, or a style file.
@@ -105,18 +107,35 @@ struct Listing {
 
 #[derive(clap::Args)]
 struct Render {
+    #[command(flatten)]
+    planned: Planned,
+    /// Of a saved project: which of its pages, from 1; the one that was edited last unless told.
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..))]
+    page: Option<u32>,
+    /// Where the page goes: a file that ends in .png, .jpg or .pdf.
+    #[arg(short, long)]
+    output: PathBuf,
+    /// The photos, in their order where they do not say when they were taken; or one saved project (.inkpanel), or one
+    /// PNG of a page with its project and photos.
+    #[arg(required = true)]
+    files: Vec<PathBuf>,
+}
+
+/// What a page is planned by. A saved one is planned already.
+#[derive(clap::Args, Default, PartialEq)]
+struct Planned {
     /// Id of a page template, or a layout file.
     #[arg(long, value_name = "ID|FILE")]
     layout: Option<String>,
     /// Id of a designed style, or a style file.
     #[arg(long, value_name = "ID|FILE")]
     style: Option<String>,
-    /// Seed of what is left to chance.
-    #[arg(long, default_value_t = 1)]
-    seed: u32,
-    /// Width of the page in pixels; the height follows from A4 upright.
-    #[arg(long, default_value_t = 2480, value_parser = clap::value_parser!(u32).range(64..=9800))]
-    width: u32,
+    /// Seed of what is left to chance; 1 unless told.
+    #[arg(long)]
+    seed: Option<u32>,
+    /// Width of the page in pixels, 2480 unless told; the height follows from A4 upright.
+    #[arg(long, value_name = "PX", value_parser = clap::value_parser!(u32).range(64..=9800))]
+    width: Option<u32>,
     /// Number of panels.
     #[arg(long)]
     panels: Option<usize>,
@@ -132,12 +151,6 @@ struct Render {
     /// Captions, balloons and sound effects: a JSON array of words, as the page keeps them.
     #[arg(long, value_name = "FILE")]
     words: Option<PathBuf>,
-    /// Where the page goes: a PNG file, or a JPEG or PDF file where it ends in .jpg or .pdf.
-    #[arg(short, long)]
-    output: PathBuf,
-    /// The photos, in their order where they do not say when they were taken.
-    #[arg(required = true)]
-    files: Vec<PathBuf>,
 }
 
 /// A sentence about what went wrong, for people.
@@ -167,9 +180,32 @@ fn main() -> ExitCode {
 }
 
 fn render_page(render: &Render) -> Result<(), Complaint> {
+    let Render { planned, page, output, files } = render;
+    drawing::Kind::of(output)?;
+    if let [file] = &files[..]
+        && let Some(saved) = reopening::open(file)
+    {
+        if *planned != Planned::default() {
+            return Err(format!(
+                "{}: it is planned already, so --output and --page are all that it takes",
+                file.display()
+            ));
+        }
+        return reopening::draw(saved?, file, *page, output);
+    }
+    if let Some(project) = files.iter().find(|file| reopening::is_project(file)) {
+        return Err(format!("{}: a project is drawn alone", project.display()));
+    }
+    if page.is_some() {
+        return Err("--page is of a saved project, and there is none".into());
+    }
+    plan_page(planned, output, files)
+}
+
+fn plan_page(render: &Planned, output: &Path, files: &[PathBuf]) -> Result<(), Complaint> {
     let layout = render.layout.as_deref().map(layout_value).transpose()?;
     let style = render.style.as_deref().map(style_value).transpose()?;
-    let mut photos = import_all(&render.files);
+    let mut photos = import_all(files);
     if !render.no_detect {
         add_subjects(&mut photos, render.models.as_deref());
     }
@@ -182,10 +218,11 @@ fn render_page(render: &Render) -> Result<(), Complaint> {
         used.sort_by(|a, b| a.taken.cmp(&b.taken));
     }
     let mut page = PageSettings::default();
-    let height = f64::from(render.width) * f64::from(page.height) / f64::from(page.width);
-    (page.width, page.height) = (render.width, height.round() as u32);
+    let width = render.width.unwrap_or(page.width);
+    let height = f64::from(width) * f64::from(page.height) / f64::from(page.width);
+    (page.width, page.height) = (width, height.round() as u32);
     let request = Request {
-        seed: render.seed,
+        seed: render.seed.unwrap_or(1),
         photos: used.into_iter().cloned().collect(),
         page,
         current: None,
@@ -202,8 +239,11 @@ fn render_page(render: &Render) -> Result<(), Complaint> {
     if let Some(file) = &render.words {
         drawing::add_words(&mut document, file, &photos)?;
     }
-    let file = drawing::draw(&document, &photos, &render.output)?;
-    write(&render.output, &file)
+    let paths: HashMap<&str, &Path> =
+        photos.iter().map(|(path, photo)| (photo.meta.id.as_str(), path.as_path())).collect();
+    let file =
+        drawing::draw(&document, &|id| paths.get(id).map(|path| decode_file(path)).transpose(), output)?;
+    write(output, &file)
 }
 
 fn stylize_photo(style: &str, input: &Path, output: &Path) -> Result<(), Complaint> {

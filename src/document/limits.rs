@@ -9,6 +9,16 @@ pub use crate::page::words::model::{MOST_LETTERS, MOST_WORDS};
 pub const PROJECT: Bounds = Bounds { bytes: 32 << 20, values: 2_000_000, text: 64 << 10 };
 /// A project with all its undo steps, as the browser's database has it.
 pub const HISTORY: Bounds = Bounds { bytes: 128 << 20, values: 8_000_000, text: 64 << 10 };
+/// Bytes of the text in a page PNG: a page of a hundred panels takes a hundredth.
+pub const PAGE_TEXT: usize = 4 << 20;
+/// Files in a project file, far more than there are photos in a project.
+pub const ARCHIVE_ENTRIES: usize = 10_000;
+/// Bytes of one file in a project file: it is held whole, and once more where it is decoded.
+pub const ENTRY: u64 = 128 << 20;
+/// Chunks of a PNG file: one of more was not made to be looked at.
+pub const PNG_CHUNKS: usize = 100_000;
+/// Texts of others in a PNG file that are looked at before it is taken for a picture like others.
+pub const PNG_TEXTS: usize = 64;
 /// Characters of a name: of a project, a photo, a video, an author.
 pub const LONGEST_NAME: usize = 1_000;
 /// Characters of a place in the archive of a project file, and of the type of a file.

@@ -9,6 +9,7 @@
 //! | [`pages`] | a page that can be drawn |
 //! | [`history`] | states before and after, and the pages shown |
 //! | [`mod@file`] | the text of a project file and of a page PNG: `project.json` |
+//! | `saved` | such a text found in its file, with the photos (feature `files`) |
 //! | [`kept`] | a history as the browser's database has it: what states share is told once |
 //! | [`edit`] | all that can be done, and the pure function that does it to a state |
 //! | [`editor`] | done step by step, undone and redone |
@@ -45,6 +46,8 @@ pub mod own;
 pub mod pages;
 pub mod planning;
 pub mod project;
+#[cfg(feature = "files")]
+pub mod saved;
 pub mod sheets;
 pub mod spreading;
 pub mod subtitles;
