@@ -7,6 +7,7 @@ use inkpanel::document::editor::Editor;
 use inkpanel::document::file::ProjectFile;
 use inkpanel::document::kept;
 use inkpanel::document::project::Project;
+use inkpanel::document::saved::Saved;
 use inkpanel::document::sheets::photos_on;
 use inkpanel::layout::{self, PageSettings, Template};
 use inkpanel::page::document::Document;
@@ -29,6 +30,7 @@ pub const ENTRIES: &[(&str, Entry)] = &[
     ("layout", layout),
     ("document", document),
     ("project", project),
+    ("saved", saved),
     ("edits", edits),
     ("plan", plan),
     ("choice", choice),
@@ -88,6 +90,18 @@ pub fn project(bytes: &[u8]) {
     if let Ok((history, dropped)) = kept::parse(json) {
         let written = kept::write(&history, &dropped);
         assert!(kept::parse(&written).is_ok_and(|(again, _)| again == history));
+    }
+}
+
+/// A project file, or a PNG that may carry a project, with the photos of its pages.
+pub fn saved(bytes: &[u8]) {
+    let Ok(Some(mut saved)) = Saved::read(bytes.to_vec()) else { return };
+    let (pages, present) = saved.pages();
+    assert!(pages.is_empty() || present < pages.len());
+    for page in &pages {
+        for id in photos_on([&**page]) {
+            let _: Result<_, Error> = saved.photo_file(id);
+        }
     }
 }
 
