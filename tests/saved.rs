@@ -286,6 +286,25 @@ fn a_project_that_cannot_be_drawn_is_refused_with_a_sentence() {
     }
 }
 
+/// A ZIP file of zeros that says nothing wrong of itself, packed or as it is.
+fn zeros(name: &str, length: usize, packed: bool) -> Vec<u8> {
+    let mut writer = zip::ZipWriter::new(std::io::Cursor::new(Vec::new()));
+    let kind = if packed { zip::CompressionMethod::Deflated } else { zip::CompressionMethod::Stored };
+    writer.start_file(name, zip::write::SimpleFileOptions::default().compression_method(kind)).unwrap();
+    std::io::Write::write_all(&mut writer, &vec![0; length]).unwrap();
+    writer.finish().unwrap().into_inner()
+}
+
+#[test]
+fn what_unpacks_to_more_than_a_project_has_is_refused() {
+    let bomb = zeros("project.json", 40 << 20, true);
+    assert!(bomb.len() < 100_000);
+    let error = Saved::read(bomb).unwrap_err();
+    assert_eq!(error.code(), "too-large-project", "{error}");
+    assert_eq!(Saved::read(zeros("project.json", 40 << 20, false)).unwrap_err().code(), "too-large-project");
+    assert_eq!(Saved::read(zeros("project.json", 100, true)).unwrap_err().code(), "damaged-project");
+}
+
 #[test]
 fn a_saved_page_becomes_a_file_of_any_kind() {
     let folder = tempfile::tempdir().unwrap();

@@ -13,7 +13,7 @@ pub const HISTORY: Bounds = Bounds { bytes: 128 << 20, values: 8_000_000, text: 
 pub const PAGE_TEXT: usize = 4 << 20;
 /// Files in a project file, far more than there are photos in a project.
 pub const ARCHIVE_ENTRIES: usize = 10_000;
-/// Bytes of one file in a project file: it is held whole, and once more where it is decoded.
+/// Bytes to which one file in a project file may unpack: it is held whole, and once more where it is decoded.
 pub const ENTRY: u64 = 128 << 20;
 /// Chunks of a PNG file: one of more was not made to be looked at.
 pub const PNG_CHUNKS: usize = 100_000;

@@ -13,8 +13,8 @@ use std::borrow::Cow;
 use std::io::{Cursor, Read};
 use std::ops::Range;
 use std::sync::Arc;
-use zip::ZipArchive;
 use zip::result::ZipError;
+use zip::{CompressionMethod, ZipArchive};
 
 const SIGNATURE: &[u8] = b"\x89PNG\r\n\x1a\n";
 /// Where a ZIP file begins: with its first file, or with its end where it has none.
@@ -185,9 +185,12 @@ fn entry(archive: &mut Archive, name: &str, most: u64) -> Result<Option<Vec<u8>>
         Err(ZipError::FileNotFound) => return Ok(None),
         file => file.map_err(|error| wrong(&error))?,
     };
+    // What is stored as it is takes no more than it did before.
+    let most =
+        if file.compression() == CompressionMethod::Stored { most.max(file.compressed_size()) } else { most };
     let mut bytes = Vec::new();
     // Its checksum is looked at where it ends.
-    file.take(most + 1).read_to_end(&mut bytes).map_err(|error| wrong(&error.into()))?;
+    file.take(most.saturating_add(1)).read_to_end(&mut bytes).map_err(|error| wrong(&error.into()))?;
     if bytes.len() as u64 > most {
         return Err(too_large(name, &format!("is larger than {} MB", most >> 20)));
     }
