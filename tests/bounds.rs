@@ -17,19 +17,16 @@ fn expected() -> String {
         ("A place of a word, in widths and heights of its panel to either side.", "away", FARTHEST as usize),
         ("Bytes of the text of a project.", "text", limits::PROJECT.bytes),
     ];
-    let mut text = String::from(
-        "/**\n * What a project holds at most. Written out of `src/document/limits.rs` by `cargo xtask bless`, not by hand: the core reads\n * no project beyond it, so none is made here.\n */\n\nexport const MOST = Object.freeze({\n",
-    );
-    for (what, name, value) in most {
-        text += &format!("  /** {what} */\n  {name}: {},\n", grouped(value));
-    }
-    text + "});\n"
+    let head = "/**\n * What a project holds at most. Written out of `src/document/limits.rs` by `cargo xtask bless`, not by hand: the core reads\n * no project beyond it, so none is made here.\n */\n\nexport const MOST = Object.freeze({\n";
+    let lines = most.map(|(what, name, value)| format!("  /** {what} */\n  {name}: {},\n", grouped(value)));
+    format!("{head}{}}});\n", lines.concat())
 }
 
 /// Digits in groups of three, as TypeScript takes them.
 fn grouped(value: usize) -> String {
     let digits = value.to_string();
-    let groups: Vec<_> = digits.as_bytes().rchunks(3).rev().map(|group| String::from_utf8_lossy(group)).collect();
+    let groups: Vec<_> =
+        digits.as_bytes().rchunks(3).rev().map(|group| String::from_utf8_lossy(group)).collect();
     groups.join("_")
 }
 
