@@ -3,7 +3,7 @@
 
 import { createServer } from 'node:http';
 import { readFile } from 'node:fs/promises';
-import { headersOfAll } from '../../../www/host-headers.ts';
+import { headersOfAll } from '../../../www/host-headers.js';
 import { test as plain } from '../../../www/testing.ts';
 import { savedAs } from './export-hands.js';
 import { kept } from './offline-hands.js';
