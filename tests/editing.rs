@@ -228,10 +228,11 @@ fn edit(random: &mut Rand64) -> (Edit, How) {
     let on = random.rand_float() < 0.5;
     let photo = (*some(random, &PHOTOS)).to_owned();
     let page = some(random, pages()).clone();
-    let edit = match random.rand_range(0..26) {
+    let edit = match random.rand_range(0..27) {
         0 | 1 => Edit::AddPhotos(some_photos(random)),
         2 => Edit::RemovePhotos(some_photos(random)),
         3 => Edit::UsePhotos(vec![(photo, on)]),
+        26 => Edit::StarPhoto { id: photo, on },
         4 => Edit::ExchangePhoto { id: photo, by: (*some(random, &["d", "e", "f"])).to_owned() },
         5 => Edit::ChooseBy {
             alike: on.then_some(id as u8),

@@ -45,6 +45,13 @@ pub enum Edit {
         /// None takes the mark away.
         focus: Option<Focus>,
     },
+    /// A photo that a person wants to see large, or no longer.
+    StarPhoto {
+        /// The photo.
+        id: String,
+        /// Whether it is starred.
+        on: bool,
+    },
     /// A part of the page is locked, or no longer.
     Lock(Part, bool),
     /// The wanted number of panels, none for any.
@@ -179,6 +186,11 @@ impl Project {
             Edit::FocusPhoto { id, focus } => {
                 next.tray = mapped(&self.tray, |item| {
                     (item.id == *id).then(|| TrayItem { focus: *focus, ..item.clone() })
+                });
+            }
+            Edit::StarPhoto { id, on } => {
+                next.tray = mapped(&self.tray, |item| {
+                    (item.id == *id).then(|| TrayItem { starred: *on, ..item.clone() })
                 });
             }
             Edit::Lock(part, on) => {
@@ -337,6 +349,7 @@ impl Edit {
                 id: fields.name("id", LONGEST_ID)?,
                 focus: fields.nullable("focus").part("focus", &mut project::focus)?,
             },
+            "star-photo" => Self::StarPhoto { id: fields.name("id", LONGEST_ID)?, on: fields.flag("on")? },
             "lock" => Self::Lock(fields.part("part", &mut part)?.unwrap_or(Part::Layout), fields.flag("on")?),
             "want-panels" => {
                 let count = fields.nullable("count").whole("count", 1, MOST_WANTED)?;

@@ -67,6 +67,8 @@ pub struct TrayItem {
     pub used: Option<bool>,
     /// The point of it that matters, where a person marked one.
     pub focus: Option<Focus>,
+    /// A person wants to see it large.
+    pub starred: bool,
     /// Fields that this program does not know.
     pub rest: Map<String, Value>,
 }
@@ -310,7 +312,7 @@ impl TrayItem {
     /// A photo of which nothing was said.
     #[must_use]
     pub fn new(id: String) -> Self {
-        Self { id, used: None, focus: None, rest: Map::new() }
+        Self { id, used: None, focus: None, starred: false, rest: Map::new() }
     }
 
     pub(super) fn read(value: Value) -> Read<Arc<Self>> {
@@ -322,7 +324,8 @@ impl TrayItem {
             Some(_) => return Err(Wrong::new("is neither true nor false").at("use")),
         };
         let focus = fields.nullable("focus").part("focus", &mut focus)?;
-        Ok(Arc::new(Self { id, used, focus, rest: fields.rest() }))
+        let starred = fields.flag("starred")?;
+        Ok(Arc::new(Self { id, used, focus, starred, rest: fields.rest() }))
     }
 
     pub(super) fn write(&self, out: &mut Writer) {
@@ -337,6 +340,9 @@ impl TrayItem {
             out.key("x").number(x);
             out.key("y").number(y);
             out.close(b'}');
+        }
+        if self.starred {
+            out.key("starred").flag(true);
         }
         out.rest(&self.rest);
         out.close(b'}');

@@ -2,8 +2,8 @@
 // In a checkout of that time (the commit `Read saved projects in Rust`): node tests/oracles/edits.mjs > tests/oracles/data/edits.json
 // Pages are told by their seeds: all have the same layout and show nothing.
 
-import { EMPTY_HISTORY, advance } from '../../www/state/history.js';
-import { DEFAULT_SETTINGS } from '../../www/state/project.js';
+import { EMPTY_HISTORY, advance } from '../../www/document/history.ts';
+import { DEFAULT_SETTINGS } from '../../www/document/project.ts';
 
 let state = 1;
 const random = () => {

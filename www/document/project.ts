@@ -20,9 +20,14 @@ type Locks = { layout: boolean; style: boolean; photos: boolean };
 
 /**
  * A photo in the tray. `use` is what the person chose; null follows the selection's verdict. `focus` is the point of
- * the photo that matters, in parts of it, where a person marked one.
+ * the photo that matters, in parts of it, where a person marked one; `starred`: a person wants to see it large.
  */
-export type TrayItem = { id: string; use: boolean | null; focus?: { x: number; y: number } | null };
+export type TrayItem = {
+  id: string;
+  use: boolean | null;
+  focus?: { x: number; y: number } | null;
+  starred?: boolean;
+};
 
 /** of the photos: as they were taken where all say so, or as their files are called */
 export type Order = 'time' | 'name';
@@ -65,6 +70,7 @@ export type Action =
   | { type: 'exchange-photo'; id: string; by: string }
   | { type: 'choose-by'; alike?: number; order?: Order }
   | { type: 'focus-photo'; id: string; focus: { x: number; y: number } | null }
+  | { type: 'star-photo'; id: string; on: boolean }
   | { type: 'lock'; part: Part; on: boolean }
   | { type: 'want-panels'; count: number | null }
   | { type: 'show-page'; page: PageDocument; pageId: number }
@@ -152,6 +158,11 @@ export function reduce(project: Project, action: Action): Project {
       return {
         ...project,
         tray: project.tray.map((item) => (item.id === action.id ? { ...item, focus: action.focus } : item)),
+      };
+    case 'star-photo':
+      return {
+        ...project,
+        tray: project.tray.map((item) => (item.id === action.id ? { ...item, starred: action.on } : item)),
       };
     case 'lock':
       if (project.locks[action.part] === action.on) return project;

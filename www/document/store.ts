@@ -66,14 +66,15 @@ export function createStore() {
 
   /** The photos in use, as the planner wants them: in their order. */
   const photos = computed(() => {
-    const focus = new Map(tray.value.map((item) => [item.id, item.focus ?? null]));
+    const items = new Map(tray.value.map((item) => [item.id, item]));
     const used = new Set(tray.value.filter((item) => isUsed(item, verdicts.value)).map(({ id }) => id));
     const list = facts.value.filter(({ id }) => used.has(id));
     // While photos arrive the order of the files stands, else the page would be shuffled with each of them.
     const dated = !reading.value && project.value.order === 'time';
     return (dated ? chronological(list) : list).map(({ id, meta }) => {
       const known = meta ?? unreadMeta(id);
-      return focus.get(id) ? { ...known, focus: focus.get(id) ?? null } : known;
+      const { focus, starred } = items.get(id) ?? {};
+      return focus || starred ? { ...known, focus: focus ?? null, starred: starred ?? false } : known;
     });
   });
 

@@ -75,6 +75,8 @@ export type PhotoMeta = {
   energy: { columns: number; rows: number; values: string };
   subjects: Found[];
   focus: { x: number; y: number } | null;
+  /** A person wants to see it large. */
+  starred?: boolean;
 };
 
 /** The answer to `import`: what is known of a photo, and its two reduced copies. */

@@ -14,7 +14,7 @@ export type Choosing = ReturnType<typeof createChoosing>;
 const KEEP_ALL = Object.freeze({ layout: true, style: true, photos: true });
 
 export function createChoosing({ store, pages, reading }: { store: Store; pages: Pages; reading: Reading }) {
-  return { setAlike, setOrder, take };
+  return { setAlike, setOrder, take, star };
 
   /** @param alike bits of a fingerprint, 4 to 16 */
   function setAlike(alike: number) {
@@ -52,9 +52,55 @@ export function createChoosing({ store, pages, reading }: { store: Store; pages:
     });
   }
 
+  /** A photo that a person wants to see large goes to the largest panel that is free, at once. */
+  function star(id: string, on: boolean) {
+    reading.edit({ type: 'star-photo', id, on }, () => {
+      const { page, locks } = store.project.peek();
+      const shapes = store.geometry.peek()?.panels;
+      if (!on || !page || !shapes || locks.photos || !store.photos.peek().some((photo) => photo.id === id))
+        return undefined;
+      const starred = new Set(store.tray.peek().flatMap((item) => (item.starred && item.id !== id ? item.id : [])));
+      const sizes = shapes.map(({ bounds }) => bounds.width * bounds.height);
+      const changed = enlarged(page, id, sizes, starred);
+      return changed === page ? undefined : replanned(changed);
+    });
+  }
+
   function replanned(page: PageDocument) {
     return pages.plan({ keep: KEEP_ALL, current: page, seed: page.seed });
   }
+}
+
+/**
+ * The page with a photo in its largest panel that is neither locked nor has another starred photo; the photo that was there
+ * takes its place.
+ * @param sizes of the panels
+ * @param starred the other starred photos
+ * @returns the same page where there is no larger place
+ */
+export function enlarged(
+  page: PageDocument,
+  id: string,
+  sizes: readonly number[],
+  starred: ReadonlySet<string>,
+): PageDocument {
+  const group = (i: number) => page.merges.find((panels) => panels.includes(i)) ?? [i];
+  const size = (i: number) => group(i).reduce((sum, panel) => sum + sizes[panel], 0);
+  const places = page.panels.map((_, i) => i).filter((i) => group(i)[0] === i);
+  const photoOf = (i: number) => page.panels[i].photo;
+  const free = places.filter((i) => !group(i).some((panel) => page.panels[panel].locked));
+  const target = free
+    .filter((i) => !starred.has(photoOf(i) ?? ''))
+    .reduce((best, i) => (best < 0 || size(i) > size(best) ? i : best), -1);
+  const from = places.find((i) => photoOf(i) === id) ?? -1;
+  if (target < 0 || (from >= 0 && (size(from) >= size(target) || !free.includes(from)))) return page;
+  const swapped = new Map([[target, id], ...(from >= 0 ? [[from, photoOf(target)] as const] : [])]);
+  const panels = page.panels.map((panel, i) => {
+    const leader = group(i)[0];
+    return swapped.has(leader) ? { ...panel, photo: swapped.get(leader) ?? null, crop: null, edited: false } : panel;
+  });
+  const gone = from >= 0 ? [] : [photoOf(target)];
+  return { ...page, panels, order: [...new Set([...page.order.filter((photo) => !gone.includes(photo)), id])] };
 }
 
 /** The page with one photo wherever it shows another of a stack, but in locked panels. */

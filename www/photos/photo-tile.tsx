@@ -14,7 +14,7 @@ const SIDE = 96;
 
 /** @param props `stack`: how many it stands for, on top of a closed stack; `onTake`: to take it in place of the others */
 export function PhotoTile({
-  item: { id },
+  item: { id, starred = false },
   used,
   stack = 0,
   onTake,
@@ -24,7 +24,7 @@ export function PhotoTile({
   stack?: number;
   onTake?: () => void;
 }) {
-  const { store, reading, engine, selection, framing, ui } = useApp();
+  const { store, reading, choosing, engine, selection, framing, ui } = useApp();
   const [panel, ...others] = selection.panels.value;
   const takes = panel !== undefined && others.length === 0 && !framing.isLocked(panel);
   // Each photo that arrives makes another album; only its own tile is drawn anew.
@@ -57,6 +57,16 @@ export function PhotoTile({
           onChange={(event) => reading.use(id, event.currentTarget.checked)}
         />
       </label>
+      <button
+        type="button"
+        class="photo-star"
+        aria-label={strings.starPhoto(name)}
+        aria-pressed={starred}
+        title={strings.starLong}
+        onClick={() => choosing.star(id, !starred)}
+      >
+        <Icon name="star" />
+      </button>
       <button
         type="button"
         class="photo-remove"

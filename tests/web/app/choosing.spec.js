@@ -64,3 +64,44 @@ test('by keyboard: a stack is opened and closed, look-alikes are set aside less,
   await press(page, 'Undo');
   await expect(order).toHaveValue('time');
 });
+
+test('a starred photo is the large one, at once and in every shuffle, until the star is taken away', async ({
+  page,
+}) => {
+  await page.goto('./');
+  await add(page, await photos(...SIX));
+  await idle(page);
+  const tray = page.getByRole('region', { name: 'Photos' });
+  const star = tray.getByRole('button', { name: 'Star cat.jpg' });
+  /** The photo of the panel that has the most of the page. */
+  const largest = () =>
+    page.evaluate(() => {
+      const area = (/** @type {Element} */ one) =>
+        one.getBoundingClientRect().width * one.getBoundingClientRect().height;
+      const panels = [...document.querySelectorAll('.stage [aria-description]')].sort((a, b) => area(b) - area(a));
+      return panels.map((one) => one.getAttribute('aria-description'))[0];
+    });
+  await tray
+    .getByRole('listitem')
+    .filter({ has: page.getByRole('button', { name: 'Star cat.jpg' }) })
+    .hover();
+  await star.click();
+  await expect(star).toHaveAttribute('aria-pressed', 'true');
+  await idle(page);
+  expect(await largest()).toContain('cat.jpg');
+  await press(page, 'Undo');
+  await expect(star).toHaveAttribute('aria-pressed', 'false');
+  await press(page, 'Redo');
+  await idle(page);
+  let large = 0;
+  for (let i = 0; i < 8; i += 1) {
+    await press(page, 'Shuffle');
+    await idle(page);
+    if ((await largest())?.includes('cat.jpg')) large += 1;
+  }
+  // Photos in a kept order can be such that it does not reach the largest panel.
+  expect(large).toBeGreaterThanOrEqual(5);
+  await page.reload();
+  await idle(page);
+  await expect(star).toHaveAttribute('aria-pressed', 'true');
+});

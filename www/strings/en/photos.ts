@@ -3,6 +3,8 @@
 export const photoStrings = {
   photos: 'Photos',
   usePhoto: (name: string) => `Use ${name}`,
+  starPhoto: (name: string) => `Star ${name}`,
+  starLong: 'Show it large, here and in every shuffle',
   removePhoto: (name: string) => `Remove ${name}`,
   photoMissing: 'Missing',
   addPhotos: 'Add photos',

@@ -1,6 +1,8 @@
 export const photoStrings = {
   photos: 'Fotos',
   usePhoto: (name: string) => `Usar ${name}`,
+  starPhoto: (name: string) => `Destacar ${name}`,
+  starLong: 'Mostrarla grande, aquí y al barajar',
   removePhoto: (name: string) => `Quitar ${name}`,
   photoMissing: 'Falta',
   addPhotos: 'Añadir fotos',
