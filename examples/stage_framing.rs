@@ -4,9 +4,10 @@
 
 use std::error::Error;
 
-use inkpanel::framing::{Order, PhotoMeta, assign, slots};
+use inkpanel::framing::PhotoMeta;
 use inkpanel::layout::{PageSettings, find, resolve};
 use inkpanel::page::import::import;
+use inkpanel::plan::{Order, assign, slots};
 use inkpanel::raster::decode::Limits;
 
 fn main() -> Result<(), Box<dyn Error>> {

@@ -10,8 +10,9 @@
 //! | [`select`] | fingerprints, near-duplicate groups, the sharpest of each |
 //! | `detect` | faces and objects, by two nets (feature `detect`) |
 //! | [`layout`] | page templates: split trees, polygons, gutters, merges |
-//! | [`framing`] | which photo goes into which panel, and the crop that fits it |
+//! | [`framing`] | the crop of a photo that fits a panel |
 //! | [`style`] | chains of filter blocks in two layers |
+//! | [`plan`] | which layout, which photo in which panel, judged by what is seen |
 //! | [`page`] | panels, borders and paper composed into one page; PNG, JPEG, PDF |
 //! | [`document`] | the project that a person edits and saves: its pages, photos, styles and layouts |
 //!
@@ -22,8 +23,9 @@
 //! Each stage has an example that runs: `examples/stage_raster.rs` and so on to `stage_page.rs`. Through some of them:
 //!
 //! ```
-//! use inkpanel::framing::{Order, PhotoMeta, assign, slots};
+//! use inkpanel::framing::PhotoMeta;
 //! use inkpanel::layout::{self, PageSettings};
+//! use inkpanel::plan::{Order, assign, slots};
 //! use inkpanel::raster::{Image, Plane};
 //! use inkpanel::style::{Context, catalogue, stylize};
 //!
@@ -61,6 +63,8 @@ pub mod json;
 pub mod layout;
 #[cfg(feature = "pages")]
 pub mod page;
+#[cfg(feature = "pages")]
+pub mod plan;
 pub mod raster;
 #[cfg(feature = "pages")]
 pub mod select;

@@ -11,7 +11,7 @@ mod reopening;
 use clap::{Parser, Subcommand};
 use inkpanel::layout::{PageSettings, Template};
 use inkpanel::page::import::{Imported, import};
-use inkpanel::page::request::{Keep, Mode, Request, Styling};
+use inkpanel::page::request::Request;
 use inkpanel::page::shuffle::plan;
 use inkpanel::page::{catalogue, png};
 use inkpanel::raster::Image;
@@ -225,15 +225,11 @@ fn plan_page(render: &Planned, output: &Path, files: &[PathBuf]) -> Result<(), C
         seed: render.seed.unwrap_or(1),
         photos: used.into_iter().cloned().collect(),
         page,
-        current: None,
-        keep: Keep::default(),
         layout,
         style,
-        styling: Styling::default(),
         panels: render.panels,
-        mode: Mode::Shuffle,
         merge: Some(render.merge),
-        merges: None,
+        ..Request::default()
     };
     let mut document = plan(&request).map_err(|error| error.to_string())?;
     if let Some(file) = &render.words {

@@ -95,7 +95,7 @@ proptest! {
         variant in 0u32..4,
     ) {
         let (w, h) = (f64::from(width), f64::from(height));
-        let target = Target { aspect, width: panel, round: false };
+        let target = Target { width: panel, ..Target::of_aspect(aspect) };
         let crop = frame(&photo(width, height, Vec::new()), &target, variant);
         let (taken, widest) = (crop.width * w, w.min(h * aspect));
         prop_assert!(panel / taken <= 2.0 + 1e-9 || panel / widest > 2.0, "{} of {} for {}", taken, widest, panel);

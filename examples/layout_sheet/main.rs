@@ -13,10 +13,11 @@ use std::error::Error;
 use std::path::PathBuf;
 
 use file::save;
-use inkpanel::framing::{EnergyMap, Order, PhotoMeta, assign, slots};
+use inkpanel::framing::{EnergyMap, PhotoMeta};
 use inkpanel::layout::{
     PRESETS, PageSettings, ResolvedPanel, ResolvedShape, Template, catalogue, generate, resolve,
 };
+use inkpanel::plan::{Order, assign, slots};
 use inkpanel::raster::Image;
 use inkpanel::raster::resize::{Region, fit, resample_image};
 use tiny_skia::{Color, FillRule, Mask, Paint, Path, PathBuilder, Pixmap, PixmapPaint, Stroke, Transform};
@@ -112,17 +113,8 @@ fn open(path: &PathBuf) -> Outcome<Photo> {
     let full = Image::from_interleaved_rgb(width, height, rgb.as_raw())?;
     let (w, h) = fit(width, height, 480);
     let image = resample_image(&full, Region::whole(width, height), w, h);
-    let meta = PhotoMeta {
-        id: path.display().to_string(),
-        width: width as u32,
-        height: height as u32,
-        fingerprint: 0,
-        sharpness: 1.0,
-        energy: EnergyMap::of(&image),
-        taken: None,
-        subjects: Vec::new(),
-        focus: None,
-    };
+    let measured = PhotoMeta::unmeasured(&path.display().to_string(), width as u32, height as u32);
+    let meta = PhotoMeta { energy: EnergyMap::of(&image), ..measured };
     Ok(Photo { image, meta })
 }
 

@@ -7,7 +7,7 @@ use crate::error::Result;
 use crate::framing::PhotoMeta;
 use crate::page::Document;
 use crate::page::document::template_of;
-use crate::page::request::{Keep, Mode, Request, Styling};
+use crate::page::request::{Keep, Request};
 use crate::page::shuffle;
 use oorandom::Rand64;
 use std::collections::HashSet;
@@ -50,17 +50,10 @@ impl Planning<'_> {
     pub fn request(&self, seed: u32) -> Request {
         Request {
             seed,
-            photos: Vec::new(),
             page: self.project.settings.as_ref().clone(),
             current: self.project.page.as_deref().cloned(),
             keep: KEEP_ALL,
-            layout: None,
-            style: None,
-            styling: Styling::default(),
-            panels: None,
-            mode: Mode::Shuffle,
-            merge: None,
-            merges: None,
+            ..Request::default()
         }
     }
 

@@ -7,6 +7,8 @@ use crate::error::Result;
 use crate::framing::PhotoMeta;
 use crate::page::Document;
 use crate::page::request::{Keep, Mode, Request};
+pub use crate::plan::spread::balanced;
+use crate::plan::spread::sizes;
 use serde_json::{Map, Value, json};
 use std::sync::Arc;
 
@@ -35,17 +37,13 @@ impl Planning<'_> {
         };
         let before = self.project.sheets();
         let fixed = self.project.locks.layout.then(|| (&page.layout, places_of(page)));
-        let sizes = match fixed {
+        let cut = match fixed {
             Some((_, places)) => filled(self.photos.len(), places),
-            None => balanced(
-                self.photos.len(),
-                self.project.panels.map_or(USUAL, |panels| panels as usize),
-                counts,
-            ),
+            None => sizes(self.photos, self.project.panels.map_or(USUAL, |panels| panels as usize), counts),
         };
         let mut made: Vec<Document> = Vec::new();
         let mut rest = self.photos;
-        for size in sizes {
+        for size in cut {
             let (own, later) = rest.split_at(size.min(rest.len()));
             rest = later;
             let layout = fixed.filter(|(_, places)| *places == size).map(|(layout, _)| layout.clone());
@@ -143,22 +141,6 @@ impl Planning<'_> {
         };
         Ok(self.plan(request)?.unwrap_or(current))
     }
-}
-
-/// Pages of nearly the same number of photos each, so that no page is a leftover: the photos of each page. `counts`:
-/// numbers of panels that layouts have; any while none is known.
-#[must_use]
-pub fn balanced(count: usize, most: usize, counts: &[usize]) -> Vec<usize> {
-    let mut sizes = Vec::new();
-    let mut rest = count;
-    while rest > 0 {
-        let even = rest.div_ceil(rest.div_ceil(most.max(1)));
-        // Of photos that are more than its panels a page would leave some out.
-        let size = counts.iter().copied().filter(|count| (1..=even).contains(count)).max().unwrap_or(even);
-        sizes.push(size);
-        rest -= size;
-    }
-    sizes
 }
 
 /// Full pages, and the rest.

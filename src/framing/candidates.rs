@@ -7,6 +7,7 @@
 
 use super::frame::Target;
 use super::photo::{Crop, FACE, PhotoMeta, Subject};
+use crate::layout::Bounds;
 
 /// Where the centre of a face stands in the height of a crop.
 const EYE_LINE: f64 = 0.42;
@@ -55,6 +56,8 @@ pub(super) struct View<'a> {
     pub(super) target: &'a Target,
     /// The largest subjects, faces first.
     pub(super) subjects: Vec<(Area, &'a Subject)>,
+    /// The same with what belongs to them, see [`Subject::grown`].
+    pub(super) grown: Vec<Area>,
     pub(super) focus: Option<(f64, f64)>,
     aspect: f64,
 }
@@ -67,14 +70,15 @@ impl<'a> View<'a> {
             let (from, to) = (low.clamp(0.0, 1.0), (low + length).clamp(0.0, 1.0));
             (from, to - from)
         };
+        let area = |s: &Subject| {
+            let ((x, w), (y, h)) = (inside(s.x, s.width), inside(s.y, s.height));
+            Area { x: x * width, y: y * height, width: w * width, height: h * height }
+        };
         let mut subjects: Vec<(Area, &Subject)> = photo
             .subjects
             .iter()
             .filter(|s| [s.x, s.y, s.width, s.height, s.score].iter().all(|v| v.is_finite()))
-            .map(|s| {
-                let ((x, w), (y, h)) = (inside(s.x, s.width), inside(s.y, s.height));
-                (Area { x: x * width, y: y * height, width: w * width, height: h * height }, s)
-            })
+            .map(|s| (area(s), s))
             .filter(|(area, _)| area.width > 0.0 && area.height > 0.0)
             .collect();
         let rank = |(area, s): &(Area, &Subject)| {
@@ -84,9 +88,10 @@ impl<'a> View<'a> {
         subjects.sort_by(|a, b| rank(b).total_cmp(&rank(a)));
         let faces = subjects.iter().filter(|(_, subject)| subject.label == FACE).count();
         subjects.truncate(MOST_SUBJECTS.max(faces.min(MOST_FACES)));
+        let grown = subjects.iter().map(|(_, subject)| area(&subject.grown())).collect();
         let focus = photo.focus.filter(|f| f.x.is_finite() && f.y.is_finite());
         let focus = focus.map(|f| (f.x.clamp(0.0, 1.0) * width, f.y.clamp(0.0, 1.0) * height));
-        Self { width, height, target, subjects, focus, aspect }
+        Self { width, height, target, subjects, grown, focus, aspect }
     }
 
     /// The widest crop, at that place along the side on which it can move (0 left or top, 1 right or bottom).
@@ -111,11 +116,35 @@ impl<'a> View<'a> {
         self.subjects.iter().filter(|(_, s)| s.label == FACE).map(|(area, _)| *area)
     }
 
-    /// True when the crop cuts a part off the face; a face outside altogether is not cut.
+    /// The heads of the faces among the subjects, in the same order.
+    pub(super) fn heads(&self) -> impl Iterator<Item = Area> + '_ {
+        let faces = self.subjects.iter().zip(&self.grown).filter(|((_, s), _)| s.label == FACE);
+        faces.map(|(_, grown)| *grown)
+    }
+
+    /// A rectangle of the photo in parts of a crop.
+    pub(super) fn within(crop: Area, inner: Area) -> Bounds {
+        Bounds {
+            x: (inner.x - crop.x) / crop.width,
+            y: (inner.y - crop.y) / crop.height,
+            width: inner.width / crop.width,
+            height: inner.height / crop.height,
+        }
+    }
+
+    /// True when the panel shows a part of the face only; a face outside altogether is not cut.
     pub(super) fn cuts(&self, crop: Area, face: Area) -> bool {
         if self.target.round {
             let (near, far) = reach(crop, face);
-            return near < 1.0 && far > 1.0;
+            if near < 1.0 && far > 1.0 {
+                return true;
+            }
+        }
+        if !self.target.region.is_plain() {
+            return self.target.region.cuts(Self::within(crop, face));
+        }
+        if self.target.round {
+            return false;
         }
         let shared = crop.shared(face);
         shared > 0.0 && shared < face.width * face.height * (1.0 - 1e-9)
@@ -154,40 +183,106 @@ pub(super) fn reach(crop: Area, inner: Area) -> (f64, f64) {
     (near_x.hypot(near_y) / radius, far / radius)
 }
 
-/// All crops worth a look; `again` adds closer ones for a photo that is used before.
-pub(super) fn all(view: &View, again: bool) -> Vec<Crop> {
-    let closer = if again { &CLOSER_STEPS[..] } else { &[] };
-    let steps: Vec<f64> = STEPS.iter().chain(closer).map(|step| step * view.widest_width()).collect();
+/// How far to look.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum Search {
+    /// All crops worth a look.
+    Full,
+    /// Closer ones too, for a photo that is used before.
+    Closer,
+    /// A few.
+    Quick,
+}
+
+/// Crops worth a look.
+pub(super) fn all(view: &View, search: Search) -> Vec<Crop> {
+    let quick = search == Search::Quick;
+    let closer = if search == Search::Closer { &CLOSER_STEPS[..] } else { &[] };
+    let steps = if quick { &STEPS[..2] } else { &STEPS[..] };
+    let steps: Vec<f64> = steps.iter().chain(closer).map(|step| step * view.widest_width()).collect();
+    let places = if quick { 5 } else { PLACES };
     let mut crops = Vec::new();
     for &width in &steps {
         let (right, bottom) = (view.width - width, view.height - width / view.aspect);
-        for (across, down) in (0..PLACES * PLACES).map(|i| (i % PLACES, i / PLACES)) {
-            let part = |place: u32| f64::from(place) / f64::from(PLACES - 1);
-            crops.push(view.crop(right * part(across), bottom * part(down), width));
+        // Where there is no room to move, all places are one.
+        let count = |room: f64, side: f64| if room > 1e-9 * side { places } else { 1 };
+        let (across, down) = (count(right, view.width), count(bottom, view.height));
+        let part =
+            |place: u32, count: u32| if count > 1 { f64::from(place) / f64::from(count - 1) } else { 0.5 };
+        for y in 0..down {
+            for x in 0..across {
+                crops.push(view.crop(right * part(x, across), bottom * part(y, down), width));
+            }
         }
         if let Some(at) = view.focus {
             crops.push(view.about(at, width, 0.5));
         }
     }
     let faces: Vec<Area> = view.faces().collect();
-    for subject in boxes(view, &faces) {
-        expansions(view, subject, faces.contains(&subject), &mut crops);
+    let heads: Vec<Area> = view.heads().collect();
+    let boxes = boxes(view, &faces, if quick { 3 } else { MOST_SUBJECTS });
+    for &subject in &boxes {
+        let face = faces.contains(&subject);
+        expansions(view, subject, face, quick, &mut crops);
+        // Wide, with the subject where the eye goes.
+        let centre = (subject.x + subject.width / 2.0, subject.y + subject.height / 2.0);
+        let level = if face && !view.target.round { EYE_LINE } else { 0.5 };
+        crops.extend(steps.iter().map(|&width| view.about(centre, width, level)));
+    }
+    if !view.target.region.is_plain() {
+        let grown = boxes.iter().chain(heads.iter().take(MOST_SUBJECTS)).copied();
+        let focus = view.focus.map(|(x, y)| Area { x, y, width: 0.0, height: 0.0 });
+        for subject in grown.chain(focus) {
+            into_core(view, subject, &steps, &mut crops);
+        }
     }
     if !faces.is_empty() && !view.target.round {
-        let settled: Vec<Crop> = crops.iter().filter_map(|crop| settled(view, crop, &faces)).collect();
-        crops.extend(settled);
-        if !crops.iter().any(|crop| keeps(view, crop, &faces)) {
-            crops.extend(tight(view, &faces));
+        let most = if quick { places as usize } else { crops.len() };
+        for whole in [&faces, &heads] {
+            let settled: Vec<Crop> =
+                crops.iter().take(most).filter_map(|crop| settled(view, crop, whole)).collect();
+            crops.extend(settled);
+        }
+        for whole in [&faces, &heads] {
+            if !crops.iter().any(|crop| keeps(view, crop, whole)) {
+                crops.extend(tight(view, whole));
+            }
         }
     }
     crops.dedup();
     crops
 }
 
+/// Crops that show a box in the part of the panel where nothing is hidden.
+fn into_core(view: &View, inner: Area, steps: &[f64], crops: &mut Vec<Crop>) {
+    let core = view.target.region.core();
+    let (cx, cy) = (inner.x + inner.width / 2.0, inner.y + inner.height / 2.0);
+    let (mx, my) = (core.x + core.width / 2.0, core.y + core.height / 2.0);
+    let least = (inner.width / core.width).max(inner.height / core.height * view.aspect);
+    let fitting = [1.02, 1.2, 1.6, 2.4].map(|room| least * room);
+    for &width in fitting.iter().chain(steps) {
+        let width = width.min(view.widest_width());
+        if width <= 0.0 {
+            continue;
+        }
+        let height = width / view.aspect;
+        crops.push(view.crop(cx - mx * width, cy - my * height, width));
+        // The crop in the middle of the photo, moved as little as brings the box into the core.
+        let (x, y) = ((view.width - width) / 2.0, (view.height - height) / 2.0);
+        let moved = |at: f64, low: f64, side: f64, from: f64, length: f64| {
+            let (most, least) = (from - low, from + length - low - side);
+            if least <= most { at.clamp(least, most) } else { f64::midpoint(least, most) }
+        };
+        let x = moved(x, core.x * width, core.width * width, inner.x, inner.width);
+        let y = moved(y, core.y * height, core.height * height, inner.y, inner.height);
+        crops.push(view.crop(x, y, width));
+    }
+}
+
 /// What a crop may be drawn round: each subject, all faces, as many of them as fit, all subjects.
-fn boxes(view: &View, faces: &[Area]) -> Vec<Area> {
+fn boxes(view: &View, faces: &[Area], most: usize) -> Vec<Area> {
     let all: Vec<Area> = view.subjects.iter().map(|(area, _)| *area).collect();
-    let mut boxes: Vec<Area> = all.iter().copied().take(MOST_SUBJECTS).collect();
+    let mut boxes: Vec<Area> = all.iter().copied().take(most).collect();
     let (widest, highest) = (view.widest_width(), view.widest_width() / view.aspect);
     let groups = [faces.to_vec(), all];
     for group in groups.iter().filter(|group| group.len() > 1) {
@@ -203,11 +298,18 @@ fn boxes(view: &View, faces: &[Area]) -> Vec<Area> {
 }
 
 /// The paper's sixteen expansions of a box, brought to the panel's aspect.
-fn expansions(view: &View, inner: Area, face: bool, crops: &mut Vec<Crop>) {
+fn expansions(view: &View, inner: Area, face: bool, quick: bool, crops: &mut Vec<Crop>) {
     let fixed = FIXED_EXPANSION * view.width.max(view.height);
     // A crop draws the eye to the upper part; in a circle the centre is what one sees.
     let level = if face && !view.target.round { EYE_LINE } else { 0.5 };
     let centre = (inner.x + inner.width / 2.0, inner.y + inner.height / 2.0);
+    if quick {
+        for room in [1.15, 1.5, 2.2] {
+            crops.push(view.about(centre, inner.width.max(inner.height * view.aspect) * room, level));
+        }
+        crops.push(view.about(centre, view.width, level));
+        return;
+    }
     for width in [inner.width + fixed, inner.width * 1.1, inner.width * 1.5, view.width] {
         for height in [inner.height + fixed, inner.height * 1.1, inner.height * 1.5, view.height] {
             crops.push(view.about(centre, width.max(height * view.aspect), level));
@@ -221,10 +323,10 @@ fn expansions(view: &View, inner: Area, face: bool, crops: &mut Vec<Crop>) {
     }
 }
 
-/// Whether a crop holds a face whole and cuts none.
+/// Whether a crop shows a face whole and cuts none.
 fn keeps(view: &View, crop: &Crop, faces: &[Area]) -> bool {
     let area = view.area(crop);
-    let holds = |face: &Area| area.shared(*face) > 0.0;
+    let holds = |face: &Area| view.target.region.holds(View::within(area, *face));
     faces.iter().any(holds) && !faces.iter().any(|face| view.cuts(area, *face))
 }
 

@@ -1,14 +1,15 @@
 //! The crop of one photo for one panel.
 
-use super::candidates::{View, all};
+use super::candidates::{Search, View, all};
 use super::photo::{Crop, PhotoMeta};
+use super::region::Region;
 use super::score::Judge;
 
 /// Crops of one photo that differ; a photo used still more often starts again.
 const VARIANTS: u32 = 8;
 
 /// What a crop is wanted for.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, PartialEq)]
 pub struct Target {
     /// Width over height of the panel's bounds.
     pub aspect: f64,
@@ -16,13 +17,15 @@ pub struct Target {
     pub width: f64,
     /// True for a circle: only the inscribed circle of the crop will be seen.
     pub round: bool,
+    /// What of the rectangle is seen: a slanted panel, what later panels cover, the gutters of a merge.
+    pub region: Region,
 }
 
 impl Target {
     /// A rectangular panel of that aspect, whatever its size.
     #[must_use]
     pub fn of_aspect(aspect: f64) -> Self {
-        Self { aspect, width: 0.0, round: false }
+        Self { aspect, width: 0.0, round: false, region: Region::default() }
     }
 }
 
@@ -31,13 +34,14 @@ impl Target {
 ///
 /// With `variant` 0 it is the best one; with 1, 2, ... the next best that differs from those before, for a
 /// photo that is used again: other subjects if there are any, else another place or a closer look. Without
-/// subjects and focus the crop follows the energy of the photo; faces are not cut when a crop exists that
-/// keeps them; the focus is always inside.
+/// subjects and focus the crop follows the energy of the photo; faces, and the heads round them, are not cut, by
+/// whatever hides a part of the panel, when a crop exists that keeps them; the focus is always inside.
 #[must_use]
 pub fn frame(photo: &PhotoMeta, target: &Target, variant: u32) -> Crop {
+    let search = if variant > 0 { Search::Closer } else { Search::Full };
     let view = View::new(photo, target);
     let mut judge = Judge::new(photo, &view);
-    let candidates = judge.admitted(all(&view, variant > 0));
+    let candidates = judge.admitted(all(&view, search), variant == 0);
     let mut shown: Vec<Crop> = Vec::new();
     for _ in 0..=variant % VARIANTS {
         let best = candidates
@@ -49,6 +53,19 @@ pub fn frame(photo: &PhotoMeta, target: &Target, variant: u32) -> Crop {
         shown.push(best);
     }
     shown.last().copied().unwrap_or_else(|| view.widest(0.5, 0.5))
+}
+
+/// A crop that is nearly as good as [`frame`]'s and found in a tenth of the time, and the part of the photo's energy
+/// that it holds: enough to choose photos by.
+#[must_use]
+pub fn sketch(photo: &PhotoMeta, target: &Target) -> (Crop, f64) {
+    let view = View::new(photo, target);
+    let judge = Judge::new(photo, &view);
+    let candidates = judge.admitted(all(&view, Search::Quick), true);
+    let rated = candidates.iter().map(|crop| (judge.score(crop, &[]), crop));
+    let best = rated.max_by(|a, b| a.0.total_cmp(&b.0));
+    let crop = best.map_or_else(|| view.widest(0.5, 0.5), |(_, crop)| *crop);
+    (crop, judge.energy(&crop))
 }
 
 #[cfg(test)]
@@ -145,7 +162,7 @@ mod tests {
     #[test]
     fn a_circle_centres_its_subject() {
         let face = subject(FACE, 0.3, 0.35, 0.1, 0.15);
-        let target = Target { aspect: 1.0, width: 0.0, round: true };
+        let target = Target { round: true, ..Target::of_aspect(1.0) };
         let crop = frame(&photo(4000, 3000, vec![face]), &target, 0);
         assert!((crop.x + crop.width / 2.0 - 0.35).abs() < 0.01, "{crop:?}");
         assert!((crop.y + crop.height / 2.0 - 0.425).abs() < 0.03, "{crop:?}");
@@ -174,7 +191,8 @@ mod tests {
         ) {
             let mut photo = photo(width, height, subjects);
             photo.focus = focus.map(|(x, y)| Focus { x, y });
-            let target = Target { aspect: if round { 1.0 } else { aspect }, width: panel, round };
+            let aspect = if round { 1.0 } else { aspect };
+            let target = Target { width: panel, round, ..Target::of_aspect(aspect) };
             let crop = frame(&photo, &target, variant);
             prop_assert_eq!(crop, frame(&photo, &target, variant));
             prop_assert!(crop.x >= 0.0 && crop.y >= 0.0 && crop.width > 0.0 && crop.height > 0.0);

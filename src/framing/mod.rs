@@ -4,15 +4,17 @@
 //! its subjects. [`assign()`] gives every panel a photo, [`frame()`] finds the crop. Both are pure functions;
 //! pixels never come here, except once in [`EnergyMap::of`].
 
-pub mod assign;
 mod candidates;
 pub mod energy;
+mod facts;
 mod frame;
 mod photo;
+pub mod region;
 mod score;
 mod sums;
 
-pub use assign::{Assignment, Order, Slot, assign, slots};
 pub use energy::EnergyMap;
-pub use frame::{Target, frame};
+pub use facts::Facts;
+pub use frame::{Target, frame, sketch};
 pub use photo::{Crop, FACE, Focus, PhotoMeta, Subject};
+pub use region::Region;

@@ -3,6 +3,7 @@
 use serde::{Deserialize, Deserializer, Serialize, Serializer};
 
 use super::energy::EnergyMap;
+use super::facts::Facts;
 
 /// The label of a face among the subjects.
 pub const FACE: &str = "face";
@@ -33,6 +34,12 @@ pub struct PhotoMeta {
     /// The point that a person marked as the one that matters.
     #[serde(default)]
     pub focus: Option<Focus>,
+    /// Tones, texture and colour; none where the photo was never measured, as in projects of before.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub facts: Option<Facts>,
+    /// Marked by a person as one that matters: it gets the large panel.
+    #[serde(default, skip_serializing_if = "std::ops::Not::not")]
+    pub starred: bool,
 }
 
 impl PhotoMeta {
@@ -49,6 +56,8 @@ impl PhotoMeta {
             taken: None,
             subjects: Vec::new(),
             focus: None,
+            facts: None,
+            starred: false,
         }
     }
 
@@ -74,6 +83,46 @@ pub struct Subject {
     pub label: String,
     /// The detector's confidence, 0..1.
     pub score: f64,
+}
+
+/// Labels of animals.
+const ANIMALS: [&str; 10] =
+    ["bird", "cat", "dog", "horse", "sheep", "cow", "elephant", "bear", "zebra", "giraffe"];
+
+impl Subject {
+    /// Whether it is a thing that fills most of the photo, as tables and benches do: the place of what is seen rather
+    /// than what is seen, so that no crop has to hold it whole.
+    #[must_use]
+    pub fn is_scenery(&self) -> bool {
+        let alive = self.label == FACE || self.label == "person" || ANIMALS.contains(&self.label.as_str());
+        !alive && (self.width * self.height > 0.5 || self.width > 0.9 || self.height > 0.9)
+    }
+
+    /// Whether the middle of the other lies in it.
+    #[must_use]
+    pub fn surrounds(&self, other: &Self) -> bool {
+        let within = |at: f64, low: f64, side: f64| at >= low && at <= low + side;
+        within(other.x + other.width / 2.0, self.x, self.width)
+            && within(other.y + other.height / 2.0, self.y, self.height)
+    }
+
+    /// The box with what belongs to it beyond what detectors mark: the hair and ears round a face, a little all round
+    /// an animal. Inside the photo.
+    #[must_use]
+    pub fn grown(&self) -> Self {
+        let (above, around) = match self.label.as_str() {
+            FACE => (0.35, 0.1),
+            animal if ANIMALS.contains(&animal) => (0.08, 0.08),
+            _ => (0.0, 0.0),
+        };
+        let below = if self.label == FACE { 0.05 } else { above };
+        let (left, top) = (self.x - around * self.width, self.y - above * self.height);
+        let (right, bottom) = (self.x + self.width * (1.0 + around), self.y + self.height * (1.0 + below));
+        let (x, y) = (left.max(self.x.min(0.0)), top.max(self.y.min(0.0)));
+        let (width, height) =
+            (right.min((self.x + self.width).max(1.0)) - x, bottom.min((self.y + self.height).max(1.0)) - y);
+        Self { x, y, width, height, ..self.clone() }
+    }
 }
 
 #[cfg(feature = "detect")]

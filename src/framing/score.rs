@@ -16,6 +16,10 @@ const AREA_COST: f64 = 0.35;
 /// The weight of all subjects together from which on they have their full say. A speck that some detector calls a
 /// sheep is no reason to show a stone in place of the mountains.
 const STRONG: f64 = 0.25;
+/// The least part of a photo that a crop keeps where another can be had.
+const LEAST_KEPT: f64 = 0.44;
+/// The least part of a photo that a subject covers which must not be cut.
+const SOME_SIZE: f64 = 0.01;
 /// What one edge through a place of ordinary energy costs.
 const CUT_COST: f64 = 0.022;
 
@@ -43,13 +47,22 @@ impl<'a> Judge<'a> {
         Self { view, sums: photo.energy.sums(), weights: view.subjects.iter().map(weight).collect() }
     }
 
-    /// The candidates that break no rule, or as few rules as possible: the focus inside, a face kept and none
-    /// cut, not enlarged too much.
-    pub(super) fn admitted(&self, candidates: Vec<Crop>) -> Vec<Crop> {
-        let rules: [&dyn Fn(&Crop) -> bool; 3] =
-            [&|crop| self.holds_focus(crop), &|crop| self.spares_faces(crop), &|crop| {
-                self.enlargement(crop) <= MOST_ENLARGED
-            }];
+    /// The candidates that break no rule, or as few rules as possible: the focus seen, a face kept and none cut, the
+    /// same for the heads, no subject cut, enough of the photo kept where that is asked for, not enlarged too much.
+    pub(super) fn admitted(&self, candidates: Vec<Crop>, wide: bool) -> Vec<Crop> {
+        let most = candidates.iter().map(|crop| crop.width * crop.height).fold(0.0, f64::max);
+        let least = if wide { LEAST_KEPT.min(0.92 * most) } else { 0.0 };
+        let (faces, heads): (Vec<Area>, Vec<Area>) =
+            (self.view.faces().collect(), self.view.heads().collect());
+        let rules: [&dyn Fn(&Crop) -> bool; 7] = [
+            &|crop| self.holds_focus(crop),
+            &|crop| self.shows_focus(crop),
+            &|crop| self.spares(crop, &faces),
+            &|crop| self.spares(crop, &heads),
+            &|crop| crop.width * crop.height >= least,
+            &|crop| self.spares_subjects(crop),
+            &|crop| self.enlargement(crop) <= MOST_ENLARGED,
+        ];
         let mut rest = candidates;
         for rule in rules {
             let passed: Vec<Crop> = rest.iter().copied().filter(|crop| rule(crop)).collect();
@@ -58,6 +71,11 @@ impl<'a> Judge<'a> {
             }
         }
         rest
+    }
+
+    /// The part of the photo's energy that a crop holds, 0 to 1.
+    pub(super) fn energy(&self, crop: &Crop) -> f64 {
+        self.sums.share(crop)
     }
 
     /// The score; higher is better. `shown` are the crops of the photo that the page has already.
@@ -104,7 +122,14 @@ impl<'a> Judge<'a> {
             if subject.label == FACE {
                 cut += f64::from(u8::from(self.view.cuts(crop, *area)));
                 let level = (area.y + area.height / 2.0 - crop.y) / crop.height;
-                off_line = off_line.max(inside * (level - 0.42).abs());
+                let across = (area.x + area.width / 2.0 - crop.x) / crop.width;
+                // In a circle the centre is what one sees.
+                let off = if self.view.target.round {
+                    9.0 * (level - 0.5).hypot(across - 0.5)
+                } else {
+                    (level - 0.42).abs()
+                };
+                off_line = off_line.max(inside * off);
             }
         }
         let say = (total / STRONG).min(1.0);
@@ -113,6 +138,9 @@ impl<'a> Judge<'a> {
 
     /// The part of a subject that the panel shows.
     fn inside(&self, crop: Area, subject: Area) -> f64 {
+        if !self.view.target.region.is_plain() {
+            return self.view.target.region.shares(View::within(crop, subject)).0.min(1.0);
+        }
         if self.view.target.round {
             let (near, far) = reach(crop, subject);
             return ((1.0 - near) / (far - near).max(1e-9)).clamp(0.0, 1.0);
@@ -129,20 +157,50 @@ impl<'a> Judge<'a> {
         })
     }
 
-    /// No face cut, and at least one in the crop if the photo has any.
-    fn spares_faces(&self, crop: &Crop) -> bool {
+    /// The focus is not under another panel nor in a gutter.
+    fn shows_focus(&self, crop: &Crop) -> bool {
         let area = self.view.area(crop);
-        let mut faces = self.view.faces().peekable();
-        if faces.peek().is_none() {
+        self.view.focus.is_none_or(|(x, y)| {
+            let side = area.width.min(area.height) * 0.02;
+            let spot = Area { x: x - side / 2.0, y: y - side / 2.0, width: side, height: side };
+            self.view.target.region.is_plain()
+                || self.view.target.region.shares(View::within(area, spot)).0 > 0.5
+        })
+    }
+
+    /// No face cut, and at least one in the crop if the photo has any.
+    fn spares(&self, crop: &Crop, faces: &[Area]) -> bool {
+        if faces.is_empty() {
             return true;
         }
+        let area = self.view.area(crop);
         let (mut cut, mut kept) = (false, false);
-        for face in faces {
+        for &face in faces {
             let cuts = self.view.cuts(area, face);
             cut |= cuts;
-            kept |= !cuts && self.inside(area, face) > 0.99;
+            kept |= !cuts && self.inside(area, face) > 0.95;
         }
         kept && !cut
+    }
+
+    /// No subject of some size cut that is not a face, and not all of them left out.
+    fn spares_subjects(&self, crop: &Crop) -> bool {
+        let area = self.view.area(crop);
+        let whole = self.view.width * self.view.height;
+        let (mut some, mut kept) = (false, false);
+        for ((_, subject), grown) in self.view.subjects.iter().zip(&self.view.grown) {
+            if subject.label == FACE || subject.is_scenery() || grown.width * grown.height < SOME_SIZE * whole
+            {
+                continue;
+            }
+            let inside = self.inside(area, *grown);
+            if inside > 0.05 && inside < 0.9 {
+                return false;
+            }
+            some = true;
+            kept |= inside >= 0.9;
+        }
+        kept || !some
     }
 
     /// How much the panel enlarges the crop; at least a tiny number.

@@ -178,7 +178,8 @@ pub fn edges(polygon: &[Point]) -> impl Iterator<Item = (Point, Point)> + '_ {
 }
 
 /// Distance of `p` from the line a -> b, positive on the inner side of a clockwise polygon.
-fn side(a: Point, b: Point, p: Point) -> f64 {
+#[must_use]
+pub fn side(a: Point, b: Point, p: Point) -> f64 {
     let length = a.distance(b);
     if length <= f64::MIN_POSITIVE {
         return a.distance(p);

@@ -3,7 +3,7 @@
 
 use super::png;
 use crate::error::Result;
-use crate::framing::{EnergyMap, PhotoMeta};
+use crate::framing::{self, EnergyMap, PhotoMeta};
 use crate::raster::Image;
 use crate::raster::decode::{Limits, decode_fit};
 use crate::raster::orient::turned_clockwise;
@@ -95,6 +95,8 @@ fn described(id: &str, work: Image, facts: Facts) -> Imported {
         taken: facts.taken,
         subjects: Vec::new(),
         focus: None,
+        facts: Some(framing::Facts::of(&small)),
+        starred: false,
     };
     Imported { meta, measures, format: facts.format, work, small }
 }

@@ -4,11 +4,12 @@ use super::document::Document;
 pub use super::styling::Styling;
 use crate::framing::PhotoMeta;
 use crate::layout::PageSettings;
+pub use crate::plan::layouts::Taste;
 use serde::Deserialize;
 use serde_json::Value;
 
 /// What is asked for. The answer depends on nothing else.
-#[derive(Debug, Clone, Deserialize)]
+#[derive(Debug, Clone, Default, Deserialize)]
 #[serde(rename_all = "camelCase")]
 pub struct Request {
     /// Seed of every choice that is left to chance.
@@ -47,6 +48,35 @@ pub struct Request {
     /// Exactly these groups of panels share one image each.
     #[serde(default)]
     pub merges: Option<Vec<Vec<usize>>>,
+    /// What the person liked so far.
+    #[serde(default)]
+    pub taste: Taste,
+    /// What was shown just now and is not to come again at once, beside what the current page has.
+    #[serde(default)]
+    pub avoid: Avoid,
+    /// How bold the draw is: 1 as usual, more to be surprised more, 0 for the best that was found.
+    #[serde(default)]
+    pub surprise: Option<f64>,
+}
+
+/// Layouts and styles that were shown just now, by id.
+#[derive(Debug, Clone, Default, PartialEq, Deserialize)]
+#[serde(from = "Value")]
+pub struct Avoid {
+    /// Layouts.
+    pub layouts: Vec<String>,
+    /// Styles.
+    pub styles: Vec<String>,
+}
+
+impl From<Value> for Avoid {
+    fn from(value: Value) -> Self {
+        let read = |key: &str| {
+            let ids = value[key].as_array().into_iter().flatten();
+            ids.filter_map(|id| id.as_str().map(str::to_owned)).collect()
+        };
+        Self { layouts: read("layouts"), styles: read("styles") }
+    }
 }
 
 /// Parts of the current page that stay.

@@ -1,20 +1,34 @@
 //! A new document from photos, locks and a seed: the pure function behind every shuffle, choice and refinement.
 
 use super::document::{Document, VERSION, style_of, template_of};
-use super::fill::choose_photos;
-use super::request::Request;
+use super::fill::{Stage, contents};
+use super::request::{Mode, Request};
 use super::styling::choose_style;
 use crate::error::{Error, Result};
+use crate::layout::Template;
 use crate::layout::merge::{can_merge, mergeable};
-use crate::layout::{self, Template};
+use crate::plan::assign::Photos;
+use crate::plan::layouts::{self, Wanted};
+use crate::plan::{Candidate, Order, Score, Shelf, compose};
 use oorandom::Rand64;
 use serde_json::Value;
+use std::borrow::Cow;
 
-/// Most panels that a page gets unless more are asked for.
-const USUAL_MOST: usize = 9;
-
-/// Share of new layouts that get merged panels.
+/// Share of new layouts for which panels that share an image are looked at.
 const MERGE_CHANCE: f64 = 0.3;
+/// Groups of panels that are tried in one layout.
+const MERGES_TRIED: usize = 2;
+/// What a layout without merged panels weighs where merged ones are looked at.
+const UNMERGED: f64 = 0.5;
+
+/// A document and what it was judged by.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Planned {
+    /// The page.
+    pub document: Document,
+    /// How good it is.
+    pub score: Score,
+}
 
 /// Makes the page that `request` asks for.
 ///
@@ -22,97 +36,139 @@ const MERGE_CHANCE: f64 = 0.3;
 /// `no-photos`; `invalid-document` for page settings out of range; the errors of a layout or style that is
 /// asked for and does not exist.
 pub fn plan(request: &Request) -> Result<Document> {
+    planned(request, &Shelf::new(request.photos.len())).map(|planned| planned.document)
+}
+
+/// The same with its score; what is found out about the photos stays on the shelf, which has a place for each.
+///
+/// # Errors
+/// As [`plan`].
+pub fn planned(request: &Request, shelf: &Shelf) -> Result<Planned> {
     if request.photos.is_empty() {
         return Err(Error::NoPhotos);
     }
     request.page.validate()?;
     let mut random = Rand64::new(u128::from(request.seed));
     let current = request.current.as_ref();
-    let layout = choose_layout(request, &mut random)?;
-    let template = template_of(&layout)?;
-    let style = choose_style(request, &mut random)?;
+    let stages = stages(request, &mut random)?;
+    let always: Vec<usize> = stages.first().map(Stage::held).unwrap_or_default();
+    let photos = Photos::new(&request.photos, &always, shelf, &mut random);
+    let candidates: Vec<Candidate> = stages.iter().map(|stage| stage.candidate.clone()).collect();
+    let order = if request.mode == Mode::Photos { Order::Free } else { Order::Kept };
+    let heat = request.surprise.filter(|heat| heat.is_finite()).map_or(1.0, |heat| heat.clamp(0.0, 4.0));
+    let plan = compose(&candidates, &photos, order, heat, &mut random)
+        .ok_or_else(|| Error::UnknownLayout("any".into()))?;
+    let stage = &stages[plan.candidate];
+    let (order, panels) = contents(request, stage, &plan.panels);
+    let style = choose_style(request, stage, &plan, &mut random)?;
     style_of(&style)?;
-    let same_layout = current.is_some_and(|current| current.layout == layout);
-    let merges = choose_merges(request, &template, same_layout, &mut random)?;
-    let (order, panels) = choose_photos(request, &template, &merges, same_layout);
-    Ok(Document {
+    let document = Document {
         version: VERSION,
         seed: request.seed,
-        layout,
+        layout: stage.layout.clone(),
         style,
         order,
         panels,
-        merges,
+        merges: stage.merges.clone(),
         page: request.page.clone(),
         // Words follow their panels into another layout.
         words: current.map(|current| current.words.clone()).unwrap_or_default(),
         rest: current.map(|current| current.rest.clone()).unwrap_or_default(),
-    })
+    };
+    Ok(Planned { document, score: plan.score })
 }
 
-fn choose_layout(request: &Request, random: &mut Rand64) -> Result<Value> {
-    if let Some(layout) = &request.layout {
-        return Ok(layout.clone());
-    }
+/// The layouts that may become the page, with the groups of panels that may share an image.
+fn stages(request: &Request, random: &mut Rand64) -> Result<Vec<Stage>> {
     let current = request.current.as_ref();
-    if let Some(current) = current.filter(|_| request.keep.layout) {
-        return Ok(current.layout.clone());
+    let kept = current.filter(|_| request.keep.layout).map(|current| &current.layout);
+    if let Some(layout) = request.layout.as_ref().or(kept) {
+        let template = template_of(layout)?;
+        let same_layout = current.is_some_and(|current| &current.layout == layout);
+        let merges = merges_of(request, &template, same_layout, random)?;
+        let stages = merges.into_iter().map(|merges| {
+            Stage::new(
+                request,
+                layout.clone(),
+                &template,
+                merges,
+                same_layout,
+                (0, layouts::weight(template.family())),
+            )
+        });
+        return Ok(stages.collect());
     }
-    let aspect = request.page.aspect();
-    let good = layout::good_for(aspect);
-    // Every page has at least one template; where none is good the whole list is still better than nothing.
-    let good = if good.is_empty() { layout::catalogue().iter().collect() } else { good };
-    let wanted = request.panels.unwrap_or_else(|| usual_count(request.photos.len(), &good, random));
-    let distance = |template: &&Template| template.panels().len().abs_diff(wanted);
-    let nearest = good.iter().map(distance).min().unwrap_or(0);
-    let mut fitting: Vec<&Template> = good.into_iter().filter(|t| distance(t) == nearest).collect();
-    let shown = current.and_then(|current| current.layout.as_str());
-    if fitting.len() > 1 {
-        fitting.retain(|template| Some(template.id()) != shown);
+    let shown: Vec<&str> = current
+        .and_then(|current| current.layout.as_str())
+        .into_iter()
+        .chain(request.avoid.layouts.iter().map(String::as_str))
+        .collect();
+    let wanted = Wanted {
+        aspect: request.page.aspect(),
+        panels: request.panels,
+        photos: request.photos.len(),
+        shown: &shown,
+        taste: &request.taste,
+    };
+    let mut stages = Vec::new();
+    let chance = request.merge.is_none() && request.panels.is_none() && random.rand_float() < MERGE_CHANCE;
+    for (index, drawn) in layouts::draw(&wanted, random).into_iter().enumerate() {
+        let template = Cow::Borrowed(drawn.template);
+        let layout = Value::String(template.id().to_owned());
+        let same_layout = current.is_some_and(|current| current.layout == layout);
+        let merges = merges_of(request, &template, same_layout, random)?;
+        for merges in merges {
+            let stage = |merges, prior| {
+                Stage::new(request, layout.clone(), &template, merges, same_layout, (index, prior))
+            };
+            // A page of two panels that show one image would be a page with a bar across it.
+            if chance && merges.is_empty() && template.panels().len() > 3 {
+                for group in some(&mergeable(&template), MERGES_TRIED, random) {
+                    stages.push(stage(vec![group], drawn.prior));
+                }
+                stages.push(stage(merges, drawn.prior * UNMERGED));
+            } else {
+                stages.push(stage(merges, drawn.prior));
+            }
+        }
     }
-    let template = pick(&fitting, random).ok_or_else(|| Error::UnknownLayout("any".into()))?;
-    Ok(Value::String(template.id().to_owned()))
+    Ok(stages)
 }
 
-/// A number of panels that so many photos fill without repeats, neither always the same nor a page of stamps.
-fn usual_count(photos: usize, good: &[&Template], random: &mut Rand64) -> usize {
-    let most = photos.min(USUAL_MOST);
-    let least = photos.min(3).min(most);
-    let offered: Vec<usize> = good.iter().map(|t| t.panels().len()).collect();
-    // Counts with more templates come more often, so that no template is rare because its count is common.
-    let fitting: Vec<&usize> = offered.iter().filter(|count| (least..=most).contains(count)).collect();
-    pick(&fitting, random).map_or(most, |count| **count)
-}
-
-fn choose_merges(
+/// The groups of panels that share an image: those that are asked for, those that stay, or, where panels are to be merged
+/// as the page likes, several ways to do it.
+fn merges_of(
     request: &Request,
     template: &Template,
     same_layout: bool,
     random: &mut Rand64,
-) -> Result<Vec<Vec<usize>>> {
+) -> Result<Vec<Vec<Vec<usize>>>> {
     if let Some(groups) = &request.merges {
         if let Some(bad) = groups.iter().find(|group| !can_merge(template, group)) {
             let reason = format!("panels {bad:?} do not hang together");
             return Err(Error::InvalidDocument { location: "merges".into(), reason });
         }
-        return Ok(groups.clone());
+        return Ok(vec![groups.clone()]);
     }
     if let Some(current) = request.current.as_ref().filter(|_| same_layout) {
-        return Ok(current.merges.clone());
+        return Ok(vec![current.merges.clone()]);
     }
-    let groups = mergeable(template);
-    let free = request.layout.is_none() && request.panels.is_none();
-    let wanted = request.merge.unwrap_or_else(|| free && random.rand_float() < MERGE_CHANCE);
-    // A page of two panels that show one image would be a page with a bar across it.
-    let wanted = wanted && (template.panels().len() > 3 || request.merge == Some(true));
-    Ok(pick(&groups, random).filter(|_| wanted).cloned().into_iter().collect())
+    if request.merge != Some(true) {
+        return Ok(vec![Vec::new()]);
+    }
+    let ways: Vec<Vec<Vec<usize>>> =
+        some(&mergeable(template), 2 * MERGES_TRIED, random).into_iter().map(|group| vec![group]).collect();
+    Ok(if ways.is_empty() { vec![Vec::new()] } else { ways })
 }
 
-pub(super) fn pick<'a, T>(items: &'a [T], random: &mut Rand64) -> Option<&'a T> {
-    if items.is_empty() {
-        return None;
+/// Some of the items, drawn without putting back.
+fn some<T: Clone>(items: &[T], count: usize, random: &mut Rand64) -> Vec<T> {
+    let mut left: Vec<&T> = items.iter().collect();
+    let mut drawn = Vec::new();
+    while drawn.len() < count && !left.is_empty() {
+        drawn.push(left.swap_remove(random.rand_range(0..left.len() as u64) as usize).clone());
     }
-    items.get(random.rand_range(0..items.len() as u64) as usize)
+    drawn
 }
 
 #[cfg(test)]
@@ -137,15 +193,8 @@ mod tests {
             seed,
             photos: photos(count),
             page: PageSettings::default(),
-            current: None,
-            keep: Keep::default(),
-            layout: None,
-            style: None,
-            styling: crate::page::styling::Styling::default(),
-            panels: None,
-            mode: Mode::Shuffle,
             merge: Some(false),
-            merges: None,
+            ..Request::default()
         }
     }
 
@@ -168,7 +217,7 @@ mod tests {
         for seed in 0..100 {
             let shown = shown(&plan(&request(12, seed)).unwrap());
             assert!(shown.windows(2).all(|pair| pair[0] < pair[1]), "{shown:?}");
-            assert!((3..=USUAL_MOST).contains(&shown.len()));
+            assert!((3..=layouts::USUAL_MOST).contains(&shown.len()));
         }
     }
 

@@ -2,9 +2,11 @@
 //! that is invented; as a whole, or only its colour layer or its line layer.
 
 use super::document::style_of;
+use super::fill::Stage;
 use super::request::Request;
-use super::shuffle::pick;
 use crate::error::{Error, Result};
+use crate::plan::Plan;
+use crate::plan::tones::{self, Shown};
 use crate::style::{Style, catalogue, procedural};
 use oorandom::Rand64;
 use serde::Deserialize;
@@ -38,7 +40,12 @@ impl From<Value> for Styling {
 }
 
 /// The style that `request` leaves to chance, or the one that it names or keeps.
-pub(super) fn choose_style(request: &Request, random: &mut Rand64) -> Result<Value> {
+pub(super) fn choose_style(
+    request: &Request,
+    stage: &Stage,
+    plan: &Plan,
+    random: &mut Rand64,
+) -> Result<Value> {
     if let Some(style) = &request.style {
         return Ok(style.clone());
     }
@@ -47,7 +54,8 @@ pub(super) fn choose_style(request: &Request, random: &mut Rand64) -> Result<Val
     if let Some(current) = current.filter(|_| request.keep.style || (wish.keep_lines && wish.keep_colours)) {
         return Ok(current.clone());
     }
-    let drawn = draw(wish, current, random)?;
+    let shown = Shown::of(&stage.candidate.slots, &plan.panels, &request.photos, request.page.aspect());
+    let drawn = draw(request, current, &shown, random)?;
     match current {
         Some(current) if wish.keep_lines => Ok(joined(&*style_of(&drawn)?, &*style_of(current)?)),
         Some(current) if wish.keep_colours => Ok(joined(&*style_of(current)?, &*style_of(&drawn)?)),
@@ -55,24 +63,40 @@ pub(super) fn choose_style(request: &Request, random: &mut Rand64) -> Result<Val
     }
 }
 
-fn draw(wish: &Styling, current: Option<&Value>, random: &mut Rand64) -> Result<Value> {
+fn draw(request: &Request, current: Option<&Value>, page: &Shown, random: &mut Rand64) -> Result<Value> {
+    let wish = &request.styling;
     // What is invented has no line layer, so it has nothing to give where only lines are wanted.
     let lines_only = wish.keep_colours && current.is_some();
     if wish.invented > 0.0 && !lines_only && random.rand_float() < wish.invented {
         return Ok(procedural::invent(random.rand_u64() as u32).to_value());
     }
-    let shown = current.and_then(|style| style.as_str().or_else(|| style["id"].as_str()));
-    let wanted = |id: &str, lines: bool| Some(id) != shown && (lines || !lines_only);
+    let before = current.and_then(|style| style.as_str().or_else(|| style["id"].as_str()));
+    let shown = |id: &str| Some(id) == before || request.avoid.styles.iter().any(|other| other == id);
+    // The first page of a visit is to be liked at once.
+    let first = current.is_none();
     let designed = catalogue::catalogue()
         .iter()
-        .filter(|style| wanted(&style.id, style.foreground.is_some()))
-        .map(|style| Value::String(style.id.clone()));
-    let extra = wish
-        .extra
-        .iter()
-        .filter(|style| wanted(style["id"].as_str().unwrap_or_default(), style.get("foreground").is_some()));
-    let others: Vec<Value> = designed.chain(extra.cloned()).collect();
-    pick(&others, random).cloned().ok_or_else(|| Error::UnknownStyle("any".into()))
+        .filter(|style| !lines_only || style.foreground.is_some())
+        .filter(|style| !first || tones::is_among_best(&style.id))
+        .map(|style| {
+            let weight =
+                tones::weight(style, page, &request.taste) * if shown(&style.id) { 0.0 } else { 1.0 };
+            (weight, Value::String(style.id.clone()))
+        });
+    let extra =
+        wish.extra.iter().filter(|style| !lines_only || style.get("foreground").is_some()).map(|style| {
+            let id = style["id"].as_str().unwrap_or_default();
+            (if shown(id) { 0.0 } else { tones::weight_of_own(id, &request.taste) }, style.clone())
+        });
+    let others: Vec<(f64, Value)> = designed.chain(extra).collect();
+    let sum: f64 = others.iter().map(|(weight, _)| weight).sum();
+    let mut left = random.rand_float() * sum;
+    let drawn = others.iter().filter(|(weight, _)| *weight > 0.0).find(|(weight, _)| {
+        left -= weight;
+        left <= 0.0
+    });
+    let other = || others.iter().find(|(_, style)| style.as_str().is_none_or(|id| Some(id) != before));
+    drawn.or_else(other).map(|(_, style)| style.clone()).ok_or_else(|| Error::UnknownStyle("any".into()))
 }
 
 /// The colours of one style below the lines of another.
@@ -96,7 +120,6 @@ fn joined(colours: &Style, lines: &Style) -> Value {
 mod tests {
     use super::*;
     use crate::framing::PhotoMeta;
-    use crate::page::request::{Keep, Mode};
     use crate::page::shuffle::plan;
     use std::collections::BTreeSet;
 
@@ -109,15 +132,9 @@ mod tests {
             seed,
             photos: (0..4).map(photo).collect(),
             page: crate::layout::PageSettings::default(),
-            current: None,
-            keep: Keep::default(),
-            layout: None,
-            style: None,
             styling,
-            panels: None,
-            mode: Mode::Shuffle,
             merge: Some(false),
-            merges: None,
+            ..Request::default()
         }
     }
 

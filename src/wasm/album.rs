@@ -6,6 +6,7 @@ use crate::error::{Error, Result};
 use crate::framing::PhotoMeta;
 use crate::page::request::Request;
 use crate::page::shuffle;
+use crate::plan::prepared::{Place, Shelf};
 use std::collections::{HashMap, HashSet};
 use wasm_bindgen::prelude::*;
 
@@ -13,7 +14,8 @@ use wasm_bindgen::prelude::*;
 #[wasm_bindgen]
 #[derive(Default)]
 pub struct Album {
-    photos: HashMap<String, PhotoMeta>,
+    /// What is told of each, and what plans found out about it.
+    photos: HashMap<String, (PhotoMeta, Place)>,
 }
 
 #[wasm_bindgen]
@@ -28,7 +30,12 @@ impl Album {
     /// Learns what is known of some photos, a JSON array; each takes the place of the photo with its id.
     pub fn know(&mut self, photos: &str) -> std::result::Result<(), JsValue> {
         let photos: Vec<PhotoMeta> = parse(photos, "photos").map_err(thrown)?;
-        self.photos.extend(photos.into_iter().map(|photo| (photo.id.clone(), photo)));
+        for photo in photos {
+            // Told again as it was, a photo is not looked at again.
+            if self.photos.get(&photo.id).is_none_or(|(known, _)| *known != photo) {
+                self.photos.insert(photo.id.clone(), (photo, Place::default()));
+            }
+        }
         Ok(())
     }
 
@@ -43,10 +50,14 @@ impl Album {
     pub fn plan(&self, request: &str, ids: &str) -> std::result::Result<String, JsValue> {
         let plan = || -> Result<String> {
             let ids: Vec<String> = parse(ids, "photos")?;
-            let known =
-                |id: &String| self.photos.get(id).cloned().ok_or_else(|| Error::MissingPhoto(id.clone()));
-            let photos = ids.iter().map(known).collect::<Result<_>>()?;
-            Ok(shuffle::plan(&Request { photos, ..parse(request, "request")? })?.to_json())
+            let (mut photos, mut places) = (Vec::new(), Vec::new());
+            for id in ids {
+                let (photo, place) = self.photos.get(&id).ok_or_else(|| Error::MissingPhoto(id.clone()))?;
+                photos.push(photo.clone());
+                places.push(Place::clone(place));
+            }
+            let request = Request { photos, ..parse(request, "request")? };
+            Ok(shuffle::planned(&request, &Shelf::of(places))?.document.to_json())
         };
         plan().map_err(thrown)
     }

@@ -1,0 +1,263 @@
+//! What geometry can tell of pages, over two hundred of them.
+
+use std::collections::BTreeMap;
+use std::fmt::Write as _;
+use std::time::Instant;
+
+use inkpanel::framing::{Crop, FACE, PhotoMeta, Subject};
+use inkpanel::layout::{self, Bounds, PageSettings, Point, ResolvedPanel, ResolvedShape, polygon};
+use inkpanel::page::Document;
+use inkpanel::page::request::Request;
+use inkpanel::page::shuffle::planned;
+use inkpanel::plan::Shelf;
+use inkpanel::plan::composer::{LEADS, gallery};
+use rayon::prelude::*;
+
+use crate::{Failure, Photo, page};
+
+const PAGES: u32 = 200;
+/// Points across and down a box.
+const POINTS: usize = 24;
+
+#[derive(Default)]
+struct Counted {
+    family: String,
+    layout: String,
+    style: String,
+    panels: usize,
+    cut_faces: usize,
+    cut_heads: usize,
+    cut_subjects: usize,
+    little: usize,
+    blown_up: usize,
+    hero: bool,
+    merged: bool,
+    what: Vec<String>,
+}
+
+pub(crate) fn write(photos: &[Photo], output: &str) -> Result<(), Failure> {
+    let shelves = |number: u32| {
+        let (planned, album) = page(photos, number)?;
+        counted(&planned.document, &album, photos)
+    };
+    let pages = (1..=PAGES).into_par_iter().map(shelves).collect::<Result<Vec<Counted>, Failure>>()?;
+    let mut text = table(&pages);
+    text += &times(photos)?;
+    if output == "-" {
+        print!("{text}");
+    } else {
+        std::fs::write(output, text)?;
+    }
+    if std::env::var_os("WHAT").is_some() {
+        for (i, page) in pages.iter().enumerate().filter(|(_, page)| !page.what.is_empty()) {
+            eprintln!("{} {} {}: {}", i + 1, page.layout, page.style, page.what.join("; "));
+        }
+    }
+    Ok(())
+}
+
+fn counted(document: &Document, album: &[PhotoMeta], photos: &[Photo]) -> Result<Counted, Failure> {
+    let template = document.template()?;
+    let page = &document.page;
+    let panels = layout::resolve(&template, page.aspect(), page);
+    let mut counted = Counted {
+        family: template.family().to_owned(),
+        layout: template.id().to_owned(),
+        style: document.style.as_str().unwrap_or("own").to_owned(),
+        merged: !document.merges.is_empty(),
+        ..Counted::default()
+    };
+    let shelf = Shelf::new(album.len());
+    let gallery = gallery(album, &shelf);
+    let mut largest = (0.0, 0.0);
+    for (i, content) in document.panels.iter().enumerate() {
+        let group = document.merge_of(i).map_or_else(|| vec![i], <[usize]>::to_vec);
+        if group[0] != i {
+            continue;
+        }
+        let (Some(id), Some(crop)) = (&content.photo, content.crop) else { continue };
+        let at = album.iter().position(|photo| &photo.id == id).unwrap_or(0);
+        let photo = &album[at];
+        let name = photos.iter().find(|p| &p.meta.id == id).map_or("", |p| p.name.as_str());
+        let bounds =
+            group.iter().map(|&i| panels[i].bounds).reduce(Bounds::union).unwrap_or(panels[i].bounds);
+        counted.panels += 1;
+        let (mut face, mut head, mut subject) = (false, false, false);
+        for s in &photo.subjects {
+            let partly = |s: &Subject, most: f64| {
+                let (all, one) = seen(s, &crop, bounds, &panels, &group);
+                all > 0.08 && one < most
+            };
+            if s.label == FACE {
+                face |= partly(s, 0.9);
+                head |= partly(&s.grown(), 0.9);
+            } else {
+                let whole = |o: &&Subject| {
+                    s.label == "person" && o.label == FACE && s.surrounds(o) && !partly(o, 0.9)
+                };
+                let portrait = photo.subjects.iter().any(|other| whole(&other));
+                let counts = s.width * s.height >= 0.01 && !s.is_scenery() && !portrait;
+                subject |= counts && partly(s, 0.82);
+            }
+        }
+        let whole = Subject { x: 0.0, y: 0.0, width: 1.0, height: 1.0, label: String::new(), score: 1.0 };
+        let (kept, _) = seen(&whole, &crop, bounds, &panels, &group);
+        let enlarged = bounds.width * f64::from(page.width) / (crop.width * f64::from(photo.width));
+        counted.cut_faces += usize::from(face);
+        counted.cut_heads += usize::from(head && !face);
+        counted.cut_subjects += usize::from(subject);
+        counted.little += usize::from(kept < 0.4);
+        counted.blown_up += usize::from(enlarged > 2.5);
+        let faults = [
+            (face, "face"),
+            (head, "head"),
+            (subject, "subject"),
+            (kept < 0.4, "little"),
+            (enlarged > 2.5, "blown up"),
+        ];
+        for (_, fault) in faults.iter().filter(|(is, _)| *is) {
+            counted.what.push(format!("panel {} {name} {fault} kept {kept:.2}", i + 1));
+        }
+        let area = group.iter().map(|&i| size(&panels[i])).sum::<f64>();
+        if area > largest.0 / LEADS {
+            largest = (area, gallery.rank[at]);
+        } else if area >= LEADS * largest.0 {
+            largest = (area.max(largest.0), gallery.rank[at].max(largest.1));
+        }
+    }
+    counted.hero = largest.1 > 2.0 / 3.0 - 1e-9;
+    Ok(counted)
+}
+
+fn size(panel: &ResolvedPanel) -> f64 {
+    match &panel.shape {
+        ResolvedShape::Circle { radius, .. } => std::f64::consts::PI * radius * radius,
+        ResolvedShape::Polygon(corners) => polygon::area(corners),
+    }
+}
+
+/// The parts of a box of the photo that are seen on the page: in all panels of the group, and in the one that shows most.
+/// A round face is seen whole where its corners are not.
+fn seen(s: &Subject, crop: &Crop, bounds: Bounds, panels: &[ResolvedPanel], group: &[usize]) -> (f64, f64) {
+    let (mut total, mut by_panel) = (0, vec![0; group.len()]);
+    for row in 0..POINTS {
+        for column in 0..POINTS {
+            let (u, v) = ((column as f64 + 0.5) / POINTS as f64, (row as f64 + 0.5) / POINTS as f64);
+            if s.label == FACE && (u - 0.5).hypot(v - 0.5) > 0.5 {
+                continue;
+            }
+            total += 1;
+            let (x, y) = (s.x + u * s.width, s.y + v * s.height);
+            let at = Point::new(
+                bounds.x + (x - crop.x) / crop.width * bounds.width,
+                bounds.y + (y - crop.y) / crop.height * bounds.height,
+            );
+            for (count, &i) in by_panel.iter_mut().zip(group) {
+                let covered = panels[i + 1..].iter().any(|p| p.overlay && inside(&p.shape, at, p.halo));
+                *count += usize::from(inside(&panels[i].shape, at, 0.0) && !covered);
+            }
+        }
+    }
+    let share = |count: usize| count as f64 / f64::from(total.max(1));
+    (share(by_panel.iter().sum()), share(by_panel.into_iter().max().unwrap_or(0)))
+}
+
+fn inside(shape: &ResolvedShape, at: Point, halo: f64) -> bool {
+    match shape {
+        ResolvedShape::Circle { center, radius } => center.distance(at) <= radius + halo,
+        ResolvedShape::Polygon(corners) => {
+            polygon::edges(corners).all(|(a, b)| polygon::side(a, b, at) >= -halo)
+        }
+    }
+}
+
+fn table(pages: &[Counted]) -> String {
+    let panels: usize = pages.iter().map(|page| page.panels).sum();
+    let share = |count: usize, of: usize| 100.0 * count as f64 / of.max(1) as f64;
+    let of_panels = |f: &dyn Fn(&Counted) -> usize| share(pages.iter().map(f).sum(), panels);
+    let mut families: BTreeMap<&str, usize> = BTreeMap::new();
+    let mut layouts: BTreeMap<&str, usize> = BTreeMap::new();
+    let mut styles: BTreeMap<&str, usize> = BTreeMap::new();
+    for page in pages {
+        *families.entry(&page.family).or_default() += 1;
+        *layouts.entry(&page.layout).or_default() += 1;
+        *styles.entry(&page.style).or_default() += 1;
+    }
+    let entropy: f64 =
+        layouts.values().map(|&n| n as f64 / pages.len() as f64).map(|share| -share * share.log2()).sum();
+    let most = families.iter().max_by_key(|(_, n)| **n).map_or(("", 0), |(family, n)| (*family, *n));
+    let aspect = PageSettings::default().aspect();
+    let offered: std::collections::BTreeSet<&str> = layout::good_for(aspect)
+        .iter()
+        .filter(|t| (3..=9).contains(&t.panels().len()))
+        .map(|t| t.family())
+        .collect();
+    let missing: Vec<&str> = offered.into_iter().filter(|family| !families.contains_key(family)).collect();
+    let heroes = share(pages.iter().filter(|page| page.hero).count(), pages.len());
+    let mut text = String::new();
+    let mut row = |name: &str, value: String, bar: &str| {
+        let _ = writeln!(text, "| {name} | {value} | {bar} |");
+    };
+    row("pages, panels", format!("{}, {panels}", pages.len()), "");
+    row("panels with a cut face", format!("{:.1} %", of_panels(&|p| p.cut_faces)), "0");
+    row(
+        "panels with a head that is cut, the face whole",
+        format!("{:.1} %", of_panels(&|p| p.cut_heads)),
+        "",
+    );
+    row("panels with a cut subject", format!("{:.1} %", of_panels(&|p| p.cut_subjects)), "2 %");
+    row("panels that keep less than .4 of their photo", format!("{:.1} %", of_panels(&|p| p.little)), "3 %");
+    row("panels enlarged above 2.5", format!("{:.1} %", of_panels(&|p| p.blown_up)), "1 %");
+    row("pages whose hero is of the best third", format!("{heroes:.0} %"), "90 %");
+    row(
+        "pages of the most frequent family",
+        format!("{:.0} % ({})", share(most.1, pages.len()), most.0),
+        "35 %",
+    );
+    row("families never seen", if missing.is_empty() { "none".into() } else { missing.join(", ") }, "none");
+    row("layouts seen, entropy", format!("{}, {entropy:.2} bits", layouts.len()), "5 bits");
+    row("styles seen", styles.len().to_string(), "");
+    row(
+        "pages with merged panels",
+        format!("{:.0} %", share(pages.iter().filter(|p| p.merged).count(), pages.len())),
+        "",
+    );
+    let counts: Vec<String> = families.iter().map(|(family, n)| format!("{family} {n}")).collect();
+    row("pages by family", counts.join(", "), "");
+    text
+}
+
+/// Milliseconds of a plan here, from photos that are known already.
+fn times(photos: &[Photo]) -> Result<String, Failure> {
+    let mut text = String::new();
+    for count in [12, 100, 1000] {
+        let album: Vec<PhotoMeta> = (0..count)
+            .map(|i| {
+                let meta = &photos[i % photos.len()].meta;
+                let fingerprint = meta.fingerprint ^ (i as u64).wrapping_mul(0x9e37_79b9_7f4a_7c15);
+                PhotoMeta { id: format!("copy-{i}"), fingerprint, ..meta.clone() }
+            })
+            .collect();
+        let shelf = Shelf::new(count);
+        let begin = Instant::now();
+        // A gallery looks at every photo.
+        let _ = gallery(&album, &shelf);
+        let look = begin.elapsed().as_secs_f64() * 1e3 / count as f64;
+        let mut request = Request { photos: album, ..Request::default() };
+        let mut spent = Vec::new();
+        for seed in 0..30 {
+            request.seed = seed;
+            let begin = Instant::now();
+            planned(&request, &shelf)?;
+            spent.push(begin.elapsed().as_secs_f64() * 1e3);
+        }
+        spent.sort_by(f64::total_cmp);
+        let _ = writeln!(
+            text,
+            "| a plan of {count} photos, native | {:.1} ms (most {:.1}), {look:.2} ms a photo once | |",
+            spent[spent.len() / 2],
+            spent[spent.len() - 1],
+        );
+    }
+    Ok(text)
+}

@@ -1,0 +1,54 @@
+//! Writes `src/plan/looks.txt` anew: what luma each designed style makes of each sixteenth of luma. The ratings in it
+//! are a person's and stay; a style without one gets 6.5.
+//!
+//!     cargo run --release --example style_tones
+
+use std::fmt::Write as _;
+
+use inkpanel::plan::tones;
+use inkpanel::raster::{Image, Plane};
+use inkpanel::style::{Context, catalogue, stylize};
+
+/// Patches of the card across and down, and the side of a patch.
+const PATCHES: usize = 4;
+const SIDE: usize = 72;
+
+fn main() -> Result<(), Box<dyn std::error::Error>> {
+    // Patches of each tone with some texture, as photos have it.
+    let card = Plane::from_fn(PATCHES * SIDE, PATCHES * SIDE, |x, y| {
+        let tone = (y / SIDE * PATCHES + x / SIDE) as i32 * 16 + 8;
+        let wave = ((x as f32 * 0.11).sin() + (y as f32 * 0.07).cos()) * 5.0;
+        let grain = ((x * 7919 + y * 104_729 + x * y * 31) % 13) as i32 - 6;
+        (tone + wave as i32 + grain / 2).clamp(0, 255) as u8
+    });
+    let card = Image::from_rgb([card.clone(), card.clone(), card])?;
+    let mut lines = Vec::new();
+    for style in catalogue::catalogue() {
+        let mut context = Context::default();
+        context.set_scale(0.7);
+        let drawn = stylize(&card, style, &mut context)?.to_rgb();
+        let mut response = String::new();
+        for patch in 0..PATCHES * PATCHES {
+            let (left, top) = (patch % PATCHES * SIDE, patch / PATCHES * SIDE);
+            let (mut sum, mut count) = (0, 0);
+            // The rim of a patch is an edge, which the style may draw.
+            for y in top + 10..top + SIDE - 10 {
+                for x in left + 10..left + SIDE - 10 {
+                    let at = 3 * (y * PATCHES * SIDE + x);
+                    let [r, g, b] = [0, 1, 2].map(|channel| usize::from(drawn[at + channel]));
+                    sum += (77 * r + 150 * g + 29 * b) >> 8;
+                    count += 1;
+                }
+            }
+            write!(response, "{:02x}", sum / count)?;
+        }
+        lines.push((tones::rating(&style.id).unwrap_or(6.5), style.id.clone(), response));
+    }
+    lines.sort_by(|a, b| b.0.total_cmp(&a.0).then_with(|| a.1.cmp(&b.1)));
+    let mut text = String::new();
+    for (rating, id, response) in &lines {
+        writeln!(text, "{id} {rating} {response}")?;
+    }
+    std::fs::write("src/plan/looks.txt", text)?;
+    Ok(())
+}

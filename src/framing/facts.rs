@@ -1,0 +1,158 @@
+//! What a style and the cuts between pages need to know of a photo: its tones, its texture, its colours. Measured once, at
+//! import, on the small copy.
+
+use serde::{Deserialize, Serialize};
+
+use crate::raster::Image;
+
+/// Pixels along the longer side that are looked at.
+const SAMPLES: usize = 240;
+/// Steps of luma that are counted.
+pub(super) const TONES: usize = 16;
+/// Differences of luma between neighbours from which on there is an edge, in grey steps.
+const EDGE: i32 = 20;
+
+/// Facts about the pixels of a photo. Shares are in 255ths of the whole.
+///
+/// As JSON a string of two hexadecimal digits for each of their 25 numbers, shares in 255ths.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[serde(try_from = "String", into = "String")]
+pub struct Facts {
+    /// The share of each sixteenth of luma, dark first, in 255ths of the whole.
+    pub tones: [u8; TONES],
+    /// The share of pixels on an edge, between neighbours and between pixels eight times as far apart.
+    pub edges: [u8; 2],
+    /// Mean distance of the largest to the smallest channel.
+    pub chroma: u8,
+    /// Mean R, G and B of the upper and of the lower half: what tells the beach from the bar.
+    pub colours: [u8; 6],
+}
+
+impl Facts {
+    /// Measures a photo (any size; a small one will do).
+    #[must_use]
+    pub fn of(image: &Image) -> Self {
+        let (width, height) = (image.width(), image.height());
+        let step = width.max(height).div_ceil(SAMPLES);
+        let far = 8 * step;
+        let mut tones = [0u64; TONES];
+        let (mut count, mut fine, mut coarse, mut chroma) = (0u64, 0u64, 0u64, 0u64);
+        let mut halves = [([0u64; 3], 0u64); 2];
+        for y in (0..height).step_by(step) {
+            for x in (0..width).step_by(step) {
+                let rgb = rgb(image, x, y);
+                let here = luma(rgb);
+                let edge = |apart: usize| {
+                    let across = luma(self::rgb(image, (x + apart).min(width - 1), y)) - here;
+                    let down = luma(self::rgb(image, x, (y + apart).min(height - 1))) - here;
+                    u64::from(across.abs().max(down.abs()) > EDGE)
+                };
+                count += 1;
+                fine += edge(step);
+                coarse += edge(far);
+                tones[(here as usize * TONES / 256).min(TONES - 1)] += 1;
+                chroma += u64::from(rgb.iter().max().unwrap_or(&0) - rgb.iter().min().unwrap_or(&0));
+                let half = &mut halves[usize::from(2 * y >= height)];
+                half.1 += 1;
+                for (sum, value) in half.0.iter_mut().zip(rgb) {
+                    *sum += u64::from(value);
+                }
+            }
+        }
+        let share = |n: u64| (255.0 * n as f64 / count.max(1) as f64).round() as u8;
+        let mean = |half: usize, channel: usize| (halves[half].0[channel] / halves[half].1.max(1)) as u8;
+        // A photo of one row has no lower half.
+        let lower = usize::from(halves[1].1 > 0);
+        Self {
+            tones: tones.map(share),
+            edges: [share(fine), share(coarse)],
+            chroma: (chroma / count.max(1)) as u8,
+            colours: [mean(0, 0), mean(0, 1), mean(0, 2), mean(lower, 0), mean(lower, 1), mean(lower, 2)],
+        }
+    }
+
+    /// Mean and standard deviation of the luma, 0 to 1.
+    #[must_use]
+    pub fn spread(&self) -> (f64, f64) {
+        let level = |i: usize| (i as f64 + 0.5) / TONES as f64;
+        let total: f64 = self.tones.iter().map(|&n| f64::from(n)).sum::<f64>().max(1.0);
+        let sum = |f: &dyn Fn(f64) -> f64| -> f64 {
+            self.tones.iter().enumerate().map(|(i, &n)| f64::from(n) * f(level(i))).sum::<f64>() / total
+        };
+        let mean = sum(&|v| v);
+        (mean, sum(&|v| (v - mean).powi(2)).sqrt())
+    }
+}
+
+impl From<Facts> for String {
+    fn from(facts: Facts) -> Self {
+        let Facts { tones, edges, chroma, colours } = facts;
+        let digit = |value: u8| char::from_digit(u32::from(value), 16).unwrap_or('0');
+        let bytes = tones.into_iter().chain(edges).chain([chroma]).chain(colours);
+        bytes.flat_map(|value| [digit(value >> 4), digit(value & 15)]).collect()
+    }
+}
+
+impl TryFrom<String> for Facts {
+    type Error = &'static str;
+
+    fn try_from(text: String) -> Result<Self, Self::Error> {
+        const WRONG: &str = "facts of a photo are written in 50 hexadecimal digits";
+        let digits: Option<Vec<u8>> =
+            text.chars().map(|digit| digit.to_digit(16).map(|value| value as u8)).collect();
+        let digits = digits.filter(|digits| digits.len() == 2 * (TONES + 9)).ok_or(WRONG)?;
+        let byte = |i: usize| digits[2 * i] << 4 | digits[2 * i + 1];
+        Ok(Self {
+            tones: std::array::from_fn(byte),
+            edges: std::array::from_fn(|i| byte(TONES + i)),
+            chroma: byte(TONES + 2),
+            colours: std::array::from_fn(|i| byte(TONES + 3 + i)),
+        })
+    }
+}
+
+fn rgb(image: &Image, x: usize, y: usize) -> [u8; 3] {
+    match image.planes() {
+        [r, g, b] => [r.at(x, y), g.at(x, y), b.at(x, y)],
+        planes => [planes.first().map_or(0, |plane| plane.at(x, y)); 3],
+    }
+}
+
+fn luma([r, g, b]: [u8; 3]) -> i32 {
+    (i32::from(r) * 77 + i32::from(g) * 150 + i32::from(b) * 29) >> 8
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::raster::Plane;
+
+    fn gray(width: usize, height: usize, at: impl Fn(usize, usize) -> u8) -> Image {
+        Image::from_luma(Plane::from_fn(width, height, at))
+    }
+
+    #[test]
+    fn tones_texture_and_colours_are_told_apart() {
+        let black = Facts::of(&gray(80, 60, |_, _| 0));
+        assert_eq!((black.tones[0], black.edges, black.chroma), (255, [0, 0], 0));
+        assert!(black.spread().1 < 1e-9);
+        let checks = Facts::of(&gray(80, 60, |x, y| if (x + y) % 2 == 0 { 0 } else { 255 }));
+        assert!(checks.edges[0] > 230 && checks.edges[1] < 77 && checks.spread().1 > 0.4);
+        let planes = [255, 0, 0].map(|v| Plane::filled(40, 40, v));
+        let red = Facts::of(&Image::from_rgb(planes).unwrap());
+        assert!(red.chroma == 255);
+        assert_eq!(red.colours, [255, 0, 0, 255, 0, 0]);
+    }
+
+    #[test]
+    fn any_size_has_facts_that_survive_json() {
+        for (width, height) in [(1, 1), (1, 900), (900, 1), (1000, 7)] {
+            let facts = Facts::of(&gray(width, height, |x, y| (x + y) as u8));
+            let json = serde_json::to_string(&facts).unwrap();
+            assert_eq!(serde_json::from_str::<Facts>(&json).unwrap(), facts);
+        }
+        for bad in ["\"\"", "\"zz\"", "7", "\"00\""] {
+            assert!(serde_json::from_str::<Facts>(bad).is_err(), "{bad}");
+        }
+    }
+}

@@ -1,0 +1,567 @@
+//! Photos to panels, by exact assignment: along the order of the album by dynamic programming, in any order by the
+//! Hungarian method. Chance has a small say, so that two plans of one layout are not the same.
+
+use oorandom::Rand64;
+
+use super::composer::LEADS;
+use super::prepared::{Prepared, Shelf};
+use super::slots::{Assignment, Slot, touch};
+use super::utility::{Look, placed};
+use crate::framing::{Crop, PhotoMeta, frame};
+
+/// Fingerprints at this distance or below are of nearly the same picture.
+pub const NEAR_DUPLICATE: u32 = 10;
+/// The most photos that one plan chooses from; of larger albums some are drawn.
+const MOST: usize = 60;
+/// How much chance says.
+const NOISE: f64 = 0.12;
+/// What a photo of the album's best third gains in the largest panel.
+const HERO: f64 = 1.1;
+/// What a starred photo gains in the largest panel.
+const STAR: f64 = 6.0;
+/// A pair that must not be.
+const NEVER: f64 = -1e6;
+
+/// Whether the photos must keep the order in which they are given.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Order {
+    /// Along the reading order of the panels, photos keep the order in which they are given.
+    Kept,
+    /// Photos may go anywhere.
+    Free,
+}
+
+/// The photos that a plan chooses from, with what is known of them.
+pub struct Photos<'a> {
+    /// All photos of the request, in their order.
+    pub all: &'a [PhotoMeta],
+    /// Indices of those that may be chosen, ascending: all, or of a large album some.
+    pub drawn: Vec<usize>,
+    /// For each of all: how good it is, 0 to 1.
+    pub quality: Vec<f64>,
+    /// For each of all: the part of the album that is no better, 0 to 1.
+    pub rank: Vec<f64>,
+    shelf: &'a Shelf,
+}
+
+impl<'a> Photos<'a> {
+    /// Draws from a large album, the strong ones and those that are starred rather than others, and `always`.
+    #[must_use]
+    pub fn new(all: &'a [PhotoMeta], always: &[usize], shelf: &'a Shelf, random: &mut Rand64) -> Self {
+        let sharpest =
+            all.iter().map(|p| p.sharpness).filter(|s| s.is_finite()).fold(f32::MIN_POSITIVE, f32::max);
+        let sharp = |photo: &PhotoMeta| {
+            let sharp = f64::from(photo.sharpness.max(0.0) / sharpest);
+            if sharp.is_nan() { 0.0 } else { sharp.min(1.0).powf(0.4) }
+        };
+        let mut drawn: Vec<usize> = (0..all.len()).collect();
+        if all.len() > MOST {
+            // From every stretch of the album alike; what is known without a closer look decides within it.
+            let stretch = all.len() as f64 / MOST as f64;
+            let rated = |i: usize, random: &mut Rand64| {
+                let subjects = 0.6 * f64::from(u8::from(!all[i].subjects.is_empty()));
+                0.5 * sharp(&all[i]) + subjects + random.rand_float()
+            };
+            let mut some: Vec<usize> = (0..MOST)
+                .filter_map(|k| {
+                    let (from, to) = ((k as f64 * stretch) as usize, ((k + 1) as f64 * stretch) as usize);
+                    let rates: Vec<(f64, usize)> =
+                        (from..to.clamp(from + 1, all.len())).map(|i| (rated(i, random), i)).collect();
+                    rates.into_iter().max_by(|a, b| a.0.total_cmp(&b.0)).map(|(_, i)| i)
+                })
+                .collect();
+            some.extend(always);
+            some.extend((0..all.len()).filter(|&i| all[i].starred).take(8));
+            drawn.retain(|i| some.contains(i));
+        }
+        let mut quality = vec![0.0; all.len()];
+        for &i in &drawn {
+            let prepared = shelf.get(i, &all[i]);
+            quality[i] = 0.3 * sharp(&all[i]) + 0.45 * prepared.subject + 0.25 * prepared.tonal;
+        }
+        let below = |q: f64| drawn.iter().filter(|&&other| quality[other] <= q).count();
+        let mut rank = vec![0.0; all.len()];
+        for &i in &drawn {
+            rank[i] = below(quality[i]) as f64 / drawn.len() as f64;
+        }
+        Self { all, drawn, quality, rank, shelf }
+    }
+
+    /// A photo, ready to be placed.
+    #[must_use]
+    pub fn prepared(&self, photo: usize) -> &Prepared {
+        self.shelf.get(photo, &self.all[photo])
+    }
+
+    /// Whether two photos show nearly the same.
+    #[must_use]
+    pub fn alike(&self, a: usize, b: usize) -> bool {
+        (self.all[a].fingerprint ^ self.all[b].fingerprint).count_ones() <= NEAR_DUPLICATE
+    }
+}
+
+/// What each photo is worth in each open slot of a page.
+pub struct Worths {
+    /// Slots without a photo, in reading order.
+    pub open: Vec<usize>,
+    /// Photos that no slot has, ascending.
+    pub fresh: Vec<usize>,
+    /// A row for each open slot, a column for each fresh photo.
+    pub values: Vec<Vec<f64>>,
+}
+
+impl Worths {
+    /// Looks at every fresh photo in every open slot.
+    #[must_use]
+    pub fn of(slots: &[Slot], photos: &Photos) -> Self {
+        let taken: Vec<usize> = slots.iter().filter_map(photo_of).collect();
+        let open: Vec<usize> = (0..slots.len()).filter(|&i| photo_of(&slots[i]).is_none()).collect();
+        let fresh: Vec<usize> = photos.drawn.iter().copied().filter(|i| !taken.contains(i)).collect();
+        let prepared: Vec<&Prepared> = fresh.iter().map(|&photo| photos.prepared(photo)).collect();
+        let sizes = sizes(slots);
+        let largest = sizes.iter().copied().fold(0.0, f64::max);
+        let values = open.iter().map(|&slot| {
+            let size = sizes[slot];
+            let pairs = fresh.iter().zip(&prepared);
+            let worth = |(&photo, prepared): (&usize, &&Prepared)| {
+                let (_, look) = placed(&slots[slot], &photos.all[photo], prepared);
+                size.sqrt() * look.fit() + presence(size, largest, photo, photos)
+            };
+            pairs.map(worth).collect()
+        });
+        let values = values.collect();
+        Self { open, fresh, values }
+    }
+
+    /// The best assignment of fresh photos to the open slots with a little chance, no two alike if that can be. The
+    /// index of a photo for each open slot; none when there are too few.
+    #[must_use]
+    pub fn solve(&self, photos: &Photos, order: Order, random: &mut Rand64) -> Option<Vec<usize>> {
+        if self.fresh.len() < self.open.len() {
+            return None;
+        }
+        let mut values = self.values.clone();
+        for value in values.iter_mut().flatten() {
+            *value += NOISE * gumbel(random);
+        }
+        let mut chosen = solved(&values, order);
+        for _ in 0..self.fresh.len() - self.open.len() {
+            let pairs = (0..chosen.len()).flat_map(|b| (0..b).map(move |a| (a, b)));
+            let twins = |&(a, b): &(usize, usize)| photos.alike(self.fresh[chosen[a]], self.fresh[chosen[b]]);
+            let Some((a, b)) = pairs.rev().find(twins) else { break };
+            let weaker = if values[a][chosen[a]] < values[b][chosen[b]] { a } else { b };
+            let column = chosen[weaker];
+            for row in &mut values {
+                row[column] = NEVER;
+            }
+            chosen = solved(&values, order);
+        }
+        Some(chosen.into_iter().map(|column| self.fresh[column]).collect())
+    }
+}
+
+/// The photo that a slot has already.
+pub(super) fn photo_of(slot: &Slot) -> Option<usize> {
+    slot.locked.map(|locked| locked.photo).or(slot.keeps)
+}
+
+/// Areas of the slots over their mean.
+pub(super) fn sizes(slots: &[Slot]) -> Vec<f64> {
+    let mean = slots.iter().map(|slot| slot.area).sum::<f64>() / slots.len().max(1) as f64;
+    slots.iter().map(|slot| slot.area / mean.max(1e-9)).collect()
+}
+
+/// What a photo's strength is worth in a panel of that size.
+pub(super) fn presence(size: f64, largest: f64, photo: usize, photos: &Photos) -> f64 {
+    let leads = size >= LEADS * largest;
+    let hero = if leads { HERO * ((photos.rank[photo] - 0.5) / 0.5).clamp(-1.0, 1.0) } else { 0.0 };
+    let star =
+        if photos.all[photo].starred { STAR * if leads { 1.0 } else { 0.4 * size / largest } } else { 0.0 };
+    1.2 * (size - 0.5) * photos.quality[photo] + hero + star
+}
+
+/// Gives every panel a photo and a crop; empty when there are no photos. The answer depends on the arguments
+/// alone; another `seed` chooses others.
+///
+/// With fewer photos than panels, photos repeat with other crops, not in panels that touch if that can be avoided.
+/// Locked panels keep what they have, and their photos are used elsewhere only when others run out.
+#[must_use]
+pub fn assign(photos: &[PhotoMeta], slots: &[Slot], order: Order, seed: u64) -> Vec<Assignment> {
+    if photos.is_empty() {
+        return Vec::new();
+    }
+    let mut random = Rand64::new(u128::from(seed) ^ 0x6c61_796f_7574);
+    let shelf = Shelf::new(photos.len());
+    let photos = Photos::new(photos, &[], &shelf, &mut random);
+    let worths = Worths::of(slots, &photos);
+    let chosen = chosen(slots, &worths, &photos, order, &mut random);
+    crops(slots, &chosen, &photos)
+}
+
+/// A photo for every slot.
+pub(super) fn chosen(
+    slots: &[Slot],
+    worths: &Worths,
+    photos: &Photos,
+    order: Order,
+    random: &mut Rand64,
+) -> Vec<usize> {
+    let mut chosen: Vec<Option<usize>> = slots.iter().map(photo_of).collect();
+    match worths.solve(photos, order, random) {
+        Some(found) => {
+            for (&slot, photo) in worths.open.iter().zip(found) {
+                chosen[slot] = Some(photo);
+            }
+        }
+        None => repeat(slots, &worths.open, photos, order, &mut chosen, random),
+    }
+    chosen.into_iter().map(|photo| photo.unwrap_or(0)).collect()
+}
+
+/// The crops of the photos that were chosen.
+pub(super) fn crops(slots: &[Slot], chosen: &[usize], photos: &Photos) -> Vec<Assignment> {
+    let last = photos.all.len() - 1;
+    let mut shown = vec![0u32; photos.all.len()];
+    for locked in slots.iter().filter_map(|slot| slot.locked) {
+        shown[locked.photo.min(last)] += 1;
+    }
+    let assignment = |(slot, &photo): (&Slot, &usize)| {
+        if let Some(locked) = slot.locked {
+            return locked;
+        }
+        let crop = frame(&photos.all[photo], &slot.target, shown[photo]);
+        shown[photo] += 1;
+        Assignment { photo, crop }
+    };
+    slots.iter().zip(chosen).map(assignment).collect()
+}
+
+/// A quick crop for each of the photos that were chosen, and what it shows.
+pub(super) fn looks(slots: &[Slot], chosen: &[usize], photos: &Photos) -> Vec<(Crop, Look)> {
+    let look = |(slot, &photo): (&Slot, &usize)| {
+        let prepared = photos.prepared(photo);
+        let (crop, look) = placed(slot, &photos.all[photo], prepared);
+        match slot.locked {
+            Some(locked) => (locked.crop, Look::at(slot, prepared, &locked.crop, look.cover)),
+            None => (crop, look),
+        }
+    };
+    slots.iter().zip(chosen).map(look).collect()
+}
+
+/// Fewer photos than panels: round the list again and again, but not into panels that touch.
+fn repeat(
+    slots: &[Slot],
+    open: &[usize],
+    photos: &Photos,
+    order: Order,
+    chosen: &mut [Option<usize>],
+    random: &mut Rand64,
+) {
+    let n = photos.all.len();
+    let mut uses = vec![0u32; n];
+    for &photo in chosen.iter().flatten() {
+        uses[photo.min(n - 1)] += 1;
+    }
+    let mut next = if order == Order::Free { random.rand_range(0..n as u64) as usize } else { 0 };
+    for &slot in open {
+        let touching: Vec<usize> = (0..slots.len())
+            .filter(|&other| other != slot && touch(slots[slot].bounds, slots[other].bounds))
+            .filter_map(|other| chosen[other])
+            .collect();
+        let ahead = |photo: usize| (photo + n - next % n) % n;
+        let cost = |photo: &usize| (touching.contains(photo), uses[*photo], ahead(*photo));
+        let best = (0..n).min_by_key(cost).unwrap_or(0);
+        chosen[slot] = Some(best);
+        uses[best] += 1;
+        next = best + 1;
+    }
+}
+
+/// A number drawn from Gumbel's distribution: the largest of `ln(weight) + gumbel` is drawn by its weight.
+pub(super) fn gumbel(random: &mut Rand64) -> f64 {
+    -(-random.rand_float().clamp(1e-12, 1.0 - 1e-12).ln()).ln()
+}
+
+/// The column of each row; there are at least as many columns as rows.
+fn solved(values: &[Vec<f64>], order: Order) -> Vec<usize> {
+    match order {
+        Order::Kept => monotone(values),
+        Order::Free => hungarian(values),
+    }
+}
+
+/// The columns, ascending, that give the largest sum: the best of the first `k` rows in the first `j` columns either
+/// leaves column `j` out or gives it to row `k`.
+fn monotone(values: &[Vec<f64>]) -> Vec<usize> {
+    let (rows, columns) = (values.len(), values.first().map_or(0, Vec::len));
+    let mut best = vec![vec![f64::NEG_INFINITY; columns + 1]; rows + 1];
+    best[0].fill(0.0);
+    for row in 1..=rows {
+        for column in row..=columns {
+            let takes = best[row - 1][column - 1] + values[row - 1][column - 1];
+            best[row][column] = takes.max(best[row][column - 1]);
+        }
+    }
+    let mut chosen = vec![0; rows];
+    let mut column = columns;
+    for row in (1..=rows).rev() {
+        while column > row && best[row][column] <= best[row][column - 1] {
+            column -= 1;
+        }
+        column -= 1;
+        chosen[row - 1] = column;
+    }
+    chosen
+}
+
+/// The columns, all different, that give the largest sum: the Hungarian method with potentials (Kuhn 1955, Munkres
+/// 1957, in the form of shortest augmenting paths by Jonker and Volgenant 1987).
+fn hungarian(values: &[Vec<f64>]) -> Vec<usize> {
+    let (rows, columns) = (values.len(), values.first().map_or(0, Vec::len));
+    let cost = |row: usize, column: usize| -values[row - 1][column - 1];
+    let (mut u, mut v) = (vec![0.0; rows + 1], vec![0.0; columns + 1]);
+    // The row of each column; column 0 stands for the row that is being placed.
+    let mut row_of = vec![0usize; columns + 1];
+    for row in 1..=rows {
+        row_of[0] = row;
+        let (mut least, mut from) = (vec![f64::INFINITY; columns + 1], vec![0usize; columns + 1]);
+        let mut done = vec![false; columns + 1];
+        let mut at = 0;
+        while row_of[at] != 0 {
+            done[at] = true;
+            let (here, mut delta, mut next) = (row_of[at], f64::INFINITY, 0);
+            for column in 1..=columns {
+                if done[column] {
+                    continue;
+                }
+                let reduced = cost(here, column) - u[here] - v[column];
+                if reduced < least[column] {
+                    (least[column], from[column]) = (reduced, at);
+                }
+                if least[column] < delta {
+                    (delta, next) = (least[column], column);
+                }
+            }
+            for column in 0..=columns {
+                if done[column] {
+                    u[row_of[column]] += delta;
+                    v[column] -= delta;
+                } else {
+                    least[column] -= delta;
+                }
+            }
+            at = next;
+        }
+        while at != 0 {
+            row_of[at] = row_of[from[at]];
+            at = from[at];
+        }
+    }
+    let mut chosen = vec![0; rows];
+    for column in 1..=columns {
+        if row_of[column] > 0 {
+            chosen[row_of[column] - 1] = column - 1;
+        }
+    }
+    chosen
+}
+
+#[cfg(test)]
+mod tests {
+    use proptest::prelude::*;
+
+    use super::*;
+    use crate::framing::{Crop, FACE, Subject};
+    use crate::layout::{PageSettings, catalogue, find, resolve};
+    use crate::plan::slots;
+
+    fn album(count: usize) -> Vec<PhotoMeta> {
+        let photo = |i: usize| {
+            let (width, height) = if i.is_multiple_of(3) { (3000, 4000) } else { (4000, 3000) };
+            PhotoMeta {
+                fingerprint: (i as u64 + 1).wrapping_mul(0x9e37_79b9_7f4a_7c15),
+                ..PhotoMeta::unmeasured(&format!("photo-{i}"), width, height)
+            }
+        };
+        (0..count).map(photo).collect()
+    }
+
+    fn page(id: &str) -> Vec<Slot> {
+        let settings = PageSettings::default();
+        slots(&resolve(find(id).unwrap(), settings.aspect(), &settings), f64::from(settings.width))
+    }
+
+    fn photos(assignments: &[Assignment]) -> Vec<usize> {
+        assignments.iter().map(|a| a.photo).collect()
+    }
+
+    /// The largest sum over all ways to give each row a column of its own.
+    fn exhaustive(values: &[Vec<f64>], ascending: bool) -> f64 {
+        fn best(values: &[Vec<f64>], row: usize, used: &mut Vec<usize>, ascending: bool) -> f64 {
+            if row == values.len() {
+                return 0.0;
+            }
+            let mut most = f64::NEG_INFINITY;
+            for column in 0..values[row].len() {
+                let later = used.last().is_none_or(|&last| column > last);
+                if used.contains(&column) || (ascending && !later) {
+                    continue;
+                }
+                used.push(column);
+                most = most.max(values[row][column] + best(values, row + 1, used, ascending));
+                used.pop();
+            }
+            most
+        }
+        best(values, 0, &mut Vec::new(), ascending)
+    }
+
+    #[test]
+    fn chronology_is_kept_and_pages_differ() {
+        let (photos_given, slots) = (album(40), page("grid-8"));
+        let mut pages = Vec::new();
+        for seed in 0..20 {
+            let used = photos(&assign(&photos_given, &slots, Order::Kept, seed));
+            assert!(used.windows(2).all(|pair| pair[0] < pair[1]), "{used:?}");
+            pages.push(used);
+        }
+        pages.sort();
+        pages.dedup();
+        assert!(pages.len() > 15, "{} different pages of 20", pages.len());
+    }
+
+    #[test]
+    fn a_large_album_is_drawn_from_end_to_end_with_its_stars() {
+        let mut photos_given = album(1000);
+        photos_given[777].starred = true;
+        let shelf = Shelf::new(photos_given.len());
+        let photos = Photos::new(&photos_given, &[5], &shelf, &mut Rand64::new(3));
+        assert!(photos.drawn.len() <= MOST + 9 && photos.drawn.is_sorted());
+        assert!(photos.drawn.contains(&777) && photos.drawn.contains(&5));
+        assert!(photos.drawn[0] < 20 && photos.drawn[photos.drawn.len() - 1] >= 980);
+    }
+
+    #[test]
+    fn a_starred_photo_gets_the_large_panel() {
+        for order in [Order::Kept, Order::Free] {
+            for starred in 1..8 {
+                let mut photos_given = album(9);
+                photos_given[starred].starred = true;
+                let slots = page("hero-top-3");
+                let hero = (0..slots.len()).max_by(|&a, &b| slots[a].area.total_cmp(&slots[b].area)).unwrap();
+                let fits = order == Order::Free || (starred >= hero && 9 - starred >= slots.len() - hero);
+                let used = photos(&assign(&photos_given, &slots, order, 1));
+                assert!(!fits || used[hero] == starred, "{starred}: {used:?}");
+            }
+        }
+    }
+
+    #[test]
+    fn as_many_photos_as_panels_are_all_used_in_order() {
+        let used = photos(&assign(&album(6), &page("grid-6"), Order::Kept, 3));
+        assert_eq!(used, [0, 1, 2, 3, 4, 5]);
+        let mut used = photos(&assign(&album(6), &page("grid-6"), Order::Free, 3));
+        used.sort_unstable();
+        assert_eq!(used, [0, 1, 2, 3, 4, 5]);
+    }
+
+    #[test]
+    fn near_duplicates_are_passed_over() {
+        let mut photos_given = album(8);
+        for pair in photos_given.chunks_mut(2).take(2) {
+            pair[1].fingerprint = 5;
+        }
+        for seed in 0..30 {
+            let used = photos(&assign(&photos_given, &page("grid-4"), Order::Kept, seed));
+            assert!(!(used.contains(&1) && used.contains(&3)), "{used:?}");
+        }
+    }
+
+    #[test]
+    fn few_photos_repeat_with_other_crops_and_not_side_by_side() {
+        let slots = page("grid-6");
+        let assignments = assign(&album(3), &slots, Order::Kept, 0);
+        for (i, a) in assignments.iter().enumerate() {
+            for (j, b) in assignments[..i].iter().enumerate() {
+                if a.photo == b.photo {
+                    assert!(!touch(slots[i].bounds, slots[j].bounds), "{i} and {j} touch");
+                    assert!(a.crop.overlap(&b.crop) < 0.9, "{i} and {j} show the same");
+                }
+            }
+        }
+        assert_eq!(assign(&album(1), &slots, Order::Free, 0).len(), 6);
+        assert!(assign(&[], &slots, Order::Free, 0).is_empty());
+    }
+
+    #[test]
+    fn the_strongest_photo_is_the_hero_when_the_order_is_free() {
+        const HERO_MIDDLE: usize = 2;
+        let mut photos_given = album(5);
+        let face = Subject { x: 0.35, y: 0.35, width: 0.15, height: 0.25, label: FACE.into(), score: 0.95 };
+        // It lies as the hero does; an upright one would be cut there.
+        photos_given[4].subjects.push(face);
+        let slots = page("hero-middle-4");
+        for seed in 0..10 {
+            assert_eq!(assign(&photos_given, &slots, Order::Free, seed)[HERO_MIDDLE].photo, 4);
+        }
+    }
+
+    #[test]
+    fn locked_panels_keep_their_photo_and_no_other_panel_takes_it() {
+        let mut slots = page("grid-4");
+        let locked = Assignment { photo: 0, crop: Crop { x: 0.1, y: 0.1, width: 0.5, height: 0.5 } };
+        slots[2].locked = Some(locked);
+        for seed in 0..10 {
+            let assignments = assign(&album(6), &slots, Order::Free, seed);
+            assert_eq!(assignments[2], locked);
+            assert_eq!(assignments.iter().filter(|a| a.photo == 0).count(), 1);
+        }
+    }
+
+    proptest! {
+        #[test]
+        fn assignments_are_the_best_there_are(
+            rows in 1usize..5,
+            more in 0usize..4,
+            numbers in prop::collection::vec(-5.0f64..5.0, 40),
+        ) {
+            let columns = rows + more;
+            let values: Vec<Vec<f64>> = (0..rows).map(|row| numbers[row * columns..(row + 1) * columns].to_vec()).collect();
+            for (order, ascending) in [(Order::Kept, true), (Order::Free, false)] {
+                let chosen = solved(&values, order);
+                let mut apart = chosen.clone();
+                apart.sort_unstable();
+                apart.dedup();
+                prop_assert_eq!(apart.len(), rows);
+                prop_assert!(!ascending || chosen.is_sorted());
+                let sum: f64 = chosen.iter().enumerate().map(|(row, &column)| values[row][column]).sum();
+                prop_assert!((sum - exhaustive(&values, ascending)).abs() < 1e-9, "{:?} {:?}", values, chosen);
+            }
+        }
+
+        #[test]
+        fn every_page_is_filled_the_same_way_twice(
+            count in 1usize..30,
+            layout in 0usize..1000,
+            free: bool,
+            seed: u64,
+        ) {
+            let template = &catalogue()[layout % catalogue().len()];
+            let settings = PageSettings::default();
+            let slots = slots(&resolve(template, settings.aspect(), &settings), 2480.0);
+            let order = if free { Order::Free } else { Order::Kept };
+            let photos_given = album(count);
+            let assignments = assign(&photos_given, &slots, order, seed);
+            prop_assert_eq!(assignments.len(), slots.len());
+            prop_assert_eq!(&assignments, &assign(&photos_given, &slots, order, seed));
+            let mut uses = vec![0usize; count];
+            for a in &assignments {
+                uses[a.photo] += 1;
+            }
+            // Nobody comes a second time before everybody has come once, as far as neighbours allow.
+            let most = uses.iter().max().copied().unwrap_or(0);
+            prop_assert!(count < slots.len() || most == 1, "{:?}", uses);
+        }
+    }
+}

@@ -1,0 +1,218 @@
+//! Plans made, judged by what is seen of them, and one drawn by its rank.
+//!
+//! ```text
+//! for each of 16 layouts:  four assignments with a little chance, each judged on quick crops; the best stays
+//! the best of all:         framed in earnest, judged again
+//! the page:                drawn with P(rank) ~ exp(-rank / 2.5), so that the next shuffle is another page
+//! ```
+
+use oorandom::Rand64;
+
+use super::assign::{Order, Photos, Worths, chosen, crops, looks, sizes};
+use super::best_first;
+use super::slots::{Assignment, Slot};
+use super::utility::Look;
+use crate::framing::PhotoMeta;
+
+/// Assignments that are tried for each candidate.
+const TRIES: usize = 4;
+/// Plans that are framed in earnest before one is drawn.
+const FINALISTS: usize = 6;
+/// Most of them of one family of layouts.
+const OF_A_FAMILY: usize = 2;
+/// How fast the chance of a plan falls with its rank.
+const FALL: f64 = 2.5;
+/// The part of the largest panel's area from which on a panel is as large.
+pub const LEADS: f64 = 0.97;
+/// Differences of what a subject takes of its panel that make another scale: close, middle, wide.
+const SCALES: [f64; 2] = [0.06, 0.22];
+
+/// A layout with its merges, as places for photos.
+#[derive(Debug, Clone)]
+pub struct Candidate {
+    /// The places.
+    pub slots: Vec<Slot>,
+    /// How much the layout is liked beforehand, 0 to 1.
+    pub prior: f64,
+    /// What candidates of one layout have in common; only the best of them is kept.
+    pub layout: usize,
+    /// The family of the layout.
+    pub family: &'static str,
+}
+
+/// A page of one candidate.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Plan {
+    /// Index of the candidate.
+    pub candidate: usize,
+    /// What its slots show.
+    pub panels: Vec<Assignment>,
+    /// How good it is.
+    pub score: Score,
+}
+
+/// How good a page is: the sum of its terms.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct Score {
+    /// How well photos sit in their panels, by what is seen; the mean, large panels first.
+    pub fit: f64,
+    /// Whether the largest panel has one of the best photos.
+    pub hero: f64,
+    /// Look-alikes and repeats on the page, negative.
+    pub alike: f64,
+    /// How good the photos are.
+    pub quality: f64,
+    /// How much the layout is liked beforehand.
+    pub prior: f64,
+    /// Whether neighbours differ in scale.
+    pub rhythm: f64,
+}
+
+impl Score {
+    /// The terms with their names.
+    #[must_use]
+    pub fn terms(&self) -> [(&'static str, f64); 6] {
+        [
+            ("fit", self.fit),
+            ("hero", self.hero),
+            ("alike", self.alike),
+            ("quality", self.quality),
+            ("prior", self.prior),
+            ("rhythm", self.rhythm),
+        ]
+    }
+
+    /// Their sum.
+    #[must_use]
+    pub fn total(&self) -> f64 {
+        self.terms().iter().map(|(_, value)| value).sum()
+    }
+}
+
+/// The plan of a page. `heat` is 1 for a usual draw and more for a bolder one, 0 for the best; `None` when there are no
+/// candidates or no photos.
+#[must_use]
+pub fn compose(
+    candidates: &[Candidate],
+    photos: &Photos,
+    order: Order,
+    heat: f64,
+    random: &mut Rand64,
+) -> Option<Plan> {
+    if photos.all.is_empty() {
+        return None;
+    }
+    let mut best: Vec<(f64, usize, Vec<usize>)> = Vec::new();
+    for (index, candidate) in candidates.iter().enumerate() {
+        let worths = Worths::of(&candidate.slots, photos);
+        for _ in 0..TRIES {
+            let chosen = chosen(&candidate.slots, &worths, photos, order, random);
+            let seen: Vec<Look> =
+                looks(&candidate.slots, &chosen, photos).into_iter().map(|(_, look)| look).collect();
+            let score = score(candidate, &chosen, &seen, photos).total();
+            match best.iter_mut().find(|(_, other, _)| candidates[*other].layout == candidate.layout) {
+                Some(known) if known.0 < score => *known = (score, index, chosen),
+                Some(_) => {}
+                None => best.push((score, index, chosen)),
+            }
+        }
+    }
+    let finalists = (FINALISTS as f64 * heat.clamp(0.5, 2.0)).round().max(1.0) as usize;
+    let ratings: Vec<f64> = best.iter().map(|(score, ..)| *score).collect();
+    let mut families: Vec<&str> = Vec::new();
+    let mut plans: Vec<Plan> = Vec::new();
+    for at in best_first(&ratings) {
+        let (_, candidate, chosen) = &best[at];
+        let family = candidates[*candidate].family;
+        if plans.len() == finalists
+            || families.iter().filter(|known| **known == family).count() == OF_A_FAMILY
+        {
+            continue;
+        }
+        families.push(family);
+        let panels = crops(&candidates[*candidate].slots, chosen, photos);
+        let score = judge(&candidates[*candidate], &panels, photos);
+        plans.push(Plan { candidate: *candidate, panels, score });
+    }
+    let ratings: Vec<f64> = plans.iter().map(|plan| plan.score.total()).collect();
+    let order = best_first(&ratings);
+    let weights: Vec<f64> =
+        (0..plans.len()).map(|rank| (-(rank as f64) / (FALL * heat.max(1e-3))).exp()).collect();
+    let mut left = random.rand_float() * weights.iter().sum::<f64>();
+    let drawn = weights.iter().position(|weight| {
+        left -= weight;
+        left <= 0.0
+    });
+    order.get(drawn.unwrap_or(0)).map(|&at| plans.swap_remove(at))
+}
+
+/// Judges what the slots of a candidate show.
+#[must_use]
+pub fn judge(candidate: &Candidate, panels: &[Assignment], photos: &Photos) -> Score {
+    let seen: Vec<Look> = see(&candidate.slots, panels, photos);
+    let chosen: Vec<usize> = panels.iter().map(|panel| panel.photo).collect();
+    score(candidate, &chosen, &seen, photos)
+}
+
+/// What is seen of the photos in their crops.
+#[must_use]
+pub fn see(slots: &[Slot], panels: &[Assignment], photos: &Photos) -> Vec<Look> {
+    let look = |(slot, panel): (&Slot, &Assignment)| {
+        let prepared = photos.prepared(panel.photo);
+        let (crop, energy) = prepared.crop_for(&photos.all[panel.photo], slot.target.aspect);
+        let shrunk = panel.crop.width * panel.crop.height / (crop.width * crop.height).max(1e-9);
+        Look::at(slot, prepared, &panel.crop, (energy * shrunk.min(1.0)).min(1.0))
+    };
+    slots.iter().zip(panels).map(look).collect()
+}
+
+fn score(candidate: &Candidate, chosen: &[usize], seen: &[Look], photos: &Photos) -> Score {
+    let sizes = sizes(&candidate.slots);
+    let all: f64 = sizes.iter().map(|size| size.sqrt()).sum();
+    let fits = seen.iter().zip(&sizes).map(|(look, size)| size.sqrt() * look.fit());
+    let spread = |photo: usize| photos.rank[photo];
+    let largest = sizes.iter().copied().fold(0.0, f64::max);
+    // Of panels that are equally large, the one with the best photo leads.
+    let leading = (0..sizes.len()).filter(|&i| sizes[i] >= LEADS * largest);
+    let leading = leading.max_by(|&a, &b| spread(chosen[a]).total_cmp(&spread(chosen[b])));
+    let hero = leading.map_or(0.0, |hero| {
+        let photo = chosen[hero];
+        let starred = photos.drawn.iter().any(|&i| photos.all[i].starred);
+        let leads = ((sizes[hero] - 0.9) / 0.6).clamp(0.3, 1.0);
+        let match_ = leads * (0.5 * (spread(photo) - 2.0 / 3.0) / (1.0 / 3.0)).clamp(-1.2, 0.5);
+        // A star is a wish: a page that does not show it large is not what was asked for.
+        match_ + if starred { if photos.all[photo].starred { 0.6 * leads } else { -2.0 } } else { 0.0 }
+    });
+    let mut alike = 0.0;
+    for (i, &a) in chosen.iter().enumerate() {
+        for &b in &chosen[..i] {
+            alike -= if a == b { 0.3 } else { 0.5 * f64::from(u8::from(photos.alike(a, b))) };
+        }
+    }
+    let quality = |photo: &usize| photos.quality[*photo];
+    let mean = chosen.iter().map(quality).sum::<f64>() / chosen.len().max(1) as f64;
+    Score {
+        fit: fits.sum::<f64>() / all.max(1e-9),
+        hero,
+        alike,
+        quality: 0.4 * mean,
+        prior: 0.5 * candidate.prior,
+        rhythm: 0.25 * rhythm(seen),
+    }
+}
+
+/// The part of neighbours in reading order whose scales differ.
+fn rhythm(seen: &[Look]) -> f64 {
+    let scale = |look: &Look| SCALES.iter().filter(|&&least| look.close >= least).count();
+    let pairs = seen.windows(2);
+    let count = pairs.len();
+    let differ = pairs.filter(|pair| scale(&pair[0]) != scale(&pair[1])).count();
+    if count > 0 { differ as f64 / count as f64 } else { 0.0 }
+}
+
+/// Photos that several pages or none may show, for [`judge`] alone.
+#[must_use]
+pub fn gallery<'a>(photos: &'a [PhotoMeta], shelf: &'a super::Shelf) -> Photos<'a> {
+    let every: Vec<usize> = (0..photos.len()).collect();
+    Photos::new(photos, &every, shelf, &mut Rand64::new(0))
+}

@@ -1,0 +1,187 @@
+//! The layouts that a page is chosen from: some of all that are good for it, drawn without repeats, families that make
+//! good pages rather than others.
+
+use oorandom::Rand64;
+use serde::Deserialize;
+use serde_json::Value;
+
+use super::assign::gumbel;
+use super::best_first;
+use crate::layout::{self, Template};
+
+/// Layouts that one plan looks at.
+pub const DRAWN: usize = 16;
+/// Most panels that a page gets unless more are asked for.
+pub const USUAL_MOST: usize = 9;
+/// The panels of a page that people like best, and what others weigh beside them.
+const LIKED_COUNTS: std::ops::RangeInclusive<usize> = 4..=7;
+const OTHER_COUNTS: f64 = 0.6;
+/// How far a person's liking may move a weight, either way.
+const MOST_LIKING: f64 = 1.6;
+
+/// What a person liked so far, as the natural logarithm of what it does to the weights of families and styles. As JSON
+/// `{families: {ID: NUMBER}, styles: {ID: NUMBER}}`, each of which may be missing; what is no number says nothing.
+#[derive(Debug, Clone, Default, PartialEq, Deserialize)]
+#[serde(from = "Value")]
+pub struct Taste {
+    /// By family of layouts.
+    pub families: Vec<(String, f64)>,
+    /// By id of a style.
+    pub styles: Vec<(String, f64)>,
+}
+
+impl From<Value> for Taste {
+    fn from(value: Value) -> Self {
+        let read = |key: &str| -> Vec<(String, f64)> {
+            let entries = value[key].as_object().into_iter().flatten();
+            entries.filter_map(|(id, liking)| Some((id.clone(), liking.as_f64()?))).collect()
+        };
+        Self { families: read("families"), styles: read("styles") }
+    }
+}
+
+impl Taste {
+    /// What a liking does to a weight; nothing where there is none.
+    #[must_use]
+    pub fn factor(likings: &[(String, f64)], id: &str) -> f64 {
+        let liking = likings.iter().find(|(other, _)| other == id).map_or(0.0, |(_, liking)| *liking);
+        if liking.is_finite() { liking.clamp(-MOST_LIKING, MOST_LIKING).exp() } else { 1.0 }
+    }
+}
+
+/// What is asked of a free layout.
+#[derive(Debug, Clone, Copy)]
+pub struct Wanted<'a> {
+    /// Width over height of the page.
+    pub aspect: f64,
+    /// Exactly so many panels, or the nearest that there is.
+    pub panels: Option<usize>,
+    /// Photos that there are.
+    pub photos: usize,
+    /// Layouts that were shown just now.
+    pub shown: &'a [&'a str],
+    /// What the person liked.
+    pub taste: &'a Taste,
+}
+
+/// A layout and how much it is liked beforehand, 0 to 1.
+#[derive(Debug, Clone, Copy)]
+pub struct Drawn {
+    /// The layout.
+    pub template: &'static Template,
+    /// What its family weighs.
+    pub prior: f64,
+}
+
+/// Draws layouts by their weights, by the largest `ln(weight) + gumbel` (Gumbel top-k: like drawing without putting
+/// back). Each family's weight is shared by its templates, or families with many would take all.
+#[must_use]
+pub fn draw(wanted: &Wanted, random: &mut Rand64) -> Vec<Drawn> {
+    let good = layout::good_for(wanted.aspect);
+    // Every page has at least one template; where none is good the whole list is still better than nothing.
+    let good = if good.is_empty() { layout::catalogue().iter().collect() } else { good };
+    let mut fitting: Vec<&'static Template> = match wanted.panels {
+        Some(panels) => nearest(&good, panels),
+        None => usual(&good, wanted.photos),
+    };
+    if fitting.iter().any(|template| !wanted.shown.contains(&template.id())) {
+        fitting.retain(|template| !wanted.shown.contains(&template.id()));
+    }
+    let drawn: Vec<(f64, Drawn)> = fitting
+        .iter()
+        .map(|&template| {
+            let family = template.family();
+            let liking = Taste::factor(&wanted.taste.families, family);
+            let count = if LIKED_COUNTS.contains(&template.panels().len()) { 1.0 } else { OTHER_COUNTS };
+            let prior = weight(family) * liking * count;
+            // A family of one template must not come as often as one of twenty.
+            let share = (fitting.iter().filter(|other| other.family() == family).count() as f64).powf(0.6);
+            ((prior / share).ln() + gumbel(random), Drawn { template, prior: prior.min(1.5) })
+        })
+        .collect();
+    let ratings: Vec<f64> = drawn.iter().map(|(rating, _)| *rating).collect();
+    best_first(&ratings).into_iter().take(DRAWN).map(|at| drawn[at].1).collect()
+}
+
+/// How much a family is liked, 0 to 1: by eye, over pages rated one by one.
+#[must_use]
+pub fn weight(family: &str) -> f64 {
+    match family {
+        "slanted" | "manga" => 1.0,
+        "cinema" => 0.7,
+        "mosaic" | "circle" => 0.5,
+        "columns" | "inset" => 0.45,
+        "overlap" | "landscape" => 0.9,
+        "grid" => 0.2,
+        // Rows, heroes, and what is drawn for one shape of page.
+        _ => 0.6,
+    }
+}
+
+fn nearest(good: &[&'static Template], panels: usize) -> Vec<&'static Template> {
+    let distance = |template: &&Template| template.panels().len().abs_diff(panels);
+    let least = good.iter().map(distance).min().unwrap_or(0);
+    good.iter().copied().filter(|template| distance(template) == least).collect()
+}
+
+/// Layouts that so many photos fill without repeats, neither single pictures nor pages of stamps.
+fn usual(good: &[&'static Template], photos: usize) -> Vec<&'static Template> {
+    let most = photos.min(USUAL_MOST);
+    let least = photos.min(3).min(most);
+    let fits = |template: &&&'static Template| (least..=most).contains(&template.panels().len());
+    let fitting: Vec<&'static Template> = good.iter().filter(fits).copied().collect();
+    if fitting.is_empty() { nearest(good, most) } else { fitting }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn wanted(taste: &Taste) -> Wanted<'_> {
+        Wanted { aspect: 0.707, panels: None, photos: 12, shown: &[], taste }
+    }
+
+    fn times(taste: &Taste, family: &str) -> usize {
+        let first = |seed: u32| {
+            draw(&wanted(taste), &mut Rand64::new(u128::from(seed)))[0].template.family() == family
+        };
+        (0..600).filter(|&seed| first(seed)).count()
+    }
+
+    #[test]
+    fn sixteen_different_layouts_are_drawn_and_none_that_was_shown() {
+        let taste = Taste::default();
+        let first = draw(&wanted(&taste), &mut Rand64::new(1));
+        let mut ids: Vec<&str> = first.iter().map(|drawn| drawn.template.id()).collect();
+        let shown = ids.clone();
+        ids.sort_unstable();
+        ids.dedup();
+        assert_eq!(ids.len(), DRAWN);
+        let next = draw(&Wanted { shown: &shown, ..wanted(&taste) }, &mut Rand64::new(1));
+        assert!(next.iter().all(|drawn| !shown.contains(&drawn.template.id())));
+    }
+
+    #[test]
+    fn what_is_liked_comes_more_often_and_nothing_is_lost() {
+        let mut liking = Taste::default();
+        let before = times(&liking, "columns");
+        liking.families = vec![("columns".into(), 1.2)];
+        let after = times(&liking, "columns");
+        assert!(before > 5 && after > 2 * before, "{before} {after}");
+        liking.families[0].1 = f64::NAN;
+        assert_eq!(times(&liking, "columns"), before);
+        assert!(times(&Taste::default(), "grid") > 0);
+    }
+
+    #[test]
+    fn few_photos_get_few_panels() {
+        let taste = Taste::default();
+        for photos in 1..12 {
+            let drawn = draw(&Wanted { photos, ..wanted(&taste) }, &mut Rand64::new(7));
+            assert!(!drawn.is_empty());
+            assert!(drawn.iter().all(|drawn| drawn.template.panels().len() <= photos.max(1)), "{photos}");
+        }
+        let nine = draw(&Wanted { panels: Some(9), ..wanted(&taste) }, &mut Rand64::new(7));
+        assert!(nine.iter().all(|drawn| drawn.template.panels().len() == 9));
+    }
+}

@@ -1,0 +1,40 @@
+//! Plan: which layout, which photo in which panel, and how good the page is.
+//!
+//! | module | for |
+//! |---|---|
+//! | [`slots`] | the panels of a page as places that want photos |
+//! | [`prepared`] | what is found out about a photo once, for all plans |
+//! | [`utility`] | how well a photo sits in a panel |
+//! | [`assign`] | photos to panels, by exact assignment |
+//! | [`layouts`] | the layouts that a page is chosen from |
+//! | [`composer`] | plans made, judged by what is seen, and one drawn by its rank |
+//! | [`tones`] | the styles that keep what the photos show |
+//! | [`spread`] | an album cut into pages |
+//!
+//! Nothing here knows a document: what stays of the page before comes in as slots that are locked. All of it is pure;
+//! chance comes from a seed.
+
+pub mod assign;
+pub mod composer;
+pub mod layouts;
+pub mod prepared;
+pub mod slots;
+pub mod spread;
+pub mod tones;
+pub mod utility;
+
+/// Indices of values, the largest first, equal ones in their order. Written out since each sort of the standard library's
+/// adds kilobytes to the module of the page, and lists are short here.
+fn best_first(values: &[f64]) -> Vec<usize> {
+    let mut order: Vec<usize> = Vec::with_capacity(values.len());
+    for (i, value) in values.iter().enumerate() {
+        let at = order.iter().rposition(|&other| values[other] >= *value).map_or(0, |last| last + 1);
+        order.insert(at, i);
+    }
+    order
+}
+
+pub use assign::{Order, assign};
+pub use composer::{Candidate, Plan, Score, compose, judge};
+pub use prepared::{Prepared, Shelf};
+pub use slots::{Assignment, Slot, slots};

@@ -1,0 +1,196 @@
+//! An album cut into pages where its time, its place or its scene changes.
+
+use crate::framing::PhotoMeta;
+
+/// What a page costs, so that there are not more than needed.
+const PAGE: f64 = 0.35;
+/// Fewer photos than this are a leftover, and what one costs.
+const FEWEST: usize = 3;
+const LEFTOVER: f64 = 1.5;
+/// Pauses, in medians of all, from which on there may be a cut, and from which on there surely is.
+const PAUSES: (f64, f64) = (3.0, 60.0);
+/// Mean differences of colours, in grey steps, that are nothing and that are another place.
+const COLOURS: (f64, f64) = (24.0, 90.0);
+/// Bits of fingerprints that two photos of one place may differ in, as noise has it.
+const ALIKE: f64 = 20.0;
+/// A cut weaker than this is no reason for uneven pages.
+const WEAK: f64 = 0.25;
+
+/// Photos of each page, at most `most`, in numbers of panels that layouts have (`counts`; any where none is known). Even
+/// where nothing speaks for a cut elsewhere.
+#[must_use]
+pub fn sizes(photos: &[PhotoMeta], most: usize, counts: &[usize]) -> Vec<usize> {
+    let cuts = cuts(photos);
+    if cuts.iter().all(|cut| *cut < WEAK) {
+        return balanced(photos.len(), most, counts);
+    }
+    let least_pages = photos.len().div_ceil(most.max(1));
+    let even = photos.len() as f64 / least_pages.max(1) as f64;
+    let allowed: Vec<usize> =
+        (1..=most.max(1)).filter(|size| counts.is_empty() || counts.contains(size)).collect();
+    solved(&cuts, &allowed, even, None).unwrap_or_else(|| balanced(photos.len(), most, counts))
+}
+
+/// Photos of each of so many pages; fewer pages where there are fewer photos.
+#[must_use]
+pub fn into_pages(photos: &[PhotoMeta], pages: usize) -> Vec<usize> {
+    let pages = pages.clamp(1, photos.len().max(1));
+    let even = photos.len() as f64 / pages as f64;
+    // Uneven by as much again and no more, which bounds the work as well.
+    let most = ((2.0 * even).ceil() as usize).clamp(1, photos.len().max(1));
+    let allowed: Vec<usize> = (1..=most).collect();
+    solved(&cuts(photos), &allowed, even, Some(pages)).unwrap_or_else(|| vec![photos.len()])
+}
+
+/// Pages of nearly the same number of photos each, so that no page is a leftover: the photos of each page. `counts`:
+/// numbers of panels that layouts have; any while none is known.
+#[must_use]
+pub fn balanced(count: usize, most: usize, counts: &[usize]) -> Vec<usize> {
+    let mut sizes = Vec::new();
+    let mut rest = count;
+    while rest > 0 {
+        let even = rest.div_ceil(rest.div_ceil(most.max(1)));
+        // Of photos that are more than its panels a page would leave some out.
+        let size = counts.iter().copied().filter(|count| (1..=even).contains(count)).max().unwrap_or(even);
+        sizes.push(size);
+        rest -= size;
+    }
+    sizes
+}
+
+/// How much speaks for a cut before each photo but the first, 0 to 1.
+#[must_use]
+pub fn cuts(photos: &[PhotoMeta]) -> Vec<f64> {
+    let times: Vec<Option<f64>> =
+        photos.iter().map(|photo| photo.taken.as_deref().and_then(seconds)).collect();
+    let pause = |i: usize| Some((times[i]? - times[i - 1]?).abs());
+    let mut pauses: Vec<f64> = (1..photos.len()).filter_map(pause).collect();
+    pauses.sort_by(f64::total_cmp);
+    let usual = pauses.get(pauses.len() / 2).copied().unwrap_or(0.0).max(20.0);
+    let ramp = |value: f64, (low, high): (f64, f64)| ((value - low) / (high - low)).clamp(0.0, 1.0);
+    (1..photos.len())
+        .map(|i| {
+            let time = pause(i).map_or(0.0, |pause| {
+                let (low, high) = PAUSES;
+                ramp((pause / usual).max(1e-9).ln(), (low.ln(), high.ln()))
+            });
+            let (before, after) = (&photos[i - 1], &photos[i]);
+            let colour = match (&before.facts, &after.facts) {
+                (Some(a), Some(b)) => {
+                    let apart = a.colours.iter().zip(b.colours).map(|(a, b)| f64::from(a.abs_diff(b)));
+                    ramp(apart.sum::<f64>() / 6.0, COLOURS)
+                }
+                _ => 0.0,
+            };
+            let bits = f64::from((before.fingerprint ^ after.fingerprint).count_ones());
+            // Photos that look alike belong together whatever the clock says.
+            let together = if bits < ALIKE { 0.3 } else { 1.0 };
+            (time.max(0.6 * colour) + 0.25 * time.min(colour)).min(1.0) * together
+        })
+        .collect()
+}
+
+/// The sizes with the least cost: the best pages of the first `end` photos end with one of the allowed sizes.
+fn solved(cuts: &[f64], allowed: &[usize], even: f64, pages: Option<usize>) -> Option<Vec<usize>> {
+    let count = cuts.len() + 1;
+    let cost = |size: usize| {
+        let uneven = (size as f64 - even) / even.max(1.0);
+        PAGE + uneven * uneven + if size < FEWEST && even >= FEWEST as f64 { LEFTOVER } else { 0.0 }
+    };
+    // Where the number of pages is given, each layer of the table has one page more than the last.
+    let layers = pages.unwrap_or(1);
+    let mut best = vec![vec![(f64::INFINITY, 0usize); count + 1]; layers + 1];
+    best[0][0].0 = 0.0;
+    for layer in 1..=layers {
+        let from = if pages.is_some() { layer - 1 } else { layer };
+        if pages.is_none() {
+            best[layer][0].0 = 0.0;
+        }
+        for end in 1..=count {
+            for &size in allowed.iter().filter(|&&size| size <= end) {
+                let gain = if end < count { cuts[end - 1] } else { 0.0 };
+                let total = best[from][end - size].0 + cost(size) - gain;
+                if total < best[layer][end].0 {
+                    best[layer][end] = (total, size);
+                }
+            }
+        }
+    }
+    let mut sizes = Vec::new();
+    let (mut end, mut layer) = (count, layers);
+    while end > 0 {
+        let (total, size) = best[layer][end];
+        if !total.is_finite() || size == 0 {
+            return None;
+        }
+        sizes.push(size);
+        end -= size;
+        layer -= usize::from(pages.is_some());
+    }
+    sizes.reverse();
+    Some(sizes)
+}
+
+/// Seconds of `YYYY:MM:DD HH:MM:SS`, in a calendar whose months are all of 31 days: pauses are compared, not told.
+fn seconds(taken: &str) -> Option<f64> {
+    let mut numbers = taken.split([':', ' ', '-', 'T', '.']).map(|digits| digits.parse::<f64>().ok());
+    let mut next = || numbers.next().flatten();
+    let (year, month, day) = (next()?, next()?, next()?);
+    let (hour, minute, second) = (next()?, next()?, next().unwrap_or(0.0));
+    Some(((((year * 12.0 + month) * 31.0 + day) * 24.0 + hour) * 60.0 + minute) * 60.0 + second)
+}
+
+#[cfg(test)]
+mod tests {
+    use proptest::prelude::*;
+
+    use super::*;
+
+    fn at(i: usize, hour: usize, minute: usize) -> PhotoMeta {
+        PhotoMeta {
+            fingerprint: (i as u64 + 1).wrapping_mul(0x9e37_79b9_7f4a_7c15),
+            taken: Some(format!("2024:05:17 {hour:02}:{minute:02}:00")),
+            ..PhotoMeta::unmeasured(&format!("p{i}"), 4000, 3000)
+        }
+    }
+
+    #[test]
+    fn a_pause_begins_a_page() {
+        // A walk of five photos, hours later a meal of four, at night seven.
+        let minutes = [(10, 5), (14, 4), (22, 7)];
+        let photos: Vec<PhotoMeta> = minutes
+            .iter()
+            .flat_map(|&(hour, count)| (0..count).map(move |i| (hour, i)))
+            .enumerate()
+            .map(|(i, (hour, minute))| at(i, hour, minute))
+            .collect();
+        assert_eq!(sizes(&photos, 8, &[]), [5, 4, 7]);
+        assert_eq!(into_pages(&photos, 3), [5, 4, 7]);
+        assert_eq!(into_pages(&photos, 2).len(), 2);
+    }
+
+    #[test]
+    fn an_even_album_has_even_pages() {
+        let photos: Vec<PhotoMeta> = (0..13).map(|i| PhotoMeta { taken: None, ..at(i, 0, 0) }).collect();
+        assert_eq!(sizes(&photos, 6, &[]), balanced(13, 6, &[]));
+        assert_eq!(into_pages(&photos, 2).iter().sum::<usize>(), 13);
+        assert!(into_pages(&photos[..2], 9).len() <= 2);
+    }
+
+    proptest! {
+        #[test]
+        fn every_photo_is_on_one_page(
+            hours in prop::collection::vec(0usize..24, 1..60),
+            most in 1usize..10,
+            pages in 1usize..12,
+        ) {
+            let photos: Vec<PhotoMeta> = hours.iter().enumerate().map(|(i, &hour)| at(i, hour, i % 60)).collect();
+            let cut = sizes(&photos, most, &[]);
+            prop_assert_eq!(cut.iter().sum::<usize>(), photos.len());
+            prop_assert!(cut.iter().all(|&size| (1..=most).contains(&size)));
+            let told = into_pages(&photos, pages);
+            prop_assert_eq!(told.iter().sum::<usize>(), photos.len());
+            prop_assert_eq!(told.len(), pages.min(photos.len()));
+        }
+    }
+}

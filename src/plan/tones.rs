@@ -1,0 +1,228 @@
+//! The styles that keep what the photos show: each is known by how much it is liked and by the tones that it makes of
+//! tones, so that a night scene does not become a black page.
+
+use std::sync::OnceLock;
+
+use super::layouts::Taste;
+use super::slots::{Assignment, Slot};
+use crate::framing::{FACE, Facts, PhotoMeta};
+use crate::style::Style;
+use crate::style::context::scale_of;
+
+/// A line a style, best first: its id, how much it is liked from 0 to 10, by eye on photos that are not in the
+/// repository, and the luma that it makes of each sixteenth of luma, two hexadecimal digits each. The example
+/// `style_tones` writes the last column.
+const LOOKS: &str = include_str!("looks.txt");
+
+/// Styles that the first page is drawn from.
+const BEST: usize = 10;
+/// How much a style is liked of which nothing is known.
+const USUAL: f64 = 6.5;
+/// Styles liked less are out of chance, though there to be chosen.
+const LEAST: f64 = 5.0;
+/// How fast weight grows with liking.
+const GROWTH: f64 = 0.75;
+/// Luma below and above which there is only ink, or only paper.
+const ENDS: (u8, u8) = (20, 236);
+/// The part of a page that may be blank or black.
+const MOST_BLANK: f64 = 0.6;
+/// The least standard deviation of tones, 0 to 1.
+const LEAST_SPREAD: f64 = 0.15;
+/// Cells of a screen or pattern that a face has to be high.
+const CELLS: f64 = 14.0;
+/// Pixels of a cell of a pattern at scale 1.
+const PATTERN_CELL: f32 = 5.0;
+/// The share of edges from which on dots and hatching turn to mud.
+const ROUGH: f64 = 0.3;
+
+/// What a page shows that styles may lose.
+#[derive(Debug, Clone, Default, PartialEq)]
+pub struct Shown {
+    /// The share of each sixteenth of luma; none where no photo was measured.
+    tones: Option<[f64; 16]>,
+    /// The mean share of edges between neighbours.
+    texture: f64,
+    /// Heights of faces, in page widths.
+    face: Option<f64>,
+    /// Pixels of a page as wide as 1 for a pixel of a style, over the page's pixels.
+    scale: f64,
+}
+
+impl Shown {
+    /// What the slots of a page show.
+    #[must_use]
+    pub fn of(slots: &[Slot], panels: &[Assignment], photos: &[PhotoMeta], page_aspect: f64) -> Self {
+        let (mut tones, mut texture, mut area) = ([0.0; 16], 0.0, 0.0);
+        let mut face: Option<f64> = None;
+        for (slot, panel) in slots.iter().zip(panels) {
+            let photo = &photos[panel.photo];
+            if let Some(Facts { tones: counted, edges, .. }) = &photo.facts {
+                for (sum, &count) in tones.iter_mut().zip(counted) {
+                    *sum += slot.area * f64::from(count) / 255.0;
+                }
+                texture += slot.area * f64::from(edges[0]) / 255.0;
+                area += slot.area;
+            }
+            // The main face of each panel has to be read; those of a crowd need not.
+            let faces = photo.subjects.iter().filter(|s| s.label == FACE);
+            let highest =
+                faces.map(|s| s.height / panel.crop.height * slot.bounds.height).fold(0.0, f64::max);
+            if highest > 0.0 {
+                face = Some(face.map_or(highest, |least| least.min(highest)));
+            }
+        }
+        // A style's pixels are those of its page's mean panel.
+        let scale = f64::from(scale_of(1.0 / page_aspect.max(0.05) / slots.len().max(1) as f64));
+        let tones = (area > 0.0).then(|| tones.map(|sum| sum / area));
+        Self { tones, texture: if area > 0.0 { texture / area } else { 0.0 }, face, scale }
+    }
+}
+
+struct Look {
+    id: &'static str,
+    rating: f64,
+    /// Its place among the best.
+    place: usize,
+    response: Option<[u8; 16]>,
+}
+
+fn looks() -> &'static [Look] {
+    static READ: OnceLock<Vec<Look>> = OnceLock::new();
+    READ.get_or_init(|| {
+        let line = |(place, line): (usize, &'static str)| {
+            let mut words = line.split_ascii_whitespace();
+            let (id, rating) = (words.next()?, words.next()?.parse().ok()?);
+            Some(Look { id, rating, place, response: words.next().and_then(response) })
+        };
+        LOOKS.lines().enumerate().filter_map(line).collect()
+    })
+}
+
+fn look(id: &str) -> Option<&'static Look> {
+    looks().iter().find(|look| look.id == id)
+}
+
+fn response(digits: &str) -> Option<[u8; 16]> {
+    let mut response = [0; 16];
+    for (i, value) in response.iter_mut().enumerate() {
+        *value = u8::from_str_radix(digits.get(2 * i..2 * i + 2)?, 16).ok()?;
+    }
+    Some(response)
+}
+
+/// How much a style is liked, 0 to 10, where that is known.
+#[must_use]
+pub fn rating(id: &str) -> Option<f64> {
+    look(id).map(|look| look.rating)
+}
+
+/// Whether the first page may have the style.
+#[must_use]
+pub fn is_among_best(id: &str) -> bool {
+    look(id).is_some_and(|look| look.place < BEST)
+}
+
+/// The weight of a style that a person brought.
+#[must_use]
+pub fn weight_of_own(id: &str, taste: &Taste) -> f64 {
+    (GROWTH * (7.0 - USUAL)).exp() * Taste::factor(&taste.styles, id)
+}
+
+/// The weight of a designed style on a page: its liking, less what it would lose of the photos.
+#[must_use]
+pub fn weight(style: &Style, page: &Shown, taste: &Taste) -> f64 {
+    let look = look(&style.id);
+    let rating = look.map_or(USUAL, |look| look.rating);
+    if rating < LEAST {
+        return 0.0;
+    }
+    let response = look.and_then(|look| look.response.as_ref());
+    let loss = tonal_loss(response, page) + cell_loss(style, page);
+    (GROWTH * (rating - USUAL) - loss).exp() * Taste::factor(&taste.styles, &style.id)
+}
+
+fn tonal_loss(response: Option<&[u8; 16]>, page: &Shown) -> f64 {
+    let (Some(response), Some(tones)) = (response, &page.tones) else { return 0.0 };
+    let total: f64 = tones.iter().sum::<f64>().max(1e-9);
+    let pairs = || response.iter().zip(tones).map(|(&to, share)| (to, share / total));
+    let share = |lost: &dyn Fn(u8) -> bool| -> f64 {
+        pairs().filter(|(to, _)| lost(*to)).map(|(_, share)| share).sum()
+    };
+    let blank = share(&|to| to > ENDS.1).max(share(&|to| to < ENDS.0));
+    let level = |to: u8| f64::from(to) / 255.0;
+    let mean: f64 = pairs().map(|(to, share)| level(to) * share).sum();
+    let spread = pairs().map(|(to, share)| (level(to) - mean).powi(2) * share).sum::<f64>().sqrt();
+    4.0 * (blank - MOST_BLANK).max(0.0) / (1.0 - MOST_BLANK)
+        + 3.0 * (LEAST_SPREAD - spread).max(0.0) / LEAST_SPREAD
+}
+
+fn cell_loss(style: &Style, page: &Shown) -> f64 {
+    let Some(cell) = cell(style) else { return 0.0 };
+    let rough = 6.0 * (page.texture - ROUGH).max(0.0);
+    let small = page.face.map_or(0.0, |face| {
+        let cells = face / (cell * page.scale).max(1e-9);
+        (CELLS / cells.max(1.0) - 1.0).clamp(0.0, 2.5)
+    });
+    rough + small
+}
+
+/// The largest cell of a style's screens and patterns, in its pixels.
+fn cell(style: &Style) -> Option<f64> {
+    let steps = style.background.iter().chain(style.foreground.iter().flatten()).filter(|step| !step.bypass);
+    let cells = steps.filter_map(|step| {
+        let value = |id: &str| {
+            let at = step.block.params.iter().position(|param| param.id == id)?;
+            step.values.get(at).copied()
+        };
+        match step.block.id {
+            "halftone" => value("pitch"),
+            "pattern" => value("scale").map(|scale| scale * PATTERN_CELL),
+            _ => None,
+        }
+    });
+    cells.map(f64::from).reduce(f64::max)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::style::catalogue;
+
+    fn page(tones: [f64; 16]) -> Shown {
+        Shown { tones: Some(tones), texture: 0.1, face: None, scale: 1e-3 }
+    }
+
+    #[test]
+    fn every_designed_style_is_rated_and_measured() {
+        for style in catalogue::catalogue() {
+            let look = look(style.id.as_str()).unwrap_or_else(|| panic!("{} is not in looks.txt", style.id));
+            assert!((0.0..=10.0).contains(&look.rating) && look.response.is_some(), "{}", style.id);
+        }
+        assert_eq!(looks().len(), LOOKS.lines().count());
+        assert_eq!(catalogue::catalogue().iter().filter(|style| is_among_best(&style.id)).count(), BEST);
+    }
+
+    #[test]
+    fn what_would_be_black_or_blank_is_hardly_drawn() {
+        let taste = Taste::default();
+        let (mut night, mut even) = ([0.0; 16], [1.0 / 16.0; 16]);
+        (night[0], night[1], night[2]) = (0.5, 0.3, 0.2);
+        even[0] += 0.0;
+        let falls = |id: &str| {
+            let style = catalogue::find(id).unwrap();
+            weight(style, &page(night), &taste) / weight(style, &page(even), &taste)
+        };
+        let worst = catalogue::catalogue().iter().map(|style| style.id.as_str());
+        let worst = worst.filter(|id| rating(id) >= Some(LEAST)).map(falls).fold(1.0, f64::min);
+        assert!(worst < 0.3, "{worst}");
+    }
+
+    #[test]
+    fn large_dots_keep_away_from_small_faces() {
+        let taste = Taste::default();
+        let style = catalogue::find("newsprint").unwrap();
+        let with = |face| weight(style, &Shown { face, ..page([1.0 / 16.0; 16]) }, &taste);
+        assert!(with(Some(0.05)) < 0.5 * with(Some(0.5)));
+        assert!((with(Some(0.5)) - with(None)).abs() < 1e-9);
+    }
+}

@@ -1,0 +1,177 @@
+//! How well a photo sits in a panel, by what of it is seen there.
+
+use super::prepared::{Mark, Prepared};
+use super::slots::Slot;
+use crate::framing::{Crop, PhotoMeta};
+use crate::layout::Bounds;
+
+/// The parts of a face, and of another subject, that make it count as cut.
+const FACE_CUT: (f64, f64) = (0.08, 0.9);
+const SUBJECT_CUT: (f64, f64) = (0.08, 0.82);
+/// The part of a photo that should be seen.
+const KEPT: f64 = 0.62;
+/// The part of a photo below which hardly anything of it is left.
+const LITTLE: f64 = 0.4;
+/// The most that a photo should be enlarged.
+const ENLARGED: f64 = 2.5;
+/// Height of a subject on the page, in page widths, below which it cannot be read, for faces and others.
+const READABLE: (f64, f64) = (0.03, 0.055);
+/// The weight of all subjects together from which on they have their full say.
+const STRONG: f64 = 0.25;
+/// Subjects below this part of the photo's area may be cut.
+const SOME_SIZE: f64 = 0.01;
+
+/// What a crop shows of a photo in a panel.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct Look {
+    /// The part of the subjects, or of what there is to see, that is seen: 0 to 1.
+    pub cover: f64,
+    /// Faces cut, counted up to 2.
+    pub faces_cut: f64,
+    /// Other subjects cut, by their share of all, 0 to 1.
+    pub subjects_cut: f64,
+    /// The part of the photo that is seen, 0 to 1.
+    pub kept: f64,
+    /// Pixels of the page for one of the photo.
+    pub enlarged: f64,
+    /// How much too small the main subject is, 0 to 1.
+    pub too_small: f64,
+    /// How little there is to see in an image that several panels share, 0 to 1.
+    pub dull: f64,
+    /// The part of the subjects that a gutter runs through, 0 to 1.
+    pub split: f64,
+    /// The part of the panel that the main subject takes; 0 without one.
+    pub close: f64,
+}
+
+impl Look {
+    /// Looks at a crop that holds `energy` of the photo.
+    #[must_use]
+    pub fn at(slot: &Slot, prepared: &Prepared, crop: &Crop, energy: f64) -> Self {
+        let target = &slot.target;
+        let seen = if target.round && target.region.is_plain() {
+            std::f64::consts::FRAC_PI_4
+        } else {
+            target.region.seen()
+        };
+        let mut look = Self {
+            kept: crop.width * crop.height * seen,
+            enlarged: target.width / (crop.width * prepared.sides.0).max(1e-6),
+            ..Self::default()
+        };
+        let mut worst = 0.0f64;
+        let total: f64 = prepared.marks.iter().map(|mark| mark.weight).sum();
+        let (mut cover, mut cut, mut split, mut heaviest) = (0.0, 0.0, 0.0, 0.0);
+        for mark in &prepared.marks {
+            let (all, most) = shares(slot, place(crop, mark.grown));
+            cover += mark.weight * all;
+            if mark.face {
+                let (bare, in_one) = shares(slot, place(crop, mark.bare));
+                let gutter = in_one < FACE_CUT.1 && bare > FACE_CUT.0;
+                let head = 0.35 * f64::from(u8::from(most < 0.85 && all > FACE_CUT.0));
+                look.faces_cut += if gutter { 1.0 } else { head };
+            } else if mark.bare.width * mark.bare.height >= SOME_SIZE
+                && all > SUBJECT_CUT.0
+                && most < SUBJECT_CUT.1
+            {
+                worst = mark.whole.max(worst);
+                cut += mark.weight * mark.whole;
+            }
+            // What lies in two windows of a merge is cut by the gutter, however much of it is seen.
+            if all > 0.3 && most < 0.85 * all && mark.whole > 0.0 {
+                split += mark.weight;
+            }
+            if all > 0.8 && mark.weight > heaviest {
+                heaviest = mark.weight;
+                let inner = place(crop, mark.bare);
+                look.close = (inner.width * inner.height).min(1.0);
+                let readable = if mark.face { READABLE.0 } else { READABLE.1 };
+                let high = inner.height * slot.bounds.height;
+                look.too_small = (1.0 - high / readable).max(0.0);
+            }
+        }
+        let say = (total / STRONG).min(1.0);
+        let subjects = if total > 0.0 { cover / total } else { 0.0 };
+        look.cover = say * subjects + (1.0 - say) * energy * seen.max(0.5);
+        look.subjects_cut = if total > 0.0 { (cut / total).max(0.75 * worst) } else { 0.0 };
+        look.faces_cut = look.faces_cut.min(2.0);
+        // Across gutters only what is worth it.
+        look.dull = if slot.merged { (0.6 - prepared.subject).max(0.0) } else { 0.0 };
+        look.split = if total > 0.0 { split / total } else { 0.0 };
+        look
+    }
+
+    /// How well the photo sits, whatever the panel's size.
+    #[must_use]
+    pub fn fit(&self) -> f64 {
+        let lacking = (KEPT - self.kept).max(0.0) / KEPT;
+        let little = f64::from(u8::from(self.kept < LITTLE));
+        let soft = (self.enlarged / ENLARGED).log2().max(0.0);
+        let blown_up = f64::from(u8::from(self.enlarged > ENLARGED));
+        self.cover
+            - 2.0 * self.faces_cut
+            - 1.6 * self.subjects_cut
+            - 1.2 * lacking
+            - 0.5 * little
+            - 0.4 * soft
+            - 4.0 * blown_up
+            - 2.5 * self.split
+            - self.dull
+            - 0.5 * self.too_small
+    }
+}
+
+/// A crop for the slot, from what is kept for its shape: where a part of the panel is hidden, moved so that the subjects
+/// come to lie where nothing is.
+#[must_use]
+pub fn placed(slot: &Slot, photo: &PhotoMeta, prepared: &Prepared) -> (Crop, Look) {
+    let (crop, energy) = prepared.crop_for(photo, slot.target.aspect);
+    let look = Look::at(slot, prepared, &crop, energy);
+    if slot.target.region.is_plain() || prepared.marks.is_empty() {
+        return (crop, look);
+    }
+    let heaviest = prepared.marks.iter().max_by(|a, b| a.weight.total_cmp(&b.weight));
+    let all = prepared.marks.iter().map(|mark| mark.grown).reduce(Bounds::union);
+    let goals = [all, heaviest.map(|mark: &Mark| mark.grown)];
+    let mut best = (crop, look);
+    for goal in goals.into_iter().flatten() {
+        let core = slot.target.region.core();
+        let middle = |at: f64, side: f64| at + side / 2.0;
+        let x = middle(goal.x, goal.width) - middle(core.x, core.width) * crop.width;
+        let y = middle(goal.y, goal.height) - middle(core.y, core.height) * crop.height;
+        let moved = Crop {
+            x: x.clamp(0.0, 1.0 - crop.width.min(1.0)),
+            y: y.clamp(0.0, 1.0 - crop.height.min(1.0)),
+            ..crop
+        };
+        let look = Look::at(slot, prepared, &moved, energy);
+        if look.fit() > best.1.fit() {
+            best = (moved, look);
+        }
+    }
+    best
+}
+
+/// A box of the photo in parts of the crop.
+fn place(crop: &Crop, inner: Bounds) -> Bounds {
+    Bounds {
+        x: (inner.x - crop.x) / crop.width,
+        y: (inner.y - crop.y) / crop.height,
+        width: inner.width / crop.width,
+        height: inner.height / crop.height,
+    }
+}
+
+/// The parts of a box that are seen: of all windows, and of the one that shows most.
+fn shares(slot: &Slot, inner: Bounds) -> (f64, f64) {
+    let (all, most) = slot.target.region.shares(inner);
+    if slot.target.round && slot.target.region.is_plain() {
+        // What of the box lies in the circle: by its farthest point, as heads are round.
+        let (aspect, half) = (slot.target.aspect, (inner.width / 2.0, inner.height / 2.0));
+        let off = (inner.x + half.0 - 0.5).hypot((inner.y + half.1 - 0.5) / aspect.max(1e-3));
+        let reach = half.0.max(half.1 / aspect.max(1e-3));
+        let part = ((0.5 - off + reach) / (2.0 * reach).max(1e-9)).clamp(0.0, 1.0);
+        return (part.min(all), part.min(most));
+    }
+    (all.min(1.0), most.min(1.0))
+}
