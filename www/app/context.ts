@@ -20,6 +20,8 @@ import type { Alternatives } from '../page/alternatives.ts';
 import type { Framing } from '../page/panels/framing.ts';
 import type { Merging } from '../page/panels/merging.ts';
 import type { Reshaping } from '../page/panels/reshaping.ts';
+import type { Taste } from '../styles/taste.ts';
+import type { Ahead } from '../page/ahead.ts';
 import type { Choosing } from '../photos/choosing.ts';
 import type { Reading } from '../photos/reading.ts';
 import type { Scrubbing } from '../photos/scrubbing.ts';
@@ -37,7 +39,9 @@ export type App = {
   subjects: Subjects;
   reading: Reading;
   scrubbing: Scrubbing;
+  ahead: Ahead;
   choosing: Choosing;
+  taste: Taste;
   selection: import('../page/panels/selection.ts').Selection;
   merging: Merging;
   lettering: Lettering;

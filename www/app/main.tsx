@@ -7,6 +7,7 @@ import { effect, untracked } from '@preact/signals';
 import { render } from 'preact';
 import { createEngine } from '../engine/engine.ts';
 import { unreadMeta } from '../document/album.ts';
+import { createAhead } from '../page/ahead.ts';
 import { createAlternatives } from '../page/alternatives.ts';
 import { createBook } from '../book/book.ts';
 import { keepBook } from '../book/book-upkeep.ts';
@@ -38,6 +39,7 @@ import { createShownPages } from '../book/shown-pages.ts';
 import { createSubtitling } from '../lettering/subtitling.ts';
 import { isStyleLink } from '../styles/style-link.ts';
 import { createStyling } from '../styles/styling.ts';
+import { createTaste } from '../styles/taste.ts';
 import { createSubjects } from '../photos/subjects.ts';
 import { createUi } from './ui.ts';
 import { strings } from '../strings/strings.ts';
@@ -54,7 +56,7 @@ const ui = createUi(window);
 const messages = createMessages();
 const pages = createPages(store);
 const reading = createReading({ store, pages, engine, messages, prefix: freshPhotoPrefix() });
-const book = createBook({ store, pages, messages });
+const book = createBook({ store, pages, messages, onKept: (page) => taste.learn(page) });
 const choosing = createChoosing({ store, pages, reading });
 const scrubbing = createScrubbing({ store, pages, reading, engine, messages });
 const selection = createSelection({ store });
@@ -67,7 +69,8 @@ const ownLayouts = createOwnLayouts({ store, pages, messages });
 const designer = createDesigner({ store, pages, messages, ui, freshId: freshStyleId });
 const ownStyles = createOwnStyles({ store, messages, designer, freshId: freshStyleId });
 const shelves = createShelves({ store, messages, box: () => window.localStorage });
-const shownPages = createShownPages({ store, pages });
+const taste = createTaste({ planner: () => store.planner.peek(), box: () => window.localStorage });
+const shownPages = createShownPages({ store, pages, onLoved: taste.learn });
 const views = {
   drawn: () => drawn(ui),
   retry: () => {
@@ -96,8 +99,16 @@ const subjects = createSubjects({
   wanted: ui.detects,
   window,
 });
-const download = createDownload({ store, pages, engine, messages, pageFiles: keeping.pageFiles });
+const download = createDownload({
+  store,
+  pages,
+  engine,
+  messages,
+  pageFiles: keeping.pageFiles,
+  onSaved: (saved) => saved.forEach(taste.learn),
+});
 const alternatives = createAlternatives({ store, pages });
+const ahead = createAhead({ store, pages, ui });
 const installing = createInstalling(window);
 const {
   take: intake,
@@ -121,7 +132,7 @@ const arrivals = createArrivals({ window, intake, messages });
 const begun = keeping.begin();
 engine.ready.then(
   (planner) => {
-    store.planner.value = lettering.within(styling.within(planner));
+    store.planner.value = lettering.within(styling.within(taste.within(planner)));
     shelves.recall();
     void begun.then(openLink);
     void begun.then(arrivals.begin);
@@ -206,11 +217,13 @@ render(
       designer,
       ownStyles,
       styling,
+      taste,
       explorer,
       keeping,
       shownPages,
       subjects,
       reading,
+      ahead,
       choosing,
       scrubbing,
       download,

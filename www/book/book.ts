@@ -9,6 +9,7 @@ import { freshPageId, freshSheet } from '../document/history.ts';
 import { placesOf } from '../document/page-photos.ts';
 import { photosOn, sheetsOf } from '../document/sheets.ts';
 import { spread, varied } from './spreading.ts';
+import type { PageDocument } from '../engine/documents.ts';
 import type { Messages } from '../app/messages.ts';
 import type { Pages } from '../document/pages.ts';
 import type { Sheet } from '../document/sheets.ts';
@@ -25,10 +26,13 @@ export function createBook({
   store,
   pages,
   messages,
+  onKept = () => {},
 }: {
   store: Store;
   pages: Pick<Pages, 'plan'>;
   messages: Pick<Messages, 'note'>;
+  /** Told of a page to which another is added. */
+  onKept?: (page: PageDocument) => void;
 }) {
   /** The photos in use that no page shows. */
   const left = computed(() => {
@@ -110,6 +114,7 @@ export function createBook({
       }),
     );
     if (!fresh) return;
+    onKept(page);
     const history = store.history.peek();
     const added = { page: fresh, pageId: freshPageId(history), sheet: freshSheet(history) };
     set(sheetsOf(store.project.peek()).toSpliced(at + 1, 0, added), at + 1);

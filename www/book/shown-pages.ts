@@ -21,7 +21,15 @@ export type Entry = {
 };
 export type ShownPages = ReturnType<typeof createShownPages>;
 
-export function createShownPages({ store, pages }: { store: Store; pages: Pick<Pages, 'bringBack'> }) {
+export function createShownPages({
+  store,
+  pages,
+  onLoved = () => {},
+}: {
+  store: Store;
+  pages: Pick<Pages, 'bringBack'>;
+  onLoved?: (page: PageDocument) => void;
+}) {
   const entries = computed(() => {
     const { history } = store;
     const { shown, present } = history.value;
@@ -58,6 +66,8 @@ export function createShownPages({ store, pages }: { store: Store; pages: Pick<P
 
   function love(id: number, on: boolean) {
     store.change({ type: 'love-page', pageId: id, on });
+    const entry = on ? store.history.peek().shown.find((other) => other.id === id) : undefined;
+    if (entry) onLoved(entry.page);
   }
 
   /** Makes the page a favourite, or no longer. */

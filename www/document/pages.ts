@@ -8,7 +8,7 @@ import { createPageSettings } from './page-settings.ts';
 import { sheetsOf } from './sheets.ts';
 import type { Keep, PageDocument, PlanRequest } from '../engine/documents.ts';
 import type { Shown } from './history.ts';
-import type { Part } from './project.ts';
+import type { Part, Project } from './project.ts';
 import type { Store } from './store.ts';
 
 /** A page of more panels than this is a page of stamps, unless a person asks for it. */
@@ -23,6 +23,8 @@ export function freshSeed(): number {
 
 export function createPages(store: Store, seed: () => number = freshSeed) {
   const settings = createPageSettings({ store, plan });
+  /** The page that a shuffle shows next, as long as all is as it was when it was planned. */
+  let prepared: { project: Project; photos: readonly unknown[]; page: PageDocument | null } | null = null;
 
   return {
     plan,
@@ -32,6 +34,7 @@ export function createPages(store: Store, seed: () => number = freshSeed) {
     reorder,
     refit,
     shuffle,
+    prepare,
     chooseLayout,
     chooseStyle,
     lock,
@@ -130,16 +133,30 @@ export function createPages(store: Store, seed: () => number = freshSeed) {
   function shuffle(part: Part | 'all') {
     const { locks, page } = store.project.peek();
     if (!page || (part !== 'all' && locks[part])) return;
-    // A locked panel stays where it is.
-    if (part === 'all')
-      show(
-        plan({
-          keep: { ...locks, layout: locks.layout || page.panels.some((panel) => panel.locked) },
-          mode: 'shuffle',
-        }),
-      );
+    if (part === 'all') show(isPrepared() ? (prepared?.page ?? null) : planShuffled(page));
     else if (part === 'photos') show(plan({ keep: { ...KEEP_ALL, photos: false }, mode: 'photos' }));
     else show(plan({ keep: { ...KEEP_ALL, [part]: false } }));
+  }
+
+  function planShuffled(page: PageDocument) {
+    const { locks } = store.project.peek();
+    // A locked panel stays where it is.
+    const layout = locks.layout || page.panels.some((panel) => panel.locked);
+    return plan({ keep: { ...locks, layout }, mode: 'shuffle' });
+  }
+
+  function isPrepared() {
+    return prepared?.project === store.project.peek() && prepared.photos === store.photos.peek();
+  }
+
+  /** Plans the page that the next shuffle shows. @returns null where there is nothing to shuffle */
+  function prepare(): PageDocument | null {
+    const project = store.project.peek();
+    if (!isPrepared()) {
+      const page = project.page && planShuffled(project.page);
+      prepared = { project, photos: store.photos.peek(), page };
+    }
+    return prepared?.page ?? null;
   }
 
   function chooseLayout(layout: string | object) {

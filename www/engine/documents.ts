@@ -165,6 +165,10 @@ export type PlanRequest = {
   mode?: 'shuffle' | 'photos';
   merge?: boolean;
   merges?: number[][];
+  /** Logarithms of how much more often families of layouts and styles are drawn, by id, to 1.6 either way. */
+  taste?: { families: Record<string, number>; styles: Record<string, number> };
+  /** Layouts and styles that were shown just now, by id: they are not drawn. */
+  avoid?: { layouts: string[]; styles: string[] };
   styling?: { extra: object[]; invented: number; keepLines: boolean; keepColours: boolean };
 };
 

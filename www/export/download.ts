@@ -26,12 +26,14 @@ export function createDownload({
   engine,
   messages,
   pageFiles,
+  onSaved = () => {},
 }: {
   store: Store;
   pages: Pages;
   messages: Messages;
   engine: Pick<Engine, 'exportPng' | 'exportJpeg' | 'exportWebp' | 'exportPdf' | 'exportPanel'>;
   pageFiles: Pick<PageFiles, 'take' | 'carrying'>;
+  onSaved?: (pages: readonly PageDocument[]) => void;
 }) {
   const progress: Signal<Progress | null> = signal(null);
   let running: AbortController | null = null;
@@ -74,6 +76,7 @@ export function createDownload({
     const file = await work((how) => make(wish, how, cargo.carry), strings.exportFailed);
     if (!file) return;
     save(file, fileName(wish.pages, wish.format));
+    onSaved(wish.pages);
     const saved = strings.pagesSaved(wish.pages.length);
     messages.note(cargo.unclean > 0 ? `${saved} ${strings.photosUnclean(cargo.unclean)}` : saved);
   }

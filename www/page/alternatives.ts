@@ -89,7 +89,7 @@ export function createAlternatives({ store, pages }: { store: Store; pages: Page
     const end = performance.now() + STRETCH;
     let tries = 0;
     while (fresh.length < goal && tries < TRIES && (performance.now() < end || tries > 0)) {
-      const page = pages.plan({ keep: { ...store.project.peek().locks }, mode: 'shuffle' });
+      const page = pages.plan({ keep: { ...store.project.peek().locks }, mode: 'shuffle', avoid: before(fresh) });
       if (!page || known.has(look(page))) {
         tries += 1;
         continue;
@@ -100,6 +100,14 @@ export function createAlternatives({ store, pages }: { store: Store; pages: Page
     }
     stream.value = { basis: now, items: fresh, over: tries >= TRIES };
   }
+}
+
+/** @returns layout and style of the page that comes before the next: two in a row that share one look like one */
+function before(items: readonly PageDocument[]): { layouts: string[]; styles: string[] } {
+  const last = items.at(-1);
+  const idOf = (plan: string | object | undefined) => (typeof plan === 'object' ? (plan as { id?: string }).id : plan);
+  const [layout, style] = [idOf(last?.layout), idOf(last?.style)];
+  return { layouts: layout === undefined ? [] : [layout], styles: style === undefined ? [] : [style] };
 }
 
 /** @returns the same for pages that look the same */

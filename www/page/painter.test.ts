@@ -49,7 +49,12 @@ function painter(readable = ['a', 'b']) {
   );
   const canvas = { width: 1, height: 1, getContext: () => context } as any;
   const renderPanel = (document: any, index: number, width: number, call: any) => {
-    const job = { name: `${document.layout}${document.style}${index}`, tier: call.tier, signal: call.signal } as any;
+    const job = {
+      name: `${document.layout}${document.style}${index}`,
+      tier: call.tier,
+      signal: call.signal,
+      priority: call.priority,
+    } as any;
     const promise = new Promise((resolve, reject) => {
       job.done = () => resolve({ x: 0, y: 0, width, height: width, bitmap: { name: job.name, width: 1, height: 1 } });
       job.fail = (code: string) => reject(Object.assign(new Error(code), { code }));
@@ -149,4 +154,33 @@ test('a panel that fails is told once, and does not hold the page', async () => 
   await finish('As1');
   expect(errors).toHaveBeenCalledTimes(1);
   expect(painted).toHaveBeenLastCalledWith(document);
+});
+
+test('a page that was prepared is there at once, and what was not ready is asked for anew, before all else', async () => {
+  const { show, prepare } = painter();
+  show(page('A'), geometry('A'), 10);
+  await finish('As0');
+  await finish('As1');
+  prepare(page('B'), geometry('B'), 10);
+  expect(jobs.slice(2).map(({ name, priority }) => [name, priority])).toEqual([
+    ['Bs0', 3],
+    ['Bs1', 3],
+  ]);
+  await finish('Bs0');
+  expect(drawn).toEqual(['As0', 'As1']);
+  show(page('B'), geometry('B'), 10);
+  expect(jobs[3].signal.aborted).toBe(true);
+  expect(jobs.slice(4).map(({ name, priority }) => [name, priority])).toEqual([['Bs1', 0]]);
+  jobs[3].fail('cancelled');
+  jobs[4].done();
+  await vi.advanceTimersByTimeAsync(20);
+  expect(drawn).toEqual(['Bs0', 'Bs1']);
+});
+
+test('another page cancels one that was prepared', async () => {
+  const { show, prepare } = painter();
+  show(page('A'), geometry('A'), 10);
+  prepare(page('B'), geometry('B'), 10);
+  show(page('C'), geometry('C'), 10);
+  expect(jobs.filter(({ name }) => name.startsWith('B')).map(({ signal }) => signal.aborted)).toEqual([true, true]);
 });

@@ -47,7 +47,7 @@ export function createPainter(
   let frame = 0;
   let timer: any;
 
-  return { show, dispose };
+  return { show, prepare, dispose };
 
   /**
    * @param width of the page on the screen, in its pixels
@@ -68,6 +68,16 @@ export function createPainter(
     if (!visible || (moving && sameLook(visible.document, document)) || complete(sheet)) paintSoon();
     else timer = setTimeout(paintSoon, PATIENCE);
     report();
+  }
+
+  /** Draws the panels of a page that may be shown next, after all else; the next page that is shown cancels it. */
+  function prepare(document: PageDocument, geometry: Geometry, width: number) {
+    document.panels.forEach(({ photo }, index) => {
+      const signature = patches.signature(document, geometry, index, width);
+      if (photo === null || !engine.hasPhoto(photo) || patches.cached(signature)) return;
+      // What goes wrong is said when the page is shown.
+      patches.get(signature, document, geometry, index, width, true).catch(() => {});
+    });
   }
 
   /** @param near the sheet before where its panels are the same ones */

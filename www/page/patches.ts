@@ -17,7 +17,8 @@ export type Patch = {
   crop: Bounds | null;
   bounds: Bounds;
 };
-type Flight = { promise: Promise<Patch>; stop: AbortController };
+/** `ahead`: nobody waits for it yet. */
+type Flight = { promise: Promise<Patch>; stop: AbortController; ahead: boolean };
 
 /** Pictures kept, in bytes: a dozen pages on a large screen. */
 const BUDGET = 96 * 2 ** 20;
@@ -66,18 +67,31 @@ export function createPatches(render: Engine['renderPanel']) {
     return patch;
   }
 
-  function get(key: string, document: PageDocument, geometry: Geometry, index: number, width: number): Promise<Patch> {
+  /** @param ahead whether nobody waits for it yet, so that it comes after all else */
+  function get(
+    key: string,
+    document: PageDocument,
+    geometry: Geometry,
+    index: number,
+    width: number,
+    ahead = false,
+  ): Promise<Patch> {
     const before = flights.get(key);
-    if (before) return before.promise;
+    if (before && (ahead || !before.ahead)) return before.promise;
+    // It stands behind all else, and somebody waits for it now.
+    before?.stop.abort();
     const stop = new AbortController();
     const start = performance.now();
-    const promise = render(document, index, width, { tier: 'work', priority: Priority.PANEL, signal: stop.signal })
+    const priority = ahead ? Priority.REST : Priority.PANEL;
+    const promise = render(document, index, width, { tier: 'work', priority, signal: stop.signal })
       .then((patch) => {
-        learn(document, width, performance.now() - start);
+        if (!ahead) learn(document, width, performance.now() - start);
         return keep(key, { ...patch, page: width, ...shown(document, geometry, index) });
       })
-      .finally(() => flights.delete(key));
-    flights.set(key, { promise, stop });
+      .finally(() => {
+        if (flights.get(key)?.stop === stop) flights.delete(key);
+      });
+    flights.set(key, { promise, stop, ahead });
     return promise;
   }
 

@@ -19,7 +19,7 @@ import type { Store } from '../document/store.ts';
 
 export function Stage() {
   const app = useApp();
-  const { store, pages, engine, messages, ui, selection, reshaping } = app;
+  const { store, pages, engine, messages, ui, selection, reshaping, ahead } = app;
   const canvas = useRef(null as HTMLCanvasElement | null);
   const sheet = useRef(null as HTMLDivElement | null);
   const painter = useRef(null as ReturnType<typeof createPainter> | null);
@@ -60,6 +60,13 @@ export function Stage() {
     if (page && geometry && width > 0)
       painter.current?.show(page, geometry, screenPixels(width), reshaping.editing.peek());
   }, [page, geometry, width, read]);
+
+  const next = ahead.page.value;
+  useEffect(() => {
+    const planner = store.planner.peek();
+    if (next && planner && width > 0)
+      painter.current?.prepare(next, planner.geometry(next.layout, next.page), screenPixels(width));
+  }, [next, width]);
 
   return (
     <section

@@ -43,7 +43,7 @@ export function StyleTools() {
 }
 
 function StyleShuffle() {
-  const { store, styling } = useApp();
+  const { store, styling, taste } = useApp();
   const drags = useRef(0);
   const { invented, keepLines, keepColours } = store.project.value.styling;
   return (
@@ -83,6 +83,19 @@ function StyleShuffle() {
           onClick={() => styling.change({ keepLines: !keepLines })}
         >
           {strings.keepLines}
+        </button>
+      </div>
+      <div class="style-taste">
+        <label title={strings.learnTasteLong}>
+          <input
+            type="checkbox"
+            checked={taste.on.value}
+            onChange={(event) => taste.setOn(event.currentTarget.checked)}
+          />
+          <span>{strings.learnTaste}</span>
+        </label>
+        <button type="button" class="button small" disabled={!taste.known.value} onClick={taste.forget}>
+          {strings.forgetTaste}
         </button>
       </div>
     </fieldset>

@@ -124,5 +124,9 @@ export const designerStrings = {
   inventedShare: 'Invented styles',
   keepLines: 'Lock lines',
   keepColours: 'Lock colours',
+  learnTaste: 'Learn my taste',
+  learnTasteLong:
+    'Layouts and styles of pages that you love, download or continue come more often. It stays on this device.',
+  forgetTaste: 'Forget my taste',
   share: (part: number) => `${Math.round(part * 100)} %`,
 };

@@ -122,5 +122,9 @@ export const designerStrings = {
   inventedShare: 'Estilos inventados',
   keepLines: 'Fijar líneas',
   keepColours: 'Fijar colores',
+  learnTaste: 'Aprender mi gusto',
+  learnTasteLong:
+    'Las plantillas y los estilos de las páginas que marca, descarga o continúa salen más. Se queda en este dispositivo.',
+  forgetTaste: 'Olvidar mi gusto',
   share: (part: number) => `${Math.round(part * 100)} %`,
 };

@@ -1,0 +1,45 @@
+import { signal } from '@preact/signals';
+import { expect, test, vi } from 'vitest';
+import { fakeApp } from '../document/testing.ts';
+import { createAhead } from './ahead.ts';
+
+vi.useFakeTimers();
+
+async function opened() {
+  const app = fakeApp();
+  await app.reading.addFiles(app.files('a.jpg', 'b.jpg', 'c.jpg', 'd.jpg'));
+  const painted = signal(app.store.page.value);
+  const ahead = createAhead({ ...app, ui: { painted } });
+  return { ...app, painted, ahead };
+}
+
+test('the next page is planned while this one is looked at, and is the one that Shuffle shows', async () => {
+  const { ahead, pages, planner, store } = await opened();
+  expect(ahead.page.value).toBeNull();
+  vi.runAllTimers();
+  const next = ahead.page.value;
+  expect(next).not.toBeNull();
+  const { length } = planner.requests;
+  pages.shuffle('all');
+  expect(store.page.value).toBe(next);
+  expect(planner.requests).toHaveLength(length);
+  expect(ahead.page.value).toBeNull();
+});
+
+test('whatever changes makes it another', async () => {
+  const { ahead, pages, store, painted } = await opened();
+  vi.runAllTimers();
+  const next = ahead.page.value;
+  pages.lock('style', true);
+  expect(ahead.page.value).toBeNull();
+  const { style } = store.page.value ?? {};
+  pages.shuffle('all');
+  expect(store.page.value).not.toBe(next);
+  expect(store.page.value?.style).toBe(style);
+  // Not before the page itself is on the screen.
+  vi.runAllTimers();
+  expect(ahead.page.value).toBeNull();
+  painted.value = store.page.value;
+  vi.runAllTimers();
+  expect(ahead.page.value?.style).toBe(style);
+});

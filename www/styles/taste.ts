@@ -1,0 +1,136 @@
+/**
+ * What a person likes, learnt from the pages that they love, download or add a page to: families of layouts and styles that
+ * were kept are drawn more often. It decays, stays on this device, and can be switched off and forgotten.
+ */
+
+import { computed, signal } from '@preact/signals';
+import type { Planner } from '../engine/core.ts';
+import type { PageDocument, PlanRequest } from '../engine/documents.ts';
+
+type Box = Pick<Storage, 'getItem' | 'setItem'>;
+type Weights = Record<string, number>;
+/** Logarithms of how much more often something is drawn, by id. */
+type Liking = { families: Weights; styles: Weights };
+export type Taste = ReturnType<typeof createTaste>;
+
+const KEY = 'inkpanel.taste';
+/** What one page adds. */
+const [FAMILY, STYLE] = [0.2, 0.35];
+/** What is left of all else with each page that is learnt from: half of it after two dozen. */
+const DECAY = 0.97;
+/** Five times as often, and no more: whoever likes one thing still wants to be surprised. */
+const MOST = 1.6;
+/** Below this nothing is remembered. */
+const LEAST = 0.02;
+/** Styles and families that are remembered. */
+const COUNT = 200;
+
+const NOTHING: Liking = Object.freeze({ families: {}, styles: {} });
+
+/** @param app `box` may throw where storage is refused: then it is learnt for as long as the page is there */
+export function createTaste({ planner, box }: { planner: () => Pick<Planner, 'layouts'> | null; box: () => Box }) {
+  const kept = read(box);
+  const liking = signal<Liking>(kept.liking);
+  const on = signal(kept.on);
+  let families: ReadonlyMap<string, string> | null = null;
+
+  return {
+    on: computed(() => on.value),
+    /** Whether there is something to forget. */
+    known: computed(() => Object.keys({ ...liking.value.families, ...liking.value.styles }).length > 0),
+    within,
+    learn,
+    forget,
+    setOn,
+  };
+
+  /** A planner that knows what the person likes. */
+  function within(inner: Planner): Planner {
+    return {
+      ...inner,
+      plan: (request: PlanRequest) => {
+        const free = (!request.keep.layout && request.layout === undefined) || !request.keep.style;
+        return inner.plan(free && on.peek() ? { ...request, taste: liking.peek() } : request);
+      },
+    };
+  }
+
+  /** A page was kept. */
+  function learn(page: PageDocument) {
+    if (!on.peek()) return;
+    // Another tab may have learnt meanwhile.
+    const before = read(box).liking;
+    const family = familyOf(page.layout);
+    const style = idOf(page.style);
+    keep(
+      {
+        families: more(before.families, family, FAMILY),
+        styles: more(before.styles, style, STYLE),
+      },
+      true,
+    );
+  }
+
+  function forget() {
+    keep(NOTHING, on.peek());
+  }
+
+  function setOn(wanted: boolean) {
+    keep(liking.peek(), wanted);
+  }
+
+  function keep(next: Liking, wanted: boolean) {
+    liking.value = next;
+    on.value = wanted;
+    try {
+      box().setItem(KEY, JSON.stringify({ version: 1, on: wanted, ...next }));
+    } catch {
+      // Storage may be refused or full; what was learnt lasts as long as the page.
+    }
+  }
+
+  function familyOf(layout: string | object): string | null {
+    if (typeof layout !== 'string') return textOr((layout as { family?: unknown }).family);
+    families ??= new Map(
+      planner()
+        ?.layouts()
+        .map(({ id, family }) => [id, family]),
+    );
+    return families.get(layout) ?? null;
+  }
+}
+
+function idOf(plan: string | object): string | null {
+  return typeof plan === 'string' ? plan : textOr((plan as { id?: unknown }).id);
+}
+
+function textOr(value: unknown): string | null {
+  return typeof value === 'string' && value !== '' ? value : null;
+}
+
+/** @returns the weights with a bit more for one of them, and a bit less for all others */
+function more(weights: Weights, id: string | null, gain: number): Weights {
+  if (id === null) return weights;
+  const faded = Object.entries(weights).map(([other, weight]) => [other, weight * DECAY] as const);
+  const grown = new Map(faded.filter(([, weight]) => Math.abs(weight) >= LEAST));
+  grown.set(id, Math.min(MOST, (grown.get(id) ?? 0) + gain));
+  return Object.fromEntries([...grown].sort(([, a], [, b]) => b - a).slice(0, COUNT));
+}
+
+function read(box: () => Box): { on: boolean; liking: Liking } {
+  try {
+    const value = JSON.parse(box().getItem(KEY) ?? 'null');
+    if (value?.version !== 1) return { on: true, liking: NOTHING };
+    return { on: value.on !== false, liking: { families: weightsIn(value.families), styles: weightsIn(value.styles) } };
+  } catch {
+    return { on: true, liking: NOTHING };
+  }
+}
+
+function weightsIn(value: unknown): Weights {
+  if (typeof value !== 'object' || value === null) return {};
+  const sound = Object.entries(value).filter(
+    ([id, weight]) => id.length <= 200 && typeof weight === 'number' && Number.isFinite(weight),
+  );
+  return Object.fromEntries(sound.slice(0, COUNT).map(([id, weight]) => [id, Math.max(-MOST, Math.min(MOST, weight))]));
+}
