@@ -15,6 +15,8 @@ import type {
 export { expect, test } from '@playwright/test';
 export { default as AxeBuilder } from '@axe-core/playwright';
 export { PNG } from 'pngjs';
+/** TypeScript as the build makes it. */
+export { transformWithOxc } from 'vite';
 export type { Page };
 export type { Browser };
 export type { Context };

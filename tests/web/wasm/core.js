@@ -4,6 +4,7 @@
 import { readFileSync } from 'node:fs';
 import { extname } from 'node:path';
 import { fileURLToPath } from 'node:url';
+import { transformWithOxc } from '../../../www/testing.ts';
 
 /** Secure, as WebCodecs asks for it; nothing listens there. */
 const ORIGIN = 'https://core.test';
@@ -16,12 +17,14 @@ const TYPES = { '.js': 'text/javascript', '.wasm': 'application/wasm' };
  * @param {import('../../../www/node_modules/@playwright/test').Page} page
  */
 export async function openCore(page) {
-  await page.route(`${ORIGIN}/**`, (route) => {
+  await page.route(`${ORIGIN}/**`, async (route) => {
     const { pathname } = new URL(route.request().url());
     if (!/^\/(pkg|engine)\//.test(pathname))
       return route.fulfill({ contentType: 'text/html', body: '<!doctype html>' });
     const body = readFileSync(WWW + pathname);
-    return route.fulfill({ contentType: TYPES[extname(pathname)], body });
+    if (!pathname.endsWith('.ts')) return route.fulfill({ contentType: TYPES[extname(pathname)], body });
+    const { code } = await transformWithOxc(body.toString(), pathname);
+    return route.fulfill({ contentType: TYPES['.js'], body: code });
   });
   await page.goto(ORIGIN);
   await page.evaluate(async () => {

@@ -64,7 +64,7 @@ test('what only the browser decodes comes as Pillow sees it, with its date', asy
 test('what no decoder knows is an error that names a way out', async ({ page }) => {
   const attempt = (/** @type {string} */ head) =>
     page.evaluate(async (text) => {
-      const { foreignKind, asBmp } = await import(/** @type {any} */ ('/engine/foreign.js'));
+      const { foreignKind, asBmp } = await import(/** @type {any} */ ('/engine/foreign.ts'));
       const bytes = new TextEncoder().encode(text.padEnd(200, 'x'));
       const kind = foreignKind(bytes);
       return (
@@ -112,12 +112,12 @@ async function compared(base64) {
 
 /** Runs in the page. @param {readonly [string, string]} job a file in base64, and the decoder to take */
 async function foreign([base64, decoder]) {
-  const { foreignKind, asBmp } = await import(/** @type {any} */ ('/engine/foreign.js'));
+  const { foreignKind, asBmp } = await import(/** @type {any} */ ('/engine/foreign.ts'));
   const bytes = Uint8Array.from(atob(base64), (character) => character.charCodeAt(0));
   const kept = globalThis.ImageDecoder;
   if (decoder !== 'ImageDecoder') Reflect.deleteProperty(globalThis, 'ImageDecoder');
   try {
-    const { takenOf } = await import(/** @type {any} */ ('/engine/taken.js'));
+    const { takenOf } = await import(/** @type {any} */ ('/engine/taken.ts'));
     const file = await asBmp(foreignKind(bytes), bytes);
     const studio = new core.Studio();
     const meta = { ...JSON.parse(studio.import_photo('a', file)), taken: takenOf(bytes) };

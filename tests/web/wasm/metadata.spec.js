@@ -38,8 +38,8 @@ for (const [folder, kinds] of Object.entries(FOLDERS)) {
  */
 async function lookedAt({ plain, loud }) {
   const [{ withoutMetadata }, { asBmp, foreignKind }] = await Promise.all([
-    import(/** @type {any} */ ('/engine/metadata/strip.js')),
-    import(/** @type {any} */ ('/engine/foreign.js')),
+    import(/** @type {any} */ ('/engine/metadata/strip.ts')),
+    import(/** @type {any} */ ('/engine/foreign.ts')),
   ]);
   /** @param {Uint8Array<ArrayBuffer>} bytes */
   const seen = async (bytes) => {
