@@ -1,7 +1,7 @@
 //! Framing: which photo goes into which panel, and the crop that fits it.
 //!
 //! [`PhotoMeta`] is all that framing knows of a photo: measures, an energy map, and, once detection has run,
-//! its subjects. [`assign()`] gives every panel a photo, [`frame()`] finds the crop. Both are pure functions;
+//! its subjects. [`crate::plan`] gives every panel a photo, [`frame()`] finds the crop. Both are pure functions;
 //! pixels never come here, except once in [`EnergyMap::of`].
 
 mod candidates;

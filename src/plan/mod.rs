@@ -2,10 +2,10 @@
 //!
 //! | module | for |
 //! |---|---|
-//! | [`slots`] | the panels of a page as places that want photos |
+//! | [`mod@slots`] | the panels of a page as places that want photos |
 //! | [`prepared`] | what is found out about a photo once, for all plans |
 //! | [`utility`] | how well a photo sits in a panel |
-//! | [`assign`] | photos to panels, by exact assignment |
+//! | [`mod@assign`] | photos to panels, by exact assignment |
 //! | [`layouts`] | the layouts that a page is chosen from |
 //! | [`composer`] | plans made, judged by what is seen, and one drawn by its rank |
 //! | [`tones`] | the styles that keep what the photos show |
