@@ -9,17 +9,11 @@ import { failure } from './protocol.ts';
 import { Priority } from './queue.ts';
 import type { Call } from './engine.ts';
 import type { createPhotos } from './photos.ts';
-import type { Job } from './pool.ts';
-import type { PixelPatch } from './protocol.ts';
+import type { Pool, Run } from './pool.ts';
+import type { Judging, PixelPatch } from './protocol.ts';
 
-export function createAesthetics({
-  run,
-  photos,
-}: {
-  run: (job: Job) => Promise<any>;
-  photos: ReturnType<typeof createPhotos>;
-}) {
-  let pool: ReturnType<typeof createPool> | undefined;
+export function createAesthetics({ run, photos }: { run: Run; photos: ReturnType<typeof createPhotos> }) {
+  let pool: Pool<Judging> | undefined;
   return { judges: NET !== undefined, judgeStyle, dispose: () => pool?.dispose() };
 
   /**
@@ -38,7 +32,7 @@ export function createAesthetics({
     const job = { photo: photos.names([id]), priority: Priority.REST, ...call };
     const args = { photo, style: JSON.stringify(style), width, height };
     const picture: PixelPatch = await run({ ...job, op: 'stylePixels', args, holds: [photo.key] });
-    pool ??= createPool({ size: 1, spawn });
+    pool ??= createPool<Judging>({ size: 1, spawn });
     const { data } = picture;
     return pool.run({
       ...job,

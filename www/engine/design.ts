@@ -5,6 +5,7 @@
 
 import { createPool } from './pool.ts';
 import { Priority } from './queue.ts';
+import type { Pool } from './pool.ts';
 import type { Style } from './documents.ts';
 import type { Call } from './engine.ts';
 import type { createPhotos } from './photos.ts';
@@ -21,7 +22,7 @@ export const FOREGROUND = 256;
 
 export function createDesign(photos: ReturnType<typeof createPhotos>) {
   let spawn: (() => Worker) | undefined;
-  let pool: ReturnType<typeof createPool> | undefined;
+  let pool: Pool | undefined;
 
   return {
     /** @param how a worker is made */

@@ -8,6 +8,8 @@ import { Priority } from './queue.ts';
 import type { Look } from './detector-worker.ts';
 import type { Call } from './engine.ts';
 import type { createPhotos } from './photos.ts';
+import type { Pool } from './pool.ts';
+import type { Looking } from './protocol.ts';
 
 /** Something found in a photo; its place in fractions of the photo. */
 export type Found = { label: string; score: number; x: number; y: number; width: number; height: number };
@@ -16,11 +18,11 @@ type Net = 'faces' | 'objects';
 
 /** @param spare asks that so many other workers stay idle meanwhile, where nobody waits */
 export function createDetector(photos: ReturnType<typeof createPhotos>, spare: (workers: number) => void) {
-  const pools: Partial<Record<Net, ReturnType<typeof createPool>>> = {};
+  const pools: Partial<Record<Net, Pool<Looking>>> = {};
   /** Nets that are made, or in line to be. */
-  const made: Partial<Record<Net, Promise<void>>> = {};
+  const made: Partial<Record<Net, Promise<unknown>>> = {};
   /** The end of that line. */
-  let last = Promise.resolve();
+  let last: Promise<unknown> = Promise.resolve();
   let running = 0;
 
   return {
@@ -75,7 +77,13 @@ export function createDetector(photos: ReturnType<typeof createPhotos>, spare: (
     return run('objects', 'objects', id, {}, call);
   }
 
-  async function run(net: Net, op: Look, id: string, more: { boxes?: Found[] }, call?: Call): Promise<any> {
+  async function run<Op extends Look>(
+    net: Net,
+    op: Op,
+    id: string,
+    more: { boxes?: Found[] },
+    call?: Call,
+  ): Promise<Looking[Op]['ok']> {
     const { name, work } = photos.get(id);
     spare((running += 1));
     try {
@@ -101,12 +109,12 @@ export function createDetector(photos: ReturnType<typeof createPhotos>, spare: (
     return made[net];
   }
 
-  function order(net: Net, op: 'load' | 'make'): Promise<void> {
+  function order(net: Net, op: 'load' | 'make'): Promise<null> {
     return open(net).run({ op, args: { net }, priority: Priority.REST });
   }
 
   function open(net: Net) {
-    return (pools[net] ??= createPool({ size: 1, spawn }));
+    return (pools[net] ??= createPool<Looking>({ size: 1, spawn }));
   }
 }
 

@@ -19,8 +19,8 @@ import { givesWebp } from './webp.ts';
 import { createWords } from './words.ts';
 import type { Found } from './detector.ts';
 import type { Block, Layout, PageDocument, Style } from './documents.ts';
-import type { Job } from './pool.ts';
-import type { Imported, PixelPatch } from './protocol.ts';
+import type { Job, Pool } from './pool.ts';
+import type { Imported, Operations, PixelPatch } from './protocol.ts';
 import type { Frame } from './video.ts';
 
 export type Call = { signal?: AbortSignal; priority?: number; key?: string };
@@ -39,7 +39,7 @@ export function createEngine({ workers = navigator.hardwareConcurrency || 2 }: {
   const design = createDesign(photos);
   const words = createWords();
   const files = createFiles();
-  let pool: ReturnType<typeof createPool> | undefined;
+  let pool: Pool | undefined;
   let imported = 0;
 
   const ready = loadCore().then(({ module, planner }) => {
@@ -85,7 +85,7 @@ export function createEngine({ workers = navigator.hardwareConcurrency || 2 }: {
     givesWebp,
   };
 
-  async function run(job: Job): Promise<any> {
+  async function run<Op extends keyof Operations>(job: Job<Operations, Op>): Promise<Operations[Op]['ok']> {
     await ready;
     return (pool as NonNullable<typeof pool>).run(job);
   }
@@ -158,7 +158,7 @@ export function createEngine({ workers = navigator.hardwareConcurrency || 2 }: {
   /** Decodes a photo, reduces and measures it, and keeps it under `id`. */
   async function importPhoto(id: string, file: Blob, call?: Call): Promise<Imported['meta']> {
     const name = nameOf(file, id);
-    const job = { op: 'import', args: { id, file }, photo: name, holds: [`${id}/work`, `${id}/small`] };
+    const job = { op: 'import' as const, args: { id, file }, photo: name, holds: [`${id}/work`, `${id}/small`] };
     const { meta, work, small } = await run({ ...job, priority: Priority.PAGE, ...call });
     photos.add(id, { name, file, work, small });
     return meta;
@@ -199,7 +199,7 @@ export function createEngine({ workers = navigator.hardwareConcurrency || 2 }: {
     async function onFrame({ index, time, ...frame }: Frame) {
       const id = ids[index];
       const job = {
-        op: 'importFrame',
+        op: 'importFrame' as const,
         args: { id, frame },
         transfer: [frame.data.buffer],
         photo: name,

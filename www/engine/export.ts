@@ -7,14 +7,14 @@ import { Priority } from './queue.ts';
 import type { PageDocument } from './documents.ts';
 import type { createFiles } from './files.ts';
 import type { createPhotos } from './photos.ts';
-import type { Job } from './pool.ts';
+import type { Run } from './pool.ts';
 import type { PixelPatch } from './protocol.ts';
 import type { createWords } from './words.ts';
 
 type PanelPatch = PixelPatch & { index: number };
 type Call = { signal?: AbortSignal; onProgress?: (done: number, total: number) => void };
 type Parts = {
-  run: (job: Job) => Promise<any>;
+  run: Run;
   photos: ReturnType<typeof createPhotos>;
   words: Pick<ReturnType<typeof createWords>, 'patches'>;
   files: ReturnType<typeof createFiles>;

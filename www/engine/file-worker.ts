@@ -17,7 +17,7 @@ const MODULE = new URL('../pkg-words/inkpanel_bg.wasm', import.meta.url);
 /** Milliseconds for a page of a PDF file, whose pictures are made by then. */
 const PAGE = 500;
 
-type Answer = { ok: any; transfer: Transferable[] };
+type Answer = { ok: unknown; transfer: Transferable[] };
 
 let started: Promise<WebAssembly.Memory> | undefined;
 

@@ -3,7 +3,7 @@
 import { Priority } from './queue.ts';
 import type { PageDocument } from './documents.ts';
 import type { createFiles } from './files.ts';
-import type { Job } from './pool.ts';
+import type { Run } from './pool.ts';
 import type { createRenders } from './renders.ts';
 
 export type PictureFormat = 'png' | 'jpeg' | 'webp';
@@ -13,7 +13,7 @@ export function createMeasures({
   renders,
   files,
 }: {
-  run: (job: Job) => Promise<any>;
+  run: Run;
   renders: Pick<ReturnType<typeof createRenders>, 'composePixels'>;
   files: ReturnType<typeof createFiles>;
 }) {

@@ -15,7 +15,7 @@ import type { createLru } from './lru.ts';
 import type { BitmapPatch, Operations, PhotoHandle, PixelPatch } from './protocol.ts';
 import type { Tell } from './serving.ts';
 
-export type Answer = { ok: any; transfer: Transferable[] };
+export type Answer = { ok: unknown; transfer: Transferable[] };
 
 /** No photo is larger; a film that was dropped by mistake must not fill the memory. */
 const MOST_BYTES = 512 * 2 ** 20;

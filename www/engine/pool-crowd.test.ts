@@ -2,10 +2,11 @@ import { expect, test } from 'vitest';
 import { createPool } from './pool.ts';
 import { Priority } from './queue.ts';
 import { fakeWorkers, job } from './testing.ts';
+import type { Named } from './testing.ts';
 
 test('a crowd that nobody waits for leaves a worker to the page', () => {
   const fakes = fakeWorkers();
-  const pool = createPool({ size: 2, spawn: fakes.spawn });
+  const pool = createPool<Named>({ size: 2, spawn: fakes.spawn });
   const names = Array.from({ length: 34 }, (_, i) => `rest ${i}`);
   for (const name of ['a', 'b']) pool.run(job(name, { priority: Priority.REST }));
   for (const name of names) pool.run(job(name, { priority: Priority.REST }));

@@ -3,6 +3,7 @@
 import { afterEach, beforeEach, expect, test, vi } from 'vitest';
 import { createPool } from './pool.ts';
 import { caught, fakeWorkers, job } from './testing.ts';
+import type { Named } from './testing.ts';
 
 beforeEach(() => void vi.useFakeTimers());
 afterEach(() => void vi.useRealTimers());
@@ -10,7 +11,7 @@ afterEach(() => void vi.useRealTimers());
 /** A pool of one worker that is there. */
 function started() {
   const fakes = fakeWorkers();
-  const pool = createPool({ size: 1, spawn: fakes.spawn });
+  const pool = createPool<Named>({ size: 1, spawn: fakes.spawn });
   fakes.arrive();
   return { fakes, pool };
 }
@@ -101,7 +102,7 @@ test('on the second try there is more patience, and at once where there is no se
 
 test('a script that comes over a slow line has its time, and short work does not wait so long once it is there', () => {
   const fakes = fakeWorkers();
-  const pool = createPool({ size: 1, spawn: fakes.spawn });
+  const pool = createPool<Named>({ size: 1, spawn: fakes.spawn });
   void caught(pool.run(job('photo')));
   vi.advanceTimersByTime(29_000);
   expect(fakes.workers.length).toBe(1);

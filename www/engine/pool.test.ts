@@ -3,11 +3,12 @@ import { createPool } from './pool.ts';
 import { TRAP } from './protocol.ts';
 import { Priority } from './queue.ts';
 import { caught, fakeWorkers, job } from './testing.ts';
+import type { Named } from './testing.ts';
 
 describe('order', () => {
   test('what the person looks at comes first, then first come first served', async () => {
     const fakes = fakeWorkers();
-    const pool = createPool({ size: 1, spawn: fakes.spawn });
+    const pool = createPool<Named>({ size: 1, spawn: fakes.spawn });
     const order: string[] = [];
     const all = [
       pool.run(job('busy')),
@@ -26,7 +27,7 @@ describe('order', () => {
 
   test('thumbnails leave a worker that is spared alone, what a person waits for does not', () => {
     const fakes = fakeWorkers();
-    const pool = createPool({ size: 2, spawn: fakes.spawn });
+    const pool = createPool<Named>({ size: 2, spawn: fakes.spawn });
     pool.spare(1);
     for (const name of ['a', 'b']) pool.run(job(name));
     const running = () => ['a', 'b', 'page'].filter((name) => fakes.holding(name));
@@ -39,7 +40,7 @@ describe('order', () => {
     expect(running()).toEqual(['a', 'b']);
     // One that is alone cannot be spared.
     const single = fakeWorkers();
-    const small = createPool({ size: 1, spawn: single.spawn });
+    const small = createPool<Named>({ size: 1, spawn: single.spawn });
     small.spare(1);
     small.run(job('only'));
     expect(!!single.holding('only')).toBe(true);
@@ -47,14 +48,14 @@ describe('order', () => {
 
   test('as many jobs run at once as there are workers', () => {
     const fakes = fakeWorkers();
-    const pool = createPool({ size: 2, spawn: fakes.spawn });
+    const pool = createPool<Named>({ size: 2, spawn: fakes.spawn });
     for (const name of ['a', 'b', 'c']) pool.run(job(name));
     expect([!!fakes.holding('a'), !!fakes.holding('b'), !!fakes.holding('c')]).toEqual([true, true, false]);
   });
 
   test('a worker takes the job whose photo it holds, among equals only', async () => {
     const fakes = fakeWorkers();
-    const pool = createPool({ size: 1, spawn: fakes.spawn });
+    const pool = createPool<Named>({ size: 1, spawn: fakes.spawn });
     pool.run(job('first', { holds: ['p1'] }));
     pool.run(job('other', { holds: ['p2'] }));
     pool.run(job('same', { holds: ['p1'] }));
@@ -69,7 +70,7 @@ describe('order', () => {
 describe('what is overtaken or cancelled', () => {
   test('a newer job of the same key wins over a waiting one and over a running one', async () => {
     const fakes = fakeWorkers();
-    const pool = createPool({ size: 1, spawn: fakes.spawn });
+    const pool = createPool<Named>({ size: 1, spawn: fakes.spawn });
     const running = caught(pool.run(job('one', { key: 'panel/0' })));
     const waiting = caught(pool.run(job('two', { key: 'panel/0' })));
     const newest = pool.run(job('three', { key: 'panel/0' }));
@@ -83,7 +84,7 @@ describe('what is overtaken or cancelled', () => {
 
   test('an aborted job leaves the queue and never reaches a worker', async () => {
     const fakes = fakeWorkers();
-    const pool = createPool({ size: 1, spawn: fakes.spawn });
+    const pool = createPool<Named>({ size: 1, spawn: fakes.spawn });
     const stop = new AbortController();
     pool.run(job('busy'));
     const waiting = caught(pool.run(job('waiting', { signal: stop.signal })));
@@ -98,14 +99,14 @@ describe('what is overtaken or cancelled', () => {
 
   test('a signal that was aborted before costs nothing', async () => {
     const fakes = fakeWorkers();
-    const pool = createPool({ size: 1, spawn: fakes.spawn });
+    const pool = createPool<Named>({ size: 1, spawn: fakes.spawn });
     expect(await caught(pool.run(job('late', { signal: AbortSignal.abort() })))).toBe('cancelled');
     expect(fakes.holding('late')).toBeFalsy();
   });
 
   test('an aborted running job keeps its worker busy until it answers', async () => {
     const fakes = fakeWorkers();
-    const pool = createPool({ size: 1, spawn: fakes.spawn });
+    const pool = createPool<Named>({ size: 1, spawn: fakes.spawn });
     const stop = new AbortController();
     const running = caught(pool.run(job('running', { signal: stop.signal })));
     stop.abort();
@@ -120,7 +121,7 @@ describe('what is overtaken or cancelled', () => {
 describe('workers that die', () => {
   test('a trap replaces the worker and the job is tried once more', async () => {
     const fakes = fakeWorkers();
-    const pool = createPool({ size: 1, spawn: fakes.spawn });
+    const pool = createPool<Named>({ size: 1, spawn: fakes.spawn });
     const result = pool.run(job('photo', { photo: 'beach.jpg' }));
     fakes.answer('photo', { error: { code: TRAP, message: 'unreachable' } });
     expect(fakes.workers.length).toBe(2);
@@ -130,7 +131,7 @@ describe('workers that die', () => {
 
   test("the second try is the fresh worker's, though another is idle", async () => {
     const fakes = fakeWorkers();
-    const pool = createPool({ size: 2, spawn: fakes.spawn });
+    const pool = createPool<Named>({ size: 2, spawn: fakes.spawn });
     const [one, two] = [pool.run(job('one')), pool.run(job('two'))];
     fakes.answer('one');
     fakes.answer('two', { error: { code: TRAP, message: 'unreachable' } });
@@ -141,7 +142,7 @@ describe('workers that die', () => {
 
   test("a second trap is the photo's fault, and the rest goes on", async () => {
     const fakes = fakeWorkers();
-    const pool = createPool({ size: 1, spawn: fakes.spawn });
+    const pool = createPool<Named>({ size: 1, spawn: fakes.spawn });
     const result = pool.run(job('photo', { photo: 'beach.jpg' })).catch((error) => error);
     const next = pool.run(job('next'));
     fakes.answer('photo', { error: { code: TRAP, message: 'unreachable' } });
@@ -154,7 +155,7 @@ describe('workers that die', () => {
 
   test('an ordinary error keeps the worker', async () => {
     const fakes = fakeWorkers();
-    const pool = createPool({ size: 1, spawn: fakes.spawn });
+    const pool = createPool<Named>({ size: 1, spawn: fakes.spawn });
     const result = pool.run(job('bad', { photo: 'notes.txt' })).catch((error) => error);
     fakes.answer('bad', { error: { code: 'unsupported-format', message: 'not a photo' } });
     expect(await result).toMatchObject({ code: 'unsupported-format', message: 'not a photo', photo: 'notes.txt' });
@@ -163,7 +164,7 @@ describe('workers that die', () => {
 
   test('a worker whose memory grew too large is replaced between jobs', async () => {
     const fakes = fakeWorkers();
-    const pool = createPool({ size: 1, spawn: fakes.spawn, highWater: 100 });
+    const pool = createPool<Named>({ size: 1, spawn: fakes.spawn, highWater: 100 });
     const result = pool.run(job('large'));
     fakes.answer('large', { ok: 'fine', memory: 101 });
     expect(await result).toBe('fine');
@@ -172,7 +173,7 @@ describe('workers that die', () => {
 
   test('an idle worker that dies is replaced only when it is needed', async () => {
     const fakes = fakeWorkers();
-    const pool = createPool({ size: 1, spawn: fakes.spawn });
+    const pool = createPool<Named>({ size: 1, spawn: fakes.spawn });
     fakes.workers[0].onerror({ preventDefault() {} });
     expect(fakes.workers.length).toBe(1);
     const result = pool.run(job('next'));
@@ -183,7 +184,7 @@ describe('workers that die', () => {
 
   test('a disposed pool cancels what is left and terminates its workers', async () => {
     const fakes = fakeWorkers();
-    const pool = createPool({ size: 1, spawn: fakes.spawn });
+    const pool = createPool<Named>({ size: 1, spawn: fakes.spawn });
     const left = [caught(pool.run(job('a'))), caught(pool.run(job('b')))];
     pool.dispose();
     expect(await Promise.all(left)).toEqual(['cancelled', 'cancelled']);

@@ -15,12 +15,15 @@ import { createPace } from './pace.ts';
 import { patience } from './patience.ts';
 import { TRAP, cancelled, failure, lost } from './protocol.ts';
 import { Priority, createQueue } from './queue.ts';
-import type { Reply, Sign } from './protocol.ts';
+import type { Operations, Reply, Sign } from './protocol.ts';
+
+/** What the workers of a pool do: the arguments of each operation, and its answer. */
+export type Table = { [op: string]: { args: unknown; ok: unknown } };
 
 /** `photo` is the name to blame; `holds` are the photo keys that the job needs and leaves in the worker */
-export type Job = {
-  op: string;
-  args: any;
+export type Job<Ops extends Table = Operations, Op extends keyof Ops = keyof Ops> = {
+  op: Op;
+  args: Ops[Op]['args'];
   transfer?: Transferable[];
   priority: number;
   key?: string;
@@ -29,8 +32,19 @@ export type Job = {
   holds?: string[];
 };
 
-type Entry = Job & {
-  resolve: (value: any) => void;
+/** Gives a worker's answer, which is that of the operation. */
+export type Run<Ops extends Table = Operations> = <Op extends keyof Ops>(job: Job<Ops, Op>) => Promise<Ops[Op]['ok']>;
+export type Pool<Ops extends Table = Operations> = {
+  run: Run<Ops>;
+  spare: (count: number) => void;
+  dispose: () => void;
+  size: number;
+};
+
+type Entry = Omit<Job, 'op' | 'args'> & {
+  op: PropertyKey;
+  args: unknown;
+  resolve: (value: unknown) => void;
   reject: (error: Error) => void;
   tries: number;
   over: boolean;
@@ -55,7 +69,7 @@ const STARTING = 30_000;
 const LAST_CHANCE = 2;
 const HIGH_WATER = 512 * 2 ** 20;
 
-export function createPool({
+export function createPool<Ops extends Table = Operations>({
   size,
   spawn,
   highWater = HIGH_WATER,
@@ -63,7 +77,7 @@ export function createPool({
   size: number;
   spawn: () => Worker;
   highWater?: number;
-}) {
+}): Pool<Ops> {
   const queue: ReturnType<typeof createQueue<Entry>> = createQueue();
   const pace = createPace();
   const slots: Slot[] = [];
@@ -79,14 +93,14 @@ export function createPool({
   }
 
   /** @returns the worker's answer */
-  function run(job: Job): Promise<any> {
+  function run<Op extends keyof Ops>(job: Job<Ops, Op>): Promise<Ops[Op]['ok']> {
     if (closed) return Promise.reject(failure('disposed', 'The engine was disposed of.'));
     if (job.signal?.aborted) return Promise.reject(cancelled());
     return new Promise((resolve, reject) => {
       const abort = () => drop(entry);
       const entry: Entry = {
         ...job,
-        resolve,
+        resolve: resolve as (value: unknown) => void,
         reject,
         tries: 0,
         over: false,

@@ -22,7 +22,7 @@ export type Box = { x: number; y: number; width: number; height: number };
 export type BitmapPatch = Box & { bitmap: ImageBitmap };
 export type PixelPatch = Box & { data: Uint8ClampedArray<ArrayBuffer> };
 
-/** The operations of a worker: arguments and answer. */
+/** The operations of a worker of the pool: arguments and answer. */
 export type Operations = {
   start: { args: { module: WebAssembly.Module; budget: number }; ok: null };
   import: { args: { id: string; file: Blob }; ok: Imported };
@@ -46,6 +46,22 @@ export type Operations = {
     ok: (PixelPatch & { index: number })[];
   };
   encode: { args: { document: string; width: number; patches: (PixelPatch & { index: number })[] }; ok: Blob };
+};
+
+/** Those of the worker that judges pictures, from 1 to 10; `net` is the address of its net. */
+export type Judging = {
+  judge: { args: { width: number; height: number; data: Uint8ClampedArray<ArrayBuffer>; net: string }; ok: number };
+};
+
+type Looked<Ok> = { args: { photo: PhotoHandle; boxes?: Found[] }; ok: Ok };
+
+/** Those of a worker that looks for faces or objects. */
+export type Looking = {
+  load: { args: { net: 'faces' | 'objects' }; ok: null };
+  make: { args: { net: 'faces' | 'objects' }; ok: null };
+  faces: Looked<{ boxes: Found[]; closer: boolean }>;
+  closer: Looked<Found[]>;
+  objects: Looked<Found[]>;
 };
 
 type Tier = 'small' | 'work' | 'full';
@@ -87,7 +103,7 @@ export type Imported = {
 };
 
 type Failure = { code: string; message: string };
-export type Reply = { id: number; ok?: any; error?: Failure; memory: number };
+export type Reply = { id: number; ok?: unknown; error?: Failure; memory: number };
 /** Milliseconds of work, where it was measured; or of waiting for what is not the worker's. */
 export type Sign = { id: number; expects: number } | { id: number; waits: number };
 

@@ -6,7 +6,7 @@ import { Priority } from './queue.ts';
 import type { PageDocument } from './documents.ts';
 import type { Call } from './engine.ts';
 import type { createPhotos } from './photos.ts';
-import type { Job } from './pool.ts';
+import type { Run } from './pool.ts';
 import type { BitmapPatch, Explored, PhotoHandle, PixelPatch } from './protocol.ts';
 import type { createWords } from './words.ts';
 
@@ -15,7 +15,7 @@ export function createRenders({
   photos,
   words,
 }: {
-  run: (job: Job) => Promise<any>;
+  run: Run;
   photos: ReturnType<typeof createPhotos>;
   words: ReturnType<typeof createWords>;
 }) {

@@ -24,7 +24,7 @@ export function readingOf({ size }: Blob): number {
 }
 
 export function serveJobs(
-  work: (op: string, args: any, tell: Tell) => Promise<{ ok: any; transfer?: Transferable[]; memory?: number }>,
+  work: (op: string, args: any, tell: Tell) => Promise<{ ok: unknown; transfer?: Transferable[]; memory?: number }>,
 ) {
   globalThis.onmessage = async ({ data: { id, op, args } }: MessageEvent<{ id: number; op: string; args: any }>) => {
     const tell = {

@@ -2,6 +2,9 @@
 
 import { Priority } from './queue.ts';
 
+/** Jobs that are their names, and whose answers are these. */
+export type Named = Record<string, { args: string; ok: string }>;
+
 /** Workers that answer when the test says so. */
 export function fakeWorkers() {
   const workers: any[] = [];

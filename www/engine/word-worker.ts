@@ -11,7 +11,7 @@ import type { Tell } from './serving.ts';
 const MODULE = new URL('../pkg-words/inkpanel_bg.wasm', import.meta.url);
 
 type Args = { document: string; width: number; index: number; bitmap: ImageBitmap };
-type Answer = { ok: any; transfer: Transferable[] };
+type Answer = { ok: unknown; transfer: Transferable[] };
 
 let started: Promise<Lettering> | undefined;
 

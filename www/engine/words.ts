@@ -6,6 +6,7 @@
 import { createPool } from './pool.ts';
 import { failure } from './protocol.ts';
 import { Priority } from './queue.ts';
+import type { Pool } from './pool.ts';
 import type { PageDocument, Word, WordBox } from './documents.ts';
 import type { Call } from './engine.ts';
 import type { BitmapPatch, PixelPatch } from './protocol.ts';
@@ -13,8 +14,15 @@ import type { BitmapPatch, PixelPatch } from './protocol.ts';
 export type Lettering = Awaited<ReturnType<ReturnType<typeof createWords>['lettering']>>;
 
 const MODULE = new URL('../pkg-words/inkpanel_bg.wasm', import.meta.url);
+/** What the worker answers. */
+type Wording = {
+  word: { args: object; ok: BitmapPatch };
+  words: { args: object; ok: PixelPatch[] };
+  over: { args: object; ok: ImageBitmap };
+};
+
 export function createWords() {
-  let pool: ReturnType<typeof createPool> | undefined;
+  let pool: Pool<Wording> | undefined;
   let opened: ReturnType<typeof open> | null = null;
 
   return { lettering, draw, patches, over, lay, dispose: () => pool?.dispose() };
@@ -28,8 +36,13 @@ export function createWords() {
     return opened;
   }
 
-  function run(op: string, document: PageDocument, args: object, call?: Call & { transfer?: Transferable[] }) {
-    pool ??= createPool({ size: 1, spawn });
+  function run<Op extends keyof Wording>(
+    op: Op,
+    document: PageDocument,
+    args: object,
+    call?: Call & { transfer?: Transferable[] },
+  ) {
+    pool ??= createPool<Wording>({ size: 1, spawn });
     return pool.run({ op, args: { document: JSON.stringify(document), ...args }, priority: Priority.PANEL, ...call });
   }
 
