@@ -38,7 +38,7 @@ export function createPreviewLoop({
   /** What was sent last. */
   let sent: Wish | null = null;
   let flying = 0;
-  let timer: any;
+  let timer: ReturnType<typeof setTimeout> | undefined;
   let stop = new AbortController();
 
   return {

@@ -31,7 +31,7 @@ export function createWordPlanning({
   /** The words as they were when they last rested. */
   const rested = signal(none);
 
-  let timer: any;
+  let timer: ReturnType<typeof setTimeout> | undefined;
   effect(() => {
     const now = words.value;
     clearTimeout(timer);

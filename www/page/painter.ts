@@ -45,7 +45,7 @@ export function createPainter(
   /** What is being drawn of each panel, by its place: a hand that moves it waits for that picture before the next. */
   const running: Map<number, string> = new Map();
   let frame = 0;
-  let timer: any;
+  let timer: ReturnType<typeof setTimeout> | undefined;
 
   return { show, prepare, dispose };
 

@@ -22,7 +22,7 @@ export function createPictures({
   database: () => Promise<Database>;
   onDrawn: () => void;
 }) {
-  let timer: any;
+  let timer: ReturnType<typeof setTimeout> | undefined;
   let drawn: unknown = null;
 
   return { later };

@@ -106,7 +106,7 @@ export function createSaving({
   let attempts = 0;
   /** What is on the page now may be taken back until this is over. */
   let trial: Promise<void> | null = null;
-  let timer: any;
+  let timer: ReturnType<typeof setTimeout> | undefined;
 
   effect(() => {
     const place = store.place.value;
