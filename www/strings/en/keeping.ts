@@ -74,6 +74,7 @@ export const keepingStrings = {
   projectBroken: (name: string, why: string) => `${name} cannot be shown: ${why}.`,
   brokenReasons: {
     'damaged-project': 'part of it is damaged',
+    'too-large-project': 'it holds more than a project can',
     'newer-project': 'it was made by a newer Inkpanel. Load this page again to get the newest one',
   } as Record<string, string>,
   brokenOtherwise: 'part of it cannot be drawn',

@@ -77,6 +77,7 @@ export const keepingStrings = {
   projectBroken: (name: string, why: string) => `No se puede mostrar ${name}: ${why}.`,
   brokenReasons: {
     'damaged-project': 'una parte está dañada',
+    'too-large-project': 'contiene más de lo que cabe en un proyecto',
     'newer-project': 'se hizo con un Inkpanel más nuevo. Carga otra vez esta página para tener el último',
   } as Record<string, string>,
   brokenOtherwise: 'una parte no se puede dibujar',
