@@ -51,6 +51,18 @@ function documentOf(list, present = {}) {
   );
 }
 
+/** A page that is right but for its many words. @param {number} count */
+const wordy = (count) => ({
+  version: 1,
+  seed: 1,
+  layout: 'cinema-3',
+  style: 'acid',
+  order: ['n0'],
+  panels: Array(3).fill({ photo: 'n0', crop: null }),
+  merges: [],
+  words: Array(count).fill({ kind: 'caption', text: 'Meanwhile' }),
+});
+
 /** @param {Buffer} json @param {readonly import('../../../www/storage/files/testing-archives.ts').Made[]} files */
 const project = (json, files) => zipOf([{ name: 'project.json', content: json, packed: true }, ...files]);
 
@@ -168,10 +180,7 @@ test('project files that are traps are refused in seconds, and what is open stay
     ],
     [
       'words.inkpanel',
-      project(
-        documentOf(photosOf(1), { page: { words: Array(20_000).fill({ kind: 'caption', text: 'Meanwhile' }) } }),
-        [{ name: files[0], content: cat.buffer }],
-      ),
+      project(documentOf(photosOf(1), { page: wordy(20_000) }), [{ name: files[0], content: cat.buffer }]),
       /more than a project can/,
     ],
     [
