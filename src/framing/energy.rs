@@ -41,8 +41,8 @@ impl EnergyMap {
             let (above, below) = (y.saturating_sub(step), (y + step).min(height - 1));
             for x in (0..width).step_by(step) {
                 let (left, right) = (x.saturating_sub(step), (x + step).min(width - 1));
-                let across = luma(image, right, y).abs_diff(luma(image, left, y));
-                let down = luma(image, x, below).abs_diff(luma(image, x, above));
+                let across = luma(rgb(image, right, y)).abs_diff(luma(rgb(image, left, y)));
+                let down = luma(rgb(image, x, below)).abs_diff(luma(rgb(image, x, above)));
                 sums[(y * rows / height) * columns + x * columns / width]
                     .add(across + down, rgb(image, x, y));
             }
@@ -137,15 +137,17 @@ fn stretched(values: &[f64]) -> Vec<f64> {
     values.iter().map(|value| (value - low) / range).collect()
 }
 
-fn rgb(image: &Image, x: usize, y: usize) -> [u8; 3] {
+/// The channels of a pixel; a grey one thrice.
+pub(super) fn rgb(image: &Image, x: usize, y: usize) -> [u8; 3] {
     match image.planes() {
         [r, g, b] => [r.at(x, y), g.at(x, y), b.at(x, y)],
         planes => [planes.first().map_or(0, |plane| plane.at(x, y)); 3],
     }
 }
 
-fn luma(image: &Image, x: usize, y: usize) -> u32 {
-    let [r, g, b] = rgb(image, x, y).map(u32::from);
+/// The luma of a pixel, 0 to 255.
+pub(super) fn luma(rgb: [u8; 3]) -> u32 {
+    let [r, g, b] = rgb.map(u32::from);
     (r * 77 + g * 150 + b * 29) >> 8
 }
 

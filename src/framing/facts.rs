@@ -3,6 +3,7 @@
 
 use serde::{Deserialize, Serialize};
 
+use super::energy::{luma, rgb};
 use crate::raster::Image;
 
 /// Pixels along the longer side that are looked at.
@@ -10,7 +11,7 @@ const SAMPLES: usize = 240;
 /// Steps of luma that are counted.
 pub(super) const TONES: usize = 16;
 /// Differences of luma between neighbours from which on there is an edge, in grey steps.
-const EDGE: i32 = 20;
+const EDGE: u32 = 20;
 
 /// Facts about the pixels of a photo. Shares are in 255ths of the whole.
 ///
@@ -40,21 +41,21 @@ impl Facts {
         let mut halves = [([0u64; 3], 0u64); 2];
         for y in (0..height).step_by(step) {
             for x in (0..width).step_by(step) {
-                let rgb = rgb(image, x, y);
-                let here = luma(rgb);
+                let pixel = rgb(image, x, y);
+                let here = luma(pixel);
                 let edge = |apart: usize| {
-                    let across = luma(self::rgb(image, (x + apart).min(width - 1), y)) - here;
-                    let down = luma(self::rgb(image, x, (y + apart).min(height - 1))) - here;
-                    u64::from(across.abs().max(down.abs()) > EDGE)
+                    let across = luma(rgb(image, (x + apart).min(width - 1), y)).abs_diff(here);
+                    let down = luma(rgb(image, x, (y + apart).min(height - 1))).abs_diff(here);
+                    u64::from(across.max(down) > EDGE)
                 };
                 count += 1;
                 fine += edge(step);
                 coarse += edge(far);
                 tones[(here as usize * TONES / 256).min(TONES - 1)] += 1;
-                chroma += u64::from(rgb.iter().max().unwrap_or(&0) - rgb.iter().min().unwrap_or(&0));
+                chroma += u64::from(pixel.iter().max().unwrap_or(&0) - pixel.iter().min().unwrap_or(&0));
                 let half = &mut halves[usize::from(2 * y >= height)];
                 half.1 += 1;
-                for (sum, value) in half.0.iter_mut().zip(rgb) {
+                for (sum, value) in half.0.iter_mut().zip(pixel) {
                     *sum += u64::from(value);
                 }
             }
@@ -109,17 +110,6 @@ impl TryFrom<String> for Facts {
             colours: std::array::from_fn(|i| byte(TONES + 3 + i)),
         })
     }
-}
-
-fn rgb(image: &Image, x: usize, y: usize) -> [u8; 3] {
-    match image.planes() {
-        [r, g, b] => [r.at(x, y), g.at(x, y), b.at(x, y)],
-        planes => [planes.first().map_or(0, |plane| plane.at(x, y)); 3],
-    }
-}
-
-fn luma([r, g, b]: [u8; 3]) -> i32 {
-    (i32::from(r) * 77 + i32::from(g) * 150 + i32::from(b) * 29) >> 8
 }
 
 #[cfg(test)]

@@ -54,8 +54,7 @@ impl Stage {
 
     /// Photos that stay on the page.
     pub(super) fn held(&self) -> Vec<usize> {
-        let photo = |slot: &Slot| slot.locked.map(|locked| locked.photo).or(slot.keeps);
-        self.candidate.slots.iter().filter_map(photo).collect()
+        self.candidate.slots.iter().filter_map(Slot::photo).collect()
     }
 }
 

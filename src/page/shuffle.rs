@@ -53,7 +53,7 @@ pub fn planned(request: &Request, shelf: &Shelf) -> Result<Planned> {
     let stages = stages(request, &mut random)?;
     let always: Vec<usize> = stages.first().map(Stage::held).unwrap_or_default();
     let photos = Photos::new(&request.photos, &always, shelf, &mut random);
-    let candidates: Vec<Candidate> = stages.iter().map(|stage| stage.candidate.clone()).collect();
+    let candidates: Vec<&Candidate> = stages.iter().map(|stage| &stage.candidate).collect();
     let order = if request.mode == Mode::Photos { Order::Free } else { Order::Kept };
     let heat = request.surprise.filter(|heat| heat.is_finite()).map_or(1.0, |heat| heat.clamp(0.0, 4.0));
     let plan = compose(&candidates, &photos, order, heat, &mut random)

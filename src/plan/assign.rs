@@ -114,8 +114,8 @@ impl Worths {
     /// Looks at every fresh photo in every open slot.
     #[must_use]
     pub fn of(slots: &[Slot], photos: &Photos) -> Self {
-        let taken: Vec<usize> = slots.iter().filter_map(photo_of).collect();
-        let open: Vec<usize> = (0..slots.len()).filter(|&i| photo_of(&slots[i]).is_none()).collect();
+        let taken: Vec<usize> = slots.iter().filter_map(Slot::photo).collect();
+        let open: Vec<usize> = (0..slots.len()).filter(|&i| slots[i].photo().is_none()).collect();
         let fresh: Vec<usize> = photos.drawn.iter().copied().filter(|i| !taken.contains(i)).collect();
         let prepared: Vec<&Prepared> = fresh.iter().map(|&photo| photos.prepared(photo)).collect();
         let sizes = sizes(slots);
@@ -160,11 +160,6 @@ impl Worths {
     }
 }
 
-/// The photo that a slot has already.
-pub(super) fn photo_of(slot: &Slot) -> Option<usize> {
-    slot.locked.map(|locked| locked.photo).or(slot.keeps)
-}
-
 /// Areas of the slots over their mean.
 pub(super) fn sizes(slots: &[Slot]) -> Vec<f64> {
     let mean = slots.iter().map(|slot| slot.area).sum::<f64>() / slots.len().max(1) as f64;
@@ -206,7 +201,7 @@ pub(super) fn chosen(
     order: Order,
     random: &mut Rand64,
 ) -> Vec<usize> {
-    let mut chosen: Vec<Option<usize>> = slots.iter().map(photo_of).collect();
+    let mut chosen: Vec<Option<usize>> = slots.iter().map(Slot::photo).collect();
     match worths.solve(photos, order, random) {
         Some(found) => {
             for (&slot, photo) in worths.open.iter().zip(found) {

@@ -93,7 +93,7 @@ impl Score {
 /// candidates or no photos.
 #[must_use]
 pub fn compose(
-    candidates: &[Candidate],
+    candidates: &[&Candidate],
     photos: &Photos,
     order: Order,
     heat: f64,
@@ -105,7 +105,9 @@ pub fn compose(
     let mut best: Vec<(f64, usize, Vec<usize>)> = Vec::new();
     for (index, candidate) in candidates.iter().enumerate() {
         let worths = Worths::of(&candidate.slots, photos);
-        for _ in 0..TRIES {
+        // Where every place has its photo, one try is all that there is.
+        let tries = if worths.open.is_empty() { 1 } else { TRIES };
+        for _ in 0..tries {
             let chosen = chosen(&candidate.slots, &worths, photos, order, random);
             let seen: Vec<Look> =
                 looks(&candidate.slots, &chosen, photos).into_iter().map(|(_, look)| look).collect();
@@ -131,7 +133,7 @@ pub fn compose(
         }
         families.push(family);
         let panels = crops(&candidates[*candidate].slots, chosen, photos);
-        let score = judge(&candidates[*candidate], &panels, photos);
+        let score = judge(candidates[*candidate], &panels, photos);
         plans.push(Plan { candidate: *candidate, panels, score });
     }
     let ratings: Vec<f64> = plans.iter().map(|plan| plan.score.total()).collect();

@@ -23,6 +23,13 @@ pub struct Slot {
     pub keeps: Option<usize>,
 }
 
+impl Slot {
+    /// The photo that it has already.
+    pub(crate) fn photo(&self) -> Option<usize> {
+        self.locked.map(|locked| locked.photo).or(self.keeps)
+    }
+}
+
 /// A panel's photo.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Assignment {

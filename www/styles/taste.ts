@@ -29,7 +29,7 @@ const NOTHING: Liking = Object.freeze({ families: {}, styles: {} });
 
 /** @param app `box` may throw where storage is refused: then it is learnt for as long as the page is there */
 export function createTaste({ planner, box }: { planner: () => Pick<Planner, 'layouts'> | null; box: () => Box }) {
-  const kept = read(box);
+  const kept = read(box) ?? { on: true, liking: NOTHING };
   const liking = signal<Liking>(kept.liking);
   const on = signal(kept.on);
   let families: ReadonlyMap<string, string> | null = null;
@@ -59,7 +59,7 @@ export function createTaste({ planner, box }: { planner: () => Pick<Planner, 'la
   function learn(page: PageDocument) {
     if (!on.peek()) return;
     // Another tab may have learnt meanwhile.
-    const before = read(box).liking;
+    const before = (read(box) ?? { liking: liking.peek() }).liking;
     const family = familyOf(page.layout);
     const style = idOf(page.style);
     keep(
@@ -117,13 +117,14 @@ function more(weights: Weights, id: string | null, gain: number): Weights {
   return Object.fromEntries([...grown].sort(([, a], [, b]) => b - a).slice(0, COUNT));
 }
 
-function read(box: () => Box): { on: boolean; liking: Liking } {
+/** @returns what is kept; null where storage is refused, or holds nothing that can be read */
+function read(box: () => Box): { on: boolean; liking: Liking } | null {
   try {
     const value = JSON.parse(box().getItem(KEY) ?? 'null');
-    if (value?.version !== 1) return { on: true, liking: NOTHING };
+    if (value?.version !== 1) return null;
     return { on: value.on !== false, liking: { families: weightsIn(value.families), styles: weightsIn(value.styles) } };
   } catch {
-    return { on: true, liking: NOTHING };
+    return null;
   }
 }
 
