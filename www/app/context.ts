@@ -22,6 +22,7 @@ import type { Merging } from '../page/panels/merging.ts';
 import type { Reshaping } from '../page/panels/reshaping.ts';
 import type { Taste } from '../styles/taste.ts';
 import type { Ahead } from '../page/ahead.ts';
+import type { BetterCrops } from '../page/better-crops.ts';
 import type { Choosing } from '../photos/choosing.ts';
 import type { Reading } from '../photos/reading.ts';
 import type { Scrubbing } from '../photos/scrubbing.ts';
@@ -35,6 +36,7 @@ import type { Ui } from './ui.ts';
 export type App = {
   store: Store;
   pages: Pages;
+  crops: BetterCrops;
   book: Book;
   subjects: Subjects;
   reading: Reading;

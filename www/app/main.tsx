@@ -12,6 +12,7 @@ import { createAlternatives } from '../page/alternatives.ts';
 import { createBook } from '../book/book.ts';
 import { keepBook } from '../book/book-upkeep.ts';
 import { createArrivals } from './arrivals.ts';
+import { createBetterCrops } from '../page/better-crops.ts';
 import { createChoosing } from '../photos/choosing.ts';
 import { createDesigner } from '../designer/designer.ts';
 import { createDownload } from '../export/download.ts';
@@ -90,12 +91,13 @@ const keeping = createKeeping({
 });
 const explorer = createExplorer({ store, engine, messages, ownStyles, seed: freshSeed, judged: ui.detects });
 const styling = createStyling({ store, ownStyles });
+const crops = createBetterCrops({ store, pages, ui });
 const subjects = createSubjects({
   store,
-  pages,
   messages,
   engine,
   painted: () => ui.painted.value === store.page.value,
+  onFound: crops.found,
   wanted: ui.detects,
   window,
 });
@@ -203,6 +205,7 @@ render(
     value={{
       store,
       pages,
+      crops,
       book,
       selection,
       lettering,

@@ -31,7 +31,7 @@ export function createPages(store: Store, seed: () => number = freshSeed) {
     show,
     amend,
     refine,
-    reorder,
+    refined,
     refit,
     shuffle,
     prepare,
@@ -87,25 +87,15 @@ export function createPages(store: Store, seed: () => number = freshSeed) {
 
   /** Fits the crops of the page to what is known of its photos by now. */
   function refine() {
-    const { page } = store.project.peek();
-    const better = page && plan({ keep: KEEP_ALL, seed: page.seed });
-    if (better && JSON.stringify(better) !== JSON.stringify(page)) {
-      store.change({ type: 'change-page', page: better, silent: true });
-    }
+    const better = refined();
+    if (better) store.change({ type: 'change-page', page: better, silent: true });
   }
 
-  /** Puts the photos of the first page in their right order, some of them set aside, in the same layout if they still fill it. */
-  function reorder() {
+  /** @returns the page with crops that fit what is known of its photos by now; null where it has them already */
+  function refined(): PageDocument | null {
     const { page } = store.project.peek();
-    if (!page) return;
-    const { length } = store.photos.peek();
-    const layout = length >= page.panels.length;
-    const better = plan({
-      keep: { layout, style: true, photos: false },
-      seed: page.seed,
-      ...(layout ? {} : { panels: length }),
-    });
-    if (better) store.change({ type: 'change-page', page: better, silent: true });
+    const better = page && plan({ keep: KEEP_ALL, seed: page.seed });
+    return JSON.stringify(better) === JSON.stringify(page) ? null : better;
   }
 
   /**

@@ -33,6 +33,9 @@ export function createStore() {
   /** The files of photos that are still being read. */
   const originals: Map<string, File> = new Map();
 
+  /** Whether the page is a sketch of the first: empty panels, until its photos are known. */
+  const sketch = signal(false);
+
   /** Files that were chosen and are not on the table yet, as nothing can be laid out so far. */
   const arriving = signal(0);
 
@@ -107,6 +110,7 @@ export function createStore() {
     originals,
     planner,
     reading,
+    sketch,
     arriving,
     fetching,
     project,

@@ -93,5 +93,5 @@ export function fakeApp(odd: Record<string, 'bad' | 'twin'> = {}) {
   } as any;
   const reading = createReading({ store, pages, engine, messages });
   const files = (...names: string[]) => names.map((name) => new File(['x'], name));
-  return { store, planner, pages, messages, reading, files };
+  return { store, planner, pages, messages, engine, reading, files };
 }

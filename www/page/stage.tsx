@@ -8,6 +8,7 @@ import { strings } from '../strings/strings.ts';
 import { screenPixels } from './bitmap.tsx';
 import { useApp } from '../app/context.ts';
 import { Cuts } from './panels/cuts.tsx';
+import { BetterCrops } from './better-crops-button.tsx';
 import { createPainter } from './painter.ts';
 import { Panels } from './panels/panels.tsx';
 import { styleOfPage } from '../styles/style-tools.tsx';
@@ -34,9 +35,13 @@ export function Stage() {
 
   useEffect(() => {
     const made = createPainter(canvas.current as HTMLCanvasElement, {
-      engine,
+      engine: {
+        renderPanel: engine.renderPanel,
+        hasPhoto: (id) => !store.sketch.peek() && engine.hasPhoto(id),
+      },
       onPainted: (document) => {
-        ui.painted.value = document;
+        // Of a sketch nothing is to be seen yet.
+        ui.painted.value = store.sketch.peek() ? null : document;
       },
       onError: ({ message, code }) => messages.alert(strings.panelFailed(strings.reasons[code ?? ''] ?? message)),
     });
@@ -56,10 +61,11 @@ export function Stage() {
 
   // The number of photos read is part of what the page shows: panels fill as they come.
   const read = store.reading.value?.done;
+  const sketch = store.sketch.value;
   useEffect(() => {
     if (page && geometry && width > 0)
       painter.current?.show(page, geometry, screenPixels(width), reshaping.editing.peek());
-  }, [page, geometry, width, read]);
+  }, [page, geometry, width, read, sketch]);
 
   const next = ahead.page.value;
   useEffect(() => {
@@ -85,6 +91,7 @@ export function Stage() {
           {page && geometry && ui.subjects.value && <PanelSubjects page={page} geometry={geometry} />}
           {page && geometry && reshaping.editing.value && <Cuts />}
         </div>
+        <BetterCrops />
       </div>
       <p class="visually-hidden" aria-live="polite">
         {said}

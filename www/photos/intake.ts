@@ -132,7 +132,7 @@ export function createIntake({
     // A frame of a film that nobody wants any more.
     if (!fact) return;
     store.know({ ...fact, ...knownOf(fact, meta), ...more });
-    if (isShown(id)) pages.refine();
+    if (isShown(id) && !store.sketch.peek()) pages.refine();
   }
 
   function knownOf({ meta: before, absent }: Fact, meta: Imported['meta']): Partial<Fact> {

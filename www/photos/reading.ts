@@ -8,9 +8,11 @@ import { mayMove, pictureEnds } from '../engine/animation-times.ts';
 import { isVideo } from '../engine/video.ts';
 import { strings } from '../strings/strings.ts';
 import { byName } from '../document/album.ts';
+import { createFirstPage } from './first-page.ts';
 import { FRAMES, createFrames } from './frames.ts';
 import { createIntake } from './intake.ts';
 import { MOST } from '../document/limits.ts';
+import { photosOn } from '../document/sheets.ts';
 import { fetchSamples } from './samples.ts';
 import type { Messages } from '../app/messages.ts';
 import type { Video } from '../document/album.ts';
@@ -23,9 +25,6 @@ import type { PageDocument } from '../engine/documents.ts';
 type Source = { file: File; ids: readonly string[]; video: Video | null };
 type Engine = Pick<import('../engine/engine.ts').Engine, 'importPhoto' | 'importVideo' | 'forgetPhoto' | 'ready'>;
 export type Reading = ReturnType<typeof createReading>;
-
-/** The first page shows this many photos at most: large enough to be looked at. */
-const FIRST_PANELS = 6;
 
 /** @param app `prefix` begins the ids of photos */
 export function createReading({
@@ -54,6 +53,7 @@ export function createReading({
 
   const intake = createIntake({ store, pages, engine, messages, prefix });
   const frames = createFrames({ store, engine, intake });
+  const firstPage = createFirstPage({ store, pages });
 
   return {
     addFiles,
@@ -113,10 +113,7 @@ export function createReading({
     if (first) {
       gesture = null;
       store.change({ type: 'add-photos', ids, silent: true });
-      planned = inUse();
-      const panels = Math.min(ids.length, FIRST_PANELS);
-      // Each photo once: a first page says what there is.
-      pages.show(pages.plan({ keep: { layout: false, style: false, photos: false }, panels }), { silent: true });
+      firstPage.sketch();
     } else {
       // A page that is there stays as it is until the new photos are known to be any good.
       gesture ??= `add-${ids[0]}`;
@@ -205,13 +202,23 @@ export function createReading({
     if (store.photos.peek().length === 0) {
       store.change({ type: 'no-page', silent: true });
       complaint = messages.alert(strings.noUsablePhoto);
-    } else if (planned === inUse()) {
-      pages.refine();
-    } else {
-      planned = inUse();
-      if (step !== null) pages.show(pages.refit({ grow: true }), { gesture: step });
-      else pages.reorder();
+    } else if (step === null) {
+      if (!firstPage.compose()) keepShown();
+    } else if (planned !== inUse()) {
+      pages.show(pages.refit({ grow: true }), { gesture: step });
     }
+    planned = inUse();
+  }
+
+  /** Of look-alikes the one that is on the page stays in use, not one that was read later: the page was looked at. */
+  function keepShown() {
+    const shown = photosOn(store.sheets.peek());
+    const verdicts = [...store.verdicts.peek().values()];
+    const groups = new Set(verdicts.filter(({ id, kept }) => !kept && shown.has(id)).map(({ group }) => group));
+    const alike = verdicts.filter(({ group, kept, id }) => groups.has(group) && (kept || shown.has(id)));
+    if (alike.length === 0) return;
+    const uses = new Map(alike.map(({ id }) => [id, shown.has(id)]));
+    store.change({ type: 'use-photos', uses, silent: true });
   }
 
   function inUse() {

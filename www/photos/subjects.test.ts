@@ -32,7 +32,13 @@ function app(look: (id: string) => Promise<any>, found: any[] = [], window: any 
       return found;
     },
   };
-  const subjects = createSubjects({ ...made, engine, painted: () => painted.value, window });
+  const subjects = createSubjects({
+    ...made,
+    engine,
+    painted: () => painted.value,
+    onFound: made.pages.refine,
+    window,
+  });
   return { ...made, subjects, painted, asked, objects };
 }
 
@@ -42,14 +48,15 @@ const settle = () =>
   });
 
 describe('subjects', () => {
-  it('waits for the page, then looks at every photo, closer after all others', async () => {
-    const { reading, files, subjects, painted, asked, store, planner } = app(async (id) => ({
+  it('looks for faces while photos are read, at all else once there is a page, closer after all others', async () => {
+    const { reading, files, subjects, painted, asked, objects, store, planner } = app(async (id) => ({
       boxes: [face],
       closer: id === 'p1',
     }));
     await reading.addFiles(files('1.jpg', '2.jpg', '3.jpg'));
     await settle();
-    expect(asked).toEqual([]);
+    expect(asked).not.toContain('p1 closer');
+    expect(objects).toEqual([]);
     expect(subjects.settled.value).toBe(false);
     painted.value = true;
     await settle();

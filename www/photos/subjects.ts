@@ -1,13 +1,12 @@
 /**
- * What is in the photos: found once the page is on the screen, those on the page first, then those on other pages,
- * faces and objects side by side. The crops follow; nobody waits for it.
+ * What is in the photos: those on the page first, then those on other pages, faces and objects side by side. Faces are looked for
+ * as soon as the first page's photos are read, all else once it is on the screen; nobody waits for it.
  */
 
 import { computed, effect, signal } from '@preact/signals';
 import { strings } from '../strings/strings.ts';
 import { photosOn } from '../document/sheets.ts';
 import type { Messages } from '../app/messages.ts';
-import type { Pages } from '../document/pages.ts';
 import type { Progress, Store } from '../document/store.ts';
 import type { Found } from '../engine/detector.ts';
 import type { Engine } from '../engine/engine.ts';
@@ -22,21 +21,24 @@ type Lane = 'faces' | 'objects';
 /** Without the detectors none of the other photos can be looked at. */
 const FATAL = new Set(['detector-missing', 'worker-lost', 'detector']);
 
-/** @param app `painted` reads signals: whether the page as it is now is on the screen; not `wanted`, nothing is looked at */
+/**
+ * @param app `painted` reads signals: whether the page as it is now is on the screen; `onFound` is told when more is known of a photo
+ *   on it; not `wanted`, nothing is looked at
+ */
 export function createSubjects({
   store,
-  pages,
   messages,
   engine,
   painted,
+  onFound,
   wanted = true,
   window = globalThis.window,
 }: {
   store: Store;
-  pages: Pages;
   messages: Messages;
   engine: Pick<Engine, 'loadDetectors' | 'findFaces' | 'findMoreFaces' | 'findObjects' | 'hasPhoto'>;
   painted: () => boolean;
+  onFound: () => void;
   wanted?: boolean;
   window?: Pick<Window, 'addEventListener' | 'navigator'>;
 }) {
@@ -58,17 +60,18 @@ export function createSubjects({
   });
   /** Whether everything is found that will be. */
   const settled = computed(
-    () => off.value || store.page.value === null || (running.value.size === 0 && !next('faces') && !next('objects')),
+    () =>
+      off.value ||
+      store.page.value === null ||
+      (store.reading.value === null && running.value.size === 0 && !due('faces') && !due('objects')),
   );
 
   /** Whether every photo was looked at by both, which most crops wait for; closer looks may go on. */
   const searched = computed(() => off.value || store.page.value === null || !photos.value.some(unsearched));
 
   effect(() => {
-    if (off.value || store.page.value === null || !painted()) return;
-    // While the last photos are read; a first page is on the screen.
+    if (off.value || store.page.value === null || !(painted() || store.sketch.value)) return;
     engine.loadDetectors();
-    if (store.reading.value !== null) return;
     // What takes longer is first in line.
     for (const lane of ['objects', 'faces'] as const) if (!running.value.has(lane) && next(lane)) void run(lane);
   });
@@ -80,9 +83,22 @@ export function createSubjects({
 
   return { progress, settled, searched };
 
-  /** The photo to look at next; a closer look waits until every photo was looked at. */
+  /** The photo to look at now; while a page is drawn the cores are the page's. */
   function next(lane: Lane): string | undefined {
+    return painted() || store.sketch.value ? due(lane) : undefined;
+  }
+
+  /**
+   * The photo to look at next; a closer look waits until every photo was looked at. While photos are read it is faces that the
+   * page waits for, or shows.
+   */
+  function due(lane: Lane): string | undefined {
     const looked = (id: string) => known.get(id) ?? {};
+    if (store.reading.value !== null || store.sketch.value) {
+      if (lane !== 'faces') return undefined;
+      const shown = store.sketch.value || !store.page.value ? null : photosOn([store.page.value]);
+      return photos.value.find((id) => !looked(id).faces && (!shown || shown.has(id)));
+    }
     const first = photos.value.find((id) => looked(id)[lane] === undefined);
     return first ?? (lane === 'faces' ? photos.value.find((id) => looked(id).closer) : undefined);
   }
@@ -90,10 +106,11 @@ export function createSubjects({
   async function run(lane: Lane) {
     running.value = new Set([...running.peek(), lane]);
     try {
-      // New photos begin another round when their page is drawn.
-      for (let id = next(lane); id !== undefined && !off.peek() && store.reading.peek() === null; id = next(lane)) {
+      for (let id = next(lane); id !== undefined && !off.peek(); id = next(lane)) {
         count();
-        known.set(id, { ...known.get(id), ...(await look(lane, id)) });
+        const found = await look(lane, id);
+        // The other lane may have looked at the same photo meanwhile.
+        known.set(id, { ...known.get(id), ...found });
         tell(id);
         round.value += 1;
       }
@@ -141,16 +158,17 @@ export function createSubjects({
     }
   }
 
-  /** Lets the page follow when both lanes have looked. */
+  /** Lets the page follow when both lanes have looked; faces count at once as long as photos are read. */
   function tell(id: string) {
     const { faces, objects, closer } = known.get(id) ?? {};
     const fact = store.album.peek().get(id);
-    if (!faces || !objects || !fact?.meta) return;
-    const subjects = [...faces, ...objects];
+    if (!faces || !(objects || store.reading.peek()) || !fact?.meta) return;
+    const subjects = [...faces, ...(objects ?? [])];
     const same = JSON.stringify(fact.meta.subjects) === JSON.stringify(subjects);
     // What is found once is found: the next visit need not look again.
-    if (!same || !closer)
-      store.know({ ...fact, meta: same ? fact.meta : { ...fact.meta, subjects }, ...(closer ? {} : { looked: true }) });
-    if (!same && store.page.peek()?.panels.some(({ photo }) => photo === id)) pages.refine();
+    const looked = !!objects && !closer;
+    if (!same || looked)
+      store.know({ ...fact, meta: same ? fact.meta : { ...fact.meta, subjects }, ...(looked ? { looked } : {}) });
+    if (!same && store.page.peek()?.panels.some(({ photo }) => photo === id)) onFound();
   }
 }

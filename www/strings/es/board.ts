@@ -2,6 +2,8 @@ export const boardStrings = {
   page: 'Página de viñetas',
   panel: (n: number, of: number) => `Viñeta ${n} de ${of}`,
   shuffle: 'Barajar',
+  betterCrops: 'Hay mejores encuadres',
+  betterCropsWhy: 'Se han encontrado caras y objetos: mostrarlos enteros',
   shufflePart: { layout: 'Barajar plantilla', style: 'Barajar estilo', photos: 'Barajar fotos' },
   lockPart: { layout: 'Fijar plantilla', style: 'Fijar estilo', photos: 'Fijar fotos' },
   part: { layout: 'Plantilla', style: 'Estilo', photos: 'Fotos' },

@@ -1,0 +1,83 @@
+import { signal } from '@preact/signals';
+import { describe, expect, test } from 'vitest';
+import { fakeApp } from '../document/testing.ts';
+import { createBetterCrops } from './better-crops.ts';
+import type { PageDocument } from '../engine/documents.ts';
+
+const whole = { x: 0, y: 0, width: 1, height: 1 };
+const upper = { x: 0, y: 0, width: 1, height: 0.5 };
+
+/** A page on the screen, and crops that a plan would give it now. */
+async function app() {
+  const made = fakeApp();
+  const painted = signal<PageDocument | null>(null);
+  let [time, crop] = [0, whole];
+  const { store } = made;
+  const refined = () => {
+    const page = store.page.peek() as PageDocument;
+    const better = { ...page, panels: page.panels.map((panel) => ({ ...panel, crop })) };
+    return JSON.stringify(better) === JSON.stringify(page) ? null : better;
+  };
+  await made.reading.addFiles(made.files('a.jpg', 'b.jpg'));
+  const crops = createBetterCrops({ store, pages: { refined }, ui: { painted }, now: () => time });
+  const show = () => {
+    painted.value = store.page.value;
+  };
+  crops.found();
+  show();
+  return {
+    ...made,
+    crops,
+    show,
+    find: (next: typeof whole, after: number) => {
+      [time, crop] = [time + after, next];
+      crops.found();
+    },
+    shown: () => store.page.value?.panels.map((panel) => panel.crop),
+  };
+}
+
+describe('crops that got better', () => {
+  test('are taken at once on a page that nobody has looked at', async () => {
+    const { find, shown, crops, store } = await app();
+    find(upper, 900);
+    expect(shown()).toEqual([upper, upper]);
+    expect(crops.offered.value).toBeNull();
+    expect(store.history.value.past).toEqual([]);
+  });
+
+  test('are offered once it was looked at, and taken as one step', async () => {
+    const { find, shown, crops, pages } = await app();
+    find(upper, 1100);
+    expect(shown()).toEqual([whole, whole]);
+    expect(crops.offered.value).not.toBeNull();
+    crops.accept();
+    expect(shown()).toEqual([upper, upper]);
+    expect(crops.offered.value).toBeNull();
+    pages.undo();
+    expect(shown()).toEqual([whole, whole]);
+  });
+
+  test('that look the same are not offered', async () => {
+    const { find, crops } = await app();
+    find({ ...whole, width: 0.98 }, 1100);
+    expect(crops.offered.value).toBeNull();
+  });
+
+  test('go with the page that they were found for', async () => {
+    const { find, crops, pages } = await app();
+    find(upper, 1100);
+    pages.shuffle('all');
+    expect(crops.offered.value).toBeNull();
+  });
+
+  test('of another page start anew', async () => {
+    const { find, crops, pages, show, shown } = await app();
+    find(whole, 1100);
+    pages.shuffle('all');
+    show();
+    find(upper, 500);
+    expect(crops.offered.value).toBeNull();
+    expect(shown()).toEqual([upper, upper]);
+  });
+});

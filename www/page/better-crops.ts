@@ -1,0 +1,82 @@
+/**
+ * Crops that got better after a page was shown, for more was found in its photos. What a person has looked at does not change by
+ * itself: then they are offered.
+ */
+
+import { computed, effect, signal } from '@preact/signals';
+import type { Ui } from '../app/ui.ts';
+import type { Pages } from '../document/pages.ts';
+import type { Store } from '../document/store.ts';
+import type { Bounds, PageDocument } from '../engine/documents.ts';
+
+export type BetterCrops = ReturnType<typeof createBetterCrops>;
+
+/** Milliseconds on the screen after which a page was looked at. */
+const LOOK = 1000;
+/** Crops that overlap so much look alike. */
+const SAME = 0.9;
+
+export function createBetterCrops({
+  store,
+  pages,
+  ui,
+  now = () => performance.now(),
+}: {
+  store: Store;
+  pages: Pick<Pages, 'refined'>;
+  ui: Pick<Ui, 'painted'>;
+  now?: () => number;
+}) {
+  /** The page that is offered in the place of another. */
+  const offer = signal<{ of: PageDocument; better: PageDocument } | null>(null);
+  /** When the page came to the screen. */
+  let seen: { pageId: number; at: number } | null = null;
+
+  effect(() => {
+    const { page, pageId } = store.project.value;
+    if (page && ui.painted.value === page && seen?.pageId !== pageId) seen = { pageId, at: now() };
+  });
+
+  const offered = computed(() => (offer.value?.of === store.page.value ? (offer.value?.better ?? null) : null));
+
+  return { offered, found, accept, looked };
+
+  /** More is known of a photo on the page. */
+  function found() {
+    const of = store.page.peek();
+    // A sketch is planned on all that is known by then.
+    if (!of || store.sketch.peek()) return;
+    const better = pages.refined();
+    if (better && !looked()) store.change({ type: 'change-page', page: better, silent: true });
+    else offer.value = better && differs(of, better) ? { of, better } : null;
+  }
+
+  /** Takes what is offered, as one step. */
+  function accept() {
+    const better = offered.peek();
+    offer.value = null;
+    if (better) store.change({ type: 'change-page', page: better });
+  }
+
+  /** Whether a person has looked at the page. */
+  function looked(): boolean {
+    return seen !== null && seen.pageId === store.project.peek().pageId && now() - seen.at >= LOOK;
+  }
+}
+
+/** Whether a person would see that a panel shows something else. */
+function differs(before: PageDocument, after: PageDocument): boolean {
+  return after.panels.some(({ photo, crop }, i) => {
+    const was = before.panels[i];
+    if (photo !== was.photo || !crop || !was.crop) return photo !== was.photo || crop !== was.crop;
+    return overlap(crop, was.crop) < SAME;
+  });
+}
+
+/** @returns the part that two crops have in common over what both cover, 0 to 1 */
+function overlap(a: Bounds, b: Bounds): number {
+  const side = (from: number, length: number, other: number, its: number) =>
+    Math.max(0, Math.min(from + length, other + its) - Math.max(from, other));
+  const both = side(a.x, a.width, b.x, b.width) * side(a.y, a.height, b.y, b.height);
+  return both / Math.max(Number.EPSILON, a.width * a.height + b.width * b.height - both);
+}

@@ -1,0 +1,82 @@
+import { describe, expect, test, vi } from 'vitest';
+import { fakeApp } from '../document/testing.ts';
+
+vi.useFakeTimers();
+
+/** @param slow files of which no end is seen */
+function app(slow: (name: string) => boolean, odd: Parameters<typeof fakeApp>[0] = {}) {
+  const made = fakeApp(odd);
+  const go: (() => void)[] = [];
+  const { importPhoto } = made.engine;
+  made.engine.importPhoto = async (id: string, file: File) => {
+    if (slow(file.name)) await new Promise<void>((done) => go.push(done));
+    return importPhoto(id, file);
+  };
+  const names = () => made.store.page.value?.panels.map(({ photo }) => made.store.album.value.get(String(photo))?.name);
+  return { ...made, names, release: () => go.splice(0).forEach((done) => done()) };
+}
+
+const ten = Array.from({ length: 10 }, (_, i) => `${i}.jpg`);
+
+describe('the first page', () => {
+  test('is a sketch until its photos are read, then planned on those that are', async () => {
+    const { store, reading, files, names, planner } = app((name) => Number.parseInt(name, 10) >= 7, { '1.jpg': 'twin' });
+    void reading.addFiles(files(...ten));
+    await vi.advanceTimersByTimeAsync(200);
+    expect(store.sketch.value).toBe(true);
+    await vi.advanceTimersByTimeAsync(200);
+    expect(store.sketch.value).toBe(false);
+    expect(names()).toEqual(['0.jpg', '2.jpg', '3.jpg', '4.jpg', '5.jpg', '6.jpg']);
+    const { photos, panels, current } = planner.requests.at(-1) ?? {};
+    expect(photos?.length).toBe(6);
+    expect({ panels, current }).toEqual({ panels: 6, current: null });
+    expect(store.history.value.past).toEqual([]);
+    expect(store.history.value.shown.length).toBe(1);
+  });
+
+  test('does not change by what is read after it', async () => {
+    const { store, reading, files, names, release } = app((name) => Number.parseInt(name, 10) >= 7);
+    const done = reading.addFiles(files(...ten));
+    await vi.advanceTimersByTimeAsync(400);
+    const before = names();
+    release();
+    await done;
+    expect(store.reading.value).toBeNull();
+    expect(names()).toEqual(before);
+  });
+
+  test('stays in use where a look-alike turns up later', async () => {
+    const { store, reading, files, names, release, pages } = app((name) => Number.parseInt(name, 10) >= 7);
+    const done = reading.addFiles(files(...ten));
+    await vi.advanceTimersByTimeAsync(400);
+    store.planner.value = {
+      ...store.planner.value,
+      choose: (photos: { id: string; name: string }[]) =>
+        photos.map(({ id, name }) => ({
+          id,
+          group: name === '2.jpg' || name === '9.jpg' ? 2 : Number(id.slice(1)) + 10,
+          kept: name !== '2.jpg',
+          why: '',
+        })),
+    } as unknown as typeof store.planner.value;
+    const before = names();
+    expect(before).toContain('2.jpg');
+    release();
+    await done;
+    pages.refine();
+    expect(names()).toEqual(before);
+    expect(store.photos.value.map(({ id }) => store.album.value.get(id)?.name)).not.toContain('9.jpg');
+  });
+
+  test('is no longer waited for by who shuffles', async () => {
+    const { store, reading, files, pages } = app((name) => name !== '0.jpg');
+    void reading.addFiles(files(...ten));
+    await vi.advanceTimersByTimeAsync(50);
+    expect(store.sketch.value).toBe(true);
+    pages.shuffle('all');
+    expect(store.sketch.value).toBe(false);
+    const page = store.page.value;
+    await vi.advanceTimersByTimeAsync(1000);
+    expect(store.page.value?.layout).toBe(page?.layout);
+  });
+});

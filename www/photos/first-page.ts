@@ -1,0 +1,87 @@
+/**
+ * The first page. Until enough photos are read it is a sketch, empty panels that show what is to come; then it is planned anew,
+ * once, on what is known of its photos.
+ */
+
+import { batch, effect } from '@preact/signals';
+import { chronological } from '../document/album.ts';
+import type { Pages } from '../document/pages.ts';
+import type { Store } from '../document/store.ts';
+import type { PhotoMeta } from '../engine/protocol.ts';
+
+/** The first page shows this many photos at most: large enough to be looked at. */
+const PANELS = 6;
+/** Milliseconds after the photos of a page are there, in which more come to choose from and faces are found. */
+const WAIT = 300;
+const ALL_NEW = Object.freeze({ layout: false, style: false, photos: false });
+
+export function createFirstPage({ store, pages }: { store: Store; pages: Pick<Pages, 'plan' | 'show'> }) {
+  let timer: ReturnType<typeof setTimeout> | undefined;
+  /** The page that is the sketch. */
+  let sketched = 0;
+
+  effect(() => {
+    const { page, pageId } = store.project.value;
+    if (!store.sketch.value) return end();
+    // Who shuffles, or opens something else, no longer waits for it.
+    if (page === null || pageId !== sketched) {
+      store.sketch.value = false;
+      return end();
+    }
+    const read = store.facts.value.filter(({ meta }) => meta !== null).length;
+    if (read >= Math.min(PANELS, store.tray.value.length)) timer ??= setTimeout(compose, WAIT);
+    return undefined;
+  });
+
+  return { sketch, compose };
+
+  /** A page of as many panels as the first will have. */
+  function sketch() {
+    const panels = Math.min(store.photos.peek().length, PANELS);
+    // Each photo once: a first page says what there is.
+    const page = pages.plan({ keep: ALL_NEW, panels });
+    batch(() => {
+      pages.show(page, { silent: true });
+      sketched = store.project.peek().pageId;
+      store.sketch.value = page !== null;
+    });
+  }
+
+  /**
+   * Plans the first page on the photos that are read.
+   * @returns whether there was one to be planned
+   */
+  function compose(): boolean {
+    if (!store.sketch.peek()) return false;
+    const photos = known();
+    if (photos.length === 0) return false;
+    const panels = Math.min(photos.length, PANELS);
+    const page = pages.plan({ keep: ALL_NEW, current: null, photos, panels });
+    batch(() => {
+      if (page) store.change({ type: 'change-page', page, silent: true });
+      store.sketch.value = false;
+    });
+    return true;
+  }
+
+  /** The photos that were read without look-alikes, in the order in which they were taken. */
+  function known(): PhotoMeta[] {
+    const planner = store.planner.peek();
+    if (!planner) return [];
+    const kept = new Set(
+      planner
+        .choose(store.measured.peek(), store.project.peek().alike)
+        .filter((verdict) => verdict.kept)
+        .map(({ id }) => id),
+    );
+    const metas = new Map(store.photos.peek().map((meta) => [meta.id, meta]));
+    const facts = store.facts.peek().filter(({ id, meta }) => meta !== null && kept.has(id) && metas.has(id));
+    const ordered = store.project.peek().order === 'time' ? chronological(facts) : facts;
+    return ordered.flatMap(({ id }) => metas.get(id) ?? []);
+  }
+
+  function end() {
+    clearTimeout(timer);
+    timer = undefined;
+  }
+}
