@@ -20,7 +20,9 @@ const ten = Array.from({ length: 10 }, (_, i) => `${i}.jpg`);
 
 describe('the first page', () => {
   test('is a sketch until its photos are read, then planned on those that are', async () => {
-    const { store, reading, files, names, planner } = app((name) => Number.parseInt(name, 10) >= 7, { '1.jpg': 'twin' });
+    const { store, reading, files, names, planner } = app((name) => Number.parseInt(name, 10) >= 7, {
+      '1.jpg': 'twin',
+    });
     void reading.addFiles(files(...ten));
     await vi.advanceTimersByTimeAsync(200);
     expect(store.sketch.value).toBe(true);
