@@ -78,6 +78,22 @@ const QUALITY: u8 = 90;
 
 /// The same as a file of one page whose title is the file's name.
 fn draw_pdf(document: &Document, photos: &Photos<'_>, output: &Path) -> Result<Vec<u8>, Complaint> {
+    draw_book(std::slice::from_ref(document), photos, output)
+}
+
+/// Pages as one PDF file whose title is the file's name.
+pub(crate) fn draw_book(
+    documents: &[Document],
+    photos: &Photos<'_>,
+    output: &Path,
+) -> Result<Vec<u8>, Complaint> {
+    let leaves = documents.iter().map(|document| leaf(document, photos)).collect::<Result<Vec<_>, _>>()?;
+    let title = output.file_stem().map(|stem| stem.to_string_lossy()).unwrap_or_default();
+    let write = |letters: Letters| pdf::write(&leaves, &title, &letters);
+    Letters::bundled().and_then(write).map_err(|error| error.to_string())
+}
+
+fn leaf(document: &Document, photos: &Photos<'_>) -> Result<pdf::Leaf, Complaint> {
     let scene = scene_of(document)?;
     let patches = patches(&picture::bare(document), photos)?;
     let pictures = patches
@@ -87,10 +103,7 @@ fn draw_pdf(document: &Document, photos: &Photos<'_>, output: &Path) -> Result<V
         .map(|(index, patch)| picture::cut(document, index, patch.area, &patch.rgba, QUALITY))
         .collect::<Result<Vec<_>, Error>>()
         .map_err(|error| error.to_string())?;
-    let leaf = pdf::Leaf { document: document.clone(), pictures };
-    let title = output.file_stem().map(|stem| stem.to_string_lossy()).unwrap_or_default();
-    let write = |letters: Letters| pdf::write(&[leaf], &title, &letters);
-    Letters::bundled().and_then(write).map_err(|error| error.to_string())
+    Ok(pdf::Leaf { document: document.clone(), pictures })
 }
 
 fn scene_of(document: &Document) -> Result<Scene, Complaint> {

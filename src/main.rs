@@ -6,13 +6,13 @@
 mod detectors;
 mod drawing;
 mod inventor;
+mod plans;
 mod reopening;
 
 use clap::{Parser, Subcommand};
 use inkpanel::layout::{PageSettings, Template};
 use inkpanel::page::import::{Imported, import};
 use inkpanel::page::request::Request;
-use inkpanel::page::shuffle::plan;
 use inkpanel::page::{catalogue, png};
 use inkpanel::raster::Image;
 use inkpanel::raster::decode::{Limits, decode_fit};
@@ -38,6 +38,17 @@ struct Cli {
 enum Command {
     /// Make a storyboard page of photos, or draw a saved one.
     Render(Box<Render>),
+    /// Judge the pages of a plan as `render --json` prints it: the score and its terms.
+    Score {
+        /// The plan.
+        plan: PathBuf,
+        /// Answer as JSON.
+        #[arg(long)]
+        json: bool,
+        /// Folder of faces.onnx and objects.onnx.
+        #[arg(long, value_name = "DIR")]
+        models: Option<PathBuf>,
+    },
     /// Draw one photo in a style.
     Stylize {
         /// Id of a designed style, or a style file.
@@ -113,8 +124,8 @@ struct Render {
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..))]
     page: Option<u32>,
     /// Where the page goes: a file that ends in .png, .jpg or .pdf.
-    #[arg(short, long)]
-    output: PathBuf,
+    #[arg(short, long, required_unless_present = "json")]
+    output: Option<PathBuf>,
     /// The photos, in their order where they do not say when they were taken; or one saved project (.inkpanel), or one
     /// PNG of a page with its project and photos.
     #[arg(required = true)]
@@ -151,6 +162,15 @@ struct Planned {
     /// Captions, balloons and sound effects: a JSON array of words, as the page keeps them.
     #[arg(long, value_name = "FILE")]
     words: Option<PathBuf>,
+    /// Make a storyboard of so many pages, cut where time or scene changes: a PDF file, or files such as page-%02d.png.
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..=1000))]
+    pages: Option<u32>,
+    /// Print the plan: layout, photos, crops, style, score and its terms.
+    #[arg(long)]
+    json: bool,
+    /// Name of a photo that gets the large panel; may be said again.
+    #[arg(long, value_name = "FILE")]
+    star: Vec<PathBuf>,
 }
 
 /// A sentence about what went wrong, for people.
@@ -159,6 +179,7 @@ type Complaint = String;
 fn main() -> ExitCode {
     let done = match Cli::parse().command {
         Command::Render(render) => render_page(&render),
+        Command::Score { plan, json, models } => plans::score(&plan, json, models.as_deref()),
         Command::Stylize { style, input, output } => stylize_photo(&style, &input, &output),
         Command::Select { files, json, threshold } => select_photos(&files, json, threshold),
         Command::Detect { files, json, models } => detect_photos(&files, json, models.as_deref()),
@@ -181,7 +202,9 @@ fn main() -> ExitCode {
 
 fn render_page(render: &Render) -> Result<(), Complaint> {
     let Render { planned, page, output, files } = render;
-    drawing::Kind::of(output)?;
+    if let Some(output) = output {
+        drawing::Kind::of(output)?;
+    }
     if let [file] = &files[..]
         && let Some(saved) = reopening::open(file)
     {
@@ -191,6 +214,7 @@ fn render_page(render: &Render) -> Result<(), Complaint> {
                 file.display()
             ));
         }
+        let output = output.as_deref().ok_or("say by --output where the page goes")?;
         return reopening::draw(saved?, file, *page, output);
     }
     if let Some(project) = files.iter().find(|file| reopening::is_project(file)) {
@@ -199,15 +223,18 @@ fn render_page(render: &Render) -> Result<(), Complaint> {
     if page.is_some() {
         return Err("--page is of a saved project, and there is none".into());
     }
-    plan_page(planned, output, files)
+    plan_page(planned, output.as_deref(), files)
 }
 
-fn plan_page(render: &Planned, output: &Path, files: &[PathBuf]) -> Result<(), Complaint> {
+fn plan_page(render: &Planned, output: Option<&Path>, files: &[PathBuf]) -> Result<(), Complaint> {
     let layout = render.layout.as_deref().map(layout_value).transpose()?;
     let style = render.style.as_deref().map(style_value).transpose()?;
     let mut photos = import_all(files);
     if !render.no_detect {
         add_subjects(&mut photos, render.models.as_deref());
+    }
+    for (path, photo) in &mut photos {
+        photo.meta.starred = render.star.contains(path);
     }
     let measures: Vec<Measures> = photos.iter().map(|(_, photo)| photo.measures.clone()).collect();
     let names: Vec<&str> = photos.iter().map(|(path, _)| name(path)).collect();
@@ -217,10 +244,7 @@ fn plan_page(render: &Planned, output: &Path, files: &[PathBuf]) -> Result<(), C
     if used.iter().all(|meta| meta.taken.is_some()) {
         used.sort_by(|a, b| a.taken.cmp(&b.taken));
     }
-    let mut page = PageSettings::default();
-    let width = render.width.unwrap_or(page.width);
-    let height = f64::from(width) * f64::from(page.height) / f64::from(page.width);
-    (page.width, page.height) = (width, height.round() as u32);
+    let page = plans::page_of_width(render.width.unwrap_or(PageSettings::default().width));
     let request = Request {
         seed: render.seed.unwrap_or(1),
         photos: used.into_iter().cloned().collect(),
@@ -231,15 +255,22 @@ fn plan_page(render: &Planned, output: &Path, files: &[PathBuf]) -> Result<(), C
         merge: Some(render.merge),
         ..Request::default()
     };
-    let mut document = plan(&request).map_err(|error| error.to_string())?;
-    if let Some(file) = &render.words {
-        drawing::add_words(&mut document, file, &photos)?;
+    let mut pages = plans::pages(&request, render.pages.map(|pages| pages as usize))?;
+    if let (Some(file), Some(first)) = (&render.words, pages.first_mut()) {
+        drawing::add_words(&mut first.document, file, &photos)?;
     }
     let paths: HashMap<&str, &Path> =
         photos.iter().map(|(path, photo)| (photo.meta.id.as_str(), path.as_path())).collect();
-    let file =
-        drawing::draw(&document, &|id| paths.get(id).map(|path| decode_file(path)).transpose(), output)?;
-    write(output, &file)
+    let full = |id: &str| paths.get(id).map(|path| decode_file(path)).transpose();
+    match output {
+        Some(output) if render.pages.is_some() => plans::draw_all(&pages, &full, output)?,
+        Some(output) => write(output, &drawing::draw(&pages[0].document, &full, output)?)?,
+        None => {}
+    }
+    if render.json {
+        print(&plans::told(&pages, &photos)?)?;
+    }
+    Ok(())
 }
 
 fn stylize_photo(style: &str, input: &Path, output: &Path) -> Result<(), Complaint> {
@@ -318,6 +349,11 @@ fn add_subjects(photos: &mut [(PathBuf, Imported)], models: Option<&Path>) {
     for ((_, photo), found) in photos.iter_mut().zip(found) {
         photo.meta.subjects = found.into_iter().map(Into::into).collect();
     }
+}
+
+/// Prints JSON; a reader that has gone away is no failure.
+fn print(value: &Value) -> Result<(), Complaint> {
+    list(value, true)
 }
 
 /// Prints a catalogue; a reader that has gone away is no failure.

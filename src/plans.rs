@@ -1,0 +1,321 @@
+//! Plans of the command line: pages made, told as JSON, read back and judged.
+
+use crate::{Complaint, drawing, import_all, name};
+use inkpanel::framing::{Crop, PhotoMeta};
+use inkpanel::layout::{self, Bounds, PageSettings, Point, ResolvedPanel, ResolvedShape, polygon};
+use inkpanel::page::Document;
+use inkpanel::page::import::Imported;
+use inkpanel::page::request::{Avoid, Request};
+use inkpanel::page::shuffle::{Planned, planned};
+use inkpanel::plan::composer::{gallery, judge};
+use inkpanel::plan::slots::slot;
+use inkpanel::plan::{Assignment, Candidate, Score, Shelf, layouts, spread};
+use serde_json::{Map, Value, json};
+use std::path::{Path, PathBuf};
+
+/// Corners of the polygon that a circle is told as.
+const CORNERS: usize = 64;
+/// Most panels and pages that a plan may have.
+const MOST_PANELS: usize = 200;
+const MOST_PAGES: usize = 1000;
+
+/// Pages of an album: one from all photos, or several from their stretches, cut where time or scene changes, in one style.
+pub(crate) fn pages(request: &Request, count: Option<usize>) -> Result<Vec<Planned>, Complaint> {
+    let Some(count) = count else {
+        return planned(request, &Shelf::new(request.photos.len()))
+            .map(|page| vec![page])
+            .map_err(|error| error.to_string());
+    };
+    let mut made: Vec<Planned> = Vec::new();
+    let mut rest = &request.photos[..];
+    for (number, size) in spread::into_pages(&request.photos, count).into_iter().enumerate() {
+        let (own, later) = rest.split_at(size.min(rest.len()));
+        rest = later;
+        let shown = made.iter().rev().take(2).filter_map(|page| page.document.layout.as_str());
+        let wanted = Request {
+            seed: request.seed.wrapping_add(number as u32),
+            photos: own.to_vec(),
+            style: made.first().map(|page| page.document.style.clone()).or_else(|| request.style.clone()),
+            avoid: Avoid { layouts: shown.map(str::to_owned).collect(), styles: Vec::new() },
+            ..request.clone()
+        };
+        made.push(planned(&wanted, &Shelf::new(size)).map_err(|error| error.to_string())?);
+    }
+    Ok(made)
+}
+
+/// The plan as JSON, see the contract in the README.
+pub(crate) fn told(pages: &[Planned], photos: &[(PathBuf, Imported)]) -> Result<Value, Complaint> {
+    let pages = pages.iter().map(|page| told_page(page, photos)).collect::<Result<Vec<_>, _>>()?;
+    Ok(json!({ "pages": pages }))
+}
+
+fn told_page(page: &Planned, photos: &[(PathBuf, Imported)]) -> Result<Value, Complaint> {
+    let document = &page.document;
+    let template = document.template().map_err(|error| error.to_string())?;
+    let aspect = document.page.aspect();
+    let resolved = layout::resolve(&template, aspect, &document.page);
+    let file = |id: &String| {
+        let found = photos.iter().find(|(_, photo)| &photo.meta.id == id);
+        found.map(|(path, _)| path.display().to_string())
+    };
+    let panels: Vec<Value> = resolved
+        .iter()
+        .zip(&document.panels)
+        .enumerate()
+        .map(|(i, (panel, content))| {
+            json!({
+                "photo": content.photo.as_ref().and_then(file),
+                "crop": content.crop,
+                "shape": outline(&panel.shape, aspect),
+                "group": document.merges.iter().position(|group| group.contains(&i)),
+                "breaks_frame": false,
+                "halo": rounded(panel.halo),
+            })
+        })
+        .collect();
+    let id = |value: &Value| value.as_str().map_or_else(|| value["id"].clone(), |id| json!(id));
+    let mut told = json!({
+        "layout": id(&document.layout),
+        "style": id(&document.style),
+        "score": rounded(page.score.total()),
+        "terms": terms(&page.score),
+        "page": { "width": document.page.width, "height": document.page.height },
+        "panels": panels,
+    });
+    if let Some(why) = repeats(document) {
+        told["why"] = json!(why);
+    }
+    Ok(told)
+}
+
+/// Why photos come more than once, where they do.
+fn repeats(document: &Document) -> Option<String> {
+    let leads = |i: usize| document.merge_of(i).is_none_or(|group| group.first() == Some(&i));
+    let shown: Vec<&String> = document
+        .panels
+        .iter()
+        .enumerate()
+        .filter(|(i, _)| leads(*i))
+        .filter_map(|(_, panel)| panel.photo.as_ref())
+        .collect();
+    let mut different = shown.clone();
+    different.sort_unstable();
+    different.dedup();
+    let (photos, panels) = (different.len(), shown.len());
+    (photos < panels).then(|| format!("photos repeat: there are {photos} for {panels} panels"))
+}
+
+fn terms(score: &Score) -> Value {
+    score
+        .terms()
+        .iter()
+        .map(|(term, value)| ((*term).to_owned(), json!(rounded(*value))))
+        .collect::<Map<_, _>>()
+        .into()
+}
+
+fn rounded(value: f64) -> f64 {
+    (value * 1e6).round() / 1e6
+}
+
+/// An outline in fractions of the page.
+fn outline(shape: &ResolvedShape, aspect: f64) -> Value {
+    let corners: Vec<Point> = match shape {
+        ResolvedShape::Polygon(corners) => corners.clone(),
+        ResolvedShape::Circle { center, radius } => (0..CORNERS)
+            .map(|i| i as f64 / CORNERS as f64 * std::f64::consts::TAU)
+            .map(|angle| Point::new(center.x + radius * angle.cos(), center.y + radius * angle.sin()))
+            .collect(),
+    };
+    corners.iter().map(|p| json!([rounded(p.x), rounded(p.y * aspect)])).collect()
+}
+
+/// Judges the pages of a plan that was made here or elsewhere. Photos are looked for as they are named, from the working
+/// folder or from that of the plan.
+pub(crate) fn score(file: &Path, as_json: bool, models: Option<&Path>) -> Result<(), Complaint> {
+    let complain = |reason: String| format!("{}: {reason}", file.display());
+    let text = std::fs::read_to_string(file).map_err(|error| complain(error.to_string()))?;
+    let plan: Value =
+        serde_json::from_str(&text).map_err(|error| complain(format!("is no JSON: {error}")))?;
+    let pages = plan["pages"].as_array().ok_or_else(|| complain("has no list of \"pages\"".into()))?;
+    if pages.len() > MOST_PAGES {
+        return Err(complain(format!("has more than {MOST_PAGES} pages")));
+    }
+    let mut files: Vec<PathBuf> = Vec::new();
+    for panel in pages.iter().filter_map(|page| page["panels"].as_array()).flatten() {
+        let path = panel["photo"].as_str().map(|photo| located(Path::new(photo), file));
+        files.extend(path.filter(|path| !files.contains(path)));
+    }
+    let mut photos = import_all(&files);
+    crate::add_subjects(&mut photos, models);
+    let metas: Vec<PhotoMeta> = photos.iter().map(|(_, photo)| photo.meta.clone()).collect();
+    let mut told = Vec::new();
+    for (number, page) in pages.iter().enumerate() {
+        let at = |reason: String| complain(format!("page {}: {reason}", number + 1));
+        let known =
+            |photo: &str| photos.iter().position(|(path, _)| *path == located(Path::new(photo), file));
+        let score = judged(page, &metas, &known).map_err(at)?;
+        if as_json {
+            told.push(json!({
+                "layout": page["layout"], "score": rounded(score.total()), "terms": terms(&score),
+            }));
+        } else {
+            let terms: Vec<String> =
+                score.terms().iter().map(|(term, value)| format!("{term} {value:.2}")).collect();
+            println!("page {}  {:.2}  {}", number + 1, score.total(), terms.join(", "));
+        }
+    }
+    if as_json {
+        println!("{}", json!({ "pages": told }));
+    }
+    Ok(())
+}
+
+fn located(photo: &Path, plan: &Path) -> PathBuf {
+    let beside = plan.parent().unwrap_or(Path::new("")).join(photo);
+    if photo.is_file() || !beside.is_file() { photo.to_owned() } else { beside }
+}
+
+fn judged(page: &Value, metas: &[PhotoMeta], known: &dyn Fn(&str) -> Option<usize>) -> Result<Score, String> {
+    let side = |name: &str| page["page"][name].as_f64().filter(|side| (1.0..=1e5).contains(side));
+    let (Some(width), Some(height)) = (side("width"), side("height")) else {
+        return Err("\"page\" must have a width and a height in pixels".into());
+    };
+    let told = page["panels"].as_array().ok_or("has no list of \"panels\"")?;
+    if told.is_empty() || told.len() > MOST_PANELS {
+        return Err(format!("must have from 1 to {MOST_PANELS} panels"));
+    }
+    let panels = told
+        .iter()
+        .enumerate()
+        .map(|(i, panel)| {
+            resolved(panel, height / width)
+                .ok_or(format!("panel {}: \"shape\" must be a convex polygon", i + 1))
+        })
+        .collect::<Result<Vec<_>, _>>()?;
+    let group_of = |i: usize| -> Vec<usize> {
+        let Some(group) = told[i]["group"].as_u64() else { return vec![i] };
+        (0..told.len()).filter(|&other| told[other]["group"].as_u64() == Some(group)).collect()
+    };
+    let (mut slots, mut assigned) = (Vec::new(), Vec::new());
+    for (i, panel) in told.iter().enumerate() {
+        let group = group_of(i);
+        let Some(photo) = panel["photo"].as_str().filter(|_| group[0] == i) else { continue };
+        let at = known(photo).ok_or_else(|| format!("panel {}: {photo} cannot be read", i + 1))?;
+        let crop: Crop = serde_json::from_value(panel["crop"].clone())
+            .ok()
+            .filter(|crop: &Crop| [crop.x, crop.y].iter().all(|at| (-1e-6..=1.0).contains(at)))
+            .filter(|crop| [crop.width, crop.height].iter().all(|side| (1e-6..=1.0 + 1e-6).contains(side)))
+            .ok_or_else(|| format!("panel {}: \"crop\" must lie inside of the photo", i + 1))?;
+        slots.extend(slot(&panels, &group, width, true));
+        assigned.push(Assignment { photo: at, crop });
+    }
+    if slots.is_empty() {
+        return Err("shows no photo".into());
+    }
+    // Of an album nothing is known but what the page shows.
+    let mut own: Vec<usize> = assigned.iter().map(|panel| panel.photo).collect();
+    own.sort_unstable();
+    own.dedup();
+    let album: Vec<PhotoMeta> = own.iter().map(|&i| metas[i].clone()).collect();
+    for panel in &mut assigned {
+        panel.photo = own.iter().position(|&i| i == panel.photo).unwrap_or(0);
+    }
+    let shelf = Shelf::new(album.len());
+    let photos = gallery(&album, &shelf);
+    let template = page["layout"].as_str().and_then(|id| layout::find(id).ok());
+    let prior = template.map_or(0.5, |template| layouts::weight(template.family()));
+    Ok(judge(&Candidate { slots, prior, layout: 0, family: "" }, &assigned, &photos))
+}
+
+/// A panel of a plan, in page widths.
+fn resolved(panel: &Value, height: f64) -> Option<ResolvedPanel> {
+    let corner = |corner: &Value| {
+        let (x, y) = (corner.get(0)?.as_f64()?, corner.get(1)?.as_f64()?);
+        ((-1.0..=2.0).contains(&x) && (-1.0..=2.0).contains(&y)).then(|| Point::new(x, y * height))
+    };
+    let corners = panel["shape"].as_array()?;
+    if corners.len() > 1000 {
+        return None;
+    }
+    let corners = polygon::normalised(&corners.iter().map(corner).collect::<Option<Vec<_>>>()?)?;
+    let bounds = Bounds::of(&corners);
+    let halo = panel["halo"].as_f64().filter(|halo| (0.0..=0.2).contains(halo)).unwrap_or(0.0);
+    let weight = polygon::area(&corners) as f32;
+    Some(ResolvedPanel { shape: ResolvedShape::Polygon(corners), bounds, weight, overlay: false, halo })
+}
+
+/// Draws pages into one file or, where its name has a number's place as in `page-%02d.png`, into one each.
+pub(crate) fn draw_all(
+    pages: &[Planned],
+    photos: &drawing::Photos<'_>,
+    output: &Path,
+) -> Result<(), Complaint> {
+    let ending = output.extension().map(|e| e.to_string_lossy().to_lowercase()).unwrap_or_default();
+    let documents: Vec<Document> = pages.iter().map(|page| page.document.clone()).collect();
+    match ending.as_str() {
+        "pdf" => crate::write(output, &drawing::draw_book(&documents, photos, output)?),
+        "png" | "jpg" | "jpeg" => {
+            for (i, document) in documents.iter().enumerate() {
+                let path = numbered(output, i + 1);
+                crate::write(&path, &drawing::draw(document, photos, &path)?)?;
+                eprintln!("inkpanel: {} of {}: {}", i + 1, documents.len(), name(&path));
+            }
+            Ok(())
+        }
+        other => Err(format!(
+            "{}: pages go into a .pdf file, or into .png or .jpg files such as page-%02d.png, not into .{other}",
+            output.display()
+        )),
+    }
+}
+
+/// The name of a page's file: the number at `%d` or `%02d`, else before the ending.
+fn numbered(output: &Path, number: usize) -> PathBuf {
+    let file = name(output);
+    let place = |text: &str| {
+        let from = text.find('%')?;
+        let digits: String = text[from + 1..].chars().take_while(char::is_ascii_digit).take(2).collect();
+        let to = from + 1 + digits.len();
+        let width = digits.parse().unwrap_or(0).min(9);
+        text[to..].starts_with('d').then(|| format!("{}{number:0width$}{}", &text[..from], &text[to + 1..]))
+    };
+    let ending = output.extension().map(|e| e.to_string_lossy().into_owned()).unwrap_or_default();
+    let stem = output.file_stem().map(|stem| stem.to_string_lossy().into_owned()).unwrap_or_default();
+    output.with_file_name(place(file).unwrap_or_else(|| format!("{stem}-{number:02}.{ending}")))
+}
+
+/// The settings of a page as wide as that, upright.
+pub(crate) fn page_of_width(width: u32) -> PageSettings {
+    let mut page = PageSettings::default();
+    let height = f64::from(width) * f64::from(page.height) / f64::from(page.width);
+    (page.width, page.height) = (width, height.round() as u32);
+    page
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn pages_are_numbered_where_the_name_says() {
+        let named = |name: &str| numbered(Path::new(name), 7).display().to_string();
+        assert_eq!(named("out/page-%02d.png"), "out/page-07.png");
+        assert_eq!(named("%dx.png"), "7x.png");
+        assert_eq!(named("out/book.png"), "out/book-07.png");
+        assert_eq!(named("100%.png"), "100%-07.png");
+    }
+
+    #[test]
+    fn a_shape_that_is_no_polygon_is_refused() {
+        for shape in
+            [json!(null), json!([[0, 0], [1, 1]]), json!([[0, 0], [1, 1], [0, 1], [1, 0]]), json!([[0, "a"]])]
+        {
+            assert!(resolved(&json!({ "shape": shape }), 1.4).is_none());
+        }
+        let square = json!({ "shape": [[0.1, 0.1], [0.5, 0.1], [0.5, 0.5], [0.1, 0.5]] });
+        let panel = resolved(&square, 1.4).unwrap();
+        assert!((panel.bounds.aspect() - 1.0 / 1.4).abs() < 1e-9);
+    }
+}
