@@ -108,6 +108,8 @@ pub struct Worths {
     pub fresh: Vec<usize>,
     /// A row for each open slot, a column for each fresh photo.
     pub values: Vec<Vec<f64>>,
+    /// Rows of the panels that lead the page.
+    leads: Vec<usize>,
 }
 
 impl Worths {
@@ -130,7 +132,8 @@ impl Worths {
             pairs.map(worth).collect()
         });
         let values = values.collect();
-        Self { open, fresh, values }
+        let leads = (0..open.len()).filter(|&row| sizes[open[row]] >= LEADS * largest).collect();
+        Self { open, fresh, values, leads }
     }
 
     /// The best assignment of fresh photos to the open slots with a little chance, no two alike if that can be. The
@@ -144,7 +147,11 @@ impl Worths {
         for value in values.iter_mut().flatten() {
             *value += NOISE * gumbel(random);
         }
-        let mut chosen = solved(&values, order);
+        let solved = |values: &[Vec<f64>]| {
+            let chosen = solved(values, order);
+            self.with_star(values, &chosen, photos).unwrap_or(chosen)
+        };
+        let mut chosen = solved(&values);
         for _ in 0..self.fresh.len() - self.open.len() {
             let pairs = (0..chosen.len()).flat_map(|b| (0..b).map(move |a| (a, b)));
             let twins = |&(a, b): &(usize, usize)| photos.alike(self.fresh[chosen[a]], self.fresh[chosen[b]]);
@@ -154,9 +161,32 @@ impl Worths {
             for row in &mut values {
                 row[column] = NEVER;
             }
-            chosen = solved(&values, order);
+            chosen = solved(&values);
         }
         Some(chosen.into_iter().map(|column| self.fresh[column]).collect())
+    }
+
+    /// In a kept order a starred photo may be too early or too late for the panel that leads. It leaves the order then, and the
+    /// others keep it; none where no panel leads that is open, or one has its star.
+    fn with_star(&self, values: &[Vec<f64>], chosen: &[usize], photos: &Photos) -> Option<Vec<usize>> {
+        let starred = |column: usize| photos.all[self.fresh[column]].starred;
+        if self.leads.iter().any(|&row| starred(chosen[row])) {
+            return None;
+        }
+        let stars = (0..self.fresh.len()).filter(|&column| starred(column));
+        let places = stars.flat_map(|column| self.leads.iter().map(move |&row| (row, column)));
+        let (row, column) = places.max_by(|a, b| values[a.0][a.1].total_cmp(&values[b.0][b.1]))?;
+        let mut rest = values.to_vec();
+        rest.remove(row);
+        for row in &mut rest {
+            row.remove(column);
+        }
+        let mut others = monotone(&rest);
+        for other in &mut others {
+            *other += usize::from(*other >= column);
+        }
+        others.insert(row, column);
+        Some(others)
     }
 }
 
@@ -445,9 +475,9 @@ mod tests {
                 photos_given[starred].starred = true;
                 let slots = page("hero-top-3");
                 let hero = (0..slots.len()).max_by(|&a, &b| slots[a].area.total_cmp(&slots[b].area)).unwrap();
-                let fits = order == Order::Free || (starred >= hero && 9 - starred >= slots.len() - hero);
-                let used = photos(&assign(&photos_given, &slots, order, 1));
-                assert!(!fits || used[hero] == starred, "{starred}: {used:?}");
+                let mut used = photos(&assign(&photos_given, &slots, order, 1));
+                assert_eq!(used.remove(hero), starred, "{starred}: {used:?}");
+                assert!(order == Order::Free || used.is_sorted(), "the others keep their order: {used:?}");
             }
         }
     }

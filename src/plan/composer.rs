@@ -183,7 +183,7 @@ fn score(candidate: &Candidate, chosen: &[usize], seen: &[Look], photos: &Photos
         let leads = ((sizes[hero] - 0.9) / 0.6).clamp(0.3, 1.0);
         let match_ = leads * (0.5 * (spread(photo) - 2.0 / 3.0) / (1.0 / 3.0)).clamp(-1.2, 0.5);
         // A star is a wish: a page that does not show it large is not what was asked for.
-        match_ + if starred { if photos.all[photo].starred { 0.6 * leads } else { -2.0 } } else { 0.0 }
+        match_ + if starred { if photos.all[photo].starred { 3.0 * leads } else { -3.0 } } else { 0.0 }
     });
     let mut alike = 0.0;
     for (i, &a) in chosen.iter().enumerate() {

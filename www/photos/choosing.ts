@@ -3,6 +3,7 @@
  * shows the answer at once, and each change is one step of the undo.
  */
 
+import { placesOf } from '../document/page-photos.ts';
 import type { Pages } from '../document/pages.ts';
 import type { Order } from '../document/project.ts';
 import type { Store } from '../document/store.ts';
@@ -11,6 +12,8 @@ import type { Reading } from './reading.ts';
 
 export type Choosing = ReturnType<typeof createChoosing>;
 
+/** A panel is large from so many times the mean. */
+const LARGE = 1.3;
 const KEEP_ALL = Object.freeze({ layout: true, style: true, photos: true });
 
 export function createChoosing({ store, pages, reading }: { store: Store; pages: Pages; reading: Reading }) {
@@ -61,6 +64,10 @@ export function createChoosing({ store, pages, reading }: { store: Store; pages:
         return undefined;
       const starred = new Set(store.tray.peek().flatMap((item) => (item.starred && item.id !== id ? item.id : [])));
       const sizes = shapes.map(({ bounds }) => bounds.width * bounds.height);
+      // Where all panels are as good as equal, another layout has one that is large.
+      const bound = locks.layout || page.panels.some(({ locked }) => locked);
+      if (!bound && Math.max(...sizes) < LARGE * (sizes.reduce((sum, size) => sum + size, 0) / sizes.length))
+        return pages.plan({ keep: { ...KEEP_ALL, layout: false, photos: false }, panels: placesOf(page) });
       const changed = enlarged(page, id, sizes, starred);
       return changed === page ? undefined : replanned(changed);
     });

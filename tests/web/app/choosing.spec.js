@@ -99,8 +99,8 @@ test('a starred photo is the large one, at once and in every shuffle, until the 
     await idle(page);
     if ((await largest())?.includes('cat.jpg')) large += 1;
   }
-  // Photos in a kept order can be such that it does not reach the largest panel.
-  expect(large).toBeGreaterThanOrEqual(5);
+  // Of two panels as good as equal it may be in the other.
+  expect(large).toBeGreaterThanOrEqual(7);
   await page.reload();
   await idle(page);
   await expect(star).toHaveAttribute('aria-pressed', 'true');
