@@ -48,6 +48,9 @@ enum Command {
         /// Folder of faces.onnx and objects.onnx.
         #[arg(long, value_name = "DIR")]
         models: Option<PathBuf>,
+        /// Do not look for faces and objects.
+        #[arg(long)]
+        no_detect: bool,
     },
     /// Draw one photo in a style.
     Stylize {
@@ -179,7 +182,9 @@ type Complaint = String;
 fn main() -> ExitCode {
     let done = match Cli::parse().command {
         Command::Render(render) => render_page(&render),
-        Command::Score { plan, json, models } => plans::score(&plan, json, models.as_deref()),
+        Command::Score { plan, json, models, no_detect } => {
+            plans::score(&plan, json, (!no_detect).then_some(models.as_deref()))
+        }
         Command::Stylize { style, input, output } => stylize_photo(&style, &input, &output),
         Command::Select { files, json, threshold } => select_photos(&files, json, threshold),
         Command::Detect { files, json, models } => detect_photos(&files, json, models.as_deref()),
@@ -347,7 +352,7 @@ fn add_subjects(photos: &mut [(PathBuf, Imported)], models: Option<&Path>) {
     };
     let found = detectors::run(&detectors, photos);
     for ((_, photo), found) in photos.iter_mut().zip(found) {
-        photo.meta.subjects = found.into_iter().map(Into::into).collect();
+        photo.meta.find(found.into_iter().map(Into::into));
     }
 }
 

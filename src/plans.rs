@@ -18,6 +18,8 @@ const CORNERS: usize = 64;
 /// Most panels and pages that a plan may have.
 const MOST_PANELS: usize = 200;
 const MOST_PAGES: usize = 1000;
+/// Photos beyond which a page of a storyboard does not show all of its own.
+const MOST_OF_A_PAGE: usize = 9;
 
 /// Pages of an album: one from all photos, or several from their stretches, cut where time or scene changes, in one style.
 pub(crate) fn pages(request: &Request, count: Option<usize>) -> Result<Vec<Planned>, Complaint> {
@@ -35,6 +37,8 @@ pub(crate) fn pages(request: &Request, count: Option<usize>) -> Result<Vec<Plann
         let wanted = Request {
             seed: request.seed.wrapping_add(number as u32),
             photos: own.to_vec(),
+            // Each photo once, as far as a page can hold them.
+            panels: request.panels.or(Some(size).filter(|size| *size <= MOST_OF_A_PAGE)),
             style: made.first().map(|page| page.document.style.clone()).or_else(|| request.style.clone()),
             avoid: Avoid { layouts: shown.map(str::to_owned).collect(), styles: Vec::new() },
             ..request.clone()
@@ -132,8 +136,8 @@ fn outline(shape: &ResolvedShape, aspect: f64) -> Value {
 }
 
 /// Judges the pages of a plan that was made here or elsewhere. Photos are looked for as they are named, from the working
-/// folder or from that of the plan.
-pub(crate) fn score(file: &Path, as_json: bool, models: Option<&Path>) -> Result<(), Complaint> {
+/// folder or from that of the plan. `detect` says where the nets are; none looks for nothing in the photos.
+pub(crate) fn score(file: &Path, as_json: bool, detect: Option<Option<&Path>>) -> Result<(), Complaint> {
     let complain = |reason: String| format!("{}: {reason}", file.display());
     let text = std::fs::read_to_string(file).map_err(|error| complain(error.to_string()))?;
     let plan: Value =
@@ -148,7 +152,9 @@ pub(crate) fn score(file: &Path, as_json: bool, models: Option<&Path>) -> Result
         files.extend(path.filter(|path| !files.contains(path)));
     }
     let mut photos = import_all(&files);
-    crate::add_subjects(&mut photos, models);
+    if let Some(models) = detect {
+        crate::add_subjects(&mut photos, models);
+    }
     let metas: Vec<PhotoMeta> = photos.iter().map(|(_, photo)| photo.meta.clone()).collect();
     let mut told = Vec::new();
     for (number, page) in pages.iter().enumerate() {

@@ -4,8 +4,8 @@ use std::collections::BTreeMap;
 use std::fmt::Write as _;
 use std::time::Instant;
 
-use inkpanel::framing::{Crop, FACE, PhotoMeta, Subject};
-use inkpanel::layout::{self, Bounds, PageSettings, Point, ResolvedPanel, ResolvedShape, polygon};
+use inkpanel::framing::{FACE, PhotoMeta, Subject};
+use inkpanel::layout::{self, Bounds, PageSettings, ResolvedPanel, ResolvedShape, polygon};
 use inkpanel::page::Document;
 use inkpanel::page::request::Request;
 use inkpanel::page::shuffle::planned;
@@ -13,11 +13,22 @@ use inkpanel::plan::Shelf;
 use inkpanel::plan::composer::{LEADS, gallery};
 use rayon::prelude::*;
 
+use crate::seen::seen;
 use crate::{Failure, Photo, page};
 
 const PAGES: u32 = 200;
-/// Points across and down a box.
-const POINTS: usize = 24;
+/// What stands above the table.
+const ABOUT: &str = "\
+# Automatic pages
+
+Written by `cargo xtask pages`: two hundred pages, each planned of twelve photos that are drawn from the sample album and the
+photos of the tests, with its number as seed. What is cut is counted by points against the exact outlines of panels. A subject
+counts where it is a hundredth of the photo or more, no scenery, and no body whose face is shown whole. How pages look is another
+matter: [48 of other photos, rated by eye](composer-ratings.md).
+
+| What | Measured | Bar |
+|---|---|---|
+";
 
 #[derive(Default)]
 struct Counted {
@@ -41,8 +52,7 @@ pub(crate) fn write(photos: &[Photo], output: &str) -> Result<(), Failure> {
         counted(&planned.document, &album, photos)
     };
     let pages = (1..=PAGES).into_par_iter().map(shelves).collect::<Result<Vec<Counted>, Failure>>()?;
-    let mut text = table(&pages);
-    text += &times(photos)?;
+    let text = format!("{ABOUT}{}{}", table(&pages), times(photos)?);
     if output == "-" {
         print!("{text}");
     } else {
@@ -133,41 +143,6 @@ fn size(panel: &ResolvedPanel) -> f64 {
     match &panel.shape {
         ResolvedShape::Circle { radius, .. } => std::f64::consts::PI * radius * radius,
         ResolvedShape::Polygon(corners) => polygon::area(corners),
-    }
-}
-
-/// The parts of a box of the photo that are seen on the page: in all panels of the group, and in the one that shows most.
-/// A round face is seen whole where its corners are not.
-fn seen(s: &Subject, crop: &Crop, bounds: Bounds, panels: &[ResolvedPanel], group: &[usize]) -> (f64, f64) {
-    let (mut total, mut by_panel) = (0, vec![0; group.len()]);
-    for row in 0..POINTS {
-        for column in 0..POINTS {
-            let (u, v) = ((column as f64 + 0.5) / POINTS as f64, (row as f64 + 0.5) / POINTS as f64);
-            if s.label == FACE && (u - 0.5).hypot(v - 0.5) > 0.5 {
-                continue;
-            }
-            total += 1;
-            let (x, y) = (s.x + u * s.width, s.y + v * s.height);
-            let at = Point::new(
-                bounds.x + (x - crop.x) / crop.width * bounds.width,
-                bounds.y + (y - crop.y) / crop.height * bounds.height,
-            );
-            for (count, &i) in by_panel.iter_mut().zip(group) {
-                let covered = panels[i + 1..].iter().any(|p| p.overlay && inside(&p.shape, at, p.halo));
-                *count += usize::from(inside(&panels[i].shape, at, 0.0) && !covered);
-            }
-        }
-    }
-    let share = |count: usize| count as f64 / f64::from(total.max(1));
-    (share(by_panel.iter().sum()), share(by_panel.into_iter().max().unwrap_or(0)))
-}
-
-fn inside(shape: &ResolvedShape, at: Point, halo: f64) -> bool {
-    match shape {
-        ResolvedShape::Circle { center, radius } => center.distance(at) <= radius + halo,
-        ResolvedShape::Polygon(corners) => {
-            polygon::edges(corners).all(|(a, b)| polygon::side(a, b, at) >= -halo)
-        }
     }
 }
 

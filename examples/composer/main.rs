@@ -7,6 +7,8 @@
 //! What is cut is counted here by points of the boxes against the exact outlines, not by what the composer goes by.
 
 mod bars;
+#[path = "../sheets/seen.rs"]
+mod seen;
 
 use std::path::{Path, PathBuf};
 
@@ -62,7 +64,7 @@ fn read(files: &[String]) -> Result<Vec<Photo>, Failure> {
         let name =
             Path::new(file).file_name().map(|name| name.to_string_lossy().into_owned()).unwrap_or_default();
         let mut photo = import(&format!("photo-{i}"), &std::fs::read(file)?, &Limits::default())?;
-        photo.meta.subjects = detectors.detect(&photo.work)?.into_iter().map(Into::into).collect();
+        photo.meta.find(detectors.detect(&photo.work)?.into_iter().map(Into::into));
         Ok(Photo { name, meta: photo.meta, work: photo.work })
     };
     files.par_iter().enumerate().map(photo).collect()

@@ -10,6 +10,9 @@
 mod cuts;
 #[path = "../sheets/font.rs"]
 mod font;
+mod pages;
+#[path = "../sheets/seen.rs"]
+mod seen;
 mod sheet;
 
 use std::collections::HashMap;
@@ -59,7 +62,8 @@ fn main() -> Result<(), Box<dyn Error>> {
         eprint!("\r{} of {}", rows.len(), photos.len());
     }
     eprintln!();
-    let text = written(&rows);
+    let metas: Vec<&PhotoMeta> = rows.iter().map(|row| &row.meta).collect();
+    let text = format!("{}\n{}", written(&rows), pages::table(&metas));
     print!("{text}");
     std::fs::write(table, format!("{ABOUT}\n{text}"))?;
     sheet::draw(&rows, sheet)

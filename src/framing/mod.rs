@@ -2,12 +2,13 @@
 //!
 //! [`PhotoMeta`] is all that framing knows of a photo: measures, an energy map, and, once detection has run,
 //! its subjects. [`crate::plan`] gives every panel a photo, [`frame()`] finds the crop. Both are pure functions;
-//! pixels never come here, except once in [`EnergyMap::of`].
+//! pixels never come here, except once at import, in [`EnergyMap::of`], [`Facts::of`] and [`lettering()`].
 
 mod candidates;
 pub mod energy;
 mod facts;
 mod frame;
+mod lettering;
 mod photo;
 pub mod region;
 mod score;
@@ -16,5 +17,6 @@ mod sums;
 pub use energy::EnergyMap;
 pub use facts::Facts;
 pub use frame::{Target, frame, sketch};
+pub use lettering::{LETTERING, lettering};
 pub use photo::{Crop, FACE, Focus, PhotoMeta, Subject};
 pub use region::Region;

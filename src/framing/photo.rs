@@ -4,6 +4,7 @@ use serde::{Deserialize, Deserializer, Serialize, Serializer};
 
 use super::energy::EnergyMap;
 use super::facts::Facts;
+use super::lettering::LETTERING;
 
 /// The label of a face among the subjects.
 pub const FACE: &str = "face";
@@ -28,7 +29,7 @@ pub struct PhotoMeta {
     /// When it was taken, `YYYY:MM:DD HH:MM:SS`, where the file says so.
     #[serde(default)]
     pub taken: Option<String>,
-    /// Faces and objects found in it; empty until detection has run.
+    /// Lettering, and the faces and objects found in it once detection has run.
     #[serde(default)]
     pub subjects: Vec<Subject>,
     /// The point that a person marked as the one that matters.
@@ -59,6 +60,12 @@ impl PhotoMeta {
             facts: None,
             starred: false,
         }
+    }
+
+    /// Takes what the detectors found, beside the lettering that was found at import.
+    pub fn find(&mut self, found: impl IntoIterator<Item = Subject>) {
+        self.subjects.retain(|subject| subject.label == LETTERING);
+        self.subjects.splice(0..0, found);
     }
 
     /// Width over height; sides of 0 count as 1.

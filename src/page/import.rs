@@ -93,7 +93,7 @@ fn described(id: &str, work: Image, facts: Facts) -> Imported {
         sharpness: measures.gradient,
         energy: EnergyMap::of(&small),
         taken: facts.taken,
-        subjects: Vec::new(),
+        subjects: framing::lettering(&small),
         focus: None,
         facts: Some(framing::Facts::of(&small)),
         starred: false,

@@ -163,7 +163,9 @@ export function createSubjects({
     const { faces, objects, closer } = known.get(id) ?? {};
     const fact = store.album.peek().get(id);
     if (!faces || !(objects || store.reading.peek()) || !fact?.meta) return;
-    const subjects = [...faces, ...(objects ?? [])];
+    // Lettering was found when the photo was read.
+    const lettering = fact.meta.subjects.filter(({ label }) => label === 'lettering');
+    const subjects = [...faces, ...(objects ?? []), ...lettering];
     const same = JSON.stringify(fact.meta.subjects) === JSON.stringify(subjects);
     // What is found once is found: the next visit need not look again.
     const looked = !!objects && !closer;

@@ -1,10 +1,9 @@
 //! The table of faces found and cut, over the photos of the repository and some of people that are for tests only.
 
-use std::fs;
-
-use anyhow::{Context, Result};
+use anyhow::Result;
 
 use crate::models::{self, Package, Registry};
+use crate::pages::photos_in;
 use crate::project::Project;
 use crate::tools;
 
@@ -21,14 +20,8 @@ const FOLDERS: [&str; 2] = ["www/public/samples", "tests/photos"];
 pub(crate) fn run(project: &Project) -> Result<()> {
     models::make(project)?;
     let people = PEOPLE.obtain(&project.target.join("models"))?.join("demo");
-    let mut photos = Vec::new();
-    for folder in FOLDERS.iter().map(|folder| project.root.join(folder)).chain([people]) {
-        let files = fs::read_dir(&folder).with_context(|| format!("cannot list {}", folder.display()))?;
-        let mut files = files.map(|file| Ok(file?.path())).collect::<Result<Vec<_>>>()?;
-        files.retain(|file| file.extension().is_some_and(|extension| extension == "jpg"));
-        files.sort();
-        photos.extend(files);
-    }
+    let folders: Vec<_> = FOLDERS.iter().map(|folder| project.root.join(folder)).chain([people]).collect();
+    let photos = photos_in(&folders)?;
     let mut cargo = project.cargo();
     cargo.args(["run", "--example", "face_table", "--", "docs/faces.md"]);
     cargo.arg(project.target.join("faces.jpg")).args(photos);

@@ -16,6 +16,7 @@ mod models;
 mod native;
 mod npm;
 mod package;
+mod pages;
 mod poppler;
 mod project;
 mod python;
@@ -86,6 +87,11 @@ enum Task {
     },
     /// Count the faces found, missed and cut by panels into docs/faces.md, and draw target/faces.jpg
     Faces,
+    /// Draw 48 automatic pages into target/pages, and count what two hundred of them cut and repeat into docs/automatic-pages.md
+    Pages {
+        /// Folders of other photos; their table is printed
+        folders: Vec<String>,
+    },
     /// Read files made to break decoders, and count what became of them into docs/hostile.md
     Corpora,
     /// Count near-duplicates found and taken for one into docs/near-duplicates.md
@@ -116,6 +122,7 @@ fn run(task: &Task) -> Result<()> {
         Task::Bench { rows, alone } => bench::run(&project, rows, *alone),
         Task::Train { operator, folders } => train::run(&project, operator, folders),
         Task::Faces => faces::run(&project),
+        Task::Pages { folders } => pages::run(&project, folders),
         Task::Corpora => corpora::write(&project),
         Task::Duplicates => duplicates::run(&project),
         Task::Bless => bless::run(&project),

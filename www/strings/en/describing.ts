@@ -17,6 +17,7 @@ const MANY: Record<string, string> = {
   broccoli: 'heads of broccoli',
   couch: 'couches',
   mouse: 'computer mice',
+  lettering: 'lines of lettering',
   toothbrush: 'toothbrushes',
   scissors: 'pairs of scissors',
 };
@@ -26,6 +27,7 @@ const ONE: Record<string, string> = {
   scissors: 'a pair of scissors',
   broccoli: 'broccoli',
   mouse: 'a computer mouse',
+  lettering: 'lettering',
   tv: 'a television',
   remote: 'a remote control',
 };

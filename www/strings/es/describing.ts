@@ -3,6 +3,7 @@ import type { Seen } from '../en/describing.ts';
 /** One and many of what is found in photos. */
 const NAMES: Record<string, [string, string]> = {
   person: ['una persona', 'personas'],
+  lettering: ['un rótulo', 'rótulos'],
   bicycle: ['una bicicleta', 'bicicletas'],
   car: ['un coche', 'coches'],
   motorcycle: ['una moto', 'motos'],

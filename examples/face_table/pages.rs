@@ -1,0 +1,118 @@
+//! Faces and heads that the panels of whole pages cut: every panel of every layout, and every merge of its panels.
+
+use std::fmt::Write as _;
+
+use inkpanel::framing::{Crop, FACE, PhotoMeta, Subject, frame};
+use inkpanel::layout::merge::mergeable;
+use inkpanel::layout::{PageSettings, ResolvedPanel, Template, catalogue, resolve};
+use inkpanel::plan::slots::{Slot, slot};
+use rayon::prelude::*;
+
+use crate::seen::seen;
+
+/// What stands above the table.
+const ABOUT: &str = "\
+## Whole pages
+
+Each photo with a face, framed for every panel of every layout on the page that it was drawn for, with its slanted edges,
+its circles and the overlays that lie on it with their halo; and for every merge of its panels, with the gutters inside of
+the image. A face or head (the face with hair and ears) is *cut* when more than 8 % of it is seen and less than 90 % in one
+panel, counted by points against the exact outlines. *Avoidable* are those for which a crop of the same shape exists that
+shows a face or head whole and cuts none.
+
+| Panels | Framed | Faces cut | Avoidable | Heads cut, the face whole | Avoidable |
+|---|--:|--:|--:|--:|--:|
+";
+/// Steps of the sizes and places of crops that are tried for a cut that could be avoided.
+const SIZES: usize = 7;
+const PLACES: usize = 15;
+
+/// Panels framed, faces cut, those avoidable, heads cut, those avoidable.
+type Counts = [usize; 5];
+
+pub(crate) fn table(photos: &[&PhotoMeta]) -> String {
+    let photos: Vec<&PhotoMeta> =
+        photos.iter().copied().filter(|photo| photo.subjects.iter().any(|s| s.label == FACE)).collect();
+    let of = |template: &Template| {
+        let page = page_for(template.aspect());
+        let panels = resolve(template, page.aspect(), &page);
+        let mut counts = [Counts::default(); 3];
+        let singles = (0..panels.len()).map(|i| vec![i]);
+        for group in singles.chain(mergeable(template)) {
+            let Some(slot) = slot(&panels, &group, f64::from(page.width), false) else { continue };
+            let kind = match (group.len() > 1, slot.target.region.is_plain() && !slot.target.round) {
+                (true, _) => 2,
+                (false, plain) => usize::from(!plain),
+            };
+            for photo in &photos {
+                let counted = counted(photo, &slot, &panels, &group);
+                counts[kind].iter_mut().zip(counted).for_each(|(sum, count)| *sum += count);
+            }
+        }
+        counts
+    };
+    let all: Vec<[Counts; 3]> = catalogue().par_iter().map(of).collect();
+    let mut text = ABOUT.to_owned();
+    for (kind, name) in ["upright rectangles", "slanted, round, under overlays", "merged"].iter().enumerate()
+    {
+        let mut total = Counts::default();
+        for counts in &all {
+            total.iter_mut().zip(counts[kind]).for_each(|(sum, count)| *sum += count);
+        }
+        // Writing to a string cannot fail.
+        let _ = writeln!(text, "| {name} | {} |", total.map(|count| count.to_string()).join(" | "));
+    }
+    let _ = writeln!(text, "\n{} layouts, {} photos with faces.", all.len(), photos.len());
+    text
+}
+
+fn counted(photo: &PhotoMeta, slot: &Slot, panels: &[ResolvedPanel], group: &[usize]) -> Counts {
+    let crop = frame(photo, &slot.target, 0);
+    let faces: Vec<&Subject> = photo.subjects.iter().filter(|subject| subject.label == FACE).collect();
+    let heads: Vec<Subject> = faces.iter().map(|face| face.grown()).collect();
+    let heads: Vec<&Subject> = heads.iter().collect();
+    let shares = |crop: &Crop, subject: &Subject| seen(subject, crop, slot.bounds, panels, group);
+    let cut = |crop: &Crop, subjects: &[&Subject]| {
+        subjects.iter().any(|subject| {
+            let (all, one) = shares(crop, subject);
+            all > 0.08 && one < 0.9
+        })
+    };
+    let (face, head) = (cut(&crop, &faces), cut(&crop, &heads));
+    let possible = |subjects: &[&Subject]| {
+        crops(photo, slot.target.aspect).any(|crop| {
+            !cut(&crop, subjects) && subjects.iter().any(|subject| shares(&crop, subject).1 >= 0.9)
+        })
+    };
+    let count = |is: bool| usize::from(is);
+    [
+        1,
+        count(face),
+        count(face && possible(&faces)),
+        count(head && !face),
+        count(head && !face && possible(&heads)),
+    ]
+}
+
+/// Crops of that shape, from the widest to two fifths of it.
+fn crops(photo: &PhotoMeta, aspect: f64) -> impl Iterator<Item = Crop> {
+    let (own, widest) = (photo.aspect(), (aspect / photo.aspect()).min(1.0));
+    (0..SIZES).flat_map(move |size| {
+        let width = widest * (1.0 - size as f64 / 10.0);
+        let height = width * own / aspect;
+        let place = |i: usize, side: f64| (1.0 - side) * i as f64 / (PLACES - 1) as f64;
+        (0..PLACES * PLACES).map(move |at| Crop {
+            x: place(at % PLACES, width),
+            y: place(at / PLACES, height),
+            width,
+            height,
+        })
+    })
+}
+
+/// A page of that width over its height.
+fn page_for(aspect: f64) -> PageSettings {
+    let mut page = PageSettings::default();
+    page.height = (f64::from(page.width) / aspect).round() as u32;
+    page
+}
