@@ -3,12 +3,16 @@
 
 import { readFileSync, writeFileSync } from 'node:fs';
 
+import { REST } from './journey.js';
+
 /** @typedef {import('./page/contest.js').Row} Row */
 /**
  * @typedef {{
  *   machine: { cores: number, cpu: string, browser: string, copySpeed: number },
  *   rows: Row[], times: Record<string, Record<string, number>>, failed: Record<string, string>,
- *   versions: Record<string, string>, journey: { firstPage: number, refined: number, closer: number, shuffle: number, png: number, thumbnails: number, listed: number } | null,
+ *   versions: Record<string, string>, journey: { firstPage: number, refined: number, closer: number, shuffle: number, rested: number, hurried: { count: number, ms: number }, png: number, thumbnails: number, listed: number } | null,
+ *   plans: { count: number, ms: number, first: number }[] | null,
+ *   facts: number | null,
  *   masks: { layout: string, ms: number } | null, detect: { faces: number, objects: number, load: number } | null,
  *   aesthetics: { ms: number, load: number } | null,
  *   crowd: Awaited<ReturnType<typeof import('./crowd.js').crowd>> | null,
@@ -27,6 +31,8 @@ export function markdown({
   failed,
   versions,
   journey,
+  facts,
+  plans,
   masks,
   detect,
   aesthetics,
@@ -54,18 +60,28 @@ export function markdown({
     lines.push(`| ${row.label} | ${short(own)} | ${Math.round(share * 100)} % | ${cells.join(' | ')} |`);
   }
   for (const [id, reason] of Object.entries(failed)) lines.push('', `${PEERS[id] ?? id} failed: ${reason}`);
-  if (journey || masks || detect || aesthetics || crowd || making)
+  if (journey || facts || plans || masks || detect || aesthetics || crowd || making)
     lines.push('', '| In the page, all workers | |', '|---|--:|');
   if (journey) {
     lines.push(
       `| Twelve 12-megapixel JPEG files to the first page | ${(journey.firstPage / 1000).toFixed(2)} s |`,
       `| From the first page until its twelve photos are searched for faces and objects | ${(journey.refined / 1000).toFixed(2)} s |`,
       `| The same, until small faces were looked for in parts of them, too | ${(journey.closer / 1000).toFixed(2)} s |`,
-      `| Shuffle to visible page | ${Math.round(journey.shuffle)} ms |`,
+      `| Shuffle to visible page, one after the other | ${Math.round(journey.shuffle)} ms |`,
+      `| The same after ${REST / 1000} s of rest | ${Math.round(journey.rested)} ms |`,
+      `| The same in the ten seconds after the first page, the slowest but one in twenty of ${journey.hurried.count} | ${Math.round(journey.hurried.ms)} ms |`,
       `| PNG of 2480 x 3508 from the original photos | ${(journey.png / 1000).toFixed(2)} s |`,
       `| The ${journey.listed} thumbnails of the layouts, for another page size | ${Math.round(journey.thumbnails)} ms |`,
     );
   }
+  if (facts)
+    lines.push(
+      `| What framing has to know of a photo: tones, edges, colours, lettering, one thread | ${short(facts)} ms |`,
+    );
+  for (const { count, ms, first } of plans ?? [])
+    lines.push(
+      `| A page planned from ${count} photos, one thread (and once for each photo that is new) | ${short(ms)} ms (${short(first)} ms) |`,
+    );
   if (masks)
     lines.push(`| Masks and borders of a page at 2480 x 3508, slowest layout, one thread | ${short(masks.ms)} ms |`);
   if (detect) {

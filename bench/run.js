@@ -117,6 +117,13 @@ async function blocks() {
     making: null,
     detect: !asked('detect') ? null : await page.evaluate(() => /** @type {any} */ (globalThis).bench.detect()),
     aesthetics: !asked('detect') ? null : await page.evaluate(() => /** @type {any} */ (globalThis).bench.aesthetics()),
+    facts: !asked('facts')
+      ? null
+      : await page.evaluate(
+          (photo) => /** @type {any} */ (globalThis).bench.facts(photo),
+          `${address}/album/06-castle.jpg`,
+        ),
+    plans: !asked('plans') ? null : await page.evaluate(() => /** @type {any} */ (globalThis).bench.plans()),
     masks: !asked('masks') ? null : await page.evaluate(() => /** @type {any} */ (globalThis).bench.masks()),
   };
   for (const name of ['inkpanel', ...(options.alone ? [] : Object.keys(PEERS))]) {

@@ -4,6 +4,7 @@
 import { contest } from './contest.js';
 import { masks } from './masks.js';
 import { copySpeed } from './memory.js';
+import { factsOf, plans } from './plans.js';
 
 /** @typedef {import('./contest.js').Row} Row */
 /** @typedef {import('./contest.js').Picture} Picture */
@@ -54,4 +55,10 @@ async function times(name, rows, photo) {
 const detect = async () => (await import('./detect.js')).detect();
 const aesthetics = async () => (await import('./aesthetics.js')).aesthetics();
 
-Object.assign(globalThis, { bench: { times, copySpeed, detect, aesthetics, masks } });
+/**
+ * Milliseconds that facts of a photo take.
+ * @param {string} photo address
+ */
+const facts = async (photo) => factsOf(await load(photo));
+
+Object.assign(globalThis, { bench: { times, copySpeed, detect, aesthetics, masks, facts, plans } });

@@ -3,10 +3,23 @@
 
 use super::{style_of, thrown};
 use crate::error::Result;
+use crate::framing::{EnergyMap, Facts, lettering};
+use crate::page::import::SMALL_SIDE;
 use crate::page::{Document, Scene, mask};
 use crate::raster::Image;
+use crate::raster::resize::{Region, fit, resample_image};
 use crate::style::{Context, Style, chain, stylize};
 use wasm_bindgen::prelude::*;
+
+/// Learns what framing has to know of a photo of these pixels, reduced to the size at which it looks.
+#[wasm_bindgen(js_name = benchFacts)]
+pub fn bench_facts(width: usize, height: usize, rgba: &[u8]) -> std::result::Result<usize, JsValue> {
+    let image = Image::from_rgba(width, height, rgba, [255; 3]).map_err(thrown)?;
+    let (wide, high) = fit(width, height, SMALL_SIDE);
+    let small = resample_image(&image, Region::whole(width, height), wide, high);
+    let energy = EnergyMap::of(&small);
+    Ok(energy.values().len() + Facts::of(&small).spread().0 as usize + lettering(&small).len())
+}
 
 /// One style, one picture, and the scratch memory that a worker would keep.
 #[wasm_bindgen]

@@ -89,16 +89,13 @@ export function createSubjects({
   }
 
   /**
-   * The photo to look at next; a closer look waits until every photo was looked at. While photos are read it is faces that the
-   * page waits for, or shows.
+   * The photo to look at next; a closer look waits until every photo was looked at. While photos are read nobody looks, but for the
+   * faces that a first page is planned on.
    */
   function due(lane: Lane): string | undefined {
     const looked = (id: string) => known.get(id) ?? {};
-    if (store.reading.value !== null || store.sketch.value) {
-      if (lane !== 'faces') return undefined;
-      const shown = store.sketch.value || !store.page.value ? null : photosOn([store.page.value]);
-      return photos.value.find((id) => !looked(id).faces && (!shown || shown.has(id)));
-    }
+    if (store.sketch.value) return lane === 'faces' ? photos.value.find((id) => !looked(id).faces) : undefined;
+    if (store.reading.value !== null) return undefined;
     const first = photos.value.find((id) => looked(id)[lane] === undefined);
     return first ?? (lane === 'faces' ? photos.value.find((id) => looked(id).closer) : undefined);
   }
