@@ -20,6 +20,7 @@ import type { Alternatives } from '../page/alternatives.ts';
 import type { Framing } from '../page/panels/framing.ts';
 import type { Merging } from '../page/panels/merging.ts';
 import type { Reshaping } from '../page/panels/reshaping.ts';
+import type { Selection } from '../page/panels/selection.ts';
 import type { Taste } from '../styles/taste.ts';
 import type { Ahead } from '../page/ahead.ts';
 import type { BetterCrops } from '../page/better-crops.ts';
@@ -30,10 +31,12 @@ import type { Subjects } from '../photos/subjects.ts';
 import type { Keeping } from '../storage/storage.ts';
 import type { OwnStyles } from '../styles/own-styles.ts';
 import type { StylingDeeds } from '../styles/styling.ts';
+import type { Actions } from './actions.ts';
 import type { Messages } from './messages.ts';
 import type { Ui } from './ui.ts';
 
-export type App = {
+/** What the application is made of, before there is anything to do with it. */
+export type Parts = {
   store: Store;
   pages: Pages;
   crops: BetterCrops;
@@ -44,7 +47,7 @@ export type App = {
   ahead: Ahead;
   choosing: Choosing;
   taste: Taste;
-  selection: import('../page/panels/selection.ts').Selection;
+  selection: Selection;
   merging: Merging;
   lettering: Lettering;
   subtitling: Subtitling;
@@ -66,6 +69,8 @@ export type App = {
   ui: Ui;
   engine: Engine;
 };
+
+export type App = Parts & { actions: Actions };
 
 export const AppContext = createContext(null as App | null);
 

@@ -1,113 +1,70 @@
 /**
- * The keyboard: one table from key to deed. A key that a control wants for itself is left to it.
+ * The keyboard: one listener that finds the action of a shortcut. A key that a control wants for itself is left to it.
  */
 
-import type { Book } from '../book/book.ts';
-import type { Pages } from '../document/pages.ts';
-import type { Download } from '../export/download.ts';
-import type { Lettering } from '../lettering/lettering.ts';
-import type { Framing } from '../page/panels/framing.ts';
-import type { Reshaping } from '../page/panels/reshaping.ts';
+import { isEnabled } from '../ui/action.ts';
+import { pressed } from '../ui/shortcut.ts';
+import { everyAction } from './actions.ts';
 import type { Ui } from './ui.ts';
+import type { Tables } from './actions.ts';
 
-type Deeds = {
-  pages: Pages;
-  download: Download;
-  ui: Ui;
-  selection: import('../page/panels/selection.ts').Selection;
-  framing: Framing;
-  reshaping: Reshaping;
-  book: Pick<Book, 'step' | 'several'>;
-  lettering: Pick<Lettering, 'mode'>;
+/** What uses a key itself when it has the focus. */
+const OWN_USE: Record<string, string> = {
+  Space: 'button, input, a, select, [role=option], summary',
+  PageUp: 'input, select, [role=listbox], [role=slider]',
+  PageDown: 'input, select, [role=listbox], [role=slider]',
 };
+const TEXT_FIELDS = 'input:not([type=checkbox], [type=range], [type=color], [type=file]), textarea, select';
 
-/** @returns a listener for `keydown` on the window */
+/**
+ * @param parts `leave`: what Escape does on the board, where it does something
+ * @returns a listener for `keydown` on the window
+ */
 export function createKeys({
-  pages,
-  download,
+  actions,
   ui,
-  selection,
-  framing,
-  reshaping,
-  book,
-  lettering,
-}: Deeds): (event: KeyboardEvent) => void {
+  leave,
+}: {
+  actions: Tables;
+  ui: Pick<Ui, 'dialog' | 'work' | 'letterKeys'>;
+  leave: () => (() => void) | undefined;
+}): (event: KeyboardEvent) => void {
+  const byKeys = new Map(
+    everyAction(actions)
+      .filter(([, { heard }]) => heard !== 'panel')
+      .flatMap(([, action]) => (action.keys ?? []).map((keys) => [keys, action])),
+  );
+
   return (event) => {
-    if (event.defaultPrevented || ui.dialog.peek() !== null || event.altKey) return;
-    const deed = event.ctrlKey || event.metaKey ? withControl(event) : plain(event);
-    if (!deed) return;
-    event.preventDefault();
-    deed();
+    if (event.defaultPrevented || ui.dialog.peek() !== null || event.altKey || typesText(event.target)) return;
+    if (event.key === 'Escape' && !event.ctrlKey && !event.metaKey) {
+      take(event, ui.work.peek() !== null ? () => void (ui.work.value = null) : leave());
+      return;
+    }
+    const shortcut = pressed(event).find((keys) => byKeys.has(keys));
+    const action = shortcut === undefined ? undefined : byKeys.get(shortcut);
+    if (!shortcut || !action || isSilent(shortcut, event.target)) return;
+    // Over the board the page is out of sight: nothing shuffles it unseen.
+    if (ui.work.peek() !== null && action.heard !== 'everywhere') return;
+    if (isEnabled(action)) take(event, action.run);
+    // What the browser would do instead, such as saving its own copy of the page, is not what was meant.
+    else if (shortcut.includes('Mod+')) event.preventDefault();
   };
 
-  function withControl({ key, shiftKey, target }: KeyboardEvent) {
-    if (typesText(target)) return undefined;
-    switch (key.toLowerCase()) {
-      case 'z':
-        return shiftKey ? pages.redo : pages.undo;
-      case 'y':
-        return pages.redo;
-      case 's':
-        return ui.work.peek() === null ? () => download.start() : undefined;
-      default:
-        return undefined;
-    }
+  /** Letters alone may be switched off; what needs no letter stays. */
+  function isSilent(shortcut: string, target: EventTarget | null) {
+    if (/^[A-Z?]$/.test(shortcut) && !ui.letterKeys.peek()) return true;
+    const own = OWN_USE[shortcut];
+    return own !== undefined && target instanceof Element && target.closest(own) !== null;
   }
+}
 
-  /** Escape leaves what was begun last. */
-  function leave() {
-    if (lettering.mode.peek()) return () => void (lettering.mode.value = null);
-    if (framing.mode.peek()) return () => void (framing.mode.value = null);
-    if (selection.several.peek() || selection.panels.peek().length > 0) return () => selection.choose(false);
-    if (reshaping.editing.peek()) return () => void (reshaping.editing.value = false);
-    return ui.sheet.peek() ? () => void (ui.sheet.value = null) : undefined;
-  }
-
-  /** Whether a key turns the pages: lists and sliders have another use for it. */
-  function turns(target: EventTarget | null) {
-    return (
-      book.several.peek() &&
-      !(target instanceof Element && target.closest('input, select, [role=listbox], [role=slider]'))
-    );
-  }
-
-  function plain({ key, target }: KeyboardEvent) {
-    if (typesText(target)) return undefined;
-    // Over the board the page is out of sight: nothing shuffles it unseen.
-    if (ui.work.peek() !== null) return key === 'Escape' ? () => void (ui.work.value = null) : undefined;
-    // Letters alone may be switched off; what needs no letter stays.
-    if (/^[a-z?]$/i.test(key) && !ui.letterKeys.peek()) return undefined;
-    switch (key) {
-      case ' ':
-        return pressesItself(target) ? undefined : () => pages.shuffle('all');
-      case 'l':
-      case 'L':
-        return () => pages.shuffle('layout');
-      case 's':
-      case 'S':
-        return () => pages.shuffle('style');
-      case 'p':
-      case 'P':
-        return () => pages.shuffle('photos');
-      case 'PageUp':
-      case 'PageDown':
-        return turns(target) ? () => book.step(key === 'PageUp' ? -1 : 1) : undefined;
-      case '?':
-        return () => void (ui.dialog.value = 'keys');
-      case 'Escape':
-        return leave();
-      default:
-        return undefined;
-    }
-  }
+function take(event: KeyboardEvent, deed: (() => void) | undefined) {
+  if (!deed) return;
+  event.preventDefault();
+  deed();
 }
 
 function typesText(target: EventTarget | null) {
-  if (!(target instanceof HTMLElement)) return false;
-  const typed = 'input:not([type=checkbox], [type=range], [type=color], [type=file]), textarea, select';
-  return target.isContentEditable || target.matches(typed);
-}
-
-function pressesItself(target: EventTarget | null) {
-  return target instanceof Element && target.closest('button, input, a, select, [role=option], summary') !== null;
+  return target instanceof HTMLElement && (target.isContentEditable || target.matches(TEXT_FIELDS));
 }

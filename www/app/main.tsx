@@ -50,6 +50,8 @@ import { acceptFiles } from './drop.ts';
 import { drawn } from './guard.tsx';
 import { keepFocus } from './focus-keeper.ts';
 import { openFiles } from '../photos/file-input.tsx';
+import { createActions } from './actions.ts';
+import type { Parts } from './context.ts';
 
 const engine = createEngine();
 const store = createStore();
@@ -156,7 +158,41 @@ function warmUp() {
     ?.plan({ seed: 0, photos: [unreadMeta('none')], page: store.project.peek().settings, current: null, keep });
 }
 
-window.addEventListener('keydown', createKeys({ pages, download, ui, selection, framing, reshaping, book, lettering }));
+const parts: Parts = {
+  store,
+  pages,
+  crops,
+  book,
+  selection,
+  lettering,
+  subtitling,
+  intake,
+  openProjects,
+  installing,
+  merging,
+  framing,
+  reshaping,
+  ownLayouts,
+  designer,
+  ownStyles,
+  styling,
+  taste,
+  explorer,
+  keeping,
+  shownPages,
+  subjects,
+  reading,
+  ahead,
+  choosing,
+  scrubbing,
+  download,
+  alternatives,
+  messages,
+  ui,
+  engine,
+};
+const actions = createActions(parts);
+window.addEventListener('keydown', createKeys({ actions, ui, leave: leaveMode }));
 acceptFiles(window, intake);
 
 /** Whether something is on its way that nobody should wait for longer than need be. */
@@ -201,41 +237,7 @@ keepBook({ store, pages });
 book.sheet.subscribe(() => untracked(leavePage));
 
 render(
-  <AppContext.Provider
-    value={{
-      store,
-      pages,
-      crops,
-      book,
-      selection,
-      lettering,
-      subtitling,
-      intake,
-      openProjects,
-      installing,
-      merging,
-      framing,
-      reshaping,
-      ownLayouts,
-      designer,
-      ownStyles,
-      styling,
-      taste,
-      explorer,
-      keeping,
-      shownPages,
-      subjects,
-      reading,
-      ahead,
-      choosing,
-      scrubbing,
-      download,
-      alternatives,
-      messages,
-      ui,
-      engine,
-    }}
-  >
+  <AppContext.Provider value={{ ...parts, actions }}>
     <App />
   </AppContext.Provider>,
   document.getElementById('app') as HTMLElement,
@@ -249,6 +251,15 @@ function openLink() {
   if (!isStyleLink(hash)) return;
   window.history.replaceState(null, '', window.location.href.slice(0, -hash.length));
   void ownStyles.openLink(hash);
+}
+
+/** What Escape leaves: what was begun last. */
+function leaveMode() {
+  if (lettering.mode.peek()) return () => void (lettering.mode.value = null);
+  if (framing.mode.peek()) return () => void (framing.mode.value = null);
+  if (selection.several.peek() || selection.panels.peek().length > 0) return () => selection.choose(false);
+  if (reshaping.editing.peek()) return () => void (reshaping.editing.value = false);
+  return ui.sheet.peek() ? () => void (ui.sheet.value = null) : undefined;
 }
 
 /** Closes what belongs to the page before. */

@@ -2,7 +2,7 @@
  * What the window looks like: never part of the document, never undone.
  */
 
-import { effect, signal } from '@preact/signals';
+import { computed, effect, signal } from '@preact/signals';
 import type { PageDocument } from '../engine/documents.ts';
 import type { Signal } from '@preact/signals';
 
@@ -13,6 +13,8 @@ export type Ui = ReturnType<typeof createUi>;
 const THEME_KEY = 'inkpanel.theme';
 const LETTERS_KEY = 'inkpanel.letters';
 const DETECT_KEY = 'inkpanel.detect';
+
+export type Work = 'designer' | 'explorer' | 'projects' | 'pages';
 
 export function createUi(window: Window) {
   const wide = mediaSignal(window, '(min-width: 1000px)');
@@ -26,6 +28,10 @@ export function createUi(window: Window) {
     else delete root.dataset.theme;
   });
 
+  const dark = computed(() => (theme.value ?? (systemDark.value ? 'dark' : 'light')) === 'dark');
+  /** The workspace that lies over the board. */
+  const work: Signal<Work | null> = signal(null);
+
   /** Whether single letters are shortcuts: speech input and unsteady hands set them off unasked. */
   const letterKeys = signal(remembered(window, LETTERS_KEY) !== 'off');
 
@@ -36,12 +42,14 @@ export function createUi(window: Window) {
       letterKeys.value = on;
       keep(window, LETTERS_KEY, on ? 'on' : 'off');
     },
-    theme,
-    systemDark,
+    dark,
     /** The sheet that is open on a small screen. */
     sheet: signal(null) as Signal<Sheet | null>,
-    /** The workspace that lies over the board. */
-    work: signal(null) as Signal<'designer' | 'explorer' | 'projects' | 'pages' | null>,
+    work,
+    /** Opens a workspace, or closes it where it is open. */
+    toggleWork(which: Work) {
+      work.value = work.peek() === which ? null : which;
+    },
     /** Whether photos are looked at for faces and objects; `inkpanel.detect` = `off` in the storage says no. */
     detects: remembered(window, DETECT_KEY) !== 'off',
     /** Whether the boxes of what was found are drawn. */
@@ -56,8 +64,7 @@ export function createUi(window: Window) {
     /** What the views threw when they drew what is in the store. */
     failed: signal(null) as Signal<unknown>,
     toggleTheme() {
-      const dark = (theme.value ?? (systemDark.value ? 'dark' : 'light')) === 'dark';
-      theme.value = dark ? 'light' : 'dark';
+      theme.value = dark.peek() ? 'light' : 'dark';
       keep(window, THEME_KEY, theme.value);
     },
   };

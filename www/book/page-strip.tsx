@@ -11,6 +11,8 @@ import { useApp } from '../app/context.ts';
 import { Icon } from '../ui/icon.tsx';
 import { usePageDrag } from './page-drag.ts';
 import { PageThumb } from './page-thumb.tsx';
+import { isEnabled } from '../ui/action.ts';
+import { ActionButton } from '../ui/action-button.tsx';
 
 /** From so many photos on no page they are worth an offer. */
 const MANY = 4;
@@ -65,7 +67,7 @@ function Several() {
           onClick={() => setOpen(!open)}
         />
       )}
-      {(wide || open) && <Tools count={sheets.length} />}
+      {(wide || open) && <Tools />}
       <span class="visually-hidden" aria-live="polite">
         {strings.book.page(at + 1, sheets.length)}
       </span>
@@ -74,33 +76,16 @@ function Several() {
 }
 
 /** What can be done to the page among the others. */
-function Tools({ count }: { count: number }) {
-  const { book, ui } = useApp();
-  const at = book.at.value;
-  const [back, forth] = ui.wide.value ? ['up', 'down'] : ['previous', 'next'];
+function Tools() {
+  const { earlier, later, remove, styleAll } = useApp().actions.book;
   return (
     <div class="book-tools">
       <div class="book-icons">
-        <IconButton
-          icon={back}
-          label={strings.book.earlier}
-          disabled={at === 0}
-          onClick={() => book.move(at, at - 1)}
-        />
-        <IconButton
-          icon={forth}
-          label={strings.book.later}
-          disabled={at === count - 1}
-          onClick={() => book.move(at, at + 1)}
-        />
-        <IconButton icon="bin" label={strings.book.remove} onClick={book.remove} />
+        <ActionButton action={earlier} />
+        <ActionButton action={later} />
+        <ActionButton action={remove} />
       </div>
-      {!book.oneStyle.value && (
-        <button type="button" class="book-text" onClick={book.styleAll}>
-          <Icon name="style" />
-          {strings.book.styleAll}
-        </button>
-      )}
+      {isEnabled(styleAll) && <ActionButton action={styleAll} class="book-text" text />}
       <SpreadAlbum />
     </div>
   );
@@ -108,38 +93,18 @@ function Tools({ count }: { count: number }) {
 
 /** The outline of a page that is not there yet. */
 function AddPage() {
-  const { book } = useApp();
-  const why = book.cannotAdd();
-  const left = book.left.value.length;
+  const { add } = useApp().actions.book;
   return (
-    <button
-      type="button"
-      class="book-ghost"
-      disabled={why !== ''}
-      onClick={book.add}
-      title={why || (left > 0 ? strings.book.addMore(left) : strings.book.addHelp)}
-    >
+    <ActionButton action={add} class="book-ghost" text>
       <span class="book-outline">
         <Icon name="add" />
       </span>
-      {strings.book.add}
-    </button>
+      {add.label}
+    </ActionButton>
   );
 }
 
 function SpreadAlbum() {
-  const { store, book } = useApp();
-  const why = book.cannotSpread();
-  return (
-    <button
-      type="button"
-      class="book-text"
-      disabled={why !== ''}
-      onClick={book.spreadAlbum}
-      title={why || strings.book.spreadHelp(store.photos.value.length)}
-    >
-      <Icon name="spread" />
-      {strings.book.spreadAlbum}
-    </button>
-  );
+  const { spread } = useApp().actions.book;
+  return <ActionButton action={spread} class="book-text" text />;
 }

@@ -5,26 +5,16 @@ import { strings } from '../strings/strings.ts';
 import { IconButton } from '../ui/button.tsx';
 import { ChosenFiles, JSON_FILES } from '../photos/chosen-files.tsx';
 import { useApp } from '../app/context.ts';
-import { Icon } from '../ui/icon.tsx';
-import type { Style } from '../engine/documents.ts';
+import { ActionButton } from '../ui/action-button.tsx';
 
 /** Entries of `Start from` that are no style. */
 const [EMPTY, PAGE] = ['#empty', '#page'];
 
 export function StyleBar() {
-  const { store, designer, ownStyles } = useApp();
+  const { designer, ownStyles, actions } = useApp();
   const file = useRef(null as HTMLInputElement | null);
   const draft = designer.draft.value;
   if (!draft) return null;
-  const own = ownStyles.mine.value.some(({ id }) => id === draft.id);
-  const empty = draft.background.length + draft.foreground.length === 0;
-
-  /** @param deed on the style as the core has checked it */
-  const withStyle = (deed: (style: Style) => void) => () => {
-    const style = designer.checked();
-    if (style) deed(style);
-  };
-
   return (
     <div class="style-bar">
       <StartFrom />
@@ -37,33 +27,13 @@ export function StyleBar() {
         onChange={(event) => designer.change({ type: 'name', name: event.currentTarget.value })}
       />
       <div class="style-tools">
-        <button type="button" class="button" disabled={empty} onClick={withStyle(ownStyles.save)}>
-          <Icon name="save" />
-          {strings.saveStyle}
-        </button>
-        <IconButton icon="export" label={strings.exportStyle} onClick={withStyle(ownStyles.exportFile)} />
+        <ActionButton action={actions.designer.save} class="button" text />
+        <ActionButton action={actions.designer.exportStyle} />
         <IconButton icon="open" label={strings.importStyle} onClick={() => file.current?.click()} />
-        <IconButton
-          icon="link"
-          label={strings.copyLink}
-          onClick={withStyle(
-            (style) =>
-              void ownStyles.copyLink(style, {
-                address: globalThis.location.href,
-                write: async (text) => navigator.clipboard.writeText(text),
-              }),
-          )}
-        />
-        <IconButton
-          icon="duplicate"
-          label={strings.duplicateStyle}
-          onClick={withStyle((style) => designer.begin(ownStyles.duplicate(style)))}
-        />
-        <IconButton icon="bin" label={strings.deleteStyle} disabled={!own} onClick={() => ownStyles.remove(draft.id)} />
-        <button type="button" class="button strong" disabled={store.page.value === null} onClick={designer.use}>
-          <Icon name="check" />
-          {strings.useStyle}
-        </button>
+        <ActionButton action={actions.designer.copyLink} />
+        <ActionButton action={actions.designer.duplicate} />
+        <ActionButton action={actions.designer.remove} />
+        <ActionButton action={actions.designer.use} class="button strong" text />
       </div>
       <ChosenFiles input={file} accept={JSON_FILES} label={strings.styleFile} onFiles={ownStyles.open} />
     </div>

@@ -5,7 +5,6 @@
 import { useEffect, useRef } from 'preact/hooks';
 import { strings } from '../strings/strings.ts';
 import { screenPixels } from '../page/bitmap.tsx';
-import { IconButton } from '../ui/button.tsx';
 import { useApp } from '../app/context.ts';
 import { useHero } from '../photos/hero.ts';
 import { Icon } from '../ui/icon.tsx';
@@ -14,6 +13,7 @@ import { Dials } from './dials.tsx';
 import { Judging } from './judging.tsx';
 import { useVisible } from './visible.ts';
 import { WallItem } from './wall-item.tsx';
+import { ActionButton } from '../ui/action-button.tsx';
 import type { Item, Photo } from './explorer.ts';
 import type { VNode } from 'preact';
 
@@ -21,7 +21,7 @@ import type { VNode } from 'preact';
 const SIZE = { width: 160, height: 120 };
 
 export function Explorer() {
-  const { explorer, designer } = useApp();
+  const { explorer, designer, actions } = useApp();
   const photo = usePhoto();
   const items = explorer.items.value;
   const shown = explorer.shown.value;
@@ -37,10 +37,7 @@ export function Explorer() {
   const tools = (
     <div class="explorer-bar">
       {running ? (
-        <button type="button" class="button strong" onClick={explorer.stop}>
-          <Icon name="close" />
-          {strings.stop}
-        </button>
+        <ActionButton action={actions.explorer.stop} class="button strong" text />
       ) : (
         <button
           type="button"
@@ -52,17 +49,7 @@ export function Explorer() {
           {strings.generate}
         </button>
       )}
-      <button
-        type="button"
-        class="button"
-        aria-pressed={explorer.sorted.value}
-        title={explorer.scores.off.value ? strings.sortedByLight : strings.sortedByNet}
-        onClick={() => {
-          explorer.sorted.value = !explorer.sorted.value;
-        }}
-      >
-        {strings.sortByScore}
-      </button>
+      <ActionButton action={actions.explorer.sort} class="button" text />
       <select
         class="select"
         aria-label={strings.looks}
@@ -81,7 +68,7 @@ export function Explorer() {
       <span class="count" title={strings.dropped(explorer.dropped.value)}>
         {items.length > 0 && strings.inventedCount(shown.length, items.length)}
       </span>
-      <IconButton icon="bin" label={strings.clearWall} disabled={items.length === 0} onClick={explorer.clear} />
+      <ActionButton action={actions.explorer.clear} />
     </div>
   );
   return (

@@ -2,10 +2,11 @@ import { strings } from '../strings/strings.ts';
 import { useApp } from '../app/context.ts';
 import { Dialog } from '../app/dialog.tsx';
 import { LanguageChoice } from './language-choice.tsx';
+import { keyLines } from './key-lines.ts';
 
 /** The list of keys. */
 export function KeysDialog() {
-  const { ui } = useApp();
+  const { ui, actions } = useApp();
   return (
     <Dialog
       title={strings.keys}
@@ -15,7 +16,7 @@ export function KeysDialog() {
       }}
     >
       <dl class="keys">
-        {strings.keyList.map(({ keys, does }) => (
+        {keyLines(actions).map(({ keys, does }) => (
           <div key={does}>
             <dt>
               {keys.map((key) => (

@@ -5,40 +5,20 @@ import { strings } from '../strings/strings.ts';
 import { IconButton } from '../ui/button.tsx';
 import { ChosenFiles, JSON_FILES } from '../photos/chosen-files.tsx';
 import { useApp } from '../app/context.ts';
-import { Icon } from '../ui/icon.tsx';
+import { isEnabled } from '../ui/action.ts';
+import { ActionButton } from '../ui/action-button.tsx';
 
 export function LayoutTools() {
-  const { store, reshaping, ownLayouts } = useApp();
+  const { ownLayouts, actions } = useApp();
+  const { surprise, edit, save, forget } = actions.layouts;
   const file = useRef(null as HTMLInputElement | null);
-  const facts = store.layoutFacts.value;
-  const editing = reshaping.editing.value;
   return (
     <div class="layout-tools">
-      <button
-        type="button"
-        class="button small"
-        disabled={facts === null}
-        aria-label={strings.surprise}
-        title={strings.surprise}
-        onClick={reshaping.surprise}
-      >
-        <Icon name="surprise" />
-        {strings.surpriseShort}
-      </button>
-      <IconButton
-        icon="edit"
-        label={strings.editLayout}
-        disabled={facts === null}
-        pressed={editing}
-        onClick={() => {
-          reshaping.editing.value = !editing;
-        }}
-      />
-      <IconButton icon="save" label={strings.saveLayout} disabled={facts === null} onClick={ownLayouts.save} />
+      <ActionButton action={surprise} class="button small" text />
+      <ActionButton action={edit} />
+      <ActionButton action={save} />
       <IconButton icon="open" label={strings.loadLayout} onClick={() => file.current?.click()} />
-      {facts && ownLayouts.isOwn(facts.id) && (
-        <IconButton icon="bin" label={strings.forgetLayout} onClick={() => ownLayouts.remove(facts.id)} />
-      )}
+      {isEnabled(forget) && <ActionButton action={forget} />}
       <ChosenFiles input={file} accept={JSON_FILES} label={strings.layoutFile} onFiles={ownLayouts.open} />
     </div>
   );

@@ -6,37 +6,18 @@ import { ChosenFiles } from '../photos/chosen-files.tsx';
 import { useApp } from '../app/context.ts';
 import { Icon } from '../ui/icon.tsx';
 import { WordFields } from './word-fields.tsx';
-import type { Kind } from '../strings/en/words.ts';
-
-const KINDS: Kind[] = ['caption', 'balloon', 'effect'];
+import { ActionButton } from '../ui/action-button.tsx';
 
 export function WordTools() {
-  const { store, ui, lettering } = useApp();
+  const { lettering, actions } = useApp();
   const words = lettering.words.value;
   const chosen = lettering.chosen.value;
-
-  async function add(kind: Kind) {
-    if (!(await lettering.add(kind))) return;
-    if (!ui.wide.peek()) ui.sheet.value = null;
-    lettering.editing.value = lettering.words.peek().length - 1;
-  }
 
   return (
     <section class="word-tools" aria-label={strings.words}>
       <div class="word-adders">
-        {KINDS.map((kind) => (
-          <button
-            key={kind}
-            type="button"
-            class="button small"
-            aria-label={strings.addWord[kind]}
-            title={strings.addWord[kind]}
-            disabled={store.page.value === null}
-            onClick={() => add(kind)}
-          >
-            <Icon name={kind} />
-            {strings.wordShort[kind]}
-          </button>
+        {Object.values(actions.words).map((action) => (
+          <ActionButton key={action.label} action={action} class="button small" text />
         ))}
       </div>
       {words.length === 0 && <p class="quiet">{strings.noWords}</p>}

@@ -3,7 +3,7 @@
 import { describePage } from './describing.ts';
 import { strings } from '../strings/strings.ts';
 import { useApp } from '../app/context.ts';
-import { styleOfPage } from '../styles/style-tools.tsx';
+import { styleOfPage } from '../styles/style-actions.ts';
 
 export function PageDescription() {
   const app = useApp();

@@ -11,10 +11,10 @@ import { Cuts } from './panels/cuts.tsx';
 import { BetterCrops } from './better-crops-button.tsx';
 import { createPainter } from './painter.ts';
 import { Panels } from './panels/panels.tsx';
-import { styleOfPage } from '../styles/style-tools.tsx';
 import { PanelSubjects } from './panels/subject-boxes.tsx';
 import { useSwipe } from './swipe.ts';
 import { WordLayer } from '../lettering/word-layer.tsx';
+import { styleOfPage } from '../styles/style-actions.ts';
 import type { App } from '../app/context.ts';
 import type { Store } from '../document/store.ts';
 

@@ -7,19 +7,19 @@ import { isUsed } from '../document/album.ts';
 import { strings } from '../strings/strings.ts';
 import { IconButton } from '../ui/button.tsx';
 import { useApp } from '../app/context.ts';
-import { openFiles } from './file-input.tsx';
 import { useGrowing } from '../ui/growing.ts';
 import { ChoiceOfPhotos } from './choice-of-photos.tsx';
 import { PhotoTile } from './photo-tile.tsx';
 import { Stack, stacks } from './stack.tsx';
 import { Videos } from './videos.tsx';
+import { ActionButton } from '../ui/action-button.tsx';
 import type { TrayItem } from '../document/project.ts';
 import type { Progress } from '../document/store.ts';
 import type { VNode } from 'preact';
 
 export function Tray() {
   const tile = useTiles();
-  const { store, subjects, ui } = useApp();
+  const { store, subjects, ui, actions } = useApp();
   const tray = store.tray.value;
   const verdicts = store.verdicts.value;
   const reading = store.reading.value;
@@ -44,15 +44,8 @@ export function Tray() {
         ) : (
           <span class="count">{strings.photoCount(kept.length, tray.length)}</span>
         )}
-        <IconButton
-          icon="subjects"
-          label={strings.showSubjects}
-          pressed={ui.subjects.value}
-          onClick={() => {
-            ui.subjects.value = !ui.subjects.value;
-          }}
-        />
-        <IconButton icon="add" label={strings.addPhotos} onClick={openFiles} />
+        <ActionButton action={actions.photos.subjects} />
+        <ActionButton action={actions.photos.add} />
       </header>
       {reading && <Reading done={reading.done} total={reading.total} />}
       <Videos />

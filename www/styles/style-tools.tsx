@@ -5,29 +5,15 @@ import { useRef } from 'preact/hooks';
 import { strings } from '../strings/strings.ts';
 import { IconButton } from '../ui/button.tsx';
 import { useApp } from '../app/context.ts';
-import type { App } from '../app/context.ts';
-import type { Style } from '../engine/documents.ts';
-
-/** The style of the page in full. */
-export function styleOfPage({ store, ownStyles }: App) {
-  const style = store.page.value?.style;
-  if (typeof style !== 'string') return style as Style | undefined;
-  return ownStyles.find(style) ?? store.styles.value.find(({ id }) => id === style);
-}
+import { ActionButton } from '../ui/action-button.tsx';
 
 export function StyleTools() {
-  const app = useApp();
+  const { actions } = useApp();
   const open = useSignal(false);
-  const style = styleOfPage(app);
   return (
     <>
       <div class="style-side-tools">
-        <IconButton
-          icon="designer"
-          label={style ? strings.editStyle(strings.styleTitle(style)) : strings.edit}
-          disabled={!style}
-          onClick={() => app.designer.open(style)}
-        />
+        <ActionButton action={actions.styles.edit} />
         <IconButton
           icon="settings"
           label={strings.styleShuffle}

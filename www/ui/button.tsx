@@ -11,7 +11,6 @@ export function IconButton({
   disabled = false,
   pressed,
   expanded,
-  shortcut,
   class: extra = '',
   help = label,
 }: {
@@ -21,7 +20,6 @@ export function IconButton({
   disabled?: boolean;
   pressed?: boolean;
   expanded?: boolean;
-  shortcut?: string;
   class?: string;
   help?: string;
 }) {
@@ -32,8 +30,7 @@ export function IconButton({
       aria-label={label}
       aria-pressed={pressed}
       aria-expanded={expanded}
-      aria-keyshortcuts={shortcut}
-      title={shortcut ? `${help} (${shortcut})` : help}
+      title={help}
       disabled={disabled}
       onClick={onClick}
     >

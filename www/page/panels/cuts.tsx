@@ -7,6 +7,7 @@ import { useRef } from 'preact/hooks';
 import { strings } from '../../strings/strings.ts';
 import { useApp } from '../../app/context.ts';
 import type { Cut } from '../../engine/documents.ts';
+import type { OwnKeys } from '../../ui/action.ts';
 
 /** which part of a cut is held */
 type End = 'both' | 'from' | 'to';
@@ -119,6 +120,8 @@ function CutHandle({ cut, index, count, height }: { cut: Cut; index: number; cou
     </div>
   );
 }
+
+export const SLANT_KEYS: OwnKeys = { keys: ['Alt+ArrowUp', 'Alt+ArrowDown'], about: strings.keyAbout.slant };
 
 /**
  * @param cut as it was when it was taken

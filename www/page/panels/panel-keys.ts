@@ -4,20 +4,30 @@
  */
 
 import { useRef } from 'preact/hooks';
-import { LARGE_STEP as LARGE_SCRUB, STEP as SCRUB } from '../../photos/scrubbing.ts';
 import { useApp } from '../../app/context.ts';
-import { WAYS, neighbour } from './panel-shape.ts';
+import { neighbour, WAYS } from './panel-shape.ts';
+import { strings } from '../../strings/strings.ts';
+import { pressed } from '../../ui/shortcut.ts';
 import type { Mode } from './framing.ts';
 import type { PanelShape } from './panel-shape.ts';
+import type { OwnKeys } from '../../ui/action.ts';
+import type { PanelAction } from './panel-actions.ts';
 
 /** What an arrow moves a photo by, in parts of the panel, and with Shift. */
 const STEP = 0.02;
 const LARGE_STEP = 0.1;
-/** What a key press enlarges a photo by. */
-const ZOOM = 1.1;
+
+type Deed = (gesture: string) => void;
+
+export const WALK_KEYS: OwnKeys = {
+  keys: ['ArrowLeft', 'ArrowUp', 'ArrowRight', 'ArrowDown'],
+  about: strings.keyAbout.walk,
+};
+export const FRAME_KEYS: OwnKeys = { keys: ['Enter'], about: strings.keyAbout.frame };
+export const CHOOSE_KEYS: OwnKeys = { keys: ['Shift+Enter'], about: strings.keyAbout.choose };
 
 export function usePanelKeys({ panels, go }: { panels: PanelShape[]; go: (panel: number) => void }) {
-  const { framing, scrubbing, selection } = useApp();
+  const { framing, selection, actions } = useApp();
   /** A key that is held, or pressed again and again, is one step of the undo until another one is pressed. */
   const last = useRef({ key: '', gesture: '' });
 
@@ -34,7 +44,8 @@ export function usePanelKeys({ panels, go }: { panels: PanelShape[]; go: (panel:
     deed(last.current.gesture);
   };
 
-  function inMode({ key, shiftKey }: KeyboardEvent, mode: Mode): ((gesture: string) => void) | undefined {
+  function inMode(event: KeyboardEvent, mode: Mode): Deed | undefined {
+    const { key, shiftKey } = event;
     const way = WAYS[key];
     const step = shiftKey ? LARGE_STEP : STEP;
     if (way && mode.kind === 'focus')
@@ -48,13 +59,11 @@ export function usePanelKeys({ panels, go }: { panels: PanelShape[]; go: (panel:
         framing.mode.value = null;
       };
     }
-    return way ? plain({ key, shiftKey }, mode.panel) : zoomed(key, mode.panel);
+    return way ? plain(event, mode.panel) : acted(event, mode.panel);
   }
 
-  function plain(
-    { key, shiftKey }: { key: string; shiftKey: boolean },
-    panel: number,
-  ): ((gesture: string) => void) | undefined {
+  function plain(event: KeyboardEvent, panel: number): Deed | undefined {
+    const { key, shiftKey } = event;
     const way = WAYS[key];
     const mode = framing.mode.peek();
     if (way) return () => go(neighbour(panels, panel, way));
@@ -66,23 +75,18 @@ export function usePanelKeys({ panels, go }: { panels: PanelShape[]; go: (panel:
           framing.mode.value = { kind: 'frame', panel };
         };
     }
-    return scrubbed({ key, shiftKey }, panel) ?? zoomed(key, panel);
+    return acted(event, panel);
   }
 
-  /** A comma and a full stop, as in film editors; with Shift a second. */
-  function scrubbed(
-    { key, shiftKey }: { key: string; shiftKey: boolean },
-    panel: number,
-  ): ((gesture: string) => void) | undefined {
-    const way = { ',': -1, '<': -1, '.': 1, '>': 1 }[key];
-    if (way === undefined || framing.isLocked(panel) || !scrubbing.isFrame(panel)) return undefined;
-    return (gesture) => scrubbing.nudge(panel, way * (shiftKey ? LARGE_SCRUB : SCRUB), gesture);
-  }
-
-  function zoomed(key: string, panel: number) {
-    if (key === '+' || key === '=') return (gesture: string) => framing.closer(panel, ZOOM, gesture);
-    if (key === '-') return (gesture: string) => framing.closer(panel, 1 / ZOOM, gesture);
-    if (key === '0') return () => framing.reset(panel);
+  /** What has its button too. */
+  function acted(event: KeyboardEvent, panel: number): Deed | undefined {
+    const shortcuts = pressed(event);
+    const table: Record<string, PanelAction | OwnKeys> = actions.panels;
+    for (const action of Object.values(table)) {
+      if (!('onPanel' in action) || !action.keys?.some((keys) => shortcuts.includes(keys))) continue;
+      if (action.allows && !action.allows(panel)) continue;
+      return (gesture) => action.onPanel?.(panel, { gesture, large: event.shiftKey });
+    }
     return undefined;
   }
 

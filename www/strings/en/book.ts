@@ -11,6 +11,8 @@ export const bookStrings = {
     addMore: (left: number) => `Add a page to the storyboard: ${count(left, 'photo')} on no page yet`,
     tools: 'Page tools',
     remove: 'Remove page',
+    turnBack: 'Turn back a page',
+    turnOn: 'Turn on a page',
     earlier: 'Move page earlier',
     later: 'Move page later',
     spreadAlbum: 'Spread album over pages',

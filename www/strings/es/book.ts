@@ -9,6 +9,8 @@ export const bookStrings = {
     addMore: (left: number) => `Añadir una página: ${count(left, 'foto')} sin página aún`,
     tools: 'Herramientas de página',
     remove: 'Quitar página',
+    turnBack: 'Volver una página',
+    turnOn: 'Avanzar una página',
     earlier: 'Adelantar página',
     later: 'Atrasar página',
     spreadAlbum: 'Repartir el álbum en páginas',

@@ -1,20 +1,16 @@
 export const keyStrings = {
   letterKeys: 'Las letras sueltas son atajos',
-  keyList: [
-    { keys: ['Espacio'], does: 'Barajar' },
-    { keys: ['L'], does: 'Barajar plantilla' },
-    { keys: ['S'], does: 'Barajar estilo' },
-    { keys: ['P'], does: 'Barajar fotos' },
-    { keys: ['Ctrl', 'Z'], does: 'Deshacer' },
-    { keys: ['Mayús', 'Ctrl', 'Z'], does: 'Rehacer' },
-    { keys: ['←', '↑', '→', '↓'], does: 'Pasar de una viñeta a otra' },
-    { keys: ['Re Pág', 'Av Pág'], does: 'Ir de una página a otra' },
-    { keys: ['Intro'], does: 'Mover la foto de una viñeta con las flechas' },
-    { keys: [',', '.'], does: 'Fotograma anterior o posterior de un vídeo; con Mayús, un segundo' },
-    { keys: ['+', '−', '0'], does: 'Ampliar o reducir la foto de una viñeta, o restablecerla' },
-    { keys: ['Mayús', 'Intro'], does: 'Seleccionar una viñeta' },
-    { keys: ['Alt', '↑', '↓'], does: 'Inclinar un corte de la plantilla' },
-    { keys: ['Ctrl', 'S'], does: 'Descargar PNG' },
-    { keys: ['?'], does: 'Esta lista' },
-  ],
+  // As the keyboard calls them; what is called alike everywhere is not here.
+  keyNames: { Space: 'Espacio', Shift: 'Mayús', Enter: 'Intro', PageUp: 'Re Pág', PageDown: 'Av Pág' },
+  // What the list says of keys that are no action with a name of its own.
+  keyAbout: {
+    walk: 'Pasar de una viñeta a otra',
+    turn: 'Ir de una página a otra',
+    frame: 'Mover la foto de una viñeta con las flechas',
+    scrub: 'Fotograma anterior o posterior de un vídeo; con Mayús, un segundo',
+    zoom: 'Ampliar o reducir la foto de una viñeta, o restablecerla',
+    choose: 'Seleccionar una viñeta',
+    slant: 'Inclinar un corte de la plantilla',
+    list: 'Esta lista',
+  },
 };

@@ -1,0 +1,110 @@
+import { describe, expect, it, test, vi } from 'vitest';
+import { keyLines } from '../help/key-lines.ts';
+import { english } from '../strings/en/index.ts';
+import { spanish } from '../strings/es/index.ts';
+import { everyStrings } from '../strings/every.ts';
+import { isEnabled, now } from '../ui/action.ts';
+import { Icon } from '../ui/icon.tsx';
+import { keyNames } from '../ui/shortcut.ts';
+import { createActions, everyAction } from './actions.ts';
+import { fakeParts } from './app-testing.ts';
+import type { Action } from '../ui/action.ts';
+
+const HELP = [
+  ['Space', 'Shuffle'],
+  ['L', 'Shuffle layout'],
+  ['S', 'Shuffle style'],
+  ['P', 'Shuffle photos'],
+  ['Ctrl Z', 'Undo'],
+  ['Shift Ctrl Z', 'Redo'],
+  ['← ↑ → ↓', 'Move between panels'],
+  ['Page Up Page Down', 'Go between the pages of the storyboard'],
+  ['Enter', 'Move a panel’s photo with the arrows'],
+  [', .', 'Earlier or later frame of a video, with Shift by a second'],
+  ['+ − 0', 'Zoom a panel’s photo, reset it'],
+  ['Shift Enter', 'Select a panel'],
+  ['Alt ↑ ↓', 'Slant a cut of the layout'],
+  ['Ctrl S', 'Download PNG'],
+  ['?', 'This list'],
+];
+
+const all = async () => everyAction(createActions(await fakeParts()));
+
+describe.each([
+  ['en', english],
+  ['es', spanish],
+])('in %s', (language, words) => {
+  it('every action has a label', async () => {
+    vi.resetModules();
+    vi.doMock('../strings/strings.ts', () => ({ language, strings: { ...everyStrings, ...words } }));
+    const fresh = await import('./actions.ts');
+    const actions = fresh.everyAction(fresh.createActions(await fakeParts()));
+    vi.doUnmock('../strings/strings.ts');
+    const label = ({ label }: Action) => now(label as Action['label']);
+    expect(actions.length).toBeGreaterThan(50);
+    expect(new Map(actions).get('page.undo')?.label).toBe(words.undo);
+    expect(actions.filter(([, action]) => !label(action)).map(([id]) => id)).toEqual([]);
+  });
+});
+
+test('every icon is drawn', async () => {
+  const missing = (await all()).filter(([, { icon }]) => {
+    const name = now(icon);
+    return name !== undefined && !(Icon({ name }).props.children as any).props.d;
+  });
+  expect(missing.map(([id]) => id)).toEqual([]);
+});
+
+test('no two actions have a shortcut in common where both are heard', async () => {
+  const shortcuts = (await all()).flatMap(([id, { keys = [], heard }]) =>
+    keys.map((keys) => ({ id, place: `${heard === 'panel' ? 'panel' : 'window'} ${keys}` })),
+  );
+  const twice = shortcuts.filter(({ place }, i) => shortcuts.findIndex((other) => other.place === place) !== i);
+  expect(shortcuts.length).toBeGreaterThan(15);
+  expect(twice).toEqual([]);
+});
+
+test('every action with keys is in the list of keys', async () => {
+  const actions = createActions(await fakeParts());
+  const lines = keyLines(actions);
+  const untold = everyAction(actions).filter(([, { keys, about, label }]) => {
+    const line = lines.find(({ does }) => does === (about ?? now(label)));
+    return keys && !keyNames(keys[0]).every((key) => line?.keys.includes(key));
+  });
+  expect(untold.map(([id]) => id)).toEqual([]);
+});
+
+test('the list of keys is in the order in which a person meets them', async () => {
+  const lines = keyLines(createActions(await fakeParts()));
+  expect(lines.map(({ keys, does }) => [keys.join(' '), does])).toEqual(HELP);
+});
+
+/** What needs a browser, a film, the letters or the real core. */
+const ELSEWHERE =
+  /^(photos\.add|layouts\.(save|forget)|panels\.(save|earlier|later|zoom|fit|reset|cut|slant)|words|designer|explorer|styles|download\.download)/;
+/** They are the undo itself. */
+const WALKS = ['page.undo', 'page.redo'];
+
+test('an action counts in the undo as its mark says', async () => {
+  const ids = (await all()).map(([id]) => id).filter((id) => !ELSEWHERE.test(id) && !WALKS.includes(id));
+  expect(ids.length).toBeGreaterThan(30);
+  for (const id of ids) {
+    const parts = await fakeParts();
+    const { store, pages, book, selection, merging } = parts;
+    // Two pages, the one at hand with versions before and behind it, and panels that can be merged or parted.
+    book.add();
+    if (id !== 'book.earlier') book.go(0);
+    pages.shuffle('all');
+    pages.chooseStyle('other');
+    pages.previous();
+    selection.set([0, 1]);
+    if (id === 'panels.split') merging.merge();
+    else if (!['panels.merge', 'panels.swap'].includes(id)) selection.set([0]);
+    const action = new Map(everyAction(createActions(parts))).get(id);
+    const before = store.history.peek().past.length;
+    if (action && isEnabled(action)) action.run();
+    else expect.fail(`${id} cannot be done here`);
+    const steps = store.history.peek().past.length - before;
+    expect([id, steps]).toEqual([id, action.undo === undefined ? 0 : 1]);
+  }
+});

@@ -1,0 +1,58 @@
+/** All parts that actions are made of, over a planner of a few lines. */
+
+import { createBook } from '../book/book.ts';
+import { createShownPages } from '../book/shown-pages.ts';
+import { createDesigner } from '../designer/designer.ts';
+import { fakeApp } from '../document/testing.ts';
+import { createExplorer } from '../explorer/explorer.ts';
+import { createDownload } from '../export/download.ts';
+import { createOwnLayouts } from '../layouts/own-layouts.ts';
+import { createLettering } from '../lettering/lettering.ts';
+import { createFraming } from '../page/panels/framing.ts';
+import { createMerging } from '../page/panels/merging.ts';
+import { createReshaping } from '../page/panels/reshaping.ts';
+import { createSelection } from '../page/panels/selection.ts';
+import { createScrubbing } from '../photos/scrubbing.ts';
+import { createOwnStyles } from '../styles/own-styles.ts';
+import { createUi } from './ui.ts';
+import type { Parts } from './context.ts';
+
+/** Photos of the album: enough for two pages. */
+const PHOTOS = Array.from({ length: 12 }, (_, i) => `${i}.jpg`);
+
+/** The parts, with a page on the board. */
+export async function fakeParts(): Promise<Parts> {
+  const { store, pages, messages, reading, files } = fakeApp();
+  const engine = {} as any;
+  const ui = createUi({
+    document: { documentElement: { dataset: {} } },
+    localStorage: { getItem: () => null, setItem: () => {} },
+    matchMedia: () => ({ matches: true, addEventListener: () => {} }),
+  } as any);
+  const selection = createSelection({ store });
+  const designer = createDesigner({ store, pages, messages, ui, freshId: () => 'mine' });
+  const ownStyles = createOwnStyles({ store, messages, designer, freshId: () => 'mine' });
+  const parts = {
+    store,
+    pages,
+    messages,
+    reading,
+    engine,
+    ui,
+    selection,
+    designer,
+    ownStyles,
+    book: createBook({ store, pages, messages }),
+    shownPages: createShownPages({ store, pages }),
+    merging: createMerging({ store, pages, selection }),
+    framing: createFraming({ store, pages }),
+    reshaping: createReshaping({ store, pages, seed: () => 1 }),
+    scrubbing: createScrubbing({ store, pages, reading, engine, messages }),
+    lettering: createLettering({ store, messages, selection, load: () => new Promise(() => {}) }),
+    ownLayouts: createOwnLayouts({ store, pages, messages }),
+    explorer: createExplorer({ store, engine, messages, ownStyles, seed: () => 1, judged: false }),
+    download: createDownload({ store, pages, engine, messages, pageFiles: {} as any }),
+  };
+  await reading.addFiles(files(...PHOTOS));
+  return parts as any;
+}

@@ -1,0 +1,55 @@
+/** What is shown beside and over the page, and how. */
+
+import { computed } from '@preact/signals';
+import { strings } from '../strings/strings.ts';
+import type { Action } from '../ui/action.ts';
+import type { Parts } from './context.ts';
+import type { Sheet } from './ui.ts';
+
+export function createWindowActions({ ui, designer }: Pick<Parts, 'ui' | 'designer'>) {
+  const drawer = (sheet: Sheet, icon: string, label: string) =>
+    ({
+      label,
+      icon,
+      on: computed(() => ui.sheet.value === sheet),
+      run: () => {
+        ui.sheet.value = ui.sheet.peek() === sheet ? null : sheet;
+      },
+    }) satisfies Action;
+
+  const designing = computed(() => ui.work.value === 'designer');
+  const exploring = computed(() => ui.work.value === 'explorer');
+  return {
+    designer: {
+      label: strings.designer,
+      icon: 'designer',
+      on: designing,
+      run: () => (designing.peek() ? designer.close() : designer.open()),
+    },
+    explorer: {
+      label: strings.explorer,
+      icon: 'explorer',
+      on: exploring,
+      run: () => ui.toggleWork('explorer'),
+    },
+    photos: drawer('photos', 'photos', strings.photos),
+    styles: drawer('styles', 'style', strings.styles),
+    layouts: drawer('layouts', 'layout', strings.layouts),
+    words: drawer('words', 'balloon', strings.words),
+    settings: drawer('settings', 'settings', strings.pageSettings),
+    theme: {
+      label: computed(() => (ui.dark.value ? strings.theme.light : strings.theme.dark)),
+      icon: computed(() => (ui.dark.value ? 'sun' : 'moon')),
+      run: ui.toggleTheme,
+    },
+    keys: {
+      label: strings.keys,
+      keys: ['?'],
+      about: strings.keyAbout.list,
+      icon: 'help',
+      run: () => {
+        ui.dialog.value = 'keys';
+      },
+    },
+  } satisfies Record<string, Action>;
+}

@@ -1,0 +1,71 @@
+/** What can be done with the page among the others of the storyboard. */
+
+import { computed } from '@preact/signals';
+import { strings } from '../strings/strings.ts';
+import type { Parts } from '../app/context.ts';
+import type { Action } from '../ui/action.ts';
+
+export function createBookActions({ store, book, ui }: Pick<Parts, 'store' | 'book' | 'ui'>) {
+  const { at, several } = book;
+  const last = computed(() => at.value === store.project.value.others.length);
+  const whyNotAdd = computed(book.cannotAdd);
+  const whyNotSpread = computed(book.cannotSpread);
+  return {
+    turnBack: {
+      label: strings.book.turnBack,
+      keys: ['PageUp'],
+      about: strings.keyAbout.turn,
+      enabled: several,
+      run: () => book.step(-1),
+    },
+    turnOn: {
+      label: strings.book.turnOn,
+      keys: ['PageDown'],
+      about: strings.keyAbout.turn,
+      enabled: several,
+      run: () => book.step(1),
+    },
+    add: {
+      label: strings.book.add,
+      help: computed(
+        () =>
+          whyNotAdd.value ||
+          (book.left.value.length > 0 ? strings.book.addMore(book.left.value.length) : strings.book.addHelp),
+      ),
+      icon: 'add',
+      enabled: computed(() => whyNotAdd.value === ''),
+      run: book.add,
+      undo: 'step',
+    },
+    spread: {
+      label: strings.book.spreadAlbum,
+      help: computed(() => whyNotSpread.value || strings.book.spreadHelp(store.photos.value.length)),
+      icon: 'spread',
+      enabled: computed(() => whyNotSpread.value === ''),
+      run: book.spreadAlbum,
+      undo: 'step',
+    },
+    earlier: {
+      label: strings.book.earlier,
+      icon: computed(() => (ui.wide.value ? 'up' : 'previous')),
+      enabled: computed(() => at.value > 0),
+      run: () => book.move(at.peek(), at.peek() - 1),
+      undo: 'step',
+    },
+    later: {
+      label: strings.book.later,
+      icon: computed(() => (ui.wide.value ? 'down' : 'next')),
+      enabled: computed(() => !last.value),
+      run: () => book.move(at.peek(), at.peek() + 1),
+      undo: 'step',
+    },
+    remove: { label: strings.book.remove, icon: 'bin', enabled: several, run: book.remove, undo: 'step' },
+    styleAll: {
+      label: strings.book.styleAll,
+      icon: 'style',
+      enabled: computed(() => !book.oneStyle.value),
+      run: book.styleAll,
+      undo: 'step',
+    },
+  } satisfies Record<string, Action>;
+}

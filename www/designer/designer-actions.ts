@@ -1,0 +1,60 @@
+/** What can be done with the designed style as a whole. */
+
+import { computed } from '@preact/signals';
+import { strings } from '../strings/strings.ts';
+import type { Parts } from '../app/context.ts';
+import type { Style } from '../engine/documents.ts';
+import type { Action } from '../ui/action.ts';
+
+export function createDesignerActions({ store, designer, ownStyles }: Pick<Parts, 'store' | 'designer' | 'ownStyles'>) {
+  const { draft } = designer;
+  const empty = computed(() => !draft.value || draft.value.background.length + draft.value.foreground.length === 0);
+
+  /** @param deed on the style as the core has checked it */
+  const withStyle = (deed: (style: Style) => void) => () => {
+    const style = designer.checked();
+    if (style) deed(style);
+  };
+
+  return {
+    save: {
+      label: strings.saveStyle,
+      icon: 'save',
+      enabled: computed(() => !empty.value),
+      run: withStyle(ownStyles.save),
+      undo: 'step',
+    },
+    exportStyle: { label: strings.exportStyle, icon: 'export', run: withStyle(ownStyles.exportFile) },
+    copyLink: {
+      label: strings.copyLink,
+      icon: 'link',
+      run: withStyle(
+        (style) =>
+          void ownStyles.copyLink(style, {
+            address: globalThis.location.href,
+            write: async (text) => navigator.clipboard.writeText(text),
+          }),
+      ),
+    },
+    duplicate: {
+      label: strings.duplicateStyle,
+      icon: 'duplicate',
+      run: withStyle((style) => designer.begin(ownStyles.duplicate(style))),
+      undo: 'step',
+    },
+    remove: {
+      label: strings.deleteStyle,
+      icon: 'bin',
+      enabled: computed(() => ownStyles.mine.value.some(({ id }) => id === draft.value?.id)),
+      run: () => ownStyles.remove(draft.peek()?.id ?? ''),
+      undo: 'step',
+    },
+    use: {
+      label: strings.useStyle,
+      icon: 'check',
+      enabled: computed(() => store.page.value !== null),
+      run: designer.use,
+      undo: 'step',
+    },
+  } satisfies Record<string, Action>;
+}

@@ -1,0 +1,31 @@
+/** What can be done with the wall of styles as a whole. */
+
+import { computed } from '@preact/signals';
+import { strings } from '../strings/strings.ts';
+import type { Parts } from '../app/context.ts';
+import type { Action } from '../ui/action.ts';
+
+export function createExplorerActions({ explorer }: Pick<Parts, 'explorer'>) {
+  return {
+    stop: {
+      label: strings.stop,
+      icon: 'close',
+      enabled: computed(() => explorer.progress.value !== null),
+      run: explorer.stop,
+    },
+    sort: {
+      label: strings.sortByScore,
+      help: computed(() => (explorer.scores.off.value ? strings.sortedByLight : strings.sortedByNet)),
+      on: explorer.sorted,
+      run: () => {
+        explorer.sorted.value = !explorer.sorted.peek();
+      },
+    },
+    clear: {
+      label: strings.clearWall,
+      icon: 'bin',
+      enabled: computed(() => explorer.items.value.length > 0),
+      run: explorer.clear,
+    },
+  } satisfies Record<string, Action>;
+}

@@ -1,0 +1,26 @@
+/** The ways out of the page. */
+
+import { computed } from '@preact/signals';
+import { strings } from '../strings/strings.ts';
+import type { Parts } from '../app/context.ts';
+import type { Action } from '../ui/action.ts';
+
+export function createDownloadActions({ store, download, ui }: Pick<Parts, 'store' | 'download' | 'ui'>) {
+  return {
+    download: {
+      label: strings.download,
+      keys: ['Mod+S'],
+      icon: 'download',
+      enabled: computed(() => store.page.value !== null && download.progress.value === null),
+      run: () => void download.start(),
+    },
+    exportPages: {
+      label: strings.export,
+      icon: 'export',
+      enabled: computed(() => store.page.value !== null),
+      run: () => {
+        ui.dialog.value = 'export';
+      },
+    },
+  } satisfies Record<string, Action>;
+}

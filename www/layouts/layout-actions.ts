@@ -1,0 +1,41 @@
+/** What can be done with the layout as a whole. */
+
+import { computed } from '@preact/signals';
+import { strings } from '../strings/strings.ts';
+import type { Parts } from '../app/context.ts';
+import type { Action } from '../ui/action.ts';
+
+export function createLayoutActions({
+  store,
+  reshaping,
+  ownLayouts,
+}: Pick<Parts, 'store' | 'reshaping' | 'ownLayouts'>) {
+  const there = computed(() => store.layoutFacts.value !== null);
+  return {
+    surprise: {
+      label: strings.surprise,
+      short: strings.surpriseShort,
+      icon: 'surprise',
+      enabled: there,
+      run: reshaping.surprise,
+      undo: 'step',
+    },
+    edit: {
+      label: strings.editLayout,
+      icon: 'edit',
+      enabled: there,
+      on: reshaping.editing,
+      run: () => {
+        reshaping.editing.value = !reshaping.editing.peek();
+      },
+    },
+    save: { label: strings.saveLayout, icon: 'save', enabled: there, run: ownLayouts.save, undo: 'step' },
+    forget: {
+      label: strings.forgetLayout,
+      icon: 'bin',
+      enabled: computed(() => ownLayouts.isOwn(store.layoutFacts.value?.id ?? '')),
+      run: () => ownLayouts.remove(store.layoutFacts.peek()?.id ?? ''),
+      undo: 'step',
+    },
+  } satisfies Record<string, Action>;
+}

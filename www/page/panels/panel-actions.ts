@@ -1,0 +1,199 @@
+/** What can be done with the panels that are chosen, with their photos, and with the cuts between them. */
+
+import { computed } from '@preact/signals';
+import { LARGE_STEP as LARGE_SCRUB, STEP as SCRUB } from '../../photos/scrubbing.ts';
+import { strings } from '../../strings/strings.ts';
+import { SLANT_KEYS } from './cuts.tsx';
+import { CHOOSE_KEYS, FRAME_KEYS } from './panel-keys.ts';
+import type { ReadonlySignal } from '@preact/signals';
+import type { Parts } from '../../app/context.ts';
+import type { Action, OwnKeys } from '../../ui/action.ts';
+
+/** A panel with the focus has keys of its own for it, whichever panels are chosen. */
+export type PanelAction = Action & {
+  /** @param how `gesture`: the step of the undo; `large`: Shift is held */
+  onPanel?: (panel: number, how: { gesture: string; large: boolean }) => void;
+  /** Whether its keys mean anything there. */
+  allows?: (panel: number) => boolean;
+};
+
+/** What a click, and what a key press enlarges a photo by. */
+const CLICK_ZOOM = 1.2;
+const KEY_ZOOM = 1.1;
+/** What a click moves a cut by, in parts of the cell that is cut. */
+const CUT_STEP = 0.02;
+
+export function createPanelActions({
+  store,
+  selection,
+  merging,
+  framing,
+  scrubbing,
+  reshaping,
+  download,
+}: Pick<Parts, 'store' | 'selection' | 'merging' | 'framing' | 'scrubbing' | 'reshaping' | 'download'>) {
+  const chosen = selection.panels;
+  const panel = () => chosen.peek()[0];
+  const whyNotOne = computed(() => (chosen.value.length === 1 ? '' : strings.selectOne));
+  const whyHeld = computed(() => (chosen.value.some(framing.isLocked) ? strings.panelLocked : ''));
+  const whyNotFramed = computed(() => whyNotOne.value || whyHeld.value);
+  const use = computed(() => store.page.value?.panels[chosen.value[0]]);
+  const lockedOne = computed(() => use.value?.locked ?? false);
+  const facts = store.layoutFacts;
+
+  const whyNotSplit = computed(
+    () => whyNotOne.value || (facts.value?.editable && chosen.value[0] < facts.value.base ? '' : strings.noCuts),
+  );
+  const whyNotRemoved = computed(() => {
+    if (whyNotOne.value || !facts.value) return whyNotOne.value;
+    const { base, editable } = facts.value;
+    return chosen.value[0] < base && (!editable || base === 1) ? strings.notRemoved(editable) : '';
+  });
+
+  const zoomed = (way: 1 | -1) =>
+    ({
+      about: strings.keyAbout.zoom,
+      heard: 'panel',
+      why: whyNotFramed,
+      run: () => framing.closer(panel(), CLICK_ZOOM ** way),
+      onPanel: (index, { gesture }) => framing.closer(index, KEY_ZOOM ** way, gesture),
+      undo: 'step',
+    }) satisfies Partial<PanelAction>;
+
+  /** As in film editors; with Shift a second. */
+  const scrubbed = (way: 1 | -1) =>
+    ({
+      about: strings.keyAbout.scrub,
+      heard: 'panel',
+      why: whyHeld,
+      run: () => void scrubbing.nudge(panel(), way * SCRUB, `scrub-${panel()}`),
+      onPanel: (index, { gesture, large }) => void scrubbing.nudge(index, way * (large ? LARGE_SCRUB : SCRUB), gesture),
+      allows: (index) => !framing.isLocked(index) && scrubbing.isFrame(index),
+      undo: 'gesture',
+    }) satisfies Partial<PanelAction>;
+
+  const splitInto = (axis: 'rows' | 'columns') =>
+    ({
+      icon: axis,
+      why: whyNotSplit,
+      run: () => reshaping.splitPanel(panel(), axis),
+      undo: 'step',
+    }) satisfies Partial<Action>;
+
+  const cut = computed(() => facts.value?.cuts[reshaping.cut.value ?? -1]);
+  const whyNoCut = computed(() => (cut.value ? '' : strings.selectCut));
+  const moved = (by: number, slant: number) =>
+    ({
+      why: whyNoCut,
+      run() {
+        const at = reshaping.cut.peek();
+        const from = cut.peek();
+        if (from && at !== null)
+          reshaping.moveCut(at, { fraction: from.fraction + by, slant: from.slant + slant }, `cut-clicks-${at}`);
+      },
+      undo: 'gesture',
+    }) satisfies Partial<Action>;
+  const alongCut = (rows: string, columns: string): ReadonlySignal<string> =>
+    computed(() => (cut.value?.axis === 'rows' ? rows : columns));
+
+  return {
+    select: {
+      label: strings.selectPanels,
+      icon: 'select',
+      on: selection.several,
+      run: () => selection.choose(!selection.several.peek()),
+    },
+    merge: {
+      label: strings.merge,
+      icon: 'merge',
+      why: computed(merging.cannotMerge),
+      run: merging.merge,
+      undo: 'step',
+    },
+    split: {
+      label: strings.split,
+      icon: 'split',
+      why: computed(merging.cannotSplit),
+      run: merging.split,
+      undo: 'step',
+    },
+    frame: FRAME_KEYS,
+    earlier: { label: strings.earlierFrame, icon: 'earlier', keys: [',', '<'], ...scrubbed(-1) },
+    later: { label: strings.laterFrame, icon: 'later', keys: ['.', '>'], ...scrubbed(1) },
+    zoomIn: { label: strings.zoomIn, icon: 'zoomIn', keys: ['+', '='], ...zoomed(1) },
+    zoomOut: { label: strings.zoomOut, icon: 'zoomOut', keys: ['-'], ...zoomed(-1) },
+    reset: {
+      label: strings.resetCrop,
+      keys: ['0'],
+      about: strings.keyAbout.zoom,
+      heard: 'panel',
+      icon: 'reset',
+      why: computed(() => whyNotFramed.value || (use.value?.edited ? '' : strings.unchanged)),
+      run: () => framing.reset(panel()),
+      onPanel: (index) => framing.reset(index),
+      undo: 'step',
+    },
+    choose: CHOOSE_KEYS,
+    fit: {
+      label: strings.fitSubject,
+      icon: 'fit',
+      why: whyNotFramed,
+      run: () => framing.fit(panel()),
+      undo: 'step',
+    },
+    swap: {
+      label: strings.swapPhoto,
+      icon: 'swap',
+      why: computed(() => (chosen.value.length > 2 ? whyNotOne.value : whyHeld.value)),
+      on: computed(() => framing.mode.value?.kind === 'swap'),
+      run() {
+        const [one, other] = chosen.peek();
+        if (other === undefined) framing.toggle('swap', one);
+        else framing.swap(one, other);
+      },
+      undo: 'step',
+    },
+    focus: {
+      label: strings.focusPoint,
+      icon: 'focus',
+      why: whyNotFramed,
+      on: computed(() => framing.mode.value?.kind === 'focus'),
+      run: () => framing.toggle('focus', panel()),
+    },
+    lock: {
+      label: strings.lockPanel,
+      icon: computed(() => (lockedOne.value ? 'lock' : 'unlock')),
+      why: whyNotOne,
+      on: lockedOne,
+      run: () => framing.lock(panel(), !lockedOne.peek()),
+      undo: 'step',
+    },
+    save: {
+      label: strings.savePanel,
+      icon: 'save',
+      why: computed(() => whyNotOne.value || (use.value?.photo ? '' : strings.noPhotoHere)),
+      run: () => void download.savePanel(panel()),
+    },
+    splitRows: { label: strings.splitRows, ...splitInto('rows') },
+    splitColumns: { label: strings.splitColumns, ...splitInto('columns') },
+    remove: {
+      label: strings.removePanel,
+      icon: 'bin',
+      why: whyNotRemoved,
+      run: () => reshaping.removePanel(panel()),
+      undo: 'step',
+    },
+    slant: SLANT_KEYS,
+    cutBack: { label: strings.cutBack, icon: alongCut('up', 'previous'), ...moved(-CUT_STEP, 0) },
+    cutForth: { label: strings.cutForth, icon: alongCut('down', 'next'), ...moved(CUT_STEP, 0) },
+    slantBack: { label: strings.slantBack, icon: 'slantLess', ...moved(0, -2 * CUT_STEP) },
+    slantForth: { label: strings.slantForth, icon: 'slantMore', ...moved(0, 2 * CUT_STEP) },
+    done: {
+      label: strings.doneEditing,
+      icon: 'check',
+      run: () => {
+        reshaping.editing.value = false;
+      },
+    },
+  } satisfies Record<string, PanelAction | OwnKeys>;
+}

@@ -1,0 +1,20 @@
+/** What can be done with the photos as a whole. */
+
+import { strings } from '../strings/strings.ts';
+import { openFiles } from './file-input.tsx';
+import type { Parts } from '../app/context.ts';
+import type { Action } from '../ui/action.ts';
+
+export function createPhotoActions({ ui }: Pick<Parts, 'ui'>) {
+  return {
+    subjects: {
+      label: strings.showSubjects,
+      icon: 'subjects',
+      on: ui.subjects,
+      run: () => {
+        ui.subjects.value = !ui.subjects.peek();
+      },
+    },
+    add: { label: strings.addPhotos, icon: 'add', run: openFiles },
+  } satisfies Record<string, Action>;
+}

@@ -1,0 +1,26 @@
+/** What can be done with the style of the page. */
+
+import { computed } from '@preact/signals';
+import { strings } from '../strings/strings.ts';
+import type { Parts } from '../app/context.ts';
+import type { Style } from '../engine/documents.ts';
+import type { Action } from '../ui/action.ts';
+
+/** The style of the page in full. */
+export function styleOfPage({ store, ownStyles }: Pick<Parts, 'store' | 'ownStyles'>) {
+  const style = store.page.value?.style;
+  if (typeof style !== 'string') return style as Style | undefined;
+  return ownStyles.find(style) ?? store.styles.value.find(({ id }) => id === style);
+}
+
+export function createStyleActions({ store, ownStyles, designer }: Pick<Parts, 'store' | 'ownStyles' | 'designer'>) {
+  const style = computed(() => styleOfPage({ store, ownStyles }));
+  return {
+    edit: {
+      label: computed(() => (style.value ? strings.editStyle(strings.styleTitle(style.value)) : strings.edit)),
+      icon: 'designer',
+      enabled: computed(() => style.value !== undefined),
+      run: () => designer.open(style.peek()),
+    },
+  } satisfies Record<string, Action>;
+}

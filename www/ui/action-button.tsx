@@ -1,0 +1,54 @@
+import { isEnabled, now } from './action.ts';
+import { Icon } from './icon.tsx';
+import { ariaShortcut, keyNames } from './shortcut.ts';
+import type { ComponentChildren } from 'preact';
+import type { Action } from './action.ts';
+
+/**
+ * The button of an action: its name for everyone, on hovering what more there is to say.
+ * @param props `text`: the name is shown beside the icon; `opens`: what it switches on appears by it, as a drawer does;
+ * `children`: what is shown in the place of icon and text
+ */
+export function ActionButton({
+  action,
+  class: look = 'icon-button',
+  text = false,
+  opens = false,
+  children,
+}: {
+  action: Action;
+  class?: string;
+  text?: boolean;
+  opens?: boolean;
+  children?: ComponentChildren;
+}) {
+  const { short, on, run } = action;
+  const label = now(action.label);
+  const icon = now(action.icon);
+  const shown = text ? (short ?? label) : '';
+  const shortcut = action.keys?.[0];
+  const help = now(action.help) ?? label;
+  const why = action.why?.value;
+  const told = shortcut ? `${help} (${keyNames(shortcut).join('+')})` : help;
+  const title = why ? `${told}: ${why}` : told;
+  return (
+    <button
+      type="button"
+      class={look}
+      aria-label={shown === label ? undefined : label}
+      aria-pressed={opens ? undefined : on?.value}
+      aria-expanded={opens ? on?.value : undefined}
+      aria-keyshortcuts={shortcut && ariaShortcut(shortcut)}
+      title={title === shown ? undefined : title}
+      disabled={!isEnabled(action)}
+      onClick={run}
+    >
+      {children ?? (
+        <>
+          {icon && <Icon name={icon} />}
+          {shown && <span>{shown}</span>}
+        </>
+      )}
+    </button>
+  );
+}

@@ -1,0 +1,37 @@
+/** Shortcuts, such as `Shift+Mod+Z`: as people read them, as assistive technology does, and as the keyboard sends them. */
+
+import { strings } from '../strings/strings.ts';
+
+/** Whether Cmd does here what Ctrl does elsewhere. */
+const APPLE = /^(Mac|iP)/.test(globalThis.navigator?.platform ?? '');
+
+const SIGNS: Record<string, string> = { ArrowLeft: '←', ArrowUp: '↑', ArrowRight: '→', ArrowDown: '↓', '-': '−' };
+
+/** @returns its keys, each as its keyboard calls it */
+export function keyNames(shortcut: string, apple: boolean = APPLE): string[] {
+  const names: Record<string, string> = { ...SIGNS, Mod: apple ? '⌘' : 'Ctrl', ...strings.keyNames };
+  return parts(shortcut).map((key) => names[key] ?? key);
+}
+
+/** @returns the value of `aria-keyshortcuts` */
+export function ariaShortcut(shortcut: string, apple: boolean = APPLE): string {
+  const names: Record<string, string> = { Mod: apple ? 'Meta' : 'Control', '+': 'Plus' };
+  return parts(shortcut)
+    .map((key) => names[key] ?? key)
+    .join('+');
+}
+
+/**
+ * What was pressed: Ctrl and Cmd are both taken for `Mod`, as keyboards travel.
+ * @returns the shortcuts that it is, the nearest first: Shift may be what a character needs
+ */
+export function pressed({ key, shiftKey, ctrlKey, metaKey }: KeyboardEvent): string[] {
+  const name = key === ' ' ? 'Space' : key.length === 1 ? key.toUpperCase() : key;
+  const held = ctrlKey || metaKey ? `Mod+${name}` : name;
+  return shiftKey ? [`Shift+${held}`, held] : [held];
+}
+
+/** A plus at the end is a key. */
+function parts(shortcut: string) {
+  return shortcut.split(/\+(?=.)/);
+}
