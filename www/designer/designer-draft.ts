@@ -4,10 +4,11 @@
  */
 
 import { MOST, wellFormed } from '../document/limits.ts';
-import type { Block, Style } from '../engine/documents.ts';
+import type { Block, ParamValue, Style } from '../engine/documents.ts';
 
 export type Layer = 'background' | 'foreground';
-export type Step = { key: number; block: string; values: Record<string, any>; bypass: boolean };
+export type Step = { key: number; block: string; values: Values; bypass: boolean };
+type Values = Record<string, ParamValue>;
 export type Draft = {
   id: string;
   name: string;
@@ -17,6 +18,9 @@ export type Draft = {
   ink: string;
 };
 
+/** A block as a style file has it. */
+type StyleStep = { block: string; bypass?: boolean } & Values;
+
 /** A place is a layer and a position in it. */
 export type Edit =
   | { type: 'add'; layer: Layer; at: number; blocks: string[] }
@@ -24,7 +28,7 @@ export type Edit =
   | { type: 'remove'; layer: Layer; at: number }
   | { type: 'duplicate'; layer: Layer; at: number }
   | { type: 'bypass'; layer: Layer; at: number; on: boolean }
-  | { type: 'set'; layer: Layer; at: number; param: string; value: any }
+  | { type: 'set'; layer: Layer; at: number; param: string; value: ParamValue }
   | { type: 'reset'; layer: Layer; at: number }
   | { type: 'name'; name: string }
   | { type: 'ink'; ink: string };
@@ -40,8 +44,8 @@ export function emptyDraft(id: string, name: string): Draft {
 /** @param style a valid one */
 export function draftOf(style: Style, blocks: readonly Block[]): Draft {
   let key = 0;
-  const steps = (list: any[]) =>
-    list.map(({ block, bypass = false, ...values }) => {
+  const steps = (list: readonly object[]) =>
+    (list as readonly StyleStep[]).map(({ block, bypass = false, ...values }) => {
       key += 1;
       return { key, block, values: { ...defaults(block, blocks), ...values }, bypass };
     });
@@ -161,7 +165,7 @@ export function edit(draft: Draft, change: Edit, blocks: readonly Block[]): Draf
   return { ...draft, [layer]: steps };
 }
 
-export function defaults(id: string, blocks: readonly Block[]): Record<string, any> {
+export function defaults(id: string, blocks: readonly Block[]): Values {
   const params = blocks.find((block) => block.id === id)?.params ?? [];
   return Object.fromEntries(params.map((param) => [param.id, param.default]));
 }

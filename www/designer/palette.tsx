@@ -10,12 +10,12 @@ import { IconButton } from '../ui/button.tsx';
 import { useApp } from '../app/context.ts';
 import { thumbnail } from '../photos/cover.ts';
 import { useHero } from '../photos/hero.ts';
-import type { Block, Style } from '../engine/documents.ts';
+import type { Block, ParamValue, Style } from '../engine/documents.ts';
 import type { Draft, Layer } from './designer-draft.ts';
 
 const SIZE = { width: 132, height: 99 };
 /** What a picture shows of the blocks whose usual values do nothing. */
-const TELLING: Record<string, Record<string, any>> = {
+const TELLING: Record<string, Record<string, ParamValue>> = {
   hue: { angle: 90 },
   size: { percent: 20 },
   dynamic_range: { range: 255 },

@@ -3,7 +3,7 @@
  */
 
 import { strings } from '../strings/strings.ts';
-import type { BlockParam } from '../engine/documents.ts';
+import type { BlockParam, ParamValue } from '../engine/documents.ts';
 
 /** @param props `onMove`: in the middle of a drag, which `onRest` ends */
 export function Parameter({
@@ -16,9 +16,9 @@ export function Parameter({
 }: {
   block: string;
   param: BlockParam;
-  value: any;
-  onMove: (value: any) => void;
-  onSet: (value: any) => void;
+  value: ParamValue;
+  onMove: (value: ParamValue) => void;
+  onSet: (value: ParamValue) => void;
   onRest: () => void;
 }) {
   const { kind } = param;
@@ -27,7 +27,7 @@ export function Parameter({
   if (kind === 'boolean') {
     return (
       <label class="parameter switch" title={help}>
-        <input type="checkbox" checked={value} onChange={(event) => onSet(event.currentTarget.checked)} />
+        <input type="checkbox" checked={value === true} onChange={(event) => onSet(event.currentTarget.checked)} />
         <span>{label}</span>
       </label>
     );
@@ -36,7 +36,7 @@ export function Parameter({
     return (
       <label class="parameter choice" title={help}>
         <span>{label}</span>
-        <select class="select" value={value} onChange={(event) => onSet(event.currentTarget.value)}>
+        <select class="select" value={String(value)} onChange={(event) => onSet(event.currentTarget.value)}>
           {param.choices?.map((name) => (
             <option key={name} value={name}>
               {strings.choiceName(name)}
@@ -46,11 +46,21 @@ export function Parameter({
       </label>
     );
   }
-  return <Range param={param} label={label} help={help} value={value} onMove={onMove} onSet={onSet} onRest={onRest} />;
+  return (
+    <Range
+      param={param}
+      label={label}
+      help={help}
+      value={Number(value)}
+      onMove={onMove}
+      onSet={onSet}
+      onRest={onRest}
+    />
+  );
 }
 
 function Range({
-  param: { min = 0, max = 1, step = 1, unit = '', default: usual },
+  param: { min = 0, max = 1, step = 1, unit = '', default: standard },
   label,
   help,
   value,
@@ -66,6 +76,7 @@ function Range({
   onSet: (value: number) => void;
   onRest: () => void;
 }) {
+  const usual = Number(standard);
   const mark = (usual - min) / (max - min);
   const text = `${value}${unit ? ` ${unit}` : ''}`;
   return (

@@ -22,26 +22,28 @@ export function Preview({ onStages }: { onStages: (designed: Designed) => void }
   /** The photos that are being drawn. */
   const busy = useSignal(new Set() as ReadonlySet<string>);
   const hero = useHero();
-  const facts = store.facts.value.filter(({ id, meta }) => meta && engine.hasPhoto(id));
+  const facts = store.facts.value.flatMap((fact) =>
+    fact.meta && engine.hasPhoto(fact.id) ? [{ ...fact, meta: fact.meta }] : [],
+  );
   const ids = facts.map(({ id }) => id);
   const first = chosen.value && ids.includes(chosen.value) ? chosen.value : (hero ?? ids[0]);
   const at = Math.max(0, ids.indexOf(first));
-  const shown = four.value ? [...ids.slice(at), ...ids.slice(0, at)].slice(0, 4) : ids.slice(at, at + 1);
+  const shown = four.value ? [...facts.slice(at), ...facts.slice(0, at)].slice(0, 4) : facts.slice(at, at + 1);
 
   return (
     <section class="preview" aria-label={strings.preview} aria-busy={busy.value.size > 0}>
       <div class="preview-stage" data-count={shown.length}>
-        {shown.map((id, i) => (
+        {shown.map((fact, i) => (
           <Comparison
-            key={`${id}/${shown.length}`}
-            fact={facts.find((fact) => fact.id === id) as any}
+            key={`${fact.id}/${shown.length}`}
+            fact={fact}
             style={designer.shown.value ?? PLAIN}
             small={shown.length > 1}
             split={compare.value ? split : null}
             onStages={i === 0 ? onStages : null}
             onBusy={(now) => {
-              const others = [...busy.peek()].filter((other) => other !== id);
-              busy.value = new Set(now ? [...others, id] : others);
+              const others = [...busy.peek()].filter((other) => other !== fact.id);
+              busy.value = new Set(now ? [...others, fact.id] : others);
             }}
           />
         ))}

@@ -5,12 +5,14 @@
 import type { PhotoMeta } from './protocol.ts';
 
 export type Block = { id: string; label: string; help: string; input: string; output: string; params: BlockParam[] };
+/** A number, an entry of its choices, or whether it is on. */
+export type ParamValue = number | string | boolean;
 export type BlockParam = {
   id: string;
   label: string;
   help: string;
   kind: string;
-  default: any;
+  default: ParamValue;
   min?: number;
   max?: number;
   step?: number;

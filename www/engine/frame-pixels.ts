@@ -9,7 +9,7 @@ export async function rgbaOf(
 ): Promise<{ width: number; height: number; data: Uint8Array<ArrayBuffer> }> {
   try {
     const { width, height } = frame.visibleRect as DOMRectReadOnly;
-    const layout = { format: 'RGBA', colorSpace: 'srgb' } as any;
+    const layout: VideoFrameCopyToOptions = { format: 'RGBA', colorSpace: 'srgb' };
     const data = new Uint8Array(frame.allocationSize(layout));
     await frame.copyTo(data, layout);
     return { width, height, data };

@@ -4,6 +4,7 @@
  */
 
 import { announcedPixels } from './announced-pixels.ts';
+import type { PageDocument, Style } from './documents.ts';
 
 /** A million pixels of a photo, decoded, reduced and measured: JPEG 20, TIFF and WebP 60. */
 const PHOTO = 60;
@@ -56,15 +57,15 @@ export const styleMs = (style: string, pixels: number) => blocksMs(pixels, block
  * @param panels how many; all unless told
  */
 export function pageMs(document: string, width: number, panels?: number) {
-  const { page, panels: all, merges, style } = parsed(document) ?? {};
-  const tall = page?.height / page?.width;
+  const { page, panels: all, merges = [], style } = (parsed(document) ?? {}) as Partial<PageDocument>;
+  const tall = page ? page.height / page.width : Number.NaN;
   // A panel may well be twice as large as the others, a picture across several larger yet.
-  const share = panels === undefined || merges?.length > 0 ? 1 : Math.min(1, (2 * panels) / (all?.length || 1));
+  const share = panels === undefined || merges.length > 0 ? 1 : Math.min(1, (2 * panels) / (all?.length || 1));
   return blocksMs(share * width * width * (Number.isFinite(tall) ? tall : 1.5), blocksOf(style));
 }
 
 /** @returns what is wrong with it the core tells */
-function parsed(json: string): any {
+function parsed(json: string): unknown {
   try {
     return JSON.parse(json);
   } catch {
@@ -72,7 +73,7 @@ function parsed(json: string): any {
   }
 }
 
-function blocksOf(style: any) {
-  const { background, foreground } = style ?? {};
+function blocksOf(style: unknown) {
+  const { background, foreground } = (style ?? {}) as Partial<Style>;
   return Array.isArray(background) ? background.length + (foreground?.length ?? 0) : BLOCKS;
 }

@@ -28,11 +28,8 @@ export function createStyleOperations({
     await fetchPhotos([photo], tell);
     tell.expects(blocksMs(width * height, 1));
     studio.design(photo.key, style, width, height);
-    const { background, foreground = [] } = JSON.parse(style);
-    const places = [
-      ...background.map((_: any, i: number) => i),
-      ...foreground.map((_: any, i: number) => FOREGROUND + i),
-    ];
+    const { background, foreground = [] }: { background: unknown[]; foreground?: unknown[] } = JSON.parse(style);
+    const places = [...background.map((_, i) => i), ...foreground.map((_, i) => FOREGROUND + i)];
     const times = timed(`${photo.key} ${width} ${height}`, () => tell.expects(blocksMs(width * height, 1)));
     tell.expects(blocksMs(width * height, 1) + blocksMs(stages * stages, stages > 0 ? places.length : 0));
     const whole = await bitmap(studio.design_result());

@@ -69,7 +69,7 @@ function readByWorker(worker: Worker, first: object, { signal, onAbout, onFrame 
   /** Frames that the page deals with: the reader waits for it meanwhile. */
   let dealing = 0;
   let relax = () => {};
-  const read = new Promise((resolve: (value?: any) => void, reject) => {
+  const read = new Promise<void>((resolve, reject) => {
     if (signal?.aborted) reject(cancelled());
     signal?.addEventListener('abort', () => reject(cancelled()), { once: true });
     const stopped = () => reject(failure('video-worker', 'Its reader stopped.'));

@@ -17,6 +17,9 @@ const PATIENCE = 10_000;
 /** Of the locks by which the worker knows what the open pages are made of. */
 const PAGE_LOCK = 'inkpanel.page ';
 
+/** Where a person may have asked for fewer bytes; browsers that cannot tell lack it. */
+type Saving = Navigator & { connection?: { saveData?: boolean } };
+
 /** @param app `script`: the address of the page's own script; `busy` reads signals */
 export function createOffline({
   window,
@@ -66,7 +69,7 @@ export function createOffline({
       });
       document.addEventListener('visibilitychange', look);
       const { active } = await workers.ready;
-      active?.postMessage({ op: 'settle', extras: !(navigator as any).connection?.saveData });
+      active?.postMessage({ op: 'settle', extras: !(navigator as Saving).connection?.saveData });
     } catch {
       // Refused, as in some private windows, or there is no such file: the page works without.
     }

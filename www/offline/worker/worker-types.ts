@@ -7,11 +7,16 @@ export type RequestEvent = WorkEvent & {
   respondWith: (response: Response | Promise<Response>) => void;
 };
 
+type WorkerEvents = { install: WorkEvent; activate: WorkEvent; message: OrderEvent; fetch: RequestEvent };
+
 export type WorkerScope = {
   registration: ServiceWorkerRegistration;
   skipWaiting: () => Promise<void>;
   clients: { claim: () => Promise<void>; matchAll: (of: object) => Promise<readonly unknown[]> };
-  addEventListener: (type: string, listener: (event: any) => void) => void;
+  addEventListener: <Type extends keyof WorkerEvents>(
+    type: Type,
+    listener: (event: WorkerEvents[Type]) => void,
+  ) => void;
 };
 
 /** The files of one build, by their path in the site; `''` is the page itself. */

@@ -92,7 +92,7 @@ export function createFraming({ store, pages }: { store: Store; pages: Pages }) 
   function fit(panel: number) {
     const bounds = boundsOf(panel);
     const meta = store.photos.peek().find(({ id }) => id === photoOf(panel));
-    const crop = meta && bounds && fitted(meta.subjects as any, meta, bounds.width / bounds.height);
+    const crop = meta && bounds && fitted(meta.subjects, meta, bounds.width / bounds.height);
     if (crop) setCrop(panel, crop, step());
     else reset(panel);
   }
