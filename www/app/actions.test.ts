@@ -85,26 +85,25 @@ const ELSEWHERE =
 /** They are the undo itself. */
 const WALKS = ['page.undo', 'page.redo'];
 
-test('an action counts in the undo as its mark says', async () => {
-  const ids = (await all()).map(([id]) => id).filter((id) => !ELSEWHERE.test(id) && !WALKS.includes(id));
-  expect(ids.length).toBeGreaterThan(30);
-  for (const id of ids) {
-    const parts = await fakeParts();
-    const { store, pages, book, selection, merging } = parts;
-    // Two pages, the one at hand with versions before and behind it, and panels that can be merged or parted.
-    book.add();
-    if (id !== 'book.earlier') book.go(0);
-    pages.shuffle('all');
-    pages.chooseStyle('other');
-    pages.previous();
-    selection.set([0, 1]);
-    if (id === 'panels.split') merging.merge();
-    else if (!['panels.merge', 'panels.swap'].includes(id)) selection.set([0]);
-    const action = new Map(everyAction(createActions(parts))).get(id);
-    const before = store.history.peek().past.length;
-    if (action && isEnabled(action)) action.run();
-    else expect.fail(`${id} cannot be done here`);
-    const steps = store.history.peek().past.length - before;
-    expect([id, steps]).toEqual([id, action.undo === undefined ? 0 : 1]);
-  }
+const HERE = (await all()).map(([id]) => id).filter((id) => !ELSEWHERE.test(id) && !WALKS.includes(id));
+
+test('most actions can be done here', () => expect(HERE.length).toBeGreaterThan(30));
+
+test.each(HERE)('%s counts in the undo as its mark says', async (id) => {
+  const parts = await fakeParts();
+  const { store, pages, book, selection, merging } = parts;
+  // Two pages, the one at hand with versions before and behind it, and panels that can be merged or parted.
+  book.add();
+  if (id !== 'book.earlier') book.go(0);
+  pages.shuffle('all');
+  pages.chooseStyle('other');
+  pages.previous();
+  selection.set([0, 1]);
+  if (id === 'panels.split') merging.merge();
+  else if (!['panels.merge', 'panels.swap'].includes(id)) selection.set([0]);
+  const action = new Map(everyAction(createActions(parts))).get(id);
+  const before = store.history.peek().past.length;
+  if (action && isEnabled(action)) action.run();
+  else expect.fail('it cannot be done here');
+  expect(store.history.peek().past.length - before).toBe(action.undo === undefined ? 0 : 1);
 });

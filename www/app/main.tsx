@@ -136,7 +136,10 @@ const arrivals = createArrivals({ window, intake, messages });
 const begun = keeping.begin();
 engine.ready.then(
   (planner) => {
-    store.planner.value = lettering.within(styling.within(taste.within(planner)));
+    store.planner.value = {
+      ...planner,
+      plan: (request) => lettering.settled(planner.plan(taste.asked(styling.asked(request)))),
+    };
     shelves.recall();
     void begun.then(openLink);
     void begun.then(arrivals.begin);

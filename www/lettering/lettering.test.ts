@@ -28,7 +28,8 @@ beforeEach(async () => {
   ({ store, pages } = app);
   const selection = createSelection({ store });
   lettering = createLettering({ store, messages: app.messages, selection, load: async () => letters as any });
-  store.planner.value = lettering.within(app.planner as any);
+  const plan = app.planner.plan as any;
+  store.planner.value = { ...app.planner, plan: (request: any) => lettering.settled(plan(request)) } as any;
   await app.reading.addFiles(app.files('a.jpg', 'b.jpg'));
 });
 

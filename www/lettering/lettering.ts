@@ -51,7 +51,7 @@ export function createLettering({
     editing,
     mode,
     rested: planning.rested,
-    within: planning.within,
+    settled,
     on: planning.on,
     choose,
     add,

@@ -3,7 +3,7 @@
 import { useRef } from 'preact/hooks';
 import { strings } from '../strings/strings.ts';
 import { useApp } from '../app/context.ts';
-import { Icon } from '../ui/icon.tsx';
+import { IconButton } from '../ui/button.tsx';
 import type { Word } from '../engine/documents.ts';
 import type { Mode } from './lettering.ts';
 
@@ -46,7 +46,7 @@ export function WordFields({ index }: { index: number }) {
   return (
     <div class="word-fields">
       <div class="word-deeds">
-        <Deed
+        <IconButton
           icon="text"
           label={strings.editWord}
           onClick={() => {
@@ -54,14 +54,14 @@ export function WordFields({ index }: { index: number }) {
             if (!ui.wide.peek()) ui.sheet.value = null;
           }}
         />
-        <Deed
+        <IconButton
           icon="put"
           label={strings.moveWord}
           pressed={lettering.mode.value === 'move'}
           onClick={() => aim('move')}
         />
         {word.kind === 'balloon' && (
-          <Deed
+          <IconButton
             icon="focus"
             label={strings.pointTail}
             pressed={lettering.mode.value === 'tail'}
@@ -69,10 +69,10 @@ export function WordFields({ index }: { index: number }) {
           />
         )}
         {word.kind === 'balloon' && box.tip && (
-          <Deed icon="close" label={strings.removeTail} onClick={() => lettering.point(index, null)} />
+          <IconButton icon="close" label={strings.removeTail} onClick={() => lettering.point(index, null)} />
         )}
-        <Deed icon="reset" label={strings.placeWord} onClick={() => lettering.settleOne(index)} />
-        <Deed icon="bin" label={strings.removeWord} onClick={() => lettering.remove(index)} />
+        <IconButton icon="reset" label={strings.placeWord} onClick={() => lettering.settleOne(index)} />
+        <IconButton icon="bin" label={strings.removeWord} onClick={() => lettering.remove(index)} />
       </div>
       {lettering.mode.value && (
         <p class="quiet" role="note">
@@ -157,24 +157,6 @@ export function WordFields({ index }: { index: number }) {
         ))}
       </div>
     </div>
-  );
-}
-
-function Deed({
-  icon,
-  label,
-  onClick,
-  pressed,
-}: {
-  icon: string;
-  label: string;
-  onClick: () => void;
-  pressed?: boolean;
-}) {
-  return (
-    <button type="button" class="icon-button" aria-label={label} title={label} aria-pressed={pressed} onClick={onClick}>
-      <Icon name={icon} />
-    </button>
   );
 }
 

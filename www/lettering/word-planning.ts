@@ -7,7 +7,6 @@ import { computed, effect, signal } from '@preact/signals';
 import { strings } from '../strings/strings.ts';
 import type { Messages } from '../app/messages.ts';
 import type { Store } from '../document/store.ts';
-import type { Planner } from '../engine/core.ts';
 import type { PageDocument, Word } from '../engine/documents.ts';
 import type { Lettering as Letters } from '../engine/words.ts';
 import type { Signal } from '@preact/signals';
@@ -45,7 +44,7 @@ export function createWordPlanning({
     if (words.value.length > 0 && !letters.value) ready().then(() => settle(true), failed);
   });
 
-  return { words, letters, rested, ready, failed, within, settled, on };
+  return { words, letters, rested, ready, failed, settled, on };
 
   async function ready() {
     letters.value ??= await load();
@@ -55,12 +54,10 @@ export function createWordPlanning({
     messages.alert(strings.wordsFailed(error.message));
   }
 
-  /** A planner whose pages have their words where they hide no face. */
-  function within(planner: Planner): Planner {
-    return { ...planner, plan: (request) => settled(planner.plan(request)) };
-  }
-
-  /** @param only the words that may move; all unless told */
+  /**
+   * The page with its words where they hide no face.
+   * @param only the words that may move; all unless told
+   */
   function settled(page: PageDocument, only?: readonly number[]): PageDocument {
     const table = letters.peek();
     const all = page.words ?? [];

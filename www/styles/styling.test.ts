@@ -9,7 +9,7 @@ it('draws from one’s own styles and favourites, each once, only where a style 
   const { store, planner, pages, reading, files } = fakeApp();
   const ownStyles = { mine: signal([style('a'), style('b')]), favourites: signal([style('b'), style('c')]) };
   const styling = createStyling({ store, ownStyles } as any);
-  store.planner.value = styling.within(planner as any);
+  store.planner.value = { ...planner, plan: (request: any) => planner.plan(styling.asked(request)) } as any;
   await reading.addFiles(files('1', '2', '3'));
   styling.change({ invented: 0.4, keepLines: true });
   pages.shuffle('style');

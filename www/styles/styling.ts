@@ -2,7 +2,7 @@
 
 import type { Styling } from '../document/project.ts';
 import type { Store } from '../document/store.ts';
-import type { Planner } from '../engine/core.ts';
+import type { PlanRequest } from '../engine/documents.ts';
 import type { OwnStyles } from './own-styles.ts';
 
 export type StylingDeeds = ReturnType<typeof createStyling>;
@@ -14,24 +14,16 @@ export function createStyling({
   store: Store;
   ownStyles: Pick<OwnStyles, 'mine' | 'favourites'>;
 }) {
-  return { within, change };
+  return { asked, change };
 
-  /** A planner whose pages are drawn like that. */
-  function within(planner: Planner): Planner {
-    return {
-      ...planner,
-      plan: (request) => {
-        // A style that stays or is named is not drawn; hundreds of others need not cross to the core.
-        if (request.keep.style || request.style !== undefined) return planner.plan(request);
-        const { invented, keepLines, keepColours } = store.project.peek().styling;
-        const mine = ownStyles.mine.peek();
-        const extra = [
-          ...mine,
-          ...ownStyles.favourites.peek().filter(({ id }) => mine.every((style) => style.id !== id)),
-        ];
-        return planner.plan({ ...request, styling: { extra, invented, keepLines, keepColours } });
-      },
-    };
+  /** A request for a page whose style is drawn like that. */
+  function asked(request: PlanRequest): PlanRequest {
+    // A style that stays or is named is not drawn; hundreds of others need not cross to the core.
+    if (request.keep.style || request.style !== undefined) return request;
+    const { invented, keepLines, keepColours } = store.project.peek().styling;
+    const mine = ownStyles.mine.peek();
+    const extra = [...mine, ...ownStyles.favourites.peek().filter(({ id }) => mine.every((style) => style.id !== id))];
+    return { ...request, styling: { extra, invented, keepLines, keepColours } };
   }
 
   /** @param gesture names one drag of a control, which is one step of the undo */

@@ -1,6 +1,5 @@
 import { beforeEach, expect, test } from 'vitest';
 import { createTaste } from './taste.ts';
-import type { Planner } from '../engine/core.ts';
 import type { PageDocument } from '../engine/documents.ts';
 
 const layouts = () => [
@@ -19,8 +18,7 @@ beforeEach(() => {
 
 const open = (box: any = { getItem: (key: string) => kept.get(key) ?? null, setItem: kept.set.bind(kept) }) => {
   const taste = createTaste({ planner: () => ({ layouts }) as any, box: () => box });
-  const plan = (request: any) => asked.push(request) as any;
-  return { taste, plan: taste.within({ plan } as unknown as Planner).plan as (request: any) => void };
+  return { taste, plan: (request: any) => void asked.push(taste.asked(request)) };
 };
 const free = { keep: { layout: false, style: false, photos: false } };
 const told = () => asked.at(-1).taste;

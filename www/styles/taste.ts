@@ -38,21 +38,16 @@ export function createTaste({ planner, box }: { planner: () => Pick<Planner, 'la
     on: computed(() => on.value),
     /** Whether there is something to forget. */
     known: computed(() => Object.keys({ ...liking.value.families, ...liking.value.styles }).length > 0),
-    within,
+    asked,
     learn,
     forget,
     setOn,
   };
 
-  /** A planner that knows what the person likes. */
-  function within(inner: Planner): Planner {
-    return {
-      ...inner,
-      plan: (request: PlanRequest) => {
-        const free = (!request.keep.layout && request.layout === undefined) || !request.keep.style;
-        return inner.plan(free && on.peek() ? { ...request, taste: liking.peek() } : request);
-      },
-    };
+  /** A request that tells what the person likes, where there is something to choose. */
+  function asked(request: PlanRequest): PlanRequest {
+    const free = (!request.keep.layout && request.layout === undefined) || !request.keep.style;
+    return free && on.peek() ? { ...request, taste: liking.peek() } : request;
   }
 
   /** A page was kept. */
