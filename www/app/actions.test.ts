@@ -10,6 +10,7 @@ import { createActions, everyAction } from './actions.ts';
 import { fakeParts } from './app-testing.ts';
 import type { Action } from '../ui/action.ts';
 
+/** What must not change; more may come. */
 const HELP = [
   ['Space', 'Shuffle'],
   ['L', 'Shuffle layout'],
@@ -74,9 +75,10 @@ test('every action with keys is in the list of keys', async () => {
   expect(untold.map(([id]) => id)).toEqual([]);
 });
 
-test('the list of keys is in the order in which a person meets them', async () => {
-  const lines = keyLines(createActions(await fakeParts()));
-  expect(lines.map(({ keys, does }) => [keys.join(' '), does])).toEqual(HELP);
+test('the list of keys has the keys that people know, in their order', async () => {
+  const lines = keyLines(createActions(await fakeParts())).map(({ keys, does }) => [keys.join(' '), does]);
+  const known = new Set(HELP.map(String));
+  expect(lines.filter((line) => known.has(String(line)))).toEqual(HELP);
 });
 
 /** What needs a browser, a film, the letters or the real core. */
