@@ -83,7 +83,7 @@ test('the list of keys has the keys that people know, in their order', async () 
 
 /** What needs a browser, a film, the letters or the real core. */
 const ELSEWHERE =
-  /^(photos\.add|layouts\.(save|forget)|panels\.(save|earlier|later|zoom|fit|reset|cut|slant)|words|designer|explorer|styles|download\.download)/;
+  /^(page\.acceptCrops|photos\.add|layouts\.(save|forget)|panels\.(save|earlier|later|zoom|fit|reset|cut|slant)|words|designer|explorer|styles|download\.download)/;
 /** They are the undo itself. */
 const WALKS = ['page.undo', 'page.redo'];
 

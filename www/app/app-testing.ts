@@ -1,5 +1,6 @@
 /** All parts that actions are made of, over a planner of a few lines. */
 
+import { signal } from '@preact/signals';
 import { createBook } from '../book/book.ts';
 import { createShownPages } from '../book/shown-pages.ts';
 import { createDesigner } from '../designer/designer.ts';
@@ -42,6 +43,7 @@ export async function fakeParts(): Promise<Parts> {
     selection,
     designer,
     ownStyles,
+    crops: { offered: signal(null), accept: () => {} },
     book: createBook({ store, pages, messages }),
     shownPages: createShownPages({ store, pages }),
     merging: createMerging({ store, pages, selection }),

@@ -11,9 +11,10 @@ import type { Action, OwnKeys } from '../ui/action.ts';
 export function createPageActions({
   store,
   pages,
+  crops,
   shownPages,
   ui,
-}: Pick<Parts, 'store' | 'pages' | 'shownPages' | 'ui'>) {
+}: Pick<Parts, 'store' | 'pages' | 'crops' | 'shownPages' | 'ui'>) {
   const there = computed(() => store.page.value !== null);
   const at = computed(() => position(store.history.value));
   const count = computed(() => versions(store.history.value).length);
@@ -92,6 +93,14 @@ export function createPageActions({
       help: computed(() => strings.version(at.value + 1, count.value)),
       on: computed(() => ui.work.value === 'pages'),
       run: () => ui.toggleWork('pages'),
+    },
+    acceptCrops: {
+      label: strings.betterCrops,
+      help: strings.betterCropsWhy,
+      icon: 'surprise',
+      enabled: computed(() => crops.offered.value !== null),
+      run: crops.accept,
+      undo: 'step',
     },
     favourite: {
       label: strings.favouritePage,

@@ -8,11 +8,12 @@ import { strings } from '../strings/strings.ts';
 import { screenPixels } from './bitmap.tsx';
 import { useApp } from '../app/context.ts';
 import { Cuts } from './panels/cuts.tsx';
-import { BetterCrops } from './better-crops-button.tsx';
 import { createPainter } from './painter.ts';
 import { Panels } from './panels/panels.tsx';
 import { PanelSubjects } from './panels/subject-boxes.tsx';
 import { useSwipe } from './swipe.ts';
+import { isEnabled } from '../ui/action.ts';
+import { ActionButton } from '../ui/action-button.tsx';
 import { WordLayer } from '../lettering/word-layer.tsx';
 import { styleOfPage } from '../styles/style-actions.ts';
 import type { App } from '../app/context.ts';
@@ -91,7 +92,9 @@ export function Stage() {
           {page && geometry && ui.subjects.value && <PanelSubjects page={page} geometry={geometry} />}
           {page && geometry && reshaping.editing.value && <Cuts />}
         </div>
-        <BetterCrops />
+        {isEnabled(app.actions.page.acceptCrops) && (
+          <ActionButton action={app.actions.page.acceptCrops} class="better-crops" text />
+        )}
       </div>
       <p class="visually-hidden" aria-live="polite">
         {said}
