@@ -72,8 +72,14 @@ pub mod simd;
 #[cfg(feature = "pages")]
 pub mod style;
 
-#[cfg(all(target_arch = "wasm32", feature = "pages", not(feature = "detect"), not(feature = "words")))]
+#[cfg(all(
+    target_arch = "wasm32",
+    feature = "pages",
+    not(any(feature = "detect", feature = "words", feature = "decoders"))
+))]
 pub mod wasm;
+#[cfg(all(target_arch = "wasm32", feature = "decoders"))]
+pub mod wasm_decoders;
 #[cfg(all(target_arch = "wasm32", feature = "detect"))]
 pub mod wasm_detect;
 #[cfg(all(target_arch = "wasm32", feature = "words"))]

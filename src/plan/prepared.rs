@@ -5,7 +5,7 @@ use std::cell::OnceCell;
 use std::rc::Rc;
 
 use super::best_first;
-use crate::framing::{Crop, FACE, PhotoMeta, Subject, Target, sketch};
+use crate::framing::{Crop, FACE, LETTERING, PhotoMeta, Subject, Target, sketch};
 use crate::layout::Bounds;
 
 /// Shapes of panels for which crops are kept, from 1:3 to 3:1 in equal steps of their logarithm.
@@ -59,7 +59,12 @@ impl Prepared {
             // A face of a fifth of the photo's side is a portrait; of a thing it takes more.
             let size = (s.width * s.height).max(0.0).sqrt();
             let full = if s.label == FACE { 0.2 } else { 0.45 };
-            let kind = if s.label == FACE { 1.0 } else { 0.85 };
+            let kind = match s.label.as_str() {
+                FACE => 1.0,
+                // A sign is to be read whole, and seldom what a page is about.
+                LETTERING => 0.3,
+                _ => 0.85,
+            };
             kind * s.score.clamp(0.0, 1.0).sqrt() * (size / full).min(1.0)
         });
         let subject = subject.filter(|value| value.is_finite()).fold(0.0, f64::max);

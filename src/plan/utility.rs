@@ -110,7 +110,7 @@ impl Look {
         let blown_up = f64::from(u8::from(self.enlarged > ENLARGED));
         self.cover
             - 2.0 * self.faces_cut
-            - 1.6 * self.subjects_cut
+            - 2.2 * self.subjects_cut
             - 1.2 * lacking
             - 0.5 * little
             - 0.4 * soft

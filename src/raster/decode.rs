@@ -13,7 +13,9 @@ use super::exif::{self, Exif};
 use super::jpeg::{self, Markers};
 use super::orient::{swaps_sides, upright};
 use super::samples::{self, Alpha, Pixels};
-use super::{Image, gif, icc, png, resize, tiff};
+use super::{Image, icc, png, resize};
+#[cfg(feature = "rare")]
+use super::{gif, tiff};
 use crate::error::{Error, Result};
 
 /// Most bytes of an ICC profile or of another record that a photo carries; what is larger is passed over, as no camera,
@@ -81,6 +83,21 @@ pub fn decode(bytes: &[u8], limits: &Limits) -> Result<Decoded> {
 pub fn decode_fit(bytes: &[u8], limits: &Limits, longest: usize) -> Result<Decoded> {
     let (format, name) = known_format(bytes)?;
     let (pixels, exif) = read(bytes, format, name, limits)?;
+    finished(pixels, &exif, name, longest)
+}
+
+/// Decodes a TIFF or GIF file at its full size, and no other.
+///
+/// # Errors
+/// As [`decode`].
+#[cfg(feature = "rare")]
+pub fn decode_rare(bytes: &[u8], limits: &Limits) -> Result<Decoded> {
+    let (format, name) = known_format(bytes)?;
+    let (pixels, exif) = read_rare(bytes, format, name, limits)?;
+    finished(pixels, &exif, name, usize::MAX)
+}
+
+fn finished(pixels: Pixels, exif: &Exif, name: &'static str, longest: usize) -> Result<Decoded> {
     let (width, height) = pixels.size;
     let (profile, grey) = (pixels.profile.as_deref().and_then(icc::correction), pixels.grey);
     let mut image = pixels.reduced(resize::fit(width, height, longest))?;
@@ -91,7 +108,8 @@ pub fn decode_fit(bytes: &[u8], limits: &Limits, longest: usize) -> Result<Decod
     let image = upright(image, exif.orientation)?;
     let (width, height) = if swaps_sides(exif.orientation) { (height, width) } else { (width, height) };
     let (width, height) = (width as u32, height as u32);
-    Ok(Decoded { image, width, height, format: name, taken: exif.taken, orientation: exif.orientation })
+    let taken = exif.taken.clone();
+    Ok(Decoded { image, width, height, format: name, taken, orientation: exif.orientation })
 }
 
 fn known_format(bytes: &[u8]) -> Result<(ImageFormat, &'static str)> {
@@ -100,8 +118,10 @@ fn known_format(bytes: &[u8]) -> Result<(ImageFormat, &'static str)> {
         ImageFormat::Jpeg => "JPEG",
         ImageFormat::Png => "PNG",
         ImageFormat::WebP => "WebP",
+        #[cfg(feature = "rare")]
         ImageFormat::Gif => "GIF",
         ImageFormat::Bmp => "BMP",
+        #[cfg(feature = "rare")]
         ImageFormat::Tiff => "TIFF",
         _ => return Err(Error::UnknownFormat),
     };
@@ -127,15 +147,29 @@ fn read(bytes: &[u8], format: ImageFormat, name: &'static str, limits: &Limits) 
             let pixels = read_with(WebPDecoder::new(Cursor::new(bytes)), name, limits)?;
             Ok((pixels.with_profile(profile), exif))
         }
+        #[cfg(feature = "rare")]
+        ImageFormat::Tiff | ImageFormat::Gif => read_rare(bytes, format, name, limits),
+        ImageFormat::Bmp => {
+            Ok((read_with(BmpDecoder::new(Cursor::new(bytes)), name, limits)?, Exif::default()))
+        }
+        _ => png::read(bytes, name, limits),
+    }
+}
+
+#[cfg(feature = "rare")]
+fn read_rare(
+    bytes: &[u8],
+    format: ImageFormat,
+    name: &'static str,
+    limits: &Limits,
+) -> Result<(Pixels, Exif)> {
+    match format {
         ImageFormat::Tiff => {
             let pixels = tiff::read(bytes, name, limits)?.with_profile(exif::profile(bytes));
             Ok((pixels, exif::read(bytes)))
         }
         ImageFormat::Gif => Ok((gif::read(bytes, name, limits)?, Exif::default())),
-        ImageFormat::Bmp => {
-            Ok((read_with(BmpDecoder::new(Cursor::new(bytes)), name, limits)?, Exif::default()))
-        }
-        _ => png::read(bytes, name, limits),
+        _ => Err(Error::UnknownFormat),
     }
 }
 

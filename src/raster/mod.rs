@@ -6,7 +6,7 @@ pub mod color;
 pub mod decode;
 #[cfg(feature = "pages")]
 mod exif;
-#[cfg(feature = "pages")]
+#[cfg(feature = "rare")]
 mod gif;
 #[cfg(feature = "pages")]
 mod icc;
@@ -22,7 +22,7 @@ pub mod resize;
 #[cfg(feature = "pages")]
 mod samples;
 mod separable;
-#[cfg(feature = "pages")]
+#[cfg(feature = "rare")]
 mod tiff;
 
 pub use image::Image;

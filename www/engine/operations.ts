@@ -7,6 +7,7 @@ import { blobOf } from './blobs.ts';
 import { asBmp, foreignKind } from './foreign.ts';
 import { fileMs, frameMs, pageMs, photoMs, pngMs, styleMs } from './measured.ts';
 import { failure } from './protocol.ts';
+import { converted, rareKind } from './rare.ts';
 import { STORING, readingOf } from './serving.ts';
 import { createStyleOperations } from './style-operations.ts';
 import { takenOf } from './taken.ts';
@@ -55,6 +56,11 @@ export function createOperations(
   async function read(id: string, bytes: Uint8Array<ArrayBuffer>, tell: Tell): Promise<any> {
     const kind = foreignKind(bytes);
     tell.expects(photoMs(bytes, kind));
+    const rare = rareKind(bytes);
+    if (rare) {
+      const { file, taken } = await converted(bytes);
+      return { ...JSON.parse(studio.import_photo(id, file)), format: rare, taken };
+    }
     if (!kind) return JSON.parse(studio.import_photo(id, bytes));
     const facts = JSON.parse(studio.import_photo(id, await asBmp(kind, bytes)));
     return { ...facts, format: kind, taken: takenOf(bytes) };
@@ -125,7 +131,8 @@ export function createOperations(
     const bytes = await bytesOf(file);
     const kind = foreignKind(bytes);
     tell.expects(photoMs(bytes, kind));
-    studio.import_full(id, kind ? await asBmp(kind, bytes) : bytes);
+    const rare = rareKind(bytes) ? (await converted(bytes)).file : bytes;
+    studio.import_full(id, kind ? await asBmp(kind, bytes) : rare);
     try {
       const ok = [];
       for (const index of indexes) {

@@ -50,7 +50,7 @@ struct Arguments {
 enum Task {
     /// Build the wasm core and the site into www/dist
     Build,
-    /// Build one wasm module into its folder of www: core, words or detectors
+    /// Build one wasm module into its folder of www: core, decoders, words or detectors
     Module {
         /// Which one
         name: String,

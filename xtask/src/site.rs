@@ -23,8 +23,7 @@ pub(crate) fn build(project: &Project) -> Result<()> {
 
 /// The modules as they are published.
 pub(crate) fn build_modules(project: &Project) -> Result<()> {
-    let modules = [wasm::core(project), wasm::words(project), wasm::detectors(project)];
-    wasm::build_all(project, &modules, Purpose::Publish)
+    wasm::build_all(project, &wasm::all(project), Purpose::Publish)
 }
 
 /// Whether the module of the nets is there when the front end is bundled.
@@ -43,10 +42,10 @@ fn fetch(project: &Project) -> Result<()> {
 
 /// Builds one module and nothing else.
 pub(crate) fn build_module(project: &Project, name: &str) -> Result<()> {
-    let modules = [wasm::core(project), wasm::words(project), wasm::detectors(project)];
+    let modules = wasm::all(project);
     match modules.iter().find(|module| module.name == name) {
         Some(module) => wasm::build(project, module, Purpose::Publish),
-        None => bail!("there is no module {name}: it is one of core, words, detectors"),
+        None => bail!("there is no module {name}: it is one of core, decoders, words, detectors"),
     }
 }
 
@@ -54,7 +53,7 @@ pub(crate) fn build_module(project: &Project, name: &str) -> Result<()> {
 pub(crate) fn serve(project: &Project, port: u16) -> Result<()> {
     let start = Instant::now();
     wasm::install_target()?;
-    let needed = [wasm::core(project), wasm::words(project)];
+    let needed = [wasm::core(project), wasm::decoders(project), wasm::words(project)];
     let detectors = wasm::detectors(project);
     let stale: Vec<_> =
         needed.iter().filter(|module| !module.is_current(project, SERVE).unwrap_or(false)).collect();

@@ -85,6 +85,17 @@ pub(crate) fn words(project: &Project) -> Module {
     Module { name: "words", package: "inkpanel-words", folder: project.www().join("pkg-words"), ..small() }
 }
 
+/// The decoders of what few photos are, which the page loads with the first of them.
+pub(crate) fn decoders(project: &Project) -> Module {
+    let folder = project.www().join("pkg-decoders");
+    Module { name: "decoders", package: "inkpanel-decoders", folder, ..small() }
+}
+
+/// All modules of the page.
+pub(crate) fn all(project: &Project) -> [Module; 4] {
+    [core(project), decoders(project), words(project), detectors(project)]
+}
+
 /// The core with the benchmark's entry point.
 pub(crate) fn bench(project: &Project) -> Module {
     Module { name: "bench", features: "bench", folder: project.target.join("bench/pkg"), ..fast() }

@@ -20,7 +20,8 @@ const ENTRY: &str = "engine/index";
 /// Films are read by this library, which comes as one module; under MPL 2.0, so it stays a file of its own, unchanged.
 const FILM_LIBRARY: (&str, &str) = ("mediabunny", "dist/bundles/mediabunny.min.mjs");
 /// The folders that are published.
-const FOLDERS: [&str; 7] = ["engine", "pkg", "pkg-words", "pkg-detector", "models", "vendor", "licences"];
+const FOLDERS: [&str; 8] =
+    ["engine", "pkg", "pkg-decoders", "pkg-words", "pkg-detector", "models", "vendor", "licences"];
 
 /// Builds the package and says where it is.
 ///
@@ -36,7 +37,7 @@ pub(crate) fn make(project: &Project) -> Result<()> {
 fn build(project: &Project) -> Result<PathBuf> {
     npm::install(project)?;
     models::make(project)?;
-    let modules = [wasm::core(project), wasm::words(project), wasm::detectors(project)];
+    let modules = wasm::all(project);
     wasm::build_all(project, &modules, wasm::Purpose::Publish)?;
     let folder = project.target.join("package").join(NAME);
     if folder.exists() {

@@ -1,0 +1,52 @@
+/**
+ * Photos in formats that few people have, TIFF and GIF. Their decoders are a module of their own, which is loaded with the
+ * first of them.
+ */
+
+import { failure } from './protocol.ts';
+
+const MODULE = new URL('../pkg-decoders/inkpanel_bg.wasm', import.meta.url);
+
+type Decoders = typeof import('../pkg-decoders/inkpanel.js');
+
+/** What a photo is as a file that the core reads; `taken` where the file says so. */
+export type Converted = { file: Uint8Array<ArrayBuffer>; taken: string | null };
+
+let loaded: Promise<Decoders> | undefined;
+
+/**
+ * @param bytes of a file
+ * @returns by its content; null for all else
+ */
+export function rareKind(bytes: Uint8Array): 'GIF' | 'TIFF' | null {
+  const [a, b, c, d] = bytes;
+  if (a === 0x47 && b === 0x49 && c === 0x46 && d === 0x38) return 'GIF';
+  const intel = a === 0x49 && b === 0x49 && c === 0x2a && d === 0;
+  const motorola = a === 0x4d && b === 0x4d && c === 0 && d === 0x2a;
+  return intel || motorola ? 'TIFF' : null;
+}
+
+/** @throws with the codes of the core's decoders, and `decoders-missing` */
+export async function converted(bytes: Uint8Array<ArrayBuffer>): Promise<Converted> {
+  loaded ??= load().catch((error) => {
+    loaded = undefined;
+    throw error;
+  });
+  const photo = new (await loaded).Converted(bytes);
+  try {
+    return { file: photo.take() as Uint8Array<ArrayBuffer>, taken: photo.taken ?? null };
+  } finally {
+    photo.free();
+  }
+}
+
+async function load(): Promise<Decoders> {
+  const response = await fetch(MODULE).catch(() => null);
+  // A host may answer with a page of its own where a file is missing.
+  const text = response?.headers.get('content-type')?.startsWith('text/html');
+  if (!response?.ok || text)
+    throw failure('decoders-missing', 'What reads such photos could not be loaded. Try again with a connection.');
+  const decoders = await import('../pkg-decoders/inkpanel.js');
+  await decoders.default({ module_or_path: await response.arrayBuffer() });
+  return decoders;
+}
