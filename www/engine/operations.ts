@@ -4,13 +4,12 @@
  */
 
 import { blobOf } from './blobs.ts';
-import { asBmp, foreignKind } from './foreign.ts';
+import { foreignKind } from './foreign.ts';
 import { fileMs, frameMs, pageMs, photoMs, pngMs, styleMs } from './measured.ts';
 import { failure } from './protocol.ts';
-import { converted, rareKind } from './rare.ts';
+import { readable } from './readable.ts';
 import { STORING, readingOf } from './serving.ts';
 import { createStyleOperations } from './style-operations.ts';
-import { takenOf } from './taken.ts';
 import type { Patch, Studio } from '../pkg/inkpanel.js';
 import type { createLru } from './lru.ts';
 import type { BitmapPatch, Operations, PhotoHandle, PixelPatch } from './protocol.ts';
@@ -54,16 +53,9 @@ export function createOperations(
    * @returns the photo's facts
    */
   async function read(id: string, bytes: Uint8Array<ArrayBuffer>, tell: Tell): Promise<any> {
-    const kind = foreignKind(bytes);
-    tell.expects(photoMs(bytes, kind));
-    const rare = rareKind(bytes);
-    if (rare) {
-      const { file, taken } = await converted(bytes);
-      return { ...JSON.parse(studio.import_photo(id, file)), format: rare, taken };
-    }
-    if (!kind) return JSON.parse(studio.import_photo(id, bytes));
-    const facts = JSON.parse(studio.import_photo(id, await asBmp(kind, bytes)));
-    return { ...facts, format: kind, taken: takenOf(bytes) };
+    tell.expects(photoMs(bytes, foreignKind(bytes)));
+    const { file, told } = await readable(bytes);
+    return { ...JSON.parse(studio.import_photo(id, file)), ...told };
   }
 
   async function importFrame(
@@ -129,10 +121,8 @@ export function createOperations(
   async function fullPanels({ id, file, document, indexes, width }: Operations['fullPanels']['args'], tell: Tell) {
     tell.waits(readingOf(file));
     const bytes = await bytesOf(file);
-    const kind = foreignKind(bytes);
-    tell.expects(photoMs(bytes, kind));
-    const rare = rareKind(bytes) ? (await converted(bytes)).file : bytes;
-    studio.import_full(id, kind ? await asBmp(kind, bytes) : rare);
+    tell.expects(photoMs(bytes, foreignKind(bytes)));
+    studio.import_full(id, (await readable(bytes)).file);
     try {
       const ok = [];
       for (const index of indexes) {

@@ -215,7 +215,7 @@ fn lint(project: &Project) -> Result<Outcome> {
         tools::run(project.cargo().arg("clippy").args(choice).arg("--all-targets").args(strict))?;
     }
     crate::wasm::install_target()?;
-    for features in ["pages", "detect", "words"] {
+    for features in ["pages", "decoders", "detect", "words"] {
         let web = [
             "clippy",
             "--package",

@@ -89,10 +89,12 @@ test('what no decoder knows is an error that names a way out', async ({ page }) 
 /** Runs in the page. @param {string} base64 of a file */
 async function compared(base64) {
   const bytes = Uint8Array.from(atob(base64), (character) => character.charCodeAt(0));
+  const { readable } = await import(/** @type {any} */ ('/engine/readable.ts'));
+  const { file } = await readable(bytes);
   const studio = new core.Studio();
-  studio.import_full('a', bytes);
+  studio.import_full('a', file);
   const planes = studio.photo_planes('a/full');
-  const { width: w, height: h } = JSON.parse(studio.import_photo('a', bytes));
+  const { width: w, height: h } = JSON.parse(studio.import_photo('a', file));
   studio.free();
   // The page itself never reads a canvas back; here it is the browser's own way that is asked for.
   const bitmap = await createImageBitmap(new Blob([bytes]));
