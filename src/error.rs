@@ -9,6 +9,9 @@ pub enum Error {
     /// The bytes are not an image of a format that we read.
     #[error("this is not an image that Inkpanel can read (JPEG, PNG, WebP, GIF, BMP or TIFF)")]
     UnknownFormat,
+    /// Colours of a scanner or a press, in a build without what reads them.
+    #[error("the colours of this photo are read by decoders that are not here")]
+    RareColours,
     /// The file starts like an image but cannot be decoded.
     #[error("the {format} file is damaged or cut short: {reason}")]
     Damaged {
@@ -139,6 +142,7 @@ impl Error {
     pub fn code(&self) -> &'static str {
         match self {
             Self::UnknownFormat => "unknown-format",
+            Self::RareColours => "rare-colours",
             Self::Damaged { .. } => "damaged",
             Self::Unsupported { .. } => "unsupported",
             Self::TooLarge { .. } => "too-large",

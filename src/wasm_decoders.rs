@@ -1,12 +1,12 @@
-//! The web boundary of the module of decoders for what few photos are: TIFF and GIF. It is loaded with the first of them, and makes
-//! them files that the core reads.
+//! The web boundary of the module of decoders for what few photos are: TIFF, GIF, and any whose colours are those of a scanner or
+//! a press. It is loaded with the first of them, and makes them files that the core reads.
 
 // Every function that returns a Result throws as the module's documentation says.
 #![allow(clippy::missing_errors_doc)]
 
 use crate::error::Error;
 use crate::raster::Image;
-use crate::raster::decode::{Limits, decode_rare};
+use crate::raster::decode::{Limits, decode};
 use wasm_bindgen::prelude::*;
 
 /// Bytes before the pixels of a BMP file.
@@ -30,7 +30,7 @@ impl Converted {
     /// Decodes a file: upright, in sRGB, laid on white. Throws `unknown-format`, `unsupported`, `damaged` and `too-large`.
     #[wasm_bindgen(constructor)]
     pub fn new(bytes: &[u8]) -> std::result::Result<Converted, JsValue> {
-        let photo = decode_rare(bytes, &Limits::default()).map_err(thrown)?;
+        let photo = decode(bytes, &Limits::default()).map_err(thrown)?;
         Ok(Self { format: photo.format, taken: photo.taken, file: bmp(&photo.image) })
     }
 

@@ -60,7 +60,16 @@ fn every_format_is_seen_as_pillow_sees_it() {
         let (mean, most) = (f64::from(sum) / expected.len() as f64, differences().max().unwrap());
         // What is lossless is exact but for one rounding of alpha; JPEG decoders differ a little in upsampling.
         let lossy = format == "jpeg" || file.contains("lossy");
-        if mean > if lossy { 2.0 } else { 0.3 } || most > if lossy { 8 } else { 1 } {
+        // Tables are read between their entries, in other ways here and in littlecms.
+        let (mean_allowed, most_allowed) = match (file.contains("icc-tables"), lossy) {
+            (true, _) => (1.5, 8),
+            (false, true) => (2.0, 8),
+            (false, false) => (0.3, 1),
+        };
+        if file.contains("icc-tables") {
+            println!("{file}: mean difference {mean:.3}, largest {most}");
+        }
+        if mean > mean_allowed || most > most_allowed {
             failures.push(format!("{file}: mean difference {mean:.3}, largest {most}"));
         }
     }

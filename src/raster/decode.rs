@@ -13,7 +13,7 @@ use super::exif::{self, Exif};
 use super::jpeg::{self, Markers};
 use super::orient::{swaps_sides, upright};
 use super::samples::{self, Alpha, Pixels};
-use super::{Image, icc, png, resize};
+use super::{Image, png, resize};
 #[cfg(feature = "rare")]
 use super::{gif, tiff};
 use crate::error::{Error, Result};
@@ -86,25 +86,9 @@ pub fn decode_fit(bytes: &[u8], limits: &Limits, longest: usize) -> Result<Decod
     finished(pixels, &exif, name, longest)
 }
 
-/// Decodes a TIFF or GIF file at its full size, and no other.
-///
-/// # Errors
-/// As [`decode`].
-#[cfg(feature = "rare")]
-pub fn decode_rare(bytes: &[u8], limits: &Limits) -> Result<Decoded> {
-    let (format, name) = known_format(bytes)?;
-    let (pixels, exif) = read_rare(bytes, format, name, limits)?;
-    finished(pixels, &exif, name, usize::MAX)
-}
-
 fn finished(pixels: Pixels, exif: &Exif, name: &'static str, longest: usize) -> Result<Decoded> {
     let (width, height) = pixels.size;
-    let (profile, grey) = (pixels.profile.as_deref().and_then(icc::correction), pixels.grey);
-    let mut image = pixels.reduced(resize::fit(width, height, longest))?;
-    // After the reduction, which leaves less to do; all that was averaged lies close together.
-    if let Some(profile) = profile {
-        profile.apply(&mut image, grey);
-    }
+    let image = pixels.image(resize::fit(width, height, longest))?;
     let image = upright(image, exif.orientation)?;
     let (width, height) = if swaps_sides(exif.orientation) { (height, width) } else { (width, height) };
     let (width, height) = (width as u32, height as u32);
@@ -134,12 +118,12 @@ fn read(bytes: &[u8], format: ImageFormat, name: &'static str, limits: &Limits) 
         ImageFormat::Jpeg => {
             let markers = check_jpeg(bytes, name, limits)?;
             let mut decoder = jpeg::Decoder::new(bytes, &markers, name)?;
-            let (size, grey) = (decoder.size(), decoder.is_grey());
+            let (size, channels) = (decoder.size(), decoder.channels());
             check_size(size.0 as u32, size.1 as u32, name, limits)?;
-            check_memory(size, if grey { 1 } else { 3 }, limits)?;
+            check_memory(size, channels.count() as u64, limits)?;
             let exif = markers.exif.map(exif::read).unwrap_or_default();
             let (samples, profile) = (decoder.samples()?, markers.profile());
-            Ok((Pixels { size, samples, grey, profile }, exif))
+            Ok((Pixels { size, samples, channels, profile }, exif))
         }
         ImageFormat::WebP => {
             check_riff(bytes, name)?;
@@ -210,13 +194,13 @@ fn read_with<D: ImageDecoder>(
     check_memory(size, u64::from(color.bytes_per_pixel()), limits)?;
     let mut bytes = vec![0; decoder.total_bytes() as usize];
     decoder.read_image(&mut bytes).map_err(failed)?;
-    let (mut samples, alpha) = samples::narrowed(color, bytes);
+    let (mut samples, channels, alpha) = samples::narrowed(color, bytes);
     if name == "BMP" && alpha == Alpha::Straight && samples.iter().skip(3).step_by(4).all(|&alpha| alpha == 0)
     {
         // The maker gave the alpha a place and forgot to fill it; browsers show such a file, too.
         samples.iter_mut().skip(3).step_by(4).for_each(|alpha| *alpha = 255);
     }
-    Ok(Pixels::flattened(size, samples, alpha))
+    Ok(Pixels::flattened(size, samples, channels, alpha))
 }
 
 /// The decoder's pixels and ours together must fit.

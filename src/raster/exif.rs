@@ -4,16 +4,20 @@
 //! wasm than everything else here. Wrong records are as good as none: no photo fails for them.
 //! Source: CIPA DC-008 (Exif 2.32), TIFF 6.0.
 
+#[cfg(feature = "rare")]
 use super::decode::MOST_PROFILE;
 
 const ORIENTATION: u16 = 0x0112;
-const ICC_PROFILE: u16 = 0x8773;
+#[cfg(feature = "rare")]
+pub(super) const ICC_PROFILE: u16 = 0x8773;
 const EXIF_DIRECTORY: u16 = 0x8769;
 const DATE_TIME_ORIGINAL: u16 = 0x9003;
 const DATE_TIME_DIGITIZED: u16 = 0x9004;
 
+#[cfg(feature = "rare")]
 /// Types of fields: whole numbers of two and of four bytes.
 pub(super) const SHORT: u16 = 3;
+#[cfg(feature = "rare")]
 pub(super) const LONG: u16 = 4;
 
 /// What the record says.
@@ -37,13 +41,12 @@ pub(super) fn read(record: &[u8]) -> Exif {
     parse(record).unwrap_or_default()
 }
 
+#[cfg(feature = "rare")]
 /// The ICC profile of a TIFF file; one that is too large is none.
 pub(super) fn profile(file: &[u8]) -> Option<Vec<u8>> {
     let tiff = Tiff::of(file)?;
-    let field = tiff.find(tiff.directory()?, ICC_PROFILE)?;
-    let length = tiff.u32(field + 4)? as usize;
-    let bytes = file.get(tiff.u32(field + 8)? as usize..)?.get(..length)?;
-    (length <= MOST_PROFILE).then(|| bytes.to_vec())
+    let bytes = tiff.bytes(tiff.find(tiff.directory()?, ICC_PROFILE)?)?;
+    (bytes.len() <= MOST_PROFILE).then(|| bytes.to_vec())
 }
 
 fn parse(record: &[u8]) -> Option<Exif> {
@@ -73,6 +76,7 @@ impl<'a> Tiff<'a> {
         }
     }
 
+    #[cfg(feature = "rare")]
     /// A field of one whole number of two bytes, or of four where it is larger.
     pub(super) fn field(&self, tag: u16, value: u32) -> [u8; 12] {
         let short = |value: u16| if self.little { value.to_le_bytes() } else { value.to_be_bytes() };
@@ -119,6 +123,7 @@ impl<'a> Tiff<'a> {
         self.fields(directory).find(|&field| self.u16(field) == Some(tag))
     }
 
+    #[cfg(feature = "rare")]
     /// The one whole number of a field.
     pub(super) fn number(&self, field: u32) -> Option<u32> {
         match (self.u16(field + 2)?, self.u32(field + 4)?) {
@@ -126,6 +131,13 @@ impl<'a> Tiff<'a> {
             (LONG, 1) => self.u32(field + 8),
             _ => None,
         }
+    }
+
+    #[cfg(feature = "rare")]
+    /// The bytes that a field says to be elsewhere in the file.
+    pub(super) fn bytes(&self, field: u32) -> Option<&'a [u8]> {
+        let length = self.u32(field + 4)? as usize;
+        self.record.get(self.u32(field + 8)? as usize..)?.get(..length)
     }
 
     /// The text of a date field, where it is one.

@@ -6,7 +6,7 @@
 use gif::{ColorOutput, DecodeOptions, DecodingError};
 
 use super::decode::{Limits, check_memory, out_of_memory};
-use super::samples::{Alpha, Pixels};
+use super::samples::{Alpha, Channels, Pixels};
 use crate::error::{Error, Result};
 
 /// Reads the first frame of a file.
@@ -28,7 +28,7 @@ pub(super) fn read(file: &[u8], name: &'static str, limits: &Limits) -> Result<P
         return Err(out_of_memory(size, limits));
     }
     if (width, height) == size {
-        return Ok(Pixels::flattened(size, frame, Alpha::Straight));
+        return Ok(Pixels::flattened(size, frame, Channels::Rgb, Alpha::Straight));
     }
     let mut samples = vec![0; 4 * size.0 * size.1];
     if width > 0 {
@@ -36,5 +36,5 @@ pub(super) fn read(file: &[u8], name: &'static str, limits: &Limits) -> Result<P
             samples[4 * ((top + y) * size.0 + left)..][..4 * width].copy_from_slice(row);
         }
     }
-    Ok(Pixels::flattened(size, samples, Alpha::Straight))
+    Ok(Pixels::flattened(size, samples, Channels::Rgb, Alpha::Straight))
 }

@@ -45,6 +45,15 @@ impl Image {
         Ok(Self { planes: planes.into(), chroma: None })
     }
 
+    #[cfg(feature = "pages")]
+    /// A colour image of three planes, or of one that stands for all three.
+    pub(super) fn from_planes(planes: Vec<Plane>) -> Result<Self> {
+        Self::from_rgb(<[Plane; 3]>::try_from(planes).unwrap_or_else(|mut planes| {
+            let plane = planes.swap_remove(0);
+            [plane.clone(), plane.clone(), plane]
+        }))
+    }
+
     /// A colour image from interleaved RGB bytes.
     ///
     /// # Errors

@@ -4,6 +4,7 @@
 //! looked for here. Source: ITU-T T.81, annex B. The pixels are `zune-jpeg`'s.
 
 use super::decode::MOST_PROFILE;
+use super::samples::{Channels, rgb_of_ycc};
 use crate::error::{Error, Result};
 use zune_jpeg::JpegDecoder;
 use zune_jpeg::errors::DecodeErrors;
@@ -11,12 +12,14 @@ use zune_jpeg::zune_core::bytestream::ZCursor;
 use zune_jpeg::zune_core::colorspace::ColorSpace;
 use zune_jpeg::zune_core::options::DecoderOptions;
 
-/// A file whose headers were read. Grey stays grey; every other colour space becomes RGB.
+/// A file whose headers were read.
 pub(super) struct Decoder {
     /// Of the very type that `tiff` uses for JPEG in TIFF: another one would be in the module a second time.
     file: JpegDecoder<ZCursor<Vec<u8>>>,
     size: (usize, usize),
-    grey: bool,
+    channels: Channels,
+    /// Whether the inks stand as brightness and differences of colour.
+    is_ycck: bool,
     name: &'static str,
 }
 
@@ -32,11 +35,16 @@ impl Decoder {
         let mut decoder =
             JpegDecoder::new_with_options(ZCursor::new(markers.without_records(bytes)), options);
         decoder.decode_headers().map_err(|error| explained(error, name))?;
-        let grey = decoder.input_colorspace() == Some(ColorSpace::Luma);
-        let out = if grey { ColorSpace::Luma } else { ColorSpace::RGB };
+        let colors = decoder.input_colorspace();
+        let (channels, out) = match colors {
+            Some(ColorSpace::Luma) => (Channels::Grey, ColorSpace::Luma),
+            // As they are: what they look like is for a profile to say.
+            Some(inks @ (ColorSpace::CMYK | ColorSpace::YCCK)) => (Channels::Cmyk, inks),
+            _ => (Channels::Rgb, ColorSpace::RGB),
+        };
         decoder.set_options(options.jpeg_set_out_colorspace(out));
         let size = decoder.dimensions().ok_or_else(|| Error::damaged(name, "it announces no pixels"))?;
-        Ok(Self { file: decoder, size, grey, name })
+        Ok(Self { file: decoder, size, channels, is_ycck: colors == Some(ColorSpace::YCCK), name })
     }
 
     /// Width and height in pixels.
@@ -44,14 +52,24 @@ impl Decoder {
         self.size
     }
 
-    /// Whether there is one sample a pixel; else there are three.
-    pub(super) fn is_grey(&self) -> bool {
-        self.grey
+    /// What the samples of a pixel are.
+    pub(super) fn channels(&self) -> Channels {
+        self.channels
     }
 
     /// The samples, interleaved.
     pub(super) fn samples(&mut self) -> Result<Vec<u8>> {
-        self.file.decode().map_err(|error| explained(error, self.name))
+        let mut samples = self.file.decode().map_err(|error| explained(error, self.name))?;
+        if self.channels == Channels::Cmyk {
+            // Adobe's files, and so all, have light instead of ink in them.
+            for pixel in samples.as_chunks_mut::<4>().0 {
+                let [a, b, c, k] = *pixel;
+                let [c, m, y] =
+                    if self.is_ycck { rgb_of_ycc([a, b, c]) } else { [255 - a, 255 - b, 255 - c] };
+                *pixel = [c, m, y, 255 - k];
+            }
+        }
+        Ok(samples)
     }
 }
 

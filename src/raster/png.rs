@@ -10,7 +10,7 @@ use png::{BitDepth, Decoder, DecodingError, Transformations};
 
 use super::decode::{Limits, MOST_PROFILE, check_memory, out_of_memory};
 use super::exif::{self, Exif};
-use super::samples::{self, Alpha, Pixels};
+use super::samples::{self, Alpha, Channels, Pixels};
 use crate::error::{Error, Result};
 
 /// Most bytes that the decoder may collect besides pixels: EXIF records are all that it cannot pass over.
@@ -38,8 +38,9 @@ pub(super) fn read(file: &[u8], name: &'static str, limits: &Limits) -> Result<(
             samples.as_chunks().0.iter().map(|&two| samples::of_16_bits(u16::from_be_bytes(two))).collect();
     }
     let alpha = if color.samples() % 2 == 0 { Alpha::Straight } else { Alpha::None };
+    let channels = if color.samples() < 3 { Channels::Grey } else { Channels::Rgb };
     let Records { profile, exif } = records(file);
-    let pixels = Pixels::flattened(size, samples, alpha).with_profile(profile);
+    let pixels = Pixels::flattened(size, samples, channels, alpha).with_profile(profile);
     Ok((pixels, exif))
 }
 

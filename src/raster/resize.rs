@@ -5,6 +5,8 @@
 use super::axis::Axis;
 use super::separable::Separable;
 use super::{Image, Plane};
+#[cfg(feature = "pages")]
+use crate::error::{Error, Result};
 
 /// A rectangle in pixels of the source; may be fractional. What lies outside the source is cut off.
 #[derive(Clone, Copy, PartialEq, Debug)]
@@ -70,20 +72,31 @@ pub fn resample_image(source: &Image, region: Region, width: usize, height: usiz
 }
 
 #[cfg(feature = "pages")]
-/// Reduces interleaved RGB (`3 * width * height` bytes) straight to three planes of another size.
+/// Reduces `C` interleaved channels (`C * width * height` bytes) straight to planes of another size.
 ///
 /// # Errors
-/// `buffer-size` when `rgb` has another size.
-pub(crate) fn planes_of_interleaved(
-    rgb: &[u8],
+/// `buffer-size` when there are not so many bytes, or a side is 0.
+pub(crate) fn planes_of_interleaved<const C: usize>(
+    samples: &[u8],
     (width, height): (usize, usize),
     (new_width, new_height): (usize, usize),
-) -> crate::Result<Image> {
-    if rgb.len() != width * height * 3 || (width, height) == (new_width, new_height) {
-        return Image::from_interleaved_rgb(width, height, rgb);
+) -> Result<Vec<Plane>> {
+    let expected = width.saturating_mul(height).saturating_mul(C);
+    if samples.len() != expected || expected == 0 {
+        return Err(Error::BufferSize { width, height, expected, actual: samples.len() });
+    }
+    if (width, height) == (new_width, new_height) {
+        let mut planes: [Plane; C] = std::array::from_fn(|_| Plane::filled(width, height, 0));
+        let mut places = planes.each_mut().map(|plane| plane.samples_mut().iter_mut());
+        for pixel in samples.as_chunks::<C>().0 {
+            for (place, value) in places.iter_mut().zip(pixel) {
+                place.next().into_iter().for_each(|place| *place = *value);
+            }
+        }
+        return Ok(planes.into());
     }
     let plan = plan(width, height, Region::whole(width, height), new_width, new_height);
-    Image::from_rgb(plan.planes::<3>(rgb))
+    Ok(plan.planes::<C>(samples).into())
 }
 
 /// The size of a `width` x `height` image made to have a long side of at most `longest`; never larger.
@@ -208,7 +221,8 @@ mod tests {
             let rgb = noise(53 * 3, 31, seed);
             let image = Image::from_interleaved_rgb(53, 31, rgb.samples()).unwrap();
             let expected = resample_image(&image, Region::whole(53, 31), width, height);
-            prop_assert_eq!(planes_of_interleaved(rgb.samples(), (53, 31), (width, height)).unwrap(), expected);
+            let planes = planes_of_interleaved::<3>(rgb.samples(), (53, 31), (width, height)).unwrap();
+            prop_assert_eq!(planes.as_slice(), expected.planes());
         }
     }
 

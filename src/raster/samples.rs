@@ -1,27 +1,46 @@
-//! Samples as decoders give them, of any depth and with or without alpha, as 8-bit RGB or grey on white.
+//! Samples as decoders give them, of any depth and with or without alpha, as 8 bits a sample on white paper, and the
+//! picture in sRGB that they are.
 
 use ::image::ColorType;
 
 use super::resize::{self, Region};
-use super::{Image, Plane};
+use super::{Image, Plane, icc};
 use crate::error::Result;
 
-/// A photo as it was decoded: interleaved RGB, or grey, of eight bits a sample.
+/// A photo as it was decoded: interleaved samples of eight bits.
 pub(super) struct Pixels {
     /// Width and height.
     pub(super) size: (usize, usize),
-    /// One or three a pixel.
     pub(super) samples: Vec<u8>,
-    /// Whether there is one a pixel.
-    pub(super) grey: bool,
+    pub(super) channels: Channels,
     /// The file's ICC profile.
     pub(super) profile: Option<Vec<u8>>,
 }
 
-/// What the last sample of a pixel says of the others.
+/// What the samples of a pixel are.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub(super) enum Channels {
+    Grey,
+    Rgb,
+    /// Amounts of ink: 0 is bare paper.
+    Cmyk,
+}
+
+impl Channels {
+    /// How many samples a pixel has.
+    pub(super) fn count(self) -> usize {
+        match self {
+            Self::Grey => 1,
+            Self::Rgb => 3,
+            Self::Cmyk => 4,
+        }
+    }
+}
+
+/// What the sample behind the others says of them.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub(super) enum Alpha {
-    /// It is one of them.
+    /// There is none.
     None,
     /// How much the colours count, which are whole.
     Straight,
@@ -30,15 +49,20 @@ pub(super) enum Alpha {
 }
 
 impl Pixels {
-    /// Flattens transparency on white; what is not alpha is grey or RGB by its number.
-    pub(super) fn flattened(size: (usize, usize), samples: Vec<u8>, alpha: Alpha) -> Self {
-        let channels = samples.len() / (size.0 * size.1).max(1);
-        let (samples, grey) = match (channels, alpha) {
-            (1 | 3, _) | (_, Alpha::None) => (samples, channels == 1),
-            (2, _) => (on_white::<1, 2>(samples, alpha), true),
-            _ => (on_white::<3, 4>(samples, alpha), false),
+    /// Flattens transparency on white paper.
+    pub(super) fn flattened(
+        size: (usize, usize),
+        samples: Vec<u8>,
+        channels: Channels,
+        alpha: Alpha,
+    ) -> Self {
+        let samples = match (channels, alpha) {
+            (_, Alpha::None) => samples,
+            (Channels::Grey, _) => on_paper::<1, 2>(samples, alpha, 255),
+            (Channels::Rgb, _) => on_paper::<3, 4>(samples, alpha, 255),
+            (Channels::Cmyk, _) => on_paper::<4, 5>(samples, alpha, 0),
         };
-        Self { size, samples, grey, profile: None }
+        Self { size, samples, channels, profile: None }
     }
 
     /// The same with the file's profile.
@@ -47,23 +71,62 @@ impl Pixels {
         self
     }
 
-    /// Reduces to another size by exact area.
-    pub(super) fn reduced(self, (new_width, new_height): (usize, usize)) -> Result<Image> {
-        let (width, height) = self.size;
-        if !self.grey {
-            return resize::planes_of_interleaved(&self.samples, self.size, (new_width, new_height));
+    /// The picture in sRGB, reduced by exact area.
+    pub(super) fn image(mut self, size: (usize, usize)) -> Result<Image> {
+        let profile = self.profile.take();
+        let correction = profile.map(|profile| icc::correction(&profile, self.channels)).transpose()?;
+        match correction.flatten() {
+            // After the reduction, which leaves less to do; all that was averaged lies close together.
+            Some(correction) => correction.image(self.planes(size)?),
+            None => Image::from_planes(self.without_inks().planes(size)?),
         }
-        let mut plane = Plane::from_samples(width, height, self.samples)?;
-        if (new_width, new_height) != (width, height) {
-            plane = resize::resample(&plane, Region::whole(width, height), new_width, new_height);
-        }
-        Image::from_rgb([plane.clone(), plane.clone(), plane])
     }
+
+    /// Inks as light, where no profile says how they look: each takes away its own third of it.
+    fn without_inks(mut self) -> Self {
+        if self.channels == Channels::Cmyk {
+            let mut kept = 0;
+            for start in (0..self.samples.len() / 4 * 4).step_by(4) {
+                let paper = 255 - u32::from(self.samples[start + 3]);
+                for ink in start..start + 3 {
+                    self.samples[kept] = (((255 - u32::from(self.samples[ink])) * paper + 127) / 255) as u8;
+                    kept += 1;
+                }
+            }
+            self.samples.truncate(kept);
+            self.channels = Channels::Rgb;
+        }
+        self
+    }
+
+    fn planes(self, size: (usize, usize)) -> Result<Vec<Plane>> {
+        let (width, height) = self.size;
+        match self.channels {
+            Channels::Grey => {
+                let plane = Plane::from_samples(width, height, self.samples)?;
+                let whole = Region::whole(width, height);
+                Ok(vec![if size == self.size {
+                    plane
+                } else {
+                    resize::resample(&plane, whole, size.0, size.1)
+                }])
+            }
+            Channels::Rgb => resize::planes_of_interleaved::<3>(&self.samples, self.size, size),
+            Channels::Cmyk => resize::planes_of_interleaved::<4>(&self.samples, self.size, size),
+        }
+    }
+}
+
+/// From brightness and two differences of colour, as JPEG has them (ITU-T T.871), to RGB.
+pub(super) fn rgb_of_ycc([y, u, v]: [u8; 3]) -> [u8; 3] {
+    let (y, u, v) = (f32::from(y), f32::from(u) - 128.0, f32::from(v) - 128.0);
+    // The casts end at 0 and 255.
+    [y + 1.402 * v, y - 0.344_136 * u - 0.714_136 * v, y + 1.772 * u].map(|value| (value + 0.5) as u8)
 }
 
 /// Reduces what `image` decodes to 8 bits a channel. Wide samples are in this machine's byte order; 16 bits are rounded,
 /// floats are taken as 0 to 1.
-pub(super) fn narrowed(color: ColorType, bytes: Vec<u8>) -> (Vec<u8>, Alpha) {
+pub(super) fn narrowed(color: ColorType, bytes: Vec<u8>) -> (Vec<u8>, Channels, Alpha) {
     let channels = color.channel_count();
     let alpha = if channels.is_multiple_of(2) { Alpha::Straight } else { Alpha::None };
     let narrow = match color.bytes_per_pixel() / channels {
@@ -71,7 +134,7 @@ pub(super) fn narrowed(color: ColorType, bytes: Vec<u8>) -> (Vec<u8>, Alpha) {
         4 => bytes.as_chunks().0.iter().map(|&four| of_float(f32::from_ne_bytes(four))).collect(),
         _ => bytes,
     };
-    (narrow, alpha)
+    (narrow, if channels < 3 { Channels::Grey } else { Channels::Rgb }, alpha)
 }
 
 pub(super) fn of_16_bits(value: u16) -> u8 {
@@ -83,17 +146,18 @@ pub(super) fn of_float(value: f32) -> u8 {
     (value.clamp(0.0, 1.0) * 255.0 + 0.5) as u8
 }
 
-/// `COLORS` samples and an alpha a pixel, in place.
-fn on_white<const COLORS: usize, const ALL: usize>(mut samples: Vec<u8>, kind: Alpha) -> Vec<u8> {
+/// `COLORS` samples and an alpha a pixel, in place; `paper` is the value of white paper.
+fn on_paper<const COLORS: usize, const ALL: usize>(mut samples: Vec<u8>, kind: Alpha, paper: u32) -> Vec<u8> {
     let pixels = samples.len() / ALL;
     for i in 0..pixels {
         let alpha = u32::from(samples[ALL * i + COLORS]);
+        let bare = paper * (255 - alpha);
         for channel in 0..COLORS {
             let value = u32::from(samples[ALL * i + channel]);
             let value = if kind == Alpha::Multiplied {
-                (value + 255 - alpha).min(255)
+                (value + bare / 255).min(255)
             } else {
-                (value * alpha + 255 * (255 - alpha) + 127) / 255
+                (value * alpha + bare + 127) / 255
             };
             samples[COLORS * i + channel] = value as u8;
         }
@@ -107,9 +171,9 @@ mod tests {
     use super::*;
 
     fn flattened(color: ColorType, bytes: Vec<u8>) -> Vec<u8> {
-        let (samples, alpha) = narrowed(color, bytes);
+        let (samples, channels, alpha) = narrowed(color, bytes);
         let pixels = samples.len() / usize::from(color.channel_count());
-        Pixels::flattened((pixels, 1), samples, alpha).samples
+        Pixels::flattened((pixels, 1), samples, channels, alpha).samples
     }
 
     #[test]
@@ -127,9 +191,15 @@ mod tests {
 
     #[test]
     fn what_is_clear_is_white() {
-        let grey = Pixels::flattened((3, 1), vec![10, 0, 10, 255, 10, 128], Alpha::Straight);
-        assert!(grey.grey);
-        assert_eq!(grey.samples, [255, 10, 132]);
+        let on_white = |channels, samples: &[u8]| {
+            Pixels::flattened((1, 1), samples.to_vec(), channels, Alpha::Straight).samples
+        };
+        assert_eq!(on_white(Channels::Grey, &[10, 0, 10, 255, 10, 128]), [255, 10, 132]);
+        // Paper has no ink.
+        assert_eq!(
+            on_white(Channels::Cmyk, &[10, 20, 30, 40, 0, 10, 20, 30, 40, 255]),
+            [0, 0, 0, 0, 10, 20, 30, 40]
+        );
         let rgb = flattened(ColorType::Rgba8, vec![9, 8, 7, 255, 0, 0, 0, 0]);
         assert_eq!(rgb, [9, 8, 7, 255, 255, 255]);
         let wide = [1000u16, 2000, 3000, 65535].map(u16::to_ne_bytes).concat();
@@ -138,10 +208,24 @@ mod tests {
 
     #[test]
     fn colours_that_are_multiplied_already_are_not_multiplied_again() {
-        let half_red = Pixels::flattened((1, 1), vec![128, 0, 0, 128], Alpha::Multiplied);
-        assert_eq!((half_red.samples.as_slice(), half_red.grey), ([255, 127, 127].as_slice(), false));
+        let on_white = |channels, samples: &[u8]| {
+            Pixels::flattened((1, 1), samples.to_vec(), channels, Alpha::Multiplied).samples
+        };
+        assert_eq!(on_white(Channels::Rgb, &[128, 0, 0, 128]), [255, 127, 127]);
+        assert_eq!(on_white(Channels::Cmyk, &[64, 0, 0, 10, 128]), [64, 0, 0, 10]);
         // More colour than there can be ends at white.
-        let wrong = Pixels::flattened((1, 1), vec![200, 100], Alpha::Multiplied);
-        assert_eq!((wrong.samples.as_slice(), wrong.grey), ([255].as_slice(), true));
+        assert_eq!(on_white(Channels::Grey, &[200, 100]), [255]);
+    }
+
+    #[test]
+    fn inks_take_light_away() {
+        let seen = |inks: [u8; 4]| {
+            let pixels = Pixels::flattened((1, 1), inks.to_vec(), Channels::Cmyk, Alpha::None);
+            pixels.image((1, 1)).unwrap().to_rgb()
+        };
+        assert_eq!(seen([0; 4]), [255; 3]);
+        assert_eq!(seen([255, 0, 0, 0]), [0, 255, 255]);
+        assert_eq!(seen([0, 0, 0, 255]), [0; 3]);
+        assert_eq!(seen([51, 0, 102, 51]), [163, 204, 122]);
     }
 }

@@ -1,4 +1,4 @@
-//! TIFF: the samples as the `tiff` crate unpacks them, put together and turned to grey or RGB here.
+//! TIFF: the samples as the `tiff` crate unpacks them, put together and given their meaning here.
 //!
 //! The crate (0.11.3) is asked for chunks (strips or tiles) of bare samples, which is what it does well. What it and
 //! `image` do with them beyond that is wrong or missing:
@@ -22,9 +22,9 @@ use tiff::decoder::{ChunkType, Decoder, DecodingResult};
 use tiff::tags::Tag;
 
 use super::decode::{Limits, check_memory, out_of_memory};
-use super::exif::Tiff;
+use super::exif::{ICC_PROFILE, Tiff};
 use super::jpeg::Markers;
-use super::samples::{Alpha, Pixels, of_16_bits, of_float};
+use super::samples::{Alpha, Channels, Pixels, of_16_bits, of_float, rgb_of_ycc};
 use crate::error::{Error, Result};
 
 const PHOTOMETRIC: u16 = 262;
@@ -97,6 +97,10 @@ impl Header {
                     name,
                     format!("field {tag} has more values than an image has parts"),
                 ));
+            }
+            if tag == ICC_PROFILE && tiff.bytes(field).is_none() {
+                // The pixels may be there, but nobody can say what they look like.
+                return Err(Error::damaged(name, "its end is missing"));
             }
             let new = match tag {
                 // 1: grey, black is 0.
@@ -329,7 +333,7 @@ impl Layout {
         if row.len() == count { Ok(()) } else { Err(Error::damaged(name, "a part of it is too short")) }
     }
 
-    /// The samples as grey or RGB on white.
+    /// The samples as grey, RGB or inks, on white paper.
     fn finished(
         &self,
         mut samples: Vec<u8>,
@@ -340,38 +344,26 @@ impl Layout {
             Colors::Grey { white_is_zero: true } => {
                 samples.chunks_exact_mut(self.used).for_each(|pixel| pixel[0] = 255 - pixel[0]);
             }
-            Colors::Grey { .. } | Colors::Rgb => {}
+            Colors::Grey { .. } | Colors::Rgb | Colors::Cmyk => {}
             Colors::Palette => {
                 let map = decoder.find_tag_unsigned_vec::<u16>(Tag::ColorMap);
                 let map = map.map_err(|error| explained(error, name))?.unwrap_or_default();
                 samples =
                     painted(&samples, &map).ok_or_else(|| Error::damaged(name, "its palette is missing"))?;
             }
-            Colors::Cmyk => {
-                let mut kept = 0;
-                for start in (0..samples.len()).step_by(self.used) {
-                    let black = 255 - u32::from(samples[start + 3]);
-                    for ink in start..start + 3 {
-                        samples[kept] = ((255 - u32::from(samples[ink])) * black / 255) as u8;
-                        kept += 1;
-                    }
-                    if self.alpha != Alpha::None {
-                        samples[kept] = samples[start + 4];
-                        kept += 1;
-                    }
-                }
-                samples.truncate(kept);
-            }
             Colors::YCbCr => {
                 for pixel in samples.chunks_exact_mut(self.used) {
-                    let [y, u, v] = [0, 1, 2].map(|i| f32::from(pixel[i]));
-                    let (u, v) = (u - 128.0, v - 128.0);
-                    let rgb = [y + 1.402 * v, y - 0.344_136 * u - 0.714_136 * v, y + 1.772 * u];
-                    pixel[..3].copy_from_slice(&rgb.map(|value| (value + 0.5) as u8));
+                    let rgb = rgb_of_ycc([pixel[0], pixel[1], pixel[2]]);
+                    pixel[..3].copy_from_slice(&rgb);
                 }
             }
         }
-        Ok(Pixels::flattened(self.size, samples, self.alpha))
+        let channels = match self.colors {
+            Colors::Grey { .. } => Channels::Grey,
+            Colors::Rgb | Colors::Palette | Colors::YCbCr => Channels::Rgb,
+            Colors::Cmyk => Channels::Cmyk,
+        };
+        Ok(Pixels::flattened(self.size, samples, channels, self.alpha))
     }
 }
 

@@ -64,7 +64,18 @@ def write_profiled():
     save("jpeg-icc-p3.jpg", colour, quality=95, subsampling=0, icc_profile=p3)
     save("jpeg-icc-parts.jpg", colour, quality=95, subsampling=0, icc_profile=p3 + b"\0" * 70_000)
     save("jpeg-icc-exif-6.jpg", colour, quality=95, subsampling=0, icc_profile=adobe, exif=exif(6))
-    save("jpeg-icc-cmyk.jpg", colour.convert("CMYK"), quality=95, icc_profile=profiles.of_tables(b"CMYK"))
+    three = np.asarray(colour.convert("CMYK"))[..., :3]
+    inks = Image.frombytes("CMYK", colour.size, np.dstack([three * 0.8, x * 4]).astype(np.uint8).tobytes())
+    press = profiles.of_press()
+    save("jpeg-icc-tables-press.jpg", inks, quality=95, icc_profile=press)
+    adobe_marked = (FILES / "jpeg-icc-tables-press.jpg").read_bytes()
+    at = adobe_marked.index(b"Adobe") + 11
+    (FILES / "jpeg-icc-tables-ycck.jpg").write_bytes(adobe_marked[:at] + b"\2" + adobe_marked[at + 1:])
+    save("tiff-icc-tables-press.tif", inks, compression="tiff_adobe_deflate", icc_profile=press)
+    save("tiff-icc-tables-eight.tif", colour, compression="tiff_adobe_deflate", icc_profile=profiles.of_scanner(False))
+    save("png-icc-tables-scanner.png", colour, icc_profile=profiles.of_scanner())
+    save("webp-icc-tables-printer.webp", colour, lossless=True, icc_profile=profiles.of_printer())
+    save("jpeg-icc-ignored-cmyk.jpg", colour.convert("CMYK"), quality=95, icc_profile=profiles.of_tables(b"CMYK"))
     save("png-icc-p3.png", colour, icc_profile=p3)
     save("png-icc-adobe.png", colour, icc_profile=adobe)
     save("png-icc-palette.png", palette, icc_profile=adobe)
@@ -144,16 +155,15 @@ def seen(path):
         rgba = np.asarray(image).astype(float)
         a = rgba[..., 3:] / 255
         image = Image.fromarray((rgba[..., :3] * a + 255 * (1 - a)).round().astype(np.uint8))
-    mode, image = image.mode, image.convert("RGB")
-    if profile and "ignored" not in path.name and mode != "CMYK":
-        image = in_srgb(image, profile, mode)
-    return image, orientation, taken
+    if image.mode not in ("L", "CMYK"):
+        image = image.convert("RGB")
+    if profile and "ignored" not in path.name:
+        image = in_srgb(image, profile)
+    return image.convert("RGB"), orientation, taken
 
 
-def in_srgb(image, profile, mode):
+def in_srgb(image, profile):
     """The image as littlecms turns it to sRGB."""
-    if mode == "L":
-        image = image.convert("L")
     source = ImageCms.ImageCmsProfile(io.BytesIO(profile))
     intent = ImageCms.Intent.RELATIVE_COLORIMETRIC
     return ImageCms.profileToProfile(image, source, ImageCms.createProfile("sRGB"), intent, "RGB")

@@ -47,15 +47,19 @@ def columns(primaries, white=D65):
     return (np.linalg.inv(BRADFORD) @ cones @ BRADFORD @ matrix).T
 
 
-def profile(space, tags):
+def profile(space, tags, kind=b"mntr", pcs=b"XYZ ", version=0x04300000):
     text = b"\0\0\0\x0cenUS" + struct.pack(">II", 10, 28) + "Tests".encode("utf-16-be")
     words = b"mluc\0\0\0\0\0\0\0\x01" + text
     tags = {b"desc": words, b"cprt": words, b"wtpt": b"XYZ \0\0\0\0" + b"".join(map(fixed, D50))} | tags
-    body, index, start = b"", b"", 132 + 12 * len(tags)
+    body, index, start, places = b"", b"", 132 + 12 * len(tags), {}
     for name, data in tags.items():
-        index += name + struct.pack(">II", start + len(body), len(data))
-        body += data + b"\0" * (-len(data) % 4)
-    head = struct.pack(">I4sI4s4s4s", start + len(body), b"", 0x04300000, b"mntr", space, b"XYZ ")
+        # Tags with the same data share them, but for the two of words, whose places older files have.
+        shared = data if name.startswith(b"A2B") else name
+        if shared not in places:
+            places[shared] = start + len(body)
+            body += data + b"\0" * (-len(data) % 4)
+        index += name + struct.pack(">II", places[shared], len(data))
+    head = struct.pack(">I4sI4s4s4s", start + len(body), b"", version, kind, space, pcs)
     head += struct.pack(">6H", 2026, 1, 1, 0, 0, 0) + b"acsp" + b"\0" * 28 + b"".join(map(fixed, D50))
     return head.ljust(128, b"\0") + struct.pack(">I", len(tags)) + index + body
 
@@ -75,3 +79,77 @@ def grey(curve):
 def of_tables(space=b"RGB "):
     """A profile without a matrix, as printers have: not read by Inkpanel, nor valid."""
     return profile(space, {b"A2B0": b"mft1" + b"\0" * 44})
+
+
+# ---- Tables
+
+def lab(light):
+    """Linear sRGB of 0 to 1 as L*a*b* under D50."""
+    xyz = light @ np.array(columns(SRGB)) / np.array(D50)
+    f = np.where(xyz > 216 / 24389, np.cbrt(xyz), (24389 / 27 * xyz + 16) / 116)
+    return np.stack([116 * f[..., 1] - 16, 500 * (f[..., 0] - f[..., 1]), 200 * (f[..., 1] - f[..., 2])], -1)
+
+
+def press(inks):
+    """What light four inks leave: each takes its own third and some of the others, more where dots have grown."""
+    absorbed = np.array([[0.93, 0.32, 0.10], [0.22, 0.90, 0.45], [0.03, 0.12, 0.92], [0.88, 0.90, 0.91]])
+    grown = inks ** 0.8
+    return np.prod(1 - grown[..., None] * absorbed, axis=-2)
+
+
+def scanner(samples):
+    """Filters of a scanner that let some of their neighbours' light through."""
+    return samples ** 1.9 @ np.array([[0.86, 0.10, 0.02], [0.11, 0.82, 0.08], [0.03, 0.08, 0.90]])
+
+
+def grid(channels, size, model):
+    """Colours of a grid whose last channel changes first."""
+    steps = np.linspace(0, 1, size)
+    return lab(model(np.stack(np.meshgrid(*[steps] * channels, indexing="ij"), -1).reshape(-1, channels)))
+
+
+def tables(channels, size, model, wide=True):
+    """A lut16Type or lut8Type: curves that do nothing around a grid of colours, as version 2 encodes them."""
+    colours = grid(channels, size, model)
+    head = struct.pack(">4sIBBBB", b"mft2" if wide else b"mft1", 0, channels, 3, size, 0)
+    head += b"".join(fixed(float(i % 4 == 0)) for i in range(9))
+    if wide:
+        entries = np.stack([colours[:, 0] * 652.8, (colours[:, 1] + 128) * 256, (colours[:, 2] + 128) * 256], -1)
+        straight = np.array([0, 65535], ">u2").tobytes()
+        head += struct.pack(">HH", 2, 2)
+        body = entries.round().clip(0, 65535).astype(">u2").tobytes()
+    else:
+        entries = np.stack([colours[:, 0] * 2.55, colours[:, 1] + 128, colours[:, 2] + 128], -1)
+        straight = bytes(range(256))
+        body = entries.round().clip(0, 255).astype(np.uint8).tobytes()
+    return head + straight * channels + body + straight * 3
+
+
+def curves_and_tables(channels, size, model):
+    """A lutAToBType of version 4: a gamma for each channel, then a grid of what that leaves."""
+    colours = grid(channels, size, lambda samples: model(samples ** (1 / 1.6)))
+    entries = np.stack([colours[:, 0] * 655.35, (colours[:, 1] + 128) * 257, (colours[:, 2] + 128) * 257], -1)
+    values = entries.round().clip(0, 65535).astype(">u2").tobytes()
+    straight, bent = b"curv" + b"\0" * 8, formula(0, 1.6)
+    cube = bytes([size] * channels).ljust(16, b"\0") + b"\2\0\0\0" + values
+    cube += b"\0" * (-len(cube) % 4)
+    first = 32 + 3 * len(straight)
+    offsets = struct.pack(">5I", 32, 0, 0, first, first + len(cube))
+    return b"mAB \0\0\0\0" + bytes([channels, 3, 0, 0]) + offsets + straight * 3 + cube + bent * channels
+
+
+def of_press(size=7):
+    """A press as profiles of version 2 have it, one table for two intents."""
+    both = tables(4, size, press)
+    return profile(b"CMYK", {b"A2B0": both, b"A2B1": both}, b"prtr", b"Lab ", 0x02400000)
+
+
+def of_scanner(wide=True):
+    """A scanner with one table."""
+    return profile(b"RGB ", {b"A2B0": tables(3, 9, scanner, wide)}, b"scnr", b"Lab ", 0x02400000)
+
+
+def of_printer():
+    """A printer that is told red, green and blue, of version 4."""
+    both = curves_and_tables(3, 9, scanner)
+    return profile(b"RGB ", {b"A2B0": both, b"A2B1": both}, b"prtr", b"Lab ")

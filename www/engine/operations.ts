@@ -7,7 +7,7 @@ import { blobOf } from './blobs.ts';
 import { foreignKind } from './foreign.ts';
 import { fileMs, frameMs, pageMs, photoMs, pngMs, styleMs } from './measured.ts';
 import { failure } from './protocol.ts';
-import { readable } from './readable.ts';
+import { reading } from './readable.ts';
 import { STORING, readingOf } from './serving.ts';
 import { createStyleOperations } from './style-operations.ts';
 import type { Patch, Studio } from '../pkg/inkpanel.js';
@@ -54,8 +54,8 @@ export function createOperations(
    */
   async function read(id: string, bytes: Uint8Array<ArrayBuffer>, tell: Tell): Promise<any> {
     tell.expects(photoMs(bytes, foreignKind(bytes)));
-    const { file, told } = await readable(bytes);
-    return { ...JSON.parse(studio.import_photo(id, file)), ...told };
+    const { value, told } = await reading(bytes, (file) => studio.import_photo(id, file));
+    return { ...JSON.parse(value), ...told };
   }
 
   async function importFrame(
@@ -122,7 +122,7 @@ export function createOperations(
     tell.waits(readingOf(file));
     const bytes = await bytesOf(file);
     tell.expects(photoMs(bytes, foreignKind(bytes)));
-    studio.import_full(id, (await readable(bytes)).file);
+    await reading(bytes, (file) => studio.import_full(id, file));
     try {
       const ok = [];
       for (const index of indexes) {

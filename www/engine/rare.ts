@@ -1,6 +1,6 @@
 /**
- * Photos in formats that few people have, TIFF and GIF. Their decoders are a module of their own, which is loaded with the
- * first of them.
+ * Photos that few people have: TIFF, GIF, and those whose colours are a scanner's or a press's. What decodes them is a module of
+ * its own, which is loaded with the first of them.
  */
 
 import { failure } from './protocol.ts';
@@ -9,8 +9,8 @@ const MODULE = new URL('../pkg-decoders/inkpanel_bg.wasm', import.meta.url);
 
 type Decoders = typeof import('../pkg-decoders/inkpanel.js');
 
-/** What a photo is as a file that the core reads; `taken` where the file says so. */
-export type Converted = { file: Uint8Array<ArrayBuffer>; taken: string | null };
+/** A photo as a file that the core reads; `taken` where the photo says so. */
+export type Converted = { file: Uint8Array<ArrayBuffer>; format: string; taken: string | null };
 
 let loaded: Promise<Decoders> | undefined;
 
@@ -34,7 +34,8 @@ export async function converted(bytes: Uint8Array<ArrayBuffer>): Promise<Convert
   });
   const photo = new (await loaded).Converted(bytes);
   try {
-    return { file: photo.take() as Uint8Array<ArrayBuffer>, taken: photo.taken ?? null };
+    const { format, taken = null } = photo;
+    return { file: photo.take() as Uint8Array<ArrayBuffer>, format, taken };
   } finally {
     photo.free();
   }

@@ -4,18 +4,27 @@ import { asBmp, foreignKind } from './foreign.ts';
 import { converted, rareKind } from './rare.ts';
 import { takenOf } from './taken.ts';
 
-/** `format` and `taken` where the file that the core reads no longer says it. */
-export type Readable = { file: Uint8Array<ArrayBuffer>; told: { format: string; taken: string | null } | null };
+/** What the file that the core reads no longer says of the photo; nothing where it is the photo's own. */
+type Told = { format?: string; taken?: string | null };
 
 /**
  * @param bytes of a file
+ * @param read what the core does with it; called again where it says that the colours take rare decoders
  * @throws with a `code`: what cannot be decoded
  */
-export async function readable(bytes: Uint8Array<ArrayBuffer>): Promise<Readable> {
+export async function reading<T>(
+  bytes: Uint8Array<ArrayBuffer>,
+  read: (file: Uint8Array<ArrayBuffer>) => T,
+): Promise<{ value: T; told: Told }> {
   const foreign = foreignKind(bytes);
-  if (foreign) return { file: await asBmp(foreign, bytes), told: { format: foreign, taken: takenOf(bytes) } };
-  const rare = rareKind(bytes);
-  if (!rare) return { file: bytes, told: null };
-  const { file, taken } = await converted(bytes);
-  return { file, told: { format: rare, taken } };
+  if (foreign) return { value: read(await asBmp(foreign, bytes)), told: { format: foreign, taken: takenOf(bytes) } };
+  if (!rareKind(bytes)) {
+    try {
+      return { value: read(bytes), told: {} };
+    } catch (error) {
+      if ((error as { code?: string }).code !== 'rare-colours') throw error;
+    }
+  }
+  const { file, format, taken } = await converted(bytes);
+  return { value: read(file), told: { format, taken } };
 }

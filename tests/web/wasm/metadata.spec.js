@@ -37,15 +37,15 @@ for (const [folder, kinds] of Object.entries(FOLDERS)) {
  * @param {{ plain: string, loud: string }} files the same photo in base64, as it was and with words in it
  */
 async function lookedAt({ plain, loud }) {
-  const [{ withoutMetadata }, { readable }] = await Promise.all([
+  const [{ withoutMetadata }, { reading }] = await Promise.all([
     import(/** @type {any} */ ('/engine/metadata/strip.ts')),
     import(/** @type {any} */ ('/engine/readable.ts')),
   ]);
   /** @param {Uint8Array<ArrayBuffer>} bytes */
   const seen = async (bytes) => {
-    const { file } = await readable(bytes);
     const studio = new core.Studio();
-    const { width, height, work } = JSON.parse(studio.import_photo('a', file));
+    const read = (/** @type {Uint8Array} */ file) => studio.import_photo('a', file);
+    const { width, height, work } = JSON.parse((await reading(bytes, read)).value);
     const digest = await crypto.subtle.digest('SHA-256', studio.photo_planes('a/work'));
     const hash = [...new Uint8Array(digest)].map((byte) => byte.toString(16).padStart(2, '0')).join('');
     studio.free();
