@@ -274,7 +274,9 @@ fn lines_of(mut letters: Vec<Piece>) -> Vec<Piece> {
         }
         let row: Vec<Piece> = line.iter().map(|&i| letters[i]).collect();
         if is_line(&row) {
-            line.iter().for_each(|&i| used[i] = true);
+            for &i in &line {
+                used[i] = true;
+            }
             lines.extend(row.into_iter().reduce(together));
         }
     }
@@ -429,7 +431,9 @@ mod tests {
     #[test]
     fn fences_windows_grain_and_edges_are_no_words() {
         let mut fence = Wall::new(|x, y| 190 + grain(x, y));
-        (0..14).for_each(|i| fence.fill(30 + 24 * i, 60, 9, 60, 40));
+        for i in 0..14 {
+            fence.fill(30 + 24 * i, 60, 9, 60, 40);
+        }
         let mut windows = Wall::new(|x, y| 190 + grain(x, y));
         (0..4).for_each(|row| (0..9).for_each(|i| windows.fill(30 + 40 * i, 30 + 60 * row, 22, 34, 50)));
         let noise = Wall::new(|x, y| ((x * 7919) ^ (y * 104_729) ^ (x * y * 31)) as u8);
