@@ -6,6 +6,7 @@ use inkpanel::document::edit::{Edit, How, Part, Shelf};
 use inkpanel::document::editor::Editor;
 use inkpanel::document::history::History;
 use inkpanel::document::kept;
+use inkpanel::document::own;
 use inkpanel::document::planning::{Planning, Seeds};
 use inkpanel::document::project::{Draft, Focus, List, Order, Project, Sheet, Styling};
 use inkpanel::document::sheets::photos_on;
@@ -409,20 +410,33 @@ fn an_edit_in_json_tells_what_it_changed_or_changes_nothing() {
         editor.apply_json(&edit.to_string()).map(|told| serde_json::from_str::<Value>(&told).unwrap())
     };
     let told = apply(json!({ "type": "add-photos", "ids": ["a", "b"] })).unwrap();
-    assert_eq!(told["project"], json!({ "tray": [{ "id": "a", "use": null }, { "id": "b", "use": null }] }));
-    assert_eq!((&told["past"], &told["future"], told.get("shown")), (&json!(1), &json!(0), None));
+    assert_eq!(told["parts"]["items"], json!([{ "id": "a", "use": null }, { "id": "b", "use": null }]));
+    // The state that was there is number 0, and goes to those before.
+    assert_eq!((&told["parts"]["trays"], &told["states"]), (&json!([[0, 1]]), &json!([[0, { "tray": 0 }]])));
+    assert_eq!([&told["past"], &told["present"], &told["future"]], [&json!([[0, 1]]), &json!(1), &json!([])]);
+    assert_eq!((&told["entries"], &told["shown"]), (&json!([]), &json!([])));
     let full: Value = serde_json::from_str(&page(3).to_json()).unwrap();
     let told = apply(json!({ "type": "show-page", "page": full, "pageId": 4 })).unwrap();
-    assert_eq!(told["project"], json!({ "page": full, "pageId": 4 }));
-    assert_eq!(told["shown"], json!({ "order": [4], "pages": [{ "id": 4, "page": full }] }));
+    assert_eq!(told["states"], json!([[1, { "page": 0, "pageId": 4 }]]));
+    assert_eq!((&told["parts"]["pages"], &told["past"]), (&json!([full]), &json!([[0, 2]])));
+    assert_eq!((&told["entries"], &told["shown"]), (&json!([{ "id": 4, "page": 0 }]), &json!([[0, 1]])));
     assert_eq!((&told["pageId"], &told["sheet"]), (&json!(5), &json!(1)));
-    // A page that is known is told by its id.
+    // A page that is known is told by its id, there and back: it is the second of the two shown, behind the page itself.
     apply(json!({ "type": "show-page", "page": page(5).to_json().parse::<Value>().unwrap(), "pageId": 5 }))
         .unwrap();
     let told = apply(json!({ "type": "show-page", "pageId": 4 })).unwrap();
-    assert_eq!(told["project"]["page"]["seed"], 3);
+    assert_eq!(
+        (&told["parts"]["pages"], &told["states"]),
+        (&json!([]), &json!([[3, { "page": 1, "pageId": 4 }]]))
+    );
+    // Of a step back nothing is told but that it is one.
     let told = apply(json!({ "type": "undo" })).unwrap();
-    assert_eq!((&told["project"]["page"]["seed"], &told["future"]), (&json!(5), &json!(1)));
+    let places = [&told["states"], &told["past"], &told["present"], &told["future"], &told["shown"]];
+    assert_eq!(places, [&json!([]), &json!([[0, 3]]), &json!(3), &json!([[4, 1]]), &json!([[0, 2]])]);
+    // A photo that is starred is told, the other known.
+    let told = apply(json!({ "type": "star-photo", "id": "b", "on": true })).unwrap();
+    assert_eq!(told["parts"]["items"], json!([{ "id": "b", "use": null, "starred": true }]));
+    assert_eq!(told["parts"]["trays"], json!([[0, 2]]));
     for (wrong, place) in [
         (json!({ "type": "show-page", "pageId": 9 }), "page"),
         (json!({ "type": "fly" }), "type"),
@@ -433,7 +447,87 @@ fn an_edit_in_json_tells_what_it_changed_or_changes_nothing() {
         assert_eq!(error.code(), "invalid-document");
         assert!(error.to_string().contains(place), "{error}");
     }
-    assert_eq!(editor.history().past.len(), 3);
+    assert_eq!(editor.history().past.len(), 4);
+}
+
+#[test]
+fn a_name_has_an_end() {
+    let mut editor = Editor::default();
+    editor.apply_json(&json!({ "type": "rename", "name": "é".repeat(2_000) }).to_string()).unwrap();
+    assert_eq!(editor.project().name, "é".repeat(1_000));
+}
+
+#[test]
+fn a_forgotten_photo_is_gone_from_the_pages_of_all_times_and_what_these_share_they_share() {
+    let mut shown = Document::clone(&page(1));
+    shown.panels[0].photo = Some("a".into());
+    shown.order = texts(&["a"]);
+    let mut editor = played([
+        Edit::AddPhotos(texts(&["a", "b"])),
+        Edit::ShowPage { page: Arc::new(shown), page_id: 1 },
+        Edit::Rename("One".into()),
+        show(2),
+    ]);
+    assert!(editor.apply(&Edit::ForgetPhotos(texts(&["a"])), &How::default()));
+    let history = editor.history();
+    assert!(history.shown.iter().all(|shown| photos_on([&*shown.page]).is_empty()));
+    assert!(history.states().all(|state| state.tray.iter().all(|item| item.id != "a")));
+    let before = history.past.iter().rev().find_map(|state| state.page.as_ref()).unwrap();
+    assert!(
+        history.past.iter().filter_map(|state| state.page.as_ref()).all(|page| Arc::ptr_eq(page, before))
+    );
+    assert!(Arc::ptr_eq(&history.shown[0].page, before));
+    assert!(!editor.apply(&Edit::ForgetPhotos(texts(&["a"])), &How::default()));
+}
+
+#[test]
+fn what_was_done_to_a_list_is_done_to_another_state_of_it() {
+    sequences(2_000, |seed| {
+        let mut random = Rand64::new(u128::from(seed));
+        let mut some_list = || -> List<Value> {
+            let mut items = Vec::new();
+            for id in ["a", "b", "c", "d"] {
+                if random.rand_float() < 0.6 {
+                    items.push(Arc::new(json!({ "id": id, "name": random.rand_range(0..2) })));
+                }
+            }
+            items.into()
+        };
+        let (state, before, after) = (some_list(), some_list(), some_list());
+        assert_eq!(own::carried(&before, &before, &after), after);
+        assert_eq!(own::carried(&state, &before, &before), state);
+        let plain = |list: &List<Value>| list.iter().map(|item| Value::clone(item)).collect::<Value>();
+        let told =
+            json!({ "list": plain(&state), "before": plain(&before), "after": plain(&after) }).to_string();
+        let found: Vec<Value> = serde_json::from_str(&own::carried_json(&told).unwrap()).unwrap();
+        let found: List<Value> = found.into_iter().map(Arc::new).collect();
+        assert_eq!(found, own::carried(&state, &before, &after));
+        let has = |list: &List<Value>, id: &str| ids_of(list).contains(&id);
+        assert_eq!(ids_of(&found).iter().collect::<HashSet<_>>().len(), found.len());
+        for id in ["a", "b", "c", "d"] {
+            if has(&after, id) && !has(&before, id) {
+                assert!(has(&found, id));
+            }
+            if has(&before, id) && !has(&after, id) {
+                assert!(!has(&found, id));
+            }
+        }
+    });
+    assert_eq!(own::carried_json("{\"list\": 1}").unwrap_err().code(), "invalid-document");
+}
+
+#[test]
+fn the_lists_of_a_project_join_those_that_are_there() {
+    let styles = |count: usize, of: &str| -> List<Value> {
+        (0..count).map(|i| Arc::new(json!({ "id": format!("{of}{i}"), "background": [] }))).collect()
+    };
+    let mut editor =
+        played([Edit::Own(Shelf::Mine, styles(900, "a")), Edit::Own(Shelf::Favourites, styles(1, "f"))]);
+    let steps = editor.history().past.len();
+    editor.apply(&Edit::Join(vec![(Shelf::Mine, styles(900, "b"))]), &How::default());
+    let mine = ids_of(&editor.project().mine);
+    assert_eq!((mine.len(), mine[0], mine[999]), (1_000, "b0", "a99"));
+    assert_eq!((ids_of(&editor.project().favourites), editor.history().past.len()), (vec!["f0"], steps));
 }
 
 #[test]
@@ -686,47 +780,30 @@ fn told(change: &Value) -> Value {
 /// A state as the oracle tells it.
 fn state_of(project: &Project) -> Value {
     let history = History { present: Arc::new(project.clone()), ..History::default() };
-    let text =
-        kept::difference(&history, &History { present: Arc::new(unlike(project)), ..History::default() });
-    let mut told = serde_json::from_str::<Value>(&text).unwrap()["project"].take();
+    let mut written: Value = serde_json::from_str(&kept::write(&history, &Vec::new())).unwrap();
+    let parts = written["history"]["parts"].take();
+    let mut told = written["history"]["present"].take();
+    let part = |table: &str, at: &Value| parts[table][at.as_u64().unwrap() as usize].clone();
+    let tables = [
+        ("tray", "trays", "items"),
+        ("others", "books", "sheets"),
+        ("mine", "shelves", "styles"),
+        ("favourites", "shelves", "styles"),
+        ("ownLayouts", "layoutShelves", "layouts"),
+    ];
+    for (field, lists, items) in tables {
+        let list = part(lists, &told[field]);
+        told[field] = list.as_array().unwrap().iter().map(|at| part(items, at)).collect();
+    }
+    told["settings"] = part("settings", &told["settings"]);
+    if !told["draft"].is_null() {
+        told["draft"] = part("drafts", &told["draft"]);
+    }
     told["page"] = project.page.as_ref().map_or(Value::Null, |page| json!(page.seed));
     for (sheet, other) in told["others"].as_array_mut().unwrap().iter_mut().zip(project.others.iter()) {
         sheet["page"] = json!(other.page.seed);
     }
     told
-}
-
-/// A state that has no field in common with it.
-fn unlike(project: &Project) -> Project {
-    let edits = [
-        Edit::AddPhotos(vec!["no such photo".into()]),
-        Edit::Rename(format!("{} or else", project.name)),
-        Edit::WantPanels(Some(project.panels.unwrap_or(0) + 7)),
-        Edit::ChooseBy {
-            alike: Some(63 - project.alike),
-            order: Some(if project.order == Order::Time { Order::Name } else { Order::Time }),
-        },
-        Edit::Design(Some(Arc::new(Draft::empty("unlike", "Unlike")))),
-        Edit::LovePage { page_id: 12_345, on: true },
-    ];
-    let mut other = project.clone();
-    for edit in &edits {
-        other = other.after(edit).unwrap();
-    }
-    let lock = |on: bool| !on;
-    (other.locks.layout, other.styling.keep_lines) =
-        (lock(project.locks.layout), lock(project.styling.keep_lines));
-    (other.page, other.page_id, other.sheet, other.at) =
-        (None, project.page_id + 1, project.sheet + 1, project.at + 1);
-    if project.page.is_none() {
-        other.page = Some(page(1));
-    }
-    other.others = [Arc::new(Sheet { page: page(2), page_id: 1, sheet: 1, rest: Map::new() })].into();
-    other.settings = Arc::new(PageSettings { gutter: 0.099, ..PageSettings::default() });
-    for list in [&mut other.mine, &mut other.favourites, &mut other.own_layouts] {
-        *list = shelf(&["unlike"]);
-    }
-    other
 }
 
 fn comparable(value: Value) -> Value {

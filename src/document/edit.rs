@@ -102,6 +102,8 @@ pub enum Edit {
     Redo,
     /// Lists that all projects share, as they are now outside of this one: no step, at no time undone.
     Share(Vec<(Shelf, List<Value>)>),
+    /// The same, but what this project has besides stays, behind them.
+    Join(Vec<(Shelf, List<Value>)>),
 }
 
 /// A part of the page.
@@ -170,9 +172,14 @@ impl Project {
             Edit::AddPhotos(ids) => next.tray = self.with_photos(ids)?,
             Edit::RemovePhotos(ids) | Edit::ForgetPhotos(ids) => return self.without(ids),
             Edit::UsePhotos(uses) => {
+                let told = |on| -> HashSet<&str> {
+                    uses.iter().filter(|(_, used)| *used == on).map(|(id, _)| id.as_str()).collect()
+                };
+                let (on, off) = (told(true), told(false));
                 next.tray = mapped(&self.tray, |item| {
-                    let (_, used) = uses.iter().rev().find(|(id, _)| *id == item.id)?;
-                    Some(TrayItem { used: Some(*used), ..item.clone() })
+                    let id = item.id.as_str();
+                    let used = on.contains(id);
+                    (used || off.contains(id)).then(|| TrayItem { used: Some(used), ..item.clone() })
                 });
             }
             Edit::ExchangePhoto { id, by } => next.exchange(id, by),
@@ -233,7 +240,7 @@ impl Project {
                 next.at = 0;
             }
             Edit::Design(draft) => next.draft.clone_from(draft),
-            Edit::Own(shelf, list) => *shelf.of_mut(&mut next) = list.clone(),
+            Edit::Own(shelf, list) => *shelf.of_mut(&mut next) = own::reusing(shelf.of(self), list),
             Edit::LovePage { page_id, on } => next.loved = self.with_love(*page_id, *on)?,
             Edit::Rename(name) => {
                 if self.name == *name {
@@ -242,7 +249,7 @@ impl Project {
                 next.name.clone_from(name);
             }
             Edit::Styling(styling) => next.styling = styling.clone(),
-            Edit::Undo | Edit::Redo | Edit::Share(_) => return None,
+            Edit::Undo | Edit::Redo | Edit::Share(_) | Edit::Join(_) => return None,
         }
         if matches!(
             edit,
@@ -253,22 +260,14 @@ impl Project {
         ) {
             // A page that was shown before may have photos that are no longer on the table.
             let table: HashSet<&str> = self.tray.iter().map(|item| item.id.as_str()).collect();
-            next.each_page(&|page| sheets::without(page, &|photo| !table.contains(photo)));
+            next.each_page(&mut |page| sheets::without(page, &|photo| !table.contains(photo)).map(Arc::new));
         }
         Some(next)
     }
 
     /// Without some photos, on the table and on the pages. A page shows none that is not on the table.
-    pub(super) fn without(&self, ids: &[String]) -> Option<Self> {
-        let gone: HashSet<&str> = ids.iter().map(String::as_str).collect();
-        let tray: Vec<_> =
-            self.tray.iter().filter(|item| !gone.contains(item.id.as_str())).cloned().collect();
-        if tray.len() == self.tray.len() {
-            return None;
-        }
-        let mut next = Self { tray: tray.into(), ..self.clone() };
-        next.each_page(&|page| sheets::without(page, &|photo| gone.contains(photo)));
-        Some(next)
+    fn without(&self, ids: &[String]) -> Option<Self> {
+        Without::new(ids).state(self)
     }
 
     fn show(&mut self, page: &Arc<Document>) {
@@ -294,7 +293,7 @@ impl Project {
             self.tray = mapped(&others, |item| {
                 (item.id == id).then(|| TrayItem { id: by.to_owned(), used: Some(true), ..item.clone() })
             });
-            self.each_page(&|page| sheets::exchanged(page, id, by));
+            self.each_page(&mut |page| sheets::exchanged(page, id, by).map(Arc::new));
         }
     }
 
@@ -311,6 +310,60 @@ impl Project {
         }
         Some(loved.into())
     }
+}
+
+/// Takes photos away. What many states share they share afterwards: it must not go before this does.
+pub(super) struct Without<'a> {
+    gone: HashSet<&'a str>,
+    /// By their addresses what was made of them, where anything was. There are few.
+    trays: Vec<(usize, Option<List<TrayItem>>)>,
+    pages: Vec<(usize, Option<Arc<Document>>)>,
+}
+
+impl<'a> Without<'a> {
+    pub(super) fn new(ids: &'a [String]) -> Self {
+        let gone = ids.iter().map(String::as_str).collect();
+        Self { gone, trays: Vec::new(), pages: Vec::new() }
+    }
+
+    /// The state without them; none where it had none of them.
+    pub(super) fn state(&mut self, state: &Project) -> Option<Project> {
+        let gone = &self.gone;
+        let tray = once(&mut self.trays, state.tray.as_ptr().addr(), || {
+            let stay = |item: &&Arc<TrayItem>| !gone.contains(item.id.as_str());
+            let tray: List<TrayItem> = state.tray.iter().filter(stay).cloned().collect();
+            (tray.len() < state.tray.len()).then_some(tray)
+        });
+        let mut next = state.clone();
+        let mut changed = tray.is_some();
+        if let Some(tray) = tray {
+            next.tray = tray;
+        }
+        next.each_page(&mut |page| {
+            let page = self.page(page);
+            changed |= page.is_some();
+            page
+        });
+        changed.then_some(next)
+    }
+
+    /// The page without them; none where it had none of them.
+    pub(super) fn page(&mut self, page: &Arc<Document>) -> Option<Arc<Document>> {
+        let gone = &self.gone;
+        once(&mut self.pages, Arc::as_ptr(page).addr(), || {
+            sheets::without(page, &|photo| gone.contains(photo)).map(Arc::new)
+        })
+    }
+}
+
+/// What was made of the part of that address.
+fn once<T: Clone>(made: &mut Vec<(usize, T)>, address: usize, make: impl FnOnce() -> T) -> T {
+    if let Some((_, made)) = made.iter().find(|(of, _)| *of == address) {
+        return made.clone();
+    }
+    let fresh = make();
+    made.push((address, fresh.clone()));
+    fresh
 }
 
 /// The list with some items changed.
@@ -378,11 +431,15 @@ impl Edit {
             "love-page" => {
                 Self::LovePage { page_id: fields.count("pageId", 0, GREATEST_ID)?, on: fields.flag("on")? }
             }
-            "rename" => Self::Rename(fields.text("name", LONGEST_NAME)?.unwrap_or_default()),
+            "rename" => {
+                // A name has an end, wherever it is written.
+                let name = fields.text("name", usize::MAX)?.unwrap_or_default();
+                Self::Rename(name.chars().take(LONGEST_NAME).collect())
+            }
             "styling" => Self::Styling(fields.part("styling", &mut project::styling)?.unwrap_or_default()),
             "undo" => Self::Undo,
             "redo" => Self::Redo,
-            "share" => {
+            "share" | "join" => {
                 let mut lists = Fields::of(fields.required("lists")?).map_err(|wrong| wrong.at("lists"))?;
                 let mut told = Vec::new();
                 for (shelf, name) in Shelf::ALL {
@@ -390,7 +447,7 @@ impl Edit {
                         told.push((shelf, list));
                     }
                 }
-                Self::Share(told)
+                if kind == "share" { Self::Share(told) } else { Self::Join(told) }
             }
             _ => {
                 let own_lists = [("own-styles", 0), ("favourites", 1), ("own-layouts", 2)];

@@ -1,11 +1,11 @@
 //! A project while it is edited: what is done to it step by step, and how it is undone.
 
-use super::edit::{Edit, How, Shelf};
+use super::edit::{Edit, How, Shelf, Without};
 use super::history::{History, Shown};
 use super::limits::{MOST_SHOWN, MOST_STEPS, PROJECT};
 use super::project::{Project, Sheet};
-use super::{kept, own};
-use crate::error::{Error, Result};
+use super::{invalid, kept, own};
+use crate::error::Result;
 use crate::json;
 use crate::page::Document;
 use serde_json::{Map, Value};
@@ -46,6 +46,10 @@ impl Editor {
             Edit::Undo => return self.undo(),
             Edit::Redo => return self.redo(),
             Edit::Share(lists) => return self.share(lists),
+            Edit::Join(lists) => {
+                let all = |(shelf, list): &(Shelf, _)| (*shelf, own::joined(shelf.of(self.project()), list));
+                return self.share(&lists.iter().map(all).collect::<Vec<_>>());
+            }
             Edit::ForgetPhotos(ids) => return self.forget(ids),
             _ => {}
         }
@@ -81,10 +85,7 @@ impl Editor {
     /// `invalid-document` for what is no edit; then nothing changed.
     pub fn apply_json(&mut self, edit: &str) -> Result<String> {
         let read = json::parse(edit, PROJECT).and_then(|value| Edit::read(value, &|id| self.page(id)));
-        let (edit, how) = read.map_err(|wrong| Error::InvalidDocument {
-            location: wrong.place().into(),
-            reason: wrong.reason().into(),
-        })?;
+        let (edit, how) = read.map_err(|wrong| invalid(&wrong))?;
         let before = self.history.clone();
         self.apply(&edit, &how);
         Ok(kept::difference(&self.history, &before))
@@ -123,20 +124,30 @@ impl Editor {
 
     /// A photo that could not be read is gone from all times: no undo brings it back.
     fn forget(&mut self, ids: &[String]) -> bool {
+        // Its parts live on, so that no other gets the address of one.
+        let was = self.history.clone();
         let history = &mut self.history;
-        let Some(present) = history.present.without(ids) else { return false };
-        history.present = Arc::new(present);
-        for state in history.past.iter_mut().chain(&mut history.future) {
-            if let Some(without) = state.without(ids) {
-                *state = Arc::new(without);
+        let mut without = Without::new(ids);
+        let mut changed = false;
+        for state in history.past.iter_mut().chain(&mut history.future).chain([&mut history.present]) {
+            if let Some(next) = without.state(state) {
+                *state = Arc::new(next);
+                changed = true;
+            }
+        }
+        for shown in &mut history.shown {
+            if let Some(page) = without.page(&shown.page) {
+                Arc::make_mut(shown).page = page;
+                changed = true;
             }
         }
         // A step that did nothing but add such photos is no step any more.
-        while history.past.last().is_some_and(|last| *last == history.present) {
+        while !Arc::ptr_eq(&history.present, &was.present)
+            && history.past.last().is_some_and(|last| *last == history.present)
+        {
             history.past.pop();
         }
-        history.share_again();
-        true
+        changed
     }
 
     /// What another project or another tab did to the lists that all have in common, carried into every state, so that no
@@ -178,20 +189,30 @@ impl History {
     /// A page id that was never used, nor any above it.
     #[must_use]
     pub fn fresh_page_id(&self) -> u64 {
-        let shown = self.shown.iter().map(|shown| shown.id);
-        let states = self
-            .states()
-            .flat_map(|state| state.others.iter().map(|sheet| sheet.page_id).chain([state.page_id]));
-        shown.chain(states).max().unwrap_or_default() + 1
+        self.fresh().0
     }
 
     /// An id for a place in the storyboard that was never used, nor any above it.
     #[must_use]
     pub fn fresh_sheet(&self) -> u64 {
-        let shown = self.shown.iter().map(|shown| shown.sheet);
-        let states =
-            self.states().flat_map(|state| state.others.iter().map(|sheet| sheet.sheet).chain([state.sheet]));
-        shown.chain(states).max().unwrap_or_default() + 1
+        self.fresh().1
+    }
+
+    /// Both of them.
+    #[must_use]
+    pub fn fresh(&self) -> (u64, u64) {
+        let (mut page_id, mut place) = (0, 0);
+        let mut used = |id: u64, sheet: u64| (page_id, place) = (page_id.max(id), place.max(sheet));
+        for shown in &self.shown {
+            used(shown.id, shown.sheet);
+        }
+        for state in self.states() {
+            used(state.page_id, state.sheet);
+            for sheet in state.others.iter() {
+                used(sheet.page_id, sheet.sheet);
+            }
+        }
+        (page_id + 1, place + 1)
     }
 
     /// All states of all times.
@@ -225,18 +246,6 @@ impl History {
                     present.loved.iter().copied().chain(sheets.iter().map(|sheet| sheet.page_id)).collect();
                 let oldest = self.shown.iter().position(|shown| !stay.contains(&shown.id));
                 self.shown.remove(oldest.unwrap_or(0));
-            }
-        }
-    }
-
-    /// Lets neighbouring states have one tray in common where theirs are alike.
-    fn share_again(&mut self) {
-        let mut last = self.present.tray.clone();
-        for state in self.past.iter_mut().rev().chain(&mut self.future) {
-            if state.tray == last {
-                Arc::make_mut(state).tray = last.clone();
-            } else {
-                last = state.tray.clone();
             }
         }
     }

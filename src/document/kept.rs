@@ -81,33 +81,100 @@ pub fn write(history: &History, dropped: &Dropped) -> String {
     out.finish()
 }
 
-/// What an edit changed: `{project, shown, past, future, pageId, sheet}`: of the present state the fields that are not as
-/// they were, of the pages shown the ids in order and those that are new or changed, where anything is; the numbers of steps
-/// back and forth; ids for a new page and a new place.
+/// What an edit changed: `{states, past, present, future, entries, shown, parts, pageId, sheet}`. States are told by
+/// numbers: those that were there, past, present and future in a row, count from 0; behind them come those of `states`, as
+/// `[of, fields]`: as the one of that number was, but for these fields. `past` and `future` are runs of such numbers, each
+/// `[first, count]`; likewise `shown`, of the pages that were shown before and those of `entries`. `parts` are tables that go
+/// on behind what is known (`Interner::knowing`). `pageId` and `sheet` are ids for a new page and a new place.
 #[must_use]
 pub fn difference(history: &History, was: &History) -> String {
-    let mut parts = Interner::inline();
+    let mut parts = Interner::knowing(was);
     let mut out = Writer::default();
     out.open(b'{');
-    parts.differences(out.key("project"), &history.present, Some(&was.present));
-    let same = |a: &Arc<Shown>, b: &Arc<Shown>| Arc::ptr_eq(a, b);
-    let changed = history.shown.len() != was.shown.len()
-        || !history.shown.iter().zip(&was.shown).all(|(a, b)| same(a, b));
-    if changed {
-        let known: HashMap<u64, &Arc<Shown>> = was.shown.iter().map(|shown| (shown.id, shown)).collect();
-        let fresh = history.shown.iter().filter(|now| !known.get(&now.id).is_some_and(|was| same(now, was)));
-        let fresh: Vec<Arc<Shown>> = fresh.cloned().collect();
-        out.key("shown").open(b'{');
-        out.key("order").list(&history.shown, &|out, shown| out.whole(shown.id));
-        parts.shown(out.key("pages"), &fresh);
-        out.close(b'}');
+    let mut states = Numbers::of(addresses(was.states()));
+    let behind = was.past.len() + 1;
+    for (name, list, first) in [("past", &history.past, 0), ("future", &history.future, behind)] {
+        states.runs(out.key(name), &addresses(list.iter()), first);
     }
-    out.key("past").whole(history.past.len() as u64);
-    out.key("future").whole(history.future.len() as u64);
-    out.key("pageId").whole(history.fresh_page_id());
-    out.key("sheet").whole(history.fresh_sheet());
+    let present = states.number(address(&history.present), was.past.len());
+    out.key("present").whole(present as u64);
+    out.key("states").open(b'[');
+    for (of, fresh) in states.fresh {
+        let state = history.states().find(|state| address(state) == fresh);
+        let (Some(state), Some(before)) = (state, was.states().nth(of)) else { continue };
+        out.item();
+        out.open(b'[');
+        out.whole(of as u64);
+        out.item();
+        parts.differences(&mut out, state, Some(before));
+        out.close(b']');
+    }
+    out.close(b']');
+    let mut entries = Numbers::of(addresses(was.shown.iter()));
+    entries.runs(out.key("shown"), &addresses(history.shown.iter()), 0);
+    let is_fresh = |shown: &&Arc<Shown>| entries.fresh.iter().any(|(_, fresh)| *fresh == address(shown));
+    let fresh: Vec<_> = history.shown.iter().filter(is_fresh).cloned().collect();
+    parts.shown(out.key("entries"), &fresh);
+    parts.tables(out.key("parts"));
+    let (page_id, sheet) = history.fresh();
+    out.key("pageId").whole(page_id);
+    out.key("sheet").whole(sheet);
     out.close(b'}');
     out.finish()
+}
+
+/// Numbers of things in lists, which it knows by their addresses: those that were there in their order, and behind them
+/// those that are fresh, each with the number of the one that it was made of.
+struct Numbers {
+    known: Vec<usize>,
+    fresh: Vec<(usize, usize)>,
+    /// Most lists go on as they were.
+    next: usize,
+}
+
+impl Numbers {
+    fn of(known: Vec<usize>) -> Self {
+        Self { known, fresh: Vec::new(), next: 0 }
+    }
+
+    fn number(&mut self, item: usize, of: usize) -> usize {
+        let at = match self.known.get(self.next) {
+            Some(known) if *known == item => self.next,
+            _ => self.known.iter().position(|known| *known == item).unwrap_or_else(|| {
+                self.fresh.push((of.min(self.known.len().saturating_sub(1)), item));
+                self.known.len() + self.fresh.len() - 1
+            }),
+        };
+        self.next = at + 1;
+        at
+    }
+
+    /// Writes a list as runs of numbers. `first`: the number of what was in the place of its first.
+    fn runs(&mut self, out: &mut Writer, list: &[usize], first: usize) {
+        let mut runs: Vec<(usize, u64)> = Vec::new();
+        for (i, item) in list.iter().enumerate() {
+            let at = self.number(*item, first + i);
+            match runs.last_mut() {
+                Some((first, count)) if *first + *count as usize == at => *count += 1,
+                _ => runs.push((at, 1)),
+            }
+        }
+        out.list(&runs, &|out, (first, count)| {
+            out.open(b'[');
+            out.whole(*first as u64);
+            out.item();
+            out.whole(*count);
+            out.close(b']');
+        });
+    }
+}
+
+fn address<T>(part: &Arc<T>) -> usize {
+    Arc::as_ptr(part).addr()
+}
+
+fn addresses<'a, T: 'a>(list: impl Iterator<Item = &'a Arc<T>>) -> Vec<usize> {
+    list.map(address).collect()
 }
 
 /// Tables that were read. What is wrong with a part is told where it is used.
@@ -250,6 +317,22 @@ const LAYOUTS: usize = 7;
 const SETTINGS: usize = 9;
 const DRAFTS: usize = 10;
 
+/// Whether two parts are alike; most are the very same.
+fn same<T: PartialEq>(a: &Arc<T>, b: &Arc<T>) -> bool {
+    Arc::ptr_eq(a, b) || a == b
+}
+
+fn same_option<T: PartialEq>(a: Option<&Arc<T>>, b: Option<&Arc<T>>) -> bool {
+    match (a, b) {
+        (Some(a), Some(b)) => same(a, b),
+        (a, b) => a.is_none() && b.is_none(),
+    }
+}
+
+fn same_list<T: PartialEq>(a: &List<T>, b: &List<T>) -> bool {
+    Arc::ptr_eq(a, b) || (a.len() == b.len() && a.iter().zip(b.iter()).all(|(a, b)| same(a, b)))
+}
+
 /// Writes states; parts that stand in tables already it knows by their addresses.
 #[derive(Default)]
 pub(super) struct Interner {
@@ -264,6 +347,31 @@ impl Interner {
         Self { inline: true, ..Self::default() }
     }
 
+    /// One whose tables begin with the parts that its reader has, in this order: of the present its photos, its page, those
+    /// of the other sheets and those shown, the other sheets, its own styles and favourites, its layouts, settings and draft.
+    fn knowing(history: &History) -> Self {
+        let mut parts = Self::default();
+        let present = &history.present;
+        let others = || present.others.iter();
+        let pages = present.page.iter().chain(others().map(|sheet| &sheet.page));
+        parts.know(ITEMS, present.tray.iter());
+        parts.know(PAGES, pages.chain(history.shown.iter().map(|shown| &shown.page)));
+        parts.know(SHEETS, others());
+        parts.know(STYLES, present.mine.iter().chain(present.favourites.iter()));
+        parts.know(LAYOUTS, present.own_layouts.iter());
+        parts.know(SETTINGS, [&present.settings].into_iter());
+        parts.know(DRAFTS, present.draft.iter());
+        parts
+    }
+
+    fn know<'a, T: 'a>(&mut self, table: usize, known: impl Iterator<Item = &'a Arc<T>>) {
+        let count = &mut self.tables[table].1;
+        for part in known {
+            self.known.insert(address(part), *count);
+            *count += 1;
+        }
+    }
+
     /// Writes a state, its fields in the order in which the page has them.
     pub(super) fn state(&mut self, out: &mut Writer, state: &Project) {
         self.differences(out, state, None);
@@ -276,7 +384,7 @@ impl Interner {
         if fresh(&|was| was.name == state.name) {
             out.key("name").text(&state.name);
         }
-        if fresh(&|was| was.tray == state.tray) {
+        if fresh(&|was| same_list(&was.tray, &state.tray)) {
             self.list(out.key("tray"), ITEMS, &state.tray, &|_, out, item| item.write(out));
         }
         if fresh(&|was| was.alike == state.alike) {
@@ -297,10 +405,10 @@ impl Interner {
                 None => out.key("panels").null(),
             }
         }
-        if fresh(&|was| was.settings == state.settings) {
+        if fresh(&|was| same(&was.settings, &state.settings)) {
             self.part(out.key("settings"), SETTINGS, &state.settings, &|_, out, settings| out.put(settings));
         }
-        if fresh(&|was| was.page == state.page) {
+        if fresh(&|was| same_option(was.page.as_ref(), state.page.as_ref())) {
             match &state.page {
                 Some(page) => self.page(out.key("page"), page),
                 None => out.key("page").null(),
@@ -314,7 +422,7 @@ impl Interner {
                 out.key(name).whole(id);
             }
         }
-        if fresh(&|was| was.others == state.others) {
+        if fresh(&|was| same_list(&was.others, &state.others)) {
             self.list(out.key("others"), SHEETS, &state.others, &|parts, out, sheet: &Sheet| {
                 out.open(b'{');
                 parts.page(out.key("page"), &sheet.page);
@@ -327,14 +435,14 @@ impl Interner {
         if fresh(&|was| was.at == state.at) {
             out.key("at").whole(state.at as u64);
         }
-        if fresh(&|was| was.draft == state.draft) {
+        if fresh(&|was| same_option(was.draft.as_ref(), state.draft.as_ref())) {
             match &state.draft {
                 Some(draft) => self.part(out.key("draft"), DRAFTS, draft, &|_, out, draft| draft.write(out)),
                 None => out.key("draft").null(),
             }
         }
         for (shelf, name) in Shelf::ALL {
-            if fresh(&|was| shelf.of(was) == shelf.of(state)) {
+            if fresh(&|was| same_list(shelf.of(was), shelf.of(state))) {
                 let table = if shelf == Shelf::Layouts { LAYOUTS } else { STYLES };
                 self.list(out.key(name), table, shelf.of(state), &|_, out, value| out.value(value));
             }
@@ -394,7 +502,7 @@ impl Interner {
         part: &Arc<T>,
         write: &dyn Fn(&mut Self, &mut Writer, &T),
     ) {
-        self.named(out, table, Arc::as_ptr(part).addr(), &mut |parts, out| write(parts, out, part));
+        self.named(out, table, address(part), &mut |parts, out| write(parts, out, part));
     }
 
     /// A list of parts of a table, or its index in the table behind it.
@@ -432,7 +540,7 @@ impl Interner {
         let mut fresh = Writer::default();
         write(self, &mut fresh);
         let (entries, count) = &mut self.tables[table];
-        if *count > 0 {
+        if !entries.is_empty() {
             entries.open(b',');
         }
         entries.append(&fresh);

@@ -78,6 +78,12 @@ fn version(fields: &mut Fields) -> Read<()> {
     Ok(())
 }
 
+/// What a page of the program is told of an edit that is none.
+#[cold]
+fn invalid(wrong: &Wrong) -> Error {
+    Error::InvalidDocument { location: wrong.place().into(), reason: wrong.reason().into() }
+}
+
 /// What a page of the program is told.
 #[cold]
 fn refusal(wrong: &Wrong) -> Error {

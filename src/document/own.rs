@@ -1,7 +1,10 @@
 //! The lists that all projects have in common: a person's own styles, favourites and layouts.
 
-use super::limits::{MOST_LAYOUTS, MOST_STYLES};
+use super::invalid;
+use super::limits::{MOST_LAYOUTS, MOST_STYLES, PROJECT};
 use super::project::List;
+use crate::error::Result;
+use crate::json::{self, Fields, Read, Writer};
 use serde_json::Value;
 use std::collections::{HashMap, HashSet};
 use std::sync::Arc;
@@ -15,9 +18,9 @@ pub fn carried(list: &List<Value>, before: &List<Value>, after: &List<Value>) ->
     if list == before {
         return after.clone();
     }
-    let was: HashMap<&str, &Value> = before.iter().map(|item| (id(item), &**item)).collect();
+    let was = by_id(before);
     let is: HashSet<&str> = after.iter().map(|item| id(item)).collect();
-    let fresh = after.iter().filter(|item| was.get(id(item)) != Some(&&***item));
+    let fresh = after.iter().filter(|item| was.get(id(item)) != Some(item));
     let gone = before.iter().filter(|item| !is.contains(id(item)));
     let touched: HashSet<&str> = fresh.clone().chain(gone).map(|item| id(item)).collect();
     if touched.is_empty() {
@@ -27,12 +30,37 @@ pub fn carried(list: &List<Value>, before: &List<Value>, after: &List<Value>) ->
     fresh.chain(list.iter().filter(|item| !touched.contains(id(item)))).take(MOST).cloned().collect()
 }
 
+/// [`carried`] of lists in JSON: `{list, before, after}`.
+///
+/// # Errors
+/// `invalid-document` for what are no such lists.
+pub fn carried_json(lists: &str) -> Result<String> {
+    let read = || -> Read<String> {
+        let mut fields = Fields::of(json::parse(lists, PROJECT)?)?;
+        let mut list =
+            |name| fields.list(name, usize::MAX).map(|list| list.into_iter().map(Arc::new).collect());
+        let (list, before, after) = (list("list")?, list("before")?, list("after")?);
+        let mut out = Writer::default();
+        out.list(&carried(&list, &before, &after), &|out, item| out.value(item));
+        Ok(out.finish())
+    };
+    read().map_err(|wrong| invalid(&wrong))
+}
+
 /// The list that items make: of each id the first.
 #[must_use]
 pub fn first_of_each(mut items: Vec<Arc<Value>>) -> List<Value> {
     let mut seen = HashSet::new();
     items.retain(|item| seen.insert(id(item).to_owned()));
     items.into()
+}
+
+/// A list, of the very items of another where these are alike.
+#[must_use]
+pub fn reusing(before: &List<Value>, list: &List<Value>) -> List<Value> {
+    let known = by_id(before);
+    let same = |item: &Arc<Value>| known.get(id(item)).copied().filter(|known| *known == item).cloned();
+    list.iter().map(|item| same(item).unwrap_or_else(|| item.clone())).collect()
 }
 
 /// A list with one more item, in the place of the one with its id; of more than so many the oldest go.
@@ -46,7 +74,11 @@ pub fn with(list: &List<Value>, item: Value, most: usize) -> List<Value> {
 #[must_use]
 pub fn joined(own: &List<Value>, there: &List<Value>) -> List<Value> {
     let known: HashSet<&str> = there.iter().map(|item| id(item)).collect();
-    there.iter().chain(own.iter().filter(|item| !known.contains(id(item)))).cloned().collect()
+    there.iter().chain(own.iter().filter(|item| !known.contains(id(item)))).take(MOST).cloned().collect()
+}
+
+fn by_id(list: &List<Value>) -> HashMap<&str, &Arc<Value>> {
+    list.iter().map(|item| (id(item), item)).collect()
 }
 
 fn id(item: &Value) -> &str {

@@ -32,15 +32,15 @@ impl Project {
     }
 
     /// Changes pages where the change gives another one.
-    pub(super) fn each_page(&mut self, change: &dyn Fn(&Document) -> Option<Document>) {
-        if let Some(page) = self.page.as_deref().and_then(change) {
-            self.page = Some(Arc::new(page));
+    pub(super) fn each_page(&mut self, change: &mut dyn FnMut(&Arc<Document>) -> Option<Arc<Document>>) {
+        if let Some(page) = self.page.as_ref().and_then(&mut *change) {
+            self.page = Some(page);
         }
         let mut others = self.others.to_vec();
         let mut changed = false;
         for sheet in &mut others {
             if let Some(page) = change(&sheet.page) {
-                *sheet = Arc::new(Sheet { page: Arc::new(page), ..Sheet::clone(sheet) });
+                *sheet = Arc::new(Sheet { page, ..Sheet::clone(sheet) });
                 changed = true;
             }
         }

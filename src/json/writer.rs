@@ -106,6 +106,12 @@ impl Writer {
         self.close(b']');
     }
 
+    /// Whether nothing was written.
+    #[must_use]
+    pub fn is_empty(&self) -> bool {
+        self.0.is_empty()
+    }
+
     /// What another has written.
     pub fn append(&mut self, other: &Self) {
         self.0.extend(&other.0);

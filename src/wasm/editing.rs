@@ -3,7 +3,7 @@
 use super::thrown;
 use crate::document::Dropped;
 use crate::document::editor::Editor as Hands;
-use crate::document::kept;
+use crate::document::{kept, own};
 use crate::json;
 use wasm_bindgen::prelude::*;
 
@@ -24,12 +24,18 @@ impl Editor {
     }
 
     /// Puts a history with tables of its parts (see `document::kept`) in the place of what is there. Throws
-    /// `damaged-project`, `newer-project` or `too-large-project`, and then nothing changed. Gives what was left out, a JSON array.
+    /// `damaged-project`, `newer-project` or `too-large-project`, and then nothing changed. Gives `{dropped, pageId, sheet}`:
+    /// what was left out, and ids for a new page and a new place, as JSON.
     pub fn load(&mut self, json: &str) -> std::result::Result<String, JsValue> {
         let (history, dropped) = kept::parse(json).map_err(thrown)?;
-        self.hands = Hands::new(history);
         let mut out = json::Writer::default();
-        out.texts(&dropped);
+        out.open(b'{');
+        out.key("dropped").texts(&dropped);
+        let (page_id, sheet) = history.fresh();
+        out.key("pageId").whole(page_id);
+        out.key("sheet").whole(sheet);
+        out.close(b'}');
+        self.hands = Hands::new(history);
         Ok(out.finish())
     }
 
@@ -44,4 +50,11 @@ impl Editor {
     pub fn save(&self) -> String {
         kept::write(self.hands.history(), &Dropped::new())
     }
+}
+
+/// What was done between two states of a list that all projects share, done to another state of it: `{list, before, after}`,
+/// gives such a list.
+#[wasm_bindgen]
+pub fn carried(lists: &str) -> std::result::Result<String, JsValue> {
+    own::carried_json(lists).map_err(thrown)
 }
