@@ -98,7 +98,7 @@ test.each(HERE)('%s counts in the undo as its mark says', async (id) => {
   book.add();
   if (id !== 'book.earlier') book.go(0);
   pages.shuffle('all');
-  pages.chooseStyle('other');
+  pages.chooseStyle('noir');
   pages.previous();
   selection.set([0, 1]);
   if (id === 'panels.split') merging.merge();

@@ -54,9 +54,9 @@ import { createActions } from './actions.ts';
 import type { Parts } from './context.ts';
 
 const engine = createEngine();
-const store = createStore();
 const ui = createUi(window);
 const messages = createMessages();
+const store = createStore({ onRefused: ({ message }) => void messages.alert(strings.notDone(message)) });
 const pages = createPages(store);
 const reading = createReading({ store, pages, engine, messages, prefix: freshPhotoPrefix() });
 const book = createBook({ store, pages, messages, onKept: (page) => taste.learn(page) });

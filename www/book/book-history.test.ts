@@ -75,7 +75,7 @@ describe('keeping', () => {
   test('keeps the pages and their photos, in the browser and in a file', () => {
     const { book, store, ids } = app;
     book.spreadAlbum();
-    const { gesture: _gesture, ...history } = store.history.value;
+    const history = store.history.value;
     expect([...photosOf({ ...history, shown: [], past: [] })].sort()).toEqual(ids().sort());
     const facts = store.facts.value.map((fact) => ({ ...fact, type: 'image/jpeg' })) as any[];
     const { history: opened } = JSON.parse(projectJson(history, facts, []).json);

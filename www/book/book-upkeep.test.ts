@@ -28,7 +28,7 @@ describe('photos among pages', () => {
     const { book, pages, shown, planner } = app;
     book.spreadAlbum();
     pages.wantPanels(6);
-    pages.chooseLayout('l6');
+    pages.chooseLayout('grid-6');
     expect(shown()[0].length).toBe(6);
     book.remove();
     pages.wantPanels(3);

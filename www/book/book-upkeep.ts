@@ -85,7 +85,7 @@ export function keepBook({
   function repair(photos: Map<string, PhotoMeta>) {
     const project = store.project.peek();
     const torn = project.others.filter(({ page }) =>
-      page.panels.some(({ photo }) => photo !== null && !photos.has(photo)),
+      page.panels.some(({ photo }) => photo === null || !photos.has(photo)),
     );
     if (torn.length === 0) return;
     let sheets = sheetsOf(project);

@@ -5,7 +5,6 @@
 
 import { computed } from '@preact/signals';
 import { strings } from '../strings/strings.ts';
-import { freshPageId, freshSheet } from '../document/history.ts';
 import { placesOf } from '../document/page-photos.ts';
 import { photosOn, sheetsOf } from '../document/sheets.ts';
 import { spread, varied } from './spreading.ts';
@@ -115,8 +114,7 @@ export function createBook({
     );
     if (!fresh) return;
     onKept(page);
-    const history = store.history.peek();
-    const added = { page: fresh, pageId: freshPageId(history), sheet: freshSheet(history) };
+    const added = { page: fresh, ...store.fresh() };
     set(sheetsOf(store.project.peek()).toSpliced(at + 1, 0, added), at + 1);
   }
 
@@ -175,8 +173,7 @@ export function createBook({
       fixed,
       plan: pages.plan,
     });
-    const history = store.history.peek();
-    const [pageId, place] = [freshPageId(history), freshSheet(history)];
+    const { pageId, sheet: place } = store.fresh();
     // Each goes on in the place of one that was there, whose versions can be brought back.
     set(
       made.map((page, i) => ({ page, pageId: pageId + i, sheet: before[i]?.sheet ?? place + i })),
@@ -192,7 +189,7 @@ export function createBook({
   function styleAll() {
     const { page, at } = store.project.peek();
     if (!page) return;
-    const fresh = freshPageId(store.history.peek());
+    const fresh = store.fresh().pageId;
     const same = (other: Sheet) => JSON.stringify(other.page.style) === JSON.stringify(page.style);
     const styled = (other: Sheet, i: number) =>
       same(other) ? other : { ...other, page: { ...other.page, style: page.style }, pageId: fresh + i };

@@ -3,7 +3,6 @@ import { fakeApp } from './testing.ts';
 import { createLettering } from '../lettering/lettering.ts';
 import { MOST, wellFormed } from './limits.ts';
 import { createShelves } from '../storage/shelves.ts';
-import { joined } from './shared-lists.ts';
 import { spread } from '../book/spreading.ts';
 import { anchored } from '../lettering/word-places.ts';
 
@@ -22,7 +21,8 @@ async function lettered() {
 }
 
 const word = { kind: 'caption', text: 'x' } as const;
-const styles = (count: number, of: string) => Array.from({ length: count }, (_, i) => ({ id: `${of}${i}` }) as any);
+const styles = (count: number, of: string) =>
+  Array.from({ length: count }, (_, i) => ({ id: `${of}${i}`, background: [] }) as any);
 
 describe('what the page itself can write is readable again', () => {
   it('words of a page are bounded, and it is said', async () => {
@@ -61,18 +61,6 @@ describe('what the page itself can write is readable again', () => {
     await reading.addFiles(files('a.jpg', 'b.jpg'));
     expect(store.tray.value.length).toBe(MOST.photos);
     expect(messages.list.value.map(({ text }) => text)).toEqual([expect.stringContaining('5,000')]);
-  });
-
-  it('names have an end', () => {
-    const { store } = fakeApp();
-    store.change({ type: 'rename', name: `${'copy '.repeat(400)}\ud800` });
-    expect(store.project.value.name.length).toBe(MOST.name);
-  });
-
-  it('styles of projects that are joined are bounded', () => {
-    const { store } = fakeApp();
-    const lists = joined({ ...store.project.value, mine: styles(900, 'a') }, { mine: styles(900, 'b') });
-    expect([lists.mine?.length, lists.mine?.[0].id]).toEqual([MOST.styles, 'b0']);
   });
 
   it('so are those of this browser', () => {

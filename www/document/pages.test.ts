@@ -92,6 +92,16 @@ describe('walking', () => {
     pages.next();
     expect(store.page.value).toBe(second);
   });
+
+  test('shows none of a photo that left the table meanwhile', async () => {
+    const { pages, store, reading } = await opened();
+    pages.shuffle('all');
+    reading.remove('p1');
+    pages.previous();
+    const table = store.tray.value.map(({ id }) => id);
+    expect(store.page.value?.panels.every(({ photo }) => photo !== null && table.includes(photo))).toBe(true);
+    expect(store.page.value?.panels.length).toBe(4);
+  });
 });
 
 describe('alternatives', () => {

@@ -2,7 +2,7 @@
  * What a person does to the page: shuffle, choose, lock, set, walk through what was shown.
  */
 
-import { freshPageId, position, versions } from './history.ts';
+import { position, versions } from './history.ts';
 import { casting, photosFor, placesOf } from './page-photos.ts';
 import { createPageSettings } from './page-settings.ts';
 import { sheetsOf } from './sheets.ts';
@@ -76,7 +76,7 @@ export function createPages(store: Store, seed: () => number = freshSeed) {
   /** Makes a page the page. */
   function show(page: PageDocument | null, how?: { silent?: boolean; gesture?: string }) {
     if (page && page !== store.page.peek())
-      store.change({ type: 'show-page', page, pageId: freshPageId(store.history.peek()), ...how });
+      store.change({ type: 'show-page', page, pageId: store.fresh().pageId, ...how });
   }
 
   /** The page after a change by hand; what it does not touch stays. */
@@ -181,7 +181,14 @@ export function createPages(store: Store, seed: () => number = freshSeed) {
     const at = sheets.findIndex((other) => other.pageId === id || other.sheet === sheet);
     // To turn the pages is no step of the undo.
     if (at >= 0 && at !== store.project.peek().at) store.change({ type: 'set-sheets', sheets, at, silent: true });
-    if (sheets[at]?.pageId !== id) store.change({ type: 'show-page', page: settings.fitted(page), pageId: id });
+    if (sheets[at]?.pageId !== id) store.change({ type: 'show-page', page: settings.fitted(filled(page)), pageId: id });
+  }
+
+  /** A page that was shown before, with other photos where its own are not on the table any more. */
+  function filled(page: PageDocument): PageDocument {
+    const table = new Set(store.tray.peek().map(({ id }) => id));
+    const whole = page.panels.every(({ photo }) => photo !== null && table.has(photo));
+    return whole ? page : (plan({ keep: KEEP_ALL, current: page, seed: page.seed }) ?? page);
   }
 
   function previous() {

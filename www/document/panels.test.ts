@@ -86,7 +86,8 @@ test('a surprise has the wanted number of panels', async () => {
   const { reshaping, pages, page } = await app();
   pages.wantPanels(3);
   reshaping.surprise();
-  expect(page().layout).toEqual({ id: 'g3', family: 'generated' });
+  expect(page().layout).toMatchObject({ family: 'generated' });
+  expect(page().panels.length).toBe(3);
 });
 
 test('one drag of a cut is one step of the undo', async () => {
@@ -94,7 +95,7 @@ test('one drag of a cut is one step of the undo', async () => {
   const { layout } = page();
   const steps = store.history.value.past.length;
   for (const fraction of [0.4, 0.5, 0.6]) reshaping.moveCut(0, { fraction, slant: 0 }, 'drag');
-  expect((page().layout as any).change).toEqual({ type: 'move-cut', cut: 0, fraction: 0.6, slant: 0 });
+  expect(store.layoutFacts.value?.cuts[0].fraction).toBeCloseTo(0.6);
   expect(store.history.value.past.length).toBe(steps + 1);
   pages.undo();
   expect(page().layout).toBe(layout);

@@ -1,13 +1,11 @@
 /**
- * The document that a person edits, and the pure function that changes it.
+ * The document that a person edits, and what can be done to it. The core does it (`src/document/edit.rs`).
  *
  * A project is plain data: which photos are in the tray and used, the locks, the wanted number of panels, and the
  * page. What is known of a photo (its name, size, measures) never changes and lives in the album, so that undoing
  * an edit does not undo what was read meanwhile.
  */
 
-import { MOST, wellFormed } from './limits.ts';
-import { exchangedOn, withSheets } from './sheets.ts';
 import type { Draft } from '../designer/designer-draft.ts';
 import type { PageDocument, PageSettings, Style, Template } from '../engine/documents.ts';
 import type { Sheet } from './sheets.ts';
@@ -60,13 +58,17 @@ export type Project = {
   styling: Styling;
 };
 
+/** The lists that all projects have in common. They are a part of each project, so that undo reaches them. */
+export type SharedLists = Pick<Project, 'mine' | 'favourites' | 'ownLayouts'>;
+export const SHARED: readonly (keyof SharedLists)[] = ['mine', 'favourites', 'ownLayouts'];
+
 export type Action =
   | { type: 'add-photos'; ids: string[] }
   | { type: 'remove-photo'; id: string }
   | { type: 'remove-photos'; ids: readonly string[] }
   | { type: 'forget-photos'; ids: string[] }
   | { type: 'use-photo'; id: string; use: boolean }
-  | { type: 'use-photos'; uses: ReadonlyMap<string, boolean> }
+  | { type: 'use-photos'; uses: Readonly<Record<string, boolean>> }
   | { type: 'exchange-photo'; id: string; by: string }
   | { type: 'choose-by'; alike?: number; order?: Order }
   | { type: 'focus-photo'; id: string; focus: { x: number; y: number } | null }
@@ -119,93 +121,3 @@ export const EMPTY_PROJECT: Project = Object.freeze({
   loved: Object.freeze([]),
   styling: Object.freeze({ invented: 0, keepLines: false, keepColours: false }),
 });
-
-/** @returns the same object when nothing changed */
-export function reduce(project: Project, action: Action): Project {
-  switch (action.type) {
-    case 'add-photos': {
-      const known = new Set(project.tray.map(({ id }) => id));
-      const fresh = [...new Set(action.ids)].filter((id) => !known.has(id));
-      if (fresh.length === 0) return project;
-      return { ...project, tray: [...project.tray, ...fresh.map((id) => ({ id, use: null }))] };
-    }
-    case 'remove-photo':
-      return without(project, [action.id]);
-    case 'remove-photos':
-    case 'forget-photos':
-      return without(project, action.ids);
-    case 'use-photo':
-      return {
-        ...project,
-        tray: project.tray.map((item) => (item.id === action.id ? { ...item, use: action.use } : item)),
-      };
-    case 'use-photos':
-      return {
-        ...project,
-        tray: project.tray.map((item) => ({ ...item, use: action.uses.get(item.id) ?? item.use })),
-      };
-    case 'exchange-photo':
-      return {
-        ...project,
-        tray: project.tray.map((item) => (item.id === action.id ? { ...item, id: action.by, use: true } : item)),
-        others: exchangedOn(project.others, action.id, action.by),
-      };
-    case 'choose-by': {
-      const { alike = project.alike, order = project.order } = action;
-      return alike === project.alike && order === project.order ? project : { ...project, alike, order };
-    }
-    case 'focus-photo':
-      return {
-        ...project,
-        tray: project.tray.map((item) => (item.id === action.id ? { ...item, focus: action.focus } : item)),
-      };
-    case 'star-photo':
-      return {
-        ...project,
-        tray: project.tray.map((item) => (item.id === action.id ? { ...item, starred: action.on } : item)),
-      };
-    case 'lock':
-      if (project.locks[action.part] === action.on) return project;
-      return { ...project, locks: { ...project.locks, [action.part]: action.on } };
-    case 'want-panels':
-      return project.panels === action.count ? project : { ...project, panels: action.count };
-    case 'show-page':
-      return { ...project, page: action.page, pageId: action.pageId, settings: action.page.page };
-    case 'change-page':
-      return project.page === null ? project : { ...project, page: action.page, settings: action.page.page };
-    case 'change-settings':
-      return { ...project, settings: action.settings, page: action.page };
-    case 'set-sheets':
-      return withSheets(project, action.sheets, action.at);
-    case 'no-page':
-      return project.page === null ? project : { ...project, page: null, others: [], at: 0 };
-    case 'design':
-      return { ...project, draft: action.draft };
-    case 'own-styles':
-      return { ...project, mine: action.mine };
-    case 'favourites':
-      return { ...project, favourites: action.favourites };
-    case 'own-layouts':
-      return { ...project, ownLayouts: action.ownLayouts };
-    case 'love-page': {
-      if (project.loved.includes(action.pageId) === action.on) return project;
-      const others = project.loved.filter((id) => id !== action.pageId);
-      return { ...project, loved: action.on ? [...others, action.pageId] : others };
-    }
-    case 'rename':
-      return renamed(project, wellFormed(action.name).slice(0, MOST.name));
-    case 'styling':
-      return { ...project, styling: action.styling };
-    default:
-      return project;
-  }
-}
-
-function renamed(project: Project, name: string) {
-  return project.name === name ? project : { ...project, name };
-}
-
-function without(project: Project, ids: readonly string[]): Project {
-  const tray = project.tray.filter((item) => !ids.includes(item.id));
-  return tray.length === project.tray.length ? project : { ...project, tray };
-}

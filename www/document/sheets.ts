@@ -21,33 +21,7 @@ export function sheetsOf({
   return [...others.slice(0, at), { page, pageId, sheet }, ...others.slice(at)];
 }
 
-/**
- * @param sheets one at least
- * @param at the one that is edited from now on
- */
-export function withSheets(project: Project, sheets: readonly Sheet[], at: number): Project {
-  const { page, pageId, sheet } = sheets[at];
-  return { ...project, page, pageId, sheet, at, others: sheets.filter((_, i) => i !== at), settings: page.page };
-}
-
 /** @returns the photos on them */
 export function photosOn(pages: readonly PageDocument[]): Set<string> {
   return new Set(pages.flatMap(({ panels }) => panels.flatMap(({ photo }) => photo ?? [])));
-}
-
-/** @returns with another photo wherever one was; the same pages where it was not */
-export function exchangedOn(sheets: readonly Sheet[], id: string, by: string): readonly Sheet[] {
-  const swap = (photo: string) => (photo === id ? by : photo);
-  return sheets.map((sheet) =>
-    !photosOn([sheet.page]).has(id)
-      ? sheet
-      : {
-          ...sheet,
-          page: {
-            ...sheet.page,
-            order: sheet.page.order.map(swap),
-            panels: sheet.page.panels.map((use) => (use.photo === id ? { ...use, photo: by } : use)),
-          },
-        },
-  );
 }

@@ -3,23 +3,31 @@
  * the session and is never saved.
  */
 
-import { batch, computed, signal } from '@preact/signals';
+import { batch, computed, effect, signal, untracked } from '@preact/signals';
 import { chronological, isUsed, unreadMeta } from './album.ts';
-import { EMPTY_HISTORY, advance } from './history.ts';
+import { failure } from '../engine/protocol.ts';
+import { createEditing } from './editing.ts';
+import { EMPTY_HISTORY } from './history.ts';
 import { freshPlace } from '../storage/place.ts';
 import type { Planner } from '../engine/core.ts';
 import type { Template } from '../engine/documents.ts';
 import type { Place } from '../storage/place.ts';
 import type { Album, Fact, Verdict, Video } from './album.ts';
-import type { Change } from './history.ts';
+import type { Editing } from './editing.ts';
+import type { Change, History } from './history.ts';
 import type { ReadonlySignal, Signal } from '@preact/signals';
 
 export type { Planner };
 export type Store = ReturnType<typeof createStore>;
 export type Progress = { done: number; total: number };
 
-export function createStore() {
+/** @param onRefused is told of an edit that the core does not take */
+export function createStore({ onRefused = () => {} }: { onRefused?: (error: Error) => void } = {}) {
   const history = signal(EMPTY_HISTORY);
+  /** Holds the history; none until the core is there. */
+  let editing: Editing | null = null;
+  /** What was done before that. */
+  let early: Change[] = [];
   /** It changes in one step with the history, which so is never saved in the place of another. */
   const place = signal(freshPlace());
   const album: Signal<Album> = signal(new Map());
@@ -101,8 +109,16 @@ export function createStore() {
     return planner.value.geometry(page.value.layout, page.value.page);
   });
 
+  effect(() => {
+    if (planner.value) untracked(() => early.splice(0).forEach(change));
+  });
+
   return {
-    history,
+    history: computed(() => history.value) as ReadonlySignal<History>,
+    /** The history with what edits it, for who puts another in its place and may take that back. */
+    editing: () => editing,
+    /** Ids that were never used, nor any above them: of a page, and of a place in the storyboard. */
+    fresh: () => (editing ?? begun()).fresh(),
     /** Where the history is kept. */
     place: computed(() => place.value) as ReadonlySignal<Place>,
     album,
@@ -126,27 +142,61 @@ export function createStore() {
     layoutFacts,
     styles,
     geometry,
-    change: (change: Change) => {
-      history.value = advance(history.value, change);
-    },
-    /**
-     * Puts another document in the place of this one.
-     * @param other `place`: where it is kept; left out where it goes on as the same project
-     */
-    load: (other: {
-      history: import('./history.ts').History;
-      album: Album;
-      videos: ReadonlyMap<string, Video>;
-      place?: Place;
-    }) =>
-      batch(() => {
-        place.value = other.place ?? place.peek();
-        album.value = other.album;
-        videos.value = other.videos;
-        history.value = other.history;
-      }),
+    change,
+    load,
     know: (fact: Fact) => {
       album.value = new Map(album.value).set(fact.id, fact);
     },
   };
+
+  /** Throws `invalid-document` for what cannot be done; then all is as it was. */
+  function change(change: Change) {
+    if (editing === null && planner.peek() === null) early.push(change);
+    else history.value = after(change);
+  }
+
+  function after(change: Change): History {
+    try {
+      return (editing ?? begun()).apply(change);
+    } catch (error) {
+      // An editor that broke is of no use any more; all that it had is here.
+      if ((error as { code?: unknown }).code !== 'invalid-document') editing = null;
+      onRefused(error as Error);
+      throw error;
+    }
+  }
+
+  /**
+   * Puts another document in the place of this one. Throws where it cannot be edited; then all is as it was.
+   * @param other `editing`: what holds its history already; `place`: where it is kept, left out where it goes on as the same
+   *   project
+   */
+  function load(other: {
+    history: History;
+    editing?: Editing | null;
+    album: Album;
+    videos: ReadonlyMap<string, Video>;
+    place?: Place;
+  }) {
+    const next = other.editing ?? (other.history === history.peek() ? editing : edited(other.history));
+    batch(() => {
+      editing = next;
+      early = [];
+      place.value = other.place ?? place.peek();
+      album.value = other.album;
+      videos.value = other.videos;
+      history.value = next?.history() ?? other.history;
+    });
+  }
+
+  function begun() {
+    editing = edited(history.peek());
+    return editing;
+  }
+
+  function edited(from: History) {
+    const core = planner.peek();
+    if (!core) throw failure('core-missing', 'The program is not loaded yet.');
+    return createEditing(core.createEditor(), from);
+  }
 }

@@ -1,20 +1,45 @@
-/** A planner and an engine of a few lines, for the tests of the state: no pixels, no wasm. */
+/** A planner that does what a test foresees beside the core's editor, and an engine of a few lines: no pixels. */
 
 import { unreadMeta } from './album.ts';
 import { createMessages } from '../app/messages.ts';
+import { createEditing } from './editing.ts';
 import { createPages } from './pages.ts';
+import { DEFAULT_SETTINGS } from './project.ts';
 import { createReading } from '../photos/reading.ts';
+import { core } from '../engine/testing-core.ts';
 import { createStore } from './store.ts';
-import type { PlanRequest } from '../engine/documents.ts';
+import type { Layout, PageDocument, PlanRequest } from '../engine/documents.ts';
+import type { Editing } from './editing.ts';
+import type { Change } from './history.ts';
 
-const LAYOUTS = [1, 2, 3, 4, 6].map((count) => ({
-  id: `l${count}`,
-  name: `${count}`,
-  family: 'rows',
-  aspect: 1,
-  count,
-  panels: [],
-}));
+/** One layout of the catalogue a number of panels. */
+const LAYOUTS = ['splash', 'grid-2', 'grid-3', 'grid-4', 'grid-6'].map(
+  (wanted) => core.layouts().find(({ id }) => id === wanted) as Layout,
+);
+const STYLES = core.styles();
+
+/** A page without photos that is told from others by its seed. */
+export function pageOf(seed: number): PageDocument {
+  const panel = { photo: null, crop: null, locked: false, edited: false };
+  return {
+    version: 1,
+    seed,
+    layout: 'grid-4',
+    style: 'comic',
+    order: [],
+    panels: [panel, panel, panel, panel],
+    merges: [],
+    page: DEFAULT_SETTINGS,
+    words: [],
+  };
+}
+
+/** What the changes make of an empty project. */
+export function edited(...changes: readonly Change[]): Editing {
+  const editing = createEditing(core.createEditor());
+  changes.forEach(editing.apply);
+  return editing;
+}
 
 /** Plans as the core does, in the little that the state relies on. */
 export function fakePlanner() {
@@ -27,22 +52,13 @@ export function fakePlanner() {
       ...own.map((layout, i) => ({ ...layout, own: i })),
       ...LAYOUTS.map((layout) => ({ ...layout, own: null })),
     ],
-    layoutFacts: (layout: any) => {
-      const id = layout.id ?? layout;
-      const count = Number(id.slice(1));
-      return { id, base: count, count, good: true, editable: true, adjacent: count > 1 ? [[0, 1]] : [], cuts: [] };
-    },
-    layoutFile: (layout: any) => (layout.id ? layout : { id: layout }),
-    generateLayout: ({ least, most }: any) => ({ id: `g${(least + most) >> 1}`, family: 'generated' }),
-    changeLayout: (layout: any, change: any) => {
-      const count = Number((layout.id ?? layout).slice(1));
-      return { id: `c${count + ({ split: 1, remove: -1 }[change.type as string] ?? 0)}`, family: 'custom', change };
-    },
-    checkLayout: (json: string, file: string) => {
-      const layout = JSON.parse(json);
-      if (!layout.id) throw Object.assign(new Error(`layout ${file}: id: is missing`), { code: 'invalid-layout' });
-      return layout;
-    },
+    createEditor: core.createEditor,
+    carried: core.carried,
+    layoutFacts: core.layoutFacts,
+    layoutFile: core.layoutFile,
+    generateLayout: core.generateLayout,
+    changeLayout: core.changeLayout,
+    checkLayout: core.checkLayout,
     geometry: () => ({ width: 1, height: 1, panels: [] }),
     choose: (photos: any[]) =>
       photos.map(({ id, twin }) => ({ id, group: 0, kept: !twin, why: twin ? 'same as another' : '' })),
@@ -54,16 +70,21 @@ export function fakePlanner() {
         Math.abs(other.count - wanted) < Math.abs(best.count - wanted) ? other : best,
       );
       const taken = (layout ?? (keep.layout && current ? current.layout : nearest.id)) as any;
-      const count = Number((taken.id ?? taken).slice(1));
+      const { count } = core.layoutFacts(taken, page);
       const ids = photos.map((photo) => photo.id);
       const order = keep.photos && current ? current.order.filter((photo) => ids.includes(photo)) : ids;
       return {
         version: 1,
         seed,
         layout: taken,
-        style: style ?? (keep.style && current ? current.style : `s${seed}`),
+        style: style ?? (keep.style && current ? current.style : STYLES[seed % STYLES.length].id),
         order,
-        panels: Array.from({ length: count }, (_, i) => ({ photo: order[i % order.length], crop: null })),
+        panels: Array.from({ length: count }, (_, i) => ({
+          photo: order[i % order.length] ?? null,
+          crop: null,
+          locked: false,
+          edited: false,
+        })),
         merges: (current && taken === current.layout && current.merges) || [],
         page,
         words: current?.words ?? [],

@@ -19,7 +19,7 @@ import type {
   Template,
   Verdict,
 } from './documents.ts';
-import type { KeptHistory } from './interned.ts';
+import type { KeptHistory, Tables } from './interned.ts';
 
 /** Photos no longer planned with that are remembered, since undo may bring them back. */
 const SPARE_PHOTOS = 500;
@@ -41,12 +41,27 @@ export async function loadCore(): Promise<{ module: WebAssembly.Module; planner:
 }
 
 export type Planner = ReturnType<typeof createPlanner>;
+export type Editor = ReturnType<typeof createEditor>;
+/** Numbers of things in a row. */
+export type Runs = readonly (readonly [first: number, count: number])[];
+/** What an edit changed: `difference` in `src/document/kept.rs` says how it is read. */
+export type Difference = {
+  states: readonly (readonly [of: number, fields: Record<string, any>])[];
+  past: Runs;
+  present: number;
+  future: Runs;
+  entries: readonly { id: number; page: number; from?: number; sheet?: number }[];
+  shown: Runs;
+  parts: Tables;
+  pageId: number;
+  sheet: number;
+};
 
 /**
  * The pure functions of the core, with plain objects in place of JSON. Each takes well under a millisecond or
  * two and throws an error with a `code`.
  */
-function createPlanner() {
+export function createPlanner() {
   const albumOf = createAlbum();
   return {
     blocks: (): Block[] => JSON.parse(core.blocks()),
@@ -108,6 +123,29 @@ function createPlanner() {
       dropped: string[];
     } => JSON.parse(core.read_project(text, prefix)),
     readHistory,
+    createEditor,
+    /** @returns what was done between two states of a list, done to another state of it */
+    carried: <T>(list: readonly T[], before: readonly T[], after: readonly T[]): T[] =>
+      JSON.parse(core.carried(JSON.stringify({ list, before, after }))),
+  };
+}
+
+/** A project while it is edited, of which the page has a copy to read. */
+function createEditor() {
+  const editor = new core.Editor();
+  return {
+    /**
+     * Puts a history in the place of what is there. Throws as `readHistory`, and then nothing changed.
+     * @returns what was left out, and ids for a new page and a new place in the storyboard
+     */
+    load: (record: { version: number; history: KeptHistory }): { dropped: string[]; pageId: number; sheet: number } =>
+      JSON.parse(editor.load(JSON.stringify({ ...record, history: interned(record.history) }))),
+    /**
+     * Throws `invalid-document`, and then nothing changed.
+     * @param edit as JSON
+     */
+    apply: (edit: string): Difference => JSON.parse(editor.apply(edit)),
+    save: (): KeptHistory => expanded(JSON.parse(editor.save()).history),
   };
 }
 

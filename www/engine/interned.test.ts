@@ -1,29 +1,26 @@
 import { describe, expect, it } from 'vitest';
-import { EMPTY_HISTORY, advance } from '../document/history.ts';
+import { edited, pageOf } from '../document/testing.ts';
 import { expanded, interned } from './interned.ts';
 import type { Change } from '../document/history.ts';
-
-const page = (layout: string) => ({ version: 1, layout, panels: [], page: { width: 100, height: 150 } }) as any;
 
 /** A history of five states that share most of what is in them. */
 function worked() {
   const changes: Change[] = [
     { type: 'add-photos', ids: ['a', 'b', 'c'] },
-    { type: 'show-page', page: page('one'), pageId: 1 },
-    { type: 'own-styles', mine: [{ id: 'x' } as any, { id: 'y' } as any] },
+    { type: 'show-page', page: pageOf(1), pageId: 1 },
+    { type: 'own-styles', mine: ['x', 'y'].map((id) => ({ id, name: id, tags: [], background: [] })) },
     {
       type: 'set-sheets',
       sheets: [
-        { page: page('one'), pageId: 1, sheet: 0 },
-        { page: page('two'), pageId: 2, sheet: 1 },
+        { page: pageOf(1), pageId: 1, sheet: 0 },
+        { page: pageOf(2), pageId: 2, sheet: 1 },
       ],
       at: 1,
     },
     { type: 'use-photo', id: 'b', use: false },
     { type: 'undo' },
   ];
-  const { gesture: _gesture, ...history } = changes.reduce(advance, EMPTY_HISTORY);
-  return history;
+  return edited(...changes).history();
 }
 
 describe('a history with tables', () => {

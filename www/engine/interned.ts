@@ -4,7 +4,7 @@
  */
 
 /** As a history is kept: states of a project, and the pages shown. */
-export type KeptHistory = { past: any[]; present: any; future: any[]; shown: any[] };
+export type KeptHistory = { past: readonly any[]; present: any; future: readonly any[]; shown: readonly any[] };
 type Plain = Record<string, any>;
 
 /** What of a state stands in a table. */
@@ -88,27 +88,45 @@ export function interned(history: unknown): Plain {
   };
 }
 
+/** Tables of parts, by their names. */
+export type Tables = Record<string, readonly any[]>;
+
 /**
  * @param history with `parts`, as the core gives it
  * @returns in which states share what they shared
  */
 export function expanded({ parts, past, present, future, shown }: Plain): KeptHistory {
-  const withPage = (entry: any) => ({ ...entry, page: parts.pages[entry.page] });
-  const sheets = parts.sheets.map(withPage);
+  const { state, withPage } = joinedWith(parts);
+  return { past: past.map(state), present: state(present), future: future.map(state), shown: shown.map(withPage) };
+}
+
+/**
+ * @param told tables as the core gives them
+ * @param known parts with which they begin, as they are in states
+ * @returns what puts parts in the place of their numbers: in a state or some fields of it, and in what has a page
+ */
+export function joinedWith(told: Tables, known: Tables = {}) {
+  const all = (table: string, made: readonly any[] = told[table]) => [...(known[table] ?? []), ...made];
+  const pages = all('pages');
+  const withPage = (entry: any) => ({ ...entry, page: pages[entry.page] });
+  const tables: Tables = {
+    ...Object.fromEntries(TABLES.map((table) => [table, all(table)])),
+    sheets: all('sheets', told.sheets.map(withPage)),
+  };
   const lists = Object.fromEntries(
-    LISTS.map(([, table, entries]) => {
-      const from = entries === 'sheets' ? sheets : parts[entries];
-      return [table, parts[table].map((list: number[]) => list.map((i) => from[i]))];
-    }),
+    LISTS.map(([, table, entries]) => [
+      table,
+      told[table].map((list: number[]) => list.map((i) => tables[entries][i])),
+    ]),
   );
 
-  const whole = (state: any) => {
-    const made = { ...state };
-    for (const [field, table] of PARTS) made[field] = made[field] === null ? null : parts[table][made[field]];
-    for (const [field, table] of LISTS) made[field] = lists[table][made[field]];
+  const state = (fields: Plain) => {
+    const made = { ...fields };
+    for (const [field, table] of PARTS) if (typeof made[field] === 'number') made[field] = tables[table][made[field]];
+    for (const [field, table] of LISTS) if (field in made) made[field] = lists[table][made[field]];
     return made;
   };
-  return { past: past.map(whole), present: whole(present), future: future.map(whole), shown: shown.map(withPage) };
+  return { state, withPage };
 }
 
 function isObject(value: unknown): value is Plain {

@@ -2,6 +2,7 @@ import { expect, test, vi } from 'vitest';
 import { createShelves } from '../storage/shelves.ts';
 import { createOwnLayouts } from './own-layouts.ts';
 import { lengthIn, pixelsOf, whyNotSize } from '../page/paper.ts';
+import { core } from '../engine/testing-core.ts';
 import { fakeApp } from '../document/testing.ts';
 
 vi.mock('../export/files.ts', () => ({ save: vi.fn() }));
@@ -21,6 +22,7 @@ function app(kept = null as string | null) {
   return { ...made, layouts, shelves, kept: () => JSON.parse(text ?? '[]') };
 }
 
+const layout = (id: string) => ({ ...core.layoutFile('grid-2'), id, name: 'Mine' });
 const file = (name: string, layout: any) =>
   new File([typeof layout === 'string' ? layout : JSON.stringify(layout)], name);
 
@@ -28,9 +30,9 @@ test('a layout is opened from a file, shown, kept and forgotten', async () => {
   const { layouts, shelves, store, reading, files, kept, pages } = app();
   shelves.recall();
   await reading.addFiles(files('a', 'b'));
-  await layouts.open([file('mine.json', { id: 'x2', name: 'Mine' })]);
-  expect(store.page.value?.layout).toEqual({ id: 'x2', name: 'Mine' });
-  expect(kept()).toEqual([{ id: 'x2', name: 'Mine' }]);
+  await layouts.open([file('mine.json', layout('x2'))]);
+  expect(store.page.value?.layout).toEqual(layout('x2'));
+  expect(kept()).toEqual([layout('x2')]);
   expect(layouts.isOwn('x2')).toBe(true);
   layouts.remove('x2');
   expect([kept(), store.own.value]).toEqual([[], []]);
@@ -40,18 +42,18 @@ test('a layout is opened from a file, shown, kept and forgotten', async () => {
 
 test('a bad file is named with the reason, and the good ones count', async () => {
   const { layouts, store, messages } = app();
-  await layouts.open([file('bad.json', {}), file('good.json', { id: 'y1' }), file('long.json', ' '.repeat(300_000))]);
+  await layouts.open([file('bad.json', {}), file('good.json', layout('y1')), file('long.json', ' '.repeat(300_000))]);
   await vi.waitFor(() => expect(messages.list.value.map(({ text }) => text)).toContain('2 files could not be read.'));
   const alerts = messages.failures.value.map(({ text }) => text);
   expect(alerts[0]).toMatch(/bad\.json.*id.*missing/);
   expect(alerts[1]).toMatch(/long\.json.*256 KB/);
-  expect(store.own.value).toEqual([{ id: 'y1' }]);
+  expect(store.own.value).toEqual([layout('y1')]);
 });
 
 test('what was kept is there again; what can no longer be read is not', () => {
-  const { shelves, store } = app(JSON.stringify([{ id: 'z1' }, { broken: true }]));
+  const { shelves, store } = app(JSON.stringify([layout('z1'), { broken: true }]));
   shelves.recall();
-  expect(store.own.value).toEqual([{ id: 'z1' }]);
+  expect(store.own.value).toEqual([layout('z1')]);
   const other = app('no json');
   other.shelves.recall();
   expect(other.store.own.value).toEqual([]);

@@ -48,7 +48,7 @@ export function createChoosing({ store, pages, reading }: { store: Store; pages:
    * @param alike the whole stack
    */
   function take(id: string, alike: readonly string[]) {
-    const uses = new Map(alike.map((other) => [other, other === id]));
+    const uses = Object.fromEntries(alike.map((other) => [other, other === id]));
     reading.edit({ type: 'use-photos', uses }, () => {
       const { page } = store.project.peek();
       return page && replanned(exchanged(page, id, alike));

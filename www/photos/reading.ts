@@ -217,7 +217,7 @@ export function createReading({
     const groups = new Set(verdicts.filter(({ id, kept }) => !kept && shown.has(id)).map(({ group }) => group));
     const alike = verdicts.filter(({ group, kept, id }) => groups.has(group) && (kept || shown.has(id)));
     if (alike.length === 0) return;
-    const uses = new Map(alike.map(({ id }) => [id, shown.has(id)]));
+    const uses = Object.fromEntries(alike.map(({ id }) => [id, shown.has(id)]));
     store.change({ type: 'use-photos', uses, silent: true });
   }
 

@@ -33,7 +33,7 @@ export type ProjectRecord = {
 };
 
 export type KeptVideo = Omit<Video, 'file'> & { fileKey: string };
-export type KeptHistory = Omit<import('../document/history.ts').History, 'gesture'>;
+export type KeptHistory = import('../document/history.ts').History;
 export type StateRecord = {
   id: string;
   version: number;

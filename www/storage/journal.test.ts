@@ -1,30 +1,17 @@
 import fc from 'fast-check';
 import { describe, expect, it, vi } from 'vitest';
-import { EMPTY_HISTORY, advance } from '../document/history.ts';
-import { DEFAULT_SETTINGS } from '../document/project.ts';
+import { EMPTY_HISTORY } from '../document/history.ts';
+import { edited, pageOf } from '../document/testing.ts';
+import { core } from '../engine/testing-core.ts';
 import { createJournal, patchOf } from './journal.ts';
-import { fakeReading } from './files/testing-reading.ts';
 import { fakeBrowser } from './testing.ts';
-import type { Change, History } from '../document/history.ts';
+import type { Change } from '../document/history.ts';
 
 vi.mock('../export/files.ts', () => ({ save: vi.fn() }));
 
-const page = (seed: number): any => ({
-  version: 1,
-  seed,
-  layout: 'a',
-  style: 'b',
-  order: [],
-  panels: [],
-  merges: [],
-  page: DEFAULT_SETTINGS,
-  words: [],
-});
-const kept = ({ gesture: _gesture, ...history }: History) => history;
-
 const anyChange: fc.Arbitrary<Change> = fc.oneof(
-  fc.nat(9).map((id) => ({ type: 'show-page', page: page(id), pageId: id }) as Change),
-  fc.nat(99).map((seed) => ({ type: 'change-page', page: page(seed), gesture: `g${seed % 3}` }) as Change),
+  fc.nat(9).map((id) => ({ type: 'show-page', page: pageOf(id), pageId: id }) as Change),
+  fc.nat(99).map((seed) => ({ type: 'change-page', page: pageOf(seed), gesture: `g${seed % 3}` }) as Change),
   fc.string().map((name) => ({ type: 'rename', name }) as Change),
   fc.nat(5).map((n) => ({ type: 'add-photos', ids: [`p${n}`] }) as Change),
   fc.nat(5).map((n) => ({ type: 'remove-photo', id: `p${n}` }) as Change),
@@ -33,27 +20,30 @@ const anyChange: fc.Arbitrary<Change> = fc.oneof(
 );
 
 const boxOf = () => fakeBrowser().local;
-const { readHistory } = fakeReading(() => ({ panels: [] }));
+const { readHistory } = core;
+const named = (...names: string[]) => edited(...names.map((name) => ({ type: 'rename', name }) as Change)).history();
 
 describe('a journal', () => {
   it('tells any edits, steps back and forth among them', () => {
     fc.assert(
       fc.property(fc.array(anyChange), fc.array(anyChange), (before, after) => {
-        const base = before.reduce(advance, EMPTY_HISTORY);
-        const now = after.reduce(advance, base);
+        const editing = edited(...before);
+        const base = editing.history();
+        after.forEach(editing.apply);
+        const now = editing.history();
         const box = boxOf();
         const journal = createJournal({ box: () => box });
         expect(
           journal.note('one', {
-            bases: [{ stamp: 's', history: kept(base) }],
-            history: kept(now),
+            bases: [{ stamp: 's', history: base }],
+            history: now,
             photos: [['p9', 'late.jpg']],
           }),
         ).toBe(true);
         // What the database gives back is equal, never the same.
-        const found = structuredClone(kept(base));
+        const found = structuredClone(base);
         expect(journal.recall('one', { stamp: 's', history: found }, readHistory)).toEqual({
-          history: kept(now),
+          history: now,
           photos: [['p9', 'late.jpg']],
         });
       }),
@@ -61,18 +51,19 @@ describe('a journal', () => {
   });
 
   it('tells one edit of a long history in few words', () => {
-    let history = EMPTY_HISTORY;
-    for (let i = 1; i <= 300; i += 1) history = advance(history, { type: 'show-page', page: page(i), pageId: i });
-    const after = advance(history, { type: 'rename', name: 'Summer' });
-    expect(JSON.stringify(patchOf(kept(history), kept(after))).length).toBeLessThan(500);
+    const editing = edited();
+    for (let i = 1; i <= 300; i += 1) editing.apply({ type: 'show-page', page: pageOf(i), pageId: i });
+    const before = editing.history();
+    const after = editing.apply({ type: 'rename', name: 'Summer' });
+    expect(JSON.stringify(patchOf(before, after)).length).toBeLessThan(500);
   });
 
   it('fits its own project and writing only', () => {
     const box = boxOf();
     const journal = createJournal({ box: () => box });
-    const base = { stamp: 's1', history: kept(EMPTY_HISTORY) };
-    const next = { stamp: 's2', history: kept(advance(EMPTY_HISTORY, { type: 'rename', name: 'One' })) };
-    const now = kept(advance(advance(EMPTY_HISTORY, { type: 'rename', name: 'One' }), { type: 'rename', name: 'Two' }));
+    const base = { stamp: 's1', history: EMPTY_HISTORY };
+    const next = { stamp: 's2', history: named('One') };
+    const now = named('One', 'Two');
     journal.note('one', { bases: [base, next], history: now, photos: [] });
     expect(journal.recall('one', base, readHistory)?.history.present.name).toBe('Two');
     // Nobody knows which of the two was written.
@@ -86,10 +77,10 @@ describe('a journal', () => {
   it('leaves nothing where it cannot tell all', () => {
     const box = boxOf();
     const journal = createJournal({ box: () => box, most: 900 });
-    const base = { stamp: 's', history: kept(EMPTY_HISTORY) };
-    const history = kept(advance(EMPTY_HISTORY, { type: 'rename', name: 'Short' }));
+    const base = { stamp: 's', history: EMPTY_HISTORY };
+    const history = named('Short');
     expect(journal.note('one', { bases: [base], history, photos: [] })).toBe(true);
-    const long = kept(advance(EMPTY_HISTORY, { type: 'rename', name: 'x'.repeat(3000) }));
+    const long = named('x'.repeat(3000));
     expect(journal.note('one', { bases: [base], history: long, photos: [] })).toBe(false);
     expect(journal.recall('one', base, readHistory)).toBe(null);
     const refused = createJournal({
@@ -140,10 +131,10 @@ describe('a journal', () => {
   ])('%s is passed over', (_what, spoil) => {
     const box = boxOf();
     const journal = createJournal({ box: () => box });
-    const base = { stamp: 's', history: kept(EMPTY_HISTORY) };
+    const base = { stamp: 's', history: EMPTY_HISTORY };
     journal.note('one', {
       bases: [base],
-      history: kept(advance(EMPTY_HISTORY, { type: 'rename', name: 'One' })),
+      history: named('One'),
       photos: [],
     });
     const entry = JSON.parse(box.getItem('inkpanel.journal.one') as string);
@@ -155,9 +146,9 @@ describe('a journal', () => {
   it('that fits no project any more goes, others stay', async () => {
     const box = boxOf();
     const journal = createJournal({ box: () => box });
-    const history = kept(advance(EMPTY_HISTORY, { type: 'rename', name: 'One' }));
+    const history = named('One');
     for (const id of ['one', 'two', 'three'])
-      journal.note(id, { bases: [{ stamp: 's', history: kept(EMPTY_HISTORY) }], history, photos: [] });
+      journal.note(id, { bases: [{ stamp: 's', history: EMPTY_HISTORY }], history, photos: [] });
     box.setItem('inkpanel.styles', '[]');
     await journal.tidy(async (id) => ({ one: 's', two: 'other' })[id]);
     expect(Array.from({ length: box.length }, (_, i) => box.key(i))).toEqual([

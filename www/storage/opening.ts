@@ -8,7 +8,6 @@ import { failure } from '../engine/protocol.ts';
 import { strings } from '../strings/strings.ts';
 import { EMPTY_HISTORY } from '../document/history.ts';
 import { freshPlace } from './place.ts';
-import { joined } from '../document/shared-lists.ts';
 import { projectLock } from './locks.ts';
 import { drawnOnce, exchanged, rehearsed } from './rehearsing.ts';
 import { beginningWith, drawnOf, holdPhotos, isThere, nameOf, readProject, readState } from './restoring.ts';
@@ -24,6 +23,7 @@ import type { createLastProject } from './last-project.ts';
 import type { Locks } from './locks.ts';
 import type { PhotoRecords } from './photo-records.ts';
 import type { Place } from './place.ts';
+import type { Rehearsed } from './rehearsing.ts';
 import type { Content } from './restoring.ts';
 import type { Saving } from './saving.ts';
 import type { Shelves } from './shelves.ts';
@@ -270,8 +270,7 @@ export function createOpening({
     const lock = free ?? (await lockOf(next));
     turns.value += 1;
     try {
-      const shared = join ? joined(content.history.present, shelves.lists()) : shelves.lists();
-      const whole = rehearsed(content, { planner, shared });
+      const whole = rehearsed(content, { planner, shared: shelves.lists(), join });
       // Where nothing is lost, nobody need wait for it.
       if (store.tray.peek().length > 0) await drawnOnce(whole, engine);
       await saving.flush();
@@ -288,7 +287,7 @@ export function createOpening({
     leave();
   }
 
-  async function shown(content: Content, next: Place) {
+  async function shown(content: Rehearsed, next: Place) {
     const turn = exchanged(content, next, { store, photos: engine.photos });
     trying = true;
     try {

@@ -5,10 +5,11 @@
 
 import { Priority } from '../engine/queue.ts';
 import { unreadMeta } from '../document/album.ts';
-import { rebased } from '../document/shared-lists.ts';
 import { sheetsOf } from '../document/sheets.ts';
+import { createEditing } from '../document/editing.ts';
 import { createStore } from '../document/store.ts';
-import type { SharedLists } from '../document/shared-lists.ts';
+import type { Editing } from '../document/editing.ts';
+import type { SharedLists } from '../document/project.ts';
 import type { Planner, Store } from '../document/store.ts';
 import type { Engine } from '../engine/engine.ts';
 import type { createPhotos } from '../engine/photos.ts';
@@ -16,6 +17,8 @@ import type { Place } from './place.ts';
 import type { Content } from './restoring.ts';
 
 type Photos = ReturnType<typeof createPhotos>;
+/** A project that can be shown. */
+export type Rehearsed = Content & { editing: Editing };
 
 const KEEP_ALL = Object.freeze({ layout: true, style: true, photos: true });
 /** Pixels of a page that nobody sees. */
@@ -25,15 +28,16 @@ const FAULTS = /^(?:(?:invalid|unknown)-(?:document|layout|style)|worker-lost)$/
 
 /**
  * Shows a project to nobody: in a store beside the page's, all that the page will ask for is worked out.
- * @param app `shared`: the
- *   lists that all projects have in common
- * @returns with these lists; throws what the page would
+ * @param app `shared`: the lists that all projects have in common; `join`: its own are added to them
+ * @returns with these lists, and what it can be edited with; throws what the page would
  */
 export function rehearsed(
   content: Content,
-  { planner, shared }: { planner: Planner; shared: Partial<SharedLists> },
-): Content {
-  const whole = { ...content, history: rebased(content.history, shared) };
+  { planner, shared, join = false }: { planner: Planner; shared: Partial<SharedLists>; join?: boolean },
+): Rehearsed {
+  const editing = createEditing(planner.createEditor(), content.history);
+  editing.apply({ type: join ? 'join' : 'share', lists: shared });
+  const whole = { ...content, history: editing.history(), editing };
   const stage = createStore();
   stage.planner.value = planner;
   stage.load(whole);
@@ -84,12 +88,13 @@ export async function drawnOnce(
  * @returns one of which is called when it is known whether it can stay
  */
 export function exchanged(
-  { history, album, videos, records }: Content,
+  { history, editing, album, videos, records }: Rehearsed,
   place: Place,
   { store, photos }: { store: Store; photos: Photos },
 ): { settle: () => void; takeBack: () => void } {
   const before = {
     history: store.history.peek(),
+    editing: store.editing(),
     album: store.album.peek(),
     videos: store.videos.peek(),
     place: store.place.peek(),
@@ -100,7 +105,7 @@ export function exchanged(
     fresh.forEach(photos.forget);
   };
   try {
-    store.load({ history, album, videos, place });
+    store.load({ history, editing, album, videos, place });
   } catch (error) {
     takeBack();
     throw error;

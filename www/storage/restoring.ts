@@ -54,7 +54,7 @@ export async function readProject(
   const told = recall(id, { stamp: place.stamp, history: stored }, readHistory);
   const drawn = await drawnOf(database, id, ready);
   const names = new Map(told?.photos);
-  const content = await contentOf(database, { ...(told?.history ?? stored), gesture: null }, { drawn, state, names });
+  const content = await contentOf(database, told?.history ?? stored, { drawn, state, names });
   return { place: told ? { ...place, stored } : place, content: { ...content, dropped }, drawn };
 }
 
@@ -90,7 +90,7 @@ export function beginningWith(state: Project): History {
   const shown = sheetsOf(state).map(({ page, pageId, sheet }) =>
     sheet === 0 ? { id: pageId, page } : { id: pageId, page, sheet },
   );
-  return { past: [], present: state, future: [], shown, gesture: null };
+  return { past: [], present: state, future: [], shown };
 }
 
 /** @returns whether there is such a project, and not deleted */

@@ -193,7 +193,7 @@ export function createSaving({
 
   /** Into the journal, what is not in the database. */
   function tell({ place: { id }, clean, base, next, facts }: Ledger) {
-    const { gesture: _gesture, ...history } = store.history.peek();
+    const history = store.history.peek();
     if (store.history.peek() === clean[0]) {
       journal.clear(id);
       ledger.covered = true;

@@ -1,6 +1,4 @@
-import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';
-import { carried } from '../document/shared-lists.ts';
 import { fakeApp } from '../document/testing.ts';
 import { createShelves } from './shelves.ts';
 
@@ -75,22 +73,4 @@ describe('styles of two tabs', () => {
     one.save(style('c'));
     expect(stored(kept)).toEqual(['a', 'b', 'c']);
   });
-});
-
-it('what was done to a list is done to another state of it', () => {
-  const list = fc.uniqueArray(fc.record({ id: fc.constantFrom('a', 'b', 'c', 'd'), name: fc.constantFrom('1', '2') }), {
-    selector: ({ id }) => id,
-  });
-  fc.assert(
-    fc.property(list, list, list, (state, before, after) => {
-      expect(carried(before, before, after)).toEqual(after);
-      expect(carried(state, before, before)).toEqual(state);
-      const found = ids(carried(state, before, after));
-      expect(new Set(found).size).toBe(found.length);
-      const added = after.filter(({ id }) => !before.some((item) => item.id === id));
-      for (const { id } of added) expect(found).toContain(id);
-      const gone = before.filter(({ id }) => !after.some((item) => item.id === id));
-      for (const { id } of gone) expect(found).not.toContain(id);
-    }),
-  );
 });

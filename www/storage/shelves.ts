@@ -5,10 +5,10 @@
 
 import { effect, untracked } from '@preact/signals';
 import { MOST } from '../document/limits.ts';
-import { SHARED, carried } from '../document/shared-lists.ts';
+import { SHARED } from '../document/project.ts';
 import { strings } from '../strings/strings.ts';
 import type { Messages } from '../app/messages.ts';
-import type { SharedLists } from '../document/shared-lists.ts';
+import type { SharedLists } from '../document/project.ts';
 import type { Store } from '../document/store.ts';
 
 type Box = Pick<Storage, 'getItem' | 'setItem'>;
@@ -59,7 +59,7 @@ export function createShelves({
       kept === null
         ? now
         : Object.fromEntries(
-            SHARED.map((field) => [field, carried(here[field] as any, (kept as SharedLists)[field], now[field])]),
+            SHARED.map((field) => [field, carried(here[field], (kept as SharedLists)[field], now[field])]),
           );
     kept = now;
     store.change({ type: 'share', lists: next });
@@ -68,6 +68,11 @@ export function createShelves({
   /** Another tab has written, or thrown all away. */
   function hear({ key }: { key: string | null }) {
     if (kept !== null && (key === null || SHARED.some((field) => KEYS[field] === key))) recall();
+  }
+
+  /** @returns what was done between two states of a list, done to another */
+  function carried(list: readonly object[], before: readonly object[], after: readonly object[]) {
+    return store.planner.peek()?.carried(list, before, after) ?? after;
   }
 
   /** @returns what all projects have in common */
@@ -82,7 +87,7 @@ export function createShelves({
     seen = { ...seen, [field]: list };
     if (JSON.stringify(list) === JSON.stringify(kept[field]) && !gone) return;
     try {
-      const merged = gone || isGone(field) ? list : carried(read(field) as any[], kept[field], list);
+      const merged = gone || isGone(field) ? list : carried(read(field), kept[field], list);
       box().setItem(KEYS[field], JSON.stringify(merged));
       kept = { ...kept, [field]: list };
     } catch {

@@ -18,7 +18,7 @@ export type Snapshot = {
 
 /** @param drawn states to go back to */
 export function snapshotOf(store: Store, drawn: readonly Project[] = []): Snapshot {
-  const { gesture: _gesture, ...history } = store.history.peek();
+  const history = store.history.peek();
   const album = store.album.peek();
   const facts = [...photosOf({ ...history, past: [...history.past, ...drawn] })].flatMap((id) => album.get(id) ?? []);
   const needed = new Set(facts.map(({ id }) => id));
@@ -27,7 +27,7 @@ export function snapshotOf(store: Store, drawn: readonly Project[] = []): Snapsh
 }
 
 /** @returns the photos of all times */
-export function photosOf({ past, present, future, shown }: Omit<History, 'gesture'>): Set<string> {
+export function photosOf({ past, present, future, shown }: History): Set<string> {
   const ids: Set<string> = new Set();
   // Most states have the tray of their neighbour.
   const seen = new Set();

@@ -35,7 +35,7 @@ describe('after the page is loaded again', () => {
     const browser = fakeBrowser();
     const before = await browser.tab();
     await before.add('a.jpg', 'b.jpg');
-    const page = { ...before.store.page.value, words: [{ text: 'Boom', at: [0.2, 0.3] }] } as any;
+    const page = { ...before.store.page.value, words: [{ kind: 'effect', text: 'Boom', x: 0.2, y: 0.3 }] } as any;
     before.store.change({ type: 'change-page', page });
     await before.keeping.flush();
     const wanted = documentOf(before);

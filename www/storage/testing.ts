@@ -9,7 +9,7 @@ import { createStore } from '../document/store.ts';
 import { fakePlanner } from '../document/testing.ts';
 import { createKeeping } from './storage.ts';
 import { createShelves } from './shelves.ts';
-import { fakeReading } from './files/testing-reading.ts';
+import { core } from '../engine/testing-core.ts';
 import { createReading } from '../photos/reading.ts';
 import { unreadMeta } from '../document/album.ts';
 import type { Store } from '../document/store.ts';
@@ -120,13 +120,8 @@ export function fakeBrowser({
   } = {}) {
     const store = createStore();
     const planner = fakePlanner();
-    (planner as any).checkStyle = JSON.parse;
-    (planner as any).geometry = (layout: any) => {
-      const count = Number(String(layout.id ?? layout).slice(1));
-      if (!(count > 0)) throw new Error('no such layout');
-      return { width: 1, height: 1, panels: Array.from({ length: count }, () => ({})) };
-    };
-    Object.assign(planner, fakeReading((planner as any).geometry));
+    const { checkStyle, geometry, readProject, readHistory } = core;
+    Object.assign(planner, { checkStyle, geometry, readProject, readHistory });
     store.planner.value = planner as any;
     const messages = createMessages();
     let seed = 0;
@@ -196,6 +191,5 @@ export function fakeBrowser({
 
 /** What a person can tell of a project. */
 export function documentOf({ store }: { store: Store }) {
-  const { gesture: _gesture, ...history } = store.history.peek();
-  return structuredClone(history);
+  return structuredClone(store.history.peek());
 }

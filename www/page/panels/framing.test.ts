@@ -83,13 +83,13 @@ test('a pan is by hand, one step of the undo, and shared by merged panels', asyn
   framing.pan(2, crop, [0.25, 0], gesture);
   expect(page().panels[1].crop?.x).toBeCloseTo(0.1);
   expect(page().panels[2]).toMatchObject({ edited: true, crop: page().panels[1].crop });
-  expect(page().panels[0].edited).toBeUndefined();
+  expect(page().panels[0].edited).toBe(false);
   expect(store.history.value.past.length).toBe(steps + 1);
   framing.reset(1);
   expect(page().panels[1]).toMatchObject({ edited: false, crop: null });
   pages.undo();
   pages.undo();
-  expect(page().panels[1].edited).toBeUndefined();
+  expect(page().panels[1].edited).toBe(false);
 });
 
 test('photos are swapped and replaced; a locked panel keeps its own', async () => {

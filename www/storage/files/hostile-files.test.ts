@@ -3,6 +3,7 @@ import { beforeEach, afterEach, describe, expect, it, vi } from 'vitest';
 import { chunkOf, textChunk, withChunks } from '../../engine/png-chunks.ts';
 import { ARCHIVE, PHOTOS_AT_ONCE, SILENCE, TEXT } from '../../engine/limits.ts';
 import { archiveOf, readArchive } from './archive.ts';
+import { photosOn } from '../../document/sheets.ts';
 import { documentOf } from '../testing.ts';
 import { packedNothing, zipOf } from './testing-archives.ts';
 import { alerts, bare, downloaded, dropped, textIn, tripTab } from './testing-pages.ts';
@@ -177,11 +178,15 @@ describe('a project file that is a trap', { timeout: 60_000 }, () => {
 describe('photos of a project file', () => {
   it('that are not in it are forgotten, but for the first on its pages', async () => {
     const { page } = json.history.present;
-    const panels = Array.from({ length: 300 }, (_, i) => ({ ...page.panels[0], photo: `n${i}` }));
+    const pageOf = (first: number) => ({
+      ...page,
+      panels: page.panels.map((use: object, i: number) => ({ ...use, photo: `n${first + i}` })),
+    });
     const whole = {
       ...json.history.present,
       tray: Array.from({ length: 4_000 }, (_, i) => ({ id: `n${i}`, use: true })),
-      page: { ...page, layout: { ...page.layout, id: 'l300' }, panels },
+      page: pageOf(0),
+      others: Array.from({ length: 99 }, (_, i) => ({ page: pageOf(3 * i + 3), pageId: 100 + i, sheet: 1 + i })),
     };
     const file = projectOf(4_000, {
       change: (photo, i) => ({ ...photo, path: i === 0 ? photo.path : `gone/${i}` }),
@@ -194,7 +199,7 @@ describe('photos of a project file', () => {
       said().filter((text) => text.includes('could not be opened')),
     ]).toEqual([101, 'n0.jpg', []]);
     expect(tab.store.facts.value.filter(({ absent }) => absent)).toHaveLength(100);
-    expect(tab.store.page.value?.panels.filter(({ photo }) => photo !== null)).toHaveLength(101);
+    expect(photosOn(tab.store.sheets.value).size).toBe(101);
   });
 
   it.each([

@@ -186,7 +186,7 @@ export function createPageFiles({
         });
     }
     return {
-      history: { ...renamed(history, names), gesture: null },
+      history: renamed(history, names),
       album,
       videos: new Map(),
       records,

@@ -135,7 +135,12 @@ describe('a page that was tampered with', () => {
       'thousands of photos',
       () =>
         changed((json) => {
-          json.photos.push(...Array.from({ length: 4_000 }, (_, i) => ({ ...json.photos[0], id: `n${i}` })));
+          const photos = Array.from({ length: 4_000 }, (_, i) => ({
+            ...json.photos[0],
+            id: `n${i}`,
+            path: `photos/n${i}`,
+          }));
+          json.photos.push(...photos);
         }),
       null,
     ],

@@ -15,7 +15,7 @@ beforeEach(async () => {
   await tab.add('a.jpg', 'b.jpg', 'c.jpg');
   tab.pages.shuffle('all');
   tab.store.change({ type: 'rename', name: 'Trip: one/two' });
-  tab.store.change({ type: 'own-styles', mine: [{ id: 'my-1', name: 'Mine', tags: [] } as any] });
+  tab.store.change({ type: 'own-styles', mine: [{ id: 'my-1', name: 'Mine', tags: [], background: [] }] });
   await tab.keeping.files.save();
   const [blob, name] = vi.mocked(saveFile).mock.calls[0];
   file = new File([blob], name);

@@ -5,7 +5,7 @@
 
 import { PLACES_FOR_LOST, TEXT } from '../../engine/limits.ts';
 import { strings } from '../../strings/strings.ts';
-import { advance } from '../../document/history.ts';
+import { createEditing } from '../../document/editing.ts';
 import { sheetsOf } from '../../document/sheets.ts';
 import { save as saveFile } from '../../export/files.ts';
 import { archiveOf, readArchive } from './archive.ts';
@@ -15,8 +15,7 @@ import { photosOf, snapshotOf } from '../snapshot.ts';
 import { damaged } from '../versions.ts';
 import type { Messages } from '../../app/messages.ts';
 import type { Fact } from '../../document/album.ts';
-import type { PageDocument } from '../../document/project.ts';
-import type { Store } from '../../document/store.ts';
+import type { Planner, Store } from '../../document/store.ts';
 import type { Engine } from '../../engine/engine.ts';
 import type { Saving } from '../saving.ts';
 import type { Snapshot } from '../snapshot.ts';
@@ -78,7 +77,7 @@ export function createProjectFiles({
       if (facts.length === 0 && project.photos.length > 0) throw damaged('none of its photos can be read');
       const videos = await readVideos(project, archive, watch);
       const { name } = project.history.present;
-      const { history, waiting } = withoutLost({ ...project.history, gesture: null }, facts);
+      const { history, waiting } = withoutLost(project.history, facts, planner);
       for (const [i, id] of waiting.entries()) {
         const told = project.photos.find((photo) => photo.id === id);
         const frame = await absent(told ?? unknown(id), i + 1);
@@ -145,36 +144,21 @@ export function fileNameOf(name: string) {
 function withoutLost(
   history: import('../../document/history.ts').History,
   facts: readonly Fact[],
+  planner: Pick<Planner, 'createEditor'>,
 ): { history: import('../../document/history.ts').History; waiting: string[] } {
   const here = new Set(facts.map(({ id }) => id));
   const lost = [...photosOf(history)].filter((id) => !here.has(id));
   const shown = new Set(sheetsOf(history.present).flatMap(({ page }) => page.panels.map(({ photo }) => photo)));
   const waits = new Set(lost.filter((id) => shown.has(id)).slice(0, PLACES_FOR_LOST));
-  const gone = new Set(lost.filter((id) => !waits.has(id)));
-  if (gone.size === 0) return { history, waiting: [...waits] };
-  const { present, shown: before, ...rest } = advance(history, { type: 'forget-photos', ids: [...gone] });
-  const without: <T extends { page: PageDocument }>(one: T) => T = (one) => ({
-    ...one,
-    page: pageWithout(one.page, gone),
-  });
-  const page = present.page && pageWithout(present.page, gone);
-  const whole = {
-    ...rest,
-    present: { ...present, page, others: present.others.map(without) },
-    shown: before.map(without),
-  };
-  return { history: whole, waiting: [...waits] };
+  const gone = lost.filter((id) => !waits.has(id));
+  if (gone.length === 0) return { history, waiting: [...waits] };
+  const editing = createEditing(planner.createEditor(), history);
+  return { history: editing.apply({ type: 'forget-photos', ids: gone }), waiting: [...waits] };
 }
 
 /** @returns of a photo of which nothing is told */
 function unknown(id: string): FilePhoto {
   return { id, name: id, path: '', type: '', subjects: null, measured: true, rank: null, like: null, absent: true };
-}
-
-/** @param gone photos */
-function pageWithout(page: PageDocument, gone: ReadonlySet<string>) {
-  const panels = page.panels.map((panel) => (gone.has(panel.photo ?? '') ? { ...panel, photo: null } : panel));
-  return { ...page, panels, order: page.order.filter((id) => !gone.has(id)) };
 }
 
 async function readVideos({ videos }: FileProject, archive: Archive, watch: Hands['watch']) {

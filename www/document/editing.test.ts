@@ -1,0 +1,188 @@
+import fc from 'fast-check';
+import { describe, expect, test } from 'vitest';
+import { createEditing } from './editing.ts';
+import { EMPTY_HISTORY, position } from './history.ts';
+import { DEFAULT_SETTINGS } from './project.ts';
+import { edited, pageOf } from './testing.ts';
+import { core } from '../engine/testing-core.ts';
+import type { Editing } from './editing.ts';
+import type { Change, History } from './history.ts';
+import type { Action } from './project.ts';
+
+const show = (id: number): Change => ({ type: 'show-page', page: pageOf(id), pageId: id });
+
+describe('what is read beside the core', () => {
+  test('keeps the very objects that an edit leaves as they were', () => {
+    const editing = edited({ type: 'add-photos', ids: ['a', 'b'] }, show(1), show(2));
+    const before = editing.history();
+    const after = editing.apply({ type: 'star-photo', id: 'a', on: true });
+    expect(after.past.slice(0, -1)).toEqual(before.past);
+    expect(after.past.at(-1)).toBe(before.present);
+    for (const part of ['page', 'settings', 'others', 'locks', 'mine'] as const)
+      expect(after.present[part]).toBe(before.present[part]);
+    expect([after.shown, after.future, after.present.tray[1]]).toEqual([before.shown, [], before.present.tray[1]]);
+    expect(after.shown).toBe(before.shown);
+    expect(after.present.tray[1]).toBe(before.present.tray[1]);
+    expect(after.present.tray[0]).toEqual({ id: 'a', use: null, starred: true });
+  });
+
+  test('goes back and forth to the very states', () => {
+    const editing = edited(show(1), show(2));
+    const { past, present } = editing.history();
+    const back = editing.apply({ type: 'undo' });
+    expect([back.present, back.future[0]]).toEqual([past[1], present]);
+    expect(back.present).toBe(past[1]);
+    expect(editing.apply({ type: 'redo' }).present).toBe(present);
+    expect(editing.apply({ type: 'redo' })).toBe(editing.history());
+  });
+
+  test('has a page as the very one that was given', () => {
+    const pages = [pageOf(1), pageOf(2)];
+    const editing = edited({ type: 'show-page', page: pages[0], pageId: 1 });
+    expect(editing.history().present.page).toBe(pages[0]);
+    expect(editing.history().shown[0].page).toBe(pages[0]);
+    const sheets = pages.map((page, i) => ({ page, pageId: i + 1, sheet: i }));
+    const { present, shown } = editing.apply({ type: 'set-sheets', sheets, at: 1 });
+    expect([present.page, present.others[0].page, shown[1].page].map((page) => pages.indexOf(page as any))).toEqual([
+      1, 0, 1,
+    ]);
+  });
+
+  test('knows pages by their ids alone where the core has them', () => {
+    const told: string[] = [];
+    const editor = core.createEditor();
+    const editing = createEditing({ ...editor, apply: (edit) => (told.push(edit), editor.apply(edit)) });
+    const [one, two] = [pageOf(1), pageOf(2)];
+    editing.apply({ type: 'show-page', page: one, pageId: 1 });
+    editing.apply({ type: 'show-page', page: two, pageId: 2 });
+    editing.apply({ type: 'show-page', page: one, pageId: 1 });
+    expect([told[2], editing.history().present.page === one]).toEqual(['{"type":"show-page","pageId":1}', true]);
+    // Another page of that id is told.
+    editing.apply({ type: 'show-page', page: { ...two, seed: 9 }, pageId: 2 });
+    expect(editing.history().present.page?.seed).toBe(9);
+  });
+
+  test('is as it was where the core refuses an edit', () => {
+    const editing = edited(show(1));
+    const before = editing.history();
+    const wrong = { ...pageOf(2), layout: 'no such layout' };
+    expect(() => editing.apply({ type: 'change-page', page: wrong })).toThrow(/layout/);
+    expect(editing.history()).toBe(before);
+    expect(editing.apply({ type: 'undo' }).present.page).toBe(null);
+  });
+
+  test('is as the core reads it where something of it is left out', () => {
+    const history = edited(show(1), show(2)).history();
+    const broken = { ...history.past[1], page: { ...pageOf(1), layout: 'no such layout' } };
+    const editing = createEditing(core.createEditor(), { ...history, past: [history.past[0], broken] });
+    expect(editing.history().past.length).toBe(1);
+    expect(editing.apply({ type: 'undo' }).present).toEqual(history.past[0]);
+  });
+
+  test('takes halves of letters for signs, and a name has an end', () => {
+    const { present } = edited({ type: 'rename', name: `a\ud800b\\ud800${'x'.repeat(2_000)}` }).history();
+    expect([present.name.slice(0, 9), present.name.length]).toEqual(['a\ufffdb\\ud800', 1_000]);
+  });
+});
+
+const LAYOUT = core.layoutFile('grid-2');
+const photo = fc.constantFrom('a', 'b', 'c');
+const anId = fc.integer({ min: 1, max: 9 });
+const items = fc
+  .subarray(['x', 'y', 'z'])
+  .map((ids) => ids.map((id) => ({ id, name: id, tags: [], background: [] })) as any[]);
+const gesture = fc.constantFrom(undefined, 'drag', 'drag', 'other');
+/** One arbitrary a kind of action: a kind that is missing here does not compile. */
+const actions: Record<Action['type'], fc.Arbitrary<any>> = {
+  'add-photos': fc.record({ ids: fc.subarray(['a', 'b', 'c']) }),
+  'remove-photo': fc.record({ id: photo }),
+  'remove-photos': fc.record({ ids: fc.subarray(['a', 'b', 'c']) }),
+  // Forgetting is no step; it has tests of its own.
+  'forget-photos': fc.record({ ids: fc.constant([]) }),
+  'use-photo': fc.record({ id: photo, use: fc.boolean() }),
+  'use-photos': fc.record({ uses: fc.dictionary(photo, fc.boolean()) }),
+  'exchange-photo': fc.record({ id: photo, by: fc.constantFrom('d', 'e') }),
+  'choose-by': fc.record({ alike: fc.integer({ min: 4, max: 16 }), order: fc.constantFrom('time', 'name') }),
+  'focus-photo': fc.record({ id: photo, focus: fc.constantFrom(null, { x: 0.2, y: 0.7 }) }),
+  'star-photo': fc.record({ id: photo, on: fc.boolean() }),
+  lock: fc.record({ part: fc.constantFrom('layout', 'style', 'photos'), on: fc.boolean() }),
+  'want-panels': fc.record({ count: fc.constantFrom(null, 1, 4) }),
+  'show-page': anId.map((id) => ({ page: pageOf(id), pageId: id })),
+  'change-page': anId.map((id) => ({ page: pageOf(id) })),
+  'change-settings': anId.map((id) => ({ page: pageOf(id), settings: { ...DEFAULT_SETTINGS, gutter: id / 100 } })),
+  'set-sheets': fc.tuple(fc.uniqueArray(anId, { minLength: 1, maxLength: 4 }), fc.nat({ max: 3 })).map(([ids, at]) => ({
+    sheets: ids.map((id) => ({ page: pageOf(id), pageId: id + 10, sheet: id })),
+    at: at % ids.length,
+  })),
+  'no-page': fc.constant({}),
+  design: fc.constantFrom(
+    { draft: null },
+    { draft: { id: 'd', name: 'D', tags: [], background: [], foreground: [], ink: '#000000' } },
+  ),
+  'own-styles': items.map((mine) => ({ mine })),
+  favourites: items.map((favourites) => ({ favourites })),
+  'own-layouts': fc.subarray(['x', 'y', 'z']).map((ids) => ({ ownLayouts: ids.map((id) => ({ ...LAYOUT, id })) })),
+  'love-page': fc.record({ pageId: anId, on: fc.boolean() }),
+  rename: fc.record({ name: fc.constantFrom('', 'One', 'Two') }),
+  styling: fc.record({
+    styling: fc.record({ invented: fc.constantFrom(0, 0.5), keepLines: fc.boolean(), keepColours: fc.boolean() }),
+  }),
+};
+const action = fc.oneof(
+  ...Object.entries(actions).map(([type, rest]) =>
+    fc.tuple(rest, gesture).map(([parts, of]) => ({ type, ...parts, ...(of ? { gesture: of } : {}) }) as Change),
+  ),
+);
+const step = fc.constantFrom('undo', 'redo').map((type) => ({ type }) as Change);
+const changes = fc.array(fc.oneof({ weight: 4, arbitrary: action }, { weight: 1, arbitrary: step }), { maxLength: 60 });
+
+function isSame(editing: Editing, core: History) {
+  expect(JSON.parse(JSON.stringify(editing.history()))).toEqual(JSON.parse(JSON.stringify(core)));
+}
+
+describe('whatever is done', () => {
+  test('what is read here is what the core has', () => {
+    fc.assert(
+      fc.property(changes, (list) => {
+        const editor = core.createEditor();
+        const editing = createEditing(editor);
+        for (const one of list) editing.apply(one);
+        isSame(editing, editor.save());
+        // Shared parts are shared, so that what is kept stays small.
+        const again = createEditing(core.createEditor(), editing.history());
+        expect(again.history()).toBe(editing.history());
+        again.apply({ type: 'forget-photos', ids: ['a', 'd'] });
+        editing.apply({ type: 'forget-photos', ids: ['a', 'd'] });
+        isSame(editing, editor.save());
+        expect(again.history()).toEqual(editing.history());
+        expect([again.fresh(), editing.history().past.length]).toEqual([editing.fresh(), again.history().past.length]);
+      }),
+    );
+  });
+
+  test('undoing everything leads to the start, and redoing everything back', () => {
+    fc.assert(
+      fc.property(changes, (list) => {
+        const editing = edited(...list);
+        const end = editing.history();
+        while (editing.history().past.length > 0) editing.apply({ type: 'undo' });
+        expect(editing.history().present).toEqual(EMPTY_HISTORY.present);
+        while (editing.history().future.length > end.future.length) editing.apply({ type: 'redo' });
+        expect(editing.history().present).toBe(end.present);
+        if (end.present.page) expect(position(editing.history())).toBeGreaterThanOrEqual(0);
+      }),
+    );
+  });
+
+  test('nothing is changed in place', () => {
+    fc.assert(
+      fc.property(changes, changes, (first, second) => {
+        const editing = edited(...first);
+        const before = editing.history();
+        const copy = structuredClone(before);
+        second.forEach(editing.apply);
+        expect(before).toEqual(copy);
+      }),
+    );
+  });
+});

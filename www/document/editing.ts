@@ -1,0 +1,111 @@
+/**
+ * A project that is edited: the core does it, here is its history to be read. What an edit leaves as it was stays the very
+ * same object, by which drawing, caches and the journal know it.
+ */
+
+import { joinedWith } from '../engine/interned.ts';
+import { VERSION } from '../storage/versions.ts';
+import { EMPTY_HISTORY } from './history.ts';
+import { wellFormed } from './limits.ts';
+import { sheetsOf } from './sheets.ts';
+import type { Difference, Editor, Runs } from '../engine/core.ts';
+import type { Change, History, Shown } from './history.ts';
+import type { PageDocument, Project } from './project.ts';
+
+export type Editing = ReturnType<typeof createEditing>;
+
+/**
+ * @param editor of its own
+ * @param from throws where it cannot be edited
+ */
+export function createEditing(editor: Editor, from: History = EMPTY_HISTORY) {
+  const { dropped, ...ids } = editor.load({ version: VERSION, history: from });
+  let history = dropped.length > 0 ? editor.save() : from;
+  let { pageId, sheet } = ids;
+
+  return {
+    history: () => history,
+    /** Ids that were never used, nor any above them: of a page, and of a place in the storyboard. */
+    fresh: () => ({ pageId, sheet }),
+    /**
+     * Throws `invalid-document`, and then nothing changed.
+     * @returns the same object when nothing changed
+     */
+    apply: (change: Change): History => {
+      const told = editor.apply(jsonOf(withoutKnown(change, history)));
+      ({ pageId, sheet } = told);
+      history = laidOver(history, told, pagesIn(change));
+      return history;
+    },
+  };
+}
+
+/** Halves of letters, which a person can paste, are none for the core. */
+function jsonOf(edit: object): string {
+  const text = JSON.stringify(edit);
+  if (!text.includes('\\ud')) return text;
+  return JSON.stringify(edit, (_, value) => (typeof value === 'string' ? wellFormed(value) : value));
+}
+
+/** @returns with the pages that the core has told by their ids alone */
+function withoutKnown(change: Change, { present, shown }: History): object {
+  const pages = new Map([...shown.map(({ id, page }) => [id, page] as const), ...ownPages(present)]);
+  const spared = <T extends { page: PageDocument; pageId: number }>(one: T) =>
+    pages.get(one.pageId) === one.page ? { ...one, page: undefined } : one;
+  if (change.type === 'show-page') return spared(change);
+  if (change.type === 'set-sheets') return { ...change, sheets: change.sheets.map(spared) };
+  return change;
+}
+
+function ownPages(project: Project) {
+  // Of two with one id the core takes the first.
+  return sheetsOf(project)
+    .map(({ pageId, page }) => [pageId, page] as const)
+    .toReversed();
+}
+
+/** The core gives most pages back as they are: then the one who made a page still knows it. */
+function pagesIn(change: Change): readonly PageDocument[] {
+  if (change.type === 'set-sheets') return change.sheets.map(({ page }) => page);
+  return 'page' in change && change.page ? [change.page] : [];
+}
+
+function laidOver(was: History, told: Difference, given: readonly PageDocument[]): History {
+  const before = [...was.past, was.present, ...was.future];
+  const { state, withPage } = joinedWith(withGiven(told.parts, given), knownParts(was));
+  const states = [...before, ...told.states.map(([of, fields]) => ({ ...before[of], ...state(fields) }) as Project)];
+  const entries: Shown[] = [...was.shown, ...told.entries.map(withPage)];
+  const now = {
+    past: listed(told.past, states, was.past),
+    present: states[told.present],
+    future: listed(told.future, states, was.future),
+    shown: listed(told.shown, entries, was.shown),
+  };
+  return Object.entries(now).every(([part, value]) => was[part as keyof History] === value) ? was : now;
+}
+
+function withGiven(parts: Difference['parts'], given: readonly PageDocument[]): Difference['parts'] {
+  if (parts.pages.length === 0) return parts;
+  const texts = new Map(given.map((page) => [JSON.stringify(page), page]));
+  return { ...parts, pages: parts.pages.map((page) => texts.get(JSON.stringify(page)) ?? page) };
+}
+
+/** In the order in which the core counts them (`knowing` in `src/document/kept.rs`). */
+function knownParts({ present, shown }: History): Difference['parts'] {
+  const { tray, page, others, mine, favourites, ownLayouts, settings, draft } = present;
+  return {
+    items: tray,
+    pages: [...(page ? [page] : []), ...[...others, ...shown].map((one) => one.page)],
+    sheets: others,
+    styles: [...mine, ...favourites],
+    layouts: ownLayouts,
+    settings: [settings],
+    drafts: draft ? [draft] : [],
+  };
+}
+
+/** @returns the list before where it is as it was */
+function listed<T>(runs: Runs, all: readonly T[], before: readonly T[]): readonly T[] {
+  const list = runs.flatMap(([first, count]) => all.slice(first, first + count));
+  return list.length === before.length && list.every((one, i) => one === before[i]) ? before : list;
+}
