@@ -1,12 +1,13 @@
-//! The bounds of a document are told once, in `src/document/limits.rs`: what the page needs of them is written from there.
+//! What is told once, in Rust, and written from there for the page: the bounds of a document (`src/document/limits.rs`), and
+//! the project in which nothing was done.
 
-use inkpanel::document::limits;
+use inkpanel::document::history::History;
+use inkpanel::document::{kept, limits};
 use inkpanel::page::words::model::FARTHEST;
+use serde_json::Value;
 
-const FILE: &str = "www/engine/bounds.ts";
-
-/// The module as it should be, formatted as Biome formats it.
-fn expected() -> String {
+/// The module of bounds as it should be, formatted as Biome formats it.
+fn bounds() -> String {
     let most = [
         ("Photos of a project.", "photos", limits::MOST_PHOTOS),
         ("Pages of a storyboard.", "sheets", limits::MOST_SHEETS),
@@ -30,14 +31,74 @@ fn grouped(value: usize) -> String {
     groups.join("_")
 }
 
-/// With `BLESS=1` the module is written anew, and the test fails for once.
+/// The module of the empty project, likewise.
+fn empty() -> String {
+    let text = kept::write(&History::default(), &Vec::new());
+    let written: Value = serde_json::from_str(&text).unwrap();
+    let history = &written["history"];
+    let settings: String = fields(&history["parts"]["settings"][0], &text)
+        .map(|(name, value)| line(name, &told(value, &text)))
+        .collect();
+    let project: String = fields(&history["present"], &text)
+        .map(|(name, value)| match name.as_str() {
+            "settings" => line(name, "DEFAULT_SETTINGS"),
+            // The one list of its table is empty.
+            "tray" | "others" | "mine" | "favourites" | "ownLayouts" => line(name, "Object.freeze([])"),
+            _ => line(name, &told(value, &text)),
+        })
+        .collect();
+    let head = "/** A project in which nothing was done. Written out of `src/document/project.rs` by `cargo xtask bless`, not by hand. */";
+    let imports = "import type { Project } from './project.ts';";
+    let page = format!(
+        "/** A page as it is at first. */\nexport const DEFAULT_SETTINGS = Object.freeze({{\n{settings}}});"
+    );
+    let state = format!("export const EMPTY_PROJECT: Project = Object.freeze({{\n{project}}});");
+    format!("{head}\n\n{imports}\n\n{page}\n\n{state}\n")
+}
+
+fn line(name: &str, value: &str) -> String {
+    format!("  {name}: {value},\n")
+}
+
+/// The fields of an object in the order in which the core writes them: the page compares some of it as text.
+fn fields<'v>(object: &'v Value, text: &str) -> impl Iterator<Item = (&'v String, &'v Value)> + use<'v> {
+    let mut fields: Vec<_> = object.as_object().unwrap().iter().collect();
+    fields.sort_by_key(|(name, _)| text.find(&format!("\"{name}\":")));
+    fields.into_iter()
+}
+
+/// A value as TypeScript has it.
+fn told(value: &Value, text: &str) -> String {
+    match value {
+        Value::String(text) => format!("'{text}'"),
+        Value::Number(number) => number.as_f64().unwrap().to_string(),
+        Value::Array(list) if list.is_empty() => "Object.freeze([])".into(),
+        Value::Object(_) => {
+            let fields: Vec<_> =
+                fields(value, text).map(|(name, value)| format!("{name}: {}", told(value, text))).collect();
+            format!("Object.freeze({{ {} }})", fields.join(", "))
+        }
+        value => value.to_string(),
+    }
+}
+
+/// With `BLESS=1` a module is written anew, and the test fails for once.
+fn check(file: &str, expected: &str) {
+    let path = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join(file);
+    let found = std::fs::read_to_string(&path).unwrap_or_default();
+    if std::env::var_os("BLESS").is_some() && found != expected {
+        std::fs::write(&path, expected).unwrap();
+        panic!("blessed {file}");
+    }
+    assert_eq!(found, expected, "`cargo xtask bless` writes {file} anew");
+}
+
 #[test]
 fn the_page_has_the_bounds_of_the_core() {
-    let path = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join(FILE);
-    let found = std::fs::read_to_string(&path).unwrap_or_default();
-    if std::env::var_os("BLESS").is_some() && found != expected() {
-        std::fs::write(&path, expected()).unwrap();
-        panic!("blessed {FILE}");
-    }
-    assert_eq!(found, expected(), "`cargo xtask bless` writes {FILE} anew");
+    check("www/engine/bounds.ts", &bounds());
+}
+
+#[test]
+fn the_page_begins_with_the_project_of_the_core() {
+    check("www/document/empty.ts", &empty());
 }

@@ -2,7 +2,7 @@ import fc from 'fast-check';
 import { describe, expect, test } from 'vitest';
 import { createEditing } from './editing.ts';
 import { EMPTY_HISTORY, position } from './history.ts';
-import { DEFAULT_SETTINGS } from './project.ts';
+import { DEFAULT_SETTINGS } from './empty.ts';
 import { edited, pageOf } from './testing.ts';
 import { core } from '../engine/testing-core.ts';
 import type { Editing } from './editing.ts';

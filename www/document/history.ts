@@ -4,7 +4,7 @@
  * of them the core decides (`src/document/editor.rs`).
  */
 
-import { EMPTY_PROJECT } from './project.ts';
+import { EMPTY_PROJECT } from './empty.ts';
 import type { Action, PageDocument, Project, SharedLists } from './project.ts';
 
 /** A page that was shown; `from` is the page that it was made from, `sheet` its place in the storyboard, 0 unless told. */

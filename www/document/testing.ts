@@ -4,7 +4,7 @@ import { unreadMeta } from './album.ts';
 import { createMessages } from '../app/messages.ts';
 import { createEditing } from './editing.ts';
 import { createPages } from './pages.ts';
-import { DEFAULT_SETTINGS } from './project.ts';
+import { DEFAULT_SETTINGS } from './empty.ts';
 import { createReading } from '../photos/reading.ts';
 import { core } from '../engine/testing-core.ts';
 import { createStore } from './store.ts';

@@ -5,7 +5,7 @@
 
 import { signal } from '@preact/signals';
 import { strings } from '../../strings/strings.ts';
-import { EMPTY_PROJECT } from '../../document/project.ts';
+import { EMPTY_PROJECT } from '../../document/empty.ts';
 import { foundPhotos } from './found-photos.ts';
 import { pageFileOf, readPageFile, withProject } from './page-file.ts';
 import { pageJson } from './page-json.ts';

@@ -4,7 +4,7 @@
  * times stay here: the same page gives the same text wherever it is made.
  */
 
-import { EMPTY_PROJECT } from '../../document/project.ts';
+import { EMPTY_PROJECT } from '../../document/empty.ts';
 import { hashOf, strippedOf } from './identity.ts';
 import { projectJson } from './project-json.ts';
 import type { Album } from '../../document/album.ts';
