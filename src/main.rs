@@ -183,7 +183,7 @@ fn main() -> ExitCode {
     let done = match Cli::parse().command {
         Command::Render(render) => render_page(&render),
         Command::Score { plan, json, models, no_detect } => {
-            plans::score(&plan, json, (!no_detect).then_some(models.as_deref()))
+            plans::score(&plan, json, !no_detect, models.as_deref())
         }
         Command::Stylize { style, input, output } => stylize_photo(&style, &input, &output),
         Command::Select { files, json, threshold } => select_photos(&files, json, threshold),

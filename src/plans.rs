@@ -136,8 +136,13 @@ fn outline(shape: &ResolvedShape, aspect: f64) -> Value {
 }
 
 /// Judges the pages of a plan that was made here or elsewhere. Photos are looked for as they are named, from the working
-/// folder or from that of the plan. `detect` says where the nets are; none looks for nothing in the photos.
-pub(crate) fn score(file: &Path, as_json: bool, detect: Option<Option<&Path>>) -> Result<(), Complaint> {
+/// folder or from that of the plan. `detects` says whether anything is looked for in them, by the nets in `models`.
+pub(crate) fn score(
+    file: &Path,
+    as_json: bool,
+    detects: bool,
+    models: Option<&Path>,
+) -> Result<(), Complaint> {
     let complain = |reason: String| format!("{}: {reason}", file.display());
     let text = std::fs::read_to_string(file).map_err(|error| complain(error.to_string()))?;
     let plan: Value =
@@ -152,7 +157,7 @@ pub(crate) fn score(file: &Path, as_json: bool, detect: Option<Option<&Path>>) -
         files.extend(path.filter(|path| !files.contains(path)));
     }
     let mut photos = import_all(&files);
-    if let Some(models) = detect {
+    if detects {
         crate::add_subjects(&mut photos, models);
     }
     let metas: Vec<PhotoMeta> = photos.iter().map(|(_, photo)| photo.meta.clone()).collect();
