@@ -96,8 +96,11 @@ enum Task {
     Corpora,
     /// Count near-duplicates found and taken for one into docs/near-duplicates.md
     Duplicates,
-    /// Regenerate the stored images in tests/goldens and list what changed
-    Bless,
+    /// Store what is drawn and written now as what it should be, list what changed, and fail if anything did
+    Bless {
+        /// Only these: goldens, tables, bounds
+        topics: Vec<String>,
+    },
 }
 
 fn main() -> ExitCode {
@@ -125,6 +128,6 @@ fn run(task: &Task) -> Result<()> {
         Task::Pages { folders } => pages::run(&project, folders),
         Task::Corpora => corpora::write(&project),
         Task::Duplicates => duplicates::run(&project),
-        Task::Bless => bless::run(&project),
+        Task::Bless { topics } => bless::run(&project, topics),
     }
 }
