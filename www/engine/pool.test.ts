@@ -1,9 +1,11 @@
-import { describe, expect, test } from 'vitest';
+import { afterEach, describe, expect, test, vi } from 'vitest';
 import { createPool } from './pool.ts';
 import { TRAP } from './protocol.ts';
 import { Priority } from './queue.ts';
 import { caught, fakeWorkers, job } from './testing.ts';
 import type { Named } from './testing.ts';
+
+afterEach(() => void vi.useRealTimers());
 
 describe('order', () => {
   test('what the person looks at comes first, then first come first served', async () => {
@@ -104,7 +106,41 @@ describe('what is overtaken or cancelled', () => {
     expect(fakes.holding('late')).toBeFalsy();
   });
 
-  test('an aborted running job keeps its worker busy until it answers', async () => {
+  test('an aborted running job of a large image gives its worker up within 100 ms, for the next job', async () => {
+    vi.useFakeTimers();
+    const fakes = fakeWorkers();
+    const pool = createPool<Named>({ size: 1, spawn: fakes.spawn });
+    const stop = new AbortController();
+    const running = caught(pool.run(job('export', { signal: stop.signal, priority: Priority.PAGE })));
+    const next = pool.run(job('next'));
+    const [busy] = fakes.workers;
+    stop.abort();
+    expect(await running).toBe('cancelled');
+    expect(busy.dead).toBe(false);
+    vi.advanceTimersByTime(100);
+    expect(busy.dead).toBe(true);
+    expect(fakes.workers.length).toBe(2);
+    fakes.answer('next');
+    expect(await next).toBe('next');
+  });
+
+  test('one that answers at once after all keeps its worker, and so does the job after it', async () => {
+    vi.useFakeTimers();
+    const fakes = fakeWorkers();
+    const pool = createPool<Named>({ size: 1, spawn: fakes.spawn });
+    const stop = new AbortController();
+    const running = caught(pool.run(job('export', { signal: stop.signal, priority: Priority.PAGE })));
+    stop.abort();
+    expect(await running).toBe('cancelled');
+    const next = pool.run(job('next', { priority: Priority.PAGE }));
+    fakes.answer('export');
+    vi.advanceTimersByTime(100);
+    expect(fakes.workers.length).toBe(1);
+    fakes.answer('next');
+    expect(await next).toBe('next');
+  });
+
+  test('an aborted running thumbnail keeps its worker busy until it answers', async () => {
     const fakes = fakeWorkers();
     const pool = createPool<Named>({ size: 1, spawn: fakes.spawn });
     const stop = new AbortController();

@@ -2,8 +2,8 @@
  * A pool of workers that each do one job at a time.
  *
  * - Jobs wait in priority order; a newer job overtakes an older one of the same key, waiting or running.
- * - An aborted job leaves the queue at once; a running one is dropped when its answer comes, since wasm cannot be
- *   interrupted.
+ * - An aborted job leaves the queue at once. A running one cannot be interrupted, as wasm hears nothing meanwhile: where it
+ *   may take seconds (files, large photos: `Priority.PAGE`) its worker is replaced, else its answer is dropped.
  * - A worker tells before each part of a job how long that takes, or what it waits for (`serving.ts`). One that says
  *   nothing in time hangs: it costs seconds for short work, and a large photo on a slow device is given its minute.
  * - A worker that traps, crashes or hangs is terminated and replaced. The job is tried once more on a fresh worker, with
@@ -67,6 +67,8 @@ type Slot = {
 const STARTING = 30_000;
 /** How much more patience there is where nothing comes after it: a device may be slower than it ever was before. */
 const LAST_CHANCE = 2;
+/** Milliseconds that an aborted job still has: what is nearly done costs no worker. A person waits for less than 100. */
+const GRACE = 50;
 const HIGH_WATER = 512 * 2 ** 20;
 
 export function createPool<Ops extends Table = Operations>({
@@ -97,7 +99,10 @@ export function createPool<Ops extends Table = Operations>({
     if (closed) return Promise.reject(failure('disposed', 'The engine was disposed of.'));
     if (job.signal?.aborted) return Promise.reject(cancelled());
     return new Promise((resolve, reject) => {
-      const abort = () => drop(entry);
+      const abort = () => {
+        drop(entry);
+        if (entry.priority === Priority.PAGE) setTimeout(() => stop(entry), GRACE);
+      };
       const entry: Entry = {
         ...job,
         resolve: resolve as (value: unknown) => void,
@@ -120,6 +125,12 @@ export function createPool<Ops extends Table = Operations>({
   function drop(entry: Entry) {
     queue.remove(entry);
     settle(entry, () => entry.reject(cancelled()));
+  }
+
+  /** Replaces the worker that is still at a job nobody wants any more; the photos that it held are read again when needed. */
+  function stop(entry: Entry) {
+    const slot = slots.find((other) => other.entry === entry);
+    if (slot && !closed) lose(slot);
   }
 
   function settle(entry: Entry, how: () => void) {
