@@ -65,7 +65,9 @@ export function createPainter(
     const slow = patches.expected(document, width) > COARSE_ABOVE;
     sheet.slots.forEach((slot, index) => request(sheet as Sheet, slot, index, slow));
     clearTimeout(timer);
-    if (!visible || (moving && sameLook(visible.document, document)) || complete(sheet)) paintSoon();
+    // A page that was drawn ahead is there with this frame, not with the next but one.
+    if (visible && !near && complete(sheet)) paint();
+    else if (!visible || (moving && sameLook(visible.document, document)) || complete(sheet)) paintSoon();
     else timer = setTimeout(paintSoon, PATIENCE);
     report();
   }
@@ -154,6 +156,7 @@ export function createPainter(
   }
 
   function paint() {
+    cancelAnimationFrame(frame);
     frame = 0;
     if (!sheet) return;
     visible = sheet;

@@ -2,7 +2,7 @@
  * The page, as large as the window allows: a canvas, and over it one focusable element a panel.
  */
 
-import { useEffect, useRef, useState } from 'preact/hooks';
+import { useEffect, useLayoutEffect, useRef, useState } from 'preact/hooks';
 import { versions } from '../document/history.ts';
 import { strings } from '../strings/strings.ts';
 import { screenPixels } from './bitmap.tsx';
@@ -34,7 +34,7 @@ export function Stage() {
     back: pages.previous,
   });
 
-  useEffect(() => {
+  useLayoutEffect(() => {
     const made = createPainter(canvas.current as HTMLCanvasElement, {
       engine: {
         renderPanel: engine.renderPanel,
@@ -63,7 +63,7 @@ export function Stage() {
   // The number of photos read is part of what the page shows: panels fill as they come.
   const read = store.reading.value?.done;
   const sketch = store.sketch.value;
-  useEffect(() => {
+  useLayoutEffect(() => {
     if (page && geometry && width > 0)
       painter.current?.show(page, geometry, screenPixels(width), reshaping.editing.peek());
   }, [page, geometry, width, read, sketch]);
