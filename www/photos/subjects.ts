@@ -18,6 +18,8 @@ export type Subjects = ReturnType<typeof createSubjects>;
 type Looked = { faces?: Found[]; objects?: Found[]; closer?: boolean };
 type Lane = 'faces' | 'objects';
 
+/** Milliseconds after a person brought another page, in which the cores are theirs: the next may follow. */
+const REST = 300;
 /** Without the detectors none of the other photos can be looked at. */
 const FATAL = new Set(['detector-missing', 'worker-lost', 'detector']);
 
@@ -50,6 +52,8 @@ export function createSubjects({
   const lacking = { now: false, said: false };
   /** Bumped when `known` changes. */
   const round = signal(0);
+  /** Whether nobody is just going from page to page. */
+  const calm = signal(true);
 
   const photos = computed(() => {
     round.value;
@@ -69,6 +73,21 @@ export function createSubjects({
   /** Whether every photo was looked at by both, which most crops wait for; closer looks may go on. */
   const searched = computed(() => off.value || store.page.value === null || !photos.value.some(unsearched));
 
+  let shown = 0;
+  let timer: ReturnType<typeof setTimeout> | undefined;
+  effect(() => {
+    const { pageId } = store.project.value;
+    const first = shown === 0;
+    if (pageId === shown) return;
+    shown = pageId;
+    if (first) return;
+    clearTimeout(timer);
+    calm.value = false;
+    timer = setTimeout(() => {
+      calm.value = true;
+    }, REST);
+  });
+
   effect(() => {
     if (off.value || store.page.value === null || !(painted() || store.sketch.value)) return;
     engine.loadDetectors();
@@ -85,7 +104,7 @@ export function createSubjects({
 
   /** The photo to look at now; while a page is drawn the cores are the page's. */
   function next(lane: Lane): string | undefined {
-    return painted() || store.sketch.value ? due(lane) : undefined;
+    return (painted() && calm.value) || store.sketch.value ? due(lane) : undefined;
   }
 
   /**
