@@ -24,7 +24,7 @@ describe('the first page', () => {
       '1.jpg': 'twin',
     });
     void reading.addFiles(files(...ten));
-    await vi.advanceTimersByTimeAsync(200);
+    await vi.advanceTimersByTimeAsync(100);
     expect(store.sketch.value).toBe(true);
     await vi.advanceTimersByTimeAsync(200);
     expect(store.sketch.value).toBe(false);

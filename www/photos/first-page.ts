@@ -11,8 +11,8 @@ import type { PhotoMeta } from '../engine/protocol.ts';
 
 /** The first page shows this many photos at most: large enough to be looked at. */
 const PANELS = 6;
-/** Milliseconds after the photos of a page are there, in which more come to choose from and faces are found. */
-const WAIT = 300;
+/** Milliseconds after the photos of a page are there, in which more come to choose from and faces are found; drawing takes as much again. */
+const WAIT = 180;
 const ALL_NEW = Object.freeze({ layout: false, style: false, photos: false });
 
 export function createFirstPage({ store, pages }: { store: Store; pages: Pick<Pages, 'plan' | 'show'> }) {
