@@ -24,6 +24,8 @@ const OF_A_FAMILY: usize = 2;
 const FALL: f64 = 2.5;
 /// The part of the largest panel's area from which on a panel is as large.
 pub const LEADS: f64 = 0.97;
+/// A panel is a large one from so many times the mean on.
+const LARGE: f64 = 1.25;
 /// Differences of what a subject takes of its panel that make another scale: close, middle, wide.
 const SCALES: [f64; 2] = [0.06, 0.22];
 
@@ -183,7 +185,9 @@ fn score(candidate: &Candidate, chosen: &[usize], seen: &[Look], photos: &Photos
         let leads = ((sizes[hero] - 0.9) / 0.6).clamp(0.3, 1.0);
         let match_ = leads * (0.5 * (spread(photo) - 2.0 / 3.0) / (1.0 / 3.0)).clamp(-1.2, 0.5);
         // A star is a wish: a page that does not show it large is not what was asked for.
-        match_ + if starred { if photos.all[photo].starred { 3.0 * leads } else { -3.0 } } else { 0.0 }
+        let large = if sizes[hero] < LARGE { -1.5 } else { 0.0 };
+        let star = if photos.all[photo].starred { 3.0 * leads + large } else { -3.0 };
+        match_ + if starred { star } else { 0.0 }
     });
     let mut alike = 0.0;
     for (i, &a) in chosen.iter().enumerate() {

@@ -14,7 +14,7 @@ import { createPhotoActions } from '../photos/photo-actions.ts';
 import { createStyleActions } from '../styles/style-actions.ts';
 import { createWindowActions } from './window-actions.ts';
 import type { Action, OwnKeys } from '../ui/action.ts';
-import type { Parts } from './context.ts';
+import type { Parts } from '../ui/context.ts';
 
 export type Actions = ReturnType<typeof createActions>;
 /** Actions by feature, as those know them that make something of each. */

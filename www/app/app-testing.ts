@@ -13,10 +13,10 @@ import { createFraming } from '../page/panels/framing.ts';
 import { createMerging } from '../page/panels/merging.ts';
 import { createReshaping } from '../page/panels/reshaping.ts';
 import { createSelection } from '../page/panels/selection.ts';
-import { createScrubbing } from '../photos/scrubbing.ts';
+import { createScrubbing } from '../page/panels/scrubbing.ts';
 import { createOwnStyles } from '../styles/own-styles.ts';
 import { createUi } from './ui.ts';
-import type { Parts } from './context.ts';
+import type { Parts } from '../ui/context.ts';
 
 /** Photos of the album: enough for two pages. */
 const PHOTOS = Array.from({ length: 12 }, (_, i) => `${i}.jpg`);

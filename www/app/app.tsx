@@ -1,6 +1,6 @@
 import { strings } from '../strings/strings.ts';
-import { Board } from '../page/board.tsx';
-import { useApp } from './context.ts';
+import { Board } from './board.tsx';
+import { useApp } from '../ui/context.ts';
 import { Designer } from '../designer/designer-screen.tsx';
 import { dragging } from './drop.ts';
 import { Explorer } from '../explorer/explorer-screen.tsx';

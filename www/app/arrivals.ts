@@ -4,7 +4,7 @@
  */
 
 import { strings } from '../strings/strings.ts';
-import type { Messages } from './messages.ts';
+import type { Messages } from '../ui/messages.ts';
 
 /** As the service worker names them (`offline/worker/shares.ts`). */
 const SHARED = 'inkpanel-shared';

@@ -1,5 +1,5 @@
 import { strings } from '../strings/strings.ts';
-import { useApp } from './context.ts';
+import { useApp } from '../ui/context.ts';
 import { ShuffleButton } from '../page/shuffle-bar.tsx';
 import { ActionButton } from '../ui/action-button.tsx';
 

@@ -1,7 +1,7 @@
 import { useEffect, useRef } from 'preact/hooks';
 import { strings } from '../strings/strings.ts';
 import { IconButton } from '../ui/button.tsx';
-import { useApp } from './context.ts';
+import { useApp } from '../ui/context.ts';
 import type { ComponentChildren } from 'preact';
 
 /**

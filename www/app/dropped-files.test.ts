@@ -2,11 +2,11 @@
 
 import { beforeEach, describe, expect, it, vi } from 'vitest';
 import { createDroppedFiles } from './dropped-files.ts';
-import { save as saveFile } from '../export/files.ts';
+import { save as saveFile } from '../ui/files.ts';
 import { fakeBrowser } from '../storage/testing.ts';
 import { downloaded, inPanels } from '../storage/files/testing-pages.ts';
 
-vi.mock('../export/files.ts', () => ({ save: vi.fn() }));
+vi.mock('../ui/files.ts', () => ({ save: vi.fn() }));
 
 type Tab = Awaited<ReturnType<ReturnType<typeof fakeBrowser>['tab']>>;
 

@@ -7,10 +7,10 @@
 
 import { computed, signal } from '@preact/signals';
 import { strings } from '../strings/strings.ts';
-import { byName } from '../document/album.ts';
+import { byName } from '../ui/by-name.ts';
 import { isNamedPng } from '../storage/files/page-files.ts';
 import { isProjectFile } from '../storage/files/project-file.ts';
-import { openPlans } from '../document/plans.ts';
+import { openPlans } from './plans.ts';
 import { isSubtitles } from '../lettering/subtitles.ts';
 import type { Store } from '../document/store.ts';
 import type { OwnLayouts } from '../layouts/own-layouts.ts';
@@ -18,7 +18,7 @@ import type { Subtitling } from '../lettering/subtitling.ts';
 import type { Reading } from '../photos/reading.ts';
 import type { Keeping } from '../storage/storage.ts';
 import type { OwnStyles } from '../styles/own-styles.ts';
-import type { Messages } from './messages.ts';
+import type { Messages } from '../ui/messages.ts';
 
 type Opened = { id: string; name: string };
 type ProjectFile = { name: string; open: () => Promise<boolean> };

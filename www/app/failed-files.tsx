@@ -1,6 +1,6 @@
 import { strings } from '../strings/strings.ts';
-import { useApp } from './context.ts';
-import { Dialog } from './dialog.tsx';
+import { useApp } from '../ui/context.ts';
+import { Dialog } from '../ui/dialog.tsx';
 
 /** Files that could not be read, each with the reason. */
 export function FailedFiles() {

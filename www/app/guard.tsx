@@ -1,7 +1,7 @@
 /** Where the views cannot draw what is in the store: then there is something else in their place, until there is another project. */
 
 import { Component } from 'preact';
-import { useApp } from './context.ts';
+import { useApp } from '../ui/context.ts';
 import type { Ui } from './ui.ts';
 import type { ComponentChildren } from 'preact';
 

@@ -3,7 +3,7 @@
  */
 
 import { strings } from '../strings/strings.ts';
-import { useApp } from './context.ts';
+import { useApp } from '../ui/context.ts';
 import { openFiles } from '../photos/file-input.tsx';
 import { Icon } from '../ui/icon.tsx';
 import { InstallButton } from '../offline/install.tsx';

@@ -4,10 +4,10 @@
 
 import { strings } from '../strings/strings.ts';
 import { IconButton } from '../ui/button.tsx';
-import { useApp } from './context.ts';
+import { useApp } from '../ui/context.ts';
 import { FailedFiles } from './failed-files.tsx';
 import { Icon } from '../ui/icon.tsx';
-import type { Message } from './messages.ts';
+import type { Message } from '../ui/messages.ts';
 
 export function Toasts() {
   const { messages, download, keeping } = useApp();
@@ -117,7 +117,7 @@ function Said({
   );
 }
 
-function Way({ of, close }: { of: import('./messages.ts').Way | undefined; close: () => void }) {
+function Way({ of, close }: { of: import('../ui/messages.ts').Way | undefined; close: () => void }) {
   if (!of) return null;
   return (
     <button

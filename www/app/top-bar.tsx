@@ -1,6 +1,6 @@
 import { position, versions } from '../document/history.ts';
 import { strings } from '../strings/strings.ts';
-import { useApp } from './context.ts';
+import { useApp } from '../ui/context.ts';
 import { FileInput } from '../photos/file-input.tsx';
 import { ProjectBar } from '../storage/project-bar.tsx';
 import { Workspaces } from './workspaces.tsx';

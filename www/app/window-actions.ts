@@ -3,7 +3,7 @@
 import { computed } from '@preact/signals';
 import { strings } from '../strings/strings.ts';
 import type { Action } from '../ui/action.ts';
-import type { Parts } from './context.ts';
+import type { Parts } from '../ui/context.ts';
 import type { Sheet } from './ui.ts';
 
 export function createWindowActions({ ui, designer }: Pick<Parts, 'ui' | 'designer'>) {

@@ -1,4 +1,4 @@
-import { useApp } from './context.ts';
+import { useApp } from '../ui/context.ts';
 import { ActionButton } from '../ui/action-button.tsx';
 
 /** The ways to what lies over the board: in the bar above, on a small screen among the styles. */

@@ -9,7 +9,7 @@ import { placesOf } from '../document/page-photos.ts';
 import { photosOn, sheetsOf } from '../document/sheets.ts';
 import { spread, varied } from './spreading.ts';
 import type { PageDocument } from '../engine/documents.ts';
-import type { Messages } from '../app/messages.ts';
+import type { Messages } from '../ui/messages.ts';
 import type { Pages } from '../document/pages.ts';
 import type { Sheet } from '../document/sheets.ts';
 import type { Store } from '../document/store.ts';

@@ -7,7 +7,7 @@ import { useState } from 'preact/hooks';
 import { sheetsOf } from '../document/sheets.ts';
 import { strings } from '../strings/strings.ts';
 import { IconButton } from '../ui/button.tsx';
-import { useApp } from '../app/context.ts';
+import { useApp } from '../ui/context.ts';
 import { Icon } from '../ui/icon.tsx';
 import { usePageDrag } from './page-drag.ts';
 import { PageThumb } from './page-thumb.tsx';

@@ -1,8 +1,8 @@
 import { useEffect, useRef } from 'preact/hooks';
 import { Priority } from '../engine/queue.ts';
 import { strings } from '../strings/strings.ts';
-import { Bitmap, screenPixels } from '../page/bitmap.tsx';
-import { useApp } from '../app/context.ts';
+import { Bitmap, screenPixels } from '../ui/bitmap.tsx';
+import { useApp } from '../ui/context.ts';
 import type { PageDocument } from '../engine/documents.ts';
 import type { PageDrag } from './page-drag.ts';
 

@@ -2,11 +2,11 @@
 
 import { useEffect, useRef, useState } from 'preact/hooks';
 import { strings } from '../strings/strings.ts';
-import { Bitmap, screenPixels } from '../page/bitmap.tsx';
+import { Bitmap, screenPixels } from '../ui/bitmap.tsx';
 import { IconButton } from '../ui/button.tsx';
-import { useApp } from '../app/context.ts';
+import { useApp } from '../ui/context.ts';
 import { Icon } from '../ui/icon.tsx';
-import { Workspace } from '../app/workspace.tsx';
+import { Workspace } from '../ui/workspace.tsx';
 import type { Entry } from './shown-pages.ts';
 
 export function PagesWall() {

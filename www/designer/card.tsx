@@ -6,7 +6,7 @@ import { useEffect, useRef } from 'preact/hooks';
 import { MOST_BLOCKS, REMEDIES } from './designer-draft.ts';
 import { strings } from '../strings/strings.ts';
 import { IconButton } from '../ui/button.tsx';
-import { useApp } from '../app/context.ts';
+import { useApp } from '../ui/context.ts';
 import { Icon } from '../ui/icon.tsx';
 import { Parameter } from './parameter.tsx';
 import type { Layer, Step } from './designer-draft.ts';

@@ -4,8 +4,8 @@
 
 import { useEffect, useRef } from 'preact/hooks';
 import { strings } from '../strings/strings.ts';
-import { screenPixels } from '../page/bitmap.tsx';
-import { useApp } from '../app/context.ts';
+import { screenPixels } from '../ui/bitmap.tsx';
+import { useApp } from '../ui/context.ts';
 import { PLAIN } from '../photos/cover.ts';
 import { createPreviewLoop } from './preview-loop.ts';
 import type { Fact } from '../document/album.ts';

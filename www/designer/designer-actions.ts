@@ -2,7 +2,7 @@
 
 import { computed } from '@preact/signals';
 import { strings } from '../strings/strings.ts';
-import type { Parts } from '../app/context.ts';
+import type { Parts } from '../ui/context.ts';
 import type { Style } from '../engine/documents.ts';
 import type { Action } from '../ui/action.ts';
 

@@ -5,9 +5,9 @@
 import { useEffect, useRef, useState } from 'preact/hooks';
 import { LAYERS } from './designer-draft.ts';
 import { strings } from '../strings/strings.ts';
-import { useApp } from '../app/context.ts';
+import { useApp } from '../ui/context.ts';
 import { Icon } from '../ui/icon.tsx';
-import { Workspace } from '../app/workspace.tsx';
+import { Workspace } from '../ui/workspace.tsx';
 import { useCardDrag } from './card-drag.ts';
 import { Lane } from './lane.tsx';
 import { Palette } from './palette.tsx';

@@ -7,7 +7,7 @@
 import { computed, signal } from '@preact/signals';
 import { strings } from '../strings/strings.ts';
 import { draftOf, edit, emptyDraft, misfits, styleOf } from './designer-draft.ts';
-import type { Messages } from '../app/messages.ts';
+import type { Messages } from '../ui/messages.ts';
 import type { Ui } from '../app/ui.ts';
 import type { Pages } from '../document/pages.ts';
 import type { Store } from '../document/store.ts';

@@ -6,7 +6,7 @@
 import { FOREGROUND } from '../engine/design.ts';
 import { misfits } from './designer-draft.ts';
 import { strings } from '../strings/strings.ts';
-import { useApp } from '../app/context.ts';
+import { useApp } from '../ui/context.ts';
 import { Icon } from '../ui/icon.tsx';
 import { Card } from './card.tsx';
 import type { CardDrag } from './card-drag.ts';

@@ -5,9 +5,9 @@
 import { useEffect, useMemo, useRef, useState } from 'preact/hooks';
 import { LAYERS, MOST_BLOCKS, remedy, styleOf } from './designer-draft.ts';
 import { strings } from '../strings/strings.ts';
-import { Bitmap } from '../page/bitmap.tsx';
+import { Bitmap } from '../ui/bitmap.tsx';
 import { IconButton } from '../ui/button.tsx';
-import { useApp } from '../app/context.ts';
+import { useApp } from '../ui/context.ts';
 import { thumbnail } from '../photos/cover.ts';
 import { useHero } from '../photos/hero.ts';
 import type { Block, ParamValue, Style } from '../engine/documents.ts';

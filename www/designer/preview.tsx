@@ -4,8 +4,8 @@
 
 import { useSignal } from '@preact/signals';
 import { strings } from '../strings/strings.ts';
-import { Bitmap } from '../page/bitmap.tsx';
-import { useApp } from '../app/context.ts';
+import { Bitmap } from '../ui/bitmap.tsx';
+import { useApp } from '../ui/context.ts';
 import { PLAIN, thumbnail } from '../photos/cover.ts';
 import { useHero } from '../photos/hero.ts';
 import { Comparison } from './comparison.tsx';

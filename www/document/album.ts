@@ -4,7 +4,7 @@
 
 import type { Verdict } from '../engine/documents.ts';
 import type { PhotoMeta } from '../engine/protocol.ts';
-import type { Likeness } from '../storage/files/identity.ts';
+import type { Likeness } from '../photos/identity.ts';
 import type { TrayItem } from './project.ts';
 
 export type Absent = Likeness & { subjects: any[] | null; measured: boolean };
@@ -72,12 +72,6 @@ export function chronological(facts: readonly Fact[]): Fact[] {
   const when = (fact: Fact) => fact.meta?.taken ?? '';
   if (!facts.every((fact) => when(fact) !== '')) return [...facts];
   return [...facts].sort((a, b) => (when(a) < when(b) ? -1 : when(a) > when(b) ? 1 : 0));
-}
-
-/** Files in the order a person sees them in a folder: `photo2` before `photo10`. */
-export function byName<T extends { name: string }>(files: readonly T[]): T[] {
-  const { compare } = new Intl.Collator('en', { numeric: true, sensitivity: 'base' });
-  return [...files].sort((a, b) => compare(a.name, b.name));
 }
 
 export type { Verdict };

@@ -4,7 +4,7 @@
  */
 
 import { joinedWith } from '../engine/interned.ts';
-import { VERSION } from '../storage/versions.ts';
+import { VERSION } from './versions.ts';
 import { EMPTY_HISTORY } from './history.ts';
 import { wellFormed } from './limits.ts';
 import { sheetsOf } from './sheets.ts';

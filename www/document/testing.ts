@@ -1,7 +1,7 @@
 /** A planner that does what a test foresees beside the core's editor, and an engine of a few lines: no pixels. */
 
 import { unreadMeta } from './album.ts';
-import { createMessages } from '../app/messages.ts';
+import { createMessages } from '../ui/messages.ts';
 import { createEditing } from './editing.ts';
 import { createPages } from './pages.ts';
 import { DEFAULT_SETTINGS } from './empty.ts';

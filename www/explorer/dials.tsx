@@ -1,5 +1,5 @@
 import { strings } from '../strings/strings.ts';
-import { useApp } from '../app/context.ts';
+import { useApp } from '../ui/context.ts';
 
 /** How much children differ from their parents, and where chance begins. */
 export function Dials() {

@@ -5,7 +5,7 @@
 
 import { effect, signal } from '@preact/signals';
 import { strings } from '../strings/strings.ts';
-import type { Messages } from '../app/messages.ts';
+import type { Messages } from '../ui/messages.ts';
 import type { Progress } from '../document/store.ts';
 import type { Engine } from '../engine/engine.ts';
 import type { Item } from './explorer-wall.ts';

@@ -4,11 +4,11 @@
 
 import { useEffect, useRef } from 'preact/hooks';
 import { strings } from '../strings/strings.ts';
-import { screenPixels } from '../page/bitmap.tsx';
-import { useApp } from '../app/context.ts';
+import { screenPixels } from '../ui/bitmap.tsx';
+import { useApp } from '../ui/context.ts';
 import { useHero } from '../photos/hero.ts';
 import { Icon } from '../ui/icon.tsx';
-import { Workspace } from '../app/workspace.tsx';
+import { Workspace } from '../ui/workspace.tsx';
 import { Dials } from './dials.tsx';
 import { Judging } from './judging.tsx';
 import { useVisible } from './visible.ts';

@@ -7,7 +7,7 @@ import { computed, signal } from '@preact/signals';
 import { strings } from '../strings/strings.ts';
 import { createScores } from './explorer-scores.ts';
 import { createWall } from './explorer-wall.ts';
-import type { Messages } from '../app/messages.ts';
+import type { Messages } from '../ui/messages.ts';
 import type { Progress, Store } from '../document/store.ts';
 import type { Style } from '../engine/documents.ts';
 import type { Engine } from '../engine/engine.ts';

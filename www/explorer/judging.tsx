@@ -1,7 +1,7 @@
 /** How far the net is with the styles on the wall, and the way to end it. */
 
 import { strings } from '../strings/strings.ts';
-import { useApp } from '../app/context.ts';
+import { useApp } from '../ui/context.ts';
 
 export function Judging() {
   const { explorer } = useApp();

@@ -3,7 +3,7 @@
 import { useEffect, useRef } from 'preact/hooks';
 import { strings } from '../strings/strings.ts';
 import { IconButton } from '../ui/button.tsx';
-import { useApp } from '../app/context.ts';
+import { useApp } from '../ui/context.ts';
 import type { Item, Photo } from './explorer.ts';
 
 /** @param props `judgement`: what the net thinks of it, if it was asked; `parent`: it waits for another to breed with */

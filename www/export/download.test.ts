@@ -1,8 +1,8 @@
 import { beforeEach, expect, test, vi } from 'vitest';
 import { createDownload } from './download.ts';
-import * as files from './files.ts';
+import * as files from '../ui/files.ts';
 import { readArchive } from '../storage/files/archive.ts';
-import { createMessages } from '../app/messages.ts';
+import { createMessages } from '../ui/messages.ts';
 import { createStore } from '../document/store.ts';
 
 const page = (seed: number) =>

@@ -5,11 +5,11 @@
 
 import { signal } from '@preact/signals';
 import { strings } from '../strings/strings.ts';
-import { save } from './files.ts';
+import { save } from '../ui/files.ts';
 import { FORMATS, fileName, isArchive, panelName } from './formats.ts';
 import { createMaking } from './page-making.ts';
 import { sized } from '../page/paper.ts';
-import type { Messages } from '../app/messages.ts';
+import type { Messages } from '../ui/messages.ts';
 import type { Pages } from '../document/pages.ts';
 import type { Progress, Store } from '../document/store.ts';
 import type { PageDocument, PageSettings } from '../engine/documents.ts';

@@ -1,6 +1,6 @@
 import { FORMATS } from './formats.ts';
 import { strings } from '../strings/strings.ts';
-import { useApp } from '../app/context.ts';
+import { useApp } from '../ui/context.ts';
 import { Icon } from '../ui/icon.tsx';
 import type { PageDocument } from '../engine/documents.ts';
 import type { Format } from './formats.ts';

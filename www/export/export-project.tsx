@@ -2,7 +2,7 @@
 
 import { useEffect } from 'preact/hooks';
 import { strings } from '../strings/strings.ts';
-import { useApp } from '../app/context.ts';
+import { useApp } from '../ui/context.ts';
 import type { Cargo } from '../storage/files/page-files.ts';
 
 const KINDS: readonly Cargo[] = ['project', 'photos', 'none'];

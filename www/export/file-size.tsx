@@ -2,7 +2,7 @@ import { useEffect, useState } from 'preact/hooks';
 import { estimated } from './estimate.ts';
 import { isArchive } from './formats.ts';
 import { strings } from '../strings/strings.ts';
-import { useApp } from '../app/context.ts';
+import { useApp } from '../ui/context.ts';
 import type { Wish } from './page-making.ts';
 
 /** While a slider is dragged nothing is measured. */

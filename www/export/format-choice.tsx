@@ -1,7 +1,7 @@
 import { useEffect, useState } from 'preact/hooks';
 import { isArchive } from './formats.ts';
 import { strings } from '../strings/strings.ts';
-import { useApp } from '../app/context.ts';
+import { useApp } from '../ui/context.ts';
 import type { Format, Inside } from './formats.ts';
 
 /** The kind of file, and of the pictures in it where it is an archive. WebP is offered where the browser makes it. */

@@ -1,6 +1,6 @@
 import { strings } from '../strings/strings.ts';
-import { useApp } from '../app/context.ts';
-import { Dialog } from '../app/dialog.tsx';
+import { useApp } from '../ui/context.ts';
+import { Dialog } from '../ui/dialog.tsx';
 import { LanguageChoice } from './language-choice.tsx';
 import { keyLines } from './key-lines.ts';
 

@@ -2,7 +2,7 @@
 
 import { language, strings } from '../strings/strings.ts';
 import { LANGUAGES, rememberLanguage } from '../strings/language.ts';
-import { useApp } from '../app/context.ts';
+import { useApp } from '../ui/context.ts';
 import type { Language } from '../strings/language.ts';
 
 export function LanguageChoice() {

@@ -4,7 +4,7 @@ import { useRef } from 'preact/hooks';
 import { strings } from '../strings/strings.ts';
 import { IconButton } from '../ui/button.tsx';
 import { ChosenFiles, JSON_FILES } from '../photos/chosen-files.tsx';
-import { useApp } from '../app/context.ts';
+import { useApp } from '../ui/context.ts';
 import { isEnabled } from '../ui/action.ts';
 import { ActionButton } from '../ui/action-button.tsx';
 

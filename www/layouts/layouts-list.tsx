@@ -6,7 +6,7 @@
 import { useSignal } from '@preact/signals';
 import { useMemo } from 'preact/hooks';
 import { strings } from '../strings/strings.ts';
-import { useApp } from '../app/context.ts';
+import { useApp } from '../ui/context.ts';
 import { LayoutPicture } from './layout-picture.tsx';
 import { Listbox } from '../ui/listbox.tsx';
 import type { LayoutEntry, Template } from '../engine/documents.ts';

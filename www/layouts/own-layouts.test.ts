@@ -5,7 +5,7 @@ import { lengthIn, pixelsOf, whyNotSize } from '../page/paper.ts';
 import { core } from '../engine/testing-core.ts';
 import { fakeApp } from '../document/testing.ts';
 
-vi.mock('../export/files.ts', () => ({ save: vi.fn() }));
+vi.mock('../ui/files.ts', () => ({ save: vi.fn() }));
 
 function app(kept = null as string | null) {
   const made = fakeApp();

@@ -4,8 +4,8 @@
  */
 
 import { strings } from '../strings/strings.ts';
-import { save as saveFile } from '../export/files.ts';
-import type { Messages } from '../app/messages.ts';
+import { save as saveFile } from '../ui/files.ts';
+import type { Messages } from '../ui/messages.ts';
 import type { Pages } from '../document/pages.ts';
 import type { Store } from '../document/store.ts';
 import type { Template } from '../engine/documents.ts';

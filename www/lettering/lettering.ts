@@ -8,7 +8,7 @@ import { strings } from '../strings/strings.ts';
 import { MOST, wellFormed } from '../document/limits.ts';
 import { anchored, pagePoint } from './word-places.ts';
 import { createWordPlanning } from './word-planning.ts';
-import type { Messages } from '../app/messages.ts';
+import type { Messages } from '../ui/messages.ts';
 import type { Store } from '../document/store.ts';
 import type { Word } from '../engine/documents.ts';
 import type { Engine } from '../engine/engine.ts';

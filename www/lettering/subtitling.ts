@@ -6,7 +6,7 @@
 import { signal } from '@preact/signals';
 import { strings } from '../strings/strings.ts';
 import { cueAt, readSubtitles } from './subtitles.ts';
-import type { Messages } from '../app/messages.ts';
+import type { Messages } from '../ui/messages.ts';
 import type { Store } from '../document/store.ts';
 import type { Word } from '../engine/documents.ts';
 import type { Lettering } from './lettering.ts';

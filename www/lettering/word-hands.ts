@@ -1,7 +1,7 @@
 /** What mouse, touch and keys do with a word and with its tail. A drag, or a key that is held, is one step of the undo. */
 
 import { useRef } from 'preact/hooks';
-import { useApp } from '../app/context.ts';
+import { useApp } from '../ui/context.ts';
 import { WAYS } from '../page/panels/panel-shape.ts';
 import type { Bounds } from '../engine/documents.ts';
 

@@ -5,7 +5,7 @@
 
 import { useEffect, useRef } from 'preact/hooks';
 import { strings } from '../strings/strings.ts';
-import { useApp } from '../app/context.ts';
+import { useApp } from '../ui/context.ts';
 import { placed, pointOn, useWordHands } from './word-hands.ts';
 import { WordEditor } from './word-editor.tsx';
 import { createWordPainter } from './word-painter.ts';

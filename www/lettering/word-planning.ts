@@ -5,7 +5,7 @@
 
 import { computed, effect, signal } from '@preact/signals';
 import { strings } from '../strings/strings.ts';
-import type { Messages } from '../app/messages.ts';
+import type { Messages } from '../ui/messages.ts';
 import type { Store } from '../document/store.ts';
 import type { PageDocument, Word } from '../engine/documents.ts';
 import type { Lettering as Letters } from '../engine/words.ts';

@@ -3,7 +3,7 @@
 import { useRef } from 'preact/hooks';
 import { strings } from '../strings/strings.ts';
 import { ChosenFiles } from '../photos/chosen-files.tsx';
-import { useApp } from '../app/context.ts';
+import { useApp } from '../ui/context.ts';
 import { Icon } from '../ui/icon.tsx';
 import { WordFields } from './word-fields.tsx';
 import { ActionButton } from '../ui/action-button.tsx';

@@ -1,5 +1,5 @@
 import { strings } from '../strings/strings.ts';
-import { useApp } from '../app/context.ts';
+import { useApp } from '../ui/context.ts';
 import { Icon } from '../ui/icon.tsx';
 
 /** Makes the page a program of the device; not there where the browser has no such way. */

@@ -1,6 +1,6 @@
 import { signal } from '@preact/signals';
 import { describe, expect, it, vi } from 'vitest';
-import { createMessages } from '../app/messages.ts';
+import { createMessages } from '../ui/messages.ts';
 import { createOffline } from './offline.ts';
 
 const settle = () =>

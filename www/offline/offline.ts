@@ -5,7 +5,7 @@
 
 import { effect } from '@preact/signals';
 import { strings } from '../strings/strings.ts';
-import type { Messages } from '../app/messages.ts';
+import type { Messages } from '../ui/messages.ts';
 import type { Keeping } from '../storage/storage.ts';
 
 /** Milliseconds at rest after which the files are fetched: the first page must not wait for them. */

@@ -4,8 +4,8 @@
 
 import { useEffect, useMemo, useRef } from 'preact/hooks';
 import { strings } from '../strings/strings.ts';
-import { Bitmap, screenPixels, useInView } from './bitmap.tsx';
-import { useApp } from '../app/context.ts';
+import { Bitmap, screenPixels, useInView } from '../ui/bitmap.tsx';
+import { useApp } from '../ui/context.ts';
 import type { PageDocument } from '../engine/documents.ts';
 
 /** Pages made at a time: more than any strip shows at once. */

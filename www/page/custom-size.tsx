@@ -6,7 +6,7 @@
 import { useState } from 'preact/hooks';
 import { UNITS, lengthIn, pixelsOf, whyNotSize } from './paper.ts';
 import { strings } from '../strings/strings.ts';
-import { useApp } from '../app/context.ts';
+import { useApp } from '../ui/context.ts';
 import type { Unit } from './paper.ts';
 
 type Field = 'width' | 'height' | 'dpi';

@@ -4,7 +4,7 @@ import { computed } from '@preact/signals';
 import { position, versions } from '../document/history.ts';
 import { strings } from '../strings/strings.ts';
 import { WALK_KEYS } from './panels/panel-keys.ts';
-import type { Parts } from '../app/context.ts';
+import type { Parts } from '../ui/context.ts';
 import type { Part } from '../document/project.ts';
 import type { Action, OwnKeys } from '../ui/action.ts';
 

@@ -2,7 +2,7 @@
 
 import { describePage } from './describing.ts';
 import { strings } from '../strings/strings.ts';
-import { useApp } from '../app/context.ts';
+import { useApp } from '../ui/context.ts';
 import { styleOfPage } from '../styles/style-actions.ts';
 
 export function PageDescription() {

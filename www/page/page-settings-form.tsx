@@ -5,7 +5,7 @@
 import { useRef, useState } from 'preact/hooks';
 import { PAGE_SIZES, sizeId } from './paper.ts';
 import { strings } from '../strings/strings.ts';
-import { useApp } from '../app/context.ts';
+import { useApp } from '../ui/context.ts';
 import { CustomSize } from './custom-size.tsx';
 import { PageDescription } from './page-description.tsx';
 import type { PageSettings } from '../engine/documents.ts';

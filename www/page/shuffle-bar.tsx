@@ -2,7 +2,7 @@
  * Shuffle, the big button, and its three parts, each with its lock.
  */
 
-import { useApp } from '../app/context.ts';
+import { useApp } from '../ui/context.ts';
 import { ActionButton } from '../ui/action-button.tsx';
 
 export function ShuffleButton() {

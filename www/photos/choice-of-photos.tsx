@@ -2,7 +2,7 @@
 
 import { useState } from 'preact/hooks';
 import { strings } from '../strings/strings.ts';
-import { useApp } from '../app/context.ts';
+import { useApp } from '../ui/context.ts';
 import type { Order } from '../document/project.ts';
 import type { Store } from '../document/store.ts';
 

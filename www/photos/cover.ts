@@ -1,6 +1,6 @@
 /** Photos as thumbnails: the part of them that is shown, and how large. */
 
-import { screenPixels } from '../page/bitmap.tsx';
+import { screenPixels } from '../ui/bitmap.tsx';
 import type { Bounds } from '../engine/documents.ts';
 
 /** of a photo; none while it is not read */

@@ -1,6 +1,6 @@
 import { strings } from '../strings/strings.ts';
 import { ChosenFiles } from './chosen-files.tsx';
-import { useApp } from '../app/context.ts';
+import { useApp } from '../ui/context.ts';
 
 const ID = 'files';
 

@@ -1,7 +1,7 @@
 /** The photo that pictures of styles show. */
 
 import { useRef } from 'preact/hooks';
-import { useApp } from '../app/context.ts';
+import { useApp } from '../ui/context.ts';
 
 /** The first page's largest photo, for as long as it is in use, so that the pictures stay while pages come and go. */
 export function useHero(): string | null {

@@ -2,7 +2,7 @@
 
 import { strings } from '../strings/strings.ts';
 import { openFiles } from './file-input.tsx';
-import type { Parts } from '../app/context.ts';
+import type { Parts } from '../ui/context.ts';
 import type { Action } from '../ui/action.ts';
 
 export function createPhotoActions({ ui }: Pick<Parts, 'ui'>) {

@@ -2,12 +2,12 @@
 
 import { useComputed } from '@preact/signals';
 import { strings } from '../strings/strings.ts';
-import { Bitmap } from '../page/bitmap.tsx';
-import { useApp } from '../app/context.ts';
+import { Bitmap } from '../ui/bitmap.tsx';
+import { useApp } from '../ui/context.ts';
 import { PLAIN, thumbnail } from './cover.ts';
 import { Icon } from '../ui/icon.tsx';
-import { PHOTO } from '../page/panels/panel-gestures.ts';
-import { PhotoSubjects } from '../page/panels/subject-boxes.tsx';
+import { PHOTO } from './photo-drag.ts';
+import { PhotoSubjects } from './subject-boxes.tsx';
 import type { TrayItem } from '../document/project.ts';
 
 const SIDE = 96;

@@ -3,7 +3,7 @@
 import { useEffect, useRef } from 'preact/hooks';
 import { isUsed } from '../document/album.ts';
 import { strings } from '../strings/strings.ts';
-import { useApp } from '../app/context.ts';
+import { useApp } from '../ui/context.ts';
 import { Icon } from '../ui/icon.tsx';
 import { PhotoTile } from './photo-tile.tsx';
 import type { Verdict } from '../document/album.ts';

@@ -6,7 +6,7 @@
 import { computed, effect, signal } from '@preact/signals';
 import { strings } from '../strings/strings.ts';
 import { photosOn } from '../document/sheets.ts';
-import type { Messages } from '../app/messages.ts';
+import type { Messages } from '../ui/messages.ts';
 import type { Progress, Store } from '../document/store.ts';
 import type { Found } from '../engine/detector.ts';
 import type { Engine } from '../engine/engine.ts';

@@ -6,7 +6,7 @@ import { useRef } from 'preact/hooks';
 import { isUsed } from '../document/album.ts';
 import { strings } from '../strings/strings.ts';
 import { IconButton } from '../ui/button.tsx';
-import { useApp } from '../app/context.ts';
+import { useApp } from '../ui/context.ts';
 import { useGrowing } from '../ui/growing.ts';
 import { ChoiceOfPhotos } from './choice-of-photos.tsx';
 import { PhotoTile } from './photo-tile.tsx';

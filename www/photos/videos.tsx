@@ -4,7 +4,7 @@
 
 import { useState } from 'preact/hooks';
 import { strings } from '../strings/strings.ts';
-import { useApp } from '../app/context.ts';
+import { useApp } from '../ui/context.ts';
 import type { Video } from '../document/album.ts';
 
 const MOST_FRAMES = 120;

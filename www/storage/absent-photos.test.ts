@@ -1,11 +1,11 @@
 /** What is told of photos that are missing. */
 
 import { describe, expect, it, vi } from 'vitest';
-import { save as saveFile } from '../export/files.ts';
+import { save as saveFile } from '../ui/files.ts';
 import { fakeBrowser } from './testing.ts';
 import { downloaded, dropped, tripTab } from './files/testing-pages.ts';
 
-vi.mock('../export/files.ts', () => ({ save: vi.fn() }));
+vi.mock('../ui/files.ts', () => ({ save: vi.fn() }));
 
 type Tab = Awaited<ReturnType<ReturnType<typeof fakeBrowser>['tab']>>;
 const graves = ({ messages }: Tab) =>

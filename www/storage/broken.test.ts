@@ -1,12 +1,12 @@
 import { beforeEach, describe, expect, it, vi } from 'vitest';
-import { save as saveFile } from '../export/files.ts';
+import { save as saveFile } from '../ui/files.ts';
 import { readArchive } from './files/archive.ts';
 import { openDatabase } from './database.ts';
 import { documentOf, fakeBrowser } from './testing.ts';
 import type { Database } from './database.ts';
 import type { Tab } from './files/testing-pages.ts';
 
-vi.mock('../export/files.ts', () => ({ save: vi.fn() }));
+vi.mock('../ui/files.ts', () => ({ save: vi.fn() }));
 
 let browser: ReturnType<typeof fakeBrowser>;
 let base: Database;

@@ -1,5 +1,5 @@
 import { strings } from '../strings/strings.ts';
-import { useApp } from '../app/context.ts';
+import { useApp } from '../ui/context.ts';
 import { Icon } from '../ui/icon.tsx';
 
 /** Says that a project cannot be shown, and what can be done about it. */

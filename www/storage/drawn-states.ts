@@ -6,7 +6,7 @@
 import { ORPHANS } from './orphans.ts';
 import type { Project } from '../document/project.ts';
 import type { Store } from '../document/store.ts';
-import type { Place } from './place.ts';
+import type { Place } from '../document/place.ts';
 
 export type DrawnStates = ReturnType<typeof createDrawnStates>;
 

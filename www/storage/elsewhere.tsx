@@ -1,5 +1,5 @@
 import { strings } from '../strings/strings.ts';
-import { useApp } from '../app/context.ts';
+import { useApp } from '../ui/context.ts';
 
 /** Says that another tab has the project, and offers a copy. */
 export function Elsewhere() {

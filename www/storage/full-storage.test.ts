@@ -1,7 +1,7 @@
 import { describe, expect, it, vi } from 'vitest';
 import { fakeBrowser } from './testing.ts';
 
-vi.mock('../export/files.ts', () => ({ save: vi.fn() }));
+vi.mock('../ui/files.ts', () => ({ save: vi.fn() }));
 
 describe('storage that takes no more', () => {
   const full = Object.assign(new Error('no room'), { name: 'QuotaExceededError' });

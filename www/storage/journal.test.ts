@@ -7,7 +7,7 @@ import { createJournal, patchOf } from './journal.ts';
 import { fakeBrowser } from './testing.ts';
 import type { Change } from '../document/history.ts';
 
-vi.mock('../export/files.ts', () => ({ save: vi.fn() }));
+vi.mock('../ui/files.ts', () => ({ save: vi.fn() }));
 
 const anyChange: fc.Arbitrary<Change> = fc.oneof(
   fc.nat(9).map((id) => ({ type: 'show-page', page: pageOf(id), pageId: id }) as Change),

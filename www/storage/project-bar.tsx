@@ -2,7 +2,7 @@
 
 import { strings } from '../strings/strings.ts';
 import { IconButton } from '../ui/button.tsx';
-import { useApp } from '../app/context.ts';
+import { useApp } from '../ui/context.ts';
 import { Icon } from '../ui/icon.tsx';
 import type { Keeping } from './storage.ts';
 

@@ -6,7 +6,7 @@ import { freshId } from '../document/fresh-id.ts';
 import { drawnId, isProjectId } from './drawn-states.ts';
 import { projectLock } from './locks.ts';
 import { isGone } from './restoring.ts';
-import type { Messages } from '../app/messages.ts';
+import type { Messages } from '../ui/messages.ts';
 import type { Store } from '../document/store.ts';
 import type { Database, ProjectRecord } from './database.ts';
 import type { Locks } from './locks.ts';

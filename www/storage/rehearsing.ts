@@ -13,7 +13,7 @@ import type { SharedLists } from '../document/project.ts';
 import type { Planner, Store } from '../document/store.ts';
 import type { Engine } from '../engine/engine.ts';
 import type { createPhotos } from '../engine/photos.ts';
-import type { Place } from './place.ts';
+import type { Place } from '../document/place.ts';
 import type { Content } from './restoring.ts';
 
 type Photos = ReturnType<typeof createPhotos>;

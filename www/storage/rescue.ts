@@ -4,7 +4,7 @@
  */
 
 import { archiveOf } from './files/archive.ts';
-import { strippedOf } from './files/identity.ts';
+import { strippedOf } from '../photos/identity.ts';
 import { fileNameOf, packedProject, videoKey } from './files/project-file.ts';
 import { nameOf } from './restoring.ts';
 import type { Database } from './database.ts';

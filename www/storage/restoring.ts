@@ -7,7 +7,7 @@ import { failure } from '../engine/protocol.ts';
 import { strings } from '../strings/strings.ts';
 import { sheetsOf } from '../document/sheets.ts';
 import { drawnId } from './drawn-states.ts';
-import { emptyFrames } from './files/placeholder.ts';
+import { emptyFrames } from '../photos/placeholder.ts';
 import { photosOf } from './snapshot.ts';
 import type { Fact, Video } from '../document/album.ts';
 import type { History } from '../document/history.ts';
@@ -15,7 +15,7 @@ import type { Project } from '../document/project.ts';
 import type { Planner } from '../document/store.ts';
 import type { Database, KeptVideo, PhotoRecord, ProjectRecord, StateRecord } from './database.ts';
 import type { Journal } from './journal.ts';
-import type { Place } from './place.ts';
+import type { Place } from '../document/place.ts';
 
 type Ready = Promise<Planner>;
 

@@ -2,7 +2,7 @@ import { afterEach, describe, expect, it, vi } from 'vitest';
 import { openDatabase } from './database.ts';
 import { allDie, fakeBrowser } from './testing.ts';
 
-vi.mock('../export/files.ts', () => ({ save: vi.fn() }));
+vi.mock('../ui/files.ts', () => ({ save: vi.fn() }));
 afterEach(() => {
   allDie();
   vi.restoreAllMocks();

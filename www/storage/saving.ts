@@ -18,7 +18,7 @@ import { drawnId } from './drawn-states.ts';
 import { PHOTOS_LOCK } from './locks.ts';
 import { adopt } from './orphans.ts';
 import { snapshotOf } from './snapshot.ts';
-import { VERSION } from './versions.ts';
+import { VERSION } from '../document/versions.ts';
 import type { Fact } from '../document/album.ts';
 import type { Store } from '../document/store.ts';
 import type { Database, KeptHistory, KeptVideo } from './database.ts';
@@ -26,7 +26,7 @@ import type { DrawnStates } from './drawn-states.ts';
 import type { Base, Journal } from './journal.ts';
 import type { Locks } from './locks.ts';
 import type { PhotoRecords } from './photo-records.ts';
-import type { Place } from './place.ts';
+import type { Place } from '../document/place.ts';
 import type { Snapshot } from './snapshot.ts';
 import type { Signal } from '@preact/signals';
 

@@ -7,7 +7,7 @@ import { effect, untracked } from '@preact/signals';
 import { MOST } from '../document/limits.ts';
 import { SHARED } from '../document/project.ts';
 import { strings } from '../strings/strings.ts';
-import type { Messages } from '../app/messages.ts';
+import type { Messages } from '../ui/messages.ts';
 import type { SharedLists } from '../document/project.ts';
 import type { Store } from '../document/store.ts';
 

@@ -5,7 +5,7 @@ import type { History } from '../document/history.ts';
 import type { Project } from '../document/project.ts';
 import type { Store } from '../document/store.ts';
 import type { KeptHistory } from './database.ts';
-import type { Place } from './place.ts';
+import type { Place } from '../document/place.ts';
 
 /** `place` is where this history is kept, and no other. */
 export type Snapshot = {

@@ -5,7 +5,7 @@ import { createLocks } from './locks.ts';
 import { sweep } from './sweeping.ts';
 import { documentOf, fakeBrowser } from './testing.ts';
 
-vi.mock('../export/files.ts', () => ({ save: vi.fn() }));
+vi.mock('../ui/files.ts', () => ({ save: vi.fn() }));
 
 describe('after the page is loaded again', () => {
   it('all is there, undo too, and no photo is decoded', async () => {

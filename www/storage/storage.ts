@@ -18,7 +18,7 @@
 import { effect } from '@preact/signals';
 import { failure } from '../engine/protocol.ts';
 import { strings } from '../strings/strings.ts';
-import { save as saveFile } from '../export/files.ts';
+import { save as saveFile } from '../ui/files.ts';
 import { createAbsentPhotos } from './files/absent-photos.ts';
 import { openDatabase } from './database.ts';
 import { createDrawnStates } from './drawn-states.ts';
@@ -35,13 +35,13 @@ import { createProjects } from './projects.ts';
 import { rescued } from './rescue.ts';
 import { createSaving } from './saving.ts';
 import { sweep } from './sweeping.ts';
-import type { Messages, Way } from '../app/messages.ts';
+import type { Messages, Way } from '../ui/messages.ts';
 import type { Store } from '../document/store.ts';
 import type { Engine } from '../engine/engine.ts';
 import type { Reading } from '../photos/reading.ts';
 import type { Database } from './database.ts';
 import type { Views } from './opening.ts';
-import type { Place } from './place.ts';
+import type { Place } from '../document/place.ts';
 import type { Status } from './saving.ts';
 import type { Shelves } from './shelves.ts';
 

@@ -5,7 +5,7 @@ import { sweep } from './sweeping.ts';
 import { fakeBrowser } from './testing.ts';
 import type { Database } from './database.ts';
 
-vi.mock('../export/files.ts', () => ({ save: vi.fn() }));
+vi.mock('../ui/files.ts', () => ({ save: vi.fn() }));
 
 const HOUR = 3600 * 1000;
 

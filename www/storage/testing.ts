@@ -3,7 +3,7 @@
 import 'fake-indexeddb/auto';
 import { IDBFactory } from 'fake-indexeddb';
 import { createPhotos } from '../engine/photos.ts';
-import { createMessages } from '../app/messages.ts';
+import { createMessages } from '../ui/messages.ts';
 import { createPages } from '../document/pages.ts';
 import { createStore } from '../document/store.ts';
 import { fakePlanner } from '../document/testing.ts';

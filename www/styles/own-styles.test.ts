@@ -5,7 +5,7 @@ import { createOwnStyles } from './own-styles.ts';
 import { isStyleLink, linkOf, textOfLink } from './style-link.ts';
 import { fakeApp } from '../document/testing.ts';
 
-vi.mock('../export/files.ts', () => ({ save: vi.fn() }));
+vi.mock('../ui/files.ts', () => ({ save: vi.fn() }));
 
 const MINE = 'inkpanel.styles';
 const style = (id: string, more = {}) => ({ id, name: id.toUpperCase(), tags: [], background: [], ...more });

@@ -5,9 +5,9 @@
 
 import { computed } from '@preact/signals';
 import { strings } from '../strings/strings.ts';
-import { save as saveFile } from '../export/files.ts';
+import { save as saveFile } from '../ui/files.ts';
 import { LONGEST_STYLE, isStyleLink, linkOf, textOfLink } from './style-link.ts';
-import type { Messages } from '../app/messages.ts';
+import type { Messages } from '../ui/messages.ts';
 import type { Designer } from '../designer/designer.ts';
 import type { Store } from '../document/store.ts';
 import type { Style } from '../engine/documents.ts';

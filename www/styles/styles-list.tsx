@@ -4,8 +4,8 @@
  */
 
 import { strings } from '../strings/strings.ts';
-import { Bitmap } from '../page/bitmap.tsx';
-import { useApp } from '../app/context.ts';
+import { Bitmap } from '../ui/bitmap.tsx';
+import { useApp } from '../ui/context.ts';
 import { thumbnail } from '../photos/cover.ts';
 import { useHero } from '../photos/hero.ts';
 import { Listbox } from '../ui/listbox.tsx';

@@ -5,7 +5,7 @@
 
 import { useRef } from 'preact/hooks';
 import { strings } from '../../strings/strings.ts';
-import { useApp } from '../../app/context.ts';
+import { useApp } from '../../ui/context.ts';
 import type { Cut } from '../../engine/documents.ts';
 import type { OwnKeys } from '../../ui/action.ts';
 

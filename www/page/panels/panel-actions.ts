@@ -1,12 +1,12 @@
 /** What can be done with the panels that are chosen, with their photos, and with the cuts between them. */
 
 import { computed } from '@preact/signals';
-import { LARGE_STEP as LARGE_SCRUB, STEP as SCRUB } from '../../photos/scrubbing.ts';
+import { LARGE_STEP as LARGE_SCRUB, STEP as SCRUB } from './scrubbing.ts';
 import { strings } from '../../strings/strings.ts';
 import { SLANT_KEYS } from './cuts.tsx';
 import { CHOOSE_KEYS, FRAME_KEYS } from './panel-keys.ts';
 import type { ReadonlySignal } from '@preact/signals';
-import type { Parts } from '../../app/context.ts';
+import type { Parts } from '../../ui/context.ts';
 import type { Action, OwnKeys } from '../../ui/action.ts';
 
 /** A panel with the focus has keys of its own for it, whichever panels are chosen. */

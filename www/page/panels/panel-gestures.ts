@@ -5,7 +5,8 @@
 
 import { signal } from '@preact/signals';
 import { useRef } from 'preact/hooks';
-import { useApp } from '../../app/context.ts';
+import { PHOTO } from '../../photos/photo-drag.ts';
+import { useApp } from '../../ui/context.ts';
 import type { Bounds } from '../../engine/documents.ts';
 import type { Crop } from './crop.ts';
 import type { Signal } from '@preact/signals';
@@ -17,8 +18,6 @@ type Grip = { panel: number; crop: Crop; from: Point; span: number; gesture: str
 const SLACK = 4;
 /** Turns of the wheel closer together than this, in ms, are one step of the undo. */
 const TURN = 500;
-/** What a photo of the tray is dragged as. */
-export const PHOTO = 'text/x-inkpanel-photo';
 
 /** The panel that a photo is held over. */
 export const target: Signal<number | null> = signal(null);

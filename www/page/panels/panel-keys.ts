@@ -4,7 +4,7 @@
  */
 
 import { useRef } from 'preact/hooks';
-import { useApp } from '../../app/context.ts';
+import { useApp } from '../../ui/context.ts';
 import { neighbour, WAYS } from './panel-shape.ts';
 import { strings } from '../../strings/strings.ts';
 import { pressed } from '../../ui/shortcut.ts';

@@ -1,7 +1,7 @@
 /** Small marks on panels: a lock, the point that matters in a photo, what the keys do now. */
 
 import { strings } from '../../strings/strings.ts';
-import { useApp } from '../../app/context.ts';
+import { useApp } from '../../ui/context.ts';
 import { Icon } from '../../ui/icon.tsx';
 import type { Bounds, Geometry, PageDocument } from '../../engine/documents.ts';
 

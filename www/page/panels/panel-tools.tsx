@@ -4,7 +4,7 @@
  */
 
 import { strings } from '../../strings/strings.ts';
-import { useApp } from '../../app/context.ts';
+import { useApp } from '../../ui/context.ts';
 import { ActionButton } from '../../ui/action-button.tsx';
 import type { Action } from '../../ui/action.ts';
 

@@ -7,7 +7,7 @@
 import { useRef, useState } from 'preact/hooks';
 import { describePanel } from '../describing.ts';
 import { strings } from '../../strings/strings.ts';
-import { useApp } from '../../app/context.ts';
+import { useApp } from '../../ui/context.ts';
 import { target, usePanelGestures, within } from './panel-gestures.ts';
 import { PanelMarks } from './panel-marks.tsx';
 import { usePanelKeys } from './panel-keys.ts';

@@ -6,7 +6,7 @@
  * more memory to write them, 20 MB here), and fflate (6 kB) takes whole arrays and reads without the list of files.
  */
 
-import { damaged } from '../versions.ts';
+import { damaged } from '../../document/versions.ts';
 import { crcOf } from '../../engine/crc.ts';
 import { inflated, roomFor } from '../../engine/inflate.ts';
 import { ARCHIVE } from '../../engine/limits.ts';

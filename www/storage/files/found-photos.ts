@@ -1,6 +1,6 @@
 /** Photos that a page names, looked for among those of this browser: on the table, then in all projects that are saved. */
 
-import { hashOf, looksLike } from './identity.ts';
+import { hashOf, looksLike } from '../../photos/identity.ts';
 import type { Album, Fact } from '../../document/album.ts';
 import type { createPhotos } from '../../engine/photos.ts';
 import type { Database, PhotoRecord } from '../database.ts';

@@ -7,11 +7,11 @@ import { photosOn } from '../../document/sheets.ts';
 import { documentOf } from '../testing.ts';
 import { packedNothing, zipOf } from './testing-archives.ts';
 import { alerts, bare, downloaded, dropped, textIn, tripTab } from './testing-pages.ts';
-import { save as saveFile } from '../../export/files.ts';
+import { save as saveFile } from '../../ui/files.ts';
 import type { Made } from './testing-archives.ts';
 import type { Tab } from './testing-pages.ts';
 
-vi.mock('../../export/files.ts', () => ({ save: vi.fn() }));
+vi.mock('../../ui/files.ts', () => ({ save: vi.fn() }));
 
 let tab: Tab;
 /** The saved project, as JSON. */

@@ -7,7 +7,7 @@ import { chunkOf, chunksOf, dataOf, isPng, textChunk, textHead, textOf, withChun
 import { PNG, TEXT } from '../../engine/limits.ts';
 import { archiveOf, readArchive } from './archive.ts';
 import { readProjectJson } from './project-json.ts';
-import { damaged } from '../versions.ts';
+import { damaged } from '../../document/versions.ts';
 import type { Planner } from '../../document/store.ts';
 import type { Chunk } from '../../engine/png-chunks.ts';
 import type { Archive } from './file-opening.ts';

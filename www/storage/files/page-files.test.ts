@@ -1,13 +1,13 @@
 import { beforeEach, describe, expect, it, vi } from 'vitest';
 import { chunksOf } from '../../engine/png-chunks.ts';
-import { save as saveFile } from '../../export/files.ts';
+import { save as saveFile } from '../../ui/files.ts';
 import { withProject } from './page-file.ts';
-import { placeholderOf } from './placeholder.ts';
+import { placeholderOf } from '../../photos/placeholder.ts';
 import { fakeBrowser } from '../testing.ts';
 import { CROP, alerts, bare, bytesOf, downloaded, dropped, inPanels, textIn, tripTab } from './testing-pages.ts';
 import type { Tab } from './testing-pages.ts';
 
-vi.mock('../../export/files.ts', () => ({ save: vi.fn() }));
+vi.mock('../../ui/files.ts', () => ({ save: vi.fn() }));
 
 /** Where the page was made. */
 let tab: Tab;

@@ -10,7 +10,7 @@ import { foundPhotos } from './found-photos.ts';
 import { pageFileOf, readPageFile, withProject } from './page-file.ts';
 import { pageJson } from './page-json.ts';
 import { renamed } from './project-json.ts';
-import type { Messages } from '../../app/messages.ts';
+import type { Messages } from '../../ui/messages.ts';
 import type { Fact } from '../../document/album.ts';
 import type { PageDocument } from '../../document/project.ts';
 import type { Store } from '../../document/store.ts';

@@ -5,7 +5,7 @@
  */
 
 import { EMPTY_PROJECT } from '../../document/empty.ts';
-import { hashOf, strippedOf } from './identity.ts';
+import { hashOf, strippedOf } from '../../photos/identity.ts';
 import { projectJson } from './project-json.ts';
 import type { Album } from '../../document/album.ts';
 import type { PageDocument, Project } from '../../document/project.ts';

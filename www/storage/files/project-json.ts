@@ -4,11 +4,11 @@
  */
 
 import { freshId } from '../../document/fresh-id.ts';
-import { VERSION } from '../versions.ts';
+import { VERSION } from '../../document/versions.ts';
 import type { Fact, Video } from '../../document/album.ts';
 import type { Planner } from '../../document/store.ts';
 import type { KeptHistory } from '../database.ts';
-import type { Likeness } from './identity.ts';
+import type { Likeness } from '../../photos/identity.ts';
 
 /**
  * `subjects`: what was found in it, null when it was not searched; `measured`: it is compared with other photos; `rank`:

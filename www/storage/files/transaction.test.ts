@@ -1,11 +1,11 @@
 import { effect } from '@preact/signals';
 import { beforeEach, describe, expect, it, vi } from 'vitest';
-import { save as saveFile } from '../../export/files.ts';
+import { save as saveFile } from '../../ui/files.ts';
 import { archiveOf, readArchive } from './archive.ts';
 import { openDatabase } from '../database.ts';
 import { documentOf, fakeBrowser } from '../testing.ts';
 
-vi.mock('../../export/files.ts', () => ({ save: vi.fn() }));
+vi.mock('../../ui/files.ts', () => ({ save: vi.fn() }));
 
 let tab: Awaited<ReturnType<ReturnType<typeof fakeBrowser>['tab']>>;
 /** A saved project of two photos. */

@@ -4,22 +4,22 @@
  */
 
 import { strings } from '../strings/strings.ts';
-import { Alternatives } from './alternatives-strip.tsx';
+import { Alternatives } from '../page/alternatives-strip.tsx';
 import { PageStrip } from '../book/page-strip.tsx';
-import { BottomBar } from '../app/bottom-bar.tsx';
-import { useApp } from '../app/context.ts';
+import { BottomBar } from './bottom-bar.tsx';
+import { useApp } from '../ui/context.ts';
 import { LayoutTools } from '../layouts/layout-tools.tsx';
 import { LayoutsList } from '../layouts/layouts-list.tsx';
-import { PageSettingsForm } from './page-settings-form.tsx';
-import { PanelTools } from './panels/panel-tools.tsx';
-import { Sheet } from '../app/drawer.tsx';
-import { ShuffleButton, ShuffleParts } from './shuffle-bar.tsx';
+import { PageSettingsForm } from '../page/page-settings-form.tsx';
+import { PanelTools } from '../page/panels/panel-tools.tsx';
+import { Sheet } from './drawer.tsx';
+import { ShuffleButton, ShuffleParts } from '../page/shuffle-bar.tsx';
 import { Stage } from './stage.tsx';
 import { StyleTools } from '../styles/style-tools.tsx';
 import { StylesList } from '../styles/styles-list.tsx';
 import { Tray } from '../photos/tray.tsx';
 import { WordTools } from '../lettering/word-tools.tsx';
-import { Workspaces } from '../app/workspaces.tsx';
+import { Workspaces } from './workspaces.tsx';
 
 /** Window heights from which the settings are open from the start, in CSS pixels. */
 const TALL = 760;

@@ -5,18 +5,18 @@
 import { useEffect, useLayoutEffect, useRef, useState } from 'preact/hooks';
 import { versions } from '../document/history.ts';
 import { strings } from '../strings/strings.ts';
-import { screenPixels } from './bitmap.tsx';
-import { useApp } from '../app/context.ts';
-import { Cuts } from './panels/cuts.tsx';
-import { createPainter } from './painter.ts';
-import { Panels } from './panels/panels.tsx';
-import { PanelSubjects } from './panels/subject-boxes.tsx';
-import { useSwipe } from './swipe.ts';
+import { screenPixels } from '../ui/bitmap.tsx';
+import { useApp } from '../ui/context.ts';
+import { Cuts } from '../page/panels/cuts.tsx';
+import { createPainter } from '../page/painter.ts';
+import { Panels } from '../page/panels/panels.tsx';
+import { PanelSubjects } from '../photos/subject-boxes.tsx';
+import { useSwipe } from '../page/swipe.ts';
 import { isEnabled } from '../ui/action.ts';
 import { ActionButton } from '../ui/action-button.tsx';
 import { WordLayer } from '../lettering/word-layer.tsx';
 import { styleOfPage } from '../styles/style-actions.ts';
-import type { App } from '../app/context.ts';
+import type { App } from '../ui/context.ts';
 import type { Store } from '../document/store.ts';
 
 export function Stage() {

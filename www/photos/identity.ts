@@ -3,8 +3,8 @@
  * pixels. So a photo is the same before and after it went through a project file.
  */
 
-import { withoutMetadata } from '../../engine/metadata/strip.ts';
-import type { Stripped } from '../../engine/metadata/strip.ts';
+import { withoutMetadata } from '../engine/metadata/strip.ts';
+import type { Stripped } from '../engine/metadata/strip.ts';
 
 /**
  * How a photo is recognised: `hash` of 64 hex digits, empty where the browser makes none; `fingerprint` of 16, and the

@@ -3,8 +3,8 @@
  * the crops that the page takes of it.
  */
 
-import { useApp } from '../../app/context.ts';
-import type { Bounds, Geometry, PageDocument } from '../../engine/documents.ts';
+import { useApp } from '../ui/context.ts';
+import type { Bounds, Geometry, PageDocument } from '../engine/documents.ts';
 
 export function PanelSubjects({ page, geometry }: { page: PageDocument; geometry: Geometry }) {
   const { store } = useApp();

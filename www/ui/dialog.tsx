@@ -1,6 +1,6 @@
 import { useEffect, useRef } from 'preact/hooks';
 import { strings } from '../strings/strings.ts';
-import { IconButton } from '../ui/button.tsx';
+import { IconButton } from './button.tsx';
 import type { ComponentChildren } from 'preact';
 
 /** A modal dialog: the browser keeps the focus inside, Escape closes, so does a click beside it. */

@@ -1,6 +1,6 @@
 import { useEffect, useRef } from 'preact/hooks';
 import { strings } from '../strings/strings.ts';
-import { IconButton } from '../ui/button.tsx';
+import { IconButton } from './button.tsx';
 import type { ComponentChildren } from 'preact';
 
 /** A workspace that lies over the board; the page stays drawn beneath. */

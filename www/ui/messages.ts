@@ -6,7 +6,7 @@
 
 import { batch, signal } from '@preact/signals';
 import { strings } from '../strings/strings.ts';
-import { byName } from '../document/album.ts';
+import { byName } from './by-name.ts';
 import type { Signal } from '@preact/signals';
 
 /** Something that can be done about it; the message goes with it unless it `stays`. */

@@ -1,7 +1,7 @@
 import { readFile } from 'node:fs/promises';
 import { expect, it } from 'vitest';
-import { withoutMetadata } from '../../engine/metadata/strip.ts';
-import { loaded } from '../../engine/metadata/testing.ts';
+import { withoutMetadata } from '../engine/metadata/strip.ts';
+import { loaded } from '../engine/metadata/testing.ts';
 import { hashOf } from './identity.ts';
 
 it('a photo is the same with what a telephone writes and without, and no other photo is', async () => {

@@ -4,14 +4,14 @@
  */
 
 import { signal } from '@preact/signals';
-import { strings } from '../strings/strings.ts';
-import { grown } from '../page/panels/merging.ts';
-import type { Messages } from '../app/messages.ts';
-import type { Fact } from '../document/album.ts';
-import type { Pages } from '../document/pages.ts';
-import type { Store } from '../document/store.ts';
-import type { Engine } from '../engine/engine.ts';
-import type { Reading } from './reading.ts';
+import { strings } from '../../strings/strings.ts';
+import { grown } from './merging.ts';
+import type { Messages } from '../../ui/messages.ts';
+import type { Fact } from '../../document/album.ts';
+import type { Pages } from '../../document/pages.ts';
+import type { Store } from '../../document/store.ts';
+import type { Engine } from '../../engine/engine.ts';
+import type { Reading } from '../../photos/reading.ts';
 
 export type Scrubbing = ReturnType<typeof createScrubbing>;
 

@@ -1,7 +1,7 @@
 /** Where a project is kept. */
 
-import { freshId } from '../document/fresh-id.ts';
-import type { KeptHistory } from './database.ts';
+import { freshId } from './fresh-id.ts';
+import type { KeptHistory } from '../storage/database.ts';
 
 /**
  * `stamp` is that of the last writing, empty before the first: who writes changes it here. The object itself stands for

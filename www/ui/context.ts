@@ -26,14 +26,14 @@ import type { Ahead } from '../page/ahead.ts';
 import type { BetterCrops } from '../page/better-crops.ts';
 import type { Choosing } from '../photos/choosing.ts';
 import type { Reading } from '../photos/reading.ts';
-import type { Scrubbing } from '../photos/scrubbing.ts';
+import type { Scrubbing } from '../page/panels/scrubbing.ts';
 import type { Subjects } from '../photos/subjects.ts';
 import type { Keeping } from '../storage/storage.ts';
 import type { OwnStyles } from '../styles/own-styles.ts';
 import type { StylingDeeds } from '../styles/styling.ts';
-import type { Actions } from './actions.ts';
+import type { Actions } from '../app/actions.ts';
 import type { Messages } from './messages.ts';
-import type { Ui } from './ui.ts';
+import type { Ui } from '../app/ui.ts';
 
 /** What the application is made of, before there is anything to do with it. */
 export type Parts = {

@@ -3,8 +3,8 @@
  * It is light, so that every style leaves it light, and has the shape of the photo, so that its crop stays what it was.
  */
 
-import { chunkOf, pngOf } from '../../engine/png-chunks.ts';
-import type { Absent, Fact } from '../../document/album.ts';
+import { chunkOf, pngOf } from '../engine/png-chunks.ts';
+import type { Absent, Fact } from '../document/album.ts';
 
 /** Of a photo of which nobody knows how it looks. */
 export const UNLIKE = Object.freeze({ hash: '', fingerprint: '', width: 1500, height: 1000 });

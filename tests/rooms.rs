@@ -1,0 +1,166 @@
+//! Which room may know which. `ARCHITECTURE.md` has them in this order; what is lower knows nothing of what is above it.
+#![allow(clippy::unwrap_used, reason = "a test may stop at the first thing that is not as expected")]
+
+use std::collections::{BTreeMap, BTreeSet};
+use std::fs;
+use std::path::{Component, Path, PathBuf};
+
+/// The rooms of `src`, from the lowest on. Containers and the kernels on their rows are one: each is written in terms of the
+/// other.
+const ROOMS: [&[&str]; 11] = [
+    &["error"],
+    &["raster", "simd"],
+    &["json"],
+    &["select"],
+    &["detect"],
+    &["layout"],
+    &["framing"],
+    &["style"],
+    &["plan"],
+    &["page"],
+    &["document"],
+];
+
+fn root() -> &'static Path {
+    Path::new(env!("CARGO_MANIFEST_DIR"))
+}
+
+/// All files below a folder with one of these endings.
+fn files(folder: &Path, endings: &[&str]) -> Vec<PathBuf> {
+    let mut found = Vec::new();
+    for entry in fs::read_dir(folder).unwrap() {
+        let path = entry.unwrap().path();
+        let name = path.file_name().unwrap().to_string_lossy().into_owned();
+        if path.is_dir() {
+            if !matches!(name.as_str(), "node_modules" | "dist" | "public" | "models")
+                && !name.starts_with("pkg")
+            {
+                found.extend(files(&path, endings));
+            }
+        } else if endings.iter().any(|ending| name.ends_with(ending)) {
+            found.push(path);
+        }
+    }
+    found.sort();
+    found
+}
+
+/// The room of a path below `top`: its first folder, or the file without its ending.
+fn room(path: &Path, top: &Path) -> String {
+    let below = path.strip_prefix(top).unwrap();
+    below.with_extension("").components().next().unwrap().as_os_str().to_string_lossy().into_owned()
+}
+
+/// Names after `crate::` in code, tests and comments left out.
+fn names(text: &str) -> BTreeSet<String> {
+    let code = text.split("#[cfg(test)]\nmod tests").next().unwrap();
+    let mut names = BTreeSet::new();
+    for line in code.lines().filter(|line| !line.trim_start().starts_with("//")) {
+        for after in line.split("crate::").skip(1) {
+            let parts = after.strip_prefix('{').map_or(after, |list| list.split('}').next().unwrap());
+            let single = !after.starts_with('{');
+            for part in parts.split(',').take(if single { 1 } else { usize::MAX }) {
+                let name = part.trim().split(|c: char| !(c.is_ascii_lowercase() || c == '_')).next().unwrap();
+                names.insert(name.to_owned());
+            }
+        }
+    }
+    names
+}
+
+#[test]
+fn no_room_of_the_crate_knows_one_above_it() {
+    let top = root().join("src");
+    let level = |name: &str| ROOMS.iter().position(|rooms| rooms.contains(&name));
+    let mut wrong = Vec::new();
+    let mut known = 0;
+    for file in files(&top, &[".rs"]) {
+        let Some(here) = level(&room(&file, &top)) else { continue };
+        for name in names(&fs::read_to_string(&file).unwrap()) {
+            let Some(there) = level(&name) else { continue };
+            known += 1;
+            if there > here {
+                wrong.push(format!("{} uses {name}", file.strip_prefix(root()).unwrap().display()));
+            }
+        }
+    }
+    assert!(known > 100, "the imports were found: {known}");
+    assert!(wrong.is_empty(), "a room may use those below it only:\n  {}", wrong.join("\n  "));
+}
+
+/// The files that a script imports when it runs; what is imported for its types is gone by then.
+fn imports(text: &str) -> Vec<String> {
+    let mut found = Vec::new();
+    let mut rest = text;
+    while let Some(at) = rest.find("from '") {
+        let (before, after) = rest.split_at(at);
+        let statement = before
+            .rfind("\nimport")
+            .max(before.rfind("\nexport"))
+            .map_or(before, |start| &before[start + 1..]);
+        let target = after[6..].split('\'').next().unwrap();
+        let types = ["import type", "export type"].iter().any(|start| statement.starts_with(start));
+        if target.starts_with('.') && !types && !statement.contains(';') {
+            found.push(target.to_owned());
+        }
+        rest = &after[6..];
+    }
+    found
+}
+
+/// Without `.` and `..`.
+fn plain(path: &Path) -> PathBuf {
+    let mut out = PathBuf::new();
+    for part in path.components() {
+        match part {
+            Component::ParentDir => {
+                out.pop();
+            }
+            Component::CurDir => {}
+            other => out.push(other),
+        }
+    }
+    out
+}
+
+/// A room that knows none of the others, or that none of them knows.
+fn end_of<'a>(rooms: &BTreeSet<&'a str>, doors: &'a BTreeMap<(String, String), String>) -> Option<&'a str> {
+    let left = |(from, to): &&(String, String)| rooms.contains(from.as_str()) && rooms.contains(to.as_str());
+    let within: Vec<_> = doors.keys().filter(left).collect();
+    let knows = |room: &str| within.iter().any(|(from, _)| from == room);
+    let is_known = |room: &str| within.iter().any(|(_, to)| to == room);
+    rooms.iter().copied().find(|room| !knows(room) || !is_known(room))
+}
+
+#[test]
+fn no_rooms_of_the_page_know_each_other_in_a_circle() {
+    let top = root().join("www");
+    // One file for each pair of rooms, to be named.
+    let mut doors: BTreeMap<(String, String), String> = BTreeMap::new();
+    for file in files(&top, &[".ts", ".tsx"]) {
+        let name = file.strip_prefix(&top).unwrap().display().to_string();
+        if name.contains(".test.") || name.contains("testing") || !name.contains('/') {
+            continue;
+        }
+        let here = room(&file, &top);
+        for import in imports(&fs::read_to_string(&file).unwrap()) {
+            let there = room(&plain(&file.parent().unwrap().join(&import)), &top);
+            if there != here && !there.starts_with("pkg") {
+                doors.entry((here.clone(), there)).or_insert_with(|| format!("{name} imports {import}"));
+            }
+        }
+    }
+    assert!(doors.len() > 40, "the imports were found: {}", doors.len());
+    let mut rooms: BTreeSet<&str> = doors.keys().flat_map(|(a, b)| [a.as_str(), b.as_str()]).collect();
+    // A room that knows none of those left is below them, one that none of them knows is above; in the end none is left, or
+    // circles and what joins them.
+    while let Some(end) = end_of(&rooms, &doors) {
+        rooms.remove(end);
+    }
+    let inside: Vec<&String> = doors
+        .iter()
+        .filter(|((from, to), _)| rooms.contains(from.as_str()) && rooms.contains(to.as_str()))
+        .map(|(_, file)| file)
+        .collect();
+    assert!(rooms.is_empty(), "rooms that know each other in a circle, {rooms:?}:\n  {inside:#?}");
+}

@@ -1,0 +1,2 @@
+/** What a photo of the tray is dragged as. */
+export const PHOTO = 'text/x-inkpanel-photo';
