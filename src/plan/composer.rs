@@ -183,7 +183,7 @@ fn score(candidate: &Candidate, chosen: &[usize], seen: &[Look], photos: &Photos
         let photo = chosen[hero];
         let starred = photos.drawn.iter().any(|&i| photos.all[i].starred);
         let leads = ((sizes[hero] - 0.9) / 0.6).clamp(0.3, 1.0);
-        let match_ = leads * (0.5 * (spread(photo) - 2.0 / 3.0) / (1.0 / 3.0)).clamp(-1.2, 0.5);
+        let match_ = leads * (0.8 * (spread(photo) - 2.0 / 3.0) / (1.0 / 3.0)).clamp(-1.7, 0.5);
         // A star is a wish: a page that does not show it large is not what was asked for.
         let large = if sizes[hero] < LARGE { -1.5 } else { 0.0 };
         let star = if photos.all[photo].starred { 3.0 * leads + large } else { -3.0 };

@@ -109,7 +109,10 @@ pub fn weight(family: &str) -> f64 {
     match family {
         "slanted" | "manga" => 1.0,
         "cinema" => 0.7,
-        "mosaic" | "circle" => 0.5,
+        "circle" => 0.5,
+        // Few layouts each, which would else hardly come.
+        "splash" => 1.0,
+        "mosaic" => 0.8,
         "columns" | "inset" => 0.45,
         "overlap" | "landscape" => 0.9,
         "grid" => 0.2,

@@ -111,10 +111,10 @@ impl Look {
         self.cover
             - 2.0 * self.faces_cut
             - 2.2 * self.subjects_cut
-            - 1.2 * lacking
-            - 0.5 * little
+            - 1.4 * lacking
+            - 0.9 * little
             - 0.4 * soft
-            - 4.0 * blown_up
+            - 5.0 * blown_up
             - 2.5 * self.split
             - self.dull
             - 0.5 * self.too_small
