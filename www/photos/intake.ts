@@ -93,7 +93,8 @@ export function createIntake({
   async function emptyFrame(id: string) {
     const [{ fact, file }] = await emptyFrames([store.album.peek().get(id) as Fact]);
     const meta = await engine.importPhoto(id, file, { priority: isShown(id) ? Priority.PAGE : Priority.REST });
-    store.know(fact);
+    // Another project may be on the page by now: it is none of its photos.
+    if (store.album.peek().has(id)) store.know(fact);
     return meta;
   }
 

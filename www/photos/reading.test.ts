@@ -1,4 +1,5 @@
 import { describe, expect, test, vi } from 'vitest';
+import { unreadMeta } from '../document/album.ts';
 import { fakeApp } from '../document/testing.ts';
 
 vi.useFakeTimers();
@@ -120,4 +121,24 @@ describe('the tray', () => {
     app.reading.use('p1', true);
     expect(names(app)).toEqual(['a.jpg']);
   });
+});
+
+test('a photo that is given an empty place leaves no trace in another project that was opened meanwhile', async () => {
+  const app = fakeApp();
+  await app.reading.addFiles(app.files('b.jpg'));
+  const { store, reading, engine } = app;
+  const [id] = reading.freshIds(1);
+  store.know({ id, name: 'a.jpg', meta: unreadMeta(id), measures: null });
+  let calls = 0;
+  engine.importPhoto = async (which: string) => {
+    calls += 1;
+    if (calls === 1) throw Object.assign(new Error('damaged'), { code: 'damaged' });
+    // The empty place is read while the other project comes.
+    store.album.value = new Map([...store.album.peek()].filter(([other]) => other !== id));
+    return { ...unreadMeta(which), measures: {} };
+  };
+  await reading.resume([{ id, file: app.files('a.jpg')[0] }]);
+  await vi.advanceTimersByTimeAsync(1000);
+  expect(calls).toBe(2);
+  expect(store.album.value.has(id)).toBe(false);
 });
