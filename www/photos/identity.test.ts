@@ -7,7 +7,7 @@ import { hashOf } from './identity.ts';
 it('a photo is the same with what a telephone writes and without, and no other photo is', async () => {
   const [bee, cat] = await Promise.all(
     ['bee.jpg', 'cat.jpg'].map(async (name) =>
-      loaded(new Blob([new Uint8Array(await readFile(new URL(`../../../tests/photos/${name}`, import.meta.url)))])),
+      loaded(new Blob([new Uint8Array(await readFile(new URL(`../../tests/photos/${name}`, import.meta.url)))])),
     ),
   );
   const { blob } = await withoutMetadata(bee);
