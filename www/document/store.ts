@@ -144,6 +144,10 @@ export function createStore({ onRefused = () => {} }: { onRefused?: (error: Erro
     geometry,
     change,
     load,
+    /** Forgets what is known of photos that are in no state of the history. */
+    unknow: (ids: readonly string[]) => {
+      album.value = new Map([...album.value].filter(([id]) => !ids.includes(id)));
+    },
     know: (fact: Fact) => {
       album.value = new Map(album.value).set(fact.id, fact);
     },

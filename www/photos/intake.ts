@@ -167,7 +167,12 @@ export function createIntake({
    */
   function leaveOut(ids: readonly string[]): string[] {
     const missing = ids.filter((id) => !store.album.peek().get(id)?.meta);
-    if (missing.length > 0) store.change({ type: 'forget-photos', ids: missing });
+    if (missing.length > 0)
+      batch(() => {
+        store.change({ type: 'forget-photos', ids: missing });
+        // Nothing speaks of them any more; saved, they would be looked for at every visit.
+        store.unknow(missing);
+      });
     return ids.filter((id) => !missing.includes(id));
   }
 

@@ -210,6 +210,8 @@ test('a thousand hostile projects and pages leave the open project byte for byte
       refused += results.filter((result) => !result.opened).length;
       if (results.some((result) => result.opened)) await backToFirst(page);
       await collectGarbage(page);
+      // A photo that comes is saved at once, and that it could not be read a moment later.
+      await saved(page);
       expect(await look(page), `${kind} from ${seed}: what the page shows`).toBe(before.look);
       const now = await tables(page, { of: id });
       // Files that opened bring styles for all projects; saved with these it is the same project.
