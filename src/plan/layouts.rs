@@ -107,11 +107,10 @@ pub fn draw(wanted: &Wanted, random: &mut Rand64) -> Vec<Drawn> {
 #[must_use]
 pub fn weight(family: &str) -> f64 {
     match family {
-        "slanted" | "manga" => 1.0,
+        // Of splashes there are few, which would else hardly come.
+        "slanted" | "manga" | "splash" => 1.0,
         "cinema" => 0.7,
         "circle" => 0.5,
-        // Few layouts each, which would else hardly come.
-        "splash" => 1.0,
         "mosaic" => 0.8,
         "columns" | "inset" => 0.45,
         "overlap" | "landscape" => 0.9,
