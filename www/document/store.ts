@@ -52,6 +52,8 @@ export function createStore({ onRefused = () => {} }: { onRefused?: (error: Erro
 
   const project = computed(() => history.value.present);
   const page = computed(() => project.value.page);
+  /** Names the version of the page, in whatever project it is: ids of pages are used again in each. */
+  const version = computed(() => `${place.value.id} ${project.value.pageId}`);
   const others = computed(() => project.value.others);
   const at = computed(() => project.value.at);
   /** All pages of the storyboard in order, the one that is edited among them; none while there is no page. */
@@ -131,6 +133,7 @@ export function createStore({ onRefused = () => {} }: { onRefused?: (error: Erro
     fetching,
     project,
     page,
+    version,
     sheets,
     tray,
     facts,

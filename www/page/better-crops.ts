@@ -30,16 +30,16 @@ export function createBetterCrops({
   /** The page that is offered in the place of another. */
   const offer = signal<{ of: PageDocument; better: PageDocument } | null>(null);
   /** When the page came to the screen. */
-  let seen: { pageId: number; at: number } | null = null;
+  let seen: { version: string; at: number } | null = null;
 
   effect(() => {
-    const { page, pageId } = store.project.value;
-    if (page && ui.painted.value === page && seen?.pageId !== pageId) seen = { pageId, at: now() };
+    const [page, version] = [store.page.value, store.version.value];
+    if (page && ui.painted.value === page && seen?.version !== version) seen = { version, at: now() };
   });
 
   const offered = computed(() => (offer.value?.of === store.page.value ? (offer.value?.better ?? null) : null));
 
-  return { offered, found, accept, looked };
+  return { offered, found, accept };
 
   /** More is known of a photo on the page. */
   function found() {
@@ -60,7 +60,7 @@ export function createBetterCrops({
 
   /** Whether a person has looked at the page. */
   function looked(): boolean {
-    return seen !== null && seen.pageId === store.project.peek().pageId && now() - seen.at >= LOOK;
+    return seen !== null && seen.version === store.version.peek() && now() - seen.at >= LOOK;
   }
 }
 

@@ -1,5 +1,5 @@
 import { describe, expect, test, vi } from 'vitest';
-import { fakeApp } from '../document/testing.ts';
+import { edited, fakeApp, pageOf } from '../document/testing.ts';
 
 vi.useFakeTimers();
 
@@ -80,5 +80,19 @@ describe('the first page', () => {
     const page = store.page.value;
     await vi.advanceTimersByTimeAsync(1000);
     expect(store.page.value?.layout).toBe(page?.layout);
+  });
+
+  test('is not drawn over another project, whose pages have the same ids', async () => {
+    const { store, reading, files } = app((name) => name !== '0.jpg');
+    void reading.addFiles(files(...ten));
+    await vi.advanceTimersByTimeAsync(50);
+    expect(store.sketch.value).toBe(true);
+    const editing = edited({ type: 'show-page', page: pageOf(77), pageId: 1 });
+    expect(editing.history().present.pageId).toBe(store.project.value.pageId);
+    const place = { ...store.place.value, id: 'another' };
+    store.load({ history: editing.history(), editing, album: new Map(), videos: new Map(), place });
+    await vi.advanceTimersByTimeAsync(1000);
+    expect(store.sketch.value).toBe(false);
+    expect(store.page.value?.seed).toBe(77);
   });
 });

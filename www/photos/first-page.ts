@@ -18,13 +18,13 @@ const ALL_NEW = Object.freeze({ layout: false, style: false, photos: false });
 export function createFirstPage({ store, pages }: { store: Store; pages: Pick<Pages, 'plan' | 'show'> }) {
   let timer: ReturnType<typeof setTimeout> | undefined;
   /** The page that is the sketch. */
-  let sketched = 0;
+  let sketched = '';
 
   effect(() => {
-    const { page, pageId } = store.project.value;
+    const { page } = store.project.value;
     if (!store.sketch.value) return end();
     // Who shuffles, or opens something else, no longer waits for it.
-    if (page === null || pageId !== sketched) {
+    if (page === null || store.version.value !== sketched) {
       store.sketch.value = false;
       return end();
     }
@@ -42,7 +42,7 @@ export function createFirstPage({ store, pages }: { store: Store; pages: Pick<Pa
     const page = pages.plan({ keep: ALL_NEW, panels });
     batch(() => {
       pages.show(page, { silent: true });
-      sketched = store.project.peek().pageId;
+      sketched = store.version.peek();
       store.sketch.value = page !== null;
     });
   }

@@ -73,13 +73,13 @@ export function createSubjects({
   /** Whether every photo was looked at by both, which most crops wait for; closer looks may go on. */
   const searched = computed(() => off.value || store.page.value === null || !photos.value.some(unsearched));
 
-  let shown = 0;
+  let shown = '';
   let timer: ReturnType<typeof setTimeout> | undefined;
   effect(() => {
-    const { pageId } = store.project.value;
-    const first = shown === 0;
-    if (pageId === shown) return;
-    shown = pageId;
+    const version = store.version.value;
+    if (store.page.value === null || version === shown) return;
+    const first = shown === '';
+    shown = version;
     if (first) return;
     clearTimeout(timer);
     calm.value = false;
