@@ -18,7 +18,8 @@
 //!
 //! Under everything beside `raster`: [`error`], and [`json`], which reads JSON of strangers.
 //!
-//! On top, without algorithms of their own: `wasm`, `wasm_detect` and `wasm_words` with `wasm_files` (the web boundary, in three modules) and `main.rs` (the command line).
+//! On top, without algorithms of their own: `wasm`, `wasm_detect`, `wasm_decoders` and `wasm_words` with `wasm_files` (the web
+//! boundary, in four modules) and `main.rs` (the command line).
 //!
 //! Each stage has an example that runs: `examples/stage_raster.rs` and so on to `stage_page.rs`. Through some of them:
 //!
@@ -82,6 +83,8 @@ pub mod wasm;
 pub mod wasm_decoders;
 #[cfg(all(target_arch = "wasm32", feature = "detect"))]
 pub mod wasm_detect;
+#[cfg(all(target_arch = "wasm32", any(feature = "pages", feature = "detect")))]
+mod wasm_error;
 #[cfg(all(target_arch = "wasm32", feature = "words"))]
 pub mod wasm_files;
 #[cfg(all(target_arch = "wasm32", feature = "words"))]

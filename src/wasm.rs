@@ -1,4 +1,4 @@
-//! The web boundary: the only file that names `wasm_bindgen`. It holds no algorithm.
+//! The web boundary of the core, with the files of `wasm/`. It holds no algorithm.
 //!
 //! Structured data crosses as JSON text, pixels as byte arrays. Every error is a JavaScript `Error` with a
 //! `code` beside its `message`. The page calls the functions for planning; a worker holds a [`Studio`].
@@ -27,6 +27,7 @@ use crate::raster::decode::{Limits, decode};
 use crate::raster::resize::{Region, resample_image};
 use crate::raster::{Image, Plane};
 use crate::style::{Context, Style, stylize};
+use crate::wasm_error::thrown;
 use serde::Deserialize;
 use serde_json::{Value, json};
 use std::collections::HashMap;
@@ -375,14 +376,6 @@ fn parse<T: for<'a> Deserialize<'a>>(json: &str, location: &str) -> Result<T> {
 
 fn not_begun() -> Error {
     Error::Encode("no page was begun".into())
-}
-
-#[allow(clippy::needless_pass_by_value)] // It is what map_err hands over.
-fn thrown(error: Error) -> JsValue {
-    let object = js_sys::Error::new(&error.to_string());
-    // Setting a property of a fresh object cannot fail.
-    let _ = js_sys::Reflect::set(&object, &"code".into(), &error.code().into());
-    object.into()
 }
 
 fn internal(error: &impl std::fmt::Display) -> JsValue {

@@ -4,9 +4,9 @@
 // Every function that returns a Result throws as the module's documentation says.
 #![allow(clippy::missing_errors_doc)]
 
-use crate::error::Error;
 use crate::raster::Image;
 use crate::raster::decode::{Limits, decode};
+use crate::wasm_error::thrown;
 use wasm_bindgen::prelude::*;
 
 /// Bytes before the pixels of a BMP file.
@@ -30,7 +30,7 @@ impl Converted {
     /// Decodes a file: upright, in sRGB, laid on white. Throws `unknown-format`, `unsupported`, `damaged` and `too-large`.
     #[wasm_bindgen(constructor)]
     pub fn new(bytes: &[u8]) -> std::result::Result<Converted, JsValue> {
-        let photo = decode(bytes, &Limits::default()).map_err(|error| thrown(&error))?;
+        let photo = decode(bytes, &Limits::default()).map_err(thrown)?;
         Ok(Self { format: photo.format, taken: photo.taken, file: bmp(&photo.image) })
     }
 
@@ -83,11 +83,4 @@ fn bmp(image: &Image) -> Vec<u8> {
         }
     }
     file
-}
-
-fn thrown(error: &Error) -> JsValue {
-    let object = js_sys::Error::new(&error.to_string());
-    // Setting a property of a fresh object cannot fail.
-    let _ = js_sys::Reflect::set(&object, &"code".into(), &error.code().into());
-    object.into()
 }

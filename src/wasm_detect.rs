@@ -10,6 +10,7 @@
 use crate::detect::{Aesthetics, Detection, Faces, Objects, worth_a_closer_look};
 use crate::error::{Error, Result};
 use crate::raster::{Image, Plane};
+use crate::wasm_error::thrown;
 use serde::Serialize;
 use wasm_bindgen::prelude::*;
 
@@ -125,12 +126,4 @@ fn json(value: &impl serde::Serialize) -> Result<String> {
 
 fn internal(error: &serde_json::Error) -> Error {
     Error::Detector(error.to_string())
-}
-
-#[allow(clippy::needless_pass_by_value)] // It is what map_err hands over.
-fn thrown(error: Error) -> JsValue {
-    let object = js_sys::Error::new(&error.to_string());
-    // Setting a property of a fresh object cannot fail.
-    let _ = js_sys::Reflect::set(&object, &"code".into(), &error.code().into());
-    object.into()
 }

@@ -11,7 +11,8 @@ use crate::page::compose::Sheet;
 use crate::page::mask::PixelRect;
 use crate::page::pdf::{self, Leaf, Picture, picture};
 use crate::page::{Document, jpeg};
-use crate::wasm_words::{Lettering, thrown};
+use crate::wasm_error::thrown;
+use crate::wasm_words::Lettering;
 use wasm_bindgen::prelude::*;
 
 /// A page on which patches are laid.

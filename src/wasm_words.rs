@@ -11,6 +11,7 @@ use crate::error::{Error, Result};
 use crate::framing::Subject;
 use crate::page::Document;
 use crate::page::words::{Letters, draw, layout, place};
+use crate::wasm_error::thrown;
 use serde_json::Value;
 use std::collections::HashMap;
 use wasm_bindgen::prelude::*;
@@ -101,12 +102,4 @@ impl Picture {
     pub fn take(&mut self) -> js_sys::Uint8ClampedArray {
         js_sys::Uint8ClampedArray::from(std::mem::take(&mut self.rgba).as_slice())
     }
-}
-
-#[allow(clippy::needless_pass_by_value)] // It is what map_err hands over.
-pub(crate) fn thrown(error: Error) -> JsValue {
-    let object = js_sys::Error::new(&error.to_string());
-    // Setting a property of a fresh object cannot fail.
-    let _ = js_sys::Reflect::set(&object, &"code".into(), &error.code().into());
-    object.into()
 }
