@@ -5,6 +5,7 @@
 import initWords, { Book, Cut, Lettering, Print } from '../pkg-words/inkpanel.js';
 import { blobOf } from './blobs.ts';
 import { fileMs } from './measured.ts';
+import { moduleBytes } from './module-bytes.ts';
 import { failure } from './protocol.ts';
 import { LOADING, STORING, serveJobs } from './serving.ts';
 import { withDpi } from './webp.ts';
@@ -33,13 +34,12 @@ serveJobs(async (op, args, tell) => {
 });
 
 async function start() {
-  const response = await fetch(MODULE).catch(() => null);
-  if (!response?.ok)
-    throw failure(
-      'words-missing',
-      'The part of the program that makes this kind of file could not be loaded. Try again, or save a PNG.',
-    );
-  const { memory } = await initWords({ module_or_path: await response.arrayBuffer() });
+  const bytes = await moduleBytes(
+    MODULE,
+    'words-missing',
+    'The part of the program that makes this kind of file could not be loaded. Try again, or save a PNG.',
+  );
+  const { memory } = await initWords({ module_or_path: bytes });
   return memory;
 }
 

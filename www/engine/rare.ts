@@ -3,7 +3,7 @@
  * its own, which is loaded with the first of them.
  */
 
-import { failure } from './protocol.ts';
+import { moduleBytes } from './module-bytes.ts';
 
 const MODULE = new URL('../pkg-decoders/inkpanel_bg.wasm', import.meta.url);
 
@@ -42,12 +42,12 @@ export async function converted(bytes: Uint8Array<ArrayBuffer>): Promise<Convert
 }
 
 async function load(): Promise<Decoders> {
-  const response = await fetch(MODULE).catch(() => null);
-  // A host may answer with a page of its own where a file is missing.
-  const text = response?.headers.get('content-type')?.startsWith('text/html');
-  if (!response?.ok || text)
-    throw failure('decoders-missing', 'What reads such photos could not be loaded. Try again with a connection.');
+  const bytes = await moduleBytes(
+    MODULE,
+    'decoders-missing',
+    'What reads such photos could not be loaded. Try again with a connection.',
+  );
   const decoders = await import('../pkg-decoders/inkpanel.js');
-  await decoders.default({ module_or_path: await response.arrayBuffer() });
+  await decoders.default({ module_or_path: bytes });
   return decoders;
 }

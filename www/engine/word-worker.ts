@@ -4,7 +4,7 @@
 
 import initWords, { Lettering } from '../pkg-words/inkpanel.js';
 import { wordMs } from './measured.ts';
-import { failure } from './protocol.ts';
+import { moduleBytes } from './module-bytes.ts';
 import { LOADING, serveJobs } from './serving.ts';
 import type { Tell } from './serving.ts';
 
@@ -28,9 +28,7 @@ serveJobs(async (op, args, tell) => {
 });
 
 async function start() {
-  const response = await fetch(MODULE).catch(() => null);
-  if (!response?.ok) throw failure('words-missing', 'The letters could not be loaded.');
-  await initWords({ module_or_path: await response.arrayBuffer() });
+  await initWords({ module_or_path: await moduleBytes(MODULE, 'words-missing', 'The letters could not be loaded.') });
   return new Lettering();
 }
 

@@ -4,7 +4,7 @@
  */
 
 import { createPool } from './pool.ts';
-import { failure } from './protocol.ts';
+import { moduleBytes } from './module-bytes.ts';
 import { Priority } from './queue.ts';
 import type { Pool } from './pool.ts';
 import type { PageDocument, Word, WordBox } from './documents.ts';
@@ -105,11 +105,7 @@ async function open() {
 
 /** @returns rejects with `words-missing` */
 export async function loadWords(): Promise<ArrayBuffer> {
-  const response = await fetch(MODULE).catch(() => null);
-  // A host may answer with a page of its own where a file is missing.
-  const text = response?.headers.get('content-type')?.startsWith('text/html');
-  if (!response?.ok || text) throw failure('words-missing', 'The letters could not be loaded.');
-  return response.arrayBuffer();
+  return moduleBytes(MODULE, 'words-missing', 'The letters could not be loaded.');
 }
 
 function spawn() {

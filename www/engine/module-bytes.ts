@@ -1,0 +1,14 @@
+/** The wasm modules that are not there from the start. */
+
+import { isPage } from './kept.ts';
+import { failure } from './protocol.ts';
+
+/**
+ * @param address of the module
+ * @param code of the error where it cannot be loaded, and its sentence
+ */
+export async function moduleBytes(address: URL, code: string, sentence: string): Promise<ArrayBuffer> {
+  const response = await fetch(address).catch(() => null);
+  if (!response?.ok || isPage(response)) throw failure(code, sentence);
+  return response.arrayBuffer();
+}
