@@ -7,6 +7,7 @@ use std::process::Command;
 
 use anyhow::{Context, Result, ensure};
 
+use crate::albums::{own_folders, photos_in};
 use crate::project::Project;
 use crate::{models, python, tools};
 
@@ -21,19 +22,12 @@ const CLIPS: [(&str, &str); 3] = [
 /// Milliseconds between frames.
 const STEP: &str = "200";
 
-const FOLDERS: [&str; 2] = ["www/public/samples", "tests/photos"];
-
 /// Writes `docs/near-duplicates.md`.
 ///
 /// # Errors
 /// When a folder cannot be listed or the program fails.
 pub(crate) fn run(project: &Project) -> Result<()> {
-    let mut photos = Vec::new();
-    for folder in FOLDERS.map(|folder| project.root.join(folder)) {
-        let files = fs::read_dir(&folder).with_context(|| format!("cannot list {}", folder.display()))?;
-        photos.extend(files.map(|file| Ok(file?.path())).collect::<Result<Vec<_>>>()?);
-    }
-    photos.retain(|file| file.extension().is_some_and(|extension| extension == "jpg"));
+    let mut photos = photos_in(&own_folders(project))?;
     photos.sort();
     let mut cargo = project.cargo();
     cargo.args(["run", "--example", "duplicate_table", "--", "docs/near-duplicates.md"]);

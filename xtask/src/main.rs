@@ -1,6 +1,7 @@
 //! `cargo xtask`: builds, serves, tests and measures the project. It fetches what it needs and skips what did
 //! not change, so the only prerequisites are rustup and Node.
 
+mod albums;
 mod bench;
 mod bless;
 mod budget;
