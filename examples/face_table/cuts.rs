@@ -22,14 +22,27 @@ pub(crate) fn cuts(crop: &Crop, faces: &[&Subject]) -> usize {
 
 /// Whether some crop of that aspect, from the widest to a third of it, holds a face and cuts none.
 fn possible(photo: &PhotoMeta, aspect: f64, faces: &[&Subject]) -> bool {
-    let widest = (aspect / photo.aspect()).min(1.0);
-    (0..9).any(|step| {
-        let width = widest * (1.0 - f64::from(step) / 12.0);
-        let height = width * photo.aspect() / aspect;
-        (0..41 * 41).any(|at| {
-            let place = |i: i32, side: f64| (1.0 - side) * f64::from(i) / 40.0;
-            let crop = Crop { x: place(at % 41, width), y: place(at / 41, height), width, height };
-            cuts(&crop, faces) == 0 && faces.iter().any(|face| part(&crop, face) > 1.0 - 1e-6)
+    let whole = |crop: &Crop| faces.iter().any(|face| part(crop, face) > 1.0 - 1e-6);
+    crops(photo, aspect, 9, 41).any(|crop| cuts(&crop, faces) == 0 && whole(&crop))
+}
+
+/// Crops of that aspect in so many sizes, from the widest on by twelfths of it, each in `places` by `places` places.
+pub(crate) fn crops(
+    photo: &PhotoMeta,
+    aspect: f64,
+    sizes: usize,
+    places: usize,
+) -> impl Iterator<Item = Crop> {
+    let (own, widest) = (photo.aspect(), (aspect / photo.aspect()).min(1.0));
+    (0..sizes).flat_map(move |size| {
+        let width = widest * (1.0 - size as f64 / 12.0);
+        let height = width * own / aspect;
+        let place = move |i: usize, side: f64| (1.0 - side) * i as f64 / (places - 1) as f64;
+        (0..places * places).map(move |at| Crop {
+            x: place(at % places, width),
+            y: place(at / places, height),
+            width,
+            height,
         })
     })
 }

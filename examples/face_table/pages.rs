@@ -8,6 +8,7 @@ use inkpanel::layout::{PageSettings, ResolvedPanel, Template, catalogue, resolve
 use inkpanel::plan::slots::{Slot, slot};
 use rayon::prelude::*;
 
+use crate::cuts::crops;
 use crate::seen::seen;
 
 /// What stands above the table.
@@ -80,7 +81,7 @@ fn counted(photo: &PhotoMeta, slot: &Slot, panels: &[ResolvedPanel], group: &[us
     };
     let (face, head) = (cut(&crop, &faces), cut(&crop, &heads));
     let possible = |subjects: &[&Subject]| {
-        crops(photo, slot.target.aspect).any(|crop| {
+        crops(photo, slot.target.aspect, SIZES, PLACES).any(|crop| {
             !cut(&crop, subjects) && subjects.iter().any(|subject| shares(&crop, subject).1 >= 0.9)
         })
     };
@@ -92,22 +93,6 @@ fn counted(photo: &PhotoMeta, slot: &Slot, panels: &[ResolvedPanel], group: &[us
         count(head && !face),
         count(head && !face && possible(&heads)),
     ]
-}
-
-/// Crops of that shape, from the widest to two fifths of it.
-fn crops(photo: &PhotoMeta, aspect: f64) -> impl Iterator<Item = Crop> {
-    let (own, widest) = (photo.aspect(), (aspect / photo.aspect()).min(1.0));
-    (0..SIZES).flat_map(move |size| {
-        let width = widest * (1.0 - size as f64 / 10.0);
-        let height = width * own / aspect;
-        let place = |i: usize, side: f64| (1.0 - side) * i as f64 / (PLACES - 1) as f64;
-        (0..PLACES * PLACES).map(move |at| Crop {
-            x: place(at % PLACES, width),
-            y: place(at / PLACES, height),
-            width,
-            height,
-        })
-    })
 }
 
 /// A page of that width over its height.
