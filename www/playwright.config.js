@@ -9,7 +9,8 @@ export default defineConfig({
   testDir: '../tests/web/app',
   outputDir: '../tests/web/results',
   fullyParallel: false,
-  workers: 1,
+  // A page that waits for a timer, a message or one worker leaves cores idle: two files run side by side, even on two cores.
+  workers: 2,
   // The machine may be busy: a limit ends what hangs, it does not measure.
   timeout: 240_000,
   expect: { timeout: 30_000 },
