@@ -102,9 +102,6 @@ pub enum Error {
         /// What it has, and what may be.
         reason: String,
     },
-    /// A file of subtitles breaks its format.
-    #[error("{0}")]
-    InvalidSubtitles(String),
     /// A trained filter bank breaks its format.
     #[error("filter bank {name}: {reason}")]
     InvalidBank {
@@ -153,7 +150,6 @@ impl Error {
             Self::DamagedProject { .. } => "damaged-project",
             Self::NewerProject { .. } => "newer-project",
             Self::TooLargeProject { .. } => "too-large-project",
-            Self::InvalidSubtitles(_) => "invalid-subtitles",
             Self::InvalidBank { .. } => "invalid-bank",
             Self::UnknownStyle(_) => "unknown-style",
             Self::UnknownLayout(_) => "unknown-layout",

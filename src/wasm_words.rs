@@ -7,6 +7,7 @@
 // Every function that returns a Result throws as the module's documentation says.
 #![allow(clippy::missing_errors_doc)]
 
+use crate::document::subtitles::{self, Frame};
 use crate::error::{Error, Result};
 use crate::framing::Subject;
 use crate::page::Document;
@@ -79,6 +80,17 @@ impl Lettering {
     pub(crate) fn letters(&self) -> &Letters {
         &self.letters
     }
+}
+
+/// What a file of subtitles says at the times of frames, as words of that kind; see `document::subtitles::told`. Of each
+/// frame its panel and its time in seconds, one after the other.
+#[wasm_bindgen]
+#[must_use]
+pub fn subtitles(bytes: &[u8], vtt: bool, frames: &[f64], kind: &str) -> String {
+    let (frames, _) = frames.as_chunks::<2>();
+    let frames: Vec<Frame> =
+        frames.iter().map(|&[panel, time]| Frame { panel: panel as usize, time }).collect();
+    subtitles::told(bytes, vtt, &frames, kind)
 }
 
 /// A rectangle of rendered pixels, in pixels of the page.

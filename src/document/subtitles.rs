@@ -1,7 +1,7 @@
 //! Subtitles as `SubRip` (.srt) and `WebVTT` (.vtt) files have them, and the panels that they go to. Each letter is looked at a
 //! bounded number of times, whatever the text is.
 
-use crate::error::{Error, Result};
+use crate::json::Writer;
 use serde_json::{Value, json};
 
 /// Most bytes of a file.
@@ -35,6 +35,52 @@ pub struct Subtitles {
     pub cut: usize,
 }
 
+/// What is wrong with a file of subtitles.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub enum Flaw {
+    /// It has more than [`MOST_BYTES`].
+    Large,
+    /// It is not text.
+    Binary,
+    /// It does not begin as `WebVTT` does.
+    Header,
+    /// There are no subtitles in it.
+    Empty,
+    /// A time was expected in that line, counted from 1, not this.
+    Stray(usize, String),
+    /// This is no time.
+    Time(usize, String),
+    /// It ends before it starts.
+    Order(usize),
+}
+
+impl Flaw {
+    /// Writes it: `{kind, line, text}`, the line and the text where they are told.
+    fn write(&self, out: &mut Writer) {
+        let (kind, line, text) = match self {
+            Self::Large => ("large", None, None),
+            Self::Binary => ("binary", None, None),
+            Self::Header => ("header", None, None),
+            Self::Empty => ("empty", None, None),
+            Self::Stray(line, text) => ("stray", Some(line), Some(text)),
+            Self::Time(line, text) => ("time", Some(line), Some(text)),
+            Self::Order(line) => ("order", Some(line), None),
+        };
+        out.open(b'{');
+        out.key("kind").text(kind);
+        if let Some(line) = line {
+            out.key("line").whole(*line as u64);
+        }
+        if let Some(text) = text {
+            out.key("text").text(text);
+        }
+        out.close(b'}');
+    }
+}
+
+/// What reading gives.
+pub type Result<T> = std::result::Result<T, Flaw>;
+
 /// A panel that shows a frame of a film.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Frame {
@@ -48,12 +94,11 @@ impl Subtitles {
     /// Reads a file in UTF-8 or, with its mark, in UTF-16.
     ///
     /// # Errors
-    /// `invalid-subtitles` with the line at fault.
+    /// What is wrong with it.
     pub fn read(bytes: &[u8], vtt: bool) -> Result<Self> {
         if bytes.len() > MOST_BYTES {
-            return Err(invalid(None, "the file is larger than 5 MB"));
+            return Err(Flaw::Large);
         }
-        let binary = || invalid(None, "this is not text");
         let wide = |order: fn([u8; 2]) -> u16| {
             let (units, rest) = bytes[2..].as_chunks::<2>();
             let letters = char::decode_utf16(units.iter().map(|unit| order(*unit)));
@@ -64,21 +109,21 @@ impl Subtitles {
             [0xFE, 0xFF, ..] => wide(u16::from_be_bytes),
             _ => std::str::from_utf8(bytes).ok().map(str::to_owned),
         };
-        let text = text.filter(|text| !text.contains('\0')).ok_or_else(binary)?;
+        let text = text.filter(|text| !text.contains('\0')).ok_or(Flaw::Binary)?;
         Self::parse(&text, vtt)
     }
 
     /// Reads the text of a file.
     ///
     /// # Errors
-    /// `invalid-subtitles` with the line at fault.
+    /// What is wrong with it.
     pub fn parse(text: &str, vtt: bool) -> Result<Self> {
         let lines = lines(text.strip_prefix('\u{feff}').unwrap_or(text));
         let mut at = 0;
         if vtt {
             let rest = lines[0].strip_prefix("WEBVTT");
             if !rest.is_some_and(|rest| rest.is_empty() || rest.starts_with([' ', '\t'])) {
-                return Err(invalid(Some(0), "WEBVTT was expected"));
+                return Err(Flaw::Header);
             }
             // What follows the header up to an empty line belongs to it.
             at = end_of_block(&lines, 1);
@@ -110,7 +155,7 @@ impl Subtitles {
             all.cues.push(cue);
         }
         if all.cues.is_empty() {
-            return Err(invalid(None, "there are no subtitles in it"));
+            return Err(Flaw::Empty);
         }
         all.cues.sort_by(|a, b| a.start.total_cmp(&b.start));
         Ok(all)
@@ -141,6 +186,25 @@ pub fn matched(cues: &[Cue], frames: &[Frame], kind: &str) -> Vec<Value> {
     }
     let word = |(cue, frame): (usize, Frame)| json!({ "kind": kind, "text": cues[cue].text, "panel": frame.panel, "auto": true });
     places.into_iter().map(word).collect()
+}
+
+/// What a file of subtitles says at the times of some frames, in JSON: `{words, cues, left, cut}`, the words and how many
+/// subtitles were read, left out, and cut; or what is wrong with it, `{flaw: {kind, line, text}}`.
+#[must_use]
+pub fn told(bytes: &[u8], vtt: bool, frames: &[Frame], kind: &str) -> String {
+    let mut out = Writer::default();
+    out.open(b'{');
+    match Subtitles::read(bytes, vtt) {
+        Ok(Subtitles { cues, left, cut }) => {
+            out.key("words").list(&matched(&cues, frames, kind), &|out, word| out.value(word));
+            for (name, count) in [("cues", cues.len()), ("left", left), ("cut", cut)] {
+                out.key(name).whole(count as u64);
+            }
+        }
+        Err(flaw) => flaw.write(out.key("flaw")),
+    }
+    out.close(b'}');
+    out.finish()
 }
 
 /// Lines of whatever system.
@@ -182,14 +246,13 @@ fn cue(lines: &[&str], from: usize, end: usize) -> Result<Cue> {
     // A number or a name may stand before the times.
     let at = if lines[from].contains("-->") { from } else { from + 1 };
     let line = lines.get(at).filter(|line| at < end && line.contains("-->"));
-    let stray = || invalid(Some(from), &format!("a time was expected, not \"{}\"", shortened(lines[from])));
-    let line = line.ok_or_else(stray)?;
+    let line = line.ok_or_else(|| Flaw::Stray(from + 1, shortened(lines[from])))?;
     let mut parts = line.split("-->").map(|part| trimmed(part).split(is_space).next().and_then(seconds));
     let (Some(Some(start)), Some(Some(end_time))) = (parts.next(), parts.next()) else {
-        return Err(invalid(Some(at), &format!("\"{}\" is not a time", shortened(line))));
+        return Err(Flaw::Time(at + 1, shortened(line)));
     };
     if end_time < start {
-        return Err(invalid(Some(at), "it ends before it starts"));
+        return Err(Flaw::Order(at + 1));
     }
     Ok(Cue { start, end: end_time, text: plain(&lines[at + 1..end]) })
 }
@@ -265,11 +328,6 @@ fn shortened(line: &str) -> String {
     }
 }
 
-fn invalid(line: Option<usize>, reason: &str) -> Error {
-    let place = line.map_or_else(String::new, |line| format!("line {}: ", line + 1));
-    Error::InvalidSubtitles(format!("{place}{reason}"))
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -295,25 +353,59 @@ mod tests {
 
     #[test]
     fn what_is_malformed_names_its_line() {
+        let time = "00:00:01,000 --> 00:00:02,000";
         let cases = [
-            ("", false, "no subtitles"),
-            ("1\n00:00:01,000 > 00:00:02,000\nHi", false, "line 1: a time was expected"),
-            ("1\n00:00:01 --> 00:00:02\nHi", false, "line 2: \"00:00:01 --> 00:00:02\" is not a time"),
-            ("1\n00:99:01,000 --> 00:00:02,000\nHi", false, "line 2"),
-            ("1\n00:00:01,000 --> 99999:00:02,000\nHi", false, "line 2"),
-            ("1\n00:00:03,000 --> 00:00:02,000\nHi", false, "ends before it starts"),
-            ("1\n00:00:01,000 --> 00:00:02,000\nHi\n\nno time here\nnone", false, "line 5"),
-            ("1\n", false, "line 1"),
-            ("00:01.000 --> 00:02.000\nHi", true, "WEBVTT"),
-            ("WEBVTT", true, "no subtitles"),
+            (String::new(), false, Flaw::Empty),
+            ("1\n00:00:01,000 > 00:00:02,000\nHi".into(), false, Flaw::Stray(1, "1".into())),
+            ("1\n00:00:01 --> 00:00:02\nHi".into(), false, Flaw::Time(2, "00:00:01 --> 00:00:02".into())),
+            (
+                "1\n00:99:01,000 --> 00:00:02,000\nHi".into(),
+                false,
+                Flaw::Time(2, "00:99:01,000 --> 00:00:02,000".into()),
+            ),
+            (
+                "1\n00:00:01,000 --> 99999:00:02,000\nHi".into(),
+                false,
+                Flaw::Time(2, "00:00:01,000 --> 99999:00:02,000".into()),
+            ),
+            ("1\n00:00:03,000 --> 00:00:02,000\nHi".into(), false, Flaw::Order(2)),
+            (format!("1\n{time}\nHi\n\nno time here\nnone"), false, Flaw::Stray(5, "no time here".into())),
+            (format!("{}\nx", "-->".repeat(20)), false, Flaw::Time(1, format!("{}-…", "-->".repeat(13)))),
+            ("1\n".into(), false, Flaw::Stray(1, "1".into())),
+            ("00:01.000 --> 00:02.000\nHi".into(), true, Flaw::Header),
+            ("WEBVTT".into(), true, Flaw::Empty),
         ];
-        for (text, vtt, reason) in cases {
-            let error = Subtitles::parse(text, vtt).unwrap_err();
-            assert!(
-                error.to_string().contains(reason) && error.code() == "invalid-subtitles",
-                "{text:?}: {error}"
-            );
+        for (text, vtt, flaw) in cases {
+            assert_eq!(Subtitles::parse(&text, vtt), Err(flaw), "{text:?}");
         }
+    }
+
+    #[test]
+    fn marks_are_taken_out_and_what_is_not_closed_stays() {
+        let cases = [
+            ("<c.a.b>Hi</c> <there", "Hi <there"),
+            ("a > b <<i>> c", "a > b > c"),
+            ("{\\an8}Up {\\pos(1,2)}here {here}", "Up here {here}"),
+            ("{\\Up", "{\\Up"),
+            ("a&amp;b &lt;i&gt; &nbsp;c&lrm; &x; &amp", "a&b <i> c &x; &amp"),
+            ("&amp;lt;", "&lt;"),
+            (" \t x\u{a0}\u{2028} y ", "x y"),
+        ];
+        for (line, said) in cases {
+            assert_eq!(cues(&format!("00:00:01,000 --> 00:00:02,000\n{line}"), false)[0].2, said, "{line:?}");
+        }
+    }
+
+    #[test]
+    fn what_a_file_says_is_told_as_json() {
+        let read = |bytes: &[u8]| -> Value {
+            let frames = [Frame { panel: 2, time: 1.5 }];
+            serde_json::from_str(&told(bytes, false, &frames, "balloon")).unwrap()
+        };
+        let word = json!({ "kind": "balloon", "text": "Hello there", "panel": 2, "auto": true });
+        assert_eq!(read(SRT.as_bytes()), json!({ "words": [word], "cues": 2, "left": 0, "cut": 0 }));
+        assert_eq!(read(b"1\n"), json!({ "flaw": { "kind": "stray", "line": 1, "text": "1" } }));
+        assert_eq!(read(b"1\0"), json!({ "flaw": { "kind": "binary" } }));
     }
 
     #[test]
@@ -325,9 +417,9 @@ mod tests {
             assert_eq!(Subtitles::read(bytes, false).unwrap().cues.len(), 2);
         }
         for bytes in [&[0x31, 0xe9, 0x0a][..], b"1\0", &[0xFF, 0xFE, 0x00], &[0xFE, 0xFF, 0xD8, 0x00]] {
-            assert!(Subtitles::read(bytes, false).unwrap_err().to_string().contains("not text"));
+            assert_eq!(Subtitles::read(bytes, false), Err(Flaw::Binary));
         }
-        assert!(Subtitles::read(&vec![b' '; MOST_BYTES + 1], false).is_err());
+        assert_eq!(Subtitles::read(&vec![b' '; MOST_BYTES + 1], false), Err(Flaw::Large));
     }
 
     #[test]
@@ -386,7 +478,8 @@ mod tests {
         ) {
             let text = format!("{}{}", if vtt { "WEBVTT\n\n" } else { "" }, parts.concat());
             match Subtitles::parse(&text, vtt) {
-                Err(error) => prop_assert!(error.to_string().len() < 400),
+                Err(Flaw::Stray(_, said) | Flaw::Time(_, said)) => prop_assert!(said.chars().count() <= 41),
+                Err(_) => {}
                 Ok(read) => {
                     prop_assert!(!read.cues.is_empty());
                     prop_assert!(read.cues.iter().map(|cue| cue.text.len()).sum::<usize>() <= text.len());

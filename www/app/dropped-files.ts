@@ -11,7 +11,7 @@ import { byName } from '../ui/by-name.ts';
 import { isNamedPng } from '../storage/files/page-files.ts';
 import { isProjectFile } from '../storage/files/project-file.ts';
 import { openPlans } from './plans.ts';
-import { isSubtitles } from '../lettering/subtitles.ts';
+import { isSubtitles } from '../lettering/subtitling.ts';
 import type { Store } from '../document/store.ts';
 import type { OwnLayouts } from '../layouts/own-layouts.ts';
 import type { Subtitling } from '../lettering/subtitling.ts';

@@ -20,4 +20,6 @@ export const MOST = Object.freeze({
   away: 10,
   /** Bytes of the text of a project. */
   text: 33_554_432,
+  /** Bytes of a file of subtitles. */
+  subtitles: 5_000_000,
 });

@@ -176,4 +176,12 @@ export type PlanRequest = {
 
 export type Verdict = { id: string; group: number; kept: boolean; why: string };
 
+/** What is wrong with a file of subtitles; lines are counted from 1. */
+export type SubtitleFlaw =
+  | { kind: 'large' | 'binary' | 'header' | 'empty' }
+  | { kind: 'order'; line: number }
+  | { kind: 'stray' | 'time'; line: number; text: string };
+/** Words for frames at whose times something is said, and how many subtitles were read, left out, and cut. */
+export type ReadSubtitles = { words: Word[]; cues: number; left: number; cut: number } | { flaw: SubtitleFlaw };
+
 export {};

@@ -7,7 +7,7 @@ import { createPool } from './pool.ts';
 import { moduleBytes } from './module-bytes.ts';
 import { Priority } from './queue.ts';
 import type { Pool } from './pool.ts';
-import type { PageDocument, Word, WordBox } from './documents.ts';
+import type { PageDocument, ReadSubtitles, Word, WordBox } from './documents.ts';
 import type { Call } from './engine.ts';
 import type { BitmapPatch, PixelPatch } from './protocol.ts';
 
@@ -89,7 +89,10 @@ export function layPixels(page: PixelPatch, patch: PixelPatch) {
 }
 
 async function open() {
-  const [{ default: init, Lettering }, bytes] = await Promise.all([import('../pkg-words/inkpanel.js'), loadWords()]);
+  const [{ default: init, Lettering, subtitles }, bytes] = await Promise.all([
+    import('../pkg-words/inkpanel.js'),
+    loadWords(),
+  ]);
   await init({ module_or_path: bytes });
   const letters = new Lettering();
   return {
@@ -100,6 +103,19 @@ async function open() {
     settle: (document: PageDocument, subjects: Record<string, object[]>): Word[] =>
       JSON.parse(letters.settle(JSON.stringify(document), JSON.stringify(subjects))),
     measure: (document: PageDocument): WordBox[] => JSON.parse(letters.measure(JSON.stringify(document))),
+    /**
+     * @param bytes of a file, WebVTT or SubRip
+     * @param frames panels, and the times of what they show in seconds
+     */
+    subtitles: (
+      bytes: Uint8Array,
+      vtt: boolean,
+      frames: readonly { panel: number; time: number }[],
+      kind: Word['kind'],
+    ): ReadSubtitles => {
+      const places = Float64Array.from(frames.flatMap(({ panel, time }) => [panel, time]));
+      return JSON.parse(subtitles(bytes, vtt, places, kind));
+    },
   };
 }
 

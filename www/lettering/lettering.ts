@@ -31,7 +31,7 @@ export function createLettering({
   load: Engine['lettering'];
 }) {
   const planning = createWordPlanning({ store, messages, load });
-  const { words, letters, ready, failed, settled } = planning;
+  const { words, letters, ready, settled } = planning;
   const boxes = computed(() => {
     const page = store.page.value;
     return page && letters.value && words.value.length > 0 ? letters.value.measure(page) : [];
@@ -51,6 +51,7 @@ export function createLettering({
     editing,
     mode,
     rested: planning.rested,
+    ready,
     settled,
     on: planning.on,
     choose,
@@ -96,12 +97,7 @@ export function createLettering({
 
   /** @returns how many of them are on the page */
   async function addAll(fresh: Word[]): Promise<number> {
-    try {
-      await ready();
-    } catch (error) {
-      failed(error as Error);
-      return 0;
-    }
+    if (!(await ready())) return 0;
     const page = store.page.peek();
     if (!page) return 0;
     const before = words.peek();

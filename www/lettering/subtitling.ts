@@ -5,18 +5,18 @@
 
 import { signal } from '@preact/signals';
 import { strings } from '../strings/strings.ts';
-import { cueAt, readSubtitles } from './subtitles.ts';
+import { MOST } from '../document/limits.ts';
 import type { Messages } from '../ui/messages.ts';
 import type { Store } from '../document/store.ts';
-import type { Word } from '../engine/documents.ts';
+import type { SubtitleFlaw } from '../engine/documents.ts';
 import type { Lettering } from './lettering.ts';
-import type { Cue } from './subtitles.ts';
 import type { Signal } from '@preact/signals';
 
 export type Subtitling = ReturnType<typeof createSubtitling>;
 
-/** Seconds that a frame may be before or after what is said. */
-const SLACK = 0.75;
+export function isSubtitles({ name }: { name: string }) {
+  return /\.(srt|vtt)$/i.test(name);
+}
 
 export function createSubtitling({
   store,
@@ -24,7 +24,7 @@ export function createSubtitling({
   messages,
 }: {
   store: Store;
-  lettering: Pick<Lettering, 'addAll'>;
+  lettering: Pick<Lettering, 'addAll' | 'ready'>;
   messages: Pick<Messages, 'alert' | 'note' | 'fileFailed'>;
 }) {
   /** What subtitles become. */
@@ -43,12 +43,16 @@ export function createSubtitling({
   }
 
   async function put(file: File) {
-    const { cues, left, cut } = await readSubtitles(file);
-    if (left > 0) messages.alert(strings.fileFailed(file.name, strings.subtitlesLeft(left, cues.length)));
-    if (cut > 0) messages.alert(strings.fileFailed(file.name, strings.subtitlesCut(cut)));
+    if (file.size > MOST.subtitles) throw new Error(sentence({ kind: 'large' }));
+    const [bytes, letters] = await Promise.all([file.arrayBuffer(), lettering.ready()]);
+    if (!letters) return;
     const frames = framesOf(file.name);
+    const told = letters.subtitles(new Uint8Array(bytes), /\.vtt$/i.test(file.name), frames, kind.peek());
+    if ('flaw' in told) throw new Error(sentence(told.flaw));
+    const { words, cues, left, cut } = told;
+    if (left > 0) messages.alert(strings.fileFailed(file.name, strings.subtitlesLeft(left, cues)));
+    if (cut > 0) messages.alert(strings.fileFailed(file.name, strings.subtitlesCut(cut)));
     if (frames.length === 0) throw new Error(strings.subtitlesNoFrames);
-    const words = matched(cues, frames, kind.peek());
     if (words.length === 0) throw new Error(strings.subtitlesNoMatch);
     const added = await lettering.addAll(words);
     if (added > 0) messages.note(strings.subtitlesAdded(added));
@@ -76,18 +80,15 @@ export function createSubtitling({
   }
 }
 
-/** Words for the frames at whose times something is said; a subtitle goes to one frame only, the nearest to its middle. */
-export function matched(
-  cues: readonly Cue[],
-  frames: readonly { panel: number; time: number }[],
-  kind: 'caption' | 'balloon',
-): Word[] {
-  const places: Map<Cue, { panel: number; time: number }> = new Map();
-  for (const frame of frames) {
-    const cue = cueAt(cues, frame.time, SLACK);
-    const before = cue && places.get(cue);
-    const off = ({ time }: { time: number }) => Math.abs(time - ((cue?.start ?? 0) + (cue?.end ?? 0)) / 2);
-    if (cue && (!before || off(frame) < off(before))) places.set(cue, frame);
+function sentence(flaw: SubtitleFlaw): string {
+  const says = strings.subtitleErrors;
+  switch (flaw.kind) {
+    case 'stray':
+    case 'time':
+      return says[flaw.kind](flaw.line, flaw.text);
+    case 'order':
+      return says.order(flaw.line);
+    default:
+      return says[flaw.kind];
   }
-  return [...places].map(([{ text }, { panel }]) => ({ kind, text, panel, auto: true }));
 }

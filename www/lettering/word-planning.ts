@@ -41,17 +41,20 @@ export function createWordPlanning({
   });
   // A page that comes with words, from a file or a session before, needs the letters too.
   effect(() => {
-    if (words.value.length > 0 && !letters.value) ready().then(() => settle(true), failed);
+    if (words.value.length > 0 && !letters.value) void ready().then((table) => table && settle(true));
   });
 
-  return { words, letters, rested, ready, failed, settled, on };
+  return { words, letters, rested, ready, settled, on };
 
-  async function ready() {
-    letters.value ??= await load();
-  }
-
-  function failed(error: Error) {
-    messages.alert(strings.wordsFailed(error.message));
+  /** @returns null where they cannot be had, which is said */
+  async function ready(): Promise<Letters | null> {
+    try {
+      letters.value ??= await load();
+      return letters.value;
+    } catch (error) {
+      messages.alert(strings.wordsFailed((error as Error).message));
+      return null;
+    }
   }
 
   /**
