@@ -42,6 +42,7 @@ export async function journey(browser, address, photos) {
     rests.push(await shuffled(page));
   }
   const resizes = [];
+  await page.getByRole('tab', { name: 'Page', exact: true }).click();
   for (let i = 0; i < RESIZES; i += 1) {
     const size = page.getByRole('combobox', { name: 'Page size' });
     resizes.push(
@@ -52,6 +53,7 @@ export async function journey(browser, address, photos) {
     );
     await page.waitForFunction(() => document.body.dataset.idle === 'true');
   }
+  await page.getByRole('tab', { name: 'Layouts', exact: true }).click();
   const listed = await page.getByRole('listbox', { name: 'Layouts' }).getByRole('option').count();
   const start = performance.now();
   const [download] = await Promise.all([

@@ -14,15 +14,13 @@ import { PageSettingsForm } from '../page/page-settings-form.tsx';
 import { PanelTools } from '../page/panels/panel-tools.tsx';
 import { Sheet } from './drawer.tsx';
 import { ShuffleButton, ShuffleParts } from '../page/shuffle-bar.tsx';
+import { SideTabs } from './side-tabs.tsx';
 import { Stage } from './stage.tsx';
 import { StyleTools } from '../styles/style-tools.tsx';
 import { StylesList } from '../styles/styles-list.tsx';
 import { Tray } from '../photos/tray.tsx';
 import { WordTools } from '../lettering/word-tools.tsx';
 import { Workspaces } from './workspaces.tsx';
-
-/** Window heights from which the settings are open from the start, in CSS pixels. */
-const TALL = 760;
 
 export function Board() {
   const { ui } = useApp();
@@ -44,34 +42,7 @@ function WideBoard() {
           <ShuffleParts />
         </div>
       </main>
-      <aside class="right" aria-label={strings.look}>
-        <div class="side-section grows">
-          <header class="section-head styles-head">
-            <h2>{strings.styles}</h2>
-            <StyleTools />
-          </header>
-          <StylesList />
-        </div>
-        <div class="side-section grows">
-          <header class="section-head">
-            <h2>{strings.layouts}</h2>
-            <LayoutTools />
-          </header>
-          <LayoutsList />
-        </div>
-        <details name="side" class="side-section settings-section words-section">
-          <summary class="section-head">
-            <h2>{strings.words}</h2>
-          </summary>
-          <WordTools />
-        </details>
-        <details name="side" class="side-section settings-section" open={globalThis.innerHeight >= TALL}>
-          <summary class="section-head">
-            <h2>{strings.pageSettings}</h2>
-          </summary>
-          <PageSettingsForm />
-        </details>
-      </aside>
+      <SideTabs />
       <Alternatives />
     </>
   );

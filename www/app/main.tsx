@@ -40,6 +40,7 @@ import { createShownPages } from '../book/shown-pages.ts';
 import { createSubtitling } from '../lettering/subtitling.ts';
 import { isStyleLink } from '../styles/style-link.ts';
 import { createStyling } from '../styles/styling.ts';
+import { createRecentStyles } from '../styles/recent-styles.ts';
 import { createTaste } from '../styles/taste.ts';
 import { createSubjects } from '../photos/subjects.ts';
 import { createUi } from './ui.ts';
@@ -72,6 +73,7 @@ const ownLayouts = createOwnLayouts({ store, pages, messages });
 const designer = createDesigner({ store, pages, messages, ui, freshId: freshStyleId });
 const ownStyles = createOwnStyles({ store, messages, designer, freshId: freshStyleId });
 const shelves = createShelves({ store, messages, box: () => window.localStorage });
+const recentStyles = createRecentStyles(() => window.localStorage);
 const taste = createTaste({ planner: () => store.planner.peek(), box: () => window.localStorage });
 const shownPages = createShownPages({ store, pages, onLoved: taste.learn });
 const views = {
@@ -180,6 +182,7 @@ const parts: Parts = {
   ownStyles,
   styling,
   taste,
+  recentStyles,
   explorer,
   keeping,
   shownPages,

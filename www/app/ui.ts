@@ -6,6 +6,9 @@ import { computed, effect, signal } from '@preact/signals';
 import type { PageDocument } from '../engine/documents.ts';
 import type { Signal } from '@preact/signals';
 
+/** The tabs beside the page, in their order. */
+export const SIDE_TABS = ['styles', 'layouts', 'words', 'page'] as const;
+export type SideTab = (typeof SIDE_TABS)[number];
 export type Sheet = 'photos' | 'styles' | 'layouts' | 'words' | 'settings';
 type Theme = 'light' | 'dark';
 export type Ui = ReturnType<typeof createUi>;
@@ -45,6 +48,8 @@ export function createUi(window: Window) {
     dark,
     /** The sheet that is open on a small screen. */
     sheet: signal(null) as Signal<Sheet | null>,
+    /** The tab that is open beside the page on a large screen. */
+    sideTab: signal('styles') as Signal<SideTab>,
     work,
     /** Opens a workspace, or closes it where it is open. */
     toggleWork(which: Work) {

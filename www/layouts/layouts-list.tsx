@@ -9,10 +9,12 @@ import { strings } from '../strings/strings.ts';
 import { useApp } from '../ui/context.ts';
 import { LayoutPicture } from './layout-picture.tsx';
 import { Listbox } from '../ui/listbox.tsx';
+import { useGlimpse } from '../page/glimpse.tsx';
 import type { LayoutEntry, Template } from '../engine/documents.ts';
 
 /** The filter that shows a person's own layouts; no family of the core has a capital. */
 const MINE = 'Mine';
+const KEEP = Object.freeze({ layout: true, style: true, photos: true });
 
 export function LayoutsList() {
   const { store, pages } = useApp();
@@ -45,9 +47,16 @@ export function LayoutsList() {
     },
   ];
 
-  function choose(id: string) {
+  const glimpse = useGlimpse((id) => (id === current?.id ? null : pages.plan({ keep: KEEP, layout: layoutOf(id) })));
+
+  /** What a page says of a layout: a person's own one whole, one of the catalogue by its id. */
+  function layoutOf(id: string): string | Template {
     const own = layouts.find((layout) => layout.id === id)?.own ?? null;
-    if (id !== current?.id) pages.chooseLayout(own === null ? id : store.own.value[own]);
+    return own === null ? id : store.own.value[own];
+  }
+
+  function choose(id: string) {
+    if (id !== current?.id) pages.chooseLayout(layoutOf(id));
   }
 
   return (
@@ -91,10 +100,14 @@ export function LayoutsList() {
         groups={groups}
         selected={store.layoutFacts.value?.id ?? null}
         onChoose={choose}
+        onPoint={glimpse.point}
+        names
         nameOf={strings.layoutTitle}
+        noteOf={({ count }) => strings.panelCount(count)}
         empty={strings.noLayouts}
         picture={(layout) => pictures.get(layout.id) ?? <LayoutPicture layout={layout} aspect={aspect} />}
       />
+      {glimpse.view}
     </>
   );
 }

@@ -3,9 +3,9 @@
 import { useSignal } from '@preact/signals';
 import { useRef } from 'preact/hooks';
 import { strings } from '../strings/strings.ts';
-import { IconButton } from '../ui/button.tsx';
 import { useApp } from '../ui/context.ts';
 import { ActionButton } from '../ui/action-button.tsx';
+import { Icon } from '../ui/icon.tsx';
 
 export function StyleTools() {
   const { actions } = useApp();
@@ -13,15 +13,18 @@ export function StyleTools() {
   return (
     <>
       <div class="style-side-tools">
-        <ActionButton action={actions.styles.edit} />
-        <IconButton
-          icon="settings"
-          label={strings.styleShuffle}
-          pressed={open.value}
+        <button
+          type="button"
+          class="button small"
+          aria-expanded={open.value}
           onClick={() => {
             open.value = !open.value;
           }}
-        />
+        >
+          <Icon name="settings" />
+          <span>{strings.styleShuffle}</span>
+        </button>
+        <ActionButton action={actions.styles.edit} />
       </div>
       {open.value && <StyleShuffle />}
     </>

@@ -1,58 +1,129 @@
 /**
- * The styles, as pictures of the person's own photo: the page's own one when it is in no list, the person's, the
- * favourites, and the designed ones by their families.
+ * The styles, as pictures of the person's own photo, found by name or by kind: the page's own one when it is in no list,
+ * the favourites, those that were chosen last, the person's, and the designed ones by their families.
  */
 
+import { useSignal } from '@preact/signals';
+import { useEffect, useMemo, useState } from 'preact/hooks';
 import { strings } from '../strings/strings.ts';
 import { Bitmap } from '../ui/bitmap.tsx';
 import { useApp } from '../ui/context.ts';
 import { thumbnail } from '../photos/cover.ts';
 import { useHero } from '../photos/hero.ts';
 import { Listbox } from '../ui/listbox.tsx';
+import { useGlimpse } from '../page/glimpse.tsx';
 import type { Style } from '../engine/documents.ts';
 
 const WIDTH = 132;
 const HEIGHT = 99;
+const KEEP = Object.freeze({ layout: true, style: true, photos: true });
+
+type Kind = { id: string; name: string; options: Style[] };
 
 export function StylesList() {
-  const { store, pages, engine, ownStyles } = useApp();
+  const { store, pages, engine, ownStyles, recentStyles, ui } = useApp();
   const hero = useHero();
+  const kind = useSignal('');
+  const sought = useSignal('');
+  const [recent, setRecent] = useState(recentStyles.ids.peek());
+  // A style goes to the recent ones when one comes back to the list, not from under the pointer.
+  useEffect(() => setRecent(recentStyles.ids.peek()), [ui.sideTab.value]);
   const style = (store.page.value?.style ?? null) as string | Style | null;
   const selected = typeof style === 'string' ? style : (style?.id ?? null);
+  const [catalogue, mine, favourites] = [store.styles.value, ownStyles.mine.value, ownStyles.favourites.value];
+  const kinds = useMemo(() => kindsOf({ catalogue, mine, favourites, recent }), [catalogue, mine, favourites, recent]);
+  const glimpse = useGlimpse((id) => pages.plan({ keep: KEEP, style: ownStyles.find(id) ?? id }));
+
+  // Where the kind is gone, as with the last favourite, all are shown.
+  const open = kinds.some(({ id }) => id === kind.value) ? kind.value : '';
+  const words = sought.value.trim().toLocaleLowerCase();
+  const found = (option: Style) => strings.styleTitle(option).toLocaleLowerCase().includes(words);
+  const listed = kinds.some(({ options }) => options.some(({ id }) => id === selected));
+  const own = style !== null && typeof style === 'object' && !listed ? [style] : [];
+  const groups = [{ id: '', name: strings.thisPage, options: own }, ...kinds]
+    .filter(({ id }) => open === '' || id === open)
+    .map(({ name, options }) => ({ name, options: options.filter(found) }));
   const meta = store.facts.value.find(({ id }) => id === hero)?.meta;
   const size = thumbnail(meta, WIDTH, HEIGHT);
-  const mine = ownStyles.mine.value;
-  const favourites = without(ownStyles.favourites.value, mine);
-  const designed = without(store.styles.value, [...mine, ...favourites]);
-  const listed = [...mine, ...favourites, ...designed].some(({ id }) => id === selected);
-  const groups = [
-    { name: strings.thisPage, options: style !== null && typeof style === 'object' && !listed ? [style] : [] },
-    { name: strings.myStyles, options: [...mine] },
-    { name: strings.favourites, options: favourites },
-    ...families(designed),
-  ];
+  const designed = new Set<object>(catalogue);
+
+  function choose(id: string) {
+    recentStyles.add(id);
+    pages.chooseStyle(ownStyles.find(id) ?? id);
+  }
 
   return (
-    <Listbox
-      label={strings.styles}
-      class="styles-list"
-      groups={groups}
-      selected={selected}
-      onChoose={(id) => pages.chooseStyle(ownStyles.find(id) ?? id)}
-      names
-      nameOf={strings.styleTitle}
-      picture={(option) =>
-        hero === null ? (
-          <span class="bitmap" />
-        ) : (
-          <Bitmap
-            of={designed.includes(option) ? hero : `${hero} ${JSON.stringify(option)}`}
-            draw={(call) => engine.stylePhoto(hero, option, size, call)}
-          />
-        )
-      }
-    />
+    <>
+      <div class="style-search">
+        <input
+          type="search"
+          class="search"
+          aria-label={strings.searchStyles}
+          placeholder={strings.searchStyles}
+          value={sought.value}
+          onInput={({ currentTarget }) => {
+            sought.value = currentTarget.value;
+          }}
+        />
+        <div class="chips" role="group" aria-label={strings.styleFamilies}>
+          {[{ id: '', name: strings.anyStyles }, ...kinds].map(({ id, name }) => (
+            <button
+              key={id}
+              type="button"
+              class="chip"
+              aria-pressed={id === open}
+              onClick={() => {
+                kind.value = id;
+              }}
+            >
+              {name}
+            </button>
+          ))}
+        </div>
+      </div>
+      <Listbox
+        label={strings.styles}
+        class="styles-list"
+        groups={groups}
+        selected={selected}
+        onChoose={choose}
+        onPoint={glimpse.point}
+        empty={strings.noStyles}
+        names
+        nameOf={strings.styleTitle}
+        picture={(option) =>
+          hero === null ? (
+            <span class="bitmap" />
+          ) : (
+            <Bitmap
+              of={designed.has(option) ? hero : `${hero} ${JSON.stringify(option)}`}
+              draw={(call) => engine.stylePhoto(hero, option, size, call)}
+            />
+          )
+        }
+      />
+      {glimpse.view}
+    </>
   );
+}
+
+/** All kinds that have styles; each style is in the first one that it belongs to. */
+function kindsOf(from: {
+  catalogue: readonly Style[];
+  mine: readonly Style[];
+  favourites: readonly Style[];
+  recent: readonly string[];
+}): Kind[] {
+  const { mine, recent } = from;
+  const favourites = without(from.favourites, mine);
+  const others = without(from.catalogue, [...mine, ...favourites]);
+  const last = recent.flatMap((id) => others.find((style) => style.id === id) ?? []);
+  return [
+    { id: 'Favourites', name: strings.favourites, options: favourites },
+    { id: 'Recent', name: strings.recentStyles, options: last },
+    { id: 'Mine', name: strings.myStyles, options: [...mine] },
+    ...families(without(others, last)),
+  ].filter(({ options }) => options.length > 0);
 }
 
 /** @returns those whose id no other has */
@@ -60,12 +131,12 @@ function without(styles: readonly Style[], others: readonly Style[]): Style[] {
   return styles.filter(({ id }) => others.every((other) => other.id !== id));
 }
 
-/** @returns by their first tag, in the order of the catalogue */
-function families(styles: Style[]): { name: string; options: Style[] }[] {
+/** @returns by their first tag, in the order of the catalogue; no tag begins with a capital */
+function families(styles: Style[]): Kind[] {
   const groups: Map<string, Style[]> = new Map();
   for (const style of styles) {
     const tag = style.tags[0] ?? strings.otherStyles;
     groups.set(tag, [...(groups.get(tag) ?? []), style]);
   }
-  return [...groups].map(([name, options]) => ({ name: strings.familyName(name), options }));
+  return [...groups].map(([id, options]) => ({ id, name: strings.familyName(id), options }));
 }

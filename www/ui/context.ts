@@ -21,6 +21,7 @@ import type { Framing } from '../page/panels/framing.ts';
 import type { Merging } from '../page/panels/merging.ts';
 import type { Reshaping } from '../page/panels/reshaping.ts';
 import type { Selection } from '../page/panels/selection.ts';
+import type { RecentStyles } from '../styles/recent-styles.ts';
 import type { Taste } from '../styles/taste.ts';
 import type { Ahead } from '../page/ahead.ts';
 import type { BetterCrops } from '../page/better-crops.ts';
@@ -46,6 +47,7 @@ export type Parts = {
   scrubbing: Scrubbing;
   ahead: Ahead;
   choosing: Choosing;
+  recentStyles: RecentStyles;
   taste: Taste;
   selection: Selection;
   merging: Merging;

@@ -3,6 +3,7 @@
  */
 
 import { useEffect, useRef, useState } from 'preact/hooks';
+import { useInView } from './bitmap.tsx';
 import { useGrowing } from './growing.ts';
 import type { ComponentChild } from 'preact';
 
@@ -18,7 +19,9 @@ export function Listbox<T extends Option>({
   picture,
   nameOf = asItIs,
   names = false,
+  noteOf,
   empty = '',
+  onPoint,
   class: extra = '',
 }: {
   label: string;
@@ -28,7 +31,11 @@ export function Listbox<T extends Option>({
   picture: (option: T) => ComponentChild;
   nameOf?: (option: T) => string;
   names?: boolean;
+  /** A second line below the name. */
+  noteOf?: (option: T) => string;
   empty?: string;
+  /** Which option the pointer or the focus of the keyboard is on; null when it is on none any more. */
+  onPoint?: (id: string | null, element?: Element) => void;
   class?: string;
 }) {
   const ref = useRef(null as HTMLDivElement | null);
@@ -42,7 +49,8 @@ export function Listbox<T extends Option>({
   const stop = [active, selected, ids[0]].find((id) => id !== null && ids.includes(id));
 
   // What is chosen elsewhere, by a shuffle say, is found in the list at a glance.
-  useEffect(() => reveal(ref.current), [selected, selected !== null && ids.includes(selected)]);
+  const inView = useInView(ref);
+  useEffect(() => reveal(ref.current), [selected, selected !== null && ids.includes(selected), inView]);
 
   function onKeyDown(event: KeyboardEvent) {
     const options = [...(ref.current as HTMLElement).querySelectorAll('[role=option]')];
@@ -59,7 +67,15 @@ export function Listbox<T extends Option>({
   }
 
   return (
-    <div ref={ref} class={`listbox ${extra}`} role="listbox" aria-label={label} onKeyDown={onKeyDown}>
+    <div
+      ref={ref}
+      class={`listbox ${extra}`}
+      role="listbox"
+      aria-label={label}
+      onKeyDown={onKeyDown}
+      onPointerLeave={onPoint && (() => onPoint(null))}
+      onBlurCapture={onPoint && (() => onPoint(null))}
+    >
       {ids.length === 0 && (
         <p class="quiet" role="presentation">
           {empty}
@@ -83,13 +99,22 @@ export function Listbox<T extends Option>({
                 aria-selected={option.id === selected}
                 tabIndex={option.id === stop ? 0 : -1}
                 title={nameOf(option)}
-                onFocus={() => setActive(option.id)}
+                aria-description={noteOf?.(option)}
+                onFocus={({ currentTarget }) => {
+                  setActive(option.id);
+                  if (currentTarget.matches(':focus-visible')) onPoint?.(option.id, currentTarget);
+                }}
+                onPointerEnter={
+                  onPoint &&
+                  (({ pointerType, currentTarget }) => pointerType !== 'touch' && onPoint(option.id, currentTarget))
+                }
                 onClick={() => onChoose(option.id)}
               >
                 {picture(option)}
                 {names && (
                   <span class="option-name" aria-hidden="true">
                     {nameOf(option)}
+                    {noteOf && <small>{noteOf(option)}</small>}
                   </span>
                 )}
               </div>

@@ -2,7 +2,19 @@
 /** Storyboards of several pages: an album spread over them, pages added, turned, moved, removed. */
 
 import { photosOfPages, strip, thumb, thumbs } from './book-hands.js';
-import { accessible, colours, contents, expect, idle, openBoard, picture, pixelsOf, press, test } from './support.js';
+import {
+  accessible,
+  colours,
+  contents,
+  expect,
+  idle,
+  openBoard,
+  picture,
+  pixelsOf,
+  press,
+  tab,
+  test,
+} from './support.js';
 
 /** @typedef {import('./support.js').Page} Page */
 
@@ -40,6 +52,7 @@ test('a page is added from photos that are on no other, in the same style, and a
   page,
 }) => {
   await openBoard(page);
+  await tab(page, 'Layouts');
   await page.getByRole('combobox', { name: 'Panels' }).selectOption('3');
   await idle(page);
   const first = await contents(page);
@@ -63,6 +76,7 @@ test('a page is added from photos that are on no other, in the same style, and a
 
 test('pages are moved by buttons, by keys and by dragging, and removed', async ({ page }) => {
   await openBoard(page);
+  await tab(page, 'Layouts');
   await page.getByRole('combobox', { name: 'Panels' }).selectOption('2');
   await idle(page);
   await press(page, 'Add page');
@@ -128,6 +142,7 @@ test('a style goes on all pages, the size of the page is of all, and a removed p
   await expect(page.getByRole('button', { name: 'Use this style on all pages' })).toHaveCount(0);
   const before = await photosOfPages(page);
   expect((await contents(page)).style).toBe(style);
+  await tab(page, 'Page');
   await page.getByRole('combobox', { name: 'Page size' }).selectOption('wide');
   await idle(page);
   expect((await photosOfPages(page)).map((photos) => [...photos].sort())).toEqual(
@@ -150,6 +165,7 @@ test('a style goes on all pages, the size of the page is of all, and a removed p
 test('the pages are drawn small, and nothing about them is hard to reach', async ({ page }) => {
   await openBoard(page);
   await accessible(page);
+  await tab(page, 'Layouts');
   await page.getByRole('combobox', { name: 'Panels' }).selectOption('2');
   await press(page, 'Spread album over pages');
   await expect(thumbs(page)).toHaveCount(3);

@@ -1,6 +1,6 @@
 // @ts-check
 import { FOUR, addBlock, button, cards, drawn, names, openDesigner, preview, region } from './designer-hands.js';
-import { accessible, contents, expect, idle, openBoard, picture, pixelsOf, test } from './support.js';
+import { accessible, contents, expect, idle, openBoard, picture, pixelsOf, tab, test } from './support.js';
 
 test('a style is built from nothing by mouse, ordered, bypassed, undone and used', async ({ page }) => {
   await openDesigner(page);
@@ -130,6 +130,7 @@ test('a style is built, ordered, saved and found again by keyboard alone', async
   await expect(page.getByRole('status').getByText('By keys is in My styles.')).toBeVisible();
   await page.reload();
   await idle(page);
+  await tab(page, 'Styles');
   const option = page.getByRole('listbox', { name: 'Styles' }).getByRole('option', { name: 'By keys' });
   await option.focus();
   await page.keyboard.press('Enter');

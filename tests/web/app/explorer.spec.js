@@ -1,6 +1,6 @@
 // @ts-check
 import { FOUR, drawn, invent, names } from './designer-hands.js';
-import { accessible, contents, expect, idle, openBoard, picture, press, test } from './support.js';
+import { accessible, contents, expect, idle, openBoard, picture, press, tab, test } from './support.js';
 
 /** @typedef {import('../../../www/testing.ts').Page} Page */
 
@@ -73,6 +73,7 @@ test('styles are invented, sorted, filtered, favoured, bred and used', async ({ 
   await expect(region(page)).toHaveCount(0);
   expect(await picture(page)).not.toBe(before);
   const { style } = await contents(page);
+  await tab(page, 'Styles');
   const styles = page.getByRole('listbox', { name: 'Styles' });
   await expect(
     styles
@@ -122,6 +123,7 @@ test('the wall is walked, favoured, bred and used by keyboard alone', async ({ p
 
 test('a shuffle keeps the layer that is locked, and mixes invented styles in', async ({ page }) => {
   await openBoard(page, FOUR);
+  await tab(page, 'Styles');
   await page.getByRole('button', { name: 'How Shuffle chooses styles' }).click();
   await page.getByRole('slider', { name: 'Invented styles' }).fill('1');
   const unlisted = page

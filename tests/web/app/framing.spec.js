@@ -1,6 +1,6 @@
 // @ts-check
 import { boxOf, changed, drag, four, panel } from './panel-hands.js';
-import { expect, idle, picture, press, test } from './support.js';
+import { expect, idle, picture, press, tab, test } from './support.js';
 
 test('by mouse: wheel zooms, drag pans, double click fits, Reset restores', async ({ page }) => {
   await four(page);
@@ -42,6 +42,7 @@ test('a drag is one undo step, and a crop made by hand outlives a longer gutter'
   await drag(page, [box.x + 60, box.y + 60], [box.x + 20, box.y + 30]);
   await press(page, 'Undo');
   expect(changed(near, await picture(page))).toEqual([]);
+  await tab(page, 'Page');
   await page.getByRole('slider', { name: 'Gutter' }).fill('3');
   await idle(page);
   await page.getByRole('slider', { name: 'Gutter' }).fill('1.8');

@@ -1,7 +1,7 @@
 // @ts-check
 import { readFile } from 'node:fs/promises';
 import { PNG } from '../../../www/testing.ts';
-import { contents, expect, idle, openBoard, picture, test } from './support.js';
+import { contents, expect, idle, openBoard, picture, tab, test } from './support.js';
 
 test('from the start to the file by keyboard alone', async ({ page }) => {
   await page.goto('./');
@@ -45,6 +45,7 @@ test('L, S and P shuffle their part', async ({ page }) => {
 
 test('arrows move between the panels, which are one tab stop', async ({ page }) => {
   await openBoard(page);
+  await tab(page, 'Layouts');
   const option = page.getByRole('listbox', { name: 'Layouts' }).getByRole('option');
   await option.first().click();
   await page.getByRole('combobox', { name: 'Panels' }).selectOption('6');
@@ -68,6 +69,7 @@ test('arrows move between the panels, which are one tab stop', async ({ page }) 
 
 test('lists are walked with arrows and chosen with Enter', async ({ page }) => {
   await openBoard(page);
+  await tab(page, 'Styles');
   const box = page.getByRole('listbox', { name: 'Styles' });
   await box.getByRole('option', { selected: true }).focus();
   await page.keyboard.press('Home');

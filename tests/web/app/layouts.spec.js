@@ -1,6 +1,6 @@
 // @ts-check
 import { readFile } from 'node:fs/promises';
-import { PNG, choose, contents, drop, expect, idle, openBoard, picture, press, test } from './support.js';
+import { choose, contents, drop, expect, idle, openBoard, picture, PNG, press, tab, test } from './support.js';
 
 /** @typedef {import('../../../www/testing.ts').Page} Page */
 
@@ -15,6 +15,7 @@ const cut = (/** @type {Page} */ page, /** @type {number} */ n = 1) =>
  * @returns {Promise<{ name: string, bytes: Buffer, layout: any }>}
  */
 async function savedLayout(page) {
+  await tab(page, 'Layouts');
   const [download] = await Promise.all([
     page.waitForEvent('download'),
     page.getByRole('button', { name: 'Save layout' }).click(),
@@ -64,6 +65,7 @@ function gutters({ data, width, height }) {
 
 test('a family is chosen, and gutter and page size change the page', async ({ page }) => {
   await openBoard(page);
+  await tab(page, 'Layouts');
   const family = page.getByRole('combobox', { name: 'Family' });
   await family.selectOption('grid');
   const names = await layouts(page)
@@ -74,14 +76,18 @@ test('a family is chosen, and gutter and page size change the page', async ({ pa
   await idle(page);
   expect((await contents(page)).layout).toBe(names[1]);
   const before = await picture(page);
+  await tab(page, 'Page');
   await page.getByRole('slider', { name: 'Gutter' }).fill('4');
   await idle(page);
   expect(await picture(page)).not.toBe(before);
   // What is too thin on a tall page is not offered there.
+  await tab(page, 'Layouts');
   await family.selectOption('');
   const all = await layouts(page).getByRole('option').count();
+  await tab(page, 'Page');
   await page.getByRole('combobox', { name: 'Page size' }).selectOption('webtoon');
   await idle(page);
+  await tab(page, 'Layouts');
   const tall = await layouts(page).getByRole('option').count();
   expect(tall).toBeGreaterThan(5);
   expect(tall).not.toBe(all);
@@ -89,6 +95,7 @@ test('a family is chosen, and gutter and page size change the page', async ({ pa
 
 test('a size of one’s own is typed in millimetres, and a wrong one is said', async ({ page }) => {
   await openBoard(page);
+  await tab(page, 'Page');
   const settings = page.getByRole('region', { name: 'Page settings' });
   await settings.getByLabel('Page size').selectOption('custom');
   await settings.getByLabel('Unit').selectOption('mm');
@@ -110,6 +117,7 @@ test('a size of one’s own is typed in millimetres, and a wrong one is said', a
 
 test('a surprise becomes the page’s layout, is saved, kept, and loaded in another session', async ({ page }) => {
   await openBoard(page);
+  await tab(page, 'Layouts');
   await page.getByRole('combobox', { name: 'Panels' }).selectOption('4');
   const before = await picture(page);
   await press(page, 'Surprise layout');
@@ -135,6 +143,7 @@ test('a surprise becomes the page’s layout, is saved, kept, and loaded in anot
   expect((await contents(page)).layout).toBe(layout.name);
   expect((await savedLayout(page)).layout).toEqual(layout);
   await openBoard(page);
+  await tab(page, 'Layouts');
   await expect(mine.getByRole('option', { name: layout.name })).toBeVisible();
 });
 
@@ -165,10 +174,12 @@ test('a bad layout file is an alert with file, path and reason', async ({ page }
 test('a cut is dragged by mouse and moved by keyboard, and the file shows it', async ({ page }) => {
   await openBoard(page);
   await choose(page, 'grid', 'Three thirds');
+  await tab(page, 'Page');
   await page.getByLabel('Paper colour').fill(PAPER);
   await idle(page);
   const first = gutters(await exported(page));
   expect(first.length).toBeGreaterThan(0);
+  await tab(page, 'Layouts');
   await page.getByRole('button', { name: 'Edit layout' }).click();
   const handle = cut(page);
   const value = async () => Number(await handle.getAttribute('aria-valuenow'));

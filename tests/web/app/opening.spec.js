@@ -3,7 +3,7 @@
 
 import { soundPage, soundProject } from './hostile-files.js';
 import { SMALL, goodFiles, saved } from './project-hands.js';
-import { accessible, add, contents, drop, expect, idle, picture, press, test } from './support.js';
+import { accessible, add, contents, drop, expect, idle, picture, press, tab, test } from './support.js';
 import { tables } from './table-hands.js';
 import { word, write } from './word-hands.js';
 
@@ -145,6 +145,7 @@ test('a project that the page fails to draw is taken back, and one that it fails
   await page.evaluate(() => {
     Object.assign(window, { trap: 3.3 });
   });
+  await tab(page, 'Page');
   await page.getByRole('slider', { name: 'Gutter' }).fill('3.3');
   const broken = page.getByRole('group', { name: 'First cannot be shown: part of it cannot be drawn.' });
   await expect(broken).toBeVisible();
@@ -190,7 +191,7 @@ test('a page takes two hundred words, and says so', async ({ page }) => {
   await drop(page, [asFile(await soundProject(good.project))]);
   await expect(page.getByLabel('Project name')).toHaveValue('Hostile');
   await idle(page);
-  await page.locator('.words-section summary').click();
+  await tab(page, 'Words');
   await page.getByRole('button', { name: 'Add caption' }).click();
   await expect(page.getByRole('alert').getByText('A page holds 200 words.')).toBeVisible();
   await saved(page);

@@ -1,7 +1,7 @@
 // @ts-check
 import { readFile } from 'node:fs/promises';
 import { FOUR, addBlock, button, cards, drawn, names, openDesigner, preview, region } from './designer-hands.js';
-import { drop, expect, idle, openBoard, picture, test } from './support.js';
+import { drop, expect, idle, openBoard, picture, tab, test } from './support.js';
 
 test('a style goes out as a file and a link, and comes back by both', async ({ page, context }) => {
   await context.grantPermissions(['clipboard-read', 'clipboard-write']);
@@ -60,6 +60,7 @@ test('a style file dropped on the window is opened, and a style deleted comes ba
   expect(await names(page)).toEqual(['To GrayScale', 'Posterization']);
   await button(page, 'Use').click();
   await idle(page);
+  await tab(page, 'Styles');
   const styles = page.getByRole('listbox', { name: 'Styles' });
   await expect(styles.getByRole('option', { name: 'Dropped' })).toHaveAttribute('aria-selected', 'true');
   await page.getByRole('button', { name: 'Designer', exact: true }).click();

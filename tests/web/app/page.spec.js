@@ -1,5 +1,5 @@
 // @ts-check
-import { contents, expect, idle, openBoard, picture, press, test } from './support.js';
+import { contents, expect, idle, openBoard, picture, press, tab, test } from './support.js';
 
 test('shuffle shows another page, again and again', async ({ page }) => {
   await openBoard(page);
@@ -52,7 +52,8 @@ for (const part of /** @type {const} */ (['layout', 'style', 'photos'])) {
 
 test('a layout and a style are chosen from their lists', async ({ page }) => {
   await openBoard(page);
-  for (const list of ['Layouts', 'Styles']) {
+  for (const list of /** @type {const} */ (['Layouts', 'Styles'])) {
+    await tab(page, list);
     const box = page.getByRole('listbox', { name: list });
     const before = await picture(page);
     const option = box.getByRole('option', { selected: false }).nth(2);
@@ -66,6 +67,7 @@ test('a layout and a style are chosen from their lists', async ({ page }) => {
 
 test('layouts are filtered by family and number of panels, and shuffling keeps the number', async ({ page }) => {
   await openBoard(page);
+  await tab(page, 'Layouts');
   const box = page.getByRole('listbox', { name: 'Layouts' });
   const all = await box.getByRole('option').count();
   await page.getByRole('combobox', { name: 'Panels' }).selectOption('4');
@@ -124,6 +126,7 @@ test('undo and redo step through every edit', async ({ page }) => {
 
 test('page settings are live, and a drag is one undo step', async ({ page }) => {
   await openBoard(page);
+  await tab(page, 'Page');
   const settings = page.getByRole('region', { name: 'Page settings' });
   const before = await picture(page);
   const shown = new Set([before]);
@@ -147,6 +150,7 @@ test('page settings are live, and a drag is one undo step', async ({ page }) => 
 
 test('another page size changes the shape of the page', async ({ page }) => {
   await openBoard(page);
+  await tab(page, 'Page');
   await page.getByRole('combobox', { name: 'Page size' }).selectOption('square');
   await idle(page);
   const box = await page.locator('.page-canvas').boundingBox();

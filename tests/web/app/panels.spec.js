@@ -1,9 +1,10 @@
 // @ts-check
-import { accessible, choose, contents, expect, idle, openBoard, picture, press, test } from './support.js';
+import { accessible, choose, contents, expect, idle, openBoard, picture, press, tab, test } from './support.js';
 
 test('a panel is split into rows and columns and taken away', async ({ page }) => {
   await openBoard(page);
   await choose(page, 'grid', 'Four');
+  await tab(page, 'Layouts');
   await page.getByRole('button', { name: 'Edit layout' }).click();
   const panels = page.getByRole('group', { name: /^Panel \d+ of/ });
   await expect(page.getByRole('button', { name: 'Split into rows' })).toBeDisabled();
@@ -96,9 +97,11 @@ for (const colorScheme of /** @type {const} */ (['light', 'dark'])) {
   test(`axe finds nothing while panels are chosen and cuts are moved, in ${colorScheme}`, async ({ page }) => {
     await page.emulateMedia({ colorScheme });
     await openBoard(page);
+    await tab(page, 'Layouts');
     await press(page, 'Surprise layout');
     await page.getByRole('button', { name: 'Edit layout' }).click();
     await page.getByRole('group', { name: /^Panel 1 of/ }).click({ position: { x: 20, y: 20 } });
+    await tab(page, 'Page');
     await page.getByRole('combobox', { name: 'Page size' }).selectOption('custom');
     await idle(page);
     await accessible(page);

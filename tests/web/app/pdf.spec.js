@@ -6,7 +6,7 @@ import { readFile, writeFile } from 'node:fs/promises';
 import { promisify } from 'node:util';
 import { PNG } from '../../../www/testing.ts';
 import { openExport, saved, savedAs } from './export-hands.js';
-import { expect, idle, openBoard, press, test } from './support.js';
+import { expect, idle, openBoard, press, tab, test } from './support.js';
 import { write } from './word-hands.js';
 
 const run = promisify(execFile);
@@ -75,6 +75,7 @@ function difference(a, b) {
 
 test('all pages go into one PDF, and into one archive', async ({ page }) => {
   await openBoard(page);
+  await tab(page, 'Layouts');
   await page.getByRole('combobox', { name: 'Panels' }).selectOption('3');
   await idle(page);
   await press(page, 'Add page');

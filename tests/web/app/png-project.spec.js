@@ -5,7 +5,7 @@ import { withoutMetadata } from '../../../www/engine/metadata/strip.ts';
 import { SECRETS, loaded } from '../../../www/engine/metadata/testing.ts';
 import { openExport, saved } from './export-hands.js';
 import { panel } from './panel-hands.js';
-import { SIX, accessible, add, drop, expect, idle, openBoard, photos, picture, press, test } from './support.js';
+import { accessible, add, drop, expect, idle, openBoard, photos, picture, press, SIX, tab, test } from './support.js';
 import { word, write } from './word-hands.js';
 
 /** @typedef {import('../../../www/testing.ts').Page} Page */
@@ -35,6 +35,7 @@ async function ownPage(page) {
   await page.goto('./');
   await add(page, [...(await told(...SIX.slice(0, 3))), ...(await photos(...SIX.slice(3)))]);
   await idle(page);
+  await tab(page, 'Layouts');
   await page.getByRole('combobox', { name: 'Panels' }).selectOption('6');
   await press(page, 'Surprise layout');
   await drop(page, [

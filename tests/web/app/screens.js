@@ -3,7 +3,7 @@
 
 import { drawn } from './designer-hands.js';
 import { four, panel } from './panel-hands.js';
-import { add, choose, expect, idle, photos, test } from './support.js';
+import { add, choose, expect, idle, photos, tab, test } from './support.js';
 import { openWords } from './word-hands.js';
 
 /** @typedef {import('../../../www/testing.ts').Page} Page */
@@ -24,9 +24,15 @@ async function work(page, name) {
   await button(page, name).click();
 }
 
-/** @param {Page} page @param {string} name of a drawer on a small screen */
+/** Opens a drawer of a small screen, or a tab of a large one. @param {Page} page @param {string} name */
 async function drawer(page, name) {
   if (await button(page, name).isVisible()) await button(page, name).click();
+  else await page.getByRole('tab', { name, exact: true }).click();
+}
+
+/** The photos are always in view on a large screen. @param {Page} page */
+async function photoDrawer(page) {
+  if (await button(page, 'Photos').isVisible()) await button(page, 'Photos').click();
 }
 
 /** Screens of a wide and of a small window. @type {Record<string, (page: Page) => Promise<void>>} */
@@ -43,7 +49,7 @@ const SCREENS = {
     await page.getByRole('slider', { name: /^Cut 1 of/ }).focus();
   },
   photos: async (page) => {
-    await drawer(page, 'Photos');
+    await photoDrawer(page);
     await unfold(page, 'Choice of photos');
     await button(page, 'Show subjects').click();
   },
@@ -53,7 +59,7 @@ const SCREENS = {
       (await photos('cat.jpg')).map((photo) => ({ ...photo, name: 'cat again.jpg' })),
     );
     await idle(page);
-    await drawer(page, 'Photos');
+    await photoDrawer(page);
     await page.getByRole('button', { name: /^Show the 2 photos like/ }).click();
   },
   'styles and how they are chosen': async (page) => {
@@ -73,7 +79,7 @@ const SCREENS = {
   },
   'page settings': async (page) => {
     if (await button(page, 'Page settings').isVisible()) await button(page, 'Page settings').click();
-    else await unfold(page, 'Page settings');
+    else await tab(page, 'Page');
     await page.getByRole('combobox', { name: 'Page size' }).selectOption('custom');
     await unfold(page, 'Description of the page');
   },

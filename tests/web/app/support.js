@@ -113,12 +113,23 @@ export async function press(page, name) {
 }
 
 /**
+ * Opens a tab beside the page; on a small screen, where there are none, nothing.
+ * @param {Page} page
+ * @param {'Styles' | 'Layouts' | 'Words' | 'Page'} name
+ */
+export async function tab(page, name) {
+  const found = page.getByRole('tab', { name, exact: true });
+  if (await found.isVisible()) await found.click();
+}
+
+/**
  * Takes a layout by its name.
  * @param {Page} page
  * @param {string} family
  * @param {string} name
  */
 export async function choose(page, family, name) {
+  await tab(page, 'Layouts');
   await page.getByRole('combobox', { name: 'Family' }).selectOption(family);
   await page.getByRole('listbox', { name: 'Layouts' }).getByRole('option', { name, exact: true }).click();
   await idle(page);
@@ -130,8 +141,12 @@ export async function choose(page, family, name) {
  * @param {Page} page
  */
 export async function contents(page) {
-  const chosen = (/** @type {string} */ list) =>
-    page.getByRole('listbox', { name: list }).getByRole('option', { selected: true }).getAttribute('aria-label');
+  // One of the lists is behind the other's tab.
+  const chosen = (/** @type {string} */ name) =>
+    page
+      .getByRole('listbox', { name, includeHidden: true })
+      .getByRole('option', { selected: true, includeHidden: true })
+      .getAttribute('aria-label');
   const panels = page.getByRole('region', { name: 'Storyboard page' }).getByRole('group', { name: /^Panel \d/ });
   return {
     layout: await chosen('Layouts'),

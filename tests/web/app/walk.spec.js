@@ -3,7 +3,7 @@
 
 import { readFile } from 'node:fs/promises';
 import { four } from './panel-hands.js';
-import { PNG, expect, idle, openBoard, picture, test } from './support.js';
+import { expect, idle, openBoard, picture, PNG, tab, test } from './support.js';
 
 /** @typedef {import('../../../www/testing.ts').Page} Page */
 
@@ -85,6 +85,9 @@ test('from the start to a page, shuffled and locked', async ({ page }) => {
 
 test('a layout and a style are chosen', async ({ page }) => {
   await openBoard(page);
+  await tabTo(page, 'Styles');
+  await page.keyboard.press('ArrowRight');
+  await expectFocus(page, 'Layouts');
   await tabTo(page, 'Family');
   await page.keyboard.type('Grid');
   await tabTo(page, 'Panels');
@@ -95,6 +98,7 @@ test('a layout and a style are chosen', async ({ page }) => {
   await idle(page);
   await expectFocus(page, 'Four');
   await expect(page.getByRole('group', { name: 'Panel 4 of 4' })).toBeVisible();
+  await tab(page, 'Styles');
   await page.getByRole('listbox', { name: 'Styles' }).getByRole('option', { selected: true }).focus();
   for (const key of ['Home', 'ArrowRight', 'Enter']) await page.keyboard.press(key);
   await idle(page);
@@ -166,8 +170,10 @@ test('a slider of the designer is moved, and the focus comes back to what opened
 
 test('a word is written, moved and taken away', async ({ page }) => {
   await openBoard(page);
-  await tabTo(page, 'Words');
-  await page.keyboard.press('Enter');
+  await tabTo(page, 'Styles');
+  await page.keyboard.press('ArrowRight');
+  await page.keyboard.press('ArrowRight');
+  await expectFocus(page, 'Words');
   await tabTo(page, 'Add balloon');
   await page.keyboard.press('Enter');
   await expectFocus(page, /^Text of/);

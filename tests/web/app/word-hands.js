@@ -1,17 +1,17 @@
 // @ts-check
 /** What the tests of words share: finding, adding and measuring them. */
 
-import { expect, idle, pixelsOf } from './support.js';
+import { expect, idle, pixelsOf, tab } from './support.js';
 
 /** @typedef {import('../../../www/testing.ts').Page} Page */
 
 export const word = (/** @type {Page} */ page, /** @type {string | RegExp} */ name) =>
   page.locator('.words').getByRole('button', { name, exact: typeof name === 'string' });
 
-/** Opens the drawer of words where it is shut. @param {Page} page */
+/** Opens the words of a large screen. @param {Page} page */
 export async function openWords(page) {
   const tools = page.getByRole('region', { name: 'Words', exact: true });
-  if (!(await tools.isVisible())) await page.locator('.words-section > summary').click();
+  await tab(page, 'Words');
   await expect(tools).toBeVisible();
 }
 

@@ -1,7 +1,7 @@
 // @ts-check
 import { readFile } from 'node:fs/promises';
 import { PNG } from '../../../www/testing.ts';
-import { accessible, add, contents, drop, expect, idle, openBoard, press, test } from './support.js';
+import { accessible, add, contents, drop, expect, idle, openBoard, press, tab, test } from './support.js';
 import { box, inked, word, write } from './word-hands.js';
 
 const VIDEO = new URL('../../videos/album.mp4', import.meta.url);
@@ -42,6 +42,7 @@ test('every drag has a click and a field', async ({ page }) => {
 test('words stay through shuffles, are on the alternatives and in the PNG', async ({ page }) => {
   await openBoard(page);
   // A style in gray: no photo has the caption's yellow.
+  await tab(page, 'Styles');
   await page.getByRole('listbox', { name: 'Styles' }).getByRole('option', { name: 'Noir', exact: true }).click();
   await page.getByRole('button', { name: 'Lock style' }).click();
   await write(page, 'caption', 'ONCE UPON A TIME');

@@ -2,6 +2,13 @@
 
 export const sideStrings = {
   look: 'Look of the page',
+  pageTools: 'Page tools',
+  sideTab: { styles: 'Styles', layouts: 'Layouts', words: 'Words', page: 'Page' },
+  searchStyles: 'Search styles',
+  anyStyles: 'All',
+  styleFamilies: 'Kinds of styles',
+  recentStyles: 'Recent',
+  noStyles: 'No style of this name.',
   drawer: 'Drawer',
   layouts: 'Layouts',
   styles: 'Styles',

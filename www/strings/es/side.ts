@@ -1,5 +1,12 @@
 export const sideStrings = {
   look: 'Aspecto de la página',
+  pageTools: 'Herramientas de la página',
+  sideTab: { styles: 'Estilos', layouts: 'Plantillas', words: 'Palabras', page: 'Página' },
+  searchStyles: 'Buscar estilos',
+  anyStyles: 'Todos',
+  styleFamilies: 'Clases de estilos',
+  recentStyles: 'Recientes',
+  noStyles: 'Ningún estilo se llama así.',
   drawer: 'Cajón',
   layouts: 'Plantillas',
   styles: 'Estilos',
