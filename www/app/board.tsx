@@ -4,6 +4,7 @@
  */
 
 import { strings } from '../strings/strings.ts';
+import { ActionButton } from '../ui/action-button.tsx';
 import { Alternatives } from '../page/alternatives-strip.tsx';
 import { PageStrip } from '../book/page-strip.tsx';
 import { BottomBar } from './bottom-bar.tsx';
@@ -49,7 +50,7 @@ function WideBoard() {
 }
 
 function NarrowBoard() {
-  const { ui, book, selection, reshaping } = useApp();
+  const { ui, book, selection, reshaping, actions } = useApp();
   const sheet = ui.sheet.value;
   const several = book.several.value;
   const byHand = reshaping.editing.value || selection.several.value || selection.panels.value.length > 0;
@@ -97,6 +98,7 @@ function NarrowBoard() {
       {sheet === 'settings' && (
         <Sheet title={strings.pageSettings}>
           <PageSettingsForm />
+          <ActionButton action={actions.window.theme} class="button sheet-theme" text />
         </Sheet>
       )}
       <BottomBar />

@@ -48,6 +48,8 @@ import { strings } from '../strings/strings.ts';
 import { App } from './app.tsx';
 import { AppContext } from '../ui/context.ts';
 import { acceptFiles } from './drop.ts';
+import { trackPointed } from './pointed.ts';
+import { holdSliders } from './slider-touch.ts';
 import { drawn } from './guard.tsx';
 import { keepFocus } from './focus-keeper.ts';
 import { openFiles } from '../photos/file-input.tsx';
@@ -198,8 +200,9 @@ const parts: Parts = {
   engine,
 };
 const actions = createActions(parts);
-window.addEventListener('keydown', createKeys({ actions, ui, leave: leaveMode }));
+window.addEventListener('keydown', createKeys({ actions, ui, leave: leaveMode, pointed: trackPointed(window) }));
 acceptFiles(window, intake);
+holdSliders(window);
 
 /** Whether something is on its way that nobody should wait for longer than need be. */
 const busy = () =>
@@ -261,6 +264,7 @@ function openLink() {
 
 /** What Escape leaves: what was begun last. */
 function leaveMode() {
+  if (framing.placing.peek() !== null) return () => framing.place(null);
   if (lettering.mode.peek()) return () => void (lettering.mode.value = null);
   if (framing.mode.peek()) return () => void (framing.mode.value = null);
   if (selection.several.peek() || selection.panels.peek().length > 0) return () => selection.choose(false);
@@ -270,6 +274,7 @@ function leaveMode() {
 
 /** Closes what belongs to the page before. */
 function leavePage() {
+  framing.place(null);
   framing.mode.value = null;
   reshaping.editing.value = false;
   selection.choose(false);

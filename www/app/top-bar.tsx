@@ -25,7 +25,8 @@ export function TopBar() {
       <div class="top-middle">{page && <Steps />}</div>
       <div class="top-end">
         {page && !compact && <Workspaces />}
-        <ActionButton action={actions.window.theme} />
+        {/* On a small screen it is among the page's settings: the bar has room for eight fingers. */}
+        {(!compact || !page) && <ActionButton action={actions.window.theme} />}
         {!compact && <ActionButton action={actions.window.keys} />}
         {compact && page && (
           <>
