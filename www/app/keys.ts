@@ -10,24 +10,27 @@ import type { Tables } from './actions.ts';
 
 /** What uses a key itself when it has the focus. */
 const OWN_USE: Record<string, string> = {
-  Space: 'button, input, a, select, [role=option], summary',
+  Space: 'button, [role=button], input, a, select, [role=option], summary',
   PageUp: 'input, select, [role=listbox], [role=slider]',
   PageDown: 'input, select, [role=listbox], [role=slider]',
 };
 const TEXT_FIELDS = 'input:not([type=checkbox], [type=range], [type=color], [type=file]), textarea, select';
 
 /**
- * @param parts `leave`: what Escape does on the board, where it does something
+ * @param parts `leave`: what Escape does on the board, where it does something; `pointed`: the button that was pressed by the
+ *   pointer and has the focus by that alone: Space is not meant for it
  * @returns a listener for `keydown` on the window
  */
 export function createKeys({
   actions,
   ui,
   leave,
+  pointed = () => null,
 }: {
   actions: Tables;
   ui: Pick<Ui, 'dialog' | 'work' | 'letterKeys'>;
   leave: () => (() => void) | undefined;
+  pointed?: () => Element | null;
 }): (event: KeyboardEvent) => void {
   const byKeys = new Map(
     everyAction(actions)
@@ -46,7 +49,11 @@ export function createKeys({
     if (!shortcut || !action || isSilent(shortcut, event.target)) return;
     // Over the board the page is out of sight: nothing shuffles it unseen.
     if (ui.work.peek() !== null && action.heard !== 'everywhere') return;
-    if (isEnabled(action)) take(event, action.run);
+    if (isEnabled(action)) {
+      // Some browsers press a button that has the focus when the key is let go.
+      if (shortcut === 'Space') (pointed() as HTMLElement | null)?.blur();
+      take(event, action.run);
+    }
     // What the browser would do instead, such as saving its own copy of the page, is not what was meant.
     else if (shortcut.includes('Mod+')) event.preventDefault();
   };
@@ -55,7 +62,9 @@ export function createKeys({
   function isSilent(shortcut: string, target: EventTarget | null) {
     if (/^[A-Z?]$/.test(shortcut) && !ui.letterKeys.peek()) return true;
     const own = OWN_USE[shortcut];
-    return own !== undefined && target instanceof Element && target.closest(own) !== null;
+    if (own === undefined || !(target instanceof Element)) return false;
+    const control = target.closest(own);
+    return control !== null && !(shortcut === 'Space' && control === pointed());
   }
 }
 

@@ -8,13 +8,14 @@ import { PLAIN, thumbnail } from './cover.ts';
 import { Icon } from '../ui/icon.tsx';
 import { PHOTO } from './photo-drag.ts';
 import { PhotoSubjects } from './subject-boxes.tsx';
+import type { PageDocument } from '../engine/documents.ts';
 import type { TrayItem } from '../document/project.ts';
 
 const SIDE = 96;
 
 /** @param props `stack`: how many it stands for, on top of a closed stack; `onTake`: to take it in place of the others */
 export function PhotoTile({
-  item: { id, starred = false },
+  item: { id, use, starred = false },
   used,
   stack = 0,
   onTake,
@@ -24,7 +25,7 @@ export function PhotoTile({
   stack?: number;
   onTake?: () => void;
 }) {
-  const { store, reading, choosing, engine, selection, framing, ui } = useApp();
+  const { store, pages, reading, choosing, engine, selection, framing, messages, ui } = useApp();
   const [panel, ...others] = selection.panels.value;
   const takes = panel !== undefined && others.length === 0 && !framing.isLocked(panel);
   // Each photo that arrives makes another album; only its own tile is drawn anew.
@@ -32,7 +33,22 @@ export function PhotoTile({
   const verdict = useComputed(() => store.verdicts.value.get(id)).value;
   const name = fact?.name ?? id;
   const ready = fact?.meta !== null && engine.hasPhoto(id);
-  const about = [fact?.credit ?? name, verdict && strings.verdict(verdict.why)].filter(Boolean).join('\n');
+  const why = use === false ? strings.youLeftOut : verdict && strings.verdict(verdict.why);
+  const about = [fact?.credit ?? name, why, ready && strings.pickLong].filter(Boolean).join('\n');
+  const short = useComputed(() => shownOn(store.sheets.value, id, false)).value;
+  const long = useComputed(() => shownOn(store.sheets.value, id, true)).value;
+  const picked = framing.placing.value === id;
+
+  function pick() {
+    if (takes) framing.replace(panel, id);
+    else framing.place(picked ? null : id);
+  }
+
+  function setUsed(on: boolean) {
+    reading.use(id, on);
+    if (!on) messages.note(strings.leftOut(name), { label: strings.undo, run: pages.undo });
+  }
+
   return (
     <li
       class="photo"
@@ -42,19 +58,41 @@ export function PhotoTile({
       draggable={ready}
       onDragStart={(event) => event.dataTransfer?.setData(PHOTO, id)}
     >
-      <label class="photo-picture">
+      {/* No button element: Firefox drags nothing by one. */}
+      <div
+        class="photo-picture"
+        role="button"
+        tabIndex={ready ? 0 : -1}
+        aria-label={strings.pickPhoto(name)}
+        aria-description={long || undefined}
+        aria-pressed={picked}
+        aria-disabled={!ready}
+        onClick={() => ready && pick()}
+        onKeyDown={(event) => {
+          if (!ready || (event.key !== 'Enter' && event.key !== ' ')) return;
+          event.preventDefault();
+          pick();
+        }}
+      >
         {ready ? (
           <Bitmap of={id} draw={(call) => engine.stylePhoto(id, PLAIN, thumbnail(fact?.meta, SIDE), call)} />
         ) : (
           <span class="bitmap" />
         )}
         {ui.subjects.value && <PhotoSubjects id={id} />}
+        {short && (
+          <span class="photo-places" aria-hidden="true">
+            {short}
+          </span>
+        )}
+      </div>
+      <label class="photo-use">
         <input
           type="checkbox"
           aria-label={strings.usePhoto(name)}
-          aria-describedby={verdict && `why-${id}`}
+          aria-describedby={why && `why-${id}`}
           checked={used}
-          onChange={(event) => reading.use(id, event.currentTarget.checked)}
+          onChange={(event) => setUsed(event.currentTarget.checked)}
         />
       </label>
       <button
@@ -108,11 +146,23 @@ export function PhotoTile({
       )}
       <span class="photo-name">{fact?.credit ?? name}</span>
       {fact?.absent && <span class="photo-why photo-missing">{strings.photoMissing}</span>}
-      {verdict && (
+      {why && (
         <span class="photo-why" id={`why-${id}`}>
-          {strings.verdict(verdict.why)}
+          {why}
         </span>
       )}
     </li>
   );
+}
+
+/** Where the storyboard shows a photo: as text, so that a tile is drawn anew only where it changes. */
+function shownOn(pages: readonly PageDocument[], id: string, long: boolean): string {
+  const several = pages.length > 1;
+  const say = (page: number, panel: number) => {
+    if (long) return strings.onPanelLong(several ? page : null, panel);
+    return several ? strings.onPageAndPanel(page, panel) : strings.onPanel(panel);
+  };
+  return pages
+    .flatMap(({ panels }, at) => panels.flatMap(({ photo }, panel) => (photo === id ? say(at + 1, panel + 1) : [])))
+    .join(', ');
 }

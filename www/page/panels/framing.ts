@@ -20,9 +20,14 @@ export type Mode = { kind: 'frame' | 'swap' | 'focus'; panel: number; at?: [numb
 export function createFraming({ store, pages }: { store: Store; pages: Pages }) {
   let steps = 0;
   const mode: Signal<Mode | null> = signal(null);
+  /** The photo that the next panel is to show. */
+  const placing: Signal<string | null> = signal(null);
 
   return {
     mode,
+    placing,
+    place,
+    placeIn,
     step,
     toggle,
     cropOf,
@@ -119,6 +124,21 @@ export function createFraming({ store, pages }: { store: Store; pages: Pages }) 
     const from = mode.peek();
     mode.value = null;
     if (from?.kind === 'swap') swap(from.panel, panel);
+  }
+
+  /** Takes a photo up, for the panel that is pressed next; null lays it down again. */
+  function place(photo: string | null) {
+    mode.value = null;
+    placing.value = photo;
+  }
+
+  /** @returns whether a photo was taken up for it */
+  function placeIn(panel: number): boolean {
+    const photo = placing.peek();
+    if (photo === null) return false;
+    placing.value = null;
+    replace(panel, photo);
+    return true;
   }
 
   function replace(panel: number, photo: string) {

@@ -68,6 +68,7 @@ export function usePanelKeys({ panels, go }: { panels: PanelShape[]; go: (panel:
     const mode = framing.mode.peek();
     if (way) return () => go(neighbour(panels, panel, way));
     if (key === 'Enter' || key === ' ') {
+      if (framing.placing.peek() !== null) return () => void framing.placeIn(panel);
       if (mode?.kind === 'swap') return () => framing.swapWith(panel);
       if ((key === 'Enter' && shiftKey) || selection.several.peek()) return () => selection.toggle(panel);
       if (key === 'Enter' && !framing.isLocked(panel))

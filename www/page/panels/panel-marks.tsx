@@ -8,6 +8,7 @@ import type { Bounds, Geometry, PageDocument } from '../../engine/documents.ts';
 export function PanelMarks({ page, geometry }: { page: PageDocument; geometry: Geometry }) {
   const { framing, store, selection } = useApp();
   const mode = framing.mode.value;
+  const placing = framing.placing.value;
   const [chosen] = selection.panels.value;
   const point = focusOf(mode?.kind === 'focus' ? mode.panel : chosen);
   return (
@@ -22,9 +23,9 @@ export function PanelMarks({ page, geometry }: { page: PageDocument; geometry: G
           ),
       )}
       {point && <span class="panel-focus" aria-hidden="true" style={at(point.bounds, point.u, point.v)} />}
-      {mode && (
+      {(mode || placing !== null) && (
         <p class="panel-hint" aria-live="polite">
-          {strings.modes[mode.kind]}
+          {mode ? strings.modes[mode.kind] : strings.modes.place}
         </p>
       )}
     </div>

@@ -42,7 +42,8 @@ export function Panels({ page, geometry }: { page: PageDocument; geometry: Geome
     event.stopPropagation();
     if (gestures.wasDrag()) return;
     const bounds = framing.boundsOf(panel);
-    if (mode?.kind === 'swap') framing.swapWith(panel);
+    if (framing.placeIn(panel)) selection.set([panel]);
+    else if (mode?.kind === 'swap') framing.swapWith(panel);
     else if (mode?.kind === 'focus' && bounds && ref.current) {
       framing.mode.value = null;
       framing.focus(panel, within({ x: event.clientX, y: event.clientY }, ref.current.getBoundingClientRect(), bounds));
@@ -54,7 +55,7 @@ export function Panels({ page, geometry }: { page: PageDocument; geometry: Geome
 
   return (
     <>
-      <div class="panels" ref={ref} data-mode={mode?.kind} onFocusOut={leave}>
+      <div class="panels" ref={ref} data-mode={framing.placing.value !== null ? 'swap' : mode?.kind} onFocusOut={leave}>
         {geometry.panels.slice(0, count).map((panel, i) => (
           <div
             key={i}

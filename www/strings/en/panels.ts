@@ -39,6 +39,7 @@ export const panelStrings = {
   modes: {
     frame: 'Arrows move the photo, + and − zoom, 0 resets, Enter ends',
     swap: 'Choose the panel to swap with',
+    place: 'Choose the panel for this photo',
     focus: 'Click what matters, or use arrows and Enter',
   },
   cuts: 'Cuts of the layout',

@@ -3,6 +3,14 @@
 export const photoStrings = {
   photos: 'Photos',
   usePhoto: (name: string) => `Use ${name}`,
+  pickPhoto: (name: string) => `Choose ${name}`,
+  pickLong: 'Click to put it in the chosen panel, or in the one that is clicked next; drag it onto a panel',
+  onPanel: (panel: number) => `${panel}`,
+  onPageAndPanel: (page: number, panel: number) => `${page} · ${panel}`,
+  onPanelLong: (page: number | null, panel: number) =>
+    page === null ? `on panel ${panel}` : `on page ${page}, panel ${panel}`,
+  youLeftOut: 'You left it out',
+  leftOut: (name: string) => `${name} is left out.`,
   starPhoto: (name: string) => `Star ${name}`,
   starLong: 'Show it large, here and in every shuffle',
   removePhoto: (name: string) => `Remove ${name}`,

@@ -35,6 +35,7 @@ export const panelStrings = {
   modes: {
     frame: 'Las flechas mueven la foto, + y − amplían y reducen, 0 restablece, Intro termina',
     swap: 'Elige la viñeta con la que intercambiar',
+    place: 'Elige la viñeta para esta foto',
     focus: 'Pulsa donde importa, o usa las flechas e Intro',
   },
   cuts: 'Cortes de la plantilla',

@@ -1,6 +1,14 @@
 export const photoStrings = {
   photos: 'Fotos',
   usePhoto: (name: string) => `Usar ${name}`,
+  pickPhoto: (name: string) => `Elegir ${name}`,
+  pickLong: 'Pulsa para ponerla en la viñeta elegida o en la próxima que pulses; o arrástrala a una viñeta',
+  onPanel: (panel: number) => `${panel}`,
+  onPageAndPanel: (page: number, panel: number) => `${page} · ${panel}`,
+  onPanelLong: (page: number | null, panel: number) =>
+    page === null ? `en la viñeta ${panel}` : `en la página ${page}, viñeta ${panel}`,
+  youLeftOut: 'La has dejado fuera',
+  leftOut: (name: string) => `${name} queda fuera.`,
   starPhoto: (name: string) => `Destacar ${name}`,
   starLong: 'Mostrarla grande, aquí y al barajar',
   removePhoto: (name: string) => `Quitar ${name}`,

@@ -1,0 +1,69 @@
+// @ts-check
+/** Photos on the table under the pointer: a click chooses and places, the tick alone leaves out, and each says where it is. */
+
+import { expect, idle, openBoard, test } from './support.js';
+
+/** @typedef {import('../../../www/testing.ts').Page} Page */
+
+const panel = (/** @type {Page} */ page, /** @type {number} */ n) =>
+  page.getByRole('group', { name: new RegExp(`^Panel ${n} of`) });
+const photo = (/** @type {Page} */ page, /** @type {string} */ name) =>
+  page.getByRole('region', { name: 'Photos' }).getByRole('button', { name: `Choose ${name}` });
+
+test('a click on a photo puts it into the chosen panel, and says where it is', async ({ page }) => {
+  await openBoard(page);
+  await panel(page, 2).click();
+  await photo(page, 'temple.jpg').click();
+  await idle(page);
+  await expect(panel(page, 2)).toHaveAccessibleDescription(/temple/);
+  await expect(photo(page, 'temple.jpg')).toHaveAccessibleDescription(/on panel 2/);
+  await expect(page.getByRole('checkbox', { name: 'Use temple.jpg' })).toBeChecked();
+});
+
+test('without a chosen panel the photo goes to the one that is clicked next, or nowhere with Escape', async ({
+  page,
+}) => {
+  await openBoard(page);
+  await photo(page, 'crab.jpg').click();
+  await expect(photo(page, 'crab.jpg')).toHaveAttribute('aria-pressed', 'true');
+  await expect(page.getByText('Choose the panel for this photo')).toBeVisible();
+  await page.keyboard.press('Escape');
+  await expect(photo(page, 'crab.jpg')).toHaveAttribute('aria-pressed', 'false');
+  await photo(page, 'crab.jpg').focus();
+  await page.keyboard.press('Enter');
+  await panel(page, 1).click();
+  await idle(page);
+  await expect(panel(page, 1)).toHaveAccessibleDescription(/crab/);
+});
+
+test('the tick leaves a photo out, tells it as one’s own doing, and offers to undo', async ({ page }) => {
+  await openBoard(page);
+  const tick = page.getByRole('checkbox', { name: 'Use bee.jpg' });
+  await tick.click();
+  await idle(page);
+  await expect(tick).not.toBeChecked();
+  await expect(tick).toHaveAccessibleDescription('You left it out');
+  await page.getByRole('status').getByRole('button', { name: 'Undo' }).click();
+  await idle(page);
+  await expect(tick).toBeChecked();
+});
+
+test('Space shuffles after a lock was pressed by the pointer, and presses it where keys brought the focus', async ({
+  page,
+}) => {
+  await openBoard(page);
+  const lock = page.getByRole('button', { name: 'Lock style' });
+  const count = () => page.locator('.page-number').innerText();
+  await lock.click();
+  const before = await count();
+  await page.keyboard.press('Space');
+  await idle(page);
+  await expect(lock).toHaveAttribute('aria-pressed', 'true');
+  expect(await count()).not.toBe(before);
+  await page.getByRole('button', { name: 'Shuffle style' }).focus();
+  await page.keyboard.press('Tab');
+  await page.keyboard.press('Shift+Tab');
+  await page.getByRole('button', { name: 'Lock style' }).focus();
+  await page.keyboard.press('Space');
+  await expect(lock).toHaveAttribute('aria-pressed', 'false');
+});

@@ -1,0 +1,77 @@
+// @ts-check
+/** The tabs beside the page: by keys, their lists, and what is seen of a choice before it is made. */
+
+import { contents, expect, idle, openBoard, picture, tab, test } from './support.js';
+
+test('tabs are one tab stop that arrows walk, and what is sought in one stays', async ({ page }) => {
+  await openBoard(page);
+  const list = page.getByRole('tablist', { name: 'Page tools' });
+  await expect(list.getByRole('tab')).toHaveText(['Styles', 'Layouts', 'Words', 'Page']);
+  await page.getByRole('searchbox', { name: 'Search styles' }).fill('noir');
+  const names = page.getByRole('listbox', { name: 'Styles' }).getByRole('option');
+  await expect(names.first()).toHaveAccessibleName(/noir/i);
+  const found = await names.count();
+  await list.getByRole('tab', { name: 'Styles' }).focus();
+  for (const [key, name] of [
+    ['ArrowRight', 'Layouts'],
+    ['End', 'Page'],
+    ['ArrowRight', 'Styles'],
+    ['ArrowLeft', 'Page'],
+    ['Home', 'Styles'],
+  ]) {
+    await page.keyboard.press(key);
+    await expect(list.getByRole('tab', { name, selected: true })).toBeFocused();
+    await expect(page.getByRole('tabpanel')).toHaveCount(1);
+    await expect(page.getByRole('tabpanel', { name })).toBeVisible();
+  }
+  expect(await names.count()).toBe(found);
+});
+
+test('styles are found by kind, and the one that was chosen is the first after a reload', async ({ page }) => {
+  await openBoard(page);
+  const box = page.getByRole('listbox', { name: 'Styles' });
+  const kinds = page.getByRole('group', { name: 'Kinds of styles' });
+  await kinds.getByRole('button', { name: 'Noir', exact: true }).click();
+  await expect(box.getByRole('group')).toHaveCount(1);
+  await box.getByRole('option', { name: 'Moonlight' }).click();
+  await idle(page);
+  expect((await contents(page)).style).toBe('Moonlight');
+  await kinds.getByRole('button', { name: 'All' }).click();
+  await page.reload();
+  await idle(page);
+  await expect(box.getByRole('group').first()).toHaveAccessibleName('Recent');
+  await expect(box.getByRole('option', { name: 'Moonlight' })).toHaveCount(1);
+});
+
+test('layouts tell how many panels they have', async ({ page }) => {
+  await openBoard(page);
+  await tab(page, 'Layouts');
+  await page.getByRole('combobox', { name: 'Family' }).selectOption('grid');
+  const four = page.getByRole('listbox', { name: 'Layouts' }).getByRole('option', { name: 'Four', exact: true });
+  await expect(four).toHaveAccessibleDescription('4 panels');
+  await expect(four.getByText('4 panels')).toBeVisible();
+});
+
+test('the whole page in a style is seen while one points at it, and Escape puts it away', async ({ page }) => {
+  await openBoard(page);
+  const before = await picture(page);
+  await page.getByRole('listbox', { name: 'Styles' }).getByRole('option', { name: 'Hard Boiled' }).hover();
+  const seen = page.locator('.glimpse [data-drawn=true]');
+  await expect(seen).toBeVisible();
+  await page.keyboard.press('Escape');
+  await expect(seen).toHaveCount(0);
+  expect(await picture(page)).toBe(before);
+});
+
+test('a word that is chosen on the page brings its fields', async ({ page }) => {
+  await openBoard(page);
+  await tab(page, 'Words');
+  await page.getByRole('button', { name: 'Add caption' }).click();
+  await page.keyboard.type('MORNING');
+  await page.keyboard.press('Enter');
+  await page.keyboard.press('Escape');
+  await idle(page);
+  await tab(page, 'Page');
+  await page.locator('.words').getByRole('button', { name: 'Caption: MORNING' }).click();
+  await expect(page.getByRole('tab', { name: 'Words', selected: true })).toBeVisible();
+});
