@@ -57,6 +57,7 @@ function Everything() {
     <div
       class="app"
       data-view={empty ? 'start' : 'board'}
+      data-preview={ui.preview.value && !ui.work.value}
       data-sheet={ui.sheet.value ?? 'none'}
       data-work={empty && !projects ? undefined : (ui.work.value ?? undefined)}
     >

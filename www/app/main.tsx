@@ -264,6 +264,7 @@ function openLink() {
 
 /** What Escape leaves: what was begun last. */
 function leaveMode() {
+  if (ui.preview.peek()) return () => void (ui.preview.value = false);
   if (framing.placing.peek() !== null) return () => framing.place(null);
   if (lettering.mode.peek()) return () => void (lettering.mode.value = null);
   if (framing.mode.peek()) return () => void (framing.mode.value = null);

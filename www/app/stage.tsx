@@ -96,6 +96,7 @@ export function Stage() {
           <ActionButton action={app.actions.page.acceptCrops} class="better-crops" text />
         )}
       </div>
+      {page && ui.wide.value && <ActionButton action={app.actions.window.preview} class="icon-button preview-button" />}
       <p class="visually-hidden" aria-live="polite">
         {said}
       </p>

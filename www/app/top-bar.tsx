@@ -57,9 +57,15 @@ function Steps() {
       <span class="divider" />
       <ActionButton action={page.previous} />
       <ActionButton action={page.versions} class="page-number">
-        {position(history) + 1}
-        <i>/</i>
-        {versions(history).length}
+        {ui.wide.value ? (
+          strings.versionAt(position(history) + 1, versions(history).length)
+        ) : (
+          <>
+            {position(history) + 1}
+            <i>/</i>
+            {versions(history).length}
+          </>
+        )}
       </ActionButton>
       <ActionButton action={page.next} />
       {ui.wide.value && <ActionButton action={page.favourite} class="icon-button page-heart" />}

@@ -16,6 +16,7 @@ export type Ui = ReturnType<typeof createUi>;
 const THEME_KEY = 'inkpanel.theme';
 const LETTERS_KEY = 'inkpanel.letters';
 const DETECT_KEY = 'inkpanel.detect';
+const IDEAS_KEY = 'inkpanel.ideas';
 
 export type Work = 'designer' | 'explorer' | 'projects' | 'pages';
 
@@ -37,6 +38,8 @@ export function createUi(window: Window) {
 
   /** Whether single letters are shortcuts: speech input and unsteady hands set them off unasked. */
   const letterKeys = signal(remembered(window, LETTERS_KEY) !== 'off');
+  /** Whether the strip of other pages is unfolded. */
+  const ideas = signal(remembered(window, IDEAS_KEY) !== 'off');
 
   return {
     wide,
@@ -45,6 +48,13 @@ export function createUi(window: Window) {
       letterKeys.value = on;
       keep(window, LETTERS_KEY, on ? 'on' : 'off');
     },
+    ideas,
+    toggleIdeas() {
+      ideas.value = !ideas.peek();
+      keep(window, IDEAS_KEY, ideas.value ? 'on' : 'off');
+    },
+    /** Whether the page has the window to itself. */
+    preview: signal(false),
     dark,
     /** The sheet that is open on a small screen. */
     sheet: signal(null) as Signal<Sheet | null>,

@@ -37,6 +37,15 @@ export function createWindowActions({ ui, designer }: Pick<Parts, 'ui' | 'design
     layouts: drawer('layouts', 'layout', strings.layouts),
     words: drawer('words', 'balloon', strings.words),
     settings: drawer('settings', 'settings', strings.pageSettings),
+    preview: {
+      label: computed(() => (ui.preview.value ? strings.endPreview : strings.preview)),
+      keys: ['F'],
+      icon: computed(() => (ui.preview.value ? 'close' : 'preview')),
+      on: ui.preview,
+      run: () => {
+        ui.preview.value = !ui.preview.peek();
+      },
+    },
     theme: {
       label: computed(() => (ui.dark.value ? strings.theme.light : strings.theme.dark)),
       icon: computed(() => (ui.dark.value ? 'sun' : 'moon')),

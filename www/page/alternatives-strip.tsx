@@ -4,20 +4,28 @@
 
 import { useEffect, useMemo, useRef } from 'preact/hooks';
 import { strings } from '../strings/strings.ts';
+import { useGlimpse } from './glimpse.tsx';
+import { Icon } from '../ui/icon.tsx';
 import { Bitmap, screenPixels, useInView } from '../ui/bitmap.tsx';
 import { useApp } from '../ui/context.ts';
 import type { PageDocument } from '../engine/documents.ts';
+import type { Point } from './glimpse.tsx';
 
 /** Pages made at a time: more than any strip shows at once. */
 const BATCH = 24;
 
 export function Alternatives() {
-  const { store, alternatives } = useApp();
+  const { store, alternatives, lettering, ui } = useApp();
   const strip = useRef(null as HTMLUListElement | null);
   const end = useRef(null as HTMLLIElement | null);
   const atEnd = useInView(end);
   const items = alternatives.items.value;
   const basis = alternatives.basis.value;
+  const open = ui.ideas.value || !ui.wide.value;
+  const glimpse = useGlimpse((number) => {
+    const page = alternatives.items.peek()[Number(number) - 1];
+    return page ? lettering.on(page) : null;
+  }, 'above');
 
   // Both in tasks of their own: scrolling lays the page out, and making pages is as much work as showing what has changed.
   useEffect(() => {
@@ -25,10 +33,10 @@ export function Alternatives() {
     return () => cancelAnimationFrame(frame);
   }, [basis]);
   useEffect(() => {
-    if (basis === '' || (!atEnd && items.length > 0)) return undefined;
+    if (!open || basis === '' || (!atEnd && items.length > 0)) return undefined;
     const task = setTimeout(() => alternatives.more(BATCH));
     return () => clearTimeout(task);
-  }, [basis, atEnd, items]);
+  }, [open, basis, atEnd, items]);
 
   function onWheel(event: WheelEvent) {
     // A wheel that only goes up and down moves the strip sideways.
@@ -36,10 +44,25 @@ export function Alternatives() {
   }
 
   return (
-    <section class="alternatives" aria-label={strings.alternatives} aria-busy={basis === ''}>
-      <ul class="strip" ref={strip} onWheel={onWheel}>
+    <section class="alternatives" aria-label={strings.alternatives} aria-busy={basis === ''} data-open={open}>
+      {ui.wide.value && (
+        <header class="ideas-head">
+          <h2>{strings.moreIdeas}</h2>
+          <button
+            type="button"
+            class="icon-button"
+            aria-expanded={open}
+            aria-label={open ? strings.foldIdeas : strings.unfoldIdeas}
+            title={open ? strings.foldIdeas : strings.unfoldIdeas}
+            onClick={ui.toggleIdeas}
+          >
+            <Icon name={open ? 'fold' : 'unfold'} />
+          </button>
+        </header>
+      )}
+      <ul class="strip" ref={strip} onWheel={onWheel} onPointerLeave={() => glimpse.point(null)} hidden={!open}>
         {items.map((page, i) => (
-          <Alternative key={`${basis}/${i}`} page={page} number={i + 1} />
+          <Alternative key={`${basis}/${i}`} page={page} number={i + 1} point={glimpse.point} />
         ))}
         {items.length === 0 &&
           Array.from({ length: BATCH }, (_, i) => (
@@ -49,12 +72,13 @@ export function Alternatives() {
           ))}
         <li class="strip-end" ref={end} aria-hidden="true" />
       </ul>
+      {glimpse.view}
       {store.page.value && items.length === 0 && <span class="visually-hidden">{strings.alternativesWait}</span>}
     </section>
   );
 }
 
-function Alternative({ page, number }: { page: PageDocument; number: number }) {
+function Alternative({ page, number, point }: { page: PageDocument; number: number; point: Point }) {
   const { store, pages, engine, lettering } = useApp();
   const words = lettering.rested.value;
   // Words belong to the story: another page has those of this one.
@@ -68,6 +92,11 @@ function Alternative({ page, number }: { page: PageDocument; number: number }) {
         ref={ref}
         aria-label={strings.alternative(number)}
         aria-current={store.page.value === shown ? 'true' : undefined}
+        onPointerEnter={({ pointerType, currentTarget }) =>
+          pointerType !== 'touch' && point(String(number), currentTarget)
+        }
+        onFocus={({ currentTarget }) => currentTarget.matches(':focus-visible') && point(String(number), currentTarget)}
+        onBlur={() => point(null)}
         onClick={() => pages.show(lettering.on(page))}
       >
         <Bitmap of={shown} draw={(call) => engine.renderPage(shown, width(), call)} />

@@ -4,9 +4,12 @@
  */
 
 import { useEffect, useState } from 'preact/hooks';
+import { strings } from '../strings/strings.ts';
 import { Bitmap, screenPixels } from '../ui/bitmap.tsx';
 import { useApp } from '../ui/context.ts';
-import type { PageDocument } from '../engine/documents.ts';
+import type { PageDocument, Style } from '../engine/documents.ts';
+
+type Named = { id: string; name: string };
 
 /** Milliseconds that one stays with a choice before it is drawn: who moves across a list wants to see the list. */
 const REST = 220;
@@ -69,8 +72,20 @@ function Glimpse({ page, at, side }: { page: PageDocument; at: DOMRect; side: 'l
   return (
     <div class="glimpse" style={style} aria-hidden="true">
       <Bitmap of={page} draw={(call) => engine.renderPage(page, screenPixels(width), call)} />
+      <p class="glimpse-name">{useName(page)}</p>
     </div>
   );
+}
+
+/** What its layout and its style are called. */
+function useName({ layout, style }: PageDocument): string {
+  const { store, ownStyles } = useApp();
+  const entry = typeof layout === 'string' ? store.layouts.value.find(({ id }) => id === layout) : layout;
+  const look =
+    typeof style === 'string'
+      ? (ownStyles.find(style) ?? store.styles.value.find(({ id }) => id === style))
+      : (style as Style);
+  return [entry && strings.layoutTitle(entry as Named), look && strings.styleTitle(look)].filter(Boolean).join(' · ');
 }
 
 /** Of the side that the list is in, so that nothing of the list is hidden. */
