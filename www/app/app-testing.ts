@@ -13,6 +13,7 @@ import { createFraming } from '../page/panels/framing.ts';
 import { createMerging } from '../page/panels/merging.ts';
 import { createReshaping } from '../page/panels/reshaping.ts';
 import { createSelection } from '../page/panels/selection.ts';
+import { createChoosing } from '../photos/choosing.ts';
 import { createScrubbing } from '../page/panels/scrubbing.ts';
 import { createOwnStyles } from '../styles/own-styles.ts';
 import { createUi } from './ui.ts';
@@ -48,6 +49,7 @@ export async function fakeParts(): Promise<Parts> {
     shownPages: createShownPages({ store, pages }),
     merging: createMerging({ store, pages, selection }),
     framing: createFraming({ store, pages }),
+    choosing: createChoosing({ store, pages, reading }),
     reshaping: createReshaping({ store, pages, seed: () => 1 }),
     scrubbing: createScrubbing({ store, pages, reading, engine, messages }),
     lettering: createLettering({ store, messages, selection, load: () => new Promise(() => {}) }),

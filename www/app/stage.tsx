@@ -9,6 +9,7 @@ import { screenPixels } from '../ui/bitmap.tsx';
 import { useApp } from '../ui/context.ts';
 import { Cuts } from '../page/panels/cuts.tsx';
 import { createPainter } from '../page/painter.ts';
+import { PanelBar } from '../page/panels/panel-tools.tsx';
 import { Panels } from '../page/panels/panels.tsx';
 import { PanelSubjects } from '../photos/subject-boxes.tsx';
 import { useSwipe } from '../page/swipe.ts';
@@ -91,6 +92,7 @@ export function Stage() {
           )}
           {page && geometry && ui.subjects.value && <PanelSubjects page={page} geometry={geometry} />}
           {page && geometry && reshaping.editing.value && <Cuts />}
+          {page && geometry && <PanelBar geometry={geometry} />}
         </div>
         {isEnabled(app.actions.page.acceptCrops) && (
           <ActionButton action={app.actions.page.acceptCrops} class="better-crops" text />

@@ -38,7 +38,7 @@ export function createWindowActions({ ui, designer }: Pick<Parts, 'ui' | 'design
     words: drawer('words', 'balloon', strings.words),
     settings: drawer('settings', 'settings', strings.pageSettings),
     preview: {
-      label: computed(() => (ui.preview.value ? strings.endPreview : strings.preview)),
+      label: computed(() => (ui.preview.value ? strings.endFullScreen : strings.fullScreen)),
       keys: ['F'],
       icon: computed(() => (ui.preview.value ? 'close' : 'preview')),
       on: ui.preview,

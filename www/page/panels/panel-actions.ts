@@ -31,7 +31,8 @@ export function createPanelActions({
   scrubbing,
   reshaping,
   download,
-}: Pick<Parts, 'store' | 'selection' | 'merging' | 'framing' | 'scrubbing' | 'reshaping' | 'download'>) {
+  choosing,
+}: Pick<Parts, 'store' | 'selection' | 'merging' | 'framing' | 'scrubbing' | 'reshaping' | 'download' | 'choosing'>) {
   const chosen = selection.panels;
   const panel = () => chosen.peek()[0];
   const whyNotOne = computed(() => (chosen.value.length === 1 ? '' : strings.selectOne));
@@ -39,6 +40,9 @@ export function createPanelActions({
   const whyNotFramed = computed(() => whyNotOne.value || whyHeld.value);
   const use = computed(() => store.page.value?.panels[chosen.value[0]]);
   const lockedOne = computed(() => use.value?.locked ?? false);
+  const starred = computed(() =>
+    store.tray.value.some((item) => item.id === use.value?.photo && item.starred === true),
+  );
   const facts = store.layoutFacts;
 
   const whyNotSplit = computed(
@@ -118,8 +122,14 @@ export function createPanelActions({
       undo: 'step',
     },
     frame: FRAME_KEYS,
-    earlier: { label: strings.earlierFrame, icon: 'earlier', keys: [',', '<'], ...scrubbed(-1) },
-    later: { label: strings.laterFrame, icon: 'later', keys: ['.', '>'], ...scrubbed(1) },
+    earlier: {
+      label: strings.earlierFrame,
+      short: strings.short.earlier,
+      icon: 'earlier',
+      keys: [',', '<'],
+      ...scrubbed(-1),
+    },
+    later: { label: strings.laterFrame, short: strings.short.later, icon: 'later', keys: ['.', '>'], ...scrubbed(1) },
     zoomIn: { label: strings.zoomIn, icon: 'zoomIn', keys: ['+', '='], ...zoomed(1) },
     zoomOut: { label: strings.zoomOut, icon: 'zoomOut', keys: ['-'], ...zoomed(-1) },
     reset: {
@@ -136,6 +146,7 @@ export function createPanelActions({
     choose: CHOOSE_KEYS,
     fit: {
       label: strings.fitSubject,
+      short: strings.short.fit,
       icon: 'fit',
       why: whyNotFramed,
       run: () => framing.fit(panel()),
@@ -143,6 +154,7 @@ export function createPanelActions({
     },
     swap: {
       label: strings.swapPhoto,
+      short: strings.short.swap,
       icon: 'swap',
       why: computed(() => (chosen.value.length > 2 ? whyNotOne.value : whyHeld.value)),
       on: computed(() => framing.mode.value?.kind === 'swap'),
@@ -153,8 +165,19 @@ export function createPanelActions({
       },
       undo: 'step',
     },
+    star: {
+      label: strings.starPanel,
+      short: strings.short.star,
+      help: strings.starPanelLong,
+      icon: 'star',
+      why: computed(() => whyNotOne.value || (use.value?.photo ? '' : strings.noPhotoHere)),
+      on: starred,
+      run: () => use.peek()?.photo && choosing.star(use.peek()?.photo ?? '', !starred.peek()),
+      undo: 'step',
+    },
     focus: {
       label: strings.focusPoint,
+      short: strings.short.focus,
       icon: 'focus',
       why: whyNotFramed,
       on: computed(() => framing.mode.value?.kind === 'focus'),
@@ -162,6 +185,7 @@ export function createPanelActions({
     },
     lock: {
       label: strings.lockPanel,
+      short: strings.short.lock,
       icon: computed(() => (lockedOne.value ? 'lock' : 'unlock')),
       why: whyNotOne,
       on: lockedOne,
@@ -170,6 +194,7 @@ export function createPanelActions({
     },
     save: {
       label: strings.savePanel,
+      short: strings.short.save,
       icon: 'save',
       why: computed(() => whyNotOne.value || (use.value?.photo ? '' : strings.noPhotoHere)),
       run: () => void download.savePanel(panel()),

@@ -1,15 +1,16 @@
 /**
  * What can be done with panels, in a rail beside the page, or below it where there is no room: what is chosen is
- * changed. A tool that cannot be used says why.
+ * changed. What is for the photo of a panel stands at the panel, where there is room. A tool that cannot be used says why.
  */
 
 import { strings } from '../../strings/strings.ts';
 import { useApp } from '../../ui/context.ts';
 import { ActionButton } from '../../ui/action-button.tsx';
 import type { Action } from '../../ui/action.ts';
+import type { Geometry } from '../../engine/documents.ts';
 
 export function PanelTools() {
-  const { store, selection, reshaping, actions } = useApp();
+  const { store, selection, reshaping, actions, ui } = useApp();
   const { panels } = actions;
   const facts = store.layoutFacts.value;
   const chosen = selection.panels.value;
@@ -18,7 +19,12 @@ export function PanelTools() {
   return (
     <div class="rail" role="group" aria-label={strings.panelTools}>
       <Tools of={[panels.select, panels.merge, panels.split]} />
-      {!editing && chosen.length > 0 && <PhotoTools />}
+      {!editing && chosen.length > 0 && !ui.wide.value && (
+        <>
+          <span class="rail-line" />
+          <PhotoTools />
+        </>
+      )}
       {editing && (
         <>
           <span class="rail-line" />
@@ -40,25 +46,52 @@ export function PanelTools() {
   );
 }
 
+/**
+ * The tools for the photo of the panel that was chosen first: beside the page at the panel's height, so that no other panel is
+ * under them.
+ */
+export function PanelBar({ geometry }: { geometry: Geometry }) {
+  const { store, selection, framing, reshaping, ui } = useApp();
+  const [panel] = selection.panels.value;
+  // Where the panel is changes with the page.
+  const bounds = store.page.value && panel !== undefined ? framing.boundsOf(panel) : null;
+  if (!bounds || !ui.wide.value || reshaping.editing.value) return null;
+  const middle = (bounds.y + bounds.height / 2) / geometry.height;
+  const stop = (event: Event) => event.stopPropagation();
+  return (
+    <div
+      class="panel-bar"
+      role="toolbar"
+      aria-label={strings.photoTools}
+      aria-orientation="vertical"
+      style={{ '--middle': middle }}
+      onClick={stop}
+      onPointerDown={stop}
+    >
+      <PhotoTools text />
+    </div>
+  );
+}
+
 /** For the photo of the panel that is chosen, or the photos of two. */
-function PhotoTools() {
+function PhotoTools({ text = false }: { text?: boolean }) {
   const { selection, scrubbing, actions } = useApp();
-  const { zoomIn, zoomOut, fit, reset, swap, focus, lock, save, earlier, later } = actions.panels;
+  const { zoomIn, zoomOut, fit, reset, swap, star, focus, lock, save, earlier, later } = actions.panels;
   const [panel, ...others] = selection.panels.value;
   return (
     <>
-      <span class="rail-line" />
-      <Tools of={[zoomIn, zoomOut, fit, reset, swap, focus, lock, save]} />
+      <Tools of={[zoomIn, zoomOut, fit, reset, swap, star, focus, lock, save]} text={text} />
       {others.length === 0 && scrubbing.isFrame(panel) && (
         <>
           <span class="rail-line" />
-          <Tools of={[earlier, later]} />
+          <Tools of={[earlier, later]} text={text} />
         </>
       )}
     </>
   );
 }
 
-function Tools({ of }: { of: readonly Action[] }) {
-  return of.map((action, i) => <ActionButton key={i} action={action} class="icon-button tool" />);
+function Tools({ of, text = false }: { of: readonly Action[]; text?: boolean }) {
+  const look = text ? 'panel-bar-tool tool' : 'icon-button tool';
+  return of.map((action, i) => <ActionButton key={i} action={action} class={look} text={text} />);
 }
