@@ -39,12 +39,14 @@ impl Stage {
         let panels = resolved.len();
         let heads: Vec<usize> = (0..panels).filter(|&i| leader_of(&merges, i) == i).collect();
         let mut slots = merged_slots(&resolved, &merges, &heads, f64::from(page.width));
-        if let Some(current) = &request.current {
-            lock_slots(&mut slots, &heads, current, request, &merges, same_layout);
-        }
+        let current = request.current.as_ref();
+        let placed = current.map_or_else(Vec::new, |current| {
+            let own = |panel: usize| heads.iter().position(|&head| head == leader_of(&merges, panel));
+            lock_slots(&mut slots, current, request, same_layout.then_some(&own))
+        });
         let locked = slots.iter().map(|slot| slot.locked.is_some()).collect();
-        if let Some(current) = request.current.as_ref().filter(|_| request.keep.photos) {
-            keep_photos(&mut slots, current, &request.photos, same_layout);
+        if let Some(current) = current.filter(|_| request.keep.photos) {
+            keep_photos(&mut slots, current, &placed, &request.photos, same_layout);
         }
         let family =
             FAMILIES.iter().find(|family| **family == template.family()).copied().unwrap_or_default();
@@ -104,46 +106,67 @@ fn merged_slots(resolved: &[ResolvedPanel], merges: &[Vec<usize>], heads: &[usiz
     heads.iter().filter_map(wanted).collect()
 }
 
+/// The panels that stand for themselves or for a group, in reading order.
+fn heads_of(page: &Document) -> Vec<(usize, &PanelContent)> {
+    let all = page.panels.iter().enumerate();
+    all.filter(|(i, _)| leader_of(&page.merges, *i) == *i).collect()
+}
+
 /// Panels that a person locked keep photo and crop. In another layout the photo goes to the panel of the same
 /// place in the reading order, or to the nearest that is free.
+///
+/// `own` tells the place of a panel where the layout is the same. Returns which heads of the page have one.
 fn lock_slots(
     slots: &mut [Slot],
-    heads: &[usize],
     current: &Document,
     request: &Request,
-    merges: &[Vec<usize>],
-    same_layout: bool,
-) {
-    let locked = current.panels.iter().enumerate().filter(|(_, panel)| panel.locked);
-    // Those that share an image have one place.
-    for (i, panel) in locked.filter(|(i, _)| leader_of(&current.merges, *i) == *i) {
+    own: Option<&dyn Fn(usize) -> Option<usize>>,
+) -> Vec<usize> {
+    let mut placed = Vec::new();
+    for (rank, (i, panel)) in heads_of(current).into_iter().enumerate().filter(|(_, (_, panel))| panel.locked)
+    {
         let photo = panel.photo.as_ref().and_then(|id| request.photos.iter().position(|p| &p.id == id));
         let (Some(photo), Some(crop)) = (photo, panel.crop) else { continue };
-        let free = (0..slots.len()).filter(|&place| slots[place].locked.is_none());
-        let nearest = free.min_by_key(|&place| heads[place].abs_diff(i));
-        let own = heads.iter().position(|&head| head == leader_of(merges, i));
-        let Some(place) = (if same_layout { own } else { nearest }) else { continue };
+        let mut free = (0..slots.len()).filter(|&place| slots[place].locked.is_none());
+        let place = match own {
+            Some(own) => own(i).filter(|own| free.any(|place| place == *own)),
+            None => free.min_by_key(|place| place.abs_diff(rank)),
+        };
+        let Some(place) = place else { continue };
         // The page's lengths may have changed since.
         let crop = crop.refitted(&request.photos[photo], slots[place].target.aspect);
         slots[place].locked = Some(Assignment { photo, crop });
+        placed.push(rank);
     }
+    placed
 }
 
 /// The photos of the current page in their order, to be framed anew for these panels, but where a person made the crop
-/// and the layout is the same. A panel beyond the order, and one whose photo is gone, stays open.
-fn keep_photos(slots: &mut [Slot], current: &Document, photos: &[PhotoMeta], same_layout: bool) {
+/// and the layout is the same. A panel beyond the order, and one whose photo is gone, stays open. Those of the heads
+/// `placed` have their panel already.
+fn keep_photos(
+    slots: &mut [Slot],
+    current: &Document,
+    placed: &[usize],
+    photos: &[PhotoMeta],
+    same_layout: bool,
+) {
     let position = |id: &str| photos.iter().position(|photo| photo.id == id);
-    let heads = current.panels.iter().enumerate().filter(|(i, _)| leader_of(&current.merges, *i) == *i);
-    let heads: Vec<&PanelContent> = heads.map(|(_, panel)| panel).collect();
-    let shown: Vec<Option<&str>> = heads.iter().map(|panel| panel.photo.as_deref()).collect();
+    let heads = heads_of(current);
+    let shown: Vec<Option<&str>> = heads.iter().map(|(_, panel)| panel.photo.as_deref()).collect();
     // The panels say what is shown; the order goes on with what a page of fewer panels left out.
-    let rest = current.order.iter().map(String::as_str).filter(|id| !shown.contains(&Some(id))).map(Some);
-    let mut sequence = shown.iter().copied().chain(rest);
-    for (i, slot) in slots.iter_mut().enumerate() {
-        let photo = sequence.next().flatten().and_then(position);
-        let Some(photo) = photo.filter(|_| slot.locked.is_none()) else { continue };
-        let by_hand = heads.get(i).filter(|head| same_layout && head.edited).and_then(|head| head.crop);
-        match by_hand {
+    let rest = current
+        .order
+        .iter()
+        .map(String::as_str)
+        .filter(|id| !shown.contains(&Some(id)))
+        .map(|id| (Some(id), None));
+    let free = heads.iter().enumerate().filter(|(rank, _)| !placed.contains(rank));
+    let mut sequence = free.map(|(_, (_, head))| (head.photo.as_deref(), Some(*head))).chain(rest);
+    for slot in slots.iter_mut().filter(|slot| slot.locked.is_none()) {
+        let Some((Some(id), head)) = sequence.next() else { continue };
+        let Some(photo) = position(id) else { continue };
+        match head.filter(|head| same_layout && head.edited).and_then(|head| head.crop) {
             Some(crop) => {
                 let crop = crop.refitted(&photos[photo], slot.target.aspect);
                 slot.locked = Some(Assignment { photo, crop });

@@ -293,6 +293,32 @@ mod tests {
     }
 
     #[test]
+    fn a_lock_on_a_merged_page_repeats_no_photo_in_another_layout() {
+        let mut wanted = request(8, 3);
+        wanted.layout = Some("grid-4".into());
+        let mut current = plan(&wanted).unwrap();
+        current.merges = vec![vec![0, 1]];
+        (wanted.current, wanted.layout) = (Some(current), None);
+        wanted.keep = Keep { layout: true, style: true, photos: true };
+        let merged = plan(&wanted).unwrap();
+        for (locked, layout) in
+            (0..4).flat_map(|i| ["grid-6", "hero-left-3", "grid-3", "cinema-4"].map(|id| (i, id)))
+        {
+            let mut current = merged.clone();
+            current.panels[locked].locked = true;
+            (wanted.current, wanted.layout) = (Some(current), Some(layout.into()));
+            let page = plan(&wanted).unwrap();
+            let photos: std::collections::BTreeSet<String> = shown(&page).into_iter().collect();
+            assert_eq!(photos.len(), page.panels.len(), "panel {locked} locked, then {layout}");
+            // Nothing that was on the page gives way to what was not.
+            let places = merged.panels.len() - 1;
+            let stays = shown(&merged).into_iter().filter(|id| photos.contains(id));
+            let stays: std::collections::BTreeSet<String> = stays.collect();
+            assert_eq!(stays.len(), places.min(page.panels.len()), "panel {locked} locked, then {layout}");
+        }
+    }
+
+    #[test]
     fn a_crop_made_by_hand_stays_while_its_photo_does() {
         let mut current = plan(&request(12, 7)).unwrap();
         let half = |c: Crop| Crop { width: c.width / 2.0, height: c.height / 2.0, ..c };
