@@ -57,7 +57,7 @@ function Steps() {
       <span class="divider" />
       <ActionButton action={page.previous} />
       <ActionButton action={page.versions} class="page-number">
-        {ui.wide.value ? (
+        {ui.roomy.value ? (
           strings.versionAt(position(history) + 1, versions(history).length)
         ) : (
           <>

@@ -22,6 +22,8 @@ export type Work = 'designer' | 'explorer' | 'projects' | 'pages';
 
 export function createUi(window: Window) {
   const wide = mediaSignal(window, '(min-width: 1000px)');
+  /** Whether there is room for words where numbers do. */
+  const roomy = mediaSignal(window, '(min-width: 1340px)');
   const systemDark = mediaSignal(window, '(prefers-color-scheme: dark)');
   /** The person's choice; null follows the system. */
   const theme: Signal<Theme | null> = signal(stored(window));
@@ -43,6 +45,7 @@ export function createUi(window: Window) {
 
   return {
     wide,
+    roomy,
     letterKeys,
     useLetterKeys(on: boolean) {
       letterKeys.value = on;

@@ -3,6 +3,9 @@
 
 import { expect, idle, openBoard, test } from './support.js';
 
+// Where versions are told in words.
+test.use({ viewport: { width: 1366, height: 768 } });
+
 test('More ideas fold away for the page, and stay so', async ({ page }) => {
   await openBoard(page);
   const height = async () => (await page.locator('.page-canvas').boundingBox())?.height ?? 0;
