@@ -44,6 +44,9 @@ export type StateRecord = {
 };
 type FactRecord = { id: string; fact: Fact };
 
+/** Bytes as the database has them where it takes no Blob: WebKit's, in a private window. */
+type Bytes = { bytes: ArrayBuffer; name: string | null; type: string };
+
 /** Without `work` the photo must be decoded again; without `file` it could not be read when it was written. */
 export type PhotoRecord = {
   id: string;
@@ -101,6 +104,36 @@ async function open(name: string, onClosed: () => void) {
     terminated: onClosed,
   });
   return database;
+}
+
+/** A photo as a database keeps it that takes no Blob. */
+export async function inBytes(record: PhotoRecord): Promise<PhotoRecord> {
+  const bytesOf = async (blob: Blob) =>
+    // Whoever reads a record asks `inBlobs` first.
+    ({
+      bytes: await blob.arrayBuffer(),
+      name: blob instanceof File ? blob.name : null,
+      type: blob.type,
+    }) satisfies Bytes as unknown as Blob;
+  const handle = async (held: PhotoHandle | null) => held && { ...held, planes: await bytesOf(held.planes) };
+  const [file, work, small] = await Promise.all([
+    record.file && bytesOf(record.file),
+    handle(record.work),
+    handle(record.small),
+  ]);
+  return { ...record, file, work, small };
+}
+
+/** A photo out of the database, however it was kept there. */
+export function inBlobs<Kept extends { file?: unknown; work?: unknown; small?: unknown }>(record: Kept): Kept {
+  const handle = (held: any) => (held?.planes ? { ...held, planes: blobOf(held.planes) } : held);
+  return { ...record, file: blobOf(record.file), work: handle(record.work), small: handle(record.small) };
+}
+
+function blobOf(kept: unknown): unknown {
+  const { bytes, name, type } = (kept ?? {}) as Partial<Bytes>;
+  if (!(bytes instanceof ArrayBuffer)) return kept;
+  return typeof name === 'string' ? new File([bytes], name, { type }) : new Blob([bytes], { type });
 }
 
 /** @returns whether the storage took no more */

@@ -7,7 +7,7 @@
  * must not take the place of a photo that turns up after all.
  */
 
-import { isFull } from './database.ts';
+import { inBlobs, inBytes, isFull } from './database.ts';
 import type { Fact, Video } from '../document/album.ts';
 import type { createPhotos } from '../engine/photos.ts';
 import type { Database, KeptVideo, PhotoRecord } from './database.ts';
@@ -47,6 +47,9 @@ export function createPhotoRecords({
 
   /** Those that the person goes on without. */
   const forgone: Set<string> = new Set();
+
+  /** Whether the database was seen to take no Blob. */
+  let plain = false;
 
   /** What was written and is to be read back, when the rest is written, too. */
   let unproved: PhotoRecord[] = [];
@@ -172,7 +175,7 @@ export function createPhotoRecords({
     kept.set(id, 'bare');
     if (!(await hasRoom(record))) return;
     try {
-      await database.put('photos', record);
+      await write(database, record);
     } catch (error) {
       if (isFull(error) || !(await allReadable(held))) return;
       throw error;
@@ -184,16 +187,18 @@ export function createPhotoRecords({
   /** @param batch of files alone */
   async function putAll(database: Database, batch: readonly Held[]): Promise<(PhotoRecord | null)[]> {
     const records = batch.map(bareOf);
+    // What cannot be read as bytes is told from the others one by one, as below.
+    const written = plain ? await Promise.all(records.map(inBytes)).catch(() => records) : records;
     const all = database.transaction('photos', 'readwrite');
     try {
-      await Promise.all([...records.map((record) => all.store.put(record)), all.done]);
+      await Promise.all([...written.map((record) => all.store.put(record)), all.done]);
     } catch (error) {
       all.done.catch(() => {});
       if (isFull(error) && batch.length === 1) throw error;
       // One of them is the reason; the others are none the worse for it.
-      const written = [];
-      for (const held of batch) written.push(await tried(database, held));
-      return written;
+      const one = [];
+      for (const held of batch) one.push(await tried(database, held));
+      return one;
     }
     for (const { id } of batch) kept.set(id, 'file');
     return records;
@@ -232,15 +237,30 @@ export function createPhotoRecords({
     return (await room()) > 4 * ((file?.size ?? 0) + (work?.planes.size ?? 0) + (small?.planes.size ?? 0));
   }
 
+  /** A Blob is kept without being read; where none is taken, its bytes are. */
+  async function write(database: Database, record: PhotoRecord) {
+    if (!plain) {
+      try {
+        await database.put('photos', record);
+        return;
+      } catch (error) {
+        if (isFull(error)) throw error;
+      }
+    }
+    // What cannot be read fails here as well.
+    await database.put('photos', await inBytes(record));
+    plain = true;
+  }
+
   async function putFile(database: Database, record: PhotoRecord) {
     try {
-      await database.put('photos', record);
+      await write(database, record);
       return record;
     } catch (error) {
       if (isFull(error) || record.file === null || record.work === null || (await readable(record.file))) throw error;
       // The file was moved or deleted since it was chosen; the copies are all that is left of it.
       const rest = { ...record, file: null };
-      await database.put('photos', rest);
+      await write(database, rest);
       return rest;
     }
   }
@@ -249,7 +269,8 @@ export function createPhotoRecords({
   async function verify(database: Database, written: readonly PhotoRecord[]) {
     const whole = await Promise.all(
       written.map(async (record) => {
-        const found = await database.get('photos', record.id);
+        const kept = await database.get('photos', record.id);
+        const found = kept && inBlobs(kept);
         const parts = [
           [record.file, found?.file],
           [record.work?.planes, found?.work?.planes],

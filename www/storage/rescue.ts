@@ -3,6 +3,7 @@
  * Inkpanel that can read it or for whoever wants to look.
  */
 
+import { inBlobs } from './database.ts';
 import { archiveOf } from './files/archive.ts';
 import { strippedOf } from '../photos/identity.ts';
 import { fileNameOf, packedProject, videoKey } from './files/project-file.ts';
@@ -24,9 +25,8 @@ export async function rescued(
       .flatMap(listOf)
       .filter((key) => typeof key === 'string'),
   );
-  const records = (await Promise.all([...keys].map((key) => database.get('photos', key)))).filter(
-    (record) => record?.file instanceof Blob,
-  );
+  const found = await Promise.all([...keys].map((key) => database.get('photos', key)));
+  const records = found.flatMap((record) => (record ? inBlobs(record) : [])).filter(({ file }) => file instanceof Blob);
   const files = new Map(records.map((record) => [String(record?.id), record?.file as Blob] as const));
   try {
     const facts = (await Promise.all(listOf(state.facts).map((key) => database.get('facts', key)))).flatMap((record) =>

@@ -3,6 +3,7 @@
  * beside it what is no such record counts as missing.
  */
 
+import { inBlobs } from './database.ts';
 import { failure } from '../engine/protocol.ts';
 import { strings } from '../strings/strings.ts';
 import { sheetsOf } from '../document/sheets.ts';
@@ -226,7 +227,8 @@ function photosFrom(
 }
 
 /** @param record out of the database */
-function asRecord({ id, name, file, work, small }: any): PhotoRecord {
+function asRecord(record: any): PhotoRecord {
+  const { id, name, file, work, small } = inBlobs(record);
   return {
     id,
     name: textOr(name, 'photo'),

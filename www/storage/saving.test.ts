@@ -214,6 +214,23 @@ describe('photos that the database lost', () => {
     expect(tab.names()).toEqual(SIX);
   });
 
+  it('are kept as bytes where the database takes no Blob, as in a private window of WebKit', async () => {
+    const browser = fakeBrowser();
+    const refusal = new DOMException('Error preparing Blob/File data to be stored in object store', 'UnknownError');
+    const holdsBlob = (value: any) =>
+      [value.file, value.work?.planes, value.small?.planes].some((part) => part instanceof Blob);
+    failing((value) => (holdsBlob(value) ? refusal : null));
+    const before = await browser.tab();
+    await before.add('a.jpg', 'b.jpg');
+    await before.keeping.flush();
+    await saved(before);
+    expect(alerts(before)).toEqual([]);
+    expect(await counts()).toEqual([1, 1, 2, 2]);
+    const after = await browser.died().tab();
+    await vi.waitFor(() => expect(after.store.reading.value).toBe(null));
+    expect([after.names(), absent(after)]).toEqual([['a.jpg', 'b.jpg'], []]);
+  });
+
   it('are photos again where they turn up after all', async () => {
     const browser = fakeBrowser();
     const before = await browser.tab();

@@ -1,5 +1,6 @@
 /** Photos that a page names, looked for among those of this browser: on the table, then in all projects that are saved. */
 
+import { inBlobs } from '../database.ts';
 import { hashOf, looksLike } from '../../photos/identity.ts';
 import type { Album, Fact } from '../../document/album.ts';
 import type { createPhotos } from '../../engine/photos.ts';
@@ -39,7 +40,10 @@ export async function foundPhotos(
         if (used.has(fact.id) || !fact.meta || !looksLike(fact.meta, like)) continue;
         const record = known.has(fact.id)
           ? null
-          : ((await base?.get('photos', fact.id).catch(() => undefined)) ?? null);
+          : ((await base
+              ?.get('photos', fact.id)
+              .then((kept) => (kept ? inBlobs(kept) : null))
+              .catch(() => null)) ?? null);
         const file = known.has(fact.id) ? photos.get(fact.id).file : record?.file;
         if (!file || (exact && (like.hash === '' || (await hashOf(file)) !== like.hash))) continue;
         used.add(fact.id);
