@@ -6,8 +6,9 @@
  */
 
 import { ALL_FORMATS, BlobSource, Input, VideoSampleSink } from 'mediabunny';
+import { rgbaOf } from './frame-pixels.ts';
 import { mayGoOn, sendFrame, serveFrames } from './frame-sender.ts';
-import { failure } from './protocol.ts';
+import { describe, failure } from './protocol.ts';
 import { runs, sampleTimes } from './sample-times.ts';
 import type { FileWish } from './frame-sender.ts';
 import type { VideoSample } from 'mediabunny';
@@ -25,19 +26,26 @@ async function read({ file, count, start, end, leading }: FileWish) {
     postMessage({ about: { duration } });
     // A slow film may show one frame at two of the times.
     const sent = new Set();
-    for (const run of runs(times.length, leading)) {
-      let next = 0;
-      for await (const sample of new VideoSampleSink(track).samplesAtTimestamps(run.map((index) => times[index]))) {
-        const index = run[next];
-        next += 1;
-        if (!sample || sent.has(sample.timestamp)) {
-          sample?.close();
-          continue;
+    let delivered = false;
+    try {
+      for (const run of runs(times.length, leading)) {
+        let next = 0;
+        for await (const sample of new VideoSampleSink(track).samplesAtTimestamps(run.map((index) => times[index]))) {
+          const index = run[next];
+          next += 1;
+          if (!sample || sent.has(sample.timestamp)) {
+            sample?.close();
+            continue;
+          }
+          sent.add(sample.timestamp);
+          await mayGoOn();
+          await send(sample, index, times[index]);
+          delivered = true;
         }
-        sent.add(sample.timestamp);
-        await mayGoOn();
-        await send(sample, index, times[index]);
       }
+    } catch (error) {
+      // Where not even one frame comes out of what it says it decodes, the browser's own player may do better.
+      throw delivered ? error : failure('video-decoder', describe(error).message);
     }
   } finally {
     input.dispose();
@@ -55,9 +63,7 @@ async function open(input: Input) {
 
 async function send(sample: VideoSample, index: number, time: number) {
   try {
-    const { width, height } = sample.visibleRect;
-    const data = new Uint8Array(sample.allocationSize({ format: 'RGBA' }));
-    await sample.copyTo(data, { format: 'RGBA' });
+    const { width, height, data } = await rgbaOf(sample.toVideoFrame());
     const { rotation, squarePixelWidth: squareWidth, squarePixelHeight: squareHeight } = sample;
     sendFrame({ index, time, width, height, squareWidth, squareHeight, rotation, data });
   } finally {
