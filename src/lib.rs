@@ -73,6 +73,9 @@ pub mod simd;
 #[cfg(feature = "pages")]
 pub mod style;
 
+#[cfg(all(test, feature = "cli"))]
+mod typescript;
+
 #[cfg(all(
     target_arch = "wasm32",
     feature = "pages",

@@ -362,7 +362,8 @@ fn print(value: &Value) -> Result<(), Complaint> {
 }
 
 /// Prints a catalogue; a reader that has gone away is no failure.
-fn list(catalogue: &Value, as_json: bool) -> Result<(), Complaint> {
+fn list(catalogue: &impl serde::Serialize, as_json: bool) -> Result<(), Complaint> {
+    let catalogue = serde_json::to_value(catalogue).map_err(|error| error.to_string())?;
     let mut out = std::io::stdout().lock();
     let print = |out: &mut dyn std::io::Write| -> std::io::Result<()> {
         if as_json {

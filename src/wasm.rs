@@ -28,8 +28,7 @@ use crate::raster::resize::{Region, resample_image};
 use crate::raster::{Image, Plane};
 use crate::style::{Context, Style, stylize};
 use crate::wasm_error::thrown;
-use serde::Deserialize;
-use serde_json::{Value, json};
+use serde::{Deserialize, Serialize};
 use std::collections::HashMap;
 use wasm_bindgen::prelude::*;
 
@@ -42,14 +41,14 @@ fn start() {
 #[wasm_bindgen]
 #[must_use]
 pub fn blocks() -> String {
-    catalogue::blocks().to_string()
+    listed(&catalogue::blocks())
 }
 
 /// All page templates in unit coordinates, a JSON array.
 #[wasm_bindgen]
 #[must_use]
 pub fn layouts() -> String {
-    catalogue::layouts().to_string()
+    listed(&catalogue::layouts())
 }
 
 /// All designed styles, a JSON array of style files.
@@ -57,6 +56,11 @@ pub fn layouts() -> String {
 #[must_use]
 pub fn styles() -> String {
     catalogue::styles().to_string()
+}
+
+/// What is only strings and numbers is always told.
+fn listed(list: &impl Serialize) -> String {
+    serde_json::to_string(list).unwrap_or_default()
 }
 
 /// Reads a style file and gives it back normalised. Throws `invalid-style`.
@@ -69,12 +73,6 @@ pub fn check_style(json: &str, file: &str) -> std::result::Result<String, JsValu
 #[wasm_bindgen]
 pub fn check_layout(json: &str, file: &str) -> std::result::Result<String, JsValue> {
     Template::parse(file, json).map(|template| template.to_json()).map_err(thrown)
-}
-
-/// Where the panels of `{layout, page}` are, in page widths: `{width: 1, height, panels}`.
-#[wasm_bindgen]
-pub fn page_geometry(json: &str) -> std::result::Result<String, JsValue> {
-    geometry(json).map_err(thrown)
 }
 
 /// Which photos of `{photos: [{id, name, measures...}], threshold}` are worth a panel: `[{id, group, kept, why}]`.
@@ -317,15 +315,10 @@ impl Studio {
 
     /// Keeps both copies of a photo that was read; gives its facts as JSON.
     fn take_in(&mut self, photo: Imported) -> std::result::Result<String, JsValue> {
-        let size = |image: &Image| json!({ "width": image.width(), "height": image.height() });
-        let mut facts = serde_json::to_value(&photo.meta).map_err(|error| internal(&error))?;
-        facts["format"] = json!(photo.format);
-        facts["work"] = size(&photo.work);
-        facts["small"] = size(&photo.small);
-        facts["measures"] = catalogue::measures(&photo.measures);
+        let facts = serde_json::to_string(&photo.entry()).map_err(|error| internal(&error))?;
         self.photos.insert(format!("{}/work", photo.meta.id), photo.work);
         self.photos.insert(format!("{}/small", photo.meta.id), photo.small);
-        Ok(facts.to_string())
+        Ok(facts)
     }
 
     fn photo(&self, key: &str) -> Result<&Image> {
@@ -350,23 +343,6 @@ fn image_of_planes(width: usize, height: usize, planes: &[u8]) -> Result<Image> 
     }
     let plane = |i: usize| Plane::from_samples(width, height, planes[i * count..(i + 1) * count].to_vec());
     Image::from_rgb([plane(0)?, plane(1)?, plane(2)?])
-}
-
-fn geometry(json: &str) -> Result<String> {
-    #[derive(Deserialize)]
-    struct Wanted {
-        layout: Value,
-        #[serde(default)]
-        page: PageSettings,
-    }
-    let Wanted { layout, page } = parse(json, "request")?;
-    page.validate()?;
-    let template = document::template_of(&layout)?;
-    let panels: Vec<Value> = layout::resolve(&template, page.aspect(), &page)
-        .iter()
-        .map(layout::ResolvedPanel::to_value)
-        .collect();
-    Ok(json!({ "width": 1, "height": 1.0 / page.aspect(), "panels": panels }).to_string())
 }
 
 fn parse<T: for<'a> Deserialize<'a>>(json: &str, location: &str) -> Result<T> {

@@ -1,5 +1,5 @@
-//! The web boundary of the detectors' module: with `wasm.rs` the only file that names `wasm_bindgen`. The two are never
-//! in one module, so that the first page does not wait for the nets' code.
+//! The web boundary of the detectors' module, which is never in one module with the core's (`wasm.rs`), so that the first page
+//! does not wait for the nets' code.
 //!
 //! Boxes cross as JSON text, pixels as byte arrays. Every error is a JavaScript `Error` with a `code` beside its
 //! `message`.
@@ -7,24 +7,15 @@
 // Every function that returns a Result throws as the module's documentation says.
 #![allow(clippy::missing_errors_doc)]
 
-use crate::detect::{Aesthetics, Detection, Faces, Objects, worth_a_closer_look};
+use crate::detect::{Aesthetics, Detection, Faces, FirstLook, Objects, worth_a_closer_look};
 use crate::error::{Error, Result};
 use crate::raster::{Image, Plane};
 use crate::wasm_error::thrown;
-use serde::Serialize;
 use wasm_bindgen::prelude::*;
 
 #[wasm_bindgen(start)]
 fn start() {
     console_error_panic_hook::set_once();
-}
-
-/// What the first look for faces found.
-#[derive(Serialize)]
-struct FirstLook {
-    boxes: Vec<Detection>,
-    /// Whether a closer look may find more.
-    closer: bool,
 }
 
 /// The face detector. Photos are given as their red, green and blue planes one after the other; boxes are

@@ -53,8 +53,11 @@ impl Lettering {
 
     /// Where the words of a document are; see `page::words::layout::measured`.
     pub fn measure(&self, document: &str) -> std::result::Result<String, JsValue> {
-        let measure = || layout::measured(&Document::parse(document)?, &self.letters);
-        measure().map(|boxes| boxes.to_string()).map_err(thrown)
+        let measure = || {
+            let boxes = layout::measured(&Document::parse(document)?, &self.letters)?;
+            serde_json::to_string(&boxes).map_err(|error| Error::Encode(error.to_string()))
+        };
+        measure().map_err(thrown)
     }
 
     /// One word of a page that is `width` pixels wide.

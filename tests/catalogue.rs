@@ -35,16 +35,20 @@ fn stems(folder: &str, other: &[&str]) -> BTreeSet<String> {
         .collect()
 }
 
+fn told(catalogue: &impl serde::Serialize) -> Value {
+    serde_json::to_value(catalogue).unwrap()
+}
+
 #[test]
 fn every_file_is_in_its_catalogue_and_every_entry_has_a_file() {
-    assert_eq!(stems("layouts", &["README", "sheet"]), ids(&catalogue::layouts()));
+    assert_eq!(stems("layouts", &["README", "sheet"]), ids(&told(&catalogue::layouts())));
     assert_eq!(stems("styles", &["README"]), ids(&catalogue::styles()));
-    assert_eq!(stems("src/style/blocks", &["mod"]), ids(&catalogue::blocks()));
+    assert_eq!(stems("src/style/blocks", &["mod"]), ids(&told(&catalogue::blocks())));
 }
 
 #[test]
 fn every_block_and_parameter_explains_itself() {
-    for block in catalogue::blocks().as_array().unwrap() {
+    for block in told(&catalogue::blocks()).as_array().unwrap() {
         for described in std::iter::once(block).chain(block["params"].as_array().unwrap()) {
             let id = text(described, "id");
             assert!(!text(described, "label").is_empty(), "{} {id}", block["id"]);
@@ -69,7 +73,7 @@ fn the_readme_of_the_styles_lists_the_blocks_as_they_are() {
 
 fn blocks_table() -> String {
     let mut table = String::from("| block | parameters | what it does |\n|---|---|---|\n");
-    for block in catalogue::blocks().as_array().unwrap() {
+    for block in told(&catalogue::blocks()).as_array().unwrap() {
         let params: Vec<_> = block["params"].as_array().unwrap().iter().map(parameter).collect();
         let cells = [format!("`{}`", text(block, "id")), params.join("; "), text(block, "help")];
         writeln!(table, "| {} |", cells.join(" | ")).unwrap();

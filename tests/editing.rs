@@ -80,7 +80,7 @@ fn one_drag_of_a_slider_is_one_step() {
 #[test]
 fn a_page_that_is_still_growing_makes_no_steps() {
     let mut editor = played([show(1)]);
-    editor.apply(&Edit::ChangePage(page(7)), &How { silent: true, gesture: None });
+    editor.apply(&Edit::ChangePage { page: page(7) }, &How { silent: true, gesture: None });
     assert_eq!(editor.history().past.len(), 1);
     assert_eq!((shown_ids(&editor), editor.history().shown[0].page.seed), (vec![1], 7));
 }
@@ -95,19 +95,25 @@ fn a_first_page_none_of_whose_photos_could_be_read_was_none() {
 
 #[test]
 fn a_photo_that_could_not_be_read_comes_back_by_no_undo() {
-    let add = Edit::AddPhotos(texts(&["a", "b"]));
-    let editor = played([add.clone(), show(1), Edit::ForgetPhotos(texts(&["a"])), Edit::Undo]);
+    let add = Edit::AddPhotos { ids: texts(&["a", "b"]) };
+    let editor = played([add.clone(), show(1), Edit::ForgetPhotos { ids: texts(&["a"]) }, Edit::Undo]);
     let tray: Vec<_> = editor.project().tray.iter().map(|item| item.id.as_str()).collect();
     assert_eq!(tray, ["b"]);
     // Adding nothing but such photos leaves no step.
     assert_eq!(played([show(1), add.clone()]).history().past.len(), 2);
-    assert_eq!(played([show(1), add.clone(), Edit::ForgetPhotos(texts(&["a"]))]).history().past.len(), 2);
-    assert_eq!(played([show(1), add, Edit::ForgetPhotos(texts(&["a", "b"]))]).history().past.len(), 1);
+    assert_eq!(
+        played([show(1), add.clone(), Edit::ForgetPhotos { ids: texts(&["a"]) }]).history().past.len(),
+        2
+    );
+    assert_eq!(
+        played([show(1), add, Edit::ForgetPhotos { ids: texts(&["a", "b"]) }]).history().past.len(),
+        1
+    );
 }
 
 #[test]
 fn the_pages_shown_are_kept_in_order_with_their_last_edit_and_their_origin() {
-    let editor = played([show(1), Edit::ChangePage(page(99)), show(2), Edit::Undo, show(3)]);
+    let editor = played([show(1), Edit::ChangePage { page: page(99) }, show(2), Edit::Undo, show(3)]);
     assert_eq!((shown_ids(&editor), editor.history().shown[0].page.seed), (vec![1, 2, 3], 99));
     assert_eq!(editor.history().position(), Some(2));
     let editor = played([show(1), show(2), show(1), show(3)]);
@@ -138,8 +144,8 @@ fn a_photo_that_leaves_the_table_leaves_the_pages() {
     let other = Sheet { page: Arc::new(shown.clone()), page_id: 2, sheet: 5, rest: Map::new() };
     let own = Sheet { page: Arc::new(shown.clone()), page_id: 1, sheet: 0, rest: Map::new() };
     let both = Edit::SetSheets { sheets: vec![Arc::new(own), Arc::new(other)], at: 0 };
-    let add = Edit::AddPhotos(texts(&["a", "b", "c"]));
-    let mut editor = played([add, both, Edit::RemovePhotos(texts(&["a"]))]);
+    let add = Edit::AddPhotos { ids: texts(&["a", "b", "c"]) };
+    let mut editor = played([add, both, Edit::RemovePhotos { ids: texts(&["a"]) }]);
     for sheet in editor.project().sheets() {
         let photos: Vec<_> = sheet.page.panels.iter().map(|panel| panel.photo.as_deref()).collect();
         assert_eq!((photos, sheet.page.order.len()), (vec![None, Some("b"), None, Some("c")], 2));
@@ -158,7 +164,7 @@ fn a_photo_in_the_place_of_another_is_it_everywhere() {
     shown.panels[2].photo = Some("a".into());
     shown.order = texts(&["b", "a"]);
     let edits = [
-        Edit::AddPhotos(texts(&["a", "b"])),
+        Edit::AddPhotos { ids: texts(&["a", "b"]) },
         Edit::ShowPage { page: Arc::new(shown), page_id: 1 },
         Edit::ExchangePhoto { id: "a".into(), by: "d".into() },
     ];
@@ -186,11 +192,11 @@ fn ids_of(list: &List<Value>) -> Vec<&str> {
 
 #[test]
 fn what_another_project_does_to_shared_lists_no_undo_takes_back() {
-    let own = |ids: &[&str]| Edit::Own(Shelf::Mine, shelf(ids));
-    let mut editor = played([own(&["a"]), own(&["b", "a"]), Edit::Rename("x".into())]);
+    let own = |ids: &[&str]| Edit::OwnStyles { mine: shelf(ids) };
+    let mut editor = played([own(&["a"]), own(&["b", "a"]), Edit::Rename { name: "x".into() }]);
     // Elsewhere `c` came and `a` went.
-    assert!(editor.apply(&Edit::Share(vec![(Shelf::Mine, shelf(&["c", "b"]))]), &How::default()));
-    assert!(!editor.apply(&Edit::Share(vec![(Shelf::Mine, shelf(&["c", "b"]))]), &How::default()));
+    assert!(editor.apply(&Edit::Share { lists: vec![(Shelf::Mine, shelf(&["c", "b"]))] }, &How::default()));
+    assert!(!editor.apply(&Edit::Share { lists: vec![(Shelf::Mine, shelf(&["c", "b"]))] }, &How::default()));
     let states: Vec<_> = editor.history().states().map(|state| ids_of(&state.mine).join("")).collect();
     assert_eq!(states, ["c", "c", "cb", "cb"]);
     let History { past, present, .. } = editor.history();
@@ -230,9 +236,9 @@ fn edit(random: &mut Rand64) -> (Edit, How) {
     let photo = (*some(random, &PHOTOS)).to_owned();
     let page = some(random, pages()).clone();
     let edit = match random.rand_range(0..27) {
-        0 | 1 => Edit::AddPhotos(some_photos(random)),
-        2 => Edit::RemovePhotos(some_photos(random)),
-        3 => Edit::UsePhotos(vec![(photo, on)]),
+        0 | 1 => Edit::AddPhotos { ids: some_photos(random) },
+        2 => Edit::RemovePhotos { ids: some_photos(random) },
+        3 => Edit::UsePhotos { uses: vec![(photo, on)] },
         26 => Edit::StarPhoto { id: photo, on },
         4 => Edit::ExchangePhoto { id: photo, by: (*some(random, &["d", "e", "f"])).to_owned() },
         5 => Edit::ChooseBy {
@@ -240,10 +246,10 @@ fn edit(random: &mut Rand64) -> (Edit, How) {
             order: Some(*some(random, &[Order::Time, Order::Name])),
         },
         6 => Edit::FocusPhoto { id: photo, focus: on.then_some(Focus { x: 0.2, y: 0.7 }) },
-        7 => Edit::Lock(*some(random, &[Part::Layout, Part::Style, Part::Photos]), on),
-        8 => Edit::WantPanels(on.then_some(id as u32)),
+        7 => Edit::Lock { part: *some(random, &[Part::Layout, Part::Style, Part::Photos]), on },
+        8 => Edit::WantPanels { count: on.then_some(id as u32) },
         9..=12 => Edit::ShowPage { page, page_id: id },
-        13 | 14 => Edit::ChangePage(page),
+        13 | 14 => Edit::ChangePage { page },
         15 => Edit::ChangeSettings { settings: Arc::new(page.page.clone()), page: on.then_some(page) },
         16 | 17 => {
             let count = random.rand_range(1..5);
@@ -254,14 +260,14 @@ fn edit(random: &mut Rand64) -> (Edit, How) {
             Edit::SetSheets { sheets: (0..count).map(sheet).collect(), at: (id % count) as usize }
         }
         18 => Edit::NoPage,
-        19 => Edit::Design(on.then(|| Arc::new(Draft::empty("d", "D")))),
-        20 => Edit::Own(
-            *some(random, &[Shelf::Mine, Shelf::Favourites]),
-            if on { own_styles() } else { shelf(&[]) },
-        ),
+        19 => Edit::Design { draft: on.then(|| Arc::new(Draft::empty("d", "D"))) },
+        20 => {
+            let list = if random.rand_float() < 0.5 { own_styles() } else { shelf(&[]) };
+            if on { Edit::OwnStyles { mine: list } } else { Edit::Favourites { favourites: list } }
+        }
         21 => Edit::LovePage { page_id: id, on },
-        22 => Edit::Rename((*some(random, &WORDS)).to_owned()),
-        23 => Edit::Styling(Styling { invented: 0.5, keep_lines: on, ..Styling::default() }),
+        22 => Edit::Rename { name: (*some(random, &WORDS)).to_owned() },
+        23 => Edit::Styling { styling: Styling { invented: 0.5, keep_lines: on, ..Styling::default() } },
         24 => Edit::Undo,
         _ => Edit::Redo,
     };
@@ -370,11 +376,13 @@ fn what_changes_all_times_leaves_every_state_whole() {
         let mut lost = HashSet::new();
         for _ in 0..50 {
             let (edit, how) = match random.rand_range(0..10) {
-                0 => (Edit::ForgetPhotos(some_photos(&mut random)), How::default()),
+                0 => (Edit::ForgetPhotos { ids: some_photos(&mut random) }, How::default()),
                 1 => {
                     let list = if random.rand_float() < 0.5 { own_styles() } else { shelf(&[]) };
                     (
-                        Edit::Share(vec![(*some(&mut random, &[Shelf::Mine, Shelf::Favourites]), list)]),
+                        Edit::Share {
+                            lists: vec![(*some(&mut random, &[Shelf::Mine, Shelf::Favourites]), list)],
+                        },
                         How::default(),
                     )
                 }
@@ -386,8 +394,8 @@ fn what_changes_all_times_leaves_every_state_whole() {
             let forgets = editor.apply(&edit, &how);
             match &edit {
                 // These are on no table of any time; they come back only where they are added again.
-                Edit::ForgetPhotos(ids) if forgets => lost.extend(ids.iter().cloned()),
-                Edit::AddPhotos(ids) => lost.retain(|id| !ids.contains(id)),
+                Edit::ForgetPhotos { ids } if forgets => lost.extend(ids.iter().cloned()),
+                Edit::AddPhotos { ids } => lost.retain(|id| !ids.contains(id)),
                 Edit::ExchangePhoto { by, .. } => lost.retain(|id| id != by),
                 _ => {}
             }
@@ -463,12 +471,12 @@ fn a_forgotten_photo_is_gone_from_the_pages_of_all_times_and_what_these_share_th
     shown.panels[0].photo = Some("a".into());
     shown.order = texts(&["a"]);
     let mut editor = played([
-        Edit::AddPhotos(texts(&["a", "b"])),
+        Edit::AddPhotos { ids: texts(&["a", "b"]) },
         Edit::ShowPage { page: Arc::new(shown), page_id: 1 },
-        Edit::Rename("One".into()),
+        Edit::Rename { name: "One".into() },
         show(2),
     ]);
-    assert!(editor.apply(&Edit::ForgetPhotos(texts(&["a"])), &How::default()));
+    assert!(editor.apply(&Edit::ForgetPhotos { ids: texts(&["a"]) }, &How::default()));
     let history = editor.history();
     assert!(history.shown.iter().all(|shown| photos_on([&*shown.page]).is_empty()));
     assert!(history.states().all(|state| state.tray.iter().all(|item| item.id != "a")));
@@ -477,7 +485,7 @@ fn a_forgotten_photo_is_gone_from_the_pages_of_all_times_and_what_these_share_th
         history.past.iter().filter_map(|state| state.page.as_ref()).all(|page| Arc::ptr_eq(page, before))
     );
     assert!(Arc::ptr_eq(&history.shown[0].page, before));
-    assert!(!editor.apply(&Edit::ForgetPhotos(texts(&["a"])), &How::default()));
+    assert!(!editor.apply(&Edit::ForgetPhotos { ids: texts(&["a"]) }, &How::default()));
 }
 
 #[test]
@@ -522,9 +530,9 @@ fn the_lists_of_a_project_join_those_that_are_there() {
         (0..count).map(|i| Arc::new(json!({ "id": format!("{of}{i}"), "background": [] }))).collect()
     };
     let mut editor =
-        played([Edit::Own(Shelf::Mine, styles(900, "a")), Edit::Own(Shelf::Favourites, styles(1, "f"))]);
+        played([Edit::OwnStyles { mine: styles(900, "a") }, Edit::Favourites { favourites: styles(1, "f") }]);
     let steps = editor.history().past.len();
-    editor.apply(&Edit::Join(vec![(Shelf::Mine, styles(900, "b"))]), &How::default());
+    editor.apply(&Edit::Join { lists: vec![(Shelf::Mine, styles(900, "b"))] }, &How::default());
     let mine = ids_of(&editor.project().mine);
     assert_eq!((mine.len(), mine[0], mine[999]), (1_000, "b0", "a99"));
     assert_eq!((ids_of(&editor.project().favourites), editor.history().past.len()), (vec!["f0"], steps));
@@ -537,19 +545,19 @@ fn a_list_that_many_share_never_grows_too_long_to_be_opened() {
             .map(|i| Arc::new(json!({ "id": format!("{i}"), "background": [] })))
             .collect::<List<Value>>()
     };
-    let mut editor = played([Edit::Own(Shelf::Mine, many(0)), Edit::Own(Shelf::Mine, shelf(&[]))]);
+    let mut editor = played([Edit::OwnStyles { mine: many(0) }, Edit::OwnStyles { mine: shelf(&[]) }]);
     editor.apply(&Edit::Undo, &How::default());
     editor.apply(&Edit::Redo, &How::default());
-    editor.apply(&Edit::Share(vec![(Shelf::Mine, many(1000))]), &How::default());
+    editor.apply(&Edit::Share { lists: vec![(Shelf::Mine, many(1000))] }, &How::default());
     saved(&editor);
 }
 
 #[test]
 fn what_is_shared_in_memory_is_shared_in_what_is_saved() {
     let photos: Vec<String> = (0..1_000).map(|i| format!("photo-{i}")).collect();
-    let mut editor = played([Edit::AddPhotos(photos.clone())]);
+    let mut editor = played([Edit::AddPhotos { ids: photos.clone() }]);
     for i in 0..600 {
-        editor.apply(&Edit::UsePhotos(vec![(photos[i % 50].clone(), i % 2 == 0)]), &How::default());
+        editor.apply(&Edit::UsePhotos { uses: vec![(photos[i % 50].clone(), i % 2 == 0)] }, &How::default());
         editor.apply(&show(i as u64 + 1), &How::default());
     }
     let text = kept::write(editor.history(), &Vec::new());
@@ -566,7 +574,7 @@ fn metas(count: usize) -> Vec<PhotoMeta> {
 
 /// An editor of a project of one page.
 fn opened(photos: &[PhotoMeta]) -> Editor {
-    let mut editor = played([Edit::AddPhotos(photos.iter().map(|photo| photo.id.clone()).collect())]);
+    let mut editor = played([Edit::AddPhotos { ids: photos.iter().map(|photo| photo.id.clone()).collect() }]);
     let planning = Planning { project: editor.project(), photos };
     let mut request = planning.request(1);
     (request.keep.layout, request.keep.style, request.keep.photos) = (false, false, false);
@@ -619,14 +627,14 @@ fn an_album_is_spread_over_pages_in_order_in_one_style() {
 fn spreading_takes_the_wanted_number_of_panels_or_the_locked_layout_and_keeps_words_on_their_photos() {
     let photos = metas(13);
     let mut editor = opened(&photos);
-    editor.apply(&Edit::WantPanels(Some(4)), &How::default());
+    editor.apply(&Edit::WantPanels { count: Some(4) }, &How::default());
     let mut page = Document::clone(editor.project().page.as_ref().unwrap());
     page.words = vec![
         json!({ "kind": "caption", "text": "Here", "panel": 5 }),
         json!({ "kind": "effect", "text": "BAM" }),
     ];
     let (here, first) = (page.panels[5].photo.clone(), page.panels[0].photo.clone());
-    editor.apply(&Edit::ChangePage(Arc::new(page)), &How::default());
+    editor.apply(&Edit::ChangePage { page: Arc::new(page) }, &How::default());
     let mut seeds = Seeds::new(3);
     spread(&mut editor, &photos, &mut seeds);
     assert_eq!(shown(&editor).iter().map(Vec::len).collect::<Vec<_>>(), [4, 3, 3, 3]);
@@ -647,7 +655,7 @@ fn spreading_takes_the_wanted_number_of_panels_or_the_locked_layout_and_keeps_wo
         .collect();
     assert!(words.contains(&("Here".into(), here)) && words.len() == 2, "{words:?}");
     assert!(words.iter().any(|(text, _)| text == "BAM") && first.is_some());
-    editor.apply(&Edit::Lock(Part::Layout, true), &How::default());
+    editor.apply(&Edit::Lock { part: Part::Layout, on: true }, &How::default());
     let layout = editor.project().page.as_ref().unwrap().layout.clone();
     spread(&mut editor, &photos, &mut seeds);
     let sheets = editor.project().sheets();
@@ -702,7 +710,7 @@ fn no_two_pages_claim_one_photo() {
                     }
                     let gone = photos.remove(random.rand_range(0..photos.len() as u64) as usize).id;
                     let how = How { silent: false, gesture: Some("gone".into()) };
-                    editor.apply(&Edit::RemovePhotos(vec![gone]), &how);
+                    editor.apply(&Edit::RemovePhotos { ids: vec![gone] }, &how);
                     let planning = Planning { project: editor.project(), photos: &photos };
                     if let Some(page) = planning.refitted(false, seeds.next_seed()).unwrap() {
                         let page_id = editor.history().fresh_page_id();

@@ -24,6 +24,7 @@ pub use objects::Objects;
 
 /// Something that was found in a photo. Its box lies inside the photo.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(test, derive(ts_rs::TS))]
 pub struct Detection {
     /// `face`, or one of COCO's eighty kinds of objects.
     pub label: String,
@@ -37,6 +38,16 @@ pub struct Detection {
     pub width: f64,
     /// Height, 0..1.
     pub height: f64,
+}
+
+/// What the first look for faces found.
+#[derive(Debug, Serialize)]
+#[cfg_attr(test, derive(ts_rs::TS))]
+pub struct FirstLook {
+    /// The faces.
+    pub boxes: Vec<Detection>,
+    /// Whether a closer look may find more.
+    pub closer: bool,
 }
 
 /// Both detectors, ready to run. In the browser each has a worker of its own.

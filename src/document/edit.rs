@@ -13,17 +13,35 @@ use serde_json::Value;
 use std::collections::HashSet;
 use std::sync::Arc;
 
-/// What is done.
+/// What is done. In JSON an object with the edit's name as its `type`, beside its fields.
 #[derive(Debug, Clone, PartialEq)]
+#[cfg_attr(
+    test,
+    derive(ts_rs::TS),
+    ts(tag = "type", rename_all = "kebab-case", rename_all_fields = "camelCase")
+)]
 pub enum Edit {
     /// Photos come onto the table.
-    AddPhotos(Vec<String>),
+    AddPhotos {
+        /// Their ids.
+        ids: Vec<String>,
+    },
     /// Photos leave it, and the pages with it.
-    RemovePhotos(Vec<String>),
+    RemovePhotos {
+        /// Their ids.
+        ids: Vec<String>,
+    },
     /// Photos that could not be read are gone from all times: no undo brings them back.
-    ForgetPhotos(Vec<String>),
+    ForgetPhotos {
+        /// Their ids.
+        ids: Vec<String>,
+    },
     /// Photos are used, or not.
-    UsePhotos(Vec<(String, bool)>),
+    UsePhotos {
+        /// Which, by id.
+        #[cfg_attr(test, ts(type = "Record<string, boolean>"))]
+        uses: Vec<(String, bool)>,
+    },
     /// A photo takes the place of another, wherever that was.
     ExchangePhoto {
         /// The one that goes.
@@ -34,8 +52,10 @@ pub enum Edit {
     /// How photos are chosen and ordered; what is not told stays.
     ChooseBy {
         /// Bits in which fingerprints of look-alikes may differ.
+        #[cfg_attr(test, ts(optional = nullable))]
         alike: Option<u8>,
         /// The order.
+        #[cfg_attr(test, ts(optional = nullable))]
         order: Option<Order>,
     },
     /// The point of a photo that matters.
@@ -53,9 +73,17 @@ pub enum Edit {
         on: bool,
     },
     /// A part of the page is locked, or no longer.
-    Lock(Part, bool),
-    /// The wanted number of panels, none for any.
-    WantPanels(Option<u32>),
+    Lock {
+        /// Which.
+        part: Part,
+        /// Whether it is locked.
+        on: bool,
+    },
+    /// The wanted number of panels.
+    WantPanels {
+        /// None for any.
+        count: Option<u32>,
+    },
     /// Another page is the page.
     ShowPage {
         /// It.
@@ -64,7 +92,10 @@ pub enum Edit {
         page_id: u64,
     },
     /// The page changes.
-    ChangePage(Arc<Document>),
+    ChangePage {
+        /// What it is now.
+        page: Arc<Document>,
+    },
     /// Page settings, and the page on such paper.
     ChangeSettings {
         /// The settings.
@@ -82,9 +113,28 @@ pub enum Edit {
     /// There is no page any more.
     NoPage,
     /// What is in the designer.
-    Design(Option<Arc<Draft>>),
-    /// A list that all projects share.
-    Own(Shelf, List<Value>),
+    Design {
+        /// None where nothing is.
+        draft: Option<Arc<Draft>>,
+    },
+    /// A person's own styles.
+    OwnStyles {
+        /// All of them.
+        #[cfg_attr(test, ts(as = "Vec<crate::style::Style>"))]
+        mine: List<Value>,
+    },
+    /// Styles that are favourites.
+    Favourites {
+        /// All of them.
+        #[cfg_attr(test, ts(as = "Vec<crate::style::Style>"))]
+        favourites: List<Value>,
+    },
+    /// A person's own layouts.
+    OwnLayouts {
+        /// All of them.
+        #[cfg_attr(test, ts(as = "Vec<crate::layout::Template>"))]
+        own_layouts: List<Value>,
+    },
     /// A page shown is a favourite, or no longer.
     LovePage {
         /// Its id.
@@ -92,22 +142,37 @@ pub enum Edit {
         /// Whether it is.
         on: bool,
     },
-    /// What the person calls the project.
-    Rename(String),
+    /// The project has another name.
+    Rename {
+        /// What the person calls it.
+        name: String,
+    },
     /// How a shuffle draws styles.
-    Styling(Styling),
+    Styling {
+        /// What is told of that.
+        styling: Styling,
+    },
     /// A step back.
     Undo,
     /// A step forth.
     Redo,
     /// Lists that all projects share, as they are now outside of this one: no step, at no time undone.
-    Share(Vec<(Shelf, List<Value>)>),
+    Share {
+        /// Those that changed.
+        #[cfg_attr(test, ts(type = "Partial<SharedLists>"))]
+        lists: Vec<(Shelf, List<Value>)>,
+    },
     /// The same, but what this project has besides stays, behind them.
-    Join(Vec<(Shelf, List<Value>)>),
+    Join {
+        /// Those that there are.
+        #[cfg_attr(test, ts(type = "Partial<SharedLists>"))]
+        lists: Vec<(Shelf, List<Value>)>,
+    },
 }
 
 /// A part of the page.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[cfg_attr(test, derive(ts_rs::TS), ts(rename_all = "lowercase"))]
 pub enum Part {
     /// Its layout.
     Layout,
@@ -152,13 +217,16 @@ impl Shelf {
     }
 }
 
-/// How an edit counts.
+/// How an edit counts: fields beside those of the edit.
 #[derive(Debug, Clone, PartialEq, Eq, Default)]
+#[cfg_attr(test, derive(ts_rs::TS))]
 pub struct How {
     /// It amends the present without a step, as for a page that is still growing.
+    #[cfg_attr(test, ts(as = "Option<_>", optional))]
     pub silent: bool,
     /// Names the edit that it belongs to, such as one drag of a slider: a step with the gesture of the step before joins
     /// it.
+    #[cfg_attr(test, ts(optional))]
     pub gesture: Option<String>,
 }
 
@@ -169,9 +237,9 @@ impl Project {
     pub fn after(&self, edit: &Edit) -> Option<Self> {
         let mut next = self.clone();
         match edit {
-            Edit::AddPhotos(ids) => next.tray = self.with_photos(ids)?,
-            Edit::RemovePhotos(ids) | Edit::ForgetPhotos(ids) => return self.without(ids),
-            Edit::UsePhotos(uses) => {
+            Edit::AddPhotos { ids } => next.tray = self.with_photos(ids)?,
+            Edit::RemovePhotos { ids } | Edit::ForgetPhotos { ids } => return self.without(ids),
+            Edit::UsePhotos { uses } => {
                 let told = |on| -> HashSet<&str> {
                     uses.iter().filter(|(_, used)| *used == on).map(|(id, _)| id.as_str()).collect()
                 };
@@ -200,7 +268,7 @@ impl Project {
                     (item.id == *id).then(|| TrayItem { starred: *on, ..item.clone() })
                 });
             }
-            Edit::Lock(part, on) => {
+            Edit::Lock { part, on } => {
                 let lock = match part {
                     Part::Layout => &mut next.locks.layout,
                     Part::Style => &mut next.locks.style,
@@ -211,7 +279,7 @@ impl Project {
                 }
                 *lock = *on;
             }
-            Edit::WantPanels(count) => {
+            Edit::WantPanels { count } => {
                 if self.panels == *count {
                     return None;
                 }
@@ -221,7 +289,7 @@ impl Project {
                 next.show(page);
                 next.page_id = *page_id;
             }
-            Edit::ChangePage(page) => {
+            Edit::ChangePage { page } => {
                 self.page.as_ref()?;
                 next.show(page);
             }
@@ -239,22 +307,26 @@ impl Project {
                 next.others = Arc::new([]);
                 next.at = 0;
             }
-            Edit::Design(draft) => next.draft.clone_from(draft),
-            Edit::Own(shelf, list) => *shelf.of_mut(&mut next) = own::reusing(shelf.of(self), list),
+            Edit::Design { draft } => next.draft.clone_from(draft),
+            Edit::OwnStyles { mine } => next.mine = own::reusing(&self.mine, mine),
+            Edit::Favourites { favourites } => next.favourites = own::reusing(&self.favourites, favourites),
+            Edit::OwnLayouts { own_layouts } => {
+                next.own_layouts = own::reusing(&self.own_layouts, own_layouts);
+            }
             Edit::LovePage { page_id, on } => next.loved = self.with_love(*page_id, *on)?,
-            Edit::Rename(name) => {
+            Edit::Rename { name } => {
                 if self.name == *name {
                     return None;
                 }
                 next.name.clone_from(name);
             }
-            Edit::Styling(styling) => next.styling = styling.clone(),
-            Edit::Undo | Edit::Redo | Edit::Share(_) | Edit::Join(_) => return None,
+            Edit::Styling { styling } => next.styling = styling.clone(),
+            Edit::Undo | Edit::Redo | Edit::Share { .. } | Edit::Join { .. } => return None,
         }
         if matches!(
             edit,
             Edit::ShowPage { .. }
-                | Edit::ChangePage(_)
+                | Edit::ChangePage { .. }
                 | Edit::ChangeSettings { .. }
                 | Edit::SetSheets { .. }
         ) {
@@ -385,12 +457,10 @@ impl Edit {
         };
         let kind = fields.name("type", LONGEST_ID)?;
         let edit = match kind.as_str() {
-            "add-photos" => Self::AddPhotos(ids(&mut fields)?),
-            "remove-photo" => Self::RemovePhotos(vec![fields.name("id", LONGEST_ID)?]),
-            "remove-photos" => Self::RemovePhotos(ids(&mut fields)?),
-            "forget-photos" => Self::ForgetPhotos(ids(&mut fields)?),
-            "use-photo" => Self::UsePhotos(vec![(fields.name("id", LONGEST_ID)?, fields.flag("use")?)]),
-            "use-photos" => Self::UsePhotos(fields.part("uses", &mut uses)?.unwrap_or_default()),
+            "add-photos" => Self::AddPhotos { ids: ids(&mut fields)? },
+            "remove-photos" => Self::RemovePhotos { ids: ids(&mut fields)? },
+            "forget-photos" => Self::ForgetPhotos { ids: ids(&mut fields)? },
+            "use-photos" => Self::UsePhotos { uses: fields.part("uses", &mut uses)?.unwrap_or_default() },
             "exchange-photo" => {
                 Self::ExchangePhoto { id: fields.name("id", LONGEST_ID)?, by: fields.name("by", LONGEST_ID)? }
             }
@@ -403,16 +473,19 @@ impl Edit {
                 focus: fields.nullable("focus").part("focus", &mut project::focus)?,
             },
             "star-photo" => Self::StarPhoto { id: fields.name("id", LONGEST_ID)?, on: fields.flag("on")? },
-            "lock" => Self::Lock(fields.part("part", &mut part)?.unwrap_or(Part::Layout), fields.flag("on")?),
+            "lock" => Self::Lock {
+                part: fields.part("part", &mut part)?.unwrap_or(Part::Layout),
+                on: fields.flag("on")?,
+            },
             "want-panels" => {
                 let count = fields.nullable("count").whole("count", 1, MOST_WANTED)?;
-                Self::WantPanels(count.map(|count| count as u32))
+                Self::WantPanels { count: count.map(|count| count as u32) }
             }
             "show-page" => {
                 let page_id = fields.count("pageId", 0, GREATEST_ID)?;
                 Self::ShowPage { page: page(&mut fields, page_id, known)?, page_id }
             }
-            "change-page" => Self::ChangePage(page(&mut fields, 0, &|_| None)?),
+            "change-page" => Self::ChangePage { page: page(&mut fields, 0, &|_| None)? },
             "change-settings" => Self::ChangeSettings {
                 settings: fields.part("settings", &mut pages::settings)?.unwrap_or_default(),
                 page: fields.nullable("page").part("page", &mut pages::page)?,
@@ -427,16 +500,18 @@ impl Edit {
                 Self::SetSheets { sheets, at }
             }
             "no-page" => Self::NoPage,
-            "design" => Self::Design(fields.nullable("draft").part("draft", &mut Draft::read)?),
+            "design" => Self::Design { draft: fields.nullable("draft").part("draft", &mut Draft::read)? },
             "love-page" => {
                 Self::LovePage { page_id: fields.count("pageId", 0, GREATEST_ID)?, on: fields.flag("on")? }
             }
             "rename" => {
                 // A name has an end, wherever it is written.
                 let name = fields.text("name", usize::MAX)?.unwrap_or_default();
-                Self::Rename(name.chars().take(LONGEST_NAME).collect())
+                Self::Rename { name: name.chars().take(LONGEST_NAME).collect() }
             }
-            "styling" => Self::Styling(fields.part("styling", &mut project::styling)?.unwrap_or_default()),
+            "styling" => {
+                Self::Styling { styling: fields.part("styling", &mut project::styling)?.unwrap_or_default() }
+            }
             "undo" => Self::Undo,
             "redo" => Self::Redo,
             "share" | "join" => {
@@ -447,18 +522,16 @@ impl Edit {
                         told.push((shelf, list));
                     }
                 }
-                if kind == "share" { Self::Share(told) } else { Self::Join(told) }
+                if kind == "share" { Self::Share { lists: told } } else { Self::Join { lists: told } }
             }
-            _ => {
-                let own_lists = [("own-styles", 0), ("favourites", 1), ("own-layouts", 2)];
-                let found = own_lists.into_iter().find(|(name, _)| *name == kind);
-                let (_, at) = found.ok_or_else(|| Wrong::new("is nothing that can be done").at("type"))?;
-                let (shelf, name) = Shelf::ALL[at];
-                Self::Own(
-                    shelf,
-                    fields.part(name, &mut |list| self::shelf(list, shelf))?.unwrap_or_else(|| Arc::new([])),
-                )
+            "own-styles" => Self::OwnStyles { mine: own(&mut fields, "mine", Shelf::Mine)? },
+            "favourites" => {
+                Self::Favourites { favourites: own(&mut fields, "favourites", Shelf::Favourites)? }
             }
+            "own-layouts" => {
+                Self::OwnLayouts { own_layouts: own(&mut fields, "ownLayouts", Shelf::Layouts)? }
+            }
+            _ => return Err(Wrong::new("is nothing that can be done").at("type")),
         };
         Ok((edit, how))
     }
@@ -480,6 +553,12 @@ fn part(value: Value) -> Read<Part> {
         "photos" => Ok(Part::Photos),
         _ => Err(Wrong::new("is none of layout, style, photos")),
     }
+}
+
+/// A list of that name, in full.
+fn own(fields: &mut Fields, name: &str, shelf: Shelf) -> Read<List<Value>> {
+    let list = fields.part(name, &mut |list| self::shelf(list, shelf))?;
+    Ok(list.unwrap_or_else(|| Arc::new([])))
 }
 
 fn shelf(value: Value, shelf: Shelf) -> Read<List<Value>> {

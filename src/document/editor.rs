@@ -45,12 +45,12 @@ impl Editor {
         match edit {
             Edit::Undo => return self.undo(),
             Edit::Redo => return self.redo(),
-            Edit::Share(lists) => return self.share(lists),
-            Edit::Join(lists) => {
+            Edit::Share { lists } => return self.share(lists),
+            Edit::Join { lists } => {
                 let all = |(shelf, list): &(Shelf, _)| (*shelf, own::joined(shelf.of(self.project()), list));
                 return self.share(&lists.iter().map(all).collect::<Vec<_>>());
             }
-            Edit::ForgetPhotos(ids) => return self.forget(ids),
+            Edit::ForgetPhotos { ids } => return self.forget(ids),
             _ => {}
         }
         let history = &mut self.history;

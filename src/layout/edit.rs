@@ -3,7 +3,7 @@
 //! Each change gives a new template of the family `custom`, which passes the same checks as a file. Only
 //! templates made of cuts can be changed; those of polygons have no cut to take hold of.
 
-use serde_json::{Value, json};
+use serde::Serialize;
 
 use super::polygon::Point;
 use super::resolve::Page;
@@ -16,7 +16,8 @@ use crate::error::{Error, Result};
 const LEAST_STEP: f64 = 0.06;
 
 /// A cut of a template on a page.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Serialize)]
+#[cfg_attr(test, derive(ts_rs::TS))]
 pub struct Cut {
     /// Which way the cells that it parts are laid out: it runs across for rows, down for columns.
     pub axis: Axis,
@@ -31,22 +32,6 @@ pub struct Cut {
     /// The extent of its cell along the way that it can move, in page widths: moved by `d` page widths, its
     /// fraction changes by `d / length`.
     pub length: f64,
-}
-
-impl Cut {
-    /// The cut as JSON: `{axis: "rows" | "columns", from: [x, y], to: [x, y], fraction, slant, length}`.
-    #[must_use]
-    pub fn to_value(&self) -> Value {
-        let axis = if self.axis == Axis::Rows { "rows" } else { "columns" };
-        json!({
-            "axis": axis,
-            "from": [self.from.x, self.from.y],
-            "to": [self.to.x, self.to.y],
-            "fraction": self.fraction,
-            "slant": self.slant,
-            "length": self.length,
-        })
-    }
 }
 
 /// All cuts of a template on a page of that aspect, outer ones before those inside; empty for a template of

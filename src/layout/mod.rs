@@ -25,6 +25,7 @@ pub use polygon::{Bounds, Point};
 pub use resolve::{ResolvedPanel, ResolvedShape, resolve};
 pub use settings::{DEFAULT_GUTTER, PRESETS, PagePreset, PageSettings};
 pub use template::{Body, LEAST_THICKNESS, Panel, Shape, Template};
+pub use write::{Circle, Descriptor, LayoutPanel, Outline, PlacedPanel};
 
 /// The families of templates, in the order in which they are listed. `custom` holds what people make,
 /// `generated` what the generator makes.

@@ -3,16 +3,26 @@
 //! A polygon is a list of corners in order round its edge, clockwise on the screen (y grows downward),
 //! without a repeated last corner. [`normalised`] brings any convex outline into that form.
 
+use serde::Serialize;
+
 /// Corners nearer than this are one corner; distances below it are no distance. Unit coordinates.
 pub const TINY: f64 = 1e-9;
 
 /// A point, or a vector, in the plane; y grows downward.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+#[serde(into = "[f64; 2]")]
+#[cfg_attr(test, derive(ts_rs::TS), ts(type = "[number, number]"))]
 pub struct Point {
     /// To the right.
     pub x: f64,
     /// Down.
     pub y: f64,
+}
+
+impl From<Point> for [f64; 2] {
+    fn from(point: Point) -> Self {
+        [point.x, point.y]
+    }
 }
 
 impl Point {
@@ -36,7 +46,8 @@ impl Point {
 }
 
 /// A rectangle with sides parallel to the axes.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+#[cfg_attr(test, derive(ts_rs::TS))]
 pub struct Bounds {
     /// Left edge.
     pub x: f64,

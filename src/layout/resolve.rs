@@ -1,10 +1,9 @@
 //! A template on a page: gutters and margins taken off, in page-width units.
 
-use serde_json::Value;
-
 use super::polygon::{Bounds, Point, eroded};
 use super::settings::PageSettings;
 use super::template::{Shape, Template, circle_radius};
+use super::write::PlacedPanel;
 
 /// The least part of a panel's half thickness that gutters leave.
 const KEPT: f64 = 0.5;
@@ -41,10 +40,10 @@ pub struct ResolvedPanel {
 }
 
 impl ResolvedPanel {
-    /// The panel as JSON: `{polygon | circle, bounds: {x, y, width, height}, overlay, halo}`.
+    /// The panel as JSON has it.
     #[must_use]
-    pub fn to_value(&self) -> Value {
-        super::write::resolved(self)
+    pub fn placed(&self) -> PlacedPanel<'_> {
+        super::write::placed(self)
     }
 }
 

@@ -6,6 +6,7 @@ use super::parse;
 use super::polygon::{Bounds, Point, area, eroded, normalised, thickness};
 use super::settings::DEFAULT_GUTTER;
 use super::tree::{Node, PAGE};
+use super::write::Descriptor;
 use crate::error::Result;
 
 /// The least thickness of a panel, in page widths, where a template is still offered.
@@ -56,22 +57,27 @@ impl Panel {
 
 /// How the base panels of a template are given; kept so that a template can be edited and written back.
 #[derive(Debug, Clone, PartialEq)]
+#[cfg_attr(test, derive(ts_rs::TS), ts(rename_all = "lowercase"))]
 pub enum Body {
     /// A tree of cuts.
-    Tree(Node),
+    Tree(#[cfg_attr(test, ts(type = "string | object"))] Node),
     /// Convex polygons that tile the page.
     Polygons(Vec<Vec<Point>>),
 }
 
 /// A page template that has passed every check of its schema (see `layouts/README.md`).
 #[derive(Debug, Clone, PartialEq)]
+#[cfg_attr(test, derive(ts_rs::TS))]
 pub struct Template {
     pub(super) id: String,
     pub(super) name: String,
     pub(super) family: String,
     pub(super) aspect: f64,
+    #[cfg_attr(test, ts(flatten))]
     pub(super) body: Body,
+    #[cfg_attr(test, ts(as = "Option<_>", optional))]
     pub(super) order: Vec<usize>,
+    #[cfg_attr(test, ts(as = "Option<Vec<f32>>", rename = "weights", optional))]
     pub(super) panels: Vec<Panel>,
 }
 
@@ -106,10 +112,9 @@ impl Template {
         Self { id: id.into(), name: name.into(), family: family.into(), aspect, body, order, panels }
     }
 
-    /// What the list of layouts shows: `{id, name, family, aspect, count, panels: [{shape, weight, overlay}]}`
-    /// with `shape` either `{polygon: [[x, y], ...]}` or `{circle: {x, y, radius}}`, in unit coordinates.
+    /// What the list of layouts shows.
     #[must_use]
-    pub fn descriptor(&self) -> Value {
+    pub fn descriptor(&self) -> Descriptor<'_> {
         super::write::descriptor(self)
     }
 

@@ -1,6 +1,7 @@
 //! Split trees: a page cut into rows and columns, those cut again, with straight or slanted cuts.
 
 use super::polygon::Point;
+use serde::{Deserialize, Serialize};
 
 /// The four corners of a cell: top left, top right, bottom right, bottom left.
 pub type Quad = [Point; 4];
@@ -10,7 +11,9 @@ pub const PAGE: Quad =
     [Point::new(0.0, 0.0), Point::new(1.0, 0.0), Point::new(1.0, 1.0), Point::new(0.0, 1.0)];
 
 /// Which way a split runs.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "lowercase")]
+#[cfg_attr(test, derive(ts_rs::TS))]
 pub enum Axis {
     /// Children stand below one another; cuts run from left to right.
     Rows,

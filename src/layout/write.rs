@@ -1,8 +1,9 @@
 //! A template back to the text of a layout file, and to what the page draws thumbnails from.
 
+use serde::Serialize;
 use serde_json::{Map, Value, json};
 
-use super::polygon::Point;
+use super::polygon::{Bounds, Point};
 use super::resolve::{ResolvedPanel, ResolvedShape};
 use super::template::{Body, Panel, Shape, Template};
 use super::tree::{Axis, Node};
@@ -34,37 +35,116 @@ pub(super) fn file(template: &Template) -> String {
     format!("{{\n{}\n}}\n", lines.join(",\n"))
 }
 
-/// See [`Template::descriptor`].
-pub(super) fn descriptor(template: &Template) -> Value {
-    let panel = |panel: &Panel| json!({ "shape": shape(&panel.shape), "weight": panel.weight, "overlay": panel.overlay });
-    json!({
-        "id": template.id,
-        "name": template.name,
-        "family": template.family,
-        "aspect": template.aspect,
-        "count": template.panels.len(),
-        "panels": template.panels.iter().map(panel).collect::<Vec<_>>(),
-    })
+/// What the list of layouts shows of a template, in unit coordinates.
+#[derive(Debug, Serialize)]
+#[cfg_attr(test, derive(ts_rs::TS), ts(rename = "Layout"))]
+pub struct Descriptor<'a> {
+    /// Unique name in kebab-case.
+    pub id: &'a str,
+    /// What people call it.
+    pub name: &'a str,
+    /// Its family.
+    pub family: &'a str,
+    /// Width over height of the page that it was drawn for.
+    pub aspect: f64,
+    /// Panels.
+    pub count: usize,
+    /// In the order in which they are painted.
+    pub panels: Vec<LayoutPanel<'a>>,
 }
 
-/// See [`ResolvedPanel::to_value`].
-pub(super) fn resolved(panel: &ResolvedPanel) -> Value {
-    let outline = match &panel.shape {
-        ResolvedShape::Polygon(corners) => ("polygon", points(corners)),
-        ResolvedShape::Circle { center, radius } => {
-            ("circle", json!({ "x": center.x, "y": center.y, "radius": radius }))
-        }
+/// A panel of a template.
+#[derive(Debug, Serialize)]
+#[cfg_attr(test, derive(ts_rs::TS))]
+pub struct LayoutPanel<'a> {
+    /// Its outline.
+    pub shape: Outline<'a>,
+    /// How much it draws the eye.
+    pub weight: f32,
+    /// It lies on top of others.
+    pub overlay: bool,
+}
+
+/// The outline of a panel: one of both.
+#[derive(Debug, Serialize)]
+#[cfg_attr(test, derive(ts_rs::TS))]
+pub struct Outline<'a> {
+    /// Corners; the first is joined to the last.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    #[cfg_attr(test, ts(optional))]
+    pub polygon: Option<&'a [Point]>,
+    /// A circle.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    #[cfg_attr(test, ts(optional))]
+    pub circle: Option<Circle>,
+}
+
+/// A circle.
+#[derive(Debug, Serialize)]
+#[cfg_attr(test, derive(ts_rs::TS))]
+pub struct Circle {
+    /// Its centre from the left.
+    pub x: f64,
+    /// Its centre from the top.
+    pub y: f64,
+    /// Its radius.
+    pub radius: f64,
+}
+
+/// A panel on the page, in page widths; its outline is one of both.
+#[derive(Debug, Serialize)]
+#[cfg_attr(test, derive(ts_rs::TS))]
+pub struct PlacedPanel<'a> {
+    /// Corners; the first is joined to the last.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    #[cfg_attr(test, ts(optional))]
+    pub polygon: Option<&'a [Point]>,
+    /// A circle.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    #[cfg_attr(test, ts(optional))]
+    pub circle: Option<Circle>,
+    /// The rectangle round the outline.
+    pub bounds: Bounds,
+    /// It lies on top of others.
+    pub overlay: bool,
+    /// Width of the paper-coloured ring outside the outline; 0 when there is none.
+    pub halo: f64,
+}
+
+/// See [`Template::descriptor`].
+pub(super) fn descriptor(template: &Template) -> Descriptor<'_> {
+    Descriptor {
+        id: &template.id,
+        name: &template.name,
+        family: &template.family,
+        aspect: template.aspect,
+        count: template.panels.len(),
+        panels: template.panels.iter().map(layout_panel).collect(),
+    }
+}
+
+/// See [`ResolvedPanel::placed`].
+pub(super) fn placed(panel: &ResolvedPanel) -> PlacedPanel<'_> {
+    let (polygon, circle) = match &panel.shape {
+        ResolvedShape::Polygon(corners) => (Some(&corners[..]), None),
+        ResolvedShape::Circle { center, radius } => (None, Some(circle(*center, *radius))),
     };
-    let bounds = panel.bounds;
-    let mut object = Map::new();
-    object.insert(outline.0.into(), outline.1);
-    object.insert(
-        "bounds".into(),
-        json!({ "x": bounds.x, "y": bounds.y, "width": bounds.width, "height": bounds.height }),
-    );
-    object.insert("overlay".into(), panel.overlay.into());
-    object.insert("halo".into(), panel.halo.into());
-    Value::Object(object)
+    PlacedPanel { polygon, circle, bounds: panel.bounds, overlay: panel.overlay, halo: panel.halo }
+}
+
+fn layout_panel(panel: &Panel) -> LayoutPanel<'_> {
+    LayoutPanel { shape: outline(&panel.shape), weight: panel.weight, overlay: panel.overlay }
+}
+
+fn outline(shape: &Shape) -> Outline<'_> {
+    match shape {
+        Shape::Polygon(corners) => Outline { polygon: Some(corners), circle: None },
+        Shape::Circle { center, radius } => Outline { polygon: None, circle: Some(circle(*center, *radius)) },
+    }
+}
+
+fn circle(center: Point, radius: f64) -> Circle {
+    Circle { x: center.x, y: center.y, radius }
 }
 
 fn shape(shape: &Shape) -> Value {

@@ -6,118 +6,215 @@ use crate::select::{self, Measures};
 use crate::style::blocks::{self, Block, Channels};
 use crate::style::catalogue;
 use crate::style::params::{Kind, Param};
-use serde::Deserialize;
-use serde_json::{Map, Value, json};
+use serde::{Deserialize, Serialize};
+use serde_json::{Number, Value};
 
-/// Descriptors of all filter blocks.
+/// A filter block, as the page makes its controls of it.
+#[derive(Debug, Serialize)]
+#[cfg_attr(test, derive(ts_rs::TS), ts(rename = "Block"))]
+pub struct BlockEntry {
+    /// Name in style files.
+    pub id: &'static str,
+    /// Name for people.
+    pub label: &'static str,
+    /// What it does, in one line.
+    pub help: &'static str,
+    /// What it takes.
+    pub input: Channels,
+    /// What it gives.
+    pub output: Channels,
+    /// Its parameters.
+    pub params: Vec<ParamEntry>,
+}
+
+/// A parameter of a block.
+#[derive(Debug, Serialize)]
+#[cfg_attr(test, derive(ts_rs::TS), ts(rename = "BlockParam", optional_fields))]
+pub struct ParamEntry {
+    /// Key in a style file.
+    pub id: &'static str,
+    /// Name of the control.
+    pub label: &'static str,
+    /// One line for people.
+    pub help: &'static str,
+    /// What it is.
+    pub kind: ParamKind,
+    /// Used where a style file says nothing.
+    #[cfg_attr(test, ts(type = "ParamValue"))]
+    pub default: Value,
+    /// Smallest value of a number.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    #[cfg_attr(test, ts(as = "Option<f64>"))]
+    pub min: Option<Number>,
+    /// Its largest value.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    #[cfg_attr(test, ts(as = "Option<f64>"))]
+    pub max: Option<Number>,
+    /// Step of its slider.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    #[cfg_attr(test, ts(as = "Option<f64>"))]
+    pub step: Option<Number>,
+    /// Sign behind it.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub unit: Option<&'static str>,
+    /// The names to choose from.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub choices: Option<&'static [&'static str]>,
+}
+
+/// What a parameter is.
+#[derive(Debug, Clone, Copy, Serialize)]
+#[serde(rename_all = "lowercase")]
+#[cfg_attr(test, derive(ts_rs::TS))]
+pub enum ParamKind {
+    /// A number.
+    Number,
+    /// A whole number.
+    Integer,
+    /// True or false.
+    Boolean,
+    /// One of some names.
+    Choice,
+}
+
+/// All filter blocks.
 #[must_use]
-pub fn blocks() -> Value {
+pub fn blocks() -> Vec<BlockEntry> {
     blocks::ALL.iter().copied().map(block).collect()
 }
 
 /// All page templates.
 #[must_use]
-pub fn layouts() -> Value {
+pub fn layouts() -> Vec<layout::Descriptor<'static>> {
     layout::catalogue().iter().map(layout::Template::descriptor).collect()
 }
 
-/// All designed styles, family by family.
+/// All designed styles, family by family, as style files.
 #[must_use]
 pub fn styles() -> Value {
     catalogue::by_family().into_iter().map(crate::style::Style::to_value).collect()
 }
 
-fn block(block: &Block) -> Value {
-    json!({
-        "id": block.id,
-        "label": block.label,
-        "help": block.help,
-        "input": channels(block.input),
-        "output": channels(block.output),
-        "params": block.params.iter().map(param).collect::<Vec<_>>(),
-    })
-}
-
-fn channels(channels: Channels) -> &'static str {
-    match channels {
-        Channels::Luma => "luma",
-        Channels::Color => "color",
-        Channels::Any => "any",
+fn block(block: &Block) -> BlockEntry {
+    BlockEntry {
+        id: block.id,
+        label: block.label,
+        help: block.help,
+        input: block.input,
+        output: block.output,
+        params: block.params.iter().map(param).collect(),
     }
 }
 
-fn param(param: &Param) -> Value {
-    let mut map = Map::new();
-    let mut set = |key: &str, value: Value| map.insert(key.to_owned(), value);
-    set("id", json!(param.id));
-    set("label", json!(param.label));
-    set("help", json!(param.help));
+fn param(param: &Param) -> ParamEntry {
+    let entry = ParamEntry {
+        id: param.id,
+        label: param.label,
+        help: param.help,
+        kind: ParamKind::Boolean,
+        default: Value::Null,
+        min: None,
+        max: None,
+        step: None,
+        unit: None,
+        choices: None,
+    };
+    let range = |entry, [min, max, step]: [Option<Number>; 3]| ParamEntry { min, max, step, ..entry };
     match param.kind {
         Kind::Number { default, min, max, step, unit } => {
-            set("kind", json!("number"));
-            for (key, value) in [("default", default), ("min", min), ("max", max), ("step", step)] {
-                set(key, decimal(value));
-            }
-            set("unit", json!(unit.sign()));
+            let entry = range(entry, [min, max, step].map(|value| Number::from_f64(decimal(value))));
+            let default = decimal(default).into();
+            ParamEntry { kind: ParamKind::Number, default, unit: Some(unit.sign()), ..entry }
         }
         Kind::Integer { default, min, max } => {
-            set("kind", json!("integer"));
-            for (key, value) in [("default", default), ("min", min), ("max", max), ("step", 1)] {
-                set(key, json!(value));
-            }
+            let entry = range(entry, [min, max, 1].map(|value| Some(value.into())));
+            ParamEntry { kind: ParamKind::Integer, default: default.into(), ..entry }
         }
-        Kind::Flag { default } => {
-            set("kind", json!("boolean"));
-            set("default", json!(default));
-        }
+        Kind::Flag { default } => ParamEntry { default: default.into(), ..entry },
         Kind::Choice { names } => {
-            set("kind", json!("choice"));
-            set("default", json!(names.first()));
-            set("choices", json!(names));
+            let default = names.first().copied().into();
+            ParamEntry { kind: ParamKind::Choice, default, choices: Some(names), ..entry }
         }
     }
-    Value::Object(map)
 }
 
 /// An f32 as the decimal that a person wrote.
-fn decimal(value: f32) -> Value {
-    json!(value.to_string().parse::<f64>().unwrap_or(f64::from(value)))
+fn decimal(value: f32) -> f64 {
+    value.to_string().parse().unwrap_or(f64::from(value))
 }
 
-/// A photo's measures.
-#[must_use]
-pub fn measures(measures: &Measures) -> Value {
-    json!({
-        "fingerprint": format!("{:016x}", measures.fingerprint),
-        "gradient": measures.gradient,
-        "paper": measures.paper,
-        "laplacian": measures.laplacian,
-    })
+/// What selection compares, as JSON has it.
+#[derive(Debug, Serialize, Deserialize)]
+#[cfg_attr(test, derive(ts_rs::TS), ts(rename = "Measures"))]
+pub struct MeasuresEntry {
+    /// The 64-bit fingerprint in 16 hexadecimal digits.
+    pub fingerprint: String,
+    /// Sharpness, comparable between photos that show the same.
+    pub gradient: f32,
+    /// How much of it is paper.
+    pub paper: f32,
+    /// Sharpness, comparable across an album.
+    pub laplacian: f32,
 }
 
-/// Which photos of `{photos: [{id, name, fingerprint, gradient, paper, laplacian}], threshold}` are worth a
-/// panel: `[{id, group, kept, why}]`.
+impl From<&Measures> for MeasuresEntry {
+    fn from(measures: &Measures) -> Self {
+        let Measures { fingerprint, gradient, paper, laplacian } = *measures;
+        Self { fingerprint: format!("{fingerprint:016x}"), gradient, paper, laplacian }
+    }
+}
+
+/// What is asked of the selection.
+#[derive(Deserialize)]
+#[cfg_attr(test, derive(ts_rs::TS))]
+pub(crate) struct ChoiceRequest {
+    /// All photos.
+    photos: Vec<Candidate>,
+    /// Bits in which fingerprints of look-alikes may differ.
+    #[serde(default)]
+    #[cfg_attr(test, ts(optional))]
+    threshold: Option<u32>,
+}
+
+/// A photo that may be worth a panel.
+#[derive(Deserialize)]
+#[cfg_attr(test, derive(ts_rs::TS))]
+pub(crate) struct Candidate {
+    /// Its id.
+    id: String,
+    /// What people call it.
+    name: String,
+    /// See [`MeasuresEntry`].
+    fingerprint: String,
+    /// See [`MeasuresEntry`].
+    gradient: f32,
+    /// See [`MeasuresEntry`].
+    paper: f32,
+    /// See [`MeasuresEntry`].
+    laplacian: f32,
+}
+
+/// The selection's word on a photo.
+#[derive(Debug, Serialize)]
+#[cfg_attr(test, derive(ts_rs::TS), ts(rename = "Verdict"))]
+pub struct VerdictEntry<'a> {
+    /// Of the photo.
+    pub id: &'a str,
+    /// Number of its group of look-alikes.
+    pub group: usize,
+    /// Whether it is used.
+    pub kept: bool,
+    /// In a few words.
+    pub why: String,
+}
+
+/// Which photos of a [`ChoiceRequest`] are worth a panel: a list of [`VerdictEntry`] in their order.
 ///
 /// # Errors
 /// `invalid-document` for JSON of another shape.
 pub fn choose(json: &str) -> Result<String> {
-    #[derive(Deserialize)]
-    struct Wanted {
-        photos: Vec<Photo>,
-        #[serde(default)]
-        threshold: Option<u32>,
-    }
-    #[derive(Deserialize)]
-    struct Photo {
-        id: String,
-        name: String,
-        fingerprint: String,
-        gradient: f32,
-        paper: f32,
-        laplacian: f32,
-    }
     let invalid = |reason: String| Error::InvalidDocument { location: "photos".into(), reason };
-    let wanted: Wanted = serde_json::from_str(json).map_err(|error| invalid(error.to_string()))?;
+    let wanted: ChoiceRequest = serde_json::from_str(json).map_err(|error| invalid(error.to_string()))?;
     let mut settings = select::Settings::default();
     if let Some(threshold) = wanted.threshold {
         settings.threshold = threshold;
@@ -129,18 +226,16 @@ pub fn choose(json: &str) -> Result<String> {
         .map(|photo| {
             let fingerprint = u64::from_str_radix(&photo.fingerprint, 16)
                 .map_err(|_| invalid(format!("\"{}\" is no fingerprint", photo.fingerprint)))?;
-            let Photo { gradient, paper, laplacian, .. } = *photo;
+            let Candidate { gradient, paper, laplacian, .. } = *photo;
             Ok(Measures { fingerprint, gradient, paper, laplacian })
         })
         .collect::<Result<_>>()?;
     let verdicts = select::choose(&names, &measures, &settings);
-    let answer: Value = wanted
-        .photos
-        .iter()
-        .zip(verdicts)
-        .map(|(photo, verdict)| {
-            json!({ "id": photo.id, "group": verdict.group, "kept": verdict.kept, "why": verdict.why })
-        })
-        .collect();
-    Ok(answer.to_string())
+    let entry = |(photo, verdict)| {
+        let select::Verdict { group, kept, why } = verdict;
+        VerdictEntry { id: photo, group, kept, why }
+    };
+    let ids = wanted.photos.iter().map(|photo| photo.id.as_str());
+    let answer: Vec<_> = ids.zip(verdicts).map(entry).collect();
+    serde_json::to_string(&answer).map_err(|error| Error::Encode(error.to_string()))
 }

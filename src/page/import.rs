@@ -1,6 +1,7 @@
 //! A file turned into what the page needs of a photo: two reduced copies and the facts that selection and
 //! framing work with.
 
+use super::catalogue::MeasuresEntry;
 use super::png;
 use crate::error::Result;
 use crate::framing::{self, EnergyMap, PhotoMeta};
@@ -9,6 +10,7 @@ use crate::raster::decode::{Limits, decode_fit};
 use crate::raster::orient::turned_clockwise;
 use crate::raster::resize::{Region, fit, resample_image};
 use crate::select::{Measures, measure};
+use serde::Serialize;
 
 /// Long side of the copy that previews are rendered from, in pixels.
 pub const WORK_SIDE: usize = 1600;
@@ -29,6 +31,47 @@ pub struct Imported {
     pub work: Image,
     /// The photo at [`SMALL_SIDE`] or less.
     pub small: Image,
+}
+
+/// What the page is told of a photo that was read.
+#[derive(Debug, Serialize)]
+#[cfg_attr(test, derive(ts_rs::TS))]
+pub struct ImportEntry<'a> {
+    /// What framing knows of it.
+    pub meta: &'a PhotoMeta,
+    /// Name of the file's format.
+    pub format: &'static str,
+    /// What selection compares.
+    pub measures: MeasuresEntry,
+    /// Size of the photo at [`WORK_SIDE`] or less.
+    pub work: PixelSize,
+    /// Size of the photo at [`SMALL_SIDE`] or less.
+    pub small: PixelSize,
+}
+
+/// A size in pixels.
+#[derive(Debug, Clone, Copy, Serialize)]
+#[cfg_attr(test, derive(ts_rs::TS))]
+pub struct PixelSize {
+    /// Across.
+    pub width: usize,
+    /// Down.
+    pub height: usize,
+}
+
+impl Imported {
+    /// What the page is told of it.
+    #[must_use]
+    pub fn entry(&self) -> ImportEntry<'_> {
+        let size = |image: &Image| PixelSize { width: image.width(), height: image.height() };
+        ImportEntry {
+            meta: &self.meta,
+            format: self.format,
+            measures: (&self.measures).into(),
+            work: size(&self.work),
+            small: size(&self.small),
+        }
+    }
 }
 
 /// Decodes, orients, reduces and measures a file.

@@ -6,9 +6,11 @@ use crate::error::{Error, Result};
 use crate::layout::edit::{Cut, cuts, move_cut, remove_panel, split_panel};
 use crate::layout::merge::adjacent;
 use crate::layout::tree::Axis;
-use crate::layout::{Body, PageSettings, ResolvedShape, Template, generate, good_for, resolve};
-use serde::Deserialize;
-use serde_json::{Value, json};
+use crate::layout::{
+    Body, PageSettings, PlacedPanel, ResolvedPanel, ResolvedShape, Template, generate, good_for, resolve,
+};
+use serde::{Deserialize, Serialize};
+use serde_json::Value;
 use std::fmt::Write as _;
 
 /// Width of a drawn template, large enough for whole numbers; its height follows from the page.
@@ -17,104 +19,202 @@ const PICTURE: f64 = 1000.0;
 const PICTURE_GUTTER: f64 = 0.05;
 const PICTURE_MARGIN: f64 = 0.05;
 
-/// The layouts for `{page, own: [template, ...]}`: those of the catalogue that are good for the page, and all of
-/// a person's own. Gives `[{id, name, family, count, own, base, over}]`: `own` is the place among the own ones or
-/// null; `base` and `over` are SVG paths of the panels and of the overlays on a page 1000 wide.
+/// What the list of layouts is asked.
+#[derive(Deserialize)]
+#[cfg_attr(test, derive(ts_rs::TS))]
+pub(crate) struct LayoutsRequest {
+    /// The page that they are for.
+    page: PageSettings,
+    /// A person's own.
+    #[serde(default)]
+    #[cfg_attr(test, ts(as = "Option<Vec<Template>>", optional))]
+    own: Vec<Value>,
+}
+
+/// A layout in the list.
+#[derive(Debug, Serialize)]
+#[cfg_attr(test, derive(ts_rs::TS))]
+pub struct LayoutEntry<'a> {
+    /// Unique name in kebab-case.
+    pub id: &'a str,
+    /// What people call it.
+    pub name: &'a str,
+    /// Its family.
+    pub family: &'a str,
+    /// Panels.
+    pub count: usize,
+    /// Its place among a person's own; null for one of the catalogue.
+    pub own: Option<usize>,
+    /// Its panels as an SVG path on a page 1000 wide.
+    pub base: String,
+    /// Its overlays likewise.
+    pub over: String,
+}
+
+/// What can be done to a layout on a page.
+#[derive(Debug, Serialize)]
+#[cfg_attr(test, derive(ts_rs::TS))]
+pub struct LayoutFacts<'a> {
+    /// Unique name in kebab-case.
+    pub id: &'a str,
+    /// What people call it.
+    pub name: &'a str,
+    /// Its family.
+    pub family: &'a str,
+    /// Panels.
+    pub count: usize,
+    /// Panels below overlays.
+    pub base: usize,
+    /// It suits the page.
+    pub good: bool,
+    /// It is made of cuts.
+    pub editable: bool,
+    /// Pairs of panels with a common edge.
+    pub adjacent: Vec<[usize; 2]>,
+    /// The cuts between panels.
+    pub cuts: Vec<Cut>,
+}
+
+/// Where the panels are on a page whose width is 1, gutters and margins applied.
+#[derive(Debug, Serialize)]
+#[cfg_attr(test, derive(ts_rs::TS))]
+pub struct Geometry<'a> {
+    /// 1.
+    pub width: f64,
+    /// Height over width.
+    pub height: f64,
+    /// In the order in which they are painted.
+    pub panels: Vec<PlacedPanel<'a>>,
+}
+
+/// The layouts for a [`LayoutsRequest`] as a list of [`LayoutEntry`]: a person's own, and those of the catalogue that are
+/// good for the page.
 ///
 /// # Errors
 /// `invalid-document`, and `invalid-layout` for an own one that is not a template.
-pub fn list(json: &str) -> Result<Value> {
-    #[derive(Deserialize)]
-    struct Wanted {
-        page: PageSettings,
-        #[serde(default)]
-        own: Vec<Value>,
-    }
-    let Wanted { page, own } = parse(json)?;
+pub fn list(json: &str) -> Result<String> {
+    let LayoutsRequest { page, own } = parse(json)?;
     page.validate()?;
     let aspect = page.aspect();
     let own = own.iter().map(template_of).collect::<Result<Vec<_>>>()?;
     let own = own.iter().enumerate().map(|(i, template)| entry(template, Some(i), aspect));
-    Ok(own.chain(good_for(aspect).into_iter().map(|template| entry(template, None, aspect))).collect())
+    let good = good_for(aspect);
+    let good = good.iter().map(|template| entry(template, None, aspect));
+    text_of(&own.chain(good).collect::<Vec<_>>())
 }
 
-/// The layout of `{layout, page}`: `{id, name, family, count, base, good, editable, adjacent, cuts}`. `base` is
-/// the number of panels below overlays, `good` whether it suits the page, `editable` whether it is made of cuts,
-/// `adjacent` the pairs of panels with a common edge; for `cuts` see [`Cut::to_value`].
+/// The [`Geometry`] of `{layout, page}`.
+///
+/// # Errors
+/// As [`facts`].
+pub fn geometry(json: &str) -> Result<String> {
+    let Of { layout, page } = parse(json)?;
+    page.validate()?;
+    let panels = resolve(&*template_of(&layout)?, page.aspect(), &page);
+    let panels = panels.iter().map(ResolvedPanel::placed).collect();
+    text_of(&Geometry { width: 1.0, height: 1.0 / page.aspect(), panels })
+}
+
+/// The [`LayoutFacts`] of `{layout, page}`.
 ///
 /// # Errors
 /// `invalid-document`, `unknown-layout`, `invalid-layout`.
-pub fn facts(json: &str) -> Result<Value> {
+pub fn facts(json: &str) -> Result<String> {
     let Of { layout, page } = parse(json)?;
     page.validate()?;
     let template = template_of(&layout)?;
-    let cuts = cuts(&template, page.aspect(), &page);
-    Ok(json!({
-        "id": template.id(),
-        "name": template.name(),
-        "family": template.family(),
-        "count": template.panels().len(),
-        "base": template.base_count(),
-        "good": template.good_for(page.aspect()),
-        "editable": matches!(template.body(), Body::Tree(_)),
-        "adjacent": adjacent(&template),
-        "cuts": cuts.iter().map(Cut::to_value).collect::<Vec<_>>(),
-    }))
+    text_of(&LayoutFacts {
+        id: template.id(),
+        name: template.name(),
+        family: template.family(),
+        count: template.panels().len(),
+        base: template.base_count(),
+        good: template.good_for(page.aspect()),
+        editable: matches!(template.body(), Body::Tree(_)),
+        adjacent: adjacent(&template),
+        cuts: cuts(&template, page.aspect(), &page),
+    })
 }
 
 /// The template of `{layout, page}` as a file would have it.
 ///
 /// # Errors
 /// As [`facts`].
-pub fn file(json: &str) -> Result<Value> {
+pub fn file(json: &str) -> Result<String> {
     let Of { layout, .. } = parse(json)?;
-    value_of(&*template_of(&layout)?)
+    Ok(template_of(&layout)?.to_json())
 }
 
-/// A new template for `{seed, page, least, most}` with so many panels.
+/// What a new layout is to be like.
+#[derive(Deserialize)]
+#[cfg_attr(test, derive(ts_rs::TS))]
+pub(crate) struct GenerateRequest {
+    /// Of all that is left to chance.
+    seed: u32,
+    /// The page that it is for.
+    page: PageSettings,
+    /// Panels at least,
+    least: usize,
+    /// and at most.
+    most: usize,
+}
+
+/// A new template for a [`GenerateRequest`].
 ///
 /// # Errors
 /// `invalid-document`.
-pub fn generated(json: &str) -> Result<Value> {
-    #[derive(Deserialize)]
-    struct Wanted {
-        seed: u32,
-        page: PageSettings,
-        least: usize,
-        most: usize,
-    }
-    let Wanted { seed, page, least, most } = parse(json)?;
+pub fn generated(json: &str) -> Result<String> {
+    let GenerateRequest { seed, page, least, most } = parse(json)?;
     page.validate()?;
-    value_of(&generate(u64::from(seed), page.aspect(), least..=most))
+    Ok(generate(u64::from(seed), page.aspect(), least..=most).to_json())
 }
 
-/// The template that the change of `{layout, change}` makes of a layout. A change is one of
-/// `{type: "move-cut", cut, fraction, slant}`, `{type: "split", panel, axis: "rows" | "columns"}` and
-/// `{type: "remove", panel}`.
+/// A change to a layout by hand.
+#[derive(Deserialize)]
+#[serde(tag = "type", rename_all = "kebab-case")]
+#[cfg_attr(test, derive(ts_rs::TS))]
+pub(crate) enum LayoutChange {
+    /// A cut is moved or slanted.
+    MoveCut {
+        /// Its place among the cuts.
+        cut: usize,
+        /// Where it lies in its cell, 0..1.
+        fraction: f64,
+        /// As in the file.
+        slant: f64,
+    },
+    /// A panel becomes two.
+    Split {
+        /// Which.
+        panel: usize,
+        /// Which way they lie.
+        axis: Axis,
+    },
+    /// A panel goes.
+    Remove {
+        /// Which.
+        panel: usize,
+    },
+}
+
+/// The template that the [`LayoutChange`] of `{layout, change}` makes of a layout.
 ///
 /// # Errors
 /// As [`facts`]; `invalid-layout` for a change that the layout does not allow.
-pub fn changed(json: &str) -> Result<Value> {
+pub fn changed(json: &str) -> Result<String> {
     #[derive(Deserialize)]
     struct Wanted {
         layout: Value,
-        change: Change,
-    }
-    #[derive(Deserialize)]
-    #[serde(tag = "type", rename_all = "kebab-case")]
-    enum Change {
-        MoveCut { cut: usize, fraction: f64, slant: f64 },
-        Split { panel: usize, axis: String },
-        Remove { panel: usize },
+        change: LayoutChange,
     }
     let Wanted { layout, change } = parse(json)?;
     let template = template_of(&layout)?;
     let changed = match change {
-        Change::MoveCut { cut, fraction, slant } => move_cut(&template, cut, fraction, slant),
-        Change::Split { panel, axis } => split_panel(&template, panel, axis_of(&axis)?),
-        Change::Remove { panel } => remove_panel(&template, panel),
+        LayoutChange::MoveCut { cut, fraction, slant } => move_cut(&template, cut, fraction, slant),
+        LayoutChange::Split { panel, axis } => split_panel(&template, panel, axis),
+        LayoutChange::Remove { panel } => remove_panel(&template, panel),
     };
-    value_of(&changed?)
+    Ok(changed?.to_json())
 }
 
 #[derive(Deserialize)]
@@ -124,15 +224,7 @@ struct Of {
     page: PageSettings,
 }
 
-fn axis_of(name: &str) -> Result<Axis> {
-    match name {
-        "rows" => Ok(Axis::Rows),
-        "columns" => Ok(Axis::Columns),
-        other => Err(invalid(format!("axis must be rows or columns, not {other}"))),
-    }
-}
-
-fn entry(template: &Template, own: Option<usize>, aspect: f64) -> Value {
+fn entry(template: &Template, own: Option<usize>, aspect: f64) -> LayoutEntry<'_> {
     let page = PageSettings { gutter: PICTURE_GUTTER, margin: PICTURE_MARGIN, ..PageSettings::default() };
     let panels = resolve(template, aspect, &page);
     let path = |overlay: bool| {
@@ -140,15 +232,15 @@ fn entry(template: &Template, own: Option<usize>, aspect: f64) -> Value {
         panels.iter().filter(|panel| panel.overlay == overlay).for_each(|p| draw(&mut path, &p.shape));
         path
     };
-    json!({
-        "id": template.id(),
-        "name": template.name(),
-        "family": template.family(),
-        "count": template.panels().len(),
-        "own": own,
-        "base": path(false),
-        "over": path(true),
-    })
+    LayoutEntry {
+        id: template.id(),
+        name: template.name(),
+        family: template.family(),
+        count: template.panels().len(),
+        own,
+        base: path(false),
+        over: path(true),
+    }
 }
 
 /// Appends a closed SVG path. Writing to a string cannot fail.
@@ -174,8 +266,8 @@ fn drawn(length: f64) -> i32 {
     (length * PICTURE).round() as i32
 }
 
-fn value_of(template: &Template) -> Result<Value> {
-    serde_json::from_str(&template.to_json()).map_err(|error| Error::Encode(error.to_string()))
+fn text_of(answer: &impl Serialize) -> Result<String> {
+    serde_json::to_string(answer).map_err(|error| Error::Encode(error.to_string()))
 }
 
 fn parse<T: for<'a> Deserialize<'a>>(json: &str) -> Result<T> {
@@ -190,9 +282,10 @@ fn invalid(reason: String) -> Error {
 mod tests {
     use super::*;
     use crate::layout::catalogue;
+    use serde_json::json;
 
-    fn ask(of: &Value, answer: impl Fn(&str) -> Result<Value>) -> Value {
-        answer(&of.to_string()).unwrap()
+    fn ask(of: &Value, answer: impl Fn(&str) -> Result<String>) -> Value {
+        serde_json::from_str(&answer(&of.to_string()).unwrap()).unwrap()
     }
 
     #[test]

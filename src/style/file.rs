@@ -13,6 +13,7 @@ const MAX_BLOCKS: usize = 32;
 
 /// A style: a background layer and, where there is one, a foreground layer of lines.
 #[derive(Debug, Clone)]
+#[cfg_attr(test, derive(ts_rs::TS), ts(optional_fields))]
 pub struct Style {
     /// Name for programs.
     pub id: String,
@@ -25,6 +26,7 @@ pub struct Style {
     /// The line layer; its luma is the alpha of the background over the ink.
     pub foreground: Option<Vec<Step>>,
     /// Colour of the lines.
+    #[cfg_attr(test, ts(as = "Option<String>"))]
     pub ink: [u8; 3],
     /// Score from 0 to 1 of a generated style.
     pub score: Option<f64>,
@@ -32,6 +34,11 @@ pub struct Style {
 
 /// One block of a layer with its values.
 #[derive(Debug, Clone)]
+#[cfg_attr(
+    test,
+    derive(ts_rs::TS),
+    ts(rename = "StyleStep", type = "{ block: string; bypass?: boolean } & Record<string, ParamValue>")
+)]
 pub struct Step {
     /// What runs.
     pub block: &'static Block,

@@ -22,6 +22,13 @@ const styles = (ids) => ids.map((id) => ({ id, name: id, tags: [], background: [
 const settings = (gutter) => ({ ...DEFAULT_SETTINGS, gutter });
 let fresh = 0;
 
+// What is done to one photo is told as what is done to several since then.
+const today = ({ type, id, use, ...rest }) => {
+  if (type === 'remove-photo') return { type: 'remove-photos', ids: [id], ...rest };
+  if (type === 'use-photo') return { type: 'use-photos', uses: { [id]: use }, ...rest };
+  return { type, ...(id === undefined ? {} : { id }), ...rest };
+};
+
 const MAKE = {
   'add-photos': () => ({ ids: some(['a', 'b', 'c', 'd']) }),
   'remove-photo': () => ({ id: one(['a', 'b']) }),
@@ -77,7 +84,7 @@ for (let run = 0; run < 40; run += 1) {
     const gesture = one([undefined, undefined, 'drag', 'drag', 'other']);
     const change = { type, ...MAKE[type](), ...(gesture ? { gesture } : {}), ...(random() < 0.1 ? { silent: true } : {}) };
     history = advance(history, whole(change));
-    changes.push(change);
+    changes.push(today(change));
     steps.push([history.past.length, history.future.length, history.present.pageId, history.present.tray.length]);
   }
   let back = history;

@@ -3,7 +3,7 @@
  */
 
 import { computed, effect, signal } from '@preact/signals';
-import type { PageDocument } from '../engine/documents.ts';
+import type { PageDocument } from '../engine/types.ts';
 import type { Signal } from '@preact/signals';
 
 /** The tabs beside the page, in their order. */

@@ -3,7 +3,7 @@
 import { createBook } from './book.ts';
 import { keepBook } from './book-upkeep.ts';
 import { fakeApp } from '../document/testing.ts';
-import type { PageDocument } from '../engine/documents.ts';
+import type { PageDocument } from '../engine/types.ts';
 
 const names = (count: number) => Array.from({ length: count }, (_, i) => `${i}.jpg`);
 export const photosOfPage = (page: PageDocument) => page.panels.map(({ photo }) => photo);

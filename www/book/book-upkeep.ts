@@ -9,8 +9,8 @@ import { photosFor, placesOf } from '../document/page-photos.ts';
 import { photosOn, sheetsOf } from '../document/sheets.ts';
 import type { Pages } from '../document/pages.ts';
 import type { Store } from '../document/store.ts';
-import type { PageDocument } from '../engine/documents.ts';
-import type { PhotoMeta } from '../engine/protocol.ts';
+import type { PageDocument } from '../engine/types.ts';
+import type { PhotoMeta } from '../engine/types.ts';
 
 const KEEP_ALL = Object.freeze({ layout: true, style: true, photos: true });
 /** Photos are looked at one after the other: crops follow when nothing was found for so long, in ms. */

@@ -1,7 +1,7 @@
 import { beforeEach, describe, expect, test } from 'vitest';
 import { opened } from './book-testing.ts';
 import { balanced } from './spreading.ts';
-import type { PageDocument } from '../engine/documents.ts';
+import type { PageDocument } from '../engine/types.ts';
 
 let app: Awaited<ReturnType<typeof opened>>;
 beforeEach(async () => {

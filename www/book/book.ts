@@ -8,7 +8,7 @@ import { strings } from '../strings/strings.ts';
 import { placesOf } from '../document/page-photos.ts';
 import { photosOn, sheetsOf } from '../document/sheets.ts';
 import { spread, varied } from './spreading.ts';
-import type { PageDocument } from '../engine/documents.ts';
+import type { PageDocument } from '../engine/types.ts';
 import type { Messages } from '../ui/messages.ts';
 import type { Pages } from '../document/pages.ts';
 import type { Sheet } from '../document/sheets.ts';

@@ -3,7 +3,7 @@ import { Priority } from '../engine/queue.ts';
 import { strings } from '../strings/strings.ts';
 import { Bitmap, screenPixels } from '../ui/bitmap.tsx';
 import { useApp } from '../ui/context.ts';
-import type { PageDocument } from '../engine/documents.ts';
+import type { PageDocument } from '../engine/types.ts';
 import type { PageDrag } from './page-drag.ts';
 
 /**

@@ -2,8 +2,8 @@
 
 import { MOST } from '../document/limits.ts';
 import type { Plan } from '../document/pages.ts';
-import type { PageDocument, Word } from '../engine/documents.ts';
-import type { PhotoMeta } from '../engine/protocol.ts';
+import type { PageDocument, Word } from '../engine/types.ts';
+import type { PhotoMeta } from '../engine/types.ts';
 
 /** Seeds are tried this often for a layout that the two pages before do not have. */
 const TRIES = 6;

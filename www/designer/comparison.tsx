@@ -10,7 +10,7 @@ import { PLAIN } from '../photos/cover.ts';
 import { createPreviewLoop } from './preview-loop.ts';
 import type { Fact } from '../document/album.ts';
 import type { Designed } from '../engine/design.ts';
-import type { Style } from '../engine/documents.ts';
+import type { Style } from '../engine/types.ts';
 import type { Signal } from '@preact/signals';
 
 /** A live preview has at least so many pixels on its long and its short side. */

@@ -4,22 +4,12 @@
  */
 
 import { MOST, wellFormed } from '../document/limits.ts';
-import type { Block, ParamValue, Style } from '../engine/documents.ts';
+import type { Block, Draft, DraftStep, ParamValue, Style, StyleStep } from '../engine/types.ts';
 
 export type Layer = 'background' | 'foreground';
-export type Step = { key: number; block: string; values: Values; bypass: boolean };
-type Values = Record<string, ParamValue>;
-export type Draft = {
-  id: string;
-  name: string;
-  tags: string[];
-  background: readonly Step[];
-  foreground: readonly Step[];
-  ink: string;
-};
-
-/** A block as a style file has it. */
-type StyleStep = { block: string; bypass?: boolean } & Values;
+export type { Draft };
+export type Step = DraftStep;
+type Values = Step['values'];
 
 /** A place is a layer and a position in it. */
 export type Edit =
@@ -44,8 +34,8 @@ export function emptyDraft(id: string, name: string): Draft {
 /** @param style a valid one */
 export function draftOf(style: Style, blocks: readonly Block[]): Draft {
   let key = 0;
-  const steps = (list: readonly object[]) =>
-    (list as readonly StyleStep[]).map(({ block, bypass = false, ...values }) => {
+  const steps = (list: readonly StyleStep[]) =>
+    list.map(({ block, bypass = false, ...values }) => {
       key += 1;
       return { key, block, values: { ...defaults(block, blocks), ...values }, bypass };
     });

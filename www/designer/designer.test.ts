@@ -3,9 +3,10 @@ import { describe, expect, it } from 'vitest';
 import { createDesigner } from './designer.ts';
 import { draftOf, edit, emptyDraft, misfits, remedy, styleOf } from './designer-draft.ts';
 import { fakeApp } from '../document/testing.ts';
+import type { Block, BlockParam, Channels } from '../engine/types.ts';
 import type { Draft, Edit } from './designer-draft.ts';
 
-const number = (id: string, usual = 1) => ({
+const number = (id: string, usual = 1): BlockParam => ({
   id,
   label: id,
   help: '',
@@ -15,7 +16,7 @@ const number = (id: string, usual = 1) => ({
   max: 10,
   step: 0.1,
 });
-const block = (id: string, input = 'any', output = 'any', params = [number('sigma')]) => ({
+const block = (id: string, input: Channels = 'any', output: Channels = 'any', params = [number('sigma')]): Block => ({
   id,
   label: id,
   help: '',

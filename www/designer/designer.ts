@@ -11,7 +11,7 @@ import type { Messages } from '../ui/messages.ts';
 import type { Ui } from '../app/ui.ts';
 import type { Pages } from '../document/pages.ts';
 import type { Store } from '../document/store.ts';
-import type { Style } from '../engine/documents.ts';
+import type { Style } from '../engine/types.ts';
 import type { Draft, Edit, Layer } from './designer-draft.ts';
 import type { Signal } from '@preact/signals';
 

@@ -10,7 +10,7 @@ import { IconButton } from '../ui/button.tsx';
 import { useApp } from '../ui/context.ts';
 import { thumbnail } from '../photos/cover.ts';
 import { useHero } from '../photos/hero.ts';
-import type { Block, ParamValue, Style } from '../engine/documents.ts';
+import type { Block, ParamValue, Style } from '../engine/types.ts';
 import type { Draft, Layer } from './designer-draft.ts';
 
 const SIZE = { width: 132, height: 99 };

@@ -3,7 +3,7 @@
  */
 
 import { strings } from '../strings/strings.ts';
-import type { BlockParam, ParamValue } from '../engine/documents.ts';
+import type { BlockParam, ParamValue } from '../engine/types.ts';
 
 /** @param props `onMove`: in the middle of a drag, which `onRest` ends */
 export function Parameter({

@@ -5,7 +5,7 @@
  */
 
 import type { Designed } from '../engine/design.ts';
-import type { Style } from '../engine/documents.ts';
+import type { Style } from '../engine/types.ts';
 import type { Engine } from '../engine/engine.ts';
 
 /** `full`: the width of the preview on the screen */

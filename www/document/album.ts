@@ -2,12 +2,10 @@
  * What is known of every photo that was ever added: facts that no edit changes, hence outside of undo.
  */
 
-import type { Verdict } from '../engine/documents.ts';
-import type { PhotoMeta } from '../engine/protocol.ts';
-import type { Likeness } from '../photos/identity.ts';
+import type { Likeness, Measures, PhotoMeta, Subject, Verdict } from '../engine/types.ts';
 import type { TrayItem } from './project.ts';
 
-export type Absent = Likeness & { subjects: any[] | null; measured: boolean };
+export type Absent = Likeness & { subjects: readonly Subject[] | null; measured: boolean };
 
 /**
  * `meta` and `measures` are null until the photo was read; `credit` names the author of a sample; a frame of a video
@@ -19,7 +17,7 @@ export type Fact = {
   name: string;
   credit?: string;
   meta: PhotoMeta | null;
-  measures: Record<string, number | string> | null;
+  measures: Measures | null;
   video?: string;
   time?: number;
   looked?: boolean;

@@ -95,11 +95,9 @@ const gesture = fc.constantFrom(undefined, 'drag', 'drag', 'other');
 /** One arbitrary a kind of action: a kind that is missing here does not compile. */
 const actions: Record<Action['type'], fc.Arbitrary<any>> = {
   'add-photos': fc.record({ ids: fc.subarray(['a', 'b', 'c']) }),
-  'remove-photo': fc.record({ id: photo }),
   'remove-photos': fc.record({ ids: fc.subarray(['a', 'b', 'c']) }),
   // Forgetting is no step; it has tests of its own.
   'forget-photos': fc.record({ ids: fc.constant([]) }),
-  'use-photo': fc.record({ id: photo, use: fc.boolean() }),
   'use-photos': fc.record({ uses: fc.dictionary(photo, fc.boolean()) }),
   'exchange-photo': fc.record({ id: photo, by: fc.constantFrom('d', 'e') }),
   'choose-by': fc.record({ alike: fc.integer({ min: 4, max: 16 }), order: fc.constantFrom('time', 'name') }),

@@ -8,7 +8,9 @@ import { VERSION } from './versions.ts';
 import { EMPTY_HISTORY } from './history.ts';
 import { wellFormed } from './limits.ts';
 import { sheetsOf } from './sheets.ts';
-import type { Difference, Editor, Runs } from '../engine/core.ts';
+import type { Editor } from '../engine/core.ts';
+import type { Known } from '../engine/interned.ts';
+import type { Difference, Runs } from '../engine/types.ts';
 import type { Change, History, Shown } from './history.ts';
 import type { PageDocument, Project } from './project.ts';
 
@@ -73,7 +75,7 @@ function pagesIn(change: Change): readonly PageDocument[] {
 function laidOver(was: History, told: Difference, given: readonly PageDocument[]): History {
   const before = [...was.past, was.present, ...was.future];
   const { state, withPage } = joinedWith(withGiven(told.parts, given), knownParts(was));
-  const states = [...before, ...told.states.map(([of, fields]) => ({ ...before[of], ...state(fields) }) as Project)];
+  const states: Project[] = [...before, ...told.states.map(([of, fields]) => ({ ...before[of], ...state(fields) }))];
   const entries: Shown[] = [...was.shown, ...told.entries.map(withPage)];
   const now = {
     past: listed(told.past, states, was.past),
@@ -91,7 +93,7 @@ function withGiven(parts: Difference['parts'], given: readonly PageDocument[]): 
 }
 
 /** In the order in which the core counts them (`knowing` in `src/document/kept.rs`). */
-function knownParts({ present, shown }: History): Difference['parts'] {
+function knownParts({ present, shown }: History): Known {
   const { tray, page, others, mine, favourites, ownLayouts, settings, draft } = present;
   return {
     items: tray,

@@ -5,17 +5,9 @@
  */
 
 import { EMPTY_PROJECT } from './empty.ts';
-import type { Action, PageDocument, Project, SharedLists } from './project.ts';
+import type { Edit, History, How, Shown } from '../engine/types.ts';
 
-/** A page that was shown; `from` is the page that it was made from, `sheet` its place in the storyboard, 0 unless told. */
-export type Shown = { id: number; page: PageDocument; from?: number; sheet?: number };
-
-export type History = {
-  past: readonly Project[];
-  present: Project;
-  future: readonly Project[];
-  shown: readonly Shown[];
-};
+export type { History, Shown };
 
 /**
  * What happens to a history: an action on the project, with how it counts, or a step through time.
@@ -24,11 +16,7 @@ export type History = {
  * `share` tells lists that all projects have in common, as they are now outside of this one: no step, at no time undone;
  * `join` the same, but what this project has besides stays.
  */
-export type Change =
-  | (Action & { silent?: boolean; gesture?: string })
-  | { type: 'undo' }
-  | { type: 'redo' }
-  | { type: 'share' | 'join'; lists: Partial<SharedLists> };
+export type Change = Edit & How;
 
 export const EMPTY_HISTORY: History = Object.freeze({
   past: Object.freeze([]),

@@ -5,8 +5,9 @@
 
 import { photosOn } from './sheets.ts';
 import type { Planner } from '../engine/core.ts';
-import type { PageDocument, PlanRequest } from '../engine/documents.ts';
-import type { PhotoMeta } from '../engine/protocol.ts';
+import type { PlanRequest } from '../engine/core.ts';
+import type { PageDocument } from '../engine/types.ts';
+import type { PhotoMeta } from '../engine/types.ts';
 
 /**
  * @param all photos in use
@@ -40,7 +41,7 @@ export function casting(
   const photos = [...photosFor(all, elsewhere, current)];
   if (elsewhere.length === 0) return { photos };
   if (photos.length < needed(request, planner)) return { photos: [...all] };
-  const free = !request.keep.layout && request.layout === undefined && request.panels === undefined;
+  const free = !request.keep.layout && !request.layout && !request.panels;
   const own = photosOn(current ? [current] : []);
   // Where no photo is left over, a page with fewer panels would leave some on no page: its photos keep their places.
   return free && photos.every(({ id }) => own.has(id)) ? { photos, panels: photos.length } : { photos };
@@ -51,8 +52,8 @@ function needed(
   { layout, panels, keep, current, page }: Omit<PlanRequest, 'photos'>,
   planner: Pick<Planner, 'layoutFacts'>,
 ): number {
-  if (layout !== undefined) return planner.layoutFacts(layout, page).count;
-  if (panels !== undefined) return panels;
+  if (layout) return planner.layoutFacts(layout, page).count;
+  if (panels) return panels;
   return keep.layout && current ? placesOf(current) : 1;
 }
 

@@ -1,7 +1,7 @@
 /** Size, gutter, paper and the like: of all pages of a storyboard alike. */
 
 import { sheetsOf } from './sheets.ts';
-import type { PageDocument, PageSettings } from '../engine/documents.ts';
+import type { PageDocument, PageSettings } from '../engine/types.ts';
 import type { Plan } from './pages.ts';
 import type { Store } from './store.ts';
 

@@ -6,7 +6,8 @@ import { position, versions } from './history.ts';
 import { casting, photosFor, placesOf } from './page-photos.ts';
 import { createPageSettings } from './page-settings.ts';
 import { sheetsOf } from './sheets.ts';
-import type { Keep, PageDocument, PlanRequest } from '../engine/documents.ts';
+import type { PlanRequest } from '../engine/core.ts';
+import type { Keep, LayoutChoice, PageDocument, StyleChoice } from '../engine/types.ts';
 import type { Shown } from './history.ts';
 import type { Part, Project } from './project.ts';
 import type { Store } from './store.ts';
@@ -149,11 +150,11 @@ export function createPages(store: Store, seed: () => number = freshSeed) {
     return prepared?.page ?? null;
   }
 
-  function chooseLayout(layout: string | object) {
+  function chooseLayout(layout: LayoutChoice) {
     show(plan({ keep: { ...KEEP_ALL }, layout }));
   }
 
-  function chooseStyle(style: string | object) {
+  function chooseStyle(style: StyleChoice) {
     show(plan({ keep: { ...KEEP_ALL }, style }));
   }
 

@@ -5,7 +5,7 @@ import { createReshaping, spliced } from '../page/panels/reshaping.ts';
 import { createSelection } from '../page/panels/selection.ts';
 import { fakeApp } from './testing.ts';
 import { strings } from '../strings/strings.ts';
-import type { PageDocument } from '../engine/documents.ts';
+import type { PageDocument } from '../engine/types.ts';
 
 async function app(names = ['a', 'b', 'c', 'd']) {
   const made = fakeApp();

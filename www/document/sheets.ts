@@ -3,11 +3,10 @@
  * the page need not know of them; here they are one list, in the order in which they are read.
  */
 
-import type { PageDocument } from '../engine/documents.ts';
+import type { PageDocument, Sheet } from '../engine/types.ts';
 import type { Project } from './project.ts';
 
-/** A page of a storyboard: `sheet` names its place through all its versions, `pageId` the version. */
-export type Sheet = { page: PageDocument; pageId: number; sheet: number };
+export type { Sheet };
 
 /** @returns in order, the one that is edited among them; none while there is no page */
 export function sheetsOf({

@@ -10,7 +10,7 @@ import { createEditing } from './editing.ts';
 import { EMPTY_HISTORY } from './history.ts';
 import { freshPlace } from './place.ts';
 import type { Planner } from '../engine/core.ts';
-import type { Template } from '../engine/documents.ts';
+import type { Template } from '../engine/types.ts';
 import type { Place } from './place.ts';
 import type { Album, Fact, Verdict, Video } from './album.ts';
 import type { Editing } from './editing.ts';
@@ -66,7 +66,7 @@ export function createStore({ onRefused = () => {} }: { onRefused?: (error: Erro
 
   /** What the selection compares of the photos that were read. */
   const measured = computed(() =>
-    facts.value.filter((fact) => fact.measures !== null).map(({ id, name, measures }) => ({ id, name, ...measures })),
+    facts.value.flatMap(({ id, name, measures }) => (measures ? [{ id, name, ...measures }] : [])),
   );
 
   let judged: ReadonlyMap<string, Verdict> = new Map();

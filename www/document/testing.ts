@@ -8,7 +8,8 @@ import { DEFAULT_SETTINGS } from './empty.ts';
 import { createReading } from '../photos/reading.ts';
 import { core } from '../engine/testing-core.ts';
 import { createStore } from './store.ts';
-import type { Layout, PageDocument, PlanRequest } from '../engine/documents.ts';
+import type { PlanRequest } from '../engine/core.ts';
+import type { Layout, PageDocument } from '../engine/types.ts';
 import type { Editing } from './editing.ts';
 import type { Change } from './history.ts';
 

@@ -4,19 +4,14 @@ import { net } from './detector-module.ts';
 import { LOOKS } from './measured.ts';
 import { LOADING, serveJobs } from './serving.ts';
 import type { AestheticsNet } from '../pkg-detector/inkpanel.js';
+import type { Judging } from './protocol.ts';
 
 let judgeNet: { ready: () => Promise<AestheticsNet> } | undefined;
 
-serveJobs(
-  async (
-    _,
-    { width, height, data, net: address }: { width: number; height: number; data: Uint8ClampedArray; net: string },
-    tell,
-  ) => {
-    tell.waits(LOADING);
-    judgeNet ??= net(address, ({ AestheticsNet }, onnx) => new AestheticsNet(onnx));
-    const judge = await judgeNet.ready();
-    tell.expects(LOOKS.judge);
-    return { ok: judge.score(width, height, new Uint8Array(data.buffer, data.byteOffset, data.length)) };
-  },
-);
+serveJobs<Judging>(async (_, { width, height, data, net: address }, tell) => {
+  tell.waits(LOADING);
+  judgeNet ??= net(address, ({ AestheticsNet }, onnx) => new AestheticsNet(onnx));
+  const judge = await judgeNet.ready();
+  tell.expects(LOOKS.judge);
+  return { ok: judge.score(width, height, new Uint8Array(data.buffer, data.byteOffset, data.length)) };
+});

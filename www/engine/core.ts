@@ -7,19 +7,31 @@ import { expanded, interned } from './interned.ts';
 import { failure } from './protocol.ts';
 import type {
   Block,
+  BreedRequest,
+  ChoiceRequest,
+  Difference,
+  GenerateRequest,
   Geometry,
+  History,
   Layout,
   LayoutChange,
+  LayoutChoice,
   LayoutEntry,
   LayoutFacts,
+  Loaded,
   PageDocument,
   PageSettings,
-  PlanRequest,
+  ReadHistory,
+  ReadProject,
+  Request,
   Style,
   Template,
   Verdict,
-} from './documents.ts';
-import type { KeptHistory, Tables } from './interned.ts';
+} from './types.ts';
+
+/** What is asked of the planner; here it always tells the photos, the page, and what stays. */
+export type PlanRequest = Request &
+  Pick<Required<Request>, 'photos' | 'page' | 'current'> & { keep: Required<NonNullable<Request['keep']>> };
 
 /** Photos no longer planned with that are remembered, since undo may bring them back. */
 const SPARE_PHOTOS = 500;
@@ -42,21 +54,6 @@ export async function loadCore(): Promise<{ module: WebAssembly.Module; planner:
 
 export type Planner = ReturnType<typeof createPlanner>;
 export type Editor = ReturnType<typeof createEditor>;
-/** Numbers of things in a row. */
-export type Runs = readonly (readonly [first: number, count: number])[];
-/** What an edit changed: `difference` in `src/document/kept.rs` says how it is read. */
-export type Difference = {
-  states: readonly (readonly [of: number, fields: Record<string, any>])[];
-  past: Runs;
-  present: number;
-  future: Runs;
-  entries: readonly { id: number; page: number; from?: number; sheet?: number }[];
-  shown: Runs;
-  parts: Tables;
-  pageId: number;
-  sheet: number;
-};
-
 /**
  * The pure functions of the core, with plain objects in place of JSON. Each takes well under a millisecond or
  * two and throws an error with a `code`.
@@ -77,22 +74,21 @@ export function createPlanner() {
      * @param file its name, for the message
      */
     checkLayout: (json: string, file: string): Template => JSON.parse(core.check_layout(json, file)),
-    geometry: (layout: string | object, page: PageSettings): Geometry =>
+    geometry: (layout: LayoutChoice, page: PageSettings): Geometry =>
       JSON.parse(core.page_geometry(JSON.stringify({ layout, page }))),
     /**
      * @param request `own`: a person's own layouts
      * @returns those first, then the catalogue's that are good for the page
      */
-    listLayouts: (request: { page: Partial<PageSettings>; own: Template[] }): LayoutEntry[] =>
+    listLayouts: (request: { page: Partial<PageSettings>; own: readonly Template[] }): LayoutEntry[] =>
       JSON.parse(core.list_layouts(JSON.stringify(request))),
-    layoutFacts: (layout: string | object, page: PageSettings): LayoutFacts =>
+    layoutFacts: (layout: LayoutChoice, page: PageSettings): LayoutFacts =>
       JSON.parse(core.layout_facts(JSON.stringify({ layout, page }))),
     /** @returns in full */
-    layoutFile: (layout: string | object): Template => JSON.parse(core.layout_file(JSON.stringify({ layout }))),
+    layoutFile: (layout: LayoutChoice): Template => JSON.parse(core.layout_file(JSON.stringify({ layout }))),
     /** @param request the numbers of panels */
-    generateLayout: (request: { seed: number; page: PageSettings; least: number; most: number }): Template =>
-      JSON.parse(core.generate_layout(JSON.stringify(request))),
-    changeLayout: (layout: string | object, change: LayoutChange): Template =>
+    generateLayout: (request: GenerateRequest): Template => JSON.parse(core.generate_layout(JSON.stringify(request))),
+    changeLayout: (layout: LayoutChoice, change: LayoutChange): Template =>
       JSON.parse(core.change_layout(JSON.stringify({ layout, change }))),
     plan: ({ photos, ...rest }: PlanRequest): PageDocument =>
       JSON.parse(albumOf(photos).plan(JSON.stringify(rest), JSON.stringify(photos.map(({ id }) => id)))),
@@ -102,26 +98,16 @@ export function createPlanner() {
      * @param request `surprise`: 0 to 1
      * @returns a child of both
      */
-    breedStyle: (request: { a: string | object; b: string | object; seed: number; surprise: number }): Style =>
-      JSON.parse(core.breed_style(JSON.stringify(request))),
-    choose: (photos: object[], threshold: number): Verdict[] =>
+    breedStyle: (request: BreedRequest): Style => JSON.parse(core.breed_style(JSON.stringify(request))),
+    choose: (photos: ChoiceRequest['photos'], threshold: number): Verdict[] =>
       JSON.parse(core.choose_photos(JSON.stringify({ photos, threshold }))),
     /**
      * Reads a project file or the text of a page PNG and checks all of it. Throws `damaged-project`, `newer-project` or `too-large-project`.
      * @param how `prefix`: all photos and videos get fresh ids that begin with it
      * @returns `dropped`: sentences about what was left out
      */
-    readProject: (
-      text: string,
-      { prefix }: { prefix?: string } = {},
-    ): {
-      format: string;
-      version: number;
-      history: { present: any; shown: any[] };
-      photos: any[];
-      videos: any[];
-      dropped: string[];
-    } => JSON.parse(core.read_project(text, prefix)),
+    readProject: (text: string, { prefix }: { prefix?: string } = {}): ReadProject =>
+      JSON.parse(core.read_project(text, prefix)),
     readHistory,
     createEditor,
     /** @returns what was done between two states of a list, done to another state of it */
@@ -138,14 +124,17 @@ function createEditor() {
      * Puts a history in the place of what is there. Throws as `readHistory`, and then nothing changed.
      * @returns what was left out, and ids for a new page and a new place in the storyboard
      */
-    load: (record: { version: number; history: KeptHistory }): { dropped: string[]; pageId: number; sheet: number } =>
+    load: (record: { version: number; history: History }): Loaded =>
       JSON.parse(editor.load(JSON.stringify({ ...record, history: interned(record.history) }))),
     /**
      * Throws `invalid-document`, and then nothing changed.
      * @param edit as JSON
      */
     apply: (edit: string): Difference => JSON.parse(editor.apply(edit)),
-    save: (): KeptHistory => expanded(JSON.parse(editor.save()).history),
+    save: (): History => {
+      const { history }: ReadHistory = JSON.parse(editor.save());
+      return expanded(history);
+    },
   };
 }
 
@@ -156,7 +145,9 @@ function createEditor() {
  * @returns `dropped`: sentences about
  *   what was left out
  */
-function readHistory(record: any): { version: number; history: KeptHistory; dropped: string[] } {
+function readHistory(
+  record: { version?: unknown; history?: unknown } | null,
+): Omit<ReadHistory, 'history'> & { history: History } {
   let text: string;
   try {
     text = JSON.stringify({ version: record?.version, history: interned(record?.history) });
@@ -164,7 +155,7 @@ function readHistory(record: any): { version: number; history: KeptHistory; drop
     // Something that refers to itself, or a number without end.
     throw failure('damaged-project', 'history: is no plain data');
   }
-  const { version, history, dropped } = JSON.parse(core.read_history(text));
+  const { version, history, dropped }: ReadHistory = JSON.parse(core.read_history(text));
   return { version, history: expanded(history), dropped };
 }
 

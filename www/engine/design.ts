@@ -6,7 +6,7 @@
 import { createPool } from './pool.ts';
 import { Priority } from './queue.ts';
 import type { Pool } from './pool.ts';
-import type { Style } from './documents.ts';
+import type { Style } from './types.ts';
 import type { Call } from './engine.ts';
 import type { createPhotos } from './photos.ts';
 import type { BitmapPatch } from './protocol.ts';

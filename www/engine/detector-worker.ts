@@ -6,9 +6,9 @@
 import { net } from './detector-module.ts';
 import { LOOKS } from './measured.ts';
 import { LOADING, serveJobs } from './serving.ts';
-import type { Found } from './detector.ts';
-import type { PhotoHandle } from './protocol.ts';
-import type { Tell } from './serving.ts';
+import type { Detection } from './types.ts';
+import type { Looking } from './protocol.ts';
+import type { Tell, Work } from './serving.ts';
 
 const faces = net(new URL('../models/faces.onnx', import.meta.url), ({ FaceDetector }, onnx) => new FaceDetector(onnx));
 const objects = net(
@@ -17,21 +17,37 @@ const objects = net(
 );
 
 export type Look = 'faces' | 'closer' | 'objects';
-type Order =
-  | { op: 'load' | 'make'; args: { net: 'faces' | 'objects' } }
-  | { op: Look; args: { photo: PhotoHandle; boxes?: Found[] } };
 
-serveJobs(async (op, args, tell) => ({ ok: await obey({ op, args } as Order, tell) }));
+const OPERATIONS: Work<Looking> = {
+  load: async (args) => ({
+    ok: await named(args)
+      .load()
+      .then(() => null),
+  }),
+  make: async (args) => ({
+    ok: await named(args)
+      .ready()
+      .then(() => null),
+  }),
+  faces: async (args, tell) => ({ ok: await looked('faces', args, tell) }),
+  closer: async (args, tell) => ({ ok: await looked('closer', args, tell) }),
+  objects: async (args, tell) => ({ ok: await looked('objects', args, tell) }),
+};
 
-async function obey({ op, args }: Order, tell: Tell) {
+serveJobs<Looking>((op, args, tell) => {
   tell.waits(LOADING);
-  if ('net' in args) {
-    const { load, ready } = args.net === 'faces' ? faces : objects;
-    await (op === 'load' ? load() : ready());
-    return null;
-  }
-  const { photo, boxes } = args;
-  const look = op as Look;
+  return OPERATIONS[op](args, tell);
+});
+
+function named({ net }: Looking['load']['args']) {
+  return net === 'faces' ? faces : objects;
+}
+
+async function looked<Op extends Look>(
+  look: Op,
+  { photo, boxes }: Looking[Op]['args'],
+  tell: Tell,
+): Promise<Looking[Op]['ok']> {
   const [run, pixels] = await Promise.all([runner(look, boxes), photo.planes.arrayBuffer()]);
   tell.expects(LOOKS[look]);
   return JSON.parse(run(photo.width, photo.height, new Uint8Array(pixels)));
@@ -40,7 +56,7 @@ async function obey({ op, args }: Order, tell: Tell) {
 /** @param boxes of the first look */
 async function runner(
   look: Look,
-  boxes?: Found[],
+  boxes?: readonly Detection[],
 ): Promise<(width: number, height: number, planes: Uint8Array) => string> {
   if (look === 'objects') {
     const net = await objects.ready();

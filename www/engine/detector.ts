@@ -10,9 +10,7 @@ import type { Call } from './engine.ts';
 import type { createPhotos } from './photos.ts';
 import type { Pool } from './pool.ts';
 import type { Looking } from './protocol.ts';
-
-/** Something found in a photo; its place in fractions of the photo. */
-export type Found = { label: string; score: number; x: number; y: number; width: number; height: number };
+import type { Detection, FirstLook } from './types.ts';
 
 type Net = 'faces' | 'objects';
 
@@ -45,7 +43,7 @@ export function createDetector(photos: ReturnType<typeof createPhotos>, spare: (
    * Everything that is found in a photo, faces first.
    * @param id of an imported photo
    */
-  async function detect(id: string, call?: Call): Promise<Found[]> {
+  async function detect(id: string, call?: Call): Promise<readonly Detection[]> {
     const faces = async () => {
       const { boxes, closer } = await findFaces(id, call);
       return closer ? findMoreFaces(id, boxes, call) : boxes;
@@ -58,7 +56,7 @@ export function createDetector(photos: ReturnType<typeof createPhotos>, spare: (
    * `closer` tells whether `findMoreFaces` may find more.
    * @param id of an imported photo
    */
-  function findFaces(id: string, call?: Call): Promise<{ boxes: Found[]; closer: boolean }> {
+  function findFaces(id: string, call?: Call): Promise<FirstLook> {
     return run('faces', 'faces', id, {}, call);
   }
 
@@ -68,12 +66,12 @@ export function createDetector(photos: ReturnType<typeof createPhotos>, spare: (
    * @param boxes the faces found at first
    * @returns what to take in their place
    */
-  function findMoreFaces(id: string, boxes: Found[], call?: Call): Promise<Found[]> {
+  function findMoreFaces(id: string, boxes: readonly Detection[], call?: Call): Promise<readonly Detection[]> {
     return run('faces', 'closer', id, { boxes }, call);
   }
 
   /** @param id of an imported photo */
-  function findObjects(id: string, call?: Call): Promise<Found[]> {
+  function findObjects(id: string, call?: Call): Promise<readonly Detection[]> {
     return run('objects', 'objects', id, {}, call);
   }
 
@@ -81,7 +79,7 @@ export function createDetector(photos: ReturnType<typeof createPhotos>, spare: (
     net: Net,
     op: Op,
     id: string,
-    more: { boxes?: Found[] },
+    more: { boxes?: readonly Detection[] },
     call?: Call,
   ): Promise<Looking[Op]['ok']> {
     const { name, work } = photos.get(id);

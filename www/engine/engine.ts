@@ -17,10 +17,10 @@ import { createRenders, nameOf } from './renders.ts';
 import { readVideo } from './video.ts';
 import { givesWebp } from './webp.ts';
 import { createWords } from './words.ts';
-import type { Found } from './detector.ts';
-import type { Block, Layout, PageDocument, Style } from './documents.ts';
+import type { Detection } from './types.ts';
+import type { Block, Layout, PageDocument, Style } from './types.ts';
 import type { Job, Pool } from './pool.ts';
-import type { Imported, Operations, PixelPatch } from './protocol.ts';
+import type { Imported, Operations, PixelPatch, Start } from './protocol.ts';
 import type { Frame } from './video.ts';
 
 export type Call = { signal?: AbortSignal; priority?: number; key?: string };
@@ -138,7 +138,7 @@ export function createEngine({ workers = navigator.hardwareConcurrency || 2 }: {
   }
 
   /** Faces and objects, in pixels of the upright photo. */
-  async function detect(blob: Blob, call?: { signal?: AbortSignal }): Promise<Found[]> {
+  async function detect(blob: Blob, call?: { signal?: AbortSignal }): Promise<readonly Detection[]> {
     const id = `detect-${(imported += 1)}`;
     try {
       const { width, height } = await importPhoto(id, blob, call);
@@ -227,6 +227,6 @@ export function createEngine({ workers = navigator.hardwareConcurrency || 2 }: {
 
 function spawn(module: WebAssembly.Module, budget: number) {
   const worker = new Worker(new URL('./worker.ts', import.meta.url), { type: 'module', name: 'inkpanel' });
-  worker.postMessage({ id: 0, op: 'start', args: { module, budget } });
+  worker.postMessage({ start: { module, budget } satisfies Start });
   return worker;
 }

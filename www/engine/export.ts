@@ -4,7 +4,7 @@
  */
 
 import { Priority } from './queue.ts';
-import type { PageDocument } from './documents.ts';
+import type { PageDocument } from './types.ts';
 import type { createFiles } from './files.ts';
 import type { createPhotos } from './photos.ts';
 import type { Run } from './pool.ts';

@@ -9,22 +9,21 @@ import { moduleBytes } from './module-bytes.ts';
 import { failure } from './protocol.ts';
 import { LOADING, STORING, serveJobs } from './serving.ts';
 import { withDpi } from './webp.ts';
-import type { Picture } from './files.ts';
-import type { PixelPatch } from './protocol.ts';
-import type { Tell } from './serving.ts';
+import type { Making, Picture } from './protocol.ts';
+import type { Tell, Work } from './serving.ts';
 
 const MODULE = new URL('../pkg-words/inkpanel_bg.wasm', import.meta.url);
 
 /** Milliseconds for a page of a PDF file, whose pictures are made by then. */
 const PAGE = 500;
 
-type Answer = { ok: unknown; transfer: Transferable[] };
+type Args<Op extends keyof Making> = Making[Op]['args'];
 
 let started: Promise<WebAssembly.Memory> | undefined;
 
-const OPERATIONS: Record<string, (args: any, tell: Tell) => Promise<Answer>> = { jpeg, webp, pictures, pdf };
+const OPERATIONS: Work<Making> = { jpeg, webp, pictures, pdf };
 
-serveJobs(async (op, args, tell) => {
+serveJobs<Making>(async (op, args, tell) => {
   tell.waits(LOADING);
   // WebP is the browser's own work.
   if (op !== 'webp') started ??= start();
@@ -43,15 +42,7 @@ async function start() {
   return memory;
 }
 
-async function jpeg(
-  {
-    document,
-    size,
-    patches,
-    quality,
-  }: { document: string; size: { width: number; height: number }; patches: PixelPatch[]; quality: number },
-  tell: Tell,
-): Promise<Answer> {
+async function jpeg({ document, size, patches, quality }: Args<'jpeg'>, tell: Tell) {
   tell.expects(fileMs(2 * size.width * size.height));
   const print = new Print(document, size.width, size.height);
   try {
@@ -64,10 +55,7 @@ async function jpeg(
   }
 }
 
-async function webp(
-  { picture, quality, dpi }: { picture: Blob; quality: number; dpi: number },
-  tell: Tell,
-): Promise<Answer> {
+async function webp({ picture, quality, dpi }: Args<'webp'>, tell: Tell) {
   const bitmap = await createImageBitmap(picture);
   tell.expects(fileMs(4 * bitmap.width * bitmap.height));
   const canvas = new OffscreenCanvas(bitmap.width, bitmap.height);
@@ -79,10 +67,7 @@ async function webp(
   return { ok: withDpi(new Uint8Array(await made.arrayBuffer()), { width, height, dpi }), transfer: [] };
 }
 
-async function pictures(
-  { document, patches, quality }: { document: string; patches: (PixelPatch & { index: number })[]; quality: number },
-  tell: Tell,
-): Promise<Answer> {
+async function pictures({ document, patches, quality }: Args<'pictures'>, tell: Tell) {
   const ok: Picture[] = patches.map(({ index, x, y, width, height, data }) => {
     tell.expects(fileMs(2 * width * height));
     const cut = new Cut(document, index, x, y, width, height, bytesOf(data), quality);
@@ -94,10 +79,7 @@ async function pictures(
   return { ok, transfer: ok.map((picture) => picture.jpeg.buffer) };
 }
 
-async function pdf(
-  { pages, title }: { pages: { document: string; pictures: Picture[] }[]; title: string },
-  tell: Tell,
-): Promise<Answer> {
+async function pdf({ pages, title }: Args<'pdf'>, tell: Tell) {
   const book = new Book();
   const letters = new Lettering();
   try {

@@ -5,28 +5,19 @@
 
 import { createPool } from './pool.ts';
 import { Priority } from './queue.ts';
-import type { PageDocument } from './documents.ts';
+import type { PageDocument } from './types.ts';
 import type { Pool } from './pool.ts';
-import type { Box, PixelPatch } from './protocol.ts';
+import type { Making, Picture, PixelPatch } from './protocol.ts';
 
 type Call = { signal?: AbortSignal };
-/** a panel in a PDF file */
-export type Picture = Box & { index: number; jpeg: Uint8Array<ArrayBuffer> };
-
-/** What the worker answers. */
-type Making = {
-  jpeg: { args: object; ok: Blob };
-  webp: { args: object; ok: Blob };
-  pictures: { args: object; ok: Picture[] };
-  pdf: { args: object; ok: Blob };
-};
+export type { Picture };
 
 export function createFiles() {
   let pool: Pool<Making> | undefined;
 
   return { jpeg, webp, pictures, pdf, dispose: () => pool?.dispose() };
 
-  function run<Op extends keyof Making>(op: Op, args: object, transfer: Transferable[], call?: Call) {
+  function run<Op extends keyof Making>(op: Op, args: Making[Op]['args'], transfer: Transferable[], call?: Call) {
     pool ??= createPool<Making>({ size: 1, spawn });
     return pool.run({ op, args, transfer, priority: Priority.PAGE, ...call });
   }

@@ -2,6 +2,7 @@ import { describe, expect, it } from 'vitest';
 import { edited, pageOf } from '../document/testing.ts';
 import { expanded, interned } from './interned.ts';
 import type { Change } from '../document/history.ts';
+import type { TabledHistory } from './types.ts';
 
 /** A history of five states that share most of what is in them. */
 function worked() {
@@ -17,7 +18,7 @@ function worked() {
       ],
       at: 1,
     },
-    { type: 'use-photo', id: 'b', use: false },
+    { type: 'use-photos', uses: { b: false } },
     { type: 'undo' },
   ];
   return edited(...changes).history();
@@ -25,7 +26,7 @@ function worked() {
 
 describe('a history with tables', () => {
   it('has each part once', () => {
-    const { parts, past, future } = interned(worked());
+    const { parts, past, future } = interned(worked()) as TabledHistory;
     expect([parts.items.length, parts.trays.length, parts.styles.length, parts.books.length]).toEqual([4, 3, 2, 2]);
     // The second tray shares two photos with the first.
     expect(parts.trays).toEqual([[], [0, 1, 2], [0, 3, 2]]);
@@ -45,7 +46,7 @@ describe('a history with tables', () => {
     const told = interned({
       present: { tray: 0, page: 0, settings: null, mine: [1], others: [{ page: 3 }] },
       shown: [{ id: 1, page: 0 }],
-    });
+    }) as TabledHistory;
     expect(told.present).toEqual({ tray: '0', page: '0', settings: null, mine: 0, others: 0 });
     expect([told.parts.shelves, told.parts.sheets, told.shown]).toEqual([
       [['1']],

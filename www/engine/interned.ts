@@ -3,25 +3,36 @@
  * states, which name them by their index (`src/document/kept.rs` has the tables). 500 states of one tray cost one tray.
  */
 
-/** As a history is kept: states of a project, and the pages shown. */
-export type KeptHistory = { past: readonly any[]; present: any; future: readonly any[]; shown: readonly any[] };
-type Plain = Record<string, any>;
+import type {
+  History,
+  KeptShown,
+  KeptState,
+  PageDocument,
+  Project,
+  Sheet,
+  Shown,
+  Tabled,
+  TabledHistory,
+  Tables,
+} from './types.ts';
+
+type Plain = Record<string, unknown>;
 
 /** What of a state stands in a table. */
-const PARTS: readonly [field: string, table: string][] = [
+const PARTS: readonly [field: Tabled, table: keyof Tables][] = [
   ['settings', 'settings'],
   ['page', 'pages'],
   ['draft', 'drafts'],
 ];
 /** Which lists of a state stand in a table, and what is in them. */
-const LISTS: readonly [field: string, table: string, entries: string][] = [
+const LISTS: readonly [field: Tabled, table: keyof Tables, entries: keyof Tables][] = [
   ['tray', 'trays', 'items'],
   ['others', 'books', 'sheets'],
   ['mine', 'shelves', 'styles'],
   ['favourites', 'shelves', 'styles'],
   ['ownLayouts', 'layoutShelves', 'layouts'],
 ];
-const TABLES = [
+const TABLES: readonly (keyof Tables)[] = [
   'items',
   'trays',
   'pages',
@@ -39,34 +50,33 @@ const TABLES = [
  * @param history of a record, which may be anything
  * @returns with `parts`
  */
-export function interned(history: unknown): Plain {
-  if (!isObject(history)) return history as any;
-  const parts = Object.fromEntries(TABLES.map((table) => [table, []])) as Record<string, any[]>;
-  const known = new Map(TABLES.map((table) => [table, new Map()]));
+export function interned(history: unknown): unknown {
+  if (!isObject(history)) return history;
+  const tables = new Map(TABLES.map((table) => [table, { parts: [] as unknown[], known: new Map<unknown, number>() }]));
 
   /**
    * @param told the part as the table has it
    * @returns its index; what is no part at all stays, but never looks like an index
    */
-  function named(table: string, value: unknown, told: (value: any) => unknown = (same) => same): unknown {
+  function named(table: keyof Tables, value: unknown, told: (value: unknown) => unknown = (same) => same): unknown {
     if (typeof value !== 'object' || value === null) return typeof value === 'number' ? String(value) : value;
-    const places = known.get(table) as Map<unknown, number>;
-    const before = places.get(value);
+    const { parts, known } = tables.get(table) as NonNullable<ReturnType<typeof tables.get>>;
+    const before = known.get(value);
     if (before !== undefined) return before;
     const part = told(value);
-    const index = parts[table].push(part) - 1;
-    places.set(value, index);
+    const index = parts.push(part) - 1;
+    known.set(value, index);
     return index;
   }
 
-  const withPage = (value: any) =>
+  const withPage = (value: unknown) =>
     isObject(value) && 'page' in value ? { ...value, page: named('pages', value.page) } : value;
-  const listOf = (entries: string) => (list: any) =>
+  const listOf = (entries: keyof Tables) => (list: unknown) =>
     Array.isArray(list)
       ? Array.from(list, (entry) => named(entries, entry, entries === 'sheets' ? withPage : undefined))
       : list;
 
-  function told(state: any) {
+  function told(state: unknown) {
     if (!isObject(state)) return state;
     const made = { ...state };
     for (const [field, table] of PARTS) if (field in made) made[field] = named(table, made[field]);
@@ -75,58 +85,75 @@ export function interned(history: unknown): Plain {
     return made;
   }
 
-  const all = (states: any, change: (state: any) => any) =>
+  const all = (states: unknown, change: (state: unknown) => unknown) =>
     Array.isArray(states) ? Array.from(states, change) : states;
   const { past, present, future, shown, ...rest } = history;
-  return {
-    ...rest,
-    parts,
+  const made = {
     past: all(past, told),
     present: told(present),
     future: all(future, told),
     shown: all(shown, withPage),
   };
+  const parts = Object.fromEntries([...tables].map(([table, { parts }]) => [table, parts]));
+  return { ...rest, parts, ...made };
 }
-
-/** Tables of parts, by their names. */
-export type Tables = Record<string, readonly any[]>;
 
 /**
- * @param history with `parts`, as the core gives it
+ * @param history as the core gives it
  * @returns in which states share what they shared
  */
-export function expanded({ parts, past, present, future, shown }: Plain): KeptHistory {
+export function expanded({ parts, past, present, future, shown }: TabledHistory): History {
   const { state, withPage } = joinedWith(parts);
-  return { past: past.map(state), present: state(present), future: future.map(state), shown: shown.map(withPage) };
+  const whole = (kept: KeptState) => state(kept) as Project;
+  return { past: past.map(whole), present: whole(present), future: future.map(whole), shown: shown.map(withPage) };
 }
+
+/** Parts with which tables begin, as they are in states. */
+export type Known = Partial<Omit<Tables, 'sheets'>> & { sheets?: readonly Sheet[] };
 
 /**
  * @param told tables as the core gives them
- * @param known parts with which they begin, as they are in states
+ * @param known parts with which they begin
  * @returns what puts parts in the place of their numbers: in a state or some fields of it, and in what has a page
  */
-export function joinedWith(told: Tables, known: Tables = {}) {
-  const all = (table: string, made: readonly any[] = told[table]) => [...(known[table] ?? []), ...made];
-  const pages = all('pages');
-  const withPage = (entry: any) => ({ ...entry, page: pages[entry.page] });
-  const tables: Tables = {
-    ...Object.fromEntries(TABLES.map((table) => [table, all(table)])),
-    sheets: all('sheets', told.sheets.map(withPage)),
+export function joinedWith(told: Tables, known: Known = {}) {
+  const pages = joined(known.pages, told.pages);
+  const paged = <Entry extends { page: number }>(entry: Entry): Omit<Entry, 'page'> & { page: PageDocument } => ({
+    ...entry,
+    page: pages[entry.page],
+  });
+  const styles = listed(told.shelves, joined(known.styles, told.styles));
+  const tables: { [Field in Tabled]: readonly unknown[] } = {
+    tray: listed(told.trays, joined(known.items, told.items)),
+    settings: joined(known.settings, told.settings),
+    page: pages,
+    others: listed(told.books, joined(known.sheets, told.sheets.map(paged))),
+    draft: joined(known.drafts, told.drafts),
+    mine: styles,
+    favourites: styles,
+    ownLayouts: listed(told.layoutShelves, joined(known.layouts, told.layouts)),
   };
-  const lists = Object.fromEntries(
-    LISTS.map(([, table, entries]) => [
-      table,
-      told[table].map((list: number[]) => list.map((i) => tables[entries][i])),
-    ]),
-  );
+  const part = (field: string, value: unknown) =>
+    isTabled(field) && typeof value === 'number' ? tables[field][value] : value;
 
-  const state = (fields: Plain) => {
-    const made = { ...fields };
-    for (const [field, table] of PARTS) if (typeof made[field] === 'number') made[field] = tables[table][made[field]];
-    for (const [field, table] of LISTS) if (field in made) made[field] = lists[table][made[field]];
-    return made;
+  return {
+    // The order of the fields stays: some of it is compared as text.
+    state: (fields: Partial<KeptState>): Partial<Project> =>
+      Object.fromEntries(Object.entries(fields).map(([field, value]) => [field, part(field, value)])),
+    withPage: (entry: KeptShown): Shown => paged(entry),
   };
-  return { state, withPage };
+
+  function isTabled(field: string): field is Tabled {
+    return field in tables;
+  }
+}
+
+function joined<T>(known: readonly T[] = [], told: readonly T[]): readonly T[] {
+  return [...known, ...told];
+}
+
+function listed<T>(lists: readonly (readonly number[])[], entries: readonly T[]): readonly (readonly T[])[] {
+  return lists.map((list) => list.map((i) => entries[i]));
 }
 
 function isObject(value: unknown): value is Plain {

@@ -4,7 +4,7 @@
  */
 
 import { announcedPixels } from './announced-pixels.ts';
-import type { PageDocument, Style } from './documents.ts';
+import type { PageDocument, Style } from './types.ts';
 
 /** A million pixels of a photo, decoded, reduced and measured: JPEG 20, TIFF and WebP 60. */
 const PHOTO = 60;

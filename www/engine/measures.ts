@@ -1,7 +1,7 @@
 /** How large a page is as a file, by encoding it small. */
 
 import { Priority } from './queue.ts';
-import type { PageDocument } from './documents.ts';
+import type { PageDocument } from './types.ts';
 import type { createFiles } from './files.ts';
 import type { Run } from './pool.ts';
 import type { createRenders } from './renders.ts';

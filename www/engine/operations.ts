@@ -12,19 +12,15 @@ import { STORING, readingOf } from './serving.ts';
 import { createStyleOperations } from './style-operations.ts';
 import type { Patch, Studio } from '../pkg/inkpanel.js';
 import type { createLru } from './lru.ts';
-import type { BitmapPatch, Operations, PhotoHandle, PixelPatch } from './protocol.ts';
-import type { Tell } from './serving.ts';
-
-export type Answer = { ok: unknown; transfer: Transferable[] };
+import type { BitmapPatch, Imported, Operations, PhotoHandle, PixelPatch } from './protocol.ts';
+import type { Tell, Work } from './serving.ts';
+import type { ImportEntry, PixelSize } from './types.ts';
 
 /** No photo is larger; a film that was dropped by mistake must not fill the memory. */
 const MOST_BYTES = 512 * 2 ** 20;
 
 /** @param held the photos in the studio */
-export function createOperations(
-  studio: Studio,
-  held: ReturnType<typeof createLru>,
-): Record<string, (args: any, tell: Tell) => Promise<Answer>> {
+export function createOperations(studio: Studio, held: ReturnType<typeof createLru>): Work<Operations> {
   return {
     import: importPhoto,
     importFrame,
@@ -41,21 +37,27 @@ export function createOperations(
 
   async function importPhoto({ id, file }: Operations['import']['args'], tell: Tell) {
     tell.waits(readingOf(file));
-    const { work, small, ...meta } = await read(id, await bytesOf(file), tell);
+    const { entry, told } = await read(id, await bytesOf(file), tell);
     tell.waits(STORING);
-    const ok = { meta, work: await keep(`${id}/work`, work), small: await keep(`${id}/small`, small) };
+    const { meta, ...photo } = await kept(entry);
     evict([]);
-    return { ok, transfer: [] };
+    return { ok: { ...photo, meta: { ...meta, ...told } }, transfer: [] };
   }
 
-  /**
-   * @param bytes of the file
-   * @returns the photo's facts
-   */
-  async function read(id: string, bytes: Uint8Array<ArrayBuffer>, tell: Tell): Promise<any> {
+  /** @param bytes of the file */
+  async function read(id: string, bytes: Uint8Array<ArrayBuffer>, tell: Tell) {
     tell.expects(photoMs(bytes, foreignKind(bytes)));
     const { value, told } = await reading(bytes, (file) => studio.import_photo(id, file));
-    return { ...JSON.parse(value), ...told };
+    const entry: ImportEntry = JSON.parse(value);
+    return { entry, told };
+  }
+
+  async function kept({ meta, format, measures, work, small }: ImportEntry): Promise<Imported> {
+    return {
+      meta: { ...meta, format, measures },
+      work: await keep(`${meta.id}/work`, work),
+      small: await keep(`${meta.id}/small`, small),
+    };
   }
 
   async function importFrame(
@@ -63,13 +65,13 @@ export function createOperations(
     tell: Tell,
   ) {
     tell.expects(frameMs(width * height + squareWidth * squareHeight));
-    const { work, small, ...meta } = JSON.parse(
+    const entry: ImportEntry = JSON.parse(
       studio.import_frame(id, width, height, data, squareWidth, squareHeight, rotation),
     );
     const png = studio.take_file() as Uint8Array<ArrayBuffer>;
     tell.waits(STORING);
     const file = await blobOf(png, { type: 'image/png' });
-    const ok = { meta, work: await keep(`${id}/work`, work), small: await keep(`${id}/small`, small), file };
+    const ok = { ...(await kept(entry)), file };
     evict([]);
     return { ok, transfer: [] };
   }
@@ -106,7 +108,7 @@ export function createOperations(
 
   async function stylize({ style, width, height, data }: Operations['stylize']['args'], tell: Tell) {
     tell.expects(styleMs(style, width * height));
-    const styled = studio.stylize(style, width, height, data);
+    const styled = studio.stylize(style, width, height, data) as Uint8Array<ArrayBuffer>;
     const ok = {
       x: 0,
       y: 0,
@@ -149,7 +151,7 @@ export function createOperations(
   }
 
   /** Puts the planes of a fresh photo into a Blob, which the page hands to the other workers. */
-  async function keep(key: string, { width, height }: { width: number; height: number }): Promise<PhotoHandle> {
+  async function keep(key: string, { width, height }: PixelSize): Promise<PhotoHandle> {
     const planes = studio.photo_planes(key) as Uint8Array<ArrayBuffer>;
     held.touch(key, planes.length);
     return { key, width, height, planes: await blobOf(planes) };

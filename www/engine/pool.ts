@@ -15,10 +15,7 @@ import { createPace } from './pace.ts';
 import { patience } from './patience.ts';
 import { TRAP, cancelled, failure, lost } from './protocol.ts';
 import { Priority, createQueue } from './queue.ts';
-import type { Operations, Reply, Sign } from './protocol.ts';
-
-/** What the workers of a pool do: the arguments of each operation, and its answer. */
-export type Table = { [op: string]: { args: unknown; ok: unknown } };
+import type { Operations, Reply, Sign, Table } from './protocol.ts';
 
 /** `photo` is the name to blame; `holds` are the photo keys that the job needs and leaves in the worker */
 export type Job<Ops extends Table = Operations, Op extends keyof Ops = keyof Ops> = {

@@ -1,13 +1,13 @@
 /**
  * Every message between the page and its workers, defined once.
  *
- * To a worker: `{ id, op, args }`. Back: `{ id, ok, memory }` or `{ id, error: { code, message }, memory }`, and before
+ * To a worker: `{ start }` where it is told something, and `{ id, op, args }`. Back: `{ id, ok, memory }` or `{ id, error: { code, message }, memory }`, and before
  * that how long it may take: `{ id, expects }` or `{ id, waits }`. A worker that is there says `{ id: 0 }`.
  * Pixels travel in transferred buffers and bitmaps, photos as Blob handles, which cost nothing to send.
  */
 
 import type { Designed } from './design.ts';
-import type { Found } from './detector.ts';
+import type { Bounds, Detection, FirstLook, ImportEntry, PhotoMeta } from './types.ts';
 import type { Frame } from './video.ts';
 
 /**
@@ -16,15 +16,18 @@ import type { Frame } from './video.ts';
  */
 export type PhotoHandle = { key: string; width: number; height: number; planes: Blob };
 
-export type Box = { x: number; y: number; width: number; height: number };
-
 /** A rendered rectangle of a page, in page pixels. */
-export type BitmapPatch = Box & { bitmap: ImageBitmap };
-export type PixelPatch = Box & { data: Uint8ClampedArray<ArrayBuffer> };
+export type BitmapPatch = Bounds & { bitmap: ImageBitmap };
+export type PixelPatch = Bounds & { data: Uint8ClampedArray<ArrayBuffer> };
 
-/** The operations of a worker of the pool: arguments and answer. */
+/** What the workers of a pool do: the arguments of each operation, and its answer. */
+export type Table = { [op: string]: { args: unknown; ok: unknown } };
+
+/** What a worker of the pool is told once, as `{ start }`. */
+export type Start = { module: WebAssembly.Module; budget: number };
+
+/** Its operations. */
 export type Operations = {
-  start: { args: { module: WebAssembly.Module; budget: number }; ok: null };
   import: { args: { id: string; file: Blob }; ok: Imported };
   importFrame: { args: { id: string; frame: Omit<Frame, 'index' | 'time'> }; ok: Imported & { file: Blob } };
   panel: {
@@ -53,15 +56,39 @@ export type Judging = {
   judge: { args: { width: number; height: number; data: Uint8ClampedArray<ArrayBuffer>; net: string }; ok: number };
 };
 
-type Looked<Ok> = { args: { photo: PhotoHandle; boxes?: Found[] }; ok: Ok };
+type Looked<Ok> = { args: { photo: PhotoHandle; boxes?: readonly Detection[] }; ok: Ok };
 
 /** Those of a worker that looks for faces or objects. */
 export type Looking = {
   load: { args: { net: 'faces' | 'objects' }; ok: null };
   make: { args: { net: 'faces' | 'objects' }; ok: null };
-  faces: Looked<{ boxes: Found[]; closer: boolean }>;
-  closer: Looked<Found[]>;
-  objects: Looked<Found[]>;
+  faces: Looked<FirstLook>;
+  closer: Looked<readonly Detection[]>;
+  objects: Looked<readonly Detection[]>;
+};
+
+/** Those of the worker that draws words; `document` is one as JSON. */
+export type Wording = {
+  word: { args: { document: string; width: number; index: number }; ok: BitmapPatch };
+  words: { args: { document: string; width: number }; ok: PixelPatch[] };
+  over: { args: { document: string; width: number; bitmap: ImageBitmap }; ok: ImageBitmap };
+};
+
+/** A panel in a PDF file. */
+export type Picture = Bounds & { index: number; jpeg: Uint8Array<ArrayBuffer> };
+
+/** Those of the worker that makes files; `quality` is from 1 to 100. */
+export type Making = {
+  jpeg: {
+    args: { document: string; size: { width: number; height: number }; patches: PixelPatch[]; quality: number };
+    ok: Blob;
+  };
+  webp: { args: { picture: Blob; quality: number; dpi: number }; ok: Blob };
+  pictures: {
+    args: { document: string; patches: (PixelPatch & { index: number })[]; quality: number };
+    ok: Picture[];
+  };
+  pdf: { args: { pages: { document: string; pictures: Picture[] }[]; title: string }; ok: Blob };
 };
 
 type Tier = 'small' | 'work' | 'full';
@@ -81,23 +108,9 @@ export type Explored = {
   bitmap: ImageBitmap;
 };
 
-export type PhotoMeta = {
-  id: string;
-  width: number;
-  height: number;
-  fingerprint: string;
-  sharpness: number;
-  taken: string | null;
-  energy: { columns: number; rows: number; values: string };
-  subjects: Found[];
-  focus: { x: number; y: number } | null;
-  /** A person wants to see it large. */
-  starred?: boolean;
-};
-
 /** The answer to `import`: what is known of a photo, and its two reduced copies. */
 export type Imported = {
-  meta: PhotoMeta & { format: string; measures: Record<string, number | string> };
+  meta: PhotoMeta & Pick<ImportEntry, 'format' | 'measures'>;
   work: PhotoHandle;
   small: PhotoHandle;
 };

@@ -4,6 +4,7 @@
  */
 
 import { describe } from './protocol.ts';
+import type { Table } from './protocol.ts';
 
 /**
  * `expects`: work, in ms where it was measured (`measured.ts`); `waits`: at most so many ms for something that is not this
@@ -23,10 +24,32 @@ export function readingOf({ size }: Blob): number {
   return STORING + size / BYTES_A_MS;
 }
 
-export function serveJobs(
-  work: (op: string, args: any, tell: Tell) => Promise<{ ok: unknown; transfer?: Transferable[]; memory?: number }>,
+/** What an operation gives: its answer, and the buffers to hand over. */
+export type Answer<Ok> = { ok: Ok; transfer?: Transferable[] };
+/** A function for each operation of a table. */
+export type Work<Ops extends Table> = {
+  [Op in keyof Ops]: (args: Ops[Op]['args'], tell: Tell) => Promise<Answer<Ops[Op]['ok']>>;
+};
+type Order<Ops extends Table> = { id: number; op: keyof Ops; args: Ops[keyof Ops]['args'] };
+
+/**
+ * @param work does one job
+ * @param start hears what a worker is told once, before its first job
+ */
+export function serveJobs<Ops extends Table, Start = never>(
+  work: <Op extends keyof Ops>(
+    op: Op,
+    args: Ops[Op]['args'],
+    tell: Tell,
+  ) => Promise<Answer<Ops[Op]['ok']> & { memory?: number }>,
+  start?: (told: Start) => void,
 ) {
-  globalThis.onmessage = async ({ data: { id, op, args } }: MessageEvent<{ id: number; op: string; args: any }>) => {
+  globalThis.onmessage = async ({ data }: MessageEvent<Order<Ops> | { start: Start }>) => {
+    if ('start' in data) {
+      start?.(data.start);
+      return;
+    }
+    const { id, op, args } = data;
     const tell = {
       expects: (ms: number) => postMessage({ id, expects: ms }),
       waits: (ms: number) => postMessage({ id, waits: ms }),

@@ -3,9 +3,10 @@
 import { FOREGROUND } from './design.ts';
 import { blocksMs, styleMs } from './measured.ts';
 import type { Patch, Studio } from '../pkg/inkpanel.js';
-import type { Answer } from './operations.ts';
-import type { BitmapPatch, Operations, PhotoHandle } from './protocol.ts';
-import type { Tell } from './serving.ts';
+import type { Designed } from './design.ts';
+import type { BitmapPatch, Explored, Operations, PhotoHandle } from './protocol.ts';
+import type { Answer, Tell } from './serving.ts';
+import type { Style } from './types.ts';
 
 export function createStyleOperations({
   studio,
@@ -24,11 +25,11 @@ export function createStyleOperations({
   async function design(
     { photo, style, width, height, stages }: Operations['design']['args'],
     tell: Tell,
-  ): Promise<Answer> {
+  ): Promise<Answer<Designed>> {
     await fetchPhotos([photo], tell);
     tell.expects(blocksMs(width * height, 1));
     studio.design(photo.key, style, width, height);
-    const { background, foreground = [] }: { background: unknown[]; foreground?: unknown[] } = JSON.parse(style);
+    const { background, foreground = [] }: Style = JSON.parse(style);
     const places = [...background.map((_, i) => i), ...foreground.map((_, i) => FOREGROUND + i)];
     const times = timed(`${photo.key} ${width} ${height}`, () => tell.expects(blocksMs(width * height, 1)));
     tell.expects(blocksMs(width * height, 1) + blocksMs(stages * stages, stages > 0 ? places.length : 0));
@@ -39,7 +40,8 @@ export function createStyleOperations({
         return { place, bitmap: ok.bitmap };
       }),
     );
-    const ok = { ...whole.ok, times: places.map((place) => [place, times.get(place) ?? 0]), stages: pictures };
+    const spent = places.map((place): [number, number] => [place, times.get(place) ?? 0]);
+    const ok = { ...whole.ok, times: spent, stages: pictures };
     return { ok, transfer: [...whole.transfer, ...pictures.map((picture) => picture.bitmap)] };
   }
 
@@ -62,7 +64,10 @@ export function createStyleOperations({
   }
 
   /** A photo in some styles, each with its score, look and signature; a style that fails is left out. */
-  async function explore({ photo, styles, width, height }: Operations['explore']['args'], tell: Tell): Promise<Answer> {
+  async function explore(
+    { photo, styles, width, height }: Operations['explore']['args'],
+    tell: Tell,
+  ): Promise<Answer<Explored[]>> {
     await fetchPhotos([photo], tell);
     const ok = await Promise.all(
       styles.map(async (style, index) => {

@@ -6,45 +6,45 @@ import initWords, { Lettering } from '../pkg-words/inkpanel.js';
 import { wordMs } from './measured.ts';
 import { moduleBytes } from './module-bytes.ts';
 import { LOADING, serveJobs } from './serving.ts';
-import type { Tell } from './serving.ts';
+import type { Wording } from './protocol.ts';
+import type { Tell, Work } from './serving.ts';
+import type { PageDocument } from './types.ts';
 
 const MODULE = new URL('../pkg-words/inkpanel_bg.wasm', import.meta.url);
 
-type Args = { document: string; width: number; index: number; bitmap: ImageBitmap };
-type Answer = { ok: unknown; transfer: Transferable[] };
+type Args<Op extends keyof Wording> = Wording[Op]['args'];
 
-let started: Promise<Lettering> | undefined;
+let started: Promise<Work<Wording>> | undefined;
 
-const OPERATIONS: Record<string, (letters: Lettering, args: Args, tell: Tell) => Promise<Answer>> = {
-  word,
-  words,
-  over,
-};
-
-serveJobs(async (op, args, tell) => {
+serveJobs<Wording>(async (op, args, tell) => {
   tell.waits(LOADING);
   started ??= start();
-  return OPERATIONS[op](await started, args, tell);
+  return (await started)[op](args, tell);
 });
 
-async function start() {
+async function start(): Promise<Work<Wording>> {
   await initWords({ module_or_path: await moduleBytes(MODULE, 'words-missing', 'The letters could not be loaded.') });
-  return new Lettering();
+  const letters = new Lettering();
+  return {
+    word: (args, tell) => word(letters, args, tell),
+    words: (args, tell) => words(letters, args, tell),
+    over: (args, tell) => over(letters, args, tell),
+  };
 }
 
-async function word(letters: Lettering, { document, index, width }: Args, tell: Tell): Promise<Answer> {
+async function word(letters: Lettering, { document, index, width }: Args<'word'>, tell: Tell) {
   tell.expects(wordMs(width * width));
   const { data, ...place } = pixels(letters, document, index, width);
   const bitmap = await createImageBitmap(new ImageData(data, place.width, place.height));
   return { ok: { ...place, bitmap }, transfer: [bitmap] };
 }
 
-async function words(letters: Lettering, { document, width }: Args, tell: Tell): Promise<Answer> {
+async function words(letters: Lettering, { document, width }: Args<'words'>, tell: Tell) {
   const ok = all(letters, document, width, tell);
   return { ok, transfer: ok.map(({ data }) => data.buffer) };
 }
 
-async function over(letters: Lettering, { document, width, bitmap }: Args, tell: Tell): Promise<Answer> {
+async function over(letters: Lettering, { document, width, bitmap }: Args<'over'>, tell: Tell) {
   const canvas = new OffscreenCanvas(bitmap.width, bitmap.height);
   const context = canvas.getContext('2d') as OffscreenCanvasRenderingContext2D;
   context.drawImage(bitmap, 0, 0);
@@ -56,8 +56,8 @@ async function over(letters: Lettering, { document, width, bitmap }: Args, tell:
 }
 
 function all(letters: Lettering, document: string, width: number, tell: Tell) {
-  const { length } = JSON.parse(document).words;
-  return Array.from({ length }, (_, index) => {
+  const { words = [] }: PageDocument = JSON.parse(document);
+  return words.map((_, index) => {
     tell.expects(wordMs(width * width));
     return pixels(letters, document, index, width);
   });

@@ -7,20 +7,20 @@ import { createPool } from './pool.ts';
 import { moduleBytes } from './module-bytes.ts';
 import { Priority } from './queue.ts';
 import type { Pool } from './pool.ts';
-import type { PageDocument, ReadSubtitles, Word, WordBox } from './documents.ts';
+import type { PageDocument, Subject, Word, WordBox } from './types.ts';
 import type { Call } from './engine.ts';
-import type { BitmapPatch, PixelPatch } from './protocol.ts';
+import type { BitmapPatch, PixelPatch, Wording } from './protocol.ts';
 
+/** What is wrong with a file of subtitles; lines are counted from 1. */
+export type SubtitleFlaw =
+  | { kind: 'large' | 'binary' | 'header' | 'empty' }
+  | { kind: 'order'; line: number }
+  | { kind: 'stray' | 'time'; line: number; text: string };
+/** Words for frames at whose times something is said, and how many subtitles were read, left out, and cut. */
+export type ReadSubtitles = { words: Word[]; cues: number; left: number; cut: number } | { flaw: SubtitleFlaw };
 export type Lettering = Awaited<ReturnType<ReturnType<typeof createWords>['lettering']>>;
 
 const MODULE = new URL('../pkg-words/inkpanel_bg.wasm', import.meta.url);
-/** What the worker answers. */
-type Wording = {
-  word: { args: object; ok: BitmapPatch };
-  words: { args: object; ok: PixelPatch[] };
-  over: { args: object; ok: ImageBitmap };
-};
-
 export function createWords() {
   let pool: Pool<Wording> | undefined;
   let opened: ReturnType<typeof open> | null = null;
@@ -38,12 +38,11 @@ export function createWords() {
 
   function run<Op extends keyof Wording>(
     op: Op,
-    document: PageDocument,
-    args: object,
+    args: Wording[Op]['args'],
     call?: Call & { transfer?: Transferable[] },
   ) {
     pool ??= createPool<Wording>({ size: 1, spawn });
-    return pool.run({ op, args: { document: JSON.stringify(document), ...args }, priority: Priority.PANEL, ...call });
+    return pool.run({ op, args, priority: Priority.PANEL, ...call });
   }
 
   /**
@@ -51,19 +50,20 @@ export function createWords() {
    * @param width of the page, in pixels
    */
   async function draw(document: PageDocument, index: number, width: number, call?: Call): Promise<BitmapPatch> {
-    return run('word', document, { index, width }, call);
+    return run('word', { document: JSON.stringify(document), index, width }, call);
   }
 
   /** All words of a page, as pixels. */
   async function patches(document: PageDocument, width: number, call?: Call): Promise<PixelPatch[]> {
-    return document.words?.length ? run('words', document, { width }, call) : [];
+    return document.words?.length ? run('words', { document: JSON.stringify(document), width }, call) : [];
   }
 
   /** The picture of a page with its words over it. */
   async function over(document: PageDocument, width: number, page: BitmapPatch, call?: Call): Promise<BitmapPatch> {
     if (!document.words?.length) return page;
     const { bitmap } = page;
-    return { ...page, bitmap: await run('over', document, { width, bitmap }, { ...call, transfer: [bitmap] }) };
+    const args = { document: JSON.stringify(document), width, bitmap };
+    return { ...page, bitmap: await run('over', args, { ...call, transfer: [bitmap] }) };
   }
 
   /** The same for pixels: the words are laid on those of an opaque page. */
@@ -100,7 +100,7 @@ async function open() {
      * @param subjects what is in the photos, by their ids
      * @returns the words of the document, those placed by themselves where they hide no face
      */
-    settle: (document: PageDocument, subjects: Record<string, object[]>): Word[] =>
+    settle: (document: PageDocument, subjects: Record<string, readonly Subject[]>): Word[] =>
       JSON.parse(letters.settle(JSON.stringify(document), JSON.stringify(subjects))),
     measure: (document: PageDocument): WordBox[] => JSON.parse(letters.measure(JSON.stringify(document))),
     /**

@@ -6,23 +6,26 @@ import initCore, { Studio } from '../pkg/inkpanel.js';
 import { createLru } from './lru.ts';
 import { createOperations } from './operations.ts';
 import { STORING, serveJobs } from './serving.ts';
+import type { Operations, Start } from './protocol.ts';
+import type { Work } from './serving.ts';
 
-let started: Promise<{ studio: Studio; operations: ReturnType<typeof createOperations> }> | undefined;
+let started: Promise<{ studio: Studio; operations: Work<Operations> }> | undefined;
 
-serveJobs(async (op, args, tell) => {
-  if (op === 'start') {
-    started = start(args);
-    // The first job reports it, to whoever asked for that job.
+serveJobs<Operations, Start>(
+  async (op, args, tell) => {
+    tell.waits(STORING);
+    const { studio, operations } = await (started as NonNullable<typeof started>);
+    const answer = await operations[op](args, tell);
+    return { ...answer, memory: studio.memory() };
+  },
+  (told) => {
+    started = start(told);
+    // The first job reports what went wrong, to whoever asked for that job.
     started.catch(() => {});
-    return { ok: null };
-  }
-  tell.waits(STORING);
-  const { studio, operations } = await (started as NonNullable<typeof started>);
-  const answer = await operations[op](args, tell);
-  return { ...answer, memory: studio.memory() };
-});
+  },
+);
 
-async function start({ module, budget }: { module: WebAssembly.Module; budget: number }) {
+async function start({ module, budget }: Start) {
   await initCore({ module_or_path: module });
   const studio = new Studio();
   return { studio, operations: createOperations(studio, createLru(budget)) };

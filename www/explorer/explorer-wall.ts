@@ -4,7 +4,7 @@
  */
 
 import { signal } from '@preact/signals';
-import type { Style } from '../engine/documents.ts';
+import type { Style } from '../engine/types.ts';
 import type { Explored } from '../engine/protocol.ts';
 import type { Photo } from './explorer.ts';
 import type { Signal } from '@preact/signals';

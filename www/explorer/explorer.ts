@@ -9,7 +9,7 @@ import { createScores } from './explorer-scores.ts';
 import { createWall } from './explorer-wall.ts';
 import type { Messages } from '../ui/messages.ts';
 import type { Progress, Store } from '../document/store.ts';
-import type { Style } from '../engine/documents.ts';
+import type { Style } from '../engine/types.ts';
 import type { Engine } from '../engine/engine.ts';
 import type { OwnStyles } from '../styles/own-styles.ts';
 import type { Item } from './explorer-wall.ts';

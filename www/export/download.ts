@@ -12,7 +12,7 @@ import { sized } from '../page/paper.ts';
 import type { Messages } from '../ui/messages.ts';
 import type { Pages } from '../document/pages.ts';
 import type { Progress, Store } from '../document/store.ts';
-import type { PageDocument, PageSettings } from '../engine/documents.ts';
+import type { PageDocument, PageSettings } from '../engine/types.ts';
 import type { Engine } from '../engine/engine.ts';
 import type { PageFiles } from '../storage/files/page-files.ts';
 import type { Carry, Wish, Work } from './page-making.ts';

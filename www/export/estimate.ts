@@ -3,7 +3,7 @@
  * the page at print size will need. Flat pictures grow slower than their pixels, noisy ones as fast.
  */
 
-import type { PageDocument } from '../engine/documents.ts';
+import type { PageDocument } from '../engine/types.ts';
 import type { Engine } from '../engine/engine.ts';
 import type { PictureFormat } from '../engine/measures.ts';
 

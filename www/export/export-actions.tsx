@@ -2,7 +2,7 @@ import { FORMATS } from './formats.ts';
 import { strings } from '../strings/strings.ts';
 import { useApp } from '../ui/context.ts';
 import { Icon } from '../ui/icon.tsx';
-import type { PageDocument } from '../engine/documents.ts';
+import type { PageDocument } from '../engine/types.ts';
 import type { Format } from './formats.ts';
 import type { Wish } from './page-making.ts';
 

@@ -15,7 +15,7 @@ import { ExportActions } from './export-actions.tsx';
 import { ExportProject } from './export-project.tsx';
 import { FileSize } from './file-size.tsx';
 import { FormatChoice } from './format-choice.tsx';
-import type { PageDocument } from '../engine/documents.ts';
+import type { PageDocument } from '../engine/types.ts';
 import type { Format, Inside } from './formats.ts';
 
 const PREVIEW = 220;

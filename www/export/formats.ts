@@ -1,6 +1,6 @@
 /** The kinds of files that pages become, and what the files are called. */
 
-import type { PageDocument } from '../engine/documents.ts';
+import type { PageDocument } from '../engine/types.ts';
 
 export type Format = 'png' | 'jpeg' | 'webp' | 'pdf' | 'zip' | 'cbz';
 /** the pictures of a ZIP or CBZ file */

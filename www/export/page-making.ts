@@ -4,7 +4,7 @@ import { strings } from '../strings/strings.ts';
 import { FORMATS, isArchive, pageName } from './formats.ts';
 import { archiveOf } from '../storage/files/archive.ts';
 import type { Store } from '../document/store.ts';
-import type { PageDocument } from '../engine/documents.ts';
+import type { PageDocument } from '../engine/types.ts';
 import type { Engine } from '../engine/engine.ts';
 import type { Format, Inside } from './formats.ts';
 

@@ -1,6 +1,6 @@
 /** The panels of a layout as a small drawing; the option around it is the sheet of paper. */
 
-import type { LayoutEntry } from '../engine/documents.ts';
+import type { LayoutEntry } from '../engine/types.ts';
 
 /** Width of the drawing; the core's paths are made for it. */
 const WIDTH = 1000;

@@ -8,7 +8,7 @@ import { save as saveFile } from '../ui/files.ts';
 import type { Messages } from '../ui/messages.ts';
 import type { Pages } from '../document/pages.ts';
 import type { Store } from '../document/store.ts';
-import type { Template } from '../engine/documents.ts';
+import type { Template } from '../engine/types.ts';
 
 export type OwnLayouts = ReturnType<typeof createOwnLayouts>;
 

@@ -2,7 +2,7 @@ import { beforeEach, describe, expect, test } from 'vitest';
 import { createLettering } from './lettering.ts';
 import { createSelection } from '../page/panels/selection.ts';
 import { fakeApp } from '../document/testing.ts';
-import type { PageDocument, Word } from '../engine/documents.ts';
+import type { PageDocument, Word } from '../engine/types.ts';
 
 let lettering: ReturnType<typeof createLettering>;
 let store: ReturnType<typeof fakeApp>['store'];

@@ -10,7 +10,7 @@ import { anchored, pagePoint } from './word-places.ts';
 import { createWordPlanning } from './word-planning.ts';
 import type { Messages } from '../ui/messages.ts';
 import type { Store } from '../document/store.ts';
-import type { Word } from '../engine/documents.ts';
+import type { Word } from '../engine/types.ts';
 import type { Engine } from '../engine/engine.ts';
 import type { Signal } from '@preact/signals';
 

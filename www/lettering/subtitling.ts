@@ -8,7 +8,7 @@ import { strings } from '../strings/strings.ts';
 import { MOST } from '../document/limits.ts';
 import type { Messages } from '../ui/messages.ts';
 import type { Store } from '../document/store.ts';
-import type { SubtitleFlaw } from '../engine/documents.ts';
+import type { SubtitleFlaw } from '../engine/words.ts';
 import type { Lettering } from './lettering.ts';
 import type { Signal } from '@preact/signals';
 

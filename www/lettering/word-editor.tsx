@@ -2,7 +2,7 @@ import { useLayoutEffect, useRef } from 'preact/hooks';
 import { strings } from '../strings/strings.ts';
 import { useApp } from '../ui/context.ts';
 import { focusOn, placed } from './word-hands.ts';
-import type { WordBox } from '../engine/documents.ts';
+import type { WordBox } from '../engine/types.ts';
 
 /** The core takes no more. */
 const MOST = 4000;

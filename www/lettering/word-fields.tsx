@@ -4,7 +4,7 @@ import { useRef } from 'preact/hooks';
 import { strings } from '../strings/strings.ts';
 import { useApp } from '../ui/context.ts';
 import { IconButton } from '../ui/button.tsx';
-import type { Word } from '../engine/documents.ts';
+import type { Word } from '../engine/types.ts';
 import type { Mode } from './lettering.ts';
 
 type AmountProps = {

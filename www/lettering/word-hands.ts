@@ -3,7 +3,7 @@
 import { useRef } from 'preact/hooks';
 import { useApp } from '../ui/context.ts';
 import { WAYS } from '../page/panels/panel-shape.ts';
-import type { Bounds } from '../engine/documents.ts';
+import type { Bounds } from '../engine/types.ts';
 
 /** What an arrow moves by, in page widths, and with Shift. */
 const STEP = 0.005;

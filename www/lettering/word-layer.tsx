@@ -9,7 +9,7 @@ import { useApp } from '../ui/context.ts';
 import { placed, pointOn, useWordHands } from './word-hands.ts';
 import { WordEditor } from './word-editor.tsx';
 import { createWordPainter } from './word-painter.ts';
-import type { Geometry, PageDocument, WordBox } from '../engine/documents.ts';
+import type { Geometry, PageDocument, WordBox } from '../engine/types.ts';
 
 /** @param props `width` of the page in pixels of the screen */
 export function WordLayer({ page, geometry, width }: { page: PageDocument; geometry: Geometry; width: number }) {

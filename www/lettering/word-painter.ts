@@ -3,7 +3,7 @@
  * all drawn anew. A word waits for the picture that is being drawn of it before it asks for the next.
  */
 
-import type { PageDocument } from '../engine/documents.ts';
+import type { PageDocument } from '../engine/types.ts';
 import type { Engine } from '../engine/engine.ts';
 import type { BitmapPatch } from '../engine/protocol.ts';
 

@@ -1,7 +1,7 @@
 /** Places of words: fractions of a panel, or of the page, and back to page widths. */
 
 import { MOST } from '../document/limits.ts';
-import type { Bounds, Geometry, Word } from '../engine/documents.ts';
+import type { Bounds, Geometry, Word } from '../engine/types.ts';
 
 type Place = [number, number];
 

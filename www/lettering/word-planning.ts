@@ -7,7 +7,7 @@ import { computed, effect, signal } from '@preact/signals';
 import { strings } from '../strings/strings.ts';
 import type { Messages } from '../ui/messages.ts';
 import type { Store } from '../document/store.ts';
-import type { PageDocument, Word } from '../engine/documents.ts';
+import type { PageDocument, Word } from '../engine/types.ts';
 import type { Lettering as Letters } from '../engine/words.ts';
 import type { Signal } from '@preact/signals';
 

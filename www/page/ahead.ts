@@ -7,7 +7,7 @@ import { effect, signal } from '@preact/signals';
 import type { Ui } from '../app/ui.ts';
 import type { Pages } from '../document/pages.ts';
 import type { Store } from '../document/store.ts';
-import type { PageDocument } from '../engine/documents.ts';
+import type { PageDocument } from '../engine/types.ts';
 import type { ReadonlySignal, Signal } from '@preact/signals';
 
 export type Ahead = ReturnType<typeof createAhead>;

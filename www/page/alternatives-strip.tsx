@@ -8,7 +8,7 @@ import { useGlimpse } from './glimpse.tsx';
 import { Icon } from '../ui/icon.tsx';
 import { Bitmap, screenPixels, useInView } from '../ui/bitmap.tsx';
 import { useApp } from '../ui/context.ts';
-import type { PageDocument } from '../engine/documents.ts';
+import type { PageDocument } from '../engine/types.ts';
 import type { Point } from './glimpse.tsx';
 
 /** Pages made at a time: more than any strip shows at once. */

@@ -8,7 +8,7 @@ import { computed, signal } from '@preact/signals';
 import { photosFor } from '../document/page-photos.ts';
 import type { Pages } from '../document/pages.ts';
 import type { Store } from '../document/store.ts';
-import type { PageDocument } from '../engine/documents.ts';
+import type { PageDocument } from '../engine/types.ts';
 import type { Signal } from '@preact/signals';
 
 export type Alternatives = ReturnType<typeof createAlternatives>;

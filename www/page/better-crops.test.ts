@@ -2,7 +2,7 @@ import { signal } from '@preact/signals';
 import { describe, expect, test } from 'vitest';
 import { fakeApp } from '../document/testing.ts';
 import { createBetterCrops } from './better-crops.ts';
-import type { PageDocument } from '../engine/documents.ts';
+import type { PageDocument } from '../engine/types.ts';
 
 const whole = { x: 0, y: 0, width: 1, height: 1 };
 const upper = { x: 0, y: 0, width: 1, height: 0.5 };

@@ -3,7 +3,7 @@
  */
 
 import { shown } from './patches.ts';
-import type { Geometry } from '../engine/documents.ts';
+import type { Geometry } from '../engine/types.ts';
 import type { Sheet, Slot } from './painter.ts';
 import type { Patch } from './patches.ts';
 

@@ -7,7 +7,7 @@ import { useEffect, useState } from 'preact/hooks';
 import { strings } from '../strings/strings.ts';
 import { Bitmap, screenPixels } from '../ui/bitmap.tsx';
 import { useApp } from '../ui/context.ts';
-import type { PageDocument, Style } from '../engine/documents.ts';
+import type { PageDocument, Style } from '../engine/types.ts';
 
 type Named = { id: string; name: string };
 

@@ -1,6 +1,6 @@
 /** How a page differs from the one before it, which says whether old pictures may stand in for new ones. */
 
-import type { Geometry, PageDocument } from '../engine/documents.ts';
+import type { Geometry, PageDocument } from '../engine/types.ts';
 import type { Sheet } from './painter.ts';
 
 /** @returns whether the panels of both are the same ones, so that their pictures can follow each other */

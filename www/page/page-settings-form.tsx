@@ -8,7 +8,7 @@ import { strings } from '../strings/strings.ts';
 import { useApp } from '../ui/context.ts';
 import { CustomSize } from './custom-size.tsx';
 import { PageDescription } from './page-description.tsx';
-import type { PageSettings } from '../engine/documents.ts';
+import type { PageSettings } from '../engine/types.ts';
 
 /** Lengths, in hundredths of the page's width. */
 const LENGTHS: { name: 'gutter' | 'margin' | 'border' | 'cornerRadius'; most: number; step: number }[] = [

@@ -7,7 +7,7 @@
 import { drawPage, sheetSize } from './drawing.ts';
 import { onlyMoved, sameLook, sameShape } from './likeness.ts';
 import { createPatches } from './patches.ts';
-import type { Geometry, PageDocument } from '../engine/documents.ts';
+import type { Geometry, PageDocument } from '../engine/types.ts';
 import type { Engine } from '../engine/engine.ts';
 import type { Patch } from './patches.ts';
 

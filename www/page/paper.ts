@@ -2,7 +2,7 @@
  * Page sizes a person knows, in pixels of the export.
  */
 
-import type { PageSettings } from '../engine/documents.ts';
+import type { PageSettings } from '../engine/types.ts';
 
 type PageSize = { id: string; width: number; height: number; dpi: number };
 

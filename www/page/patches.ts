@@ -3,7 +3,7 @@
  */
 
 import { Priority } from '../engine/queue.ts';
-import type { Bounds, Geometry, PageDocument } from '../engine/documents.ts';
+import type { Bounds, Geometry, PageDocument } from '../engine/types.ts';
 import type { Engine } from '../engine/engine.ts';
 
 /** `page`: the width of the page it was drawn for; `crop` of the photo in `bounds` of the page */

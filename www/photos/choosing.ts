@@ -7,7 +7,7 @@ import { placesOf } from '../document/page-photos.ts';
 import type { Pages } from '../document/pages.ts';
 import type { Order } from '../document/project.ts';
 import type { Store } from '../document/store.ts';
-import type { PageDocument } from '../engine/documents.ts';
+import type { PageDocument } from '../engine/types.ts';
 import type { Reading } from './reading.ts';
 
 export type Choosing = ReturnType<typeof createChoosing>;

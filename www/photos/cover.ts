@@ -1,7 +1,7 @@
 /** Photos as thumbnails: the part of them that is shown, and how large. */
 
 import { screenPixels } from '../ui/bitmap.tsx';
-import type { Bounds } from '../engine/documents.ts';
+import type { Bounds } from '../engine/types.ts';
 
 /** of a photo; none while it is not read */
 type Size = { width: number; height: number } | null | undefined;

@@ -7,7 +7,7 @@ import { batch, effect } from '@preact/signals';
 import { chronological } from '../document/album.ts';
 import type { Pages } from '../document/pages.ts';
 import type { Store } from '../document/store.ts';
-import type { PhotoMeta } from '../engine/protocol.ts';
+import type { PhotoMeta } from '../engine/types.ts';
 
 /** The first page shows this many photos at most: large enough to be looked at. */
 const PANELS = 6;

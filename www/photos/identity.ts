@@ -5,12 +5,13 @@
 
 import { withoutMetadata } from '../engine/metadata/strip.ts';
 import type { Stripped } from '../engine/metadata/strip.ts';
+import type { Likeness } from '../engine/types.ts';
 
 /**
  * How a photo is recognised: `hash` of 64 hex digits, empty where the browser makes none; `fingerprint` of 16, and the
  * sides in pixels, upright.
  */
-export type Likeness = { hash: string; fingerprint: string; width: number; height: number };
+export type { Likeness };
 
 /** Files larger than this are recognised by their looks. */
 const MOST_BYTES = 256 * 2 ** 20;

@@ -8,7 +8,7 @@ import { PLAIN, thumbnail } from './cover.ts';
 import { Icon } from '../ui/icon.tsx';
 import { PHOTO } from './photo-drag.ts';
 import { PhotoSubjects } from './subject-boxes.tsx';
-import type { PageDocument } from '../engine/documents.ts';
+import type { PageDocument } from '../engine/types.ts';
 import type { TrayItem } from '../document/project.ts';
 
 const SIDE = 96;

@@ -19,7 +19,7 @@ import type { Video } from '../document/album.ts';
 import type { Pages } from '../document/pages.ts';
 import type { Action } from '../document/project.ts';
 import type { Store } from '../document/store.ts';
-import type { PageDocument } from '../engine/documents.ts';
+import type { PageDocument } from '../engine/types.ts';
 
 /** a file, and the photos that it becomes */
 type Source = { file: File; ids: readonly string[]; video: Video | null };
@@ -239,11 +239,11 @@ export function createReading({
   }
 
   function use(id: string, on: boolean) {
-    edit({ type: 'use-photo', id, use: on }, () => pages.refit({ grow: on }));
+    edit({ type: 'use-photos', uses: { [id]: on } }, () => pages.refit({ grow: on }));
   }
 
   function remove(id: string) {
-    edit({ type: 'remove-photo', id }, () => pages.refit({ grow: false }));
+    edit({ type: 'remove-photos', ids: [id] }, () => pages.refit({ grow: false }));
   }
 
   function removeAll(ids: readonly string[]) {

@@ -4,7 +4,7 @@
  */
 
 import { useApp } from '../ui/context.ts';
-import type { Bounds, Geometry, PageDocument } from '../engine/documents.ts';
+import type { Bounds, Geometry, PageDocument } from '../engine/types.ts';
 
 export function PanelSubjects({ page, geometry }: { page: PageDocument; geometry: Geometry }) {
   const { store } = useApp();

@@ -2,6 +2,7 @@ import { signal } from '@preact/signals';
 import { describe, expect, it } from 'vitest';
 import { createSubjects } from './subjects.ts';
 import { fakeApp } from '../document/testing.ts';
+import type { Detection } from '../engine/types.ts';
 
 const face = { label: 'face', score: 0.9, x: 0.1, y: 0.1, width: 0.2, height: 0.2 };
 
@@ -23,7 +24,7 @@ function app(look: (id: string) => Promise<any>, found: any[] = [], window: any 
       asked.push(id);
       return look(id);
     },
-    findMoreFaces: async (id: string, boxes: any[]) => {
+    findMoreFaces: async (id: string, boxes: readonly Detection[]) => {
       asked.push(`${id} closer`);
       return [...boxes, face];
     },

@@ -8,14 +8,14 @@ import { strings } from '../strings/strings.ts';
 import { photosOn } from '../document/sheets.ts';
 import type { Messages } from '../ui/messages.ts';
 import type { Progress, Store } from '../document/store.ts';
-import type { Found } from '../engine/detector.ts';
+import type { Detection } from '../engine/types.ts';
 import type { Engine } from '../engine/engine.ts';
 import type { Signal } from '@preact/signals';
 
 export type Subjects = ReturnType<typeof createSubjects>;
 
 /** What was found in a photo so far; what failed counts as nothing found. `closer`: a look for small faces is due. */
-type Looked = { faces?: Found[]; objects?: Found[]; closer?: boolean };
+type Looked = { faces?: readonly Detection[]; objects?: readonly Detection[]; closer?: boolean };
 type Lane = 'faces' | 'objects';
 
 /** Milliseconds after a person brought another page, in which the cores are theirs: the next may follow. */

@@ -12,6 +12,8 @@
 
 import { deleteDB, openDB } from 'idb';
 import type { Fact, Video } from '../document/album.ts';
+import type { History } from '../engine/types.ts';
+import type { Project } from '../document/project.ts';
 import type { PhotoHandle } from '../engine/protocol.ts';
 import type { DBSchema, IDBPDatabase } from 'idb';
 
@@ -33,15 +35,20 @@ export type ProjectRecord = {
 };
 
 export type KeptVideo = Omit<Video, 'file'> & { fileKey: string };
-export type KeptHistory = import('../document/history.ts').History;
 export type StateRecord = {
   id: string;
   version: number;
   stamp: string;
-  history: KeptHistory;
+  history: History;
   facts: string[];
   videos: KeptVideo[];
 };
+/** The states of a project that were drawn (`drawn-states.ts`). */
+type DrawnRecord = { id: string; version: number; drawn: readonly Project[]; facts: string[] };
+/** Since when photos are needed by nobody (`orphans.ts`), in ms by their keys. */
+type OrphansRecord = { id: string; since: Map<string, number> };
+/** What stands in the table of states, none of which is trusted before it was looked at. */
+type AnyState = { id: string } & Partial<StateRecord & DrawnRecord & OrphansRecord>;
 type FactRecord = { id: string; fact: Fact };
 
 /** Bytes as the database has them where it takes no Blob: WebKit's, in a private window. */
@@ -58,7 +65,7 @@ export type PhotoRecord = {
 
 export type Schema = DBSchema & {
   projects: { key: string; value: ProjectRecord };
-  states: { key: string; value: StateRecord };
+  states: { key: string; value: AnyState };
   facts: { key: string; value: FactRecord };
   photos: { key: string; value: PhotoRecord };
 };

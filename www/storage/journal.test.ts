@@ -14,7 +14,7 @@ const anyChange: fc.Arbitrary<Change> = fc.oneof(
   fc.nat(99).map((seed) => ({ type: 'change-page', page: pageOf(seed), gesture: `g${seed % 3}` }) as Change),
   fc.string().map((name) => ({ type: 'rename', name }) as Change),
   fc.nat(5).map((n) => ({ type: 'add-photos', ids: [`p${n}`] }) as Change),
-  fc.nat(5).map((n) => ({ type: 'remove-photo', id: `p${n}` }) as Change),
+  fc.nat(5).map((n) => ({ type: 'remove-photos', ids: [`p${n}`] }) as Change),
   fc.nat(9).map((pageId) => ({ type: 'love-page', pageId, on: pageId % 2 === 0 }) as Change),
   fc.constantFrom({ type: 'undo' } as Change, { type: 'redo' } as Change),
 );

@@ -8,16 +8,15 @@
  */
 
 import { VERSION as DOCUMENT } from '../document/versions.ts';
-import type { Shown } from '../document/history.ts';
 import type { Project } from '../document/project.ts';
-import type { KeptHistory } from './database.ts';
+import type { History, Shown } from '../document/history.ts';
 
 type Box = Pick<Storage, 'getItem' | 'setItem' | 'removeItem' | 'key' | 'length'>;
 /** A history that is in the database, or may be. */
-export type Base = { stamp: string; history: KeptHistory };
+export type Base = { stamp: string; history: History };
 /** Photos that the database does not know: their ids and names. */
 type Names = readonly (readonly [string, string])[];
-type Told = { history: KeptHistory; photos: Names };
+type Told = { history: History; photos: Names };
 /** Stretches of a list: where it begins, and how many. */
 type Runs = [number, number][];
 /**
@@ -25,15 +24,17 @@ type Runs = [number, number][];
  * from -1 down. `shown` likewise, with `pages`. A state tells the fields that differ from the base's present.
  */
 type Patch = {
-  states: Record<string, unknown>[];
+  states: Partial<Project>[];
   past: Runs;
   present: number;
   future: Runs;
   pages: (Omit<Shown, 'page'> & { page: unknown })[];
   shown: Runs;
 };
+/** What stands under the id of a project. */
+type Entry = { version: number; bases: { stamp: string; patch: Patch }[]; photos: [string, string][] };
 /** The core's reading of a history. */
-type Read = (kept: { version: number; history: unknown }) => { history: KeptHistory; dropped: string[] };
+type Read = (kept: { version: number; history: unknown }) => { history: History; dropped: readonly string[] };
 export type Journal = ReturnType<typeof createJournal>;
 
 const VERSION = 1;
@@ -54,7 +55,7 @@ export function createJournal({ box, most = MOST }: { box: () => Box; most?: num
    */
   function note(
     id: string,
-    { bases, history, photos }: { bases: readonly Base[]; history: KeptHistory; photos: Names },
+    { bases, history, photos }: { bases: readonly Base[]; history: History; photos: Names },
   ): boolean {
     try {
       const told = bases.map((base) => ({ stamp: base.stamp, patch: patchOf(base.history, history) }));
@@ -87,13 +88,13 @@ export function createJournal({ box, most = MOST }: { box: () => Box; most?: num
   function recall(id: string, base: Base, readHistory: Read): Told | null {
     try {
       const entry = read(id);
-      const fits = entry?.bases.find(({ stamp }: any) => stamp === base.stamp);
+      const fits = entry?.bases.find(({ stamp }) => stamp === base.stamp);
       if (!entry || !fits) return null;
       const history = patched(base.history, fits.patch);
       const found = readHistory({ version: DOCUMENT, history });
       if (found.dropped.length > 0) return null;
       // What is the same in both stays the very same object, by which the next entry knows it.
-      return { history: kinOf(found.history, history as KeptHistory, base.history), photos: entry.photos };
+      return { history: kinOf(found.history, history as History, base.history), photos: entry.photos };
     } catch {
       return null;
     }
@@ -111,10 +112,10 @@ export function createJournal({ box, most = MOST }: { box: () => Box; most?: num
     }
   }
 
-  function read(id: string): { bases: any[]; photos: [string, string][] } | null {
+  function read(id: string): Pick<Entry, 'bases' | 'photos'> | null {
     const text = box().getItem(PREFIX + id);
     if (text === null) return null;
-    const { version, bases, photos } = JSON.parse(text);
+    const { version, bases, photos }: Partial<Entry> = JSON.parse(text);
     const good =
       version === VERSION &&
       Array.isArray(bases) &&
@@ -148,7 +149,7 @@ export function createJournal({ box, most = MOST }: { box: () => Box; most?: num
 }
 
 /** @param now made from it by edits, so that what is the same in both is the very same object */
-export function patchOf(base: KeptHistory, now: KeptHistory): Patch {
+export function patchOf(base: History, now: History): Patch {
   const known = new Map([...base.past, base.present, ...base.future].map((state, i) => [state, i]));
   const pages: Map<unknown, number> = new Map();
   const states: Patch['states'] = [];
@@ -177,12 +178,12 @@ export function patchOf(base: KeptHistory, now: KeptHistory): Patch {
   return { states, past, present, future, pages: fresh, shown };
 }
 
-function differing(state: any, base: any): Record<string, unknown> {
-  return Object.fromEntries(Object.entries(state).filter(([field, value]) => value !== base[field]));
+function differing(state: Project, base: Project): Partial<Project> {
+  return Object.fromEntries(Object.entries(state).filter(([field, value]) => value !== base[field as keyof Project]));
 }
 
 /** @returns a history that is yet to be checked */
-function patched(base: KeptHistory, { states, past, present, future, pages, shown }: any): unknown {
+function patched(base: History, { states, past, present, future, pages, shown }: Patch): unknown {
   const fresh = list(states).map((state) => ({ ...base.present, ...state }));
   const all = [...base.past, base.present, ...base.future];
   const state = (at: number) => pick(at, all, fresh);
@@ -202,7 +203,7 @@ function patched(base: KeptHistory, { states, past, present, future, pages, show
  * @param from what it was read from, made of the base
  * @returns with the states and pages of the base where they are the same
  */
-function kinOf(read: KeptHistory, from: KeptHistory, base: KeptHistory): KeptHistory {
+function kinOf(read: History, from: History, base: History): History {
   const known = new Set([...base.past, base.present, ...base.future, ...base.shown]);
   const kin: <T extends Project | Shown>(list: readonly T[], source: readonly T[]) => T[] = (list, source) =>
     list.map((item, i) => (known.has(source[i]) ? source[i] : item));
@@ -231,7 +232,7 @@ function runsOf(numbers: readonly number[]): Runs {
   return runs;
 }
 
-function numbersOf(runs: unknown): number[] {
+function numbersOf(runs: Runs): number[] {
   const numbers: number[] = [];
   for (const [from, count] of list(runs)) {
     if (!Number.isSafeInteger(from) || !Number.isSafeInteger(count) || count < 1 || count > MOST_ITEMS - numbers.length)
@@ -241,7 +242,7 @@ function numbersOf(runs: unknown): number[] {
   return numbers;
 }
 
-function list(value: unknown): any[] {
+function list<Item>(value: readonly Item[]): readonly Item[] {
   if (!Array.isArray(value) || value.length > MOST_ITEMS) throw new RangeError('The journal is damaged.');
   return value;
 }

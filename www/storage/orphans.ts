@@ -6,18 +6,18 @@
 import type { Schema } from './database.ts';
 import type { IDBPObjectStore } from 'idb';
 
-export type States = IDBPObjectStore<Schema, any, 'states', 'readwrite'>;
+export type States = Pick<IDBPObjectStore<Schema, ['states'], 'states', 'readwrite'>, 'get' | 'getAllKeys' | 'put'>;
 
 export const ORPHANS = 'orphans';
 
 /** @returns times in ms, by the keys of photos */
 export async function orphansIn(states: States): Promise<Map<string, number>> {
-  const kept = ((await states.get(ORPHANS)) as any)?.since;
+  const kept = (await states.get(ORPHANS))?.since;
   return kept instanceof Map ? kept : new Map();
 }
 
 export async function putOrphans(states: States, since: Map<string, number>) {
-  await states.put({ id: ORPHANS, since } as any);
+  await states.put({ id: ORPHANS, since });
 }
 
 /** Photos that are needed again. */

@@ -68,7 +68,7 @@ export function createProjects({
       const [entry] = entryOf({ ...project, id });
       const name = strings.copyOf(entry.name || strings.untitled);
       // A state that cannot be read is copied as it is.
-      const { history } = state as any;
+      const { history } = state;
       const named = history?.present ? { ...history, present: { ...history.present, name } } : history;
       await Promise.all([
         projects.put({ ...entry, ...project, id: copy, stamp, name, created: now, changed: now, gone: null }),
@@ -122,8 +122,8 @@ export function createProjects({
     const [records, states] = await Promise.all([base.getAll('projects'), base.getAllKeys('states')]);
     const known = new Set(records.map(({ id }) => id));
     // One whose record was lost is there all the same.
-    const lost = states.filter((id) => isProjectId(id) && !known.has(id)).map((id) => ({ id }) as any);
-    const all = [...records.filter((record) => !isGone(record)), ...lost].flatMap(entryOf);
+    const lost = states.filter((id) => isProjectId(id) && !known.has(id)).map((id) => ({ id }));
+    const all = [...records.filter((record) => !isGone(record)), ...lost].flatMap((record) => entryOf(record));
     list.value = all.sort((a, b) => b.changed - a.changed);
   }
 
@@ -136,7 +136,16 @@ export function createProjects({
  * What the list shows of a project, whatever its record holds.
  * @returns none of what can be no project
  */
-function entryOf({ id, name, created, changed, stamp, photos, picture, refs }: any): ProjectRecord[] {
+function entryOf({
+  id,
+  name,
+  created,
+  changed,
+  stamp,
+  photos,
+  picture,
+  refs,
+}: Partial<ProjectRecord>): ProjectRecord[] {
   if (typeof id !== 'string') return [];
   const time = (value: unknown) => (typeof value === 'number' && Math.abs(value) <= LAST_TIME ? value : 0);
   return [
@@ -146,7 +155,7 @@ function entryOf({ id, name, created, changed, stamp, photos, picture, refs }: a
       created: time(created),
       changed: time(changed),
       stamp: String(stamp ?? ''),
-      photos: Number.isSafeInteger(photos) ? photos : 0,
+      photos: Number.isSafeInteger(photos) ? Number(photos) : 0,
       picture: picture instanceof Blob ? picture : null,
       refs: Array.isArray(refs) ? refs : [],
       gone: null,

@@ -16,25 +16,27 @@ export async function rescued(
 ): Promise<{ file: Blob; name: string; unclean: string[] }> {
   const [project, state, name] = await Promise.all([
     database.get('projects', id),
-    database.get('states', id) as Promise<any>,
+    database.get('states', id),
     nameOf(database, id),
   ]);
   const videos = listOf(state?.videos);
   const keys = new Set(
     [project?.held, project?.refs, state?.facts, videos.map((video) => video?.fileKey)]
-      .flatMap(listOf)
+      .flatMap((keys) => listOf(keys))
       .filter((key) => typeof key === 'string'),
   );
   const found = await Promise.all([...keys].map((key) => database.get('photos', key)));
   const records = found.flatMap((record) => (record ? inBlobs(record) : [])).filter(({ file }) => file instanceof Blob);
   const files = new Map(records.map((record) => [String(record?.id), record?.file as Blob] as const));
   try {
+    if (!state?.history) throw new TypeError('There is no document.');
     const facts = (await Promise.all(listOf(state.facts).map((key) => database.get('facts', key)))).flatMap((record) =>
       record && files.has(record.id) ? [record.fact] : [],
     );
-    const films = videos.flatMap(({ fileKey, ...video }) =>
-      files.has(fileKey) ? [{ ...video, file: files.get(fileKey) }] : [],
-    );
+    const films = videos.flatMap(({ fileKey, ...video }) => {
+      const file = files.get(fileKey);
+      return file ? [{ ...video, file }] : [];
+    });
     const blobs = new Map([...files, ...films.map(({ key, file }) => [videoKey(key), file] as const)]);
     return {
       ...(await packedProject({ history: state.history, facts, videos: films }, blobs, state.version)),
@@ -60,7 +62,7 @@ export async function rescued(
   }
 }
 
-function listOf(value: unknown): any[] {
+function listOf<Item>(value: readonly Item[] | undefined): readonly Item[] {
   return Array.isArray(value) ? value : [];
 }
 

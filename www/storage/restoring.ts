@@ -61,15 +61,12 @@ export async function readProject(
 
 /** @returns the states of a project that were drawn and can be read, the last at the end */
 export async function drawnOf(database: Database, id: string, ready: Ready): Promise<Project[]> {
-  const record = (await database.get('states', drawnId(id))) as any;
-  if (!Array.isArray(record?.drawn)) return [];
+  const { drawn, version } = (await database.get('states', drawnId(id))) ?? {};
+  if (!Array.isArray(drawn)) return [];
   const planner = await ready;
-  return record.drawn.flatMap((present: any) => {
+  return drawn.flatMap((present: unknown) => {
     try {
-      return [
-        planner.readHistory({ version: record.version, history: { past: [], present, future: [], shown: [] } }).history
-          .present,
-      ];
+      return [planner.readHistory({ version, history: { past: [], present, future: [], shown: [] } }).history.present];
     } catch {
       return [];
     }
@@ -148,22 +145,18 @@ async function contentOf(
     names = new Map(),
   }: {
     drawn?: readonly Project[];
-    state: StateRecord | undefined;
+    state: Partial<StateRecord> | undefined;
     names?: ReadonlyMap<string, string>;
   },
 ): Promise<Content> {
   const ids = [...photosOf({ ...history, past: [...history.past, ...drawn] })];
   const kept = videosIn(state);
   const all = database.transaction(['photos', 'facts']);
-  const read = (table: 'photos' | 'facts', keys: string[]) =>
-    Promise.all(keys.map((key) => (all.objectStore(table) as any).get(key))).then((found) => found.filter(Boolean));
+  const [photos, factsOf] = [all.objectStore('photos'), all.objectStore('facts')];
   const [found, told, films] = await Promise.all([
-    read('photos', ids),
-    read('facts', ids),
-    read(
-      'photos',
-      kept.map(({ fileKey }) => fileKey),
-    ),
+    there(ids.map((id) => photos.get(id))),
+    there(ids.map((id) => factsOf.get(id))),
+    there(kept.map(({ fileKey }) => photos.get(fileKey))),
   ]);
   const [records, files] = [found.map(asRecord), films.map(asRecord)];
   const facts = told.flatMap(({ id, fact }) => (isFact(fact, id) ? [fact] : []));
@@ -186,6 +179,10 @@ async function contentOf(
     filmless: kept.flatMap(({ fileKey, name }) => (filmOf.get(fileKey) ? [] : name)),
     missing: missing.flatMap(({ id, name }) => (inTray.has(id) ? { id, name } : [])),
   };
+}
+
+async function there<Found>(asked: Promise<Found | undefined>[]): Promise<Found[]> {
+  return (await Promise.all(asked)).flatMap((found) => (found ? [found] : []));
 }
 
 function photosFrom(
@@ -227,7 +224,7 @@ function photosFrom(
 }
 
 /** @param record out of the database */
-function asRecord(record: any): PhotoRecord {
+function asRecord(record: PhotoRecord): PhotoRecord {
   const { id, name, file, work, small } = inBlobs(record);
   return {
     id,
@@ -238,13 +235,13 @@ function asRecord(record: any): PhotoRecord {
   };
 }
 
-function isHandle(handle: any) {
+function isHandle(handle: PhotoRecord['work']) {
   return (
     typeof handle?.key === 'string' && isSide(handle.width) && isSide(handle.height) && handle.planes instanceof Blob
   );
 }
 
-function isFact(fact: any, id: string) {
+function isFact(fact: Fact, id: string) {
   if (fact?.id !== id || typeof fact.name !== 'string') return false;
   const { meta, measures } = fact;
   if (meta === null) return true;
@@ -265,10 +262,10 @@ function isSide(side: unknown) {
   return Number.isSafeInteger(side) && Number(side) > 0;
 }
 
-function videosIn(state: any): KeptVideo[] {
+function videosIn(state: Partial<StateRecord> | undefined): KeptVideo[] {
   const list = Array.isArray(state?.videos) ? state.videos : [];
   return list.filter(
-    (video: any) =>
+    (video) =>
       [video?.key, video?.name, video?.fileKey].every((text) => typeof text === 'string') &&
       Array.isArray(video.ids) &&
       [video.duration ?? 0, video.start, video.end ?? 0].every(Number.isFinite),

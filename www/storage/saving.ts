@@ -21,7 +21,8 @@ import { snapshotOf } from './snapshot.ts';
 import { VERSION } from '../document/versions.ts';
 import type { Fact } from '../document/album.ts';
 import type { Store } from '../document/store.ts';
-import type { Database, KeptHistory, KeptVideo } from './database.ts';
+import type { History } from '../document/history.ts';
+import type { Database, KeptVideo } from './database.ts';
 import type { DrawnStates } from './drawn-states.ts';
 import type { Base, Journal } from './journal.ts';
 import type { Locks } from './locks.ts';
@@ -401,7 +402,7 @@ export function createSaving({
         () => projects.put({ ...about, picture: found?.picture ?? null }),
         () => all.objectStore('states').put({ id, version: VERSION, stamp, history, facts: ids, videos }),
         ...(drawn.length > 0
-          ? [() => all.objectStore('states').put({ id: drawnId(id), version: VERSION, drawn, facts: ids } as any)]
+          ? [() => all.objectStore('states').put({ id: drawnId(id), version: VERSION, drawn, facts: ids })]
           : []),
         ...fresh.map((fact) => () => all.objectStore('facts').put({ id: fact.id, fact })),
       ].map((ask) => {
@@ -437,7 +438,7 @@ export function createSaving({
       all.objectStore('photos').getAllKeys(),
     ]);
     if (project && project.stamp !== stamp) throw conflict();
-    const spoilt = project === undefined || state?.stamp !== stamp || !alike(state.history, history);
+    const spoilt = project === undefined || state?.stamp !== stamp || !state.history || !alike(state.history, history);
     const [factKeys, photoKeys] = [new Set(known), new Set(there)];
     const unknown = facts.filter((fact) => !factKeys.has(fact.id));
     for (const fact of unknown) of.facts.delete(fact.id);
@@ -465,8 +466,8 @@ export function createSaving({
   }
 }
 
-function alike(one: KeptHistory, other: KeptHistory) {
-  const size = ({ past, future, shown }: KeptHistory) => `${past.length} ${future.length} ${shown.length}`;
+function alike(one: History, other: History) {
+  const size = ({ past, future, shown }: History) => `${past.length} ${future.length} ${shown.length}`;
   return size(one) === size(other) && JSON.stringify(one.present) === JSON.stringify(other.present);
 }
 

@@ -9,9 +9,12 @@ import { SHARED } from '../document/project.ts';
 import { strings } from '../strings/strings.ts';
 import type { Messages } from '../ui/messages.ts';
 import type { SharedLists } from '../document/project.ts';
+import type { Style, Template } from '../engine/types.ts';
 import type { Store } from '../document/store.ts';
 
 type Box = Pick<Storage, 'getItem' | 'setItem'>;
+/** How the core reads what is in each list. */
+type Checks = { [Field in keyof SharedLists]: (json: string, file: string) => SharedLists[Field][number] };
 export type Shelves = ReturnType<typeof createShelves>;
 
 const KEYS: Record<keyof SharedLists, string> = {
@@ -55,14 +58,13 @@ export function createShelves({
     const now = { mine: read('mine'), favourites: read('favourites'), ownLayouts: read('ownLayouts') };
     const here = store.project.peek();
     // What could not be written here stays.
-    const next =
-      kept === null
-        ? now
-        : Object.fromEntries(
-            SHARED.map((field) => [field, carried(here[field], (kept as SharedLists)[field], now[field])]),
-          );
+    const next = kept && {
+      mine: carried(here.mine, kept.mine, now.mine),
+      favourites: carried(here.favourites, kept.favourites, now.favourites),
+      ownLayouts: carried(here.ownLayouts, kept.ownLayouts, now.ownLayouts),
+    };
     kept = now;
-    store.change({ type: 'share', lists: next });
+    store.change({ type: 'share', lists: next ?? now });
   }
 
   /** Another tab has written, or thrown all away. */
@@ -71,7 +73,7 @@ export function createShelves({
   }
 
   /** @returns what was done between two states of a list, done to another */
-  function carried(list: readonly object[], before: readonly object[], after: readonly object[]) {
+  function carried<Item>(list: readonly Item[], before: readonly Item[], after: readonly Item[]): readonly Item[] {
     return store.planner.peek()?.carried(list, before, after) ?? after;
   }
 
@@ -82,12 +84,12 @@ export function createShelves({
   }
 
   /** @param gone nothing of it is kept any more */
-  function write(field: keyof SharedLists, list: readonly any[], gone: boolean = false) {
+  function write(field: keyof SharedLists, list: readonly (Style | Template)[], gone: boolean = false) {
     if (kept === null || (list === seen[field] && !gone)) return;
     seen = { ...seen, [field]: list };
     if (JSON.stringify(list) === JSON.stringify(kept[field]) && !gone) return;
     try {
-      const merged = gone || isGone(field) ? list : carried(read(field), kept[field], list);
+      const merged = gone || isGone(field) ? list : carried<Style | Template>(read(field), kept[field], list);
       box().setItem(KEYS[field], JSON.stringify(merged));
       kept = { ...kept, [field]: list };
     } catch {
@@ -103,15 +105,16 @@ export function createShelves({
     }
   }
 
-  function read(field: keyof SharedLists): any[] {
+  function read<Field extends keyof SharedLists>(field: Field): readonly SharedLists[Field][number][] {
     const planner = store.planner.peek();
     if (!planner) return [];
-    const check = field === 'ownLayouts' ? planner.checkLayout : planner.checkStyle;
+    const { checkStyle, checkLayout } = planner;
+    const checks: Checks = { mine: checkStyle, favourites: checkStyle, ownLayouts: checkLayout };
     try {
       const found = JSON.parse(box().getItem(KEYS[field]) ?? '[]');
       return (Array.isArray(found) ? found : []).slice(0, MOST.styles).flatMap((item) => {
         try {
-          return [check(JSON.stringify(item), KEYS[field])];
+          return [checks[field](JSON.stringify(item), KEYS[field])];
         } catch {
           return [];
         }

@@ -4,13 +4,12 @@ import type { Fact, Video } from '../document/album.ts';
 import type { History } from '../document/history.ts';
 import type { Project } from '../document/project.ts';
 import type { Store } from '../document/store.ts';
-import type { KeptHistory } from './database.ts';
 import type { Place } from '../document/place.ts';
 
 /** `place` is where this history is kept, and no other. */
 export type Snapshot = {
   place: Place;
-  history: KeptHistory;
+  history: History;
   drawn: readonly Project[];
   facts: Fact[];
   videos: Video[];

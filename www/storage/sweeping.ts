@@ -71,9 +71,9 @@ async function neededBy(projects: readonly ProjectRecord[], states: States): Pro
   return needed;
 
   async function keysOf(id: string) {
-    const state = (await states.get(id)) as any;
+    const state = await states.get(id);
     return Array.isArray(state?.facts)
-      ? [...state.facts, ...(Array.isArray(state.videos) ? state.videos.map((video: any) => video?.fileKey) : [])]
+      ? [...state.facts, ...(Array.isArray(state.videos) ? state.videos.map((video) => video?.fileKey) : [])]
       : null;
   }
 }

@@ -10,7 +10,7 @@ import { LONGEST_STYLE, isStyleLink, linkOf, textOfLink } from './style-link.ts'
 import type { Messages } from '../ui/messages.ts';
 import type { Designer } from '../designer/designer.ts';
 import type { Store } from '../document/store.ts';
-import type { Style } from '../engine/documents.ts';
+import type { Style } from '../engine/types.ts';
 
 export type OwnStyles = ReturnType<typeof createOwnStyles>;
 

@@ -3,7 +3,7 @@
 import { computed } from '@preact/signals';
 import { strings } from '../strings/strings.ts';
 import type { Parts } from '../ui/context.ts';
-import type { Style } from '../engine/documents.ts';
+import type { Style } from '../engine/types.ts';
 import type { Action } from '../ui/action.ts';
 
 /** The style of the page in full. */

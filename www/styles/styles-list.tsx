@@ -12,7 +12,7 @@ import { thumbnail } from '../photos/cover.ts';
 import { useHero } from '../photos/hero.ts';
 import { Listbox } from '../ui/listbox.tsx';
 import { useGlimpse } from '../page/glimpse.tsx';
-import type { Style } from '../engine/documents.ts';
+import type { Style } from '../engine/types.ts';
 
 const WIDTH = 132;
 const HEIGHT = 99;

@@ -15,7 +15,7 @@ it('draws from one’s own styles and favourites, each once, only where a style 
   pages.shuffle('style');
   const told = planner.requests.at(-1)?.styling;
   expect(told).toMatchObject({ invented: 0.4, keepLines: true, keepColours: false });
-  expect(told?.extra.map(({ id }: any) => id)).toEqual(['a', 'b', 'c']);
+  expect(told?.extra?.map(({ id }) => id)).toEqual(['a', 'b', 'c']);
   pages.shuffle('layout');
   expect(planner.requests.at(-1)?.styling).toBe(undefined);
   pages.undo();

@@ -2,7 +2,7 @@
 
 import type { Styling } from '../document/project.ts';
 import type { Store } from '../document/store.ts';
-import type { PlanRequest } from '../engine/documents.ts';
+import type { PlanRequest } from '../engine/core.ts';
 import type { OwnStyles } from './own-styles.ts';
 
 export type StylingDeeds = ReturnType<typeof createStyling>;

@@ -1,6 +1,6 @@
 import { beforeEach, expect, test } from 'vitest';
 import { createTaste } from './taste.ts';
-import type { PageDocument } from '../engine/documents.ts';
+import type { PageDocument } from '../engine/types.ts';
 
 const layouts = () => [
   { id: 'cinema-3', family: 'cinema' },

@@ -5,7 +5,8 @@
 
 import { computed, signal } from '@preact/signals';
 import type { Planner } from '../engine/core.ts';
-import type { PageDocument, PlanRequest } from '../engine/documents.ts';
+import type { PlanRequest } from '../engine/core.ts';
+import type { PageDocument } from '../engine/types.ts';
 
 type Box = Pick<Storage, 'getItem' | 'setItem'>;
 type Weights = Record<string, number>;

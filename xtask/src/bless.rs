@@ -13,11 +13,14 @@ use crate::tools;
 /// What is stored together, and who writes it.
 struct Topic {
     name: &'static str,
-    /// A file of `tests/` without its ending, and the test in it that writes where `BLESS` is set.
+    /// A file of `tests/` without its ending, or [`LIBRARY`], and the test in it that writes where `BLESS` is set.
     tests: &'static [(&'static str, &'static str)],
     /// Files, and folders with all that is in them.
     stored: &'static [&'static str],
 }
+
+/// In the place of a file of `tests/`: the tests of the library itself, which alone know how its types are told.
+const LIBRARY: &str = "lib";
 
 const TOPICS: &[Topic] = &[
     Topic {
@@ -44,6 +47,14 @@ const TOPICS: &[Topic] = &[
             ("bounds", "the_page_begins_with_the_project_of_the_core"),
         ],
         stored: &["www/engine/bounds.ts", "www/document/empty.ts"],
+    },
+    Topic {
+        name: "types",
+        tests: &[
+            (LIBRARY, "typescript::the_page_has_the_types_of_the_core"),
+            (LIBRARY, "typescript::what_the_core_writes_is_there_for_the_compiler"),
+        ],
+        stored: &["www/engine/types.ts", "www/engine/types-written.ts"],
     },
 ];
 
@@ -88,7 +99,11 @@ fn tests(project: &Project, topics: &[&Topic]) -> Command {
     let mut command = project.cargo();
     command.args(["test", "--no-fail-fast"]);
     for file in files {
-        command.args(["--test", file]);
+        if file == LIBRARY {
+            command.arg("--lib");
+        } else {
+            command.args(["--test", file]);
+        }
     }
     command
 }
@@ -150,8 +165,10 @@ mod tests {
             assert_eq!(blesses, named(&file), "{file}: no topic has it, or it blesses no more");
         }
         for (file, test) in TOPICS.iter().flat_map(|topic| topic.tests) {
-            let text = fs::read_to_string(root().join(format!("tests/{file}.rs"))).unwrap();
-            assert!(text.contains(&format!("fn {test}()")), "{file} has no test {test}");
+            let (folder, name) = test.rsplit_once("::").map_or(("tests", *test), |(_, name)| ("src", name));
+            let module = if *file == LIBRARY { "typescript" } else { file };
+            let text = fs::read_to_string(root().join(format!("{folder}/{module}.rs"))).unwrap();
+            assert!(text.contains(&format!("fn {name}()")), "{file} has no test {test}");
         }
     }
 
@@ -161,7 +178,7 @@ mod tests {
         assert_eq!(chosen.iter().map(|topic| topic.name).collect::<Vec<_>>(), ["bounds"]);
         assert_eq!(topics(&[]).unwrap().len(), TOPICS.len());
         let said = topics(&["pages".into()]).err().unwrap().to_string();
-        assert_eq!(said, "no topic is called pages; there are goldens, tables, bounds");
+        assert_eq!(said, "no topic is called pages; there are goldens, tables, bounds, types");
     }
 
     #[test]

@@ -7,7 +7,7 @@ use super::shapes::reach;
 use crate::error::Result;
 use crate::layout::{Bounds, Point, ResolvedPanel, resolve};
 use crate::page::Document;
-use serde_json::{Value, json};
+use serde::Serialize;
 
 /// A word with its place.
 pub struct Laid {
@@ -107,18 +107,42 @@ pub fn lay_all(document: &Document, letters: &Letters) -> Result<Vec<Laid>> {
     Ok(Word::parse_all(&document.words)?.into_iter().map(|word| ground.lay(word, letters)).collect())
 }
 
-/// Where the words of a document are: `[{x, y, width, height, tip: [x, y] or null, size, cut}]`, the box without the
-/// tail.
+/// Where a word is without its tail, in page widths.
+#[derive(Debug, Serialize)]
+#[cfg_attr(test, derive(ts_rs::TS))]
+pub struct WordBox {
+    /// Left edge.
+    pub x: f64,
+    /// Top edge.
+    pub y: f64,
+    /// Width.
+    pub width: f64,
+    /// Height.
+    pub height: f64,
+    /// Where its tail ends.
+    pub tip: Option<Point>,
+    /// Height of an em.
+    pub size: f64,
+    /// The end of its text found no room.
+    pub cut: bool,
+}
+
+/// Where the words of a document are, in their order.
 ///
 /// # Errors
 /// As [`lay_all`].
-pub fn measured(document: &Document, letters: &Letters) -> Result<Value> {
+pub fn measured(document: &Document, letters: &Letters) -> Result<Vec<WordBox>> {
     let boxes = lay_all(document, letters)?.into_iter().map(|laid| {
         let (a, b) = extent(&laid.word, &laid.setting);
-        json!({
-            "x": laid.middle.x - a, "y": laid.middle.y - b, "width": 2.0 * a, "height": 2.0 * b,
-            "tip": laid.tip.map(|tip| [tip.x, tip.y]), "size": laid.setting.size, "cut": laid.setting.cut,
-        })
+        WordBox {
+            x: laid.middle.x - a,
+            y: laid.middle.y - b,
+            width: 2.0 * a,
+            height: 2.0 * b,
+            tip: laid.tip,
+            size: laid.setting.size,
+            cut: laid.setting.cut,
+        }
     });
     Ok(boxes.collect())
 }

@@ -30,6 +30,7 @@ use crate::simd::table::Table;
 use crate::simd::tones::Tones;
 pub(in crate::style) use detail::Buffers as GridBuffers;
 pub(in crate::style) use pattern::Drawn as DrawnTiles;
+use serde::Serialize;
 pub(in crate::style) use tvf::Buffers as FlowBuffers;
 use wide::i16x8;
 
@@ -83,7 +84,9 @@ pub struct Block {
 }
 
 /// Which images a block takes or gives.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "lowercase")]
+#[cfg_attr(test, derive(ts_rs::TS))]
 pub enum Channels {
     /// One luma plane.
     Luma,

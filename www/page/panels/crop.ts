@@ -1,6 +1,6 @@
 /** The part of a photo that a panel shows, moved by hand: it never leaves the photo. All in fractions of the photo. */
 
-import type { Bounds as Crop } from '../../engine/documents.ts';
+import type { Bounds as Crop } from '../../engine/types.ts';
 
 export type { Crop };
 type Size = { width: number; height: number };

@@ -6,7 +6,7 @@
 import { useRef } from 'preact/hooks';
 import { strings } from '../../strings/strings.ts';
 import { useApp } from '../../ui/context.ts';
-import type { Cut } from '../../engine/documents.ts';
+import type { Cut } from '../../engine/types.ts';
 import type { OwnKeys } from '../../ui/action.ts';
 
 /** which part of a cut is held */

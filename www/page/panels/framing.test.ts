@@ -3,7 +3,7 @@ import { expect, test } from 'vitest';
 import { fitted, panned, zoomed } from './crop.ts';
 import { createFraming } from './framing.ts';
 import { fakeApp } from '../../document/testing.ts';
-import type { PageDocument } from '../../engine/documents.ts';
+import type { PageDocument } from '../../engine/types.ts';
 import type { Crop } from './crop.ts';
 
 const part = fc.double({ min: 0.06, max: 1, noNaN: true });

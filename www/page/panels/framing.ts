@@ -8,7 +8,7 @@ import { fitted, panned, zoomed } from './crop.ts';
 import { grown } from './merging.ts';
 import type { Pages } from '../../document/pages.ts';
 import type { Store } from '../../document/store.ts';
-import type { Bounds, PageDocument, PanelUse } from '../../engine/documents.ts';
+import type { Bounds, PageDocument, PanelUse } from '../../engine/types.ts';
 import type { Crop } from './crop.ts';
 import type { Signal } from '@preact/signals';
 
@@ -146,7 +146,7 @@ export function createFraming({ store, pages }: { store: Store; pages: Pages }) 
     const gesture = step();
     // A photo that was set aside is in use from now on.
     if (!store.photos.peek().some(({ id }) => id === photo))
-      store.change({ type: 'use-photo', id: photo, use: true, gesture });
+      store.change({ type: 'use-photos', uses: { [photo]: true }, gesture });
     change(panel, { photo, crop: null, edited: false }, gesture);
   }
 

@@ -5,7 +5,7 @@
 import { strings } from '../../strings/strings.ts';
 import type { Pages } from '../../document/pages.ts';
 import type { Store } from '../../document/store.ts';
-import type { LayoutFacts, PageDocument } from '../../engine/documents.ts';
+import type { LayoutFacts, PageDocument } from '../../engine/types.ts';
 import type { Selection } from './selection.ts';
 
 export type Merging = ReturnType<typeof createMerging>;

@@ -7,7 +7,7 @@ import { signal } from '@preact/signals';
 import { useRef } from 'preact/hooks';
 import { PHOTO } from '../../photos/photo-drag.ts';
 import { useApp } from '../../ui/context.ts';
-import type { Bounds } from '../../engine/documents.ts';
+import type { Bounds } from '../../engine/types.ts';
 import type { Crop } from './crop.ts';
 import type { Signal } from '@preact/signals';
 

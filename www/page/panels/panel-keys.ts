@@ -26,7 +26,7 @@ export const WALK_KEYS: OwnKeys = {
 export const FRAME_KEYS: OwnKeys = { keys: ['Enter'], about: strings.keyAbout.frame };
 export const CHOOSE_KEYS: OwnKeys = { keys: ['Shift+Enter'], about: strings.keyAbout.choose };
 
-export function usePanelKeys({ panels, go }: { panels: PanelShape[]; go: (panel: number) => void }) {
+export function usePanelKeys({ panels, go }: { panels: readonly PanelShape[]; go: (panel: number) => void }) {
   const { framing, selection, actions } = useApp();
   /** A key that is held, or pressed again and again, is one step of the undo until another one is pressed. */
   const last = useRef({ key: '', gesture: '' });

@@ -3,7 +3,7 @@
 import { strings } from '../../strings/strings.ts';
 import { useApp } from '../../ui/context.ts';
 import { Icon } from '../../ui/icon.tsx';
-import type { Bounds, Geometry, PageDocument } from '../../engine/documents.ts';
+import type { Bounds, Geometry, PageDocument } from '../../engine/types.ts';
 
 export function PanelMarks({ page, geometry }: { page: PageDocument; geometry: Geometry }) {
   const { framing, store, selection } = useApp();

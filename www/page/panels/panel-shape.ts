@@ -1,6 +1,6 @@
 /** Where panels are on the page: for the elements that stand for them, and for the arrow keys. */
 
-import type { Geometry } from '../../engine/documents.ts';
+import type { Geometry } from '../../engine/types.ts';
 
 export type PanelShape = Geometry['panels'][number];
 
@@ -31,7 +31,7 @@ export const WAYS: Record<string, [number, number]> = {
  * The nearest panel in a direction; sideways distance counts double.
  * @returns `from` itself when there is none
  */
-export function neighbour(panels: PanelShape[], from: number, [wayX, wayY]: [number, number]): number {
+export function neighbour(panels: readonly PanelShape[], from: number, [wayX, wayY]: [number, number]): number {
   const centre = ({ bounds }: PanelShape) => [bounds.x + bounds.width / 2, bounds.y + bounds.height / 2];
   const [x, y] = centre(panels[from]);
   let best = from;

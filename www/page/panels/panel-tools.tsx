@@ -7,7 +7,7 @@ import { strings } from '../../strings/strings.ts';
 import { useApp } from '../../ui/context.ts';
 import { ActionButton } from '../../ui/action-button.tsx';
 import type { Action } from '../../ui/action.ts';
-import type { Geometry } from '../../engine/documents.ts';
+import type { Geometry } from '../../engine/types.ts';
 
 export function PanelTools() {
   const { store, selection, reshaping, actions, ui } = useApp();

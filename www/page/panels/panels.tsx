@@ -12,7 +12,7 @@ import { target, usePanelGestures, within } from './panel-gestures.ts';
 import { PanelMarks } from './panel-marks.tsx';
 import { usePanelKeys } from './panel-keys.ts';
 import { place } from './panel-shape.ts';
-import type { Geometry, PageDocument } from '../../engine/documents.ts';
+import type { Geometry, PageDocument } from '../../engine/types.ts';
 
 type PanelShape = Geometry['panels'][number];
 

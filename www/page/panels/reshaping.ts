@@ -6,7 +6,7 @@
 import { signal } from '@preact/signals';
 import type { Pages } from '../../document/pages.ts';
 import type { Store } from '../../document/store.ts';
-import type { LayoutChange, PageDocument, PanelUse } from '../../engine/documents.ts';
+import type { LayoutChange, PageDocument, PanelUse } from '../../engine/types.ts';
 import type { Signal } from '@preact/signals';
 
 export type Reshaping = ReturnType<typeof createReshaping>;

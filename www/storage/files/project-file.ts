@@ -14,7 +14,7 @@ import { projectJson, readProjectJson } from './project-json.ts';
 import { photosOf, snapshotOf } from '../snapshot.ts';
 import { damaged } from '../../document/versions.ts';
 import type { Messages } from '../../ui/messages.ts';
-import type { Fact } from '../../document/album.ts';
+import type { Fact, Video } from '../../document/album.ts';
 import type { Planner, Store } from '../../document/store.ts';
 import type { Engine } from '../../engine/engine.ts';
 import type { Saving } from '../saving.ts';
@@ -107,7 +107,11 @@ export function videoKey(key: string) {
  * @returns `unclean`: files whose place and date could not be taken out
  */
 export async function packedProject(
-  { history, facts, videos }: Pick<Snapshot, 'history' | 'facts' | 'videos'>,
+  {
+    history,
+    facts,
+    videos,
+  }: Pick<Snapshot, 'history' | 'facts'> & { videos: readonly (Omit<Video, 'file'> & { file: Blob })[] },
   blobs: ReadonlyMap<string, Blob>,
   version?: number,
 ): Promise<{ file: Blob; name: string; unclean: string[] }> {

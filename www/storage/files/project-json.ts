@@ -7,26 +7,17 @@ import { freshId } from '../../document/fresh-id.ts';
 import { VERSION } from '../../document/versions.ts';
 import type { Fact, Video } from '../../document/album.ts';
 import type { Planner } from '../../document/store.ts';
-import type { KeptHistory } from '../database.ts';
-import type { Likeness } from '../../photos/identity.ts';
+import type { History } from '../../document/history.ts';
+import type { FilePhoto, FileVideo, Likeness } from '../../engine/types.ts';
 
-/**
- * `subjects`: what was found in it, null when it was not searched; `measured`: it is compared with other photos; `rank`:
- * its place in time among the photos, null where nobody knows it; `like`: how it is recognised where its file is not
- * here, null where it need not be; `absent`: an empty frame stands for it.
- */
-export type FilePhoto = Pick<Fact, 'id' | 'name' | 'credit' | 'video' | 'time'> & {
-  path: string;
-  type: string;
-  subjects: any[] | null;
-  measured: boolean;
-  rank: number | null;
-  like: Likeness | null;
-  absent: boolean;
-};
-export type FileVideo = Omit<Video, 'file'> & { path: string; type: string };
+export type { FilePhoto };
 /** `dropped`: what was left out, and why */
-export type FileProject = { history: KeptHistory; photos: FilePhoto[]; videos: FileVideo[]; dropped: string[] };
+export type FileProject = {
+  history: History;
+  photos: readonly FilePhoto[];
+  videos: readonly FileVideo[];
+  dropped: readonly string[];
+};
 
 const FORMAT = 'inkpanel';
 
@@ -37,9 +28,9 @@ const FORMAT = 'inkpanel';
  *   video, by `video` and its key
  */
 export function projectJson(
-  { present, shown }: Pick<KeptHistory, 'present' | 'shown'>,
-  facts: readonly (Fact & { type: string; like?: Likeness })[],
-  videos: readonly Video[],
+  { present, shown }: Pick<History, 'present' | 'shown'>,
+  facts: readonly (Omit<Fact, 'measures'> & { measures: object | null; type: string; like?: Likeness })[],
+  videos: readonly (Omit<Video, 'file'> & { file: Blob })[],
   version: number = VERSION,
 ): { json: string; paths: Map<string, string> } {
   const paths: Map<string, string> = new Map();

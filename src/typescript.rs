@@ -1,0 +1,490 @@
+//! The types of all that crosses to the page, told to TypeScript: `www/engine/types.ts` is written out of the types of this
+//! crate, and `www/engine/types-written.ts` has what the core wrote, so that the compiler of TypeScript reads the one against the
+//! other. Where JSON is read and written by hand and has a shape of its own, that shape stands here.
+#![allow(
+    dead_code,
+    clippy::unwrap_used,
+    reason = "TypeScript is told of these, nobody else; a test may stop where it is"
+)]
+
+use crate::detect::{Detection, FirstLook};
+use crate::document::edit::{Edit, How, Part};
+use crate::document::editor::Editor;
+use crate::document::file::{FilePhoto, FileVideo, Likeness, ProjectFile};
+use crate::document::history::{History, Shown};
+use crate::document::kept;
+use crate::document::project::{Draft, DraftStep, Focus, Locks, Order, Project, Sheet, Styling, TrayItem};
+use crate::framing::{Crop, PhotoMeta, Subject};
+use crate::layout::edit::Cut;
+use crate::layout::tree::Axis;
+use crate::layout::{
+    Bounds, Circle, Descriptor, LayoutPanel, Outline, PageSettings, PlacedPanel, Point, Template,
+};
+use crate::page::catalogue::{BlockEntry, ChoiceRequest, MeasuresEntry, ParamEntry, ParamKind, VerdictEntry};
+use crate::page::document::{LayoutChoice, PanelContent, StyleChoice};
+use crate::page::import::{ImportEntry, PixelSize};
+use crate::page::layouts::{
+    GenerateRequest, Geometry, LayoutChange, LayoutEntry, LayoutFacts, LayoutsRequest,
+};
+use crate::page::request::{Avoid, Keep, Mode, Request, Taste};
+use crate::page::words::layout::WordBox;
+use crate::page::{Document, catalogue, layouts, request, shuffle};
+use crate::style::Style;
+use crate::style::blocks::Channels;
+use crate::style::file::Step;
+use serde::Deserialize;
+use serde_json::{Value, json};
+use std::path::Path;
+use ts_rs::{Config, TS};
+
+/// A caption, a balloon or a sound effect; what is left out is usual. Places are fractions of the bounds of its panel, or
+/// of the page where it has none.
+#[derive(TS)]
+#[ts(optional_fields)]
+pub(crate) struct Word {
+    #[ts(type = "'caption' | 'balloon' | 'effect'")]
+    kind: String,
+    /// What it says.
+    text: String,
+    /// The outline of a balloon.
+    #[ts(type = "'oval' | 'thought' | 'shout' | 'whisper'", optional)]
+    shape: Option<String>,
+    /// The panel that it stands on.
+    #[ts(optional = nullable)]
+    panel: Option<usize>,
+    x: Option<f64>,
+    y: Option<f64>,
+    /// Width in page widths; null fits the text.
+    #[ts(optional = nullable)]
+    width: Option<f64>,
+    /// Height of an em in page widths; `auto` or null fits the text.
+    #[ts(type = "number | 'auto' | null", optional)]
+    size: Option<f64>,
+    /// Where the tail of a balloon points.
+    #[ts(optional = nullable)]
+    tail: Option<Focus>,
+    /// Id of a font.
+    font: Option<String>,
+    /// Colour of the letters.
+    color: Option<String>,
+    /// Colour of the box.
+    fill: Option<String>,
+    /// Degrees that an effect is turned clockwise.
+    angle: Option<f64>,
+    /// How far the line of an effect bends, -1 to 1.
+    arc: Option<f64>,
+    /// Nobody has moved it: it goes where it hides no face.
+    auto: Option<bool>,
+}
+
+/// Of a page that stands in a table, its number there.
+type Number = usize;
+
+/// The tables that states name their parts of.
+#[derive(TS, Deserialize)]
+#[serde(deny_unknown_fields, rename_all = "camelCase")]
+struct Tables {
+    #[ts(as = "Vec<TrayItem>")]
+    items: Vec<Value>,
+    trays: Vec<Vec<Number>>,
+    #[ts(as = "Vec<Document>")]
+    pages: Vec<Value>,
+    #[ts(type = "ReadonlyArray<KeptSheet>")]
+    sheets: Vec<Value>,
+    books: Vec<Vec<Number>>,
+    #[ts(as = "Vec<Style>")]
+    styles: Vec<Value>,
+    shelves: Vec<Vec<Number>>,
+    #[ts(as = "Vec<Template>")]
+    layouts: Vec<Value>,
+    layout_shelves: Vec<Vec<Number>>,
+    #[ts(as = "Vec<PageSettings>")]
+    settings: Vec<Value>,
+    #[ts(as = "Vec<Draft>")]
+    drafts: Vec<Value>,
+}
+
+/// What an edit changed: `difference` in `src/document/kept.rs` says how it is read.
+#[derive(TS, Deserialize)]
+#[serde(deny_unknown_fields, rename_all = "camelCase")]
+struct Difference {
+    /// As the one of that number was, but for these fields.
+    #[ts(type = "ReadonlyArray<[of: number, fields: Partial<KeptState>]>")]
+    states: Vec<(usize, Value)>,
+    #[ts(type = "Runs")]
+    past: Runs,
+    present: Number,
+    #[ts(type = "Runs")]
+    future: Runs,
+    #[ts(type = "ReadonlyArray<KeptShown>")]
+    entries: Vec<Value>,
+    #[ts(type = "Runs")]
+    shown: Runs,
+    parts: Tables,
+    /// An id for a new page,
+    page_id: u64,
+    /// and one for a new place.
+    sheet: u64,
+}
+
+/// Numbers of things in a row: the first, and how many.
+type Runs = Vec<(usize, usize)>;
+
+/// A history that was put into an editor.
+#[derive(TS)]
+#[ts(rename_all = "camelCase")]
+struct Loaded {
+    /// What was left out, as sentences.
+    dropped: Vec<String>,
+    /// An id for a new page,
+    page_id: u64,
+    /// and one for a new place.
+    sheet: u64,
+}
+
+/// A history with tables of its parts.
+#[derive(TS, Deserialize)]
+#[serde(deny_unknown_fields)]
+struct TabledHistory {
+    parts: Tables,
+    #[ts(type = "ReadonlyArray<KeptState>")]
+    past: Vec<Value>,
+    #[ts(type = "KeptState")]
+    present: Value,
+    #[ts(type = "ReadonlyArray<KeptState>")]
+    future: Vec<Value>,
+    #[ts(type = "ReadonlyArray<KeptShown>")]
+    shown: Vec<Value>,
+}
+
+/// A history out of the database, checked.
+#[derive(TS, Deserialize)]
+#[serde(deny_unknown_fields)]
+struct ReadHistory {
+    version: u64,
+    history: TabledHistory,
+    /// What was left out, as sentences.
+    dropped: Vec<String>,
+}
+
+/// A project file or the text of a page, checked.
+#[derive(TS)]
+struct ReadProject {
+    format: String,
+    version: u64,
+    #[ts(type = "{ present: Project; shown: ReadonlyArray<Shown> }")]
+    history: Value,
+    photos: Vec<FilePhoto>,
+    videos: Vec<FileVideo>,
+    /// What was left out, as sentences.
+    dropped: Vec<String>,
+}
+
+/// What is asked for a child of two styles.
+#[derive(TS)]
+struct BreedRequest {
+    a: StyleChoice,
+    b: StyleChoice,
+    seed: u32,
+    /// 0 to 1.
+    surprise: f64,
+}
+
+/// What of TypeScript has no type of its own in Rust.
+const MORE: &str = "\
+/** A value of a parameter: a number, an entry of its choices, or whether it is on. */
+export type ParamValue = number | string | boolean;
+
+/** The lists that all projects have in common. They are a part of each project, so that undo reaches them. */
+export type SharedLists = Pick<Project, 'mine' | 'favourites' | 'ownLayouts'>;
+
+/** Numbers of things in a row. */
+export type Runs = ReadonlyArray<readonly [first: number, count: number]>;
+
+/** What of a state stands in tables, which it names by numbers. */
+export type Tabled = 'tray' | 'settings' | 'page' | 'others' | 'draft' | 'mine' | 'favourites' | 'ownLayouts';
+
+/** A state whose parts stand in tables. */
+export type KeptState = Omit<Project, Tabled> & { [Field in Tabled]: number | Extract<Project[Field], null> };
+
+/** A page of a storyboard, and one that was shown, whose page stands in a table. */
+export type KeptSheet = Omit<Sheet, 'page'> & { page: number };
+export type KeptShown = Omit<Shown, 'page'> & { page: number };
+";
+
+/// The module of types.
+fn types() -> String {
+    let cfg = Config::new().with_large_int("number");
+    let mut out = String::from(
+        "/**\n * What crosses to the core and back. Written out of the types of the core by `cargo xtask bless types`, not by hand.\n */\n",
+    );
+    macro_rules! tell {
+        ($($told:ty),* $(,)?) => {
+            $(out.push('\n');
+            if let Some(docs) = <$told>::docs() {
+                out.push_str(&docs);
+            }
+            out.push_str("export ");
+            out.push_str(&<$told>::decl(&cfg));
+            out.push('\n');)*
+        };
+    }
+    tell!(
+        Project,
+        TrayItem,
+        Focus,
+        Order,
+        Locks,
+        Styling,
+        Sheet,
+        Draft,
+        DraftStep,
+        Shown,
+        History,
+        Edit,
+        Part,
+        How,
+        Document,
+        PanelContent,
+        LayoutChoice,
+        StyleChoice,
+        PageSettings,
+        Crop,
+        Word,
+        WordBox,
+        Template,
+        Style,
+        Step,
+        Request,
+        Keep,
+        Mode,
+        Taste,
+        Avoid,
+        request::Styling,
+        PhotoMeta,
+        crate::framing::energy::Hexadecimal,
+        Subject,
+        BlockEntry,
+        ParamEntry,
+        ParamKind,
+        Channels,
+        Descriptor<'static>,
+        LayoutPanel<'static>,
+        Outline<'static>,
+        Circle,
+        LayoutEntry<'static>,
+        LayoutFacts<'static>,
+        Cut,
+        Axis,
+        LayoutChange,
+        LayoutsRequest,
+        GenerateRequest,
+        Geometry<'static>,
+        PlacedPanel<'static>,
+        Bounds,
+        Point,
+        VerdictEntry<'static>,
+        ChoiceRequest,
+        catalogue::Candidate,
+        MeasuresEntry,
+        ImportEntry<'static>,
+        PixelSize,
+        Detection,
+        FirstLook,
+        BreedRequest,
+        Tables,
+        Difference,
+        Loaded,
+        TabledHistory,
+        ReadHistory,
+        ReadProject,
+        FilePhoto,
+        FileVideo,
+        Likeness,
+    );
+    out.push('\n');
+    out.push_str(MORE);
+    out.push_str("\n/** Codes of the errors of the core. */\nexport type ErrorCode =\n");
+    let codes: Vec<_> = codes().iter().map(|code| format!("  | '{code}'")).collect();
+    out.push_str(&codes.join("\n"));
+    out.push_str(";\n");
+    formatted(&out)
+}
+
+/// The codes of errors, out of the function that gives them.
+fn codes() -> Vec<&'static str> {
+    let (_, code) = include_str!("error.rs").split_once("pub fn code(").unwrap();
+    let arms = code.split("    }\n\n").next().unwrap().lines();
+    arms.filter_map(|arm| arm.split_once("=> \"")?.1.split('"').next()).collect()
+}
+
+/// Comments of one line on one line, lists that are only read, and lines set in by the brackets about them.
+fn formatted(text: &str) -> String {
+    let changes = [
+        ("Array<", "ReadonlyArray<"),
+        ("ReadonlyReadonly", "Readonly"),
+        (", }", ",\n}"),
+        (" | {", "\n| {"),
+        ("[`", "`"),
+        ("`]", "`"),
+    ];
+    let text = changes.iter().fold(text.to_owned(), |text, (from, to)| text.replace(from, to));
+    let mut out = Vec::new();
+    let (mut depth, mut comment) = (0usize, None::<Vec<&str>>);
+    for line in text.lines().map(str::trim) {
+        let indent = "  ".repeat(depth);
+        if line == "/**" {
+            comment = Some(Vec::new());
+        } else if let (Some(told), "*/") = (&comment, line) {
+            if let [only] = told[..] {
+                out.push(format!("{indent}/** {only} */"));
+            } else {
+                out.push(format!("{indent}/**"));
+                out.extend(told.iter().map(|line| format!("{indent} * {line}")));
+                out.push(format!("{indent} */"));
+            }
+            comment = None;
+        } else if let Some(told) = &mut comment {
+            told.push(line.trim_start_matches('*').trim());
+        } else if !line.is_empty() {
+            depth = depth + line.matches('{').count() - line.matches('}').count();
+            let indent = if line.starts_with('}') { "  ".repeat(depth) } else { indent };
+            out.push(format!("{indent}{line}"));
+        } else if depth == 0 {
+            out.push(String::new());
+        }
+    }
+    out.join("\n") + "\n"
+}
+
+/// One of each edit, as the page tells it.
+fn edits(page: &Value) -> Vec<Value> {
+    let style = json!({ "id": "a", "name": "A", "tags": ["ink"], "background": [{ "block": "posterize", "levels": 5, "bypass": true }], "foreground": [{ "block": "to_gray" }], "ink": "#102030", "score": 0.5 });
+    let layout = json!({ "id": "b", "name": "B", "family": "custom", "aspect": 1, "tree": { "rows": ["panel", { "columns": ["panel", "panel"] }] }, "weights": [1, 2, 3] });
+    let step = json!({ "key": 1, "block": "posterize", "values": { "levels": 5 }, "bypass": false });
+    let draft = json!({ "id": "d", "name": "D", "tags": [], "background": [step], "foreground": [], "ink": "#000000" });
+    let sheet = |id: u64| json!({ "page": page, "pageId": id, "sheet": id });
+    let styling = json!({ "invented": 0.5, "keepLines": true, "keepColours": false });
+    let told = json!([
+        { "type": "add-photos", "ids": ["p", "q", "r", "s"], "silent": true },
+        { "type": "remove-photos", "ids": ["q"], "gesture": "g" },
+        { "type": "forget-photos", "ids": ["r"] },
+        { "type": "use-photos", "uses": { "p": true } },
+        { "type": "exchange-photo", "id": "s", "by": "t" },
+        { "type": "choose-by", "alike": 9, "order": "name" },
+        { "type": "focus-photo", "id": "p", "focus": { "x": 0.25, "y": 0.5 } },
+        { "type": "star-photo", "id": "p", "on": true },
+        { "type": "lock", "part": "layout", "on": true },
+        { "type": "want-panels", "count": 4 },
+        { "type": "show-page", "page": page, "pageId": 1 },
+        { "type": "change-page", "page": page },
+        { "type": "change-settings", "settings": page["page"], "page": page },
+        { "type": "set-sheets", "sheets": [sheet(1), sheet(2)], "at": 1 },
+        { "type": "design", "draft": draft },
+        { "type": "own-styles", "mine": [style] },
+        { "type": "favourites", "favourites": [style] },
+        { "type": "own-layouts", "ownLayouts": [layout] },
+        { "type": "love-page", "pageId": 1, "on": true },
+        { "type": "rename", "name": "One" },
+        { "type": "styling", "styling": styling },
+        { "type": "share", "lists": { "mine": [style] } },
+        { "type": "join", "lists": { "ownLayouts": [layout] } },
+        { "type": "undo" },
+        { "type": "redo" },
+        { "type": "no-page" },
+    ]);
+    told.as_array().unwrap().clone()
+}
+
+/// The module of what the core wrote.
+fn written() -> String {
+    let settings = serde_json::to_value(PageSettings::default()).unwrap();
+    let photo = PhotoMeta { starred: true, ..PhotoMeta::unmeasured("p", 1600, 1200) };
+    let photo = serde_json::to_value(photo).unwrap();
+    let wanted = json!({ "seed": 7, "photos": [photo], "page": settings, "current": null, "keep": { "layout": false }, "panels": 4, "mode": "photos", "merge": false, "taste": { "families": { "grid": 0.5 } }, "avoid": { "layouts": ["grid-4"] }, "styling": { "extra": [], "invented": 0.5 }, "surprise": 1 });
+    let planned = shuffle::plan(&serde_json::from_value(wanted.clone()).unwrap()).unwrap();
+    let mut page: Value = serde_json::from_str(&planned.to_json()).unwrap();
+    page["words"] = json!([{ "kind": "balloon", "text": "Hi", "shape": "shout", "panel": 0, "x": 0.5, "y": 0.25, "width": 0.25, "size": "auto", "tail": { "x": 0.5, "y": 0.5 }, "font": "bangers", "color": "#111111", "fill": "#ffffff", "angle": 5, "arc": 0.5, "auto": true }]);
+    let mut editor = Editor::default();
+    let (mut named, mut differences) = (Vec::new(), Vec::new());
+    for edit in edits(&page) {
+        differences.push(editor.apply_json(&edit.to_string()).unwrap());
+        named.push(format!("  {}: {edit},\n", edit["type"]));
+    }
+    for difference in &differences {
+        serde_json::from_str::<Difference>(difference).unwrap();
+    }
+    editor.apply_json(&edits(&page)[13].to_string()).unwrap();
+    let history = kept::write(editor.history(), &vec!["what was left out".into()]);
+    serde_json::from_str::<ReadHistory>(&history).unwrap();
+    let whole =
+        ProjectFile { history: editor.history().clone(), photos: vec![], videos: vec![], dropped: vec![] }
+            .write();
+    let whole: Value = serde_json::from_str(&whole).unwrap();
+    let file = ProjectFile::parse(&json!({ "format": "inkpanel", "version": 1, "history": whole["history"], "photos": [{ "id": "p", "name": "P", "path": "p.jpg", "type": "image/jpeg", "credit": "me", "video": "v", "time": 2, "measured": true, "subjects": [{ "label": "face", "score": 1, "x": 0, "y": 0, "width": 1, "height": 1 }], "rank": 1, "like": { "hash": "", "fingerprint": "0123456789abcdef", "width": 4, "height": 3 } }], "videos": [{ "key": "v", "name": "V", "path": "v.mp4", "type": "video/mp4", "ids": ["p"], "duration": 5, "start": 1, "end": 2 }] }).to_string()).unwrap().write();
+    let on = |layout: &str| json!({ "layout": layout, "page": settings }).to_string();
+    let layouts = catalogue::layouts();
+    let layouts: Vec<_> = layouts
+        .iter()
+        .filter(|one| one.id == "grid-4" || one.panels.iter().any(|panel| panel.shape.circle.is_some()))
+        .take(2)
+        .collect();
+    let entries: Vec<Value> =
+        serde_json::from_str(&layouts::list(&json!({ "page": settings }).to_string()).unwrap()).unwrap();
+    let measures =
+        MeasuresEntry { fingerprint: "0123456789abcdef".into(), gradient: 1.0, paper: 0.5, laplacian: 2.0 };
+    let mut candidate = serde_json::to_value(&measures).unwrap();
+    candidate["id"] = json!("p");
+    candidate["name"] = json!("P");
+    let choice = json!({ "photos": [candidate], "threshold": 10 });
+    let style: Value = catalogue::styles()[0].clone();
+    let facts = layouts::facts(&on("grid-4")).unwrap();
+    let geometry = layouts::geometry(&on(layouts[1].id)).unwrap();
+    let told = [
+        ("page", "PageDocument", page.to_string()),
+        ("request", "Request", wanted.to_string()),
+        ("differences", "readonly Difference[]", format!("[\n  {}\n]", differences.join(",\n  "))),
+        ("history", "ReadHistory", history),
+        ("file", "ReadProject", file),
+        ("blocks", "readonly Block[]", serde_json::to_string(&catalogue::blocks()).unwrap()),
+        ("layouts", "readonly Layout[]", serde_json::to_string(&layouts).unwrap()),
+        ("entry", "LayoutEntry", entries[0].to_string()),
+        ("facts", "LayoutFacts", facts),
+        ("geometry", "Geometry", geometry),
+        ("choice", "ChoiceRequest", choice.to_string()),
+        ("verdicts", "readonly Verdict[]", catalogue::choose(&choice.to_string()).unwrap()),
+        ("style", "Style", style.to_string()),
+    ];
+    let mut names: Vec<_> =
+        told.iter().map(|(_, of, _)| of.trim_start_matches("readonly ").trim_end_matches("[]")).collect();
+    names.extend(["Edit", "How"]);
+    names.sort_unstable();
+    let told: String =
+        told.iter().map(|(name, of, value)| format!("\nexport const {name}: {of} = {value};\n")).collect();
+    format!(
+        "/**\n * What the core wrote and read, for the compiler to read against its types. Written by `cargo xtask bless types`.\n */\n\nimport type {{ {} }} from './types.ts';\n{told}\nexport const edits: {{ [Type in Edit['type']]: Extract<Edit, {{ type: Type }}> & How }} = {{\n{}}};\n",
+        names.join(", "),
+        named.concat()
+    )
+}
+
+/// With `BLESS=1` a module is written anew, and the test fails for once.
+fn check(file: &str, expected: &str) {
+    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join(file);
+    let found = std::fs::read_to_string(&path).unwrap_or_default();
+    if std::env::var_os("BLESS").is_some() && found != expected {
+        std::fs::write(&path, expected).unwrap();
+        panic!("blessed {file}");
+    }
+    assert!(found == expected, "{file} is stale: `cargo xtask bless types` writes it anew");
+}
+
+#[test]
+fn the_page_has_the_types_of_the_core() {
+    check("www/engine/types.ts", &types());
+}
+
+#[test]
+fn what_the_core_writes_is_there_for_the_compiler() {
+    check("www/engine/types-written.ts", &written());
+}
