@@ -459,11 +459,12 @@ fn written() -> String {
         told.iter().map(|(_, of, _)| of.trim_start_matches("readonly ").trim_end_matches("[]")).collect();
     names.extend(["Edit", "How"]);
     names.sort_unstable();
-    let told: String =
+    let told: Vec<_> =
         told.iter().map(|(name, of, value)| format!("\nexport const {name}: {of} = {value};\n")).collect();
     format!(
-        "/**\n * What the core wrote and read, for the compiler to read against its types. Written by `cargo xtask bless types`.\n */\n\nimport type {{ {} }} from './types.ts';\n{told}\nexport const edits: {{ [Type in Edit['type']]: Extract<Edit, {{ type: Type }}> & How }} = {{\n{}}};\n",
+        "/**\n * What the core wrote and read, for the compiler to read against its types. Written by `cargo xtask bless types`.\n */\n\nimport type {{ {} }} from './types.ts';\n{}\nexport const edits: {{ [Type in Edit['type']]: Extract<Edit, {{ type: Type }}> & How }} = {{\n{}}};\n",
         names.join(", "),
+        told.concat(),
         named.concat()
     )
 }

@@ -17,7 +17,7 @@ pub mod style;
 
 use crate::error::{Error, Result};
 use crate::framing::Crop;
-use crate::layout::{self, PageSettings, Template};
+use crate::layout::Template;
 use crate::page::compose::{Sheet, compose, render_panel};
 use crate::page::document::{self, Document};
 use crate::page::import::{Imported, import};

@@ -4,7 +4,9 @@
 
 use inkpanel::document::history::History;
 use inkpanel::document::{kept, limits, subtitles};
+use inkpanel::layout::{DPI, MOST_PIXELS, PRESETS, PagePreset, SIDES};
 use inkpanel::page::words::model::FARTHEST;
+use inkpanel::select;
 use serde_json::Value;
 
 /// The module of bounds as it should be, formatted as Biome formats it.
@@ -15,6 +17,7 @@ fn bounds() -> String {
         ("Words of a page.", "words", limits::MOST_WORDS),
         ("Characters of a word.", "letters", limits::MOST_LETTERS),
         ("Styles of one's own, favourites, and layouts: of each so many.", "styles", limits::MOST_STYLES),
+        ("Blocks of one layer of a style.", "blocks", limits::MOST_BLOCKS),
         ("Characters of a name.", "name", limits::LONGEST_NAME),
         ("A place of a word, in widths and heights of its panel to either side.", "away", FARTHEST as usize),
         ("Bytes of the text of a project.", "text", limits::PROJECT.bytes),
@@ -22,7 +25,37 @@ fn bounds() -> String {
     ];
     let head = "/**\n * What a project holds at most. Written out of `src/document/limits.rs` by `cargo xtask bless`, not by hand: the core reads\n * no project beyond it, so none is made here.\n */\n\nexport const MOST = Object.freeze({\n";
     let lines = most.map(|(what, name, value)| format!("  /** {what} */\n  {name}: {},\n", grouped(value)));
-    format!("{head}{}}});\n", lines.concat())
+    format!("{head}{}}});\n\n{}\n{}", lines.concat(), ranges(), sizes())
+}
+
+/// What numbers may be, from the least to the most.
+fn ranges() -> String {
+    let [least_side, most_side] = SIDES;
+    let [least_dpi, most_dpi] = DPI;
+    let [strict, loose] = select::THRESHOLDS;
+    let grouped = |value: u32| grouped(value as usize);
+    [
+        "/** What a page may be: pixels of a side, pixels in all, dots an inch. */".to_owned(),
+        "export const PAGE = Object.freeze({".to_owned(),
+        format!("  leastSide: {},\n  mostSide: {},", grouped(least_side), grouped(most_side)),
+        format!("  mostPixels: {},", self::grouped(MOST_PIXELS as usize)),
+        format!("  leastDpi: {},\n  mostDpi: {},\n}});\n", grouped(least_dpi), grouped(most_dpi)),
+        "/** Bits in which fingerprints of look-alikes may differ: the strictest and the loosest that make sense. */".to_owned(),
+        format!("export const ALIKE = Object.freeze({{ strict: {strict}, loose: {loose} }});\n"),
+    ]
+    .join("\n")
+}
+
+/// Page sizes that people know, the default first.
+fn sizes() -> String {
+    let size = |PagePreset { id, width, height, dpi, .. }: &PagePreset| {
+        format!("  {{ id: '{id}', width: {width}, height: {height}, dpi: {dpi} }},\n")
+    };
+    let all: Vec<_> = PRESETS.iter().map(size).collect();
+    format!(
+        "/** Page sizes that people know, the default first. */\nexport const PAGE_SIZES = Object.freeze([\n{}] as const);\n",
+        all.concat()
+    )
 }
 
 /// Digits in groups of three, as TypeScript takes them.

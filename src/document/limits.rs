@@ -4,6 +4,7 @@
 use crate::json::Bounds;
 pub use crate::page::document::{LONGEST_ID, MOST_PHOTOS};
 pub use crate::page::words::model::{MOST_LETTERS, MOST_WORDS};
+pub use crate::style::file::MOST_BLOCKS;
 
 /// The text of a project file, and the text in a page PNG.
 pub const PROJECT: Bounds = Bounds { bytes: 32 << 20, values: 2_000_000, text: 64 << 10 };
@@ -41,8 +42,6 @@ pub const MOST_WANTED: u64 = 100;
 pub const MOST_VIDEOS: usize = 1_000;
 /// What is found in one photo.
 pub const MOST_SUBJECTS: usize = 1_000;
-/// Blocks of one layer of a draft.
-pub const MOST_BLOCKS: usize = 32;
 /// Families that a draft belongs to.
 pub const MOST_TAGS: usize = 20;
 /// Ids of pages, and of places in a storyboard: there is room for new ones above.

@@ -7,6 +7,7 @@ use crate::json::{Fields, Read, Writer, Wrong, fields};
 use crate::layout::{PageSettings, Template};
 use crate::page::Document;
 use crate::raster::color::parse_hex;
+use crate::select::THRESHOLD;
 use crate::style::{Style, blocks};
 use serde_json::{Map, Value};
 use std::collections::HashSet;
@@ -194,7 +195,7 @@ impl Default for Project {
         Self {
             name: String::new(),
             tray: Arc::new([]),
-            alike: 10,
+            alike: THRESHOLD as u8,
             order: Order::Time,
             locks: Locks::default(),
             panels: None,

@@ -83,7 +83,11 @@ pub const PRESETS: [PagePreset; 8] = [
 ];
 
 /// The most pixels of an exported page: A1 at 300 dots an inch.
-const MOST_PIXELS: u64 = 72_000_000;
+pub const MOST_PIXELS: u64 = 72_000_000;
+/// Pixels of a side of an exported page: the least and the most.
+pub const SIDES: [u32; 2] = [64, 14_000];
+/// Dots an inch: the least and the most.
+pub const DPI: [u32; 2] = [36, 1_200];
 
 impl<'de> Deserialize<'de> for PageSettings {
     fn deserialize<D: Deserializer<'de>>(deserializer: D) -> std::result::Result<Self, D::Error> {
@@ -144,8 +148,8 @@ impl PageSettings {
     /// # Errors
     /// `invalid-document` naming the field as `page.gutter`.
     pub fn validate(&self) -> Result<()> {
-        let sides = [("width", self.width, 64, 14_000), ("height", self.height, 64, 14_000)];
-        for (field, value, least, most) in sides.into_iter().chain([("dpi", self.dpi, 36, 1200)]) {
+        let numbers = [("width", self.width, SIDES), ("height", self.height, SIDES), ("dpi", self.dpi, DPI)];
+        for (field, value, [least, most]) in numbers {
             if !(least..=most).contains(&value) {
                 return Err(invalid(field, format!("must be from {least} to {most}, not {value}")));
             }

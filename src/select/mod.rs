@@ -10,7 +10,7 @@ pub mod sampling;
 pub mod sharpness;
 pub mod verdict;
 
-pub use verdict::{Settings, Verdict, choose};
+pub use verdict::{Settings, THRESHOLD, THRESHOLDS, Verdict, choose};
 
 use crate::raster::Image;
 use crate::simd::point::luma_plane;

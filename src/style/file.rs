@@ -9,7 +9,7 @@ use crate::error::{Error, Result};
 use serde_json::{Map, Value, json};
 
 /// Blocks that one layer may hold; far beyond what looks good, and a bound on the work that a file can ask for.
-const MAX_BLOCKS: usize = 32;
+pub const MOST_BLOCKS: usize = 32;
 
 /// A style: a background layer and, where there is one, a foreground layer of lines.
 #[derive(Debug, Clone)]
@@ -216,11 +216,11 @@ fn layer(file: &str, map: &Map<String, Value>, key: &str) -> Result<Option<Vec<S
     let Value::Array(items) = value else {
         return Err(invalid(file, key, "must be a list of blocks"));
     };
-    if items.len() > MAX_BLOCKS {
+    if items.len() > MOST_BLOCKS {
         return Err(invalid(
             file,
             key,
-            format!("has {} blocks, at most {MAX_BLOCKS} are allowed", items.len()),
+            format!("has {} blocks, at most {MOST_BLOCKS} are allowed", items.len()),
         ));
     }
     let mut steps = Vec::with_capacity(items.len());

@@ -25,7 +25,7 @@ export type Edit =
 
 export const LAYERS: readonly Layer[] = ['background', 'foreground'];
 /** Blocks that the core takes in one layer. */
-export const MOST_BLOCKS = 32;
+export const MOST_BLOCKS = MOST.blocks;
 
 export function emptyDraft(id: string, name: string): Draft {
   return { id, name, tags: [], background: [], foreground: [], ink: '#000000' };

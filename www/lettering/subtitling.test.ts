@@ -1,7 +1,7 @@
 import { signal } from '@preact/signals';
 import { expect, test, vi } from 'vitest';
 import { createSubtitling, isSubtitles } from './subtitling.ts';
-import type { ReadSubtitles } from '../engine/types.ts';
+import type { ReadSubtitles } from '../engine/words.ts';
 
 /** @param told what is read of a file, by its text */
 function app(told: (text: string) => ReadSubtitles) {

@@ -47,7 +47,7 @@ export function PageSettingsForm() {
         <select class="select" value={size} onChange={(event) => resize(event.currentTarget.value)}>
           {PAGE_SIZES.map(({ id }) => (
             <option key={id} value={id}>
-              {strings.size[id as 'a4']}
+              {strings.size[id]}
             </option>
           ))}
           <option value="custom">{strings.size.custom}</option>

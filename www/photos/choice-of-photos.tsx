@@ -1,13 +1,11 @@
 /** How photos are chosen: how alike two may be before one is set aside, and their order. */
 
 import { useState } from 'preact/hooks';
+import { ALIKE } from '../engine/bounds.ts';
 import { strings } from '../strings/strings.ts';
 import { useApp } from '../ui/context.ts';
 import type { Order } from '../document/project.ts';
 import type { Store } from '../document/store.ts';
-
-const STRICT = 4;
-const LOOSE = 16;
 
 export function ChoiceOfPhotos() {
   const { store, choosing } = useApp();
@@ -24,8 +22,8 @@ export function ChoiceOfPhotos() {
         <span>{strings.alike}</span>
         <input
           type="range"
-          min={STRICT}
-          max={LOOSE}
+          min={ALIKE.strict}
+          max={ALIKE.loose}
           value={shown}
           disabled={busy}
           aria-valuetext={strings.alikeValue(shown)}
