@@ -133,7 +133,8 @@ export async function inBytes(record: PhotoRecord): Promise<PhotoRecord> {
 
 /** A photo out of the database, however it was kept there. */
 export function inBlobs<Kept extends { file?: unknown; work?: unknown; small?: unknown }>(record: Kept): Kept {
-  const handle = (held: any) => (held?.planes ? { ...held, planes: blobOf(held.planes) } : held);
+  const handle = (held: unknown) =>
+    typeof held === 'object' && held !== null && 'planes' in held ? { ...held, planes: blobOf(held.planes) } : held;
   return { ...record, file: blobOf(record.file), work: handle(record.work), small: handle(record.small) };
 }
 
