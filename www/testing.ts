@@ -8,11 +8,20 @@ import type {
   PlaywrightWorkerOptions,
   TestType,
 } from '@playwright/test';
+import { createRequire } from 'node:module';
+
 /**
- * The packages that the browser tests use. The tests stand in `tests/web`, outside this folder's
+ * The packages that the browser tests use. The tests stand in `tests`, outside this folder's
  * `node_modules`, and reach them through this file.
  */
-export { expect, test } from '@playwright/test';
+export { defineConfig, expect, test } from '@playwright/test';
+export type { TestInfo } from '@playwright/test';
+export { Builder, Key, Origin } from 'selenium-webdriver';
+export type { WebDriver, WebElement } from 'selenium-webdriver';
+/** A script that finds elements by role and accessible name in any browser. */
+export const QUERIES = createRequire(import.meta.url).resolve(
+  '@testing-library/dom/dist/@testing-library/dom.umd.min.js',
+);
 export { default as AxeBuilder } from '@axe-core/playwright';
 export { PNG } from 'pngjs';
 /** TypeScript as the build makes it. */

@@ -2,7 +2,7 @@
 
 use std::fs;
 use std::path::Path;
-use std::process::Command;
+use std::process::{Command, Stdio};
 
 use anyhow::Result;
 
@@ -13,15 +13,30 @@ use crate::tools;
 /// # Errors
 /// When apt-get fails.
 pub(crate) fn install(package: &str) -> Result<bool> {
+    install_all(&[package])
+}
+
+/// Installs several as `install` does one.
+///
+/// # Errors
+/// When apt-get fails.
+pub(crate) fn install_all(packages: &[&str]) -> Result<bool> {
     if !(is_root() && is_debian()) {
         return Ok(false);
     }
-    println!("apt-get install {package}");
+    println!("apt-get install {}", packages.join(" "));
     tools::run(Command::new("apt-get").args(["update", "-qq"]))?;
     let mut install = Command::new("apt-get");
-    install.args(["install", "-y", "-qq", "--no-install-recommends", package]);
+    install.args(["install", "-y", "-qq", "--no-install-recommends"]).args(packages);
     tools::run(install.env("DEBIAN_FRONTEND", "noninteractive"))?;
     Ok(true)
+}
+
+/// Whether dpkg knows a package as installed.
+pub(crate) fn has(package: &str) -> bool {
+    let mut query = Command::new("dpkg-query");
+    query.args(["--show", "--showformat", "${db:Status-Status}", package]).stderr(Stdio::null());
+    query.output().is_ok_and(|answer| answer.stdout == b"installed")
 }
 
 fn is_root() -> bool {

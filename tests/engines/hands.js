@@ -1,0 +1,340 @@
+// @ts-check
+/** What a person does and sees: controls by their role and accessible name, files that come and go. */
+
+import { readFile, readdir } from 'node:fs/promises';
+import { join } from 'node:path';
+import { fileURLToPath } from 'node:url';
+import { Key, Origin, PNG, QUERIES, expect, test as plain } from '../../www/testing.ts';
+import { start } from './engines.js';
+
+/** @typedef {import('../../www/testing.ts').WebElement} WebElement */
+/** @typedef {import('./engines.js').Running} Running */
+/** @typedef {string | RegExp} Name */
+/** The first with that role and name. @typedef {[role: string, name: Name]} Place */
+/** @typedef {Awaited<ReturnType<typeof personIn>>} Person */
+
+const TESTS = new URL('../', import.meta.url);
+
+/** A file of the tests' own. @param {string} path */
+export const given = (path) => fileURLToPath(new URL(path, TESTS));
+
+/** @param {...string} names */
+export const photos = (...names) => names.map((name) => given(`photos/${name}`));
+
+/** Six photos: a page, and quick to read. */
+export const SIX = photos('bee.jpg', 'cat.jpg', 'crab.jpg', 'gateway.jpg', 'macaw.jpg', 'temple.jpg');
+
+/** Long, as a busy machine may be slow; a test has its own limit. */
+const PATIENCE = 90_000;
+
+/**
+ * A test of a person at a browser; what a page throws or logs as an error fails it.
+ * @type {import('../../www/testing.ts').TestWith<{ person: Person }>}
+ */
+export const test = plain.extend(
+  /** @type {any} */ ({
+    person: async (
+      /** @type {{ baseURL: string }} */ { baseURL },
+      /** @type {(person: Person) => Promise<void>} */ use,
+      /** @type {import('../../www/testing.ts').TestInfo} */ info,
+    ) => {
+      const running = await start(String(info.project.metadata.engine));
+      const person = await personIn(running, baseURL);
+      try {
+        await use(person);
+        expect(await person.faults()).toEqual([]);
+      } catch (error) {
+        const seen = await running.driver.takeScreenshot().catch(() => '');
+        await info.attach('seen', { body: Buffer.from(seen, 'base64'), contentType: 'image/png' });
+        throw error;
+      } finally {
+        await running.end();
+      }
+    },
+  }),
+);
+
+export { PNG, expect, plain };
+
+/**
+ * Stands in the page, beside the library that it asks.
+ * @param {string} role
+ * @param {any} name
+ * @param {[role: string, name: any] | null} within
+ * @returns {Element[]}
+ */
+function perceived(role, name, within) {
+  const library = /** @type {any} */ (globalThis).TestingLibraryDom;
+  const find = (/** @type {Element} */ place, /** @type {string} */ role, /** @type {any} */ name) => {
+    const pattern = name?.source ? new RegExp(name.source, name.flags) : name;
+    const found = library.queryAllByRole(place, role, pattern === null ? {} : { name: pattern });
+    return found.filter((/** @type {Element} */ element) => element.checkVisibility());
+  };
+  const place = within ? find(document.body, ...within)[0] : document.body;
+  return place ? find(place, role, name) : [];
+}
+
+/**
+ * @param {Running} running
+ * @param {string} address of the page
+ */
+export async function personIn({ driver, downloads }, address) {
+  await driver.manage().setTimeouts({ script: PATIENCE, pageLoad: PATIENCE });
+
+  /**
+   * Runs a function in the page.
+   * @template {any[]} Given @template Result
+   * @param {(...given: Given) => Result | Promise<Result>} what
+   * @param {Given} values
+   * @returns {Promise<Result>}
+   */
+  const inPage = (what, ...values) =>
+    driver
+      .executeAsyncScript(
+        `const done = arguments[arguments.length - 1];
+       Promise.resolve((${what}).apply(null, [].slice.call(arguments, 0, -1))).then((value) => done({ value }), (error) => done({ error: String(error) }));`,
+        ...values,
+      )
+      .then((/** @type {any} */ { value, error }) => {
+        if (error) throw new Error(error);
+        return value;
+      });
+
+  /**
+   * All that can be perceived with a role and a name.
+   * @param {string} role
+   * @param {Name} [name] whole, or a pattern
+   * @param {Place} [within]
+   * @returns {Promise<WebElement[]>}
+   */
+  async function all(role, name, within) {
+    const plain = (/** @type {Name | undefined} */ one) =>
+      one instanceof RegExp ? { source: one.source, flags: one.flags } : one;
+    const look = () =>
+      driver.executeScript(
+        'return window.perceived ? window.perceived.apply(null, arguments) : null',
+        role,
+        plain(name) ?? null,
+        within?.map(plain) ?? null,
+      );
+    const found = await look();
+    if (found) return /** @type {WebElement[]} */ (found);
+    await driver.executeScript(`${await readFile(QUERIES, 'utf8')}; window.perceived = ${perceived};`);
+    return /** @type {WebElement[]} */ (await look());
+  }
+
+  /**
+   * The one with a role and a name, waited for.
+   * @param {string} role
+   * @param {Name} [name]
+   * @param {Place} [within]
+   * @returns {Promise<WebElement>}
+   */
+  async function one(role, name, within) {
+    /** @type {WebElement[]} */
+    let found = [];
+    await expect
+      .poll(async () => (found = await all(role, name, within)).length, {
+        message: `${role} ${name ?? ''} is there`,
+        timeout: PATIENCE,
+      })
+      .toBeGreaterThan(0);
+    return found[0];
+  }
+
+  /**
+   * Clicks the one with a role and a name; once more where it was drawn anew or covered just then.
+   * @param {string} role
+   * @param {Name} [name]
+   * @param {Place} [within]
+   */
+  async function click(role, name, within) {
+    await expect(async () => (await one(role, name, within)).click()).toPass({ timeout: 20_000, intervals: [200] });
+  }
+
+  /** Until all work for the page is done, and its crops are final. */
+  async function idle() {
+    await expect
+      .poll(
+        () => driver.executeScript('const { idle, detected } = document.body.dataset; return `${idle} ${detected}`'),
+        { message: 'idle and detected', timeout: PATIENCE, intervals: [50] },
+      )
+      .toBe('true true');
+  }
+
+  /** @param {string} name of a button @param {Place} [within] */
+  async function press(name, within) {
+    await click('button', name, within);
+    await idle();
+  }
+
+  /** Chooses files, as one does in the dialog of the browser. @param {string[]} files */
+  async function choose(files) {
+    const input = /** @type {WebElement} */ (
+      await driver.executeScript(
+        `return [...document.querySelectorAll('input[type=file]')].find((input) => (input.getAttribute('aria-label') || input.labels[0] && input.labels[0].textContent || '').includes('Photos or video'))`,
+      )
+    );
+    await input.sendKeys(files.join('\n'));
+  }
+
+  /**
+   * @param {() => Promise<unknown>} act that gives a file
+   * @returns {Promise<{ name: string, path: string, bytes: Buffer }>}
+   */
+  async function saved(act) {
+    const before = new Set(await readdir(downloads));
+    await act();
+    let last = '';
+    await expect
+      .poll(
+        async () => {
+          const fresh = (await readdir(downloads)).filter((name) => !before.has(name));
+          const whole = fresh.length === 1 && !/\.(part|crdownload|wkdownload|tmp)$/.test(fresh[0]);
+          const bytes = whole ? await readFile(join(downloads, fresh[0])) : Buffer.alloc(0);
+          const now = whole && bytes.length > 0 ? `${fresh[0]}/${bytes.length}` : '';
+          const still = now !== '' && now === last;
+          last = now;
+          return still;
+        },
+        { message: 'a file is saved', timeout: PATIENCE, intervals: [200] },
+      )
+      .toBe(true);
+    const name = last.slice(0, last.lastIndexOf('/'));
+    return { name, path: join(downloads, name), bytes: await readFile(join(downloads, name)) };
+  }
+
+  return {
+    driver,
+    inPage,
+    all,
+    one,
+    click,
+    idle,
+    press,
+    choose,
+    saved,
+    Key,
+
+    /** Opens the page, with what the browser keeps of it. @param {{ detects?: boolean }} [how] whether it looks for faces */
+    async open({ detects = false } = {}) {
+      await driver.get(address);
+      if (!detects) {
+        await driver.executeScript("localStorage.setItem('inkpanel.detect', 'off')");
+        await driver.navigate().refresh();
+      }
+      await driver.executeScript(
+        `window.faults = [];
+         addEventListener('error', ({ message }) => window.faults.push(message));
+         addEventListener('unhandledrejection', ({ reason }) => window.faults.push(String(reason)));`,
+      );
+    },
+
+    /** Errors that the page did not catch. @returns {Promise<string[]>} */
+    faults: async () => (await driver.executeScript('return window.faults || []')) ?? [],
+
+    async reload() {
+      await driver.navigate().refresh();
+      await idle();
+    },
+
+    /** The page with photos on the table, drawn. @param {string[]} files */
+    async begin(files = SIX, /** @type {{ detects?: boolean }} */ how = {}) {
+      await this.open(how);
+      await choose(files);
+      await one('region', 'Storyboard page');
+      await idle();
+    },
+
+    /** @param {string} name of a list box @param {Name} option */
+    async take(name, option) {
+      await click('option', option, ['listbox', name]);
+      await idle();
+    },
+
+    /** @param {string} name of a box to choose from @param {string} value */
+    async select(name, value) {
+      const box = await one('combobox', name);
+      await driver.executeScript(
+        `const [box, value] = arguments; box.focus(); box.value = value; box.dispatchEvent(new Event('input', { bubbles: true })); box.dispatchEvent(new Event('change', { bubbles: true }));`,
+        box,
+        value,
+      );
+    },
+
+    /** @param {Name} name @param {string} text */
+    async write(name, text) {
+      const field = await one('textbox', name);
+      await driver.executeScript('arguments[0].select?.()', field);
+      await field.sendKeys(text, Key.ENTER);
+      await idle();
+    },
+
+    /** What each panel shows, as told to who does not see it. */
+    async shown() {
+      const panels = await all('group', /^Panel \d/);
+      const told = await Promise.all(panels.map((panel) => panel.getAttribute('aria-description')));
+      return told.map((text) => text?.replace(/, selected.*/, ''));
+    },
+
+    /** What a canvas shows, pixel by pixel. @param {string} [selector] @returns {Promise<string>} */
+    picture: (selector = '.page-canvas') =>
+      driver.executeScript(
+        // A copy: WebKit reads nothing out of a canvas that shows a bitmap as it came.
+        `const shown = document.querySelector(arguments[0]);
+         const copy = Object.assign(document.createElement('canvas'), { width: shown.width, height: shown.height });
+         copy.getContext('2d').drawImage(shown, 0, 0);
+         return copy.toDataURL();`,
+        selector,
+      ),
+
+    /** @param {WebElement} what @param {[number, number]} by */
+    async drag(what, [x, y]) {
+      await driver
+        .actions()
+        .move({ origin: what, x: 0, y: 0 })
+        .press()
+        .move({ origin: Origin.POINTER, x: Math.round(x / 2), y: Math.round(y / 2), duration: 60 })
+        .move({ origin: Origin.POINTER, x: Math.round(x / 2), y: Math.round(y / 2), duration: 60 })
+        .release()
+        .perform();
+      await idle();
+    },
+
+    async openExport() {
+      await press('Export');
+      await one('dialog', 'Export the page');
+    },
+
+    /** Saves the page as a kind of file, at half of its size. @param {string} format */
+    async savedAs(format) {
+      await this.openExport();
+      await this.select('Quality', '0.5');
+      await this.select('Format', format);
+      return saved(() => click('button', 'Save the file', ['dialog', 'Export the page']));
+    },
+
+    /** The project as a file. */
+    async savedProject() {
+      await press('Projects');
+      const file = await saved(() => click('button', 'Save project'));
+      await press('Back to the page');
+      return file;
+    },
+
+    /** A balloon with these words. @param {string} text */
+    async say(text) {
+      if ((await all('button', 'Add balloon')).length === 0)
+        await driver.executeScript("document.querySelector('.words-section > summary').click()");
+      await click('button', 'Add balloon');
+      await this.write(/^Text of/, text);
+      await one('button', new RegExp(`^Balloon: ${text}`));
+    },
+
+    /** Until it says that all is saved. */
+    async kept() {
+      const state = () => driver.executeScript("return document.querySelector('.save-state')?.textContent");
+      await expect.poll(state, { timeout: PATIENCE }).toBe('Saved');
+    },
+  };
+}

@@ -1,0 +1,138 @@
+// @ts-check
+/** What most people do, from photos to files, in every engine. */
+
+import { PNG, SIX, expect, given, photos, test } from './hands.js';
+
+/** Whether the browser has an encoder of WebP. @param {import('./hands.js').Person} person */
+const writesWebp = (person) =>
+  person.inPage(() => {
+    const canvas = Object.assign(document.createElement('canvas'), { width: 1, height: 1 });
+    return canvas.toDataURL('image/webp').startsWith('data:image/webp');
+  });
+
+const animations = (/** @type {string} */ name) => given(`oracles/data/animations/${name}`);
+
+test('a page is made, shuffled, changed by hand, and there again after a reload', async ({ person }) => {
+  await person.begin();
+  const first = await person.picture();
+  for (const name of ['Shuffle', 'Shuffle layout', 'Shuffle style', 'Shuffle photos']) {
+    const before = await person.picture();
+    await person.press(name);
+    await expect.poll(() => person.picture(), name).not.toBe(before);
+  }
+  expect(await person.picture()).not.toBe(first);
+
+  await person.select('Family', 'grid');
+  await person.take('Layouts', 'Four');
+  expect(await person.shown()).toHaveLength(4);
+  const plain = await person.picture();
+  await person.take('Styles', 'Noir');
+  expect(await person.picture()).not.toBe(plain);
+
+  const panel = await person.one('group', 'Panel 2 of 4');
+  await panel.click();
+  await person.press('Zoom in');
+  await person.press('Zoom in');
+  const near = await person.picture();
+  await person.drag(panel, [40, 30]);
+  expect(await person.picture()).not.toBe(near);
+  await person.driver.actions().sendKeys(person.Key.ESCAPE).perform();
+
+  await person.say('GUTEN TAG');
+  await person.kept();
+  const [shown, picture] = [await person.shown(), await person.picture()];
+  await person.reload();
+  await person.one('button', /^Balloon: GUTEN TAG/);
+  expect(await person.shown()).toEqual(shown);
+  expect((await person.picture()) === picture).toBe(true);
+  await person.press('Undo');
+});
+
+test('a slider of the designer changes a style, and the explorer invents some', async ({ person }) => {
+  await person.begin();
+  await person.click('button', 'Designer');
+  const drawn = async () => {
+    const preview = await person.one('region', 'Preview');
+    await expect.poll(() => preview.getAttribute('aria-busy')).toBe('false');
+    return person.picture('.comparison-styled');
+  };
+  await person.click('button', 'Add block');
+  await person.click('button', /^Posterization/);
+  const before = await drawn();
+  const slider = await person.one('slider', undefined, ['list', 'Background layer']);
+  await slider.sendKeys(person.Key.HOME);
+  await expect.poll(drawn).not.toBe(before);
+  await person.click('button', 'Use', ['region', 'Style designer']);
+  await person.idle();
+
+  await person.click('button', 'Explorer');
+  await person.click('button', 'Generate');
+  await expect
+    .poll(async () => (await person.all('listitem', undefined, ['region', 'Style explorer'])).length)
+    .toBeGreaterThan(5);
+  await person.click('button', 'Favourite', ['region', 'Style explorer']);
+});
+
+test('faces and animals are found', async ({ person }) => {
+  await person.begin(photos('camera.jpg', 'cat.jpg', 'horses.jpg', 'macaw.jpg'), { detects: true });
+  await person.press('Show subjects');
+  const labels = () =>
+    person.inPage(() =>
+      [...document.querySelectorAll('.page .subject-boxes rect')].map((box) => box.getAttribute('data-label')),
+    );
+  for (const name of ['face', 'cat', 'horse', 'bird']) await expect.poll(labels).toContain(name);
+});
+
+test('the page becomes files of every kind, and goes to the clipboard', async ({ person }) => {
+  await person.begin();
+  const png = PNG.sync.read((await person.savedAs('png')).bytes);
+  expect([png.width, png.height]).toEqual([1240, 1754]);
+  const heads = { pdf: '%PDF-', jpeg: '\xff\xd8\xff', webp: 'RIFF' };
+  for (const [format, head] of Object.entries(heads)) {
+    if (format === 'webp' && !(await writesWebp(person))) continue;
+    const { bytes } = await person.savedAs(format);
+    expect(bytes.subarray(0, head.length).toString('latin1'), format).toBe(head);
+    expect(bytes.length, format).toBeGreaterThan(20_000);
+  }
+  const project = await person.savedProject();
+  expect(project.name).toMatch(/\.inkpanel$/);
+  expect(project.bytes.subarray(0, 2).toString()).toBe('PK');
+  await person.openExport();
+  await person.select('Quality', '0.5');
+  await person.click('button', 'Copy to clipboard', ['dialog', 'Export the page']);
+  await expect
+    .poll(() => person.inPage(() => document.querySelector('[role=status]')?.textContent))
+    .toContain('on the clipboard');
+});
+
+test('films lie on the table', async ({ person }) => {
+  await person.begin([given('videos/album.mp4'), given('videos/album.webm'), SIX[0]]);
+  for (const name of [/^Use album\.mp4, 0:0/, /^Use album\.webm, 0:0/])
+    await expect.poll(async () => (await person.all('checkbox', name)).length, String(name)).toBe(24);
+});
+
+test('an AVIF photo has its colours', async ({ person }) => {
+  await person.begin([given('oracles/data/foreign/plain.avif')]);
+  await person.one('checkbox', 'Use plain.avif');
+  // Left it has more blue, right more red.
+  const more = () =>
+    person.inPage(() => {
+      const tile = document.querySelector('[aria-label="Use plain.avif"]')?.closest('li');
+      const shown = /** @type {HTMLCanvasElement} */ (tile?.querySelector('canvas'));
+      const copy = Object.assign(document.createElement('canvas'), { width: shown.width, height: shown.height });
+      const context = /** @type {CanvasRenderingContext2D} */ (copy.getContext('2d'));
+      context.drawImage(shown, 0, 0);
+      return [0.05, 0.95].map((x) => {
+        const [red, , blue] = context.getImageData(Math.floor(shown.width * x), shown.height >> 1, 1, 1).data;
+        return red > blue ? 'red' : red < blue ? 'blue' : 'neither';
+      });
+    });
+  await expect.poll(more).toEqual(['blue', 'red']);
+});
+
+test('the pictures of animations lie on the table', async ({ person }) => {
+  test.skip(!(await person.inPage(() => 'ImageDecoder' in window)), 'this browser decodes the first picture alone');
+  await person.begin([animations('kept.gif'), animations('lossless.webp'), SIX[0]]);
+  for (const name of [/^Use kept\.gif, 0:0/, /^Use lossless\.webp, 0:0/])
+    await expect.poll(async () => (await person.all('checkbox', name)).length, String(name)).toBe(4);
+});

@@ -1,0 +1,37 @@
+// @ts-check
+/** The same journeys in three engines. Playwright runs and counts them; the browsers are driven by WebDriver. */
+
+import { defineConfig } from '../../www/testing.ts';
+import { ENGINES } from './engines.js';
+
+const PATH = '/some/sub/path/';
+const PORT = Number(process.env.INKPANEL_TEST_PORT ?? 4287);
+
+export default defineConfig({
+  testDir: '.',
+  outputDir: '../web/results/engines',
+  fullyParallel: true,
+  // Two browsers at a time: each has pauses in which the other works.
+  workers: 2,
+  // The machine may be busy: a limit ends what hangs, it does not measure.
+  timeout: 240_000,
+  expect: { timeout: 60_000 },
+  reporter: [['list']],
+  forbidOnly: !!process.env.CI,
+  use: { baseURL: `http://127.0.0.1:${PORT}${PATH}` },
+  projects: [
+    ...Object.keys(ENGINES).map((name) => ({
+      name,
+      testIgnore: 'all-engines.spec.js',
+      metadata: { engine: name },
+      // What is different in a private window is what it keeps.
+      ...(name.endsWith('-private') && { grep: /there again after a reload/ }),
+    })),
+    { name: 'all', testMatch: 'all-engines.spec.js' },
+  ],
+  webServer: {
+    command: `node ../../www/serve.js ${PORT} ${PATH}`,
+    url: `http://127.0.0.1:${PORT}${PATH}`,
+    reuseExistingServer: false,
+  },
+});

@@ -1,0 +1,56 @@
+//! Firefox and `WebKit`, and the programs that drive them and Chromium by `WebDriver`: those that are there, or Debian's.
+
+use std::env;
+use std::path::PathBuf;
+use std::process::Command;
+
+use anyhow::{Result, bail};
+
+use crate::project::Project;
+use crate::{debian, tools};
+
+/// Programs and the packages of Debian that they are in.
+const PROGRAMS: [(&str, &str); 4] = [
+    ("chromedriver", "chromium-driver"),
+    ("firefox-esr", "firefox-esr"),
+    ("WebKitWebDriver", "webkit2gtk-driver"),
+    ("Xvfb", "xvfb"),
+];
+
+/// What the window of `WebKit` is made with (`tests/engines/window.py`), and what decodes MP4 for it and for Firefox.
+const LIBRARIES: [&str; 3] = ["python3-gi", "gir1.2-webkit2-4.1", "gstreamer1.0-libav"];
+
+/// Debian has none; cargo builds it once for a target folder.
+const GECKODRIVER: &str = "0.37.1";
+
+/// Sees that the browsers and their drivers are there, and tells `command` where geckodriver is.
+///
+/// # Errors
+/// When one is missing and cannot be installed; the message says what to do.
+pub(crate) fn find(project: &Project, command: &mut Command) -> Result<()> {
+    let programs = PROGRAMS.iter().filter(|(program, _)| !in_path(program)).map(|(_, package)| *package);
+    let libraries = LIBRARIES.into_iter().filter(|package| !debian::has(package));
+    let missing: Vec<_> = programs.chain(libraries).collect();
+    if !(missing.is_empty() || debian::install_all(&missing)?) {
+        bail!("Firefox and WebKit are driven with these packages of Debian: install {}", missing.join(" "));
+    }
+    command.env("GECKODRIVER", geckodriver(project)?);
+    Ok(())
+}
+
+fn geckodriver(project: &Project) -> Result<PathBuf> {
+    let root = project.target.join("tools").join(format!("geckodriver-{GECKODRIVER}"));
+    let program = root.join("bin").join(format!("geckodriver{}", env::consts::EXE_SUFFIX));
+    if !program.is_file() {
+        let mut install = project.cargo();
+        install.args(["install", "geckodriver", "--locked", "--quiet", "--version", GECKODRIVER, "--root"]);
+        tools::run(install.arg(&root))?;
+    }
+    Ok(program)
+}
+
+fn in_path(name: &str) -> bool {
+    let path = env::var_os("PATH").unwrap_or_default();
+    let program = format!("{name}{}", env::consts::EXE_SUFFIX);
+    env::split_paths(&path).any(|folder| folder.join(&program).is_file())
+}
