@@ -43,8 +43,10 @@ test('a page is made, shuffled, changed by hand, and there again after a reload'
   const [shown, picture] = [await person.shown(), await person.picture()];
   await person.reload();
   await person.one('button', /^Balloon: GUTEN TAG/);
+  // The page is there before it is drawn.
+  await person.idle();
   expect(await person.shown()).toEqual(shown);
-  expect((await person.picture()) === picture).toBe(true);
+  await expect.poll(async () => (await person.picture()) === picture).toBe(true);
   await person.press('Undo');
 });
 
