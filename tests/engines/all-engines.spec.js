@@ -20,6 +20,7 @@ plain('one project gives the same pixels and the same PDF in Chromium, Firefox a
   try {
     const person = await personIn(maker, address);
     await person.begin([...SIX, given('oracles/data/foreign/plain.avif')]);
+    await person.tab('Layouts');
     await person.select('Panels', '6');
     await person.idle();
     await person.press('Shuffle');

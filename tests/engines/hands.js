@@ -156,7 +156,11 @@ export async function personIn({ driver, downloads }, address) {
   async function idle() {
     await expect
       .poll(
-        () => driver.executeScript('const { idle, detected } = document.body.dataset; return `${idle} ${detected}`'),
+        () =>
+          driver
+            .executeScript('const { idle, detected } = document.body.dataset; return `${idle} ${detected}`')
+            // WebKit answers nothing while it loads a page.
+            .catch(() => 'loading'),
         { message: 'idle and detected', timeout: PATIENCE, intervals: [50] },
       )
       .toBe('true true');
@@ -246,8 +250,12 @@ export async function personIn({ driver, downloads }, address) {
       await idle();
     },
 
-    /** @param {string} name of a list box @param {Name} option */
+    /** Opens a tab beside the page. @param {'Styles' | 'Layouts' | 'Words' | 'Page'} name */
+    tab: (name) => click('tab', name),
+
+    /** @param {'Styles' | 'Layouts'} name of a list box, and of its tab @param {Name} option */
     async take(name, option) {
+      await click('tab', name);
       await click('option', option, ['listbox', name]);
       await idle();
     },
@@ -324,8 +332,7 @@ export async function personIn({ driver, downloads }, address) {
 
     /** A balloon with these words. @param {string} text */
     async say(text) {
-      if ((await all('button', 'Add balloon')).length === 0)
-        await driver.executeScript("document.querySelector('.words-section > summary').click()");
+      await click('tab', 'Words');
       await click('button', 'Add balloon');
       await this.write(/^Text of/, text);
       await one('button', new RegExp(`^Balloon: ${text}`));

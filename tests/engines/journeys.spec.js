@@ -22,6 +22,7 @@ test('a page is made, shuffled, changed by hand, and there again after a reload'
   }
   expect(await person.picture()).not.toBe(first);
 
+  await person.tab('Layouts');
   await person.select('Family', 'grid');
   await person.take('Layouts', 'Four');
   expect(await person.shown()).toHaveLength(4);
