@@ -175,3 +175,19 @@ it('several files that are chosen as projects are all opened; a picture among th
     expect(texts(tab)).toContain('plain.png could not be opened: it is a picture without project data.'),
   );
 });
+
+describe('photos that are dropped while another project is on its way', () => {
+  it('join that one', async () => {
+    const tab = await fakeBrowser().tab();
+    await tab.add('old.jpg');
+    await tab.keeping.flush();
+    const old = tab.keeping.current.value;
+    const created = tab.keeping.create();
+    await dropsOn(tab).take([new File(['x'], 'new.jpg')]);
+    expect(await created).toBe(true);
+    expect(tab.names()).toEqual(['new.jpg']);
+    await tab.keeping.flush();
+    await tab.keeping.open(old);
+    expect(tab.names()).toEqual(['old.jpg']);
+  });
+});

@@ -35,7 +35,7 @@ export function createDroppedFiles({
   showProjects,
 }: {
   store: Store;
-  keeping: Pick<Keeping, 'files' | 'pageFiles' | 'absentPhotos' | 'current' | 'open'>;
+  keeping: Pick<Keeping, 'files' | 'pageFiles' | 'absentPhotos' | 'current' | 'open' | 'turned'>;
   reading: Pick<Reading, 'addFiles'>;
   subtitling: Pick<Subtitling, 'open'>;
   messages: Pick<Messages, 'offer'>;
@@ -64,7 +64,8 @@ export function createDroppedFiles({
     const subtitles = files.filter(isSubtitles);
     const pictures = files.filter((file) => ![plans, projects, subtitles].some((list) => list.includes(file)));
     void openPlans(plans, { ownLayouts, ownStyles });
-    const turn = before.then(() => openAll(projects, pictures));
+    // What is dropped while another project is on its way is meant for that one.
+    const turn = Promise.all([before, keeping.turned()]).then(() => openAll(projects, pictures));
     before = turn.catch(() => {});
     const { photos, shown } = await turn;
     await add(photos, shown);

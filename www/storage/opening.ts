@@ -116,6 +116,8 @@ export function createOpening({
     busy,
     current: computed(() => store.place.value.id),
     begin,
+    /** Resolves once no project is about to take the place of this one. */
+    turned: () => queue.then(() => {}),
     open,
     create,
     enter,
