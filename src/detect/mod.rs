@@ -24,7 +24,7 @@ pub use objects::Objects;
 
 /// Something that was found in a photo. Its box lies inside the photo.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
-#[cfg_attr(test, derive(ts_rs::TS))]
+#[cfg_attr(all(test, feature = "cli"), derive(ts_rs::TS))]
 pub struct Detection {
     /// `face`, or one of COCO's eighty kinds of objects.
     pub label: String,
@@ -42,7 +42,7 @@ pub struct Detection {
 
 /// What the first look for faces found.
 #[derive(Debug, Serialize)]
-#[cfg_attr(test, derive(ts_rs::TS))]
+#[cfg_attr(all(test, feature = "cli"), derive(ts_rs::TS))]
 pub struct FirstLook {
     /// The faces.
     pub boxes: Vec<Detection>,

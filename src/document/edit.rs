@@ -16,7 +16,7 @@ use std::sync::Arc;
 /// What is done. In JSON an object with the edit's name as its `type`, beside its fields.
 #[derive(Debug, Clone, PartialEq)]
 #[cfg_attr(
-    test,
+    all(test, feature = "cli"),
     derive(ts_rs::TS),
     ts(tag = "type", rename_all = "kebab-case", rename_all_fields = "camelCase")
 )]
@@ -39,7 +39,7 @@ pub enum Edit {
     /// Photos are used, or not.
     UsePhotos {
         /// Which, by id.
-        #[cfg_attr(test, ts(type = "Record<string, boolean>"))]
+        #[cfg_attr(all(test, feature = "cli"), ts(type = "Record<string, boolean>"))]
         uses: Vec<(String, bool)>,
     },
     /// A photo takes the place of another, wherever that was.
@@ -52,10 +52,10 @@ pub enum Edit {
     /// How photos are chosen and ordered; what is not told stays.
     ChooseBy {
         /// Bits in which fingerprints of look-alikes may differ.
-        #[cfg_attr(test, ts(optional = nullable))]
+        #[cfg_attr(all(test, feature = "cli"), ts(optional = nullable))]
         alike: Option<u8>,
         /// The order.
-        #[cfg_attr(test, ts(optional = nullable))]
+        #[cfg_attr(all(test, feature = "cli"), ts(optional = nullable))]
         order: Option<Order>,
     },
     /// The point of a photo that matters.
@@ -120,19 +120,19 @@ pub enum Edit {
     /// A person's own styles.
     OwnStyles {
         /// All of them.
-        #[cfg_attr(test, ts(as = "Vec<crate::style::Style>"))]
+        #[cfg_attr(all(test, feature = "cli"), ts(as = "Vec<crate::style::Style>"))]
         mine: List<Value>,
     },
     /// Styles that are favourites.
     Favourites {
         /// All of them.
-        #[cfg_attr(test, ts(as = "Vec<crate::style::Style>"))]
+        #[cfg_attr(all(test, feature = "cli"), ts(as = "Vec<crate::style::Style>"))]
         favourites: List<Value>,
     },
     /// A person's own layouts.
     OwnLayouts {
         /// All of them.
-        #[cfg_attr(test, ts(as = "Vec<crate::layout::Template>"))]
+        #[cfg_attr(all(test, feature = "cli"), ts(as = "Vec<crate::layout::Template>"))]
         own_layouts: List<Value>,
     },
     /// A page shown is a favourite, or no longer.
@@ -159,20 +159,20 @@ pub enum Edit {
     /// Lists that all projects share, as they are now outside of this one: no step, at no time undone.
     Share {
         /// Those that changed.
-        #[cfg_attr(test, ts(type = "Partial<SharedLists>"))]
+        #[cfg_attr(all(test, feature = "cli"), ts(type = "Partial<SharedLists>"))]
         lists: Vec<(Shelf, List<Value>)>,
     },
     /// The same, but what this project has besides stays, behind them.
     Join {
         /// Those that there are.
-        #[cfg_attr(test, ts(type = "Partial<SharedLists>"))]
+        #[cfg_attr(all(test, feature = "cli"), ts(type = "Partial<SharedLists>"))]
         lists: Vec<(Shelf, List<Value>)>,
     },
 }
 
 /// A part of the page.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-#[cfg_attr(test, derive(ts_rs::TS), ts(rename_all = "lowercase"))]
+#[cfg_attr(all(test, feature = "cli"), derive(ts_rs::TS), ts(rename_all = "lowercase"))]
 pub enum Part {
     /// Its layout.
     Layout,
@@ -219,14 +219,14 @@ impl Shelf {
 
 /// How an edit counts: fields beside those of the edit.
 #[derive(Debug, Clone, PartialEq, Eq, Default)]
-#[cfg_attr(test, derive(ts_rs::TS))]
+#[cfg_attr(all(test, feature = "cli"), derive(ts_rs::TS))]
 pub struct How {
     /// It amends the present without a step, as for a page that is still growing.
-    #[cfg_attr(test, ts(as = "Option<_>", optional))]
+    #[cfg_attr(all(test, feature = "cli"), ts(as = "Option<_>", optional))]
     pub silent: bool,
     /// Names the edit that it belongs to, such as one drag of a slider: a step with the gesture of the step before joins
     /// it.
-    #[cfg_attr(test, ts(optional))]
+    #[cfg_attr(all(test, feature = "cli"), ts(optional))]
     pub gesture: Option<String>,
 }
 

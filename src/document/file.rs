@@ -37,7 +37,7 @@ pub struct ProjectFile {
 
 /// What a file tells of a photo.
 #[derive(Debug, Clone, PartialEq)]
-#[cfg_attr(test, derive(ts_rs::TS))]
+#[cfg_attr(all(test, feature = "cli"), derive(ts_rs::TS))]
 pub struct FilePhoto {
     /// Its id in the document.
     pub id: String,
@@ -46,21 +46,21 @@ pub struct FilePhoto {
     /// Its place in the archive.
     pub path: String,
     /// The type of its file, empty where nobody knows it.
-    #[cfg_attr(test, ts(rename = "type"))]
+    #[cfg_attr(all(test, feature = "cli"), ts(rename = "type"))]
     pub kind: String,
     /// Its author.
-    #[cfg_attr(test, ts(optional))]
+    #[cfg_attr(all(test, feature = "cli"), ts(optional))]
     pub credit: Option<String>,
     /// The video that it is a frame of.
-    #[cfg_attr(test, ts(optional))]
+    #[cfg_attr(all(test, feature = "cli"), ts(optional))]
     pub video: Option<String>,
     /// Seconds from the beginning of the video.
-    #[cfg_attr(test, ts(optional))]
+    #[cfg_attr(all(test, feature = "cli"), ts(optional))]
     pub time: Option<f64>,
     /// Whether it is compared with other photos.
     pub measured: bool,
     /// What was found in it; none when it was not searched.
-    #[cfg_attr(test, ts(as = "Option<Vec<crate::framing::Subject>>"))]
+    #[cfg_attr(all(test, feature = "cli"), ts(as = "Option<Vec<crate::framing::Subject>>"))]
     pub subjects: Option<Vec<Value>>,
     /// Its place in time among the photos.
     pub rank: Option<u64>,
@@ -72,7 +72,7 @@ pub struct FilePhoto {
 
 /// How a photo is recognised.
 #[derive(Debug, Clone, PartialEq)]
-#[cfg_attr(test, derive(ts_rs::TS))]
+#[cfg_attr(all(test, feature = "cli"), derive(ts_rs::TS))]
 pub struct Likeness {
     /// SHA-256 of its file, or empty.
     pub hash: String,
@@ -86,7 +86,7 @@ pub struct Likeness {
 
 /// What a file tells of a video.
 #[derive(Debug, Clone, PartialEq)]
-#[cfg_attr(test, derive(ts_rs::TS))]
+#[cfg_attr(all(test, feature = "cli"), derive(ts_rs::TS))]
 pub struct FileVideo {
     /// Names it.
     pub key: String,
@@ -95,7 +95,7 @@ pub struct FileVideo {
     /// Its place in the archive.
     pub path: String,
     /// The type of its file.
-    #[cfg_attr(test, ts(rename = "type"))]
+    #[cfg_attr(all(test, feature = "cli"), ts(rename = "type"))]
     pub kind: String,
     /// Photos that are frames of it.
     pub ids: Vec<String>,

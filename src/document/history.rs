@@ -12,7 +12,7 @@ use std::sync::Arc;
 
 /// The states of a project.
 #[derive(Debug, Clone, PartialEq, Default)]
-#[cfg_attr(test, derive(ts_rs::TS))]
+#[cfg_attr(all(test, feature = "cli"), derive(ts_rs::TS))]
 pub struct History {
     /// The oldest first.
     pub past: Vec<Arc<Project>>,
@@ -26,20 +26,20 @@ pub struct History {
 
 /// A page that was shown.
 #[derive(Debug, Clone, PartialEq)]
-#[cfg_attr(test, derive(ts_rs::TS), ts(rename_all = "camelCase"))]
+#[cfg_attr(all(test, feature = "cli"), derive(ts_rs::TS), ts(rename_all = "camelCase"))]
 pub struct Shown {
     /// Names it.
     pub id: u64,
     /// Its last state.
     pub page: Arc<Document>,
     /// The page that it was made from.
-    #[cfg_attr(test, ts(optional))]
+    #[cfg_attr(all(test, feature = "cli"), ts(optional))]
     pub from: Option<u64>,
     /// Its place in the storyboard; 0 in a project of one page.
-    #[cfg_attr(test, ts(as = "Option<_>", optional))]
+    #[cfg_attr(all(test, feature = "cli"), ts(as = "Option<_>", optional))]
     pub sheet: u64,
     /// Fields that this program does not know.
-    #[cfg_attr(test, ts(skip))]
+    #[cfg_attr(all(test, feature = "cli"), ts(skip))]
     pub rest: Map<String, Value>,
 }
 

@@ -18,7 +18,7 @@ pub type List<T> = Arc<[Arc<T>]>;
 
 /// A state of a project.
 #[derive(Debug, Clone, PartialEq)]
-#[cfg_attr(test, derive(ts_rs::TS), ts(rename_all = "camelCase"))]
+#[cfg_attr(all(test, feature = "cli"), derive(ts_rs::TS), ts(rename_all = "camelCase"))]
 pub struct Project {
     /// What the person calls it, empty until then.
     pub name: String,
@@ -47,46 +47,46 @@ pub struct Project {
     /// The style in the designer.
     pub draft: Option<Arc<Draft>>,
     /// A person's own styles, which all projects share.
-    #[cfg_attr(test, ts(as = "Vec<crate::style::Style>"))]
+    #[cfg_attr(all(test, feature = "cli"), ts(as = "Vec<crate::style::Style>"))]
     pub mine: List<Value>,
     /// Styles that are favourites, which all projects share.
-    #[cfg_attr(test, ts(as = "Vec<crate::style::Style>"))]
+    #[cfg_attr(all(test, feature = "cli"), ts(as = "Vec<crate::style::Style>"))]
     pub favourites: List<Value>,
     /// A person's own layouts, which all projects share.
-    #[cfg_attr(test, ts(as = "Vec<Template>"))]
+    #[cfg_attr(all(test, feature = "cli"), ts(as = "Vec<Template>"))]
     pub own_layouts: List<Value>,
     /// The favourites among the pages shown, by their ids.
     pub loved: Arc<[u64]>,
     /// How a shuffle draws styles.
     pub styling: Styling,
     /// Fields that this program does not know, kept for one that does.
-    #[cfg_attr(test, ts(skip))]
+    #[cfg_attr(all(test, feature = "cli"), ts(skip))]
     pub rest: Map<String, Value>,
 }
 
 /// A photo in the tray.
 #[derive(Debug, Clone, PartialEq)]
-#[cfg_attr(test, derive(ts_rs::TS), ts(rename_all = "camelCase"))]
+#[cfg_attr(all(test, feature = "cli"), derive(ts_rs::TS), ts(rename_all = "camelCase"))]
 pub struct TrayItem {
     /// Its id.
     pub id: String,
     /// What the person chose; none follows the selection's verdict.
-    #[cfg_attr(test, ts(rename = "use"))]
+    #[cfg_attr(all(test, feature = "cli"), ts(rename = "use"))]
     pub used: Option<bool>,
     /// The point of it that matters, where a person marked one.
-    #[cfg_attr(test, ts(optional = nullable))]
+    #[cfg_attr(all(test, feature = "cli"), ts(optional = nullable))]
     pub focus: Option<Focus>,
     /// A person wants to see it large.
-    #[cfg_attr(test, ts(as = "Option<_>", optional))]
+    #[cfg_attr(all(test, feature = "cli"), ts(as = "Option<_>", optional))]
     pub starred: bool,
     /// Fields that this program does not know.
-    #[cfg_attr(test, ts(skip))]
+    #[cfg_attr(all(test, feature = "cli"), ts(skip))]
     pub rest: Map<String, Value>,
 }
 
 /// A point of a photo, in parts of it.
 #[derive(Debug, Clone, Copy, PartialEq)]
-#[cfg_attr(test, derive(ts_rs::TS))]
+#[cfg_attr(all(test, feature = "cli"), derive(ts_rs::TS))]
 pub struct Focus {
     /// From the left.
     pub x: f64,
@@ -96,7 +96,7 @@ pub struct Focus {
 
 /// The order of photos.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
-#[cfg_attr(test, derive(ts_rs::TS), ts(rename_all = "lowercase"))]
+#[cfg_attr(all(test, feature = "cli"), derive(ts_rs::TS), ts(rename_all = "lowercase"))]
 pub enum Order {
     /// As they were taken, where all say so.
     #[default]
@@ -107,7 +107,7 @@ pub enum Order {
 
 /// Parts of the page that no shuffle changes.
 #[derive(Debug, Clone, PartialEq, Default)]
-#[cfg_attr(test, derive(ts_rs::TS))]
+#[cfg_attr(all(test, feature = "cli"), derive(ts_rs::TS))]
 pub struct Locks {
     /// The layout.
     pub layout: bool,
@@ -116,13 +116,13 @@ pub struct Locks {
     /// The photos.
     pub photos: bool,
     /// Fields that this program does not know.
-    #[cfg_attr(test, ts(skip))]
+    #[cfg_attr(all(test, feature = "cli"), ts(skip))]
     pub rest: Map<String, Value>,
 }
 
 /// How a shuffle draws a style.
 #[derive(Debug, Clone, PartialEq, Default)]
-#[cfg_attr(test, derive(ts_rs::TS), ts(rename_all = "camelCase"))]
+#[cfg_attr(all(test, feature = "cli"), derive(ts_rs::TS), ts(rename_all = "camelCase"))]
 pub struct Styling {
     /// The share of invented ones, 0 to 1.
     pub invented: f64,
@@ -131,13 +131,13 @@ pub struct Styling {
     /// The colour layer stays.
     pub keep_colours: bool,
     /// Fields that this program does not know.
-    #[cfg_attr(test, ts(skip))]
+    #[cfg_attr(all(test, feature = "cli"), ts(skip))]
     pub rest: Map<String, Value>,
 }
 
 /// A page of a storyboard.
 #[derive(Debug, Clone, PartialEq)]
-#[cfg_attr(test, derive(ts_rs::TS), ts(rename_all = "camelCase"))]
+#[cfg_attr(all(test, feature = "cli"), derive(ts_rs::TS), ts(rename_all = "camelCase"))]
 pub struct Sheet {
     /// The page.
     pub page: Arc<Document>,
@@ -146,14 +146,14 @@ pub struct Sheet {
     /// Names its place through all its versions.
     pub sheet: u64,
     /// Fields that this program does not know.
-    #[cfg_attr(test, ts(skip))]
+    #[cfg_attr(all(test, feature = "cli"), ts(skip))]
     pub rest: Map<String, Value>,
 }
 
 /// A style while it is designed. Every block has a key, so that its card stays the same card wherever it is moved, and all
 /// of its values.
 #[derive(Debug, Clone, PartialEq)]
-#[cfg_attr(test, derive(ts_rs::TS), ts(rename_all = "camelCase"))]
+#[cfg_attr(all(test, feature = "cli"), derive(ts_rs::TS), ts(rename_all = "camelCase"))]
 pub struct Draft {
     /// Id of the style.
     pub id: String,
@@ -168,25 +168,25 @@ pub struct Draft {
     /// Colour of the lines, `#rrggbb`.
     pub ink: String,
     /// Fields that this program does not know.
-    #[cfg_attr(test, ts(skip))]
+    #[cfg_attr(all(test, feature = "cli"), ts(skip))]
     pub rest: Map<String, Value>,
 }
 
 /// A block of a draft.
 #[derive(Debug, Clone, PartialEq)]
-#[cfg_attr(test, derive(ts_rs::TS), ts(rename_all = "camelCase"))]
+#[cfg_attr(all(test, feature = "cli"), derive(ts_rs::TS), ts(rename_all = "camelCase"))]
 pub struct DraftStep {
     /// Names it within the draft.
     pub key: u64,
     /// What runs.
     pub block: String,
     /// Its values by the ids of the parameters.
-    #[cfg_attr(test, ts(type = "Record<string, ParamValue>"))]
+    #[cfg_attr(all(test, feature = "cli"), ts(type = "Record<string, ParamValue>"))]
     pub values: Map<String, Value>,
     /// Left out of the chain.
     pub bypass: bool,
     /// Fields that this program does not know.
-    #[cfg_attr(test, ts(skip))]
+    #[cfg_attr(all(test, feature = "cli"), ts(skip))]
     pub rest: Map<String, Value>,
 }
 

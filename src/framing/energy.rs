@@ -153,7 +153,7 @@ pub(super) fn luma(rgb: [u8; 3]) -> u32 {
 
 /// An energy map as JSON has it: two hexadecimal digits a cell.
 #[derive(Serialize, Deserialize)]
-#[cfg_attr(test, derive(ts_rs::TS), ts(rename = "EnergyMap"))]
+#[cfg_attr(all(test, feature = "cli"), derive(ts_rs::TS), ts(rename = "EnergyMap"))]
 pub(crate) struct Hexadecimal {
     columns: usize,
     rows: usize,

@@ -12,7 +12,7 @@ pub const FACE: &str = "face";
 /// Facts about a photo, measured once at import. All positions are fractions of the oriented photo.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 #[serde(rename_all = "camelCase")]
-#[cfg_attr(test, derive(ts_rs::TS))]
+#[cfg_attr(all(test, feature = "cli"), derive(ts_rs::TS))]
 pub struct PhotoMeta {
     /// Unique name within the album.
     pub id: String,
@@ -22,12 +22,12 @@ pub struct PhotoMeta {
     pub height: u32,
     /// The 64-bit fingerprint; 16 hexadecimal digits in JSON.
     #[serde(with = "hexadecimal")]
-    #[cfg_attr(test, ts(type = "string"))]
+    #[cfg_attr(all(test, feature = "cli"), ts(type = "string"))]
     pub fingerprint: u64,
     /// Sharpness by the default metric; comparable within an album only.
     pub sharpness: f32,
     /// Where the photo has something to see.
-    #[cfg_attr(test, ts(type = "EnergyMap"))]
+    #[cfg_attr(all(test, feature = "cli"), ts(type = "EnergyMap"))]
     pub energy: EnergyMap,
     /// When it was taken, `YYYY:MM:DD HH:MM:SS`, where the file says so.
     #[serde(default)]
@@ -40,11 +40,11 @@ pub struct PhotoMeta {
     pub focus: Option<Focus>,
     /// Tones, texture and colour; none where the photo was never measured, as in projects of before.
     #[serde(default, skip_serializing_if = "Option::is_none")]
-    #[cfg_attr(test, ts(type = "string", optional))]
+    #[cfg_attr(all(test, feature = "cli"), ts(type = "string", optional))]
     pub facts: Option<Facts>,
     /// Marked by a person as one that matters: it gets the large panel.
     #[serde(default, skip_serializing_if = "std::ops::Not::not")]
-    #[cfg_attr(test, ts(as = "Option<_>", optional))]
+    #[cfg_attr(all(test, feature = "cli"), ts(as = "Option<_>", optional))]
     pub starred: bool,
 }
 
@@ -82,7 +82,7 @@ impl PhotoMeta {
 
 /// A detected face or object.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
-#[cfg_attr(test, derive(ts_rs::TS))]
+#[cfg_attr(all(test, feature = "cli"), derive(ts_rs::TS))]
 pub struct Subject {
     /// Left edge, 0..1.
     pub x: f64,
@@ -148,7 +148,7 @@ impl From<crate::detect::Detection> for Subject {
 
 /// A point of a photo.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
-#[cfg_attr(test, derive(ts_rs::TS))]
+#[cfg_attr(all(test, feature = "cli"), derive(ts_rs::TS))]
 pub struct Focus {
     /// From the left, 0..1.
     pub x: f64,
@@ -158,7 +158,7 @@ pub struct Focus {
 
 /// The part of a photo that a panel shows, in fractions of the oriented photo. It lies inside the photo.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
-#[cfg_attr(test, derive(ts_rs::TS))]
+#[cfg_attr(all(test, feature = "cli"), derive(ts_rs::TS))]
 pub struct Crop {
     /// Left edge, 0..1.
     pub x: f64,

@@ -17,7 +17,7 @@ const LEAST_STEP: f64 = 0.06;
 
 /// A cut of a template on a page.
 #[derive(Debug, Clone, PartialEq, Serialize)]
-#[cfg_attr(test, derive(ts_rs::TS))]
+#[cfg_attr(all(test, feature = "cli"), derive(ts_rs::TS))]
 pub struct Cut {
     /// Which way the cells that it parts are laid out: it runs across for rows, down for columns.
     pub axis: Axis,

@@ -12,7 +12,7 @@ pub const DEFAULT_GUTTER: f64 = 0.018;
 /// The settings of one page. Lengths are fractions of the page's width unless a unit is given.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 #[serde(rename_all = "camelCase")]
-#[cfg_attr(test, derive(ts_rs::TS), ts(rename_all = "camelCase"))]
+#[cfg_attr(all(test, feature = "cli"), derive(ts_rs::TS), ts(rename_all = "camelCase"))]
 pub struct PageSettings {
     /// Width of the exported page in pixels, 64..=14000.
     pub width: u32,

@@ -13,7 +13,7 @@ pub const PAGE: Quad =
 /// Which way a split runs.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "lowercase")]
-#[cfg_attr(test, derive(ts_rs::TS))]
+#[cfg_attr(all(test, feature = "cli"), derive(ts_rs::TS))]
 pub enum Axis {
     /// Children stand below one another; cuts run from left to right.
     Rows,

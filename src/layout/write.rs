@@ -37,7 +37,7 @@ pub(super) fn file(template: &Template) -> String {
 
 /// What the list of layouts shows of a template, in unit coordinates.
 #[derive(Debug, Serialize)]
-#[cfg_attr(test, derive(ts_rs::TS), ts(rename = "Layout"))]
+#[cfg_attr(all(test, feature = "cli"), derive(ts_rs::TS), ts(rename = "Layout"))]
 pub struct Descriptor<'a> {
     /// Unique name in kebab-case.
     pub id: &'a str,
@@ -55,7 +55,7 @@ pub struct Descriptor<'a> {
 
 /// A panel of a template.
 #[derive(Debug, Serialize)]
-#[cfg_attr(test, derive(ts_rs::TS))]
+#[cfg_attr(all(test, feature = "cli"), derive(ts_rs::TS))]
 pub struct LayoutPanel<'a> {
     /// Its outline.
     pub shape: Outline<'a>,
@@ -67,21 +67,21 @@ pub struct LayoutPanel<'a> {
 
 /// The outline of a panel: one of both.
 #[derive(Debug, Serialize)]
-#[cfg_attr(test, derive(ts_rs::TS))]
+#[cfg_attr(all(test, feature = "cli"), derive(ts_rs::TS))]
 pub struct Outline<'a> {
     /// Corners; the first is joined to the last.
     #[serde(skip_serializing_if = "Option::is_none")]
-    #[cfg_attr(test, ts(optional))]
+    #[cfg_attr(all(test, feature = "cli"), ts(optional))]
     pub polygon: Option<&'a [Point]>,
     /// A circle.
     #[serde(skip_serializing_if = "Option::is_none")]
-    #[cfg_attr(test, ts(optional))]
+    #[cfg_attr(all(test, feature = "cli"), ts(optional))]
     pub circle: Option<Circle>,
 }
 
 /// A circle.
 #[derive(Debug, Serialize)]
-#[cfg_attr(test, derive(ts_rs::TS))]
+#[cfg_attr(all(test, feature = "cli"), derive(ts_rs::TS))]
 pub struct Circle {
     /// Its centre from the left.
     pub x: f64,
@@ -93,15 +93,15 @@ pub struct Circle {
 
 /// A panel on the page, in page widths; its outline is one of both.
 #[derive(Debug, Serialize)]
-#[cfg_attr(test, derive(ts_rs::TS))]
+#[cfg_attr(all(test, feature = "cli"), derive(ts_rs::TS))]
 pub struct PlacedPanel<'a> {
     /// Corners; the first is joined to the last.
     #[serde(skip_serializing_if = "Option::is_none")]
-    #[cfg_attr(test, ts(optional))]
+    #[cfg_attr(all(test, feature = "cli"), ts(optional))]
     pub polygon: Option<&'a [Point]>,
     /// A circle.
     #[serde(skip_serializing_if = "Option::is_none")]
-    #[cfg_attr(test, ts(optional))]
+    #[cfg_attr(all(test, feature = "cli"), ts(optional))]
     pub circle: Option<Circle>,
     /// The rectangle round the outline.
     pub bounds: Bounds,

@@ -11,7 +11,7 @@ use serde_json::{Number, Value};
 
 /// A filter block, as the page makes its controls of it.
 #[derive(Debug, Serialize)]
-#[cfg_attr(test, derive(ts_rs::TS), ts(rename = "Block"))]
+#[cfg_attr(all(test, feature = "cli"), derive(ts_rs::TS), ts(rename = "Block"))]
 pub struct BlockEntry {
     /// Name in style files.
     pub id: &'static str,
@@ -29,7 +29,7 @@ pub struct BlockEntry {
 
 /// A parameter of a block.
 #[derive(Debug, Serialize)]
-#[cfg_attr(test, derive(ts_rs::TS), ts(rename = "BlockParam", optional_fields))]
+#[cfg_attr(all(test, feature = "cli"), derive(ts_rs::TS), ts(rename = "BlockParam", optional_fields))]
 pub struct ParamEntry {
     /// Key in a style file.
     pub id: &'static str,
@@ -40,19 +40,19 @@ pub struct ParamEntry {
     /// What it is.
     pub kind: ParamKind,
     /// Used where a style file says nothing.
-    #[cfg_attr(test, ts(type = "ParamValue"))]
+    #[cfg_attr(all(test, feature = "cli"), ts(type = "ParamValue"))]
     pub default: Value,
     /// Smallest value of a number.
     #[serde(skip_serializing_if = "Option::is_none")]
-    #[cfg_attr(test, ts(as = "Option<f64>"))]
+    #[cfg_attr(all(test, feature = "cli"), ts(as = "Option<f64>"))]
     pub min: Option<Number>,
     /// Its largest value.
     #[serde(skip_serializing_if = "Option::is_none")]
-    #[cfg_attr(test, ts(as = "Option<f64>"))]
+    #[cfg_attr(all(test, feature = "cli"), ts(as = "Option<f64>"))]
     pub max: Option<Number>,
     /// Step of its slider.
     #[serde(skip_serializing_if = "Option::is_none")]
-    #[cfg_attr(test, ts(as = "Option<f64>"))]
+    #[cfg_attr(all(test, feature = "cli"), ts(as = "Option<f64>"))]
     pub step: Option<Number>,
     /// Sign behind it.
     #[serde(skip_serializing_if = "Option::is_none")]
@@ -65,7 +65,7 @@ pub struct ParamEntry {
 /// What a parameter is.
 #[derive(Debug, Clone, Copy, Serialize)]
 #[serde(rename_all = "lowercase")]
-#[cfg_attr(test, derive(ts_rs::TS))]
+#[cfg_attr(all(test, feature = "cli"), derive(ts_rs::TS))]
 pub enum ParamKind {
     /// A number.
     Number,
@@ -145,7 +145,7 @@ fn decimal(value: f32) -> f64 {
 
 /// What selection compares, as JSON has it.
 #[derive(Debug, Serialize, Deserialize)]
-#[cfg_attr(test, derive(ts_rs::TS), ts(rename = "Measures"))]
+#[cfg_attr(all(test, feature = "cli"), derive(ts_rs::TS), ts(rename = "Measures"))]
 pub struct MeasuresEntry {
     /// The 64-bit fingerprint in 16 hexadecimal digits.
     pub fingerprint: String,
@@ -166,19 +166,19 @@ impl From<&Measures> for MeasuresEntry {
 
 /// What is asked of the selection.
 #[derive(Deserialize)]
-#[cfg_attr(test, derive(ts_rs::TS))]
+#[cfg_attr(all(test, feature = "cli"), derive(ts_rs::TS))]
 pub(crate) struct ChoiceRequest {
     /// All photos.
     photos: Vec<Candidate>,
     /// Bits in which fingerprints of look-alikes may differ.
     #[serde(default)]
-    #[cfg_attr(test, ts(optional))]
+    #[cfg_attr(all(test, feature = "cli"), ts(optional))]
     threshold: Option<u32>,
 }
 
 /// A photo that may be worth a panel.
 #[derive(Deserialize)]
-#[cfg_attr(test, derive(ts_rs::TS))]
+#[cfg_attr(all(test, feature = "cli"), derive(ts_rs::TS))]
 pub(crate) struct Candidate {
     /// Its id.
     id: String,
@@ -196,7 +196,7 @@ pub(crate) struct Candidate {
 
 /// The selection's word on a photo.
 #[derive(Debug, Serialize)]
-#[cfg_attr(test, derive(ts_rs::TS), ts(rename = "Verdict"))]
+#[cfg_attr(all(test, feature = "cli"), derive(ts_rs::TS), ts(rename = "Verdict"))]
 pub struct VerdictEntry<'a> {
     /// Of the photo.
     pub id: &'a str,

@@ -24,17 +24,17 @@ const SLACK: f64 = 1e-6;
 
 /// A storyboard page.
 #[derive(Debug, Clone, PartialEq)]
-#[cfg_attr(test, derive(ts_rs::TS), ts(rename = "PageDocument"))]
+#[cfg_attr(all(test, feature = "cli"), derive(ts_rs::TS), ts(rename = "PageDocument"))]
 pub struct Document {
     /// [`VERSION`].
     pub version: u32,
     /// Seed of the shuffle that made it.
     pub seed: u32,
     /// Id of a layout, or a template in full.
-    #[cfg_attr(test, ts(as = "LayoutChoice"))]
+    #[cfg_attr(all(test, feature = "cli"), ts(as = "LayoutChoice"))]
     pub layout: Value,
     /// Id of a style, or a style in full.
-    #[cfg_attr(test, ts(as = "StyleChoice"))]
+    #[cfg_attr(all(test, feature = "cli"), ts(as = "StyleChoice"))]
     pub style: Value,
     /// Photos in reading order; there may be more than panels.
     pub order: Vec<String>,
@@ -45,15 +45,15 @@ pub struct Document {
     /// Size, gutters and colours.
     pub page: PageSettings,
     /// Words on the page, as [`Word`](super::words::Word) has them, in paint order. Whoever draws them checks them.
-    #[cfg_attr(test, ts(as = "Vec<crate::typescript::Word>"))]
+    #[cfg_attr(all(test, feature = "cli"), ts(as = "Vec<crate::typescript::Word>"))]
     pub words: Vec<Value>,
     /// Fields that this program does not know, kept for one that does.
-    #[cfg_attr(test, ts(skip))]
+    #[cfg_attr(all(test, feature = "cli"), ts(skip))]
     pub rest: Map<String, Value>,
 }
 
 /// A layout by its id, or in full.
-#[cfg(test)]
+#[cfg(all(test, feature = "cli"))]
 #[derive(ts_rs::TS)]
 #[ts(untagged)]
 #[allow(dead_code, reason = "TypeScript is told of it")]
@@ -63,7 +63,7 @@ pub(crate) enum LayoutChoice {
 }
 
 /// A style by its id, or in full.
-#[cfg(test)]
+#[cfg(all(test, feature = "cli"))]
 #[derive(ts_rs::TS)]
 #[ts(untagged)]
 #[allow(dead_code, reason = "TypeScript is told of it")]
@@ -74,20 +74,20 @@ pub(crate) enum StyleChoice {
 
 /// What one panel shows.
 #[derive(Debug, Clone, PartialEq, Default)]
-#[cfg_attr(test, derive(ts_rs::TS), ts(rename = "PanelUse"))]
+#[cfg_attr(all(test, feature = "cli"), derive(ts_rs::TS), ts(rename = "PanelUse"))]
 pub struct PanelContent {
     /// Id of the photo; none leaves the panel empty.
     pub photo: Option<String>,
     /// The part of the photo that fills the panel, or the group it is merged into.
     pub crop: Option<Crop>,
     /// Kept by every shuffle.
-    #[cfg_attr(test, ts(as = "Option<_>", optional))]
+    #[cfg_attr(all(test, feature = "cli"), ts(as = "Option<_>", optional))]
     pub locked: bool,
     /// The crop was made by hand: it stays while the photo stays in this panel.
-    #[cfg_attr(test, ts(as = "Option<_>", optional))]
+    #[cfg_attr(all(test, feature = "cli"), ts(as = "Option<_>", optional))]
     pub edited: bool,
     /// Fields that this program does not know, kept for one that does.
-    #[cfg_attr(test, ts(skip))]
+    #[cfg_attr(all(test, feature = "cli"), ts(skip))]
     pub rest: Map<String, Value>,
 }
 

@@ -35,7 +35,7 @@ pub struct Imported {
 
 /// What the page is told of a photo that was read.
 #[derive(Debug, Serialize)]
-#[cfg_attr(test, derive(ts_rs::TS))]
+#[cfg_attr(all(test, feature = "cli"), derive(ts_rs::TS))]
 pub struct ImportEntry<'a> {
     /// What framing knows of it.
     pub meta: &'a PhotoMeta,
@@ -51,7 +51,7 @@ pub struct ImportEntry<'a> {
 
 /// A size in pixels.
 #[derive(Debug, Clone, Copy, Serialize)]
-#[cfg_attr(test, derive(ts_rs::TS))]
+#[cfg_attr(all(test, feature = "cli"), derive(ts_rs::TS))]
 pub struct PixelSize {
     /// Across.
     pub width: usize,

@@ -21,19 +21,19 @@ const PICTURE_MARGIN: f64 = 0.05;
 
 /// What the list of layouts is asked.
 #[derive(Deserialize)]
-#[cfg_attr(test, derive(ts_rs::TS))]
+#[cfg_attr(all(test, feature = "cli"), derive(ts_rs::TS))]
 pub(crate) struct LayoutsRequest {
     /// The page that they are for.
     page: PageSettings,
     /// A person's own.
     #[serde(default)]
-    #[cfg_attr(test, ts(as = "Option<Vec<Template>>", optional))]
+    #[cfg_attr(all(test, feature = "cli"), ts(as = "Option<Vec<Template>>", optional))]
     own: Vec<Value>,
 }
 
 /// A layout in the list.
 #[derive(Debug, Serialize)]
-#[cfg_attr(test, derive(ts_rs::TS))]
+#[cfg_attr(all(test, feature = "cli"), derive(ts_rs::TS))]
 pub struct LayoutEntry<'a> {
     /// Unique name in kebab-case.
     pub id: &'a str,
@@ -53,7 +53,7 @@ pub struct LayoutEntry<'a> {
 
 /// What can be done to a layout on a page.
 #[derive(Debug, Serialize)]
-#[cfg_attr(test, derive(ts_rs::TS))]
+#[cfg_attr(all(test, feature = "cli"), derive(ts_rs::TS))]
 pub struct LayoutFacts<'a> {
     /// Unique name in kebab-case.
     pub id: &'a str,
@@ -77,7 +77,7 @@ pub struct LayoutFacts<'a> {
 
 /// Where the panels are on a page whose width is 1, gutters and margins applied.
 #[derive(Debug, Serialize)]
-#[cfg_attr(test, derive(ts_rs::TS))]
+#[cfg_attr(all(test, feature = "cli"), derive(ts_rs::TS))]
 pub struct Geometry<'a> {
     /// 1.
     pub width: f64,
@@ -147,7 +147,7 @@ pub fn file(json: &str) -> Result<String> {
 
 /// What a new layout is to be like.
 #[derive(Deserialize)]
-#[cfg_attr(test, derive(ts_rs::TS))]
+#[cfg_attr(all(test, feature = "cli"), derive(ts_rs::TS))]
 pub(crate) struct GenerateRequest {
     /// Of all that is left to chance.
     seed: u32,
@@ -172,7 +172,7 @@ pub fn generated(json: &str) -> Result<String> {
 /// A change to a layout by hand.
 #[derive(Deserialize)]
 #[serde(tag = "type", rename_all = "kebab-case")]
-#[cfg_attr(test, derive(ts_rs::TS))]
+#[cfg_attr(all(test, feature = "cli"), derive(ts_rs::TS))]
 pub(crate) enum LayoutChange {
     /// A cut is moved or slanted.
     MoveCut {

@@ -11,43 +11,43 @@ use serde_json::Value;
 /// What is asked for. The answer depends on nothing else.
 #[derive(Debug, Clone, Default, Deserialize)]
 #[serde(rename_all = "camelCase")]
-#[cfg_attr(test, derive(ts_rs::TS), ts(optional_fields = nullable))]
+#[cfg_attr(all(test, feature = "cli"), derive(ts_rs::TS), ts(optional_fields = nullable))]
 pub struct Request {
     /// Seed of every choice that is left to chance.
     pub seed: u32,
     /// Photos in use, in order of time.
     #[serde(default)]
-    #[cfg_attr(test, ts(as = "Option<_>", optional))]
+    #[cfg_attr(all(test, feature = "cli"), ts(as = "Option<_>", optional))]
     pub photos: Vec<PhotoMeta>,
     /// Size, gutters and colours of the page.
     #[serde(default)]
-    #[cfg_attr(test, ts(as = "Option<_>", optional))]
+    #[cfg_attr(all(test, feature = "cli"), ts(as = "Option<_>", optional))]
     pub page: PageSettings,
     /// The page as it is; none when there is none yet.
     #[serde(default)]
     pub current: Option<Document>,
     /// Parts of the page that stay.
     #[serde(default)]
-    #[cfg_attr(test, ts(as = "Option<_>", optional))]
+    #[cfg_attr(all(test, feature = "cli"), ts(as = "Option<_>", optional))]
     pub keep: Keep,
     /// A layout to take, by id or in full.
     #[serde(default)]
-    #[cfg_attr(test, ts(as = "Option<crate::page::document::LayoutChoice>"))]
+    #[cfg_attr(all(test, feature = "cli"), ts(as = "Option<crate::page::document::LayoutChoice>"))]
     pub layout: Option<Value>,
     /// A style to take, by id or in full.
     #[serde(default)]
-    #[cfg_attr(test, ts(as = "Option<crate::page::document::StyleChoice>"))]
+    #[cfg_attr(all(test, feature = "cli"), ts(as = "Option<crate::page::document::StyleChoice>"))]
     pub style: Option<Value>,
     /// How a style is drawn that is left to chance.
     #[serde(default)]
-    #[cfg_attr(test, ts(as = "Option<_>", optional))]
+    #[cfg_attr(all(test, feature = "cli"), ts(as = "Option<_>", optional))]
     pub styling: Styling,
     /// Wanted number of panels where the layout is free.
     #[serde(default)]
     pub panels: Option<usize>,
     /// How photos that do not stay are chosen.
     #[serde(default)]
-    #[cfg_attr(test, ts(as = "Option<_>", optional))]
+    #[cfg_attr(all(test, feature = "cli"), ts(as = "Option<_>", optional))]
     pub mode: Mode,
     /// Whether a new layout gets panels that share one image: always, never, or, where nothing is said, by chance.
     /// Chance has no say in a layout or a number of panels that was asked for: each panel then has its own image.
@@ -58,11 +58,11 @@ pub struct Request {
     pub merges: Option<Vec<Vec<usize>>>,
     /// What the person liked so far.
     #[serde(default)]
-    #[cfg_attr(test, ts(as = "Option<_>", optional))]
+    #[cfg_attr(all(test, feature = "cli"), ts(as = "Option<_>", optional))]
     pub taste: Taste,
     /// What was shown just now and is not to come again at once, beside what the current page has.
     #[serde(default)]
-    #[cfg_attr(test, ts(as = "Option<_>", optional))]
+    #[cfg_attr(all(test, feature = "cli"), ts(as = "Option<_>", optional))]
     pub avoid: Avoid,
     /// How bold the draw is: 1 as usual, more to be surprised more, 0 for the best that was found.
     #[serde(default)]
@@ -72,13 +72,13 @@ pub struct Request {
 /// Layouts and styles that were shown just now, by id.
 #[derive(Debug, Clone, Default, PartialEq, Deserialize)]
 #[serde(from = "Value")]
-#[cfg_attr(test, derive(ts_rs::TS))]
+#[cfg_attr(all(test, feature = "cli"), derive(ts_rs::TS))]
 pub struct Avoid {
     /// Layouts.
-    #[cfg_attr(test, ts(as = "Option<_>", optional))]
+    #[cfg_attr(all(test, feature = "cli"), ts(as = "Option<_>", optional))]
     pub layouts: Vec<String>,
     /// Styles.
-    #[cfg_attr(test, ts(as = "Option<_>", optional))]
+    #[cfg_attr(all(test, feature = "cli"), ts(as = "Option<_>", optional))]
     pub styles: Vec<String>,
 }
 
@@ -94,26 +94,26 @@ impl From<Value> for Avoid {
 
 /// Parts of the current page that stay.
 #[derive(Debug, Clone, Copy, Default, Deserialize)]
-#[cfg_attr(test, derive(ts_rs::TS))]
+#[cfg_attr(all(test, feature = "cli"), derive(ts_rs::TS))]
 pub struct Keep {
     /// The layout.
     #[serde(default)]
-    #[cfg_attr(test, ts(as = "Option<_>", optional))]
+    #[cfg_attr(all(test, feature = "cli"), ts(as = "Option<_>", optional))]
     pub layout: bool,
     /// The style.
     #[serde(default)]
-    #[cfg_attr(test, ts(as = "Option<_>", optional))]
+    #[cfg_attr(all(test, feature = "cli"), ts(as = "Option<_>", optional))]
     pub style: bool,
     /// The photos and their order.
     #[serde(default)]
-    #[cfg_attr(test, ts(as = "Option<_>", optional))]
+    #[cfg_attr(all(test, feature = "cli"), ts(as = "Option<_>", optional))]
     pub photos: bool,
 }
 
 /// How photos that do not stay are chosen.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq, Deserialize)]
 #[serde(rename_all = "lowercase")]
-#[cfg_attr(test, derive(ts_rs::TS))]
+#[cfg_attr(all(test, feature = "cli"), derive(ts_rs::TS))]
 pub enum Mode {
     /// Another choice of photos, still in order of time.
     #[default]

@@ -15,19 +15,23 @@ use serde_json::Value;
 /// How a style is drawn. As JSON `{extra, invented, keepLines, keepColours}`, each of which may be missing.
 #[derive(Debug, Clone, Default, Deserialize)]
 #[serde(from = "Value")]
-#[cfg_attr(test, derive(ts_rs::TS), ts(rename = "StylingRequest", rename_all = "camelCase"))]
+#[cfg_attr(
+    all(test, feature = "cli"),
+    derive(ts_rs::TS),
+    ts(rename = "StylingRequest", rename_all = "camelCase")
+)]
 pub struct Styling {
     /// Styles in full that are drawn like the designed ones: a person's own and favourites.
-    #[cfg_attr(test, ts(as = "Option<Vec<crate::style::Style>>", optional))]
+    #[cfg_attr(all(test, feature = "cli"), ts(as = "Option<Vec<crate::style::Style>>", optional))]
     pub extra: Vec<Value>,
     /// Share of draws, 0 to 1, that invent a style.
-    #[cfg_attr(test, ts(as = "Option<_>", optional))]
+    #[cfg_attr(all(test, feature = "cli"), ts(as = "Option<_>", optional))]
     pub invented: f64,
     /// The line layer and its ink stay.
-    #[cfg_attr(test, ts(as = "Option<_>", optional))]
+    #[cfg_attr(all(test, feature = "cli"), ts(as = "Option<_>", optional))]
     pub keep_lines: bool,
     /// The colour layer stays.
-    #[cfg_attr(test, ts(as = "Option<_>", optional))]
+    #[cfg_attr(all(test, feature = "cli"), ts(as = "Option<_>", optional))]
     pub keep_colours: bool,
 }
 

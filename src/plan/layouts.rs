@@ -23,13 +23,19 @@ const MOST_LIKING: f64 = 1.6;
 /// `{families: {ID: NUMBER}, styles: {ID: NUMBER}}`, each of which may be missing; what is no number says nothing.
 #[derive(Debug, Clone, Default, PartialEq, Deserialize)]
 #[serde(from = "Value")]
-#[cfg_attr(test, derive(ts_rs::TS))]
+#[cfg_attr(all(test, feature = "cli"), derive(ts_rs::TS))]
 pub struct Taste {
     /// By family of layouts.
-    #[cfg_attr(test, ts(as = "Option<std::collections::HashMap<String, f64>>", optional))]
+    #[cfg_attr(
+        all(test, feature = "cli"),
+        ts(as = "Option<std::collections::HashMap<String, f64>>", optional)
+    )]
     pub families: Vec<(String, f64)>,
     /// By id of a style.
-    #[cfg_attr(test, ts(as = "Option<std::collections::HashMap<String, f64>>", optional))]
+    #[cfg_attr(
+        all(test, feature = "cli"),
+        ts(as = "Option<std::collections::HashMap<String, f64>>", optional)
+    )]
     pub styles: Vec<(String, f64)>,
 }
 

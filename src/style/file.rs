@@ -13,7 +13,7 @@ pub const MOST_BLOCKS: usize = 32;
 
 /// A style: a background layer and, where there is one, a foreground layer of lines.
 #[derive(Debug, Clone)]
-#[cfg_attr(test, derive(ts_rs::TS), ts(optional_fields))]
+#[cfg_attr(all(test, feature = "cli"), derive(ts_rs::TS), ts(optional_fields))]
 pub struct Style {
     /// Name for programs.
     pub id: String,
@@ -26,7 +26,7 @@ pub struct Style {
     /// The line layer; its luma is the alpha of the background over the ink.
     pub foreground: Option<Vec<Step>>,
     /// Colour of the lines.
-    #[cfg_attr(test, ts(as = "Option<String>"))]
+    #[cfg_attr(all(test, feature = "cli"), ts(as = "Option<String>"))]
     pub ink: [u8; 3],
     /// Score from 0 to 1 of a generated style.
     pub score: Option<f64>,
@@ -35,7 +35,7 @@ pub struct Style {
 /// One block of a layer with its values.
 #[derive(Debug, Clone)]
 #[cfg_attr(
-    test,
+    all(test, feature = "cli"),
     derive(ts_rs::TS),
     ts(rename = "StyleStep", type = "{ block: string; bypass?: boolean } & Record<string, ParamValue>")
 )]

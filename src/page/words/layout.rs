@@ -109,7 +109,7 @@ pub fn lay_all(document: &Document, letters: &Letters) -> Result<Vec<Laid>> {
 
 /// Where a word is without its tail, in page widths.
 #[derive(Debug, Serialize)]
-#[cfg_attr(test, derive(ts_rs::TS))]
+#[cfg_attr(all(test, feature = "cli"), derive(ts_rs::TS))]
 pub struct WordBox {
     /// Left edge.
     pub x: f64,
