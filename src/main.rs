@@ -363,16 +363,18 @@ fn print(value: &Value) -> Result<(), Complaint> {
 
 /// Prints a catalogue; a reader that has gone away is no failure.
 fn list(catalogue: &impl serde::Serialize, as_json: bool) -> Result<(), Complaint> {
-    let catalogue = serde_json::to_value(catalogue).map_err(|error| error.to_string())?;
+    // As text first: a value of JSON would make other numbers of those of layouts than the page is told.
+    let text = serde_json::to_string(catalogue).map_err(|error| error.to_string())?;
+    let catalogue: Value = serde_json::from_str(&text).map_err(|error| error.to_string())?;
     let mut out = std::io::stdout().lock();
     let print = |out: &mut dyn std::io::Write| -> std::io::Result<()> {
         if as_json {
-            return writeln!(out, "{catalogue}");
+            return writeln!(out, "{text}");
         }
         for item in catalogue.as_array().into_iter().flatten() {
-            let text = |key: &str| item[key].as_str().unwrap_or_default();
-            let label = if text("name").is_empty() { text("label") } else { text("name") };
-            writeln!(out, "{:<24}{label}", text("id"))?;
+            let field = |key: &str| item[key].as_str().unwrap_or_default();
+            let label = if field("name").is_empty() { field("label") } else { field("name") };
+            writeln!(out, "{:<24}{label}", field("id"))?;
         }
         Ok(())
     };

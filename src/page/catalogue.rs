@@ -208,7 +208,7 @@ pub struct VerdictEntry<'a> {
     pub why: String,
 }
 
-/// Which photos of a [`ChoiceRequest`] are worth a panel: a list of [`VerdictEntry`] in their order.
+/// Which photos of a `ChoiceRequest` are worth a panel: a list of [`VerdictEntry`] in their order.
 ///
 /// # Errors
 /// `invalid-document` for JSON of another shape.

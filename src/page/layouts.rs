@@ -87,7 +87,7 @@ pub struct Geometry<'a> {
     pub panels: Vec<PlacedPanel<'a>>,
 }
 
-/// The layouts for a [`LayoutsRequest`] as a list of [`LayoutEntry`]: a person's own, and those of the catalogue that are
+/// The layouts for a `LayoutsRequest` as a list of [`LayoutEntry`]: a person's own, and those of the catalogue that are
 /// good for the page.
 ///
 /// # Errors
@@ -159,7 +159,7 @@ pub(crate) struct GenerateRequest {
     most: usize,
 }
 
-/// A new template for a [`GenerateRequest`].
+/// A new template for a `GenerateRequest`.
 ///
 /// # Errors
 /// `invalid-document`.
@@ -197,7 +197,7 @@ pub(crate) enum LayoutChange {
     },
 }
 
-/// The template that the [`LayoutChange`] of `{layout, change}` makes of a layout.
+/// The template that the `LayoutChange` of `{layout, change}` makes of a layout.
 ///
 /// # Errors
 /// As [`facts`]; `invalid-layout` for a change that the layout does not allow.

@@ -9,7 +9,7 @@ import { strings } from '../strings/strings.ts';
 import { useApp } from '../ui/context.ts';
 import { LayoutPicture } from './layout-picture.tsx';
 import { Listbox } from '../ui/listbox.tsx';
-import { useGlimpse } from '../page/glimpse.tsx';
+import { useGlimpse } from '../ui/glimpse.tsx';
 import type { LayoutEntry, Template } from '../engine/types.ts';
 
 /** The filter that shows a person's own layouts; no family of the core has a capital. */

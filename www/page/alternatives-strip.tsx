@@ -4,12 +4,12 @@
 
 import { useEffect, useMemo, useRef } from 'preact/hooks';
 import { strings } from '../strings/strings.ts';
-import { useGlimpse } from './glimpse.tsx';
+import { useGlimpse } from '../ui/glimpse.tsx';
 import { Icon } from '../ui/icon.tsx';
 import { Bitmap, screenPixels, useInView } from '../ui/bitmap.tsx';
 import { useApp } from '../ui/context.ts';
 import type { PageDocument } from '../engine/types.ts';
-import type { Point } from './glimpse.tsx';
+import type { Point } from '../ui/glimpse.tsx';
 
 /** Pages made at a time: more than any strip shows at once. */
 const BATCH = 24;

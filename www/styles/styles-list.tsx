@@ -11,7 +11,7 @@ import { useApp } from '../ui/context.ts';
 import { thumbnail } from '../photos/cover.ts';
 import { useHero } from '../photos/hero.ts';
 import { Listbox } from '../ui/listbox.tsx';
-import { useGlimpse } from '../page/glimpse.tsx';
+import { useGlimpse } from '../ui/glimpse.tsx';
 import type { Style } from '../engine/types.ts';
 
 const WIDTH = 132;

@@ -22,7 +22,7 @@ async function hang(page, which) {
       const { parse } = JSON;
       JSON.parse = (text, ...rest) => {
         const value = parse(text, ...rest);
-        if (String(value?.id).endsWith('-3') && value.work) for (;;);
+        if (String(value?.meta?.id).endsWith('-3') && value.work) for (;;);
         return value;
       };
     }`;

@@ -35,7 +35,7 @@ const sabotage = (page, fault, id, unless = 'false') =>
     const { parse } = JSON;
     JSON.parse = (text, ...rest) => {
       const value = parse(text, ...rest);
-      if (String(value?.id).endsWith('${id}') && value.work && !(${unless})) throw ${fault};
+      if (String(value?.meta?.id).endsWith('${id}') && value.work && !(${unless})) throw ${fault};
       return value;
     };
   }`;

@@ -97,7 +97,7 @@ async function compared(base64) {
   await reading(bytes, (/** @type {Uint8Array} */ file) => studio.import_full('a', file));
   const planes = studio.photo_planes('a/full');
   const { value } = await reading(bytes, (/** @type {Uint8Array} */ file) => studio.import_photo('a', file));
-  const { width: w, height: h } = JSON.parse(value);
+  const { width: w, height: h } = JSON.parse(value).meta;
   studio.free();
   // The page itself never reads a canvas back; here it is the browser's own way that is asked for.
   const bitmap = await createImageBitmap(new Blob([bytes]));
@@ -125,7 +125,7 @@ async function foreign([base64, decoder]) {
     const { takenOf } = await import(/** @type {any} */ ('/engine/taken.ts'));
     const file = await asBmp(foreignKind(bytes), bytes);
     const studio = new core.Studio();
-    const meta = { ...JSON.parse(studio.import_photo('a', file)), taken: takenOf(bytes) };
+    const meta = { ...JSON.parse(studio.import_photo('a', file)).meta, taken: takenOf(bytes) };
     studio.import_full('b', file);
     const rgb = studio.photo_planes('b/full');
     return { meta, rgb: btoa(Array.from(rgb, (/** @type {number} */ byte) => String.fromCharCode(byte)).join('')) };

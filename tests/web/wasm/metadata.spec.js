@@ -45,7 +45,8 @@ async function lookedAt({ plain, loud }) {
   const seen = async (bytes) => {
     const studio = new core.Studio();
     const read = (/** @type {Uint8Array} */ file) => studio.import_photo('a', file);
-    const { width, height, work } = JSON.parse((await reading(bytes, read)).value);
+    const { meta, work } = JSON.parse((await reading(bytes, read)).value);
+    const { width, height } = meta;
     const digest = await crypto.subtle.digest('SHA-256', studio.photo_planes('a/work'));
     const hash = [...new Uint8Array(digest)].map((byte) => byte.toString(16).padStart(2, '0')).join('');
     studio.free();

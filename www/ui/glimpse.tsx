@@ -5,8 +5,8 @@
 
 import { useEffect, useState } from 'preact/hooks';
 import { strings } from '../strings/strings.ts';
-import { Bitmap, screenPixels } from '../ui/bitmap.tsx';
-import { useApp } from '../ui/context.ts';
+import { Bitmap, screenPixels } from './bitmap.tsx';
+import { useApp } from './context.ts';
 import type { PageDocument, Style } from '../engine/types.ts';
 
 type Named = { id: string; name: string };
