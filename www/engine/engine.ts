@@ -138,7 +138,7 @@ export function createEngine({ workers = navigator.hardwareConcurrency || 2 }: {
   }
 
   /** Faces and objects, in pixels of the upright photo. */
-  async function detect(blob: Blob, call?: { signal?: AbortSignal }): Promise<readonly Detection[]> {
+  async function detect(blob: Blob, call?: { signal?: AbortSignal }): Promise<Detection[]> {
     const id = `detect-${(imported += 1)}`;
     try {
       const { width, height } = await importPhoto(id, blob, call);
