@@ -29,17 +29,18 @@ export function isProjectId(key: unknown): boolean {
   return typeof key === 'string' && key !== ORPHANS && !key.startsWith(drawnId(''));
 }
 
-export function createDrawnStates({ store }: { store: Pick<Store, 'project' | 'place'> }) {
+export function createDrawnStates({ store }: { store: Pick<Store, 'project' | 'place' | 'facts'> }) {
   const kept: WeakMap<Place, readonly Project[]> = new WeakMap();
   /** The state that was drawn last, until the next saving. */
   let last: { place: Place; project: Project } | null = null;
 
   return { note, know, of };
 
-  /** The page is drawn as it is now. */
+  /** The page is drawn as it is now. Photos that are still being read may turn out to be none: no way back leads to them. */
   function note() {
     const project = store.project.peek();
-    if (project.page) last = { place: store.place.peek(), project };
+    if (project.page && store.facts.peek().every(({ meta }) => meta !== null))
+      last = { place: store.place.peek(), project };
   }
 
   /** States that were read with a project. */

@@ -83,6 +83,29 @@ describe('the last states that were drawn', () => {
     await tab.keeping.flush();
     expect((await base.getAll('projects'))[0].refs).toEqual(project.refs);
   });
+
+  it('have no photo that is still being read: it may turn out to be none', async () => {
+    const tab = await fakeBrowser().tab();
+    await tab.add('a.jpg', 'b.jpg');
+    tab.keeping.drawn();
+    await tab.keeping.flush();
+    const base = await openDatabase();
+    const [{ id, refs }] = await base.getAll('projects');
+    let refuse = (_error: Error) => {};
+    tab.engine.importPhoto = () =>
+      new Promise((_resolve, reject) => {
+        refuse = reject;
+      });
+    const adding = tab.reading.addFiles(tab.files('no-photo.png'));
+    await vi.waitFor(() => expect(tab.store.tray.value.length).toBe(3));
+    tab.keeping.drawn();
+    await tab.keeping.flush();
+    refuse(new Error('no photo'));
+    await adding;
+    await tab.keeping.flush();
+    expect((await base.get('projects', id))?.refs).toEqual(refs);
+    expect(((await base.get('states', drawnId(id))) as any).drawn.map(({ tray }: any) => tray.length)).toEqual([2]);
+  });
 });
 
 describe('projects', () => {
