@@ -1,5 +1,5 @@
 /**
- * Files dropped on the window or pasted into it. Folders are walked.
+ * Files dropped on the window or pasted into it, and how one sees them coming. Folders are walked.
  */
 
 import { signal } from '@preact/signals';
@@ -9,7 +9,6 @@ export const dragging = signal(false);
 
 export function acceptFiles(window: Window, accept: (files: File[]) => void) {
   let depth = 0;
-  const carries = (event: DragEvent) => event.dataTransfer?.types.includes('Files') ?? false;
   const over = (step: number) => {
     depth = Math.max(0, depth + step);
     dragging.value = depth > 0;
@@ -28,6 +27,20 @@ export function acceptFiles(window: Window, accept: (files: File[]) => void) {
     const files = [...(event.clipboardData?.files ?? [])];
     if (files.length > 0) accept(files);
   });
+}
+
+/** @param expect is told when files are dragged in, or a dialog opens to choose some: seconds before they come */
+export function expectFiles(window: Window, expect: () => void) {
+  window.addEventListener('dragenter', (event) => carries(event) && expect());
+  window.addEventListener('click', ({ target }) => isFileInput(target) && expect(), { capture: true });
+}
+
+function carries(event: DragEvent) {
+  return event.dataTransfer?.types.includes('Files') ?? false;
+}
+
+function isFileInput(target: EventTarget | null) {
+  return target instanceof HTMLInputElement && target.type === 'file';
 }
 
 async function filesOf(transfer: DataTransfer): Promise<File[]> {

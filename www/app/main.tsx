@@ -47,7 +47,7 @@ import { createUi } from './ui.ts';
 import { strings } from '../strings/strings.ts';
 import { App } from './app.tsx';
 import { AppContext } from '../ui/context.ts';
-import { acceptFiles } from './drop.ts';
+import { acceptFiles, expectFiles } from './drop.ts';
 import { trackPointed } from './pointed.ts';
 import { holdSliders } from './slider-touch.ts';
 import { drawn } from './guard.tsx';
@@ -155,14 +155,16 @@ engine.ready.then(
   },
 );
 
-/** Reads the catalogues and has the planner compiled while nobody waits; the first page would else wait for both. */
+/** Reads the catalogues and has the code compiled while nobody waits; the first page would else wait for both. */
 function warmUp() {
   store.layouts.peek();
   store.styles.peek();
+  const planner = store.planner.peek();
+  if (!planner) return;
   const keep = { layout: false, style: false, photos: false };
-  store.planner
-    .peek()
-    ?.plan({ seed: 0, photos: [unreadMeta('none')], page: store.project.peek().settings, current: null, keep });
+  const plan = (seed: number) =>
+    planner.plan({ seed, photos: [unreadMeta('warm')], page: store.project.peek().settings, current: null, keep });
+  void engine.warm([0, 1, 2, 3].map(plan));
 }
 
 const parts: Parts = {
@@ -202,6 +204,7 @@ const parts: Parts = {
 const actions = createActions(parts);
 window.addEventListener('keydown', createKeys({ actions, ui, leave: leaveMode, pointed: trackPointed(window) }));
 acceptFiles(window, intake);
+expectFiles(window, subjects.expect);
 holdSliders(window);
 
 /** Whether something is on its way that nobody should wait for longer than need be. */
@@ -239,6 +242,12 @@ effect(() => {
   // Detection refines what is there already, so it is told apart.
   document.body.dataset.searched = String(idle && subjects.searched.value);
   document.body.dataset.detected = String(idle && subjects.settled.value);
+});
+
+effect(() => {
+  const page = store.page.value;
+  const drawing = page !== null && ui.painted.value !== page && ui.failed.value === null;
+  engine.hold(reading.near.value || drawing);
 });
 
 keepBook({ store, pages });

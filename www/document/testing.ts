@@ -104,6 +104,7 @@ export function fakeApp(odd: Record<string, 'bad' | 'twin'> = {}) {
   const messages = createMessages();
   const imported = new Set();
   const engine = {
+    facesReady: () => true,
     ready: Promise.resolve(planner),
     importPhoto: async (id: string, { name }: File) => {
       await Promise.resolve();

@@ -1,6 +1,6 @@
 /**
  * Faces and objects in photos, each by a worker of its own, side by side. A worker and all it needs are loaded with
- * its first call, or before by `load`.
+ * its first call, or before by `prepare`.
  */
 
 import { createPool } from './pool.ts';
@@ -22,9 +22,12 @@ export function createDetector(photos: ReturnType<typeof createPhotos>, spare: (
   /** The end of that line. */
   let last: Promise<unknown> = Promise.resolve();
   let running = 0;
+  let facesMade = false;
 
   return {
-    load,
+    prepare,
+    /** Whether a look for faces need not wait for anything. */
+    facesReady: () => facesMade,
     detect,
     findFaces,
     findMoreFaces,
@@ -32,11 +35,9 @@ export function createDetector(photos: ReturnType<typeof createPhotos>, spare: (
     dispose: () => Object.values(pools).forEach((pool) => pool.dispose()),
   };
 
-  /** Fetches what the nets need, which takes no core from whoever works; what fails is told by the first look. */
-  function load() {
-    for (const net of ['objects', 'faces'] as const) {
-      if (!pools[net]) order(net, 'load').catch(() => {});
-    }
+  /** Makes the nets ready, those for faces first; what fails is told by the first look. */
+  function prepare() {
+    for (const net of ['faces', 'objects'] as const) make(net).catch(() => {});
   }
 
   /**
@@ -97,9 +98,14 @@ export function createDetector(photos: ReturnType<typeof createPhotos>, spare: (
    * each other's share of the cores.
    */
   function make(net: Net) {
+    // Fetching takes no core from whoever works.
+    for (const one of ['faces', 'objects'] as const) if (!pools[one]) order(one, 'load').catch(() => {});
     made[net] ??= last = last
       .catch(() => {})
       .then(() => order(net, 'make'))
+      .then(() => {
+        facesMade ||= net === 'faces';
+      })
       .catch((error) => {
         delete made[net];
         throw error;

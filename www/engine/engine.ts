@@ -16,6 +16,7 @@ import { Priority } from './queue.ts';
 import { createRenders, nameOf } from './renders.ts';
 import { readVideo } from './video.ts';
 import { givesWebp } from './webp.ts';
+import { createWarming } from './warming.ts';
 import { createWords } from './words.ts';
 import type { Detection } from './types.ts';
 import type { Block, Layout, PageDocument, Style } from './types.ts';
@@ -51,6 +52,7 @@ export function createEngine({ workers = navigator.hardwareConcurrency || 2 }: {
   // Whoever awaits it is told; nobody has to.
   ready.catch(() => {});
 
+  const warming = createWarming(ask);
   const renders = createRenders({ run, photos, words });
   const aesthetics = createAesthetics({ run, photos });
 
@@ -67,12 +69,16 @@ export function createEngine({ workers = navigator.hardwareConcurrency || 2 }: {
     dispose,
     importPhoto,
     importVideo,
+    prepareDetectors: detector.prepare,
+    facesReady: detector.facesReady,
     /** Subjects of an imported photo, in fractions of it. */
-    loadDetectors: detector.load,
     findFaces: detector.findFaces,
     findMoreFaces: detector.findMoreFaces,
     findObjects: detector.findObjects,
     forgetPhoto: photos.forget,
+    warm: warming.warm,
+    /** While `on`, nothing is begun that the page on the screen does not wait for. */
+    hold: (on: boolean) => pool?.hold(on),
     hasPhoto: photos.has,
     photos,
     lettering: words.lettering,
@@ -85,7 +91,12 @@ export function createEngine({ workers = navigator.hardwareConcurrency || 2 }: {
     givesWebp,
   };
 
-  async function run<Op extends keyof Operations>(job: Job<Operations, Op>): Promise<Operations[Op]['ok']> {
+  function run<Op extends keyof Operations>(job: Job<Operations, Op>): Promise<Operations[Op]['ok']> {
+    warming.stop();
+    return ask(job);
+  }
+
+  async function ask<Op extends keyof Operations>(job: Job<Operations, Op>): Promise<Operations[Op]['ok']> {
     await ready;
     return (pool as NonNullable<typeof pool>).run(job);
   }

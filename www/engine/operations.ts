@@ -10,6 +10,7 @@ import { failure } from './protocol.ts';
 import { reading } from './readable.ts';
 import { STORING, readingOf } from './serving.ts';
 import { createStyleOperations } from './style-operations.ts';
+import { createWarmUp } from './warm-up.ts';
 import type { Patch, Studio } from '../pkg/inkpanel.js';
 import type { createLru } from './lru.ts';
 import type { BitmapPatch, Imported, Operations, PhotoHandle, PixelPatch } from './protocol.ts';
@@ -32,6 +33,7 @@ export function createOperations(studio: Studio, held: ReturnType<typeof createL
     stylize,
     fullPanels,
     encode,
+    warm: createWarmUp(studio),
     ...createStyleOperations({ studio, fetchPhotos, bitmap }),
   };
 

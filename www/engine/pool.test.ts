@@ -48,6 +48,21 @@ describe('order', () => {
     expect(!!single.holding('only')).toBe(true);
   });
 
+  test('what the page does not wait for is kept while it is held, and done after', () => {
+    const fakes = fakeWorkers();
+    const pool = createPool<Named>({ size: 2, spawn: fakes.spawn });
+    pool.hold(true);
+    pool.run(job('rest', { priority: Priority.REST }));
+    pool.run(job('view', { priority: Priority.VIEW }));
+    pool.run(job('page', { priority: Priority.PAGE }));
+    const running = () => ['rest', 'view', 'page'].filter((name) => fakes.holding(name));
+    expect(running()).toEqual(['page']);
+    fakes.answer('page');
+    expect(running()).toEqual([]);
+    pool.hold(false);
+    expect(running()).toEqual(['rest', 'view']);
+  });
+
   test('as many jobs run at once as there are workers', () => {
     const fakes = fakeWorkers();
     const pool = createPool<Named>({ size: 2, spawn: fakes.spawn });

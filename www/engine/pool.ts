@@ -34,6 +34,7 @@ export type Run<Ops extends Table = Operations> = <Op extends keyof Ops>(job: Jo
 export type Pool<Ops extends Table = Operations> = {
   run: Run<Ops>;
   spare: (count: number) => void;
+  hold: (on: boolean) => void;
   dispose: () => void;
   size: number;
 };
@@ -80,14 +81,20 @@ export function createPool<Ops extends Table = Operations>({
   const queue: ReturnType<typeof createQueue<Entry>> = createQueue();
   const pace = createPace();
   const slots: Slot[] = [];
-  let [nextId, reserved, closed] = [1, 0, false];
+  let [nextId, reserved, held, closed] = [1, 0, false, false];
 
   for (let i = 0; i < size; i += 1) slots.push(open({}));
-  return { run, spare, dispose, size };
+  return { run, spare, hold, dispose, size };
 
   /** Leaves so many workers idle for all that nobody waits for, as long as others need the cores. */
   function spare(count: number) {
     reserved = Math.min(count, size - 1);
+    dispatch();
+  }
+
+  /** Keeps what the page does not wait for until it is there: a worker that reads a large photo would come too late for it. */
+  function hold(on: boolean) {
+    held = on;
     dispatch();
   }
 
@@ -140,6 +147,7 @@ export function createPool<Ops extends Table = Operations>({
   function dispatch() {
     for (const slot of slots) {
       if (slot.entry || queue.length === 0) continue;
+      if (held && queue.urgency > Priority.PAGE) return;
       const idle = Math.max(reserved, queue.crowded && size > 1 ? 1 : 0);
       if (queue.urgency > Priority.PAGE && slots.filter(({ entry }) => entry).length >= size - idle) return;
       const entry = queue.take((other) => (other.holds ?? []).filter((key) => slot.held.has(key)).length);

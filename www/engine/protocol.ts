@@ -49,6 +49,7 @@ export type Operations = {
     ok: (PixelPatch & { index: number })[];
   };
   encode: { args: { document: string; width: number; patches: (PixelPatch & { index: number })[] }; ok: Blob };
+  warm: { args: { document: string }; ok: null };
 };
 
 /** Those of the worker that judges pictures, from 1 to 10; `net` is the address of its net. */

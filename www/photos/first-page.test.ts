@@ -36,6 +36,31 @@ describe('the first page', () => {
     expect(store.history.value.shown.length).toBe(1);
   });
 
+  test('is near while its photos are read, but not where another must take the place of one', async () => {
+    const { store, reading, files, release } = app((name) => ['0.jpg', '7.jpg', '8.jpg', '9.jpg'].includes(name), {
+      '0.jpg': 'bad',
+      '1.jpg': 'bad',
+    });
+    const done = reading.addFiles(files(...ten));
+    await vi.advanceTimersByTimeAsync(50);
+    // The one of which no end is seen is on the sketch.
+    expect([store.sketch.value, reading.near.value]).toEqual([true, true]);
+    release();
+    await done;
+    await vi.advanceTimersByTimeAsync(400);
+    expect([store.sketch.value, reading.near.value, store.tray.value.length]).toEqual([false, false, 8]);
+  });
+
+  test('lets the others be read where photos of it turn out to be none', async () => {
+    const { store, reading, files, release } = app((name) => Number.parseInt(name, 10) >= 6, { '0.jpg': 'bad' });
+    void reading.addFiles(files(...ten));
+    await vi.advanceTimersByTimeAsync(50);
+    expect([store.sketch.value, reading.near.value]).toEqual([true, false]);
+    release();
+    await vi.advanceTimersByTimeAsync(400);
+    expect([store.sketch.value, store.tray.value.length]).toEqual([false, 9]);
+  });
+
   test('does not change by what is read after it', async () => {
     const { store, reading, files, names, release } = app((name) => Number.parseInt(name, 10) >= 7);
     const done = reading.addFiles(files(...ten));

@@ -3,7 +3,7 @@
  * once, on what is known of its photos.
  */
 
-import { batch, effect } from '@preact/signals';
+import { batch, effect, signal } from '@preact/signals';
 import { chronological } from '../document/album.ts';
 import type { Pages } from '../document/pages.ts';
 import type { Store } from '../document/store.ts';
@@ -11,29 +11,43 @@ import type { PhotoMeta } from '../engine/types.ts';
 
 /** The first page shows this many photos at most: large enough to be looked at. */
 const PANELS = 6;
-/** Milliseconds after the photos of a page are there, in which more come to choose from and faces are found; drawing takes as much again. */
-const WAIT = 180;
+/** Milliseconds after the photos of a page are there, in which faces are found, where nothing is in the way of that. */
+const WAIT = 120;
 const ALL_NEW = Object.freeze({ layout: false, style: false, photos: false });
 
-export function createFirstPage({ store, pages }: { store: Store; pages: Pick<Pages, 'plan' | 'show'> }) {
+/** @param app `facesReady`: whether a look for faces takes no longer than a moment */
+export function createFirstPage({
+  store,
+  pages,
+  facesReady = () => true,
+}: {
+  store: Store;
+  pages: Pick<Pages, 'plan' | 'show'>;
+  facesReady?: () => boolean;
+}) {
+  /** Whether its photos are on their way, or it is about to be planned: not while others must take the place of some. */
+  const near = signal(false);
   let timer: ReturnType<typeof setTimeout> | undefined;
   /** The page that is the sketch. */
   let sketched = '';
 
   effect(() => {
     const { page } = store.project.value;
+    near.value = false;
     if (!store.sketch.value) return end();
     // Who shuffles, or opens something else, no longer waits for it.
     if (page === null || store.version.value !== sketched) {
       store.sketch.value = false;
       return end();
     }
-    const read = store.facts.value.filter(({ meta }) => meta !== null).length;
-    if (read >= Math.min(PANELS, store.tray.value.length)) timer ??= setTimeout(compose, WAIT);
+    const read = new Set(store.facts.value.filter(({ meta }) => meta !== null).map(({ id }) => id));
+    const enough = read.size >= Math.min(PANELS, store.tray.value.length);
+    if (enough) timer ??= setTimeout(compose, facesReady() ? WAIT : 0);
+    near.value = enough || page.panels.some(({ photo }) => photo !== null && !read.has(photo));
     return undefined;
   });
 
-  return { sketch, compose };
+  return { sketch, compose, near };
 
   /** A page of as many panels as the first will have. */
   function sketch() {

@@ -23,7 +23,10 @@ import type { PageDocument } from '../engine/types.ts';
 
 /** a file, and the photos that it becomes */
 type Source = { file: File; ids: readonly string[]; video: Video | null };
-type Engine = Pick<import('../engine/engine.ts').Engine, 'importPhoto' | 'importVideo' | 'forgetPhoto' | 'ready'>;
+type Engine = Pick<
+  import('../engine/engine.ts').Engine,
+  'importPhoto' | 'importVideo' | 'forgetPhoto' | 'ready' | 'facesReady'
+>;
 export type Reading = ReturnType<typeof createReading>;
 
 /** @param app `prefix` begins the ids of photos */
@@ -53,7 +56,7 @@ export function createReading({
 
   const intake = createIntake({ store, pages, engine, messages, prefix });
   const frames = createFrames({ store, engine, intake });
-  const firstPage = createFirstPage({ store, pages });
+  const firstPage = createFirstPage({ store, pages, facesReady: () => engine.facesReady() });
 
   return {
     addFiles,
@@ -67,6 +70,8 @@ export function createReading({
     edit,
     freshIds: intake.freshIds,
     count: intake.count,
+    /** Whether the first page is a moment away. */
+    near: firstPage.near,
   };
 
   /** @param credits the authors to name, by file name */

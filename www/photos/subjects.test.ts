@@ -17,9 +17,13 @@ function app(look: (id: string) => Promise<any>, found: any[] = [], window: any 
   const asked: string[] = [];
   const objects: string[] = [];
   const painted = signal(false);
+  const nets = { asked: 0, ready: true };
   const engine = {
     hasPhoto: () => true,
-    loadDetectors: () => {},
+    prepareDetectors: () => {
+      nets.asked += 1;
+    },
+    facesReady: () => nets.ready,
     findFaces: async (id: string) => {
       asked.push(id);
       return look(id);
@@ -40,7 +44,7 @@ function app(look: (id: string) => Promise<any>, found: any[] = [], window: any 
     onFound: made.pages.refine,
     window,
   });
-  return { ...made, subjects, painted, asked, objects };
+  return { ...made, subjects, painted, asked, objects, nets };
 }
 
 const settle = () =>
@@ -66,6 +70,21 @@ describe('subjects', () => {
     expect(store.album.value.get('p1')?.meta?.subjects).toEqual([face, face]);
     expect(planner.requests.at(-1)?.photos[1].subjects).toEqual([face]);
     expect(subjects.progress.value).toBeNull();
+  });
+
+  it('makes the nets ready when photos are about to come; without them the first page waits for no face', async () => {
+    const { reading, files, subjects, painted, asked, store, nets } = app(async () => ({ boxes: [], closer: false }));
+    subjects.expect();
+    expect(nets.asked).toBe(1);
+    nets.ready = false;
+    await reading.addFiles(files('1.jpg', '2.jpg'));
+    await settle();
+    expect([asked, store.sketch.value]).toEqual([[], false]);
+    painted.value = true;
+    await settle();
+    expect(asked).toEqual(['p1', 'p2']);
+    subjects.expect();
+    expect(nets.asked).toBe(1);
   });
 
   it('finds objects beside the faces, and tells of a photo when both are known', async () => {

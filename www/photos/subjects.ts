@@ -1,6 +1,7 @@
 /**
  * What is in the photos: those on the page first, then those on other pages, faces and objects side by side. Faces are looked for
- * as soon as the first page's photos are read, all else once it is on the screen; nobody waits for it.
+ * as soon as the first page's photos are read, where the nets are there by then (`expect`), all else once it is on the screen;
+ * nobody waits for it.
  */
 
 import { computed, effect, signal } from '@preact/signals';
@@ -38,7 +39,7 @@ export function createSubjects({
 }: {
   store: Store;
   messages: Messages;
-  engine: Pick<Engine, 'loadDetectors' | 'findFaces' | 'findMoreFaces' | 'findObjects' | 'hasPhoto'>;
+  engine: Pick<Engine, 'prepareDetectors' | 'facesReady' | 'findFaces' | 'findMoreFaces' | 'findObjects' | 'hasPhoto'>;
   painted: () => boolean;
   onFound: () => void;
   wanted?: boolean;
@@ -89,8 +90,7 @@ export function createSubjects({
   });
 
   effect(() => {
-    if (off.value || store.page.value === null || !(painted() || store.sketch.value)) return;
-    engine.loadDetectors();
+    if (off.value || store.page.value === null || !(painted() || early())) return;
     // What takes longer is first in line.
     for (const lane of ['objects', 'faces'] as const) if (!running.value.has(lane) && next(lane)) void run(lane);
   });
@@ -100,11 +100,21 @@ export function createSubjects({
     lacking.now = false;
   });
 
-  return { progress, settled, searched };
+  return { progress, settled, searched, expect };
+
+  /** Photos are about to come, as far as one can see: the nets are made ready while somebody looks for them. */
+  function expect() {
+    if (!off.peek() && store.tray.peek().length === 0) engine.prepareDetectors();
+  }
+
+  /** Whether faces can be found before the first page; fetching and making the nets would keep it waiting. */
+  function early() {
+    return store.sketch.value && engine.facesReady();
+  }
 
   /** The photo to look at now; while a page is drawn the cores are the page's. */
   function next(lane: Lane): string | undefined {
-    return (painted() && calm.value) || store.sketch.value ? due(lane) : undefined;
+    return (painted() && calm.value) || early() ? due(lane) : undefined;
   }
 
   /**

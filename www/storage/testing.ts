@@ -129,6 +129,7 @@ export function fakeBrowser({
     const photos = createPhotos();
     const decoded = [] as string[];
     const engine = {
+      facesReady: () => true,
       ready: Promise.resolve(planner),
       photos,
       hasPhoto: photos.has,

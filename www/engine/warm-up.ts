@@ -1,0 +1,47 @@
+/** A made-up photo, read and drawn for the code's sake alone; see `warming.ts`. */
+
+import { pageMs, photoMs } from './measured.ts';
+import { STORING } from './serving.ts';
+import type { Studio } from '../pkg/inkpanel.js';
+import type { Operations } from './protocol.ts';
+import type { Tell } from './serving.ts';
+
+const [WIDTH, HEIGHT] = [1500, 1000];
+/** The width of the page, in pixels. */
+const PAGE = 480;
+/** Of random numbers that are asked for at once, the most that browsers give. */
+const AT_ONCE = 65_536;
+
+export function createWarmUp(studio: Studio) {
+  let photo: Promise<Uint8Array> | undefined;
+
+  return async ({ document }: Operations['warm']['args'], tell: Tell): Promise<{ ok: null }> => {
+    tell.waits(STORING);
+    const bytes = await (photo ??= grainy());
+    tell.expects(photoMs(bytes, null) + pageMs(document, PAGE));
+    studio.import_photo('warm', bytes);
+    try {
+      studio.compose(document, PAGE, 'work').free();
+    } finally {
+      for (const size of ['work', 'small']) studio.drop_photo(`warm/${size}`);
+    }
+    return { ok: null };
+  };
+}
+
+/** A file with edges and grain, as those of cameras have: smooth colour would leave out most of the decoder. */
+async function grainy(): Promise<Uint8Array> {
+  const { data } = new ImageData(WIDTH, HEIGHT);
+  for (let at = 0; at < data.length; at += AT_ONCE) crypto.getRandomValues(data.subarray(at, at + AT_ONCE));
+  for (let at = 0; at < data.length; at += 4) {
+    const [x, y] = [(at / 4) % WIDTH, Math.floor(at / 4 / WIDTH)];
+    const light = ((x >> 6) ^ (y >> 6)) % 7;
+    for (let channel = 0; channel < 3; channel += 1)
+      data[at + channel] = 24 * light + 8 * channel + data[at + channel] / 8;
+    data[at + 3] = 255;
+  }
+  const canvas = new OffscreenCanvas(WIDTH, HEIGHT);
+  canvas.getContext('2d')?.putImageData(new ImageData(data, WIDTH, HEIGHT), 0, 0);
+  const file = await canvas.convertToBlob({ type: 'image/jpeg', quality: 0.92 });
+  return new Uint8Array(await file.arrayBuffer());
+}
