@@ -1,4 +1,5 @@
-//! Changes to a template by hand: a cut is moved or slanted, a panel is split or removed.
+//! Changes to a template by hand: a cut is moved or slanted, a panel is split or removed. Panels are joined by
+//! [`super::join`].
 //!
 //! Each change gives a new template of the family `custom`, which passes the same checks as a file. Only
 //! templates made of cuts can be changed; those of polygons have no cut to take hold of.
@@ -74,7 +75,7 @@ pub fn move_cut(template: &Template, cut: usize, fraction: f64, slant: f64) -> R
     split.slants[index] = right - left;
     let ends = middles.iter().copied().chain([1.0]);
     split.shares = ends.scan(0.0, |from, to| Some(to - std::mem::replace(from, to))).collect();
-    rebuilt(template, node, template.order.clone(), weights(template))
+    rebuilt(template, node, template.order.clone(), base_weights(template))
 }
 
 /// The template with a base panel cut in two equal halves, below one another (`Axis::Rows`) or side by side.
@@ -91,7 +92,7 @@ pub fn split_panel(template: &Template, panel: usize, axis: Axis) -> Result<Temp
     }
     let mut order: Vec<usize> = template.order.iter().map(|&i| i + usize::from(i > at)).collect();
     order.insert(panel + 1, at + 1);
-    let mut weights = weights(template);
+    let mut weights = base_weights(template);
     weights[panel] /= 2.0;
     weights.insert(panel + 1, weights[panel]);
     rebuilt(template, node, order, weights)
@@ -114,35 +115,40 @@ pub fn remove_panel(template: &Template, panel: usize) -> Result<Template> {
     }
     let rest = template.order.iter().filter(|&&i| i != at);
     let order = rest.map(|&i| i - usize::from(i > at)).collect();
-    let mut weights = weights(template);
+    let mut weights = base_weights(template);
     weights.remove(panel);
     rebuilt(template, node, order, weights)
 }
 
 /// The weights of the base panels.
-fn weights(template: &Template) -> Vec<f32> {
+pub(super) fn base_weights(template: &Template) -> Vec<f32> {
     template.panels.iter().filter(|panel| !panel.overlay).map(|panel| panel.weight).collect()
 }
 
 /// The place in the tree of a panel of the reading order.
-fn in_tree(template: &Template, panel: usize) -> Result<usize> {
+pub(super) fn in_tree(template: &Template, panel: usize) -> Result<usize> {
     let at = template.order.get(panel).copied();
     at.ok_or_else(|| refused(template, format!("panel {panel}"), "is no base panel"))
 }
 
-fn tree(template: &Template) -> Result<&Node> {
+pub(super) fn tree(template: &Template) -> Result<&Node> {
     match template.body() {
         Body::Tree(node) => Ok(node),
         Body::Polygons(_) => Err(refused(template, "polygons".into(), "have no cuts that could be changed")),
     }
 }
 
-fn refused(template: &Template, location: String, reason: &str) -> Error {
+pub(super) fn refused(template: &Template, location: String, reason: &str) -> Error {
     Error::InvalidLayout { file: template.id().into(), location, reason: reason.into() }
 }
 
 /// A template of the changed tree with its base panels in that order; overlays stay.
-fn rebuilt(template: &Template, mut node: Node, order: Vec<usize>, weights: Vec<f32>) -> Result<Template> {
+pub(super) fn rebuilt(
+    template: &Template,
+    mut node: Node,
+    order: Vec<usize>,
+    weights: Vec<f32>,
+) -> Result<Template> {
     tidy(&mut node);
     let (name, aspect) = (template.name(), template.aspect());
     let mut changed = Template::assemble("custom", name, "custom", aspect, Body::Tree(node));

@@ -8,6 +8,7 @@ mod aesthetics;
 mod catalogue;
 pub mod edit;
 mod generate;
+pub mod join;
 mod json;
 pub mod merge;
 mod parse;

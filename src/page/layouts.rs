@@ -4,6 +4,7 @@
 use super::document::template_of;
 use crate::error::{Error, Result};
 use crate::layout::edit::{Cut, cuts, move_cut, remove_panel, split_panel};
+use crate::layout::join::join_panels;
 use crate::layout::merge::adjacent;
 use crate::layout::tree::Axis;
 use crate::layout::{
@@ -195,6 +196,11 @@ pub(crate) enum LayoutChange {
         /// Which.
         panel: usize,
     },
+    /// Panels become one.
+    Join {
+        /// Which.
+        panels: Vec<usize>,
+    },
 }
 
 /// The template that the `LayoutChange` of `{layout, change}` makes of a layout.
@@ -213,6 +219,7 @@ pub fn changed(json: &str) -> Result<String> {
         LayoutChange::MoveCut { cut, fraction, slant } => move_cut(&template, cut, fraction, slant),
         LayoutChange::Split { panel, axis } => split_panel(&template, panel, axis),
         LayoutChange::Remove { panel } => remove_panel(&template, panel),
+        LayoutChange::Join { panels } => join_panels(&template, &panels),
     };
     Ok(changed?.to_json())
 }

@@ -100,9 +100,10 @@ test.each(HERE)('%s counts in the undo as its mark says', async (id) => {
   pages.shuffle('all');
   pages.chooseStyle('noir');
   pages.previous();
+  if (id === 'panels.join') pages.chooseLayout('grid-4');
   selection.set([0, 1]);
   if (id === 'panels.split') merging.merge();
-  else if (!['panels.merge', 'panels.swap'].includes(id)) selection.set([0]);
+  else if (!['panels.merge', 'panels.join', 'panels.swap'].includes(id)) selection.set([0]);
   const action = new Map(everyAction(createActions(parts))).get(id);
   const before = store.history.peek().past.length;
   if (action && isEnabled(action)) action.run();

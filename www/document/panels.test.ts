@@ -1,7 +1,7 @@
 import { expect, test } from 'vitest';
 import { shifted } from '../page/panels/cuts.tsx';
 import { createMerging, grown, whyNotMerge } from '../page/panels/merging.ts';
-import { createReshaping, spliced } from '../page/panels/reshaping.ts';
+import { createReshaping, joined, spliced } from '../page/panels/reshaping.ts';
 import { createSelection } from '../page/panels/selection.ts';
 import { fakeApp } from './testing.ts';
 import { strings } from '../strings/strings.ts';
@@ -118,6 +118,41 @@ test('a panel is split and taken away, and the others keep their photos', async 
   expect(fewer.merges).toEqual([[0, 1]]);
   reshaping.removePanel(0);
   expect(page().panels.length).toBe(3);
+});
+
+test('panels become one, which shows the first of their photos or one that is locked', async () => {
+  const plain = {
+    panels: ['a', null, 'c', 'd', 'e'].map((photo) => ({ photo, locked: photo === 'd', edited: true })),
+    merges: [
+      [0, 1],
+      [3, 4],
+    ],
+  } as any;
+  const apart = joined({ ...plain, merges: [[3, 4]] } as any, [0, 2]);
+  expect(apart.panels.map(({ photo }) => photo)).toEqual(['a', null, 'd', 'e']);
+  expect(apart.panels.map(({ edited }) => edited)).toEqual([false, true, true, true]);
+  expect(apart.merges).toEqual([[2, 3]]);
+  const held = joined(plain, [1, 2, 3]);
+  expect(held.panels.map(({ photo }) => photo)).toEqual(['a', 'd', 'e']);
+  expect(held.merges).toEqual([]);
+});
+
+test('panels are joined as one step of the undo, where one panel is to be made of them', async () => {
+  const { reshaping, pages, store, page } = await app();
+  pages.chooseLayout('grid-4');
+  const { layout, panels } = page();
+  const steps = store.history.value.past.length;
+  expect(reshaping.cannotJoin([0])).toBe(strings.merging.few);
+  expect(reshaping.cannotJoin([0, 3])).toBe(strings.notJoined);
+  reshaping.joinPanels([0, 3]);
+  expect(page().layout).toBe(layout);
+  expect(reshaping.cannotJoin([0, 2])).toBe('');
+  reshaping.joinPanels([0, 2]);
+  expect(page().panels.length).toBe(panels.length - 1);
+  expect(page().layout).toMatchObject({ family: 'custom' });
+  expect(store.history.value.past.length).toBe(steps + 1);
+  pages.undo();
+  expect(page().layout).toBe(layout);
 });
 
 test('an end of a cut moves, the other stays', () => {

@@ -723,6 +723,10 @@ export type LayoutChange = { "type": "move-cut",
 | { "type": "remove",
   /** Which. */
   panel: number,
+}
+| { "type": "join",
+  /** Which. */
+  panels: ReadonlyArray<number>,
 };
 
 /** What the list of layouts is asked. */

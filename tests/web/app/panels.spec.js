@@ -50,6 +50,32 @@ test('panels are merged and split by mouse', async ({ page }) => {
   expect(await picture(page)).toBe(apart);
 });
 
+test('panels become one panel, which shows the first of their photos', async ({ page }) => {
+  await openBoard(page);
+  await choose(page, 'grid', 'Four');
+  const panels = page.getByRole('group', { name: /^Panel \d of/ });
+  const join = page.getByRole('button', { name: 'Join panels', exact: true });
+  await expect(join).toBeDisabled();
+  await expect(join).toHaveAttribute('title', /select two panels/);
+  await panels.nth(0).click();
+  await panels.nth(3).click({ modifiers: ['Shift'] });
+  await expect(join).toHaveAttribute('title', /do not make one panel/);
+  await panels.nth(3).click({ modifiers: ['Shift'] });
+  const { photos } = await contents(page);
+  await panels.nth(2).click({ modifiers: ['Shift'] });
+  await press(page, 'Join panels');
+  await expect(panels).toHaveCount(3);
+  const after = await contents(page);
+  const plain = (/** @type {(string | null)[]} */ list) => list.map((photo) => photo?.replace(', selected', ''));
+  expect(plain(after.photos)).toEqual(plain([photos[0], photos[1], photos[3]]));
+  const [joined, upper, lower] = await panels.evaluateAll((list) => list.map((one) => one.getBoundingClientRect()));
+  expect(joined.bottom).toBeCloseTo(lower.bottom, 0);
+  expect(joined.top).toBeCloseTo(upper.top, 0);
+  await press(page, 'Undo');
+  await expect(panels).toHaveCount(4);
+  expect(plain((await contents(page)).photos)).toEqual(plain(photos));
+});
+
 test('panels are merged by keyboard', async ({ page }) => {
   await openBoard(page);
   await choose(page, 'grid', 'Four');

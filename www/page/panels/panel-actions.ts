@@ -121,6 +121,13 @@ export function createPanelActions({
       run: merging.split,
       undo: 'step',
     },
+    join: {
+      label: strings.joinPanels,
+      icon: 'join',
+      why: computed(() => reshaping.cannotJoin(chosen.value)),
+      run: () => reshaping.joinPanels(chosen.peek()),
+      undo: 'step',
+    },
     frame: FRAME_KEYS,
     earlier: {
       label: strings.earlierFrame,

@@ -18,7 +18,7 @@ export function PanelTools() {
   if (!facts) return null;
   return (
     <div class="rail" role="group" aria-label={strings.panelTools}>
-      <Tools of={[panels.select, panels.merge, panels.split]} />
+      <Tools of={[panels.select, panels.merge, panels.split, panels.join]} />
       {!editing && chosen.length > 0 && !ui.wide.value && (
         <>
           <span class="rail-line" />

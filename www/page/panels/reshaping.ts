@@ -1,9 +1,11 @@
 /**
- * Layouts that a person makes: a surprise, a cut that is moved, a panel that is split or taken away. The layout then
+ * Layouts that a person makes: a surprise, a cut that is moved, a panel that is split or taken away, panels that are joined. The layout then
  * stands in the page in full, like any other.
  */
 
 import { signal } from '@preact/signals';
+import { strings } from '../../strings/strings.ts';
+import { grown } from './merging.ts';
 import type { Pages } from '../../document/pages.ts';
 import type { Store } from '../../document/store.ts';
 import type { LayoutChange, PageDocument, PanelUse } from '../../engine/types.ts';
@@ -26,6 +28,8 @@ export function createReshaping({ store, pages, seed }: { store: Store; pages: P
     moveCut,
     splitPanel,
     removePanel,
+    cannotJoin,
+    joinPanels,
   };
 
   /** A layout that nobody has seen, with the wanted number of panels. */
@@ -54,6 +58,27 @@ export function createReshaping({ store, pages, seed }: { store: Store; pages: P
     change({ type: 'remove', panel }, (page) => spliced(page, panel, -1));
   }
 
+  /** @returns why those panels cannot become one; empty when they can */
+  function cannotJoin(panels: readonly number[]): string {
+    const planner = store.planner.peek();
+    const page = store.page.value;
+    if (!planner || !page || panels.length < 2) return strings.merging.few;
+    try {
+      planner.changeLayout(page.layout, { type: 'join', panels: grown(panels, page) });
+      return '';
+    } catch {
+      return strings.notJoined;
+    }
+  }
+
+  /** Panels become one, which shows the photo of the first of them, or of one that is locked. */
+  function joinPanels(panels: readonly number[]) {
+    const page = store.page.peek();
+    if (!page || cannotJoin(panels) !== '') return;
+    const group = grown(panels, page);
+    change({ type: 'join', panels: group }, (page) => joined(page, group));
+  }
+
   /** @param follow what becomes of the panels */
   function change(wish: LayoutChange, follow: (page: PageDocument) => PageDocument, gesture?: string) {
     const planner = store.planner.peek();
@@ -72,5 +97,19 @@ export function spliced(page: PageDocument, panel: number, by: 1 | -1): PageDocu
   const moved = (other: number) => (other > panel ? other + by : other);
   // The half of a merged panel, or what is left of a group, need not hang together any more.
   const merges = page.merges.filter((group) => !group.includes(panel)).map((group) => group.map(moved));
+  return { ...page, panels, merges };
+}
+
+/** The page with the first of those panels for all of them; merges that lose their sense are parted. */
+export function joined(page: PageDocument, group: readonly number[]): PageDocument {
+  const [first] = group;
+  const shown = group.filter((panel) => page.panels[panel].photo !== null);
+  const stays = shown.find((panel) => page.panels[panel].locked) ?? shown[0] ?? first;
+  const left = page.panels.map((_panel, i) => i).filter((panel) => panel === first || !group.includes(panel));
+  // Its shape is another, so its crop is found anew.
+  const panels = left.map((panel) => (panel === first ? { ...page.panels[stays], edited: false } : page.panels[panel]));
+  const merges = page.merges
+    .filter((merge) => !merge.some((panel) => group.includes(panel)))
+    .map((merge) => merge.map((panel) => left.indexOf(panel)));
   return { ...page, panels, merges };
 }

@@ -16,6 +16,8 @@ export const panelStrings = {
   lockedPanel: 'locked',
   chosenPanels: (n: number) => (n === 1 ? '1 panel selected' : `${n} panels selected`),
   selectOne: 'select one panel',
+  joinPanels: 'Join panels',
+  notJoined: 'these panels do not make one panel together',
   splitRows: 'Split into rows',
   splitColumns: 'Split into columns',
   removePanel: 'Remove panel',

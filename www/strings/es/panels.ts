@@ -14,6 +14,8 @@ export const panelStrings = {
   lockedPanel: 'fijada',
   chosenPanels: (n: number) => (n === 1 ? '1 viñeta seleccionada' : `${n} viñetas seleccionadas`),
   selectOne: 'selecciona una viñeta',
+  joinPanels: 'Fundir viñetas',
+  notJoined: 'estas viñetas no forman juntas una sola',
   splitRows: 'Dividir en filas',
   splitColumns: 'Dividir en columnas',
   removePanel: 'Quitar viñeta',
