@@ -136,7 +136,7 @@ fn cut_anew(node: &Node, before: usize, group: &[usize]) -> Option<(Node, Vec<us
     }
     rest.push(union);
     let mut ids = Vec::new();
-    Some((partition(rest, &mut ids)?, ids))
+    Some((partition(&rest, &mut ids)?, ids))
 }
 
 fn is_slanted(node: &Node) -> bool {
@@ -146,20 +146,20 @@ fn is_slanted(node: &Node) -> bool {
 
 /// Cuts a rectangle that is made of some others between them, all the way across; none where no cut leaves all of them
 /// whole. The numbers of the leaves come in the order of the tree.
-fn partition(rects: Vec<Rect>, ids: &mut Vec<usize>) -> Option<Node> {
-    if let [only] = rects[..] {
+fn partition(rects: &[Rect], ids: &mut Vec<usize>) -> Option<Node> {
+    if let [only] = rects {
         ids.push(only.id);
         return Some(Node::Panel);
     }
     let axes = [Axis::Rows, Axis::Columns];
     let (axis, bands) =
-        axes.into_iter().map(|axis| (axis, bands(&rects, axis))).find(|(_, bands)| bands.len() > 1)?;
+        axes.into_iter().map(|axis| (axis, bands(rects, axis))).find(|(_, bands)| bands.len() > 1)?;
     let mut split =
         Split { axis, shares: Vec::new(), slants: vec![0.0; bands.len() - 1], children: Vec::new() };
     for band in bands {
         let (from, to) = band.iter().copied().reduce(Rect::union)?.extent(axis);
         split.shares.push(to - from);
-        split.children.push(partition(band, ids)?);
+        split.children.push(partition(&band, ids)?);
     }
     Some(Node::Split(split))
 }
