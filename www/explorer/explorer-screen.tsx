@@ -113,10 +113,13 @@ function useItems(shown: readonly Item[], photo: Photo | null) {
   const { explorer, ownStyles } = useApp();
   const made = useRef(new Map() as Map<string, VNode>);
   const parent = explorer.parent.value?.id;
+  const litter = explorer.litters.value;
   return shown.map((item) => {
     const { id } = item.style;
     const judgement = explorer.scores.judged.value.get(id);
-    const key = `${id} ${judgement} ${ownStyles.isFavourite(id)} ${parent === id} ${photo?.id}`;
+    const origin = explorer.originOf(id);
+    const fresh = origin?.litter === litter;
+    const key = `${id} ${judgement} ${ownStyles.isFavourite(id)} ${parent === id} ${fresh} ${photo?.id}`;
     const found = made.current.get(key);
     if (found) return found;
     const vnode = (
@@ -127,6 +130,8 @@ function useItems(shown: readonly Item[], photo: Photo | null) {
         photo={photo}
         favourite={ownStyles.isFavourite(id)}
         parent={parent === id}
+        origin={origin}
+        fresh={fresh}
       />
     );
     made.current.set(key, vnode);

@@ -16,6 +16,8 @@ import type { Item } from './explorer-wall.ts';
 import type { Signal } from '@preact/signals';
 
 export type { Item };
+/** The names of the styles that one was bred from, the same twice where it is more like one; `litter` counts from 1. */
+export type Origin = { parents: readonly [string, string]; litter: number };
 /** what the styles are tried on, and how large */
 export type Photo = { id: string; width: number; height: number };
 export type Explorer = ReturnType<typeof createExplorer>;
@@ -53,6 +55,9 @@ export function createExplorer({
   /** The style that waits for another to breed with. */
   const parent: Signal<Style | null> = signal(null);
   const first = signal(seed());
+  /** What bred styles come from: one style or two, and whether they are the last litter. */
+  const origins: Map<string, Origin> = new Map();
+  const litters = signal(0);
   let made = 0;
   let running: AbortController | null = null;
 
@@ -76,6 +81,8 @@ export function createExplorer({
     look,
     surprise,
     parent,
+    litters,
+    originOf: (id: string) => origins.get(id),
     first,
     generate,
     stop,
@@ -117,7 +124,14 @@ export function createExplorer({
     const planner = store.planner.peek();
     if (!planner) return;
     const from = seed();
-    await run(photo, LITTER, (i) => planner.breedStyle({ a, b, seed: (from + i) >>> 0, surprise: wild }), true, true);
+    litters.value += 1;
+    const litter = litters.peek();
+    const child = (i: number) => {
+      const style = planner.breedStyle({ a, b, seed: (from + i) >>> 0, surprise: wild });
+      origins.set(style.id, { parents: [a.name, b.name], litter });
+      return style;
+    };
+    await run(photo, LITTER, child, true, true);
   }
 
   /** Puts the favourites on the wall that are not there. */
@@ -170,6 +184,7 @@ export function createExplorer({
   function clear() {
     stop();
     parent.value = null;
+    origins.clear();
     scores.forget();
     wall.clear();
   }

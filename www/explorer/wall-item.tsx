@@ -4,21 +4,29 @@ import { useEffect, useRef } from 'preact/hooks';
 import { strings } from '../strings/strings.ts';
 import { IconButton } from '../ui/button.tsx';
 import { useApp } from '../ui/context.ts';
-import type { Item, Photo } from './explorer.ts';
+import { Icon } from '../ui/icon.tsx';
+import type { Item, Origin, Photo } from './explorer.ts';
 
-/** @param props `judgement`: what the net thinks of it, if it was asked; `parent`: it waits for another to breed with */
+/**
+ * @param props `judgement`: what the net thinks of it, if it was asked; `parent`: it waits for another to breed with; `origin`:
+ * what it was bred from, `fresh`: just now
+ */
 export function WallItem({
   item: { style, score },
   judgement,
   photo,
   favourite,
   parent,
+  origin,
+  fresh,
 }: {
   item: Item;
   judgement?: number | null;
   photo: Photo | null;
   favourite: boolean;
   parent: boolean;
+  origin?: Origin;
+  fresh: boolean;
 }) {
   const { explorer, ownStyles, pages, designer, ui } = useApp();
   const ref = useRef(null as HTMLLIElement | null);
@@ -45,11 +53,17 @@ export function WallItem({
 
   const label = judgement ? strings.netScoreOf(judgement) : strings.lightScoreOf(score);
   return (
-    <li class="wall-item" ref={ref} data-style={style.id} aria-label={style.name} data-parent={parent}>
+    <li class="wall-item" ref={ref} data-style={style.id} aria-label={style.name} data-parent={parent} data-fresh={fresh}>
       <canvas ref={canvas} class="bitmap" aria-hidden="true" onClick={use} title={strings.useStyle} />
       <span class="wall-score" data-net={!!judgement} title={label} role="img" aria-label={label}>
         {judgement ? strings.netScore(judgement) : strings.lightScore(score)}
       </span>
+      {origin && (
+        <span class="wall-origin" title={strings.bredFrom(...origin.parents)}>
+          <Icon name="breed" />
+          <span class="wall-origin-names">{strings.bredFrom(...origin.parents)}</span>
+        </span>
+      )}
       <IconButton
         icon="heart"
         label={strings.favourite}

@@ -117,6 +117,7 @@ export const designerStrings = {
   explorerEmpty: 'Styles that nobody has seen, on your own photo. Press Generate.',
   explorerNone: 'No style of this kind yet.',
   breedWith: (name: string) => `Choose another style to breed with ${name}`,
+  bredFrom: (a: string, b: string) => (a === b ? `Like ${a}` : `Child of ${a} and ${b}`),
   explorerFailed: (why: string) => `Styles could not be drawn: ${why}`,
 
   // Shuffle

@@ -115,6 +115,7 @@ export const designerStrings = {
   explorerEmpty: 'Estilos que nadie ha visto, en tu propia foto. Pulsa Generar.',
   explorerNone: 'Aún no hay estilos de este tipo.',
   breedWith: (name: string) => `Elige otro estilo para cruzarlo con ${name}`,
+  bredFrom: (a: string, b: string) => (a === b ? `Como ${a}` : `Cruce de ${a} y ${b}`),
   explorerFailed: (why: string) => `No se pudieron dibujar los estilos: ${why}`,
 
   // Shuffle
