@@ -88,7 +88,7 @@ export function Explorer() {
         />
       )}
       {!running && <Judging />}
-      {explorer.parent.value && <p class="explorer-hint">{strings.breedWith(explorer.parent.value.name)}</p>}
+      <Hint />
       <ul class="wall" ref={wall}>
         {vnodes}
       </ul>
@@ -96,6 +96,14 @@ export function Explorer() {
       {items.length > 0 && shown.length === 0 && <p class="wall-empty">{strings.explorerNone}</p>}
     </Workspace>
   );
+}
+
+/** What breeding waits for, or what came of it. */
+function Hint() {
+  const { explorer } = useApp();
+  const { parent, parents } = explorer;
+  if (parent.value) return <p class="explorer-hint">{strings.breedWith(parent.value.name)}</p>;
+  return parents.value && <p class="explorer-hint">{strings.litterOf(...parents.value)}</p>;
 }
 
 /** The photo that styles are tried on. */

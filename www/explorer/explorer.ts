@@ -58,6 +58,8 @@ export function createExplorer({
   /** What bred styles come from: one style or two, and whether they are the last litter. */
   const origins: Map<string, Origin> = new Map();
   const litters = signal(0);
+  /** The parents of the last litter. */
+  const parents: Signal<Origin['parents'] | null> = signal(null);
   let made = 0;
   let running: AbortController | null = null;
 
@@ -81,6 +83,7 @@ export function createExplorer({
     look,
     surprise,
     parent,
+    parents,
     litters,
     originOf: (id: string) => origins.get(id),
     first,
@@ -126,6 +129,7 @@ export function createExplorer({
     const from = seed();
     litters.value += 1;
     const litter = litters.peek();
+    parents.value = [a.name, b.name];
     const child = (i: number) => {
       const style = planner.breedStyle({ a, b, seed: (from + i) >>> 0, surprise: wild });
       origins.set(style.id, { parents: [a.name, b.name], litter });
@@ -185,6 +189,7 @@ export function createExplorer({
     stop();
     parent.value = null;
     origins.clear();
+    parents.value = null;
     scores.forget();
     wall.clear();
   }

@@ -53,7 +53,14 @@ export function WallItem({
 
   const label = judgement ? strings.netScoreOf(judgement) : strings.lightScoreOf(score);
   return (
-    <li class="wall-item" ref={ref} data-style={style.id} aria-label={style.name} data-parent={parent} data-fresh={fresh}>
+    <li
+      class="wall-item"
+      ref={ref}
+      data-style={style.id}
+      aria-label={style.name}
+      data-parent={parent}
+      data-fresh={fresh}
+    >
       <canvas ref={canvas} class="bitmap" aria-hidden="true" onClick={use} title={strings.useStyle} />
       <span class="wall-score" data-net={!!judgement} title={label} role="img" aria-label={label}>
         {judgement ? strings.netScore(judgement) : strings.lightScore(score)}
@@ -61,7 +68,7 @@ export function WallItem({
       {origin && (
         <span class="wall-origin" title={strings.bredFrom(...origin.parents)}>
           <Icon name="breed" />
-          <span class="wall-origin-names">{strings.bredFrom(...origin.parents)}</span>
+          <span class="visually-hidden">{strings.bredFrom(...origin.parents)}</span>
         </span>
       )}
       <IconButton

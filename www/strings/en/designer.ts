@@ -118,6 +118,7 @@ export const designerStrings = {
   explorerNone: 'No style of this kind yet.',
   breedWith: (name: string) => `Choose another style to breed with ${name}`,
   bredFrom: (a: string, b: string) => (a === b ? `Like ${a}` : `Child of ${a} and ${b}`),
+  litterOf: (a: string, b: string) => (a === b ? `Outlined: more like ${a}` : `Outlined: children of ${a} and ${b}`),
   explorerFailed: (why: string) => `Styles could not be drawn: ${why}`,
 
   // Shuffle

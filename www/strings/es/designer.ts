@@ -116,6 +116,7 @@ export const designerStrings = {
   explorerNone: 'Aún no hay estilos de este tipo.',
   breedWith: (name: string) => `Elige otro estilo para cruzarlo con ${name}`,
   bredFrom: (a: string, b: string) => (a === b ? `Como ${a}` : `Cruce de ${a} y ${b}`),
+  litterOf: (a: string, b: string) => (a === b ? `Con marco: más como ${a}` : `Con marco: cruces de ${a} y ${b}`),
   explorerFailed: (why: string) => `No se pudieron dibujar los estilos: ${why}`,
 
   // Shuffle
