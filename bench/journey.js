@@ -6,6 +6,8 @@
 const SHUFFLES = 15;
 /** Milliseconds that somebody looks at a page before the next shuffle. */
 export const REST = 600;
+/** Milliseconds that somebody needs to choose photos. */
+const CHOOSING = 3_000;
 /** Shuffles of somebody who cannot wait, in the first ten seconds. */
 const HURRIED = 40;
 const FIRST_SECONDS = 10_000;
@@ -15,12 +17,14 @@ const RESIZES = 8;
  * @param {Browser} browser
  * @param {string} address of the site
  * @param {string[]} photos paths
- * @returns {Promise<{ firstPage: number, refined: number, closer: number, shuffle: number, rested: number, hurried: { count: number, ms: number }, png: number, thumbnails: number, listed: number }>} milliseconds;
- *   `refined` from the first page until all photos are searched, `closer` until the small faces are looked for, too
+ * @returns {Promise<{ firstPage: number, drawn: number, decoded: number, refined: number, closer: number, shuffle: number, rested: number, hurried: { count: number, ms: number }, png: number, thumbnails: number, listed: number }>} milliseconds;
+ *   `drawn` until the first page is seen, `firstPage` until all is read, too; `decoded` is what the browser needs to decode the same
+ *   files; `refined` from the first page until all photos are searched, `closer` until the small faces are looked for, too
  */
 export async function journey(browser, address, photos) {
   const hurried = await inTheFirstSeconds(browser, address, photos);
-  const { page, firstPage } = await opened(browser, address, photos);
+  const decoded = await browserDecodes(browser, photos);
+  const { page, firstPage, drawn } = await opened(browser, address, photos);
   const [refined, closer] = await page.evaluate(async () => {
     const start = performance.now();
     // A loop of animation frames would have the browser draw sixty times a second what does not change.
@@ -65,7 +69,7 @@ export async function journey(browser, address, photos) {
   await page.close();
   const median = (/** @type {number[]} */ list) => list.sort((a, b) => a - b)[list.length >> 1];
   const [shuffle, rested, thumbnails] = [median(times), median(rests), median(resizes)];
-  return { firstPage, refined, closer, shuffle, rested, hurried, png, thumbnails, listed };
+  return { firstPage, drawn, decoded, refined, closer, shuffle, rested, hurried, png, thumbnails, listed };
 }
 
 /**
@@ -83,9 +87,30 @@ async function opened(browser, address, photos) {
   await page.goto(address);
   const input = page.getByLabel('Photos or video');
   await input.waitFor({ state: 'attached' });
+  // Nobody chooses photos sooner.
+  await page.waitForTimeout(CHOOSING);
   const first = page.evaluate(() => /** @type {any} */ (globalThis).watch.afterChoosing());
   await input.setInputFiles(photos);
-  return { page, firstPage: /** @type {number} */ (await first) };
+  return { page, .../** @type {{ firstPage: number, drawn: number }} */ (await first) };
+}
+
+/**
+ * The same files by the browser's own decoder, as many at a time as it likes.
+ * @param {Browser} browser
+ * @param {string[]} photos
+ */
+async function browserDecodes(browser, photos) {
+  const page = await browser.newPage();
+  await page.setContent('<input type="file" multiple>');
+  await page.locator('input').setInputFiles(photos);
+  const ms = await page.evaluate(async () => {
+    const files = [...(document.querySelector('input')?.files ?? [])];
+    const start = performance.now();
+    await Promise.all(files.map(async (file) => (await createImageBitmap(file)).close()));
+    return performance.now() - start;
+  });
+  await page.close();
+  return ms;
 }
 
 /**
@@ -121,10 +146,11 @@ function shuffled(page) {
 function watch() {
   const frame = () => new Promise((resolve) => requestAnimationFrame(resolve));
   const idle = () => document.body.dataset.idle === 'true';
-  const painted = async () => {
+  const drawn = () => document.body.dataset.drawn === 'true';
+  const painted = async (/** @type {() => boolean} */ done = idle) => {
     // The frame in which the work begins, those that it takes, and the one that shows it.
     await frame();
-    while (!idle()) await frame();
+    while (!done()) await frame();
     await frame();
     return performance.now();
   };
@@ -134,7 +160,8 @@ function watch() {
         const start = await new Promise((resolve) => {
           document.addEventListener('change', () => resolve(performance.now()), { capture: true, once: true });
         });
-        return (await painted()) - start;
+        const seen = painted(drawn);
+        return { firstPage: (await painted()) - start, drawn: (await seen) - start };
       },
       /**
        * Until the frame that shows what the change drew on this thread.
