@@ -99,7 +99,7 @@ pub fn saved(bytes: &[u8]) {
     let (pages, present) = saved.pages();
     assert!(pages.is_empty() || present < pages.len());
     for page in &pages {
-        for id in photos_on([&**page]) {
+        for id in photos_on(&[page]) {
             let _: Result<_, Error> = saved.photo_file(id);
         }
     }
@@ -142,7 +142,7 @@ fn whole(state: &Project) {
     assert!(table.len() == state.tray.len(), "a photo is on the table twice");
     let sheets = state.sheets();
     for sheet in &sheets {
-        assert!(photos_on([&*sheet.page]).is_subset(&table), "a page shows a photo that is not there");
+        assert!(photos_on(&[&sheet.page]).is_subset(&table), "a page shows a photo that is not there");
         assert!(sheet.page.order.iter().all(|id| table.contains(id.as_str())));
     }
     let places: HashSet<u64> = sheets.iter().map(|sheet| sheet.sheet).collect();

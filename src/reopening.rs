@@ -61,7 +61,7 @@ fn drawn(mut saved: Saved, number: Option<u32>, output: &Path) -> Result<Vec<u8>
 
 /// The files of the photos that a page shows, by their ids.
 fn files(saved: &mut Saved, page: &Document) -> Result<HashMap<String, Vec<u8>>, Complaint> {
-    let mut shown: Vec<&str> = photos_on([page]).into_iter().collect();
+    let mut shown: Vec<&str> = photos_on(&[page]).into_iter().collect();
     shown.sort_unstable();
     let mut files = HashMap::new();
     for id in &shown {

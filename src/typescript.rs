@@ -13,7 +13,9 @@ use crate::document::editor::Editor;
 use crate::document::file::{FilePhoto, FileVideo, Likeness, ProjectFile};
 use crate::document::history::{History, Shown};
 use crate::document::kept;
+use crate::document::planning::{Planning, Seeds};
 use crate::document::project::{Draft, DraftStep, Focus, Locks, Order, Project, Sheet, Styling, TrayItem};
+use crate::document::upkeep::Groups;
 use crate::framing::{Crop, PhotoMeta, Subject};
 use crate::layout::edit::Cut;
 use crate::layout::tree::Axis;
@@ -125,6 +127,17 @@ struct Difference {
     page_id: u64,
     /// and one for a new place.
     sheet: u64,
+}
+
+/// The storyboard after photos went out of use.
+#[derive(TS, Deserialize)]
+#[serde(deny_unknown_fields)]
+struct RepairedSheets {
+    /// In order; a page that stays as it was is left out.
+    #[ts(type = "ReadonlyArray<Omit<Sheet, 'page'> & Partial<Pick<Sheet, 'page'>>>")]
+    sheets: Vec<Value>,
+    /// Which is edited.
+    at: usize,
 }
 
 /// Numbers of things in a row: the first, and how many.
@@ -294,6 +307,7 @@ fn types() -> String {
         BreedRequest,
         Tables,
         Difference,
+        RepairedSheets,
         Loaded,
         TabledHistory,
         ReadHistory,
@@ -415,6 +429,12 @@ fn written() -> String {
         serde_json::from_str::<Difference>(difference).unwrap();
     }
     editor.apply_json(&edits(&page)[13].to_string()).unwrap();
+    let free: Vec<_> = ["p", "q"].map(|id| PhotoMeta::unmeasured(id, 1600, 1200)).into();
+    let planning = Planning::new(editor.project(), &free);
+    let spread = planning.spread_json(editor.history().fresh(), &mut Seeds::new(7)).unwrap();
+    let planning = Planning::new(editor.project(), &free[1..]);
+    let repaired = planning.repaired_json(&Groups::new()).unwrap();
+    serde_json::from_str::<RepairedSheets>(&repaired).unwrap();
     let history = kept::write(editor.history(), &vec!["what was left out".into()]);
     serde_json::from_str::<ReadHistory>(&history).unwrap();
     let whole =
@@ -444,6 +464,8 @@ fn written() -> String {
         ("page", "PageDocument", page.to_string()),
         ("request", "Request", wanted.to_string()),
         ("differences", "readonly Difference[]", format!("[\n  {}\n]", differences.join(",\n  "))),
+        ("spread", "readonly Sheet[]", spread),
+        ("repaired", "RepairedSheets", repaired),
         ("history", "ReadHistory", history),
         ("file", "ReadProject", file),
         ("blocks", "readonly Block[]", serde_json::to_string(&catalogue::blocks()).unwrap()),

@@ -13,6 +13,7 @@ pub mod document_reading;
 pub mod editing;
 mod frames;
 pub mod layouts;
+pub mod planning;
 pub mod style;
 
 use crate::error::{Error, Result};

@@ -5,12 +5,12 @@
 use inkpanel::document::edit::{Edit, How, Part, Shelf};
 use inkpanel::document::editor::Editor;
 use inkpanel::document::history::History;
-use inkpanel::document::kept;
-use inkpanel::document::own;
 use inkpanel::document::planning::{Planning, Seeds};
 use inkpanel::document::project::{Draft, Focus, List, Order, Project, Sheet, Styling};
 use inkpanel::document::sheets::photos_on;
 use inkpanel::document::spreading::balanced;
+use inkpanel::document::upkeep::Groups;
+use inkpanel::document::{kept, limits, own};
 use inkpanel::framing::PhotoMeta;
 use inkpanel::layout::{self, PageSettings};
 use inkpanel::page::Document;
@@ -300,7 +300,7 @@ fn check_photos(state: &Project) {
     assert_eq!(table.len(), state.tray.len(), "a photo is on the table twice");
     let sheets = state.sheets();
     for sheet in &sheets {
-        assert!(photos_on([&*sheet.page]).is_subset(&table), "a panel shows a removed photo");
+        assert!(photos_on(&[&sheet.page]).is_subset(&table), "a panel shows a removed photo");
         assert!(sheet.page.order.iter().all(|id| table.contains(id.as_str())));
     }
     let places: HashSet<u64> = sheets.iter().map(|sheet| sheet.sheet).collect();
@@ -478,7 +478,7 @@ fn a_forgotten_photo_is_gone_from_the_pages_of_all_times_and_what_these_share_th
     ]);
     assert!(editor.apply(&Edit::ForgetPhotos { ids: texts(&["a"]) }, &How::default()));
     let history = editor.history();
-    assert!(history.shown.iter().all(|shown| photos_on([&*shown.page]).is_empty()));
+    assert!(history.shown.iter().all(|shown| photos_on(&[&shown.page]).is_empty()));
     assert!(history.states().all(|state| state.tray.iter().all(|item| item.id != "a")));
     let before = history.past.iter().rev().find_map(|state| state.page.as_ref()).unwrap();
     assert!(
@@ -575,26 +575,19 @@ fn metas(count: usize) -> Vec<PhotoMeta> {
 /// An editor of a project of one page.
 fn opened(photos: &[PhotoMeta]) -> Editor {
     let mut editor = played([Edit::AddPhotos { ids: photos.iter().map(|photo| photo.id.clone()).collect() }]);
-    let planning = Planning { project: editor.project(), photos };
+    let planning = Planning::new(editor.project(), photos);
     let mut request = planning.request(1);
     (request.keep.layout, request.keep.style, request.keep.photos) = (false, false, false);
     request.panels = Some(photos.len().min(6));
-    let page = planning.plan(request).unwrap().unwrap();
+    let page = planning.plan(request, None).unwrap().unwrap();
     editor.apply(&Edit::ShowPage { page: Arc::new(page), page_id: 1 }, &How::default());
     editor
 }
 
-fn counts() -> Vec<usize> {
-    layout::good_for(PageSettings::default().aspect())
-        .iter()
-        .map(|template| template.panels().len())
-        .collect()
-}
-
 fn spread(editor: &mut Editor, photos: &[PhotoMeta], seeds: &mut Seeds) {
     let fresh = (editor.history().fresh_page_id(), editor.history().fresh_sheet());
-    let planning = Planning { project: editor.project(), photos };
-    if let Some(sheets) = planning.spread(&counts(), fresh, seeds).unwrap() {
+    let planning = Planning::new(editor.project(), photos);
+    if let Some(sheets) = planning.spread(fresh, seeds).unwrap() {
         editor.apply(&Edit::SetSheets { sheets, at: 0 }, &How::default());
     }
 }
@@ -674,6 +667,139 @@ fn no_page_is_a_leftover() {
     assert_eq!(balanced(5, 6, &[]), [5]);
 }
 
+/// A page with so many words on its first panel.
+fn worded(page: &Document, count: usize) -> Arc<Document> {
+    let word = json!({ "kind": "caption", "text": "x", "panel": 0 });
+    Arc::new(Document { words: vec![word; count], ..page.clone() })
+}
+
+#[test]
+fn a_large_album_has_no_more_pages_than_a_storyboard_each_with_no_more_words_than_a_page() {
+    let photos = metas(2_500);
+    let mut editor = opened(&photos);
+    let mut sheets = editor.project().sheets();
+    let again = sheets[0].page.clone();
+    sheets = (0..2)
+        .map(|i| {
+            let page = worded(&again, 150);
+            Arc::new(Sheet { page, page_id: 90 + i, sheet: 90 + i, rest: Map::new() })
+        })
+        .collect();
+    editor.apply(&Edit::SetSheets { sheets, at: 0 }, &How::default());
+    editor.apply(&Edit::WantPanels { count: Some(1) }, &How::default());
+    spread(&mut editor, &photos, &mut Seeds::new(1));
+    let sheets = editor.project().sheets();
+    assert!(sheets.len() <= limits::MOST_SHEETS, "{}", sheets.len());
+    assert_eq!(shown(&editor).concat().len(), 2_500);
+    assert_eq!(sheets.iter().map(|sheet| sheet.page.words.len()).max(), Some(limits::MOST_WORDS));
+    let mut editor = opened(&photos);
+    let splash = Document::clone(&page(1));
+    let splash = Document { layout: json!("splash"), panels: splash.panels[..1].to_vec(), ..splash };
+    editor.apply(&Edit::ChangePage { page: Arc::new(splash) }, &How::default());
+    editor.apply(&Edit::Lock { part: Part::Layout, on: true }, &How::default());
+    let planning = Planning::new(editor.project(), &photos);
+    let sheets = planning.spread((100, 100), &mut Seeds::new(1)).unwrap().unwrap();
+    assert!(sheets.len() <= limits::MOST_SHEETS, "{}", sheets.len());
+}
+
+/// Twelve photos on two pages of six.
+fn two_pages() -> (Vec<PhotoMeta>, Editor) {
+    let photos = metas(12);
+    let mut editor = opened(&photos);
+    spread(&mut editor, &photos, &mut Seeds::new(1));
+    assert_eq!(editor.project().sheets().len(), 2);
+    (photos, editor)
+}
+
+#[test]
+fn a_page_that_wants_more_photos_than_are_free_for_it_takes_from_all() {
+    let (photos, editor) = two_pages();
+    let planning = Planning::new(editor.project(), &photos);
+    let own = photos_on(planning.project.page.as_deref().as_slice()).len();
+    assert_eq!(planning.free(&planning.elsewhere(), planning.project.page.as_deref()).len(), own);
+    let count = |panels| {
+        let mut request = planning.request(5);
+        (request.keep.layout, request.keep.photos, request.panels) = (false, false, Some(panels));
+        let page = planning.plan(request, None).unwrap().unwrap();
+        let elsewhere = photos_on(&planning.elsewhere());
+        let shown = photos_on(&[&page]);
+        (shown.len(), shown.intersection(&elsewhere).count() > 0)
+    };
+    assert_eq!(count(4), (4, false));
+    assert_eq!(count(9), (9, true));
+}
+
+#[test]
+fn a_photo_that_goes_out_of_use_leaves_the_other_pages_for_the_one_of_its_stack() {
+    let (mut photos, mut editor) = two_pages();
+    editor.apply(&Edit::SetSheets { sheets: editor.project().sheets(), at: 1 }, &How::default());
+    let torn = |editor: &Editor, photos: &[PhotoMeta]| Planning::new(editor.project(), photos).torn();
+    assert!(!torn(&editor, &photos));
+    let gone = photos.remove(2).id;
+    // It looks like one that no page shows, and like one that another page shows.
+    photos.push(PhotoMeta::unmeasured("twin", 1500, 1000));
+    let ids = [gone, "twin".to_owned(), photos[8].id.clone()];
+    let groups: Groups = ids.map(|id| (id, json!(3))).into_iter().collect();
+    assert!(torn(&editor, &photos));
+    let planning = Planning::new(editor.project(), &photos);
+    let (sheets, at) = planning.repaired(&groups).unwrap().unwrap();
+    let before = editor.project().sheets();
+    let photo = |sheet: &Sheet, panel: usize| sheet.page.panels[panel].photo.clone();
+    assert_eq!((at, photo(&sheets[0], 2).as_deref()), (1, Some("twin")));
+    assert_eq!(sheets[0].page.layout, before[0].page.layout);
+    assert!(Arc::ptr_eq(&sheets[1].page, &before[1].page));
+    // Where none is left for it, the page goes.
+    let last = Planning::new(editor.project(), &photos[6..11]);
+    assert_eq!(last.repaired(&Groups::new()).unwrap().map(|(sheets, at)| (sheets.len(), at)), Some((1, 0)));
+}
+
+#[test]
+fn other_paper_changes_what_it_must() {
+    let (photos, mut editor) = two_pages();
+    let planning = Planning::new(editor.project(), &photos);
+    let page = planning.project.page.as_deref().unwrap();
+    let settings = &page.page;
+    let wider = PageSettings { gutter: 0.03, ..settings.clone() };
+    let same = planning.on_paper(page, &wider).unwrap();
+    assert_eq!((&same.layout, &same.order, &same.page), (&page.layout, &page.order, &wider));
+    // A page among others keeps its photos, whatever layout it gets.
+    let wide = PageSettings { width: settings.height, height: settings.width / 2, ..settings.clone() };
+    let template = layout::find(page.layout.as_str().unwrap()).unwrap();
+    let turned = planning.on_paper(page, &wide).unwrap();
+    assert_eq!(turned.layout == page.layout, template.good_for(wide.aspect()));
+    assert_eq!(photos_on(&[&turned]), photos_on(&[page]));
+    let none = Planning::new(editor.project(), &[]);
+    assert_eq!(none.on_paper(page, &wide).unwrap(), Document { page: wide.clone(), ..page.clone() });
+    editor.apply(&Edit::Lock { part: Part::Layout, on: true }, &How::default());
+    let locked = Planning::new(editor.project(), &photos);
+    let page = locked.project.page.as_deref().unwrap();
+    assert_eq!(locked.on_paper(page, &wide).unwrap().layout, page.layout);
+}
+
+#[test]
+fn a_page_comes_back_with_photos_of_the_table_on_the_paper_of_the_others() {
+    let (photos, mut editor) = two_pages();
+    let page = editor.project().page.clone().unwrap();
+    let back = |editor: &Editor, photos: &[PhotoMeta]| {
+        Planning::new(editor.project(), photos).brought_back(&page).unwrap()
+    };
+    assert_eq!(back(&editor, &photos), *page);
+    let paper = PageSettings { gutter: 0.03, ..page.page.clone() };
+    let settings = Arc::new(paper.clone());
+    let now = Arc::new(Document { page: paper.clone(), ..Document::clone(&page) });
+    editor.apply(&Edit::ChangeSettings { settings, page: Some(now) }, &How::default());
+    assert_eq!(back(&editor, &photos).page, paper);
+    editor.apply(&Edit::RemovePhotos { ids: vec![photos[0].id.clone()] }, &How::default());
+    let back = back(&editor, &photos[1..]);
+    assert!(back.panels.iter().all(|panel| panel.photo.as_ref().is_some_and(|id| *id != photos[0].id)));
+    // One that is alone brings its own.
+    let mut alone = opened(&photos);
+    let settings = Arc::new(paper);
+    let now = alone.project().page.clone();
+    alone.apply(&Edit::ChangeSettings { settings, page: now }, &How::default());
+    assert_eq!(Planning::new(alone.project(), &photos).brought_back(&page).unwrap(), *page);
+}
+
 /// What a person does where photos move between pages: after each a photo is on one page only, as long as there are enough.
 #[test]
 fn no_two_pages_claim_one_photo() {
@@ -687,12 +813,12 @@ fn no_two_pages_claim_one_photo() {
             match random.rand_range(0..6) {
                 0 => spread(&mut editor, &photos, &mut seeds),
                 1 => {
-                    let planning = Planning { project: editor.project(), photos: &photos };
+                    let planning = Planning::new(editor.project(), &photos);
                     let Some(page) = planning.another(&mut seeds).unwrap() else { continue };
                     let (page_id, place) = (editor.history().fresh_page_id(), editor.history().fresh_sheet());
                     let mut sheets = editor.project().sheets();
                     // Where there are too few photos left it takes any.
-                    let shown = photos_on(sheets.iter().map(|sheet| &*sheet.page));
+                    let shown = photos_on(&sheets.iter().map(|sheet| &*sheet.page).collect::<Vec<_>>());
                     if photos.iter().filter(|photo| !shown.contains(photo.id.as_str())).count() < 2 {
                         continue;
                     }
@@ -711,23 +837,23 @@ fn no_two_pages_claim_one_photo() {
                     let gone = photos.remove(random.rand_range(0..photos.len() as u64) as usize).id;
                     let how = How { silent: false, gesture: Some("gone".into()) };
                     editor.apply(&Edit::RemovePhotos { ids: vec![gone] }, &how);
-                    let planning = Planning { project: editor.project(), photos: &photos };
+                    let planning = Planning::new(editor.project(), &photos);
                     if let Some(page) = planning.refitted(false, seeds.next_seed()).unwrap() {
                         let page_id = editor.history().fresh_page_id();
                         editor.apply(&Edit::ShowPage { page: Arc::new(page), page_id }, &how);
                     }
-                    let planning = Planning { project: editor.project(), photos: &photos };
-                    if let Some((sheets, at)) = planning.repaired(&|_| None).unwrap() {
+                    let planning = Planning::new(editor.project(), &photos);
+                    if let Some((sheets, at)) = planning.repaired(&Groups::new()).unwrap() {
                         editor.apply(&Edit::SetSheets { sheets, at }, &How { silent: true, gesture: None });
                     }
                 }
                 3 => {
                     // Another layout, or other photos.
-                    let planning = Planning { project: editor.project(), photos: &photos };
+                    let planning = Planning::new(editor.project(), &photos);
                     let mut request = planning.request(seeds.next_seed());
                     request.keep.layout = random.rand_float() < 0.5;
                     request.keep.photos = !request.keep.layout;
-                    let Some(page) = planning.plan(request).unwrap() else { continue };
+                    let Some(page) = planning.plan(request, None).unwrap() else { continue };
                     let page_id = editor.history().fresh_page_id();
                     editor.apply(&Edit::ShowPage { page: Arc::new(page), page_id }, &How::default());
                 }
@@ -746,7 +872,7 @@ fn no_two_pages_claim_one_photo() {
             }
             check(&editor);
             let sheets = editor.project().sheets();
-            let places: usize = sheets.iter().map(|sheet| photos_on([&*sheet.page]).len()).sum();
+            let places: usize = sheets.iter().map(|sheet| photos_on(&[&sheet.page]).len()).sum();
             if places <= photos.len() {
                 assert_eq!(editor.project().claimed_twice(), Vec::<String>::new(), "seed {seed}");
             }

@@ -5,10 +5,13 @@ use super::project::Project;
 use super::sheets::photos_on;
 use crate::error::Result;
 use crate::framing::PhotoMeta;
+use crate::layout::PageSettings;
 use crate::page::Document;
 use crate::page::document::template_of;
-use crate::page::request::{Keep, Request};
+use crate::page::request::{Keep, Request, Taste};
 use crate::page::shuffle;
+use crate::plan::Shelf;
+use crate::plan::prepared::Place;
 use oorandom::Rand64;
 use std::collections::HashSet;
 
@@ -18,13 +21,32 @@ const MOST_PANELS: usize = 9;
 /// All parts of the page stay.
 pub const KEEP_ALL: Keep = Keep { layout: true, style: true, photos: true };
 
-/// A state of a project, and what is known of the photos in use.
+/// A photo, and what plans found out about it.
 #[derive(Debug, Clone, Copy)]
+pub struct Known<'p> {
+    /// What is known of it.
+    pub meta: &'p PhotoMeta,
+    /// What plans found out, where that is kept.
+    pub place: Option<&'p Place>,
+}
+
+impl<'p> Known<'p> {
+    /// Its id.
+    #[must_use]
+    pub fn id(&self) -> &'p str {
+        &self.meta.id
+    }
+}
+
+/// A state of a project, and what is known of the photos in use.
+#[derive(Debug, Clone)]
 pub struct Planning<'p> {
     /// The state.
     pub project: &'p Project,
     /// The photos in use, in their order.
-    pub photos: &'p [PhotoMeta],
+    pub photos: Vec<Known<'p>>,
+    /// What the person liked so far.
+    pub taste: Taste,
 }
 
 /// Seeds one after the other, all of one.
@@ -44,25 +66,40 @@ impl Seeds {
     }
 }
 
-impl Planning<'_> {
+impl<'p> Planning<'p> {
+    /// One of photos that nothing was found out about.
+    #[must_use]
+    pub fn new(project: &'p Project, photos: &'p [PhotoMeta]) -> Self {
+        let photos = photos.iter().map(|meta| Known { meta, place: None }).collect();
+        Self { project, photos, taste: Taste::default() }
+    }
+
     /// A request for the page of the project as it is, all of it kept.
     #[must_use]
     pub fn request(&self, seed: u32) -> Request {
+        self.request_for(self.project.page.as_deref().cloned(), KEEP_ALL, seed)
+    }
+
+    /// A request for a page, or for a new one, with the settings of the project.
+    #[inline(never)]
+    pub(super) fn request_for(&self, current: Option<Document>, keep: Keep, seed: u32) -> Request {
         Request {
             seed,
             page: self.project.settings.as_ref().clone(),
-            current: self.project.page.as_deref().cloned(),
-            keep: KEEP_ALL,
+            current,
+            keep,
+            taste: self.taste.clone(),
             ..Request::default()
         }
     }
 
-    /// A new page from the photos of the request, or, where it has none, from those in use that are free for it; none
-    /// while there are none.
+    /// A new page from some photos, or, where none are told, from those in use that are free for it; none while there are
+    /// none in use.
     ///
     /// # Errors
     /// Those of [`shuffle::plan`].
-    pub fn plan(&self, mut request: Request) -> Result<Option<Document>> {
+    #[inline(never)]
+    pub fn plan(&self, mut request: Request, photos: Option<Vec<Known>>) -> Result<Option<Document>> {
         if self.photos.is_empty() {
             return Ok(None);
         }
@@ -72,11 +109,11 @@ impl Planning<'_> {
             let locked = project.page.as_ref().filter(|_| project.locks.photos).map(|page| places_of(page));
             request.panels = project.panels.map(|panels| panels as usize).or(locked);
         }
-        if request.photos.is_empty() {
-            let elsewhere: Vec<&Document> = project.others.iter().map(|sheet| &*sheet.page).collect();
-            cast(&mut request, self.photos, &elsewhere)?;
-        }
-        shuffle::plan(&request).map(Some)
+        let photos = match photos {
+            Some(photos) => photos,
+            None => self.cast(&mut request)?,
+        };
+        planned_of(request, &photos).map(Some)
     }
 
     /// The page after the photos in use changed: as it was where it can be. `grow`: there are more photos than before.
@@ -98,60 +135,115 @@ impl Planning<'_> {
         if grow && !layout && panels.is_none() {
             request.panels = Some(self.photos.len().min(MOST_PANELS));
         }
-        self.plan(request)
+        self.plan(request, None)
     }
 
     /// The same for a page among others: what is new goes to no page by itself, and a page loses but what is gone.
     fn refitted_among(&self, page: &Document) -> Result<Option<Document>> {
-        let elsewhere: Vec<&Document> = self.project.others.iter().map(|sheet| &*sheet.page).collect();
-        let free = photos_for(self.photos, &elsewhere, Some(page)).len();
+        let free = self.free(&self.elsewhere(), Some(page)).len();
         let layout = free == 0 || free >= places_of(page);
         let mut request = self.request(page.seed);
         request.keep.layout = layout;
-        if !layout {
-            request.panels = Some(free);
+        request.panels = (!layout).then_some(free);
+        self.plan(request, None)
+    }
+
+    /// A page of the project on other paper.
+    ///
+    /// # Errors
+    /// Those of [`shuffle::plan`].
+    pub fn on_paper(&self, page: &Document, settings: &PageSettings) -> Result<Document> {
+        let was = &page.page;
+        let resized = u64::from(settings.width) * u64::from(was.height)
+            != u64::from(settings.height) * u64::from(was.width);
+        // Another aspect may not suit the layout; the planner then takes one that does, unless it is locked.
+        let layout = !resized || self.project.locks.layout || suits(page, settings)?;
+        let shown = photos_on(&[page]);
+        let own: Vec<Known> =
+            self.photos.iter().filter(|photo| shown.contains(photo.id())).copied().collect();
+        let mut request = self.request_for(Some(page.clone()), Keep { layout, ..KEEP_ALL }, page.seed);
+        request.page = settings.clone();
+        // The photos of a page among others stay on it, whatever layout it gets.
+        let own = (!self.project.others.is_empty() && !own.is_empty()).then_some(own);
+        if let Some(own) = own.as_ref().filter(|_| !layout) {
+            request.panels = Some(own.len());
         }
-        self.plan(request)
+        let planned = self.plan(request, own)?;
+        Ok(planned.unwrap_or_else(|| Document { page: settings.clone(), ..page.clone() }))
+    }
+
+    /// A page that was shown before, with other photos where its own are not on the table any more, on the paper that the
+    /// storyboard has now; one that is alone brings its own.
+    ///
+    /// # Errors
+    /// Those of [`shuffle::plan`].
+    pub fn brought_back(&self, page: &Document) -> Result<Document> {
+        let table: HashSet<&str> = self.project.tray.iter().map(|item| item.id.as_str()).collect();
+        let there = |photo: &Option<String>| photo.as_deref().is_some_and(|photo| table.contains(photo));
+        let mut page = page.clone();
+        if !page.panels.iter().all(|panel| there(&panel.photo)) {
+            let request = self.request_for(Some(page.clone()), KEEP_ALL, page.seed);
+            page = self.plan(request, None)?.unwrap_or(page);
+        }
+        let settings = &*self.project.settings;
+        if self.project.others.is_empty() || page.page == *settings {
+            return Ok(page);
+        }
+        self.on_paper(&page, settings)
+    }
+
+    /// The photos in use that are free for a page, in the same order; all where it is the only page.
+    #[must_use]
+    #[inline(never)]
+    pub fn free(&self, elsewhere: &[&Document], current: Option<&Document>) -> Vec<Known<'p>> {
+        if elsewhere.is_empty() {
+            return self.photos.clone();
+        }
+        let mut taken = photos_on(elsewhere);
+        for own in current.iter().flat_map(|page| &page.panels).filter_map(|panel| panel.photo.as_deref()) {
+            taken.remove(own);
+        }
+        self.photos.iter().filter(|photo| !taken.contains(photo.id())).copied().collect()
+    }
+
+    /// The pages beside the one that is edited.
+    #[must_use]
+    pub fn elsewhere(&self) -> Vec<&'p Document> {
+        self.project.others.iter().map(|sheet| &*sheet.page).collect()
+    }
+
+    /// The photos of a page, and, where none is left over, their number.
+    fn cast(&self, request: &mut Request) -> Result<Vec<Known<'p>>> {
+        let elsewhere = self.elsewhere();
+        let photos = self.free(&elsewhere, request.current.as_ref());
+        if elsewhere.is_empty() || photos.len() < needed(request)? {
+            return Ok(self.photos.clone());
+        }
+        let free = !request.keep.layout && request.layout.is_none() && request.panels.is_none();
+        let own = photos_on(request.current.as_ref().as_slice());
+        // Where no photo is left over, a page with fewer panels would leave some on no page: its photos keep their places.
+        if free && photos.iter().all(|photo| own.contains(photo.id())) {
+            request.panels = Some(photos.len());
+        }
+        Ok(photos)
     }
 }
 
-/// The photos in use that are free for a page, in the same order; all where it is the only page.
-#[must_use]
-pub fn photos_for<'a>(
-    all: &'a [PhotoMeta],
-    elsewhere: &[&Document],
-    current: Option<&Document>,
-) -> Vec<&'a PhotoMeta> {
-    if elsewhere.is_empty() {
-        return all.iter().collect();
-    }
-    let taken = photos_on(elsewhere.iter().copied());
-    let own = photos_on(current);
-    all.iter().filter(|photo| own.contains(photo.id.as_str()) || !taken.contains(photo.id.as_str())).collect()
-}
-
-/// Tells a request which photos it has.
+/// What a request asks for, of these photos.
 ///
 /// # Errors
-/// `unknown-layout`, `invalid-layout`.
-pub fn cast(request: &mut Request, all: &[PhotoMeta], elsewhere: &[&Document]) -> Result<()> {
-    let photos = photos_for(all, elsewhere, request.current.as_ref());
-    if elsewhere.is_empty() {
-        request.photos = all.to_vec();
-        return Ok(());
-    }
-    if photos.len() < needed(request)? {
-        request.photos = all.to_vec();
-        return Ok(());
-    }
-    let free = !request.keep.layout && request.layout.is_none() && request.panels.is_none();
-    let own: HashSet<&str> = photos_on(request.current.as_ref());
-    // Where no photo is left over, a page with fewer panels would leave some on no page: its photos keep their places.
-    let panels = (free && photos.iter().all(|photo| own.contains(photo.id.as_str()))).then_some(photos.len());
-    let photos = photos.into_iter().cloned().collect();
-    request.panels = panels.or(request.panels);
-    request.photos = photos;
-    Ok(())
+/// Those of [`shuffle::plan`].
+#[inline(never)]
+pub fn planned_of(mut request: Request, photos: &[Known]) -> Result<Document> {
+    request.photos = photos.iter().map(|photo| photo.meta.clone()).collect();
+    let shelf = Shelf::of(photos.iter().map(|photo| photo.place.cloned().unwrap_or_default()).collect());
+    shuffle::planned(&request, &shelf).map(|planned| planned.document)
+}
+
+/// Whether the layout of a page is as good on other paper as it is on its own.
+fn suits(page: &Document, settings: &PageSettings) -> Result<bool> {
+    let template = template_of(&page.layout)?;
+    Ok(template.good_for(settings.aspect()) || !template.good_for(page.page.aspect()))
 }
 
 /// The photos that fill the page without repeats; one where its layout is still to be drawn.

@@ -2,6 +2,7 @@
 //! the page need not know of them; here they are one list, in the order in which they are read.
 
 use super::project::{Project, Sheet};
+use crate::json::Writer;
 use crate::page::Document;
 use serde_json::Map;
 use std::collections::HashSet;
@@ -50,10 +51,29 @@ impl Project {
     }
 }
 
+/// Writes sheets, the pages of those that were there left out.
+pub(super) fn write(out: &mut Writer, sheets: &[Arc<Sheet>], before: &[Arc<Sheet>]) {
+    out.list(sheets, &|out, sheet| {
+        out.open(b'{');
+        if !before.iter().any(|before| Arc::ptr_eq(&before.page, &sheet.page)) {
+            sheet.page.write(out.key("page"));
+        }
+        out.key("pageId").whole(sheet.page_id);
+        out.key("sheet").whole(sheet.sheet);
+        out.rest(&sheet.rest);
+        out.close(b'}');
+    });
+}
+
 /// The photos on some pages.
 #[must_use]
-pub fn photos_on<'a>(pages: impl IntoIterator<Item = &'a Document>) -> HashSet<&'a str> {
-    pages.into_iter().flat_map(|page| &page.panels).filter_map(|panel| panel.photo.as_deref()).collect()
+#[inline(never)]
+pub fn photos_on<'a>(pages: &[&'a Document]) -> HashSet<&'a str> {
+    let mut photos = HashSet::new();
+    for page in pages {
+        photos.extend(page.panels.iter().filter_map(|panel| panel.photo.as_deref()));
+    }
+    photos
 }
 
 /// The page with another photo wherever one was; none where it was not.

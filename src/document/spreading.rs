@@ -1,14 +1,15 @@
 //! An album laid out over pages: how many, which photos on each, and words that go with their photos.
 
-use super::planning::{KEEP_ALL, Planning, Seeds, places_of};
+use super::limits::{MOST_SHEETS, MOST_WORDS};
+use super::planning::{KEEP_ALL, Known, Planning, Seeds, places_of};
 use super::project::Sheet;
-use super::sheets::photos_on;
+use super::sheets;
 use crate::error::Result;
-use crate::framing::PhotoMeta;
+use crate::json::Writer;
+use crate::layout;
 use crate::page::Document;
 use crate::page::request::{Keep, Mode, Request};
 pub use crate::plan::spread::balanced;
-use crate::plan::spread::sizes;
 use serde_json::{Map, Value, json};
 use std::sync::Arc;
 
@@ -21,42 +22,26 @@ const TRIES: usize = 6;
 
 impl Planning<'_> {
     /// All photos in use on as many pages as they need, in the place of the pages that there are, in the style of the page;
-    /// none while there is no page. `counts`: numbers of panels that layouts have. `fresh`: ids from which all are new, of
-    /// a page and of a place.
+    /// none while there is no page. `fresh`: ids from which all are new, of a page and of a place.
     ///
     /// # Errors
     /// Those of the planner.
-    pub fn spread(
-        &self,
-        counts: &[usize],
-        fresh: (u64, u64),
-        seeds: &mut Seeds,
-    ) -> Result<Option<Vec<Arc<Sheet>>>> {
+    pub fn spread(&self, fresh: (u64, u64), seeds: &mut Seeds) -> Result<Option<Vec<Arc<Sheet>>>> {
         let Some(page) = self.project.page.as_deref().filter(|_| !self.photos.is_empty()) else {
             return Ok(None);
         };
         let before = self.project.sheets();
         let fixed = self.project.locks.layout.then(|| (&page.layout, places_of(page)));
-        let cut = match fixed {
-            Some((_, places)) => filled(self.photos.len(), places),
-            None => sizes(self.photos, self.project.panels.map_or(USUAL, |panels| panels as usize), counts),
-        };
         let mut made: Vec<Document> = Vec::new();
-        let mut rest = self.photos;
-        for size in cut {
+        let mut rest = &self.photos[..];
+        for size in self.sizes(fixed.map(|(_, places)| places)) {
             let (own, later) = rest.split_at(size.min(rest.len()));
             rest = later;
             let layout = fixed.filter(|(_, places)| *places == size).map(|(layout, _)| layout.clone());
             let draw = |seed| {
-                self.plan(Request {
-                    current: None,
-                    keep: Keep::default(),
-                    style: Some(page.style.clone()),
-                    photos: own.to_vec(),
-                    panels: Some(size),
-                    layout: layout.clone(),
-                    ..self.request(seed)
-                })
+                let mut request = self.anew(seed);
+                (request.panels, request.layout) = (Some(size), layout.clone());
+                self.plan(request, Some(own.to_vec()))
             };
             if let Some(fresh) = varied(&made, seeds, &draw)? {
                 made.push(self.with_words(fresh, &before, own)?);
@@ -75,6 +60,45 @@ impl Planning<'_> {
         Ok(Some(made.into_iter().enumerate().map(sheet).collect()))
     }
 
+    /// [`Planning::spread`] in JSON: a list of sheets, or null.
+    ///
+    /// # Errors
+    /// Those of the planner.
+    pub fn spread_json(&self, fresh: (u64, u64), seeds: &mut Seeds) -> Result<String> {
+        let mut out = Writer::default();
+        match self.spread(fresh, seeds)? {
+            Some(made) => sheets::write(&mut out, &made, &[]),
+            None => out.null(),
+        }
+        Ok(out.finish())
+    }
+
+    /// A request for another page in the style of the page.
+    #[inline(never)]
+    fn anew(&self, seed: u32) -> Request {
+        let mut request = self.request_for(None, Keep::default(), seed);
+        request.style = self.project.page.as_ref().map(|page| page.style.clone());
+        request
+    }
+
+    /// The photos of each page. `fixed`: places of the layout that all pages are to have.
+    fn sizes(&self, fixed: Option<usize>) -> Vec<usize> {
+        let count = self.photos.len();
+        // Of a large album a page has more photos than are wanted, so that there are not too many pages.
+        let least = count.div_ceil(MOST_SHEETS);
+        if let Some(places) = fixed.filter(|places| *places >= least) {
+            return filled(count, places);
+        }
+        let layouts = layout::good_for(self.project.settings.aspect());
+        let counts: Vec<usize> = layouts.iter().map(|template| template.panels().len()).collect();
+        balanced(count, self.wanted().max(least), &counts)
+    }
+
+    /// Panels of a page among others.
+    fn wanted(&self) -> usize {
+        self.project.panels.map_or(USUAL, |panels| panels as usize)
+    }
+
     /// A page of photos that no page shows as long as there are some, in the style of the page; none while there is no
     /// page.
     ///
@@ -83,43 +107,34 @@ impl Planning<'_> {
     pub fn another(&self, seeds: &mut Seeds) -> Result<Option<Document>> {
         let Some(page) = self.project.page.as_deref() else { return Ok(None) };
         let locked = self.project.locks.layout;
-        let wanted = if locked {
-            places_of(page)
-        } else {
-            self.project.panels.map_or(USUAL, |panels| panels as usize)
-        };
-        let shown = photos_on(self.project.others.iter().map(|sheet| &*sheet.page).chain([page]));
-        let left: Vec<&PhotoMeta> =
-            self.photos.iter().filter(|photo| !shown.contains(photo.id.as_str())).collect();
+        let wanted = if locked { places_of(page) } else { self.wanted() };
+        let mut all = self.elsewhere();
+        all.push(page);
+        let left = self.free(&all, None);
         let enough = left.len() >= if locked { wanted } else { FEWEST };
-        let photos: Vec<PhotoMeta> =
-            if enough { left.into_iter().take(wanted).cloned().collect() } else { self.photos.to_vec() };
+        let photos: Vec<Known> =
+            if enough { left.into_iter().take(wanted).collect() } else { self.photos.clone() };
         let draw = |seed| {
-            self.plan(Request {
-                current: None,
-                keep: Keep::default(),
-                style: Some(page.style.clone()),
-                panels: Some(wanted.min(photos.len())),
-                photos: photos.clone(),
-                layout: locked.then(|| page.layout.clone()),
-                // Photos that are on a page already come in another order, else it would be the same page twice.
-                mode: if enough { Mode::Shuffle } else { Mode::Photos },
-                ..self.request(seed)
-            })
+            let mut request = self.anew(seed);
+            request.panels = Some(wanted.min(photos.len()));
+            request.layout = locked.then(|| page.layout.clone());
+            // Photos that are on a page already come in another order, else it would be the same page twice.
+            request.mode = if enough { Mode::Shuffle } else { Mode::Photos };
+            self.plan(request, Some(photos.clone()))
         };
         varied(std::slice::from_ref(page), seeds, &draw)
     }
 
     /// The page with the words that were on its photos before; those of a whole page stay on the first photo of theirs.
-    fn with_words(&self, page: Document, before: &[Arc<Sheet>], photos: &[PhotoMeta]) -> Result<Document> {
+    #[inline(never)]
+    fn with_words(&self, page: Document, before: &[Arc<Sheet>], photos: &[Known]) -> Result<Document> {
         let mut words = Vec::new();
         for old in before.iter().map(|sheet| &sheet.page) {
             for word in &old.words {
                 let on = word["panel"].as_u64();
                 let photo = old.panels.get(on.unwrap_or(0) as usize).and_then(|panel| panel.photo.as_ref());
-                let Some(panel) = page.panels.iter().position(|use_| use_.photo.as_ref() == photo) else {
-                    continue;
-                };
+                let shows = |photo| page.panels.iter().position(|panel| panel.photo.as_ref() == Some(photo));
+                let Some(panel) = photo.and_then(shows) else { continue };
                 let mut word = word.clone();
                 if on.is_some() {
                     word["panel"] = json!(panel);
@@ -130,16 +145,11 @@ impl Planning<'_> {
         if words.is_empty() {
             return Ok(page);
         }
-        words.truncate(super::limits::MOST_WORDS);
+        words.truncate(MOST_WORDS);
         let seed = page.seed;
         let current = Document { words, ..page };
-        let request = Request {
-            keep: KEEP_ALL,
-            photos: photos.to_vec(),
-            current: Some(current.clone()),
-            ..self.request(seed)
-        };
-        Ok(self.plan(request)?.unwrap_or(current))
+        let request = self.request_for(Some(current.clone()), KEEP_ALL, seed);
+        Ok(self.plan(request, Some(photos.to_vec()))?.unwrap_or(current))
     }
 }
 
@@ -151,6 +161,7 @@ fn filled(count: usize, places: usize) -> Vec<usize> {
 }
 
 /// A page with another layout than the last two, if one was drawn.
+#[inline(never)]
 fn varied(
     made: &[Document],
     seeds: &mut Seeds,

@@ -1,31 +1,38 @@
 //! What the other pages of a storyboard owe to the photos, while a person edits one of them: a photo that is no longer in
 //! use leaves them at once. It is no step of the undo: it belongs to the step that took the photo away.
 
-use super::planning::{KEEP_ALL, Planning, photos_for, places_of};
+use super::planning::{KEEP_ALL, Known, Planning, places_of};
 use super::project::{Project, Sheet};
+use super::sheets;
 use crate::error::Result;
-use crate::framing::PhotoMeta;
+use crate::json::Writer;
 use crate::page::Document;
-use crate::page::request::{Keep, Request};
+use crate::page::request::Keep;
+use serde_json::{Map, Value};
 use std::collections::HashSet;
 use std::sync::Arc;
 
+/// Groups of look-alikes by the ids of photos, as the selection has them.
+pub type Groups = Map<String, Value>;
+
 impl Planning<'_> {
+    /// Whether one of the other pages shows what is not in use, or nothing, in a panel.
+    #[must_use]
+    pub fn torn(&self) -> bool {
+        let used = self.used();
+        self.project.others.iter().any(|sheet| !whole(&sheet.page, &used))
+    }
+
     /// The pages with other photos where one is gone, and without pages that none is left for, and which of them is edited;
-    /// none where nothing is to be done. `alike`: of a photo the one that was taken in its place.
+    /// none where nothing is to be done. Of a stack of look-alikes, the one that was taken in its place comes first.
     ///
     /// # Errors
     /// Those of the planner.
-    pub fn repaired(
-        &self,
-        alike: &dyn Fn(&str) -> Option<String>,
-    ) -> Result<Option<(Vec<Arc<Sheet>>, usize)>> {
-        let used: HashSet<&str> = self.photos.iter().map(|photo| photo.id.as_str()).collect();
-        let whole = |page: &Document| {
-            page.panels.iter().all(|panel| panel.photo.as_deref().is_some_and(|photo| used.contains(photo)))
-        };
+    pub fn repaired(&self, groups: &Groups) -> Result<Option<(Vec<Arc<Sheet>>, usize)>> {
+        let used = self.used();
+        let others = self.project.others.iter();
         let torn: Vec<u64> =
-            self.project.others.iter().filter(|sheet| !whole(&sheet.page)).map(|sheet| sheet.sheet).collect();
+            others.filter(|sheet| !whole(&sheet.page, &used)).map(|sheet| sheet.sheet).collect();
         if torn.is_empty() {
             return Ok(None);
         }
@@ -33,7 +40,7 @@ impl Planning<'_> {
         for place in torn {
             let Some(at) = sheets.iter().position(|sheet| sheet.sheet == place) else { continue };
             let torn = sheets.remove(at);
-            if let Some(page) = self.mended(&torn.page, &sheets, &used, alike)? {
+            if let Some(page) = self.mended(&torn.page, &sheets, &used, groups)? {
                 sheets.insert(at, Arc::new(Sheet { page: Arc::new(page), ..Sheet::clone(&torn) }));
             }
         }
@@ -41,27 +48,55 @@ impl Planning<'_> {
         Ok(edited.map(|at| (sheets, at)))
     }
 
+    /// [`Planning::repaired`] in JSON: `{sheets, at}`, or null. A sheet whose page stays has no `page`.
+    ///
+    /// # Errors
+    /// Those of the planner.
+    pub fn repaired_json(&self, groups: &Groups) -> Result<String> {
+        let mut out = Writer::default();
+        match self.repaired(groups)? {
+            Some((repaired, at)) => {
+                out.open(b'{');
+                sheets::write(out.key("sheets"), &repaired, &self.project.sheets());
+                out.key("at").whole(at as u64);
+                out.close(b'}');
+            }
+            None => out.null(),
+        }
+        Ok(out.finish())
+    }
+
+    #[inline(never)]
+    fn used(&self) -> HashSet<&str> {
+        self.photos.iter().map(Known::id).collect()
+    }
+
     /// The page with photos in use only; nothing when there is none for it.
+    #[inline(never)]
     fn mended(
         &self,
         page: &Document,
         rest: &[Arc<Sheet>],
         used: &HashSet<&str>,
-        alike: &dyn Fn(&str) -> Option<String>,
+        groups: &Groups,
     ) -> Result<Option<Document>> {
         let elsewhere: Vec<&Document> = rest.iter().map(|sheet| &*sheet.page).collect();
-        let free = photos_for(self.photos, &elsewhere, Some(page));
+        let free = self.free(&elsewhere, Some(page));
         if free.is_empty() {
             return Ok(None);
         }
-        let swap = |photo: &str| match alike(photo) {
-            Some(other) if !used.contains(photo) && free.iter().any(|photo| photo.id == other) => other,
-            _ => photo.to_owned(),
+        let swap = |photo: &str| {
+            let group = groups.get(photo).filter(|_| !used.contains(photo));
+            let alike = free.iter().find(|other| group.is_some() && groups.get(other.id()) == group);
+            alike.map_or_else(|| photo.to_owned(), |other| other.meta.id.clone())
         };
         let mut current = page.clone();
-        let mut seen = HashSet::new();
-        current.order =
-            current.order.iter().map(|photo| swap(photo)).filter(|id| seen.insert(id.clone())).collect();
+        current.order.clear();
+        for photo in page.order.iter().map(|photo| swap(photo)) {
+            if !current.order.contains(&photo) {
+                current.order.push(photo);
+            }
+        }
         for panel in &mut current.panels {
             if let Some(photo) = panel.photo.as_deref().filter(|photo| !used.contains(photo)) {
                 panel.photo = Some(swap(photo));
@@ -69,16 +104,15 @@ impl Planning<'_> {
             }
         }
         let layout = free.len() >= places_of(page);
-        let photos: Vec<PhotoMeta> = free.into_iter().cloned().collect();
-        let request = Request {
-            keep: Keep { layout, ..KEEP_ALL },
-            panels: (!layout).then_some(photos.len()),
-            current: Some(current),
-            photos,
-            ..self.request(page.seed)
-        };
-        self.plan(request)
+        let mut request = self.request_for(Some(current), Keep { layout, ..KEEP_ALL }, page.seed);
+        request.panels = (!layout).then_some(free.len());
+        self.plan(request, Some(free))
     }
+}
+
+/// Whether all panels of a page show photos in use.
+fn whole(page: &Document, used: &HashSet<&str>) -> bool {
+    page.panels.iter().all(|panel| panel.photo.as_deref().is_some_and(|photo| used.contains(photo)))
 }
 
 impl Project {
@@ -89,7 +123,7 @@ impl Project {
         let mut seen = HashSet::new();
         let mut twice = Vec::new();
         for sheet in self.sheets() {
-            for photo in super::sheets::photos_on([&*sheet.page]) {
+            for photo in sheets::photos_on(&[&sheet.page]) {
                 if !seen.insert(photo.to_owned()) {
                     twice.push(photo.to_owned());
                 }

@@ -13,23 +13,6 @@ const PAUSES: (f64, f64) = (3.0, 60.0);
 const COLOURS: (f64, f64) = (24.0, 90.0);
 /// Bits of fingerprints that two photos of one place may differ in, as noise has it.
 const ALIKE: f64 = 20.0;
-/// A cut weaker than this is no reason for uneven pages.
-const WEAK: f64 = 0.25;
-
-/// Photos of each page, at most `most`, in numbers of panels that layouts have (`counts`; any where none is known). Even
-/// where nothing speaks for a cut elsewhere.
-#[must_use]
-pub fn sizes(photos: &[PhotoMeta], most: usize, counts: &[usize]) -> Vec<usize> {
-    let cuts = cuts(photos);
-    if cuts.iter().all(|cut| *cut < WEAK) {
-        return balanced(photos.len(), most, counts);
-    }
-    let least_pages = photos.len().div_ceil(most.max(1));
-    let even = photos.len() as f64 / least_pages.max(1) as f64;
-    let allowed: Vec<usize> =
-        (1..=most.max(1)).filter(|size| counts.is_empty() || counts.contains(size)).collect();
-    solved(&cuts, &allowed, even, None).unwrap_or_else(|| balanced(photos.len(), most, counts))
-}
 
 /// Photos of each of so many pages; fewer pages where there are fewer photos.
 #[must_use]
@@ -39,7 +22,7 @@ pub fn into_pages(photos: &[PhotoMeta], pages: usize) -> Vec<usize> {
     // Uneven by as much again and no more, which bounds the work as well.
     let most = ((2.0 * even).ceil() as usize).clamp(1, photos.len().max(1));
     let allowed: Vec<usize> = (1..=most).collect();
-    solved(&cuts(photos), &allowed, even, Some(pages)).unwrap_or_else(|| vec![photos.len()])
+    solved(&cuts(photos), &allowed, even, pages).unwrap_or_else(|| vec![photos.len()])
 }
 
 /// Pages of nearly the same number of photos each, so that no page is a leftover: the photos of each page. `counts`:
@@ -91,25 +74,20 @@ pub fn cuts(photos: &[PhotoMeta]) -> Vec<f64> {
 }
 
 /// The sizes with the least cost: the best pages of the first `end` photos end with one of the allowed sizes.
-fn solved(cuts: &[f64], allowed: &[usize], even: f64, pages: Option<usize>) -> Option<Vec<usize>> {
+fn solved(cuts: &[f64], allowed: &[usize], even: f64, pages: usize) -> Option<Vec<usize>> {
     let count = cuts.len() + 1;
     let cost = |size: usize| {
         let uneven = (size as f64 - even) / even.max(1.0);
         PAGE + uneven * uneven + if size < FEWEST && even >= FEWEST as f64 { LEFTOVER } else { 0.0 }
     };
-    // Where the number of pages is given, each layer of the table has one page more than the last.
-    let layers = pages.unwrap_or(1);
-    let mut best = vec![vec![(f64::INFINITY, 0usize); count + 1]; layers + 1];
+    // Each layer of the table has one page more than the last.
+    let mut best = vec![vec![(f64::INFINITY, 0usize); count + 1]; pages + 1];
     best[0][0].0 = 0.0;
-    for layer in 1..=layers {
-        let from = if pages.is_some() { layer - 1 } else { layer };
-        if pages.is_none() {
-            best[layer][0].0 = 0.0;
-        }
+    for layer in 1..=pages {
         for end in 1..=count {
             for &size in allowed.iter().filter(|&&size| size <= end) {
                 let gain = if end < count { cuts[end - 1] } else { 0.0 };
-                let total = best[from][end - size].0 + cost(size) - gain;
+                let total = best[layer - 1][end - size].0 + cost(size) - gain;
                 if total < best[layer][end].0 {
                     best[layer][end] = (total, size);
                 }
@@ -117,7 +95,7 @@ fn solved(cuts: &[f64], allowed: &[usize], even: f64, pages: Option<usize>) -> O
         }
     }
     let mut sizes = Vec::new();
-    let (mut end, mut layer) = (count, layers);
+    let (mut end, mut layer) = (count, pages);
     while end > 0 {
         let (total, size) = best[layer][end];
         if !total.is_finite() || size == 0 {
@@ -125,7 +103,7 @@ fn solved(cuts: &[f64], allowed: &[usize], even: f64, pages: Option<usize>) -> O
         }
         sizes.push(size);
         end -= size;
-        layer -= usize::from(pages.is_some());
+        layer -= 1;
     }
     sizes.reverse();
     Some(sizes)
@@ -164,7 +142,6 @@ mod tests {
             .enumerate()
             .map(|(i, (hour, minute))| at(i, hour, minute))
             .collect();
-        assert_eq!(sizes(&photos, 8, &[]), [5, 4, 7]);
         assert_eq!(into_pages(&photos, 3), [5, 4, 7]);
         assert_eq!(into_pages(&photos, 2).len(), 2);
     }
@@ -172,7 +149,6 @@ mod tests {
     #[test]
     fn an_even_album_has_even_pages() {
         let photos: Vec<PhotoMeta> = (0..13).map(|i| PhotoMeta { taken: None, ..at(i, 0, 0) }).collect();
-        assert_eq!(sizes(&photos, 6, &[]), balanced(13, 6, &[]));
         assert_eq!(into_pages(&photos, 2).iter().sum::<usize>(), 13);
         assert!(into_pages(&photos[..2], 9).len() <= 2);
     }
@@ -181,13 +157,9 @@ mod tests {
         #[test]
         fn every_photo_is_on_one_page(
             hours in prop::collection::vec(0usize..24, 1..60),
-            most in 1usize..10,
             pages in 1usize..12,
         ) {
             let photos: Vec<PhotoMeta> = hours.iter().enumerate().map(|(i, &hour)| at(i, hour, i % 60)).collect();
-            let cut = sizes(&photos, most, &[]);
-            prop_assert_eq!(cut.iter().sum::<usize>(), photos.len());
-            prop_assert!(cut.iter().all(|&size| (1..=most).contains(&size)));
             let told = into_pages(&photos, pages);
             prop_assert_eq!(told.iter().sum::<usize>(), photos.len());
             prop_assert_eq!(told.len(), pages.min(photos.len()));

@@ -1,12 +1,12 @@
 //! The photos that pages are planned from. They are told once: an album of hundreds is a megabyte of text, and a page is
 //! planned with every shuffle, for every alternative and whenever a photo was searched for subjects.
 
+use super::planning::parse_request;
 use super::{parse, thrown};
+use crate::document::planning::{Known, planned_of};
 use crate::error::{Error, Result};
 use crate::framing::PhotoMeta;
-use crate::page::request::Request;
-use crate::page::shuffle;
-use crate::plan::prepared::{Place, Shelf};
+use crate::plan::prepared::Place;
 use std::collections::{HashMap, HashSet};
 use wasm_bindgen::prelude::*;
 
@@ -16,6 +16,8 @@ use wasm_bindgen::prelude::*;
 pub struct Album {
     /// What is told of each, and what plans found out about it.
     photos: HashMap<String, (PhotoMeta, Place)>,
+    /// Those in use, in their order.
+    used: Vec<String>,
 }
 
 #[wasm_bindgen]
@@ -46,19 +48,35 @@ impl Album {
         Ok(())
     }
 
+    /// Learns which photos are in use, a JSON array of ids in their order.
+    pub fn take(&mut self, ids: &str) -> std::result::Result<(), JsValue> {
+        self.used = parse(ids, "photos").map_err(thrown)?;
+        Ok(())
+    }
+
     /// A new document from photos, locks and a seed; see `page::request::Request`, whose photos are `ids`, a JSON array.
     pub fn plan(&self, request: &str, ids: &str) -> std::result::Result<String, JsValue> {
         let plan = || -> Result<String> {
             let ids: Vec<String> = parse(ids, "photos")?;
-            let (mut photos, mut places) = (Vec::new(), Vec::new());
-            for id in ids {
-                let (photo, place) = self.photos.get(&id).ok_or_else(|| Error::MissingPhoto(id.clone()))?;
-                photos.push(photo.clone());
-                places.push(Place::clone(place));
-            }
-            let request = Request { photos, ..parse(request, "request")? };
-            Ok(shuffle::planned(&request, &Shelf::of(places))?.document.to_json())
+            Ok(planned_of(parse_request(request)?, &self.known(&ids)?)?.to_json())
         };
         plan().map_err(thrown)
+    }
+}
+
+impl Album {
+    /// The photos in use.
+    pub(super) fn used(&self) -> Result<Vec<Known<'_>>> {
+        self.known(&self.used)
+    }
+
+    /// These photos.
+    #[inline(never)]
+    pub(super) fn known(&self, ids: &[String]) -> Result<Vec<Known<'_>>> {
+        let known = |id: &String| {
+            let (meta, place) = self.photos.get(id).ok_or_else(|| Error::MissingPhoto(id.clone()))?;
+            Ok(Known { meta, place: Some(place) })
+        };
+        ids.iter().map(known).collect()
     }
 }

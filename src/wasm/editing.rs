@@ -11,7 +11,7 @@ use wasm_bindgen::prelude::*;
 #[wasm_bindgen]
 #[derive(Default)]
 pub struct Editor {
-    hands: Hands,
+    pub(super) hands: Hands,
 }
 
 #[wasm_bindgen]

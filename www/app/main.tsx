@@ -60,7 +60,10 @@ const engine = createEngine();
 const ui = createUi(window);
 const messages = createMessages();
 const store = createStore({ onRefused: ({ message }) => void messages.alert(strings.notDone(message)) });
-const pages = createPages(store);
+const pages = createPages(store, {
+  asked: (wish) => taste.asked(styling.asked(wish)),
+  settled: (page) => lettering.settled(page),
+});
 const reading = createReading({ store, pages, engine, messages, prefix: freshPhotoPrefix() });
 const book = createBook({ store, pages, messages, onKept: (page) => taste.learn(page) });
 const choosing = createChoosing({ store, pages, reading });
@@ -140,10 +143,7 @@ const arrivals = createArrivals({ window, intake, messages });
 const begun = keeping.begin();
 engine.ready.then(
   (planner) => {
-    store.planner.value = {
-      ...planner,
-      plan: (request) => lettering.settled(planner.plan(taste.asked(styling.asked(request)))),
-    };
+    store.planner.value = planner;
     shelves.recall();
     void begun.then(openLink);
     void begun.then(arrivals.begin);

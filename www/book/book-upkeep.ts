@@ -5,7 +5,6 @@
  */
 
 import { effect, untracked } from '@preact/signals';
-import { photosFor, placesOf } from '../document/page-photos.ts';
 import { photosOn, sheetsOf } from '../document/sheets.ts';
 import type { Pages } from '../document/pages.ts';
 import type { Store } from '../document/store.ts';
@@ -23,7 +22,7 @@ export function keepBook({
   later = whenIdle,
 }: {
   store: Store;
-  pages: Pick<Pages, 'plan'>;
+  pages: Pick<Pages, 'plan' | 'repaired'>;
   later?: (work: () => void) => void;
 }) {
   /** What was known of the photos of a page when its crops were made. */
@@ -36,7 +35,7 @@ export function keepBook({
     if (others.length === 0 || !store.planner.value) return;
     untracked(() => {
       const byId = new Map(photos.map((photo) => [photo.id, photo]));
-      repair(byId);
+      repair();
       const stale = remember(byId);
       // The page that is edited follows by itself, and is up to date when it is turned away.
       if (page) known.set(page, essence(page, byId));
@@ -78,60 +77,10 @@ export function keepBook({
     store.change({ type: 'set-sheets', sheets, at: project.at, silent: true });
   }
 
-  /**
-   * Puts other photos where one is gone, and takes out pages that none is left for.
-   * @param photos in use
-   */
-  function repair(photos: Map<string, PhotoMeta>) {
-    const project = store.project.peek();
-    const torn = project.others.filter(({ page }) =>
-      page.panels.some(({ photo }) => photo === null || !photos.has(photo)),
-    );
-    if (torn.length === 0) return;
-    let sheets = sheetsOf(project);
-    for (const sheet of torn) {
-      const rest = sheets.filter((other) => other.sheet !== sheet.sheet);
-      const page = mended(
-        sheet.page,
-        rest.map((other) => other.page),
-        photos,
-      );
-      sheets = page ? sheets.map((other) => (other.sheet === sheet.sheet ? { ...sheet, page } : other)) : rest;
-    }
-    const at = sheets.findIndex(({ sheet }) => sheet === project.sheet);
-    store.change({ type: 'set-sheets', sheets, at, silent: true });
-  }
-
-  /**
-   * @param photos in use
-   * @returns with photos in use only; nothing when there is none for it
-   */
-  function mended(
-    page: PageDocument,
-    elsewhere: readonly PageDocument[],
-    photos: Map<string, PhotoMeta>,
-  ): PageDocument | null {
-    const verdicts = store.verdicts.peek();
-    const free = photosFor([...photos.values()], elsewhere, page);
-    // Of a stack, the one that was taken in its place comes first.
-    const alike = (photo: string) =>
-      free.find(({ id }) => verdicts.has(photo) && verdicts.get(id)?.group === verdicts.get(photo)?.group)?.id;
-    const swap = (photo: string) => (photos.has(photo) ? photo : (alike(photo) ?? photo));
-    const panels = page.panels.map((use) =>
-      use.photo === null || photos.has(use.photo)
-        ? use
-        : { ...use, photo: swap(use.photo), crop: null, edited: false, locked: false },
-    );
-    const current = { ...page, panels, order: [...new Set(page.order.map(swap))] };
-    if (free.length === 0) return null;
-    const layout = free.length >= placesOf(page);
-    return pages.plan({
-      keep: { ...KEEP_ALL, layout },
-      current,
-      seed: page.seed,
-      photos: [...free],
-      ...(layout ? {} : { panels: free.length }),
-    });
+  /** Puts other photos where one is gone, and takes out pages that none is left for. */
+  function repair() {
+    const whole = pages.repaired();
+    if (whole) store.change({ type: 'set-sheets', ...whole, silent: true });
   }
 }
 

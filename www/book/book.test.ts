@@ -1,6 +1,5 @@
 import { beforeEach, describe, expect, test } from 'vitest';
 import { opened } from './book-testing.ts';
-import { balanced } from './spreading.ts';
 import type { PageDocument } from '../engine/types.ts';
 
 let app: Awaited<ReturnType<typeof opened>>;
@@ -83,20 +82,6 @@ describe('spreading the album', () => {
     pages.lock('photos', true);
     book.spreadAlbum();
     expect(store.sheets.value.length).toBe(1);
-  });
-
-  test('leaves no page with much less than the others', () => {
-    for (let count = 1; count < 100; count += 1) {
-      const sizes = balanced(count, 6, [1, 2, 3, 4, 5, 6]);
-      expect(sizes.reduce((sum, size) => sum + size, 0)).toBe(count);
-      expect(Math.max(...sizes)).toBeLessThanOrEqual(6);
-      expect(Math.max(...sizes) - Math.min(...sizes)).toBeLessThanOrEqual(1);
-    }
-  });
-
-  test('counts on layouts that there are', () => {
-    expect(balanced(13, 6, [2, 4])).toEqual([4, 4, 4, 1]);
-    expect(balanced(5, 6, [])).toEqual([5]);
   });
 });
 

@@ -5,9 +5,7 @@
 
 import { computed } from '@preact/signals';
 import { strings } from '../strings/strings.ts';
-import { placesOf } from '../document/page-photos.ts';
 import { photosOn, sheetsOf } from '../document/sheets.ts';
-import { spread, varied } from './spreading.ts';
 import type { PageDocument } from '../engine/types.ts';
 import type { Messages } from '../ui/messages.ts';
 import type { Pages } from '../document/pages.ts';
@@ -16,11 +14,6 @@ import type { Store } from '../document/store.ts';
 
 export type Book = ReturnType<typeof createBook>;
 
-/** Panels of a page among others where no number is wanted: what the first page has at most. */
-const USUAL = 6;
-/** Fewer photos than this that no page shows make no page of their own. */
-const FEWEST = 2;
-
 export function createBook({
   store,
   pages,
@@ -28,7 +21,7 @@ export function createBook({
   onKept = () => {},
 }: {
   store: Store;
-  pages: Pick<Pages, 'plan'>;
+  pages: Pick<Pages, 'another' | 'spread'>;
   messages: Pick<Messages, 'note'>;
   /** Told of a page to which another is added. */
   onKept?: (page: PageDocument) => void;
@@ -92,26 +85,9 @@ export function createBook({
 
   /** A page behind this one, of photos that no page shows as long as there are some, in the style of this one. */
   function add() {
-    const { page, panels, locks, at } = store.project.peek();
+    const { page, at } = store.project.peek();
     if (!page || cannotAdd() !== '') return;
-    const layout = locks.layout ? { layout: page.layout } : {};
-    const wanted = locks.layout ? placesOf(page) : (panels ?? USUAL);
-    const all = store.photos.peek();
-    const enough = left.peek().length >= (locks.layout ? wanted : FEWEST);
-    const photos = enough ? left.peek().slice(0, wanted) : [...all];
-    // Photos that are on a page already come in another order, else it would be the same page twice.
-    const order = enough ? {} : { mode: 'photos' as const };
-    const fresh = varied([page], () =>
-      pages.plan({
-        keep: { layout: false, style: false, photos: false },
-        current: null,
-        style: page.style,
-        photos,
-        panels: Math.min(wanted, photos.length),
-        ...layout,
-        ...order,
-      }),
-    );
+    const fresh = pages.another();
     if (!fresh) return;
     onKept(page);
     const added = { page: fresh, ...store.fresh() };
@@ -158,28 +134,9 @@ export function createBook({
     const project = store.project.peek();
     const before = sheetsOf(project);
     if (!project.page || cannotSpread() !== '') return;
-    const photos = store.photos.peek();
-    const fixed = project.locks.layout ? { layout: project.page.layout, places: placesOf(project.page) } : null;
-    const counts = store.layouts
-      .peek()
-      .filter(({ own }) => own === null)
-      .map(({ count }) => count);
-    const made = spread({
-      photos,
-      before: before.map(({ page }) => page),
-      style: project.page.style,
-      per: project.panels ?? USUAL,
-      counts,
-      fixed,
-      plan: pages.plan,
-    });
-    const { pageId, sheet: place } = store.fresh();
-    // Each goes on in the place of one that was there, whose versions can be brought back.
-    set(
-      made.map((page, i) => ({ page, pageId: pageId + i, sheet: before[i]?.sheet ?? place + i })),
-      0,
-    );
-    messages.note(strings.book.spread(photos.length, made.length), {
+    const sheets = pages.spread();
+    set(sheets, 0);
+    messages.note(strings.book.spread(store.photos.peek().length, sheets.length), {
       label: strings.book.takeBack,
       run: () => bringBack(before, project.at),
     });

@@ -27,6 +27,8 @@ export function createEditing(editor: Editor, from: History = EMPTY_HISTORY) {
 
   return {
     history: () => history,
+    /** What plans pages of the present from photos in use. */
+    plans: editor.plans,
     /** Ids that were never used, nor any above them: of a page, and of a place in the storyboard. */
     fresh: () => ({ pageId, sheet }),
     /**

@@ -3,7 +3,6 @@ import { fakeApp } from './testing.ts';
 import { createLettering } from '../lettering/lettering.ts';
 import { MOST, wellFormed } from './limits.ts';
 import { createShelves } from '../storage/shelves.ts';
-import { spread } from '../book/spreading.ts';
 import { anchored } from '../lettering/word-places.ts';
 
 /** A page with a hand that letters it. */
@@ -73,26 +72,5 @@ describe('what the page itself can write is readable again', () => {
     });
     shelves.recall();
     expect(store.project.value.mine.length).toBe(MOST.styles);
-  });
-
-  it('an album is spread over no more pages than a storyboard has, each with no more words than a page', () => {
-    const photos = Array.from({ length: 2_500 }, (_, i) => ({ id: `p${i}` }) as any);
-    const plan = ({ photos: own, layout = 'l', current }: any) => ({
-      ...current,
-      layout,
-      order: [],
-      panels: (own ?? []).map(({ id }: any) => ({ photo: id, crop: null })),
-      words: current?.words ?? [],
-    });
-    const before = [0, 1].map(() => ({
-      panels: [{ photo: 'p0' }],
-      words: Array.from({ length: 150 }, () => ({ ...word, panel: 0 })),
-    })) as any[];
-    for (const fixed of [null, { layout: 'one', places: 1 }]) {
-      const made = spread({ photos, before, style: 's', per: 1, counts: [1, 2, 3], fixed, plan });
-      expect(made.length).toBeLessThanOrEqual(MOST.sheets);
-      expect(made.flatMap(({ panels }) => panels).length).toBe(2_500);
-      expect(made[0].words?.length).toBe(MOST.words);
-    }
   });
 });

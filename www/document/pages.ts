@@ -3,17 +3,13 @@
  */
 
 import { position, versions } from './history.ts';
-import { casting, photosFor, placesOf } from './page-photos.ts';
-import { createPageSettings } from './page-settings.ts';
 import { sheetsOf } from './sheets.ts';
-import type { PlanRequest } from '../engine/core.ts';
-import type { Keep, LayoutChoice, PageDocument, StyleChoice } from '../engine/types.ts';
+import type { Draw, Wish } from '../engine/core.ts';
+import type { LayoutChoice, PageDocument, PageSettings, StyleChoice } from '../engine/types.ts';
 import type { Shown } from './history.ts';
 import type { Part, Project } from './project.ts';
+import type { Sheet } from './sheets.ts';
 import type { Store } from './store.ts';
-
-/** A page of more panels than this is a page of stamps, unless a person asks for it. */
-const MOST_PANELS = 9;
 
 const KEEP_ALL = Object.freeze({ layout: true, style: true, photos: true });
 
@@ -22,8 +18,15 @@ export function freshSeed(): number {
   return crypto.getRandomValues(new Uint32Array(1))[0];
 }
 
-export function createPages(store: Store, seed: () => number = freshSeed) {
-  const settings = createPageSettings({ store, plan });
+/** @param app `asked`: a wish with what the person likes; `settled`: a page with its words where they hide nothing */
+export function createPages(
+  store: Store,
+  {
+    seed = freshSeed,
+    asked = (wish) => wish,
+    settled = (page) => page,
+  }: { seed?: () => number; asked?: (wish: Wish) => Wish; settled?: (page: PageDocument) => PageDocument } = {},
+) {
   /** The page that a shuffle shows next, as long as all is as it was when it was planned. */
   let prepared: { project: Project; photos: readonly unknown[]; page: PageDocument | null } | null = null;
 
@@ -40,7 +43,10 @@ export function createPages(store: Store, seed: () => number = freshSeed) {
     chooseStyle,
     lock,
     wantPanels,
-    changeSettings: settings.changeSettings,
+    changeSettings,
+    another,
+    spread,
+    repaired,
     bringBack,
     previous,
     next,
@@ -49,29 +55,23 @@ export function createPages(store: Store, seed: () => number = freshSeed) {
   };
 
   /** A new page from the photos in use that are free for it; null while there are none. */
-  function plan(wish: Parameters<Plan>[0]): ReturnType<Plan> {
-    const planner = store.planner.peek();
-    const project = store.project.peek();
-    const photos = store.photos.peek();
-    if (!planner || photos.length === 0) return null;
-    const free = !wish.keep.layout && wish.layout === undefined;
-    const request = { seed: seed(), page: project.settings, current: project.page, ...(free ? shape() : {}), ...wish };
-    return planner.plan({
-      ...request,
-      ...(wish.photos ? { photos: wish.photos } : casting(request, photos, elsewhere(), planner)),
-    });
+  function plan(wish: Wish): PageDocument | null {
+    if (!canPlan()) return null;
+    const page = store.project.peek().settings;
+    return settledOr(store.plans().page({ page, ...asked(wish), seed: wish.seed ?? seed() }));
   }
 
-  /** The other pages of the storyboard. */
-  function elsewhere() {
-    return store.project.peek().others.map(({ page }) => page);
+  function canPlan() {
+    return store.planner.peek() !== null && store.photos.peek().length > 0;
   }
 
-  /** What a free layout must have: the number of panels that a person wants, or else a place for each locked photo. */
-  function shape(): Partial<PlanRequest> {
-    const { page, panels, locks } = store.project.peek();
-    const places = locks.photos && page ? { panels: placesOf(page) } : {};
-    return panels === null ? places : { ...places, panels };
+  /** For pages whose layouts are drawn, if at all, by what the person likes. */
+  function draw(): Draw {
+    return { seed: seed(), taste: asked({ keep: { ...KEEP_ALL, layout: false } }).taste };
+  }
+
+  function settledOr(page: PageDocument | null): PageDocument | null {
+    return page && settled(page);
   }
 
   /** Makes a page the page. */
@@ -104,21 +104,49 @@ export function createPages(store: Store, seed: () => number = freshSeed) {
    * @param how whether there are more photos than before
    */
   function refit({ grow }: { grow: boolean }): PageDocument | null {
-    const { page, locks, panels, others } = store.project.peek();
-    if (page && others.length > 0) return refitAmong(page);
-    const enough = page !== null && store.photos.peek().length >= page.panels.length;
-    const layout = locks.layout || (panels !== null && page?.panels.length === panels) || (enough && !grow);
-    // A photo that was just added is looked for on the page, so each gets a panel.
-    const all = grow && !layout && panels === null ? { panels: Math.min(store.photos.peek().length, MOST_PANELS) } : {};
-    return plan({ keep: { layout, style: true, photos: locks.photos || !grow }, ...all });
+    const next = canPlan() ? settledOr(store.plans().refitted(draw(), grow)) : null;
+    const page = store.page.peek();
+    return JSON.stringify(next) === JSON.stringify(page) ? page : next;
   }
 
-  /** The same for a page among others: what is new goes to no page by itself, and a page loses but what is gone. */
-  function refitAmong(page: PageDocument) {
-    const { length } = photosFor(store.photos.peek(), elsewhere(), page);
-    const layout = length === 0 || length >= placesOf(page);
-    const next = plan({ keep: { ...KEEP_ALL, layout }, seed: page.seed, ...(layout ? {} : { panels: length }) });
-    return JSON.stringify(next) === JSON.stringify(page) ? page : next;
+  /**
+   * Changes size, gutter, paper and the like, of all pages of the storyboard alike.
+   * @param gesture names one drag of a control, which is one step of the undo
+   */
+  function changeSettings(wish: Partial<PageSettings>, gesture?: string) {
+    const project = store.project.peek();
+    const { settings, page, at } = project;
+    const changed = { ...settings, ...wish };
+    const made = page ? store.plans().onPaper(draw(), changed).map(settled) : [];
+    store.change({ type: 'change-settings', settings: changed, page: page && made[at], gesture });
+    if (made.length < 2) return;
+    const sheets = sheetsOf(project).map((sheet, i) => ({ ...sheet, page: made[i] }));
+    store.change({ type: 'set-sheets', sheets, at, silent: true });
+  }
+
+  /** A page behind this one, of photos that no page shows as long as there are some, in the style of this one. */
+  function another(): PageDocument | null {
+    return canPlan() ? settledOr(store.plans().another(draw())) : null;
+  }
+
+  /** All photos in use on as many pages as they need, in the place of the pages that there are. */
+  function spread(): Sheet[] {
+    const sheets = canPlan() ? store.plans().spread(draw()) : null;
+    return (sheets ?? []).map((sheet) => ({ ...sheet, page: settled(sheet.page) }));
+  }
+
+  /** The pages with photos in use alone, and without pages that none is left for; null where they are so. */
+  function repaired(): { sheets: Sheet[]; at: number } | null {
+    if (!store.planner.peek() || !store.plans().torn()) return null;
+    const groups = Object.fromEntries([...store.verdicts.peek().values()].map(({ id, group }) => [id, group]));
+    const found = store.plans().repaired(draw(), groups);
+    if (!found) return null;
+    const before = new Map(sheetsOf(store.project.peek()).map((sheet) => [sheet.sheet, sheet]));
+    const sheets = found.sheets.flatMap(({ page, ...ids }) => {
+      if (page) return { ...ids, page: settled(page) };
+      return before.get(ids.sheet) ?? [];
+    });
+    return { ...found, sheets };
   }
 
   function shuffle(part: Part | 'all') {
@@ -182,14 +210,13 @@ export function createPages(store: Store, seed: () => number = freshSeed) {
     const at = sheets.findIndex((other) => other.pageId === id || other.sheet === sheet);
     // To turn the pages is no step of the undo.
     if (at >= 0 && at !== store.project.peek().at) store.change({ type: 'set-sheets', sheets, at, silent: true });
-    if (sheets[at]?.pageId !== id) store.change({ type: 'show-page', page: settings.fitted(filled(page)), pageId: id });
+    if (sheets[at]?.pageId !== id) store.change({ type: 'show-page', page: broughtBack(page), pageId: id });
   }
 
-  /** A page that was shown before, with other photos where its own are not on the table any more. */
-  function filled(page: PageDocument): PageDocument {
-    const table = new Set(store.tray.peek().map(({ id }) => id));
-    const whole = page.panels.every(({ photo }) => photo !== null && table.has(photo));
-    return whole ? page : (plan({ keep: KEEP_ALL, current: page, seed: page.seed }) ?? page);
+  /** A page that was shown before, as it can be shown now. */
+  function broughtBack(page: PageDocument): PageDocument {
+    const back = store.plans().broughtBack(draw(), page);
+    return JSON.stringify(back) === JSON.stringify(page) ? page : settled(back);
   }
 
   function previous() {
@@ -209,6 +236,4 @@ export function createPages(store: Store, seed: () => number = freshSeed) {
   }
 }
 
-/** `photos` says which are free for it, if not those that no other page shows */
-export type Plan = (wish: Partial<PlanRequest> & { keep: Keep }) => PageDocument | null;
 export type Pages = ReturnType<typeof createPages>;

@@ -119,6 +119,8 @@ export function createStore({ onRefused = () => {} }: { onRefused?: (error: Erro
     history: computed(() => history.value) as ReadonlySignal<History>,
     /** The history with what edits it, for who puts another in its place and may take that back. */
     editing: () => editing,
+    /** What plans pages of the project from the photos in use. Throws while there is no planner. */
+    plans: () => (editing ?? begun()).plans(photos.peek()),
     /** Ids that were never used, nor any above them: of a page, and of a place in the storyboard. */
     fresh: () => (editing ?? begun()).fresh(),
     /** Where the history is kept. */

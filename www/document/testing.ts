@@ -1,4 +1,4 @@
-/** A planner that does what a test foresees beside the core's editor, and an engine of a few lines: no pixels. */
+/** The core with a catalogue and verdicts that a test foresees, and an engine of a few lines: no pixels. */
 
 import { unreadMeta } from './album.ts';
 import { createMessages } from '../ui/messages.ts';
@@ -8,8 +8,8 @@ import { DEFAULT_SETTINGS } from './empty.ts';
 import { createReading } from '../photos/reading.ts';
 import { core } from '../engine/testing-core.ts';
 import { createStore } from './store.ts';
-import type { PlanRequest } from '../engine/core.ts';
-import type { Layout, PageDocument } from '../engine/types.ts';
+import type { Wish } from '../engine/core.ts';
+import type { Layout, PageDocument, PhotoMeta } from '../engine/types.ts';
 import type { Editing } from './editing.ts';
 import type { Change } from './history.ts';
 
@@ -17,7 +17,6 @@ import type { Change } from './history.ts';
 const LAYOUTS = ['splash', 'grid-2', 'grid-3', 'grid-4', 'grid-6'].map(
   (wanted) => core.layouts().find(({ id }) => id === wanted) as Layout,
 );
-const STYLES = core.styles();
 
 /** A page without photos that is told from others by its seed. */
 export function pageOf(seed: number): PageDocument {
@@ -42,65 +41,50 @@ export function edited(...changes: readonly Change[]): Editing {
   return editing;
 }
 
-/** Plans as the core does, in the little that the state relies on. */
+/** The core, told what it is asked for. */
 export function fakePlanner() {
-  const requests: PlanRequest[] = [];
-  return {
-    requests,
+  /** What pages were asked for, the last at the end. */
+  const wishes: Wish[] = [];
+  const planner = {
+    ...core,
+    wishes,
+    /** The photos in use that the last was planned from. */
+    used: [] as readonly PhotoMeta[],
+    /** What becomes of a page that the core has planned. */
+    planned: (page: PageDocument | null, _wish: Wish) => page,
     styles: () => [],
     blocks: () => [],
     listLayouts: ({ own }: { own: object[] }) => [
       ...own.map((layout, i) => ({ ...layout, own: i })),
       ...LAYOUTS.map((layout) => ({ ...layout, own: null })),
     ],
-    createEditor: core.createEditor,
-    carried: core.carried,
-    layoutFacts: core.layoutFacts,
-    layoutFile: core.layoutFile,
-    generateLayout: core.generateLayout,
-    changeLayout: core.changeLayout,
-    checkLayout: core.checkLayout,
+    createEditor: () => {
+      const editor = core.createEditor();
+      const plans = (photos: readonly PhotoMeta[]) => {
+        const all = editor.plans(photos);
+        const page = (wish: Parameters<typeof all.page>[0]) => {
+          wishes.push(wish);
+          planner.used = photos;
+          return planner.planned(all.page(wish), wish);
+        };
+        return { ...all, page };
+      };
+      return { ...editor, plans };
+    },
     geometry: () => ({ width: 1, height: 1, panels: [] }),
     choose: (photos: any[]) =>
       photos.map(({ id, twin }) => ({ id, group: 0, kept: !twin, why: twin ? 'same as another' : '' })),
-    plan: (request: PlanRequest) => {
-      requests.push(request);
-      const { seed, photos, page, current, keep, layout, style, panels } = request;
-      const wanted = panels ?? photos.length;
-      const nearest = LAYOUTS.reduce((best, other) =>
-        Math.abs(other.count - wanted) < Math.abs(best.count - wanted) ? other : best,
-      );
-      const taken = (layout ?? (keep.layout && current ? current.layout : nearest.id)) as any;
-      const { count } = core.layoutFacts(taken, page);
-      const ids = photos.map((photo) => photo.id);
-      const order = keep.photos && current ? current.order.filter((photo) => ids.includes(photo)) : ids;
-      return {
-        version: 1,
-        seed,
-        layout: taken,
-        style: style ?? (keep.style && current ? current.style : STYLES[seed % STYLES.length].id),
-        order,
-        panels: Array.from({ length: count }, (_, i) => ({
-          photo: order[i % order.length] ?? null,
-          crop: null,
-          locked: false,
-          edited: false,
-        })),
-        merges: (current && taken === current.layout && current.merges) || [],
-        page,
-        words: current?.words ?? [],
-      };
-    },
   };
+  return planner;
 }
 
 /** @param odd files that cannot be read or that look like another */
-export function fakeApp(odd: Record<string, 'bad' | 'twin'> = {}) {
+export function fakeApp(odd: Record<string, 'bad' | 'twin'> = {}, hooks: Parameters<typeof createPages>[1] = {}) {
   const store = createStore();
   const planner = fakePlanner();
   store.planner.value = planner as any;
   let seed = 0;
-  const pages = createPages(store, () => (seed += 1));
+  const pages = createPages(store, { seed: () => (seed += 1), ...hooks });
   const messages = createMessages();
   const imported = new Set();
   const engine = {

@@ -21,9 +21,12 @@ import type {
   Loaded,
   PageDocument,
   PageSettings,
+  PhotoMeta,
   ReadHistory,
   ReadProject,
+  RepairedSheets,
   Request,
+  Sheet,
   Style,
   Template,
   Verdict,
@@ -55,11 +58,20 @@ export async function loadCore(): Promise<{ module: WebAssembly.Module; planner:
 export type Planner = ReturnType<typeof createPlanner>;
 export type Editor = ReturnType<typeof createEditor>;
 /**
+ * What a page of a project is asked for; what is left out is as the project has it. `photos`: those in use that it is to
+ * have, if not those that are free for it; `anew`: as if there was no page yet.
+ */
+export type Wish = Partial<Omit<PlanRequest, 'current'>> &
+  Pick<PlanRequest, 'keep'> & { current?: PageDocument; anew?: boolean };
+/** A seed, and what the person likes where something is drawn. */
+export type Draw = Pick<Request, 'seed' | 'taste'>;
+
+/**
  * The pure functions of the core, with plain objects in place of JSON. Each takes well under a millisecond or
  * two and throws an error with a `code`.
  */
 export function createPlanner() {
-  const albumOf = createAlbum();
+  const album = createAlbum();
   return {
     blocks: (): Block[] => JSON.parse(core.blocks()),
     layouts: (): Layout[] => JSON.parse(core.layouts()),
@@ -91,7 +103,7 @@ export function createPlanner() {
     changeLayout: (layout: LayoutChoice, change: LayoutChange): Template =>
       JSON.parse(core.change_layout(JSON.stringify({ layout, change }))),
     plan: ({ photos, ...rest }: PlanRequest): PageDocument =>
-      JSON.parse(albumOf(photos).plan(JSON.stringify(rest), JSON.stringify(photos.map(({ id }) => id)))),
+      JSON.parse(album.of(photos).plan(JSON.stringify(rest), idsOf(photos))),
     /** @returns invented */
     inventStyle: (seed: number): Style => JSON.parse(core.invent_style(seed)),
     /**
@@ -109,7 +121,7 @@ export function createPlanner() {
     readProject: (text: string, { prefix }: { prefix?: string } = {}): ReadProject =>
       JSON.parse(core.read_project(text, prefix)),
     readHistory,
-    createEditor,
+    createEditor: () => createEditor(album),
     /** @returns what was done between two states of a list, done to another state of it */
     carried: <T>(list: readonly T[], before: readonly T[], after: readonly T[]): T[] =>
       JSON.parse(core.carried(JSON.stringify({ list, before, after }))),
@@ -117,7 +129,7 @@ export function createPlanner() {
 }
 
 /** A project while it is edited, of which the page has a copy to read. */
-function createEditor() {
+function createEditor(album: KnownPhotos) {
   const editor = new core.Editor();
   return {
     /**
@@ -135,7 +147,46 @@ function createEditor() {
       const { history }: ReadHistory = JSON.parse(editor.save());
       return expanded(history);
     },
+    plans: (photos: readonly PhotoMeta[]) => plansOf(editor, album.using(photos)),
   };
+}
+
+/** Pages planned for a project from the photos in use, to be made edits of; null where there can be none. */
+function plansOf(editor: core.Editor, album: core.Album) {
+  return {
+    page: ({ photos, anew = false, ...wish }: Wish & Pick<PlanRequest, 'seed'>): PageDocument | null =>
+      JSON.parse(editor.plan(album, JSON.stringify(wish), photos ? idsOf(photos) : '', anew)),
+    /**
+     * @param grow whether there are more photos than before
+     * @returns the page after the photos in use changed
+     */
+    refitted: (draw: Draw, grow: boolean): PageDocument | null =>
+      JSON.parse(editor.refitted(album, JSON.stringify(draw), grow)),
+    /** @returns all pages of the storyboard with other settings */
+    onPaper: (draw: Draw, page: PageSettings): PageDocument[] =>
+      JSON.parse(editor.on_paper(album, JSON.stringify({ ...draw, page }))),
+    /** @returns a page that was shown before, as it can be shown now */
+    broughtBack: (draw: Draw, current: PageDocument): PageDocument =>
+      JSON.parse(editor.brought_back(album, JSON.stringify({ ...draw, current }))),
+    /** @returns the photos laid out over pages, in the place of those that there are */
+    spread: (draw: Draw): Sheet[] | null => JSON.parse(editor.spread(album, JSON.stringify(draw))),
+    /** @returns a page to be added, of photos that no page shows as long as there are some */
+    another: (draw: Draw): PageDocument | null => JSON.parse(editor.another(album, JSON.stringify(draw))),
+    /** Whether one of the other pages shows a photo that is not in use. */
+    torn: () => editor.torn(album),
+    /**
+     * @param groups of look-alikes, by the ids of photos
+     * @returns the pages with photos in use alone
+     */
+    repaired: (draw: Draw, groups: Record<string, number>): RepairedSheets | null =>
+      JSON.parse(editor.repaired(album, JSON.stringify(draw), JSON.stringify(groups))),
+    /** @returns the ids of those that are free for the page, as text */
+    freePhotos: () => editor.free_photos(album),
+  };
+}
+
+function idsOf(photos: readonly PhotoMeta[]): string {
+  return JSON.stringify(photos.map(({ id }) => id));
 }
 
 /**
@@ -159,14 +210,17 @@ function readHistory(
   return { version, history: expanded(history), dropped };
 }
 
-/**
- * The core's album, which is told of a photo once, and again when more is known of it.
- * @returns that knows these photos
- */
-function createAlbum(): (photos: PlanRequest['photos']) => core.Album {
+type KnownPhotos = ReturnType<typeof createAlbum>;
+
+/** The core's album, which is told of a photo once, and again when more is known of it. */
+function createAlbum() {
   const album = new core.Album();
-  const told: Map<string, PlanRequest['photos'][number]> = new Map();
-  return (photos) => {
+  const told: Map<string, PhotoMeta> = new Map();
+  let used: readonly PhotoMeta[] | null = null;
+  return { of, using };
+
+  /** @returns that knows these photos */
+  function of(photos: readonly PhotoMeta[]): core.Album {
     const fresh = photos.filter((photo) => told.get(photo.id) !== photo);
     if (fresh.length > 0) album.know(JSON.stringify(fresh));
     for (const photo of fresh) told.set(photo.id, photo);
@@ -174,7 +228,19 @@ function createAlbum(): (photos: PlanRequest['photos']) => core.Album {
       const ids = new Set(photos.map(({ id }) => id));
       album.keep(JSON.stringify([...ids]));
       for (const id of [...told.keys()]) if (!ids.has(id)) told.delete(id);
+      used = null;
     }
     return album;
-  };
+  }
+
+  /**
+   * @param photos another list where another is in use
+   * @returns that knows these to be in use
+   */
+  function using(photos: readonly PhotoMeta[]): core.Album {
+    if (photos === used) return album;
+    of(photos).take(idsOf(photos));
+    used = photos;
+    return album;
+  }
 }

@@ -902,6 +902,14 @@ export type Difference = {
   sheet: number,
 };
 
+/** The storyboard after photos went out of use. */
+export type RepairedSheets = {
+  /** In order; a page that stays as it was is left out. */
+  sheets: ReadonlyArray<Omit<Sheet, 'page'> & Partial<Pick<Sheet, 'page'>>>,
+  /** Which is edited. */
+  at: number,
+};
+
 /** A history that was put into an editor. */
 export type Loaded = {
   /** What was left out, as sentences. */

@@ -60,8 +60,9 @@ test('what was kept is there again; what can no longer be read is not', () => {
 });
 
 test('one of the catalogue is saved as a file and not kept twice', async () => {
-  const { layouts, store, reading, files } = app();
+  const { layouts, store, pages, reading, files } = app();
   await reading.addFiles(files('a', 'b'));
+  pages.chooseLayout('grid-2');
   layouts.save();
   expect(store.own.value).toEqual([]);
 });

@@ -24,12 +24,10 @@ const letters = {
 };
 
 beforeEach(async () => {
-  const app = fakeApp();
+  const app = fakeApp({}, { settled: (page) => lettering.settled(page) });
   ({ store, pages } = app);
   const selection = createSelection({ store });
   lettering = createLettering({ store, messages: app.messages, selection, load: async () => letters as any });
-  const plan = app.planner.plan as any;
-  store.planner.value = { ...app.planner, plan: (request: any) => lettering.settled(plan(request)) } as any;
   await app.reading.addFiles(app.files('a.jpg', 'b.jpg'));
 });
 

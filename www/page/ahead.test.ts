@@ -19,10 +19,10 @@ test('the next page is planned while this one is looked at, and is the one that 
   vi.runAllTimers();
   const next = ahead.page.value;
   expect(next).not.toBeNull();
-  const { length } = planner.requests;
+  const { length } = planner.wishes;
   pages.shuffle('all');
   expect(store.page.value).toBe(next);
-  expect(planner.requests).toHaveLength(length);
+  expect(planner.wishes).toHaveLength(length);
   expect(ahead.page.value).toBeNull();
 });
 

@@ -5,7 +5,6 @@
  */
 
 import { computed, signal } from '@preact/signals';
-import { photosFor } from '../document/page-photos.ts';
 import type { Pages } from '../document/pages.ts';
 import type { Store } from '../document/store.ts';
 import type { PageDocument } from '../engine/types.ts';
@@ -22,15 +21,11 @@ export function createAlternatives({ store, pages }: { store: Store; pages: Page
   /** What the stream depends on, as text. */
   const basis = computed(() => {
     const { project, photos, reading, planner } = store;
-    const { page, locks, panels, settings, styling, others, sheet } = project.value;
+    const { page, locks, panels, settings, styling, sheet } = project.value;
     // The first page comes first; nothing else is drawn while it waits for photos.
     if (!planner.value || !page || reading.value) return '';
     return JSON.stringify([
-      photosFor(
-        photos.value,
-        others.map((other) => other.page),
-        page,
-      ).map(({ id }) => id),
+      photos.value.length > 0 && store.plans().freePhotos(),
       sheet,
       settings,
       panels,

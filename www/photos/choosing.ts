@@ -3,7 +3,6 @@
  * shows the answer at once, and each change is one step of the undo.
  */
 
-import { placesOf } from '../document/page-photos.ts';
 import type { Pages } from '../document/pages.ts';
 import type { Order } from '../document/project.ts';
 import type { Store } from '../document/store.ts';
@@ -67,7 +66,7 @@ export function createChoosing({ store, pages, reading }: { store: Store; pages:
       // Where all panels are as good as equal, another layout has one that is large.
       const bound = locks.layout || page.panels.some(({ locked }) => locked);
       if (!bound && Math.max(...sizes) < LARGE * (sizes.reduce((sum, size) => sum + size, 0) / sizes.length))
-        return pages.plan({ keep: { ...KEEP_ALL, layout: false, photos: false }, panels: placesOf(page) });
+        return pages.plan({ keep: { ...KEEP_ALL, layout: false, photos: false }, panels: leaders(page).length });
       const changed = enlarged(page, id, sizes, starred);
       return changed === page ? undefined : replanned(changed);
     });
@@ -91,9 +90,9 @@ export function enlarged(
   sizes: readonly number[],
   starred: ReadonlySet<string>,
 ): PageDocument {
-  const group = (i: number) => page.merges.find((panels) => panels.includes(i)) ?? [i];
+  const group = (i: number) => groupOf(page, i);
   const size = (i: number) => group(i).reduce((sum, panel) => sum + sizes[panel], 0);
-  const places = page.panels.map((_, i) => i).filter((i) => group(i)[0] === i);
+  const places = leaders(page);
   const photoOf = (i: number) => page.panels[i].photo;
   const free = places.filter((i) => !group(i).some((panel) => page.panels[panel].locked));
   const target = free
@@ -127,8 +126,8 @@ export function exchanged(page: PageDocument, id: string, alike: readonly string
  */
 export function resorted(page: PageDocument, ids: readonly string[]): PageDocument {
   const rank = (id: string | null) => (id === null ? Infinity : ids.indexOf(id));
-  const leader = (i: number) => page.merges.find((group) => group.includes(i))?.[0] ?? i;
-  const free = page.panels.map((_, i) => i).filter((i) => leader(i) === i && !page.panels[i].locked);
+  const leader = (i: number) => groupOf(page, i)[0];
+  const free = leaders(page).filter((i) => !page.panels[i].locked);
   const photos = free.map((i) => page.panels[i].photo).sort((a, b) => rank(a) - rank(b));
   const panels = page.panels.map((panel, i) => {
     const at = free.indexOf(leader(i));
@@ -136,4 +135,14 @@ export function resorted(page: PageDocument, ids: readonly string[]): PageDocume
     return { ...panel, photo: photos[at], crop: null, edited: false };
   });
   return { ...page, panels, order: [...page.order].sort((a, b) => rank(a) - rank(b)) };
+}
+
+/** @returns the panels that share an image with that one, itself among them */
+function groupOf({ merges }: PageDocument, panel: number): readonly number[] {
+  return merges.find((panels) => panels.includes(panel)) ?? [panel];
+}
+
+/** @returns of the panels that share an image the first, and all others */
+function leaders(page: PageDocument): number[] {
+  return page.panels.map((_, i) => i).filter((i) => groupOf(page, i)[0] === i);
 }

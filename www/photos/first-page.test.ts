@@ -7,6 +7,11 @@ vi.useFakeTimers();
 function app(slow: (name: string) => boolean, odd: Parameters<typeof fakeApp>[0] = {}) {
   const made = fakeApp(odd);
   const go: (() => void)[] = [];
+  // The first files are on the sketch.
+  made.planner.planned = (page, { anew, keep }) =>
+    page && !anew && !keep.photos
+      ? { ...page, panels: page.panels.map((panel, i) => ({ ...panel, photo: `p${i + 1}`, crop: null })) }
+      : page;
   const { importPhoto } = made.engine;
   made.engine.importPhoto = async (id: string, file: File) => {
     if (slow(file.name)) await new Promise<void>((done) => go.push(done));
@@ -29,9 +34,9 @@ describe('the first page', () => {
     await vi.advanceTimersByTimeAsync(200);
     expect(store.sketch.value).toBe(false);
     expect(names()).toEqual(['0.jpg', '2.jpg', '3.jpg', '4.jpg', '5.jpg', '6.jpg']);
-    const { photos, panels, current } = planner.requests.at(-1) ?? {};
+    const { photos, panels, anew } = planner.wishes.at(-1) ?? {};
     expect(photos?.length).toBe(6);
-    expect({ panels, current }).toEqual({ panels: 6, current: null });
+    expect({ panels, anew }).toEqual({ panels: 6, anew: true });
     expect(store.history.value.past).toEqual([]);
     expect(store.history.value.shown.length).toBe(1);
   });

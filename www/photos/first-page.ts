@@ -70,7 +70,7 @@ export function createFirstPage({
     const photos = known();
     if (photos.length === 0) return false;
     const panels = Math.min(photos.length, PANELS);
-    const page = pages.plan({ keep: ALL_NEW, current: null, photos, panels });
+    const page = pages.plan({ keep: ALL_NEW, anew: true, photos, panels });
     batch(() => {
       if (page) store.change({ type: 'change-page', page, silent: true });
       store.sketch.value = false;

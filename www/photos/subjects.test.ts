@@ -68,7 +68,7 @@ describe('subjects', () => {
     expect(asked).toEqual(['p1', 'p2', 'p3', 'p1 closer']);
     expect(subjects.settled.value).toBe(true);
     expect(store.album.value.get('p1')?.meta?.subjects).toEqual([face, face]);
-    expect(planner.requests.at(-1)?.photos[1].subjects).toEqual([face]);
+    expect(planner.used[1].subjects).toEqual([face]);
     expect(subjects.progress.value).toBeNull();
   });
 

@@ -125,7 +125,7 @@ export function fakeBrowser({
     store.planner.value = planner as any;
     const messages = createMessages();
     let seed = 0;
-    const pages = createPages(store, () => (seed += 1));
+    const pages = createPages(store, { seed: () => (seed += 1) });
     const photos = createPhotos();
     const decoded = [] as string[];
     const engine = {

@@ -2,7 +2,7 @@
 
 import type { Styling } from '../document/project.ts';
 import type { Store } from '../document/store.ts';
-import type { PlanRequest } from '../engine/core.ts';
+import type { Wish } from '../engine/core.ts';
 import type { OwnStyles } from './own-styles.ts';
 
 export type StylingDeeds = ReturnType<typeof createStyling>;
@@ -16,14 +16,14 @@ export function createStyling({
 }) {
   return { asked, change };
 
-  /** A request for a page whose style is drawn like that. */
-  function asked(request: PlanRequest): PlanRequest {
+  /** A wish for a page whose style is drawn like that. */
+  function asked(wish: Wish): Wish {
     // A style that stays or is named is not drawn; hundreds of others need not cross to the core.
-    if (request.keep.style || request.style !== undefined) return request;
+    if (wish.keep.style || wish.style !== undefined) return wish;
     const { invented, keepLines, keepColours } = store.project.peek().styling;
     const mine = ownStyles.mine.peek();
     const extra = [...mine, ...ownStyles.favourites.peek().filter(({ id }) => mine.every((style) => style.id !== id))];
-    return { ...request, styling: { extra, invented, keepLines, keepColours } };
+    return { ...wish, styling: { extra, invented, keepLines, keepColours } };
   }
 
   /** @param gesture names one drag of a control, which is one step of the undo */

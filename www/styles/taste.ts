@@ -4,8 +4,7 @@
  */
 
 import { computed, signal } from '@preact/signals';
-import type { Planner } from '../engine/core.ts';
-import type { PlanRequest } from '../engine/core.ts';
+import type { Planner, Wish } from '../engine/core.ts';
 import type { PageDocument } from '../engine/types.ts';
 
 type Box = Pick<Storage, 'getItem' | 'setItem'>;
@@ -45,10 +44,10 @@ export function createTaste({ planner, box }: { planner: () => Pick<Planner, 'la
     setOn,
   };
 
-  /** A request that tells what the person likes, where there is something to choose. */
-  function asked(request: PlanRequest): PlanRequest {
-    const free = (!request.keep.layout && request.layout === undefined) || !request.keep.style;
-    return free && on.peek() ? { ...request, taste: liking.peek() } : request;
+  /** A wish that tells what the person likes, where there is something to choose. */
+  function asked(wish: Wish): Wish {
+    const free = (!wish.keep.layout && wish.layout === undefined) || !wish.keep.style;
+    return free && on.peek() ? { ...wish, taste: liking.peek() } : wish;
   }
 
   /** A page was kept. */

@@ -3,6 +3,7 @@ import { expect, test } from 'vitest';
 import { fitted, panned, zoomed } from './crop.ts';
 import { createFraming } from './framing.ts';
 import { fakeApp } from '../../document/testing.ts';
+import type { Wish } from '../../engine/core.ts';
 import type { PageDocument } from '../../engine/types.ts';
 import type { Crop } from './crop.ts';
 
@@ -59,11 +60,8 @@ async function app() {
   const panels = Array.from({ length: 4 }, (_, i) => ({ bounds: { x: i / 4, y: 0, width: 0.25, height: 1 } }));
   planner.geometry = () => ({ width: 1, height: 1, panels });
   // The core keeps what it is given; this is what the tests of the core say.
-  const plan = planner.plan;
-  planner.plan = (request: any) => {
-    const page = plan(request);
-    return request.keep.photos && request.current ? { ...page, panels: request.current.panels } : page;
-  };
+  planner.planned = (page: PageDocument | null, { keep, current }: Wish) =>
+    page && keep.photos && current ? { ...page, panels: current.panels } : page;
   const use = { photo: 'p1', crop: { x: 0.2, y: 0.2, width: 0.4, height: 0.4 } };
   const page = () => store.page.value as PageDocument;
   store.change({
