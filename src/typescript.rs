@@ -8,6 +8,7 @@
 )]
 
 use crate::detect::{Detection, FirstLook};
+use crate::document::draft::{self, DraftEdit, Layer, Place};
 use crate::document::edit::{Edit, How, Part};
 use crate::document::editor::Editor;
 use crate::document::file::{FilePhoto, FileVideo, Likeness, ProjectFile};
@@ -36,6 +37,7 @@ use crate::style::blocks::Channels;
 use crate::style::file::Step;
 use serde::Deserialize;
 use serde_json::{Value, json};
+use std::collections::HashMap;
 use std::path::Path;
 use ts_rs::{Config, TS};
 
@@ -127,6 +129,43 @@ struct Difference {
     page_id: u64,
     /// and one for a new place.
     sheet: u64,
+}
+
+/// What a block needs and does not get.
+#[derive(TS, Deserialize)]
+#[serde(deny_unknown_fields)]
+struct Misfit {
+    #[ts(as = "draft::Misfit")]
+    lacks: String,
+    /// The block that gives it.
+    remedy: String,
+}
+
+/// What is known of a layer of a draft.
+#[derive(TS, Deserialize)]
+#[serde(deny_unknown_fields)]
+struct LayerFacts {
+    /// Of each of its blocks,
+    misfits: Vec<Option<Misfit>>,
+    /// and by its id of each block that could come behind them.
+    #[ts(type = "Record<string, Misfit | null>")]
+    brings: HashMap<String, Option<Misfit>>,
+}
+
+/// What is known of a draft.
+#[derive(TS, Deserialize)]
+#[serde(deny_unknown_fields)]
+struct DraftFacts {
+    /// Its file.
+    #[ts(as = "Style")]
+    style: Value,
+    /// The same with blocks passed over that cannot work where they are.
+    #[ts(as = "Style")]
+    shown: Value,
+    /// Whether all can.
+    whole: bool,
+    background: LayerFacts,
+    foreground: LayerFacts,
 }
 
 /// The storyboard after photos went out of use.
@@ -252,6 +291,13 @@ fn types() -> String {
         Sheet,
         Draft,
         DraftStep,
+        Layer,
+        Place,
+        DraftEdit,
+        DraftFacts,
+        LayerFacts,
+        Misfit,
+        draft::Misfit,
         Shown,
         History,
         Edit,
@@ -318,18 +364,17 @@ fn types() -> String {
     );
     out.push('\n');
     out.push_str(MORE);
-    out.push_str("\n/** Codes of the errors of the core. */\nexport type ErrorCode =\n");
-    let codes: Vec<_> = codes().iter().map(|code| format!("  | '{code}'")).collect();
-    out.push_str(&codes.join("\n"));
-    out.push_str(";\n");
+    out.push_str(&error_codes());
     formatted(&out)
 }
 
-/// The codes of errors, out of the function that gives them.
-fn codes() -> Vec<&'static str> {
+/// The type of the codes of errors, out of the function that gives them.
+fn error_codes() -> String {
     let (_, code) = include_str!("error.rs").split_once("pub fn code(").unwrap();
     let arms = code.split("    }\n\n").next().unwrap().lines();
-    arms.filter_map(|arm| arm.split_once("=> \"")?.1.split('"').next()).collect()
+    let codes = arms.filter_map(|arm| arm.split_once("=> \"")?.1.split('"').next());
+    let codes: Vec<_> = codes.map(|code| format!("  | '{code}'")).collect();
+    format!("\n/** Codes of the errors of the core. */\nexport type ErrorCode =\n{};\n", codes.join("\n"))
 }
 
 /// Comments of one line on one line, lists that are only read, and lines set in by the brackets about them.
@@ -410,6 +455,22 @@ fn edits(page: &Value) -> Vec<Value> {
     told.as_array().unwrap().clone()
 }
 
+/// One of each edit of a draft, as the page tells it.
+fn draft_edits() -> Vec<Value> {
+    let told = json!([
+        { "type": "add", "layer": "background", "at": 0, "blocks": ["pattern", "posterize"] },
+        { "type": "move", "layer": "background", "at": 1, "toLayer": "foreground", "to": -1 },
+        { "type": "duplicate", "layer": "foreground", "at": 0 },
+        { "type": "remove", "layer": "foreground", "at": 0 },
+        { "type": "set", "layer": "foreground", "at": 0, "param": "levels", "value": 3 },
+        { "type": "reset", "layer": "foreground", "at": 0 },
+        { "type": "bypass", "layer": "foreground", "at": 0, "on": true },
+        { "type": "name", "name": "One" },
+        { "type": "ink", "ink": "#102030" },
+    ]);
+    told.as_array().unwrap().clone()
+}
+
 /// The module of what the core wrote.
 fn written() -> String {
     let settings = serde_json::to_value(PageSettings::default()).unwrap();
@@ -420,15 +481,18 @@ fn written() -> String {
     let mut page: Value = serde_json::from_str(&planned.to_json()).unwrap();
     page["words"] = json!([{ "kind": "balloon", "text": "Hi", "shape": "shout", "panel": 0, "x": 0.5, "y": 0.25, "width": 0.25, "size": "auto", "tail": { "x": 0.5, "y": 0.5 }, "font": "bangers", "color": "#111111", "fill": "#ffffff", "angle": 5, "arc": 0.5, "auto": true }]);
     let mut editor = Editor::default();
-    let (mut named, mut differences) = (Vec::new(), Vec::new());
-    for edit in edits(&page) {
-        differences.push(editor.apply_json(&edit.to_string()).unwrap());
-        named.push(format!("  {}: {edit},\n", edit["type"]));
-    }
+    let differences: Vec<_> =
+        edits(&page).iter().map(|edit| editor.apply_json(&edit.to_string()).unwrap()).collect();
     for difference in &differences {
         serde_json::from_str::<Difference>(difference).unwrap();
     }
     editor.apply_json(&edits(&page)[13].to_string()).unwrap();
+    let mut draft = draft::empty_json("d", "D");
+    for edit in draft_edits() {
+        draft = draft::after_json(&draft, &edit.to_string()).unwrap();
+    }
+    let draft_facts = draft::facts_json(&draft).unwrap();
+    serde_json::from_str::<DraftFacts>(&draft_facts).unwrap();
     let free: Vec<_> = ["p", "q"].map(|id| PhotoMeta::unmeasured(id, 1600, 1200)).into();
     let planning = Planning::new(editor.project(), &free);
     let spread = planning.spread_json(editor.history().fresh(), &mut Seeds::new(7)).unwrap();
@@ -464,6 +528,8 @@ fn written() -> String {
         ("page", "PageDocument", page.to_string()),
         ("request", "Request", wanted.to_string()),
         ("differences", "readonly Difference[]", format!("[\n  {}\n]", differences.join(",\n  "))),
+        ("draft", "Draft", draft),
+        ("draftFacts", "DraftFacts", draft_facts),
         ("spread", "readonly Sheet[]", spread),
         ("repaired", "RepairedSheets", repaired),
         ("history", "ReadHistory", history),
@@ -477,17 +543,28 @@ fn written() -> String {
         ("verdicts", "readonly Verdict[]", catalogue::choose(&choice.to_string()).unwrap()),
         ("style", "Style", style.to_string()),
     ];
+    let each = |name: &str, of: &str, type_of: &str, edits: Vec<Value>| {
+        let edits: Vec<_> = edits.iter().map(|edit| format!("  {}: {edit},\n", edit["type"])).collect();
+        format!(
+            "\nexport const {name}: {{ [Type in {of}['type']]: {type_of} }} = {{\n{}}};\n",
+            edits.concat()
+        )
+    };
+    let edits = [
+        each("edits", "Edit", "Extract<Edit, { type: Type }> & How", edits(&page)),
+        each("draftEdits", "DraftEdit", "Extract<DraftEdit, { type: Type }>", draft_edits()),
+    ];
     let mut names: Vec<_> =
         told.iter().map(|(_, of, _)| of.trim_start_matches("readonly ").trim_end_matches("[]")).collect();
-    names.extend(["Edit", "How"]);
+    names.extend(["DraftEdit", "Edit", "How"]);
     names.sort_unstable();
     let told: Vec<_> =
         told.iter().map(|(name, of, value)| format!("\nexport const {name}: {of} = {value};\n")).collect();
     format!(
-        "/**\n * What the core wrote and read, for the compiler to read against its types. Written by `cargo xtask bless types`.\n */\n\nimport type {{ {} }} from './types.ts';\n{}\nexport const edits: {{ [Type in Edit['type']]: Extract<Edit, {{ type: Type }}> & How }} = {{\n{}}};\n",
+        "/**\n * What the core wrote and read, for the compiler to read against its types. Written by `cargo xtask bless types`.\n */\n\nimport type {{ {} }} from './types.ts';\n{}{}",
         names.join(", "),
         told.concat(),
-        named.concat()
+        edits.concat()
     )
 }
 

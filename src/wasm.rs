@@ -10,6 +10,7 @@ pub mod album;
 #[cfg(feature = "bench")]
 mod bench;
 pub mod document_reading;
+pub mod drafting;
 pub mod editing;
 mod frames;
 pub mod layouts;

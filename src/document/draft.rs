@@ -1,9 +1,12 @@
 //! What is done to a style while it is designed. Every block keeps its key wherever it is moved, and has all of its values,
 //! so that a control never guesses.
 
-use super::limits::{GREATEST_ID, LONGEST_ID, LONGEST_NAME, MOST_BLOCKS};
+use super::invalid;
+use super::limits::{GREATEST_ID, LONGEST_ID, LONGEST_NAME, MOST_BLOCKS, PROJECT};
 use super::project::{Draft, DraftStep};
-use crate::json::{Fields, Read, Wrong, text_of};
+use crate::error::Result;
+use crate::json::{self, Fields, Read, Writer, Wrong, text_of};
+use crate::page::document::style_of;
 use crate::raster::color::parse_hex;
 use crate::style::Style;
 use crate::style::blocks::{self, Block, Channels};
@@ -12,6 +15,7 @@ use serde_json::{Map, Value, json};
 
 /// A layer of a style.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[cfg_attr(all(test, feature = "cli"), derive(ts_rs::TS), ts(rename_all = "lowercase"))]
 pub enum Layer {
     /// The colours.
     Background,
@@ -19,47 +23,94 @@ pub enum Layer {
     Foreground,
 }
 
-/// What is done.
+/// Where something is done.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[cfg_attr(all(test, feature = "cli"), derive(ts_rs::TS))]
+pub struct Place {
+    /// The layer,
+    pub layer: Layer,
+    /// and a position in it.
+    pub at: usize,
+}
+
+/// What is done to a draft. In JSON an object with the edit's name as its `type`, beside its fields and those of its place.
 #[derive(Debug, Clone, PartialEq)]
+#[cfg_attr(
+    all(test, feature = "cli"),
+    derive(ts_rs::TS),
+    ts(tag = "type", rename_all = "kebab-case", rename_all_fields = "camelCase")
+)]
 pub enum DraftEdit {
-    /// Blocks come in at a place.
+    /// Blocks come in.
     Add {
+        /// Before which block.
+        #[cfg_attr(all(test, feature = "cli"), ts(flatten))]
+        place: Place,
         /// Ids of blocks.
         blocks: Vec<String>,
     },
     /// A block goes to another place.
     Move {
+        /// Which.
+        #[cfg_attr(all(test, feature = "cli"), ts(flatten))]
+        place: Place,
         /// The layer that it goes to.
         to_layer: Layer,
         /// Its place there; the end where that is beyond it.
         to: usize,
     },
     /// A block goes.
-    Remove,
+    Remove {
+        /// Which.
+        #[cfg_attr(all(test, feature = "cli"), ts(flatten))]
+        place: Place,
+    },
     /// A second one comes behind it.
-    Duplicate,
+    Duplicate {
+        /// Behind which.
+        #[cfg_attr(all(test, feature = "cli"), ts(flatten))]
+        place: Place,
+    },
     /// It is left out of the chain, or no longer.
-    Bypass(bool),
+    Bypass {
+        /// Which.
+        #[cfg_attr(all(test, feature = "cli"), ts(flatten))]
+        place: Place,
+        /// Whether it is left out.
+        on: bool,
+    },
     /// A parameter gets a value.
     Set {
+        /// Of which block.
+        #[cfg_attr(all(test, feature = "cli"), ts(flatten))]
+        place: Place,
         /// Its id.
         param: String,
         /// The value.
+        #[cfg_attr(all(test, feature = "cli"), ts(type = "ParamValue"))]
         value: Value,
     },
     /// All values are usual again.
-    Reset,
+    Reset {
+        /// Of which block.
+        #[cfg_attr(all(test, feature = "cli"), ts(flatten))]
+        place: Place,
+    },
     /// The style gets a name.
-    Name(String),
+    Name {
+        /// It.
+        name: String,
+    },
     /// The lines get a colour.
-    Ink(String),
+    Ink {
+        /// `#rrggbb`.
+        ink: String,
+    },
 }
-
-/// Where something is done: a layer, and a position in it.
-pub type Place = (Layer, usize);
 
 /// What a block needs and does not get.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[cfg_attr(all(test, feature = "cli"), derive(ts_rs::TS), ts(rename = "Lack", rename_all = "lowercase"))]
 pub enum Misfit {
     /// Gray: [`Misfit::remedy`] gives it.
     Luma,
@@ -75,6 +126,22 @@ impl Misfit {
             Self::Luma => "to_gray",
             Self::Color => "to_color",
         }
+    }
+
+    /// Its name in JSON.
+    fn id(self) -> &'static str {
+        match self {
+            Self::Luma => "luma",
+            Self::Color => "color",
+        }
+    }
+
+    fn write(misfit: Option<Self>, out: &mut Writer) {
+        let Some(misfit) = misfit else { return out.null() };
+        out.open(b'{');
+        out.key("lacks").text(misfit.id());
+        out.key("remedy").text(misfit.remedy());
+        out.close(b'}');
     }
 }
 
@@ -156,19 +223,19 @@ impl Draft {
 
     /// The draft after an edit; none where nothing changes, or where it cannot be done.
     #[must_use]
-    pub fn after(&self, edit: &DraftEdit, (layer, at): Place) -> Option<Self> {
+    pub fn after(&self, edit: &DraftEdit) -> Option<Self> {
         let mut next = self.clone();
         let fresh =
             self.background.iter().chain(&self.foreground).map(|step| step.key).max().unwrap_or_default() + 1;
         let most = MOST_BLOCKS;
-        let steps = next.layer_mut(layer);
         match edit {
-            DraftEdit::Name(name) => next.name.clone_from(name),
-            DraftEdit::Ink(ink) => {
+            DraftEdit::Name { name } => next.name.clone_from(name),
+            DraftEdit::Ink { ink } => {
                 parse_hex(ink)?;
                 next.ink.clone_from(ink);
             }
-            DraftEdit::Add { blocks } => {
+            DraftEdit::Add { place, blocks } => {
+                let steps = next.layer_mut(place.layer);
                 if steps.len() + blocks.len() > most || blocks.iter().any(|id| blocks::find(id).is_none()) {
                     return None;
                 }
@@ -179,32 +246,30 @@ impl Draft {
                     bypass: false,
                     rest: Map::new(),
                 });
-                let at = at.min(steps.len());
+                let at = place.at.min(steps.len());
                 steps.splice(at..at, made);
             }
-            DraftEdit::Move { to_layer, to } => {
-                if at >= steps.len() {
-                    return None;
-                }
-                let step = steps.remove(at);
+            DraftEdit::Move { place, to_layer, to } => {
+                let step = next.without(*place)?;
                 let target = next.layer_mut(*to_layer);
-                let place = (*to).min(target.len());
-                if (*to_layer == layer && place == at) || target.len() >= most {
+                let at = (*to).min(target.len());
+                if (*to_layer, at) == (place.layer, place.at) || target.len() >= most {
                     return None;
                 }
-                target.insert(place, step);
+                target.insert(at, step);
             }
-            DraftEdit::Remove => drop((at < steps.len()).then(|| steps.remove(at))?),
-            DraftEdit::Duplicate => {
-                let copy = DraftStep { key: fresh, ..steps.get(at)?.clone() };
+            DraftEdit::Remove { place } => drop(next.without(*place)?),
+            DraftEdit::Duplicate { place } => {
+                let copy = DraftStep { key: fresh, ..next.step_mut(*place)?.clone() };
+                let steps = next.layer_mut(place.layer);
                 if steps.len() >= most {
                     return None;
                 }
-                steps.insert(at + 1, copy);
+                steps.insert(place.at + 1, copy);
             }
-            DraftEdit::Bypass(on) => steps.get_mut(at)?.bypass = *on,
-            DraftEdit::Set { param, value } => {
-                let step = steps.get_mut(at)?;
+            DraftEdit::Bypass { place, on } => next.step_mut(*place)?.bypass = *on,
+            DraftEdit::Set { place, param, value } => {
+                let step = next.step_mut(*place)?;
                 let known = blocks::find(&step.block)?.params.iter().find(|known| known.id == *param)?;
                 // 2 and 2.0 are the same value.
                 let value = known.value_to_json(known.value_from_json(value).ok()?);
@@ -213,12 +278,22 @@ impl Draft {
                 }
                 step.values.insert(param.clone(), value);
             }
-            DraftEdit::Reset => {
-                let step = steps.get_mut(at)?;
+            DraftEdit::Reset { place } => {
+                let step = next.step_mut(*place)?;
                 step.values = defaults(&step.block);
             }
         }
         Some(next)
+    }
+
+    /// Takes a block out.
+    fn without(&mut self, place: Place) -> Option<DraftStep> {
+        let steps = self.layer_mut(place.layer);
+        (place.at < steps.len()).then(|| steps.remove(place.at))
+    }
+
+    fn step_mut(&mut self, place: Place) -> Option<&mut DraftStep> {
+        self.layer_mut(place.layer).get_mut(place.at)
     }
 
     fn layer_mut(&mut self, layer: Layer) -> &mut Vec<DraftStep> {
@@ -231,6 +306,69 @@ impl Draft {
 
 /// The ink of a style that says none.
 const BLACK: &str = "#000000";
+
+/// [`Draft::empty`] in JSON.
+#[must_use]
+pub fn empty_json(id: &str, name: &str) -> String {
+    written(&Draft::empty(id, name))
+}
+
+/// [`Draft::of`] in JSON.
+///
+/// # Errors
+/// `invalid-style`, `unknown-style`.
+pub fn of_json(style: &Value) -> Result<String> {
+    Ok(written(&Draft::of(&*style_of(style)?)))
+}
+
+/// [`Draft::after`] in JSON; null where nothing changes, or where it cannot be done.
+///
+/// # Errors
+/// `invalid-document` for what is no draft or no edit.
+pub fn after_json(draft: &str, edit: &str) -> Result<String> {
+    let read = || -> Read<String> {
+        let draft = Draft::read(json::parse(draft, PROJECT)?)?;
+        let edit = DraftEdit::read(json::parse(edit, PROJECT)?)?;
+        Ok(draft.after(&edit).map_or_else(|| "null".to_owned(), |after| written(&after)))
+    };
+    read().map_err(|wrong| invalid(&wrong))
+}
+
+/// What is known of a draft, in JSON: `{style, shown, whole, background, foreground}`. `style` is its file, `shown` the same
+/// with blocks bypassed that cannot work where they are, `whole` whether all can; of each layer `{misfits, brings}`: for
+/// each of its blocks, and by its id for each block that could come behind them, `{lacks, remedy}` or null.
+///
+/// # Errors
+/// `invalid-document` for what is no draft.
+pub fn facts_json(draft: &str) -> Result<String> {
+    let draft = json::parse(draft, PROJECT).and_then(Draft::read).map_err(|wrong| invalid(&wrong))?;
+    let mut out = Writer::default();
+    out.open(b'{');
+    out.key("style").value(&draft.style(false));
+    out.key("shown").value(&draft.style(true));
+    let mut whole = true;
+    for (name, steps) in [("background", &draft.background), ("foreground", &draft.foreground)] {
+        let misfits = misfits(steps);
+        whole &= misfits.iter().all(Option::is_none);
+        out.key(name).open(b'{');
+        out.key("misfits").list(&misfits, &|out, misfit| Misfit::write(*misfit, out));
+        out.key("brings").open(b'{');
+        for block in blocks::ALL {
+            Misfit::write(misfit_at_end(steps, block.id), out.key(block.id));
+        }
+        out.close(b'}');
+        out.close(b'}');
+    }
+    out.key("whole").flag(whole);
+    out.close(b'}');
+    Ok(out.finish())
+}
+
+fn written(draft: &Draft) -> String {
+    let mut out = Writer::default();
+    draft.write(&mut out);
+    out.finish()
+}
 
 /// What each block lacks. A bypassed block lacks nothing, and one that lacks something is passed over by those behind it.
 #[must_use]
@@ -249,12 +387,11 @@ pub fn misfits(steps: &[DraftStep]) -> Vec<Option<Misfit>> {
     steps.iter().map(one).collect()
 }
 
-/// What must stand before a block at the end of some steps, so that it can work there: the id of a block.
-#[must_use]
-pub fn remedy(steps: &[DraftStep], block: &str) -> Option<&'static str> {
+/// What a block would lack at the end of some steps.
+fn misfit_at_end(steps: &[DraftStep], block: &str) -> Option<Misfit> {
     let end = DraftStep { key: 0, block: block.into(), values: Map::new(), bypass: false, rest: Map::new() };
     let all: Vec<_> = steps.iter().cloned().chain([end]).collect();
-    misfits(&all).pop().flatten().map(Misfit::remedy)
+    misfits(&all).pop().flatten()
 }
 
 /// The usual values of a block.
@@ -269,29 +406,39 @@ impl DraftEdit {
     ///
     /// # Errors
     /// With the place of what is wrong.
-    pub fn read(value: Value) -> Read<(Self, Place)> {
+    pub fn read(value: Value) -> Read<Self> {
         let mut fields = Fields::of(value)?;
         let kind = fields.name("type", LONGEST_ID)?;
         let layer = fields.part("layer", &mut layer)?.unwrap_or(Layer::Background);
         let at = fields.whole("at", 0, GREATEST_ID)?.unwrap_or_default() as usize;
-        let edit = match kind.as_str() {
+        let place = Place { layer, at };
+        Ok(match kind.as_str() {
             "add" => {
-                Self::Add { blocks: fields.each("blocks", MOST_BLOCKS, &|block| text_of(block, LONGEST_ID))? }
+                let blocks = fields.each("blocks", MOST_BLOCKS, &|block| text_of(block, LONGEST_ID))?;
+                Self::Add { place, blocks }
             }
             "move" => Self::Move {
+                place,
                 to_layer: fields.part("toLayer", &mut self::layer)?.unwrap_or(layer),
-                to: fields.count("to", 0, GREATEST_ID)? as usize,
+                // Who moves a block up says one less, whatever that is.
+                to: fields.required("to")?.as_f64().unwrap_or_default() as usize,
             },
-            "remove" => Self::Remove,
-            "duplicate" => Self::Duplicate,
-            "bypass" => Self::Bypass(fields.flag("on")?),
-            "set" => Self::Set { param: fields.name("param", LONGEST_ID)?, value: fields.required("value")? },
-            "reset" => Self::Reset,
-            "name" => Self::Name(fields.text("name", LONGEST_NAME)?.unwrap_or_default()),
-            "ink" => Self::Ink(fields.name("ink", LONGEST_ID)?),
+            "remove" => Self::Remove { place },
+            "duplicate" => Self::Duplicate { place },
+            "bypass" => Self::Bypass { place, on: fields.flag("on")? },
+            "set" => {
+                let (param, value) = (fields.name("param", LONGEST_ID)?, fields.required("value")?);
+                Self::Set { place, param, value }
+            }
+            "reset" => Self::Reset { place },
+            "name" => {
+                // A name has an end, wherever it is written.
+                let name = fields.text("name", usize::MAX)?.unwrap_or_default();
+                Self::Name { name: name.chars().take(LONGEST_NAME).collect() }
+            }
+            "ink" => Self::Ink { ink: fields.name("ink", LONGEST_ID)? },
             _ => return Err(Wrong::new("is nothing that can be done").at("type")),
-        };
-        Ok((edit, (layer, at)))
+        })
     }
 }
 
@@ -309,9 +456,17 @@ mod tests {
 
     const BACK: Layer = Layer::Background;
 
+    fn back(at: usize) -> Place {
+        Place { layer: BACK, at }
+    }
+
+    fn fore(at: usize) -> Place {
+        Place { layer: Layer::Foreground, at }
+    }
+
     fn add(draft: &Draft, layer: Layer, blocks: &[&str]) -> Draft {
         let blocks = blocks.iter().map(|&id| id.to_owned()).collect();
-        draft.after(&DraftEdit::Add { blocks }, (layer, 99)).unwrap()
+        draft.after(&DraftEdit::Add { place: Place { layer, at: 99 }, blocks }).unwrap()
     }
 
     fn made(blocks: &[&str]) -> Draft {
@@ -330,53 +485,58 @@ mod tests {
             (names(&draft.background), keys.as_slice()),
             (vec!["gaussian", "to_gray", "pattern"], &[1, 2, 3][..])
         );
-        let moved = draft.after(&DraftEdit::Move { to_layer: BACK, to: 2 }, (BACK, 0)).unwrap();
+        let moved = draft.after(&DraftEdit::Move { place: back(0), to_layer: BACK, to: 2 }).unwrap();
         assert_eq!(
             (names(&moved.background), moved.background[2].key),
             (vec!["to_gray", "pattern", "gaussian"], 1)
         );
-        let across = moved.after(&DraftEdit::Move { to_layer: Layer::Foreground, to: 0 }, (BACK, 2)).unwrap();
+        let across =
+            moved.after(&DraftEdit::Move { place: back(2), to_layer: Layer::Foreground, to: 0 }).unwrap();
         assert_eq!(
             (names(&across.background), names(&across.foreground)),
             (vec!["to_gray", "pattern"], vec!["gaussian"])
         );
-        let twice = across.after(&DraftEdit::Duplicate, (Layer::Foreground, 0)).unwrap();
+        let twice = across.after(&DraftEdit::Duplicate { place: fore(0) }).unwrap();
         assert_ne!(twice.foreground[1].key, twice.foreground[0].key);
-        assert_eq!(names(&twice.after(&DraftEdit::Remove, (BACK, 0)).unwrap().background), ["pattern"]);
+        assert_eq!(
+            names(&twice.after(&DraftEdit::Remove { place: back(0) }).unwrap().background),
+            ["pattern"]
+        );
     }
 
     #[test]
     fn nothing_changes_where_an_edit_changes_nothing_or_cannot() {
         let draft = made(&["posterize"]);
-        let set = |param: &str, value: Value| DraftEdit::Set { param: param.into(), value };
+        let set = |param: &str, value: Value| DraftEdit::Set { place: back(0), param: param.into(), value };
+        let begin = |blocks: Vec<String>| DraftEdit::Add { place: back(0), blocks };
         let idle = [
-            (DraftEdit::Move { to_layer: BACK, to: 5 }, 0),
-            (set("levels", json!(10)), 0),
-            (set("levels", json!(1)), 0),
-            (set("level", json!(5)), 0),
-            (DraftEdit::Remove, 7),
-            (DraftEdit::Add { blocks: vec!["nope".into()] }, 0),
-            (DraftEdit::Add { blocks: vec!["sobel".into(); 32] }, 0),
-            (DraftEdit::Ink("red".into()), 0),
+            DraftEdit::Move { place: back(0), to_layer: BACK, to: 5 },
+            set("levels", json!(10)),
+            set("levels", json!(1)),
+            set("level", json!(5)),
+            DraftEdit::Remove { place: back(7) },
+            begin(vec!["nope".into()]),
+            begin(vec!["sobel".into(); 32]),
+            DraftEdit::Ink { ink: "red".into() },
         ];
-        for (edit, at) in idle {
-            assert_eq!(draft.after(&edit, (BACK, at)), None, "{edit:?}");
+        for edit in idle {
+            assert_eq!(draft.after(&edit), None, "{edit:?}");
         }
         let full = made(&["posterize"; 32]);
-        assert_eq!(full.after(&DraftEdit::Duplicate, (BACK, 0)), None);
+        assert_eq!(full.after(&DraftEdit::Duplicate { place: back(0) }), None);
         let other = add(&full, Layer::Foreground, &["sobel"]);
-        assert_eq!(other.after(&DraftEdit::Move { to_layer: BACK, to: 0 }, (Layer::Foreground, 0)), None);
+        assert_eq!(other.after(&DraftEdit::Move { place: fore(0), to_layer: BACK, to: 0 }), None);
         // Within a full layer there is room.
-        assert!(full.after(&DraftEdit::Move { to_layer: BACK, to: 3 }, (BACK, 0)).is_some());
+        assert!(full.after(&DraftEdit::Move { place: back(0), to_layer: BACK, to: 3 }).is_some());
     }
 
     #[test]
     fn it_becomes_a_style_file_without_what_is_usual_and_comes_back() {
         let draft = made(&["posterize", "saturation"]);
         let draft =
-            draft.after(&DraftEdit::Set { param: "levels".into(), value: json!(3) }, (BACK, 0)).unwrap();
-        let draft = draft.after(&DraftEdit::Bypass(true), (BACK, 1)).unwrap();
-        let draft = draft.after(&DraftEdit::Ink("#102030".into()), (BACK, 0)).unwrap();
+            draft.after(&DraftEdit::Set { place: back(0), param: "levels".into(), value: json!(3) }).unwrap();
+        let draft = draft.after(&DraftEdit::Bypass { place: back(1), on: true }).unwrap();
+        let draft = draft.after(&DraftEdit::Ink { ink: "#102030".into() }).unwrap();
         let draft = add(&draft, Layer::Foreground, &["to_gray"]);
         let style = draft.style(false);
         let expected = json!({
@@ -385,10 +545,30 @@ mod tests {
         });
         assert_eq!(style, expected);
         assert_eq!(Draft::of(&Style::from_value("x", &style).unwrap()).style(false), style);
-        let reset = draft.after(&DraftEdit::Reset, (BACK, 0)).unwrap();
+        let reset = draft.after(&DraftEdit::Reset { place: back(0) }).unwrap();
         assert_eq!(reset.style(false)["background"][0], json!({ "block": "posterize" }));
-        let unnamed = draft.after(&DraftEdit::Name("  ".into()), (BACK, 0)).unwrap();
+        let unnamed = draft.after(&DraftEdit::Name { name: "  ".into() }).unwrap();
         assert_eq!(unnamed.style(false)["name"], json!("my-1"));
+    }
+
+    #[test]
+    fn edits_in_json_are_read_with_their_bounds() {
+        let draft = written(&made(&["posterize", "sobel"]));
+        let edited = |edit: Value| -> Value {
+            serde_json::from_str(&after_json(&draft, &edit.to_string()).unwrap()).unwrap()
+        };
+        let up = |at: usize| json!({ "type": "move", "layer": "background", "at": at, "toLayer": "background", "to": at as i64 - 1 });
+        assert_eq!(edited(up(1))["background"][0]["block"], json!("sobel"));
+        assert_eq!(edited(up(0)), Value::Null);
+        let named = edited(json!({ "type": "name", "name": "n".repeat(LONGEST_NAME + 1) }));
+        assert_eq!(named["name"].as_str().map(str::len), Some(LONGEST_NAME));
+        assert!(after_json(&draft, r#"{"type":"nothing"}"#).is_err() && after_json("[]", "{}").is_err());
+        let begun: Value = serde_json::from_str(&empty_json("my-2", "New")).unwrap();
+        assert_eq!(
+            begun,
+            json!({ "id": "my-2", "name": "New", "tags": [], "background": [], "foreground": [], "ink": "#000000" })
+        );
+        assert!(of_json(&json!("noir")).is_ok() && of_json(&json!("none such")).is_err());
     }
 
     #[test]
@@ -411,8 +591,15 @@ mod tests {
         assert!(
             Style::from_value("x", &style).is_ok() && Style::from_value("x", &draft.style(false)).is_err()
         );
-        assert_eq!(remedy(&[], "pattern"), Some("to_gray"));
-        assert_eq!(remedy(&draft.background, "saturation"), Some("to_color"));
-        assert_eq!(remedy(&draft.background, "pattern"), None);
+        assert_eq!(misfit_at_end(&[], "pattern"), Some(Misfit::Luma));
+        assert_eq!(misfit_at_end(&draft.background, "saturation"), Some(Misfit::Color));
+        assert_eq!(misfit_at_end(&draft.background, "pattern"), None);
+        let facts: Value = serde_json::from_str(&facts_json(&written(&draft)).unwrap()).unwrap();
+        let luma = json!({ "lacks": "luma", "remedy": "to_gray" });
+        let color = json!({ "lacks": "color", "remedy": "to_color" });
+        assert_eq!(facts["background"]["misfits"], json!([luma, null, color, null]));
+        assert_eq!(facts["background"]["brings"]["saturation"], color);
+        assert_eq!(facts["foreground"]["brings"]["pattern"], luma);
+        assert_eq!((&facts["shown"], &facts["whole"]), (&style, &json!(false)));
     }
 }

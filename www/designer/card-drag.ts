@@ -5,9 +5,8 @@
 
 import { useRef, useState } from 'preact/hooks';
 import { onEscape } from '../ui/on-escape.ts';
-import type { Layer } from './designer-draft.ts';
+import type { Layer, Place } from '../engine/types.ts';
 
-type Place = { layer: Layer; at: number };
 /** a card, and before which one it would land */
 type Carried = { from: Place; gap: Place | null };
 export type CardDrag = ReturnType<typeof useCardDrag>;

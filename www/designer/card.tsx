@@ -3,13 +3,13 @@
  */
 
 import { useEffect, useRef } from 'preact/hooks';
-import { MOST_BLOCKS, REMEDIES } from './designer-draft.ts';
+import { MOST } from '../document/limits.ts';
 import { strings } from '../strings/strings.ts';
 import { IconButton } from '../ui/button.tsx';
 import { useApp } from '../ui/context.ts';
 import { Icon } from '../ui/icon.tsx';
 import { Parameter } from './parameter.tsx';
-import type { Layer, Step } from './designer-draft.ts';
+import type { DraftStep, Layer, Misfit } from '../engine/types.ts';
 
 /** @param props `marked`: a dragged card would land on that side of it */
 export function Card({
@@ -17,18 +17,18 @@ export function Card({
   layer,
   at,
   last,
-  lacks,
+  misfit,
   marked,
   ms,
   picture,
   carried,
   onTake,
 }: {
-  step: Step;
+  step: DraftStep;
   layer: Layer;
   at: number;
   last: boolean;
-  lacks: '' | 'luma' | 'color';
+  misfit: Misfit | null;
   marked: '' | 'before' | 'behind';
   ms?: number;
   picture?: ImageBitmap;
@@ -54,7 +54,7 @@ export function Card({
   /** To the end of the other layer, with the focus. */
   function moveAcross() {
     const toLayer = layer === 'background' ? 'foreground' : 'background';
-    designer.change({ type: 'move', layer, at, toLayer, to: MOST_BLOCKS });
+    designer.change({ type: 'move', layer, at, toLayer, to: MOST.blocks });
     requestAnimationFrame(() => {
       const moved = document.querySelector(`.card[data-key="${step.key}"]`) as HTMLElement | null;
       moved?.focus();
@@ -123,15 +123,15 @@ export function Card({
         />
         <IconButton icon="bin" label={strings.remove} onClick={remove} />
       </div>
-      {lacks && (
+      {misfit && (
         <p class="card-lacks">
-          <span>{strings.lacks[lacks]}</span>
+          <span>{strings.lacks[misfit.lacks]}</span>
           <button
             type="button"
             class="button small"
-            onClick={() => designer.change({ type: 'add', layer, at, blocks: [REMEDIES[lacks]] })}
+            onClick={() => designer.change({ type: 'add', layer, at, blocks: [misfit.remedy] })}
           >
-            {strings.fix[lacks]}
+            {strings.fix[misfit.lacks]}
           </button>
         </p>
       )}

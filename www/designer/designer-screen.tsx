@@ -3,7 +3,7 @@
  */
 
 import { useEffect, useRef, useState } from 'preact/hooks';
-import { LAYERS } from './designer-draft.ts';
+import { LAYERS } from './designer.ts';
 import { strings } from '../strings/strings.ts';
 import { useApp } from '../ui/context.ts';
 import { Icon } from '../ui/icon.tsx';

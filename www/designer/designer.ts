@@ -6,16 +6,17 @@
 
 import { computed, signal } from '@preact/signals';
 import { strings } from '../strings/strings.ts';
-import { draftOf, edit, emptyDraft, misfits, styleOf } from './designer-draft.ts';
+import { wellFormed } from '../document/limits.ts';
 import type { Messages } from '../ui/messages.ts';
 import type { Ui } from '../app/ui.ts';
 import type { Pages } from '../document/pages.ts';
 import type { Store } from '../document/store.ts';
-import type { Style } from '../engine/types.ts';
-import type { Draft, Edit, Layer } from './designer-draft.ts';
+import type { Draft, DraftEdit, Layer, Style } from '../engine/types.ts';
 import type { Signal } from '@preact/signals';
 
 export type Designer = ReturnType<typeof createDesigner>;
+
+export const LAYERS: readonly Layer[] = ['background', 'foreground'];
 
 export function createDesigner({
   store,
@@ -36,8 +37,9 @@ export function createDesigner({
   let gestures = 0;
 
   const draft = computed(() => held.value ?? store.project.value.draft);
+  const facts = computed(() => (draft.value && store.planner.value?.draftFacts(draft.value)) ?? null);
   /** What the preview shows: blocks that lack something are passed over. */
-  const shown = computed(() => draft.value && styleOf(draft.value, blocks.value, { tolerant: true }));
+  const shown = computed(() => facts.value?.shown ?? null);
   /** Whether the page is in this very style, so that it follows each edit. */
   const onPage = computed(() => {
     const style = store.page.value?.style;
@@ -47,6 +49,7 @@ export function createDesigner({
   return {
     blocks,
     draft,
+    facts,
     shown,
     onPage,
     layer: signal('background' as Layer),
@@ -64,7 +67,7 @@ export function createDesigner({
   /** @param style to begin with; the draft as it was left unless told */
   function open(style?: Style) {
     if (style) begin(style);
-    else if (!store.project.peek().draft) keep(emptyDraft(freshId(), strings.untitledStyle), { silent: true });
+    else if (!store.project.peek().draft) begin(null, { silent: true });
     ui.work.value = 'designer';
   }
 
@@ -77,16 +80,15 @@ export function createDesigner({
    * A new draft. A designed style is copied under an id of its own, so that it stays as it is in the catalogue.
    * @param style nothing begins with an empty one
    */
-  function begin(style: Style | null) {
+  function begin(style: Style | null, how?: { silent?: boolean }) {
     release();
-    if (!style) keep(emptyDraft(freshId(), strings.untitledStyle));
+    const planner = store.planner.peek();
+    if (!planner) return;
+    if (!style) keep(planner.emptyDraft(freshId(), strings.untitledStyle), how);
     else {
-      const fresh = draftOf(style, blocks.peek());
-      const designed = store.planner
-        .peek()
-        ?.styles()
-        .some(({ id }) => id === style.id);
-      keep(designed ? { ...fresh, id: freshId(), name: strings.copyOf(style.name) } : fresh);
+      const fresh = planner.draftOf(style);
+      const designed = planner.styles().some(({ id }) => id === style.id);
+      keep(designed ? { ...fresh, id: freshId(), name: strings.copyOf(style.name) } : fresh, how);
     }
   }
 
@@ -103,18 +105,22 @@ export function createDesigner({
     if (known) begin(known as Style);
   }
 
-  function change(change: Edit) {
+  function change(change: DraftEdit) {
     release();
-    const before = store.project.peek().draft;
-    if (!before) return;
-    const after = edit(before, change, blocks.peek());
-    if (after !== before) keep(after);
+    const after = edited(store.project.peek().draft, change);
+    if (after) keep(after);
   }
 
   /** An edit in the middle of a drag, which `release` ends. */
-  function hold(change: Edit) {
-    const before = draft.peek();
-    if (before) held.value = edit(before, change, blocks.peek());
+  function hold(change: DraftEdit) {
+    const after = edited(draft.peek(), change);
+    if (after) held.value = after;
+  }
+
+  /** @returns null where nothing changes */
+  function edited(before: Draft | null, change: DraftEdit): Draft | null {
+    const whole = change.type === 'name' ? { ...change, name: wellFormed(change.name) } : change;
+    return before && (store.planner.peek()?.editDraft(before, whole) ?? null);
   }
 
   function release() {
@@ -124,19 +130,13 @@ export function createDesigner({
   }
 
   function keep(after: Draft, how?: { silent?: boolean }) {
-    const follows = onPage.peek() && store.project.peek().draft?.id === after.id && whole(after);
+    const known = store.planner.peek()?.draftFacts(after);
+    const follows = onPage.peek() && store.project.peek().draft?.id === after.id && known?.whole;
     gestures += 1;
     const gesture = `design-${gestures}`;
     store.change({ type: 'design', draft: after, gesture, ...how });
     const page = store.page.peek();
-    if (follows && page) pages.amend({ ...page, style: styleOf(after, blocks.peek()) }, { gesture });
-  }
-
-  /** @returns whether every block can work where it is */
-  function whole(of: Draft): boolean {
-    return [of.background, of.foreground].every((steps) =>
-      misfits(steps, blocks.peek()).every((lacks) => lacks === ''),
-    );
+    if (follows && page) pages.amend({ ...page, style: known.style }, { gesture });
   }
 
   /** @returns the draft as a style file that the core has checked; what is wrong is said */
@@ -146,7 +146,7 @@ export function createDesigner({
     const planner = store.planner.peek();
     if (!now || !planner) return null;
     try {
-      return planner.checkStyle(JSON.stringify(styleOf(now, blocks.peek())), now.name.trim() || now.id);
+      return planner.checkStyle(JSON.stringify(planner.draftFacts(now).style), now.name.trim() || now.id);
     } catch (error) {
       messages.alert((error as Error).message);
       return null;

@@ -4,13 +4,12 @@
  */
 
 import { FOREGROUND } from '../engine/design.ts';
-import { misfits } from './designer-draft.ts';
 import { strings } from '../strings/strings.ts';
 import { useApp } from '../ui/context.ts';
 import { Icon } from '../ui/icon.tsx';
 import { Card } from './card.tsx';
 import type { CardDrag } from './card-drag.ts';
-import type { Draft, Layer } from './designer-draft.ts';
+import type { Draft, Layer } from '../engine/types.ts';
 
 export function Lane({
   layer,
@@ -30,8 +29,7 @@ export function Lane({
   /** Where a dragged card would go. */
   const gap = carried?.gap?.layer === layer ? carried.gap.at : -1;
   const steps = draft[layer];
-  const blocks = designer.blocks.value;
-  const lacks = misfits(steps, blocks);
+  const misfits = designer.facts.value?.[layer].misfits ?? [];
   const first = layer === 'foreground' ? FOREGROUND : 0;
 
   return (
@@ -62,7 +60,7 @@ export function Lane({
             layer={layer}
             at={at}
             last={at === steps.length - 1}
-            lacks={lacks[at]}
+            misfit={misfits[at] ?? null}
             marked={gap === at ? 'before' : gap === steps.length && at === steps.length - 1 ? 'behind' : ''}
             ms={drawn.times.get(first + at)}
             picture={drawn.stages.get(first + at)}

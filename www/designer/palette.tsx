@@ -3,15 +3,15 @@
  */
 
 import { useEffect, useMemo, useRef, useState } from 'preact/hooks';
-import { LAYERS, MOST_BLOCKS, remedy, styleOf } from './designer-draft.ts';
+import { MOST } from '../document/limits.ts';
+import { LAYERS } from './designer.ts';
 import { strings } from '../strings/strings.ts';
 import { Bitmap } from '../ui/bitmap.tsx';
 import { IconButton } from '../ui/button.tsx';
 import { useApp } from '../ui/context.ts';
 import { thumbnail } from '../photos/cover.ts';
 import { useHero } from '../photos/hero.ts';
-import type { Block, ParamValue, Style } from '../engine/types.ts';
-import type { Draft, Layer } from './designer-draft.ts';
+import type { Block, DraftFacts, Layer, ParamValue, Style } from '../engine/types.ts';
 
 const SIZE = { width: 132, height: 99 };
 /** What a picture shows of the blocks whose usual values do nothing. */
@@ -30,18 +30,20 @@ export function Palette({ onClose, onAdded }: { onClose: () => void; onAdded: ()
   const draft = designer.draft.value;
   const layer = designer.layer.value;
   const steps = draft?.[layer] ?? [];
+  const facts = designer.facts.value;
+  const brings = facts?.[layer].brings ?? {};
   const meta = store.facts.value.find(({ id }) => id === hero)?.meta;
   const size = thumbnail(meta, SIZE.width, SIZE.height);
   const found = search(blocks, words);
   const pictures = useMemo(
-    () => new Map(blocks.map((block) => [block.id, draft && styleWith(draft, layer, block, blocks)])),
-    [draft, layer, blocks],
+    () => new Map(blocks.map((block) => [block.id, facts && styleWith(facts, layer, block)])),
+    [facts, layer, blocks],
   );
   useEffect(() => field.current?.focus(), []);
 
   function add(block: Block) {
-    const before = remedy(steps, block.id, blocks);
-    designer.change({ type: 'add', layer, at: steps.length, blocks: before ? [before, block.id] : [block.id] });
+    const before = brings[block.id];
+    designer.change({ type: 'add', layer, at: steps.length, blocks: before ? [before.remedy, block.id] : [block.id] });
     onAdded();
     requestAnimationFrame(() => {
       const cards = document.querySelectorAll(`.cards[aria-label="${strings.layerName[layer]}"] .card`);
@@ -89,11 +91,11 @@ export function Palette({ onClose, onAdded }: { onClose: () => void; onAdded: ()
           </button>
         ))}
       </div>
-      {steps.length >= MOST_BLOCKS - 1 && <p class="quiet">{strings.fullLayer}</p>}
+      {steps.length >= MOST.blocks - 1 && <p class="quiet">{strings.fullLayer}</p>}
       <ul class="palette-blocks">
         {found.map((block) => {
-          const before = remedy(steps, block.id, blocks);
-          const note = before ? strings.brings[before === 'to_gray' ? 'luma' : 'color'] : '';
+          const before = brings[block.id];
+          const note = before ? strings.brings[before.lacks] : '';
           return (
             <li key={block.id}>
               <button
@@ -101,7 +103,7 @@ export function Palette({ onClose, onAdded }: { onClose: () => void; onAdded: ()
                 class="palette-block"
                 title={strings.blockHelp(block)}
                 aria-description={[strings.blockHelp(block), note].filter(Boolean).join(' ')}
-                disabled={steps.length + (before ? 2 : 1) > MOST_BLOCKS}
+                disabled={steps.length + (before ? 2 : 1) > MOST.blocks}
                 onClick={() => add(block)}
               >
                 {hero === null ? (
@@ -138,14 +140,12 @@ function search(blocks: readonly Block[], words: string): Block[] {
 }
 
 /** The layer with the block at its end, by itself. */
-function styleWith(draft: Draft, layer: Layer, block: Block, blocks: readonly Block[]): Style {
-  const alone = { ...draft, background: draft[layer], foreground: [] };
-  const style = styleOf(alone, blocks, { tolerant: true });
-  const before = remedy(draft[layer], block.id, blocks);
+function styleWith(facts: DraftFacts, layer: Layer, block: Block): Style {
+  const before = facts[layer].brings[block.id];
   const steps = [
-    ...(style.background ?? []),
-    ...(before ? [{ block: before }] : []),
+    ...(facts.shown[layer] ?? []),
+    ...(before ? [{ block: before.remedy }] : []),
     { block: block.id, ...TELLING[block.id] },
   ];
-  return { id: 'palette', name: 'palette', tags: [], background: steps.slice(-MOST_BLOCKS) };
+  return { id: 'palette', name: 'palette', tags: [], background: steps.slice(-MOST.blocks) };
 }

@@ -10,6 +10,9 @@ import type {
   BreedRequest,
   ChoiceRequest,
   Difference,
+  Draft,
+  DraftEdit,
+  DraftFacts,
   GenerateRequest,
   Geometry,
   History,
@@ -111,6 +114,13 @@ export function createPlanner() {
      * @returns a child of both
      */
     breedStyle: (request: BreedRequest): Style => JSON.parse(core.breed_style(JSON.stringify(request))),
+    /** @returns a draft that has no block */
+    emptyDraft: (id: string, name: string): Draft => JSON.parse(core.empty_draft(id, name)),
+    draftOf: (style: Style): Draft => JSON.parse(core.draft_of(JSON.stringify(style))),
+    /** @returns null where nothing changes, or where it cannot be done */
+    editDraft: (draft: Draft, edit: DraftEdit): Draft | null =>
+      JSON.parse(core.edit_draft(JSON.stringify(draft), JSON.stringify(edit))),
+    draftFacts: (draft: Draft): DraftFacts => JSON.parse(core.draft_facts(JSON.stringify(draft))),
     choose: (photos: ChoiceRequest['photos'], threshold: number): Verdict[] =>
       JSON.parse(core.choose_photos(JSON.stringify({ photos, threshold }))),
     /**

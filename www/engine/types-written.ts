@@ -2,7 +2,7 @@
  * What the core wrote and read, for the compiler to read against its types. Written by `cargo xtask bless types`.
  */
 
-import type { Block, ChoiceRequest, Difference, Edit, Geometry, How, Layout, LayoutEntry, LayoutFacts, PageDocument, ReadHistory, ReadProject, RepairedSheets, Request, Sheet, Style, Verdict } from './types.ts';
+import type { Block, ChoiceRequest, Difference, Draft, DraftEdit, DraftFacts, Edit, Geometry, How, Layout, LayoutEntry, LayoutFacts, PageDocument, ReadHistory, ReadProject, RepairedSheets, Request, Sheet, Style, Verdict } from './types.ts';
 
 export const page: PageDocument = {"layout":"inset-hero-3","merges":[],"order":["p"],"page":{"border":0.004,"borderColor":"#111111","cornerRadius":0.0,"dpi":300,"gutter":0.018,"height":3508,"margin":0.027,"paper":"#ffffff","width":2480},"panels":[{"crop":{"height":1.0,"width":0.8015448047411042,"x":0.09922759762944786,"y":0.0},"edited":false,"locked":false,"photo":"p"},{"crop":{"height":0.5,"width":0.38045228355036254,"x":0.6195477164496375,"y":0.25},"edited":false,"locked":false,"photo":"p"},{"crop":{"height":0.5,"width":0.38045228355036254,"x":0.0,"y":0.25},"edited":false,"locked":false,"photo":"p"},{"crop":{"height":0.47994790070855525,"width":0.5,"x":0.33333333333333326,"y":0.2600260496457224},"edited":false,"locked":false,"photo":"p"}],"seed":7,"style":{"background":[{"block":"tvf","time":12.1},{"block":"xdog","p":30.75,"sigma":7.41},{"block":"detail","delta":-41.4},{"block":"luma_posterize"},{"block":"size","percent":109.5}],"id":"invented-889912005","name":"Rough Plate","tags":["invented"]},"version":1,"words":[{"angle":5,"arc":0.5,"auto":true,"color":"#111111","fill":"#ffffff","font":"bangers","kind":"balloon","panel":0,"shape":"shout","size":"auto","tail":{"x":0.5,"y":0.5},"text":"Hi","width":0.25,"x":0.5,"y":0.25}]};
 
@@ -36,6 +36,10 @@ export const differences: readonly Difference[] = [
   {"past":[[0,19]],"future":[],"present":19,"states":[],"shown":[[0,2]],"entries":[],"parts":{"items":[],"trays":[],"pages":[],"sheets":[],"books":[],"styles":[],"shelves":[],"layouts":[],"layoutShelves":[],"settings":[],"drafts":[]},"pageId":3,"sheet":3},
   {"past":[[0,20]],"future":[],"present":20,"states":[[19,{"page":null,"others":0,"at":0}]],"shown":[[0,2]],"entries":[],"parts":{"items":[],"trays":[],"pages":[],"sheets":[],"books":[[]],"styles":[],"shelves":[],"layouts":[],"layoutShelves":[],"settings":[],"drafts":[]},"pageId":3,"sheet":3}
 ];
+
+export const draft: Draft = {"id":"d","name":"One","tags":[],"background":[{"key":1,"block":"pattern","values":{"levels":5,"pattern":"hatch","scale":1.0},"bypass":false}],"foreground":[{"key":3,"block":"posterize","values":{"levels":10},"bypass":true}],"ink":"#102030"};
+
+export const draftFacts: DraftFacts = {"style":{"background":[{"block":"pattern"}],"foreground":[{"block":"posterize","bypass":true}],"id":"d","ink":"#102030","name":"One","tags":[]},"shown":{"background":[{"block":"pattern","bypass":true}],"foreground":[{"block":"posterize","bypass":true}],"id":"d","ink":"#102030","name":"One","tags":[]},"background":{"misfits":[{"lacks":"luma","remedy":"to_gray"}],"brings":{"to_gray":null,"to_color":null,"posterize":null,"luma_posterize":null,"brightness":null,"soft_threshold":null,"saturation":null,"hue":null,"colorize":{"lacks":"luma","remedy":"to_gray"},"gaussian":null,"etf":null,"tvf":null,"detail":null,"sobel":null,"xdog":null,"size":null,"pattern":{"lacks":"luma","remedy":"to_gray"},"halftone":null,"equalize":null,"dynamic_range":null}},"foreground":{"misfits":[null],"brings":{"to_gray":null,"to_color":null,"posterize":null,"luma_posterize":null,"brightness":null,"soft_threshold":null,"saturation":null,"hue":null,"colorize":{"lacks":"luma","remedy":"to_gray"},"gaussian":null,"etf":null,"tvf":null,"detail":null,"sobel":null,"xdog":null,"size":null,"pattern":{"lacks":"luma","remedy":"to_gray"},"halftone":null,"equalize":null,"dynamic_range":null}},"whole":false};
 
 export const spread: readonly Sheet[] = [{"page":{"version":1,"seed":3293328202,"layout":"splash-strip-above","style":{"background":[{"block":"tvf","time":12.1},{"block":"xdog","p":30.75,"sigma":7.41},{"block":"detail","delta":-41.4},{"block":"luma_posterize"},{"block":"size","percent":109.5}],"id":"invented-889912005","name":"Rough Plate","tags":["invented"]},"order":["p","q"],"panels":[{"photo":"p","crop":{"x":0.0,"y":0.29189632118773495,"width":1.0,"height":0.41620735762453015},"locked":false,"edited":false},{"photo":"q","crop":{"x":0.16124499791375554,"y":0.0,"width":0.6775100041724889,"height":1.0},"locked":false,"edited":false}],"merges":[],"page":{"width":2480,"height":3508,"dpi":300,"gutter":0.018,"margin":0.027,"border":0.004,"cornerRadius":0.0,"paper":"#ffffff","borderColor":"#111111"},"words":[{"angle":5,"arc":0.5,"auto":true,"color":"#111111","fill":"#ffffff","font":"bangers","kind":"balloon","panel":0,"shape":"shout","size":"auto","tail":{"x":0.5,"y":0.5},"text":"Hi","width":0.25,"x":0.5,"y":0.25},{"angle":5,"arc":0.5,"auto":true,"color":"#111111","fill":"#ffffff","font":"bangers","kind":"balloon","panel":0,"shape":"shout","size":"auto","tail":{"x":0.5,"y":0.5},"text":"Hi","width":0.25,"x":0.5,"y":0.25}]},"pageId":3,"sheet":1}];
 
@@ -88,4 +92,16 @@ export const edits: { [Type in Edit['type']]: Extract<Edit, { type: Type }> & Ho
   "undo": {"type":"undo"},
   "redo": {"type":"redo"},
   "no-page": {"type":"no-page"},
+};
+
+export const draftEdits: { [Type in DraftEdit['type']]: Extract<DraftEdit, { type: Type }> } = {
+  "add": {"at":0,"blocks":["pattern","posterize"],"layer":"background","type":"add"},
+  "move": {"at":1,"layer":"background","to":-1,"toLayer":"foreground","type":"move"},
+  "duplicate": {"at":0,"layer":"foreground","type":"duplicate"},
+  "remove": {"at":0,"layer":"foreground","type":"remove"},
+  "set": {"at":0,"layer":"foreground","param":"levels","type":"set","value":3},
+  "reset": {"at":0,"layer":"foreground","type":"reset"},
+  "bypass": {"at":0,"layer":"foreground","on":true,"type":"bypass"},
+  "name": {"name":"One","type":"name"},
+  "ink": {"ink":"#102030","type":"ink"},
 };

@@ -124,6 +124,108 @@ export type DraftStep = {
   bypass: boolean,
 };
 
+/** A layer of a style. */
+export type Layer = "background" | "foreground";
+
+/** Where something is done. */
+export type Place = {
+  /** The layer, */
+  layer: Layer,
+  /** and a position in it. */
+  at: number,
+};
+
+/** What is done to a draft. In JSON an object with the edit's name as its `type`, beside its fields and those of its place. */
+export type DraftEdit = { "type": "add",
+  /** Ids of blocks. */
+  blocks: ReadonlyArray<string>,
+  /** The layer, */
+  layer: Layer,
+  /** and a position in it. */
+  at: number,
+}
+| { "type": "move",
+  /** The layer that it goes to. */
+  toLayer: Layer,
+  /** Its place there; the end where that is beyond it. */
+  to: number,
+  /** The layer, */
+  layer: Layer,
+  /** and a position in it. */
+  at: number,
+}
+| { "type": "remove",
+  /** The layer, */
+  layer: Layer,
+  /** and a position in it. */
+  at: number,
+}
+| { "type": "duplicate",
+  /** The layer, */
+  layer: Layer,
+  /** and a position in it. */
+  at: number,
+}
+| { "type": "bypass",
+  /** Whether it is left out. */
+  on: boolean,
+  /** The layer, */
+  layer: Layer,
+  /** and a position in it. */
+  at: number,
+}
+| { "type": "set",
+  /** Its id. */
+  param: string,
+  /** The value. */
+  value: ParamValue,
+  /** The layer, */
+  layer: Layer,
+  /** and a position in it. */
+  at: number,
+}
+| { "type": "reset",
+  /** The layer, */
+  layer: Layer,
+  /** and a position in it. */
+  at: number,
+}
+| { "type": "name",
+  /** It. */
+  name: string,
+}
+| { "type": "ink",
+  /** `#rrggbb`. */
+  ink: string,
+};
+
+/** What is known of a draft. */
+export type DraftFacts = {
+  /** Its file. */
+  style: Style,
+  /** The same with blocks passed over that cannot work where they are. */
+  shown: Style,
+  /** Whether all can. */
+  whole: boolean, background: LayerFacts, foreground: LayerFacts,
+};
+
+/** What is known of a layer of a draft. */
+export type LayerFacts = {
+  /** Of each of its blocks, */
+  misfits: ReadonlyArray<Misfit | null>,
+  /** and by its id of each block that could come behind them. */
+  brings: Record<string, Misfit | null>,
+};
+
+/** What a block needs and does not get. */
+export type Misfit = { lacks: Lack,
+  /** The block that gives it. */
+  remedy: string,
+};
+
+/** What a block needs and does not get. */
+export type Lack = "luma" | "color";
+
 /** A page that was shown. */
 export type Shown = {
   /** Names it. */
