@@ -1,5 +1,5 @@
-//! The web boundary of the module of decoders for what few photos are: TIFF, GIF, and any whose colours are those of a scanner or
-//! a press. It is loaded with the first of them, and makes them files that the core reads.
+//! The web boundary of the module of decoders for what few photos are: WebP, TIFF, GIF, and any whose colours are those of a
+//! scanner or a press. It is loaded with the first of them, and makes them files that the core reads.
 
 // Every function that returns a Result throws as the module's documentation says.
 #![allow(clippy::missing_errors_doc)]

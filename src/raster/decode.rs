@@ -6,6 +6,7 @@
 use std::io::Cursor;
 
 use ::image::codecs::bmp::BmpDecoder;
+#[cfg(feature = "rare")]
 use ::image::codecs::webp::WebPDecoder;
 use ::image::{ImageDecoder, ImageError, ImageFormat, ImageResult};
 
@@ -101,6 +102,7 @@ fn known_format(bytes: &[u8]) -> Result<(ImageFormat, &'static str)> {
     let name = match format {
         ImageFormat::Jpeg => "JPEG",
         ImageFormat::Png => "PNG",
+        #[cfg(feature = "rare")]
         ImageFormat::WebP => "WebP",
         #[cfg(feature = "rare")]
         ImageFormat::Gif => "GIF",
@@ -125,14 +127,8 @@ fn read(bytes: &[u8], format: ImageFormat, name: &'static str, limits: &Limits) 
             let (samples, profile) = (decoder.samples()?, markers.profile());
             Ok((Pixels { size, samples, channels, profile }, exif))
         }
-        ImageFormat::WebP => {
-            check_riff(bytes, name)?;
-            let (exif, profile) = records_of_webp(bytes);
-            let pixels = read_with(WebPDecoder::new(Cursor::new(bytes)), name, limits)?;
-            Ok((pixels.with_profile(profile), exif))
-        }
         #[cfg(feature = "rare")]
-        ImageFormat::Tiff | ImageFormat::Gif => read_rare(bytes, format, name, limits),
+        ImageFormat::WebP | ImageFormat::Tiff | ImageFormat::Gif => read_rare(bytes, format, name, limits),
         ImageFormat::Bmp => {
             Ok((read_with(BmpDecoder::new(Cursor::new(bytes)), name, limits)?, Exif::default()))
         }
@@ -153,12 +149,19 @@ fn read_rare(
             Ok((pixels, exif::read(bytes)))
         }
         ImageFormat::Gif => Ok((gif::read(bytes, name, limits)?, Exif::default())),
+        ImageFormat::WebP => {
+            check_riff(bytes, name)?;
+            let (exif, profile) = records_of_webp(bytes);
+            let pixels = read_with(WebPDecoder::new(Cursor::new(bytes)), name, limits)?;
+            Ok((pixels.with_profile(profile), exif))
+        }
         _ => Err(Error::UnknownFormat),
     }
 }
 
 /// What the EXIF record of a WebP file says, and its ICC profile, as they stand in the file: its decoder would copy them
 /// at any length.
+#[cfg(feature = "rare")]
 fn records_of_webp(bytes: &[u8]) -> (Exif, Option<Vec<u8>>) {
     let (mut exif, mut profile) = (Exif::default(), None);
     let mut rest = bytes.get(12..).unwrap_or_default();
@@ -232,6 +235,7 @@ fn check_jpeg<'a>(bytes: &'a [u8], name: &'static str, limits: &Limits) -> Resul
 }
 
 /// A RIFF file (WebP) says how long it is.
+#[cfg(feature = "rare")]
 fn check_riff(bytes: &[u8], name: &'static str) -> Result<()> {
     let announced =
         bytes.get(4..8).and_then(<[u8]>::first_chunk).map_or(0, |&length| u32::from_le_bytes(length));

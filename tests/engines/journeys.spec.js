@@ -133,6 +133,12 @@ test('an AVIF photo has its colours', async ({ person }) => {
   await expect.poll(more).toEqual(['blue', 'red']);
 });
 
+test('photos that come from few cameras are read', async ({ person }) => {
+  const names = ['webp-lossy.webp', 'webp-lossless.webp', 'gif.gif'];
+  await person.begin([...names.map((name) => given(`oracles/data/files/${name}`)), SIX[0]]);
+  for (const name of names) await person.one('checkbox', `Use ${name}`);
+});
+
 test('the pictures of animations lie on the table', async ({ person }) => {
   test.skip(!(await person.inPage(() => 'ImageDecoder' in window)), 'this browser decodes the first picture alone');
   await person.begin([animations('kept.gif'), animations('lossless.webp'), SIX[0]]);

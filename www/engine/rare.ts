@@ -1,6 +1,6 @@
 /**
- * Photos that few people have: TIFF, GIF, and those whose colours are a scanner's or a press's. What decodes them is a module of
- * its own, which is loaded with the first of them.
+ * Photos that come from few cameras: WebP, TIFF, GIF, and those whose colours are a scanner's or a press's. What decodes
+ * them is a module of its own, which is loaded with the first of them.
  */
 
 import { moduleBytes } from './module-bytes.ts';
@@ -12,15 +12,20 @@ type Decoders = typeof import('../pkg-decoders/inkpanel.js');
 /** A photo as a file that the core reads; `taken` where the photo says so. */
 export type Converted = { file: Uint8Array<ArrayBuffer>; format: string; taken: string | null };
 
+/** What a RIFF file says at its ninth byte. */
+const WEBP = [0x57, 0x45, 0x42, 0x50];
+
 let loaded: Promise<Decoders> | undefined;
 
 /**
  * @param bytes of a file
  * @returns by its content; null for all else
  */
-export function rareKind(bytes: Uint8Array): 'GIF' | 'TIFF' | null {
+export function rareKind(bytes: Uint8Array): 'GIF' | 'TIFF' | 'WebP' | null {
   const [a, b, c, d] = bytes;
   if (a === 0x47 && b === 0x49 && c === 0x46 && d === 0x38) return 'GIF';
+  const riff = a === 0x52 && b === 0x49 && c === 0x46 && d === 0x46;
+  if (riff && WEBP.every((byte, i) => bytes[8 + i] === byte)) return 'WebP';
   const intel = a === 0x49 && b === 0x49 && c === 0x2a && d === 0;
   const motorola = a === 0x4d && b === 0x4d && c === 0 && d === 0x2a;
   return intel || motorola ? 'TIFF' : null;

@@ -70,12 +70,16 @@ test('other pictures are taken of an animation, and one undo brings the old ones
   await expect(page.getByRole('group', { name: 'Panel 1 of' }).first()).toBeVisible();
 });
 
-test('a GIF that does not move is a photo', async ({ page }) => {
-  await page.goto('./');
-  await add(page, [await file('files/gif.gif', 'still.gif')]);
-  await idle(page);
-  await expect(boxes(page, /^Use still\.gif$/)).toHaveCount(1);
-});
+for (const name of ['gif.gif', 'webp-lossy.webp', 'webp-lossless.webp']) {
+  test(`${name}, which does not move, is a photo`, async ({ page }) => {
+    await page.goto('./');
+    await add(page, [await file(`files/${name}`)]);
+    await idle(page);
+    await expect(boxes(page, new RegExp(`^Use ${name}$`))).toHaveCount(1);
+    expect((await contents(page)).photos).toContain(name);
+    expect(colours(pixelsOf(await picture(page)))).toBeGreaterThan(2);
+  });
+}
 
 test('an animation that breaks off gives the pictures that are whole; one without any is named', async ({ page }) => {
   const whole = await file('animations/kept.gif');

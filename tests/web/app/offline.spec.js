@@ -7,6 +7,8 @@ import { kept, netsKept, test } from './offline-hands.js';
 import { SIX, accessible, add, colours, expect, idle, photos, picture, pixelsOf, press } from './support.js';
 import { write } from './word-hands.js';
 
+const WEBP = new URL('../../oracles/data/files/webp-lossy.webp', import.meta.url);
+
 test('after one visit the page works without its host: album, words, PNG', async ({ page, host }) => {
   await page.goto(host.address);
   await kept(page);
@@ -22,8 +24,11 @@ test('after one visit the page works without its host: album, words, PNG', async
   const png = PNG.sync.read(await readFile(await (await download).path()));
   expect([png.width, png.height]).toEqual([2480, 3508]);
   expect(colours(png)).toBeGreaterThan(2);
-  await add(page, await photos('cat.jpg'));
+  // What decodes WebP has not been asked for until now.
+  const webp = { name: 'still.webp', mimeType: 'image/webp', buffer: await readFile(WEBP) };
+  await add(page, [webp, ...(await photos('cat.jpg'))]);
   await idle(page);
+  await expect(page.getByRole('checkbox', { name: 'Use still.webp' })).toHaveCount(1);
   await expect(page.getByRole('alert')).toHaveText('');
   await host.start();
 });
