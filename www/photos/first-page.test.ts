@@ -31,7 +31,7 @@ describe('the first page', () => {
     void reading.addFiles(files(...ten));
     await vi.advanceTimersByTimeAsync(100);
     expect(store.sketch.value).toBe(true);
-    await vi.advanceTimersByTimeAsync(200);
+    await vi.advanceTimersByTimeAsync(500);
     expect(store.sketch.value).toBe(false);
     expect(names()).toEqual(['0.jpg', '2.jpg', '3.jpg', '4.jpg', '5.jpg', '6.jpg']);
     const { photos, panels, anew } = planner.wishes.at(-1) ?? {};
@@ -52,7 +52,7 @@ describe('the first page', () => {
     expect([store.sketch.value, reading.near.value]).toEqual([true, true]);
     release();
     await done;
-    await vi.advanceTimersByTimeAsync(400);
+    await vi.advanceTimersByTimeAsync(700);
     expect([store.sketch.value, reading.near.value, store.tray.value.length]).toEqual([false, false, 8]);
   });
 
@@ -62,14 +62,28 @@ describe('the first page', () => {
     await vi.advanceTimersByTimeAsync(50);
     expect([store.sketch.value, reading.near.value]).toEqual([true, false]);
     release();
-    await vi.advanceTimersByTimeAsync(400);
+    await vi.advanceTimersByTimeAsync(700);
     expect([store.sketch.value, store.tray.value.length]).toEqual([false, 9]);
+  });
+
+  test('does not wait for others that take long to read', async () => {
+    const { store, reading, files, engine } = app(() => false);
+    const { importPhoto } = engine;
+    engine.importPhoto = async (id: string, file: File) => {
+      await new Promise((done) => setTimeout(done, 100 * (1 + Number.parseInt(file.name, 10))));
+      return importPhoto(id, file);
+    };
+    void reading.addFiles(files(...ten));
+    await vi.advanceTimersByTimeAsync(650);
+    expect([store.sketch.value, reading.near.value]).toEqual([true, true]);
+    await vi.advanceTimersByTimeAsync(100);
+    expect([store.sketch.value, store.reading.value?.done]).toEqual([false, 7]);
   });
 
   test('does not change by what is read after it', async () => {
     const { store, reading, files, names, release } = app((name) => Number.parseInt(name, 10) >= 7);
     const done = reading.addFiles(files(...ten));
-    await vi.advanceTimersByTimeAsync(400);
+    await vi.advanceTimersByTimeAsync(700);
     const before = names();
     release();
     await done;
@@ -80,7 +94,7 @@ describe('the first page', () => {
   test('stays in use where a look-alike turns up later', async () => {
     const { store, reading, files, names, release, pages } = app((name) => Number.parseInt(name, 10) >= 7);
     const done = reading.addFiles(files(...ten));
-    await vi.advanceTimersByTimeAsync(400);
+    await vi.advanceTimersByTimeAsync(700);
     store.planner.value = {
       ...store.planner.value,
       choose: (photos: { id: string; name: string }[]) =>

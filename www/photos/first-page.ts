@@ -13,6 +13,8 @@ import type { PhotoMeta } from '../engine/types.ts';
 const PANELS = 6;
 /** Milliseconds after the photos of a page are there, in which faces are found, where nothing is in the way of that. */
 const WAIT = 120;
+/** Milliseconds that the page waits for the others, as far as one can tell: of look-alikes it should have the best. */
+const PATIENCE = 250;
 const ALL_NEW = Object.freeze({ layout: false, style: false, photos: false });
 
 /** @param app `facesReady`: whether a look for faces takes no longer than a moment */
@@ -28,8 +30,9 @@ export function createFirstPage({
   /** Whether its photos are on their way, or it is about to be planned: not while others must take the place of some. */
   const near = signal(false);
   let timer: ReturnType<typeof setTimeout> | undefined;
-  /** The page that is the sketch. */
+  /** The page that is the sketch, and since when. */
   let sketched = '';
+  let since = 0;
 
   effect(() => {
     const { page } = store.project.value;
@@ -42,12 +45,19 @@ export function createFirstPage({
     }
     const read = new Set(store.facts.value.filter(({ meta }) => meta !== null).map(({ id }) => id));
     const enough = read.size >= Math.min(PANELS, store.tray.value.length);
-    if (enough) timer ??= setTimeout(compose, facesReady() ? WAIT : 0);
-    near.value = enough || page.panels.some(({ photo }) => photo !== null && !read.has(photo));
+    // When they are all read, nobody waits for the end of this.
+    const soon = restOf(read.size) <= PATIENCE;
+    if (enough) timer ??= setTimeout(compose, soon ? 2 * PATIENCE : facesReady() ? WAIT : 0);
+    near.value = enough ? !soon : page.panels.some(({ photo }) => photo !== null && !read.has(photo));
     return undefined;
   });
 
   return { sketch, compose, near };
+
+  /** @returns the milliseconds in which all others are read, if they take as long as the first */
+  function restOf(read: number): number {
+    return ((performance.now() - since) / read) * (store.tray.peek().length - read);
+  }
 
   /** A page of as many panels as the first will have. */
   function sketch() {
@@ -57,6 +67,7 @@ export function createFirstPage({
     batch(() => {
       pages.show(page, { silent: true });
       sketched = store.version.peek();
+      since = performance.now();
       store.sketch.value = page !== null;
     });
   }
