@@ -3,7 +3,7 @@
 #![allow(clippy::unwrap_used, reason = "a test may stop at the first thing that is not as expected")]
 
 use inkpanel::document::history::History;
-use inkpanel::document::{kept, limits, subtitles};
+use inkpanel::document::{kept, limits, spreading, subtitles};
 use inkpanel::layout::{DPI, MOST_PIXELS, PRESETS, PagePreset, SIDES};
 use inkpanel::page::words::model::FARTHEST;
 use inkpanel::select;
@@ -42,6 +42,8 @@ fn ranges() -> String {
         format!("  leastDpi: {},\n  mostDpi: {},\n}});\n", grouped(least_dpi), grouped(most_dpi)),
         "/** Bits in which fingerprints of look-alikes may differ: the strictest and the loosest that make sense. */".to_owned(),
         format!("export const ALIKE = Object.freeze({{ strict: {strict}, loose: {loose} }});\n"),
+        "/** Panels of a first page, and of a page among others where no number is wanted. */".to_owned(),
+        format!("export const USUAL_PANELS = {};\n", spreading::USUAL),
     ]
     .join("\n")
 }

@@ -13,7 +13,7 @@ pub use crate::plan::spread::balanced;
 use serde_json::{Map, Value, json};
 use std::sync::Arc;
 
-/// Panels of a page among others where no number is wanted: what the first page has at most.
+/// Panels of a page among others where no number is wanted, and of a first page at most: large enough to be looked at.
 pub const USUAL: usize = 6;
 /// Fewer photos than this that no page shows make no page of their own.
 const FEWEST: usize = 2;

@@ -38,6 +38,9 @@ export const PAGE = Object.freeze({
 /** Bits in which fingerprints of look-alikes may differ: the strictest and the loosest that make sense. */
 export const ALIKE = Object.freeze({ strict: 4, loose: 16 });
 
+/** Panels of a first page, and of a page among others where no number is wanted. */
+export const USUAL_PANELS = 6;
+
 /** Page sizes that people know, the default first. */
 export const PAGE_SIZES = Object.freeze([
   { id: 'a4', width: 2480, height: 3508, dpi: 300 },

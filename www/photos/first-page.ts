@@ -5,12 +5,11 @@
 
 import { batch, effect, signal } from '@preact/signals';
 import { chronological } from '../document/album.ts';
+import { USUAL_PANELS } from '../engine/bounds.ts';
 import type { Pages } from '../document/pages.ts';
 import type { Store } from '../document/store.ts';
 import type { PhotoMeta } from '../engine/types.ts';
 
-/** The first page shows this many photos at most: large enough to be looked at. */
-const PANELS = 6;
 /** Milliseconds after the photos of a page are there, in which faces are found, where nothing is in the way of that. */
 const WAIT = 120;
 /** Milliseconds that the page waits for the others, as far as one can tell: of look-alikes it should have the best. */
@@ -44,7 +43,7 @@ export function createFirstPage({
       return end();
     }
     const read = new Set(store.facts.value.filter(({ meta }) => meta !== null).map(({ id }) => id));
-    const enough = read.size >= Math.min(PANELS, store.tray.value.length);
+    const enough = read.size >= Math.min(USUAL_PANELS, store.tray.value.length);
     // When they are all read, nobody waits for the end of this.
     const soon = restOf(read.size) <= PATIENCE;
     if (enough) timer ??= setTimeout(compose, soon ? 2 * PATIENCE : facesReady() ? WAIT : 0);
@@ -61,7 +60,7 @@ export function createFirstPage({
 
   /** A page of as many panels as the first will have. */
   function sketch() {
-    const panels = Math.min(store.photos.peek().length, PANELS);
+    const panels = Math.min(store.photos.peek().length, USUAL_PANELS);
     // Each photo once: a first page says what there is.
     const page = pages.plan({ keep: ALL_NEW, panels });
     batch(() => {
@@ -80,7 +79,7 @@ export function createFirstPage({
     if (!store.sketch.peek()) return false;
     const photos = known();
     if (photos.length === 0) return false;
-    const panels = Math.min(photos.length, PANELS);
+    const panels = Math.min(photos.length, USUAL_PANELS);
     const page = pages.plan({ keep: ALL_NEW, anew: true, photos, panels });
     batch(() => {
       if (page) store.change({ type: 'change-page', page, silent: true });
