@@ -1,8 +1,6 @@
 import { describe, expect, it, test, vi } from 'vitest';
 import { keyLines } from '../help/key-lines.ts';
-import { english } from '../strings/en/index.ts';
-import { spanish } from '../strings/es/index.ts';
-import { everyStrings } from '../strings/every.ts';
+import { inLanguage, translations } from '../strings/testing.ts';
 import { isEnabled, now } from '../ui/action.ts';
 import { Icon } from '../ui/icon.tsx';
 import { keyNames } from '../ui/shortcut.ts';
@@ -31,19 +29,16 @@ const HELP = [
 
 const all = async () => everyAction(createActions(await fakeParts()));
 
-describe.each([
-  ['en', english],
-  ['es', spanish],
-])('in %s', (language, words) => {
+describe.each(Object.keys(translations))('in %s', (language) => {
   it('every action has a label', async () => {
     vi.resetModules();
-    vi.doMock('../strings/strings.ts', () => ({ language, strings: { ...everyStrings, ...words } }));
+    vi.doMock('../strings/strings.ts', () => ({ language, strings: inLanguage(language) }));
     const fresh = await import('./actions.ts');
     const actions = fresh.everyAction(fresh.createActions(await fakeParts()));
     vi.doUnmock('../strings/strings.ts');
     const label = ({ label }: Action) => now(label as Action['label']);
     expect(actions.length).toBeGreaterThan(50);
-    expect(new Map(actions).get('page.undo')?.label).toBe(words.undo);
+    expect(new Map(actions).get('page.undo')?.label).toBe(inLanguage(language).undo);
     expect(actions.filter(([, action]) => !label(action)).map(([id]) => id)).toEqual([]);
   });
 });

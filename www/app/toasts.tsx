@@ -14,7 +14,7 @@ export function Toasts() {
   const opening = keeping.files.progress.value;
   const list = messages.list.value;
   const running = download.progress.value;
-  const percent = running ? Math.round((100 * running.done) / running.total) : 0;
+  const exporting = running ? strings.exporting(strings.percent(running.done / running.total)) : '';
   return (
     <>
       <div class="toasts">
@@ -25,13 +25,8 @@ export function Toasts() {
         {running && (
           <div class="toast" aria-busy="true">
             <div class="toast-work">
-              <span>{strings.exporting(percent)}</span>
-              <progress
-                class="progress"
-                aria-label={strings.exporting(percent)}
-                value={running.done}
-                max={running.total}
-              />
+              <span>{exporting}</span>
+              <progress class="progress" aria-label={exporting} value={running.done} max={running.total} />
             </div>
             <button type="button" class="button" onClick={download.cancel}>
               {strings.cancel}

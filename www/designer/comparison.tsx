@@ -124,7 +124,7 @@ export function Comparison({
             aria-valuemin={0}
             aria-valuemax={100}
             aria-valuenow={Math.round(split.value * 100)}
-            aria-valuetext={strings.share(split.value)}
+            aria-valuetext={strings.percent(split.value)}
             onKeyDown={onKeyDown}
           />
         </div>

@@ -67,7 +67,7 @@ export function Designer() {
             <Icon name="add" />
             {strings.addBlock}
           </button>
-          {drawn.times.size > 0 && <span class="count">{strings.totalTime(total)}</span>}
+          {drawn.times.size > 0 && <span class="count">{strings.totalTime(strings.milliseconds(total))}</span>}
         </header>
         {adding ? (
           <Palette onClose={closePalette} onAdded={() => setAdding(false)} />

@@ -78,7 +78,7 @@ function Range({
 }) {
   const usual = Number(standard);
   const mark = (usual - min) / (max - min);
-  const text = `${value}${unit ? ` ${unit}` : ''}`;
+  const told = (number: number) => `${strings.decimal(number)}${unit ? ` ${unit}` : ''}`;
   return (
     <div class="parameter" title={help}>
       <span class="parameter-name" aria-hidden="true">
@@ -108,7 +108,7 @@ function Range({
         <input
           type="range"
           aria-label={label}
-          aria-valuetext={text}
+          aria-valuetext={told(value)}
           min={min}
           max={max}
           step={step}
@@ -117,7 +117,7 @@ function Range({
           onChange={onRest}
           onDblClick={() => onSet(usual)}
         />
-        <i class="usual-mark" title={strings.defaultIs(`${usual}${unit ? ` ${unit}` : ''}`)} />
+        <i class="usual-mark" title={strings.defaultIs(told(usual))} />
       </span>
     </div>
   );

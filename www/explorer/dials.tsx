@@ -15,7 +15,7 @@ export function Dials() {
           max="1"
           step="0.05"
           value={surprise}
-          aria-valuetext={strings.share(surprise)}
+          aria-valuetext={strings.percent(surprise)}
           onInput={(event) => {
             explorer.surprise.value = event.currentTarget.valueAsNumber;
           }}

@@ -51,7 +51,8 @@ export function WallItem({
     void bred.then(() => wall?.scrollTo({ top: 0 }));
   }
 
-  const label = judgement ? strings.netScoreOf(judgement) : strings.lightScoreOf(score);
+  const shown = judgement ? strings.decimal(judgement, 2) : strings.decimal(score * 100, 0);
+  const label = judgement ? strings.netScoreOf(shown) : strings.lightScoreOf(shown);
   return (
     <li
       class="wall-item"
@@ -63,7 +64,7 @@ export function WallItem({
     >
       <canvas ref={canvas} class="bitmap" aria-hidden="true" onClick={use} title={strings.useStyle} />
       <span class="wall-score" data-net={!!judgement} title={label} role="img" aria-label={label}>
-        {judgement ? strings.netScore(judgement) : strings.lightScore(score)}
+        {shown}
       </span>
       {origin && (
         <span class="wall-origin" title={strings.bredFrom(...origin.parents)}>

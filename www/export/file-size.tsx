@@ -33,7 +33,8 @@ export function FileSize({ wish }: { wish: Wish }) {
       stop.abort();
     };
   }, [wish]);
-  const text = busy && bytes === null ? strings.measuring : bytes === null ? '' : strings.aboutSize(bytes);
+  const text =
+    busy && bytes === null ? strings.measuring : bytes === null ? '' : strings.aboutSize(strings.fileSize(bytes));
   return (
     <output class="file-size" aria-busy={busy}>
       {text}

@@ -4,7 +4,7 @@ import { strings } from '../strings/strings.ts';
 import { grown } from './panels/merging.ts';
 import type { Album } from '../document/album.ts';
 import type { Bounds, PageDocument } from '../engine/types.ts';
-import type { Seen } from '../strings/en/describing.ts';
+import type { Seen } from '../strings/compose.ts';
 
 /** a box in parts of its photo */
 type Subject = Bounds & { label: string; score?: number };

@@ -63,11 +63,11 @@ export function PageSettingsForm() {
             max={most}
             step={step}
             value={settings[name] * 100}
-            aria-valuetext={strings.percent(settings[name] * 100)}
+            aria-valuetext={strings.percent(settings[name], 1)}
             onInput={(event) => change(name, Number((event.currentTarget.valueAsNumber / 100).toFixed(5)))}
             onChange={rest}
           />
-          <output aria-hidden="true">{strings.percent(settings[name] * 100)}</output>
+          <output aria-hidden="true">{strings.percent(settings[name], 1)}</output>
         </label>
       ))}
       {COLOURS.map((name) => (

@@ -111,7 +111,7 @@ export function createReading({
       }),
     );
     if (sources.length < given.length)
-      messages.alert(strings.tooManyPhotos(given.length - sources.length, MOST.photos));
+      messages.alert(strings.tooManyPhotos(given.length - sources.length, strings.decimal(MOST.photos)));
     if (sources.length === 0) return null;
     const ids = sources.flatMap((source) => source.ids);
     intake.count(0, ids.length);
@@ -179,7 +179,7 @@ export function createReading({
   async function resample(key: string, wish: { start: number; end: number; frames: number }) {
     if (store.reading.peek()) return;
     if (store.tray.peek().length + wish.frames > MOST.photos) {
-      messages.alert(strings.tooManyPhotos(1, MOST.photos));
+      messages.alert(strings.tooManyPhotos(1, strings.decimal(MOST.photos)));
       return;
     }
     clicks += 1;

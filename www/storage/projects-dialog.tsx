@@ -2,7 +2,7 @@
 
 import { useEffect, useRef, useState } from 'preact/hooks';
 import { EXTENSION } from './files/project-file.ts';
-import { language, strings } from '../strings/strings.ts';
+import { strings } from '../strings/strings.ts';
 import { IconButton } from '../ui/button.tsx';
 import { ChosenFiles } from '../photos/chosen-files.tsx';
 import { useApp } from '../ui/context.ts';
@@ -72,10 +72,6 @@ function Project({ project: { id, name, changed, photos, picture } }: { project:
   const { keeping, ui } = useApp();
   const title = name || strings.untitled;
   const current = keeping.current.value === id;
-  const when = new Date(changed).toLocaleString(language === 'en' ? undefined : language, {
-    dateStyle: 'medium',
-    timeStyle: 'short',
-  });
   const busy = keeping.busy.value;
 
   async function open() {
@@ -96,7 +92,7 @@ function Project({ project: { id, name, changed, photos, picture } }: { project:
       </button>
       <div class="project-about">
         <strong>{title}</strong>
-        <span>{strings.projectAbout(photos, changed > 0 ? when : '')}</span>
+        <span>{strings.projectAbout(photos, changed > 0 ? strings.moment(changed) : '')}</span>
       </div>
       <div class="project-tools">
         <IconButton icon="duplicate" label={strings.duplicateNamed(title)} onClick={() => void keeping.duplicate(id)} />

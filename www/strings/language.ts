@@ -1,7 +1,10 @@
 /** Which language the page speaks: the person's choice, else the browser's first that there is, else English. */
 
 /** Languages by code, each in its own words. */
-export const LANGUAGES = { en: 'English', es: 'Español' };
+export const LANGUAGES = {
+  en: 'English',
+  es: 'Español',
+};
 
 export type Language = keyof typeof LANGUAGES;
 
@@ -12,14 +15,29 @@ const KEY = 'inkpanel.language';
  * @param wanted the browser's languages, the best first: `es-MX`
  */
 export function pickLanguage(chosen: string | null, wanted: readonly string[]): Language {
-  const codes = [chosen ?? '', ...wanted].map((tag) => tag.toLowerCase().split('-')[0]);
+  const codes = [chosen ?? '', ...wanted].map(languageOf);
   return (codes.find((code) => Object.hasOwn(LANGUAGES, code)) as Language | undefined) ?? 'en';
 }
+
+/**
+ * How numbers, dates and lists are written: as where the person lives, if the browser tells of such a place.
+ * @param wanted the browser's languages, the best first
+ */
+export function localeOf(language: Language, wanted: readonly string[]): string {
+  return wanted.find((tag) => languageOf(tag) === language) ?? language;
+}
+
+const languageOf = (tag: string) => tag.toLowerCase().split('-')[0];
 
 /** The language of this visit. Without a document (in tests of parts) it is English. */
 export function currentLanguage(): Language {
   if (typeof document === 'undefined') return 'en';
   return pickLanguage(remembered(), navigator.languages);
+}
+
+/** The browser's languages; in tests of parts none. */
+export function browserLanguages(): readonly string[] {
+  return typeof document === 'undefined' ? [] : navigator.languages;
 }
 
 /** Keeps the choice for the next load; where the browser keeps nothing it is lost. */

@@ -2,10 +2,13 @@
 
 import { readFileSync, readdirSync } from 'node:fs';
 import { describe, expect, it } from 'vitest';
-import { english } from './en/index.ts';
-import { spanish } from './es/index.ts';
-import { everyStrings } from './every.ts';
-import { pickLanguage } from './language.ts';
+import { core } from '../engine/testing-core.ts';
+import { compose } from './compose.ts';
+import * as english from './en/index.ts';
+import { LANGUAGES, localeOf, pickLanguage } from './language.ts';
+import { inLanguage, translations } from './testing.ts';
+
+const others = Object.entries(translations).filter(([code]) => code !== 'en');
 
 /** @returns `function of 2`, `array of 3`, `object`, `string` */
 function kind(value: unknown): string {
@@ -19,17 +22,46 @@ function shape(value: any, path: string = ''): [string, string][] {
   return [[path, kind(value)], ...below.flatMap(([key, inner]) => shape(inner, `${path}.${key}`))];
 }
 
-describe.each([['es', spanish]])('the words in %s', (code, language) => {
+/** @returns every text below */
+function texts(value: unknown): string[] {
+  if (typeof value === 'string') return [value];
+  return value !== null && typeof value === 'object' ? Object.values(value).flatMap(texts) : [];
+}
+
+/** What languages give names to, by the area of `Names`. */
+const named = {
+  styles: readAll('../../styles/').map(({ id }) => id),
+  layouts: readAll('../../layouts/').map(({ id }) => id),
+  families: [
+    ...readAll('../../styles/').flatMap(({ tags }) => tags),
+    ...readAll('../../layouts/').map(({ family }) => family),
+  ],
+  blocks: core.blocks().map(({ id }) => id),
+  parameters: core.blocks().flatMap(({ id, params }) => params.map((param) => `${id}.${param.id}`)),
+  choices: core.blocks().flatMap(({ params }) => params.flatMap(({ choices }) => choices ?? [])),
+} satisfies Record<string, string[]>;
+
+it('there is a folder for every language', () => {
+  expect(Object.keys(translations).sort()).toEqual(Object.keys(LANGUAGES).sort());
+});
+
+describe.each(others)('the words in %s', (code, { words, names }) => {
   it('are as many as the English ones, and of the same kinds', () => {
-    const there = new Map(shape(language));
-    expect(shape(english).filter(([path, what]) => there.get(path) !== what)).toEqual([]);
+    const there = new Map(shape(words));
+    expect(shape(english.words).filter(([path, what]) => there.get(path) !== what)).toEqual([]);
   });
 
   it('have no key that English lacks, but for reasons by code', () => {
-    const there = new Map(shape(english));
-    expect(shape(language).filter(([path]) => !there.has(path) && !/^\.(reasons|projectReasons)\./.test(path))).toEqual(
+    const there = new Map(shape(english.words));
+    expect(shape(words).filter(([path]) => !there.has(path) && !/^\.(reasons|projectReasons)\./.test(path))).toEqual(
       [],
     );
+  });
+
+  it('are no sentences of English', () => {
+    const said = new Set(texts(english.words).filter((text) => text.split(' ').length > 2));
+    expect(said.size).toBeGreaterThan(100);
+    expect(texts(words).filter((text) => said.has(text))).toEqual([]);
   });
 
   it('are in files that import nothing from outside their folder, for which the page would wait in a circle', () => {
@@ -41,44 +73,81 @@ describe.each([['es', spanish]])('the words in %s', (code, language) => {
     expect(imports.map(([, from]) => from).filter((from) => !from.startsWith('./'))).toEqual([]);
   });
 
-  it('name every designed style, layout, family and tag', () => {
-    const styles = readAll('../../styles/');
-    const layouts = readAll('../../layouts/');
-    expect(styles.filter(({ id }) => language.styleTitle({ id, name: 'none' }) === 'none').map(({ id }) => id)).toEqual(
-      [],
+  it('name what filters, styles and layouts bring along; what is missing stays English, and is listed', () => {
+    const missing = Object.entries(named).flatMap(([area, ids]) =>
+      [...new Set(ids)].filter((id) => !(id in names[area as keyof typeof named])).map((id) => `${area}.${id}`),
     );
-    expect(
-      layouts.filter(({ id }) => language.layoutTitle({ id, name: 'none' }) === 'none').map(({ id }) => id),
-    ).toEqual([]);
-    const families = new Set([...styles.flatMap(({ tags }) => tags), ...layouts.map(({ family }) => family)]);
-    expect(
-      [...families].filter(
-        (id) => language.familyName(id) === english.familyName(id) && !['manga', 'pop'].includes(id),
-      ),
-    ).toEqual([]);
+    if (missing.length > 0) console.warn(`${LANGUAGES[code as keyof typeof LANGUAGES]} has no name for`, missing);
+    const gone = Object.entries(named).flatMap(([area, ids]) =>
+      Object.keys(names[area as keyof typeof named])
+        .filter((id) => !ids.includes(id))
+        .map((id) => `${area}.${id}`),
+    );
+    expect(gone).toEqual([]);
+  });
+
+  it('tell two styles from each other, two layouts of a family, and two blocks', () => {
+    const twice = (list: string[]) => list.filter((name, at) => list.indexOf(name) !== at);
+    const family = (id: string) => id.split('-')[0];
+    expect([
+      ...twice(Object.values(names.styles)),
+      ...twice(Object.values(names.blocks).map(([name]) => name)),
+      ...twice(Object.entries(names.layouts).map(([id, name]) => `${family(id)}: ${name}`)),
+    ]).toEqual([]);
   });
 });
 
+it('what a language has no name for is called as in English', () => {
+  const none = { ...english, names: { ...english.names, styles: {} } };
+  const strings = compose('de', none);
+  expect(strings.styleTitle({ id: 'new', name: 'New Style' })).toBe('New Style');
+  expect(strings.layoutTitle({ id: 'new-3', name: 'New layout' })).toBe('New layout');
+  expect(strings.familyName('new_kind')).toBe('New kind');
+  expect(strings.blockName({ id: 'new', label: 'New Block', help: '' })).toBe('New Block');
+  expect(strings.parameterHelp('new', { id: 'x', label: 'X', help: 'What it does.' })).toBe('What it does.');
+});
+
 it('no two areas have a word of the same name', () => {
-  const areas = import.meta.glob(['./en/*.ts', '!./en/index.ts'], { eager: true }) as Record<
+  const areas = import.meta.glob(['./en/*.ts', '!./en/index.ts', '!./en/names.ts'], { eager: true }) as Record<
     string,
     Record<string, object>
   >;
-  const names = [everyStrings, ...Object.values(areas).flatMap((area) => Object.values(area))].flatMap(Object.keys);
-  expect(names.length).toBeGreaterThan(300);
+  const words = Object.values(areas)
+    .flatMap((area) => Object.values(area))
+    .flatMap(Object.keys);
+  expect(words.length).toBeGreaterThan(300);
+  const strings = compose('en', { ...english, words: {} as typeof english.words });
+  const names = [...Object.keys(strings), ...words];
   expect(names.filter((name, at) => names.indexOf(name) !== at)).toEqual([]);
 });
 
 it('the person chooses the language, then the browser', () => {
   expect(pickLanguage(null, ['en-US', 'es'])).toBe('en');
-  expect(pickLanguage(null, ['fr', 'es-MX', 'en'])).toBe('es');
+  expect(pickLanguage(null, ['nl', 'es-MX', 'en'])).toBe('es');
   expect(pickLanguage('en', ['es'])).toBe('en');
-  expect(pickLanguage('xx', ['fr'])).toBe('en');
+  expect(pickLanguage('xx', ['nl'])).toBe('en');
+});
+
+it('numbers are written as where the person lives', () => {
+  expect(localeOf('es', ['de', 'es-MX', 'es'])).toBe('es-MX');
+  expect(localeOf('de', ['fr'])).toBe('de');
+  const written = (locale: string) => {
+    const { decimal, percent, fileSize, milliseconds, clock } = compose(locale, english);
+    return [decimal(1234.5, 1), decimal(0.03), percent(0.125, 1), fileSize(2_340_000), milliseconds(8.25), clock(62.5)]
+      .map((text) => text.replaceAll(/\s/g, ' '))
+      .join(' | ');
+  };
+  expect(written('en')).toBe('1,234.5 | 0.03 | 12.5% | 2.3 MB | 8.3 ms | 1:02.5');
+  expect(written('de')).toBe('1.234,5 | 0,03 | 12,5 % | 2,3 MB | 8,3 ms | 1:02,5');
+  expect(written('es-MX')).toBe('1,234.5 | 0.03 | 12.5% | 2.3 MB | 8.3 ms | 1:02.5');
+  expect(written('fr')).toBe('1 234,5 | 0,03 | 12,5 % | 2,3 Mo | 8,3 ms | 1:02,5');
+  expect(written('ja')).toBe('1,234.5 | 0.03 | 12.5% | 2.3 MB | 8.3 ms | 1:02.5');
 });
 
 it('turns the reasons for photos', () => {
   const reasons = ['same as only one like it.jpg', 'sharpest of 3', 'only one like it', 'blurred'];
-  expect(reasons.map(spanish.verdict)).toEqual([
+  expect(reasons.map(inLanguage('en').verdict)).toEqual(reasons);
+  expect(reasons.map(inLanguage('es').verdict)).toEqual([
     'igual que only one like it.jpg',
     'la más nítida de 3',
     'la única así',
@@ -92,9 +161,10 @@ it('counts what is seen', () => {
     { label: 'elephant', count: 1 },
     { label: 'knife', count: 13 },
   ];
-  expect(english.seen(things)).toBe('two people, an elephant, and 13 knives');
-  expect(spanish.seen(things)).toBe('dos personas, un elefante y 13 cuchillos');
-  expect([english.seen([]), spanish.seen([])]).toEqual(['', '']);
+  const seen = (code: string) => inLanguage(code).seen(things);
+  expect(seen('en')).toBe('two people, an elephant, and 13 knives');
+  expect(seen('es')).toBe('dos personas, un elefante y 13 cuchillos');
+  expect(inLanguage('en').seen([])).toBe('');
 });
 
 /** @returns the data files in it */

@@ -3,24 +3,26 @@
  * `strings/en/`; it is chosen once, before anything is drawn, so words never change under a running page.
  */
 
-import { english } from './en/index.ts';
-import { everyStrings } from './every.ts';
-import { currentLanguage } from './language.ts';
-
-export const language = currentLanguage();
+import { compose } from './compose.ts';
+import * as english from './en/index.ts';
+import { browserLanguages, currentLanguage, localeOf } from './language.ts';
+import type { Translation } from './compose.ts';
+import type { Language } from './language.ts';
 
 /**
- * Only English is part of the first download. The files of another language import nothing from outside their folder:
- * this module waits for them, and would wait for ever if they waited for it.
+ * Only English is part of the first download. The files of another language import nothing from outside their folder,
+ * types apart: this module waits for them, and would wait for ever if they waited for it.
  */
-const words =
-  language === 'es'
-    ? await import('./es/index.ts').then(
-        ({ spanish }) => spanish,
-        () => english,
-      )
-    : english;
+const OTHERS: Record<Exclude<Language, 'en'>, () => Promise<Translation>> = {
+  es: () => import('./es/index.ts'),
+};
 
-if (typeof document !== 'undefined') document.documentElement.lang = words === english ? 'en' : language;
+const wanted = currentLanguage();
+const translation = wanted === 'en' ? english : await OTHERS[wanted]().catch(() => english);
 
-export const strings = { ...everyStrings, ...words };
+/** English where the one that is wanted cannot be loaded. */
+export const language: Language = translation === english ? 'en' : wanted;
+
+if (typeof document !== 'undefined') document.documentElement.lang = language;
+
+export const strings = compose(localeOf(language, browserLanguages()), translation);

@@ -46,7 +46,7 @@ function StyleShuffle() {
           max="1"
           step="0.05"
           value={invented}
-          aria-valuetext={strings.share(invented)}
+          aria-valuetext={strings.percent(invented)}
           onInput={(event) =>
             styling.change({ invented: event.currentTarget.valueAsNumber }, `invented-${drags.current}`)
           }
@@ -54,7 +54,7 @@ function StyleShuffle() {
             drags.current += 1;
           }}
         />
-        <output aria-hidden="true">{strings.share(invented)}</output>
+        <output aria-hidden="true">{strings.percent(invented)}</output>
       </label>
       <div class="style-locks">
         <button

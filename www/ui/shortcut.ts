@@ -9,7 +9,7 @@ const SIGNS: Record<string, string> = { ArrowLeft: '←', ArrowUp: '↑', ArrowR
 
 /** @returns its keys, each as its keyboard calls it */
 export function keyNames(shortcut: string, apple: boolean = APPLE): string[] {
-  const names: Record<string, string> = { ...SIGNS, Mod: apple ? '⌘' : 'Ctrl', ...strings.keyNames };
+  const names: Record<string, string> = { ...SIGNS, ...strings.keyNames, Mod: apple ? '⌘' : strings.keyNames.Ctrl };
   return parts(shortcut).map((key) => names[key] ?? key);
 }
 

@@ -214,7 +214,7 @@ test('a cut is dragged by mouse and moved by keyboard, and the file shows it', a
   expect(await value()).toBe(dragged - 6);
   await page.keyboard.press('Alt+ArrowRight');
   await idle(page);
-  await expect(handle).toHaveAttribute('aria-valuetext', /slanted by 2 %/);
+  await expect(handle).toHaveAttribute('aria-valuetext', /slanted by 2%/);
   const { layout } = await savedLayout(page);
   expect(layout.family).toBe('custom');
   expect(layout.tree.slants[0]).toBeCloseTo(0.02, 3);

@@ -135,7 +135,7 @@ test('page settings are live, and a drag is one undo step', async ({ page }) => 
     await slider.fill('1.2');
     await idle(page);
     shown.add(await picture(page));
-    await expect(slider).toHaveAttribute('aria-valuetext', '1.2 %');
+    await expect(slider).toHaveAttribute('aria-valuetext', '1.2%');
   }
   await settings.getByLabel('Paper colour').fill('#ffcc00');
   await idle(page);

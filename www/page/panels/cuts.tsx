@@ -91,7 +91,7 @@ function CutHandle({ cut, index, count, height }: { cut: Cut; index: number; cou
       aria-valuemin={0}
       aria-valuemax={100}
       aria-valuenow={Math.round(cut.fraction * 100)}
-      aria-valuetext={strings.cutAt(cut.fraction * 100, cut.slant * 100)}
+      aria-valuetext={whereIs(cut)}
       aria-description={strings.cutKeys}
       data-axis={cut.axis}
       data-chosen={reshaping.cut.value === index}
@@ -130,6 +130,12 @@ export const SLANT_KEYS: OwnKeys = { keys: ['Alt+ArrowUp', 'Alt+ArrowDown'], abo
 export function shifted({ fraction, slant }: Cut, end: End, by: number): { fraction: number; slant: number } {
   if (end === 'both') return { fraction: fraction + by, slant };
   return { fraction: fraction + by / 2, slant: slant + (end === 'to' ? by : -by) };
+}
+
+/** @returns `50%, slanted by 2%` */
+function whereIs({ fraction, slant }: Cut) {
+  const at = strings.percent(fraction);
+  return Math.abs(slant) < 0.005 ? at : strings.cutSlanted(at, strings.percent(slant));
 }
 
 function wayOf(key: string, axis: Cut['axis'], slants: boolean): -1 | 0 | 1 {

@@ -1,7 +1,6 @@
 /** Words that describe what is on the page to who does not see it, and the page's language. */
 
-/** How many of a kind of thing. */
-export type Seen = { label: string; count: number };
+import type { Seen } from '../compose.ts';
 
 /** Many of what takes more than an s. */
 const MANY: Record<string, string> = {
@@ -33,16 +32,14 @@ const ONE: Record<string, string> = {
 };
 const NUMBERS = ['', '', 'two', 'three', 'four', 'five', 'six', 'seven', 'eight', 'nine', 'ten', 'eleven', 'twelve'];
 
-function several({ label, count }: Seen) {
+function thing({ label, count }: Seen): string {
   if (count === 1) return ONE[label] ?? `${/^[aeiou]/.test(label) ? 'an' : 'a'} ${label}`;
   return `${NUMBERS[count] ?? count} ${MANY[label] ?? `${label}s`}`;
 }
 
-const list = new Intl.ListFormat('en');
-
 export const describingStrings = {
-  /** @param things `two people and a dog`; empty for nothing */
-  seen: (things: readonly Seen[]) => list.format(things.map(several)),
+  /** @returns `two people`, `a dog` */
+  thing,
   pageHolds: (panels: number, layout: string, style: string) =>
     `${panels === 1 ? 'One panel' : `${panels} panels`}, layout ${layout}, style ${style}`,
   panelHolds: (n: number, what: string) => `Panel ${n}: ${what}.`,

@@ -55,8 +55,7 @@ export const designerStrings = {
   card: (name: string, n: number) => `${n}. ${name}`,
   valueOf: (label: string) => `${label}, as a number`,
   defaultIs: (value: string) => `Usually ${value}`,
-  milliseconds: (ms: number) => `${ms < 10 ? ms.toFixed(1) : Math.round(ms)} ms`,
-  totalTime: (ms: number) => `${ms < 10 ? ms.toFixed(1) : Math.round(ms)} ms in all`,
+  totalTime: (time: string) => `${time} in all`,
   lacks: {
     luma: 'Needs gray, and gets colour here. It is left out until then.',
     color: 'Needs colour, and gets gray here. It is left out until then.',
@@ -104,10 +103,8 @@ export const designerStrings = {
   surpriseDial: 'Surprise',
   inventedCount: (shown: number, all: number) => (shown === all ? `${all}` : `${shown} of ${all}`),
   dropped: (n: number) => `${n} alike or empty left out`,
-  lightScore: (score: number) => `${Math.round(score * 100)}`,
-  lightScoreOf: (score: number) => `Light score ${Math.round(score * 100)} of 100`,
-  netScore: (score: number) => score.toFixed(2),
-  netScoreOf: (score: number) => `NIMA score ${score.toFixed(2)} of 10`,
+  lightScoreOf: (score: string) => `Light score ${score} of 100`,
+  netScoreOf: (score: string) => `NIMA score ${score} of 10`,
   sortedByLight: 'By simple measures of the picture',
   sortedByNet: 'By a net that learned what people like (NIMA)',
   judging: (done: number, total: number) => `Scoring styles, ${done} of ${total}`,
@@ -130,5 +127,4 @@ export const designerStrings = {
   learnTasteLong:
     'Layouts and styles of pages that you love, download or continue come more often. It stays on this device.',
   forgetTaste: 'Forget my taste',
-  share: (part: number) => `${Math.round(part * 100)} %`,
 };

@@ -1,10 +1,5 @@
 /** Words of files and other ways out. */
 
-function size(bytes: number) {
-  if (bytes < 1e6) return `${Math.max(1, Math.round(bytes / 1e3))} KB`;
-  return `${(bytes / 1e6).toFixed(bytes < 1e7 ? 1 : 0)} MB`;
-}
-
 export const exportStrings = {
   exportPage: 'Export the page',
   resolution: 'Quality',
@@ -25,7 +20,7 @@ export const exportStrings = {
   whichPages: 'Pages',
   allPages: (count: number) => `All ${count} pages`,
   pixels: (w: number, h: number) => `${w} × ${h} pixels`,
-  aboutSize: (bytes: number) => `about ${size(bytes)}`,
+  aboutSize: (size: string) => `about ${size}`,
   measuring: 'measuring its size…',
   save: 'Save the file',
   copyPage: 'Copy to clipboard',
@@ -33,7 +28,7 @@ export const exportStrings = {
   sharePart: 'Share now',
   savePanel: 'Save this panel',
   noPhotoHere: 'this panel is empty',
-  exporting: (percent: number) => `Drawing the page at full size, ${percent} %`,
+  exporting: (percent: string) => `Drawing the page at full size, ${percent}`,
   pagesSaved: (count: number) => (count === 1 ? 'The page was saved.' : `${count} pages were saved in one file.`),
   panelSaved: 'The panel was saved.',
   copied: 'The page is on the clipboard.',

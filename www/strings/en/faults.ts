@@ -10,8 +10,8 @@ export const faultStrings = {
     'worker-lost': 'reading it stopped the program twice, so it was left out.',
     'unreadable-file': 'the file was moved, changed or deleted since you chose it.',
   } as Record<string, string>,
-  tooManyPhotos: (n: number, most: number) =>
-    `${n === 1 ? '1 file was' : `${n} files were`} left out: a project holds ${most.toLocaleString('en')} photos.`,
+  tooManyPhotos: (n: number, most: string) =>
+    `${n === 1 ? '1 file was' : `${n} files were`} left out: a project holds ${most} photos.`,
   noUsablePhoto:
     'None of these files could be used. Choose JPEG, PNG, WebP, AVIF, GIF, BMP or TIFF photos, or a video.',
   noSamples: 'The sample album could not be loaded. Check the connection and try again.',

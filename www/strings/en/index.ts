@@ -1,8 +1,7 @@
-/** Every word of the page in English: the language that the others are checked against and fall back to. */
+/** The page in English: the language that the others are checked against and fall back to. */
 
 import { boardStrings } from './board.ts';
 import { bookStrings } from './book.ts';
-import { coreStrings } from './core.ts';
 import { describingStrings } from './describing.ts';
 import { designerStrings } from './designer.ts';
 import { exportStrings } from './export.ts';
@@ -18,7 +17,9 @@ import { sideStrings } from './side.ts';
 import { startStrings } from './start.ts';
 import { wordStrings } from './words.ts';
 
-export const english = {
+export { names } from './names.ts';
+
+export const words = {
   ...startStrings,
   ...boardStrings,
   ...bookStrings,
@@ -34,8 +35,7 @@ export const english = {
   ...exportStrings,
   ...keyStrings,
   ...faultStrings,
-  ...coreStrings,
   ...describingStrings,
 };
 
-export type Strings = typeof english;
+export type Words = typeof words;

@@ -3,7 +3,7 @@
 export const keyStrings = {
   letterKeys: 'Single letters are shortcuts',
   // As the keyboard calls them; what is called alike everywhere is not here.
-  keyNames: { Space: 'Space', Shift: 'Shift', Enter: 'Enter', PageUp: 'Page Up', PageDown: 'Page Down' },
+  keyNames: { Ctrl: 'Ctrl', Space: 'Space', Shift: 'Shift', Enter: 'Enter', PageUp: 'Page Up', PageDown: 'Page Down' },
   // What the list says of keys that are no action with a name of its own.
   keyAbout: {
     walk: 'Move between panels',

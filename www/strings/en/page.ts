@@ -9,7 +9,6 @@ export const pageStrings = {
   cornerRadius: 'Corner radius',
   paper: 'Paper colour',
   borderColor: 'Border colour',
-  percent: (value: number) => `${value.toFixed(1)} %`,
   size: {
     a4: 'A4',
     'a4-landscape': 'A4 landscape',

@@ -59,8 +59,7 @@ export const panelStrings = {
   },
   cuts: 'Cuts of the layout',
   cut: (n: number, of: number) => `Cut ${n} of ${of}`,
-  cutAt: (at: number, slant: number) =>
-    Math.abs(slant) < 0.5 ? `${Math.round(at)} %` : `${Math.round(at)} %, slanted by ${Math.round(slant)} %`,
+  cutSlanted: (at: string, slant: string) => `${at}, slanted by ${slant}`,
   selectCut: 'select a cut',
   cutBack: 'Move cut back',
   cutForth: 'Move cut forth',

@@ -1,5 +1,5 @@
 /** Names and help of the blocks. */
-export const BLOCKS: Record<string, [string, string]> = {
+export const blocks: Record<string, [string, string]> = {
   to_gray: ['A escala de grises', 'Convierte el color en gris; A color puede recuperarlo después.'],
   to_color: ['A color', 'Recupera los colores que quitó A escala de grises.'],
   posterize: ['Posterización', 'Deja solo unos pocos niveles de cada canal, como una serigrafía.'],
@@ -23,7 +23,7 @@ export const BLOCKS: Record<string, [string, string]> = {
 };
 
 /** Names and help of their parameters. */
-export const PARAMETERS: Record<string, [string, string]> = {
+export const parameters: Record<string, [string, string]> = {
   'posterize.levels': ['Niveles', 'Cuántos valores conserva cada canal.'],
   'luma_posterize.levels': ['Niveles', 'Cuántos niveles de luz quedan.'],
   'brightness.gain': ['Ganancia', '1 no cambia nada, 2 es el doble de luz.'],

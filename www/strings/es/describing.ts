@@ -1,4 +1,4 @@
-import type { Seen } from '../en/describing.ts';
+import type { Seen } from '../compose.ts';
 
 /** One and many of what is found in photos. */
 const NAMES: Record<string, [string, string]> = {
@@ -86,15 +86,13 @@ const NAMES: Record<string, [string, string]> = {
 };
 const NUMBERS = ['', '', 'dos', 'tres', 'cuatro', 'cinco', 'seis', 'siete', 'ocho', 'nueve', 'diez', 'once', 'doce'];
 
-function several({ label, count }: Seen) {
+function thing({ label, count }: Seen): string {
   const [one, many] = NAMES[label] ?? [label, label];
   return count === 1 ? one : `${NUMBERS[count] ?? count} ${many}`;
 }
 
-const list = new Intl.ListFormat('es');
-
 export const describingStrings = {
-  seen: (things: readonly Seen[]) => list.format(things.map(several)),
+  thing,
   pageHolds: (panels: number, layout: string, style: string) =>
     `${panels === 1 ? 'Una viñeta' : `${panels} viñetas`}, plantilla ${layout}, estilo ${style}`,
   panelHolds: (n: number, what: string) => `Viñeta ${n}: ${what}.`,

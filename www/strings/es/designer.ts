@@ -53,8 +53,7 @@ export const designerStrings = {
   card: (name: string, n: number) => `${n}. ${name}`,
   valueOf: (label: string) => `${label}, como número`,
   defaultIs: (value: string) => `Normalmente ${value}`,
-  milliseconds: (ms: number) => `${ms < 10 ? ms.toFixed(1).replace('.', ',') : Math.round(ms)} ms`,
-  totalTime: (ms: number) => `${ms < 10 ? ms.toFixed(1).replace('.', ',') : Math.round(ms)} ms en total`,
+  totalTime: (time: string) => `${time} en total`,
   lacks: {
     luma: 'Necesita gris y aquí le llega color. Hasta entonces se omite.',
     color: 'Necesita color y aquí le llega gris. Hasta entonces se omite.',
@@ -102,10 +101,8 @@ export const designerStrings = {
   surpriseDial: 'Sorpresa',
   inventedCount: (shown: number, all: number) => (shown === all ? `${all}` : `${shown} de ${all}`),
   dropped: (n: number) => `${n} parecidos o vacíos omitidos`,
-  lightScore: (score: number) => `${Math.round(score * 100)}`,
-  lightScoreOf: (score: number) => `Puntuación simple: ${Math.round(score * 100)} de 100`,
-  netScore: (score: number) => score.toFixed(2).replace('.', ','),
-  netScoreOf: (score: number) => `Puntuación NIMA: ${score.toFixed(2).replace('.', ',')} de 10`,
+  lightScoreOf: (score: string) => `Puntuación simple: ${score} de 100`,
+  netScoreOf: (score: string) => `Puntuación NIMA: ${score} de 10`,
   sortedByLight: 'Por medidas simples de la imagen',
   sortedByNet: 'Por una red que aprendió lo que gusta (NIMA)',
   judging: (done: number, total: number) => `Puntuando estilos, ${done} de ${total}`,
@@ -128,5 +125,4 @@ export const designerStrings = {
   learnTasteLong:
     'Las plantillas y los estilos de las páginas que marca, descarga o continúa salen más. Se queda en este dispositivo.',
   forgetTaste: 'Olvidar mi gusto',
-  share: (part: number) => `${Math.round(part * 100)} %`,
 };

@@ -1,8 +1,3 @@
-function size(bytes: number) {
-  if (bytes < 1e6) return `${Math.max(1, Math.round(bytes / 1e3))} KB`;
-  return `${(bytes / 1e6).toFixed(bytes < 1e7 ? 1 : 0).replace('.', ',')} MB`;
-}
-
 export const exportStrings = {
   exportPage: 'Exportar la página',
   resolution: 'Calidad',
@@ -23,7 +18,7 @@ export const exportStrings = {
   whichPages: 'Páginas',
   allPages: (count: number) => `Las ${count} páginas`,
   pixels: (w: number, h: number) => `${w} × ${h} píxeles`,
-  aboutSize: (bytes: number) => `unos ${size(bytes)}`,
+  aboutSize: (size: string) => `unos ${size}`,
   measuring: 'midiendo su tamaño…',
   save: 'Guardar el archivo',
   copyPage: 'Copiar al portapapeles',
@@ -31,7 +26,7 @@ export const exportStrings = {
   sharePart: 'Compartir ahora',
   savePanel: 'Guardar esta viñeta',
   noPhotoHere: 'esta viñeta está vacía',
-  exporting: (percent: number) => `Dibujando la página a tamaño completo, ${percent} %`,
+  exporting: (percent: string) => `Dibujando la página a tamaño completo, ${percent}`,
   pagesSaved: (count: number) =>
     count === 1 ? 'La página se ha guardado.' : `Se han guardado ${count} páginas en un archivo.`,
   panelSaved: 'La viñeta se ha guardado.',

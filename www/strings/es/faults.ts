@@ -27,8 +27,8 @@ export const faultStrings = {
     'decoders-missing': 'no se pudo cargar lo que lee estas fotos. Inténtalo de nuevo con conexión.',
     'core-missing': 'no se pudo cargar el programa.',
   } as Record<string, string>,
-  tooManyPhotos: (n: number, most: number) =>
-    `${n === 1 ? '1 archivo no se añadió' : `${n} archivos no se añadieron`}: en un proyecto caben ${most.toLocaleString('es', { useGrouping: 'always' })} fotos.`,
+  tooManyPhotos: (n: number, most: string) =>
+    `${n === 1 ? '1 archivo no se añadió' : `${n} archivos no se añadieron`}: en un proyecto caben ${most} fotos.`,
   noUsablePhoto:
     'No se pudo usar ninguno de estos archivos. Elige fotos JPEG, PNG, WebP, AVIF, GIF, BMP o TIFF, o un vídeo.',
   noSamples: 'No se pudo cargar el álbum de muestra. Comprueba la conexión e inténtalo otra vez.',

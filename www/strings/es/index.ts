@@ -1,8 +1,7 @@
-/** Every word of the page in Spanish, of the shape of the English. */
+/** The page in Spanish, of the shape of the English. */
 
 import { boardStrings } from './board.ts';
 import { bookStrings } from './book.ts';
-import { coreStrings } from './core.ts';
 import { describingStrings } from './describing.ts';
 import { designerStrings } from './designer.ts';
 import { exportStrings } from './export.ts';
@@ -17,9 +16,11 @@ import { pngStrings } from './png.ts';
 import { sideStrings } from './side.ts';
 import { startStrings } from './start.ts';
 import { wordStrings } from './words.ts';
-import type { Strings } from '../en/index.ts';
+import type { Words } from '../en/index.ts';
 
-export const spanish: Strings = {
+export { names } from './names.ts';
+
+export const words: Words = {
   ...startStrings,
   ...boardStrings,
   ...bookStrings,
@@ -35,6 +36,5 @@ export const spanish: Strings = {
   ...pngStrings,
   ...keyStrings,
   ...faultStrings,
-  ...coreStrings,
   ...describingStrings,
 };

@@ -1,7 +1,7 @@
 export const keyStrings = {
   letterKeys: 'Las letras sueltas son atajos',
   // As the keyboard calls them; what is called alike everywhere is not here.
-  keyNames: { Space: 'Espacio', Shift: 'Mayús', Enter: 'Intro', PageUp: 'Re Pág', PageDown: 'Av Pág' },
+  keyNames: { Ctrl: 'Ctrl', Space: 'Espacio', Shift: 'Mayús', Enter: 'Intro', PageUp: 'Re Pág', PageDown: 'Av Pág' },
   // What the list says of keys that are no action with a name of its own.
   keyAbout: {
     walk: 'Pasar de una viñeta a otra',

@@ -1,5 +1,5 @@
 /** Names of the designed layouts. */
-export const LAYOUTS: Record<string, string> = {
+export const layouts: Record<string, string> = {
   'cinema-3': 'Cine',
   'cinema-4': 'Cine de cuatro',
   'cinema-5': 'Pantalla ancha',

@@ -7,7 +7,6 @@ export const pageStrings = {
   cornerRadius: 'Esquinas',
   paper: 'Color del papel',
   borderColor: 'Color del borde',
-  percent: (value: number) => `${value.toFixed(1).replace('.', ',')} %`,
   size: {
     a4: 'A4',
     'a4-landscape': 'A4 apaisado',

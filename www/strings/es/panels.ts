@@ -55,8 +55,7 @@ export const panelStrings = {
   },
   cuts: 'Cortes de la plantilla',
   cut: (n: number, of: number) => `Corte ${n} de ${of}`,
-  cutAt: (at: number, slant: number) =>
-    Math.abs(slant) < 0.5 ? `${Math.round(at)} %` : `${Math.round(at)} %, inclinado ${Math.round(slant)} %`,
+  cutSlanted: (at: string, slant: string) => `${at}, inclinado ${slant}`,
   selectCut: 'selecciona un corte',
   cutBack: 'Mover corte hacia atrás',
   cutForth: 'Mover corte hacia delante',

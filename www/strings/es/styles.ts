@@ -1,5 +1,5 @@
 /** Names of the designed styles. */
-export const STYLES: Record<string, string> = {
+export const styles: Record<string, string> = {
   acid: 'Ácido',
   ballpoint: 'Bolígrafo',
   banknote: 'Billete',

@@ -1,0 +1,26 @@
+/** Everything that the page says, of what a language has: its words and its names, and the rules of a place. */
+
+import { naming } from './names.ts';
+import { numbersIn } from './numbers.ts';
+import type { Names } from './names.ts';
+import type { Words } from './en/index.ts';
+
+/** A folder of `strings/`. */
+export type Translation = { words: Words; names: Names };
+
+/** How many of a kind of thing. */
+export type Seen = { label: string; count: number };
+
+/** @param locale how numbers and lists are written */
+export function compose(locale: string, { words, names }: Translation) {
+  const numbers = numbersIn(locale);
+  return {
+    name: 'Inkpanel',
+    ...numbers,
+    ...naming(names),
+    ...words,
+    frameName: (name: string, seconds: number) => `${name}, ${numbers.clock(seconds)}`,
+    /** @returns `two people and a dog`; empty for nothing */
+    seen: (things: readonly Seen[]) => numbers.listed(things.map(words.thing)),
+  };
+}

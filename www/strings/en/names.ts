@@ -1,0 +1,18 @@
+/** The core and the data files are English by themselves. */
+
+import type { Names } from '../names.ts';
+
+export const names: Names = {
+  families: {},
+  choices: {},
+  blocks: {},
+  parameters: {},
+  layouts: {},
+  styles: {},
+  verdicts: {
+    same: (name) => `same as ${name}`,
+    sharpest: (of) => `sharpest of ${of}`,
+    only: 'only one like it',
+    blurred: 'blurred',
+  },
+};

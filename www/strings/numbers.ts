@@ -1,0 +1,49 @@
+/** What is written by the rules of a place, and not by a translator: numbers, sizes, times, lists. */
+
+/** Digits behind the point of a number that is shown whole. */
+const MOST_DIGITS = 6;
+
+/** @param locale such as `de` or `es-MX` */
+export function numbersIn(locale: string) {
+  const formats: Map<string, Intl.NumberFormat> = new Map();
+
+  /** Formats are kept: to make one takes longer than to use it a thousand times. */
+  function format(value: number, digits: number | undefined, how: Intl.NumberFormatOptions = {}) {
+    const name = `${digits} ${how.style} ${how.unit}`;
+    const known =
+      formats.get(name) ??
+      new Intl.NumberFormat(locale, {
+        ...how,
+        minimumFractionDigits: digits,
+        maximumFractionDigits: digits ?? MOST_DIGITS,
+      });
+    formats.set(name, known);
+    return known.format(value);
+  }
+
+  /** @param digits behind the point; without it as many as there are */
+  const decimal = (value: number, digits?: number) => format(value, digits);
+
+  const unit = (value: number, name: string, digits: number) => format(value, digits, { style: 'unit', unit: name });
+
+  /** @returns minutes and seconds, and hours where there are any: `1:02:03.4` */
+  function clock(seconds: number): string {
+    const tenths = Math.round(seconds * 10);
+    const [hours, minutes, rest] = [Math.floor(tenths / 36_000), Math.floor(tenths / 600) % 60, (tenths % 600) / 10];
+    const two = (value: number, text: string) => (value < 10 ? `0${text}` : text);
+    return `${hours ? `${hours}:${two(minutes, `${minutes}`)}` : minutes}:${two(rest, decimal(rest, 1))}`;
+  }
+
+  return {
+    decimal,
+    clock,
+    /** @param part of 1 */
+    percent: (part: number, digits = 0) => format(part, digits, { style: 'percent' }),
+    fileSize: (bytes: number) =>
+      bytes < 1e6 ? unit(Math.max(1, bytes / 1e3), 'kilobyte', 0) : unit(bytes / 1e6, 'megabyte', bytes < 1e7 ? 1 : 0),
+    milliseconds: (value: number) => unit(value, 'millisecond', value < 10 ? 1 : 0),
+    /** @param time in milliseconds since 1970 */
+    moment: (time: number) => new Date(time).toLocaleString(locale, { dateStyle: 'medium', timeStyle: 'short' }),
+    listed: (things: readonly string[]) => new Intl.ListFormat(locale).format(things),
+  };
+}

@@ -1,0 +1,16 @@
+/** All languages at once, for tests: the page loads one. */
+
+import { compose } from './compose.ts';
+import * as english from './en/index.ts';
+import type { Translation } from './compose.ts';
+
+const folders = import.meta.glob(['./*/index.ts', '!./en/index.ts'], { eager: true }) as Record<string, Translation>;
+
+/** By code. */
+export const translations: Record<string, Translation> = {
+  en: english,
+  ...Object.fromEntries(Object.entries(folders).map(([path, translation]) => [path.split('/')[1], translation])),
+};
+
+/** Everything that the page says in a language. */
+export const inLanguage = (code: string) => compose(code, translations[code]);
