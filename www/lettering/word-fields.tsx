@@ -143,7 +143,7 @@ export function WordFields({ index }: { index: number }) {
           />
         )}
       </div>
-      <div class="word-numbers">
+      <div class="word-colours">
         {(['color', 'fill'] as const).map((name) => (
           <label class="field colour" key={name}>
             <span>{name === 'color' ? strings.wordColor : strings.wordFill}</span>

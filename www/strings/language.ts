@@ -3,7 +3,11 @@
 /** Languages by code, each in its own words. */
 export const LANGUAGES = {
   en: 'English',
+  de: 'Deutsch',
   es: 'Español',
+  fr: 'Français',
+  pt: 'Português',
+  ja: '日本語',
 };
 
 export type Language = keyof typeof LANGUAGES;

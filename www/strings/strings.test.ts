@@ -97,6 +97,18 @@ describe.each(others)('the words in %s', (code, { words, names }) => {
   });
 });
 
+it('texts are set by the rules of their language', () => {
+  const written = (code: string) =>
+    readdirSync(new URL(`./${code}/`, import.meta.url)).map((name) =>
+      readFileSync(new URL(`./${code}/${name}`, import.meta.url), 'utf8'),
+    );
+  // A line never begins with a mark, so the space before it does not break; code has marks of its own.
+  const loose = written('fr').flatMap((text) => text.match(/[a-zà-ÿ)}] [:;!?»](?= [a-zà-ÿ$«]|['`])/g) ?? []);
+  expect(loose.filter((found) => !/[)}] [:?]/.test(found))).toEqual([]);
+  // Japanese marks are as wide as its letters.
+  expect(written('ja').flatMap((text) => text.match(/[ぁ-んァ-ヶ一-龠][,.:;!?()]/g) ?? [])).toEqual([]);
+});
+
 it('what a language has no name for is called as in English', () => {
   const none = { ...english, names: { ...english.names, styles: {} } };
   const strings = compose('de', none);
@@ -124,6 +136,7 @@ it('no two areas have a word of the same name', () => {
 it('the person chooses the language, then the browser', () => {
   expect(pickLanguage(null, ['en-US', 'es'])).toBe('en');
   expect(pickLanguage(null, ['nl', 'es-MX', 'en'])).toBe('es');
+  expect(pickLanguage(null, ['pt-BR'])).toBe('pt');
   expect(pickLanguage('en', ['es'])).toBe('en');
   expect(pickLanguage('xx', ['nl'])).toBe('en');
 });
@@ -163,7 +176,11 @@ it('counts what is seen', () => {
   ];
   const seen = (code: string) => inLanguage(code).seen(things);
   expect(seen('en')).toBe('two people, an elephant, and 13 knives');
+  expect(seen('de')).toBe('zwei Personen, ein Elefant und 13 Messer');
   expect(seen('es')).toBe('dos personas, un elefante y 13 cuchillos');
+  expect(seen('fr')).toBe('deux personnes, un éléphant et 13 couteaux');
+  expect(seen('pt')).toBe('duas pessoas, um elefante e 13 facas');
+  expect(seen('ja')).toBe('2人、象1頭、ナイフ13本');
   expect(inLanguage('en').seen([])).toBe('');
 });
 

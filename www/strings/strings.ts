@@ -14,7 +14,11 @@ import type { Language } from './language.ts';
  * types apart: this module waits for them, and would wait for ever if they waited for it.
  */
 const OTHERS: Record<Exclude<Language, 'en'>, () => Promise<Translation>> = {
+  de: () => import('./de/index.ts'),
   es: () => import('./es/index.ts'),
+  fr: () => import('./fr/index.ts'),
+  ja: () => import('./ja/index.ts'),
+  pt: () => import('./pt/index.ts'),
 };
 
 const wanted = currentLanguage();

@@ -33,6 +33,22 @@ test('after one visit the page works without its host: album, words, PNG', async
   await host.start();
 });
 
+test.describe('in German', () => {
+  test.use({ locale: 'de-AT' });
+
+  test('the language is there without the host, and so are the others', async ({ page, host }) => {
+    await page.goto(host.address);
+    await kept(page);
+    await host.stop();
+    await page.reload();
+    await expect(page.getByRole('button', { name: 'Beispielalbum ausprobieren' })).toBeVisible();
+    await page.getByRole('combobox', { name: 'Sprache' }).selectOption('ja');
+    await expect(page.locator('html')).toHaveAttribute('lang', 'ja');
+    await expect(page.getByRole('button', { name: 'サンプルアルバムを試す' })).toBeVisible();
+    await host.start();
+  });
+});
+
 test('nothing is fetched a second time while the first page is being made', async ({ page, host }) => {
   await page.goto(host.address);
   await add(page, await photos(...SIX));

@@ -19,8 +19,8 @@ export const pageStrings = {
     custom: 'A medida',
   },
 
-  customSize: { width: 'Ancho', height: 'Alto', dpi: 'Puntos por pulgada', unit: 'Unidad' },
-  units: { px: 'píxeles', mm: 'mm', in: 'pulgadas' },
+  customSize: { width: 'Ancho', height: 'Alto', dpi: 'ppp', unit: 'Unidad' },
+  units: { px: 'px', mm: 'mm', in: 'pulg.' },
   wrongSize: {
     side: 'Un lado debe tener de 64 a 14 000 píxeles.',
     pixels: 'La página debe tener 72 millones de píxeles como mucho.',

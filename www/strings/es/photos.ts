@@ -28,7 +28,7 @@ export const photoStrings = {
           : `${bits}, algo parecidas`,
   alikeKept: (kept: number, all: number) => `Quedan ${kept} de ${all}`,
   order: 'Orden',
-  orders: { time: 'Por fecha de la toma', name: 'Por nombre de archivo' },
+  orders: { time: 'Fecha de la toma', name: 'Nombre de archivo' },
   stackOf: (count: number) => `${count} parecidas`,
   openStack: (count: number, name: string) => `Mostrar las ${count} fotos parecidas a ${name}`,
   take: 'Tomar',

@@ -19,7 +19,7 @@ export const sideStrings = {
   family: 'Familia',
   anyFamily: 'Todas las familias',
   panels: 'Viñetas',
-  anyPanels: 'Cualquier número',
+  anyPanels: 'Cualquier n.º',
   panelCount: (n: number) => (n === 1 ? '1 viñeta' : `${n} viñetas`),
   noLayouts: 'No hay plantillas así.',
   myLayouts: 'Mis plantillas',

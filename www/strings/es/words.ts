@@ -25,7 +25,7 @@ export const wordStrings = {
   wordX: 'Horizontal',
   wordY: 'Vertical',
   wordWidth: 'Ancho',
-  wordSize: 'Tamaño de letra',
+  wordSize: 'Tamaño',
   wordAuto: 'ajustado',
   wordAngle: 'Ángulo',
   wordArc: 'Arco',

@@ -1,0 +1,31 @@
+const photos = (n: number) => (n === 1 ? '1 Foto' : `${n} Fotos`);
+const pages = (n: number) => (n === 1 ? '1 Seite' : `${n} Seiten`);
+
+export const bookStrings = {
+  book: {
+    name: 'Seiten',
+    page: (n: number, of: number) => `Seite ${n} von ${of}`,
+    add: 'Seite hinzufügen',
+    addHelp: 'Eine Seite hinter dieser hinzufügen',
+    addMore: (left: number) => `Eine Seite hinzufügen: ${photos(left)} noch auf keiner Seite`,
+    tools: 'Seitenwerkzeuge',
+    remove: 'Seite entfernen',
+    turnBack: 'Eine Seite zurückblättern',
+    turnOn: 'Eine Seite weiterblättern',
+    earlier: 'Seite nach vorn',
+    later: 'Seite nach hinten',
+    spreadAlbum: 'Album auf Seiten verteilen',
+    spreadHelp: (n: number) => `Mehrere Seiten mit allen ${n} Fotos, in ihrer Reihenfolge`,
+    styleAll: 'Diesen Stil auf allen Seiten',
+    left: (n: number) => `${photos(n)} auf keiner Seite`,
+    reading: 'Die Fotos werden noch gelesen.',
+    removed: (n: number) => `Seite ${n} wurde entfernt.`,
+    spread: (n: number, on: number) => `${photos(n)} auf ${pages(on)}.`,
+    takeBack: 'Zurücknehmen',
+    dragHelp: 'Zum Verschieben ziehen, oder Alt mit einer Pfeiltaste',
+  },
+  version: (n: number, of: number) => `Version ${n} von ${of} dieser Seite: alle gezeigten ansehen`,
+  previousHelp: 'Vorherige Version dieser Seite, wie davor gezeigt',
+  nextHelp: 'Nächste Version dieser Seite, wie danach gezeigt',
+  versionOf: (n: number) => `von Seite ${n}`,
+};

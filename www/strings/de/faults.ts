@@ -1,0 +1,40 @@
+export const faultStrings = {
+  fileFailed: (name: string, why: string) => `${name}: ${why}`,
+  filesFailed: (n: number) => `${n} Dateien konnten nicht gelesen werden.`,
+  showList: 'Liste zeigen',
+  moreFiles: (n: number) => `und ${n} weitere`,
+  /** The core's own sentences are English, so all its codes are here. */
+  reasons: {
+    'worker-lost': 'Beim Lesen brach das Programm zweimal ab, daher wurde sie ausgelassen.',
+    'unreadable-file': 'Die Datei wurde verschoben, geändert oder gelöscht, nachdem du sie gewählt hast.',
+    'unknown-format': 'Das ist kein Bild, das Inkpanel lesen kann (JPEG, PNG, WebP, GIF, BMP oder TIFF).',
+    damaged: 'Die Datei ist beschädigt oder unvollständig.',
+    unsupported: 'Diese Art von Datei kann nicht gelesen werden.',
+    'too-large': 'Sie ist zu groß.',
+    'no-decoder':
+      'Dieser Browser kann diese Art von Foto nicht lesen. Speichere es als JPEG oder öffne diese Seite in einem anderen Browser.',
+    'no-room': 'Der Browser hat keinen Platz für das Foto.',
+    'missing-photo': 'Das Foto ist nicht geladen.',
+    'no-photos': 'Es gibt kein Foto, das sich verwenden lässt.',
+    encode: 'Die Seite konnte nicht kodiert werden.',
+    'video-codec': 'Dieser Browser kann das Video nicht dekodieren.',
+    'video-decoder': 'Dieser Browser kann das Video nicht dekodieren.',
+    'video-format': 'Das ist kein vollständiges Video in MP4, MOV, WebM oder Matroska.',
+    'video-empty': 'Es hat kein Bild, nur Ton.',
+    'video-memory': 'Der Speicher reicht nicht für ein Einzelbild.',
+    'video-worker': 'Der Leser des Videos ist ausgefallen.',
+    'words-missing': 'Die Schriften konnten nicht geladen werden.',
+    'decoders-missing': 'Was diese Fotos liest, konnte nicht geladen werden. Versuche es mit Verbindung noch einmal.',
+    'core-missing': 'Das Programm konnte nicht geladen werden.',
+  } as Record<string, string>,
+  tooManyPhotos: (n: number, most: string) =>
+    `${n === 1 ? '1 Datei wurde' : `${n} Dateien wurden`} ausgelassen: Ein Projekt fasst ${most} Fotos.`,
+  noUsablePhoto:
+    'Keine dieser Dateien ließ sich verwenden. Wähle Fotos in JPEG, PNG, WebP, AVIF, GIF, BMP oder TIFF, oder ein Video.',
+  noSamples: 'Das Beispielalbum konnte nicht geladen werden. Prüfe die Verbindung und versuche es noch einmal.',
+  noPhotosInUse: 'Kein Foto ist in Gebrauch. Hake unter Fotos eines an, um eine Seite zu bekommen.',
+  panelFailed: (why: string) => `Ein Panel konnte nicht gezeichnet werden: ${why}`,
+  notDone: (why: string) => `Das ging nicht: ${why}`,
+  coreFailed: (why: string) => `Inkpanel konnte nicht starten: ${why}`,
+  locked: { layout: 'Das Layout ist fixiert.', style: 'Der Stil ist fixiert.', photos: 'Die Fotos sind fixiert.' },
+};

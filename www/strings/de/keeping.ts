@@ -1,0 +1,106 @@
+import { some } from './png.ts';
+
+const TROUBLE: Record<string, string> = {
+  full: 'der Speicher dieses Browsers ist voll',
+  refused: 'dieser Browser bewahrt hier nichts für Seiten auf',
+};
+
+export const keepingStrings = {
+  // Saving
+  saveState: {
+    empty: '',
+    saving: 'Speichert…',
+    saved: 'Gespeichert',
+    missing: 'Teilweise gespeichert',
+    full: 'Nicht gespeichert',
+    refused: 'Nicht gespeichert',
+    failed: 'Nicht gespeichert',
+  },
+  savingCount: (done: number, total: number) => `Speichert ${done} von ${total}`,
+  saveHelp: 'Deine Arbeit wird in diesem Browser aufbewahrt, auf diesem Gerät',
+  notSaved: (why: string, message: string) =>
+    `Deine Arbeit ist nicht gespeichert: ${TROUBLE[why] ?? message.replace(/\.$/, '')}. Alles ist noch da, solange diese Seite offen ist.`,
+  photosUnreadable: (names: readonly string[]) =>
+    `${some(names)}: nicht gespeichert, die ${names.length === 1 ? 'Datei ist' : 'Dateien sind'} nicht mehr lesbar. Alles andere ist gespeichert.`,
+  photosNotHere: (names: readonly string[], of: number) => {
+    const one = names.length === 1;
+    const which = names.length < of ? `${names.length} von ${of} Fotos` : one ? 'Das Foto' : `Alle ${of} Fotos`;
+    return `${which} ${one ? 'ist' : 'sind'} nicht in diesem Browser: ${some(names)}. Wähle ${one ? 'es' : 'sie'} oder lass ${one ? 'es' : 'sie'} hier fallen: Jedes kommt an seinen Platz zurück.`;
+  },
+  filmsNotHere: (names: readonly string[]) =>
+    `${some(names)}: nicht mehr in diesem Browser, die Einzelbilder schon. Um andere zu nehmen, füge das Video noch einmal hinzu.`,
+  photosNeverSaved: (names: readonly string[]) =>
+    `Die Seite wurde geschlossen, bevor ${some(names)} gespeichert ${names.length === 1 ? 'war' : 'waren'}. Wähle ${names.length === 1 ? 'die Datei' : 'die Dateien'} noch einmal.`,
+  saveAgain: 'Noch einmal speichern',
+  goOnWithout: 'Ohne sie weiter',
+  saveToFile: 'In Datei speichern',
+  conflict: 'Ein anderer Tab hat dieses Projekt geändert, daher geht es hier als Kopie weiter.',
+
+  // Projects
+  projects: 'Projekte',
+  projectName: 'Projektname',
+  untitled: 'Unbenannt',
+  newProject: 'Neues Projekt',
+  openProject: 'Projekt öffnen',
+  saveProject: 'Projekt speichern',
+  projectFile: 'Projektdatei',
+  openNamed: (name: string) => `${name} öffnen`,
+  duplicateNamed: (name: string) => `${name} duplizieren`,
+  deleteNamed: (name: string) => `${name} löschen`,
+  openNow: 'Gerade offen',
+  projectAbout: (photos: number, when: string) =>
+    `${photos === 1 ? '1 Foto' : `${photos} Fotos`}${when && `, ${when}`}`,
+  noProjects: 'Was du machst, wird hier von selbst gespeichert.',
+  projectDeleted: (name: string) => `${name} wurde gelöscht.`,
+  bringBack: 'Zurückholen',
+  projectNotOpened: (why: string) => `Das Projekt ließ sich nicht öffnen: ${why}`,
+  projectFileNotOpened: (name: string, why: string) => `${name} ließ sich nicht öffnen: ${why}`,
+  projectNotSaved: (why: string) => `Das Projekt ließ sich nicht als Datei speichern: ${why}`,
+  projectReasons: {
+    'damaged-project': 'Es ist beschädigt oder kein Projekt von Inkpanel. Was auf der Seite ist, blieb unberührt.',
+    'too-large-project':
+      'Es enthält mehr, als ein Projekt fasst, oder wird beim Entpacken größer. Was auf der Seite ist, blieb unberührt.',
+    'silent-project':
+      'Eine Minute lang ließ sich nichts davon lesen. Prüfe das Laufwerk, auf dem es liegt, und versuche es noch einmal.',
+    'newer-project': 'Es stammt von einem neueren Inkpanel. Lade diese Seite neu, um das neueste zu bekommen.',
+    'not-saved': 'Was auf der Seite ist, ist nicht gespeichert. Speichere es erst in eine Datei (Projekt speichern).',
+    'missing-project': 'Es wurde gelöscht.',
+    'no-storage': 'Dieser Browser bewahrt hier nichts für Seiten auf.',
+    'too-large': 'Die Datei würde größer als 4 GB.',
+  } as Record<string, string>,
+  projectsOpened: (others: readonly string[], shown: string) =>
+    `${others.length + 1} Projekte wurden geöffnet, jedes für sich. ${shown} ist auf der Seite; ${others.length === 1 ? `${others[0]} ist` : `${others.length} weitere sind`} unter Projekte.`,
+  photosWithProject: (n: number, name: string) =>
+    n === 1
+      ? `Das Foto, das dabei war, wurde zu ${name} hinzugefügt.`
+      : `Die ${n} Fotos, die dabei waren, wurden zu ${name} hinzugefügt.`,
+  projectBroken: (name: string, why: string) => `${name} lässt sich nicht zeigen: ${why}.`,
+  brokenReasons: {
+    'damaged-project': 'ein Teil ist beschädigt',
+    'too-large-project': 'es enthält mehr, als ein Projekt fasst',
+    'newer-project': 'es stammt von einem neueren Inkpanel. Lade diese Seite neu, um das neueste zu bekommen',
+  } as Record<string, string>,
+  brokenOtherwise: 'ein Teil lässt sich nicht zeichnen',
+  brokenKept: 'Es bleibt, wie es ist, mit seinen Fotos.',
+  partsLeftOut: (name: string, n: number) =>
+    `${name} ist offen, ohne ${n === 1 ? 'einen Teil, der sich nicht lesen ließ' : `${n} Teile, die sich nicht lesen ließen`}.`,
+  openAnother: 'Anderes öffnen',
+  saveAsFile: 'Als Datei speichern',
+  goBack: 'Zurück zum letzten guten Stand',
+  noGoodState: 'Es gibt keinen Stand mehr, zu dem es zurückginge.',
+  wentBack: (name: string) => `${name} ist wieder so, wie es zuletzt gezeichnet wurde.`,
+  openingProject: (name: string) => `${name} wird geöffnet`,
+  openingLast: 'Dein Projekt wird geöffnet',
+  openElsewhere: (name: string) => `${name} ist in einem anderen Tab offen.`,
+  opensWhenFree: 'Es öffnet sich hier, sobald jener Tab geschlossen ist.',
+  openCopy: 'Kopie öffnen',
+
+  // Pages shown
+  pagesShown: 'Gezeigte Seiten',
+  pagesShownAt: (n: number, of: number) => `Gezeigte Seiten, ${n}/${of}`,
+  pageNumber: (n: number) => `Seite ${n}`,
+  pageFrom: (n: number) => `von Seite ${n}`,
+  favouritePage: 'Lieblingsseite',
+  favouritePages: 'Nur Favoriten',
+  noFavouritePages: 'Noch keine Favoriten. Drücke das Herz auf einer Seite, die dir gefällt.',
+};

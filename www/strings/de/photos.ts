@@ -1,0 +1,55 @@
+export const photoStrings = {
+  photos: 'Fotos',
+  usePhoto: (name: string) => `${name} verwenden`,
+  pickPhoto: (name: string) => `${name} auswählen`,
+  pickLong:
+    'Klicken setzt es ins ausgewählte Panel oder in das, auf das du als Nächstes klickst; oder zieh es auf ein Panel',
+  onPanel: (panel: number) => `${panel}`,
+  onPageAndPanel: (page: number, panel: number) => `${page} · ${panel}`,
+  onPanelLong: (page: number | null, panel: number) =>
+    page === null ? `in Panel ${panel}` : `auf Seite ${page}, Panel ${panel}`,
+  youLeftOut: 'Von dir ausgelassen',
+  leftOut: (name: string) => `${name} ist ausgelassen.`,
+  starPhoto: (name: string) => `${name} hervorheben`,
+  starLong: 'Groß zeigen, hier und bei jedem Mischen',
+  removePhoto: (name: string) => `${name} entfernen`,
+  photoMissing: 'Fehlt',
+  addPhotos: 'Fotos hinzufügen',
+  kept: 'Auf dem Tisch',
+  setAside: 'Zur Seite gelegt',
+  choice: 'Auswahl der Fotos',
+  alike: 'Ähnliche zur Seite legen',
+  alikeValue: (bits: number) =>
+    bits < 7
+      ? `${bits}, fast gleich`
+      : bits < 11
+        ? `${bits}, dasselbe Bild`
+        : bits < 14
+          ? `${bits}, sehr ähnlich`
+          : `${bits}, etwas ähnlich`,
+  alikeKept: (kept: number, all: number) => `${kept} von ${all} bleiben`,
+  order: 'Reihenfolge',
+  orders: { time: 'Aufnahmezeit', name: 'Dateiname' },
+  stackOf: (count: number) => `${count} ähnliche`,
+  openStack: (count: number, name: string) => `Die ${count} Fotos wie ${name} zeigen`,
+  take: 'Nehmen',
+  takeInstead: (name: string) => `Stattdessen ${name} nehmen`,
+  credit: ({ title, author, licence }: { title: string; author: string; licence: string }) =>
+    `${title}, von ${author} (${licence})`,
+  photoCount: (used: number, all: number) => (used === all ? `${all}` : `${used} von ${all}`),
+  reading: (done: number, total: number) => `Fotos werden gelesen, ${done} von ${total}`,
+  cancelReading: 'Lesen abbrechen',
+
+  // Videos
+  videos: 'Videos',
+  videoFrames: (count: number) => (count === 1 ? '1 Einzelbild' : `${count} Einzelbilder`),
+  trimStart: 'Anfang',
+  trimEnd: 'Ende',
+  frames: 'Einzelbilder',
+  takeFrames: 'Diese Einzelbilder nehmen',
+
+  showSubjects: 'Gefundenes zeigen',
+  finding: (done: number, total: number) => `Gesichter ${done}/${total}`,
+  findingLong: (done: number, total: number) => `Suche nach Gesichtern und Objekten: ${done} von ${total} Fotos`,
+  noDetector: 'Gesichter lassen sich hier nicht finden. Daher werden Fotos nach Kontrast zugeschnitten.',
+};

@@ -1,0 +1,68 @@
+type Kind = 'caption' | 'balloon' | 'effect';
+
+export const wordStrings = {
+  words: 'Worte',
+  addWord: { caption: 'Textkasten hinzufügen', balloon: 'Sprechblase hinzufügen', effect: 'Soundwort hinzufügen' },
+  wordShort: { caption: 'Textkasten', balloon: 'Sprechblase', effect: 'Soundwort' },
+  /** What a new word says. */
+  wordSample: { caption: 'Unterdessen…', balloon: 'Hallo!', effect: 'WUMM!' },
+  wordKind: { caption: 'Textkasten', balloon: 'Sprechblase', effect: 'Soundwort' },
+  word: (kind: Kind, text: string) => `${wordStrings.wordKind[kind]}: ${text}`,
+  wordKeys: 'Eingabe ändert den Text, Pfeile bewegen ihn, Entf entfernt ihn',
+  wordText: (name: string) => `Text von ${name}`,
+  wordTail: (name: string) => `Dorn von ${name}`,
+  tailKeys: 'Pfeile bewegen, wohin er zeigt',
+  wordList: 'Worte auf der Seite',
+  noWords: 'Noch keine Worte.',
+  shape: 'Form',
+  shapes: { oval: 'Rede', thought: 'Gedanke', shout: 'Schrei', whisper: 'Flüstern' },
+  editWord: 'Text ändern',
+  moveWord: 'Bewegen nach…',
+  pointTail: 'Dorn zeigt auf…',
+  removeTail: 'Dorn entfernen',
+  placeWord: 'Automatisch platzieren',
+  removeWord: 'Text entfernen',
+  wordX: 'Waagrecht',
+  wordY: 'Senkrecht',
+  wordWidth: 'Breite',
+  wordSize: 'Schriftgröße',
+  wordAuto: 'eingepasst',
+  wordAngle: 'Winkel',
+  wordArc: 'Bogen',
+  wordColor: 'Schriftfarbe',
+  wordFill: 'Füllung',
+  wordFont: 'Schrift',
+  fonts: { 'comic-neue': 'Comic Neue', 'comic-neue-bold': 'Comic Neue fett', bangers: 'Bangers' },
+  wordCut: 'Der Text ist zu lang für die Seite: Sein Ende fehlt.',
+  wordModes: { move: 'Klicke, wohin es soll', tail: 'Klicke, worauf er zeigen soll' },
+  wordRemoved: (name: string) => `${name} wurde entfernt.`,
+  wordsFull: (most: number) => `Eine Seite fasst ${most} Worte. Entferne einige, bevor du mehr hinzufügst.`,
+  wordsFailed: (why: string) => `Die Worte konnten nicht gezeichnet werden: ${why}`,
+
+  // Subtitles
+  subtitles: 'Untertitel',
+  addSubtitles: 'Untertitel hinzufügen',
+  subtitlesFile: 'Untertiteldatei',
+  subtitlesAs: 'Als',
+  subtitlesKinds: { caption: 'Textkästen', balloon: 'Sprechblasen' },
+  subtitlesAdded: (n: number) =>
+    n === 1 ? '1 Untertitel wurde auf die Seite gesetzt.' : `${n} Untertitel wurden auf die Seite gesetzt.`,
+  subtitlesNoFrames:
+    'Auf der Seite ist kein Einzelbild eines Videos. Füge erst das Video hinzu, dann seine Untertitel.',
+  subtitlesNoMatch: 'Zu den Zeiten der Einzelbilder auf der Seite wird nichts gesagt.',
+  subtitlesLeft: (n: number, of: number) =>
+    `${of} Untertitel wurden gelesen; ${n} weitere ${n === 1 ? 'war zu viel und wurde' : 'waren zu viele und wurden'} ausgelassen.`,
+  subtitlesCut: (n: number) =>
+    n === 1
+      ? 'Ein Untertitel ist zu lang, daher wurde sein Ende ausgelassen.'
+      : `${n} Untertitel sind zu lang, daher wurden ihre Enden ausgelassen.`,
+  subtitleErrors: {
+    empty: 'Es sind keine Untertitel darin.',
+    binary: 'Es ist kein Text in UTF-8 oder UTF-16.',
+    large: 'Sie ist größer als 5 MB.',
+    time: (line: number, text: string) => `Zeile ${line}: „${text}“ ist keine Zeit wie 00:01:02,500 --> 00:01:04,000.`,
+    order: (line: number) => `Zeile ${line}: Der Untertitel endet, bevor er beginnt.`,
+    header: 'Sie beginnt nicht mit WEBVTT.',
+    stray: (line: number, text: string) => `Zeile ${line}: Hier wurde eine Zeit erwartet, nicht „${text}“.`,
+  },
+};

@@ -1,0 +1,31 @@
+const photos = (n: number) => (n < 2 ? `${n} photo` : `${n} photos`);
+const pages = (n: number) => (n < 2 ? `${n} page` : `${n} pages`);
+
+export const bookStrings = {
+  book: {
+    name: 'Pages',
+    page: (n: number, of: number) => `Page ${n} sur ${of}`,
+    add: 'Ajouter une page',
+    addHelp: 'Ajouter une page après celle-ci',
+    addMore: (left: number) => `Ajouter une page : ${photos(left)} sur aucune page pour l’instant`,
+    tools: 'Outils de page',
+    remove: 'Retirer la page',
+    turnBack: 'Revenir d’une page',
+    turnOn: 'Avancer d’une page',
+    earlier: 'Avancer la page',
+    later: 'Reculer la page',
+    spreadAlbum: 'Répartir l’album sur des pages',
+    spreadHelp: (n: number) => `Plusieurs pages avec les ${n} photos, dans leur ordre`,
+    styleAll: 'Ce style sur toutes les pages',
+    left: (n: number) => `${photos(n)} sur aucune page`,
+    reading: 'Les photos sont encore en cours de lecture.',
+    removed: (n: number) => `La page ${n} a été retirée.`,
+    spread: (n: number, on: number) => `${photos(n)} sur ${pages(on)}.`,
+    takeBack: 'Revenir en arrière',
+    dragHelp: 'Faites-la glisser pour la déplacer, ou Alt avec une flèche',
+  },
+  version: (n: number, of: number) => `Version ${n} sur ${of} de cette page : voir toutes celles montrées`,
+  previousHelp: 'Version précédente de cette page, montrée avant',
+  nextHelp: 'Version suivante de cette page, montrée après',
+  versionOf: (n: number) => `de la page ${n}`,
+};

@@ -1,0 +1,44 @@
+export const faultStrings = {
+  fileFailed: (name: string, why: string) => `${name} : ${why}`,
+  filesFailed: (n: number) => `${n} fichiers n’ont pas pu être lus.`,
+  showList: 'Voir la liste',
+  moreFiles: (n: number) => (n < 2 ? `et ${n} autre` : `et ${n} autres`),
+  /** The core's own sentences are English, so all its codes are here. */
+  reasons: {
+    'worker-lost': 'sa lecture a arrêté le programme deux fois, il a donc été laissé de côté.',
+    'unreadable-file': 'le fichier a été déplacé, modifié ou supprimé depuis que vous l’avez choisi.',
+    'unknown-format': 'ce n’est pas une image qu’Inkpanel sait lire (JPEG, PNG, WebP, GIF, BMP ou TIFF).',
+    damaged: 'le fichier est abîmé ou incomplet.',
+    unsupported: 'ce type de fichier ne peut pas être lu.',
+    'too-large': 'il est trop grand.',
+    'no-decoder':
+      'ce navigateur ne sait pas lire ce type de photo. Enregistrez-la en JPEG ou ouvrez cette page dans un autre navigateur.',
+    'no-room': 'le navigateur n’a pas de place pour la photo.',
+    'missing-photo': 'la photo n’est pas chargée.',
+    'no-photos': 'il n’y a aucune photo utilisable.',
+    encode: 'la page n’a pas pu être encodée.',
+    'video-codec': 'ce navigateur ne sait pas décoder la vidéo.',
+    'video-decoder': 'ce navigateur ne sait pas décoder la vidéo.',
+    'video-format': 'ce n’est pas une vidéo MP4, MOV, WebM ou Matroska complète.',
+    'video-empty': 'elle n’a pas d’image, seulement du son.',
+    'video-memory': 'il n’y a pas assez de mémoire pour une image.',
+    'video-worker': 'le lecteur de la vidéo s’est arrêté.',
+    'words-missing': 'les lettres n’ont pas pu être chargées.',
+    'decoders-missing': 'ce qui lit ces photos n’a pas pu être chargé. Réessayez avec une connexion.',
+    'core-missing': 'le programme n’a pas pu être chargé.',
+  } as Record<string, string>,
+  tooManyPhotos: (n: number, most: string) =>
+    `${n === 1 ? '1 fichier a été laissé' : `${n} fichiers ont été laissés`} de côté : un projet contient ${most} photos.`,
+  noUsablePhoto:
+    'Aucun de ces fichiers n’a pu servir. Choisissez des photos JPEG, PNG, WebP, AVIF, GIF, BMP ou TIFF, ou une vidéo.',
+  noSamples: 'L’album d’exemple n’a pas pu être chargé. Vérifiez la connexion et réessayez.',
+  noPhotosInUse: 'Aucune photo n’est utilisée. Cochez-en une dans Photos pour avoir une page.',
+  panelFailed: (why: string) => `Une case n’a pas pu être dessinée : ${why}`,
+  notDone: (why: string) => `Cela n’a pas pu se faire : ${why}`,
+  coreFailed: (why: string) => `Inkpanel n’a pas pu démarrer : ${why}`,
+  locked: {
+    layout: 'Le gabarit est verrouillé.',
+    style: 'Le style est verrouillé.',
+    photos: 'Les photos sont verrouillées.',
+  },
+};

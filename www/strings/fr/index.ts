@@ -1,0 +1,40 @@
+/** The page in French, of the shape of the English. */
+
+import { boardStrings } from './board.ts';
+import { bookStrings } from './book.ts';
+import { describingStrings } from './describing.ts';
+import { designerStrings } from './designer.ts';
+import { exportStrings } from './export.ts';
+import { faultStrings } from './faults.ts';
+import { keepingStrings } from './keeping.ts';
+import { keyStrings } from './keys.ts';
+import { offlineStrings } from './offline.ts';
+import { pageStrings } from './page.ts';
+import { panelStrings } from './panels.ts';
+import { photoStrings } from './photos.ts';
+import { pngStrings } from './png.ts';
+import { sideStrings } from './side.ts';
+import { startStrings } from './start.ts';
+import { wordStrings } from './words.ts';
+import type { Words } from '../en/index.ts';
+
+export { names } from './names.ts';
+
+export const words: Words = {
+  ...startStrings,
+  ...boardStrings,
+  ...bookStrings,
+  ...sideStrings,
+  ...panelStrings,
+  ...designerStrings,
+  ...keepingStrings,
+  ...offlineStrings,
+  ...wordStrings,
+  ...photoStrings,
+  ...pageStrings,
+  ...exportStrings,
+  ...pngStrings,
+  ...keyStrings,
+  ...faultStrings,
+  ...describingStrings,
+};

@@ -1,0 +1,107 @@
+import { some } from './png.ts';
+
+const TROUBLE: Record<string, string> = {
+  full: 'le stockage de ce navigateur est plein',
+  refused: 'ce navigateur ne garde rien pour les pages d’ici',
+};
+
+export const keepingStrings = {
+  // Saving
+  saveState: {
+    empty: '',
+    saving: 'Enregistrement…',
+    saved: 'Enregistré',
+    missing: 'Enregistré en partie',
+    full: 'Non enregistré',
+    refused: 'Non enregistré',
+    failed: 'Non enregistré',
+  },
+  savingCount: (done: number, total: number) => `Enregistrement ${done}/${total}`,
+  saveHelp: 'Le travail est gardé dans ce navigateur, sur cet appareil',
+  notSaved: (why: string, message: string) =>
+    `Votre travail n’est pas enregistré : ${TROUBLE[why] ?? message.replace(/\.$/, '')}. Tout est encore là tant que cette page est ouverte.`,
+  photosUnreadable: (names: readonly string[]) =>
+    `${some(names)} : non enregistré, ${names.length === 1 ? 'le fichier n’est plus lisible' : 'les fichiers ne sont plus lisibles'}. Tout le reste est enregistré.`,
+  photosNotHere: (names: readonly string[], of: number) => {
+    const one = names.length === 1;
+    const which = names.length < of ? `${names.length} photos sur ${of}` : one ? 'La photo' : `Les ${of} photos`;
+    return `${one && of > 1 ? `1 photo sur ${of}` : which} ${one ? 'n’est' : 'ne sont'} pas dans ce navigateur : ${some(names)}. ${one ? 'Choisissez-la ou déposez-la' : 'Choisissez-les ou déposez-les'} ici : chacune retrouve sa place.`;
+  },
+  filmsNotHere: (names: readonly string[]) =>
+    `${some(names)} : plus dans ce navigateur, mais les images prises y sont. Pour en prendre d’autres, ajoutez de nouveau la vidéo.`,
+  photosNeverSaved: (names: readonly string[]) =>
+    `La page s’est fermée avant l’enregistrement de ${some(names)}. ${names.length === 1 ? 'Choisissez-la' : 'Choisissez-les'} de nouveau.`,
+  saveAgain: 'Enregistrer à nouveau',
+  goOnWithout: 'Continuer sans',
+  saveToFile: 'Enregistrer dans un fichier',
+  conflict: 'Un autre onglet a modifié ce projet ; celui-ci continue comme copie.',
+
+  // Projects
+  projects: 'Projets',
+  projectName: 'Nom du projet',
+  untitled: 'Sans titre',
+  newProject: 'Nouveau projet',
+  openProject: 'Ouvrir un projet',
+  saveProject: 'Enregistrer le projet',
+  projectFile: 'Fichier de projet',
+  openNamed: (name: string) => `Ouvrir ${name}`,
+  duplicateNamed: (name: string) => `Dupliquer ${name}`,
+  deleteNamed: (name: string) => `Supprimer ${name}`,
+  openNow: 'Ouvert maintenant',
+  projectAbout: (photos: number, when: string) =>
+    `${photos < 2 ? `${photos} photo` : `${photos} photos`}${when && `, ${when}`}`,
+  noProjects: 'Ce que vous faites s’enregistre ici tout seul.',
+  projectDeleted: (name: string) => `${name} a été supprimé.`,
+  bringBack: 'Le récupérer',
+  projectNotOpened: (why: string) => `Le projet n’a pas pu être ouvert : ${why}`,
+  projectFileNotOpened: (name: string, why: string) => `${name} n’a pas pu être ouvert : ${why}`,
+  projectNotSaved: (why: string) => `Le projet n’a pas pu être enregistré dans un fichier : ${why}`,
+  projectReasons: {
+    'damaged-project': 'il est abîmé, ou n’est pas un projet d’Inkpanel. Ce qui est sur la page n’a pas été touché.',
+    'too-large-project':
+      'il contient plus que ce que tient un projet, ou se décompresse en plus. Ce qui est sur la page n’a pas été touché.',
+    'silent-project':
+      'rien n’a pu en être lu pendant une minute. Vérifiez le disque sur lequel il se trouve et réessayez.',
+    'newer-project': 'il vient d’un Inkpanel plus récent. Rechargez cette page pour avoir le dernier.',
+    'not-saved':
+      'ce qui est sur la page n’est pas enregistré. Enregistrez-le d’abord dans un fichier (Enregistrer le projet).',
+    'missing-project': 'il a été supprimé.',
+    'no-storage': 'ce navigateur ne garde rien pour les pages d’ici.',
+    'too-large': 'le fichier dépasserait 4 Go.',
+  } as Record<string, string>,
+  projectsOpened: (others: readonly string[], shown: string) =>
+    `${others.length + 1} projets ont été ouverts, chacun à part. ${shown} est sur la page ; ${others.length === 1 ? `${others[0]} est` : `${others.length} autres sont`} dans Projets.`,
+  photosWithProject: (n: number, name: string) =>
+    n === 1
+      ? `La photo qui l’accompagnait a été ajoutée à ${name}.`
+      : `Les ${n} photos qui l’accompagnaient ont été ajoutées à ${name}.`,
+  projectBroken: (name: string, why: string) => `${name} ne peut pas être montré : ${why}.`,
+  brokenReasons: {
+    'damaged-project': 'une partie est abîmée',
+    'too-large-project': 'il contient plus que ce que tient un projet',
+    'newer-project': 'il vient d’un Inkpanel plus récent. Rechargez cette page pour avoir le dernier',
+  } as Record<string, string>,
+  brokenOtherwise: 'une partie ne peut pas être dessinée',
+  brokenKept: 'Il est gardé tel quel, avec ses photos.',
+  partsLeftOut: (name: string, n: number) =>
+    `${name} est ouvert sans ${n === 1 ? 'une partie qui n’a pas pu être lue' : `${n} parties qui n’ont pas pu être lues`}.`,
+  openAnother: 'En ouvrir un autre',
+  saveAsFile: 'Enregistrer en fichier',
+  goBack: 'Revenir au dernier bon état',
+  noGoodState: 'Il ne reste aucun état auquel revenir.',
+  wentBack: (name: string) => `${name} est de nouveau comme il a été dessiné la dernière fois.`,
+  openingProject: (name: string) => `Ouverture de ${name}`,
+  openingLast: 'Ouverture de votre projet',
+  openElsewhere: (name: string) => `${name} est ouvert dans un autre onglet.`,
+  opensWhenFree: 'Il s’ouvrira ici quand cet onglet sera fermé.',
+  openCopy: 'Ouvrir une copie',
+
+  // Pages shown
+  pagesShown: 'Pages montrées',
+  pagesShownAt: (n: number, of: number) => `Pages montrées, ${n}/${of}`,
+  pageNumber: (n: number) => `Page ${n}`,
+  pageFrom: (n: number) => `de la page ${n}`,
+  favouritePage: 'Page favorite',
+  favouritePages: 'Favorites seulement',
+  noFavouritePages: 'Pas encore de favorites. Appuyez sur le cœur d’une page qui vous plaît.',
+};

@@ -1,0 +1,55 @@
+export const photoStrings = {
+  photos: 'Photos',
+  usePhoto: (name: string) => `Utiliser ${name}`,
+  pickPhoto: (name: string) => `Choisir ${name}`,
+  pickLong:
+    'Cliquez pour la mettre dans la case sélectionnée ou dans la prochaine cliquée ; ou faites-la glisser sur une case',
+  onPanel: (panel: number) => `${panel}`,
+  onPageAndPanel: (page: number, panel: number) => `${page} · ${panel}`,
+  onPanelLong: (page: number | null, panel: number) =>
+    page === null ? `dans la case ${panel}` : `page ${page}, case ${panel}`,
+  youLeftOut: 'Vous l’avez laissée de côté',
+  leftOut: (name: string) => `${name} est laissée de côté.`,
+  starPhoto: (name: string) => `Mettre ${name} en avant`,
+  starLong: 'La montrer en grand, ici et à chaque mélange',
+  removePhoto: (name: string) => `Retirer ${name}`,
+  photoMissing: 'Absente',
+  addPhotos: 'Ajouter des photos',
+  kept: 'Sur la table',
+  setAside: 'Mises de côté',
+  choice: 'Choix des photos',
+  alike: 'Écarter les semblables',
+  alikeValue: (bits: number) =>
+    bits < 7
+      ? `${bits}, presque identiques`
+      : bits < 11
+        ? `${bits}, la même image`
+        : bits < 14
+          ? `${bits}, très semblables`
+          : `${bits}, un peu semblables`,
+  alikeKept: (kept: number, all: number) => (kept < 2 ? `${kept} gardée sur ${all}` : `${kept} gardées sur ${all}`),
+  order: 'Ordre',
+  orders: { time: 'Date de prise de vue', name: 'Nom de fichier' },
+  stackOf: (count: number) => `${count} semblables`,
+  openStack: (count: number, name: string) => `Voir les ${count} photos semblables à ${name}`,
+  take: 'Prendre',
+  takeInstead: (name: string) => `Prendre plutôt ${name}`,
+  credit: ({ title, author, licence }: { title: string; author: string; licence: string }) =>
+    `${title}, de ${author} (${licence})`,
+  photoCount: (used: number, all: number) => (used === all ? `${all}` : `${used} sur ${all}`),
+  reading: (done: number, total: number) => `Lecture des photos, ${done} sur ${total}`,
+  cancelReading: 'Arrêter la lecture',
+
+  // Videos
+  videos: 'Vidéos',
+  videoFrames: (count: number) => (count < 2 ? `${count} image` : `${count} images`),
+  trimStart: 'Début',
+  trimEnd: 'Fin',
+  frames: 'Images',
+  takeFrames: 'Prendre ces images',
+
+  showSubjects: 'Montrer les sujets',
+  finding: (done: number, total: number) => `Visages ${done}/${total}`,
+  findingLong: (done: number, total: number) => `Recherche de visages et d’objets : ${done} photos sur ${total}`,
+  noDetector: 'Les visages ne peuvent pas être trouvés ici : les photos sont cadrées d’après le contraste.',
+};

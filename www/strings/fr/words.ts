@@ -1,0 +1,68 @@
+type Kind = 'caption' | 'balloon' | 'effect';
+
+export const wordStrings = {
+  words: 'Textes',
+  addWord: { caption: 'Ajouter un cartouche', balloon: 'Ajouter une bulle', effect: 'Ajouter une onomatopée' },
+  wordShort: { caption: 'Cartouche', balloon: 'Bulle', effect: 'Bruit' },
+  /** What a new word says. */
+  wordSample: { caption: 'Pendant ce temps…', balloon: 'Salut !', effect: 'BOUM !' },
+  wordKind: { caption: 'Cartouche', balloon: 'Bulle', effect: 'Onomatopée' },
+  word: (kind: Kind, text: string) => `${wordStrings.wordKind[kind]} : ${text}`,
+  wordKeys: 'Entrée modifie le texte, les flèches le déplacent, Suppr le retire',
+  wordText: (name: string) => `Texte de ${name}`,
+  wordTail: (name: string) => `Queue de ${name}`,
+  tailKeys: 'Les flèches déplacent ce qu’elle montre',
+  wordList: 'Textes de la page',
+  noWords: 'Pas encore de texte.',
+  shape: 'Forme',
+  shapes: { oval: 'Parole', thought: 'Pensée', shout: 'Cri', whisper: 'Murmure' },
+  editWord: 'Modifier le texte',
+  moveWord: 'Déplacer vers…',
+  pointTail: 'Pointer la queue vers…',
+  removeTail: 'Retirer la queue',
+  placeWord: 'Placer automatiquement',
+  removeWord: 'Retirer le texte',
+  wordX: 'Horizontal',
+  wordY: 'Vertical',
+  wordWidth: 'Largeur',
+  wordSize: 'Taille',
+  wordAuto: 'ajustée',
+  wordAngle: 'Angle',
+  wordArc: 'Arc',
+  wordColor: 'Lettres',
+  wordFill: 'Fond',
+  wordFont: 'Police',
+  fonts: { 'comic-neue': 'Comic Neue', 'comic-neue-bold': 'Comic Neue gras', bangers: 'Bangers' },
+  wordCut: 'Le texte est trop long pour la page : la fin manque.',
+  wordModes: { move: 'Cliquez là où il va', tail: 'Cliquez sur ce qu’elle montre' },
+  wordRemoved: (name: string) => `${name} : retiré.`,
+  wordsFull: (most: number) => `Une page contient ${most} textes. Retirez-en avant d’en ajouter.`,
+  wordsFailed: (why: string) => `Les textes n’ont pas pu être dessinés : ${why}`,
+
+  // Subtitles
+  subtitles: 'Sous-titres',
+  addSubtitles: 'Ajouter des sous-titres',
+  subtitlesFile: 'Fichier de sous-titres',
+  subtitlesAs: 'En',
+  subtitlesKinds: { caption: 'Cartouches', balloon: 'Bulles' },
+  subtitlesAdded: (n: number) =>
+    n < 2 ? `${n} sous-titre a été mis sur la page.` : `${n} sous-titres ont été mis sur la page.`,
+  subtitlesNoFrames: 'il n’y a aucune image de vidéo sur la page. Ajoutez d’abord la vidéo, puis ses sous-titres.',
+  subtitlesNoMatch: 'rien n’est dit au moment des images qui sont sur la page.',
+  subtitlesLeft: (n: number, of: number) =>
+    `${of} sous-titres ont été lus ; ${n} de plus ${n < 2 ? 'était de trop et a été laissé' : 'étaient de trop et ont été laissés'} de côté.`,
+  subtitlesCut: (n: number) =>
+    n < 2
+      ? 'un sous-titre est trop long, sa fin a donc été laissée de côté.'
+      : `${n} sous-titres sont trop longs, leur fin a donc été laissée de côté.`,
+  subtitleErrors: {
+    empty: 'il ne contient aucun sous-titre.',
+    binary: 'ce n’est pas du texte en UTF-8 ou UTF-16.',
+    large: 'il dépasse 5 Mo.',
+    time: (line: number, text: string) =>
+      `ligne ${line} : « ${text} » n’est pas un temps comme 00:01:02,500 --> 00:01:04,000.`,
+    order: (line: number) => `ligne ${line} : le sous-titre finit avant de commencer.`,
+    header: 'il ne commence pas par WEBVTT.',
+    stray: (line: number, text: string) => `ligne ${line} : un temps était attendu, pas « ${text} ».`,
+  },
+};

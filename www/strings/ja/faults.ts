@@ -1,0 +1,44 @@
+export const faultStrings = {
+  fileFailed: (name: string, why: string) => `${name}：${why}`,
+  filesFailed: (n: number) => `${n}個のファイルを読み込めませんでした。`,
+  showList: '一覧を見る',
+  moreFiles: (n: number) => `ほか${n}個`,
+  /** The core's own sentences are English, so all its codes are here. */
+  reasons: {
+    'worker-lost': '読み込み中にプログラムが2回止まったため、除外しました。',
+    'unreadable-file': '選んだあとでファイルが移動、変更、または削除されました。',
+    'unknown-format': 'Inkpanelが読める画像（JPEG、PNG、WebP、GIF、BMP、TIFF）ではありません。',
+    damaged: 'ファイルが壊れているか、不完全です。',
+    unsupported: 'この種類のファイルは読み込めません。',
+    'too-large': '大きすぎます。',
+    'no-decoder':
+      'このブラウザーではこの種類の写真を読めません。JPEGで保存するか、別のブラウザーでこのページを開いてください。',
+    'no-room': 'ブラウザーに写真を置く空きがありません。',
+    'missing-photo': '写真が読み込まれていません。',
+    'no-photos': '使える写真がありません。',
+    encode: 'ページを画像にできませんでした。',
+    'video-codec': 'このブラウザーでは動画をデコードできません。',
+    'video-decoder': 'このブラウザーでは動画をデコードできません。',
+    'video-format': '完全なMP4、MOV、WebM、Matroskaの動画ではありません。',
+    'video-empty': '映像がなく、音声だけです。',
+    'video-memory': 'フレームのためのメモリーが足りません。',
+    'video-worker': '動画の読み込みが止まりました。',
+    'words-missing': '文字を読み込めませんでした。',
+    'decoders-missing': 'この写真を読むためのプログラムを取得できませんでした。接続を確認してもう一度お試しください。',
+    'core-missing': 'プログラムを読み込めませんでした。',
+  } as Record<string, string>,
+  tooManyPhotos: (n: number, most: string) =>
+    `${n}個のファイルを除外しました：1つのプロジェクトに入る写真は${most}枚までです。`,
+  noUsablePhoto:
+    '使えるファイルがありませんでした。JPEG、PNG、WebP、AVIF、GIF、BMP、TIFFの写真、または動画を選んでください。',
+  noSamples: 'サンプルアルバムを読み込めませんでした。接続を確認してもう一度お試しください。',
+  noPhotosInUse: '使っている写真がありません。「写真」で1枚チェックするとページができます。',
+  panelFailed: (why: string) => `コマを描けませんでした：${why}`,
+  notDone: (why: string) => `できませんでした：${why}`,
+  coreFailed: (why: string) => `Inkpanelを起動できませんでした：${why}`,
+  locked: {
+    layout: 'レイアウトはロックされています。',
+    style: 'スタイルはロックされています。',
+    photos: '写真はロックされています。',
+  },
+};

@@ -1,0 +1,53 @@
+export const photoStrings = {
+  photos: '写真',
+  usePhoto: (name: string) => `${name}を使う`,
+  pickPhoto: (name: string) => `${name}を選ぶ`,
+  pickLong: 'クリックすると、選んだコマか次にクリックしたコマに入ります。コマへドラッグもできます',
+  onPanel: (panel: number) => `${panel}`,
+  onPageAndPanel: (page: number, panel: number) => `${page} · ${panel}`,
+  onPanelLong: (page: number | null, panel: number) => (page === null ? `コマ${panel}` : `${page}ページのコマ${panel}`),
+  youLeftOut: 'あなたが外しました',
+  leftOut: (name: string) => `${name}を外しました。`,
+  starPhoto: (name: string) => `${name}にスターを付ける`,
+  starLong: 'ここでもシャッフルのたびにも大きく見せます',
+  removePhoto: (name: string) => `${name}を削除`,
+  photoMissing: 'なし',
+  addPhotos: '写真を追加',
+  kept: '机の上',
+  setAside: 'よけた写真',
+  choice: '写真の選び方',
+  alike: '似た写真をよける',
+  alikeValue: (bits: number) =>
+    bits < 7
+      ? `${bits}、ほぼ同じ`
+      : bits < 11
+        ? `${bits}、同じ構図`
+        : bits < 14
+          ? `${bits}、よく似ている`
+          : `${bits}、少し似ている`,
+  alikeKept: (kept: number, all: number) => `${all}枚中${kept}枚を使用`,
+  order: '順番',
+  orders: { time: '撮影日時順', name: 'ファイル名順' },
+  stackOf: (count: number) => `似た写真${count}枚`,
+  openStack: (count: number, name: string) => `${name}に似た写真${count}枚を見る`,
+  take: '使う',
+  takeInstead: (name: string) => `代わりに${name}を使う`,
+  credit: ({ title, author, licence }: { title: string; author: string; licence: string }) =>
+    `${title}（${author}、${licence}）`,
+  photoCount: (used: number, all: number) => (used === all ? `${all}` : `${used}／${all}`),
+  reading: (done: number, total: number) => `写真を読み込み中：${done}／${total}`,
+  cancelReading: '読み込みを中止',
+
+  // Videos
+  videos: '動画',
+  videoFrames: (count: number) => `${count}フレーム`,
+  trimStart: '開始',
+  trimEnd: '終了',
+  frames: 'フレーム',
+  takeFrames: 'このフレームを使う',
+
+  showSubjects: '見つけたものを表示',
+  finding: (done: number, total: number) => `顔 ${done}／${total}`,
+  findingLong: (done: number, total: number) => `顔と物を探しています：写真${done}／${total}枚`,
+  noDetector: 'ここでは顔を見つけられないため、コントラストで切り抜きます。',
+};

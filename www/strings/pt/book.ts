@@ -1,0 +1,31 @@
+const photos = (n: number) => (n < 2 ? `${n} foto` : `${n} fotos`);
+const pages = (n: number) => (n < 2 ? `${n} página` : `${n} páginas`);
+
+export const bookStrings = {
+  book: {
+    name: 'Páginas',
+    page: (n: number, of: number) => `Página ${n} de ${of}`,
+    add: 'Adicionar página',
+    addHelp: 'Adicionar uma página depois desta',
+    addMore: (left: number) => `Adicionar uma página: ${photos(left)} ainda em nenhuma página`,
+    tools: 'Ferramentas de página',
+    remove: 'Remover página',
+    turnBack: 'Voltar uma página',
+    turnOn: 'Avançar uma página',
+    earlier: 'Mover página para antes',
+    later: 'Mover página para depois',
+    spreadAlbum: 'Distribuir o álbum em páginas',
+    spreadHelp: (n: number) => `Várias páginas com todas as ${n} fotos, na ordem delas`,
+    styleAll: 'Usar este estilo em todas as páginas',
+    left: (n: number) => `${photos(n)} em nenhuma página`,
+    reading: 'As fotos ainda estão sendo lidas.',
+    removed: (n: number) => `A página ${n} foi removida.`,
+    spread: (n: number, on: number) => `${photos(n)} em ${pages(on)}.`,
+    takeBack: 'Voltar atrás',
+    dragHelp: 'Arraste para mover, ou Alt com uma seta',
+  },
+  version: (n: number, of: number) => `Versão ${n} de ${of} desta página: ver todas as mostradas`,
+  previousHelp: 'Versão anterior desta página, mostrada antes',
+  nextHelp: 'Próxima versão desta página, mostrada depois',
+  versionOf: (n: number) => `da página ${n}`,
+};

@@ -1,0 +1,40 @@
+export const faultStrings = {
+  fileFailed: (name: string, why: string) => `${name}: ${why}`,
+  filesFailed: (n: number) => `Não foi possível ler ${n} arquivos.`,
+  showList: 'Ver a lista',
+  moreFiles: (n: number) => `e mais ${n}`,
+  /** The core's own sentences are English, so all its codes are here. */
+  reasons: {
+    'worker-lost': 'a leitura dele parou o programa duas vezes, então ficou de fora.',
+    'unreadable-file': 'o arquivo foi movido, alterado ou apagado depois que você o escolheu.',
+    'unknown-format': 'não é uma imagem que o Inkpanel saiba ler (JPEG, PNG, WebP, GIF, BMP ou TIFF).',
+    damaged: 'o arquivo está danificado ou incompleto.',
+    unsupported: 'este tipo de arquivo não pode ser lido.',
+    'too-large': 'é grande demais.',
+    'no-decoder':
+      'este navegador não sabe ler este tipo de foto. Salve-a como JPEG ou abra esta página em outro navegador.',
+    'no-room': 'o navegador não tem espaço para a foto.',
+    'missing-photo': 'a foto não está carregada.',
+    'no-photos': 'não há nenhuma foto que possa ser usada.',
+    encode: 'não foi possível codificar a página.',
+    'video-codec': 'este navegador não sabe decodificar o vídeo.',
+    'video-decoder': 'este navegador não sabe decodificar o vídeo.',
+    'video-format': 'não é um vídeo MP4, MOV, WebM ou Matroska completo.',
+    'video-empty': 'não tem imagem, só som.',
+    'video-memory': 'não há memória suficiente para um quadro do vídeo.',
+    'video-worker': 'o leitor do vídeo parou.',
+    'words-missing': 'não foi possível carregar as letras.',
+    'decoders-missing': 'não foi possível carregar o que lê estas fotos. Tente de novo com conexão.',
+    'core-missing': 'não foi possível carregar o programa.',
+  } as Record<string, string>,
+  tooManyPhotos: (n: number, most: string) =>
+    `${n === 1 ? '1 arquivo ficou' : `${n} arquivos ficaram`} de fora: um projeto aceita ${most} fotos.`,
+  noUsablePhoto:
+    'Nenhum destes arquivos pôde ser usado. Escolha fotos JPEG, PNG, WebP, AVIF, GIF, BMP ou TIFF, ou um vídeo.',
+  noSamples: 'Não foi possível carregar o álbum de exemplo. Verifique a conexão e tente de novo.',
+  noPhotosInUse: 'Nenhuma foto está em uso. Marque uma em Fotos para ter uma página.',
+  panelFailed: (why: string) => `Não foi possível desenhar um quadro: ${why}`,
+  notDone: (why: string) => `Não foi possível fazer isso: ${why}`,
+  coreFailed: (why: string) => `O Inkpanel não conseguiu iniciar: ${why}`,
+  locked: { layout: 'O layout está travado.', style: 'O estilo está travado.', photos: 'As fotos estão travadas.' },
+};

@@ -1,0 +1,105 @@
+import { some } from './png.ts';
+
+const TROUBLE: Record<string, string> = {
+  full: 'o armazenamento deste navegador está cheio',
+  refused: 'este navegador não guarda nada para as páginas daqui',
+};
+
+export const keepingStrings = {
+  // Saving
+  saveState: {
+    empty: '',
+    saving: 'Salvando…',
+    saved: 'Salvo',
+    missing: 'Salvo em parte',
+    full: 'Não salvo',
+    refused: 'Não salvo',
+    failed: 'Não salvo',
+  },
+  savingCount: (done: number, total: number) => `Salvando ${done} de ${total}`,
+  saveHelp: 'O trabalho fica guardado neste navegador, neste aparelho',
+  notSaved: (why: string, message: string) =>
+    `Seu trabalho não está salvo: ${TROUBLE[why] ?? message.replace(/\.$/, '')}. Tudo continua aqui enquanto esta página estiver aberta.`,
+  photosUnreadable: (names: readonly string[]) =>
+    `${some(names)}: não salvo, ${names.length === 1 ? 'o arquivo não pode mais ser lido' : 'os arquivos não podem mais ser lidos'}. Todo o resto está salvo.`,
+  photosNotHere: (names: readonly string[], of: number) => {
+    const one = names.length === 1;
+    const which = names.length < of ? `${names.length} de ${of} fotos` : one ? 'A foto' : `Todas as ${of} fotos`;
+    return `${which} não ${one ? 'está' : 'estão'} neste navegador: ${some(names)}. ${one ? 'Escolha-a ou solte-a' : 'Escolha-as ou solte-as'} aqui: cada uma volta ao seu lugar.`;
+  },
+  filmsNotHere: (names: readonly string[]) =>
+    `${some(names)}: não ${names.length === 1 ? 'está' : 'estão'} mais neste navegador, mas as imagens tiradas estão. Para tirar outras, adicione o vídeo de novo.`,
+  photosNeverSaved: (names: readonly string[]) =>
+    `A página foi fechada antes de salvar ${some(names)}. ${names.length === 1 ? 'Escolha-a' : 'Escolha-as'} de novo.`,
+  saveAgain: 'Salvar de novo',
+  goOnWithout: 'Continuar sem isso',
+  saveToFile: 'Salvar em um arquivo',
+  conflict: 'Outra aba alterou este projeto, então este continua como uma cópia.',
+
+  // Projects
+  projects: 'Projetos',
+  projectName: 'Nome do projeto',
+  untitled: 'Sem título',
+  newProject: 'Novo projeto',
+  openProject: 'Abrir projeto',
+  saveProject: 'Salvar projeto',
+  projectFile: 'Arquivo de projeto',
+  openNamed: (name: string) => `Abrir ${name}`,
+  duplicateNamed: (name: string) => `Duplicar ${name}`,
+  deleteNamed: (name: string) => `Excluir ${name}`,
+  openNow: 'Aberto agora',
+  projectAbout: (photos: number, when: string) =>
+    `${photos < 2 ? `${photos} foto` : `${photos} fotos`}${when && `, ${when}`}`,
+  noProjects: 'O que você faz é salvo aqui sozinho.',
+  projectDeleted: (name: string) => `${name} foi excluído.`,
+  bringBack: 'Trazer de volta',
+  projectNotOpened: (why: string) => `Não foi possível abrir o projeto: ${why}`,
+  projectFileNotOpened: (name: string, why: string) => `Não foi possível abrir ${name}: ${why}`,
+  projectNotSaved: (why: string) => `Não foi possível salvar o projeto como arquivo: ${why}`,
+  projectReasons: {
+    'damaged-project': 'está danificado ou não é um projeto do Inkpanel. O que está na página não foi tocado.',
+    'too-large-project':
+      'contém mais do que cabe em um projeto, ou aumenta demais ao descompactar. O que está na página não foi tocado.',
+    'silent-project': 'nada dele pôde ser lido por um minuto. Verifique o disco em que ele está e tente de novo.',
+    'newer-project': 'foi feito por um Inkpanel mais novo. Recarregue esta página para ter o mais novo.',
+    'not-saved': 'o que está na página não está salvo. Salve antes em um arquivo (Salvar projeto).',
+    'missing-project': 'foi excluído.',
+    'no-storage': 'este navegador não guarda nada para as páginas daqui.',
+    'too-large': 'o arquivo passaria de 4 GB.',
+  } as Record<string, string>,
+  projectsOpened: (others: readonly string[], shown: string) =>
+    `${others.length + 1} projetos foram abertos, cada um por si. ${shown} está na página; ${others.length === 1 ? `${others[0]} está` : `outros ${others.length} estão`} em Projetos.`,
+  photosWithProject: (n: number, name: string) =>
+    n === 1
+      ? `A foto que veio junto foi adicionada a ${name}.`
+      : `As ${n} fotos que vieram junto foram adicionadas a ${name}.`,
+  projectBroken: (name: string, why: string) => `${name} não pode ser mostrado: ${why}.`,
+  brokenReasons: {
+    'damaged-project': 'uma parte está danificada',
+    'too-large-project': 'contém mais do que cabe em um projeto',
+    'newer-project': 'foi feito por um Inkpanel mais novo. Recarregue esta página para ter o mais novo',
+  } as Record<string, string>,
+  brokenOtherwise: 'uma parte não pode ser desenhada',
+  brokenKept: 'Ele fica guardado como está, com as fotos.',
+  partsLeftOut: (name: string, n: number) =>
+    `${name} está aberto sem ${n === 1 ? 'uma parte que não pôde ser lida' : `${n} partes que não puderam ser lidas`}.`,
+  openAnother: 'Abrir outro',
+  saveAsFile: 'Salvar como arquivo',
+  goBack: 'Voltar ao último estado bom',
+  noGoodState: 'Não resta nenhum estado para o qual voltar.',
+  wentBack: (name: string) => `${name} voltou a ser como foi desenhado pela última vez.`,
+  openingProject: (name: string) => `Abrindo ${name}`,
+  openingLast: 'Abrindo seu projeto',
+  openElsewhere: (name: string) => `${name} está aberto em outra aba.`,
+  opensWhenFree: 'Ele abre aqui quando aquela aba for fechada.',
+  openCopy: 'Abrir uma cópia',
+
+  // Pages shown
+  pagesShown: 'Páginas mostradas',
+  pagesShownAt: (n: number, of: number) => `Páginas mostradas, ${n}/${of}`,
+  pageNumber: (n: number) => `Página ${n}`,
+  pageFrom: (n: number) => `da página ${n}`,
+  favouritePage: 'Página favorita',
+  favouritePages: 'Só favoritas',
+  noFavouritePages: 'Nenhuma favorita ainda. Aperte o coração de uma página de que você goste.',
+};

@@ -1,0 +1,54 @@
+export const photoStrings = {
+  photos: 'Fotos',
+  usePhoto: (name: string) => `Usar ${name}`,
+  pickPhoto: (name: string) => `Escolher ${name}`,
+  pickLong: 'Clique para pôr no quadro selecionado ou no próximo em que clicar; ou arraste para um quadro',
+  onPanel: (panel: number) => `${panel}`,
+  onPageAndPanel: (page: number, panel: number) => `${page} · ${panel}`,
+  onPanelLong: (page: number | null, panel: number) =>
+    page === null ? `no quadro ${panel}` : `na página ${page}, quadro ${panel}`,
+  youLeftOut: 'Você deixou de fora',
+  leftOut: (name: string) => `${name} ficou de fora.`,
+  starPhoto: (name: string) => `Destacar ${name}`,
+  starLong: 'Mostrar grande, aqui e sempre que embaralhar',
+  removePhoto: (name: string) => `Remover ${name}`,
+  photoMissing: 'Faltando',
+  addPhotos: 'Adicionar fotos',
+  kept: 'Na mesa',
+  setAside: 'Deixadas de lado',
+  choice: 'Escolha das fotos',
+  alike: 'Deixar de lado as parecidas',
+  alikeValue: (bits: number) =>
+    bits < 7
+      ? `${bits}, quase idênticas`
+      : bits < 11
+        ? `${bits}, a mesma imagem`
+        : bits < 14
+          ? `${bits}, muito parecidas`
+          : `${bits}, um pouco parecidas`,
+  alikeKept: (kept: number, all: number) => (kept < 2 ? `Fica ${kept} de ${all}` : `Ficam ${kept} de ${all}`),
+  order: 'Ordem',
+  orders: { time: 'Data da foto', name: 'Nome do arquivo' },
+  stackOf: (count: number) => `${count} parecidas`,
+  openStack: (count: number, name: string) => `Mostrar as ${count} fotos parecidas com ${name}`,
+  take: 'Usar',
+  takeInstead: (name: string) => `Usar ${name} no lugar`,
+  credit: ({ title, author, licence }: { title: string; author: string; licence: string }) =>
+    `${title}, de ${author} (${licence})`,
+  photoCount: (used: number, all: number) => (used === all ? `${all}` : `${used} de ${all}`),
+  reading: (done: number, total: number) => `Lendo fotos, ${done} de ${total}`,
+  cancelReading: 'Parar de ler',
+
+  // Videos
+  videos: 'Vídeos',
+  videoFrames: (count: number) => (count < 2 ? `${count} imagem` : `${count} imagens`),
+  trimStart: 'Início',
+  trimEnd: 'Fim',
+  frames: 'Imagens',
+  takeFrames: 'Tirar estas imagens',
+
+  showSubjects: 'Mostrar o que foi encontrado',
+  finding: (done: number, total: number) => `Rostos ${done}/${total}`,
+  findingLong: (done: number, total: number) => `Procurando rostos e objetos: ${done} de ${total} fotos`,
+  noDetector: 'Não dá para encontrar rostos aqui, então as fotos são enquadradas pelo contraste.',
+};
