@@ -84,3 +84,16 @@ test('the keyboard alone writes, moves, points and removes', async ({ page }) =>
   await page.keyboard.press('Control+z');
   await expect(word(page, /^Balloon: TWO/)).toBeVisible();
 });
+
+test('a long text leaves the fields of its word in sight', async ({ page }) => {
+  await openBoard(page);
+  await write(page, 'balloon', 'a very long line that nobody would ever say at once but in a comic '.repeat(6));
+  const side = await box(page.getByRole('region', { name: 'Words', exact: true }));
+  for (const name of ['Across', 'Down', 'Width', 'Letter size']) {
+    const field = page.getByRole('spinbutton', { name, exact: true });
+    await field.scrollIntoViewIfNeeded();
+    const { x, width } = await box(field);
+    expect(x).toBeGreaterThanOrEqual(side.x);
+    expect(x + width).toBeLessThanOrEqual(side.x + side.width);
+  }
+});
