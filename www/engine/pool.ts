@@ -67,6 +67,8 @@ const STARTING = 30_000;
 const LAST_CHANCE = 2;
 /** Milliseconds that an aborted job still has: what is nearly done costs no worker. A person waits for less than 100. */
 const GRACE = 50;
+/** Milliseconds that work may be held. */
+const LONGEST_HOLD = 3_000;
 const HIGH_WATER = 512 * 2 ** 20;
 
 export function createPool<Ops extends Table = Operations>({
@@ -81,6 +83,7 @@ export function createPool<Ops extends Table = Operations>({
   const queue: ReturnType<typeof createQueue<Entry>> = createQueue();
   const pace = createPace();
   const slots: Slot[] = [];
+  let holding: ReturnType<typeof setTimeout> | undefined;
   let [nextId, reserved, held, closed] = [1, 0, false, false];
 
   for (let i = 0; i < size; i += 1) slots.push(open({}));
@@ -92,9 +95,15 @@ export function createPool<Ops extends Table = Operations>({
     dispatch();
   }
 
-  /** Keeps what the page does not wait for until it is there: a worker that reads a large photo would come too late for it. */
+  /**
+   * Keeps what the page does not wait for until it is there: a worker that reads a large photo would come too late for it. A
+   * page that does not come holds nothing for long.
+   */
   function hold(on: boolean) {
+    if (on === held) return;
+    clearTimeout(holding);
     held = on;
+    if (on) holding = setTimeout(() => hold(false), LONGEST_HOLD);
     dispatch();
   }
 
@@ -267,6 +276,7 @@ export function createPool<Ops extends Table = Operations>({
 
   function dispose() {
     closed = true;
+    clearTimeout(holding);
     const left = [...queue.clear(), ...slots.flatMap((slot) => slot.entry ?? [])];
     for (const slot of slots) {
       slot.relax();

@@ -47,7 +47,9 @@ export function createFirstPage({
     // When they are all read, nobody waits for the end of this.
     const soon = restOf(read.size) <= PATIENCE;
     if (enough) timer ??= setTimeout(compose, soon ? 2 * PATIENCE : facesReady() ? WAIT : 0);
-    near.value = enough ? !soon : page.panels.some(({ photo }) => photo !== null && !read.has(photo));
+    // Frames come in the order of their film, those of the page among others.
+    const unread = page.panels.flatMap(({ photo }) => (photo !== null && !read.has(photo) ? [photo] : []));
+    near.value = enough ? !soon : unread.length > 0 && unread.every((id) => store.originals.has(id));
     return undefined;
   });
 
