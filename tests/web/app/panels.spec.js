@@ -27,7 +27,7 @@ test('panels are merged and split by mouse', async ({ page }) => {
   await openBoard(page);
   await choose(page, 'grid', 'Four');
   const panels = page.getByRole('group', { name: /^Panel \d of/ });
-  const merge = page.getByRole('button', { name: 'Merge', exact: true });
+  const merge = page.getByRole('button', { name: 'One photo across panels', exact: true });
   await expect(merge).toBeDisabled();
   await expect(merge).toHaveAttribute('title', /select two panels/);
   await panels.nth(0).click();
@@ -36,7 +36,7 @@ test('panels are merged and split by mouse', async ({ page }) => {
   await expect(merge).toHaveAttribute('title', /do not touch/);
   await panels.nth(1).click({ modifiers: ['ControlOrMeta'] });
   const apart = await picture(page);
-  await press(page, 'Merge');
+  await press(page, 'One photo across panels');
   expect(await picture(page)).not.toBe(apart);
   const { photos } = await contents(page);
   const shown = photos.map((photo) => photo?.replace(', selected', ''));
@@ -84,7 +84,7 @@ test('panels are merged by keyboard', async ({ page }) => {
   await page.keyboard.press('ArrowRight');
   await page.keyboard.press('Shift+Enter');
   await expect(page.getByText('2 panels selected')).toBeAttached();
-  await page.getByRole('button', { name: 'Merge', exact: true }).focus();
+  await page.getByRole('button', { name: 'One photo across panels', exact: true }).focus();
   await page.keyboard.press('Enter');
   await idle(page);
   const { photos } = await contents(page);
@@ -111,7 +111,7 @@ test('panels are chosen and merged by touch', async ({ browser, baseURL }) => {
   await panels.nth(0).tap();
   await page.getByRole('button', { name: 'Select panels' }).tap();
   await panels.nth(1).tap();
-  await page.getByRole('button', { name: 'Merge', exact: true }).tap();
+  await page.getByRole('button', { name: 'One photo across panels', exact: true }).tap();
   await idle(page);
   const photos = await panels.evaluateAll((list) => list.map((panel) => panel.getAttribute('aria-description')));
   expect(photos[0]).toBe(photos[1]);

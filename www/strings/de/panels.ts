@@ -1,7 +1,7 @@
 export const panelStrings = {
   panelTools: 'Panel-Werkzeuge',
   selectPanels: 'Panels auswählen',
-  merge: 'Verbinden',
+  merge: 'Ein Foto über mehrere Panels',
   split: 'Trennen',
   merging: {
     few: 'wähle zwei oder mehr Panels, die sich berühren',

@@ -3,7 +3,7 @@
 export const panelStrings = {
   panelTools: 'Tools for panels',
   selectPanels: 'Select panels',
-  merge: 'Merge',
+  merge: 'One photo across panels',
   split: 'Split',
   merging: {
     few: 'select two panels or more that touch',

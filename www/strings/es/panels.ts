@@ -1,7 +1,7 @@
 export const panelStrings = {
   panelTools: 'Herramientas de viñetas',
   selectPanels: 'Seleccionar viñetas',
-  merge: 'Unir',
+  merge: 'Una foto en varias viñetas',
   split: 'Separar',
   merging: {
     few: 'selecciona dos o más viñetas que se toquen',

@@ -1,7 +1,7 @@
 export const panelStrings = {
   panelTools: 'Outils de cases',
   selectPanels: 'Sélectionner des cases',
-  merge: 'Réunir',
+  merge: 'Une photo sur plusieurs cases',
   split: 'Séparer',
   merging: {
     few: 'sélectionnez au moins deux cases qui se touchent',

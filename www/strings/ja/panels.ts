@@ -1,7 +1,7 @@
 export const panelStrings = {
   panelTools: 'コマのツール',
   selectPanels: 'コマを選択',
-  merge: '結合',
+  merge: '1枚の写真を複数コマに',
   split: '分割',
   merging: {
     few: '隣り合うコマを2つ以上選んでください',

@@ -1,7 +1,7 @@
 export const panelStrings = {
   panelTools: 'Ferramentas de quadros',
   selectPanels: 'Selecionar quadros',
-  merge: 'Unir',
+  merge: 'Uma foto em vários quadros',
   split: 'Separar',
   merging: {
     few: 'selecione dois ou mais quadros que se toquem',
