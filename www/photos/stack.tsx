@@ -42,6 +42,7 @@ export function Stack({ items }: { items: TrayItem[] }) {
         <span>{strings.stackOf(items.length)}</span>
         <Icon name="close" />
       </button>
+      <p class="aside-why">{strings.stackWhy}</p>
       <ul class="photos">
         {items.map((item) => (
           <PhotoTile

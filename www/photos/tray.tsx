@@ -37,17 +37,12 @@ export function Tray() {
     <section class="tray" aria-label={strings.photos} aria-busy={reading !== null}>
       <header class="section-head">
         <h2>{strings.photos}</h2>
-        {finding ? (
-          <span class="count" title={strings.findingLong(finding.done, finding.total)}>
-            {strings.finding(finding.done, finding.total)}
-          </span>
-        ) : (
-          <span class="count">{strings.photoCount(kept.length, tray.length)}</span>
-        )}
+        <span class="count">{strings.photoCount(kept.length, tray.length)}</span>
         <ActionButton action={actions.photos.subjects} />
         <ActionButton action={actions.photos.add} />
       </header>
       {reading && <Reading done={reading.done} total={reading.total} />}
+      {finding && <Finding done={finding.done} total={finding.total} />}
       <Videos />
       {tray.length > 1 && <ChoiceOfPhotos />}
       <ul class="photos">
@@ -61,7 +56,12 @@ export function Tray() {
             return tile(item, true, top ? stack.length : 0);
           })}
       </ul>
-      {aside.length > 0 && <h3 class="aside-head">{strings.setAside}</h3>}
+      {aside.length > 0 && (
+        <>
+          <h3 class="aside-head">{strings.setAside}</h3>
+          <p class="aside-why">{strings.setAsideWhy}</p>
+        </>
+      )}
       {aside.length > 0 && (
         <ul class="photos">{aside.filter(({ id }) => shown.has(`aside ${id}`)).map((item) => tile(item, false, 0))}</ul>
       )}
@@ -83,6 +83,12 @@ function useTiles(): (item: TrayItem, used: boolean, stack: number) => VNode {
     known.current.set(item.id, { of, item, tile });
     return tile;
   };
+}
+
+/** A line alone: faces refine what is there already, and nobody waits for them. */
+function Finding({ done, total }: Progress) {
+  const label = strings.finding(done, total);
+  return <progress class="progress finding" aria-label={label} title={label} value={done} max={total} />;
 }
 
 function Reading({ done, total }: Progress) {

@@ -21,6 +21,7 @@ test('a stack opens, another of it is taken, several are kept, and each can be u
   await press(page, 'Show the 3 photos like cat.jpg');
   const stack = tray.getByRole('listitem').filter({ has: page.getByRole('button', { name: '3 alike' }) });
   await expect(stack.getByRole('checkbox')).toHaveCount(3);
+  await expect(stack.getByText('They look alike.')).toBeVisible();
   const shown = await page.locator('.panel').count();
   await press(page, 'Take cat2.jpg instead');
   await expect(use('cat2.jpg')).toBeChecked();

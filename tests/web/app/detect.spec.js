@@ -15,7 +15,11 @@ test('photos are looked at once the page is there, and what is found can be seen
   await page.getByLabel('Photos or video').waitFor({ state: 'attached' });
   expect(early).toEqual([]);
   await add(page, await photos(...SOME));
+  // A line at the photos tells how far it is, and goes.
+  const line = page.getByRole('region', { name: 'Photos' }).getByRole('progressbar', { name: /^Looking for faces/ });
+  await expect(line).toBeVisible();
   await idle(page);
+  await expect(line).toHaveCount(0);
   expect(early.some((url) => url.endsWith('.onnx'))).toBe(true);
   await expect(page.locator('.subject-boxes')).toHaveCount(0);
   await press(page, 'Show subjects');

@@ -17,6 +17,7 @@ export const photoStrings = {
   addPhotos: 'Fotos hinzufügen',
   kept: 'Auf dem Tisch',
   setAside: 'Zur Seite gelegt',
+  setAsideWhy: 'Ähnliche und unscharfe Fotos. Hake eines an, um es zu verwenden.',
   choice: 'Auswahl der Fotos',
   alike: 'Ähnliche zur Seite legen',
   alikeValue: (bits: number) =>
@@ -30,6 +31,7 @@ export const photoStrings = {
   alikeKept: (kept: number, all: number) => `${kept} von ${all} bleiben`,
   order: 'Reihenfolge',
   orders: { time: 'Aufnahmezeit', name: 'Dateiname' },
+  stackWhy: 'Sie sehen sich ähnlich. Das angehakte wird verwendet; hake mehr an oder nimm ein anderes.',
   stackOf: (count: number) => `${count} ähnliche`,
   openStack: (count: number, name: string) => `Die ${count} Fotos wie ${name} zeigen`,
   take: 'Nehmen',
@@ -49,7 +51,6 @@ export const photoStrings = {
   takeFrames: 'Diese Einzelbilder nehmen',
 
   showSubjects: 'Gefundenes zeigen',
-  finding: (done: number, total: number) => `Gesichter ${done}/${total}`,
-  findingLong: (done: number, total: number) => `Suche nach Gesichtern und Objekten: ${done} von ${total} Fotos`,
+  finding: (done: number, total: number) => `Suche nach Gesichtern und Objekten: ${done} von ${total} Fotos`,
   noDetector: 'Gesichter lassen sich hier nicht finden. Daher werden Fotos nach Kontrast zugeschnitten.',
 };

@@ -18,6 +18,7 @@ export const photoStrings = {
   addPhotos: 'Add photos',
   kept: 'On the table',
   setAside: 'Set aside',
+  setAsideWhy: 'Look-alikes and blurred photos. Tick one to use it.',
   choice: 'Choice of photos',
   alike: 'Set aside look-alikes',
   alikeValue: (bits: number) =>
@@ -31,6 +32,7 @@ export const photoStrings = {
   alikeKept: (kept: number, all: number) => `${kept} of ${all} kept`,
   order: 'Order',
   orders: { time: 'By time taken', name: 'By file name' },
+  stackWhy: 'They look alike. The ticked one is used; tick more, or take another.',
   stackOf: (count: number) => `${count} alike`,
   openStack: (count: number, name: string) => `Show the ${count} photos like ${name}`,
   take: 'Take',
@@ -50,7 +52,6 @@ export const photoStrings = {
   takeFrames: 'Take these frames',
 
   showSubjects: 'Show subjects',
-  finding: (done: number, total: number) => `Faces ${done}/${total}`,
-  findingLong: (done: number, total: number) => `Looking for faces and objects: ${done} of ${total} photos`,
+  finding: (done: number, total: number) => `Looking for faces and objects: ${done} of ${total} photos`,
   noDetector: 'Faces cannot be found here, so photos are cropped by contrast.',
 };

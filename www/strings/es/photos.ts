@@ -16,6 +16,7 @@ export const photoStrings = {
   addPhotos: 'Añadir fotos',
   kept: 'En la mesa',
   setAside: 'Apartadas',
+  setAsideWhy: 'Parecidas y desenfocadas. Marca una para usarla.',
   choice: 'Selección de fotos',
   alike: 'Apartar las parecidas',
   alikeValue: (bits: number) =>
@@ -29,6 +30,7 @@ export const photoStrings = {
   alikeKept: (kept: number, all: number) => `Quedan ${kept} de ${all}`,
   order: 'Orden',
   orders: { time: 'Fecha de la toma', name: 'Nombre de archivo' },
+  stackWhy: 'Se parecen. Se usa la marcada; marca más o toma otra.',
   stackOf: (count: number) => `${count} parecidas`,
   openStack: (count: number, name: string) => `Mostrar las ${count} fotos parecidas a ${name}`,
   take: 'Tomar',
@@ -48,7 +50,6 @@ export const photoStrings = {
   takeFrames: 'Tomar estos fotogramas',
 
   showSubjects: 'Mostrar lo detectado',
-  finding: (done: number, total: number) => `Caras ${done}/${total}`,
-  findingLong: (done: number, total: number) => `Buscando caras y objetos: ${done} de ${total} fotos`,
+  finding: (done: number, total: number) => `Buscando caras y objetos: ${done} de ${total} fotos`,
   noDetector: 'Aquí no se pueden buscar caras, así que las fotos se recortan por contraste.',
 };

@@ -17,6 +17,7 @@ export const photoStrings = {
   addPhotos: 'Ajouter des photos',
   kept: 'Sur la table',
   setAside: 'Mises de côté',
+  setAsideWhy: 'Semblables ou floues. Cochez-en une pour l’utiliser.',
   choice: 'Choix des photos',
   alike: 'Écarter les semblables',
   alikeValue: (bits: number) =>
@@ -30,6 +31,7 @@ export const photoStrings = {
   alikeKept: (kept: number, all: number) => (kept < 2 ? `${kept} gardée sur ${all}` : `${kept} gardées sur ${all}`),
   order: 'Ordre',
   orders: { time: 'Date de prise de vue', name: 'Nom de fichier' },
+  stackWhy: 'Elles se ressemblent. La photo cochée sert ; cochez-en d’autres ou prenez-en une autre.',
   stackOf: (count: number) => `${count} semblables`,
   openStack: (count: number, name: string) => `Voir les ${count} photos semblables à ${name}`,
   take: 'Prendre',
@@ -49,7 +51,6 @@ export const photoStrings = {
   takeFrames: 'Prendre ces images',
 
   showSubjects: 'Montrer les sujets',
-  finding: (done: number, total: number) => `Visages ${done}/${total}`,
-  findingLong: (done: number, total: number) => `Recherche de visages et d’objets : ${done} photos sur ${total}`,
+  finding: (done: number, total: number) => `Recherche de visages et d’objets : ${done} photos sur ${total}`,
   noDetector: 'Les visages ne peuvent pas être trouvés ici : les photos sont cadrées d’après le contraste.',
 };

@@ -15,6 +15,7 @@ export const photoStrings = {
   addPhotos: '写真を追加',
   kept: '机の上',
   setAside: 'よけた写真',
+  setAsideWhy: '似た写真とピンぼけの写真です。チェックすると使えます。',
   choice: '写真の選び方',
   alike: '似た写真をよける',
   alikeValue: (bits: number) =>
@@ -28,6 +29,7 @@ export const photoStrings = {
   alikeKept: (kept: number, all: number) => `${all}枚中${kept}枚を使用`,
   order: '順番',
   orders: { time: '撮影日時順', name: 'ファイル名順' },
+  stackWhy: 'よく似た写真です。チェックした写真が使われます。増やすことも替えることもできます。',
   stackOf: (count: number) => `似た写真${count}枚`,
   openStack: (count: number, name: string) => `${name}に似た写真${count}枚を見る`,
   take: '使う',
@@ -47,7 +49,6 @@ export const photoStrings = {
   takeFrames: 'このフレームを使う',
 
   showSubjects: '見つけたものを表示',
-  finding: (done: number, total: number) => `顔 ${done}／${total}`,
-  findingLong: (done: number, total: number) => `顔と物を探しています：写真${done}／${total}枚`,
+  finding: (done: number, total: number) => `顔と物を探しています：写真${done}／${total}枚`,
   noDetector: 'ここでは顔を見つけられないため、コントラストで切り抜きます。',
 };

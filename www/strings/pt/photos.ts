@@ -16,6 +16,7 @@ export const photoStrings = {
   addPhotos: 'Adicionar fotos',
   kept: 'Na mesa',
   setAside: 'Deixadas de lado',
+  setAsideWhy: 'Parecidas e desfocadas. Marque uma para usá-la.',
   choice: 'Escolha das fotos',
   alike: 'Deixar de lado as parecidas',
   alikeValue: (bits: number) =>
@@ -29,6 +30,7 @@ export const photoStrings = {
   alikeKept: (kept: number, all: number) => (kept < 2 ? `Fica ${kept} de ${all}` : `Ficam ${kept} de ${all}`),
   order: 'Ordem',
   orders: { time: 'Data da foto', name: 'Nome do arquivo' },
+  stackWhy: 'Elas se parecem. A marcada é usada; marque mais ou use outra.',
   stackOf: (count: number) => `${count} parecidas`,
   openStack: (count: number, name: string) => `Mostrar as ${count} fotos parecidas com ${name}`,
   take: 'Usar',
@@ -48,7 +50,6 @@ export const photoStrings = {
   takeFrames: 'Tirar estas imagens',
 
   showSubjects: 'Mostrar o que foi encontrado',
-  finding: (done: number, total: number) => `Rostos ${done}/${total}`,
-  findingLong: (done: number, total: number) => `Procurando rostos e objetos: ${done} de ${total} fotos`,
+  finding: (done: number, total: number) => `Procurando rostos e objetos: ${done} de ${total} fotos`,
   noDetector: 'Não dá para encontrar rostos aqui, então as fotos são enquadradas pelo contraste.',
 };
