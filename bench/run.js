@@ -10,6 +10,7 @@ import { join } from 'node:path';
 import { fileURLToPath } from 'node:url';
 import { parseArgs } from 'node:util';
 import { chromium } from 'playwright-core';
+import { CHROMIUM } from '../tests/web/launching.js';
 import { crowd } from './crowd.js';
 import { journey } from './journey.js';
 import { making } from './making.js';
@@ -39,10 +40,7 @@ const { values: options, positionals: filter } = parseArgs({
 
 const here = fileURLToPath(new URL('.', import.meta.url));
 const album = join(options.root, 'www/public/samples');
-const browser = await chromium.launch({
-  executablePath: process.env.CHROMIUM,
-  args: ['--no-sandbox', '--disable-gpu', '--disable-quic', '--no-first-run', '--disable-background-networking'],
-});
+const browser = await chromium.launch(CHROMIUM);
 try {
   const results = await blocks();
   const whole = filter.length === 0;

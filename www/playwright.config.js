@@ -1,9 +1,8 @@
 // @ts-check
 import { defineConfig } from '@playwright/test';
+import { CHROMIUM, servedSite } from '../tests/web/launching.js';
 
-/** The built site is served below a path, so that an absolute address anywhere in it fails the tests. */
-const PATH = '/some/sub/path/';
-const PORT = Number(process.env.INKPANEL_TEST_PORT ?? 4187);
+const site = servedSite(4187);
 
 export default defineConfig({
   testDir: '../tests/web/app',
@@ -17,28 +16,13 @@ export default defineConfig({
   reporter: [['list']],
   forbidOnly: !!process.env.CI,
   use: {
-    baseURL: `http://127.0.0.1:${PORT}${PATH}`,
+    baseURL: site.url,
     viewport: { width: 1280, height: 800 },
     acceptDownloads: true,
     // What a worker serves no test can stand in the way of; `offline.spec.js` is about it, and allows it.
     serviceWorkers: 'block',
     trace: 'retain-on-failure',
-    launchOptions: {
-      executablePath: process.env.CHROMIUM ?? '/usr/bin/chromium',
-      args: [
-        '--no-sandbox',
-        '--disable-gpu',
-        '--disable-quic',
-        '--no-first-run',
-        '--disable-background-networking',
-        '--disable-component-update',
-        '--disable-sync',
-      ],
-    },
+    launchOptions: CHROMIUM,
   },
-  webServer: {
-    command: `node serve.js ${PORT} ${PATH}`,
-    url: `http://127.0.0.1:${PORT}${PATH}`,
-    reuseExistingServer: false,
-  },
+  webServer: site.webServer,
 });

@@ -9,6 +9,7 @@ import { join } from 'node:path';
 import { setTimeout } from 'node:timers/promises';
 import { fileURLToPath } from 'node:url';
 import { Builder } from '../../www/testing.ts';
+import { CHROMIUM } from '../web/launching.js';
 
 /** @typedef {import('../../www/testing.ts').WebDriver} WebDriver */
 /** A browser that runs. @typedef {{ driver: WebDriver, downloads: string, end: () => Promise<void> }} Running */
@@ -25,19 +26,8 @@ export const ENGINES = {
     capabilities: ({ downloads, data }) => ({
       browserName: 'chrome',
       'goog:chromeOptions': {
-        binary: process.env.CHROMIUM ?? '/usr/bin/chromium',
-        args: [
-          '--headless',
-          '--no-sandbox',
-          '--disable-gpu',
-          '--disable-quic',
-          '--no-first-run',
-          '--disable-background-networking',
-          '--disable-component-update',
-          '--disable-sync',
-          '--window-size=1280,800',
-          `--user-data-dir=${data}`,
-        ],
+        binary: CHROMIUM.executablePath,
+        args: ['--headless', ...CHROMIUM.args, '--window-size=1280,800', `--user-data-dir=${data}`],
         prefs: { 'download.default_directory': downloads },
       },
     }),

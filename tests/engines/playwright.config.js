@@ -2,10 +2,10 @@
 /** The same journeys in three engines. Playwright runs and counts them; the browsers are driven by WebDriver. */
 
 import { defineConfig } from '../../www/testing.ts';
+import { servedSite } from '../web/launching.js';
 import { ENGINES } from './engines.js';
 
-const PATH = '/some/sub/path/';
-const PORT = Number(process.env.INKPANEL_TEST_PORT ?? 4287);
+const site = servedSite(4287);
 
 export default defineConfig({
   testDir: '.',
@@ -18,7 +18,7 @@ export default defineConfig({
   expect: { timeout: 60_000 },
   reporter: [['list']],
   forbidOnly: !!process.env.CI,
-  use: { baseURL: `http://127.0.0.1:${PORT}${PATH}` },
+  use: { baseURL: site.url },
   projects: [
     ...Object.keys(ENGINES).map((name) => ({
       name,
@@ -29,9 +29,5 @@ export default defineConfig({
     })),
     { name: 'all', testMatch: 'all-engines.spec.js' },
   ],
-  webServer: {
-    command: `node ../../www/serve.js ${PORT} ${PATH}`,
-    url: `http://127.0.0.1:${PORT}${PATH}`,
-    reuseExistingServer: false,
-  },
+  webServer: site.webServer,
 });

@@ -1,6 +1,8 @@
 // @ts-check
 /** The npm package in an empty project: `cargo xtask test package`. */
 
+import { CHROMIUM } from '../launching.js';
+
 export default {
   testDir: '.',
   outputDir: '../results/package',
@@ -8,10 +10,5 @@ export default {
   timeout: 120_000,
   reporter: [['list']],
   forbidOnly: !!process.env.CI,
-  use: {
-    launchOptions: {
-      executablePath: process.env.CHROMIUM ?? '/usr/bin/chromium',
-      args: ['--no-sandbox', '--disable-gpu', '--disable-quic', '--no-first-run', '--disable-background-networking'],
-    },
-  },
+  use: { launchOptions: CHROMIUM },
 };

@@ -1,6 +1,8 @@
 // @ts-check
 /** The wasm core alone in a blank page, against the native build: `cargo xtask test wasm`. */
 
+import { CHROMIUM } from '../launching.js';
+
 export default {
   testDir: '.',
   outputDir: '../results/wasm',
@@ -8,10 +10,5 @@ export default {
   timeout: 60_000,
   reporter: [['list']],
   forbidOnly: !!process.env.CI,
-  use: {
-    launchOptions: {
-      executablePath: process.env.CHROMIUM ?? '/usr/bin/chromium',
-      args: ['--no-sandbox', '--disable-gpu', '--disable-quic', '--no-first-run', '--disable-background-networking'],
-    },
-  },
+  use: { launchOptions: CHROMIUM },
 };
