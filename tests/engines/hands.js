@@ -253,6 +253,17 @@ export async function personIn({ driver, downloads }, address) {
     /** Opens a tab beside the page. @param {'Styles' | 'Layouts' | 'Words' | 'Page'} name */
     tab: (name) => click('tab', name),
 
+    /** A page of that size, whatever the browser has around it. @param {{ width: number, height: number }} wanted */
+    async resize({ width, height }) {
+      const size = () => inPage(() => [innerWidth, innerHeight]);
+      const window = driver.manage().window();
+      await window.setRect({ width, height });
+      const [across, down] = await size();
+      await window.setRect({ width: 2 * width - across, height: 2 * height - down });
+      await expect.poll(size).toEqual([width, height]);
+      await idle();
+    },
+
     /** @param {'Styles' | 'Layouts'} name of a list box, and of its tab @param {Name} option */
     async take(name, option) {
       await click('tab', name);

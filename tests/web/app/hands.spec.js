@@ -1,6 +1,7 @@
 // @ts-check
 /** In the hand: what a finger can hit, what a scroll leaves alone, what a phone held sideways shows. */
 
+import { covered } from '../covered.js';
 import { drop, expect, idle, openBoard, test } from './support.js';
 
 /** @typedef {import('../../../www/testing.ts').Page} Page */
@@ -32,19 +33,6 @@ const missed = (page) =>
     return wrong;
   });
 
-/** What can be used and has something that was said lying over its middle. @param {Page} page @returns {Promise<string[]>} */
-const covered = (page) =>
-  page.evaluate(() => {
-    const names = [];
-    for (const element of document.querySelectorAll('button, select, summary, textarea, input:not([type=file])')) {
-      const box = element.getBoundingClientRect();
-      const over = document.elementFromPoint(box.left + box.width / 2, box.top + box.height / 2)?.closest('.toast');
-      if (over && !over.contains(element) && element.checkVisibility({ visibilityProperty: true }))
-        names.push(element.getAttribute('aria-label') ?? element.textContent);
-    }
-    return names;
-  });
-
 for (const viewport of [{ width: 360, height: 740 }, SIDEWAYS]) {
   test.describe(`${viewport.width} by ${viewport.height}`, () => {
     test.use({ viewport, hasTouch: true, isMobile: true, deviceScaleFactor: 2 });
@@ -68,7 +56,7 @@ for (const viewport of [{ width: 360, height: 740 }, SIDEWAYS]) {
       await openBoard(page);
       await drop(page, [{ name: 'broken.jpg', mimeType: 'image/jpeg', buffer: Buffer.from('no picture') }]);
       await expect(page.getByRole('alert').getByText('broken.jpg')).toBeVisible();
-      expect(await covered(page)).toEqual([]);
+      expect(await page.evaluate(covered)).toEqual([]);
     });
   });
 }
@@ -77,7 +65,7 @@ test('what is said on a large screen covers nothing that can be used', async ({ 
   await openBoard(page);
   await drop(page, [{ name: 'broken.jpg', mimeType: 'image/jpeg', buffer: Buffer.from('no picture') }]);
   await expect(page.getByRole('alert').getByText('broken.jpg')).toBeVisible();
-  expect(await covered(page)).toEqual([]);
+  expect(await page.evaluate(covered)).toEqual([]);
 });
 
 test.describe('held sideways', () => {
