@@ -85,12 +85,14 @@ async function opened(browser, address, photos) {
   });
   await page.addInitScript(watch);
   await page.goto(address);
-  const input = page.getByLabel('Photos or video');
-  await input.waitFor({ state: 'attached' });
+  const [dialog] = await Promise.all([
+    page.waitForEvent('filechooser'),
+    page.getByRole('button', { name: 'Choose photos or a video' }).click(),
+  ]);
   // Nobody chooses photos sooner.
   await page.waitForTimeout(CHOOSING);
   const first = page.evaluate(() => /** @type {any} */ (globalThis).watch.afterChoosing());
-  await input.setInputFiles(photos);
+  await dialog.setFiles(photos);
   return { page, .../** @type {{ firstPage: number, drawn: number }} */ (await first) };
 }
 

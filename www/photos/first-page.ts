@@ -10,8 +10,9 @@ import type { Pages } from '../document/pages.ts';
 import type { Store } from '../document/store.ts';
 import type { PhotoMeta } from '../engine/types.ts';
 
-/** Milliseconds after the photos of a page are there, in which faces are found, where nothing is in the way of that. */
+/** Milliseconds after the photos of a page are there, in which faces are found; more where the nets are still being made. */
 const WAIT = 120;
+const LONGER_WAIT = 250;
 /** Milliseconds that the page waits for the others, as far as one can tell: of look-alikes it should have the best. */
 const PATIENCE = 250;
 const ALL_NEW = Object.freeze({ layout: false, style: false, photos: false });
@@ -46,7 +47,7 @@ export function createFirstPage({
     const enough = read.size >= Math.min(USUAL_PANELS, store.tray.value.length);
     // When they are all read, nobody waits for the end of this.
     const soon = restOf(read.size) <= PATIENCE;
-    if (enough) timer ??= setTimeout(compose, soon ? 2 * PATIENCE : facesReady() ? WAIT : 0);
+    if (enough) timer ??= setTimeout(compose, soon ? 2 * PATIENCE : facesReady() ? WAIT : LONGER_WAIT);
     // Frames come in the order of their film, those of the page among others.
     const unread = page.panels.flatMap(({ photo }) => (photo !== null && !read.has(photo) ? [photo] : []));
     near.value = enough ? !soon : unread.length > 0 && unread.every((id) => store.originals.has(id));

@@ -90,7 +90,10 @@ export function createSubjects({
   });
 
   effect(() => {
-    if (off.value || store.page.value === null || !(painted() || early())) return;
+    if (off.value || store.page.value === null) return;
+    // Nobody saw the photos coming: better a little later than without the faces.
+    if (store.sketch.value) engine.prepareDetectors();
+    if (!painted() && !early()) return;
     // What takes longer is first in line.
     for (const lane of ['objects', 'faces'] as const) if (!running.value.has(lane) && next(lane)) void run(lane);
   });
@@ -107,7 +110,7 @@ export function createSubjects({
     if (!off.peek() && store.tray.peek().length === 0) engine.prepareDetectors();
   }
 
-  /** Whether faces can be found before the first page; fetching and making the nets would keep it waiting. */
+  /** Whether faces can be found before the first page. */
   function early() {
     return store.sketch.value && engine.facesReady();
   }
