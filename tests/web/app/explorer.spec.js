@@ -61,8 +61,8 @@ test('styles are invented, sorted, filtered, favoured, bred and used', async ({ 
   await expect(region(page)).toHaveAttribute('aria-busy', 'false');
   const bred = await wall(page).count();
   expect(bred).toBeGreaterThan(count);
-  await expect(wall(page).nth(0)).toContainText(`Child of ${first} and ${second}`);
-  await expect(wall(page).filter({ hasText: 'Child of' })).toHaveCount(bred - count);
+  // By score they hang anywhere.
+  await expect(wall(page).filter({ hasText: `Child of ${first} and ${second}` })).toHaveCount(bred - count);
   await deed(page, 2, 'More like this');
   await expect.poll(() => wall(page).count()).toBeGreaterThan(bred);
   await expect(region(page)).toHaveAttribute('aria-busy', 'false');
