@@ -125,15 +125,23 @@ test('a project that the page fails to draw is taken back, and one that it fails
   const id = await first(page);
   const good = await goodFiles(page);
   const before = await all(page);
-  // The views tell the gutter of a page in hundredths.
+  // The views write the gutter of a page as others write numbers there.
   await page.evaluate(() => {
-    const { toFixed } = Number.prototype;
-    Object.assign(window, { trap: 7.77 });
-    Number.prototype.toFixed = function fixed(digits) {
-      if (Math.abs(Number(this) - /** @type {any} */ (window).trap) < 1e-6)
-        throw new Error('a view that cannot draw this');
-      return toFixed.call(this, digits);
-    };
+    const own = /** @type {PropertyDescriptor} */ (
+      Object.getOwnPropertyDescriptor(Intl.NumberFormat.prototype, 'format')
+    );
+    Object.assign(window, { trap: 0.0777 });
+    Object.defineProperty(Intl.NumberFormat.prototype, 'format', {
+      ...own,
+      get() {
+        const format = own.get?.call(this);
+        return (/** @type {number} */ value) => {
+          if (Math.abs(value - /** @type {any} */ (window).trap) < 1e-6)
+            throw new Error('a view that cannot draw this');
+          return format(value);
+        };
+      },
+    });
   });
   const { present } = good.project.document.history;
   present.page.page.gutter = present.settings.gutter = 0.0777;
@@ -143,7 +151,7 @@ test('a project that the page fails to draw is taken back, and one that it fails
   expect(await all(page)).toEqual(before);
   // An edit that the views cannot draw.
   await page.evaluate(() => {
-    Object.assign(window, { trap: 3.3 });
+    Object.assign(window, { trap: 0.033 });
   });
   await tab(page, 'Page');
   await page.getByRole('slider', { name: 'Gutter' }).fill('3.3');
