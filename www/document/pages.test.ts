@@ -22,6 +22,16 @@ describe('shuffle', () => {
     });
   });
 
+  test('of photos puts them in other places', async () => {
+    const { pages, store } = await opened();
+    const places = () => store.page.value?.panels.map(({ photo }) => photo);
+    for (let i = 0; i < 200; i += 1) {
+      const before = places();
+      pages.shuffle('photos');
+      expect(places()).not.toEqual(before);
+    }
+  });
+
   test('of one part keeps the others', async () => {
     const { pages, planner } = await opened();
     pages.shuffle('layout');

@@ -13,6 +13,9 @@ import type { Store } from './store.ts';
 
 const KEEP_ALL = Object.freeze({ layout: true, style: true, photos: true });
 
+/** Seeds tried for photos in other places: of one photo there are none. */
+const MOST_TRIES = 5;
+
 /** @returns a seed that was likely never used */
 export function freshSeed(): number {
   return crypto.getRandomValues(new Uint32Array(1))[0];
@@ -153,8 +156,17 @@ export function createPages(
     const { locks, page } = store.project.peek();
     if (!page || (part !== 'all' && locks[part])) return;
     if (part === 'all') show(isPrepared() ? (prepared?.page ?? null) : planShuffled(page));
-    else if (part === 'photos') show(plan({ keep: { ...KEEP_ALL, photos: false }, mode: 'photos' }));
+    else if (part === 'photos') show(otherPhotos(page));
     else show(plan({ keep: { ...KEEP_ALL, [part]: false } }));
+  }
+
+  /** Now and then the photos fall where they were, which nobody takes for a shuffle. */
+  function otherPhotos(page: PageDocument) {
+    const places = ({ panels }: PageDocument) => panels.map(({ photo }) => photo).join();
+    const another = () => plan({ keep: { ...KEEP_ALL, photos: false }, mode: 'photos' });
+    let next = another();
+    for (let tries = 1; tries < MOST_TRIES && next && places(next) === places(page); tries += 1) next = another();
+    return next;
   }
 
   function planShuffled(page: PageDocument) {
