@@ -49,11 +49,19 @@ fn build(project: &Project) -> Result<PathBuf> {
     for module in &modules {
         let name = module.folder.file_name().context("a module has a folder")?;
         copy_all(&module.folder, &folder.join(name), |_| true)?;
+        without_disposal(&folder.join(name).join("inkpanel.d.ts"))?;
     }
     engine(project, &folder)?;
     papers(project, &folder)?;
     fs::write(folder.join("package.json"), format!("{:#}\n", manifest(project)?))?;
     Ok(folder)
+}
+
+/// The types of a module without the disposal that `using` asks for: older libraries of TypeScript do not know its symbol.
+fn without_disposal(types: &Path) -> Result<()> {
+    let text = fs::read_to_string(types)?;
+    let kept: String = text.split_inclusive('\n').filter(|line| !line.contains("[Symbol.dispose]")).collect();
+    Ok(fs::write(types, kept)?)
 }
 
 /// The engine's modules, those of the package in place of the site's, the film library and the nets.
