@@ -101,9 +101,9 @@ export function Explorer() {
 /** What breeding waits for, or what came of it. */
 function Hint() {
   const { explorer } = useApp();
-  const { parent, parents } = explorer;
+  const { parent, lastParents } = explorer;
   if (parent.value) return <p class="explorer-hint">{strings.breedWith(parent.value.name)}</p>;
-  return parents.value && <p class="explorer-hint">{strings.litterOf(...parents.value)}</p>;
+  return lastParents.value && <p class="explorer-hint">{strings.litterOf(...lastParents.value)}</p>;
 }
 
 /** The photo that styles are tried on. */
@@ -121,12 +121,12 @@ function useItems(shown: readonly Item[], photo: Photo | null) {
   const { explorer, ownStyles } = useApp();
   const made = useRef(new Map() as Map<string, VNode>);
   const parent = explorer.parent.value?.id;
-  const litter = explorer.litters.value;
+  const last = explorer.lastParents.value;
   return shown.map((item) => {
     const { id } = item.style;
     const judgement = explorer.scores.judged.value.get(id);
-    const origin = explorer.originOf(id);
-    const fresh = origin?.litter === litter;
+    const parents = explorer.parentsOf(id);
+    const fresh = parents !== undefined && parents === last;
     const key = `${id} ${judgement} ${ownStyles.isFavourite(id)} ${parent === id} ${fresh} ${photo?.id}`;
     const found = made.current.get(key);
     if (found) return found;
@@ -138,7 +138,7 @@ function useItems(shown: readonly Item[], photo: Photo | null) {
         photo={photo}
         favourite={ownStyles.isFavourite(id)}
         parent={parent === id}
-        origin={origin}
+        parents={parents}
         fresh={fresh}
       />
     );

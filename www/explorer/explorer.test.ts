@@ -102,8 +102,9 @@ describe('the explorer', () => {
     expect(bred[0]).toMatchObject({ a, b, surprise: 0.8 });
     expect(explorer.items.value[0].style.id).toMatch(/^bred-/);
     const child = explorer.items.value[0].style.id;
-    expect(explorer.originOf(child)).toEqual({ parents: [a.name, b.name], litter: 1 });
-    expect([explorer.originOf(a.id), explorer.litters.value]).toEqual([undefined, 1]);
+    expect(explorer.parentsOf(child)).toEqual([a.name, b.name]);
+    expect(explorer.parentsOf(a.id)).toBeUndefined();
+    expect(explorer.lastParents.value).toBe(explorer.parentsOf(child));
     await explorer.breed(a, PHOTO);
     await explorer.breed(a, PHOTO);
     expect(explorer.parent.value).toBe(null);

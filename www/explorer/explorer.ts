@@ -16,8 +16,8 @@ import type { Item } from './explorer-wall.ts';
 import type { Signal } from '@preact/signals';
 
 export type { Item };
-/** The names of the styles that one was bred from, the same twice where it is more like one; `litter` counts from 1. */
-export type Origin = { parents: readonly [string, string]; litter: number };
+/** The names of the styles that one was bred from, the same twice where it is more like one; a litter shares it. */
+export type Parents = readonly [string, string];
 /** what the styles are tried on, and how large */
 export type Photo = { id: string; width: number; height: number };
 export type Explorer = ReturnType<typeof createExplorer>;
@@ -55,11 +55,10 @@ export function createExplorer({
   /** The style that waits for another to breed with. */
   const parent: Signal<Style | null> = signal(null);
   const first = signal(seed());
-  /** What bred styles come from: one style or two, and whether they are the last litter. */
-  const origins: Map<string, Origin> = new Map();
-  const litters = signal(0);
+  /** What bred styles come from. */
+  const parents: Map<string, Parents> = new Map();
   /** The parents of the last litter. */
-  const parents: Signal<Origin['parents'] | null> = signal(null);
+  const lastParents: Signal<Parents | null> = signal(null);
   let made = 0;
   let running: AbortController | null = null;
 
@@ -83,9 +82,8 @@ export function createExplorer({
     look,
     surprise,
     parent,
-    parents,
-    litters,
-    originOf: (id: string) => origins.get(id),
+    lastParents,
+    parentsOf: (id: string) => parents.get(id),
     first,
     generate,
     stop,
@@ -127,12 +125,11 @@ export function createExplorer({
     const planner = store.planner.peek();
     if (!planner) return;
     const from = seed();
-    litters.value += 1;
-    const litter = litters.peek();
-    parents.value = [a.name, b.name];
+    const names: Parents = [a.name, b.name];
+    lastParents.value = names;
     const child = (i: number) => {
       const style = planner.breedStyle({ a, b, seed: (from + i) >>> 0, surprise: wild });
-      origins.set(style.id, { parents: [a.name, b.name], litter });
+      parents.set(style.id, names);
       return style;
     };
     await run(photo, LITTER, child, true, true);
@@ -188,8 +185,8 @@ export function createExplorer({
   function clear() {
     stop();
     parent.value = null;
-    origins.clear();
-    parents.value = null;
+    parents.clear();
+    lastParents.value = null;
     scores.forget();
     wall.clear();
   }

@@ -5,10 +5,10 @@ import { strings } from '../strings/strings.ts';
 import { IconButton } from '../ui/button.tsx';
 import { useApp } from '../ui/context.ts';
 import { Icon } from '../ui/icon.tsx';
-import type { Item, Origin, Photo } from './explorer.ts';
+import type { Item, Parents, Photo } from './explorer.ts';
 
 /**
- * @param props `judgement`: what the net thinks of it, if it was asked; `parent`: it waits for another to breed with; `origin`:
+ * @param props `judgement`: what the net thinks of it, if it was asked; `parent`: it waits for another to breed with; `parents`:
  * what it was bred from, `fresh`: just now
  */
 export function WallItem({
@@ -17,7 +17,7 @@ export function WallItem({
   photo,
   favourite,
   parent,
-  origin,
+  parents,
   fresh,
 }: {
   item: Item;
@@ -25,7 +25,7 @@ export function WallItem({
   photo: Photo | null;
   favourite: boolean;
   parent: boolean;
-  origin?: Origin;
+  parents?: Parents;
   fresh: boolean;
 }) {
   const { explorer, ownStyles, pages, designer, ui } = useApp();
@@ -52,6 +52,7 @@ export function WallItem({
   }
 
   const shown = judgement ? strings.decimal(judgement, 2) : strings.decimal(score * 100, 0);
+  const bred = parents && strings.bredFrom(...parents);
   const label = judgement ? strings.netScoreOf(shown) : strings.lightScoreOf(shown);
   return (
     <li
@@ -66,10 +67,10 @@ export function WallItem({
       <span class="wall-score" data-net={!!judgement} title={label} role="img" aria-label={label}>
         {shown}
       </span>
-      {origin && (
-        <span class="wall-origin" title={strings.bredFrom(...origin.parents)}>
+      {bred && (
+        <span class="wall-origin" title={bred}>
           <Icon name="breed" />
-          <span class="visually-hidden">{strings.bredFrom(...origin.parents)}</span>
+          <span class="visually-hidden">{bred}</span>
         </span>
       )}
       <IconButton
