@@ -94,10 +94,8 @@ export function spliced(page: PageDocument, panel: number, by: 1 | -1): PageDocu
   const panels = [...page.panels];
   if (by > 0) panels.splice(panel + 1, 0, EMPTY);
   else panels.splice(panel, 1);
-  const moved = (other: number) => (other > panel ? other + by : other);
   // The half of a merged panel, or what is left of a group, need not hang together any more.
-  const merges = page.merges.filter((group) => !group.includes(panel)).map((group) => group.map(moved));
-  return { ...page, panels, merges };
+  return { ...page, panels, merges: otherMerges(page, [panel], (other) => (other > panel ? other + by : other)) };
 }
 
 /** The page with the first of those panels for all of them; merges that lose their sense are parted. */
@@ -108,8 +106,10 @@ export function joined(page: PageDocument, group: readonly number[]): PageDocume
   const left = page.panels.map((_panel, i) => i).filter((panel) => panel === first || !group.includes(panel));
   // Its shape is another, so its crop is found anew.
   const panels = left.map((panel) => (panel === first ? { ...page.panels[stays], edited: false } : page.panels[panel]));
-  const merges = page.merges
-    .filter((merge) => !merge.some((panel) => group.includes(panel)))
-    .map((merge) => merge.map((panel) => left.indexOf(panel)));
-  return { ...page, panels, merges };
+  return { ...page, panels, merges: otherMerges(page, group, (panel) => left.indexOf(panel)) };
+}
+
+/** The merges without those panels, where their panels are by then. */
+function otherMerges({ merges }: PageDocument, without: readonly number[], moved: (panel: number) => number) {
+  return merges.filter((merge) => !merge.some((panel) => without.includes(panel))).map((merge) => merge.map(moved));
 }
