@@ -1,7 +1,7 @@
 // @ts-check
 /** What a person does and sees: controls by their role and accessible name, files that come and go. */
 
-import { readFile, readdir } from 'node:fs/promises';
+import { readFile, readdir, writeFile } from 'node:fs/promises';
 import { join } from 'node:path';
 import { fileURLToPath } from 'node:url';
 import { Key, Origin, PNG, QUERIES, expect, test as plain } from '../../www/testing.ts';
@@ -43,11 +43,12 @@ export const test = plain.extend(
       try {
         await use(person);
         expect(await person.faults()).toEqual([]);
-      } catch (error) {
-        const seen = await running.driver.takeScreenshot().catch(() => '');
-        await info.attach('seen', { body: Buffer.from(seen, 'base64'), contentType: 'image/png' });
-        throw error;
       } finally {
+        // The runner notes how the test went; `use` throws nothing of it.
+        if (info.status !== info.expectedStatus) {
+          const seen = await running.driver.takeScreenshot().catch(() => '');
+          await writeFile(info.outputPath('seen.png'), seen, 'base64');
+        }
         await running.end();
       }
     },
@@ -55,6 +56,39 @@ export const test = plain.extend(
 );
 
 export { PNG, expect, plain };
+
+/** @param {string} url of a picture, as canvases tell it */
+const decoded = (url) => PNG.sync.read(Buffer.from(url.slice(url.indexOf(',') + 1), 'base64'));
+
+/**
+ * Waits until a picture is what it was; a failure tells how far off it is, and keeps both and their difference.
+ * @param {() => Promise<string>} picture
+ * @param {string} expected
+ */
+export async function becomes(picture, expected) {
+  let actual = '';
+  const same = async () => (actual = await picture()) === expected;
+  try {
+    await expect.poll(same).toBe(true);
+  } catch {
+    const [before, after] = [decoded(expected), decoded(actual)];
+    const difference = new PNG({ width: before.width, height: before.height });
+    let [far, pixels] = [0, 0];
+    if (before.data.length === after.data.length)
+      for (let i = 0; i < before.data.length; i += 1) {
+        const off = Math.abs(before.data[i] - after.data[i]);
+        if (off > 0 && i % 4 < 3) pixels += 1;
+        far = Math.max(far, off);
+        difference.data[i] = i % 4 === 3 ? 255 : Math.min(255, 16 * off);
+      }
+    for (const [name, png] of Object.entries({ expected: before, actual: after, difference }))
+      await writeFile(plain.info().outputPath(`${name}.png`), PNG.sync.write(png));
+    throw new Error(
+      `the picture of ${after.width} by ${after.height} is not the one of ${before.width} by ${before.height} ` +
+        `that it was: ${pixels} samples differ, by ${far} of 255 at most`,
+    );
+  }
+}
 
 /**
  * Stands in the page, beside the library that it asks.

@@ -1,7 +1,7 @@
 // @ts-check
 /** What most people do, from photos to files, in every engine. */
 
-import { PNG, SIX, expect, given, photos, test } from './hands.js';
+import { PNG, SIX, becomes, expect, given, photos, test } from './hands.js';
 
 /** Whether the browser has an encoder of WebP. @param {import('./hands.js').Person} person */
 const writesWebp = (person) =>
@@ -47,7 +47,7 @@ test('a page is made, shuffled, changed by hand, and there again after a reload'
   // The page is there before it is drawn.
   await person.idle();
   expect(await person.shown()).toEqual(shown);
-  await expect.poll(async () => (await person.picture()) === picture).toBe(true);
+  await becomes(() => person.picture(), picture);
   await person.press('Undo');
 });
 
