@@ -9,6 +9,8 @@ import { Alternatives } from '../page/alternatives-strip.tsx';
 import { PageStrip } from '../book/page-strip.tsx';
 import { BottomBar } from './bottom-bar.tsx';
 import { useApp } from '../ui/context.ts';
+import { LanguageChoice } from '../help/language-choice.tsx';
+import { ThemeChoice } from '../help/theme-choice.tsx';
 import { LayoutTools } from '../layouts/layout-tools.tsx';
 import { LayoutsList } from '../layouts/layouts-list.tsx';
 import { PageSettingsForm } from '../page/page-settings-form.tsx';
@@ -98,7 +100,11 @@ function NarrowBoard() {
       {sheet === 'settings' && (
         <Sheet title={strings.pageSettings}>
           <PageSettingsForm />
-          <ActionButton action={actions.window.theme} class="button sheet-theme" text />
+          <div class="sheet-choices">
+            <ThemeChoice />
+            <LanguageChoice />
+            <ActionButton action={actions.window.keys} class="button" text />
+          </div>
         </Sheet>
       )}
       <BottomBar />

@@ -1,6 +1,7 @@
 import { position, versions } from '../document/history.ts';
 import { strings } from '../strings/strings.ts';
 import { useApp } from '../ui/context.ts';
+import { LanguageAndTheme } from '../help/language-and-theme.tsx';
 import { FileInput } from '../photos/file-input.tsx';
 import { ProjectBar } from '../storage/project-bar.tsx';
 import { Workspaces } from './workspaces.tsx';
@@ -26,8 +27,8 @@ export function TopBar() {
       <div class="top-end">
         {page && !compact && <Workspaces />}
         {/* On a small screen it is among the page's settings: the bar has room for eight fingers. */}
-        {(!compact || !page) && <ActionButton action={actions.window.theme} />}
-        {!compact && <ActionButton action={actions.window.keys} />}
+        {(!compact || !page) && <LanguageAndTheme />}
+        {(!compact || !page) && <ActionButton action={actions.window.keys} />}
         {compact && page && (
           <>
             <ActionButton action={actions.window.settings} />

@@ -2,7 +2,9 @@
  * What the window looks like: never part of the document, never undone.
  */
 
-import { computed, effect, signal } from '@preact/signals';
+import { signal } from '@preact/signals';
+import { mediaSignal } from '../ui/media.ts';
+import { createTheme } from '../ui/theme.ts';
 import type { PageDocument } from '../engine/types.ts';
 import type { Signal } from '@preact/signals';
 
@@ -10,10 +12,8 @@ import type { Signal } from '@preact/signals';
 export const SIDE_TABS = ['styles', 'layouts', 'words', 'page'] as const;
 export type SideTab = (typeof SIDE_TABS)[number];
 export type Sheet = 'photos' | 'styles' | 'layouts' | 'words' | 'settings';
-type Theme = 'light' | 'dark';
 export type Ui = ReturnType<typeof createUi>;
 
-const THEME_KEY = 'inkpanel.theme';
 const LETTERS_KEY = 'inkpanel.letters';
 const DETECT_KEY = 'inkpanel.detect';
 const IDEAS_KEY = 'inkpanel.ideas';
@@ -24,17 +24,6 @@ export function createUi(window: Window) {
   const wide = mediaSignal(window, '(min-width: 1000px)');
   /** Whether there is room for words where numbers do. */
   const roomy = mediaSignal(window, '(min-width: 1340px)');
-  const systemDark = mediaSignal(window, '(prefers-color-scheme: dark)');
-  /** The person's choice; null follows the system. */
-  const theme: Signal<Theme | null> = signal(stored(window));
-
-  effect(() => {
-    const root = window.document.documentElement;
-    if (theme.value) root.dataset.theme = theme.value;
-    else delete root.dataset.theme;
-  });
-
-  const dark = computed(() => (theme.value ?? (systemDark.value ? 'dark' : 'light')) === 'dark');
   /** The workspace that lies over the board. */
   const work: Signal<Work | null> = signal(null);
 
@@ -44,6 +33,7 @@ export function createUi(window: Window) {
   const ideas = signal(remembered(window, IDEAS_KEY) !== 'off');
 
   return {
+    ...createTheme(window),
     wide,
     roomy,
     letterKeys,
@@ -58,7 +48,6 @@ export function createUi(window: Window) {
     },
     /** Whether the page has the window to itself. */
     preview: signal(false),
-    dark,
     /** The sheet that is open on a small screen. */
     sheet: signal(null) as Signal<Sheet | null>,
     /** The tab that is open beside the page on a large screen. */
@@ -81,16 +70,7 @@ export function createUi(window: Window) {
     lettered: signal(null) as Signal<PageDocument | null>,
     /** What the views threw when they drew what is in the store. */
     failed: signal(null) as Signal<unknown>,
-    toggleTheme() {
-      theme.value = dark.peek() ? 'light' : 'dark';
-      keep(window, THEME_KEY, theme.value);
-    },
   };
-}
-
-function stored(window: Window): Theme | null {
-  const value = remembered(window, THEME_KEY);
-  return value === 'light' || value === 'dark' ? value : null;
 }
 
 function remembered(window: Window, key: string) {
@@ -107,13 +87,4 @@ function keep(window: Window, key: string, value: string) {
   } catch {
     // Storage may be refused; the choice then lasts as long as the page.
   }
-}
-
-function mediaSignal(window: Window, query: string) {
-  const list = window.matchMedia(query);
-  const value = signal(list.matches);
-  list.addEventListener('change', () => {
-    value.value = list.matches;
-  });
-  return value;
 }

@@ -46,11 +46,6 @@ export function createWindowActions({ ui, designer }: Pick<Parts, 'ui' | 'design
         ui.preview.value = !ui.preview.peek();
       },
     },
-    theme: {
-      label: computed(() => (ui.dark.value ? strings.theme.light : strings.theme.dark)),
-      icon: computed(() => (ui.dark.value ? 'sun' : 'moon')),
-      run: ui.toggleTheme,
-    },
     keys: {
       label: strings.keys,
       keys: ['?'],

@@ -1,7 +1,6 @@
 import { strings } from '../strings/strings.ts';
 import { useApp } from '../ui/context.ts';
 import { Dialog } from '../ui/dialog.tsx';
-import { LanguageChoice } from './language-choice.tsx';
 import { keyLines } from './key-lines.ts';
 
 /** The list of keys. */
@@ -35,7 +34,6 @@ export function KeysDialog() {
         />
         <span>{strings.letterKeys}</span>
       </label>
-      <LanguageChoice />
     </Dialog>
   );
 }

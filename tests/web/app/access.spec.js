@@ -38,15 +38,3 @@ for (const colorScheme of /** @type {const} */ (['light', 'dark'])) {
     });
   });
 }
-
-test('the theme is chosen by hand and remembered', async ({ page }) => {
-  await page.goto('./');
-  const background = () => page.evaluate(() => getComputedStyle(document.body).backgroundColor);
-  const light = await background();
-  await page.getByRole('button', { name: 'Use the dark theme' }).click();
-  const dark = await background();
-  expect(dark).not.toBe(light);
-  await page.reload();
-  await expect(page.getByRole('button', { name: 'Use the light theme' })).toBeVisible();
-  expect(await background()).toBe(dark);
-});

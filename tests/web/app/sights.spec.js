@@ -94,7 +94,7 @@ test.describe('in Spanish', () => {
     await expect(page.getByRole('button', { name: 'Try the sample album' })).toBeVisible();
     await expect(page.locator('html')).toHaveAttribute('lang', 'en');
     await openBoard(page);
-    await page.getByRole('button', { name: 'Keyboard shortcuts' }).click();
+    await page.getByRole('button', { name: 'Language and theme' }).click();
     await page.getByRole('dialog').getByRole('combobox', { name: 'Language' }).selectOption('es');
     // The work is still there.
     await expect(page.getByRole('group', { name: /^Viñeta 1 de/ })).toBeVisible();
