@@ -28,7 +28,7 @@ test('a page is made, shuffled, changed by hand, and there again after a reload'
   expect(await person.shown()).toHaveLength(4);
   const plain = await person.picture();
   await person.take('Styles', 'Noir');
-  expect(await person.picture()).not.toBe(plain);
+  await expect.poll(() => person.picture()).not.toBe(plain);
 
   const panel = await person.one('group', 'Panel 2 of 4');
   await panel.click();
@@ -36,7 +36,7 @@ test('a page is made, shuffled, changed by hand, and there again after a reload'
   await person.press('Zoom in');
   const near = await person.picture();
   await person.drag(panel, [40, 30]);
-  expect(await person.picture()).not.toBe(near);
+  await expect.poll(() => person.picture()).not.toBe(near);
   await person.driver.actions().sendKeys(person.Key.ESCAPE).perform();
 
   await person.say('GUTEN TAG');

@@ -1,10 +1,11 @@
 /**
- * The wasm module: compiled once here, instantiated on the main thread for planning and in each worker for pixels.
+ * The wasm module: instantiated on the main thread for planning and in each worker for pixels.
  */
 
 import initCore, * as core from '../pkg/inkpanel.js';
 import { expanded, interned } from './interned.ts';
 import { failure } from './protocol.ts';
+import type { Program } from './protocol.ts';
 import type {
   Block,
   BreedRequest,
@@ -44,18 +45,27 @@ const SPARE_PHOTOS = 500;
 
 const ADDRESS = new URL('../pkg/inkpanel_bg.wasm', import.meta.url);
 
-async function compile(): Promise<WebAssembly.Module> {
+/**
+ * Whether threads may run the code of one module. JavaScriptCore (seen in 2.50, Safari 26) replaces the code of hot
+ * functions while other threads run it: now and then they then trap, or calculate nonsense. Elsewhere to share spares
+ * the work and the memory of compiling it again.
+ */
+const SHARES = !navigator.vendor?.startsWith('Apple');
+
+async function load(): Promise<Program> {
   const response = await fetch(ADDRESS);
   if (!response.ok) throw failure('core-missing', `The program could not be loaded (${response.status}).`);
   // A static host may serve wasm under any content type, which streaming would refuse.
   const streams = response.headers.get('content-type')?.startsWith('application/wasm');
-  return streams ? WebAssembly.compileStreaming(response) : WebAssembly.compile(await response.arrayBuffer());
+  if (SHARES && streams) return WebAssembly.compileStreaming(response);
+  const bytes = await response.arrayBuffer();
+  return SHARES ? WebAssembly.compile(bytes) : bytes;
 }
 
-export async function loadCore(): Promise<{ module: WebAssembly.Module; planner: Planner }> {
-  const module = await compile();
-  await initCore({ module_or_path: module });
-  return { module, planner: createPlanner() };
+export async function loadCore(): Promise<{ program: Program; planner: Planner }> {
+  const program = await load();
+  await initCore({ module_or_path: program });
+  return { program, planner: createPlanner() };
 }
 
 export type Planner = ReturnType<typeof createPlanner>;

@@ -21,7 +21,7 @@ import { createWords } from './words.ts';
 import type { Detection } from './types.ts';
 import type { Block, Layout, PageDocument, Style } from './types.ts';
 import type { Job, Pool } from './pool.ts';
-import type { Imported, Operations, PixelPatch, Start } from './protocol.ts';
+import type { Imported, Operations, PixelPatch, Program, Start } from './protocol.ts';
 import type { Frame } from './video.ts';
 
 export type Call = { signal?: AbortSignal; priority?: number; key?: string };
@@ -43,10 +43,10 @@ export function createEngine({ workers = navigator.hardwareConcurrency || 2 }: {
   let pool: Pool | undefined;
   let imported = 0;
 
-  const ready = loadCore().then(({ module, planner }) => {
+  const ready = loadCore().then(({ program, planner }) => {
     const budget = Math.max(LEAST_BUDGET, PHOTO_BUDGET / size);
-    pool = createPool({ size, spawn: () => spawn(module, budget) });
-    design.prepare(() => spawn(module, LEAST_BUDGET));
+    pool = createPool({ size, spawn: () => spawn(program, budget) });
+    design.prepare(() => spawn(program, LEAST_BUDGET));
     return planner;
   });
   // Whoever awaits it is told; nobody has to.
@@ -236,8 +236,8 @@ export function createEngine({ workers = navigator.hardwareConcurrency || 2 }: {
   }
 }
 
-function spawn(module: WebAssembly.Module, budget: number) {
+function spawn(program: Program, budget: number) {
   const worker = new Worker(new URL('./worker.ts', import.meta.url), { type: 'module', name: 'inkpanel' });
-  worker.postMessage({ start: { module, budget } satisfies Start });
+  worker.postMessage({ start: { program, budget } satisfies Start });
   return worker;
 }

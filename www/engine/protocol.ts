@@ -23,8 +23,11 @@ export type PixelPatch = Bounds & { data: Uint8ClampedArray<ArrayBuffer> };
 /** What the workers of a pool do: the arguments of each operation, and its answer. */
 export type Table = { [op: string]: { args: unknown; ok: unknown } };
 
+/** What an instance is made of: a compiled module that all threads share, or the bytes that each compiles. */
+export type Program = WebAssembly.Module | ArrayBuffer;
+
 /** What a worker of the pool is told once, as `{ start }`. */
-export type Start = { module: WebAssembly.Module; budget: number };
+export type Start = { program: Program; budget: number };
 
 /** Its operations. */
 export type Operations = {

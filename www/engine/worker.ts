@@ -25,8 +25,8 @@ serveJobs<Operations, Start>(
   },
 );
 
-async function start({ module, budget }: Start) {
-  await initCore({ module_or_path: module });
+async function start({ program, budget }: Start) {
+  await initCore({ module_or_path: program });
   const studio = new Studio();
   return { studio, operations: createOperations(studio, createLru(budget)) };
 }
