@@ -5,6 +5,7 @@
 #![allow(clippy::missing_errors_doc)]
 
 use crate::raster::Image;
+use crate::raster::animation;
 use crate::raster::decode::{Limits, decode};
 use crate::wasm_error::thrown;
 use wasm_bindgen::prelude::*;
@@ -52,6 +53,54 @@ impl Converted {
     #[must_use]
     pub fn take(&mut self) -> Vec<u8> {
         std::mem::take(&mut self.file)
+    }
+}
+
+/// An animated GIF or WebP file, picture by picture.
+#[wasm_bindgen]
+pub struct Animation {
+    pictures: animation::Animation,
+}
+
+#[wasm_bindgen]
+impl Animation {
+    /// Opens a file. Throws `unknown-format`, `damaged` and `too-large`.
+    #[wasm_bindgen(constructor)]
+    pub fn new(bytes: Vec<u8>) -> std::result::Result<Animation, JsValue> {
+        let pictures = animation::Animation::new(bytes, &Limits::default()).map_err(thrown)?;
+        Ok(Self { pictures })
+    }
+
+    /// Goes on to the next picture; false when there is none. Throws `damaged` where the file breaks off.
+    pub fn advance(&mut self) -> std::result::Result<bool, JsValue> {
+        self.pictures.advance().map_err(thrown)
+    }
+
+    /// The picture that was gone on to, laid on white, in sRGB.
+    pub fn picture(&mut self) -> std::result::Result<Picture, JsValue> {
+        let image = self.pictures.picture().map_err(thrown)?;
+        Ok(Picture { width: image.width(), height: image.height(), rgba: image.to_rgba() })
+    }
+}
+
+/// One picture of an animation.
+#[wasm_bindgen]
+pub struct Picture {
+    /// In pixels.
+    #[wasm_bindgen(readonly)]
+    pub width: usize,
+    /// In pixels.
+    #[wasm_bindgen(readonly)]
+    pub height: usize,
+    rgba: Vec<u8>,
+}
+
+#[wasm_bindgen]
+impl Picture {
+    /// Its RGBA, which is given away.
+    #[must_use]
+    pub fn take(&mut self) -> Vec<u8> {
+        std::mem::take(&mut self.rgba)
     }
 }
 

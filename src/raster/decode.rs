@@ -162,7 +162,7 @@ fn read_rare(
 /// What the EXIF record of a WebP file says, and its ICC profile, as they stand in the file: its decoder would copy them
 /// at any length.
 #[cfg(feature = "rare")]
-fn records_of_webp(bytes: &[u8]) -> (Exif, Option<Vec<u8>>) {
+pub(super) fn records_of_webp(bytes: &[u8]) -> (Exif, Option<Vec<u8>>) {
     let (mut exif, mut profile) = (Exif::default(), None);
     let mut rest = bytes.get(12..).unwrap_or_default();
     while let Some((kind, after)) = rest.split_first_chunk::<4>() {
@@ -263,7 +263,7 @@ fn too_large(width: u32, height: u32, limit: String) -> Error {
     Error::TooLarge { width: width.into(), height: height.into(), limit }
 }
 
-fn explained(error: ImageError, format: &'static str) -> Error {
+pub(super) fn explained(error: ImageError, format: &'static str) -> Error {
     match error {
         ImageError::Unsupported(reason) => Error::Unsupported { format, reason: reason.to_string() },
         ImageError::Limits(_) => Error::damaged(format, "it asks for more memory than its size explains"),

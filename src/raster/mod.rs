@@ -1,5 +1,7 @@
 //! Pixels: containers, decoding, resampling and colour. Lies under every stage and knows none of them.
 
+#[cfg(feature = "rare")]
+pub mod animation;
 mod axis;
 pub mod color;
 #[cfg(feature = "pages")]

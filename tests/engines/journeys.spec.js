@@ -140,7 +140,6 @@ test('photos that come from few cameras are read', async ({ person }) => {
 });
 
 test('the pictures of animations lie on the table', async ({ person }) => {
-  test.skip(!(await person.inPage(() => 'ImageDecoder' in window)), 'this browser decodes the first picture alone');
   await person.begin([animations('kept.gif'), animations('lossless.webp'), SIX[0]]);
   for (const name of [/^Use kept\.gif, 0:0/, /^Use lossless\.webp, 0:0/])
     await expect.poll(async () => (await person.all('checkbox', name)).length, String(name)).toBe(4);

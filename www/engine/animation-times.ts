@@ -11,9 +11,8 @@ const MOST_BYTES = 256 * 2 ** 20;
 /** What browsers take for a delay of 10 ms or less, in seconds. */
 const SHORTEST = 0.1;
 
-/** Whether a file is worth a look: without WebCodecs only the first picture of an animation can be read, as a photo. */
+/** Whether a file is worth a look. */
 export function mayMove(file: Blob & { name?: string }): boolean {
-  if (typeof ImageDecoder === 'undefined') return false;
   return /^image\/(gif|webp)$/.test(file.type) || /\.(gif|webp)$/i.test(file.name ?? '');
 }
 

@@ -1,14 +1,21 @@
 /**
  * Takes pictures out of one animated GIF or WebP file and ends with it. A worker of its own, so that it can be stopped
- * at any moment; the protocol is that of `frame-sender.ts`.
+ * at any moment; the protocol is that of `frame-sender.ts`. They are decoded here, not by the browser: Safari gives
+ * the first alone.
  */
 
 import { endsOf } from './animation-times.ts';
-import { rgbaOf } from './frame-pixels.ts';
 import { mayGoOn, sendFrame, serveFrames } from './frame-sender.ts';
 import { failure } from './protocol.ts';
+import { decoders } from './rare.ts';
 import { runs, sampleTimes } from './sample-times.ts';
+import type { Animation } from '../pkg-decoders/inkpanel.js';
 import type { FileWish } from './frame-sender.ts';
+
+/** Pictures that one passes on the way to those wanted first are kept up to so many bytes, or decoded again. */
+const MOST_KEPT = 64 * 2 ** 20;
+
+type Picture = { width: number; height: number; data: Uint8Array<ArrayBuffer> };
 
 serveFrames(read);
 
@@ -16,25 +23,41 @@ async function read({ file, count, start, end, leading }: FileWish) {
   const bytes = new Uint8Array(await file.arrayBuffer());
   const ends = endsOf(bytes);
   const duration = ends[ends.length - 1] ?? 0;
-  const decoder = new ImageDecoder({ type: bytes[0] === 0x47 ? 'image/gif' : 'image/webp', data: bytes });
+  const { Animation } = await decoders();
   postMessage({ about: { duration } });
   const times = sampleTimes({ first: 0, duration, count, start, end });
-  const sent = new Set();
+  /** The picture of each time. A slow animation may show one at two of them, and gives it once. */
+  const shown = times.map((time) => {
+    const later = ends.findIndex((till) => time < till);
+    return later < 0 ? ends.length - 1 : later;
+  });
+  const left = new Set(shown);
+  const kept = new Map<number, Picture>();
+  let room = MOST_KEPT;
+
   for (const run of runs(times.length, leading)) {
+    // Each picture is laid on those before it, so that a run begins with the first.
+    const animation = new Animation(bytes);
+    let number = -1;
     for (const index of run) {
-      const later = ends.findIndex((till) => times[index] < till);
-      const frameIndex = later < 0 ? ends.length - 1 : later;
-      // A slow animation may show one picture at two of the times.
-      if (sent.has(frameIndex)) continue;
-      const picture = await decoder.decode({ frameIndex }).then(
-        ({ image }) => image,
-        () => null,
-      );
+      const target = shown[index];
+      if (!left.has(target)) continue;
+      let picture = kept.get(target) ?? null;
+      while (!picture && number < target && advanced(animation)) {
+        number += 1;
+        if (number === target) picture = taken(animation);
+        else if (left.has(number) && !kept.has(number) && room > 0) {
+          const passed = taken(animation);
+          room -= passed.data.length;
+          kept.set(number, passed);
+        }
+      }
       // A file that breaks off ends with its last whole picture.
       if (!picture) break;
-      sent.add(frameIndex);
+      left.delete(target);
+      kept.delete(target);
       await mayGoOn();
-      const { width, height, data } = await rgbaOf(picture);
+      const { width, height, data } = picture;
       sendFrame({
         index,
         time: times[index],
@@ -46,6 +69,24 @@ async function read({ file, count, start, end, leading }: FileWish) {
         data,
       });
     }
+    animation.free();
   }
-  if (sent.size === 0) throw failure('damaged', 'The animation is damaged or cut short.');
+  if (left.size === new Set(shown).size) throw failure('damaged', 'The animation is damaged or cut short.');
+}
+
+/** Whether there is one more whole picture. */
+function advanced(animation: Animation): boolean {
+  try {
+    return animation.advance();
+  } catch {
+    return false;
+  }
+}
+
+function taken(animation: Animation): Picture {
+  const picture = animation.picture();
+  const { width, height } = picture;
+  const data = picture.take() as Uint8Array<ArrayBuffer>;
+  picture.free();
+  return { width, height, data };
 }

@@ -33,17 +33,22 @@ export function rareKind(bytes: Uint8Array): 'GIF' | 'TIFF' | 'WebP' | null {
 
 /** @throws with the codes of the core's decoders, and `decoders-missing` */
 export async function converted(bytes: Uint8Array<ArrayBuffer>): Promise<Converted> {
-  loaded ??= load().catch((error) => {
-    loaded = undefined;
-    throw error;
-  });
-  const photo = new (await loaded).Converted(bytes);
+  const photo = new (await decoders()).Converted(bytes);
   try {
     const { format, taken = null } = photo;
     return { file: photo.take() as Uint8Array<ArrayBuffer>, format, taken };
   } finally {
     photo.free();
   }
+}
+
+/** @throws `decoders-missing` */
+export function decoders(): Promise<Decoders> {
+  loaded ??= load().catch((error) => {
+    loaded = undefined;
+    throw error;
+  });
+  return loaded;
 }
 
 async function load(): Promise<Decoders> {
