@@ -50,7 +50,7 @@ const ADDRESS = new URL('../pkg/inkpanel_bg.wasm', import.meta.url);
  * functions while other threads run it: now and then they then trap, or calculate nonsense. Elsewhere to share spares
  * the work and the memory of compiling it again.
  */
-const SHARES = !navigator.vendor?.startsWith('Apple');
+const SHARES = !globalThis.navigator?.vendor?.startsWith('Apple');
 
 async function load(): Promise<Program> {
   const response = await fetch(ADDRESS);

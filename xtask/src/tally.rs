@@ -38,18 +38,19 @@ pub(crate) fn count(command: &mut Command) -> Result<(Tally, bool)> {
 }
 
 /// The counts of one line: `test result: ok. 5 passed; 0 failed; …` of cargo, `Tests  1 failed | 4 passed (5)`
-/// of Vitest, or `5 passed (2.1s)` and `1 failed` of Playwright. Any other line counts nothing.
+/// of Vitest, or `5 passed (2.1s)`, `1 failed` and `1 flaky` (passed when tried again) of Playwright. Any other line counts
+/// nothing.
 fn summary(line: &str) -> Tally {
     let words: Vec<&str> = line.split_whitespace().collect();
     let number = |word: &str| word.parse::<usize>().ok();
     let of_runner = line.starts_with("test result:")
         || words.first() == Some(&"Tests")
-        || matches!(words.as_slice(), [n, "failed"] | [n, "passed", _] if number(n).is_some());
+        || matches!(words.as_slice(), [n, "failed" | "flaky"] | [n, "passed", _] if number(n).is_some());
     let mut tally = Tally::default();
     if of_runner {
         for pair in words.windows(2) {
             match (number(pair[0]), pair[1].trim_end_matches(';')) {
-                (Some(passed), "passed") => tally.passed += passed,
+                (Some(passed), "passed" | "flaky") => tally.passed += passed,
                 (Some(failed), "failed") => tally.failed += failed,
                 _ => {}
             }
@@ -91,6 +92,7 @@ mod tests {
         assert_eq!(counts("      Tests  1 failed | 11 passed (12)"), (11, 1));
         assert_eq!(counts("  7 passed (3.4s)"), (7, 0));
         assert_eq!(counts("  2 failed"), (0, 2));
+        assert_eq!(counts("  1 flaky"), (1, 0));
     }
 
     #[test]
