@@ -9,7 +9,7 @@ import { Broken } from '../storage/broken.tsx';
 import { PagesWall } from '../book/pages-wall.tsx';
 import { Projects } from '../storage/projects-dialog.tsx';
 import { Guard } from './guard.tsx';
-import { KeysDialog } from '../help/keys-dialog.tsx';
+import { HelpDialog } from '../help/help-dialog.tsx';
 import { Start } from './start.tsx';
 import { Toasts } from './toasts.tsx';
 import { TopBar } from './top-bar.tsx';
@@ -68,7 +68,7 @@ function Everything() {
       {!empty && ui.work.value === 'pages' && <PagesWall />}
       {projects && <Projects />}
       <Toasts />
-      {dialog === 'keys' && <KeysDialog />}
+      {dialog === 'help' && <HelpDialog />}
       {dialog === 'export' && store.page.value && <ExportDialog />}
       {dragging.value && (
         <div class="drop-veil">

@@ -103,7 +103,7 @@ function NarrowBoard() {
           <div class="sheet-choices">
             <ThemeChoice />
             <LanguageChoice />
-            <ActionButton action={actions.window.keys} class="button" text />
+            <ActionButton action={actions.window.help} class="button" text />
           </div>
         </Sheet>
       )}

@@ -87,7 +87,7 @@ test('keys are left to fields, to what has the focus, to dialogs and to Alt', ()
   press(' ', on('button'));
   press('l', { altKey: true });
   press('+');
-  ui.dialog.value = 'keys';
+  ui.dialog.value = 'help';
   press('l');
   expect(ran()).toEqual([]);
 });

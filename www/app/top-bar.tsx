@@ -28,7 +28,7 @@ export function TopBar() {
         {page && !compact && <Workspaces />}
         {/* On a small screen it is among the page's settings: the bar has room for eight fingers. */}
         {(!compact || !page) && <LanguageAndTheme />}
-        {(!compact || !page) && <ActionButton action={actions.window.keys} />}
+        {(!compact || !page) && <ActionButton action={actions.window.help} />}
         {compact && page && (
           <>
             <ActionButton action={actions.window.settings} />

@@ -63,7 +63,7 @@ export function createUi(window: Window) {
     subjects: signal(false),
     /** A photo of the stack that is open. */
     stack: signal(null) as Signal<string | null>,
-    dialog: signal(null) as Signal<'keys' | 'export' | null>,
+    dialog: signal(null) as Signal<'help' | 'export' | null>,
     /** The page that is on the screen with all its panels; null while work for it is going on. */
     painted: signal(null) as Signal<PageDocument | null>,
     /** The page whose words are all on the screen, likewise. */

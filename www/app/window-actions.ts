@@ -46,13 +46,14 @@ export function createWindowActions({ ui, designer }: Pick<Parts, 'ui' | 'design
         ui.preview.value = !ui.preview.peek();
       },
     },
-    keys: {
-      label: strings.keys,
+    help: {
+      label: strings.help,
+      short: strings.helpShort,
       keys: ['?'],
       about: strings.keyAbout.list,
       icon: 'help',
       run: () => {
-        ui.dialog.value = 'keys';
+        ui.dialog.value = 'help';
       },
     },
   } satisfies Record<string, Action>;

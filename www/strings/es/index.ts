@@ -6,6 +6,7 @@ import { describingStrings } from './describing.ts';
 import { designerStrings } from './designer.ts';
 import { exportStrings } from './export.ts';
 import { faultStrings } from './faults.ts';
+import { helpStrings } from './help.ts';
 import { keepingStrings } from './keeping.ts';
 import { keyStrings } from './keys.ts';
 import { offlineStrings } from './offline.ts';
@@ -35,6 +36,7 @@ export const words: Words = {
   ...exportStrings,
   ...pngStrings,
   ...keyStrings,
+  ...helpStrings,
   ...faultStrings,
   ...describingStrings,
 };

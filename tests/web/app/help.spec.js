@@ -1,0 +1,77 @@
+// @ts-check
+/** The help: found by a word, read by everyone. */
+
+import { accessible, expect, idle, openBoard, test } from './support.js';
+
+/** @typedef {import('../../../www/testing.ts').Page} Page */
+
+/** @param {Page} page */
+const help = (page) => page.getByRole('dialog', { name: 'Help and keyboard shortcuts' });
+
+/** @param {Page} page */
+async function open(page) {
+  await page.goto('./');
+  await idle(page);
+  await page.getByRole('button', { name: 'Help and keyboard shortcuts' }).click();
+  return { dialog: help(page), search: help(page).getByRole('searchbox', { name: 'Search help' }) };
+}
+
+for (const [width, colorScheme] of /** @type {const} */ ([
+  [1280, 'light'],
+  [360, 'dark'],
+])) {
+  test(`topics and keys are found by a word, ${width} pixels wide and ${colorScheme}`, async ({ page }) => {
+    await page.setViewportSize({ width, height: 740 });
+    await page.emulateMedia({ colorScheme });
+    const { dialog, search } = await open(page);
+    await expect(search).toBeFocused();
+    expect(await dialog.locator('summary').count()).toBeGreaterThan(15);
+    await expect(dialog.getByText('Drop photos or films anywhere')).toBeHidden();
+    await dialog.getByText('Adding photos and films').click();
+    await expect(dialog.getByText('Drop photos or films anywhere')).toBeVisible();
+    await accessible(page);
+    await search.fill('BALLÓON');
+    await expect(dialog.getByText('you add a caption, a balloon')).toBeVisible();
+    await expect(dialog.locator('summary')).toHaveCount(1);
+    await expect(dialog.getByRole('status')).toHaveText('Found: 1 topic, 0 shortcuts');
+    await search.fill('undo');
+    await expect(dialog.getByRole('term').filter({ hasText: 'Ctrl' })).toBeVisible();
+    await accessible(page);
+    await search.fill('zzz');
+    await expect(dialog.getByRole('status')).toContainText('Nothing here about “zzz”.');
+    await accessible(page);
+    await dialog.getByRole('button', { name: 'Show all topics' }).click();
+    expect(await dialog.locator('summary').count()).toBeGreaterThan(15);
+    expect(await dialog.evaluate((element) => element.scrollWidth - element.clientWidth)).toBe(0);
+  });
+}
+
+test('Escape leaves the help, from a field with words in it too, and the focus goes back', async ({ page }) => {
+  const { dialog, search } = await open(page);
+  await search.fill('page');
+  await search.press('Escape');
+  await expect(dialog).toHaveCount(0);
+  await expect(page.getByRole('button', { name: 'Help and keyboard shortcuts' })).toBeFocused();
+});
+
+test('in the help a key shuffles nothing', async ({ page }) => {
+  await openBoard(page, ['cat.jpg']);
+  await page.keyboard.press('?');
+  await page.keyboard.type('s l p');
+  await expect(help(page).getByRole('searchbox')).toHaveValue('s l p');
+  await page.keyboard.press('Escape');
+  await idle(page);
+  await expect(page.getByRole('button', { name: 'Undo' })).toBeDisabled();
+});
+
+test.describe('on a phone', () => {
+  test.use({ viewport: { width: 360, height: 740 }, hasTouch: true, isMobile: true });
+
+  test('the help is among the settings of the page, and calls up no keyboard', async ({ page }) => {
+    await openBoard(page, ['cat.jpg']);
+    await page.getByRole('button', { name: 'Page settings' }).tap();
+    await page.getByRole('button', { name: 'Help and keyboard shortcuts' }).tap();
+    await expect(help(page)).toBeVisible();
+    await expect(help(page).getByRole('searchbox')).not.toBeFocused();
+  });
+});

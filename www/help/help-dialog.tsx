@@ -1,0 +1,97 @@
+/** Help: what can be done, topic by topic, and by which keys; all of it found by a word. */
+
+import { useState } from 'preact/hooks';
+import { strings } from '../strings/strings.ts';
+import { useApp } from '../ui/context.ts';
+import { Dialog } from '../ui/dialog.tsx';
+import { keyLines } from './key-lines.ts';
+import { allTopics, searchHelp } from './searching.ts';
+import type { Topic } from './searching.ts';
+import type { KeyLine } from './key-lines.ts';
+
+/** A field with the focus calls up the keyboard of a phone, which hides the topics. */
+const byHand = () => window.matchMedia('(pointer: coarse)').matches;
+
+export function HelpDialog() {
+  const { ui, actions } = useApp();
+  const [sought, setSought] = useState('');
+  const { topics, lines } = searchHelp(sought, allTopics(), keyLines(actions));
+  const searching = sought.trim() !== '';
+  const none = topics.length + lines.length === 0;
+  const close = () => {
+    ui.dialog.value = null;
+  };
+  return (
+    <Dialog title={strings.help} class="help-dialog" onClose={close}>
+      <input
+        type="search"
+        class="search"
+        aria-label={strings.searchHelp}
+        placeholder={strings.searchHelp}
+        autocomplete="off"
+        spellcheck={false}
+        autofocus={!byHand()}
+        value={sought}
+        onInput={({ currentTarget }) => setSought(currentTarget.value)}
+        onKeyDown={(event) => {
+          // Else the browser would only empty the field.
+          if (event.key === 'Escape') close();
+        }}
+      />
+      <p class="help-found quiet" role="status">
+        {none ? strings.helpNone(sought.trim()) : searching ? strings.helpFound(topics.length, lines.length) : ''}
+      </p>
+      {none && (
+        <button type="button" class="button" onClick={() => setSought('')}>
+          {strings.allTopics}
+        </button>
+      )}
+      {topics.length > 0 && <Topics of={topics} open={searching} />}
+      {lines.length > 0 && <Keys of={lines} />}
+      {!searching && (
+        <label class="letter-keys">
+          <input
+            type="checkbox"
+            checked={ui.letterKeys.value}
+            onChange={({ currentTarget }) => ui.useLetterKeys(currentTarget.checked)}
+          />
+          <span>{strings.letterKeys}</span>
+        </label>
+      )}
+    </Dialog>
+  );
+}
+
+/** One that was found is open; of the others a person opens what they want to read. */
+function Topics({ of, open }: { of: readonly Topic[]; open: boolean }) {
+  return (
+    <section class="help-topics" aria-label={strings.helpTopics}>
+      {of.map(({ id, title, text }) => (
+        <details key={`${id} ${open}`} open={open}>
+          <summary>{title}</summary>
+          <p>{text}</p>
+        </details>
+      ))}
+    </section>
+  );
+}
+
+function Keys({ of }: { of: readonly KeyLine[] }) {
+  return (
+    <section class="help-keys">
+      <h3>{strings.keys}</h3>
+      <dl class="keys">
+        {of.map(({ keys, does }) => (
+          <div key={does}>
+            <dt>
+              {keys.map((key) => (
+                <kbd key={key}>{key}</kbd>
+              ))}
+            </dt>
+            <dd>{does}</dd>
+          </div>
+        ))}
+      </dl>
+    </section>
+  );
+}

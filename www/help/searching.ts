@@ -1,0 +1,53 @@
+/** The help that is searched for: whatever the case, and with accents or without. */
+
+import { strings } from '../strings/strings.ts';
+import type { KeyLine } from './key-lines.ts';
+
+export type Topic = { id: string; title: string; text: string };
+
+export function allTopics(): Topic[] {
+  return Object.entries(strings.topics).map(([id, topic]) => ({ id, ...topic }));
+}
+
+/**
+ * @param sought words; what has all of them is found, nothing is asked for by none
+ * @returns topics that have them in the title first
+ */
+export function searchHelp(
+  sought: string,
+  topics: readonly Topic[],
+  lines: readonly KeyLine[],
+): { topics: Topic[]; lines: KeyLine[] } {
+  const words = plain(sought)
+    .split(/\s+/)
+    .filter((word) => word !== '');
+  const has = (text: string) => words.every((word) => plain(text).includes(word));
+  const begins = (text: string) => words.every((word) => beginsIn(plain(text), word));
+  const found = topics.filter(({ title, text }) => has(`${title} ${text}`));
+  // A lock is no block; but where nothing begins so, a part of a compound may be meant.
+  const near = found.filter(({ title, text }) => begins(`${title} ${text}`));
+  return {
+    topics: [...(near.length > 0 ? near : found)].sort((a, b) => Number(has(b.title)) - Number(has(a.title))),
+    lines: lines.filter(({ keys, does }) => has(`${does} ${keys.join(' ')}`)),
+  };
+}
+
+/** @returns whether a word of the text begins so; where words are not written apart, whether it is in it */
+function beginsIn(text: string, word: string): boolean {
+  if (!/^\p{Script=Latin}/u.test(word)) return text.includes(word);
+  for (let at = text.indexOf(word); at >= 0; at = text.indexOf(word, at + 1))
+    if (!/[\p{L}\p{N}]$/u.test(text.slice(0, at))) return true;
+  return false;
+}
+
+/** Letters without their accents; a voiced kana is another letter than the plain one, and stays what it is. */
+function plain(text: string): string {
+  return text
+    .normalize('NFKD')
+    .replace(/[\u0300-\u036f]/g, '')
+    .normalize('NFC')
+    .toLocaleLowerCase()
+    .replaceAll('ß', 'ss')
+    .replaceAll('œ', 'oe')
+    .replaceAll('’', "'");
+}

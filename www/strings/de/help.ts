@@ -1,0 +1,123 @@
+import { boardStrings as board } from './board.ts';
+import { bookStrings } from './book.ts';
+import { designerStrings as designer } from './designer.ts';
+import { keepingStrings as keeping } from './keeping.ts';
+import { offlineStrings } from './offline.ts';
+import { panelStrings as panels } from './panels.ts';
+import { photoStrings as photos } from './photos.ts';
+import { pngStrings } from './png.ts';
+import { sideStrings as side } from './side.ts';
+import { startStrings } from './start.ts';
+import { wordStrings as words } from './words.ts';
+
+const { book } = bookStrings;
+
+export const helpStrings = {
+  help: 'Hilfe und Tastenkürzel',
+  helpShort: 'Hilfe',
+  searchHelp: 'Hilfe durchsuchen',
+  helpTopics: 'Themen',
+  helpFound: (topics: number, keys: number) =>
+    `Gefunden: ${topics === 1 ? '1 Thema' : `${topics} Themen`}, ${keys === 1 ? '1 Kürzel' : `${keys} Kürzel`}`,
+  helpNone: (text: string) =>
+    `Über „${text}“ steht hier nichts. Versuch ein anderes Wort, oder sieh alle Themen durch.`,
+  allTopics: 'Alle Themen zeigen',
+  hintsAgain: 'Die Tipps noch einmal zeigen',
+  hint: {
+    shuffle: 'Misch, bis es dir gefällt. Jede Seite, die du gesehen hast, lässt sich zurückholen.',
+    crop: 'Zieh, um das Bild zu verschieben, und dreh das Mausrad, um zu zoomen.',
+    cropTouch: 'Zieh, um das Bild zu verschieben, und zoome mit zwei Fingern.',
+    lock: 'Fixiere, was bleiben soll. Der Rest ändert sich weiter.',
+  },
+  closeHint: 'Tipp schließen',
+  topics: {
+    adding: {
+      title: 'Fotos und Filme hinzufügen',
+      text: `Lege Fotos oder Filme irgendwo auf dem Fenster ab, füge sie aus der Zwischenablage ein oder drücke „${photos.addPhotos}“. Willst du dich erst umsehen, nimm „${startStrings.trySamples}“. Weitere kannst du jederzeit hinzufügen.`,
+    },
+    films: {
+      title: 'Einzelbilder eines Films',
+      text: `Aus einem Film nimmt Inkpanel einige Einzelbilder, die dann Fotos wie alle anderen sind. Drücke in der Liste der Fotos auf seinen Namen, um Anfang, Ende und Anzahl zu wählen; „${photos.takeFrames}“ übernimmt sie. Ein Panel mit einem Einzelbild kann auf ein früheres oder späteres wechseln.`,
+    },
+    shuffle: {
+      title: 'Mischen',
+      text: `„${board.shuffle}“ macht aus deinen Fotos eine neue Seite, mit anderem Layout und anderem Stil. Daneben ändern „${board.part.layout}“, „${board.part.style}“ und „${board.part.photos}“ nur diesen Teil. Auf dem Handy kannst du die Seite auch zur Seite wischen.`,
+    },
+    locks: {
+      title: 'Fixieren, was bleiben soll',
+      text: `Das Schloss neben „${board.part.layout}“, „${board.part.style}“ oder „${board.part.photos}“ hält diesen Teil fest, während du den Rest mischst. „${panels.lockPanel}“ behält das Foto eines Panels mit seinem Ausschnitt. Ein Foto mit Stern wird groß gezeigt, hier und bei jedem Mischen.`,
+    },
+    versions: {
+      title: 'Zurückgehen und Lieblingsseiten',
+      text: `„${board.undo}“ und „${board.redo}“ gehen durch alles, was du getan hast. „${board.previous}“ und „${board.next}“ gehen durch die Seiten, die du gesehen hast; die Zahl dazwischen zeigt sie alle. Das Herz merkt eine Seite als Lieblingsseite vor.`,
+    },
+    ideas: {
+      title: 'Weitere Ideen',
+      text: `Der Streifen unter der Seite, „${side.moreIdeas}“, zeigt andere Seiten aus denselben Fotos. Ein Klick übernimmt eine davon. Zeig auf eine, um sie groß zu sehen.`,
+    },
+    layouts: {
+      title: 'Layouts',
+      text: `Wähle ein Layout nach Familie und Zahl der Panels; „${side.surprise}“ erfindet eines. Mit „${side.editLayout}“ ziehst und neigst du die Schnitte zwischen den Panels und teilst oder entfernst Panels. „${side.saveLayout}“ speichert es als Datei und legt es unter „${side.myLayouts}“ ab.`,
+    },
+    joining: {
+      title: 'Panels zusammenlegen und ein Foto über mehrere Panels',
+      text: `Schalte „${panels.selectPanels}“ ein und wähle Panels, die sich berühren. „${panels.joinPanels}“ macht eines daraus, wenn sie zusammen die Form eines einzelnen haben. „${panels.merge}“ lässt die Panels stehen, und ein Bild geht durch alle; „${panels.split}“ trennt sie wieder.`,
+    },
+    crop: {
+      title: 'Ein Bild verschieben und zoomen',
+      text: `Zieh das Bild in seinem Panel, um es zu verschieben; mit dem Mausrad oder zwei Fingern zoomst du. Tippe bei Berührung das Panel zuerst an. Ein Doppelklick passt ein, worum es im Bild geht. „${panels.resetCrop}“ führt zu dem zurück, was die Seite wählen würde.`,
+    },
+    exchange: {
+      title: 'Fotos tauschen',
+      text: `Zieh ein Bild aus seinem Panel auf ein anderes, und die beiden tauschen den Platz; „${panels.swapPhoto}“ tut dasselbe mit Klicks. Klick ein Foto in der Liste an, dann ein Panel, und das Foto kommt dorthin. Nimm bei einem Foto in der Liste den Haken weg, um es auszulassen.`,
+    },
+    styles: {
+      title: 'Stile',
+      text: `Jeder Stil ist an einem deiner Fotos zu sehen. Suche nach dem Namen oder wähle eine Art; deine Favoriten und die zuletzt benutzten stehen vorn. „${designer.styleShuffle}“ sagt, woraus „${board.shuffle}“ schöpft.`,
+    },
+    designer: {
+      title: 'Einen Stil machen: der Designer',
+      text: `Ein Stil hat zwei Ebenen, eine für die Farben und eine für die Linien, und jede ist eine Reihe von Bausteinen. „${designer.addBlock}“ fügt einen hinzu, seine Regler verändern ihn, und „${designer.compare}“ zeigt, was geschehen ist. „${designer.saveStyle}“ legt ihn unter „${designer.myStyles}“ ab.`,
+    },
+    explorer: {
+      title: 'Einen Stil finden: der Explorer',
+      text: `„${designer.generate}“ denkt sich Stile aus und zeigt sie an deinem eigenen Foto. Merke dir mit dem Herz, was dir gefällt, mach mit „${designer.breed}“ aus zweien neue und setze mit „${designer.useStyle}“ einen auf die Seite. Jeden davon kannst du im Designer verändern.`,
+    },
+    words: {
+      title: 'Textkästen, Sprechblasen und Soundworte',
+      text: `Unter „${side.sideTab.words}“ fügst du einen Textkasten, eine Sprechblase oder ein Soundwort hinzu; es kommt dorthin, wo es kein Gesicht verdeckt, wenn Platz ist. Zieh es, oder schreib nach einem Doppelklick hinein. Auch Filme bringen Worte mit: „${words.addSubtitles}“ liest eine Untertiteldatei.`,
+    },
+    alike: {
+      title: 'Ähnliche Fotos, und was zur Seite gelegt ist',
+      text: `Von Fotos, die sich ähnlich sehen, wird das schärfste verwendet; die anderen werden zur Seite gelegt, unscharfe auch. Sie liegen unter „${photos.setAside}“: Hake eines an, um es zu verwenden. Wie ähnlich sie sein müssen, sagst du unter „${photos.choice}“.`,
+    },
+    pages: {
+      title: 'Mehrere Seiten',
+      text: `„${book.add}“ fügt dem Storyboard eine Seite hinzu, aus Fotos, die noch keine Seite zeigt, solange es welche gibt. „${book.spreadAlbum}“ setzt alle Fotos auf so viele Seiten, wie sie brauchen. Seiten lassen sich verschieben, entfernen und in einen gemeinsamen Stil bringen.`,
+    },
+    paper: {
+      title: 'Seitenformat und Ränder',
+      text: `Bei den Einstellungen der Seite stehen das Format, von A4 bis zu eigenen Maßen, der Seitenrand, der Steg zwischen den Panels, die Rahmen, die runden Ecken und die Farben. Sie gelten für alle Seiten eines Storyboards.`,
+    },
+    saving: {
+      title: 'Speichern',
+      text: `Deine Arbeit wird von selbst in diesem Browser gespeichert, auf diesem Gerät, und ist wieder da, wenn du zurückkommst. Unter „${keeping.projects}“ findest du alles, jedes mit seinem Namen. Löschst du die Daten dieses Browsers, ist sie weg: Bewahre, was dir lieb ist, auch als Datei auf.`,
+    },
+    files: {
+      title: 'Projektdateien',
+      text: `Unter „${keeping.projects}“ macht „${keeping.saveProject}“ aus allem eine Datei, mit deinen Fotos in voller Größe. Leg sie hier oder auf einem anderen Gerät auf dem Fenster ab, um weiterzumachen. Ein PNG einer Seite öffnet sich genauso; es findet seine Fotos auf diesem Gerät oder hat sie in sich, wenn du „${pngStrings.cargoKind.photos}“ gewählt hast.`,
+    },
+    export: {
+      title: 'Exportieren: PNG, JPEG, WebP, PDF',
+      text: `„${board.download}“ speichert die Seite in Druckgröße, aus deinen Originalfotos. Unter „${board.export}“ gibt es JPEG, PDF und, wo der Browser es schreiben kann, WebP, dazu die Qualität. Mehrere Seiten werden ein PDF, ein ZIP oder ein CBZ für Comic-Leseprogramme.`,
+    },
+    privacy: {
+      title: 'Offline und privat',
+      text: `Deine Fotos verlassen dieses Gerät nie: Alle Arbeit geschieht in diesem Browser, und nichts wird irgendwohin geschickt. Nach dem ersten Besuch geht Inkpanel auch ohne Verbindung. Wo der Browser es kann, gibt „${offlineStrings.install}“ ihm ein eigenes Fenster.`,
+    },
+    keyboard: {
+      title: 'Mit der Tastatur',
+      text: `Alles geht auch ohne Maus; die Kürzel stehen unten. Pfeile gehen von Panel zu Panel, Eingabe nimmt das Bild eines Panels, und Pfeile bewegen es dann. Einzelne Buchstaben lassen sich als Kürzel abschalten, für alle, die mit ihrem Computer sprechen.`,
+    },
+  },
+};

@@ -1,0 +1,122 @@
+import { boardStrings as board } from './board.ts';
+import { bookStrings } from './book.ts';
+import { designerStrings as designer } from './designer.ts';
+import { keepingStrings as keeping } from './keeping.ts';
+import { offlineStrings } from './offline.ts';
+import { panelStrings as panels } from './panels.ts';
+import { photoStrings as photos } from './photos.ts';
+import { pngStrings } from './png.ts';
+import { sideStrings as side } from './side.ts';
+import { startStrings } from './start.ts';
+import { wordStrings as words } from './words.ts';
+
+const { book } = bookStrings;
+
+export const helpStrings = {
+  help: 'Aide et raccourcis clavier',
+  helpShort: 'Aide',
+  searchHelp: 'Chercher dans l’aide',
+  helpTopics: 'Sujets',
+  helpFound: (topics: number, keys: number) =>
+    `Résultats : ${topics < 2 ? `${topics} sujet` : `${topics} sujets`}, ${keys < 2 ? `${keys} raccourci` : `${keys} raccourcis`}`,
+  helpNone: (text: string) => `Rien ici sur « ${text} ». Essayez un autre mot, ou parcourez tous les sujets.`,
+  allTopics: 'Montrer tous les sujets',
+  hintsAgain: 'Montrer à nouveau les conseils',
+  hint: {
+    shuffle: 'Mélangez jusqu’à ce que la page vous plaise. Chaque page déjà vue peut revenir.',
+    crop: 'Faites glisser l’image pour la déplacer, tournez la molette pour zoomer.',
+    cropTouch: 'Faites glisser l’image pour la déplacer, pincez pour zoomer.',
+    lock: 'Verrouillez ce que vous voulez garder. Le reste continuera à changer.',
+  },
+  closeHint: 'Fermer le conseil',
+  topics: {
+    adding: {
+      title: 'Ajouter des photos et des films',
+      text: `Déposez des photos ou des films n’importe où sur la fenêtre, collez-les, ou appuyez sur « ${photos.addPhotos} ». Pour jeter d’abord un coup d’œil, prenez « ${startStrings.trySamples} ». Vous pouvez en ajouter à tout moment.`,
+    },
+    films: {
+      title: 'Images d’un film',
+      text: `D’un film, Inkpanel prend quelques images, qui sont alors des photos comme les autres. Appuyez sur son nom dans la liste des photos pour dire où il commence et finit et combien d’images vous voulez ; « ${photos.takeFrames} » les prend. Une case qui montre une image du film peut passer à une image précédente ou suivante.`,
+    },
+    shuffle: {
+      title: 'Mélanger',
+      text: `« ${board.shuffle} » fait une nouvelle page de vos photos, avec un autre gabarit et un autre style. À côté, « ${board.part.layout} », « ${board.part.style} » et « ${board.part.photos} » ne changent que cette partie. Sur un téléphone, vous pouvez aussi balayer la page sur le côté.`,
+    },
+    locks: {
+      title: 'Verrouiller ce qui doit rester',
+      text: `Le cadenas à côté de « ${board.part.layout} », « ${board.part.style} » ou « ${board.part.photos} » garde cette partie pendant que vous mélangez le reste. « ${panels.lockPanel} » garde la photo d’une case, telle qu’elle est cadrée. Une photo marquée d’une étoile est montrée en grand, ici et à chaque mélange.`,
+    },
+    versions: {
+      title: 'Revenir en arrière, et pages favorites',
+      text: `« ${board.undo} » et « ${board.redo} » parcourent tout ce que vous avez fait. « ${board.previous} » et « ${board.next} » parcourent les pages que vous avez vues ; le nombre entre les deux les montre toutes. Le cœur marque une page comme favorite.`,
+    },
+    ideas: {
+      title: 'Autres idées',
+      text: `La bande sous la page, « ${side.moreIdeas} », montre d’autres pages faites des mêmes photos. Un clic en prend une. Pointez-en une pour la voir en grand.`,
+    },
+    layouts: {
+      title: 'Gabarits',
+      text: `Choisissez un gabarit par sa famille et son nombre de cases ; « ${side.surprise} » en invente un. Avec « ${side.editLayout} », vous faites glisser et inclinez les coupes entre les cases, et vous divisez ou retirez des cases. « ${side.saveLayout} » l’enregistre dans un fichier et le met dans « ${side.myLayouts} ».`,
+    },
+    joining: {
+      title: 'Fusionner des cases, et une photo sur plusieurs cases',
+      text: `Activez « ${panels.selectPanels} » et choisissez des cases qui se touchent. « ${panels.joinPanels} » en fait une seule, si elles ont ensemble la forme d’une case. « ${panels.merge} » garde les cases et fait passer une image à travers toutes ; « ${panels.split} » les sépare à nouveau.`,
+    },
+    crop: {
+      title: 'Déplacer une image et zoomer',
+      text: `Faites glisser l’image dans sa case pour la déplacer ; tournez la molette ou pincez pour zoomer. Au doigt, touchez d’abord la case. Un double clic ajuste l’image à son sujet. « ${panels.resetCrop} » revient à ce que la page choisirait.`,
+    },
+    exchange: {
+      title: 'Échanger des photos',
+      text: `Faites glisser une image hors de sa case sur une autre, et les deux changent de place ; « ${panels.swapPhoto} » fait de même par des clics. Cliquez sur une photo de la liste, puis sur une case, et la photo y va. Décochez une photo de la liste pour la laisser de côté.`,
+    },
+    styles: {
+      title: 'Styles',
+      text: `Chaque style est montré sur une de vos photos. Cherchez par le nom, ou choisissez un genre ; vos favoris et les derniers utilisés viennent en premier. « ${designer.styleShuffle} » dit où « ${board.shuffle} » puise les siens.`,
+    },
+    designer: {
+      title: 'Faire un style : l’atelier',
+      text: `Un style a deux calques, l’un pour les couleurs et l’autre pour les lignes, et chacun est une suite de blocs. « ${designer.addBlock} » en ajoute un, ses curseurs le changent, et « ${designer.compare} » montre ce qui a été fait. « ${designer.saveStyle} » le met dans « ${designer.myStyles} ».`,
+    },
+    explorer: {
+      title: 'Trouver un style : l’explorateur',
+      text: `« ${designer.generate} » invente des styles et les montre sur votre propre photo. Gardez ceux qui vous plaisent avec le cœur, faites-en d’autres à partir de deux avec « ${designer.breed} », et mettez-en un sur la page avec « ${designer.useStyle} ». Tous peuvent être modifiés dans l’atelier.`,
+    },
+    words: {
+      title: 'Cartouches, bulles et onomatopées',
+      text: `Dans « ${side.sideTab.words} », vous ajoutez un cartouche, une bulle ou une onomatopée ; le texte se place là où il ne cache aucun visage, s’il y a de la place. Faites-le glisser, ou écrivez dedans après un double clic. Les films apportent aussi des textes : « ${words.addSubtitles} » lit un fichier de sous-titres.`,
+    },
+    alike: {
+      title: 'Photos semblables et photos mises de côté',
+      text: `Parmi les photos qui se ressemblent, la plus nette est utilisée et les autres sont mises de côté, comme les photos floues. Elles sont sous « ${photos.setAside} » : cochez-en une pour l’utiliser. À quel point elles doivent se ressembler, vous le dites sous « ${photos.choice} ».`,
+    },
+    pages: {
+      title: 'Plusieurs pages',
+      text: `« ${book.add} » ajoute une page à l’histoire, faite de photos qu’aucune page ne montre encore, tant qu’il en reste. « ${book.spreadAlbum} » met toutes les photos sur autant de pages qu’il en faut. Les pages peuvent être déplacées, retirées et mises dans un même style.`,
+    },
+    paper: {
+      title: 'Format de page et marges',
+      text: `Les réglages de la page ont son format, de A4 à vos propres mesures, la marge, la gouttière entre les cases, les contours, les coins arrondis et les couleurs. Ils sont les mêmes pour toutes les pages d’une histoire.`,
+    },
+    saving: {
+      title: 'Enregistrement',
+      text: `Votre travail s’enregistre de lui-même dans ce navigateur, sur cet appareil, et il est encore là quand vous revenez. « ${keeping.projects} » a tout, chacun avec son nom. Si vous effacez les données de ce navigateur, il disparaît : gardez aussi dans un fichier ce à quoi vous tenez.`,
+    },
+    files: {
+      title: 'Fichiers de projet',
+      text: `Dans « ${keeping.projects} », « ${keeping.saveProject} » fait de tout un seul fichier, avec vos photos en taille réelle. Déposez-le sur la fenêtre, ici ou sur un autre appareil, pour continuer. Un PNG d’une page s’ouvre de la même façon ; il retrouve ses photos sur cet appareil, ou les contient si vous avez choisi « ${pngStrings.cargoKind.photos} ».`,
+    },
+    export: {
+      title: 'Exporter : PNG, JPEG, WebP, PDF',
+      text: `« ${board.download} » enregistre la page à la taille d’impression, à partir de vos photos d’origine. « ${board.export} » a le JPEG, le PDF et, là où le navigateur sait l’écrire, le WebP, ainsi que la qualité. Plusieurs pages deviennent un PDF, un ZIP ou un CBZ pour lecteurs de BD.`,
+    },
+    privacy: {
+      title: 'Hors connexion et privé',
+      text: `Vos photos ne quittent jamais cet appareil : tout le travail se fait dans ce navigateur, et rien n’est envoyé nulle part. Après la première visite, Inkpanel marche aussi sans connexion. Là où le navigateur le peut, « ${offlineStrings.install} » lui donne sa propre fenêtre.`,
+    },
+    keyboard: {
+      title: 'Au clavier',
+      text: `Tout peut se faire sans souris ; les raccourcis sont plus bas. Les flèches vont de case en case, Entrée prend l’image de l’une d’elles, et les flèches la déplacent alors. Les lettres seules peuvent être désactivées comme raccourcis, pour qui parle à son ordinateur.`,
+    },
+  },
+};

@@ -1,0 +1,122 @@
+import { boardStrings as board } from './board.ts';
+import { bookStrings } from './book.ts';
+import { designerStrings as designer } from './designer.ts';
+import { keepingStrings as keeping } from './keeping.ts';
+import { offlineStrings } from './offline.ts';
+import { panelStrings as panels } from './panels.ts';
+import { photoStrings as photos } from './photos.ts';
+import { pngStrings } from './png.ts';
+import { sideStrings as side } from './side.ts';
+import { startStrings } from './start.ts';
+import { wordStrings as words } from './words.ts';
+
+const { book } = bookStrings;
+
+export const helpStrings = {
+  help: 'ヘルプとキーボードショートカット',
+  helpShort: 'ヘルプ',
+  searchHelp: 'ヘルプを検索',
+  helpTopics: 'トピック',
+  helpFound: (topics: number, keys: number) => `見つかったもの：トピック${topics}件、ショートカット${keys}件`,
+  helpNone: (text: string) =>
+    `「${text}」についての説明は見つかりませんでした。別の言葉で試すか、すべてのトピックをご覧ください。`,
+  allTopics: 'すべてのトピックを表示',
+  hintsAgain: 'ヒントをもう一度表示',
+  hint: {
+    shuffle: '気に入るまでシャッフルしましょう。一度見たページはいつでも呼び戻せます。',
+    crop: 'ドラッグで写真を動かし、ホイールで拡大・縮小できます。',
+    cropTouch: 'ドラッグで写真を動かし、ピンチで拡大・縮小できます。',
+    lock: '残したいものはロックしましょう。ほかはこれからも変わります。',
+  },
+  closeHint: 'ヒントを閉じる',
+  topics: {
+    adding: {
+      title: '写真や動画を追加する',
+      text: `写真や動画をウィンドウのどこにでもドロップするか、貼り付けるか、「${photos.addPhotos}」を押してください。まず試したいときは「${startStrings.trySamples}」をどうぞ。あとからいつでも追加できます。`,
+    },
+    films: {
+      title: '動画のフレーム',
+      text: `動画からはいくつかのフレームを取り出し、ほかの写真と同じように使います。写真の一覧で動画の名前を押すと、開始と終了、フレームの数を選べます。「${photos.takeFrames}」で取り出します。フレームを見せているコマは、前後のフレームに替えられます。`,
+    },
+    shuffle: {
+      title: 'シャッフルする',
+      text: `「${board.shuffle}」は、あなたの写真から、別のレイアウトと別のスタイルの新しいページを作ります。横の「${board.part.layout}」「${board.part.style}」「${board.part.photos}」は、その部分だけを変えます。スマートフォンでは、ページを横にスワイプしてもかまいません。`,
+    },
+    locks: {
+      title: '残したいものをロックする',
+      text: `「${board.part.layout}」「${board.part.style}」「${board.part.photos}」の横の錠は、ほかをシャッフルする間、その部分をそのままにします。「${panels.lockPanel}」は、1つのコマの写真を切り抜きごと残します。スターを付けた写真は、ここでもシャッフルのたびにも大きく見せます。`,
+    },
+    versions: {
+      title: '前に戻る、お気に入りのページ',
+      text: `「${board.undo}」と「${board.redo}」は、した操作を順にたどります。「${board.previous}」と「${board.next}」は、見たページを順にたどります。間の数字を押すと、そのすべてが並びます。ハートはページをお気に入りにします。`,
+    },
+    ideas: {
+      title: 'ほかの案',
+      text: `ページの下の帯「${side.moreIdeas}」には、同じ写真で作った別のページが並びます。クリックするとそのページになります。ポインターを重ねると大きく見られます。`,
+    },
+    layouts: {
+      title: 'レイアウト',
+      text: `種類とコマ数でレイアウトを選べます。「${side.surprise}」は新しいレイアウトを考え出します。「${side.editLayout}」では、コマの間の切れ目をドラッグしたり傾けたりでき、コマを分けたり削除したりもできます。「${side.saveLayout}」はファイルに保存し、「${side.myLayouts}」に入れます。`,
+    },
+    joining: {
+      title: 'コマをつなげる、1枚の写真を複数のコマに',
+      text: `「${panels.selectPanels}」をオンにして、隣り合うコマを選びます。「${panels.joinPanels}」は、合わせて1つのコマの形になるとき、それらを1つにします。「${panels.merge}」はコマを残したまま、1枚の写真を全体に通します。「${panels.split}」で元どおりに分けられます。`,
+    },
+    crop: {
+      title: '写真を動かす、拡大・縮小する',
+      text: `コマの中で写真をドラッグすると動き、ホイールかピンチで拡大・縮小します。指で操作するときは、先にコマをタップしてください。ダブルクリックすると被写体に合わせます。「${panels.resetCrop}」でページが選ぶ切り抜きに戻ります。`,
+    },
+    exchange: {
+      title: '写真を入れ替える',
+      text: `写真をコマの外へ、別のコマの上までドラッグすると、2枚が入れ替わります。「${panels.swapPhoto}」ならクリックで同じことができます。一覧の写真をクリックしてからコマをクリックすると、写真がそこに入ります。一覧の写真のチェックを外すと、使われなくなります。`,
+    },
+    styles: {
+      title: 'スタイル',
+      text: `どのスタイルも、あなたの写真で見られます。名前で検索するか、種類を選んでください。お気に入りと最近使ったものが先に並びます。「${designer.styleShuffle}」では、「${board.shuffle}」が何から選ぶかを決められます。`,
+    },
+    designer: {
+      title: 'スタイルを作る：デザイナー',
+      text: `スタイルには色の層と線の層の2つがあり、それぞれがブロックの列です。「${designer.addBlock}」で加え、スライダーで調整し、「${designer.compare}」で違いを確かめます。「${designer.saveStyle}」で「${designer.myStyles}」に入ります。`,
+    },
+    explorer: {
+      title: 'スタイルを見つける：エクスプローラー',
+      text: `「${designer.generate}」はスタイルを考え出し、あなたの写真で見せます。気に入ったものはハートで残し、「${designer.breed}」で2つから新しいものを作り、「${designer.useStyle}」でページに使います。どれもデザイナーで変えられます。`,
+    },
+    words: {
+      title: 'キャプション、フキダシ、効果音',
+      text: `「${side.sideTab.words}」でキャプション、フキダシ、効果音を追加できます。場所があれば、顔を隠さない所に置かれます。ドラッグで動かし、ダブルクリックで書き換えます。動画のせりふも使えます。「${words.addSubtitles}」は字幕ファイルを読み込みます。`,
+    },
+    alike: {
+      title: '似た写真と、よけた写真',
+      text: `似た写真のうち一番鮮明なものが使われ、ほかはよけられます。ピンぼけの写真も同じです。「${photos.setAside}」にあり、チェックすると使えます。どのくらい似ていたらよけるかは、「${photos.choice}」で決められます。`,
+    },
+    pages: {
+      title: '複数のページ',
+      text: `「${book.add}」は、まだどのページにもない写真があるうちは、それで作ったページを加えます。「${book.spreadAlbum}」は、すべての写真を必要な数のページに並べます。ページは移動も削除もでき、スタイルをそろえることもできます。`,
+    },
+    paper: {
+      title: 'ページサイズと余白',
+      text: `ページの設定には、A4から自由な寸法までのサイズ、余白、コマの間隔、枠線、角の丸み、色があります。絵コンテのすべてのページに同じ設定が使われます。`,
+    },
+    saving: {
+      title: '保存',
+      text: `作業はこの端末の、このブラウザーに自動で保存され、次に来たときもそのままです。「${keeping.projects}」に、名前の付いたすべての作業があります。ブラウザーのデータを消すと失われるので、大切なものはファイルにも残してください。`,
+    },
+    files: {
+      title: 'プロジェクトのファイル',
+      text: `「${keeping.projects}」の「${keeping.saveProject}」は、原寸の写真も含めてすべてを1つのファイルにします。この端末でも別の端末でも、ウィンドウにドロップすれば続けられます。ページのPNGも同じように開きます。写真はこの端末から見つけるか、「${pngStrings.cargoKind.photos}」を選んでいれば中に入っています。`,
+    },
+    export: {
+      title: '書き出し：PNG、JPEG、WebP、PDF',
+      text: `「${board.download}」は、元の写真から印刷サイズのページを保存します。「${board.export}」では、JPEG、PDF、ブラウザーが対応していればWebPと、その品質を選べます。複数のページは、PDF、ZIP、またはコミックリーダー用のCBZになります。`,
+    },
+    privacy: {
+      title: 'オフラインとプライバシー',
+      text: `写真がこの端末の外に出ることはありません。作業はすべてこのブラウザーの中で行われ、どこにも何も送られません。一度開けば、接続がなくても使えます。ブラウザーが対応していれば、「${offlineStrings.install}」で専用のウィンドウになります。`,
+    },
+    keyboard: {
+      title: 'キーボードで使う',
+      text: `すべてマウスなしで操作でき、ショートカットは下に並んでいます。矢印キーでコマからコマへ移り、Enterで写真をつかむと、矢印キーで動かせます。音声で操作する人のために、文字キーだけのショートカットはオフにできます。`,
+    },
+  },
+};
