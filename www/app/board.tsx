@@ -9,6 +9,7 @@ import { Alternatives } from '../page/alternatives-strip.tsx';
 import { PageStrip } from '../book/page-strip.tsx';
 import { BottomBar } from './bottom-bar.tsx';
 import { useApp } from '../ui/context.ts';
+import { HintBubble } from '../help/hint-bubble.tsx';
 import { LanguageChoice } from '../help/language-choice.tsx';
 import { ThemeChoice } from '../help/theme-choice.tsx';
 import { LayoutTools } from '../layouts/layout-tools.tsx';
@@ -44,6 +45,7 @@ function WideBoard() {
           <ShuffleButton />
           <ShuffleParts />
         </div>
+        <HintBubble />
       </main>
       <SideTabs />
       <Alternatives />
@@ -62,6 +64,7 @@ function NarrowBoard() {
         {several && sheet === null && <PageStrip />}
         <Stage />
         {byHand ? <PanelTools /> : sheet === null && <ShuffleParts />}
+        <HintBubble />
       </main>
       {sheet === null &&
         (several ? (

@@ -21,6 +21,7 @@ import { createExplorer } from '../explorer/explorer.ts';
 import { createKeeping } from '../storage/storage.ts';
 import { createShelves } from '../storage/shelves.ts';
 import { createFraming } from '../page/panels/framing.ts';
+import { createHints } from '../help/hints.ts';
 import { createInstalling } from '../offline/installing.ts';
 import { freshPhotoPrefix } from '../photos/intake.ts';
 import { createKeys } from './keys.ts';
@@ -63,6 +64,7 @@ const store = createStore({ onRefused: ({ message }) => void messages.alert(stri
 const pages = createPages(store, {
   asked: (wish) => taste.asked(styling.asked(wish)),
   settled: (page) => lettering.settled(page),
+  shuffled: () => hints.shuffled(),
 });
 const reading = createReading({ store, pages, engine, messages, prefix: freshPhotoPrefix() });
 const book = createBook({ store, pages, messages, onKept: (page) => taste.learn(page) });
@@ -74,6 +76,7 @@ const subtitling = createSubtitling({ store, lettering, messages });
 const merging = createMerging({ store, pages, selection });
 const framing = createFraming({ store, pages });
 const reshaping = createReshaping({ store, pages, seed: freshSeed });
+const hints = createHints({ store, selection, framing, reshaping, ui, box: () => window.localStorage });
 const ownLayouts = createOwnLayouts({ store, pages, messages });
 const designer = createDesigner({ store, pages, messages, ui, freshId: freshStyleId });
 const ownStyles = createOwnStyles({ store, messages, designer, freshId: freshStyleId });
@@ -181,6 +184,7 @@ const parts: Parts = {
   merging,
   framing,
   reshaping,
+  hints,
   ownLayouts,
   designer,
   ownStyles,

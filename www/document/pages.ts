@@ -21,14 +21,23 @@ export function freshSeed(): number {
   return crypto.getRandomValues(new Uint32Array(1))[0];
 }
 
-/** @param app `asked`: a wish with what the person likes; `settled`: a page with its words where they hide nothing */
+/**
+ * @param app `asked`: a wish with what the person likes; `settled`: a page with its words where they hide nothing; `shuffled`: is
+ * called when a person has
+ */
 export function createPages(
   store: Store,
   {
     seed = freshSeed,
     asked = (wish) => wish,
     settled = (page) => page,
-  }: { seed?: () => number; asked?: (wish: Wish) => Wish; settled?: (page: PageDocument) => PageDocument } = {},
+    shuffled = () => {},
+  }: {
+    seed?: () => number;
+    asked?: (wish: Wish) => Wish;
+    settled?: (page: PageDocument) => PageDocument;
+    shuffled?: () => void;
+  } = {},
 ) {
   /** The page that a shuffle shows next, as long as all is as it was when it was planned. */
   let prepared: { project: Project; photos: readonly unknown[]; page: PageDocument | null } | null = null;
@@ -158,6 +167,7 @@ export function createPages(
     if (part === 'all') show(isPrepared() ? (prepared?.page ?? null) : planShuffled(page));
     else if (part === 'photos') show(otherPhotos(page));
     else show(plan({ keep: { ...KEEP_ALL, [part]: false } }));
+    shuffled();
   }
 
   /** Now and then the photos fall where they were, which nobody takes for a shuffle. */

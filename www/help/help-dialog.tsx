@@ -13,7 +13,7 @@ import type { KeyLine } from './key-lines.ts';
 const byHand = () => window.matchMedia('(pointer: coarse)').matches;
 
 export function HelpDialog() {
-  const { ui, actions } = useApp();
+  const { ui, actions, hints } = useApp();
   const [sought, setSought] = useState('');
   const { topics, lines } = searchHelp(sought, allTopics(), keyLines(actions));
   const searching = sought.trim() !== '';
@@ -49,14 +49,26 @@ export function HelpDialog() {
       {topics.length > 0 && <Topics of={topics} open={searching} />}
       {lines.length > 0 && <Keys of={lines} />}
       {!searching && (
-        <label class="letter-keys">
-          <input
-            type="checkbox"
-            checked={ui.letterKeys.value}
-            onChange={({ currentTarget }) => ui.useLetterKeys(currentTarget.checked)}
-          />
-          <span>{strings.letterKeys}</span>
-        </label>
+        <div class="help-foot">
+          <label class="letter-keys">
+            <input
+              type="checkbox"
+              checked={ui.letterKeys.value}
+              onChange={({ currentTarget }) => ui.useLetterKeys(currentTarget.checked)}
+            />
+            <span>{strings.letterKeys}</span>
+          </label>
+          <button
+            type="button"
+            class="button"
+            onClick={() => {
+              close();
+              hints.begin();
+            }}
+          >
+            {strings.hintsAgain}
+          </button>
+        </div>
       )}
     </Dialog>
   );

@@ -12,6 +12,7 @@ import type { Store } from '../document/store.ts';
 import type { Engine } from '../engine/engine.ts';
 import type { Explorer } from '../explorer/explorer.ts';
 import type { Download } from '../export/download.ts';
+import type { Hints } from '../help/hints.ts';
 import type { OwnLayouts } from '../layouts/own-layouts.ts';
 import type { Lettering } from '../lettering/lettering.ts';
 import type { Subtitling } from '../lettering/subtitling.ts';
@@ -58,6 +59,7 @@ export type Parts = {
   installing: Installing;
   framing: Framing;
   reshaping: Reshaping;
+  hints: Hints;
   ownLayouts: OwnLayouts;
   designer: Designer;
   ownStyles: OwnStyles;

@@ -1,0 +1,81 @@
+/** Where a hint stands: beside what it is about, and over no control and no message. */
+
+export type Box = { left: number; top: number; width: number; height: number };
+export type Side = 'above' | 'below' | 'after' | 'before';
+/** `x` and `y`: its corner; `tail`: where along its edge it points, in pixels from the corner */
+export type Place = { x: number; y: number; side: Side; tail: number | null };
+
+/** Room between it and what it is about, for its tail; farther away where controls are in between, and without a tail. */
+const GAPS = [12, 64, 116, 168, 220, 260, 300];
+/** Room at the edges of the window. */
+const EDGE = 8;
+/** Its tail does not stand on its round corners. */
+const ROUND = 20;
+/** Where it begins along the edge of what it is about, as parts of its own length: centred first. */
+const SHIFTS = [0.5, 0.25, 0.75, 0.1, 0.9];
+
+/**
+ * @param anchor what it is about
+ * @param size its own
+ * @param room where it may be
+ * @param taken `controls`: it touches none of them, or where there is no such place lies over the middle of none; `messages`: it
+ * touches none of them
+ * @param sides the best first
+ * @returns null where there is no such place
+ */
+export function placeHint(
+  anchor: Box,
+  size: { width: number; height: number },
+  room: Box,
+  { controls, messages }: { controls: readonly Box[]; messages: readonly Box[] },
+  sides: readonly Side[],
+): Place | null {
+  const places = GAPS.flatMap((gap) =>
+    sides.flatMap((side) => SHIFTS.map((shift) => placeAt(anchor, size, room, { gap, side, shift }))),
+  ).filter(({ x, y }) => {
+    const box = { left: x, top: y, ...size };
+    return within(box, room) && !messages.some((other) => touch(box, other));
+  });
+  const middles = controls.map(({ left, top, width, height }) => ({
+    left: left + width / 2,
+    top: top + height / 2,
+    width: 0,
+    height: 0,
+  }));
+  const clear = (of: readonly Box[]) =>
+    places.find(({ x, y }) => !of.some((other) => touch({ left: x, top: y, ...size }, other)));
+  return clear(controls) ?? clear(middles) ?? null;
+}
+
+function placeAt(
+  anchor: Box,
+  { width, height }: { width: number; height: number },
+  room: Box,
+  { gap, side, shift }: { gap: number; side: Side; shift: number },
+): Place {
+  const [middleX, middleY] = [anchor.left + anchor.width / 2, anchor.top + anchor.height / 2];
+  const upright = side === 'above' || side === 'below';
+  const x = upright
+    ? clamp(middleX - width * shift, room.left + EDGE, room.left + room.width - width - EDGE)
+    : side === 'after'
+      ? anchor.left + anchor.width + gap
+      : anchor.left - width - gap;
+  const y = !upright
+    ? clamp(middleY - height * shift, room.top + EDGE, room.top + room.height - height - EDGE)
+    : side === 'below'
+      ? anchor.top + anchor.height + gap
+      : anchor.top - height - gap;
+  const along = clamp(upright ? middleX - x : middleY - y, ROUND, (upright ? width : height) - ROUND);
+  return { x, y, side, tail: gap === GAPS[0] ? along : null };
+}
+
+const clamp = (value: number, least: number, most: number) => Math.min(Math.max(value, least), Math.max(least, most));
+
+const within = ({ left, top, width, height }: Box, room: Box) =>
+  left >= room.left + EDGE &&
+  top >= room.top + EDGE &&
+  left + width <= room.left + room.width - EDGE &&
+  top + height <= room.top + room.height - EDGE;
+
+const touch = (a: Box, b: Box) =>
+  a.left < b.left + b.width && b.left < a.left + a.width && a.top < b.top + b.height && b.top < a.top + a.height;

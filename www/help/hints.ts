@@ -1,0 +1,142 @@
+/**
+ * Three hints at first use, one at a time and each once ever: shuffle, move the picture of a panel, lock. One goes when what it
+ * says was done, or when it is closed.
+ */
+
+import { computed, effect, signal } from '@preact/signals';
+import { versions } from '../document/history.ts';
+import type { Framing } from '../page/panels/framing.ts';
+import type { Reshaping } from '../page/panels/reshaping.ts';
+import type { Selection } from '../page/panels/selection.ts';
+import type { Store } from '../document/store.ts';
+import type { PageDocument } from '../engine/types.ts';
+import type { Ui } from '../app/ui.ts';
+
+/** In the order in which they are given where several are due. */
+const HINTS = ['shuffle', 'crop', 'lock'] as const;
+export type Hint = (typeof HINTS)[number];
+export type Hints = ReturnType<typeof createHints>;
+
+const KEY = 'inkpanel.hints';
+/** Who has shuffled so often may have seen something to keep. */
+const ENOUGH = 2;
+
+/** @param parts `box`: where it is kept what was seen; it may be refused */
+export function createHints({
+  store,
+  selection,
+  framing,
+  reshaping,
+  ui,
+  box,
+}: {
+  store: Store;
+  selection: Selection;
+  framing: Framing;
+  reshaping: Reshaping;
+  ui: Pick<Ui, 'painted' | 'work' | 'sheet' | 'dialog' | 'preview'>;
+  box: () => Storage;
+}) {
+  const seen = signal(recall(box));
+  /** Since the hints began. */
+  const shuffles = signal(0);
+  /** Whether they were asked for again: then a page that was shuffled before is as good as the first. */
+  const again = signal(false);
+  /** The panel that the pointer rests on. */
+  const pointed = signal<number | null>(null);
+  const current = signal<Hint | null>(null);
+  /** The crops of the page when the hint about them was given. */
+  let crops = '';
+
+  const panel = computed(() => selection.panels.value[0] ?? pointed.value);
+  /** Whether nothing else has the attention. */
+  const free = computed(
+    () =>
+      ui.work.value === null &&
+      ui.sheet.value === null &&
+      ui.dialog.value === null &&
+      !ui.preview.value &&
+      !reshaping.editing.value &&
+      framing.placing.value === null,
+  );
+  const there = computed(
+    () => store.page.value !== null && ui.painted.value === store.page.value && store.reading.value === null,
+  );
+  const locked = computed(() => Object.values(store.project.value.locks).some(Boolean));
+
+  const due: Record<Hint, () => boolean> = {
+    shuffle: () => shuffles.value === 0 && (again.value || versions(store.history.value).length === 1),
+    crop: () => panel.value !== null && framing.cropOf(panel.value) !== null && !framing.isLocked(panel.value),
+    lock: () => shuffles.value >= ENOUGH && !locked.value && selection.panels.value.length === 0,
+  };
+  const done: Record<Hint, () => boolean> = {
+    shuffle: () => shuffles.value > 0,
+    crop: () => cropsOf(store.page.value) !== crops && (store.page.value?.panels.some(({ edited }) => edited) ?? false),
+    lock: () => locked.value,
+  };
+
+  effect(() => {
+    const hint = current.value;
+    if (hint !== null && done[hint]()) current.value = null;
+  });
+  effect(() => {
+    if (current.value !== null || !there.value || !free.value) return;
+    const next = HINTS.find((hint) => !seen.value.has(hint) && due[hint]());
+    if (next === undefined) return;
+    crops = cropsOf(store.page.peek());
+    current.value = next;
+    remember(new Set([...seen.peek(), next]));
+  });
+  // A project that is closed takes its hint along; the next one begins with none.
+  effect(() => {
+    if (store.page.value === null) current.value = null;
+  });
+
+  function remember(now: ReadonlySet<Hint>) {
+    seen.value = now;
+    try {
+      box().setItem(KEY, [...now].join(' '));
+    } catch {
+      // Storage may be refused; they then come once a visit.
+    }
+  }
+
+  return {
+    /** The one that is to be seen now. */
+    shown: computed(() => (free.value ? current.value : null)),
+    /** The panel that the hint about pictures is for. */
+    panel,
+    /** Whether it is worth watching where the pointer rests. */
+    watches: computed(() => !seen.value.has('crop')),
+    point(at: number | null) {
+      pointed.value = at;
+    },
+    shuffled() {
+      shuffles.value += 1;
+    },
+    close() {
+      current.value = null;
+    },
+    /** Forgets that they were seen. */
+    begin() {
+      shuffles.value = 0;
+      again.value = true;
+      current.value = null;
+      remember(new Set());
+    },
+  };
+}
+
+/** How all is cropped. */
+function cropsOf(page: PageDocument | null): string {
+  return JSON.stringify(page?.panels.map(({ crop }) => crop));
+}
+
+function recall(box: () => Storage): ReadonlySet<Hint> {
+  try {
+    const kept = (box().getItem(KEY) ?? '').split(' ');
+    return new Set(HINTS.filter((hint) => kept.includes(hint)));
+  } catch {
+    return new Set();
+  }
+}
