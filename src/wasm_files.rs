@@ -1,4 +1,4 @@
-//! The web boundary of files, a part of the module of words: pages as JPEG and PDF.
+//! The web boundary of files, a part of the module of words: pages as JPEG, WebP and PDF.
 //! The core makes the pixels; they come from there as patches.
 //!
 //! Errors are as in the module of words.
@@ -10,7 +10,7 @@ use crate::error::Result;
 use crate::page::compose::Sheet;
 use crate::page::mask::PixelRect;
 use crate::page::pdf::{self, Leaf, Picture, picture};
-use crate::page::{Document, jpeg};
+use crate::page::{Document, jpeg, webp};
 use crate::wasm_error::thrown;
 use crate::wasm_words::Lettering;
 use wasm_bindgen::prelude::*;
@@ -48,6 +48,12 @@ impl Print {
     pub fn jpeg(&self, quality: u8) -> std::result::Result<Vec<u8>, JsValue> {
         let Self { sheet, dpi } = self;
         jpeg::encode_rgb(sheet.width(), sheet.height(), sheet.rgb(), *dpi, quality).map_err(thrown)
+    }
+
+    /// The file as WebP, without loss; it says nothing of its resolution.
+    pub fn webp(&self) -> std::result::Result<Vec<u8>, JsValue> {
+        let Self { sheet, .. } = self;
+        webp::encode_rgb(sheet.width(), sheet.height(), sheet.rgb()).map_err(thrown)
     }
 }
 

@@ -17,6 +17,7 @@
 //! | [`words`] | captions, balloons and sound effects, laid on the panels |
 //! | [`png`] | the file that people download |
 //! | [`jpeg`] | the smaller one |
+//! | `webp` | the one for browsers that make none themselves |
 //! | [`pdf`] | pages as lines, text and pictures |
 
 pub mod catalogue;
@@ -34,6 +35,8 @@ pub mod request;
 pub mod scene;
 pub mod shuffle;
 pub mod styling;
+#[cfg(feature = "webp")]
+pub mod webp;
 pub mod words;
 
 pub use compose::Patch;

@@ -4,6 +4,7 @@
  */
 
 import { Priority } from './queue.ts';
+import { givesWebp } from './webp.ts';
 import type { PageDocument } from './types.ts';
 import type { createFiles } from './files.ts';
 import type { createPhotos } from './photos.ts';
@@ -53,8 +54,10 @@ export function createExports({ run, photos, words, files }: Parts) {
     );
   }
 
-  /** @returns rejects with `no-webp` where the browser makes none */
+  /** By the browser's encoder; where it has none, without loss, so that `quality` says nothing. */
   async function exportWebp(document: PageDocument, { quality, ...call }: Call & { quality: number }): Promise<Blob> {
+    if (!(await givesWebp()))
+      return whole(document, call, (patches, signal) => files.losslessWebp(document, patches, { signal }));
     const png = await exportPng(document, call);
     return files.webp(png, { quality, dpi: document.page.dpi }, call);
   }

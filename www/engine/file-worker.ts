@@ -1,5 +1,5 @@
 /**
- * The worker that makes files: the module of words, loaded with the first job, and the browser's own encoder of WebP.
+ * The worker that makes files: the module of words, loaded with the first job, and the browser's own encoder of WebP where it has one.
  */
 
 import initWords, { Book, Cut, Lettering, Print } from '../pkg-words/inkpanel.js';
@@ -9,7 +9,7 @@ import { moduleBytes } from './module-bytes.ts';
 import { failure } from './protocol.ts';
 import { LOADING, STORING, serveJobs } from './serving.ts';
 import { withDpi } from './webp.ts';
-import type { Making, Picture } from './protocol.ts';
+import type { Making, Picture, PixelPatch } from './protocol.ts';
 import type { Tell, Work } from './serving.ts';
 
 const MODULE = new URL('../pkg-words/inkpanel_bg.wasm', import.meta.url);
@@ -21,7 +21,7 @@ type Args<Op extends keyof Making> = Making[Op]['args'];
 
 let started: Promise<WebAssembly.Memory> | undefined;
 
-const OPERATIONS: Work<Making> = { jpeg, webp, pictures, pdf };
+const OPERATIONS: Work<Making> = { jpeg, webp, losslessWebp, pictures, pdf };
 
 serveJobs<Making>(async (op, args, tell) => {
   tell.waits(LOADING);
@@ -44,12 +44,28 @@ async function start() {
 
 async function jpeg({ document, size, patches, quality }: Args<'jpeg'>, tell: Tell) {
   tell.expects(fileMs(2 * size.width * size.height));
+  const bytes = printed(document, size, patches, (print) => print.jpeg(quality));
+  tell.waits(STORING);
+  return { ok: await blobOf(bytes, { type: 'image/jpeg' }), transfer: [] };
+}
+
+async function losslessWebp({ document, size, patches, dpi }: Args<'losslessWebp'>, tell: Tell) {
+  tell.expects(fileMs(4 * size.width * size.height));
+  const bytes = printed(document, size, patches, (print) => print.webp());
+  return { ok: withDpi(bytes, { ...size, dpi }), transfer: [] };
+}
+
+/** @param encode gives the file of the page with all patches on it */
+function printed(
+  document: string,
+  size: { width: number; height: number },
+  patches: PixelPatch[],
+  encode: (print: Print) => Uint8Array,
+) {
   const print = new Print(document, size.width, size.height);
   try {
     for (const { x, y, width, height, data } of patches) print.lay(x, y, width, height, bytesOf(data));
-    const bytes = print.jpeg(quality) as Uint8Array<ArrayBuffer>;
-    tell.waits(STORING);
-    return { ok: await blobOf(bytes, { type: 'image/jpeg' }), transfer: [] };
+    return encode(print) as Uint8Array<ArrayBuffer>;
   } finally {
     print.free();
   }

@@ -15,7 +15,7 @@ export type { Picture };
 export function createFiles() {
   let pool: Pool<Making> | undefined;
 
-  return { jpeg, webp, pictures, pdf, dispose: () => pool?.dispose() };
+  return { jpeg, webp, losslessWebp, pictures, pdf, dispose: () => pool?.dispose() };
 
   function run<Op extends keyof Making>(op: Op, args: Making[Op]['args'], transfer: Transferable[], call?: Call) {
     pool ??= createPool<Making>({ size: 1, spawn });
@@ -49,6 +49,20 @@ export function createFiles() {
    */
   async function webp(picture: Blob, { quality, dpi }: { quality: number; dpi: number }, call?: Call): Promise<Blob> {
     return run('webp', { picture, quality, dpi }, [], call);
+  }
+
+  /**
+   * A page without loss, of the patches that lie on it: for browsers that encode no WebP.
+   * @param patches are handed over
+   */
+  async function losslessWebp(document: PageDocument, patches: PixelPatch[], call?: Call): Promise<Blob> {
+    const { width, height, dpi } = document.page;
+    return run(
+      'losslessWebp',
+      { document: JSON.stringify(document), size: { width, height }, patches, dpi },
+      buffersOf(patches),
+      call,
+    );
   }
 
   /**

@@ -88,6 +88,10 @@ export type Making = {
     ok: Blob;
   };
   webp: { args: { picture: Blob; quality: number; dpi: number }; ok: Blob };
+  losslessWebp: {
+    args: { document: string; size: { width: number; height: number }; patches: PixelPatch[]; dpi: number };
+    ok: Blob;
+  };
   pictures: {
     args: { document: string; patches: (PixelPatch & { index: number })[]; quality: number };
     ok: Picture[];

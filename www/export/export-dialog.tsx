@@ -3,7 +3,7 @@
  * file, copied or shared.
  */
 
-import { useMemo, useState } from 'preact/hooks';
+import { useEffect, useMemo, useState } from 'preact/hooks';
 import { FORMATS, OF_MANY, OF_ONE, isArchive } from './formats.ts';
 import { USUAL_QUALITY } from './page-making.ts';
 import { PAGE_SIZES, scaled, sizeId } from '../page/paper.ts';
@@ -40,7 +40,9 @@ export function ExportDialog() {
     [all, factor, document],
   );
   const format = all ? many : one;
-  const lossy = isArchive(format) ? FORMATS[inside].lossy : FORMATS[format].lossy;
+  const webpHasQuality = useWebpQuality();
+  const made = isArchive(format) ? inside : format;
+  const lossy = made === 'webp' ? webpHasQuality : FORMATS[made].lossy;
   const wish = useMemo(() => ({ pages: sheets, format, inside, quality }), [sheets, format, inside, quality]);
   const close = () => {
     ui.dialog.value = null;
@@ -101,7 +103,7 @@ export function ExportDialog() {
             <span>{strings.pixels(width, height)}</span>
             <FileSize wish={wish} />
           </p>
-          {(isArchive(format) ? inside : format) === 'png' && <ExportProject />}
+          {made === 'png' && <ExportProject />}
           <ExportActions wish={wish} page={document} close={close} />
         </div>
       </div>
@@ -139,4 +141,14 @@ function SizePicture({ width, height }: { width: number; height: number }) {
       <rect x={17 - w / 2} y={17 - h / 2} width={w} height={h} rx="1.5" />
     </svg>
   );
+}
+
+/** Whether the browser encodes WebP, which then has a quality; ours has no loss. */
+function useWebpQuality(): boolean {
+  const { engine } = useApp();
+  const [own, setOwn] = useState(true);
+  useEffect(() => {
+    engine.givesWebp().then(setOwn);
+  }, []);
+  return own;
 }

@@ -1,10 +1,8 @@
-import { useEffect, useState } from 'preact/hooks';
 import { isArchive } from './formats.ts';
 import { strings } from '../strings/strings.ts';
-import { useApp } from '../ui/context.ts';
 import type { Format, Inside } from './formats.ts';
 
-/** The kind of file, and of the pictures in it where it is an archive. WebP is offered where the browser makes it. */
+/** The kind of file, and of the pictures in it where it is an archive. */
 export function FormatChoice({
   formats,
   format,
@@ -18,23 +16,16 @@ export function FormatChoice({
   inside: Inside;
   chooseInside: (inside: Inside) => void;
 }) {
-  const { engine } = useApp();
-  const [webp, setWebp] = useState(false);
-  useEffect(() => {
-    engine.givesWebp().then(setWebp);
-  }, []);
   return (
     <>
       <label class="field">
         <span>{strings.format}</span>
         <select class="select" value={format} onChange={(event) => choose(event.currentTarget.value as Format)}>
-          {formats
-            .filter((id) => id !== 'webp' || webp)
-            .map((id) => (
-              <option key={id} value={id}>
-                {strings.formats[id]}
-              </option>
-            ))}
+          {formats.map((id) => (
+            <option key={id} value={id}>
+              {strings.formats[id]}
+            </option>
+          ))}
         </select>
       </label>
       {isArchive(format) && (

@@ -18,6 +18,23 @@ function sizeOf(page, bytes, type) {
   );
 }
 
+/** The size and the pixels that the browser sees. @param {Page} page @param {Buffer} bytes @param {string} type */
+function pixelsOf(page, bytes, type) {
+  return page.evaluate(
+    async ([base64, kind]) => {
+      const blob = new Blob([Uint8Array.from(atob(base64), (letter) => letter.charCodeAt(0))], { type: kind });
+      const bitmap = await createImageBitmap(blob);
+      const canvas = new OffscreenCanvas(bitmap.width, bitmap.height);
+      const context = /** @type {OffscreenCanvasRenderingContext2D} */ (canvas.getContext('2d'));
+      context.drawImage(bitmap, 0, 0);
+      const { data } = context.getImageData(0, 0, canvas.width, canvas.height);
+      const hash = await crypto.subtle.digest('SHA-256', data);
+      return `${canvas.width} x ${canvas.height}: ${new Uint8Array(hash).join(' ')}`;
+    },
+    [bytes.toString('base64'), type],
+  );
+}
+
 test('PNG and JPEG say their dots an inch, and a lower quality makes a smaller file', async ({ page }) => {
   await openBoard(page);
   const png = await savedAs(page, 'png');
@@ -42,6 +59,31 @@ test('WebP says its dots an inch', async ({ page }) => {
   const exif = bytes.subarray(bytes.lastIndexOf('EXIF') + 8);
   expect([exif.toString('latin1', 0, 2), exif.readUInt32LE(50), exif.readUInt32LE(54)]).toEqual(['II', 150, 1]);
   expect(await sizeOf(page, bytes, 'image/webp')).toEqual([1240, 1754]);
+});
+
+test('a browser without an encoder of WebP saves one without loss', async ({ page }) => {
+  await page.addInitScript(() => {
+    const { convertToBlob } = OffscreenCanvas.prototype;
+    OffscreenCanvas.prototype.convertToBlob = function png() {
+      return convertToBlob.call(this, { type: 'image/png' });
+    };
+  });
+  await openBoard(page);
+  const png = await savedAs(page, 'png');
+  const { bytes } = await savedAs(page, 'webp');
+  expect(bytes.toString('latin1', 0, 4)).toBe('RIFF');
+  expect(bytes.toString('latin1', 8, 16)).toBe('WEBPVP8X');
+  expect(bytes.includes('VP8L')).toBe(true);
+  const exif = bytes.subarray(bytes.lastIndexOf('EXIF') + 8);
+  expect([exif.readUInt32LE(50), exif.readUInt32LE(54)]).toEqual([150, 1]);
+  expect(bytes.length).toBeLessThan(png.bytes.length * 1.5);
+  expect(await pixelsOf(page, bytes, 'image/webp')).toEqual(await pixelsOf(page, png.bytes, 'image/png'));
+  const dialog = await openExport(page);
+  const quality = dialog.getByRole('slider', { name: 'Picture quality' });
+  await dialog.getByRole('combobox', { name: 'Format' }).selectOption('jpeg');
+  await expect(quality).toBeVisible();
+  await dialog.getByRole('combobox', { name: 'Format' }).selectOption('webp');
+  await expect(quality).toHaveCount(0);
 });
 
 test('the size that is told before is about the size of the file', async ({ page }) => {

@@ -1,0 +1,41 @@
+//! Pages as WebP files without loss, for browsers that encode none themselves.
+
+use crate::error::{Error, Result};
+use image::ExtendedColorType;
+use image::codecs::webp::WebPEncoder;
+
+/// Encodes interleaved RGB as a lossless WebP file.
+///
+/// # Errors
+/// `encode` when `rgb` does not hold `3 * width * height` bytes, or a side is 0 or longer than 16,384 pixels.
+pub fn encode_rgb(width: usize, height: usize, rgb: &[u8]) -> Result<Vec<u8>> {
+    if rgb.len() != width * height * 3 {
+        return Err(Error::Encode("the pixels are not as many as the sides say".into()));
+    }
+    let mut bytes = Vec::new();
+    WebPEncoder::new_lossless(&mut bytes)
+        .encode(rgb, width as u32, height as u32, ExtendedColorType::Rgb8)
+        .map_err(|error| Error::Encode(error.to_string()))?;
+    Ok(bytes)
+}
+
+#[cfg(all(test, feature = "rare"))]
+mod tests {
+    use super::*;
+    use crate::raster::decode::{Limits, decode};
+
+    #[test]
+    fn the_file_has_the_very_pixels() {
+        let rgb: Vec<u8> = (0..40 * 30).flat_map(|i| [(i % 40 * 6) as u8, (i / 40 * 8) as u8, 90]).collect();
+        let bytes = encode_rgb(40, 30, &rgb).unwrap();
+        let back = decode(&bytes, &Limits::default()).unwrap();
+        assert_eq!((back.format, back.image.width(), back.image.height()), ("WebP", 40, 30));
+        assert_eq!(back.image.to_rgb(), rgb);
+    }
+
+    #[test]
+    fn too_few_pixels_and_sides_too_long_are_errors() {
+        assert_eq!(encode_rgb(4, 4, &[0; 12]).unwrap_err().code(), "encode");
+        assert_eq!(encode_rgb(16_385, 1, &vec![0; 3 * 16_385]).unwrap_err().code(), "encode");
+    }
+}
