@@ -57,7 +57,9 @@ export function createExports({ run, photos, words, files }: Parts) {
   /** By the browser's encoder; where it has none, without loss, so that `quality` says nothing. */
   async function exportWebp(document: PageDocument, { quality, ...call }: Call & { quality: number }): Promise<Blob> {
     if (!(await givesWebp()))
-      return whole(document, call, (patches, signal) => files.losslessWebp(document, patches, { signal }));
+      return whole(document, call, (patches, signal) =>
+        files.losslessWebp(document, document.page, patches, { signal }),
+      );
     const png = await exportPng(document, call);
     return files.webp(png, { quality, dpi: document.page.dpi }, call);
   }

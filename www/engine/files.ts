@@ -53,13 +53,18 @@ export function createFiles() {
 
   /**
    * A page without loss, of the patches that lie on it: for browsers that encode no WebP.
+   * @param size in pixels
    * @param patches are handed over
    */
-  async function losslessWebp(document: PageDocument, patches: PixelPatch[], call?: Call): Promise<Blob> {
-    const { width, height, dpi } = document.page;
+  async function losslessWebp(
+    document: PageDocument,
+    { width, height }: { width: number; height: number },
+    patches: PixelPatch[],
+    call?: Call,
+  ): Promise<Blob> {
     return run(
       'losslessWebp',
-      { document: JSON.stringify(document), size: { width, height }, patches, dpi },
+      { document: JSON.stringify(document), size: { width, height }, patches, dpi: document.page.dpi },
       buffersOf(patches),
       call,
     );

@@ -1,6 +1,7 @@
 /** How large a page is as a file, by encoding it small. */
 
 import { Priority } from './queue.ts';
+import { givesWebp } from './webp.ts';
 import type { PageDocument } from './types.ts';
 import type { createFiles } from './files.ts';
 import type { Run } from './pool.ts';
@@ -31,6 +32,8 @@ export function createMeasures({
     const pixels = page.width * page.height;
     if (format === 'jpeg')
       return { bytes: (await files.jpeg(document, page, [page], quality, { signal })).size, pixels };
+    if (format === 'webp' && !(await givesWebp()))
+      return { bytes: (await files.losslessWebp(document, page, [page], { signal })).size, pixels };
     const args = { document: JSON.stringify(document), width, patches: [{ ...page, index: 0 }] };
     const png = await run({ op: 'encode', args, transfer: [page.data.buffer], priority: Priority.PAGE, signal });
     const file = format === 'png' ? png : await files.webp(png, { quality, dpi: document.page.dpi }, { signal });
