@@ -9,8 +9,11 @@ import type { PictureFormat } from '../engine/measures.ts';
 
 type Measure = { bytes: number; pixels: number };
 
-/** Parts of the width at which pages are encoded. */
-const PARTS = [1 / 8, 1 / 4];
+/**
+ * Parts of the width at which pages are encoded: over 26 styles the size told is off by 1.3 at most. An eighth and a
+ * quarter take a fourth of the time, but patterns of lines then look like noise: off by 2.2.
+ */
+const PARTS = [1 / 4, 1 / 2];
 /** So many pages of a long storyboard stand for all. */
 const MOST_PAGES = 3;
 /** The growth of the bytes with the pixels, as an exponent, lies between those. */
