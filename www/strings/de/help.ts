@@ -109,7 +109,7 @@ export const helpStrings = {
     },
     export: {
       title: 'Exportieren: PNG, JPEG, WebP, PDF',
-      text: `„${board.download}“ speichert die Seite in Druckgröße, aus deinen Originalfotos. Unter „${board.export}“ gibt es JPEG, PDF und, wo der Browser es schreiben kann, WebP, dazu die Qualität. Mehrere Seiten werden ein PDF, ein ZIP oder ein CBZ für Comic-Leseprogramme.`,
+      text: `„${board.download}“ speichert die Seite in Druckgröße, aus deinen Originalfotos. Unter „${board.export}“ gibt es JPEG, WebP und PDF, dazu die Qualität. Mehrere Seiten werden ein PDF, ein ZIP oder ein CBZ für Comic-Leseprogramme.`,
     },
     privacy: {
       title: 'Offline und privat',

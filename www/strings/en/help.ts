@@ -110,7 +110,7 @@ export const helpStrings = {
     },
     export: {
       title: 'Export: PNG, JPEG, WebP, PDF',
-      text: `“${board.download}” saves the page at print size, from your original photos. “${board.export}” has JPEG, PDF and, where the browser can write it, WebP, and the quality. Several pages become a PDF, a ZIP or a CBZ for comic readers.`,
+      text: `“${board.download}” saves the page at print size, from your original photos. “${board.export}” has JPEG, WebP and PDF, and the quality. Several pages become a PDF, a ZIP or a CBZ for comic readers.`,
     },
     privacy: {
       title: 'Offline and private',

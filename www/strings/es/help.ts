@@ -108,7 +108,7 @@ export const helpStrings = {
     },
     export: {
       title: 'Exportar: PNG, JPEG, WebP, PDF',
-      text: `«${board.download}» guarda la página a tamaño de impresión, a partir de tus fotos originales. «${board.export}» tiene JPEG, PDF y, si el navegador sabe escribirlo, WebP, además de la calidad. Varias páginas se convierten en un PDF, un ZIP o un CBZ para lectores de cómics.`,
+      text: `«${board.download}» guarda la página a tamaño de impresión, a partir de tus fotos originales. «${board.export}» tiene JPEG, WebP y PDF, además de la calidad. Varias páginas se convierten en un PDF, un ZIP o un CBZ para lectores de cómics.`,
     },
     privacy: {
       title: 'Sin conexión y en privado',

@@ -108,7 +108,7 @@ export const helpStrings = {
     },
     export: {
       title: 'Exporter : PNG, JPEG, WebP, PDF',
-      text: `« ${board.download} » enregistre la page à la taille d’impression, à partir de vos photos d’origine. « ${board.export} » a le JPEG, le PDF et, là où le navigateur sait l’écrire, le WebP, ainsi que la qualité. Plusieurs pages deviennent un PDF, un ZIP ou un CBZ pour lecteurs de BD.`,
+      text: `« ${board.download} » enregistre la page à la taille d’impression, à partir de vos photos d’origine. « ${board.export} » a le JPEG, le WebP et le PDF, ainsi que la qualité. Plusieurs pages deviennent un PDF, un ZIP ou un CBZ pour lecteurs de BD.`,
     },
     privacy: {
       title: 'Hors connexion et privé',

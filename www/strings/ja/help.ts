@@ -108,7 +108,7 @@ export const helpStrings = {
     },
     export: {
       title: '書き出し：PNG、JPEG、WebP、PDF',
-      text: `「${board.download}」は、元の写真から印刷サイズのページを保存します。「${board.export}」では、JPEG、PDF、ブラウザーが対応していればWebPと、その品質を選べます。複数のページは、PDF、ZIP、またはコミックリーダー用のCBZになります。`,
+      text: `「${board.download}」は、元の写真から印刷サイズのページを保存します。「${board.export}」では、JPEG、WebP、PDFと、その品質を選べます。複数のページは、PDF、ZIP、またはコミックリーダー用のCBZになります。`,
     },
     privacy: {
       title: 'オフラインとプライバシー',

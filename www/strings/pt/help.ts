@@ -108,7 +108,7 @@ export const helpStrings = {
     },
     export: {
       title: 'Exportar: PNG, JPEG, WebP, PDF',
-      text: `“${board.download}” salva a página em tamanho de impressão, a partir das suas fotos originais. “${board.export}” tem JPEG, PDF e, onde o navegador sabe gravar, WebP, além da qualidade. Várias páginas viram um PDF, um ZIP ou um CBZ para leitores de quadrinhos.`,
+      text: `“${board.download}” salva a página em tamanho de impressão, a partir das suas fotos originais. “${board.export}” tem JPEG, WebP e PDF, além da qualidade. Várias páginas viram um PDF, um ZIP ou um CBZ para leitores de quadrinhos.`,
     },
     privacy: {
       title: 'Sem conexão e em particular',
