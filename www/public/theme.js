@@ -1,3 +1,4 @@
+// @ts-check
 // The theme that was chosen (`ui/theme.ts`), before anything is painted: it is no module, so the page waits for it.
 try {
   const theme = localStorage.getItem('inkpanel.theme');
