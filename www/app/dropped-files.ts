@@ -79,7 +79,7 @@ export function createDroppedFiles({
       name: file.name,
       open: () => (isNamedPng(file) ? keeping.pageFiles.openChosen(file) : keeping.files.open(file)),
     }));
-    const turn = before.then(() => oneByOne(projects));
+    const turn = Promise.all([before, keeping.turned()]).then(() => oneByOne(projects));
     before = turn.catch(() => {});
     tell(await turn);
   }

@@ -105,6 +105,8 @@ export function createOpening({
   let waiting = new AbortController();
   /** One after the other. */
   let queue: Promise<unknown> = Promise.resolve();
+  /** What this tab had open is on the page, or cannot be. */
+  let begun: Promise<unknown> = Promise.resolve();
   /** States that were gone back to in vain, of the project that is broken. */
   const vain: Set<string> = new Set();
 
@@ -116,8 +118,8 @@ export function createOpening({
     busy,
     current: computed(() => store.place.value.id),
     begin,
-    /** Resolves once no project is about to take the place of this one. */
-    turned: () => queue.then(() => {}),
+    /** Resolves once no project is about to take the place of this one, that of the last visit included. */
+    turned: () => begun.then(() => queue).then(() => {}),
     open,
     create,
     enter,
@@ -128,7 +130,13 @@ export function createOpening({
   };
 
   /** Opens what this tab had open, or else what was open last. */
-  async function begin() {
+  function begin(): Promise<void> {
+    const opened = beginNow();
+    begun = opened;
+    return opened;
+  }
+
+  async function beginNow() {
     try {
       release = await lockOf(store.place.peek());
       if (first) await openLast(first);

@@ -45,6 +45,23 @@ describe('after the page is loaded again', () => {
     expect((after.store.page.value as any).words[0].text).toBe('Boom');
   });
 
+  it('photos that are chosen before the project is there join it', async () => {
+    const browser = fakeBrowser();
+    const before = await browser.tab();
+    await before.add('a.jpg', 'b.jpg');
+    const dead = fakeBrowser(browser);
+    let added: Promise<void> | null = null;
+    const after = await dead.tab({
+      session: before.session,
+      early: ({ keeping, reading }) => {
+        added = keeping.turned().then(() => reading.addFiles(before.files('c.jpg')));
+      },
+    });
+    await added;
+    expect(after.names()).toEqual(['a.jpg', 'b.jpg', 'c.jpg']);
+    expect(after.keeping.list.value).toHaveLength(1);
+  });
+
   it('photos that were still being read are read again', async () => {
     const browser = fakeBrowser();
     const before = await browser.tab();

@@ -7,10 +7,10 @@ import { createMessages } from '../ui/messages.ts';
 import { createPages } from '../document/pages.ts';
 import { createStore } from '../document/store.ts';
 import { fakePlanner } from '../document/testing.ts';
-import { createKeeping } from './storage.ts';
+import { createKeeping, type Keeping } from './storage.ts';
 import { createShelves } from './shelves.ts';
 import { core } from '../engine/testing-core.ts';
-import { createReading } from '../photos/reading.ts';
+import { createReading, type Reading } from '../photos/reading.ts';
 import { unreadMeta } from '../document/album.ts';
 import type { Store } from '../document/store.ts';
 import type { Views } from './opening.ts';
@@ -108,15 +108,17 @@ export function fakeBrowser({
     locks.request = () => new Promise(() => {});
   }
 
-  /** @param of a tab that is loaded again has the session it had; `prepare` comes before it opens anything */
+  /** @param of a tab that is loaded again has the session it had; `prepare` comes before it opens anything, `early` while it does */
   async function tab({
     session = boxOf(),
     views,
     prepare = () => {},
+    early = () => {},
   }: {
     session?: ReturnType<typeof boxOf>;
     views?: Views;
     prepare?: (tab: any) => void;
+    early?: (tab: { keeping: Keeping; reading: Reading }) => void;
   } = {}) {
     const store = createStore();
     const planner = fakePlanner();
@@ -163,7 +165,9 @@ export function fakeBrowser({
     const asks = () => !window.dispatchEvent(new Event('beforeunload', { cancelable: true }));
     const keeping = createKeeping({ store, reading, engine, shelves, messages, window, leave: () => {}, views });
     prepare({ engine });
-    await keeping.begin();
+    const begun = keeping.begin();
+    early({ keeping, reading });
+    await begun;
     const files = (...names: string[]) => names.map((name) => new File([name], name));
     const add = async (...names: string[]) => {
       await reading.addFiles(files(...names));
