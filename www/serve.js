@@ -1,14 +1,18 @@
 // @ts-check
 /**
- * Serves the built site below a path: `node serve.js PORT PATH [headers]`. As a plain static host does, files only, no
- * header beyond the content type, nothing outside that path; with `headers` also what the site's `_headers` asks for.
+ * Serves the built site below a path: `node serve.js PORT PATH [headers]`. As a plain static host does: files only,
+ * compressed, no header beyond those that tell of the content, nothing outside that path; with `headers` also what the
+ * site's `_headers` asks for.
  * What is still being built (`nets-module.js`) is answered once it is there.
  */
 import { createReadStream, readFileSync, statSync } from 'node:fs';
+import { readFile } from 'node:fs/promises';
 import { createServer } from 'node:http';
 import { extname, join, normalize, sep } from 'node:path';
 import { setTimeout } from 'node:timers/promises';
 import { fileURLToPath } from 'node:url';
+import { promisify } from 'node:util';
+import { gzip } from 'node:zlib';
 import { TYPES } from './content-types.js';
 import { headersOfAll } from './host-headers.js';
 
@@ -16,6 +20,11 @@ const port = Number(process.argv[2] ?? 4187);
 const base = process.argv[3] ?? '/';
 const root = fileURLToPath(new URL('./dist/', import.meta.url));
 const headers = process.argv[4] === 'headers' ? headersOfAll(readFileSync(join(root, '_headers'), 'utf8')) : {};
+
+/** What hosts compress; pictures and fonts are small already. */
+const SHRINKS = new Set(['.html', '.js', '.css', '.json', '.wasm', '.svg', '.webmanifest']);
+/** Files compressed, by path and time of change. @type {Map<string, Promise<Buffer>>} */
+const small = new Map();
 
 /** Milliseconds between two looks at a file that is still being built. */
 const PATIENCE = 250;
@@ -28,9 +37,30 @@ const server = createServer(async (request, response) => {
     response.writeHead(404, { 'content-type': 'text/plain' }).end('not found');
     return;
   }
-  response.writeHead(200, { ...headers, 'content-type': TYPES[extname(inside)] ?? 'application/octet-stream' });
-  createReadStream(inside).pipe(response);
+  const type = extname(inside);
+  const content = { ...headers, 'content-type': TYPES[type] ?? 'application/octet-stream' };
+  if (!SHRINKS.has(type) || !/\bgzip\b/.test(String(request.headers['accept-encoding']))) {
+    response.writeHead(200, content);
+    createReadStream(inside).pipe(response);
+    return;
+  }
+  const bytes = await compressed(inside);
+  response.writeHead(200, { ...content, 'content-encoding': 'gzip', vary: 'accept-encoding' }).end(bytes);
 });
+
+/**
+ * @param {string} file
+ * @returns {Promise<Buffer>} compressed once as long as it does not change
+ */
+function compressed(file) {
+  const key = `${file} ${statSync(file).mtimeMs}`;
+  const known = small.get(key);
+  if (known) return known;
+  const made = readFile(file).then((bytes) => promisify(gzip)(bytes));
+  small.set(key, made);
+  return made;
+}
+
 /**
  * @param {string} file
  * @param {import('node:http').ServerResponse} response

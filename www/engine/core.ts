@@ -52,7 +52,19 @@ const ADDRESS = new URL('../pkg/inkpanel_bg.wasm', import.meta.url);
  */
 const SHARES = !globalThis.navigator?.vendor?.startsWith('Apple');
 
+/** Longest wait for a first paint, in milliseconds: a tab in the background has none. */
+const UNPAINTED = 50;
+
+/** The first paint comes first: what is fetched and compiled before would hold it up, on a phone by seconds. */
+function painted(): Promise<void> {
+  return new Promise((done) => {
+    setTimeout(done, UNPAINTED);
+    globalThis.requestAnimationFrame?.(() => setTimeout(done));
+  });
+}
+
 async function load(): Promise<Program> {
+  await painted();
   const response = await fetch(ADDRESS);
   if (!response.ok) throw failure('core-missing', `The program could not be loaded (${response.status}).`);
   // A static host may serve wasm under any content type, which streaming would refuse.
