@@ -1,8 +1,8 @@
 // @ts-check
 /**
- * Serves the built site below a path: `node serve.js PORT PATH [headers]`. As a plain static host does: files only,
- * compressed, no header beyond those that tell of the content, nothing outside that path; with `headers` also what the
- * site's `_headers` asks for.
+ * Serves the built site below a path: `node serve.js PORT PATH [headers]`, port 0 for any. As a plain static host does:
+ * files only, compressed, no header beyond those that tell of the content, nothing outside that path; with `headers` also
+ * what the site's `_headers` asks for.
  * What is still being built (`nets-module.js`) is answered once it is there.
  */
 import { createReadStream, readFileSync, statSync } from 'node:fs';
@@ -76,4 +76,7 @@ async function whole(file, response) {
   }
 }
 
-server.listen(port, '127.0.0.1', () => process.stdout.write(`http://127.0.0.1:${port}${base}\n`));
+server.listen(port, '127.0.0.1', () => {
+  const { port: given } = /** @type {import('node:net').AddressInfo} */ (server.address());
+  process.stdout.write(`http://127.0.0.1:${given}${base}\n`);
+});

@@ -4,6 +4,10 @@ import { createTheme } from './theme.ts';
 /** A window of a system that turns dark, with what it keeps. */
 function fakeWindow({ dark = false, kept = {} as Record<string, string>, refuses = false } = {}) {
   const root = { dataset: {} as Record<string, string> };
+  const metas = ['light', 'dark'].map((own) => ({
+    media: `(prefers-color-scheme: ${own})`,
+    dataset: {} as Record<string, string>,
+  }));
   const list = { matches: dark, addEventListener: (_: string, hear: () => void) => heard.push(hear) };
   const heard: (() => void)[] = [];
   const refuse = () => {
@@ -15,7 +19,7 @@ function fakeWindow({ dark = false, kept = {} as Record<string, string>, refuses
     removeItem: (key: string) => void delete kept[key],
   };
   const window = {
-    document: { documentElement: root },
+    document: { documentElement: root, querySelectorAll: () => metas },
     matchMedia: () => list,
     get localStorage() {
       return refuses ? refuse() : box;
@@ -24,6 +28,7 @@ function fakeWindow({ dark = false, kept = {} as Record<string, string>, refuses
   return {
     root,
     kept,
+    bars: () => metas.map(({ media }) => media),
     theme: createTheme(window as unknown as Window),
     turn(to: boolean) {
       list.matches = to;
@@ -56,4 +61,16 @@ it('is chosen where nothing can be kept, and what is kept may be nonsense', () =
   theme.useTheme('dark');
   expect([theme.dark.value, root.dataset.theme]).toEqual([true, 'dark']);
   expect(fakeWindow({ kept: { 'inkpanel.theme': 'pink' } }).theme.theme.value).toBe('system');
+});
+
+it('colours the bars of the browser', () => {
+  const { theme, bars } = fakeWindow();
+  const asSystem = ['(prefers-color-scheme: light)', '(prefers-color-scheme: dark)'];
+  expect(bars()).toEqual(asSystem);
+  theme.useTheme('dark');
+  expect(bars()).toEqual(['not all', 'all']);
+  theme.useTheme('light');
+  expect(bars()).toEqual(['all', 'not all']);
+  theme.useTheme('system');
+  expect(bars()).toEqual(asSystem);
 });

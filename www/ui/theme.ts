@@ -21,6 +21,7 @@ export function createTheme(window: Window) {
     const root = window.document.documentElement;
     if (theme.value === 'system') delete root.dataset.theme;
     else root.dataset.theme = theme.value;
+    colourBrowser(window.document, theme.value);
   });
 
   return {
@@ -44,5 +45,13 @@ function stored(window: Window): Theme {
     return value === 'light' || value === 'dark' ? value : 'system';
   } catch {
     return 'system';
+  }
+}
+
+/** The browser's own bars, which a phone has above the page: each colour is for the system's theme unless one is chosen. */
+function colourBrowser(document: Document, theme: Theme) {
+  for (const meta of document.querySelectorAll<HTMLMetaElement>('meta[name="theme-color"]')) {
+    const own = (meta.dataset.theme ??= meta.media.includes('dark') ? 'dark' : 'light');
+    meta.media = theme === 'system' ? `(prefers-color-scheme: ${own})` : theme === own ? 'all' : 'not all';
   }
 }

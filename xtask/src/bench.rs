@@ -10,12 +10,20 @@ use crate::stamp::{Inputs, Stamp};
 use crate::{chromium, native, npm, site, tools, wasm};
 
 /// Builds everything, then measures. With words in `filter` only rows whose name has one of them are timed, and
-/// `page`, `album`, `making`, `detect` or `masks` where they are among them; nothing is written; `alone` leaves the other libraries out.
+/// `page`, `album`, `making`, `detect` or `masks` where they are among them; nothing is written; `alone` leaves the
+/// other libraries out. `native` and `lighthouse` stand each alone.
 pub(crate) fn run(project: &Project, filter: &[String], alone: bool) -> Result<()> {
     if filter == ["native"] {
         return native::run(project);
     }
     let browser = chromium::find()?;
+    if filter == ["lighthouse"] {
+        site::build(project)?;
+        install_peers(project)?;
+        let mut lighthouse = Command::new("node");
+        lighthouse.arg("bench/lighthouse.js").current_dir(&project.root).env("CHROMIUM", browser);
+        return tools::run(&mut lighthouse);
+    }
     // Rows need the blocks alone; the site takes minutes.
     if filter.is_empty() || filter.iter().any(|word| ["page", "album", "detect"].contains(&word.as_str())) {
         site::build(project)?;
