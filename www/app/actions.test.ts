@@ -99,6 +99,7 @@ test.each(HERE)('%s counts in the undo as its mark says', async (id) => {
   selection.set([0, 1]);
   if (id === 'panels.split') merging.merge();
   else if (!['panels.merge', 'panels.join', 'panels.swap'].includes(id)) selection.set([0]);
+  if (id === 'window.shrinkPage') parts.ui.zoom.value = 2;
   const action = new Map(everyAction(createActions(parts))).get(id);
   const before = store.history.peek().past.length;
   if (action && isEnabled(action)) action.run();

@@ -27,7 +27,7 @@ export async function fakeParts(): Promise<Parts> {
   const { store, pages, messages, reading, files } = fakeApp();
   const engine = {} as any;
   const ui = createUi({
-    document: { documentElement: { dataset: {} } },
+    document: { documentElement: { dataset: {} }, querySelectorAll: () => [] },
     localStorage: { getItem: () => null, setItem: () => {} },
     matchMedia: () => ({ matches: true, addEventListener: () => {} }),
   } as any);

@@ -20,6 +20,9 @@ import { styleOfPage } from '../styles/style-actions.ts';
 import type { App } from '../ui/context.ts';
 import type { Store } from '../document/store.ts';
 
+/** The widest that the page is painted, in pixels: larger, it takes longer than anyone would wait, and hundreds of megabytes. */
+const SHARPEST = 2800;
+
 export function Stage() {
   const app = useApp();
   const { store, pages, engine, messages, ui, selection, reshaping, ahead } = app;
@@ -27,6 +30,11 @@ export function Stage() {
   const sheet = useRef(null as HTMLDivElement | null);
   const painter = useRef(null as ReturnType<typeof createPainter> | null);
   const width = useWidth(sheet);
+  const area = useRef(null as HTMLDivElement | null);
+  const pixels = Math.min(SHARPEST, screenPixels(width));
+  // On a small screen two fingers enlarge everything.
+  const zoom = ui.wide.value ? ui.zoom.value : 1;
+  useHeldMiddle(area, zoom);
   const page = store.page.value;
   const geometry = store.geometry.value;
   const { settings } = store.project.value;
@@ -65,16 +73,14 @@ export function Stage() {
   const read = store.reading.value?.done;
   const sketch = store.sketch.value;
   useLayoutEffect(() => {
-    if (page && geometry && width > 0)
-      painter.current?.show(page, geometry, screenPixels(width), reshaping.editing.peek());
-  }, [page, geometry, width, read, sketch]);
+    if (page && geometry && width > 0) painter.current?.show(page, geometry, pixels, reshaping.editing.peek());
+  }, [page, geometry, pixels, read, sketch]);
 
   const next = ahead.page.value;
   useEffect(() => {
     const planner = store.planner.peek();
-    if (next && planner && width > 0)
-      painter.current?.prepare(next, planner.geometry(next.layout, next.page), screenPixels(width));
-  }, [next, width]);
+    if (next && planner && width > 0) painter.current?.prepare(next, planner.geometry(next.layout, next.page), pixels);
+  }, [next, pixels]);
 
   return (
     <section
@@ -83,12 +89,22 @@ export function Stage() {
       aria-description={about}
       aria-busy={store.reading.value !== null || (page !== null && ui.painted.value !== page)}
     >
-      <div class="stage-area" {...swipe} onClick={selection.clear}>
-        <div class="page" ref={sheet} style={{ '--aspect': settings.width / settings.height }}>
+      <div
+        class="stage-area"
+        ref={area}
+        data-zoomed={zoom > 1}
+        {...(zoom > 1 ? {} : swipe)}
+        onClick={selection.clear}
+        onWheelCapture={(event: WheelEvent) => {
+          // Of a page that is larger than the window the wheel shows the rest; with Ctrl it is the panel's as ever.
+          if (zoom > 1 && !event.ctrlKey) event.stopPropagation();
+        }}
+      >
+        <div class="page" ref={sheet} style={{ '--aspect': settings.width / settings.height, '--zoom': zoom }}>
           <canvas ref={canvas} class="page-canvas" aria-hidden="true" />
           {page && geometry && <Panels page={page} geometry={geometry} />}
           {page && geometry && !reshaping.editing.value && (
-            <WordLayer page={page} geometry={geometry} width={width > 0 ? screenPixels(width) : 0} />
+            <WordLayer page={page} geometry={geometry} width={width > 0 ? pixels : 0} />
           )}
           {page && geometry && ui.subjects.value && <PanelSubjects page={page} geometry={geometry} />}
           {page && geometry && reshaping.editing.value && <Cuts />}
@@ -98,7 +114,13 @@ export function Stage() {
           <ActionButton action={app.actions.page.acceptCrops} class="better-crops" text />
         )}
       </div>
-      {page && ui.wide.value && <ActionButton action={app.actions.window.preview} class="icon-button preview-button" />}
+      {page && ui.wide.value && (
+        <div class="stage-tools">
+          <ActionButton action={app.actions.window.enlargePage} class="icon-button" />
+          <ActionButton action={app.actions.window.shrinkPage} class="icon-button" />
+          <ActionButton action={app.actions.window.preview} class="icon-button" />
+        </div>
+      )}
       <p class="visually-hidden" aria-live="polite">
         {said}
       </p>
@@ -134,4 +156,28 @@ function useWidth(ref: { current: Element | null }): number {
     return () => observer.disconnect();
   }, []);
   return width;
+}
+
+/** What is in the middle of the area stays there when the page in it becomes larger or smaller. */
+function useHeldMiddle(ref: { current: HTMLElement | null }, zoom: number) {
+  const middle = useRef({ x: 0.5, y: 0.5 });
+  useEffect(() => {
+    const area = ref.current;
+    if (!area) return undefined;
+    const look = () => {
+      middle.current = {
+        x: (area.scrollLeft + area.clientWidth / 2) / area.scrollWidth,
+        y: (area.scrollTop + area.clientHeight / 2) / area.scrollHeight,
+      };
+    };
+    area.addEventListener('scroll', look, { passive: true });
+    return () => area.removeEventListener('scroll', look);
+  }, []);
+  useLayoutEffect(() => {
+    const area = ref.current;
+    if (!area) return;
+    const { x, y } = zoom > 1 ? middle.current : { x: 0.5, y: 0.5 };
+    area.scrollTo(x * area.scrollWidth - area.clientWidth / 2, y * area.scrollHeight - area.clientHeight / 2);
+    middle.current = { x, y };
+  }, [zoom]);
 }

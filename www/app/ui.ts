@@ -11,6 +11,8 @@ import type { Signal } from '@preact/signals';
 /** The tabs beside the page, in their order. */
 export const SIDE_TABS = ['styles', 'layouts', 'words', 'page'] as const;
 export type SideTab = (typeof SIDE_TABS)[number];
+/** How much larger than the window has room for the page is shown. */
+export const ZOOMS = [1, 1.5, 2, 3, 4] as const;
 export type Sheet = 'photos' | 'styles' | 'layouts' | 'words' | 'settings';
 export type Ui = ReturnType<typeof createUi>;
 
@@ -48,6 +50,8 @@ export function createUi(window: Window) {
     },
     /** Whether the page has the window to itself. */
     preview: signal(false),
+    /** How many times as large the page is as it would be whole. */
+    zoom: signal(1) as Signal<number>,
     /** The sheet that is open on a small screen. */
     sheet: signal(null) as Signal<Sheet | null>,
     /** The tab that is open beside the page on a large screen. */

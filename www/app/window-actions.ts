@@ -4,6 +4,7 @@ import { computed } from '@preact/signals';
 import { strings } from '../strings/strings.ts';
 import type { Action } from '../ui/action.ts';
 import type { Parts } from '../ui/context.ts';
+import { ZOOMS } from './ui.ts';
 import type { Sheet } from './ui.ts';
 
 export function createWindowActions({ ui, designer }: Pick<Parts, 'ui' | 'designer'>) {
@@ -44,6 +45,24 @@ export function createWindowActions({ ui, designer }: Pick<Parts, 'ui' | 'design
       on: ui.preview,
       run: () => {
         ui.preview.value = !ui.preview.peek();
+      },
+    },
+    enlargePage: {
+      label: strings.enlargePage,
+      keys: ['Z'],
+      icon: 'zoomIn',
+      enabled: computed(() => ui.zoom.value < ZOOMS[ZOOMS.length - 1]),
+      run: () => {
+        ui.zoom.value = ZOOMS.find((zoom) => zoom > ui.zoom.peek()) ?? ui.zoom.peek();
+      },
+    },
+    shrinkPage: {
+      label: strings.shrinkPage,
+      keys: ['X'],
+      icon: 'zoomOut',
+      enabled: computed(() => ui.zoom.value > 1),
+      run: () => {
+        ui.zoom.value = ZOOMS.findLast((zoom) => zoom < ui.zoom.peek()) ?? 1;
       },
     },
     help: {

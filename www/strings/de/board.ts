@@ -4,6 +4,8 @@ export const boardStrings = {
   shuffle: 'Mischen',
   fullScreen: 'Vollbild',
   endFullScreen: 'Vollbild verlassen',
+  enlargePage: 'Seite vergrößern',
+  shrinkPage: 'Seite verkleinern',
   versionAt: (n: number, of: number) => `Version ${n} von ${of}`,
   betterCrops: 'Bessere Ausschnitte gefunden',
   betterCropsWhy: 'Inzwischen wurden Gesichter und Objekte gefunden: ganz zeigen',

@@ -6,6 +6,8 @@ export const boardStrings = {
   shuffle: 'Shuffle',
   fullScreen: 'Full screen',
   endFullScreen: 'Leave full screen',
+  enlargePage: 'Enlarge page',
+  shrinkPage: 'Shrink page',
   versionAt: (n: number, of: number) => `Version ${n} of ${of}`,
   betterCrops: 'Better crops found',
   betterCropsWhy: 'Faces and objects were found since: show them whole',

@@ -4,6 +4,8 @@ export const boardStrings = {
   shuffle: 'Barajar',
   fullScreen: 'Pantalla completa',
   endFullScreen: 'Salir de la pantalla completa',
+  enlargePage: 'Ampliar página',
+  shrinkPage: 'Reducir página',
   versionAt: (n: number, of: number) => `Versión ${n} de ${of}`,
   betterCrops: 'Hay mejores encuadres',
   betterCropsWhy: 'Se han encontrado caras y objetos: mostrarlos enteros',

@@ -4,6 +4,8 @@ export const boardStrings = {
   shuffle: 'Mélanger',
   fullScreen: 'Plein écran',
   endFullScreen: 'Quitter le plein écran',
+  enlargePage: 'Agrandir la page',
+  shrinkPage: 'Réduire la page',
   versionAt: (n: number, of: number) => `Version ${n} sur ${of}`,
   betterCrops: 'Meilleurs cadrages trouvés',
   betterCropsWhy: 'Des visages et des objets ont été trouvés depuis : les montrer en entier',

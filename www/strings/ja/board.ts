@@ -4,6 +4,8 @@ export const boardStrings = {
   shuffle: 'シャッフル',
   fullScreen: '全画面表示',
   endFullScreen: '全画面表示を終了',
+  enlargePage: 'ページを拡大',
+  shrinkPage: 'ページを縮小',
   versionAt: (n: number, of: number) => `バージョン${n}／${of}`,
   betterCrops: 'よりよい切り抜きがあります',
   betterCropsWhy: '顔と物が見つかりました。欠けないように切り抜き直します',

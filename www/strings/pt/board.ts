@@ -4,6 +4,8 @@ export const boardStrings = {
   shuffle: 'Embaralhar',
   fullScreen: 'Tela cheia',
   endFullScreen: 'Sair da tela cheia',
+  enlargePage: 'Ampliar página',
+  shrinkPage: 'Reduzir página',
   versionAt: (n: number, of: number) => `Versão ${n} de ${of}`,
   betterCrops: 'Enquadramentos melhores',
   betterCropsWhy: 'Rostos e objetos foram encontrados depois: mostre-os inteiros',

@@ -1,0 +1,53 @@
+// @ts-check
+/** The page larger than the window has room for. */
+
+import { four, panel } from './panel-hands.js';
+import { expect, idle, test } from './support.js';
+
+/** @typedef {import('../../../www/testing.ts').Page} Page */
+
+const button = (/** @type {Page} */ page, /** @type {string} */ name) =>
+  page.getByRole('button', { name, exact: true });
+
+/** @param {Page} page @returns {Promise<{ width: number, height: number, x: number, y: number }>} */
+const boxOf = (page) => panel(page, 1).evaluate((element) => element.getBoundingClientRect().toJSON());
+
+test('the page is enlarged about its middle, painted sharper, and whole again', async ({ page }) => {
+  await four(page);
+  const canvas = page.locator('.page-canvas');
+  const painted = () => canvas.evaluate((element) => /** @type {HTMLCanvasElement} */ (element).width);
+  const [whole, pixels] = [await boxOf(page), await painted()];
+  await expect(button(page, 'Shrink page')).toBeDisabled();
+  await button(page, 'Enlarge page').click();
+  await page.keyboard.press('z');
+  await expect.poll(async () => (await boxOf(page)).width / whole.width).toBeCloseTo(2, 1);
+  await idle(page);
+  expect(await painted()).toBeGreaterThan(1.9 * pixels);
+  // The corner where the four panels meet was in the middle, and is.
+  const [stage, corner] = [
+    await page.locator('.stage-area').evaluate((element) => element.getBoundingClientRect().toJSON()),
+    await boxOf(page),
+  ];
+  expect(Math.abs(corner.x + corner.width - (stage.x + stage.width / 2))).toBeLessThan(40);
+  expect(Math.abs(corner.y + corner.height - (stage.y + stage.height / 2))).toBeLessThan(40);
+  await page.keyboard.press('x');
+  await page.keyboard.press('x');
+  await expect.poll(async () => (await boxOf(page)).width).toBeCloseTo(whole.width, 0);
+  await expect(button(page, 'Shrink page')).toBeDisabled();
+});
+
+test('the wheel shows the rest of an enlarged page, and zooms no picture meanwhile', async ({ page }) => {
+  await four(page);
+  for (let i = 0; i < 3; i += 1) await button(page, 'Enlarge page').click();
+  await idle(page);
+  const before = await boxOf(page);
+  const area = await page.locator('.stage-area').boundingBox();
+  if (!area) throw new Error('no stage');
+  await page.mouse.move(area.x + area.width / 2, area.y + area.height / 2);
+  await page.mouse.wheel(0, 120);
+  await expect.poll(async () => before.y - (await boxOf(page)).y).toBeGreaterThan(60);
+  await expect(button(page, 'Undo')).toBeEnabled();
+  // What is undone is the choice of the layout: the wheel left no step.
+  await button(page, 'Undo').click();
+  await expect(page.getByRole('group', { name: /^Panel \d of 4$/ })).toHaveCount(0);
+});
