@@ -108,12 +108,13 @@ export function Stage() {
           )}
           {page && geometry && ui.subjects.value && <PanelSubjects page={page} geometry={geometry} />}
           {page && geometry && reshaping.editing.value && <Cuts />}
-          {page && geometry && <PanelBar geometry={geometry} />}
+          {page && geometry && zoom === 1 && <PanelBar geometry={geometry} />}
         </div>
         {isEnabled(app.actions.page.acceptCrops) && (
           <ActionButton action={app.actions.page.acceptCrops} class="better-crops" text />
         )}
       </div>
+      {page && geometry && zoom > 1 && <PanelBar geometry={geometry} />}
       {page && ui.wide.value && (
         <div class="stage-tools">
           <ActionButton action={app.actions.window.enlargePage} class="icon-button" />

@@ -36,6 +36,15 @@ test('the page is enlarged about its middle, painted sharper, and whole again', 
   await expect(button(page, 'Shrink page')).toBeDisabled();
 });
 
+test('the tools of a panel are in sight while the page is enlarged', async ({ page }) => {
+  await four(page);
+  for (let i = 0; i < 4; i += 1) await button(page, 'Enlarge page').click();
+  await panel(page, 1).click({ position: { x: 300, y: 300 } });
+  const tools = page.getByRole('toolbar', { name: 'Tools for the photo of the panel' }).getByRole('button');
+  for (const tool of await tools.and(page.locator(':enabled')).all()) await tool.click({ trial: true });
+  await button(page, 'Shrink page').click({ trial: true });
+});
+
 test('the wheel shows the rest of an enlarged page, and zooms no picture meanwhile', async ({ page }) => {
   await four(page);
   for (let i = 0; i < 3; i += 1) await button(page, 'Enlarge page').click();
