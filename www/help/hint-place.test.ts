@@ -37,7 +37,21 @@ it('lies at least over the middle of none, where there is no room for more', () 
     x: 400,
   });
   const full = Array.from({ length: 100 }, (_, i) => ({ left: i * 10, top: 560, width: 8, height: 8 }));
-  expect(placeHint(ANCHOR, SIZE, low, { ...FREE, controls: full }, ['above'])).toBeNull();
+  const place = placeHint(ANCHOR, SIZE, low, { ...FREE, controls: full }, ['above']);
+  expect(place?.tail).toBeNull();
+  expect(place?.y).toBeGreaterThan(564);
+});
+
+it('is over the foot of what it is about where that fills the room', () => {
+  const all = { ...ROOM, left: 10, width: 980 };
+  const place = placeHint(all, SIZE, ROOM, { ...FREE, controls: [all] }, ['above', 'below', 'after', 'before']);
+  expect(place?.tail).toBeNull();
+  expect(Math.abs((place?.x ?? 0) + 100 - 500)).toBeLessThan(20);
+  expect(place?.y).toBeGreaterThan(700);
+});
+  const { x, y } = place ?? { x: 0, y: 0 };
+  expect(x < 500 && x + 200 > 500 && y < 400 && y + 50 > 400).toBe(false);
+  expect(Math.hypot(x + 100 - 500, y + 25 - 400)).toBeLessThan(60);
 });
 
 it('touches no message, and stands nowhere where there is no room', () => {

@@ -9,6 +9,8 @@ export type Place = { x: number; y: number; side: Side; tail: number | null };
 const GAPS = [12, 64, 116, 168, 220, 260, 300];
 /** Room at the edges of the window. */
 const EDGE = 8;
+/** Between two places that are tried where there is none beside it. */
+const STEP = 16;
 /** Its tail does not stand on its round corners. */
 const ROUND = 20;
 /** Where it begins along the edge of what it is about, as parts of its own length: centred first. */
@@ -42,9 +44,20 @@ export function placeHint(
     width: 0,
     height: 0,
   }));
-  const clear = (of: readonly Box[]) =>
-    places.find(({ x, y }) => !of.some((other) => touch({ left: x, top: y, ...size }, other)));
-  return clear(controls) ?? clear(middles) ?? null;
+  const clear = (of: readonly Box[], among: readonly Place[] = places) =>
+    among.find(({ x, y }) => !of.some((other) => touch({ left: x, top: y, ...size }, other)));
+  return clear(controls) ?? clear(middles) ?? clear([...middles, ...messages], anywhere(anchor, size, room)) ?? null;
+}
+
+/** Where what it is about leaves no room beside it: all over the room, the nearest to its foot first. */
+function anywhere(anchor: Box, { width, height }: { width: number; height: number }, room: Box): Place[] {
+  const places: Place[] = [];
+  for (let y = room.top + EDGE; y + height <= room.top + room.height - EDGE; y += STEP)
+    for (let x = room.left + EDGE; x + width <= room.left + room.width - EDGE; x += STEP)
+      places.push({ x, y, side: 'above', tail: null });
+  const [middle, foot] = [anchor.left + anchor.width / 2, anchor.top + anchor.height];
+  const far = ({ x, y }: Place) => Math.hypot(x + width / 2 - middle, y + height / 2 - foot);
+  return places.sort((a, b) => far(a) - far(b));
 }
 
 function placeAt(

@@ -2,7 +2,7 @@
 /** Three hints at first use: where they stand, when they go, and that they come no second time. */
 
 import { covered } from '../covered.js';
-import { accessible, expect, idle, openBoard, press, test } from './support.js';
+import { accessible, choose, expect, idle, openBoard, press, test } from './support.js';
 
 /** @typedef {import('../../../www/testing.ts').Page} Page */
 
@@ -65,6 +65,17 @@ for (const viewport of [
     });
   });
 }
+
+test('a panel that leaves no room beside it has its hint over its foot', async ({ page }) => {
+  await openBoard(page);
+  await page.getByRole('button', { name: 'Close the hint' }).click();
+  await choose(page, 'inset', 'Two insets');
+  await page.setViewportSize({ width: 844, height: 390 });
+  await idle(page);
+  await page.getByRole('group', { name: /^Panel 1 of/ }).click({ position: { x: 20, y: 150 } });
+  await expect(hint(page, 'Drag to move the picture')).toBeVisible();
+  expect(await wrong(page)).toEqual(RIGHT);
+});
 
 test('one that was closed never comes again, until one asks in the help', async ({ page }) => {
   await openBoard(page, ['cat.jpg']);
