@@ -27,6 +27,20 @@ describe('page settings', () => {
     expect(store.sheets.value.map(({ page }) => page.gutter)).toEqual([0.018, 0.018]);
   });
 
+  test('while a slider is held are of the page that is shown, and of all pages once it is let go, as one step', () => {
+    const { book, pages, store } = app;
+    book.spreadAlbum();
+    const steps = store.history.value.past.length;
+    const gutters = () => store.sheets.value.map(({ page }) => page.gutter);
+    for (const gutter of [0.02, 0.03]) pages.changeSettings({ gutter }, 'gutter-1', { held: true });
+    expect(gutters()).toEqual([0.03, 0.018]);
+    pages.changeSettings({}, 'gutter-1');
+    expect(gutters()).toEqual([0.03, 0.03]);
+    expect(store.history.value.past.length).toBe(steps + 1);
+    pages.undo();
+    expect(gutters()).toEqual([0.018, 0.018]);
+  });
+
   test('hold for a version that comes back', () => {
     const { book, pages, store } = app;
     book.spreadAlbum();

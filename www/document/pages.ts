@@ -3,7 +3,7 @@
  */
 
 import { position, versions } from './history.ts';
-import { sheetsOf } from './sheets.ts';
+import { photosOn, sheetsOf } from './sheets.ts';
 import type { Draw, Wish } from '../engine/core.ts';
 import type { LayoutChoice, PageDocument, PageSettings, StyleChoice } from '../engine/types.ts';
 import type { Shown } from './history.ts';
@@ -124,11 +124,21 @@ export function createPages(
   /**
    * Changes size, gutter, paper and the like, of all pages of the storyboard alike.
    * @param gesture names one drag of a control, which is one step of the undo
+   * @param how `held`: the control is still in the hand. The other pages then wait for the call without it, which ends the
+   * drag: to plan all of an album at each step would hold the slider up
    */
-  function changeSettings(wish: Partial<PageSettings>, gesture?: string) {
+  function changeSettings(wish: Partial<PageSettings>, gesture?: string, { held = false }: { held?: boolean } = {}) {
     const project = store.project.peek();
     const { settings, page, at } = project;
     const changed = { ...settings, ...wish };
+    if (held && page && project.others.length > 0) {
+      const own = photosOn([page]);
+      const photos = store.photos.peek().filter(({ id }) => own.has(id));
+      const wanted: Wish = { keep: KEEP_ALL, seed: page.seed, page: changed };
+      const alone = plan(photos.length > 0 ? { ...wanted, photos } : wanted);
+      if (alone) store.change({ type: 'change-settings', settings: changed, page: alone, gesture });
+      return;
+    }
     const made = page ? store.plans().onPaper(draw(), changed).map(settled) : [];
     store.change({ type: 'change-settings', settings: changed, page: page && made[at], gesture });
     if (made.length < 2) return;

@@ -2,7 +2,7 @@
  * The page's size, lengths and colours, all live. One drag of a slider is one step of the undo.
  */
 
-import { useRef, useState } from 'preact/hooks';
+import { useEffect, useRef, useState } from 'preact/hooks';
 import { PAGE_SIZES, sizeId } from './paper.ts';
 import { strings } from '../strings/strings.ts';
 import { useApp } from '../ui/context.ts';
@@ -28,11 +28,20 @@ export function PageSettingsForm() {
   const [custom, setCustom] = useState(false);
   const size = custom ? 'custom' : sizeId(settings);
 
-  const change = (name: keyof PageSettings, value: number | string) =>
-    pages.changeSettings({ [name]: value }, `${name}-${drags.current}`);
+  /** The drag that has changed the page that is shown alone so far. */
+  const held = useRef('');
+
+  const change = (name: keyof PageSettings, value: number | string) => {
+    held.current = `${name}-${drags.current}`;
+    pages.changeSettings({ [name]: value }, held.current, { held: true });
+  };
   const rest = () => {
+    if (held.current) pages.changeSettings({}, held.current);
+    held.current = '';
     drags.current += 1;
   };
+  // What is put away while it is held is let go of.
+  useEffect(() => rest, []);
 
   function resize(id: string) {
     setCustom(id === 'custom');
