@@ -20,6 +20,7 @@
 //! | [`fir`] | symmetric convolutions of rows and columns of fine planes |
 //! | [`gaussian`] | Gaussian smoothing at a cost that does not grow with sigma |
 //! | [`blade`] | 7 x 7 filters that change from place to place |
+//! | [`oriented`] | averages and choices at places that turn with a field of directions |
 
 pub mod blade;
 pub mod dots;
@@ -30,6 +31,7 @@ pub mod flow;
 pub mod gaussian;
 pub mod lanes;
 pub mod mix;
+pub mod oriented;
 pub mod point;
 pub mod screen;
 pub mod table;

@@ -20,6 +20,8 @@ pub struct Context<'a> {
     pub(in crate::style) flow: super::blocks::FlowBuffers,
     /// Rows of the bilateral grid.
     pub(in crate::style) grid: super::blocks::GridBuffers,
+    /// The sheet of the last Paper.
+    pub(in crate::style) sheet: Option<super::blocks::DrawnSheet>,
     /// The tiles of the last Pattern Filling.
     pub(in crate::style) tiles: Option<super::blocks::DrawnTiles>,
     planes: Vec<Vec<u8>>,

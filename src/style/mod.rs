@@ -7,8 +7,10 @@
 //! | [`blade`] | operators learned from photos, as banks of small filters |
 //! | [`mod@file`] | the style file: parsing with exact error places, writing |
 //! | [`chain`] | a layer compiled into passes and run |
+//! | [`tangents`] | the direction of edges everywhere, and averages along it |
 //! | [`context`] | scale, scratch memory and cancellation that a run gives to its blocks |
 //! | [`catalogue`] | the designed styles that ship in `styles/` |
+//! | [`grain`] | noise of a given size, the same everywhere |
 //! | [`stages`] | a chain that keeps the picture after every block, for the designer |
 //! | [`procedural`] | styles invented from a seed |
 //! | [`breeding`] | new styles from two others |
@@ -23,10 +25,12 @@ pub mod catalogue;
 pub mod chain;
 pub mod context;
 pub mod file;
+pub mod grain;
 pub mod look;
 pub mod params;
 pub mod procedural;
 pub mod stages;
+pub mod tangents;
 
 pub use context::Context;
 pub use file::Style;

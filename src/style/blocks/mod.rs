@@ -5,18 +5,25 @@ mod brightness;
 mod colorize;
 mod detail;
 mod dynamic_range;
+mod engrave;
 mod equalize;
 mod etf;
+mod flow_lines;
+mod flatten;
 mod gaussian;
 mod halftone;
 mod hue;
+mod kuwahara;
 mod luma_posterize;
+mod paper;
 mod pattern;
+mod plates;
 mod posterize;
 mod saturation;
 mod size;
 mod sobel;
 mod soft_threshold;
+mod strokes;
 mod to_color;
 mod to_gray;
 mod tvf;
@@ -29,6 +36,7 @@ use crate::raster::{Image, Plane};
 use crate::simd::table::Table;
 use crate::simd::tones::Tones;
 pub(in crate::style) use detail::Buffers as GridBuffers;
+pub(in crate::style) use paper::Drawn as DrawnSheet;
 pub(in crate::style) use pattern::Drawn as DrawnTiles;
 use serde::Serialize;
 pub(in crate::style) use tvf::Buffers as FlowBuffers;
@@ -51,6 +59,13 @@ pub static ALL: &[&Block] = &[
     &detail::BLOCK,
     &sobel::BLOCK,
     &xdog::BLOCK,
+    &flow_lines::BLOCK,
+    &kuwahara::BLOCK,
+    &engrave::BLOCK,
+    &strokes::BLOCK,
+    &flatten::BLOCK,
+    &plates::BLOCK,
+    &paper::BLOCK,
     &size::BLOCK,
     &pattern::BLOCK,
     &halftone::BLOCK,

@@ -1,0 +1,339 @@
+//! Engrave: lines that follow form and swell with tone, as a burin cuts them.
+//!
+//! A screen of lines has a phase whose gradient is its density and direction. The one that is wanted bends from the chosen
+//! angle toward the tangent of edges and over the relief that light and shade tell of; the phase that comes nearest to it
+//! (least squares) has no seam anywhere:
+//!
+//! ```text
+//! v   = (normal of the bent direction) / pitch + relief grad H        |bend| <= 45 degrees
+//! phi = argmin of the sum of |grad phi - v|^2                        a Poisson equation, on a coarse grid
+//! ink where |2 frac(phi) - 1| < darkness                              one pixel soft
+//! ```
+//!
+//! Darker tones get a second and a third screen across; what two screens leave white multiplies.
+//!
+//! Sources: Ostromoukhov, "Digital facial engraving", 1999 (lines of swelling width over form, laid in layers by tone);
+//! Kyprianidis and Döllner, 2008 (the field, see [`crate::style::tangents`]).
+
+use super::{Block, Channels, Kernel};
+use crate::error::Result;
+use crate::raster::Plane;
+use crate::style::context::Context;
+use crate::style::params::{Args, Unit, integer, number};
+use crate::style::tangents::{TURNS, Tangents, smooth};
+
+pub(super) static BLOCK: Block = Block {
+    id: "engrave",
+    label: "Engraving",
+    help: "Cuts tones into lines that follow shapes and swell in the shade.",
+    input: Channels::Any,
+    output: Channels::Luma,
+    params: &[
+        number("pitch", "Pitch", "Distance between lines.", (7.0, 3.0, 40.0, 0.5), Unit::Pixels),
+        number("angle", "Angle", "Direction of the first lines.", (20.0, -90.0, 90.0, 1.0), Unit::Degrees),
+        number("follow", "Follow form", "How far lines bend over shapes.", (70.0, 0.0, 100.0, 1.0), Unit::Percent),
+        integer("layers", "Layers", "How many directions dark tones get.", (2, 1, 3)),
+        number("ink", "Ink", "Wider lines and blacker shade.", (100.0, 40.0, 200.0, 1.0), Unit::Percent),
+    ],
+    kernel: Kernel::Luma(run),
+};
+
+/// Distance between points of the coarse grid, at 1920 x 1080.
+const GRID: f32 = 8.0;
+
+/// Over how many pixels the relief and the field are smoothed.
+const FORM: f32 = 14.0;
+
+/// How far one whole step of tone raises the relief, in lines, and by how much of a line's density it may at most bend.
+const RELIEF: (f32, f32) = (9.0, 0.45);
+
+/// Angles of the screens against the first, and the darkness at which they begin.
+const LAYERS: [(f32, f32); 3] = [(0.0, 0.0), (62.0, 0.42), (-48.0, 0.7)];
+
+/// Below this darkness the paper stays white.
+const WHITE: f32 = 0.05;
+
+/// Sweeps of the solver on every level, and its over-relaxation.
+const SWEEPS: usize = 14;
+const RELAXATION: f32 = 1.5;
+
+fn run(args: Args<'_>, mut plane: Plane, context: &mut Context<'_>) -> Result<Plane> {
+    let pitch = args.pixels(0).max(2.0);
+    let (angle, follow, ink) = (args.number(1), args.number(2) / 100.0, args.number(4) / 100.0);
+    let form = Form::of(&plane, context.scale());
+    let dark: Vec<f32> = (0..=255u8)
+        .map(|tone| (((1.0 - f32::from(tone) / 255.0) * ink - WHITE) / (1.0 - WHITE)).clamp(0.0, 1.0))
+        .collect();
+    let layers = args.number(3) as usize;
+    let mut screens = Vec::with_capacity(layers);
+    for &(turn, from) in LAYERS.iter().take(layers) {
+        context.check_cancelled()?;
+        screens.push((Screen::new(&form, pitch, angle + turn, follow), from));
+    }
+    let mut phases = vec![0.0; plane.width()];
+    let mut covered = vec![0.0f32; plane.width()];
+    let mut white = vec![1.0f32; plane.width()];
+    let last = screens.len() - 1;
+    for y in 0..plane.height() {
+        if y % 64 == 0 {
+            context.check_cancelled()?;
+        }
+        covered.fill(0.0);
+        white.fill(1.0);
+        let row = plane.row_mut(y);
+        for (i, (screen, from)) in screens.iter().enumerate() {
+            screen.row(y, &mut phases);
+            // What comes later takes over where it begins: until then this one holds all of the tone.
+            let limit = if i == last { 1.0 } else { screens[i + 1].1.max(0.5) };
+            let pixels = row.iter().zip(&phases).zip(covered.iter_mut().zip(white.iter_mut()));
+            for ((&tone, &phase), (covered, white)) in pixels {
+                let dark = dark[usize::from(tone)];
+                let wanted = if dark > *from { 1.0 - (1.0 - dark) / (1.0 - *covered) } else { 0.0 };
+                let wanted = wanted.clamp(0.0, limit);
+                let distance = (2.0 * (phase - phase.floor()) - 1.0).abs();
+                let paper = ((distance - wanted) * (0.5 * pitch) + 0.5).clamp(0.0, 1.0);
+                // Nothing where nothing is wanted, everything where all is.
+                let paper = if wanted <= 0.0 { 1.0 } else { paper };
+                *white *= paper;
+                *covered = 1.0 - (1.0 - *covered) * (1.0 - wanted);
+            }
+        }
+        for (tone, white) in row.iter_mut().zip(&white) {
+            *tone = (255.0 * white + 0.5) as u8;
+        }
+    }
+    Ok(plane)
+}
+
+/// What lines follow, on the coarse grid: directions, and the relief of light and shade.
+struct Form {
+    columns: usize,
+    rows: usize,
+    /// Pixels between two points.
+    gap: usize,
+    turns: Vec<u8>,
+    coherence: Vec<u8>,
+    /// Grey steps / 255.
+    relief: Vec<f32>,
+}
+
+impl Form {
+    fn of(plane: &Plane, scale: f32) -> Self {
+        let gap = ((GRID * scale).round() as usize).max(4);
+        let (columns, rows) = (plane.width().div_ceil(gap) + 1, plane.height().div_ceil(gap) + 1);
+        let form = FORM * scale;
+        let field = Tangents::of(plane, form.max(3.0));
+        let mut relief = vec![0.0; columns * rows];
+        let (mut turns, mut coherence) = (vec![0; columns * rows], vec![0; columns * rows]);
+        for j in 0..rows {
+            for i in 0..columns {
+                let (x, y) = ((i * gap).min(plane.width() - 1), (j * gap).min(plane.height() - 1));
+                let cell = y / 4 * field.columns() + x / 4;
+                turns[j * columns + i] = field.turns()[cell];
+                coherence[j * columns + i] = field.coherence()[cell];
+                relief[j * columns + i] = mean(plane, (x, y), gap);
+            }
+        }
+        smooth(&mut relief, columns, rows, form / gap as f32);
+        Self { columns, rows, gap, turns, coherence, relief }
+    }
+}
+
+/// Mean tone, 0 to 1, of the square of `side` pixels about a place.
+fn mean(plane: &Plane, (x, y): (usize, usize), side: usize) -> f32 {
+    let span = |at: usize, length: usize| at.saturating_sub(side / 2)..(at + side / 2 + 1).min(length);
+    let (across, down) = (span(x, plane.width()), span(y, plane.height()));
+    let count = across.len() * down.len();
+    let sum: u32 = down.map(|y| plane.row(y)[across.clone()].iter().map(|&v| u32::from(v)).sum::<u32>()).sum();
+    sum as f32 / (255 * count) as f32
+}
+
+/// One screen of lines: a plane wave and its deviation, in lines, on the points of the coarse grid.
+struct Screen {
+    wave: (f32, f32),
+    columns: usize,
+    gap: usize,
+    deviation: Vec<f32>,
+}
+
+impl Screen {
+    fn new(form: &Form, pitch: f32, degrees: f32, follow: f32) -> Self {
+        let angle = f64::from(degrees).to_radians();
+        // The normal of lines that run along the angle.
+        let (sin, cos) = angle.sin_cos();
+        let wave = ((-sin / f64::from(pitch)) as f32, (cos / f64::from(pitch)) as f32);
+        let mut deviation = vec![0.0; form.columns * form.rows];
+        if follow > 0.0 {
+            let (across, down) = wanted(form, pitch, degrees, follow);
+            deviation = solve(form.columns, form.rows, &across, &down);
+        }
+        Self { wave, columns: form.columns, gap: form.gap, deviation }
+    }
+
+    /// The phases of a row of pixels.
+    fn row(&self, y: usize, phases: &mut [f32]) {
+        let (line, between) = (y / self.gap, (y % self.gap) as f32 / self.gap as f32);
+        let points = |line: usize| &self.deviation[line * self.columns..(line + 1) * self.columns];
+        let (above, below) = (points(line), points(line + 1));
+        let point = |i: usize| above[i] + between * (below[i] - above[i]);
+        let start = y as f32 * self.wave.1;
+        // What is whole in it says nothing, and would cost precision far from the corner.
+        let start = start - start.floor();
+        for (i, phases) in phases.chunks_mut(self.gap).enumerate() {
+            let (from, to) = (point(i), point(i + 1));
+            let step = (to - from) / self.gap as f32;
+            let first = start + from + (i * self.gap) as f32 * self.wave.0;
+            for (x, phase) in phases.iter_mut().enumerate() {
+                *phase = first + x as f32 * (step + self.wave.0);
+            }
+        }
+    }
+}
+
+/// The gradient that the deviation should have, in lines for each step of the grid, to the right and down.
+fn wanted(form: &Form, pitch: f32, degrees: f32, follow: f32) -> (Vec<f32>, Vec<f32>) {
+    let Form { columns, rows, gap, .. } = *form;
+    let lines = gap as f32 / pitch;
+    let bends: Vec<[(f32, f32); TURNS]> = (0..=8).map(|c| bends(degrees, follow * c as f32 / 8.0)).collect();
+    let mut across = vec![0.0; columns * rows];
+    let mut down = vec![0.0; columns * rows];
+    for j in 0..rows {
+        for i in 0..columns {
+            let at = |i: usize, j: usize| form.relief[j.min(rows - 1) * columns + i.min(columns - 1)];
+            let here = j * columns + i;
+            let slope = |ahead: f32, behind: f32| 0.5 * (ahead - behind) * RELIEF.0 * follow;
+            let x = slope(at(i + 1, j), at(i.saturating_sub(1), j));
+            let y = slope(at(i, j + 1), at(i, j.saturating_sub(1)));
+            // Steep relief would fold the lines over each other.
+            let most = RELIEF.1 * lines;
+            let length = (x * x + y * y).sqrt();
+            let held = most / (most + length);
+            let bend = bends[usize::from(form.coherence[here]) / 31][usize::from(form.turns[here]) % TURNS];
+            across[here] = bend.0 * lines + x * held;
+            down[here] = bend.1 * lines + y * held;
+        }
+    }
+    (across, down)
+}
+
+/// For each direction of the field, how the normal of lines changes when they bend toward it.
+fn bends(degrees: f32, strength: f32) -> [(f32, f32); TURNS] {
+    std::array::from_fn(|turn| {
+        let half = std::f64::consts::PI;
+        let own = f64::from(degrees).to_radians();
+        let apart = (turn as f64 * half / TURNS as f64 - own + half / 2.0).rem_euclid(half) - half / 2.0;
+        // A direction across the lines could pull either way, so it does not pull at all.
+        let bent = own + f64::from(strength) * apart * apart.cos().powi(2) * 1.6;
+        ((own.sin() - bent.sin()) as f32, (bent.cos() - own.cos()) as f32)
+    })
+}
+
+/// The function on a grid whose differences come nearest to the ones that are wanted at its points: from a coarse grid
+/// down to this one, by successive over-relaxation.
+fn solve(columns: usize, rows: usize, across: &[f32], down: &[f32]) -> Vec<f32> {
+    let mut result = vec![0.0; columns * rows];
+    if columns > 3 && rows > 3 {
+        let (half_columns, half_rows) = (columns.div_ceil(2), rows.div_ceil(2));
+        let halve = |wanted: &[f32]| -> Vec<f32> {
+            let at = |i: usize, j: usize| wanted[j.min(rows - 1) * columns + i.min(columns - 1)];
+            let row = |i: usize, j: usize| 0.25 * (at(i.saturating_sub(1), j) + 2.0 * at(i, j) + at(i + 1, j));
+            let places = (0..half_columns * half_rows).map(|k| (k % half_columns * 2, k / half_columns * 2));
+            // Twice the weighted mean: a step is twice as long.
+            places.map(|(i, j)| 0.5 * (row(i, j.saturating_sub(1)) + 2.0 * row(i, j) + row(i, j + 1))).collect()
+        };
+        let coarse = solve(half_columns, half_rows, &halve(across), &halve(down));
+        for (j, row) in result.chunks_exact_mut(columns).enumerate() {
+            for (i, out) in row.iter_mut().enumerate() {
+                let at = |i: usize, j: usize| coarse[j.min(half_rows - 1) * half_columns + i.min(half_columns - 1)];
+                let (x, y) = (i / 2, j / 2);
+                let (right, below) = ((i % 2) as f32 * 0.5, (j % 2) as f32 * 0.5);
+                let line = |y: usize| at(x, y) + right * (at(x + 1, y) - at(x, y));
+                *out = line(y) + below * (line(y + 1) - line(y));
+            }
+        }
+    }
+    for _ in 0..SWEEPS {
+        for j in 0..rows {
+            for i in 0..columns {
+                let here = j * columns + i;
+                let (mut sum, mut count) = (0.0f32, 0.0f32);
+                let mut pull = |other: usize, difference: f32| {
+                    sum += result[other] + difference;
+                    count += 1.0;
+                };
+                if i > 0 {
+                    pull(here - 1, 0.5 * (across[here - 1] + across[here]));
+                }
+                if i + 1 < columns {
+                    pull(here + 1, -0.5 * (across[here + 1] + across[here]));
+                }
+                if j > 0 {
+                    pull(here - columns, 0.5 * (down[here - columns] + down[here]));
+                }
+                if j + 1 < rows {
+                    pull(here + columns, -0.5 * (down[here + columns] + down[here]));
+                }
+                result[here] += RELAXATION * (sum / count.max(1.0) - result[here]);
+            }
+        }
+    }
+    result
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn engraved(plane: Plane, change: &[(usize, f32)]) -> Plane {
+        let mut context = Context::default();
+        context.set_scale(1.0);
+        let mut values: Vec<f32> = BLOCK.params.iter().map(|param| param.kind.default()).collect();
+        for &(i, value) in change {
+            values[i] = value;
+        }
+        run(Args::new(&values, 1.0), plane, &mut context).unwrap()
+    }
+
+    #[test]
+    fn ink_covers_the_share_that_the_tone_asks_for() {
+        for layers in 1..=3 {
+            for tone in [20u8, 90, 128, 170, 230] {
+                let out = engraved(Plane::filled(300, 300, tone), &[(3, layers as f32)]);
+                let mean = out.samples().iter().map(|&v| f64::from(v)).sum::<f64>() / 90_000.0;
+                let dark = ((1.0 - f64::from(tone) / 255.0) - 0.05) / 0.95;
+                assert!((mean - 255.0 * (1.0 - dark)).abs() < 9.0, "{layers} layers, {tone}: {mean}");
+            }
+        }
+    }
+
+    #[test]
+    fn a_gradient_that_exists_is_found_exactly() {
+        let (columns, rows) = (37, 21);
+        let field = |i: usize, j: usize| (0.1 * i as f32).sin() * 3.0 + 0.02 * (j * j) as f32;
+        let at = |i: usize, j: usize| field(i, j);
+        let mut across = vec![0.0; columns * rows];
+        let mut down = vec![0.0; columns * rows];
+        for j in 0..rows {
+            for i in 0..columns {
+                across[j * columns + i] = 0.3 * (0.1 * i as f32).cos();
+                down[j * columns + i] = 0.04 * j as f32;
+            }
+        }
+        let found = solve(columns, rows, &across, &down);
+        let shift = found[0] - at(0, 0);
+        for j in 0..rows {
+            for i in 0..columns {
+                assert!((found[j * columns + i] - shift - at(i, j)).abs() < 0.15, "{i}, {j}: {}", found[j * columns + i] - shift - at(i, j));
+            }
+        }
+    }
+
+    #[test]
+    fn straight_lines_keep_their_pitch_and_angle() {
+        let out = engraved(Plane::filled(200, 200, 128), &[(0, 10.0), (1, 0.0), (2, 0.0), (3, 1.0)]);
+        for y in 0..190 {
+            assert!((0..200).all(|x| out.at(x, y) == out.at(0, y)));
+            assert!(out.at(0, y).abs_diff(out.at(0, y + 10)) <= 1);
+        }
+    }
+}

@@ -1,0 +1,301 @@
+//! Plates: a picture printed in a few inks, one plate each, as a risograph or a screen printer does.
+//!
+//! Each ink takes its share of what is missing to white, (1 - R, 1 - G, 1 - B), by least squares, scaled so that black is
+//! full ink on its plate: no tone is lost, whatever the inks are. A spot colour beside black has no share in grays, and
+//! keeps its own scale. The plates are grained or screened, shifted against each other by a seed, and multiply:
+//!
+//! ```text
+//! a    = clamp(M (1 - rgb))                M: pseudo-inverse of the inks' own (1 - rgb), each row scaled to a sum of 1
+//! out  = product over inks of (1 - a_i (1 - ink_i))
+//! ```
+//!
+//! Sources: Kubelka-like overprints by multiplication as printers' simulations have them; the pseudo-inverse is Penrose's.
+
+use super::{Block, Channels, Kernel};
+use crate::error::Result;
+use crate::raster::{Image, Plane};
+use crate::simd::dots::Screen;
+use crate::style::context::Context;
+use crate::style::grain::{Grain, hash};
+use crate::style::params::{Args, Kind, Param, Unit, integer, number};
+
+pub(super) static BLOCK: Block = Block {
+    id: "plates",
+    label: "Printing Plates",
+    help: "Prints with two or three inks that do not quite fit, like a risograph or a screen print.",
+    input: Channels::Any,
+    output: Channels::Color,
+    params: &[
+        Param {
+            id: "inks",
+            label: "Inks",
+            help: "Which inks are on the plates.",
+            kind: Kind::Choice { names: NAMES },
+        },
+        number("shift", "Misfit", "How far plates miss each other.", (3.0, 0.0, 20.0, 0.5), Unit::Pixels),
+        number("grain", "Grain", "How coarse and broken the ink is.", (35.0, 0.0, 100.0, 1.0), Unit::Percent),
+        number(
+            "pitch",
+            "Dots",
+            "Distance between dots of a screen; below 3 there are none.",
+            (0.0, 0.0, 30.0, 0.5),
+            Unit::Pixels,
+        ),
+        integer("steps", "Steps", "Tones of a plate, paper among them; 1 keeps all.", (1, 1, 6)),
+        number("density", "Density", "How much ink is laid.", (100.0, 40.0, 160.0, 1.0), Unit::Percent),
+        integer("seed", "Chance", "Another number shifts the plates another way.", (1, 0, 99)),
+    ],
+    kernel: Kernel::Image(run),
+};
+
+const NAMES: &[&str] = &[
+    "red-blue",
+    "pink-teal",
+    "orange-navy",
+    "coral-green",
+    "yellow-blue-red",
+    "pink-yellow-teal",
+    "cyan-magenta-yellow",
+    "red-black",
+    "yellow-black",
+    "teal-black",
+    "violet-orange-black",
+];
+
+/// Colours of printing inks, as they look on white paper.
+mod ink {
+    pub(super) type Rgb = [u8; 3];
+    pub(super) const RED: Rgb = [241, 80, 60];
+    pub(super) const BLUE: Rgb = [0, 98, 172];
+    pub(super) const PINK: Rgb = [255, 72, 160];
+    pub(super) const TEAL: Rgb = [0, 131, 138];
+    pub(super) const ORANGE: Rgb = [255, 122, 42];
+    pub(super) const NAVY: Rgb = [34, 44, 96];
+    pub(super) const CORAL: Rgb = [255, 116, 108];
+    pub(super) const GREEN: Rgb = [0, 120, 86];
+    pub(super) const YELLOW: Rgb = [255, 224, 0];
+    pub(super) const CYAN: Rgb = [0, 160, 220];
+    pub(super) const MAGENTA: Rgb = [224, 20, 130];
+    pub(super) const VIOLET: Rgb = [116, 88, 170];
+    pub(super) const BLACK: Rgb = [28, 26, 30];
+}
+
+/// The inks of a name, the strongest last: it is the plate that fits, and the others miss it.
+fn inks(choice: usize) -> &'static [ink::Rgb] {
+    match choice {
+        0 => &[ink::RED, ink::BLUE],
+        1 => &[ink::PINK, ink::TEAL],
+        2 => &[ink::ORANGE, ink::NAVY],
+        3 => &[ink::CORAL, ink::GREEN],
+        4 => &[ink::YELLOW, ink::RED, ink::BLUE],
+        5 => &[ink::YELLOW, ink::PINK, ink::TEAL],
+        6 => &[ink::YELLOW, ink::MAGENTA, ink::CYAN],
+        7 => &[ink::RED, ink::BLACK],
+        8 => &[ink::YELLOW, ink::BLACK],
+        9 => &[ink::TEAL, ink::BLACK],
+        _ => &[ink::VIOLET, ink::ORANGE, ink::BLACK],
+    }
+}
+
+/// Angles of the screens, as cosine and sine: 75, 15 and 45 degrees.
+const ANGLES: [(f64, f64); 3] = [
+    (0.258_819_045_102_520_76, 0.965_925_826_289_068_3),
+    (0.965_925_826_289_068_3, 0.258_819_045_102_520_76),
+    (std::f64::consts::FRAC_1_SQRT_2, std::f64::consts::FRAC_1_SQRT_2),
+];
+
+/// Size of the grain's spots, at 1920 x 1080.
+const SPOT: f32 = 1.6;
+
+fn run(args: Args<'_>, image: Image, context: &mut Context<'_>) -> Result<Image> {
+    let inks = inks(args.choice(0));
+    let shift = args.pixels(1);
+    let grain = args.number(2) / 100.0;
+    // Below two pixels a grid of dots aliases into nonsense.
+    let pitch = (args.number(3) >= 3.0).then(|| args.pixels(3).max(2.0));
+    let steps = args.number(4) as i32;
+    let seed = args.number(6) as u32;
+    let shares = shares(inks, args.number(5) / 100.0);
+    let (width, height) = (image.width(), image.height());
+    let mut out = [(); 3].map(|()| Plane::filled(width, height, 255));
+    let mut coverage = vec![0u8; width];
+    let mut printed = vec![0u8; width];
+    let mut noise = vec![0.0f32; width];
+    let spots = Grain::new(seed + 31, (SPOT * context.scale(), SPOT * context.scale()));
+    let clouds = Grain::new(seed + 57, (40.0 * context.scale(), 40.0 * context.scale()));
+    let mut cloud = vec![0.0f32; width];
+    for (i, (ink, share)) in inks.iter().zip(&shares).enumerate() {
+        let fits = i + 1 == inks.len();
+        let (dx, dy) = if fits { (0, 0) } else { misfit(shift, seed, i as u32) };
+        let screen = pitch.map(|pitch| Screen::new(ANGLES[i + 3 - inks.len()], f64::from(pitch)));
+        // Every plate has its grain somewhere else.
+        let (noise_row, start) = (i * 57, (i * 91) % 256);
+        for y in 0..height {
+            if y % 128 == 0 {
+                context.check_cancelled()?;
+            }
+            let from = (y as isize - dy).clamp(0, height as isize - 1) as usize;
+            cover(&image, from, share, steps, &mut coverage);
+            if grain > 0.0 {
+                spots.row(y + noise_row, &mut noise);
+                clouds.row(y + noise_row + start, &mut cloud);
+                for ((tone, noise), cloud) in coverage.iter_mut().zip(&noise).zip(&cloud) {
+                    *tone = grained(*tone, *noise, *cloud, grain);
+                }
+            }
+            // Shifted, with the border repeated.
+            let last = width as isize - 1;
+            if dx == 0 {
+                printed.copy_from_slice(&coverage);
+            } else {
+                for (x, out) in printed.iter_mut().enumerate() {
+                    *out = coverage[(x as isize - dx).clamp(0, last) as usize];
+                }
+            }
+            if let Some(screen) = &screen {
+                coverage.copy_from_slice(&printed);
+                screen.print(y, &coverage, &mut printed);
+                for tone in &mut printed {
+                    *tone = 255 - *tone;
+                }
+            }
+            for (plane, &ink) in out.iter_mut().zip(ink) {
+                multiply(plane.row_mut(y), &printed, ink);
+            }
+        }
+    }
+    Image::from_rgb(out)
+}
+
+/// Where a plate lies against the one that fits.
+fn misfit(shift: f32, seed: u32, plate: u32) -> (isize, isize) {
+    let random = |part: u32| (hash(seed, plate, part) >> 8) as f32 / 8_388_608.0 - 1.0;
+    let (x, y) = (random(1), random(2));
+    // A direction by chance, and between half and all of the distance.
+    let length = (x * x + y * y).sqrt().max(0.05);
+    let far = shift * (0.75 + 0.25 * random(3));
+    ((x / length * far).round() as isize, (y / length * far).round() as isize)
+}
+
+/// For each ink what it takes of 1 - R, 1 - G and 1 - B, in Q12.
+fn shares(inks: &[ink::Rgb], density: f32) -> Vec<[i32; 3]> {
+    let colors: Vec<[f64; 3]> = inks.iter().map(|ink| ink.map(|tone| 1.0 - f64::from(tone) / 255.0)).collect();
+    let n = colors.len();
+    // (C C^T + small)^-1 C by elimination; what is added keeps two alike inks from pulling against each other.
+    let mut rows: Vec<Vec<f64>> = (0..n)
+        .map(|i| {
+            let product = |j: usize| (0..3).map(|c| colors[i][c] * colors[j][c]).sum::<f64>();
+            let left = (0..n).map(|j| product(j) + if i == j { 0.06 } else { 0.0 });
+            left.chain(colors[i]).collect()
+        })
+        .collect();
+    for pivot in 0..n {
+        let divisor = rows[pivot][pivot];
+        rows[pivot].iter_mut().for_each(|value| *value /= divisor);
+        let own = rows[pivot].clone();
+        for (_, row) in rows.iter_mut().enumerate().filter(|(i, _)| *i != pivot) {
+            let factor = row[pivot];
+            row.iter_mut().zip(&own).for_each(|(value, own)| *value -= factor * own);
+        }
+    }
+    rows.iter()
+        .map(|row| {
+            let weights = [row[n], row[n + 1], row[n + 2]];
+            let sum: f64 = weights.iter().sum();
+            weights.map(|weight| (weight / sum.max(0.2) * f64::from(density) * 4096.0).round() as i32)
+        })
+        .collect()
+}
+
+/// The ink of a row: its share of what is missing to white, in steps where there are some.
+fn cover(image: &Image, y: usize, share: &[i32; 3], steps: i32, out: &mut [u8]) {
+    match image.planes() {
+        [r, g, b] => {
+            let pixels = r.row(y).iter().zip(g.row(y)).zip(b.row(y));
+            for (out, ((&r, &g), &b)) in out.iter_mut().zip(pixels) {
+                let missing = share[0] * i32::from(255 - r) + share[1] * i32::from(255 - g) + share[2] * i32::from(255 - b);
+                *out = ((missing + 2048) >> 12).clamp(0, 255) as u8;
+            }
+        }
+        [tones, ..] => {
+            let share: i32 = share.iter().sum();
+            for (out, &tone) in out.iter_mut().zip(tones.row(y)) {
+                *out = ((share * i32::from(255 - tone) + 2048) >> 12).clamp(0, 255) as u8;
+            }
+        }
+        [] => {}
+    }
+    if steps > 1 {
+        for out in out {
+            let step = (i32::from(*out) * steps / 256).min(steps - 1);
+            *out = (step * 255 / (steps - 1)) as u8;
+        }
+    }
+}
+
+/// Ink that did not reach every fibre, and was not rolled on evenly.
+#[inline]
+fn grained(tone: u8, noise: f32, cloud: f32, grain: f32) -> u8 {
+    let a = f32::from(tone) / 255.0;
+    let broken = a + (noise - 0.5) * grain * 3.2 * a * (1.25 - a);
+    let rolled = broken * (1.0 - grain * 0.3 * cloud * cloud);
+    (rolled.clamp(0.0, 1.0) * 255.0 + 0.5) as u8
+}
+
+/// Lays ink of some coverage over a row.
+fn multiply(row: &mut [u8], coverage: &[u8], ink: u8) {
+    let missing = u32::from(255 - ink);
+    for (tone, &covered) in row.iter_mut().zip(coverage) {
+        let left = 65_025 - missing * u32::from(covered);
+        // tone left / 65025, rounded to nearest within a step.
+        *tone = ((u32::from(*tone) * (left >> 2) + 8128) / 16_256) as u8;
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn printed(image: Image, change: &[(usize, f32)]) -> Image {
+        let mut context = Context::default();
+        context.set_scale(1.0);
+        let mut values: Vec<f32> = BLOCK.params.iter().map(|param| param.kind.default()).collect();
+        for &(i, value) in change {
+            values[i] = value;
+        }
+        run(Args::new(&values, 1.0), image, &mut context).unwrap()
+    }
+
+    #[test]
+    fn white_is_paper_and_black_is_dark_whatever_the_inks() {
+        for choice in 0..NAMES.len() {
+            let image = Image::from_luma(Plane::from_fn(40, 20, |x, _| if x < 20 { 255 } else { 0 }));
+            let out = printed(image, &[(0, choice as f32), (1, 0.0), (2, 0.0)]);
+            let tones: Vec<u8> = out.planes().iter().map(|plane| plane.at(33, 3)).collect();
+            assert!(out.planes().iter().all(|plane| plane.at(3, 3) == 255), "{}", NAMES[choice]);
+            assert!(tones.iter().map(|&tone| u32::from(tone)).sum::<u32>() < 150, "{}: {tones:?}", NAMES[choice]);
+        }
+    }
+
+    #[test]
+    fn an_ink_of_the_set_is_printed_mostly_by_itself() {
+        for choice in 0..2 {
+            for (i, ink) in inks(choice).iter().enumerate() {
+                let shares = shares(inks(choice), 1.0);
+                let covered = |k: usize| -> i32 {
+                    (0..3).map(|c| shares[k][c] * i32::from(255 - ink[c])).sum::<i32>().clamp(0, 255 << 12)
+                };
+                assert!(covered(i) > 2 * covered(1 - i), "{} {i}", NAMES[choice]);
+            }
+        }
+    }
+
+    #[test]
+    fn the_last_plate_fits_and_the_others_miss_by_the_distance() {
+        for seed in 0..20 {
+            let (x, y) = misfit(8.0, seed, 0);
+            let length = ((x * x + y * y) as f64).sqrt();
+            assert!((3.0..=9.0).contains(&length), "{seed}: {x} {y}");
+        }
+    }
+}
