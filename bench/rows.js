@@ -7,7 +7,7 @@
 const TELLING = { hue: { angle: 30 }, size: { percent: 50 }, dynamic_range: { range: 255 } };
 
 /** Blocks that take either and are meant for colour. */
-const COLOURFUL = ['to_gray', 'to_color', 'halftone'];
+const COLOURFUL = ['to_gray', 'to_color', 'halftone', 'kuwahara', 'strokes', 'flatten', 'plates', 'paper'];
 
 /** More of the same blocks. @type {[block: string, luma: boolean, params: Record<string, any>][]} */
 const VARIANTS = [

@@ -114,6 +114,8 @@ fn no_pixel_depends_on_the_width_of_its_row() {
                     // The percentiles are those of the whole image, and so are the pixels of another size: they have
                     // plain references of their own below.
                     "equalize" | "dynamic_range" | "size" => continue,
+                    // Palettes, the phase of lines and the length of a line are of the whole image: their oracles stand for them.
+                    "flatten" | "engrave" | "flow_lines" => continue,
                     _ => reach(block, &values),
                 };
                 let out = run(block, &values, &image, &mut context);
@@ -237,6 +239,8 @@ fn reach(block: &'static Block, values: &[f32]) -> usize {
         "tvf" => 24,
         "etf" => 40,
         "detail" => 60,
+        // The field of directions, and places on it; what a plate is off.
+        "kuwahara" | "strokes" | "plates" => 66,
         _ if looks_aside(block, values) => 60,
         _ => 0,
     }

@@ -62,6 +62,19 @@ fn bound(block: &str, params: &Map<String, Value>) -> Option<Bound> {
         "pattern" => Max(1.0),
         // Radii are stored in bytes: the edge of a dot may be soft by another shade, its area may not differ.
         "halftone" => Coverage(0.025),
+        // Averages along the field are rounded to 1/32 grey steps, and a line's end may fall on either side of a tone.
+        "flow_lines" => Decibels(45.0),
+        // A cell whose direction lies between two may take the other one.
+        "kuwahara" => Decibels(55.0),
+        // The phase is solved by a number of sweeps, the oracle's by least squares to the end; straight lines are exact.
+        "engrave" if number("follow") <= 0.0 => Decibels(80.0),
+        "engrave" => Decibels(33.0),
+        "strokes" => Decibels(40.0),
+        // Colours are looked up in cells of 8 grey steps by both; votes at a border are singles in one and doubles in the other.
+        "flatten" => Decibels(50.0),
+        "plates" => Decibels(48.0),
+        // Heights are bytes.
+        "paper" => Decibels(48.0),
         _ => return None,
     })
 }
@@ -179,9 +192,12 @@ fn keep(case: &Case, number: usize, image: &Image, expected: &[Vec<u8>]) {
     let pixel = |planes: [&[u8]; 3], i: usize| [planes[0][i], planes[1][i], planes[2][i]];
     let save = |name: &str, planes: Vec<&[u8]>| {
         let planes = [0, 1, 2].map(|i: usize| planes[i.min(planes.len() - 1)]);
-        let bytes = (0..planes[0].len()).flat_map(|i| pixel(planes, i)).collect();
-        let picture: image::RgbImage = image::ImageBuffer::from_raw(width, height, bytes).unwrap();
-        picture.save(folder.join(format!("{}-{number}-{name}.png", case.block))).unwrap();
+        let bytes: Vec<u8> = (0..planes[0].len()).flat_map(|i| pixel(planes, i)).collect();
+        let file = fs::File::create(folder.join(format!("{}-{number}-{name}.png", case.block))).unwrap();
+        let mut encoder = png::Encoder::new(file, width, height);
+        encoder.set_color(png::ColorType::Rgb);
+        encoder.set_depth(png::BitDepth::Eight);
+        encoder.write_header().unwrap().write_image_data(&bytes).unwrap();
     };
     save("actual", image.planes().iter().map(inkpanel::raster::Plane::samples).collect());
     save("expected", expected.iter().map(Vec::as_slice).collect());

@@ -14,9 +14,12 @@ pub(crate) fn save(sheet: &Pixmap, path: &Path, quality: u8) -> Result<(), Box<d
     // A sheet is opaque, so that premultiplied and straight pixels are the same.
     let pixels = sheet.pixels().iter().flat_map(|pixel| [pixel.red(), pixel.green(), pixel.blue()]).collect();
     let picture = RgbImage::from_raw(sheet.width(), sheet.height(), pixels).ok_or("too large")?;
-    if path.extension().is_some_and(|kind| kind == "png") {
-        return Ok(picture.save(path)?);
-    }
     let mut file = BufWriter::new(File::create(path)?);
+    if path.extension().is_some_and(|kind| kind == "png") {
+        let mut encoder = png::Encoder::new(file, picture.width(), picture.height());
+        encoder.set_color(png::ColorType::Rgb);
+        encoder.set_depth(png::BitDepth::Eight);
+        return Ok(encoder.write_header()?.write_image_data(&picture)?);
+    }
     Ok(JpegEncoder::new_with_quality(&mut file, quality).encode_image(&picture)?)
 }

@@ -4,6 +4,7 @@
 
 use super::fine::Fine;
 use crate::raster::Plane;
+use bytemuck::cast;
 use wide::i16x8;
 
 /// Side of a cell, in pixels.
@@ -93,10 +94,12 @@ impl Wide {
 /// Two rows of a cell: the four samples at `at`, and those `stride` further.
 #[inline]
 fn two_rows(samples: &[i16], at: usize, stride: usize) -> i16x8 {
-    let four = |at: usize| samples.get(at..at + CELL).and_then(|four| four.first_chunk::<CELL>()).copied();
-    let ([a, b, c, d], [e, f, g, h]) =
-        (four(at).unwrap_or_default(), four(at + stride).unwrap_or_default());
-    i16x8::new([a, b, c, d, e, f, g, h])
+    // As one number of 64 bits: four of 16 would be loaded one by one.
+    let four = |at: usize| {
+        let four = samples.get(at..at + CELL).and_then(|four| four.first_chunk::<CELL>());
+        four.map_or(0, |&four| cast::<[i16; CELL], u64>(four))
+    };
+    cast([four(at), four(at + stride)])
 }
 
 /// Weighted sums of samples at the offsets of each cell's direction. `turns` has a direction for each cell, row by row;

@@ -61,6 +61,53 @@ fn place(pixel: usize, step: f32) -> (usize, f32) {
     (whole, rest * rest * (3.0 - 2.0 * rest))
 }
 
+/// Noise drawn once on a square that repeats.
+#[derive(Debug, Clone)]
+pub struct Tile {
+    side: usize,
+    /// 0 to 255 about a mean of 128.
+    samples: Vec<u8>,
+}
+
+impl Tile {
+    /// Noise of spots of about `size` pixels on a square of about `side` pixels: a whole number of spots.
+    #[must_use]
+    pub fn new(seed: u32, size: f32, side: f32) -> Self {
+        let size = size.max(0.5);
+        let side = (side.round() as usize).max(8);
+        let spots = ((side as f32 / size).round() as usize).clamp(2, PERIOD as usize);
+        let step = spots as f32 / side as f32;
+        let lattice: Vec<f32> = (0..spots * spots)
+            .map(|i| (hash((i % spots) as u32, (i / spots) as u32, seed) >> 8) as f32 / 16_777_216.0)
+            .collect();
+        let places: Vec<(usize, f32)> = (0..side).map(|pixel| place(pixel, step)).collect();
+        let mut samples = Vec::with_capacity(side * side);
+        let mut line = vec![0.0; spots + 1];
+        for &(down, between) in &places {
+            let (above, below) = (&lattice[down * spots..], &lattice[(down + 1) % spots * spots..]);
+            for (out, (above, below)) in line.iter_mut().zip(above.iter().zip(below)) {
+                *out = above + between * (below - above);
+            }
+            line[spots] = line[0];
+            samples.extend(places.iter().map(|&(right, between)| {
+                (255.0 * (line[right] + between * (line[right + 1] - line[right])) + 0.5) as u8
+            }));
+        }
+        Self { side, samples }
+    }
+
+    /// Fills a row of pixels, `shift` pixels into the square.
+    pub fn row(&self, y: usize, shift: usize, out: &mut [u8]) {
+        let row = &self.samples[y % self.side * self.side..][..self.side];
+        let first = shift % self.side;
+        let (start, rest) = out.split_at_mut((self.side - first).min(out.len()));
+        start.copy_from_slice(&row[first..first + start.len()]);
+        for part in rest.chunks_mut(self.side) {
+            part.copy_from_slice(&row[..part.len()]);
+        }
+    }
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;

@@ -76,24 +76,32 @@ impl Tangents {
         }
     }
 
-    /// Averages of `plane` along the field by a Gaussian of `sigma` pixels: a short one, and a second one with gaps
-    /// over what the first gave, which follows bends.
+    /// Averages of `plane` along the field by a Gaussian of `sigma` pixels: in passes whose steps grow threefold, each over
+    /// what the one before gave, which follows bends.
     pub fn smooth_along(&self, plane: &mut Wide, spare: &mut Wide, sigma: f32) {
-        if sigma < 0.4 {
-            return;
-        }
-        // The variances of both add up: the first fills the gaps of the second.
-        let gap = (sigma * 0.9).floor().max(1.0);
-        let short = if gap > 1.0 { (gap * 0.6).max(0.5) } else { 0.0 };
-        if short > 0.0 {
-            let taps = gaussian_taps(short, 1.0);
+        for taps in passes(sigma) {
             average(plane, spare, &self.turns, &offsets(&taps, 0), &weights(&taps));
             std::mem::swap(plane, spare);
         }
-        let taps = gaussian_taps((sigma * sigma - short * short).sqrt(), gap);
-        average(plane, spare, &self.turns, &offsets(&taps, 0), &weights(&taps));
-        std::mem::swap(plane, spare);
     }
+}
+
+/// The taps of passes whose variances add up to that of `sigma`. A pass with gaps needs one before it that fills them: a
+/// Gaussian of .6 gaps.
+fn passes(sigma: f32) -> Vec<Vec<(f32, f32)>> {
+    const FILL: f32 = 0.6;
+    let (mut passes, mut done, mut gap) = (Vec::new(), 0.0f32, 1.0f32);
+    while sigma * sigma - done > 0.16 {
+        let next = 3.0 * gap;
+        let left = (sigma * sigma - done).sqrt();
+        let enough = ((FILL * next) * (FILL * next) - done).sqrt();
+        // One more pass pays where this one would take many steps.
+        let own = if left > 1.6 * next { enough.min(left) } else { left };
+        passes.push(gaussian_taps(own, gap));
+        done += own * own;
+        gap = next;
+    }
+    passes
 }
 
 /// Places on a line and their weights, which add up to 1.

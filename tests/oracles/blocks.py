@@ -14,6 +14,8 @@ import pathlib
 
 import cv2
 import numpy as np
+from drawing import engrave, flatten, flow_lines, kuwahara, plates, strokes
+from drawing import paper as sheet_of_paper
 from etf import reference as etf
 from PIL import Image
 from scipy.ndimage import gaussian_filter
@@ -160,7 +162,7 @@ def dot_radius(coverage):
 RADII = np.array([dot_radius(v / 255) for v in range(256)])
 
 
-def paper(ink, degrees, pitch):
+def screen(ink, degrees, pitch):
     """What a screen of dots leaves white, 0..1. `ink` 0..255."""
     y, x = np.mgrid[: ink.shape[0], : ink.shape[1]].astype(float)
     turned = (x + 1j * y) * np.exp(-1j * np.deg2rad(degrees)) / pitch
@@ -172,11 +174,11 @@ def paper(ink, degrees, pitch):
 
 def halftone(image, pitch, mode):
     if mode == "mono":
-        return paper(255 - image, 45, pitch) * 255
+        return screen(255 - image, 45, pitch) * 255
     most = image.max(-1)
-    key = paper(255 - most, 45, pitch)
+    key = screen(255 - most, 45, pitch)
     inks = (most[..., None] - image) * (255 / np.maximum(most, 1))[..., None]
-    return np.stack([paper(inks[..., i], angle, pitch) * key * 255 for i, angle in enumerate((15, 75, 0))], -1)
+    return np.stack([screen(inks[..., i], angle, pitch) * key * 255 for i, angle in enumerate((15, 75, 0))], -1)
 
 
 def detail(image, delta, sigma_s, sigma_r):
@@ -199,6 +201,11 @@ def dynamic_range(image, range):
 
 
 LUMA, COLOR = "luma", "photo"
+FLOW = {"sigma": 1.4, "p": 30, "length": 6, "tone": 0, "epsilon": 180, "phi": 0.03, "shortest": 14}
+ENGRAVE = {"pitch": 7, "angle": 20, "follow": 70, "layers": 2, "ink": 100}
+STROKES = {"width": 2.2, "length": 14, "angle": -50, "follow": 60, "hardness": 55, "pressure": 80, "cross": True}
+PLATES = {"inks": "red-blue", "shift": 3, "grain": 35, "pitch": 0, "steps": 1, "density": 100, "seed": 1}
+PAPER = {"sheet": "smooth", "tint": "cream", "grain": 40, "pigment": 25, "size": 1}
 CASES = [
     (to_gray, COLOR, {}),
     (to_color, COLOR, {}),
@@ -223,6 +230,15 @@ CASES = [
     *[(detail, LUMA, {"delta": d, "sigma_s": s, "sigma_r": r}) for d, s, r in ((-100, 8, 25), (-100, 4, 40), (60, 8, 25))],
     *[(equalize, source, {"low": lo, "high": hi}) for source, lo, hi in ((LUMA, 5, 95), (LUMA, 20, 60), (COLOR, 5, 95))],
     *[(dynamic_range, LUMA, {"range": range_}) for range_ in (128, 250)],
+    *[(flow_lines, LUMA, FLOW | more) for more in ({}, {"tone": 80, "epsilon": 120, "p": 20}, {"sigma": 3, "shortest": 0})],
+    *[(kuwahara, LUMA, {"radius": r, "sharpness": 70, "stretch": 70, "passes": 1}) for r in (5, 10)],
+    (kuwahara, COLOR, {"radius": 8, "sharpness": 50, "stretch": 100, "passes": 2}),
+    *[(engrave, LUMA, ENGRAVE | more) for more in ({}, {"follow": 0, "angle": 35}, {"layers": 3, "pitch": 9})],
+    *[(strokes, LUMA, STROKES | more) for more in ({}, {"length": 6, "follow": 0, "cross": False})],
+    (strokes, COLOR, STROKES),
+    (flatten, COLOR, {"colors": 15, "palette": "comic", "detail": 0, "smoothness": 0, "own": 0}),
+    *[(plates, COLOR, PLATES | more) for more in ({}, {"inks": "yellow-blue-red", "steps": 4, "shift": 6})],
+    *[(sheet_of_paper, COLOR, PAPER | more) for more in ({}, {"sheet": "cold-press", "tint": "ivory", "pigment": 80})],
 ]
 
 
@@ -235,7 +251,7 @@ def main():
         Image.fromarray(source.astype(np.uint8)).save(OUT / f"{name}.png", optimize=True)
     rows, sheets = [], {}
     for block, source, params in CASES:
-        name = "etf" if block is etf else block.__name__
+        name = {etf: "etf", sheet_of_paper: "paper"}.get(block, block.__name__)
         expected = to_u8(block(sources[source], **params))
         if expected.ndim == 2 and any(c[0] is block and c[1] == COLOR for c in CASES) and block is not to_gray:
             expected = np.repeat(expected[..., None], 3, -1)

@@ -18,6 +18,7 @@
 use super::{Block, Channels, Kernel};
 use crate::error::Result;
 use crate::raster::Plane;
+use crate::raster::resize::{Region, resample};
 use crate::style::context::Context;
 use crate::style::params::{Args, Unit, integer, number};
 use crate::style::tangents::{TURNS, Tangents, smooth};
@@ -41,6 +42,9 @@ pub(super) static BLOCK: Block = Block {
 /// Distance between points of the coarse grid, at 1920 x 1080.
 const GRID: f32 = 8.0;
 
+/// Scale of the picture on which form is measured.
+const WORK: f32 = 0.5;
+
 /// Over how many pixels the relief and the field are smoothed.
 const FORM: f32 = 14.0;
 
@@ -54,8 +58,8 @@ const LAYERS: [(f32, f32); 3] = [(0.0, 0.0), (62.0, 0.42), (-48.0, 0.7)];
 const WHITE: f32 = 0.05;
 
 /// Sweeps of the solver on every level, and its over-relaxation.
-const SWEEPS: usize = 14;
-const RELAXATION: f32 = 1.5;
+const SWEEPS: usize = 20;
+const RELAXATION: f32 = 1.8;
 
 fn run(args: Args<'_>, mut plane: Plane, context: &mut Context<'_>) -> Result<Plane> {
     let pitch = args.pixels(0).max(2.0);
@@ -71,32 +75,25 @@ fn run(args: Args<'_>, mut plane: Plane, context: &mut Context<'_>) -> Result<Pl
         screens.push((Screen::new(&form, pitch, angle + turn, follow), from));
     }
     let mut phases = vec![0.0; plane.width()];
-    let mut covered = vec![0.0f32; plane.width()];
+    let mut shades = vec![0.0f32; plane.width()];
+    // What is still to be covered, and what is left white.
+    let mut rest = vec![0.0f32; plane.width()];
     let mut white = vec![1.0f32; plane.width()];
-    let last = screens.len() - 1;
     for y in 0..plane.height() {
         if y % 64 == 0 {
             context.check_cancelled()?;
         }
-        covered.fill(0.0);
-        white.fill(1.0);
         let row = plane.row_mut(y);
+        for (shade, &tone) in shades.iter_mut().zip(row.iter()) {
+            *shade = dark[usize::from(tone)];
+        }
+        rest.fill(1.0);
+        white.fill(1.0);
         for (i, (screen, from)) in screens.iter().enumerate() {
             screen.row(y, &mut phases);
             // What comes later takes over where it begins: until then this one holds all of the tone.
-            let limit = if i == last { 1.0 } else { screens[i + 1].1.max(0.5) };
-            let pixels = row.iter().zip(&phases).zip(covered.iter_mut().zip(white.iter_mut()));
-            for ((&tone, &phase), (covered, white)) in pixels {
-                let dark = dark[usize::from(tone)];
-                let wanted = if dark > *from { 1.0 - (1.0 - dark) / (1.0 - *covered) } else { 0.0 };
-                let wanted = wanted.clamp(0.0, limit);
-                let distance = (2.0 * (phase - phase.floor()) - 1.0).abs();
-                let paper = ((distance - wanted) * (0.5 * pitch) + 0.5).clamp(0.0, 1.0);
-                // Nothing where nothing is wanted, everything where all is.
-                let paper = if wanted <= 0.0 { 1.0 } else { paper };
-                *white *= paper;
-                *covered = 1.0 - (1.0 - *covered) * (1.0 - wanted);
-            }
+            let limit = screens.get(i + 1).map_or(1.0, |(_, next)| next.max(0.5));
+            cut(&phases, &shades, (*from, limit, 0.5 * pitch), &mut rest, &mut white);
         }
         for (tone, white) in row.iter_mut().zip(&white) {
             *tone = (255.0 * white + 0.5) as u8;
@@ -105,12 +102,26 @@ fn run(args: Args<'_>, mut plane: Plane, context: &mut Context<'_>) -> Result<Pl
     Ok(plane)
 }
 
+/// Cuts the lines of one screen into a row of pixels: darkness beyond `from`, up to `limit`.
+fn cut(phases: &[f32], shades: &[f32], (from, limit, sharp): (f32, f32, f32), rest: &mut [f32], white: &mut [f32]) {
+    let lines = phases.iter().zip(shades).zip(rest.iter_mut().zip(white.iter_mut()));
+    for ((&phase, &shade), (rest, white)) in lines {
+        let wanted = if shade > from { 1.0 - (1.0 - shade) / rest.max(1e-6) } else { 0.0 };
+        let wanted = wanted.max(0.0).min(limit);
+        let distance = (2.0 * (phase - phase.floor()) - 1.0).abs();
+        let paper = ((distance - wanted) * sharp + 0.5).max(0.0).min(1.0);
+        // Nothing where nothing is wanted.
+        *white *= if wanted > 0.0 { paper } else { 1.0 };
+        *rest *= 1.0 - wanted;
+    }
+}
+
 /// What lines follow, on the coarse grid: directions, and the relief of light and shade.
 struct Form {
     columns: usize,
     rows: usize,
-    /// Pixels between two points.
-    gap: usize,
+    /// Pixels of the render between two points.
+    gap: f32,
     turns: Vec<u8>,
     coherence: Vec<u8>,
     /// Grey steps / 255.
@@ -118,23 +129,34 @@ struct Form {
 }
 
 impl Form {
+    /// Directions add up along the phase, so that the smallest difference between a preview and its print would become
+    /// another line: both are measured on a picture of one size.
     fn of(plane: &Plane, scale: f32) -> Self {
-        let gap = ((GRID * scale).round() as usize).max(4);
-        let (columns, rows) = (plane.width().div_ceil(gap) + 1, plane.height().div_ceil(gap) + 1);
-        let form = FORM * scale;
-        let field = Tangents::of(plane, form.max(3.0));
+        let reduced = (scale > WORK).then(|| {
+            let side = |length: usize| ((length as f32 * WORK / scale).round() as usize).max(1);
+            let (width, height) = (side(plane.width()), side(plane.height()));
+            resample(plane, Region::whole(plane.width(), plane.height()), width, height)
+        });
+        let work = reduced.as_ref().unwrap_or(plane);
+        let work_scale = scale.min(WORK);
+        let (gap, step) = ((GRID * scale).max(2.0), (GRID * work_scale).max(2.0 * work_scale / scale));
+        let points = |length: usize| (length as f32 / gap).ceil() as usize + 2;
+        let (columns, rows) = (points(plane.width()), points(plane.height()));
+        let form = FORM * work_scale;
+        let field = Tangents::of(work, form.max(2.0));
         let mut relief = vec![0.0; columns * rows];
         let (mut turns, mut coherence) = (vec![0; columns * rows], vec![0; columns * rows]);
         for j in 0..rows {
             for i in 0..columns {
-                let (x, y) = ((i * gap).min(plane.width() - 1), (j * gap).min(plane.height() - 1));
+                let place = |k: usize, length: usize| ((k as f32 * step) as usize).min(length - 1);
+                let (x, y) = (place(i, work.width()), place(j, work.height()));
                 let cell = y / 4 * field.columns() + x / 4;
                 turns[j * columns + i] = field.turns()[cell];
                 coherence[j * columns + i] = field.coherence()[cell];
-                relief[j * columns + i] = mean(plane, (x, y), gap);
+                relief[j * columns + i] = mean(work, (x, y), step as usize);
             }
         }
-        smooth(&mut relief, columns, rows, form / gap as f32);
+        smooth(&mut relief, columns, rows, form / step);
         Self { columns, rows, gap, turns, coherence, relief }
     }
 }
@@ -152,7 +174,7 @@ fn mean(plane: &Plane, (x, y): (usize, usize), side: usize) -> f32 {
 struct Screen {
     wave: (f32, f32),
     columns: usize,
-    gap: usize,
+    gap: f32,
     deviation: Vec<f32>,
 }
 
@@ -166,26 +188,35 @@ impl Screen {
         if follow > 0.0 {
             let (across, down) = wanted(form, pitch, degrees, follow);
             deviation = solve(form.columns, form.rows, &across, &down);
+            // Differences leave the mean open: without one, a preview and its print have their lines in one place.
+            let mean = deviation.iter().sum::<f32>() / deviation.len() as f32;
+            deviation.iter_mut().for_each(|value| *value -= mean);
         }
         Self { wave, columns: form.columns, gap: form.gap, deviation }
     }
 
-    /// The phases of a row of pixels.
+    /// The phases of the middles of a row of pixels.
     fn row(&self, y: usize, phases: &mut [f32]) {
-        let (line, between) = (y / self.gap, (y % self.gap) as f32 / self.gap as f32);
+        let middle = y as f32 + 0.5;
+        let line = (middle / self.gap) as usize;
+        let between = middle / self.gap - line as f32;
         let points = |line: usize| &self.deviation[line * self.columns..(line + 1) * self.columns];
         let (above, below) = (points(line), points(line + 1));
         let point = |i: usize| above[i] + between * (below[i] - above[i]);
-        let start = y as f32 * self.wave.1;
+        let start = middle * self.wave.1;
         // What is whole in it says nothing, and would cost precision far from the corner.
         let start = start - start.floor();
-        for (i, phases) in phases.chunks_mut(self.gap).enumerate() {
+        let (mut x, mut i) = (0, 0);
+        while x < phases.len() {
+            let next = (((i + 1) as f32 * self.gap - 0.5).ceil() as usize).min(phases.len());
             let (from, to) = (point(i), point(i + 1));
-            let step = (to - from) / self.gap as f32;
-            let first = start + from + (i * self.gap) as f32 * self.wave.0;
-            for (x, phase) in phases.iter_mut().enumerate() {
-                *phase = first + x as f32 * (step + self.wave.0);
+            let step = (to - from) / self.gap;
+            let first = start + from - i as f32 * self.gap * step;
+            for (k, phase) in phases[x..next].iter_mut().enumerate() {
+                let middle = (x + k) as f32 + 0.5;
+                *phase = first + middle * (step + self.wave.0);
             }
+            (x, i) = (next.max(x + 1), i + 1);
         }
     }
 }
@@ -193,7 +224,7 @@ impl Screen {
 /// The gradient that the deviation should have, in lines for each step of the grid, to the right and down.
 fn wanted(form: &Form, pitch: f32, degrees: f32, follow: f32) -> (Vec<f32>, Vec<f32>) {
     let Form { columns, rows, gap, .. } = *form;
-    let lines = gap as f32 / pitch;
+    let lines = gap / pitch;
     let bends: Vec<[(f32, f32); TURNS]> = (0..=8).map(|c| bends(degrees, follow * c as f32 / 8.0)).collect();
     let mut across = vec![0.0; columns * rows];
     let mut down = vec![0.0; columns * rows];

@@ -105,15 +105,15 @@ fn run(args: Args<'_>, mut plane: Plane, context: &mut Context<'_>) -> Result<Pl
     Ok(plane)
 }
 
-/// One row of D in 1/32 grey steps. 100 * 16320 * 32 fits an i32.
+/// One row of D in 1/32 grey steps. p in Q10: 100 * 1024 * 16320 and what is added fit an i32.
 fn difference(narrow: &Fine, wide: &Fine, y: usize, (p, tone): (f32, f32), out: &mut [i16]) {
-    let (p, tone) = ((p * 32.0).round() as i32, (tone * 32.0).round() as i32);
-    let paper = (32 - tone) * (PAPER * 64.0) as i32;
+    let (p, tone) = ((p * 1024.0).round() as i32, (tone * 1024.0).round() as i32);
+    let paper = (1024 - tone) * (PAPER * 64.0) as i32;
     let rows = narrow.row_clamped(y as isize).iter().zip(wide.row_clamped(y as isize));
     for (out, (&narrow, &wide)) in out.iter_mut().zip(rows) {
         let (narrow, wide) = (i32::from(narrow), i32::from(wide));
         let sum = tone * narrow + paper + p * (narrow - wide);
-        *out = (sum >> 6).clamp(BOUNDS.0 << 5, BOUNDS.1 << 5) as i16;
+        *out = (sum >> 11).clamp(BOUNDS.0 << 5, BOUNDS.1 << 5) as i16;
     }
 }
 

@@ -61,7 +61,7 @@ const TINTS: [[u8; 3]; 8] = [
     [246, 226, 224],
 ];
 
-/// Side of the tile, at 1920 x 1080 and a grain size of 1.
+/// Side of the tile, at 1920 x 1080.
 const SIDE: f32 = 420.0;
 
 /// Grey steps of light on the tooth at full grain.
@@ -72,7 +72,7 @@ const PIGMENT: f32 = 0.45;
 
 /// The heights of a sheet on a square that repeats, and what they were drawn for.
 pub(in crate::style) struct Drawn {
-    key: (usize, u32),
+    key: (usize, u32, u32),
     side: usize,
     /// -127..=127.
     heights: Vec<i8>,
@@ -81,10 +81,10 @@ pub(in crate::style) struct Drawn {
 fn run(args: Args<'_>, image: Image, context: &mut Context<'_>) -> Result<Image> {
     let tint = TINTS[args.choice(1).min(TINTS.len() - 1)];
     let (grain, pigment) = (args.number(2) / 100.0, args.number(3) / 100.0);
-    let scale = args.number(4) * context.scale();
-    let key = (args.choice(0), scale.to_bits());
+    let (size, scale) = (args.number(4), context.scale());
+    let key = (args.choice(0), size.to_bits(), scale.to_bits());
     let drawn = context.sheet.take().filter(|drawn| drawn.key == key);
-    let drawn = drawn.unwrap_or_else(|| draw(key, scale));
+    let drawn = drawn.unwrap_or_else(|| draw(key, size, scale));
     let mut image = match image.planes() {
         [y] => Image::from_rgb([context.copy_plane(y), context.copy_plane(y), y.clone()])?,
         _ => image,
@@ -121,10 +121,10 @@ fn lay(row: &mut [u8], heights: &[i8], (paint, light, tint): (i32, i32, i32)) {
     }
 }
 
-fn draw(key: (usize, u32), scale: f32) -> Drawn {
-    let side = ((SIDE * scale).round() as usize).clamp(96, 2048);
+fn draw(key: (usize, u32, u32), size: f32, scale: f32) -> Drawn {
+    let side = ((SIDE * scale).round() as usize).clamp(96, 1536);
     // Noise of the same size everywhere, however the side was rounded.
-    let unit = side as f32 / SIDE;
+    let unit = side as f32 / SIDE * size;
     let mut heights = plane_of(key.0, side, unit);
     let mean = heights.iter().sum::<f32>() / heights.len() as f32;
     heights.iter_mut().for_each(|height| *height -= mean);
@@ -162,14 +162,17 @@ fn plane_of(sheet: usize, side: usize, unit: f32) -> Vec<f32> {
             }
         }
     }
+    // Ribs and threads on a tile, a whole and even number of them.
+    let across = |count: f32| (count * side as f32 / (SIDE * unit) / 2.0).round().max(1.0) * 2.0;
+    let (wires, chains, threads) = (across(70.0), across(6.0), across(60.0));
     for (i, out) in heights.iter_mut().enumerate() {
         let (x, y) = ((i % side) as f32, (i / side) as f32);
         *out += match sheet {
-            // Wires of a mould, a whole number of them on a tile.
-            2 => 0.35 * wave(y / side as f32 * 70.0) + 0.5 * wave(x / side as f32 * 6.0).powi(15),
+            // Wires of a mould.
+            2 => 0.35 * wave(y / side as f32 * wires) + 0.5 * wave(x / side as f32 * chains).powi(15),
             // Threads over and under each other.
             5 => {
-                let (u, v) = (x / side as f32 * 60.0, y / side as f32 * 60.0);
+                let (u, v) = (x / side as f32 * threads, y / side as f32 * threads);
                 let over = (u as usize + v as usize) % 2 == 0;
                 0.55 * if over { bow(u) * 2.0 - 1.0 } else { bow(v) * 2.0 - 1.0 }
             }
@@ -220,7 +223,7 @@ mod tests {
     #[test]
     fn a_sheet_keeps_its_tint_and_its_heights_have_no_mean() {
         for sheet in 0..6 {
-            let drawn = draw((sheet, 0), 1.0);
+            let drawn = draw((sheet, 0, 0), 1.0, 1.0);
             let mean = drawn.heights.iter().map(|&h| f64::from(h)).sum::<f64>() / drawn.heights.len() as f64;
             assert!(mean.abs() < 5.0, "{sheet}: {mean}");
         }
@@ -238,7 +241,7 @@ mod tests {
     #[test]
     fn the_tile_has_no_seam() {
         for sheet in 0..5 {
-            let drawn = draw((sheet, 0), 1.0);
+            let drawn = draw((sheet, 0, 0), 1.0, 1.0);
             let at = |x: usize, y: usize| f64::from(drawn.heights[y % drawn.side * drawn.side + x % drawn.side]);
             let step = |x: usize| (0..drawn.side).map(|y| (at(x + 1, y) - at(x, y)).abs()).sum::<f64>();
             let usual = (0..drawn.side).map(step).sum::<f64>() / drawn.side as f64;

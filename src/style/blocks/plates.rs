@@ -16,7 +16,7 @@ use crate::error::Result;
 use crate::raster::{Image, Plane};
 use crate::simd::dots::Screen;
 use crate::style::context::Context;
-use crate::style::grain::{Grain, hash};
+use crate::style::grain::{Tile, hash};
 use crate::style::params::{Args, Kind, Param, Unit, integer, number};
 
 pub(super) static BLOCK: Block = Block {
@@ -107,6 +107,9 @@ const ANGLES: [(f64, f64); 3] = [
 /// Size of the grain's spots, at 1920 x 1080.
 const SPOT: f32 = 1.6;
 
+/// Size of the places where the roller left more or less, at 1920 x 1080.
+const CLOUD: f32 = 40.0;
+
 fn run(args: Args<'_>, image: Image, context: &mut Context<'_>) -> Result<Image> {
     let inks = inks(args.choice(0));
     let shift = args.pixels(1);
@@ -120,16 +123,18 @@ fn run(args: Args<'_>, image: Image, context: &mut Context<'_>) -> Result<Image>
     let mut out = [(); 3].map(|()| Plane::filled(width, height, 255));
     let mut coverage = vec![0u8; width];
     let mut printed = vec![0u8; width];
-    let mut noise = vec![0.0f32; width];
-    let spots = Grain::new(seed + 31, (SPOT * context.scale(), SPOT * context.scale()));
-    let clouds = Grain::new(seed + 57, (40.0 * context.scale(), 40.0 * context.scale()));
-    let mut cloud = vec![0.0f32; width];
+    let mut noise = vec![0u8; width];
+    let mut cloud = vec![0u8; width];
+    let tile = |seed: u32, size: f32, spots: f32| {
+        Tile::new(seed, size * context.scale(), (size * spots * context.scale()).max(24.0))
+    };
+    let (spots, clouds) = (tile(seed + 31, SPOT, 256.0), tile(seed + 57, CLOUD, 16.0));
     for (i, (ink, share)) in inks.iter().zip(&shares).enumerate() {
         let fits = i + 1 == inks.len();
         let (dx, dy) = if fits { (0, 0) } else { misfit(shift, seed, i as u32) };
         let screen = pitch.map(|pitch| Screen::new(ANGLES[i + 3 - inks.len()], f64::from(pitch)));
         // Every plate has its grain somewhere else.
-        let (noise_row, start) = (i * 57, (i * 91) % 256);
+        let apart = i * height / 3 + i * 57;
         for y in 0..height {
             if y % 128 == 0 {
                 context.check_cancelled()?;
@@ -137,10 +142,11 @@ fn run(args: Args<'_>, image: Image, context: &mut Context<'_>) -> Result<Image>
             let from = (y as isize - dy).clamp(0, height as isize - 1) as usize;
             cover(&image, from, share, steps, &mut coverage);
             if grain > 0.0 {
-                spots.row(y + noise_row, &mut noise);
-                clouds.row(y + noise_row + start, &mut cloud);
-                for ((tone, noise), cloud) in coverage.iter_mut().zip(&noise).zip(&cloud) {
-                    *tone = grained(*tone, *noise, *cloud, grain);
+                spots.row(from + apart, apart, &mut noise);
+                clouds.row(from + apart, apart, &mut cloud);
+                let strength = (grain * 256.0) as i32;
+                for ((tone, &noise), &cloud) in coverage.iter_mut().zip(&noise).zip(&cloud) {
+                    *tone = grained(*tone, noise, cloud, strength);
                 }
             }
             // Shifted, with the border repeated.
@@ -233,13 +239,17 @@ fn cover(image: &Image, y: usize, share: &[i32; 3], steps: i32, out: &mut [u8]) 
     }
 }
 
-/// Ink that did not reach every fibre, and was not rolled on evenly.
+/// Ink that did not reach every fibre, and was not rolled on evenly: a + 3.2 grain (noise - 1/2) a (1.25 - a), and of that
+/// all but .3 grain cloud^2. `grain` is in 1/256.
 #[inline]
-fn grained(tone: u8, noise: f32, cloud: f32, grain: f32) -> u8 {
-    let a = f32::from(tone) / 255.0;
-    let broken = a + (noise - 0.5) * grain * 3.2 * a * (1.25 - a);
-    let rolled = broken * (1.0 - grain * 0.3 * cloud * cloud);
-    (rolled.clamp(0.0, 1.0) * 255.0 + 0.5) as u8
+fn grained(tone: u8, noise: u8, cloud: u8, grain: i32) -> u8 {
+    let (a, noise, cloud) = (i32::from(tone), i32::from(noise) - 128, i32::from(cloud));
+    // a (1.25 - a) in 1/256; 819 is 3.2 in 1/256.
+    let broken = (a * (319 - a)) >> 8;
+    let a = (a + ((((broken * grain) >> 8) * noise * 819) >> 16)).clamp(0, 255);
+    // 77 is .3 in 1/256.
+    let rolled = 65_536 - ((((cloud * cloud) >> 8) * 77 * grain) >> 8);
+    ((a * rolled + 32_768) >> 16) as u8
 }
 
 /// Lays ink of some coverage over a row.

@@ -21,7 +21,7 @@ use crate::raster::{Image, Plane};
 use crate::simd::oriented::Wide;
 use crate::simd::point::luma_plane;
 use crate::style::context::Context;
-use crate::style::grain::Grain;
+use crate::style::grain::Tile;
 use crate::style::params::{Args, Kind, Param, Unit, number};
 use crate::style::tangents::{TURNS, Tangents};
 
@@ -54,11 +54,8 @@ const FORM: f32 = 10.0;
 /// The second hand: its angle against the first, and the darkness at which it begins.
 const CROSS: (f32, f32) = (58.0, 0.45);
 
-/// Grey steps of noise about its mean before it is averaged.
-const NOISE: f32 = 127.5;
-
-/// Standard deviation of value noise, in shares of its range.
-const DEVIATION: f32 = 0.2;
+/// Standard deviation of value noise, in grey steps.
+const DEVIATION: f32 = 51.0;
 
 fn run(args: Args<'_>, mut image: Image, context: &mut Context<'_>) -> Result<Image> {
     let (width, length) = (args.pixels(0).max(0.7), args.pixels(1).max(1.0));
@@ -73,9 +70,9 @@ fn run(args: Args<'_>, mut image: Image, context: &mut Context<'_>) -> Result<Im
     bend(&mut field, angle, follow);
     context.check_cancelled()?;
     let size = (luma.width(), luma.height());
-    let first = hand(&field, size, (width, length), 1);
+    let first = hand(&field, size, (width, length, context.scale()), 1);
     context.check_cancelled()?;
-    let second = second.map(|field| hand(&field, size, (width, length), 2));
+    let second = second.map(|field| hand(&field, size, (width, length, context.scale()), 2));
     context.check_cancelled()?;
     let pen = Pen::new(args.number(4) / 100.0, args.number(5) / 100.0);
     let none = vec![0u8; size.0];
@@ -104,15 +101,20 @@ fn bend(field: &mut Tangents, degrees: f32, follow: f32) {
 }
 
 /// Strokes as a plane of values that are spread evenly over 0..=255.
-fn hand(field: &Tangents, (width, height): (usize, usize), (thick, length): (f32, f32), seed: u32) -> Plane {
-    let grain = Grain::new(seed, (thick, thick));
+fn hand(
+    field: &Tangents,
+    (width, height): (usize, usize),
+    (thick, length, scale): (f32, f32, f32),
+    seed: u32,
+) -> Plane {
+    let grain = Tile::new(seed, thick, (256.0 * thick).min(900.0 * scale.max(0.3)));
     let margin = (3.0 * length).ceil() as usize + 4;
     let mut wide = Wide::new(width, height, margin);
-    let mut row = vec![0.0; width];
+    let mut row = vec![0; width];
     for y in 0..height {
-        grain.row(y, &mut row);
-        for (out, noise) in wide.row_mut(y).iter_mut().zip(&row) {
-            *out = ((noise - 0.5) * 2.0 * NOISE * 32.0) as i16;
+        grain.row(y, 0, &mut row);
+        for (out, &noise) in wide.row_mut(y).iter_mut().zip(&row) {
+            *out = (i16::from(noise) - 128) << 5;
         }
     }
     wide.pad();
@@ -120,7 +122,7 @@ fn hand(field: &Tangents, (width, height): (usize, usize), (thick, length): (f32
     field.smooth_along(&mut wide, &mut spare, length);
     // So many spots of noise are averaged in one stroke.
     let spots = ((2.0 * std::f32::consts::PI.sqrt() * length) / (1.2 * thick)).max(1.0);
-    let deviation = 2.0 * NOISE * DEVIATION / spots.sqrt();
+    let deviation = DEVIATION / spots.sqrt();
     let table = spread(deviation);
     let half = table.len() as i32 / 2;
     let mut strokes = Plane::filled(width, height, 0);
@@ -147,44 +149,42 @@ fn spread(deviation: f32) -> Vec<u8> {
 
 /// How strokes become ink.
 struct Pen {
-    /// Shares of paper by darkness - u + 255.
-    edge: Vec<f32>,
-    pressure: f32,
+    /// How much steeper than a stroke's own values its edge is, in 1/256.
+    slope: i32,
+    /// Share of a stroke's ink for each darkness, in 1/256: a hand presses harder in the shade.
+    press: [i32; 256],
+    /// The same over the darkness: what a stroke makes of what is missing to white.
+    full: [i32; 256],
 }
 
 impl Pen {
     fn new(hardness: f32, pressure: f32) -> Self {
-        let slope = 1.0 + 9.0 * hardness * hardness;
-        let edge = (-255..=255)
-            .map(|apart: i32| {
-                let share: f32 = (apart as f32 / 255.0 * slope + 0.5).clamp(0.0, 1.0);
-                share
-            })
-            .collect();
-        Self { edge, pressure }
+        let shade = |dark: usize| dark as f32 / 255.0;
+        let press = |dark: usize| pressure + (1.0 - pressure) * shade(dark) * shade(dark);
+        Self {
+            slope: ((1.0 + 9.0 * hardness * hardness) * 256.0) as i32,
+            press: std::array::from_fn(|dark| (press(dark) * 256.0) as i32),
+            full: std::array::from_fn(|dark| (press(dark) * 256.0 * 255.0 / dark.max(48) as f32) as i32),
+        }
     }
 
-    /// The share of ink of a darkness, 0 to 255, at a place of both hands.
+    /// The ink of a darkness at a place of both hands, 0 to 255.
     #[inline]
-    fn ink(&self, dark: u8, first: u8, second: u8) -> f32 {
-        let at = |dark: u8, stroke: u8| {
-            // Nothing but paper stays free of strokes, and full ink has no gaps.
-            if dark == 0 { 0.0 } else { self.edge[usize::from(dark) + 255 - usize::from(stroke)] }
-        };
-        let one = at(dark, first);
-        let from = (CROSS.1 * 255.0) as u8;
-        if second == 0 || dark <= from {
-            return one;
-        }
-        let across = ((u16::from(dark - from) * 255) / u16::from(255 - from)) as u8;
-        one.max(0.9 * at(across, second))
+    fn ink(&self, dark: u8, first: u8, second: u8) -> i32 {
+        const FROM: i32 = (CROSS.1 * 255.0) as i32;
+        let dark = i32::from(dark);
+        let at = |dark: i32, stroke: u8| (((dark - i32::from(stroke)) * self.slope + 32_640) >> 8).clamp(0, 255);
+        // The second hand leaves a tenth of the paper.
+        let across = ((dark - FROM) * (65_536 * 255 / (255 - FROM))) >> 16;
+        let second = if dark > FROM && second > 0 { (at(across, second) * 230) >> 8 } else { 0 };
+        // Paper stays free of strokes.
+        if dark == 0 { 0 } else { at(dark, first).max(second) }
     }
 
     fn gray(&self, first: &[u8], second: &[u8], tones: &mut [u8]) {
         for ((tone, &first), &second) in tones.iter_mut().zip(first).zip(second) {
             let dark = 255 - *tone;
-            let press = self.press(dark);
-            *tone = (255.0 - 255.0 * self.ink(dark, first, second) * press + 0.5) as u8;
+            *tone = 255 - ((self.ink(dark, first, second) * self.press[usize::from(dark)]) >> 8) as u8;
         }
     }
 
@@ -192,20 +192,12 @@ impl Pen {
         let channels = r.iter_mut().zip(g).zip(b);
         for (((r, g), b), (&first, &second)) in channels.zip(first.iter().zip(second)) {
             let dark = 255 - *r.min(g).min(b);
-            let share = self.ink(dark, first, second) * self.press(dark);
             // The colour of a full stroke: its strongest ink is full.
-            let full = share * 255.0 / f32::from(dark.max(48));
+            let full = self.ink(dark, first, second) * self.full[usize::from(dark)];
             for tone in [r, g, b] {
-                *tone = (255.0 - f32::from(255 - *tone) * full).max(0.0) as u8;
+                *tone = 255 - ((i32::from(255 - *tone) * full + 32_640) / 65_280).min(255) as u8;
             }
         }
-    }
-
-    /// A hand presses harder in the shade.
-    #[inline]
-    fn press(&self, dark: u8) -> f32 {
-        let shade = f32::from(dark) / 255.0;
-        self.pressure + (1.0 - self.pressure) * shade * shade
     }
 }
 

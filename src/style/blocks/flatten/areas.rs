@@ -10,6 +10,9 @@ const ROUNDS: usize = 3;
 /// Cost of a neighbour that differs at full smoothness, in units of the costs.
 const PULL: f32 = 420.0;
 
+/// Stands around the picture, where no label is.
+const OUTSIDE: u8 = u8::MAX;
+
 /// Iterated conditional modes: every pixel takes the label whose distance, less what equal neighbours are worth, is least.
 pub(super) fn settle(
     labels: &mut [u8],
@@ -23,41 +26,41 @@ pub(super) fn settle(
     if pull == 0 {
         return;
     }
+    let stride = width + 2;
+    let mut framed = vec![OUTSIDE; stride * (height + 2)];
+    for (row, own) in framed.chunks_exact_mut(stride).skip(1).zip(labels.chunks_exact(width)) {
+        row[1..=width].copy_from_slice(own);
+    }
     for _ in 0..ROUNDS {
         for y in 0..height {
             for x in 0..width {
-                let here = y * width + x;
-                let around = neighbours(labels, (x, y), (width, height));
-                let own = labels[here];
-                if around.iter().all(|&label| label == own) {
+                let here = (y + 1) * stride + x + 1;
+                let three = |at: usize| [framed[at - 1], framed[at], framed[at + 1]];
+                let ([a, b0, c], [d, own, e], [f, g0, h]) = (three(here - stride), three(here), three(here + stride));
+                let around = [a, b0, c, d, e, f, g0, h];
+                if around == [own; 8] {
                     continue;
                 }
-                let costs = costs.of([r.samples()[here], g.samples()[here], b.samples()[here]]);
+                let at = y * width + x;
+                let costs = costs.of([r.samples()[at], g.samples()[at], b.samples()[at]]);
                 let energy = |label: u8| {
                     let equal = around.iter().filter(|&&other| other == label).count() as i32;
                     i32::from(costs[usize::from(label)]) - pull * equal
                 };
                 let mut best = (energy(own), own);
-                for &label in &around {
+                for &label in around.iter().filter(|&&label| label != OUTSIDE) {
                     let other = energy(label);
                     if other < best.0 {
                         best = (other, label);
                     }
                 }
-                labels[here] = best.1;
+                framed[here] = best.1;
             }
         }
     }
-}
-
-/// The eight labels around a pixel; its own stands for those outside.
-#[inline]
-fn neighbours(labels: &[u8], (x, y): (usize, usize), (width, height): (usize, usize)) -> [u8; 8] {
-    let at = |dx: isize, dy: isize| {
-        let (x, y) = (x.wrapping_add_signed(dx), y.wrapping_add_signed(dy));
-        if x < width && y < height { labels[y * width + x] } else { labels[(y.wrapping_add_signed(-dy)) * width + x.wrapping_add_signed(-dx)] }
-    };
-    [at(-1, -1), at(0, -1), at(1, -1), at(-1, 0), at(1, 0), at(-1, 1), at(0, 1), at(1, 1)]
+    for (row, own) in framed.chunks_exact(stride).skip(1).zip(labels.chunks_exact_mut(width)) {
+        own.copy_from_slice(&row[1..=width]);
+    }
 }
 
 /// For every pixel, the number of the area that it belongs to.
@@ -203,7 +206,6 @@ pub(super) fn paint(
     sigma: f32,
     planes: &mut [Plane],
 ) {
-    let gray: Vec<u8> = colors.iter().map(|&[r, g, b]| luma(r, g, b)).collect();
     let (full_width, full_height) = (planes[0].width(), planes[0].height());
     let reach = (2.0 * sigma).ceil() as isize;
     let border = borders(areas, (width, height), reach as usize);
@@ -223,57 +225,83 @@ pub(super) fn paint(
         .collect();
     // The sum of weights changes by this for a pixel across a straight border: the inverse is the slope of a soft one.
     let slope = sigma * (2.0 * std::f32::consts::PI).sqrt() * STEP as f32;
-    let mut votes: Vec<(u32, f32)> = Vec::with_capacity(8);
+    let votes = Votes { areas, size: (width, height), colors, weights: &weights, reach, slope };
+    let mut rows = [(); 3].map(|()| vec![0u8; full_width.next_multiple_of(STEP)]);
     for y in 0..full_height {
-        for x in 0..full_width {
-            let (i, j) = (x / STEP, y / STEP);
-            let own = areas.numbers[j * width + i];
-            let mut put = |color: [u8; 3], gray: u8| match planes {
-                [r, g, b] => {
-                    for (plane, tone) in [r, g, b].into_iter().zip(color) {
-                        plane.samples_mut()[y * full_width + x] = tone;
-                    }
-                }
-                [plane, ..] => plane.samples_mut()[y * full_width + x] = gray,
-                [] => {}
+        let j = y / STEP;
+        for i in 0..width {
+            let [left, right] = if border[j * width + i] {
+                [0, 1].map(|odd| votes.mixed((i, j), y % STEP * STEP + odd))
+            } else {
+                [colors[areas.numbers[j * width + i] as usize]; STEP]
             };
-            if !border[j * width + i] {
-                put(colors[own as usize], gray[own as usize]);
-                continue;
+            for (row, (left, right)) in rows.iter_mut().zip(left.into_iter().zip(right)) {
+                row[STEP * i] = left;
+                row[STEP * i + 1] = right;
             }
-            votes.clear();
-            let mut total = 0.0;
-            let mut weight = weights[y % STEP * STEP + x % STEP].iter();
-            for dy in -reach..=reach {
-                let row = (j as isize + dy).clamp(0, height as isize - 1) as usize * width;
-                for dx in -reach..=reach {
-                    let number = areas.numbers[row + (i as isize + dx).clamp(0, width as isize - 1) as usize];
-                    let weight = weight.next().copied().unwrap_or(0.0);
-                    total += weight;
-                    match votes.iter_mut().find(|(known, _)| *known == number) {
-                        Some((_, sum)) => *sum += weight,
-                        None => votes.push((number, weight)),
-                    }
-                }
-            }
-            let mut first = (own, 0.0);
-            let mut second = (own, 0.0);
-            for &(number, sum) in &votes {
-                if sum > first.1 {
-                    second = first;
-                    first = (number, sum);
-                } else if sum > second.1 {
-                    second = (number, sum);
-                }
-            }
-            let lead = (first.1 - second.1) / total.max(1e-6);
-            let share = (0.5 + 0.5 * lead * slope).min(1.0);
-            let (a, b) = (colors[first.0 as usize], colors[second.0 as usize]);
-            let mixed =
-                std::array::from_fn(|c| (share * f32::from(a[c]) + (1.0 - share) * f32::from(b[c]) + 0.5) as u8);
-            let tone = share * f32::from(gray[first.0 as usize]) + (1.0 - share) * f32::from(gray[second.0 as usize]);
-            put(mixed, (tone + 0.5) as u8);
         }
+        match planes {
+            [r, g, b] => {
+                for (plane, row) in [r, g, b].into_iter().zip(&rows) {
+                    plane.row_mut(y).copy_from_slice(&row[..full_width]);
+                }
+            }
+            [plane, ..] => {
+                for (x, out) in plane.row_mut(y).iter_mut().enumerate() {
+                    *out = luma(rows[0][x], rows[1][x], rows[2][x]);
+                }
+            }
+            [] => {}
+        }
+    }
+}
+
+/// What the colour of a pixel near a border is made of.
+struct Votes<'a> {
+    areas: &'a Areas,
+    size: (usize, usize),
+    colors: &'a [[u8; 3]],
+    /// For each of the four pixels of a square, weights of the places about it.
+    weights: &'a [Vec<f32>],
+    reach: isize,
+    slope: f32,
+}
+
+impl Votes<'_> {
+    /// The colour of one of the four pixels of the square (i, j): the two areas with most weight about it, one pixel soft.
+    fn mixed(&self, (i, j): (usize, usize), corner: usize) -> [u8; 3] {
+        let (width, height) = self.size;
+        let mut sums = [(0u32, 0.0f32); 12];
+        let mut count = 0;
+        let mut total = 0.0;
+        let mut weight = self.weights[corner].iter();
+        for dy in -self.reach..=self.reach {
+            let row = (j as isize + dy).clamp(0, height as isize - 1) as usize * width;
+            for dx in -self.reach..=self.reach {
+                let number = self.areas.numbers[row + (i as isize + dx).clamp(0, width as isize - 1) as usize];
+                let weight = weight.next().copied().unwrap_or(0.0);
+                total += weight;
+                if let Some((_, sum)) = sums[..count].iter_mut().find(|(known, _)| *known == number) {
+                    *sum += weight;
+                } else if count < sums.len() {
+                    sums[count] = (number, weight);
+                    count += 1;
+                }
+            }
+        }
+        let (mut first, mut second) = (sums[0], (sums[0].0, 0.0));
+        for &(number, sum) in &sums[1..count.max(1)] {
+            if sum > first.1 {
+                second = first;
+                first = (number, sum);
+            } else if sum > second.1 {
+                second = (number, sum);
+            }
+        }
+        let lead = (first.1 - second.1) / total.max(1e-6);
+        let share = (0.5 + 0.5 * lead * self.slope).min(1.0);
+        let (a, b) = (self.colors[first.0 as usize], self.colors[second.0 as usize]);
+        std::array::from_fn(|c| (share * f32::from(a[c]) + (1.0 - share) * f32::from(b[c]) + 0.5) as u8)
     }
 }
 

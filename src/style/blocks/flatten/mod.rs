@@ -74,14 +74,22 @@ fn run(args: Args<'_>, mut image: Image, context: &mut Context<'_>) -> Result<Im
 fn halved(image: &Image) -> Image {
     let last = image.planes().len() - 1;
     let half = |plane: &Plane| {
-        let (right, bottom) = (plane.width() - 1, plane.height() - 1);
-        Plane::from_fn(plane.width().div_ceil(STEP), plane.height().div_ceil(STEP), |x, y| {
-            let (x, y) = (x * STEP, y * STEP);
-            let (above, below) = (plane.row(y), plane.row((y + 1).min(bottom)));
-            let x1 = (x + 1).min(right);
-            let sum = u16::from(above[x]) + u16::from(above[x1]) + u16::from(below[x]) + u16::from(below[x1]);
-            ((sum + 2) / 4) as u8
-        })
+        let (width, height) = (plane.width().div_ceil(STEP), plane.height().div_ceil(STEP));
+        let mut small = Plane::filled(width, height, 0);
+        for y in 0..height {
+            let (above, below) = (plane.row(y * STEP), plane.row((y * STEP + 1).min(plane.height() - 1)));
+            let mean = |a: [u8; 2], b: [u8; 2]| {
+                ((u16::from(a[0]) + u16::from(a[1]) + u16::from(b[0]) + u16::from(b[1]) + 2) / 4) as u8
+            };
+            let ((above, odd), (below, odd_below)) = (above.as_chunks::<2>(), below.as_chunks::<2>());
+            for (out, (&above, &below)) in small.row_mut(y).iter_mut().zip(above.iter().zip(below)) {
+                *out = mean(above, below);
+            }
+            if let (&[a], &[b]) = (odd, odd_below) {
+                small.row_mut(y)[width - 1] = mean([a, a], [b, b]);
+            }
+        }
+        small
     };
     let planes = [0, 1, 2].map(|i| half(&image.planes()[i.min(last)]));
     // Three planes of one size are always an image.
@@ -147,7 +155,7 @@ mod tests {
         let image = Image::from_rgb([0, 1, 2].map(|c| Plane::from_fn(64, 64, |x, y| (x * 3 + y + 30 * c).min(255) as u8))).unwrap();
         for choice in 1..NAMES.len() {
             let out = flattened(image.clone(), &[(1, choice as f32), (3, 0.0)]);
-            let costs = Costs::new(&halved(&image), choice, 32);
+            let costs = Costs::new(&halved(&image), choice, 8);
             let flat = (0..63).flat_map(|y| (0..63).map(move |x| (x, y)));
             let known = flat.filter(|&(x, y)| {
                 let at = |x: usize, y: usize| [0, 1, 2].map(|c: usize| out.planes()[c].at(x, y));

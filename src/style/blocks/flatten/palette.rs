@@ -1,6 +1,7 @@
 //! Palettes, and how far each colour of a picture is from theirs.
 
 use crate::raster::Image;
+use std::sync::OnceLock;
 
 /// The palettes; the first is taken from the photo.
 pub(super) const NAMES: &[&str] =
@@ -58,9 +59,11 @@ const UNIT: f32 = 8192.0;
 /// The distance of every colour to each of a palette.
 pub(super) struct Costs {
     palette: Vec<[u8; 3]>,
-    /// For each of 32 x 32 x 32 cells, the distance to each colour.
+    /// For each of 32 x 32 x 32 cells, its place among those that the photo has.
+    places: Vec<u16>,
+    /// For each of these, the distance to each colour.
     table: Vec<u16>,
-    /// For each cell, the nearest colour.
+    /// For each of these, the nearest colour.
     nearest: Vec<u8>,
 }
 
@@ -68,22 +71,22 @@ impl Costs {
     /// The costs of a palette; of the photo's own colours there are `count`, of a named one at most as many.
     pub(super) fn new(photo: &Image, choice: usize, count: usize) -> Self {
         let counts = histogram(photo);
-        let cells: Vec<[f32; 3]> = (0..CELLS.pow(3)).map(|cell| oklab(color_of(cell))).collect();
+        let cells = cells();
         let palette = if choice == 0 {
-            means(&counts, &cells, count)
+            means(&counts, cells, count)
         } else {
-            wanted(&counts, &cells, named(choice), count)
+            wanted(&counts, cells, named(choice), count)
         };
         let points: Vec<[f32; 3]> = palette.iter().map(|&color| oklab(color.map(f32::from))).collect();
-        let mut table = Vec::with_capacity(cells.len() * points.len());
-        let mut nearest = Vec::with_capacity(cells.len());
-        for &cell in &cells {
-            let start = table.len();
-            table.extend(points.iter().map(|&point| (distance(cell, point).sqrt() * UNIT) as u16));
-            let best = table[start..].iter().enumerate().min_by_key(|&(_, &cost)| cost);
-            nearest.push(best.map_or(0, |(i, _)| i as u8));
+        let mut costs = Self { places: vec![0; cells.len()], table: Vec::new(), nearest: Vec::new(), palette };
+        for (cell, &point) in cells.iter().enumerate().filter(|&(cell, _)| counts.seen[cell]) {
+            costs.places[cell] = costs.nearest.len() as u16;
+            let start = costs.table.len();
+            costs.table.extend(points.iter().map(|&own| (distance(point, own).sqrt() * UNIT) as u16));
+            let best = costs.table[start..].iter().enumerate().min_by_key(|&(_, &cost)| cost);
+            costs.nearest.push(best.map_or(0, |(i, _)| i as u8));
         }
-        Self { palette, table, nearest }
+        costs
     }
 
     pub(super) fn palette(&self) -> &[[u8; 3]] {
@@ -93,7 +96,7 @@ impl Costs {
     /// The distances of a colour to each of the palette's.
     #[inline]
     pub(super) fn of(&self, rgb: [u8; 3]) -> &[u16] {
-        let start = cell_of(rgb) * self.palette.len();
+        let start = usize::from(self.places[cell_of(rgb)]) * self.palette.len();
         &self.table[start..start + self.palette.len()]
     }
 
@@ -101,12 +104,18 @@ impl Costs {
     pub(super) fn nearest(&self, image: &Image) -> Vec<u8> {
         let [r, g, b] = image.planes() else { return Vec::new() };
         let pixels = r.samples().iter().zip(g.samples()).zip(b.samples());
-        pixels.map(|((&r, &g), &b)| self.nearest[cell_of([r, g, b])]).collect()
+        pixels.map(|((&r, &g), &b)| self.nearest[usize::from(self.places[cell_of([r, g, b])])]).collect()
     }
 }
 
 fn cell_of([r, g, b]: [u8; 3]) -> usize {
     (usize::from(r >> 3) * CELLS + usize::from(g >> 3)) * CELLS + usize::from(b >> 3)
+}
+
+/// Oklab of the middle of every cell.
+fn cells() -> &'static [[f32; 3]] {
+    static CELLS_IN_OKLAB: OnceLock<Vec<[f32; 3]>> = OnceLock::new();
+    CELLS_IN_OKLAB.get_or_init(|| (0..CELLS.pow(3)).map(|cell| oklab(color_of(cell))).collect())
 }
 
 /// The middle of a cell.
@@ -116,18 +125,25 @@ fn color_of(cell: usize) -> [f32; 3] {
 
 /// Pixels of each cell, and the sum of their colours.
 struct Counts {
+    /// Cells that any pixel is in; the others count some of the pixels.
+    seen: Vec<bool>,
     pixels: Vec<u32>,
     sums: Vec<[u32; 3]>,
 }
 
 fn histogram(image: &Image) -> Counts {
-    let mut counts = Counts { pixels: vec![0; CELLS.pow(3)], sums: vec![[0; 3]; CELLS.pow(3)] };
+    let cells = CELLS.pow(3);
+    let mut counts = Counts { seen: vec![false; cells], pixels: vec![0; cells], sums: vec![[0; 3]; cells] };
     let [r, g, b] = image.planes() else { return counts };
     // Every third pixel tells enough of a palette; an odd step does not fall on a pattern.
     let step = if r.samples().len() > 60_000 { 3 } else { 1 };
-    let pixels = r.samples().iter().zip(g.samples()).zip(b.samples()).step_by(step);
-    for ((&r, &g), &b) in pixels {
+    let pixels = r.samples().iter().zip(g.samples()).zip(b.samples());
+    for (i, ((&r, &g), &b)) in pixels.enumerate() {
         let cell = cell_of([r, g, b]);
+        counts.seen[cell] = true;
+        if i % step != 0 {
+            continue;
+        }
         counts.pixels[cell] += 1;
         for (sum, tone) in counts.sums[cell].iter_mut().zip([r, g, b]) {
             *sum += u32::from(tone);
