@@ -1,7 +1,7 @@
 import { boardStrings as board } from './board.ts';
 import { bookStrings } from './book.ts';
 import { designerStrings as designer } from './designer.ts';
-import { keepingStrings as keeping } from './keeping.ts';
+import { storageStrings as storage } from './storage.ts';
 import { offlineStrings } from './offline.ts';
 import { panelStrings as panels } from './panels.ts';
 import { photoStrings as photos } from './photos.ts';
@@ -100,11 +100,11 @@ export const helpStrings = {
     },
     saving: {
       title: 'Enregistrement',
-      text: `Votre travail s’enregistre de lui-même dans ce navigateur, sur cet appareil, et il est encore là quand vous revenez. « ${keeping.projects} » a tout, chacun avec son nom. Si vous effacez les données de ce navigateur, il disparaît : gardez aussi dans un fichier ce à quoi vous tenez.`,
+      text: `Votre travail s’enregistre de lui-même dans ce navigateur, sur cet appareil, et il est encore là quand vous revenez. « ${storage.projects} » a tout, chacun avec son nom. Si vous effacez les données de ce navigateur, il disparaît : gardez aussi dans un fichier ce à quoi vous tenez.`,
     },
     files: {
       title: 'Fichiers de projet',
-      text: `Dans « ${keeping.projects} », « ${keeping.saveProject} » fait de tout un seul fichier, avec vos photos en taille réelle. Déposez-le sur la fenêtre, ici ou sur un autre appareil, pour continuer. Un PNG d’une page s’ouvre de la même façon ; il retrouve ses photos sur cet appareil, ou les contient si vous avez choisi « ${pngStrings.cargoKind.photos} ».`,
+      text: `Dans « ${storage.projects} », « ${storage.saveProject} » fait de tout un seul fichier, avec vos photos en taille réelle. Déposez-le sur la fenêtre, ici ou sur un autre appareil, pour continuer. Un PNG d’une page s’ouvre de la même façon ; il retrouve ses photos sur cet appareil, ou les contient si vous avez choisi « ${pngStrings.cargoKind.photos} ».`,
     },
     export: {
       title: 'Exporter : PNG, JPEG, WebP, PDF',

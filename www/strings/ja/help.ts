@@ -1,7 +1,7 @@
 import { boardStrings as board } from './board.ts';
 import { bookStrings } from './book.ts';
 import { designerStrings as designer } from './designer.ts';
-import { keepingStrings as keeping } from './keeping.ts';
+import { storageStrings as storage } from './storage.ts';
 import { offlineStrings } from './offline.ts';
 import { panelStrings as panels } from './panels.ts';
 import { photoStrings as photos } from './photos.ts';
@@ -100,11 +100,11 @@ export const helpStrings = {
     },
     saving: {
       title: '保存',
-      text: `作業はこの端末の、このブラウザーに自動で保存され、次に来たときもそのままです。「${keeping.projects}」に、名前の付いたすべての作業があります。ブラウザーのデータを消すと失われるので、大切なものはファイルにも残してください。`,
+      text: `作業はこの端末の、このブラウザーに自動で保存され、次に来たときもそのままです。「${storage.projects}」に、名前の付いたすべての作業があります。ブラウザーのデータを消すと失われるので、大切なものはファイルにも残してください。`,
     },
     files: {
       title: 'プロジェクトのファイル',
-      text: `「${keeping.projects}」の「${keeping.saveProject}」は、原寸の写真も含めてすべてを1つのファイルにします。この端末でも別の端末でも、ウィンドウにドロップすれば続けられます。ページのPNGも同じように開きます。写真はこの端末から見つけるか、「${pngStrings.cargoKind.photos}」を選んでいれば中に入っています。`,
+      text: `「${storage.projects}」の「${storage.saveProject}」は、原寸の写真も含めてすべてを1つのファイルにします。この端末でも別の端末でも、ウィンドウにドロップすれば続けられます。ページのPNGも同じように開きます。写真はこの端末から見つけるか、「${pngStrings.cargoKind.photos}」を選んでいれば中に入っています。`,
     },
     export: {
       title: '書き出し：PNG、JPEG、WebP、PDF',
