@@ -275,6 +275,11 @@ function openLink() {
   void ownStyles.openLink(hash);
 }
 
+/** A workspace lies over the page, and over what was said of it. */
+effect(() => {
+  if (ui.work.value !== null) untracked(messages.leaveNotes);
+});
+
 /** What Escape leaves: what was begun last. */
 function leaveMode() {
   if (ui.preview.peek()) return () => void (ui.preview.value = false);
