@@ -106,7 +106,8 @@ test.describe('a note with an Undo', () => {
     await button(page, 'Spread album over pages').tap();
     await expect(page.getByRole('button', { name: 'Take it back' })).toBeVisible();
     await button(page, 'Projects').tap();
-    await expect(page.getByRole('button', { name: 'Take it back' })).toHaveCount(0);
+    // By itself it goes later.
+    await expect(page.getByRole('button', { name: 'Take it back' })).toHaveCount(0, { timeout: 3_000 });
   });
 });
 
