@@ -162,6 +162,15 @@ test.describe('held sideways', () => {
 test.describe('a phone held upright', () => {
   test.use({ viewport: UPRIGHT, hasTouch: true, isMobile: true });
 
+  test('has the help in sight where its settings are', async ({ page }) => {
+    await openBoard(page);
+    await button(page, 'Page settings').tap();
+    await expect.poll(() => inSight(button(page, 'Help and keyboard shortcuts'))).toBe(true);
+    await expect.poll(() => free(button(page, 'Help and keyboard shortcuts'))).toBe(true);
+    await button(page, 'Help and keyboard shortcuts').tap();
+    await expect(page.getByRole('dialog').getByRole('searchbox')).toBeVisible();
+  });
+
   test('shows two sliders of the designer below its preview', async ({ page }) => {
     await openBoard(page);
     await button(page, 'Styles').tap();

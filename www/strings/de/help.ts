@@ -85,7 +85,7 @@ export const helpStrings = {
     },
     words: {
       title: 'Textkästen, Sprechblasen und Soundworte',
-      text: `Unter „${side.sideTab.words}“ fügst du einen Textkasten, eine Sprechblase oder ein Soundwort hinzu; es kommt dorthin, wo es kein Gesicht verdeckt, wenn Platz ist. Zieh es, oder schreib nach einem Doppelklick hinein. Auch Filme bringen Worte mit: „${words.addSubtitles}“ liest eine Untertiteldatei.`,
+      text: `Unter „${side.sideTab.words}“ fügst du einen Textkasten, eine Sprechblase oder ein Soundwort hinzu; es kommt dorthin, wo es kein Gesicht verdeckt, wenn Platz ist. Zieh es, oder schreib nach einem Doppelklick hinein; mit dem Finger tippst du es noch einmal an. Auch Filme bringen Worte mit: „${words.addSubtitles}“ liest eine Untertiteldatei.`,
     },
     alike: {
       title: 'Ähnliche Fotos, und was zur Seite gelegt ist',

@@ -86,7 +86,7 @@ export const helpStrings = {
     },
     words: {
       title: 'Captions, balloons and sound effects',
-      text: `In “${side.sideTab.words}” you add a caption, a balloon or a sound effect; it is put where it hides no face, if there is room. Drag it, or write in it by a double click. Films bring words, too: “${words.addSubtitles}” reads a file of subtitles.`,
+      text: `In “${side.sideTab.words}” you add a caption, a balloon or a sound effect; it is put where it hides no face, if there is room. Drag it, or write in it by a double click; by touch, tap it once more. Films bring words, too: “${words.addSubtitles}” reads a file of subtitles.`,
     },
     alike: {
       title: 'Look-alikes, and what is set aside',

@@ -84,7 +84,7 @@ export const helpStrings = {
     },
     words: {
       title: 'Cartelas, bocadillos y onomatopeyas',
-      text: `En «${side.sideTab.words}» añades una cartela, un bocadillo o una onomatopeya; se pone donde no tape ninguna cara, si hay sitio. Arrástrala, o escribe en ella con un doble clic. Las películas también traen palabras: «${words.addSubtitles}» lee un archivo de subtítulos.`,
+      text: `En «${side.sideTab.words}» añades una cartela, un bocadillo o una onomatopeya; se pone donde no tape ninguna cara, si hay sitio. Arrástrala, o escribe en ella con un doble clic; con el dedo, tócala otra vez. Las películas también traen palabras: «${words.addSubtitles}» lee un archivo de subtítulos.`,
     },
     alike: {
       title: 'Fotos parecidas y fotos apartadas',

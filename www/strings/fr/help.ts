@@ -84,7 +84,7 @@ export const helpStrings = {
     },
     words: {
       title: 'Cartouches, bulles et onomatopées',
-      text: `Dans « ${side.sideTab.words} », vous ajoutez un cartouche, une bulle ou une onomatopée ; le texte se place là où il ne cache aucun visage, s’il y a de la place. Faites-le glisser, ou écrivez dedans après un double clic. Les films apportent aussi des textes : « ${words.addSubtitles} » lit un fichier de sous-titres.`,
+      text: `Dans « ${side.sideTab.words} », vous ajoutez un cartouche, une bulle ou une onomatopée ; le texte se place là où il ne cache aucun visage, s’il y a de la place. Faites-le glisser, ou écrivez dedans après un double clic ou, au doigt, en le touchant encore une fois. Les films apportent aussi des textes : « ${words.addSubtitles} » lit un fichier de sous-titres.`,
     },
     alike: {
       title: 'Photos semblables et photos mises de côté',

@@ -84,7 +84,7 @@ export const helpStrings = {
     },
     words: {
       title: 'Caixas de texto, balões e onomatopeias',
-      text: `Em “${side.sideTab.words}”, você adiciona uma caixa de texto, um balão ou uma onomatopeia; o texto fica onde não esconde nenhum rosto, se houver espaço. Arraste-o, ou escreva nele com um clique duplo. Filmes também trazem textos: “${words.addSubtitles}” lê um arquivo de legendas.`,
+      text: `Em “${side.sideTab.words}”, você adiciona uma caixa de texto, um balão ou uma onomatopeia; o texto fica onde não esconde nenhum rosto, se houver espaço. Arraste-o, ou escreva nele com um clique duplo; com o dedo, toque nele mais uma vez. Filmes também trazem textos: “${words.addSubtitles}” lê um arquivo de legendas.`,
     },
     alike: {
       title: 'Fotos parecidas e fotos deixadas de lado',
