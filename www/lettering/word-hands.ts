@@ -14,8 +14,8 @@ const SLACK = 4;
 /** in page widths */
 type Place = [number, number];
 type Grip = { id: number; x: number; y: number; at: Place; gesture: string; moved: boolean };
-/** How the last press ended: whether the word was chosen before it, and whether it was carried. */
-type Press = { chosen: boolean; moved: boolean };
+/** The last press: whether the word had been chosen by a tap before it, and whether it was carried. */
+type Press = { chosen: boolean; moved: boolean; tapped: boolean };
 
 /** @param event on the page or something on it */
 export function pointOn({ clientX, clientY, currentTarget }: MouseEvent): Place {
@@ -29,7 +29,7 @@ function pageOf(element: EventTarget | null) {
 
 export function useWordHands(index: number) {
   const { lettering } = useApp();
-  const last = useRef({ chosen: false, moved: false } as Press);
+  const last = useRef({ chosen: false, moved: false, tapped: false } as Press);
   const middle = () => lettering.pageAt(index);
   const tip = () => lettering.boxes.peek()[index]?.tip ?? middle();
   const body = useHand(middle, (to, gesture) => lettering.move(index, to, gesture));
@@ -57,7 +57,8 @@ export function useWordHands(index: number) {
       ...body,
       onKeyDown: press,
       onPointerDown: (event: PointerEvent) => {
-        last.current = { chosen: lettering.chosen.peek() === index, moved: false };
+        const { tapped } = last.current;
+        last.current = { chosen: tapped && lettering.chosen.peek() === index, moved: false, tapped };
         body.onPointerDown(event);
       },
       onPointerUp: () => {
@@ -66,6 +67,7 @@ export function useWordHands(index: number) {
       onClick: (event: MouseEvent) => {
         event.stopPropagation();
         const { chosen, moved } = last.current;
+        last.current.tapped = true;
         // By touch a second tap writes in it: nobody looks for a double one.
         if (chosen && !moved && (event as PointerEvent).pointerType === 'touch') lettering.editing.value = index;
         else lettering.choose(index);
