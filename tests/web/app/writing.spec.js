@@ -109,6 +109,7 @@ test.describe('a word under the finger', () => {
     await openBoard(page);
     await page.getByRole('button', { name: 'Words', exact: true }).tap();
     await page.getByRole('button', { name: 'Add caption', exact: true }).tap();
+    await expect(field(page)).toBeFocused();
     await page.keyboard.type('Soon');
     await page.keyboard.press('Enter');
     await idle(page);
