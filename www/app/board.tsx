@@ -101,12 +101,14 @@ function NarrowBoard() {
         </Sheet>
       )}
       {sheet === 'settings' && (
-        <Sheet title={strings.pageSettings}>
+        <Sheet
+          title={strings.pageSettings}
+          tools={<ActionButton action={actions.window.help} class="button sheet-tool" text />}
+        >
           <PageSettingsForm />
           <div class="sheet-choices">
             <ThemeChoice />
             <LanguageChoice />
-            <ActionButton action={actions.window.help} class="button" text />
           </div>
         </Sheet>
       )}

@@ -6,15 +6,17 @@ import type { ComponentChildren } from 'preact';
 
 /**
  * A part of the board on a small screen, below the page.
- * @param props `bare`: the content brings its own heading
+ * @param props `bare`: the content brings its own heading; `tools`: beside the heading
  */
 export function Sheet({
   title,
   bare = false,
+  tools,
   children,
 }: {
   title: string;
   bare?: boolean;
+  tools?: ComponentChildren;
   children: ComponentChildren;
 }) {
   const { ui } = useApp();
@@ -25,6 +27,7 @@ export function Sheet({
     <section class="sheet" aria-label={strings.drawer} ref={ref} tabIndex={-1}>
       <div class="section-head sheet-head">
         {!bare && <h2>{title}</h2>}
+        {tools}
         <IconButton
           icon="close"
           label={strings.close}

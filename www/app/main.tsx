@@ -44,6 +44,7 @@ import { createStyling } from '../styles/styling.ts';
 import { createRecentStyles } from '../styles/recent-styles.ts';
 import { createTaste } from '../styles/taste.ts';
 import { createSubjects } from '../photos/subjects.ts';
+import { isHandheld } from '../ui/media.ts';
 import { createUi } from './ui.ts';
 import { strings } from '../strings/strings.ts';
 import { App } from './app.tsx';
@@ -57,7 +58,7 @@ import { openFiles } from '../photos/file-input.tsx';
 import { createActions } from './actions.ts';
 import type { Parts } from '../ui/context.ts';
 
-const engine = createEngine();
+const engine = createEngine({ sparing: isHandheld(window) });
 const ui = createUi(window);
 const messages = createMessages();
 const store = createStore({ onRefused: ({ message }) => void messages.alert(strings.notDone(message)) });
@@ -274,6 +275,11 @@ function openLink() {
   window.history.replaceState(null, '', window.location.href.slice(0, -hash.length));
   void ownStyles.openLink(hash);
 }
+
+/** A workspace lies over the page, and over what was said of it. */
+effect(() => {
+  if (ui.work.value !== null) untracked(messages.leaveNotes);
+});
 
 /** What Escape leaves: what was begun last. */
 function leaveMode() {

@@ -14,8 +14,18 @@ import type { Detection, FirstLook } from './types.ts';
 
 type Net = 'faces' | 'objects';
 
-/** @param spare asks that so many other workers stay idle meanwhile, where nobody waits */
-export function createDetector(photos: ReturnType<typeof createPhotos>, spare: (workers: number) => void) {
+/** Milliseconds after the last look until the nets are given up, where memory is short. */
+const REST = 5_000;
+
+/**
+ * @param spare asks that so many other workers stay idle meanwhile, where nobody waits
+ * @param sparing whether the nets are given up when all is looked at: they take a hundred megabytes
+ */
+export function createDetector(
+  photos: ReturnType<typeof createPhotos>,
+  spare: (workers: number) => void,
+  sparing = false,
+) {
   const pools: Partial<Record<Net, Pool<Looking>>> = {};
   /** Nets that are made, or in line to be. */
   const made: Partial<Record<Net, Promise<unknown>>> = {};
@@ -23,6 +33,7 @@ export function createDetector(photos: ReturnType<typeof createPhotos>, spare: (
   let last: Promise<unknown> = Promise.resolve();
   let running = 0;
   let facesMade = false;
+  let resting: ReturnType<typeof setTimeout> | undefined;
 
   return {
     prepare,
@@ -84,13 +95,25 @@ export function createDetector(photos: ReturnType<typeof createPhotos>, spare: (
     call?: Call,
   ): Promise<Looking[Op]['ok']> {
     const { name, work } = photos.get(id);
+    clearTimeout(resting);
     spare((running += 1));
     try {
       await make(net);
       return await open(net).run({ op, args: { photo: work, ...more }, photo: name, priority: Priority.REST, ...call });
     } finally {
       spare((running -= 1));
+      if (sparing && running === 0) resting = setTimeout(giveUp, REST);
     }
+  }
+
+  /** The next look makes them anew. */
+  function giveUp() {
+    for (const net of ['faces', 'objects'] as const) {
+      pools[net]?.dispose();
+      delete pools[net];
+      delete made[net];
+    }
+    facesMade = false;
   }
 
   /**

@@ -27,16 +27,27 @@ import type { Frame } from './video.ts';
 export type Call = { signal?: AbortSignal; priority?: number; key?: string };
 export type Engine = ReturnType<typeof createEngine>;
 
-const MOST_WORKERS = 8;
-/** Photos that all workers together keep at hand, in bytes. */
-const PHOTO_BUDGET = 256 * 2 ** 20;
-const LEAST_BUDGET = 64 * 2 ** 20;
+const MB = 2 ** 20;
+/**
+ * Workers at most, the bytes of photos that they keep at hand, all together and one at least, and the memory that one may
+ * keep where nothing waits. A phone ends a tab that takes too much, and each worker keeps the room that its largest photo
+ * once took.
+ */
+const USUAL = { workers: 8, photos: 256 * MB, least: 64 * MB, rest: undefined };
+const SPARING = { workers: 4, photos: 64 * MB, least: 16 * MB, rest: 64 * MB };
 
-/** @param options `workers`: as many as the device has cores unless told, 8 at most */
-export function createEngine({ workers = navigator.hardwareConcurrency || 2 }: { workers?: number } = {}) {
-  const size = Math.max(1, Math.min(MOST_WORKERS, Math.floor(workers)));
+/** @param options `workers`: as many as the device has cores unless told, 8 at most; `sparing`: for devices with little memory */
+export function createEngine({
+  workers = navigator.hardwareConcurrency || 2,
+  sparing = false,
+}: {
+  workers?: number;
+  sparing?: boolean;
+} = {}) {
+  const most = sparing ? SPARING : USUAL;
+  const size = Math.max(1, Math.min(most.workers, Math.floor(workers)));
   const photos = createPhotos();
-  const detector = createDetector(photos, (count) => pool?.spare(count));
+  const detector = createDetector(photos, (count) => pool?.spare(count), sparing);
   const design = createDesign(photos);
   const words = createWords();
   const files = createFiles();
@@ -44,9 +55,9 @@ export function createEngine({ workers = navigator.hardwareConcurrency || 2 }: {
   let imported = 0;
 
   const ready = loadCore().then(({ program, planner }) => {
-    const budget = Math.max(LEAST_BUDGET, PHOTO_BUDGET / size);
-    pool = createPool({ size, spawn: () => spawn(program, budget) });
-    design.prepare(() => spawn(program, LEAST_BUDGET));
+    const budget = Math.max(most.least, most.photos / size);
+    pool = createPool({ size, spawn: () => spawn(program, budget), restWater: most.rest });
+    design.prepare(() => spawn(program, most.least));
     return planner;
   });
   // Whoever awaits it is told; nobody has to.

@@ -235,6 +235,19 @@ describe('workers that die', () => {
     expect([fakes.workers.length, fakes.live().length]).toEqual([2, 1]);
   });
 
+  test('a worker whose memory is more than it may keep at rest is replaced once nothing waits', async () => {
+    const fakes = fakeWorkers();
+    const pool = createPool<Named>({ size: 1, spawn: fakes.spawn, highWater: 100, restWater: 50 });
+    const results = [pool.run(job('first')), pool.run(job('last')), pool.run(job('small'))];
+    fakes.answer('first', { ok: 1, memory: 60 });
+    expect(fakes.workers.length).toBe(1);
+    fakes.answer('last', { ok: 2, memory: 60 });
+    expect(fakes.workers.length).toBe(1);
+    fakes.answer('small', { ok: 3, memory: 60 });
+    expect(await Promise.all(results)).toEqual([1, 2, 3]);
+    expect([fakes.workers.length, fakes.live().length]).toEqual([2, 1]);
+  });
+
   test('an idle worker that dies is replaced only when it is needed', async () => {
     const fakes = fakeWorkers();
     const pool = createPool<Named>({ size: 1, spawn: fakes.spawn });

@@ -8,7 +8,8 @@
  *   nothing in time hangs: it costs seconds for short work, and a large photo on a slow device is given its minute.
  * - A worker that traps, crashes or hangs is terminated and replaced. The job is tried once more on a fresh worker, with
  *   more patience; when that fails too the job rejects with `worker-lost`, naming its photo.
- * - wasm memory never shrinks: an idle worker whose memory is above the high-water mark is replaced.
+ * - wasm memory never shrinks: an idle worker whose memory is above the high-water mark is replaced, and where nothing
+ *   waits one that is above the lower mark of pools that rest.
  */
 
 import { createPace } from './pace.ts';
@@ -75,10 +76,12 @@ export function createPool<Ops extends Table = Operations>({
   size,
   spawn,
   highWater = HIGH_WATER,
+  restWater = highWater,
 }: {
   size: number;
   spawn: () => Worker;
   highWater?: number;
+  restWater?: number;
 }): Pool<Ops> {
   const queue: ReturnType<typeof createQueue<Entry>> = createQueue();
   const pace = createPace();
@@ -215,7 +218,7 @@ export function createPool<Ops extends Table = Operations>({
     const { error } = reply;
     if (error) settle(entry, () => entry.reject(failure(error.code, error.message, { photo: entry.photo })));
     else settle(entry, () => entry.resolve(reply.ok));
-    if (reply.memory > highWater) open(slot);
+    if (reply.memory > (queue.length === 0 ? restWater : highWater)) open(slot);
     dispatch();
   }
 

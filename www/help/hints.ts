@@ -70,7 +70,9 @@ export function createHints({
     lock: () => shuffles.value >= ENOUGH && !locked.value && selection.panels.value.length === 0,
   };
   const done: Record<Hint, () => boolean> = {
-    shuffle: () => shuffles.value > 0,
+    // Whoever is at work on a panel or on words has found the way on.
+    shuffle: () =>
+      shuffles.value > 0 || selection.panels.value.length > 0 || (store.page.value?.words?.length ?? 0) > 0,
     crop: () => cropsOf(store.page.value) !== crops && (store.page.value?.panels.some(({ edited }) => edited) ?? false),
     lock: () => locked.value,
   };

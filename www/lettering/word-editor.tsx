@@ -1,6 +1,7 @@
 import { useLayoutEffect, useRef } from 'preact/hooks';
 import { strings } from '../strings/strings.ts';
 import { useApp } from '../ui/context.ts';
+import { liftAbove } from './above-keyboard.ts';
 import { focusOn, placed } from './word-hands.ts';
 import type { WordBox } from '../engine/types.ts';
 
@@ -24,9 +25,15 @@ export function WordEditor({ index, box, height }: { index: number; box: WordBox
     const area = field.current as HTMLTextAreaElement;
     const page = area.closest('.page') as HTMLElement;
     area.style.fontSize = `${Math.max(LEAST, box.size * page.clientWidth)}px`;
-    area.focus();
+    const fit = () => grow(area, page);
+    fit();
+    area.addEventListener('input', fit);
+    // The focus brings the keyboard of the screen, which makes the window that is seen lower a moment later.
+    const lower = liftAbove(area);
+    area.focus({ preventScroll: true });
     area.select();
     return () => {
+      lower();
       if (lettering.editing.peek() === index) lettering.editing.value = -1;
     };
   }, []);
@@ -68,4 +75,15 @@ export function WordEditor({ index, box, height }: { index: number; box: WordBox
       {word.text}
     </textarea>
   );
+}
+
+/** As high as its text is, and not over the edge of the page, where the window may end. */
+function grow(area: HTMLTextAreaElement, page: HTMLElement) {
+  area.style.minHeight = '';
+  area.style.marginTop = '';
+  const borders = area.offsetHeight - area.clientHeight;
+  const tall = Math.max(area.offsetHeight, area.scrollHeight + borders);
+  area.style.minHeight = `${tall}px`;
+  const [above, below] = [area.offsetTop - tall / 2, page.clientHeight - area.offsetTop - tall / 2];
+  area.style.marginTop = `${Math.max(-above, Math.min(0, below))}px`;
 }

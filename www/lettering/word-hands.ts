@@ -14,6 +14,8 @@ const SLACK = 4;
 /** in page widths */
 type Place = [number, number];
 type Grip = { id: number; x: number; y: number; at: Place; gesture: string; moved: boolean };
+/** The last press: whether the word had been chosen by a tap before it, and whether it was carried. */
+type Press = { chosen: boolean; moved: boolean; tapped: boolean };
 
 /** @param event on the page or something on it */
 export function pointOn({ clientX, clientY, currentTarget }: MouseEvent): Place {
@@ -27,6 +29,7 @@ function pageOf(element: EventTarget | null) {
 
 export function useWordHands(index: number) {
   const { lettering } = useApp();
+  const last = useRef({ chosen: false, moved: false, tapped: false } as Press);
   const middle = () => lettering.pageAt(index);
   const tip = () => lettering.boxes.peek()[index]?.tip ?? middle();
   const body = useHand(middle, (to, gesture) => lettering.move(index, to, gesture));
@@ -53,15 +56,31 @@ export function useWordHands(index: number) {
     body: {
       ...body,
       onKeyDown: press,
+      onPointerDown: (event: PointerEvent) => {
+        const { tapped } = last.current;
+        last.current = { chosen: tapped && lettering.chosen.peek() === index, moved: false, tapped };
+        body.onPointerDown(event);
+      },
+      onPointerUp: () => {
+        last.current.moved = body.onPointerUp();
+      },
       onClick: (event: MouseEvent) => {
         event.stopPropagation();
-        lettering.choose(index);
+        const { chosen, moved } = last.current;
+        last.current.tapped = true;
+        // By touch a second tap writes in it: nobody looks for a double one.
+        if (chosen && !moved && (event as PointerEvent).pointerType === 'touch') lettering.editing.value = index;
+        else lettering.choose(index);
       },
       onDblClick: () => {
         lettering.editing.value = index;
       },
     },
-    tail: { ...tail, onClick: (event: MouseEvent) => event.stopPropagation() },
+    tail: {
+      ...tail,
+      onPointerUp: () => void tail.onPointerUp(),
+      onClick: (event: MouseEvent) => event.stopPropagation(),
+    },
   };
 
   function useHand(where: () => Place, put: (to: Place, gesture: string) => void) {
@@ -87,8 +106,11 @@ export function useWordHands(index: number) {
         const { width } = pageOf(event.currentTarget);
         put([held.at[0] + x / width, held.at[1] + y / width], held.gesture);
       },
-      onPointerUp: () => {
+      /** @returns whether it was moved */
+      onPointerUp: (): boolean => {
+        const moved = grip.current?.moved ?? false;
         grip.current = null;
+        return moved;
       },
       onPointerCancel: () => {
         grip.current = null;

@@ -66,7 +66,7 @@ function Word({ index, box, height }: { index: number; box: WordBox; height: num
         aria-label={name}
         aria-description={strings.wordKeys}
         aria-pressed={chosen}
-        style={placed(box, height)}
+        style={{ ...placed(box, height), '--wide': box.width, '--tall': box.height / height }}
         {...hands.body}
       />
       {chosen && box.tip && (

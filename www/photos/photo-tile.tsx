@@ -5,6 +5,7 @@ import { strings } from '../strings/strings.ts';
 import { Bitmap } from '../ui/bitmap.tsx';
 import { useApp } from '../ui/context.ts';
 import { PLAIN, thumbnail } from './cover.ts';
+import { noteWithUndo } from './undo-note.ts';
 import { Icon } from '../ui/icon.tsx';
 import { PHOTO } from './photo-drag.ts';
 import { PhotoSubjects } from './subject-boxes.tsx';
@@ -46,7 +47,7 @@ export function PhotoTile({
 
   function setUsed(on: boolean) {
     reading.use(id, on);
-    if (!on) messages.note(strings.leftOut(name), { label: strings.undo, run: pages.undo });
+    if (!on) noteWithUndo({ messages, store, pages }, strings.leftOut(name));
   }
 
   return (

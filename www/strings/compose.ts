@@ -11,6 +11,17 @@ export type Translation = { words: Words; names: Names };
 /** How many of a kind of thing. */
 export type Seen = { label: string; count: number };
 
+/** What languages are given to count with: they import nothing that runs. */
+export type Counted = typeof counted;
+
+/**
+ * @param numerals from two on, at their number; larger numbers are digits
+ * @returns `a dog`, `two dogs`
+ */
+function counted(count: number, [one, many]: readonly [string, string], numerals: readonly string[]): string {
+  return count === 1 ? one : `${numerals[count] ?? count} ${many}`;
+}
+
 /** @param locale how numbers and lists are written */
 export function compose(locale: string, { words, names }: Translation) {
   const numbers = numbersIn(locale);
@@ -21,6 +32,6 @@ export function compose(locale: string, { words, names }: Translation) {
     ...words,
     frameName: (name: string, seconds: number) => `${name}, ${numbers.clock(seconds)}`,
     /** @returns `two people and a dog`; empty for nothing */
-    seen: (things: readonly Seen[]) => numbers.listed(things.map(words.thing)),
+    seen: (things: readonly Seen[]) => numbers.listed(things.map((thing) => words.thing(thing, counted))),
   };
 }

@@ -10,3 +10,8 @@ export function mediaSignal(window: Window, query: string): Signal<boolean> {
   });
   return value;
 }
+
+/** Whether it is a phone, however it is held: few of them have memory to spare. */
+export function isHandheld(window: Pick<Window, 'matchMedia' | 'screen'>): boolean {
+  return window.matchMedia('(pointer: coarse)').matches && Math.min(window.screen.width, window.screen.height) < 600;
+}

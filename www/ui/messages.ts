@@ -134,8 +134,14 @@ export function createMessages() {
     });
   }
 
+  /** What was said of a page, with what can be done about it there, goes when the page does. */
+  function leaveNotes() {
+    list.value = list.value.filter(({ kind, way }) => kind !== 'note' || !way);
+  }
+
   return {
     list,
+    leaveNotes,
     failures,
     unnamed,
     listed,

@@ -29,7 +29,7 @@ function focus(page) {
       document.querySelector('.panel-ring > *')?.checkVisibility({ visibilityProperty: true });
     const seen =
       outlined(element) ||
-      (element.matches('.cut') && outlined(element, '::before')) ||
+      (element.matches('.cut, .word') && outlined(element, '::before')) ||
       outlined(element.closest('label, li, .card')) ||
       ring === true;
     return { tag: element.tagName, name: named?.trim() ?? '', seen };

@@ -3,7 +3,7 @@
  * all that share its image.
  */
 
-import { signal } from '@preact/signals';
+import { effect, signal } from '@preact/signals';
 import { fitted, panned, zoomed } from './crop.ts';
 import { grown } from './merging.ts';
 import type { Pages } from '../../document/pages.ts';
@@ -22,6 +22,13 @@ export function createFraming({ store, pages }: { store: Store; pages: Pages }) 
   const mode: Signal<Mode | null> = signal(null);
   /** The photo that the next panel is to show. */
   const placing: Signal<string | null> = signal(null);
+  // Whoever does something else, or goes back, no longer looks for a panel for it.
+  let { past } = store.history.peek();
+  effect(() => {
+    if (store.history.value.past === past) return;
+    ({ past } = store.history.value);
+    placing.value = null;
+  });
 
   return {
     mode,

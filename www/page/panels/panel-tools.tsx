@@ -18,13 +18,13 @@ export function PanelTools() {
   if (!facts) return null;
   return (
     <div class="rail" role="group" aria-label={strings.panelTools}>
-      <Tools of={[panels.select, panels.merge, panels.split, panels.join]} />
       {!editing && chosen.length > 0 && !ui.wide.value && (
         <>
+          <PhotoTools text />
           <span class="rail-line" />
-          <PhotoTools />
         </>
       )}
+      <Tools of={[panels.select, panels.merge, panels.split, panels.join]} />
       {editing && (
         <>
           <span class="rail-line" />

@@ -1,4 +1,4 @@
-import type { Seen } from '../compose.ts';
+import type { Counted, Seen } from '../compose.ts';
 
 /** One and many of what is found in photos. */
 const NAMES: Record<string, [string, string]> = {
@@ -86,13 +86,8 @@ const NAMES: Record<string, [string, string]> = {
 };
 const NUMBERS = ['', '', 'zwei', 'drei', 'vier', 'fünf', 'sechs', 'sieben', 'acht', 'neun', 'zehn', 'elf', 'zwölf'];
 
-function thing({ label, count }: Seen): string {
-  const [one, many] = NAMES[label] ?? [label, label];
-  return count === 1 ? one : `${NUMBERS[count] ?? count} ${many}`;
-}
-
 export const describingStrings = {
-  thing,
+  thing: ({ label, count }: Seen, counted: Counted) => counted(count, NAMES[label] ?? [label, label], NUMBERS),
   pageHolds: (panels: number, layout: string, style: string) =>
     `${panels === 1 ? 'Ein Panel' : `${panels} Panels`}, Layout ${layout}, Stil ${style}`,
   panelHolds: (n: number, what: string) => `Panel ${n}: ${what}.`,

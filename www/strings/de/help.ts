@@ -1,7 +1,7 @@
 import { boardStrings as board } from './board.ts';
 import { bookStrings } from './book.ts';
 import { designerStrings as designer } from './designer.ts';
-import { keepingStrings as keeping } from './keeping.ts';
+import { storageStrings as storage } from './storage.ts';
 import { offlineStrings } from './offline.ts';
 import { panelStrings as panels } from './panels.ts';
 import { photoStrings as photos } from './photos.ts';
@@ -85,7 +85,7 @@ export const helpStrings = {
     },
     words: {
       title: 'Textkästen, Sprechblasen und Soundworte',
-      text: `Unter „${side.sideTab.words}“ fügst du einen Textkasten, eine Sprechblase oder ein Soundwort hinzu; es kommt dorthin, wo es kein Gesicht verdeckt, wenn Platz ist. Zieh es, oder schreib nach einem Doppelklick hinein. Auch Filme bringen Worte mit: „${words.addSubtitles}“ liest eine Untertiteldatei.`,
+      text: `Unter „${side.sideTab.words}“ fügst du einen Textkasten, eine Sprechblase oder ein Soundwort hinzu; es kommt dorthin, wo es kein Gesicht verdeckt, wenn Platz ist. Zieh es, oder schreib nach einem Doppelklick hinein; mit dem Finger tippst du es noch einmal an. Auch Filme bringen Worte mit: „${words.addSubtitles}“ liest eine Untertiteldatei.`,
     },
     alike: {
       title: 'Ähnliche Fotos, und was zur Seite gelegt ist',
@@ -101,11 +101,11 @@ export const helpStrings = {
     },
     saving: {
       title: 'Speichern',
-      text: `Deine Arbeit wird von selbst in diesem Browser gespeichert, auf diesem Gerät, und ist wieder da, wenn du zurückkommst. Unter „${keeping.projects}“ findest du alles, jedes mit seinem Namen. Löschst du die Daten dieses Browsers, ist sie weg: Bewahre, was dir lieb ist, auch als Datei auf.`,
+      text: `Deine Arbeit wird von selbst in diesem Browser gespeichert, auf diesem Gerät, und ist wieder da, wenn du zurückkommst. Unter „${storage.projects}“ findest du alles, jedes mit seinem Namen. Löschst du die Daten dieses Browsers, ist sie weg: Bewahre, was dir lieb ist, auch als Datei auf.`,
     },
     files: {
       title: 'Projektdateien',
-      text: `Unter „${keeping.projects}“ macht „${keeping.saveProject}“ aus allem eine Datei, mit deinen Fotos in voller Größe. Leg sie hier oder auf einem anderen Gerät auf dem Fenster ab, um weiterzumachen. Ein PNG einer Seite öffnet sich genauso; es findet seine Fotos auf diesem Gerät oder hat sie in sich, wenn du „${pngStrings.cargoKind.photos}“ gewählt hast.`,
+      text: `Unter „${storage.projects}“ macht „${storage.saveProject}“ aus allem eine Datei, mit deinen Fotos in voller Größe. Leg sie hier oder auf einem anderen Gerät auf dem Fenster ab, um weiterzumachen. Ein PNG einer Seite öffnet sich genauso; es findet seine Fotos auf diesem Gerät oder hat sie in sich, wenn du „${pngStrings.cargoKind.photos}“ gewählt hast.`,
     },
     export: {
       title: 'Exportieren: PNG, JPEG, WebP, PDF',

@@ -1,6 +1,6 @@
 /** Words that describe what is on the page to who does not see it, and the page's language. */
 
-import type { Seen } from '../compose.ts';
+import type { Counted, Seen } from '../compose.ts';
 
 /** Many of what takes more than an s. */
 const MANY: Record<string, string> = {
@@ -32,14 +32,12 @@ const ONE: Record<string, string> = {
 };
 const NUMBERS = ['', '', 'two', 'three', 'four', 'five', 'six', 'seven', 'eight', 'nine', 'ten', 'eleven', 'twelve'];
 
-function thing({ label, count }: Seen): string {
-  if (count === 1) return ONE[label] ?? `${/^[aeiou]/.test(label) ? 'an' : 'a'} ${label}`;
-  return `${NUMBERS[count] ?? count} ${MANY[label] ?? `${label}s`}`;
-}
-
 export const describingStrings = {
   /** @returns `two people`, `a dog` */
-  thing,
+  thing: ({ label, count }: Seen, counted: Counted) => {
+    const one = ONE[label] ?? `${/^[aeiou]/.test(label) ? 'an' : 'a'} ${label}`;
+    return counted(count, [one, MANY[label] ?? `${label}s`], NUMBERS);
+  },
   pageHolds: (panels: number, layout: string, style: string) =>
     `${panels === 1 ? 'One panel' : `${panels} panels`}, layout ${layout}, style ${style}`,
   panelHolds: (n: number, what: string) => `Panel ${n}: ${what}.`,

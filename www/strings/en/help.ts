@@ -3,7 +3,7 @@
 import { boardStrings as board } from './board.ts';
 import { bookStrings } from './book.ts';
 import { designerStrings as designer } from './designer.ts';
-import { keepingStrings as keeping } from './keeping.ts';
+import { storageStrings as storage } from './storage.ts';
 import { offlineStrings } from './offline.ts';
 import { panelStrings as panels } from './panels.ts';
 import { photoStrings as photos } from './photos.ts';
@@ -86,7 +86,7 @@ export const helpStrings = {
     },
     words: {
       title: 'Captions, balloons and sound effects',
-      text: `In “${side.sideTab.words}” you add a caption, a balloon or a sound effect; it is put where it hides no face, if there is room. Drag it, or write in it by a double click. Films bring words, too: “${words.addSubtitles}” reads a file of subtitles.`,
+      text: `In “${side.sideTab.words}” you add a caption, a balloon or a sound effect; it is put where it hides no face, if there is room. Drag it, or write in it by a double click; by touch, tap it once more. Films bring words, too: “${words.addSubtitles}” reads a file of subtitles.`,
     },
     alike: {
       title: 'Look-alikes, and what is set aside',
@@ -102,11 +102,11 @@ export const helpStrings = {
     },
     saving: {
       title: 'Saving',
-      text: `Your work is saved by itself in this browser, on this device, and is there again when you come back. “${keeping.projects}” has all of it, each with its name. When you clear the data of this browser it is gone, so keep what you love as a file, too.`,
+      text: `Your work is saved by itself in this browser, on this device, and is there again when you come back. “${storage.projects}” has all of it, each with its name. When you clear the data of this browser it is gone, so keep what you love as a file, too.`,
     },
     files: {
       title: 'Project files',
-      text: `In “${keeping.projects}”, “${keeping.saveProject}” makes one file of all, with your photos at full size. Drop it on the window here or on another device to go on. A PNG of a page opens the same way; it finds its photos on this device, or has them in it where you chose “${pngStrings.cargoKind.photos}”.`,
+      text: `In “${storage.projects}”, “${storage.saveProject}” makes one file of all, with your photos at full size. Drop it on the window here or on another device to go on. A PNG of a page opens the same way; it finds its photos on this device, or has them in it where you chose “${pngStrings.cargoKind.photos}”.`,
     },
     export: {
       title: 'Export: PNG, JPEG, WebP, PDF',

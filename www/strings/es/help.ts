@@ -1,7 +1,7 @@
 import { boardStrings as board } from './board.ts';
 import { bookStrings } from './book.ts';
 import { designerStrings as designer } from './designer.ts';
-import { keepingStrings as keeping } from './keeping.ts';
+import { storageStrings as storage } from './storage.ts';
 import { offlineStrings } from './offline.ts';
 import { panelStrings as panels } from './panels.ts';
 import { photoStrings as photos } from './photos.ts';
@@ -84,7 +84,7 @@ export const helpStrings = {
     },
     words: {
       title: 'Cartelas, bocadillos y onomatopeyas',
-      text: `En «${side.sideTab.words}» añades una cartela, un bocadillo o una onomatopeya; se pone donde no tape ninguna cara, si hay sitio. Arrástrala, o escribe en ella con un doble clic. Las películas también traen palabras: «${words.addSubtitles}» lee un archivo de subtítulos.`,
+      text: `En «${side.sideTab.words}» añades una cartela, un bocadillo o una onomatopeya; se pone donde no tape ninguna cara, si hay sitio. Arrástrala, o escribe en ella con un doble clic; con el dedo, tócala otra vez. Las películas también traen palabras: «${words.addSubtitles}» lee un archivo de subtítulos.`,
     },
     alike: {
       title: 'Fotos parecidas y fotos apartadas',
@@ -100,11 +100,11 @@ export const helpStrings = {
     },
     saving: {
       title: 'Guardar',
-      text: `Tu trabajo se guarda solo en este navegador, en este dispositivo, y sigue ahí cuando vuelves. En «${keeping.projects}» está todo, cada cosa con su nombre. Si borras los datos de este navegador desaparece, así que guarda también como archivo lo que aprecies.`,
+      text: `Tu trabajo se guarda solo en este navegador, en este dispositivo, y sigue ahí cuando vuelves. En «${storage.projects}» está todo, cada cosa con su nombre. Si borras los datos de este navegador desaparece, así que guarda también como archivo lo que aprecies.`,
     },
     files: {
       title: 'Archivos de proyecto',
-      text: `En «${keeping.projects}», «${keeping.saveProject}» hace un solo archivo de todo, con tus fotos a tamaño completo. Suéltalo en la ventana, aquí o en otro dispositivo, para continuar. Un PNG de una página se abre igual; encuentra sus fotos en este dispositivo o las lleva dentro, si elegiste «${pngStrings.cargoKind.photos}».`,
+      text: `En «${storage.projects}», «${storage.saveProject}» hace un solo archivo de todo, con tus fotos a tamaño completo. Suéltalo en la ventana, aquí o en otro dispositivo, para continuar. Un PNG de una página se abre igual; encuentra sus fotos en este dispositivo o las lleva dentro, si elegiste «${pngStrings.cargoKind.photos}».`,
     },
     export: {
       title: 'Exportar: PNG, JPEG, WebP, PDF',

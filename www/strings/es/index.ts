@@ -7,7 +7,6 @@ import { designerStrings } from './designer.ts';
 import { exportStrings } from './export.ts';
 import { faultStrings } from './faults.ts';
 import { helpStrings } from './help.ts';
-import { keepingStrings } from './keeping.ts';
 import { keyStrings } from './keys.ts';
 import { offlineStrings } from './offline.ts';
 import { pageStrings } from './page.ts';
@@ -16,6 +15,7 @@ import { photoStrings } from './photos.ts';
 import { pngStrings } from './png.ts';
 import { sideStrings } from './side.ts';
 import { startStrings } from './start.ts';
+import { storageStrings } from './storage.ts';
 import { wordStrings } from './words.ts';
 import type { Words } from '../en/index.ts';
 
@@ -28,7 +28,7 @@ export const words: Words = {
   ...sideStrings,
   ...panelStrings,
   ...designerStrings,
-  ...keepingStrings,
+  ...storageStrings,
   ...offlineStrings,
   ...wordStrings,
   ...photoStrings,

@@ -1,7 +1,7 @@
 import { boardStrings as board } from './board.ts';
 import { bookStrings } from './book.ts';
 import { designerStrings as designer } from './designer.ts';
-import { keepingStrings as keeping } from './keeping.ts';
+import { storageStrings as storage } from './storage.ts';
 import { offlineStrings } from './offline.ts';
 import { panelStrings as panels } from './panels.ts';
 import { photoStrings as photos } from './photos.ts';
@@ -84,7 +84,7 @@ export const helpStrings = {
     },
     words: {
       title: 'Cartouches, bulles et onomatopées',
-      text: `Dans « ${side.sideTab.words} », vous ajoutez un cartouche, une bulle ou une onomatopée ; le texte se place là où il ne cache aucun visage, s’il y a de la place. Faites-le glisser, ou écrivez dedans après un double clic. Les films apportent aussi des textes : « ${words.addSubtitles} » lit un fichier de sous-titres.`,
+      text: `Dans « ${side.sideTab.words} », vous ajoutez un cartouche, une bulle ou une onomatopée ; le texte se place là où il ne cache aucun visage, s’il y a de la place. Faites-le glisser, ou écrivez dedans après un double clic ou, au doigt, en le touchant encore une fois. Les films apportent aussi des textes : « ${words.addSubtitles} » lit un fichier de sous-titres.`,
     },
     alike: {
       title: 'Photos semblables et photos mises de côté',
@@ -100,11 +100,11 @@ export const helpStrings = {
     },
     saving: {
       title: 'Enregistrement',
-      text: `Votre travail s’enregistre de lui-même dans ce navigateur, sur cet appareil, et il est encore là quand vous revenez. « ${keeping.projects} » a tout, chacun avec son nom. Si vous effacez les données de ce navigateur, il disparaît : gardez aussi dans un fichier ce à quoi vous tenez.`,
+      text: `Votre travail s’enregistre de lui-même dans ce navigateur, sur cet appareil, et il est encore là quand vous revenez. « ${storage.projects} » a tout, chacun avec son nom. Si vous effacez les données de ce navigateur, il disparaît : gardez aussi dans un fichier ce à quoi vous tenez.`,
     },
     files: {
       title: 'Fichiers de projet',
-      text: `Dans « ${keeping.projects} », « ${keeping.saveProject} » fait de tout un seul fichier, avec vos photos en taille réelle. Déposez-le sur la fenêtre, ici ou sur un autre appareil, pour continuer. Un PNG d’une page s’ouvre de la même façon ; il retrouve ses photos sur cet appareil, ou les contient si vous avez choisi « ${pngStrings.cargoKind.photos} ».`,
+      text: `Dans « ${storage.projects} », « ${storage.saveProject} » fait de tout un seul fichier, avec vos photos en taille réelle. Déposez-le sur la fenêtre, ici ou sur un autre appareil, pour continuer. Un PNG d’une page s’ouvre de la même façon ; il retrouve ses photos sur cet appareil, ou les contient si vous avez choisi « ${pngStrings.cargoKind.photos} ».`,
     },
     export: {
       title: 'Exporter : PNG, JPEG, WebP, PDF',

@@ -1,4 +1,4 @@
-import type { Seen } from '../compose.ts';
+import type { Counted, Seen } from '../compose.ts';
 
 /** What is found in photos, and the word that counts it. */
 const NAMES: Record<string, [string, string]> = {
@@ -85,8 +85,8 @@ const NAMES: Record<string, [string, string]> = {
   toothbrush: ['歯ブラシ', '本'],
 };
 
-/** People are counted without being named twice. */
-function thing({ label, count }: Seen): string {
+/** People are counted without being named twice; the counter follows the number, so nothing here is counted as elsewhere. */
+function thing({ label, count }: Seen, _counted: Counted): string {
   const [name, counter] = NAMES[label] ?? [label, '個'];
   return label === 'person' ? `${count}${counter}` : `${name}${count}${counter}`;
 }

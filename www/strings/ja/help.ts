@@ -1,7 +1,7 @@
 import { boardStrings as board } from './board.ts';
 import { bookStrings } from './book.ts';
 import { designerStrings as designer } from './designer.ts';
-import { keepingStrings as keeping } from './keeping.ts';
+import { storageStrings as storage } from './storage.ts';
 import { offlineStrings } from './offline.ts';
 import { panelStrings as panels } from './panels.ts';
 import { photoStrings as photos } from './photos.ts';
@@ -84,7 +84,7 @@ export const helpStrings = {
     },
     words: {
       title: 'キャプション、フキダシ、効果音',
-      text: `「${side.sideTab.words}」でキャプション、フキダシ、効果音を追加できます。場所があれば、顔を隠さない所に置かれます。ドラッグで動かし、ダブルクリックで書き換えます。動画のせりふも使えます。「${words.addSubtitles}」は字幕ファイルを読み込みます。`,
+      text: `「${side.sideTab.words}」でキャプション、フキダシ、効果音を追加できます。場所があれば、顔を隠さない所に置かれます。ドラッグで動かし、ダブルクリック（指ではもう一度タップ）で書き換えます。動画のせりふも使えます。「${words.addSubtitles}」は字幕ファイルを読み込みます。`,
     },
     alike: {
       title: '似た写真と、よけた写真',
@@ -100,11 +100,11 @@ export const helpStrings = {
     },
     saving: {
       title: '保存',
-      text: `作業はこの端末の、このブラウザーに自動で保存され、次に来たときもそのままです。「${keeping.projects}」に、名前の付いたすべての作業があります。ブラウザーのデータを消すと失われるので、大切なものはファイルにも残してください。`,
+      text: `作業はこの端末の、このブラウザーに自動で保存され、次に来たときもそのままです。「${storage.projects}」に、名前の付いたすべての作業があります。ブラウザーのデータを消すと失われるので、大切なものはファイルにも残してください。`,
     },
     files: {
       title: 'プロジェクトのファイル',
-      text: `「${keeping.projects}」の「${keeping.saveProject}」は、原寸の写真も含めてすべてを1つのファイルにします。この端末でも別の端末でも、ウィンドウにドロップすれば続けられます。ページのPNGも同じように開きます。写真はこの端末から見つけるか、「${pngStrings.cargoKind.photos}」を選んでいれば中に入っています。`,
+      text: `「${storage.projects}」の「${storage.saveProject}」は、原寸の写真も含めてすべてを1つのファイルにします。この端末でも別の端末でも、ウィンドウにドロップすれば続けられます。ページのPNGも同じように開きます。写真はこの端末から見つけるか、「${pngStrings.cargoKind.photos}」を選んでいれば中に入っています。`,
     },
     export: {
       title: '書き出し：PNG、JPEG、WebP、PDF',

@@ -1,4 +1,4 @@
-import type { Seen } from '../compose.ts';
+import type { Counted, Seen } from '../compose.ts';
 
 /** One and many of what is found in photos. */
 const NAMES: Record<string, [string, string]> = {
@@ -86,16 +86,14 @@ const NAMES: Record<string, [string, string]> = {
 };
 const NUMBERS = ['', '', 'dois', 'três', 'quatro', 'cinco', 'seis', 'sete', 'oito', 'nove', 'dez', 'onze', 'doze'];
 
-function thing({ label, count }: Seen): string {
-  const [one, many] = NAMES[label] ?? [label, label];
-  if (count === 1) return one;
-  // Two, alone among these, has a gender.
-  const number = count === 2 && one.startsWith('uma ') ? 'duas' : NUMBERS[count];
-  return `${number ?? count} ${many}`;
-}
+/** Two, alone among these, has a gender. */
+const FEMININE = NUMBERS.map((numeral) => (numeral === 'dois' ? 'duas' : numeral));
 
 export const describingStrings = {
-  thing,
+  thing: ({ label, count }: Seen, counted: Counted) => {
+    const names = NAMES[label] ?? [label, label];
+    return counted(count, names, names[0].startsWith('uma ') ? FEMININE : NUMBERS);
+  },
   pageHolds: (panels: number, layout: string, style: string) =>
     `${panels === 1 ? 'Um quadro' : `${panels} quadros`}, layout ${layout}, estilo ${style}`,
   panelHolds: (n: number, what: string) => `Quadro ${n}: ${what}.`,

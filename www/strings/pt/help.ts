@@ -1,7 +1,7 @@
 import { boardStrings as board } from './board.ts';
 import { bookStrings } from './book.ts';
 import { designerStrings as designer } from './designer.ts';
-import { keepingStrings as keeping } from './keeping.ts';
+import { storageStrings as storage } from './storage.ts';
 import { offlineStrings } from './offline.ts';
 import { panelStrings as panels } from './panels.ts';
 import { photoStrings as photos } from './photos.ts';
@@ -84,7 +84,7 @@ export const helpStrings = {
     },
     words: {
       title: 'Caixas de texto, balões e onomatopeias',
-      text: `Em “${side.sideTab.words}”, você adiciona uma caixa de texto, um balão ou uma onomatopeia; o texto fica onde não esconde nenhum rosto, se houver espaço. Arraste-o, ou escreva nele com um clique duplo. Filmes também trazem textos: “${words.addSubtitles}” lê um arquivo de legendas.`,
+      text: `Em “${side.sideTab.words}”, você adiciona uma caixa de texto, um balão ou uma onomatopeia; o texto fica onde não esconde nenhum rosto, se houver espaço. Arraste-o, ou escreva nele com um clique duplo; com o dedo, toque nele mais uma vez. Filmes também trazem textos: “${words.addSubtitles}” lê um arquivo de legendas.`,
     },
     alike: {
       title: 'Fotos parecidas e fotos deixadas de lado',
@@ -100,11 +100,11 @@ export const helpStrings = {
     },
     saving: {
       title: 'Salvar',
-      text: `Seu trabalho é salvo sozinho neste navegador, neste aparelho, e continua aqui quando você volta. Em “${keeping.projects}” está tudo, cada um com seu nome. Se você limpar os dados deste navegador, ele se perde; guarde também em um arquivo o que você ama.`,
+      text: `Seu trabalho é salvo sozinho neste navegador, neste aparelho, e continua aqui quando você volta. Em “${storage.projects}” está tudo, cada um com seu nome. Se você limpar os dados deste navegador, ele se perde; guarde também em um arquivo o que você ama.`,
     },
     files: {
       title: 'Arquivos de projeto',
-      text: `Em “${keeping.projects}”, “${keeping.saveProject}” faz de tudo um só arquivo, com suas fotos em tamanho total. Solte-o na janela, aqui ou em outro aparelho, para continuar. Um PNG de uma página abre do mesmo jeito; ele encontra as fotos neste aparelho, ou as traz dentro se você escolheu “${pngStrings.cargoKind.photos}”.`,
+      text: `Em “${storage.projects}”, “${storage.saveProject}” faz de tudo um só arquivo, com suas fotos em tamanho total. Solte-o na janela, aqui ou em outro aparelho, para continuar. Um PNG de uma página abre do mesmo jeito; ele encontra as fotos neste aparelho, ou as traz dentro se você escolheu “${pngStrings.cargoKind.photos}”.`,
     },
     export: {
       title: 'Exportar: PNG, JPEG, WebP, PDF',

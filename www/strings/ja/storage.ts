@@ -5,7 +5,7 @@ const TROUBLE: Record<string, string> = {
   refused: 'このブラウザーはここでは何も保存しません',
 };
 
-export const keepingStrings = {
+export const storageStrings = {
   // Saving
   saveState: {
     empty: '',

@@ -5,7 +5,7 @@ const TROUBLE: Record<string, string> = {
   refused: 'este navegador no guarda nada de las páginas de aquí',
 };
 
-export const keepingStrings = {
+export const storageStrings = {
   // Saving
   saveState: {
     empty: '',

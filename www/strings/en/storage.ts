@@ -7,7 +7,7 @@ const TROUBLE: Record<string, string> = {
   refused: 'this browser keeps nothing for pages here',
 };
 
-export const keepingStrings = {
+export const storageStrings = {
   // Saving
   saveState: {
     empty: '',

@@ -5,7 +5,7 @@ const TROUBLE: Record<string, string> = {
   refused: 'dieser Browser bewahrt hier nichts für Seiten auf',
 };
 
-export const keepingStrings = {
+export const storageStrings = {
   // Saving
   saveState: {
     empty: '',

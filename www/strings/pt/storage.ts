@@ -5,7 +5,7 @@ const TROUBLE: Record<string, string> = {
   refused: 'este navegador não guarda nada para as páginas daqui',
 };
 
-export const keepingStrings = {
+export const storageStrings = {
   // Saving
   saveState: {
     empty: '',

@@ -5,7 +5,7 @@ const TROUBLE: Record<string, string> = {
   refused: 'ce navigateur ne garde rien pour les pages d’ici',
 };
 
-export const keepingStrings = {
+export const storageStrings = {
   // Saving
   saveState: {
     empty: '',

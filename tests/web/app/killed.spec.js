@@ -1,0 +1,56 @@
+// @ts-check
+/** A tab that the system kills at once, as phones do: all of the work is there when the page is opened again. */
+
+import { contents, expect, idle, openBoard, press, test } from './support.js';
+import { openWords, word, write } from './word-hands.js';
+
+/** @typedef {import('./support.js').Page} Page */
+
+/** @param {Page} page */
+async function kill(page) {
+  const gone = new Promise((resolve) => page.once('crash', resolve));
+  const client = await page.context().newCDPSession(page);
+  // It never answers.
+  void client.send('Page.crash').catch(() => {});
+  await gone;
+}
+
+/** @param {Page} page */
+async function openedAgain(page) {
+  const again = await page.context().newPage();
+  await again.goto(page.url());
+  await expect(again.getByRole('region', { name: 'Storyboard page' })).toBeVisible();
+  await idle(again);
+  return again;
+}
+
+test('nothing is lost when the tab is killed, the last step before it included', async ({ page }) => {
+  await page.addInitScript(() => localStorage.setItem('inkpanel.detect', 'off'));
+  await openBoard(page);
+  await press(page, 'Shuffle');
+  await write(page, 'balloon', 'Still here');
+  await page.getByRole('button', { name: 'Lock style' }).click();
+  await expect(page.locator('.save-state')).toHaveText('Saved');
+  await press(page, 'Shuffle layout');
+  const before = await contents(page);
+  // The state of that step is not written out yet.
+  await kill(page);
+
+  const again = await openedAgain(page);
+  expect(await contents(again)).toEqual(before);
+  await openWords(again);
+  await expect(word(again, 'Balloon: Still here')).toBeVisible();
+  await expect(again.getByRole('button', { name: 'Lock style' })).toHaveAttribute('aria-pressed', 'true');
+  await expect(again.getByText('Version 3 of 3').or(again.getByText('3/3'))).toBeVisible();
+  await again.getByRole('button', { name: 'Undo' }).click();
+  await idle(again);
+  expect((await contents(again)).layout).not.toBe(before.layout);
+});
+
+test('photos that came a moment before the tab was killed are there, or are asked for by name', async ({ page }) => {
+  await page.addInitScript(() => localStorage.setItem('inkpanel.detect', 'off'));
+  await openBoard(page, ['bee.jpg', 'cat.jpg', 'crab.jpg']);
+  await kill(page);
+  const again = await openedAgain(page);
+  for (const name of ['bee.jpg', 'cat.jpg', 'crab.jpg']) await expect(again.getByText(name).first()).toBeVisible();
+});

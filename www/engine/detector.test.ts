@@ -1,0 +1,53 @@
+import { afterEach, expect, test, vi } from 'vitest';
+import { createDetector } from './detector.ts';
+
+afterEach(() => {
+  vi.useRealTimers();
+  vi.unstubAllGlobals();
+});
+
+/** Workers that answer whatever they are asked. */
+function answeringWorkers() {
+  const workers: { ended: boolean }[] = [];
+  class Answering {
+    ended = false;
+    onmessage: ((event: { data: unknown }) => void) | undefined;
+    constructor() {
+      workers.push(this);
+    }
+    postMessage({ id }: { id: number }) {
+      queueMicrotask(() => this.onmessage?.({ data: { id, ok: { boxes: [], closer: false }, memory: 0 } }));
+    }
+    terminate() {
+      this.ended = true;
+    }
+  }
+  vi.stubGlobal('Worker', Answering);
+  return { workers, live: () => workers.filter(({ ended }) => !ended).length };
+}
+
+const photos = { get: () => ({ name: 'a.jpg', work: {} }) } as any;
+
+test('where memory is short the nets are given up when all is looked at, and made anew for the next photo', async () => {
+  vi.useFakeTimers();
+  const { workers, live } = answeringWorkers();
+  const detector = createDetector(photos, () => {}, true);
+  await detector.findFaces('a');
+  expect(live()).toBe(2);
+  vi.advanceTimersByTime(4_000);
+  await detector.findFaces('b');
+  vi.advanceTimersByTime(4_000);
+  expect(live()).toBe(2);
+  vi.advanceTimersByTime(2_000);
+  expect([live(), detector.facesReady()]).toEqual([0, false]);
+  await detector.findFaces('c');
+  expect([live(), workers.length, detector.facesReady()]).toEqual([2, 4, true]);
+});
+
+test('elsewhere they stay', async () => {
+  vi.useFakeTimers();
+  const { live } = answeringWorkers();
+  await createDetector(photos, () => {}).findFaces('a');
+  vi.advanceTimersByTime(60_000);
+  expect(live()).toBe(2);
+});

@@ -1,0 +1,22 @@
+import { effect } from '@preact/signals';
+import { strings } from '../strings/strings.ts';
+import type { Parts } from '../ui/context.ts';
+
+/**
+ * Tells what was just done, with a button that undoes it. After another step, or an undo elsewhere, the button would undo
+ * something else: the note goes then.
+ */
+export function noteWithUndo({ messages, store, pages }: Pick<Parts, 'messages' | 'store' | 'pages'>, text: string) {
+  const id = messages.note(text, { label: strings.undo, run: pages.undo });
+  const { past } = store.history.peek();
+  const stop = effect(() => {
+    const moved = store.history.value.past !== past;
+    const gone = messages.list.value.every((message) => message.id !== id);
+    if (!moved && !gone) return;
+    // What it listens to is not changed while it listens.
+    queueMicrotask(() => {
+      stop();
+      messages.close(id);
+    });
+  });
+}
