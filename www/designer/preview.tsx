@@ -4,17 +4,15 @@
 
 import { useSignal } from '@preact/signals';
 import { strings } from '../strings/strings.ts';
-import { Bitmap } from '../ui/bitmap.tsx';
 import { useApp } from '../ui/context.ts';
-import { PLAIN, thumbnail } from '../photos/cover.ts';
+import { PLAIN } from '../photos/cover.ts';
 import { useHero } from '../photos/hero.ts';
+import { PhotoPicker, useDrawnPhotos } from '../photos/photo-picker.tsx';
 import { Comparison } from './comparison.tsx';
 import type { Designed } from '../engine/design.ts';
 
-const THUMB = 64;
-
 export function Preview({ onStages }: { onStages: (designed: Designed) => void }) {
-  const { store, engine, designer } = useApp();
+  const { designer } = useApp();
   const chosen = useSignal(null as string | null);
   const four = useSignal(false);
   const compare = useSignal(false);
@@ -22,9 +20,7 @@ export function Preview({ onStages }: { onStages: (designed: Designed) => void }
   /** The photos that are being drawn. */
   const busy = useSignal(new Set() as ReadonlySet<string>);
   const hero = useHero();
-  const facts = store.facts.value.flatMap((fact) =>
-    fact.meta && engine.hasPhoto(fact.id) ? [{ ...fact, meta: fact.meta }] : [],
-  );
+  const facts = useDrawnPhotos();
   const ids = facts.map(({ id }) => id);
   const first = chosen.value && ids.includes(chosen.value) ? chosen.value : (hero ?? ids[0]);
   const at = Math.max(0, ids.indexOf(first));
@@ -70,23 +66,15 @@ export function Preview({ onStages }: { onStages: (designed: Designed) => void }
         >
           {strings.fourPhotos}
         </button>
-        <ul class="preview-photos" aria-label={strings.previewPhotos}>
-          {facts.map(({ id, name, meta }) => (
-            <li key={id}>
-              <button
-                type="button"
-                aria-label={strings.previewOf(name)}
-                title={name}
-                aria-current={id === first ? 'true' : undefined}
-                onClick={() => {
-                  chosen.value = id;
-                }}
-              >
-                <Bitmap of={id} draw={(call) => engine.stylePhoto(id, PLAIN, thumbnail(meta, THUMB), call)} />
-              </button>
-            </li>
-          ))}
-        </ul>
+        <PhotoPicker
+          label={strings.previewPhotos}
+          facts={facts}
+          chosen={first ?? null}
+          told={strings.previewOf}
+          onChoose={(id) => {
+            chosen.value = id;
+          }}
+        />
       </div>
     </section>
   );
