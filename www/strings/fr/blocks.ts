@@ -1,25 +1,49 @@
 /** Names and help of the blocks. */
 export const blocks: Record<string, [string, string]> = {
-  to_gray: ['En niveaux de gris', 'Change la couleur en gris ; En couleur peut la rendre plus tard.'],
-  to_color: ['En couleur', 'Rend les couleurs que En niveaux de gris a retirées.'],
-  posterize: ['Postérisation', 'Ne garde que quelques niveaux par canal, comme une sérigraphie.'],
-  luma_posterize: ['Postérisation de luminance', 'Ne garde que quelques niveaux de lumière, et les couleurs.'],
+  to_gray: ['Sans couleur (En niveaux de gris)', 'Change la couleur en gris ; En couleur peut la rendre plus tard.'],
+  to_color: ['Couleurs rendues (En couleur)', 'Rend les couleurs que En niveaux de gris a retirées.'],
+  posterize: ['Peu de couleurs (Postérisation)', 'Ne garde que quelques niveaux par canal, comme une sérigraphie.'],
+  luma_posterize: [
+    'Peu de tons (Postérisation de luminance)',
+    'Ne garde que quelques niveaux de lumière, et les couleurs.',
+  ],
   brightness: ['Luminosité', 'Éclaircit ou assombrit l’image.'],
-  soft_threshold: ['Seuil doux', 'Blanc au-dessus d’une luminosité, noir doux au-dessous : change XDoG en encre.'],
-  saturation: ['Saturation', 'Rend les couleurs plus fortes ou plus faibles.'],
-  hue: ['Teinte', 'Fait tourner toutes les couleurs sur le cercle chromatique et les teinte.'],
-  colorize: ['Coloration', 'Imprime une image grise en une seule couleur, comme un bichrome.'],
-  gaussian: ['Flou gaussien', 'Adoucit : les petits détails et le bruit disparaissent.'],
-  etf: ['Flux des contours', 'Lisse le long des contours et jamais en travers, comme des coups de pinceau.'],
-  tvf: ['Flux d’aplats', 'Fond la texture en aplats aux bords nets, comme du papier découpé.'],
-  detail: ['Contrôle du détail', 'Efface la texture ou la fait ressortir, sans toucher aux contours.'],
-  sobel: ['Sobel', 'Dessine les contours, blancs sur noir ou, inversés, noirs sur blanc.'],
-  xdog: ['XDoG', 'Trouve les lignes qu’une plume tracerait ; placez Seuil doux derrière.'],
-  size: ['Taille', 'Travaille à une autre taille à partir d’ici : petit est grossier, grand est fin.'],
-  pattern: ['Trame dessinée', 'Dessine les tons avec des hachures, des points ou des entailles, comme un graveur.'],
-  halftone: ['Trame d’impression', 'Imprime avec des points d’encre, en quatre couleurs ou en noir.'],
-  equalize: ['Égalisation linéaire', 'Étire les tons : les photos voilées retrouvent de vrais noirs et blancs.'],
-  dynamic_range: ['Contraste minimal', 'Donne un contraste minimal aux photos ternes et laisse les autres.'],
+  soft_threshold: [
+    'Encre et papier (Seuil doux)',
+    'Blanc au-dessus d’une luminosité, noir doux au-dessous : change XDoG en encre.',
+  ],
+  saturation: ['Force des couleurs (Saturation)', 'Rend les couleurs plus fortes ou plus faibles.'],
+  hue: ['Décaler les couleurs (Teinte)', 'Fait tourner toutes les couleurs sur le cercle chromatique et les teinte.'],
+  colorize: ['Une seule couleur (Coloration)', 'Imprime une image grise en une seule couleur, comme un bichrome.'],
+  gaussian: ['Adoucir (Flou gaussien)', 'Adoucit : les petits détails et le bruit disparaissent.'],
+  etf: [
+    'Coups de pinceau (Flux des contours)',
+    'Lisse le long des contours et jamais en travers, comme des coups de pinceau.',
+  ],
+  tvf: ['Aplats (Variation totale)', 'Fond la texture en aplats aux bords nets, comme du papier découpé.'],
+  detail: ['Détail fin (Contrôle du détail)', 'Efface la texture ou la fait ressortir, sans toucher aux contours.'],
+  sobel: ['Contours (Sobel)', 'Dessine les contours, blancs sur noir ou, inversés, noirs sur blanc.'],
+  xdog: ['Lignes à la plume (XDoG)', 'Trouve les lignes qu’une plume tracerait ; placez Seuil doux derrière.'],
+  size: [
+    'Grossier ou fin (Taille)',
+    'Travaille à une autre taille à partir d’ici : petit est grossier, grand est fin.',
+  ],
+  pattern: [
+    'Hachures (Trame dessinée)',
+    'Dessine les tons avec des hachures, des points ou des entailles, comme un graveur.',
+  ],
+  halftone: [
+    'Points d’imprimerie (Trame d’impression)',
+    'Imprime avec des points d’encre, en quatre couleurs ou en noir.',
+  ],
+  equalize: [
+    'Tons pleins (Égalisation linéaire)',
+    'Étire les tons : les photos voilées retrouvent de vrais noirs et blancs.',
+  ],
+  dynamic_range: [
+    'Contraste minimal (Plage dynamique)',
+    'Donne un contraste minimal aux photos ternes et laisse les autres.',
+  ],
 };
 
 /** Names and help of their parameters. */

@@ -1,0 +1,22 @@
+/** Plain names of the blocks, with the field's term behind. What they do and their parameters the core says itself. */
+export const blocks: Record<string, [string]> = {
+  to_gray: ['No colour (To GrayScale)'],
+  to_color: ['Colours back (To Color)'],
+  posterize: ['Few colours (Posterization)'],
+  luma_posterize: ['Few tones (Luma Posterization)'],
+  soft_threshold: ['Ink and paper (Soft Threshold)'],
+  saturation: ['Colour strength (Saturation)'],
+  hue: ['Shift colours (Hue)'],
+  colorize: ['One colour (Colorize)'],
+  gaussian: ['Blur (Gaussian Smoothing)'],
+  etf: ['Brush strokes (Edge Tangent Flow)'],
+  tvf: ['Flat areas (Total Variation Flow)'],
+  detail: ['Fine detail (Image Detail Control)'],
+  sobel: ['Edges (Sobel)'],
+  xdog: ['Pen lines (XDoG)'],
+  size: ['Coarse or fine (Size)'],
+  pattern: ['Hatching (Pattern Filling)'],
+  halftone: ['Print dots (Halftone)'],
+  equalize: ['Full tones (Linear Histogram Equalization)'],
+  dynamic_range: ['Least contrast (Histogram Minimum Dynamic Range)'],
+};
