@@ -1,89 +1,134 @@
 /**
- * Cards of the designer that are carried to another place, also in the other layer: by their heads with a mouse, by
- * their handles with a finger or a pen, which scroll elsewhere. Near an edge the lanes scroll by themselves.
+ * Cards of the designer that are carried to another place, also in the other layer, and blocks that are carried there
+ * from the palette. A mouse carries cards by their heads and blocks by their pictures; a finger or a pen takes them by
+ * their handles, as it scrolls elsewhere, or stays on a block until it is lifted. Near an edge the lanes scroll by
+ * themselves.
  */
 
-import { useRef, useState } from 'preact/hooks';
+import { useEffect, useRef, useState } from 'preact/hooks';
 import { onEscape } from '../ui/on-escape.ts';
 import type { Layer, Place } from '../engine/types.ts';
 
-/** a card, and before which one it would land */
-type Carried = { from: Place; gap: Place | null };
+/** A card by its place, or a block of the palette by its id. */
+export type Source = { from: Place; block?: undefined } | { from?: undefined; block: string };
+/** what is carried, before which card it would land, and where the pointer is */
+type Carried = Source & { gap: Place | null; x: number; y: number };
 export type CardDrag = ReturnType<typeof useCardDrag>;
 
 /** What a shaking hand moves, in CSS pixels. */
 const SLACK = 5;
+/** Milliseconds that a finger stays on a block before it is lifted from the palette. */
+const HOLD = 300;
 /** How near to an edge the lanes scroll, and how fast at most, in CSS pixels a frame. */
 const EDGE = 56;
 const SPEED = 12;
 
-export function useCardDrag(onDrop: (from: Place, to: Place) => void) {
+/** @param onDrop `to`: before which card, of those that were there */
+export function useCardDrag(onDrop: (source: Source, to: Place) => void) {
   const [carried, setCarried] = useState(null as Carried | null);
   /** Ends what is under way, without dropping. */
   const cancel = useRef(() => {});
+  /** Whether a block is off the palette: no finger scrolls then, and no click follows. */
+  const lifted = useRef(false);
 
-  /** @param event on a card's head */
-  function take(event: PointerEvent, from: Place) {
+  useEffect(() => {
+    // A listener that comes while the finger is down already is too late to keep it from scrolling.
+    const still = (event: TouchEvent) => {
+      if (lifted.current && event.cancelable) event.preventDefault();
+    };
+    const quiet = (event: MouseEvent) => {
+      if (!lifted.current) return;
+      event.preventDefault();
+      event.stopPropagation();
+    };
+    document.addEventListener('touchmove', still, { passive: false });
+    document.addEventListener('click', quiet, { capture: true });
+    return () => {
+      document.removeEventListener('touchmove', still);
+      document.removeEventListener('click', quiet, { capture: true });
+    };
+  }, []);
+
+  /** @param event on a card's head, or on a block of the palette */
+  function take(event: PointerEvent, source: Source) {
     const target = event.target as Element;
-    if (!event.isPrimary || event.button !== 0 || (event.pointerType !== 'mouse' && !target.closest('.card-handle')))
-      return;
-    const head = event.currentTarget as HTMLElement;
-    const lanes = head.closest('.lanes') as HTMLElement;
+    const mouse = event.pointerType === 'mouse';
+    const handle = target.closest('.card-handle') !== null;
+    if (!event.isPrimary || event.button !== 0 || (!mouse && !handle && source.from)) return;
+    const lanes = document.querySelector('.lanes') as HTMLElement;
+    // In a small window the whole designer scrolls.
+    const scroller = (
+      getComputedStyle(lanes).overflowY === 'visible' ? lanes.closest('.designer') : lanes
+    ) as HTMLElement;
+    const held = event.currentTarget as HTMLElement;
     const start = { x: event.clientX, y: event.clientY };
     let last = start;
     let gap: Place | null = null;
     let moved = false;
     let frame = 0;
+    let ready = mouse || handle;
     cancel.current();
     const watch = new AbortController();
     const { signal } = watch;
 
     const point = () => {
       gap = gapAt(lanes, last.x, last.y);
-      setCarried({ from, gap });
+      setCarried({ ...source, gap, ...last });
     };
     const scroll = () => {
-      const { top, bottom } = lanes.getBoundingClientRect();
+      const { top, bottom } = scroller.getBoundingClientRect();
       const into = Math.max(0, last.y - (bottom - EDGE)) - Math.max(0, top + EDGE - last.y);
-      if (into !== 0) {
-        lanes.scrollTop += Math.max(-1, Math.min(1, into / EDGE)) * SPEED;
+      if (into !== 0 && gap) {
+        scroller.scrollTop += Math.max(-1, Math.min(1, into / EDGE)) * SPEED;
         point();
       }
       frame = requestAnimationFrame(scroll);
     };
+    const lift = () => {
+      ready = true;
+      moved = true;
+      lifted.current = true;
+      frame = requestAnimationFrame(scroll);
+      point();
+    };
+    const hold = ready ? undefined : setTimeout(lift, HOLD);
     const end = () => {
       watch.abort();
+      clearTimeout(hold);
       cancelAnimationFrame(frame);
       setCarried(null);
       cancel.current = () => {};
+      // The click of this very hand comes right after.
+      setTimeout(() => {
+        lifted.current = false;
+      }, 50);
     };
     cancel.current = end;
 
-    head.setPointerCapture(event.pointerId);
-    head.addEventListener(
+    held.addEventListener('contextmenu', (menu) => menu.preventDefault(), { signal });
+    if (source.from) held.setPointerCapture(event.pointerId);
+    window.addEventListener(
       'pointermove',
-      ({ clientX, clientY }) => {
+      ({ pointerId, clientX, clientY }) => {
+        if (pointerId !== event.pointerId) return;
         last = { x: clientX, y: clientY };
         if (!moved && Math.hypot(last.x - start.x, last.y - start.y) < SLACK) return;
-        if (!moved) frame = requestAnimationFrame(scroll);
-        moved = true;
-        point();
+        if (!ready) end();
+        else if (moved) point();
+        else lift();
       },
       { signal },
     );
-    head.addEventListener(
+    window.addEventListener(
       'pointerup',
-      () => {
+      ({ pointerId }) => {
+        if (pointerId !== event.pointerId) return;
         end();
-        if (!moved || !gap) return;
-        // Taking the card out moves those behind it up by one.
-        const to = gap.layer === from.layer && from.at < gap.at ? gap.at - 1 : gap.at;
-        if (gap.layer !== from.layer || to !== from.at) onDrop(from, { layer: gap.layer, at: to });
+        if (moved && gap) onDrop(source, gap);
       },
       { signal },
     );
-    head.addEventListener('pointercancel', end, { signal });
-    head.addEventListener('lostpointercapture', end, { signal });
+    window.addEventListener('pointercancel', ({ pointerId }) => pointerId === event.pointerId && end(), { signal });
     onEscape(end, signal);
   }
 

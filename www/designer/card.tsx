@@ -8,6 +8,7 @@ import { strings } from '../strings/strings.ts';
 import { IconButton } from '../ui/button.tsx';
 import { useApp } from '../ui/context.ts';
 import { Icon } from '../ui/icon.tsx';
+import { BlockName } from './block-name.tsx';
 import { Parameter } from './parameter.tsx';
 import type { DraftStep, Layer, Misfit } from '../engine/types.ts';
 
@@ -23,6 +24,7 @@ export function Card({
   picture,
   carried,
   onTake,
+  onInsert,
 }: {
   step: DraftStep;
   layer: Layer;
@@ -34,6 +36,7 @@ export function Card({
   picture?: ImageBitmap;
   carried: boolean;
   onTake: (event: PointerEvent) => void;
+  onInsert: () => void;
 }) {
   const { designer } = useApp();
   const ref = useRef(null as HTMLLIElement | null);
@@ -78,22 +81,34 @@ export function Card({
     event.stopPropagation();
   }
 
+  const name = strings.card(strings.blockName(block), at + 1);
   return (
     <li
       class="card"
       ref={ref}
       tabIndex={-1}
-      aria-label={strings.card(strings.blockName(block), at + 1)}
+      aria-label={name}
       data-bypass={step.bypass}
       data-marked={marked}
       data-carried={carried}
       data-key={step.key}
       onKeyDown={onKeyDown}
     >
+      <button
+        type="button"
+        class="card-insert"
+        aria-label={strings.insertBefore(name)}
+        title={strings.insertBefore(name)}
+        onClick={onInsert}
+      >
+        <Icon name="add" />
+      </button>
       <div class="card-head" title={strings.handle} onPointerDown={onTake}>
         <Picture bitmap={picture} />
         <div class="card-name">
-          <h4>{strings.blockName(block)}</h4>
+          <h4>
+            <BlockName block={block} />
+          </h4>
           <span class="count">{ms !== undefined && !step.bypass ? strings.milliseconds(ms) : ''}</span>
         </div>
         <span class="card-handle" aria-hidden="true">

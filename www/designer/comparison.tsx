@@ -1,5 +1,6 @@
 /**
- * A photo in the style, over the photo as it is: a divider that is dragged or moved by keys shows how much of each.
+ * A photo or the page in the style, over the same as it is: a divider that is dragged or moved by keys shows how much of
+ * each.
  */
 
 import { useEffect, useRef } from 'preact/hooks';
@@ -8,15 +9,11 @@ import { screenPixels } from '../ui/bitmap.tsx';
 import { useApp } from '../ui/context.ts';
 import { PLAIN } from '../photos/cover.ts';
 import { createPreviewLoop } from './preview-loop.ts';
-import type { Fact } from '../document/album.ts';
 import type { Designed } from '../engine/design.ts';
 import type { Style } from '../engine/types.ts';
+import type { Subject } from './preview-subjects.ts';
 import type { Signal } from '@preact/signals';
 
-/** A live preview has at least so many pixels on its long and its short side. */
-const LIVE = { long: 960, short: 540 };
-/** The long side of the copy of a photo that is drawn from. */
-const WORK = 1600;
 /** What the arrow keys and the page keys move the divider by. */
 const STEPS: Record<string, number> = {
   ArrowLeft: -0.02,
@@ -29,40 +26,39 @@ const STEPS: Record<string, number> = {
   End: 1,
 };
 
-/** @param props `small`: one of several; `split`: the part that shows the photo as it is, while it is compared */
+/** @param props `split`: the part that shows it as it is, while it is compared */
 export function Comparison({
-  fact: { id, name, meta },
+  subject,
   style,
-  small,
   split,
   onStages,
   onBusy,
 }: {
-  fact: Fact & { meta: NonNullable<Fact['meta']> };
+  subject: Subject;
   style: Style;
-  small: boolean;
   split: Signal<number> | null;
   onStages: ((designed: Designed) => void) | null;
   onBusy: (busy: boolean) => void;
 }) {
-  const { engine, messages } = useApp();
+  const { messages } = useApp();
   const box = useRef(null as HTMLDivElement | null);
   const styled = useRef(null as HTMLCanvasElement | null);
   const plain = useRef(null as HTMLCanvasElement | null);
   const loop = useRef(null as ReturnType<typeof createPreviewLoop> | null);
   const stages = useRef(onStages);
   stages.current = onStages;
-  const size = liveSize(meta, small);
+  const { of, name, size } = subject;
+  const drawn = useRef(subject);
+  drawn.current = subject;
 
   useEffect(() => {
     const made = createPreviewLoop({
-      engine,
+      draw: (...wish) => drawn.current.draw(...wish),
+      drawCards: (...wish) => drawn.current.drawCards(...wish),
+      drawWhole: (...wish) => drawn.current.drawWhole(...wish),
       cards: () => stages.current !== null,
       onPicture: ({ bitmap }) => show(styled.current, bitmap),
-      onStages: (designed) => {
-        show(styled.current, designed.bitmap);
-        stages.current?.(designed);
-      },
+      onStages: (designed) => stages.current?.(designed),
       onBusy,
       onError: ({ message }) => messages.alert(message),
     });
@@ -74,21 +70,21 @@ export function Comparison({
   }, []);
 
   useEffect(() => {
-    const most = (WORK / Math.max(WORK, meta.width, meta.height)) * meta.width;
-    const full = Math.min(Math.round(most), screenPixels(box.current?.clientWidth ?? 0));
-    loop.current?.show({ id, style, ...size, full });
-  }, [id, style, size.width, size.height]);
+    const { clientWidth = 0, clientHeight = 0 } = box.current ?? {};
+    const full = Math.min(subject.most, screenPixels(Math.min(clientWidth, (clientHeight * size.width) / size.height)));
+    loop.current?.show({ style, ...size, full });
+  }, [of, style, size.width, size.height]);
 
   const compared = split !== null;
   useEffect(() => {
     if (!compared) return undefined;
     const stop = new AbortController();
-    engine.stylePhoto(id, PLAIN, { ...size, tier: 'work' }, { signal: stop.signal }).then(
+    drawn.current.drawWhole(PLAIN, size, { signal: stop.signal }).then(
       ({ bitmap }) => show(plain.current, bitmap),
       () => {},
     );
     return () => stop.abort();
-  }, [id, compared]);
+  }, [of, compared]);
 
   function drag(event: PointerEvent) {
     if (!split || !box.current || event.buttons === 0) return;
@@ -108,11 +104,11 @@ export function Comparison({
     <div
       class="comparison"
       ref={box}
-      style={{ '--aspect': meta.width / meta.height, '--split': split?.value ?? 0 }}
+      style={{ '--aspect': size.width / size.height, '--split': split?.value ?? 0 }}
       data-compared={compared}
     >
       <canvas ref={plain} class="comparison-plain" aria-hidden="true" hidden={!compared} />
-      <canvas ref={styled} class="comparison-styled" role="img" aria-label={strings.previewOf(name)} />
+      <canvas ref={styled} class="comparison-styled" role="img" aria-label={name} />
       {split && (
         <div class="comparison-hit" onPointerDown={drag} onPointerMove={drag}>
           <div
@@ -131,17 +127,6 @@ export function Comparison({
       )}
     </div>
   );
-}
-
-/**
- * Covers 960 x 540, either way up, or half of it for one of several, also where the photo has less: lines are then as
- * fine as on a large one.
- */
-function liveSize({ width, height }: { width: number; height: number }, small: boolean) {
-  const [long, short] = [Math.max(width, height), Math.min(width, height)];
-  const wanted = Math.max(LIVE.long / long, LIVE.short / short) / (small ? 2 : 1);
-  const scale = Math.min(wanted, WORK / long);
-  return { width: Math.max(1, Math.round(width * scale)), height: Math.max(1, Math.round(height * scale)) };
 }
 
 function inside(part: number) {

@@ -8,7 +8,9 @@ import { strings } from '../strings/strings.ts';
 import { useApp } from '../ui/context.ts';
 import { Icon } from '../ui/icon.tsx';
 import { Workspace } from '../ui/workspace.tsx';
+import { BlockName } from './block-name.tsx';
 import { useCardDrag } from './card-drag.ts';
+import { focusCard } from './focus-card.ts';
 import { Lane } from './lane.tsx';
 import { Palette } from './palette.tsx';
 import { Preview } from './preview.tsx';
@@ -21,15 +23,25 @@ const NOTHING: { times: ReadonlyMap<number, number>; stages: ReadonlyMap<number,
 };
 
 export function Designer() {
-  const { store, designer } = useApp();
+  const { store, designer, ui } = useApp();
   const [drawn, setDrawn] = useState(NOTHING);
   const [adding, setAdding] = useState(false);
   const opener = useRef(null as HTMLButtonElement | null);
   const draft = designer.draft.value;
 
-  const drag = useCardDrag((from, to) =>
-    designer.change({ type: 'move', layer: from.layer, at: from.at, toLayer: to.layer, to: to.at }),
-  );
+  const drag = useCardDrag(({ from, block }, gap) => {
+    if (block !== undefined) {
+      const place = designer.insert(block, gap);
+      // On a small screen the palette lies over the lanes.
+      if (!ui.wide.peek()) setAdding(false);
+      if (place) focusCard(place);
+      return;
+    }
+    // Taking the card out moves those behind it up by one.
+    const to = gap.layer === from.layer && from.at < gap.at ? gap.at - 1 : gap.at;
+    if (gap.layer !== from.layer || to !== from.at)
+      designer.change({ type: 'move', layer: from.layer, at: from.at, toLayer: gap.layer, to });
+  });
 
   // A slider's drag that is cut short, by leaving say, is kept as far as it went; a card's is not.
   useEffect(
@@ -52,9 +64,21 @@ export function Designer() {
 
   const empty = LAYERS.every((layer) => draft[layer].length === 0);
   const total = [...drawn.times.values()].reduce((sum, ms) => sum + ms, 0);
+  const { carried } = drag;
+  const lifted = carried?.block !== undefined ? designer.blocks.value.find(({ id }) => id === carried.block) : null;
   return (
-    <Workspace title={strings.styleDesigner} class="designer" tools={<StyleBar />} onClose={designer.close}>
+    <Workspace
+      title={strings.styleDesigner}
+      class={`designer ${adding ? 'designer-adding' : ''}`}
+      tools={<StyleBar />}
+      onClose={designer.close}
+    >
       <Preview onStages={onStages} />
+      {adding && (
+        <div class="palette-side" data-lifted={lifted !== null}>
+          <Palette drag={drag} onClose={closePalette} onAdded={() => setAdding(false)} />
+        </div>
+      )}
       <div class="lanes-side">
         <header class="lanes-head">
           <button
@@ -62,39 +86,44 @@ export function Designer() {
             class="button strong"
             ref={opener}
             aria-expanded={adding}
-            onClick={() => setAdding(!adding)}
+            onClick={() => {
+              designer.place.value = { ...designer.place.peek(), at: null };
+              setAdding(!adding);
+            }}
           >
             <Icon name="add" />
             {strings.addBlock}
           </button>
           {drawn.times.size > 0 && <span class="count">{strings.totalTime(strings.milliseconds(total))}</span>}
         </header>
-        {adding ? (
-          <Palette onClose={closePalette} onAdded={() => setAdding(false)} />
-        ) : (
-          <div class="lanes">
-            {LAYERS.map((layer) => (
-              <Lane
-                key={layer}
-                layer={layer}
-                draft={draft}
-                drag={drag}
-                drawn={drawn}
-                onAdd={() => {
-                  designer.layer.value = layer;
-                  setAdding(true);
-                }}
-              />
-            ))}
-            {empty && store.page.value && (
-              <button type="button" class="button lanes-begin" onClick={designer.beginWithPage}>
-                <Icon name="style" />
-                {strings.beginWithPage}
-              </button>
-            )}
-          </div>
-        )}
+        <div class="lanes">
+          {LAYERS.map((layer) => (
+            <Lane
+              key={layer}
+              layer={layer}
+              draft={draft}
+              drag={drag}
+              drawn={drawn}
+              adding={adding}
+              onAdd={(at) => {
+                designer.place.value = { layer, at };
+                setAdding(true);
+              }}
+            />
+          ))}
+          {empty && store.page.value && (
+            <button type="button" class="button lanes-begin" onClick={designer.beginWithPage}>
+              <Icon name="style" />
+              {strings.beginWithPage}
+            </button>
+          )}
+        </div>
       </div>
+      {lifted && carried && (
+        <div class="drag-ghost" aria-hidden="true" style={{ left: `${carried.x}px`, top: `${carried.y}px` }}>
+          <BlockName block={lifted} />
+        </div>
+      )}
     </Workspace>
   );
 }

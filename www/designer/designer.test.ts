@@ -1,7 +1,9 @@
 import { signal } from '@preact/signals';
 import { describe, expect, it } from 'vitest';
 import { createDesigner } from './designer.ts';
+import { MOST } from '../document/limits.ts';
 import { fakeApp } from '../document/testing.ts';
+import { strings } from '../strings/strings.ts';
 import type { DraftEdit } from '../engine/types.ts';
 
 const add = (name: string, at = 99, layer = 'background' as const) =>
@@ -33,6 +35,32 @@ describe('the designer', () => {
     pages.redo();
     pages.redo();
     expect(designer.draft.value?.background[0].values.sigma).toBe(4);
+  });
+
+  it('puts a block anywhere, with what it needs there', () => {
+    const { designer, pages } = app();
+    designer.open();
+    const blocks = () => designer.draft.value?.background.map(({ block }) => block);
+    designer.insert('posterize', { layer: 'background', at: 0 });
+    designer.insert('saturation', { layer: 'background', at: 1 });
+    // Colour comes in there, as after Posterization: gray is made first.
+    expect(designer.insert('pattern', { layer: 'background', at: 1 })).toEqual({ layer: 'background', at: 2 });
+    expect(blocks()).toEqual(['posterize', 'to_gray', 'pattern', 'saturation']);
+    // It is gray there already.
+    expect(designer.insert('colorize', { layer: 'background', at: 2 })).toEqual({ layer: 'background', at: 2 });
+    expect(blocks()).toEqual(['posterize', 'to_gray', 'colorize', 'pattern', 'saturation']);
+    pages.undo();
+    pages.undo();
+    expect(blocks()).toEqual(['posterize', 'saturation']);
+  });
+
+  it('puts no more into a layer than it holds, and says so', () => {
+    const { designer, messages } = app();
+    designer.open();
+    for (let i = 0; i < MOST.blocks; i += 1) designer.insert('gaussian', { layer: 'foreground', at: i });
+    expect(designer.insert('sobel', { layer: 'foreground', at: 3 })).toBe(null);
+    expect(designer.draft.value?.foreground).toHaveLength(MOST.blocks);
+    expect(messages.list.value.map(({ text }) => text)).toEqual([strings.fullLayer]);
   });
 
   it('leaves a designed style as it is, and begins with a copy', () => {

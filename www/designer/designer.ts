@@ -6,12 +6,12 @@
 
 import { computed, signal } from '@preact/signals';
 import { strings } from '../strings/strings.ts';
-import { wellFormed } from '../document/limits.ts';
+import { MOST, wellFormed } from '../document/limits.ts';
 import type { Messages } from '../ui/messages.ts';
 import type { Ui } from '../app/ui.ts';
 import type { Pages } from '../document/pages.ts';
 import type { Store } from '../document/store.ts';
-import type { Draft, DraftEdit, Layer, Style } from '../engine/types.ts';
+import type { Draft, DraftEdit, DraftFacts, Layer, Place, Style } from '../engine/types.ts';
 import type { Signal } from '@preact/signals';
 
 export type Designer = ReturnType<typeof createDesigner>;
@@ -46,13 +46,24 @@ export function createDesigner({
     return typeof style === 'object' && style.id !== undefined && style.id === store.project.value.draft?.id;
   });
 
+  /** Where the next block goes that is chosen from the palette: before that one, at the end unless told. */
+  const place: Signal<{ layer: Layer; at: number | null }> = signal({ layer: 'background', at: null });
+
   return {
     blocks,
     draft,
     facts,
     shown,
     onPage,
-    layer: signal('background' as Layer),
+    place,
+    /** What the preview shows. */
+    preview: signal('photo') as Signal<'photo' | 'page'>,
+    /** Names a layer, to whose end blocks go then. */
+    turnTo(layer: Layer) {
+      if (place.peek().layer !== layer) place.value = { layer, at: null };
+    },
+    factsBefore,
+    insert,
     open,
     close,
     begin,
@@ -103,6 +114,29 @@ export function createDesigner({
             ?.styles()
             .find(({ id }) => id === style);
     if (known) begin(known as Style);
+  }
+
+  /** The facts of the draft as if that layer ended before this block. */
+  function factsBefore({ layer, at }: Place): DraftFacts | null {
+    const now = draft.peek();
+    const planner = store.planner.peek();
+    return now && planner && planner.draftFacts({ ...now, [layer]: now[layer].slice(0, at) });
+  }
+
+  /**
+   * Puts a block before another one, with what it needs before it there.
+   * @returns where it is now; null where the layer has no room
+   */
+  function insert(block: string, { layer, at }: Place): Place | null {
+    const count = draft.peek()?.[layer].length ?? 0;
+    const before = factsBefore({ layer, at })?.[layer].brings[block];
+    const blocks = before ? [before.remedy, block] : [block];
+    if (count + blocks.length > MOST.blocks) {
+      messages.alert(strings.fullLayer);
+      return null;
+    }
+    change({ type: 'add', layer, at, blocks });
+    return { layer, at: at + blocks.length - 1 };
   }
 
   function change(change: DraftEdit) {

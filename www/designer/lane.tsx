@@ -1,6 +1,7 @@
 /**
  * One layer: its blocks as cards joined by arrows, in the order in which they run. Cards are moved by dragging, also
- * to the other layer, by buttons, and by Alt with the arrow keys.
+ * to the other layer, by buttons, and by Alt with the arrow keys; blocks are dragged in from the palette, and put in
+ * between by the buttons there.
  */
 
 import { FOREGROUND } from '../engine/design.ts';
@@ -16,12 +17,16 @@ export function Lane({
   draft,
   drag,
   drawn,
+  adding,
   onAdd,
 }: {
   layer: Layer;
   draft: Draft;
   drag: CardDrag;
-  onAdd: () => void;
+  /** Whether the palette is open, which has a button for the same. */
+  adding: boolean;
+  /** Opens the palette for a block before that one, or at the end. */
+  onAdd: (at: number | null) => void;
   drawn: { times: ReadonlyMap<number, number>; stages: ReadonlyMap<number, ImageBitmap> };
 }) {
   const { designer } = useApp();
@@ -33,13 +38,7 @@ export function Lane({
   const first = layer === 'foreground' ? FOREGROUND : 0;
 
   return (
-    <section
-      class="lane"
-      data-layer={layer}
-      onFocusIn={() => {
-        designer.layer.value = layer;
-      }}
-    >
+    <section class="lane" data-layer={layer} onFocusIn={() => designer.turnTo(layer)}>
       <header class="lane-head">
         <h3 title={strings.layerHelp[layer]}>{strings.layerName[layer]}</h3>
         {layer === 'foreground' && (
@@ -64,8 +63,9 @@ export function Lane({
             marked={gap === at ? 'before' : gap === steps.length && at === steps.length - 1 ? 'behind' : ''}
             ms={drawn.times.get(first + at)}
             picture={drawn.stages.get(first + at)}
-            carried={carried?.from.layer === layer && carried.from.at === at}
-            onTake={(event) => take(event, { layer, at })}
+            carried={carried?.from?.layer === layer && carried.from.at === at}
+            onTake={(event) => take(event, { from: { layer, at } })}
+            onInsert={() => onAdd(at)}
           />
         ))}
       </ol>
@@ -74,10 +74,12 @@ export function Lane({
           {strings.emptyLayer[layer]}
         </p>
       )}
-      <button type="button" class="button small lane-add" onClick={onAdd}>
-        <Icon name="add" />
-        {strings.addToLayer[layer]}
-      </button>
+      {!adding && (
+        <button type="button" class="button small lane-add" onClick={() => onAdd(null)}>
+          <Icon name="add" />
+          {strings.addToLayer[layer]}
+        </button>
+      )}
     </section>
   );
 }

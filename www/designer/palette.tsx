@@ -1,5 +1,6 @@
 /**
- * The blocks that can be added, each as a picture of what it does to the person's own photo at the end of the layer.
+ * The blocks that can be added, each as a picture of what it does to the person's own photo at its place in the layer.
+ * A press adds one there, at the end unless a place was named; dragging puts it anywhere.
  */
 
 import { useEffect, useMemo, useRef, useState } from 'preact/hooks';
@@ -9,8 +10,12 @@ import { strings } from '../strings/strings.ts';
 import { Bitmap } from '../ui/bitmap.tsx';
 import { IconButton } from '../ui/button.tsx';
 import { useApp } from '../ui/context.ts';
+import { Icon } from '../ui/icon.tsx';
 import { thumbnail } from '../photos/cover.ts';
 import { useHero } from '../photos/hero.ts';
+import { BlockName } from './block-name.tsx';
+import { focusCard } from './focus-card.ts';
+import type { CardDrag } from './card-drag.ts';
 import type { Block, DraftFacts, Layer, ParamValue, Style } from '../engine/types.ts';
 
 const SIZE = { width: 132, height: 99 };
@@ -21,16 +26,19 @@ const TELLING: Record<string, Record<string, ParamValue>> = {
   dynamic_range: { range: 255 },
 };
 
-export function Palette({ onClose, onAdded }: { onClose: () => void; onAdded: () => void }) {
+export function Palette({ drag, onClose, onAdded }: { drag: CardDrag; onClose: () => void; onAdded: () => void }) {
   const { store, designer, engine } = useApp();
   const [words, setWords] = useState('');
   const field = useRef(null as HTMLInputElement | null);
   const hero = useHero();
   const blocks = designer.blocks.value;
   const draft = designer.draft.value;
-  const layer = designer.layer.value;
+  const { layer, at } = designer.place.value;
   const steps = draft?.[layer] ?? [];
-  const facts = designer.facts.value;
+  // The place may be gone meanwhile, by an undo say.
+  const to = Math.min(at ?? steps.length, steps.length);
+  const facts = useMemo(() => designer.factsBefore({ layer, at: to }), [draft, layer, to]);
+  const follower = blocks.find(({ id }) => id === steps[to]?.block);
   const brings = facts?.[layer].brings ?? {};
   const meta = store.facts.value.find(({ id }) => id === hero)?.meta;
   const size = thumbnail(meta, SIZE.width, SIZE.height);
@@ -42,13 +50,10 @@ export function Palette({ onClose, onAdded }: { onClose: () => void; onAdded: ()
   useEffect(() => field.current?.focus(), []);
 
   function add(block: Block) {
-    const before = brings[block.id];
-    designer.change({ type: 'add', layer, at: steps.length, blocks: before ? [before.remedy, block.id] : [block.id] });
+    const place = designer.insert(block.id, { layer, at: to });
+    if (!place) return;
     onAdded();
-    requestAnimationFrame(() => {
-      const cards = document.querySelectorAll(`.cards[aria-label="${strings.layerName[layer]}"] .card`);
-      ([...cards].at(-1) as HTMLElement | undefined)?.focus();
-    });
+    focusCard(place);
   }
 
   return (
@@ -84,13 +89,29 @@ export function Palette({ onClose, onAdded }: { onClose: () => void; onAdded: ()
             key={name}
             aria-pressed={name === layer}
             onClick={() => {
-              designer.layer.value = name;
+              designer.place.value = { layer: name, at: null };
             }}
           >
             {strings.addToLayer[name]}
           </button>
         ))}
       </div>
+      {follower ? (
+        <p class="palette-place">
+          <span>{strings.goesBefore(strings.card(strings.blockName(follower), to + 1))}</span>
+          <button
+            type="button"
+            class="button small"
+            onClick={() => {
+              designer.place.value = { layer, at: null };
+            }}
+          >
+            {strings.toEnd}
+          </button>
+        </p>
+      ) : (
+        <p class="quiet palette-place">{strings.dragBlock}</p>
+      )}
       {steps.length >= MOST.blocks - 1 && <p class="quiet">{strings.fullLayer}</p>}
       <ul class="palette-blocks">
         {found.map((block) => {
@@ -104,6 +125,7 @@ export function Palette({ onClose, onAdded }: { onClose: () => void; onAdded: ()
                 title={strings.blockHelp(block)}
                 aria-description={[strings.blockHelp(block), note].filter(Boolean).join(' ')}
                 disabled={steps.length + (before ? 2 : 1) > MOST.blocks}
+                onPointerDown={(event) => drag.take(event, { block: block.id })}
                 onClick={() => add(block)}
               >
                 {hero === null ? (
@@ -114,7 +136,12 @@ export function Palette({ onClose, onAdded }: { onClose: () => void; onAdded: ()
                     draw={(call) => engine.stylePhoto(hero, pictures.get(block.id) ?? {}, size, call)}
                   />
                 )}
-                <span class="palette-name">{strings.blockName(block)}</span>
+                <span class="card-handle" aria-hidden="true">
+                  <Icon name="handle" />
+                </span>
+                <span class="palette-name">
+                  <BlockName block={block} />
+                </span>
                 {note && <span class="palette-note">{note}</span>}
               </button>
             </li>
@@ -139,7 +166,7 @@ function search(blocks: readonly Block[], words: string): Block[] {
   ];
 }
 
-/** The layer with the block at its end, by itself. */
+/** The layer as far as there, with the block behind, by itself. */
 function styleWith(facts: DraftFacts, layer: Layer, block: Block): Style {
   const before = facts[layer].brings[block.id];
   const steps = [

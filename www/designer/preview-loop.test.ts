@@ -6,20 +6,19 @@ const settle = (ms = 5) =>
     setTimeout(done, ms);
   });
 
-function loop(draw: (style: any) => any = () => ({})) {
+function loop(draw: (style: any) => any = () => ({}), whole = false) {
   const calls: { style: any; stages: number; end: () => void }[] = [];
   const shown: any[] = [];
   const told: string[] = [];
   let busy = false;
-  const engine = {
-    drawDesign: async (_: string, style: any, { stages = 0 }: any) => {
-      await new Promise((end: (value?: any) => void) => calls.push({ style, stages, end }));
-      return { ...draw(style), bitmap: style, stages: [] };
-    },
-    stylePhoto: async (_: string, style: any) => ({ bitmap: `full ${style}` }),
-  } as any;
+  const picture = async (style: any, { stages = 0 }: any): Promise<any> => {
+    await new Promise((end: (value?: any) => void) => calls.push({ style, stages, end }));
+    return { ...draw(style), bitmap: style, stages: [] };
+  };
   const made = createPreviewLoop({
-    engine,
+    draw: picture,
+    drawCards: async (style: any, size: any) => ({ designed: await picture(style, size), whole }),
+    drawWhole: async (style: any): Promise<any> => ({ bitmap: `full ${style}` }),
     cards: () => true,
     onPicture: ({ bitmap }) => shown.push(bitmap),
     onStages: () => shown.push('cards'),
@@ -28,7 +27,7 @@ function loop(draw: (style: any) => any = () => ({})) {
     },
     onError: ({ message }) => told.push(message),
   });
-  const show = (style: any) => made.show({ id: 'p', style, width: 960, height: 540, full: 1920 });
+  const show = (style: any) => made.show({ style, width: 960, height: 540, full: 1920 });
   return { made, calls, shown, told, show, busy: () => busy };
 }
 
@@ -54,6 +53,16 @@ it('refines when the hand rests: the cards first, then the full size', async () 
   calls[1].end();
   await settle();
   expect([shown, busy()]).toEqual([['a', 'cards', 'full a'], false]);
+});
+
+it('shows the picture that comes with the cards where it is the same one', async () => {
+  const { show, calls, shown } = loop(undefined, true);
+  show('a');
+  calls[0].end();
+  await settle(200);
+  calls[1].end();
+  await settle();
+  expect(shown).toEqual(['a', 'a', 'cards', 'full a']);
 });
 
 it('says what fails, and goes on with the next', async () => {

@@ -6,10 +6,10 @@
 
 import type { Designed } from '../engine/design.ts';
 import type { Style } from '../engine/types.ts';
-import type { Engine } from '../engine/engine.ts';
+import type { Subject } from './preview-subjects.ts';
 
 /** `full`: the width of the preview on the screen */
-type Wish = { id: string; style: Style; width: number; height: number; full: number };
+type Wish = { style: Style; width: number; height: number; full: number };
 
 /** The hand rests when nothing changed for so long, in ms. */
 const REST = 140;
@@ -20,14 +20,15 @@ const CARD = 176;
 
 /** @param options `cards`: whether the cards want pictures */
 export function createPreviewLoop({
-  engine,
+  draw: drawOne,
+  drawCards,
+  drawWhole,
   cards,
   onPicture,
   onStages,
   onBusy,
   onError,
-}: {
-  engine: Pick<Engine, 'drawDesign' | 'stylePhoto'>;
+}: Pick<Subject, 'draw' | 'drawCards' | 'drawWhole'> & {
   cards: () => boolean;
   onPicture: (picture: { bitmap: ImageBitmap }) => void;
   onStages: (designed: Designed) => void;
@@ -62,12 +63,12 @@ export function createPreviewLoop({
   }
 
   async function draw(wish: Wish) {
-    const { id, style, width, height } = wish;
+    const { style, width, height } = wish;
     sent = wish;
     flying += 1;
     try {
-      const designed = await engine.drawDesign(id, style, { width, height });
-      if (wanted) onPicture(designed);
+      const picture = await drawOne(style, { width, height });
+      if (wanted) onPicture(picture);
     } catch (error) {
       tell(error);
     }
@@ -77,17 +78,20 @@ export function createPreviewLoop({
 
   async function refine() {
     const wish = wanted as Wish;
-    const { id, style, width, height, full } = wish;
+    const { style, width, height, full } = wish;
     stop = new AbortController();
     const { signal } = stop;
     try {
       if (cards()) {
-        const designed = await engine.drawDesign(id, style, { width, height, stages: CARD }, { signal });
-        if (wanted === wish) onStages(designed);
+        const { designed, whole } = await drawCards(style, { width, height, stages: CARD }, { signal });
+        if (wanted === wish) {
+          if (whole) onPicture(designed);
+          onStages(designed);
+        }
       }
       if (full > width * 1.05 && wanted === wish) {
-        const size = { width: full, height: Math.max(1, Math.round((full * height) / width)), tier: 'work' as const };
-        const picture = await engine.stylePhoto(id, style, size, { signal });
+        const size = { width: full, height: Math.max(1, Math.round((full * height) / width)) };
+        const picture = await drawWhole(style, size, { signal });
         if (wanted === wish) onPicture(picture);
       }
     } catch (error) {

@@ -1,20 +1,22 @@
 /**
- * What the style does to a photo of the album, or to four at once, beside the photo as it is.
+ * What the style does to a photo of the album, to four at once, or to the page, beside the same as it is.
  */
 
 import { useSignal } from '@preact/signals';
+import { useMemo } from 'preact/hooks';
 import { strings } from '../strings/strings.ts';
-import { Bitmap } from '../ui/bitmap.tsx';
 import { useApp } from '../ui/context.ts';
-import { PLAIN, thumbnail } from '../photos/cover.ts';
+import { PLAIN } from '../photos/cover.ts';
 import { useHero } from '../photos/hero.ts';
+import { PhotoPicker, useDrawnPhotos } from '../photos/photo-picker.tsx';
 import { Comparison } from './comparison.tsx';
+import { pageSubject, photoSubject } from './preview-subjects.ts';
 import type { Designed } from '../engine/design.ts';
 
-const THUMB = 64;
+const KINDS = ['photo', 'page'] as const;
 
 export function Preview({ onStages }: { onStages: (designed: Designed) => void }) {
-  const { store, engine, designer } = useApp();
+  const { store, engine, designer, lettering } = useApp();
   const chosen = useSignal(null as string | null);
   const four = useSignal(false);
   const compare = useSignal(false);
@@ -22,33 +24,60 @@ export function Preview({ onStages }: { onStages: (designed: Designed) => void }
   /** The photos that are being drawn. */
   const busy = useSignal(new Set() as ReadonlySet<string>);
   const hero = useHero();
-  const facts = store.facts.value.flatMap((fact) =>
-    fact.meta && engine.hasPhoto(fact.id) ? [{ ...fact, meta: fact.meta }] : [],
-  );
+  const facts = useDrawnPhotos();
   const ids = facts.map(({ id }) => id);
   const first = chosen.value && ids.includes(chosen.value) ? chosen.value : (hero ?? ids[0]);
   const at = Math.max(0, ids.indexOf(first));
   const shown = four.value ? [...facts.slice(at), ...facts.slice(0, at)].slice(0, 4) : facts.slice(at, at + 1);
 
+  const page = store.page.value;
+  const kind = page && facts.length > 0 ? designer.preview.value : 'photo';
+  // What style the page is in does not count, as it is shown in the draft: it may follow each edit.
+  const pageKey = kind === 'page' ? JSON.stringify({ ...page, style: null }) : '';
+  const subjects = useMemo(
+    () =>
+      kind === 'page' && page
+        ? [pageSubject(engine, pageKey, lettering.on(page), facts[at])]
+        : shown.map((fact) => photoSubject(engine, fact, shown.length > 1)),
+    [kind, pageKey, at, shown.length, ids.join(' ')],
+  );
+
   return (
     <section class="preview" aria-label={strings.preview} aria-busy={busy.value.size > 0}>
-      <div class="preview-stage" data-count={shown.length}>
-        {shown.map((fact, i) => (
-          <Comparison
-            key={`${fact.id}/${shown.length}`}
-            fact={fact}
-            style={designer.shown.value ?? PLAIN}
-            small={shown.length > 1}
-            split={compare.value ? split : null}
-            onStages={i === 0 ? onStages : null}
-            onBusy={(now) => {
-              const others = [...busy.peek()].filter((other) => other !== fact.id);
-              busy.value = new Set(now ? [...others, fact.id] : others);
-            }}
-          />
-        ))}
+      <div class="preview-stage" data-count={subjects.length}>
+        {subjects.map((subject, i) => {
+          const key = kind === 'page' ? 'page' : `${subject.of}/${subjects.length}`;
+          return (
+            <Comparison
+              key={key}
+              subject={subject}
+              style={designer.shown.value ?? PLAIN}
+              split={compare.value ? split : null}
+              onStages={i === 0 ? onStages : null}
+              onBusy={(now) => {
+                const others = [...busy.peek()].filter((other) => other !== key);
+                busy.value = new Set(now ? [...others, key] : others);
+              }}
+            />
+          );
+        })}
       </div>
       <div class="preview-tools">
+        <div class="segments" role="group" aria-label={strings.previewKinds}>
+          {KINDS.map((each) => (
+            <button
+              key={each}
+              type="button"
+              aria-pressed={each === kind}
+              disabled={each === 'page' && page === null}
+              onClick={() => {
+                designer.preview.value = each;
+              }}
+            >
+              {strings.previewKind[each]}
+            </button>
+          ))}
+        </div>
         <button
           type="button"
           class="button small"
@@ -59,34 +88,30 @@ export function Preview({ onStages }: { onStages: (designed: Designed) => void }
         >
           {strings.compare}
         </button>
-        <button
-          type="button"
-          class="button small"
-          aria-pressed={four.value}
-          disabled={ids.length < 2}
-          onClick={() => {
-            four.value = !four.value;
-          }}
-        >
-          {strings.fourPhotos}
-        </button>
-        <ul class="preview-photos" aria-label={strings.previewPhotos}>
-          {facts.map(({ id, name, meta }) => (
-            <li key={id}>
-              <button
-                type="button"
-                aria-label={strings.previewOf(name)}
-                title={name}
-                aria-current={id === first ? 'true' : undefined}
-                onClick={() => {
-                  chosen.value = id;
-                }}
-              >
-                <Bitmap of={id} draw={(call) => engine.stylePhoto(id, PLAIN, thumbnail(meta, THUMB), call)} />
-              </button>
-            </li>
-          ))}
-        </ul>
+        {kind === 'photo' && (
+          <>
+            <button
+              type="button"
+              class="button small"
+              aria-pressed={four.value}
+              disabled={ids.length < 2}
+              onClick={() => {
+                four.value = !four.value;
+              }}
+            >
+              {strings.fourPhotos}
+            </button>
+            <PhotoPicker
+              label={strings.previewPhotos}
+              facts={facts}
+              chosen={first ?? null}
+              told={strings.previewOf}
+              onChoose={(id) => {
+                chosen.value = id;
+              }}
+            />
+          </>
+        )}
       </div>
     </section>
   );

@@ -16,10 +16,8 @@ export function createExplorerActions({ explorer }: Pick<Parts, 'explorer'>) {
     sort: {
       label: strings.sortByScore,
       help: computed(() => (explorer.scores.off.value ? strings.sortedByLight : strings.sortedByNet)),
-      on: explorer.sorted,
-      run: () => {
-        explorer.sorted.value = !explorer.sorted.peek();
-      },
+      enabled: computed(() => explorer.items.value.length > 0),
+      run: explorer.sort,
     },
     clear: {
       label: strings.clearWall,

@@ -21,7 +21,6 @@ function app({
   wanted?: boolean;
 } = {}) {
   const items = signal([] as any[]);
-  const sorted = signal(false);
   const asked: string[] = [];
   const messages = { alert: vi.fn() };
   const engine = {
@@ -36,41 +35,41 @@ function app({
       return judge(style);
     },
   };
-  const scores = createScores({ engine, messages, items, sorted, wanted } as any);
-  return { scores, items, sorted, asked, messages };
+  const scores = createScores({ engine, messages, items, wanted } as any);
+  return { scores, items, asked, messages };
 }
 
-describe('the scores of the net', () => {
-  it('are asked for once styles are sorted, those in sight first', async () => {
-    const { scores, items, sorted, asked } = app();
+describe('the scores', () => {
+  it('are asked for once a person wants them, those in sight first', async () => {
+    const { scores, items, asked } = app();
     items.value = [10, 20, 30].map((n) => item(n));
     scores.visible.add('s30');
     expect(asked).toEqual([]);
-    sorted.value = true;
+    scores.ask();
     expect(scores.progress.value).toEqual({ done: 0, total: 3 });
     await vi.waitFor(() => expect(scores.progress.value).toBe(null));
     expect(asked).toEqual(['s30', 's10', 's20']);
     expect(scores.judged.value.get('s20')).toBe(2);
   });
 
-  it('rank before those that are not judged yet, and by how new a picture is', async () => {
-    const { scores, items, sorted } = app();
-    items.value = [item(60), item(50), item(65, { novelty: 0.5 })];
-    sorted.value = true;
+  it('are one figure from 0 to 100 each, by the light score until the net has judged, and by how new a picture is', async () => {
+    const { scores, items } = app();
+    items.value = [item(60), item(50), item(65, { novelty: 0.5 }), item(20), item(99)];
+    expect(items.value.map(scores.points)).toEqual([60, 50, 65, 20, 99]);
+    scores.ask();
     await vi.waitFor(() => expect(scores.progress.value).toBe(null));
-    const late = item(99) as any;
-    const ranked = [...items.value, late].sort((a, b) => scores.rank(b) - scores.rank(a));
-    expect(ranked.map(({ style }) => style.id)).toEqual(['s60', 's50', 's65', 's99']);
+    expect(items.value.map(scores.points)).toEqual([88, 63, 19, 0, 100]);
+    expect(scores.points(item(42) as any)).toBe(42);
   });
 
-  it('go on with what is hung later, and end when nobody sorts', async () => {
-    const { scores, items, sorted, asked } = app();
+  it('go on with what is hung later, and end when they are to rest', async () => {
+    const { scores, items, asked } = app();
     items.value = [item(1)];
-    sorted.value = true;
+    scores.ask();
     await vi.waitFor(() => expect(scores.progress.value).toBe(null));
     items.value = [item(1), item(2), item(3), item(4)];
     await vi.waitFor(() => expect(asked).toEqual(['s1', 's2']));
-    sorted.value = false;
+    scores.pause();
     expect(scores.progress.value).toBe(null);
     await new Promise((done) => {
       setTimeout(done, 20);
@@ -79,18 +78,17 @@ describe('the scores of the net', () => {
     expect(scores.judged.value.has('s2')).toBe(false);
   });
 
-  it('pause until styles are sorted anew', async () => {
-    const { scores, items, sorted, asked } = app();
+  it('pause until they are asked for again', async () => {
+    const { scores, items, asked } = app();
     items.value = [item(1), item(2)];
-    sorted.value = true;
+    scores.ask();
     scores.pause();
     items.value = [...items.value, item(3)];
     await new Promise((done) => {
       setTimeout(done, 20);
     });
     expect(asked).toEqual(['s1']);
-    sorted.value = false;
-    sorted.value = true;
+    scores.ask();
     await vi.waitFor(() => expect(scores.judged.value.size).toBe(3));
   });
 
@@ -103,7 +101,7 @@ describe('the scores of the net', () => {
       },
     });
     odd.items.value = [item(1), item(2), item(3, { photo: { id: 'gone' } })];
-    odd.sorted.value = true;
+    odd.scores.ask();
     await vi.waitFor(() => expect(odd.scores.progress.value).toBe(null));
     expect([...odd.scores.judged.value]).toEqual([
       ['s1', null],
@@ -117,7 +115,7 @@ describe('the scores of the net', () => {
       },
     });
     dead.items.value = [item(1), item(2)];
-    dead.sorted.value = true;
+    dead.scores.ask();
     await vi.waitFor(() => expect(dead.scores.off.value).toBe(true));
     expect(dead.messages.alert).toHaveBeenCalledOnce();
     expect(dead.asked).toEqual(['s1']);
@@ -125,10 +123,10 @@ describe('the scores of the net', () => {
 
   it('are not asked for without a net, or when nets are not wanted', async () => {
     for (const how of [{ judges: false }, { wanted: false }]) {
-      const { scores, items, sorted, asked } = app(how);
+      const { scores, items, asked } = app(how);
       items.value = [item(1)];
-      sorted.value = true;
-      expect([asked, scores.off.value, scores.rank(items.value[0] as any)]).toEqual([[], true, 0.01]);
+      scores.ask();
+      expect([asked, scores.off.value, scores.points(items.value[0] as any)]).toEqual([[], true, 1]);
     }
   });
 });

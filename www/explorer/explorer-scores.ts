@@ -1,6 +1,7 @@
 /**
- * What the net thinks of the styles on the explorer's wall: asked one style after the other once they are to be sorted,
- * those in sight first. Where there is no net, or it fails, the light score sorts.
+ * The score of each style on the explorer's wall, one figure from 0 to 100. It follows from simple measures of the
+ * picture until the net has judged it. The net is asked one style after the other once a person has sorted the wall,
+ * those in sight first; the wall itself stays as it is until it is sorted again.
  */
 
 import { effect, signal } from '@preact/signals';
@@ -13,21 +14,21 @@ import type { ReadonlySignal, Signal } from '@preact/signals';
 
 /** Without the net no other style can be judged. */
 const FATAL = new Set(['detector-missing', 'worker-lost', 'detector']);
-/** What others may wait before they are sorted in, in milliseconds: a wall that never rests cannot be read. */
+/** What scores may wait before they are shown, in milliseconds: figures that change all the time cannot be read. */
 const REST = 1200;
+/** What the net gives to pictures that nobody wants and to the very best, out of 1 to 10: it goes no further. */
+const [WORST, BEST] = [2.5, 6.5];
 
 /** @param app not `wanted`, the net is not asked */
 export function createScores({
   engine,
   messages,
   items,
-  sorted,
   wanted,
 }: {
   engine: Pick<Engine, 'judges' | 'judgeStyle' | 'hasPhoto'>;
   messages: Messages;
   items: ReadonlySignal<readonly Item[]>;
-  sorted: ReadonlySignal<boolean>;
   wanted: boolean;
 }) {
   /** Scores from 1 to 10 times the picture's novelty, by style; what failed is null. */
@@ -36,35 +37,38 @@ export function createScores({
   const judged: Signal<ReadonlyMap<string, number | null>> = signal(new Map());
   const progress: Signal<Progress | null> = signal(null);
   const off = signal(!wanted || !engine.judges);
-  const paused = signal(false);
+  const asked = signal(false);
   /** Styles that are in sight, told by the view. */
   const visible: Set<string> = new Set();
   let running: AbortController | null = null;
 
   effect(() => {
-    if (!sorted.value) {
-      paused.value = false;
-      stop();
-    } else if (!off.value && !paused.value && items.value.length > 0) void run();
+    if (asked.value && !off.value && items.value.length > 0) void run();
   });
 
-  return { judged, progress, off, visible, rank, pause, forget };
+  return { judged, progress, off, visible, points, ask, pause, forget };
 
-  /** What an item is sorted by: those that the net has judged come first. */
-  function rank({ style, score }: Item) {
+  /** The one figure of a style, a whole number from 0 to 100. */
+  function points({ style, score }: Pick<Item, 'style' | 'score'>): number {
     const judgement = judged.value.get(style.id);
-    return judgement ? 1 + judgement : score;
+    const share = judgement ? (judgement - WORST) / (BEST - WORST) : score;
+    return Math.round(100 * Math.min(1, Math.max(0, share)));
   }
 
-  /** Leaves the rest as it is until styles are sorted anew. */
+  /** Has the net judge what hangs and what will hang. */
+  function ask() {
+    asked.value = true;
+  }
+
+  /** Leaves the rest as it is until it is asked again. */
   function pause() {
-    paused.value = true;
+    asked.value = false;
     stop();
   }
 
-  /** Without the wall there is nothing to know. */
+  /** Another wall, or the same on another photo: there is nothing to know. */
   function forget() {
-    stop();
+    pause();
     known.clear();
     judged.value = new Map();
   }

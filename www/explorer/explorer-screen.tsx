@@ -1,73 +1,79 @@
 /**
- * The style explorer: a wall of styles that nobody designed, on the person's own photo, that keeps growing.
+ * The style explorer: a wall of styles that nobody designed, on a photo of the person's own, that keeps growing.
  */
 
 import { useEffect, useRef } from 'preact/hooks';
 import { strings } from '../strings/strings.ts';
 import { screenPixels } from '../ui/bitmap.tsx';
 import { useApp } from '../ui/context.ts';
+import { useGlimpse } from '../ui/glimpse.tsx';
 import { useHero } from '../photos/hero.ts';
+import { useDrawnPhotos } from '../photos/photo-picker.tsx';
 import { Icon } from '../ui/icon.tsx';
 import { Workspace } from '../ui/workspace.tsx';
 import { Dials } from './dials.tsx';
-import { Judging } from './judging.tsx';
+import { Enlarged } from './enlarged.tsx';
+import { Filters } from './filters.tsx';
+import { Status } from './status.tsx';
 import { useVisible } from './visible.ts';
 import { WallItem } from './wall-item.tsx';
 import { ActionButton } from '../ui/action-button.tsx';
+import type { Shown } from '../photos/photo-picker.tsx';
+import type { Point } from '../ui/pointing.ts';
 import type { Item, Photo } from './explorer.ts';
 import type { VNode } from 'preact';
 
 /** The size that thumbnails cover, in CSS pixels. */
 const SIZE = { width: 160, height: 120 };
+/** What a larger view covers at most, in CSS pixels. */
+const LARGER = { width: 440, height: 380 };
+/** Milliseconds that one stays with a style before it is seen larger: the wall itself is to be looked at. */
+const REST = 500;
 
 export function Explorer() {
-  const { explorer, designer, actions } = useApp();
-  const photo = usePhoto();
+  const { engine, explorer, designer, actions } = useApp();
+  const facts = useDrawnPhotos();
+  const fact = useChosen(facts);
+  const photo = fact && sized(fact);
   const items = explorer.items.value;
   const shown = explorer.shown.value;
   const running = explorer.progress.value;
-  const vnodes = useItems(shown, photo);
+  const glimpse = useGlimpse(
+    (id) => {
+      const item = explorer.shown.peek().find(({ style }) => style.id === id);
+      if (!item || !photo) return null;
+      const aspect = photo.width / photo.height;
+      return {
+        of: `${id} ${photo.id}`,
+        name: item.style.name,
+        aspect,
+        draw: (width, call) =>
+          engine.stylePhoto(photo.id, item.style, { width, height: Math.round(width / aspect), tier: 'work' }, call),
+      };
+    },
+    { side: 'beside', rest: REST, size: LARGER },
+  );
+  const vnodes = useItems(shown, photo, glimpse.point);
   const wall = useVisible(explorer.scores.visible, shown);
 
   useEffect(() => {
-    if (photo) void explorer.showFavourites(photo);
+    if (photo) void explorer.open(photo);
     return explorer.stop;
   }, [photo?.id]);
 
   const tools = (
     <div class="explorer-bar">
-      {running ? (
-        <ActionButton action={actions.explorer.stop} class="button strong" text />
-      ) : (
-        <button
-          type="button"
-          class="button strong"
-          disabled={!photo}
-          onClick={() => photo && void explorer.generate(photo)}
-        >
-          <Icon name="surprise" />
-          {strings.generate}
-        </button>
-      )}
-      <ActionButton action={actions.explorer.sort} class="button" text />
-      <select
-        class="select"
-        aria-label={strings.looks}
-        value={explorer.look.value}
-        onChange={(event) => {
-          explorer.look.value = event.currentTarget.value;
-        }}
+      <button
+        type="button"
+        class="button strong"
+        disabled={!photo}
+        onClick={() => photo && void explorer.generate(photo)}
       >
-        {Object.entries(strings.lookName).map(([id, name]) => (
-          <option key={id} value={id}>
-            {name}
-          </option>
-        ))}
-      </select>
+        <Icon name="surprise" />
+        {strings.generate}
+      </button>
+      <ActionButton action={actions.explorer.sort} class="button" text />
       <Dials />
-      <span class="count" title={strings.dropped(explorer.dropped.value)}>
-        {items.length > 0 && strings.inventedCount(shown.length, items.length)}
-      </span>
       <ActionButton action={actions.explorer.clear} />
     </div>
   );
@@ -79,67 +85,61 @@ export function Explorer() {
       busy={running !== null}
       onClose={designer.close}
     >
-      {running && (
-        <progress
-          class="progress explorer-progress"
-          aria-label={strings.inventing(running.done, running.total)}
-          value={running.done}
-          max={running.total}
-        />
-      )}
-      {!running && <Judging />}
-      <Hint />
-      <ul class="wall" ref={wall}>
+      <Filters facts={facts} chosen={fact?.id ?? null} />
+      <Status />
+      <ul class="wall" ref={wall} onPointerLeave={() => glimpse.point(null)} onBlurCapture={() => glimpse.point(null)}>
         {vnodes}
       </ul>
       {items.length === 0 && !running && <p class="wall-empty">{strings.explorerEmpty}</p>}
       {items.length > 0 && shown.length === 0 && <p class="wall-empty">{strings.explorerNone}</p>}
+      {glimpse.view}
+      {fact && <Enlarged fact={fact} photo={photo as Photo} />}
     </Workspace>
   );
 }
 
-/** What breeding waits for, or what came of it. */
-function Hint() {
+/** The photo that styles are tried on: the one that was chosen, else that of all thumbnails. */
+function useChosen(facts: readonly Shown[]): Shown | null {
   const { explorer } = useApp();
-  const { parent, lastParents } = explorer;
-  if (parent.value) return <p class="explorer-hint">{strings.breedWith(parent.value.name)}</p>;
-  return lastParents.value && <p class="explorer-hint">{strings.litterOf(...lastParents.value)}</p>;
+  const hero = useHero();
+  const found = (id: string | null) => facts.find((fact) => fact.id === id);
+  return found(explorer.photo.value) ?? found(hero) ?? null;
 }
 
-/** The photo that styles are tried on. */
-function usePhoto(): Photo | null {
-  const { store } = useApp();
-  const hero = useHero();
-  const meta = store.facts.value.find(({ id }) => id === hero)?.meta;
-  if (hero === null || !meta) return null;
+function sized({ id, meta }: Shown): Photo {
   const scale = Math.max(screenPixels(SIZE.width) / meta.width, screenPixels(SIZE.height) / meta.height);
-  return { id: hero, width: Math.round(meta.width * scale), height: Math.round(meta.height * scale) };
+  return { id, width: Math.round(meta.width * scale), height: Math.round(meta.height * scale) };
 }
 
 /** The same element is handed over as long as nothing in it changes, so that a wall of hundreds grows quickly. */
-function useItems(shown: readonly Item[], photo: Photo | null) {
+function useItems(shown: readonly Item[], photo: Photo | null, point: Point) {
   const { explorer, ownStyles } = useApp();
   const made = useRef(new Map() as Map<string, VNode>);
+  const pointed = useRef(point);
+  pointed.current = point;
   const parent = explorer.parent.value?.id;
   const last = explorer.lastParents.value;
   return shown.map((item) => {
     const { id } = item.style;
-    const judgement = explorer.scores.judged.value.get(id);
+    const points = explorer.scores.points(item);
     const parents = explorer.parentsOf(id);
-    const fresh = parents !== undefined && parents === last;
-    const key = `${id} ${judgement} ${ownStyles.isFavourite(id)} ${parent === id} ${fresh} ${photo?.id}`;
+    const role =
+      parents !== undefined && parents === last ? 'child' : last?.some((one) => one.id === id) ? 'parent' : undefined;
+    const favourite = ownStyles.isFavourite(id);
+    const key = `${id} ${points} ${favourite} ${parent === id} ${role} ${item.photo.id} ${photo?.id}`;
     const found = made.current.get(key);
     if (found) return found;
     const vnode = (
       <WallItem
         key={id}
         item={item}
-        judgement={judgement}
+        points={points}
         photo={photo}
-        favourite={ownStyles.isFavourite(id)}
+        favourite={favourite}
         parent={parent === id}
         parents={parents}
-        fresh={fresh}
+        family={role}
+        point={(...what) => pointed.current(...what)}
       />
     );
     made.current.set(key, vnode);

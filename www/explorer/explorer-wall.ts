@@ -1,19 +1,30 @@
 /**
  * The wall of the explorer: the styles that hang there and their thumbnails. What looks like another that hangs
- * already, or like nothing, is turned away.
+ * already, or like nothing, is turned away. What hangs stays in its place: new styles go behind all others or behind the
+ * one that they were bred from, and only a person's own wish sorts the wall.
  */
 
 import { signal } from '@preact/signals';
+import { coloursOf } from './colours.ts';
 import type { Style } from '../engine/types.ts';
 import type { Explored } from '../engine/protocol.ts';
+import type { Hue, Lightness } from './colours.ts';
 import type { Photo } from './explorer.ts';
 import type { Signal } from '@preact/signals';
 
 /**
- * A style that hangs there: its light score from 0 to 1, how new its picture is, which any score is multiplied by, and
- * the photo that it is on.
+ * A style that hangs there: its light score from 0 to 1, how new its picture is, which any score is multiplied by, its
+ * kind and its colours, and the photo that it is on.
  */
-export type Item = { style: Style; score: number; novelty: number; look: string; photo: Photo };
+export type Item = {
+  style: Style;
+  score: number;
+  novelty: number;
+  look: string;
+  hue: Hue;
+  lightness: Lightness;
+  photo: Photo;
+};
 
 /** Mean difference of two signatures, in steps of 255, up to which they look the same. */
 const ALIKE = 7;
@@ -26,26 +37,83 @@ export function createWall(stays: (id: string) => boolean) {
   const dropped = signal(0);
   /** The thumbnails, outside of the state, as pixels are. */
   const pictures: Map<string, ImageBitmap> = new Map();
-  const signatures: Map<string, Uint8Array> = new Map();
+  /** Those of two photos say nothing of each other. */
+  const signatures: Map<string, { photo: string; signature: Uint8Array }> = new Map();
 
-  return { items, dropped, pictures, hang, clear };
+  return { items, dropped, pictures, hang, redraw, sort, clear };
 
-  function hang(photo: Photo, styles: Style[], explored: Explored[], choosy: boolean, ahead: boolean) {
+  /**
+   * @param how `choosy`: what is alike or empty is left out; `behind`: after which style, at the end unless told;
+   * `most`: so many and no more
+   * @returns the ids of those that hang now
+   */
+  function hang(
+    photo: Photo,
+    styles: readonly Style[],
+    explored: readonly Explored[],
+    { choosy, behind, most = Infinity }: { choosy: boolean; behind?: string; most?: number },
+  ): string[] {
     const fresh: Item[] = [];
-    for (const { index, score, novelty, fault, look: kind, signature, bitmap } of explored) {
-      const style = styles[index];
-      const known = pictures.has(style.id);
-      if (known || (choosy && (fault !== '' || [...signatures.values()].some((other) => near(other, signature))))) {
-        bitmap.close();
-        if (!known) dropped.value += 1;
+    for (const one of explored) {
+      const style = styles[one.index];
+      const spare = pictures.has(style.id) || fresh.length >= most;
+      if (spare || (choosy && unwanted(one, photo))) {
+        one.bitmap.close();
+        if (!spare) dropped.value += 1;
         continue;
       }
-      pictures.set(style.id, bitmap);
-      signatures.set(style.id, signature);
-      fresh.push({ style, score, novelty, look: kind, photo });
+      fresh.push(kept(style, one, photo));
     }
-    const all = ahead ? [...fresh, ...items.peek()] : [...items.peek(), ...fresh];
-    items.value = all.length > MOST ? thinned(all) : all;
+    const all = items.peek();
+    const at = all.findIndex(({ style }) => style.id === behind) + 1 || all.length;
+    const next = [...all.slice(0, at), ...fresh, ...all.slice(at)];
+    if (fresh.length > 0) items.value = next.length > MOST ? thinned(next) : next;
+    return fresh.map(({ style }) => style.id);
+  }
+
+  /** Puts pictures on another photo in the place of those that hang, as long as they are not alike there. */
+  function redraw(photo: Photo, styles: readonly Style[], explored: readonly Explored[]) {
+    const after = new Map<string, Item | null>();
+    for (const one of explored) {
+      const style = styles[one.index];
+      if (!pictures.has(style.id)) {
+        one.bitmap.close();
+        continue;
+      }
+      signatures.delete(style.id);
+      if (!stays(style.id) && unwanted(one, photo)) {
+        one.bitmap.close();
+        forget(style.id);
+        after.set(style.id, null);
+        dropped.value += 1;
+      } else after.set(style.id, kept(style, one, photo));
+    }
+    items.value = items.peek().flatMap((item) => {
+      const now = after.get(item.style.id);
+      return now === undefined ? item : (now ?? []);
+    });
+  }
+
+  function unwanted({ fault, signature }: Explored, photo: Photo): boolean {
+    const alike = () =>
+      [...signatures.values()].some((other) => other.photo === photo.id && near(other.signature, signature));
+    return fault !== '' || alike();
+  }
+
+  function kept(style: Style, { score, novelty, look, signature, bitmap }: Explored, photo: Photo): Item {
+    pictures.set(style.id, bitmap);
+    signatures.set(style.id, { photo: photo.id, signature });
+    return { style, score, novelty, look, ...coloursOf(signature), photo };
+  }
+
+  function forget(id: string) {
+    pictures.delete(id);
+    signatures.delete(id);
+  }
+
+  /** @param points of an item; the most come first */
+  function sort(points: (item: Item) => number) {
+    items.value = [...items.peek()].sort((a, b) => points(b) - points(a));
   }
 
   function thinned(all: Item[]) {
@@ -53,8 +121,7 @@ export function createWall(stays: (id: string) => boolean) {
     return all.filter(({ style: { id } }) => {
       if (spare === 0 || stays(id)) return true;
       spare -= 1;
-      pictures.delete(id);
-      signatures.delete(id);
+      forget(id);
       return false;
     });
   }

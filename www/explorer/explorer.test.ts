@@ -1,151 +1,274 @@
 import { signal } from '@preact/signals';
-import { describe, expect, it } from 'vitest';
-import { ROUND, createExplorer } from './explorer.ts';
-import { near } from './explorer-wall.ts';
+import fc from 'fast-check';
+import { describe, expect, it, vi } from 'vitest';
+import { FIRST, LITTER, ROUND, createExplorer } from './explorer.ts';
+import { createWall, near } from './explorer-wall.ts';
 import { fakeApp } from '../document/testing.ts';
 
 const PHOTO = { id: 'p1', width: 160, height: 120 };
+const OTHER = { id: 'p2', width: 160, height: 120 };
 
-/** What a style looks like, here: its seed in the signature. */
+/** What a style looks like, here: its seed in the signature, further apart than what is alike. */
 const looks = (style: any) => ({
   score: (style.seed % 100) / 100,
   novelty: 1,
   fault: '',
   look: style.seed % 2 ? 'line' : 'flat',
-  signature: Uint8Array.from([style.seed % 256, (style.seed * 50) % 256]),
+  signature: Uint8Array.from([(style.seed * 32) % 256, (Math.floor(style.seed / 8) * 32) % 256, style.seed % 256, 0]),
 });
 
-function app(judge: (style: any) => any = looks) {
+function app(judge: (style: any, photo: string) => any = looks) {
   const made = fakeApp();
   const bred: any[] = [];
   const planner = {
     ...made.planner,
-    inventStyle: (seed: number) => ({ id: `invented-${seed}`, name: `${seed}`, tags: [], seed }),
+    inventStyle: (seed: number) => ({ id: `invented-${seed}`, name: `${seed}`, tags: [], background: [], seed }),
     breedStyle: (wish: any) => {
       bred.push(wish);
-      return { id: `bred-${wish.seed}`, name: 'child', tags: [], seed: 1000 + wish.seed * 10 };
+      return { id: `bred-${wish.seed}`, name: 'child', tags: [], background: [], seed: 1000 + wish.seed * 10 };
     },
   } as any;
   made.store.planner.value = planner;
   let sent = 0;
   const engine = {
     judges: false,
-    exploreStyles: async (_: string, styles: any[], __: any, call: any) => {
+    exploreStyles: async (photo: string, styles: any[], __: any, call: any) => {
       sent += styles.length;
       await new Promise((done) => {
         setTimeout(done, 1);
       });
       if (call.signal.aborted) throw Object.assign(new Error('stopped'), { code: 'cancelled' });
-      return styles.map((style, index) => ({ index, ...judge(style), bitmap: { close: () => {} } }));
+      return styles.map((style, index) => ({ index, ...judge(style, photo), bitmap: { close: () => {} } }));
     },
   };
   const favourites = signal([] as any[]);
   const ownStyles = { favourites, isFavourite: (id: string) => favourites.value.some((style) => style.id === id) };
   let seeds = 0;
   const explorer = createExplorer({ ...made, engine, ownStyles, seed: () => (seeds += 1) } as any);
-  return { ...made, explorer, favourites, bred, sent: () => sent };
+  const ids = () => explorer.items.value.map(({ style }) => style.id);
+  return { ...made, explorer, ids, favourites, bred, sent: () => sent };
+}
+
+/** With some on the wall, from seed 0. */
+async function hung(judge?: (style: any, photo: string) => any) {
+  const made = app(judge);
+  made.explorer.begin(0);
+  await made.explorer.generate(PHOTO);
+  return made;
 }
 
 describe('the explorer', () => {
+  it('opens with a first wall by itself, and with no second one', async () => {
+    const { explorer, sent, ids } = app();
+    await explorer.open(PHOTO);
+    expect(sent()).toBe(FIRST);
+    const before = ids();
+    expect(before.length).toBeGreaterThan(FIRST / 2);
+    await explorer.open(PHOTO);
+    expect([sent(), ids()]).toEqual([FIRST, before]);
+  });
+
   it('invents a round from its seed, the same again from the same', async () => {
-    const { explorer } = app();
-    explorer.begin(77);
+    const { explorer, ids } = app();
+    explorer.begin(76);
     await explorer.generate(PHOTO);
-    const ids = explorer.items.value.map(({ style }) => style.id);
-    expect(ids[0]).toBe('invented-77');
-    const again = app().explorer;
-    again.begin(77);
-    await again.generate(PHOTO);
-    expect(again.items.value.map(({ style }) => style.id)).toEqual(ids);
-    await again.generate(PHOTO);
-    expect(again.items.value.map(({ style }) => style.id)).not.toContain(`invented-${77 + 2 * ROUND}`);
+    // The first of four has the colours of the photo, and is the style that a shuffle would draw.
+    expect(ids().slice(0, 4)).toEqual(['invented-76', 'coloured-77', 'coloured-78', 'coloured-79']);
+    const again = app();
+    again.explorer.begin(76);
+    await again.explorer.generate(PHOTO);
+    expect(again.ids()).toEqual(ids());
+    await again.explorer.generate(PHOTO);
+    expect(again.ids()).not.toContain(`invented-${76 + 2 * ROUND}`);
   });
 
   it('leaves out what is empty, and what looks like another', async () => {
-    const { explorer } = app((style) => ({
+    const { explorer } = await hung((style) => ({
       ...looks(style),
       fault: style.seed % 3 === 0 ? 'pale' : '',
-      signature: Uint8Array.from([style.seed % 3 === 1 ? 9 : style.seed % 256]),
+      signature: Uint8Array.from([style.seed % 3 === 1 ? 9 : style.seed % 256, 0, 0, 0]),
     }));
-    explorer.begin(0);
-    await explorer.generate(PHOTO);
     const seeds = explorer.items.value.map(({ style }) => (style as any).seed);
     expect(seeds.filter((seed) => seed % 3 === 0)).toEqual([]);
     expect(seeds.filter((seed) => seed % 3 === 1)).toHaveLength(1);
     expect(explorer.dropped.value).toBe(ROUND - seeds.length);
   });
 
-  it('sorts by score and shows one kind of look', async () => {
-    const { explorer, favourites } = app();
-    explorer.begin(0);
+  it('has every style stay in its place until it is sorted, and sorts once', async () => {
+    const { explorer, ids } = await hung();
+    const before = ids();
     await explorer.generate(PHOTO);
-    explorer.sorted.value = true;
-    const scores = explorer.shown.value.map(({ score }) => score);
-    expect(scores).toEqual([...scores].sort((a, b) => b - a));
-    explorer.look.value = 'line';
-    expect(new Set(explorer.shown.value.map(({ look }) => look))).toEqual(new Set(['line']));
-    favourites.value = [explorer.items.value[3].style];
-    explorer.look.value = 'favourites';
-    expect(explorer.shown.value).toHaveLength(1);
+    expect(ids().slice(0, before.length)).toEqual(before);
+    explorer.sort();
+    const points = () => explorer.shown.value.map(explorer.scores.points);
+    expect(points()).toEqual(points().sort((a, b) => b - a));
+    expect(explorer.unsorted.value).toBe(false);
+    const sorted = ids();
+    await explorer.generate(PHOTO);
+    expect(ids().slice(0, sorted.length)).toEqual(sorted);
+    expect(explorer.unsorted.value).toBe(ids().length > sorted.length);
   });
 
-  it('breeds two with the dial, and hangs their children first', async () => {
-    const { explorer, bred } = app();
-    explorer.begin(0);
-    await explorer.generate(PHOTO);
-    const [a, b] = explorer.items.value.map(({ style }) => style);
+  it('shows one kind of look, one hue, one lightness', async () => {
+    const { explorer } = await hung();
+    const all = explorer.shown.value.length;
+    explorer.filter('line');
+    expect(new Set(explorer.shown.value.map(({ look }) => look))).toEqual(new Set(['line']));
+    explorer.filter('all');
+    const kinds = new Map<string, number>();
+    for (const { hue } of explorer.items.value) kinds.set(hue, (kinds.get(hue) ?? 0) + 1);
+    expect(kinds.size).toBeGreaterThan(3);
+    for (const [hue, count] of kinds) {
+      explorer.hue.value = hue as any;
+      expect(explorer.shown.value).toHaveLength(count);
+    }
+    explorer.lightness.value = 'dark';
+    expect(explorer.shown.value.length).toBeLessThan(all);
+  });
+
+  it('keeps a favourite that is let go in its place until favourites are asked for again', async () => {
+    const { explorer, favourites } = await hung();
+    favourites.value = explorer.items.value.slice(2, 5).map(({ style }) => style);
+    explorer.filter('favourites');
+    expect(explorer.shown.value).toHaveLength(3);
+    favourites.value = favourites.value.slice(1);
+    expect(explorer.shown.value).toHaveLength(3);
+    explorer.filter('favourites');
+    expect(explorer.shown.value).toHaveLength(2);
+  });
+
+  it('breeds two with the dial, and hangs their children beside the second', async () => {
+    const { explorer, bred, ids } = await hung();
+    const before = ids();
+    const [a, b] = [explorer.items.value[1].style, explorer.items.value[5].style];
     explorer.surprise.value = 0.8;
     await explorer.breed(a, PHOTO);
     expect([explorer.parent.value?.id, bred.length]).toEqual([a.id, 0]);
     await explorer.breed(b, PHOTO);
     expect(explorer.parent.value).toBe(null);
     expect(bred[0]).toMatchObject({ a, b, surprise: 0.8 });
-    expect(explorer.items.value[0].style.id).toMatch(/^bred-/);
-    const child = explorer.items.value[0].style.id;
-    expect(explorer.parentsOf(child)).toEqual([a.name, b.name]);
+    const children = ids().filter((id) => id.startsWith('bred-'));
+    expect(children.length).toBeGreaterThan(0);
+    expect(ids()).toEqual([...before.slice(0, 6), ...children, ...before.slice(6)]);
+    expect(explorer.parentsOf(children[0])?.map(({ name }) => name)).toEqual([a.name, b.name]);
     expect(explorer.parentsOf(a.id)).toBeUndefined();
-    expect(explorer.lastParents.value).toBe(explorer.parentsOf(child));
+    expect(explorer.lastParents.value).toBe(explorer.parentsOf(children[0]));
     await explorer.breed(a, PHOTO);
     await explorer.breed(a, PHOTO);
     expect(explorer.parent.value).toBe(null);
   });
 
+  it('tries more children where some look alike, and hangs no more than a litter', async () => {
+    const alike = (style: any) => ({
+      ...looks(style),
+      ...(style.name === 'child' && { signature: new Uint8Array(4).fill(((style.seed / 10) % 24) * 10) }),
+    });
+    const { explorer, bred, ids } = await hung(alike);
+    await explorer.moreLike(explorer.items.value[0].style, PHOTO);
+    const children = ids().filter((id) => id.startsWith('bred-'));
+    expect(children.length).toBeLessThanOrEqual(LITTER);
+    expect(bred.length).toBeGreaterThan(LITTER);
+  });
+
+  it('shows children whatever the wall is filtered by, until it is filtered anew', async () => {
+    const { explorer, favourites } = await hung();
+    favourites.value = [explorer.items.value[0].style];
+    explorer.filter('favourites');
+    await explorer.moreLike(explorer.items.value[0].style, PHOTO);
+    expect(explorer.shown.value.length).toBeGreaterThan(1);
+    explorer.filter('favourites');
+    expect(explorer.shown.value).toHaveLength(1);
+  });
+
+  it('puts the wall on another photo, each style in its place, and drops what is alike there', async () => {
+    const { explorer, ids } = await hung((style, photo) => ({
+      ...looks(style),
+      fault: photo === 'p2' && style.seed % 5 === 0 ? 'pale' : '',
+    }));
+    const before = explorer.items.value.map(({ style }) => style as any);
+    await explorer.open(OTHER);
+    expect(explorer.items.value.every(({ photo }) => photo.id === 'p2')).toBe(true);
+    expect(ids()).toEqual(before.filter(({ seed }) => seed % 5 !== 0).map(({ id }) => id));
+  });
+
+  it('redraws the rest before it invents, where putting it on another photo was stopped', async () => {
+    const { explorer } = await hung();
+    const moving = explorer.open(OTHER);
+    expect(explorer.progress.value?.what).toBe('redraw');
+    await vi.waitFor(() => expect(explorer.progress.value?.done).toBeGreaterThan(0), { interval: 1 });
+    explorer.stop();
+    await moving;
+    expect(new Set(explorer.items.value.map(({ photo }) => photo.id))).toEqual(new Set(['p1', 'p2']));
+    await explorer.generate(OTHER);
+    expect(new Set(explorer.items.value.map(({ photo }) => photo.id))).toEqual(new Set(['p2']));
+  });
+
   it('stops at once, and sends no more', async () => {
     const { explorer, sent } = app();
     const round = explorer.generate(PHOTO);
+    await vi.waitFor(() => expect(sent()).toBeGreaterThan(0), { interval: 1 });
     explorer.stop();
     await round;
     expect(explorer.progress.value).toBe(null);
     expect(sent()).toBeLessThan(ROUND / 4);
   });
 
-  it('hangs favourites of earlier days, whatever they look like', async () => {
-    const { explorer, favourites } = app(() => ({
-      score: 0,
-      novelty: 1,
+  it('hangs favourites of earlier days first, whatever they look like', async () => {
+    const { explorer, favourites, ids } = app((style) => ({
+      ...looks(style),
       fault: 'flat',
-      look: 'wild',
-      signature: Uint8Array.from([1]),
+      signature: Uint8Array.from([1, 1, 1, 1]),
     }));
-    favourites.value = [1, 2].map((seed) => ({ id: `f${seed}`, name: 'F', tags: [], seed }));
-    await explorer.showFavourites(PHOTO);
-    await explorer.showFavourites(PHOTO);
-    expect(explorer.items.value.map(({ style }) => style.id)).toEqual(['f1', 'f2']);
+    favourites.value = [1, 2].map((seed) => ({ id: `f${seed}`, name: 'F', tags: [], background: [], seed }));
+    await explorer.open(PHOTO);
+    await explorer.open(PHOTO);
+    expect(ids()).toEqual(['f1', 'f2']);
+  });
+});
+
+describe('the wall', () => {
+  it('never has two that look the same, whatever comes, on whatever photo', () => {
+    const picture = fc.record({ at: fc.nat(40), cells: fc.array(fc.nat(3), { minLength: 4, maxLength: 4 }) });
+    const step = fc.record({
+      photo: fc.constantFrom('p1', 'p2'),
+      redraw: fc.boolean(),
+      pictures: fc.uniqueArray(picture, { maxLength: 12, selector: ({ at }) => at }),
+    });
+    fc.assert(
+      fc.property(fc.array(step, { maxLength: 8 }), (steps) => {
+        const wall = createWall(() => false);
+        const drawn = new Map<string, { photo: string; signature: Uint8Array }>();
+        for (const { photo, redraw, pictures } of steps) {
+          const styles = pictures.map(({ at }) => ({ id: `s${at}`, name: '', tags: [], background: [] }));
+          const explored = pictures.map(({ cells }, index) => ({
+            index,
+            score: 0.5,
+            novelty: 1,
+            fault: '',
+            look: 'wild',
+            signature: Uint8Array.from(cells.map((cell) => cell * 6)),
+            bitmap: { close: () => {} } as ImageBitmap,
+          }));
+          const on = { ...PHOTO, id: photo };
+          const hung = new Set(redraw ? [] : wall.hang(on, styles, explored, { choosy: true }));
+          if (redraw) wall.redraw(on, styles, explored);
+          styles.forEach(({ id }, i) => {
+            const kept = wall.items.value.some((item) => item.style.id === id && item.photo.id === photo);
+            if (kept && (redraw || hung.delete(id))) drawn.set(id, { photo, signature: explored[i].signature });
+          });
+        }
+        const all = wall.items.value.map(({ style }) => drawn.get(style.id));
+        for (const [i, a] of all.entries()) {
+          for (const b of all.slice(i + 1))
+            if (a && b && a.photo === b.photo) expect(near(a.signature, b.signature)).toBe(false);
+        }
+      }),
+    );
   });
 });
 
 it('signatures are near within a few steps', () => {
   const base = new Uint8Array(432).fill(100);
-  expect(
-    near(
-      base,
-      base.map((value) => value + 5),
-    ),
-  ).toBe(true);
-  expect(
-    near(
-      base,
-      base.map((value) => value + 9),
-    ),
-  ).toBe(false);
+  const moved = (by: number) => base.map((value) => value + by);
+  expect([near(base, moved(5)), near(base, moved(9))]).toEqual([true, false]);
 });

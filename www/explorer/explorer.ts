@@ -1,36 +1,44 @@
 /**
- * The explorer: styles invented from seeds, or bred from others, tried out on the person's photo as they come. What
+ * The explorer: styles invented from seeds, or bred from others, tried out on a photo of the person's as they come. What
  * looks like another, or like nothing, is left out. The wall belongs to the session; favourites are kept.
  */
 
 import { computed, signal } from '@preact/signals';
 import { strings } from '../strings/strings.ts';
+import { coloured } from './colouring.ts';
 import { createScores } from './explorer-scores.ts';
 import { createWall } from './explorer-wall.ts';
 import type { Messages } from '../ui/messages.ts';
 import type { Progress, Store } from '../document/store.ts';
+import type { Explored } from '../engine/protocol.ts';
 import type { Style } from '../engine/types.ts';
 import type { Engine } from '../engine/engine.ts';
 import type { OwnStyles } from '../styles/own-styles.ts';
+import type { Hue, Lightness } from './colours.ts';
 import type { Item } from './explorer-wall.ts';
 import type { Signal } from '@preact/signals';
 
 export type { Item };
-/** The names of the styles that one was bred from, the same twice where it is more like one; a litter shares it. */
-export type Parents = readonly [string, string];
+type Parent = Pick<Style, 'id' | 'name'>;
+/** What a style was bred from, the same twice where it is more like one; a litter shares it. */
+export type Parents = readonly [Parent, Parent];
 /** what the styles are tried on, and how large */
 export type Photo = { id: string; width: number; height: number };
+/** What is under way: `redraw` puts the wall on another photo. */
+export type Doing = Progress & { what: 'invent' | 'redraw' };
 export type Explorer = ReturnType<typeof createExplorer>;
 
-/** Styles that one press invents. */
+/** Styles that the wall opens with, and that one press invents. */
+export const FIRST = 120;
 export const ROUND = 240;
-/** Children of two styles, and variations of one. */
-const LITTER = 12;
+/** Children of two styles, and variations of one; so many are tried at most for them. */
+export const LITTER = 12;
+const TRIES = 48;
 /** Styles sent to a worker at a time, and how many such parcels are on their way: no worker waits for the next. */
 const PARCEL = 6;
 const AHEAD = 4;
 
-/** @param app not `judged`, styles are sorted by the light score alone */
+/** @param app not `judged`, the net is not asked for scores */
 export function createExplorer({
   store,
   engine,
@@ -47,29 +55,40 @@ export function createExplorer({
   judged?: boolean;
 }) {
   const wall = createWall(ownStyles.isFavourite);
-  const progress: Signal<Progress | null> = signal(null);
-  const sorted = signal(false);
-  const scores = createScores({ engine, messages, items: wall.items, sorted, wanted: judged });
+  const progress: Signal<Doing | null> = signal(null);
+  const scores = createScores({ engine, messages, items: wall.items, wanted: judged });
   const look = signal('all');
+  const hue: Signal<Hue | null> = signal(null);
+  const lightness: Signal<Lightness | null> = signal(null);
+  /** The favourites when they were asked for: one that is let go stays in its place until then. */
+  const wasFavourite: Signal<ReadonlySet<string>> = signal(new Set());
   const surprise = signal(0.35);
   /** The style that waits for another to breed with. */
   const parent: Signal<Style | null> = signal(null);
   const first = signal(seed());
   /** What bred styles come from. */
   const parents: Map<string, Parents> = new Map();
-  /** The parents of the last litter. */
+  /** The parents of the last litter, whose children are shown whatever the wall is filtered by. */
   const lastParents: Signal<Parents | null> = signal(null);
+  /** Whether the person has sorted the wall. */
+  const sorted = signal(false);
   let made = 0;
   let running: AbortController | null = null;
 
   const shown = computed(() => {
-    const kind = look.value;
-    const list = wall.items.value.filter(
-      ({ style, look: own }) =>
-        kind === 'all' || own === kind || (kind === 'favourites' && ownStyles.isFavourite(style.id)),
+    const [kind, litter] = [look.value, lastParents.value];
+    const wanted = (item: Item) =>
+      (kind === 'all' || item.look === kind || (kind === 'favourites' && favoured(item.style.id))) &&
+      (hue.value === null || item.hue === hue.value) &&
+      (lightness.value === null || item.lightness === lightness.value);
+    return wall.items.value.filter(
+      (item) => wanted(item) || (litter !== null && parents.get(item.style.id) === litter),
     );
-    return sorted.value ? list.sort((a, b) => scores.rank(b) - scores.rank(a)) : list;
   });
+  /** Whether what was sorted is out of order by now, by new styles or new scores. */
+  const unsorted = computed(
+    () => sorted.value && shown.value.some((item, i, all) => i > 0 && scores.points(item) > scores.points(all[i - 1])),
+  );
 
   return {
     items: wall.items,
@@ -77,31 +96,67 @@ export function createExplorer({
     pictures: wall.pictures,
     shown,
     progress,
-    sorted,
+    unsorted,
     scores,
-    look,
+    look: computed(() => look.value),
+    hue,
+    lightness,
     surprise,
     parent,
     lastParents,
     parentsOf: (id: string) => parents.get(id),
     first,
+    /** The photo that was chosen for the wall. */
+    photo: signal(null) as Signal<string | null>,
+    /** The style that is seen large. */
+    enlarged: signal(null) as Signal<string | null>,
+    open,
     generate,
+    sort,
+    filter,
     stop,
     clear,
     begin,
     breed,
     moreLike,
-    showFavourites,
   };
 
+  function favoured(id: string) {
+    return ownStyles.isFavourite(id) || wasFavourite.value.has(id);
+  }
+
+  /** @param kind of look, `all` or `favourites` */
+  function filter(kind: string) {
+    look.value = kind;
+    lastParents.value = null;
+    wasFavourite.value = new Set(ownStyles.favourites.peek().map(({ id }) => id));
+  }
+
+  /** Has the wall on this photo: first the favourites, then what hangs, and where nothing does a first round. */
+  async function open(photo: Photo) {
+    const missing = ownStyles.favourites.peek().filter(({ id }) => !wall.pictures.has(id));
+    if (missing.length > 0 && !(await run(photo, missing.length, (i) => missing[i], { choosy: false }))) return;
+    if (!(await redraw(photo))) return;
+    if (wall.items.peek().every(({ style }) => ownStyles.isFavourite(style.id))) await invent(photo, FIRST);
+  }
+
   /** Invents another round. */
-  function generate(photo: Photo) {
+  async function generate(photo: Photo) {
+    if (await redraw(photo)) await invent(photo, ROUND);
+  }
+
+  function invent(photo: Photo, count: number) {
     const planner = store.planner.peek();
-    if (!planner) return Promise.resolve();
+    if (!planner) return Promise.resolve(false);
     const from = first.peek() + made;
-    made += ROUND;
+    const blocks = planner.blocks();
+    made += count;
     // Made as they are needed: a round that is stopped early costs no more.
-    return run(photo, ROUND, (i) => planner.inventStyle((from + i) >>> 0), true);
+    const make = (i: number) => {
+      const at = (from + i) >>> 0;
+      return coloured(planner.inventStyle(at), at, blocks);
+    };
+    return run(photo, count, make, { choosy: true });
   }
 
   /** Begins with another seed. */
@@ -110,61 +165,109 @@ export function createExplorer({
     made = 0;
   }
 
+  /** Puts the best first, of what is known of them by now. */
+  function sort() {
+    scores.ask();
+    sorted.value = true;
+    wall.sort(scores.points);
+  }
+
   /** Chooses a parent, or, where one is chosen, breeds the two. */
   async function breed(style: Style, photo: Photo) {
     const other = parent.peek();
     parent.value = other ? null : style;
-    if (other && other.id !== style.id) await litter(other, style, surprise.peek(), photo);
+    if (other && other.id !== style.id) await litter([other, style], surprise.peek(), photo);
   }
 
   async function moreLike(style: Style, photo: Photo) {
-    await litter(style, style, Math.max(0.15, surprise.peek()), photo);
+    await litter([style, style], Math.max(0.15, surprise.peek()), photo);
   }
 
-  async function litter(a: Style, b: Style, wild: number, photo: Photo) {
+  /** Children, beside the parent that was chosen last. */
+  async function litter([a, b]: readonly [Style, Style], wild: number, photo: Photo) {
     const planner = store.planner.peek();
     if (!planner) return;
     const from = seed();
-    const names: Parents = [a.name, b.name];
-    lastParents.value = names;
+    const both: Parents = [a, b];
+    lastParents.value = both;
     const child = (i: number) => {
       const style = planner.breedStyle({ a, b, seed: (from + i) >>> 0, surprise: wild });
-      parents.set(style.id, names);
+      parents.set(style.id, both);
       return style;
     };
-    await run(photo, LITTER, child, true, true);
+    await run(photo, TRIES, child, { choosy: true, behind: b.id, enough: LITTER });
   }
 
-  /** Puts the favourites on the wall that are not there. */
-  async function showFavourites(photo: Photo) {
-    const missing = ownStyles.favourites.peek().filter(({ id }) => !wall.pictures.has(id));
-    if (missing.length > 0) await run(photo, missing.length, (i) => missing[i], false);
+  /** Puts what hangs on another photo, each style in its place. */
+  async function redraw(photo: Photo): Promise<boolean> {
+    const stale = wall.items.peek().filter((item) => item.photo.id !== photo.id);
+    if (stale.length === 0) return true;
+    scores.forget();
+    return work(
+      photo,
+      'redraw',
+      stale.length,
+      (i) => stale[i].style,
+      (styles, explored) => {
+        wall.redraw(photo, styles, explored);
+        return 0;
+      },
+    );
   }
 
   /**
-   * @param choosy whether what is alike or empty is left out
-   * @param ahead whether they go before all others
+   * @param how `choosy`: what is alike or empty is left out; `behind`: the style that they hang behind, at the end unless
+   * told; `enough`: how many are to hang, all unless told
    */
-  async function run(photo: Photo, count: number, make: (i: number) => Style, choosy: boolean, ahead: boolean = false) {
+  function run(
+    photo: Photo,
+    count: number,
+    make: (i: number) => Style,
+    { choosy, behind, enough = Infinity }: { choosy: boolean; behind?: string; enough?: number },
+  ): Promise<boolean> {
+    let left = enough;
+    let last = behind;
+    const hang = (styles: readonly Style[], explored: readonly Explored[]) => {
+      const hung = wall.hang(photo, styles, explored, { choosy, behind: last, most: left });
+      left -= hung.length;
+      if (behind !== undefined) last = hung.at(-1) ?? last;
+      return hung.length;
+    };
+    return work(photo, 'invent', count, make, hang, enough);
+  }
+
+  /**
+   * Has styles drawn parcel by parcel.
+   * @param take what is done with them; tells how many hang
+   * @returns whether it went to its end
+   */
+  async function work(
+    photo: Photo,
+    what: Doing['what'],
+    count: number,
+    make: (i: number) => Style,
+    take: (styles: readonly Style[], explored: readonly Explored[]) => number,
+    enough: number = Infinity,
+  ): Promise<boolean> {
     stop();
     const mine = new AbortController();
     running = mine;
-    progress.value = { done: 0, total: count };
-    let next = 0;
-    let done = 0;
-    const work = async () => {
-      while (next < count && !mine.signal.aborted) {
+    const total = Math.min(count, enough);
+    progress.value = { what, done: 0, total };
+    let [next, done, hung] = [0, 0, 0];
+    const parcels = async () => {
+      while (next < count && hung < enough && !mine.signal.aborted) {
         const styles = Array.from({ length: Math.min(PARCEL, count - next) }, (_, i) => make(next + i));
         next += styles.length;
         const explored = await engine.exploreStyles(photo.id, styles, photo, { signal: mine.signal });
         if (mine.signal.aborted) return;
         done += styles.length;
-        wall.hang(photo, styles, explored, choosy, ahead);
-        progress.value = { done, total: count };
+        hung += take(styles, explored);
+        progress.value = { what, done: Math.min(total, enough < Infinity ? hung : done), total };
       }
     };
     try {
-      await Promise.all(Array.from({ length: AHEAD }, work));
+      await Promise.all(Array.from({ length: AHEAD }, parcels));
     } catch (error) {
       const { code, message } = error as { code?: string; message: string };
       if (code !== 'cancelled') messages.alert(strings.explorerFailed(message));
@@ -174,6 +277,7 @@ export function createExplorer({
       running = null;
       progress.value = null;
     }
+    return !mine.signal.aborted;
   }
 
   function stop() {
@@ -187,6 +291,7 @@ export function createExplorer({
     parent.value = null;
     parents.clear();
     lastParents.value = null;
+    sorted.value = false;
     scores.forget();
     wall.clear();
   }

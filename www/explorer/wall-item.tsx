@@ -5,31 +5,37 @@ import { strings } from '../strings/strings.ts';
 import { IconButton } from '../ui/button.tsx';
 import { useApp } from '../ui/context.ts';
 import { Icon } from '../ui/icon.tsx';
+import { pointing } from '../ui/pointing.ts';
+import { useStyleDeeds } from './style-deeds.ts';
+import type { Point } from '../ui/pointing.ts';
 import type { Item, Parents, Photo } from './explorer.ts';
 
 /**
- * @param props `judgement`: what the net thinks of it, if it was asked; `parent`: it waits for another to breed with; `parents`:
- * what it was bred from, `fresh`: just now
+ * @param props `points`: its score; `parent`: it waits for another to breed with; `parents`: what it was bred from;
+ * `family`: what it is of the last litter
  */
 export function WallItem({
-  item: { style, score },
-  judgement,
+  item,
+  points,
   photo,
   favourite,
   parent,
   parents,
-  fresh,
+  family,
+  point,
 }: {
   item: Item;
-  judgement?: number | null;
+  points: number;
   photo: Photo | null;
   favourite: boolean;
   parent: boolean;
   parents?: Parents;
-  fresh: boolean;
+  family?: 'parent' | 'child';
+  point: Point;
 }) {
-  const { explorer, ownStyles, pages, designer, ui } = useApp();
-  const ref = useRef(null as HTMLLIElement | null);
+  const { explorer } = useApp();
+  const { style } = item;
+  const deeds = useStyleDeeds(style, photo);
   const canvas = useRef(null as HTMLCanvasElement | null);
 
   useEffect(() => {
@@ -38,39 +44,38 @@ export function WallItem({
     canvas.current.width = bitmap.width;
     canvas.current.height = bitmap.height;
     canvas.current.getContext('2d')?.drawImage(bitmap, 0, 0);
-  }, [style.id]);
+  }, [style.id, item.photo.id]);
 
-  function use() {
-    pages.chooseStyle(style);
-    ui.work.value = null;
-  }
-
-  /** Children are hung first, and must not be missed. */
-  function atTop(bred: Promise<void>) {
-    const wall = ref.current?.parentElement;
-    void bred.then(() => wall?.scrollTo({ top: 0 }));
-  }
-
-  const shown = judgement ? strings.decimal(judgement, 2) : strings.decimal(score * 100, 0);
-  const bred = parents && strings.bredFrom(...parents);
-  const label = judgement ? strings.netScoreOf(shown) : strings.lightScoreOf(shown);
+  const score = strings.scoreOf(strings.decimal(points, 0));
+  const origin = family === 'parent' ? strings.parent : parents && strings.bredFrom(parents[0].name, parents[1].name);
   return (
     <li
       class="wall-item"
-      ref={ref}
       data-style={style.id}
       aria-label={style.name}
       data-parent={parent}
-      data-fresh={fresh}
+      data-family={family}
+      data-stale={photo !== null && item.photo.id !== photo.id}
     >
-      <canvas ref={canvas} class="bitmap" aria-hidden="true" onClick={use} title={strings.useStyle} />
-      <span class="wall-score" data-net={!!judgement} title={label} role="img" aria-label={label}>
-        {shown}
+      <button
+        type="button"
+        class="wall-picture"
+        aria-label={strings.enlarge(style.name)}
+        {...pointing(style.id, point)}
+        onClick={() => {
+          point(null);
+          explorer.enlarged.value = style.id;
+        }}
+      >
+        <canvas ref={canvas} class="bitmap" aria-hidden="true" />
+      </button>
+      <span class="wall-score" title={score} role="img" aria-label={score}>
+        {strings.decimal(points, 0)}
       </span>
-      {bred && (
-        <span class="wall-origin" title={bred}>
+      {origin && (
+        <span class="wall-origin" title={origin}>
           <Icon name="breed" />
-          <span class="visually-hidden">{bred}</span>
+          <span class={family === 'parent' ? undefined : 'visually-hidden'}>{origin}</span>
         </span>
       )}
       <IconButton
@@ -78,24 +83,13 @@ export function WallItem({
         label={strings.favourite}
         pressed={favourite}
         class="wall-heart"
-        onClick={() => ownStyles.favour(style)}
+        onClick={deeds.favour}
       />
       <div class="wall-tools">
-        <IconButton icon="check" label={strings.useStyle} onClick={use} />
-        <IconButton icon="designer" label={strings.editInDesigner} onClick={() => designer.open(style)} />
-        <IconButton
-          icon="breed"
-          label={strings.breed}
-          pressed={parent}
-          disabled={!photo}
-          onClick={() => photo && atTop(explorer.breed(style, photo))}
-        />
-        <IconButton
-          icon="more"
-          label={strings.moreLikeThis}
-          disabled={!photo}
-          onClick={() => photo && atTop(explorer.moreLike(style, photo))}
-        />
+        <IconButton icon="check" label={strings.useStyle} onClick={deeds.use} />
+        <IconButton icon="designer" label={strings.editInDesigner} onClick={deeds.edit} />
+        <IconButton icon="breed" label={strings.breed} pressed={parent} disabled={!photo} onClick={deeds.breed} />
+        <IconButton icon="more" label={strings.moreLikeThis} disabled={!photo} onClick={deeds.moreLike} />
       </div>
     </li>
   );

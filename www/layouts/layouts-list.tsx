@@ -9,7 +9,7 @@ import { strings } from '../strings/strings.ts';
 import { useApp } from '../ui/context.ts';
 import { LayoutPicture } from './layout-picture.tsx';
 import { Listbox } from '../ui/listbox.tsx';
-import { useGlimpse } from '../ui/glimpse.tsx';
+import { usePageGlimpse } from '../ui/glimpse.tsx';
 import type { LayoutEntry, Template } from '../engine/types.ts';
 
 /** The filter that shows a person's own layouts; no family of the core has a capital. */
@@ -47,7 +47,9 @@ export function LayoutsList() {
     },
   ];
 
-  const glimpse = useGlimpse((id) => (id === current?.id ? null : pages.plan({ keep: KEEP, layout: layoutOf(id) })));
+  const glimpse = usePageGlimpse((id) =>
+    id === current?.id ? null : pages.plan({ keep: KEEP, layout: layoutOf(id) }),
+  );
 
   /** What a page says of a layout: a person's own one whole, one of the catalogue by its id. */
   function layoutOf(id: string): string | Template {

@@ -4,12 +4,13 @@
 
 import { useEffect, useMemo, useRef } from 'preact/hooks';
 import { strings } from '../strings/strings.ts';
-import { useGlimpse } from '../ui/glimpse.tsx';
+import { usePageGlimpse } from '../ui/glimpse.tsx';
+import { pointing } from '../ui/pointing.ts';
 import { Icon } from '../ui/icon.tsx';
 import { Bitmap, screenPixels, useInView } from '../ui/bitmap.tsx';
 import { useApp } from '../ui/context.ts';
 import type { PageDocument } from '../engine/types.ts';
-import type { Point } from '../ui/glimpse.tsx';
+import type { Point } from '../ui/pointing.ts';
 
 /** Pages made at a time: more than any strip shows at once. */
 const BATCH = 24;
@@ -22,7 +23,7 @@ export function Alternatives() {
   const items = alternatives.items.value;
   const basis = alternatives.basis.value;
   const open = ui.ideas.value || !ui.wide.value;
-  const glimpse = useGlimpse((number) => {
+  const glimpse = usePageGlimpse((number) => {
     const page = alternatives.items.peek()[Number(number) - 1];
     return page ? lettering.on(page) : null;
   }, 'above');
@@ -92,10 +93,7 @@ function Alternative({ page, number, point }: { page: PageDocument; number: numb
         ref={ref}
         aria-label={strings.alternative(number)}
         aria-current={store.page.value === shown ? 'true' : undefined}
-        onPointerEnter={({ pointerType, currentTarget }) =>
-          pointerType !== 'touch' && point(String(number), currentTarget)
-        }
-        onFocus={({ currentTarget }) => currentTarget.matches(':focus-visible') && point(String(number), currentTarget)}
+        {...pointing(String(number), point)}
         onBlur={() => point(null)}
         onClick={() => pages.show(lettering.on(page))}
       >

@@ -12,7 +12,8 @@ export type Names = {
   families: Record<string, string>;
   /** Choices of parameters. */
   choices: Record<string, string>;
-  blocks: Record<string, [string, string]>;
+  /** A plain name with the field's term in brackets, and a help, the core's unless told. */
+  blocks: Record<string, [string, string?]>;
   /** By block and parameter: `hue.angle`. */
   parameters: Record<string, [string, string]>;
   layouts: Record<string, string>;

@@ -109,6 +109,24 @@ it('texts are set by the rules of their language', () => {
   expect(written('ja').flatMap((text) => text.match(/[ぁ-んァ-ヶ一-龠][,.:;!?()]/g) ?? [])).toEqual([]);
 });
 
+it('blocks have a plain name first, then the term of the field in brackets', () => {
+  const plain = new Set(['brightness']);
+  for (const [code, { names }] of Object.entries(translations)) {
+    const told = Object.entries(names.blocks).filter(([id]) => !plain.has(id));
+    expect(told.length).toBeGreaterThan(15);
+    expect(
+      told.filter(([, [name]]) => !/^[^()（）]+( \([^()]+\)|（[^（）]+）)$/.test(name)).map(([id]) => id),
+      code,
+    ).toEqual([]);
+  }
+  const strings = compose('en', translations.en);
+  for (const block of core.blocks()) {
+    const name = strings.blockName(block);
+    expect(name === block.label || name.endsWith(` (${block.label})`), name).toBe(true);
+    expect(strings.blockHelp(block)).toBe(block.help);
+  }
+});
+
 it('what a language has no name for is called as in English', () => {
   const none = { ...english, names: { ...english.names, styles: {} } };
   const strings = compose('de', none);
@@ -120,10 +138,9 @@ it('what a language has no name for is called as in English', () => {
 });
 
 it('no two areas have a word of the same name', () => {
-  const areas = import.meta.glob(['./en/*.ts', '!./en/index.ts', '!./en/names.ts'], { eager: true }) as Record<
-    string,
-    Record<string, object>
-  >;
+  const areas = import.meta.glob(['./en/*.ts', '!./en/index.ts', '!./en/names.ts', '!./en/blocks.ts'], {
+    eager: true,
+  }) as Record<string, Record<string, object>>;
   const words = Object.values(areas)
     .flatMap((area) => Object.values(area))
     .flatMap(Object.keys);

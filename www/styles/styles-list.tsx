@@ -11,7 +11,7 @@ import { useApp } from '../ui/context.ts';
 import { thumbnail } from '../photos/cover.ts';
 import { useHero } from '../photos/hero.ts';
 import { Listbox } from '../ui/listbox.tsx';
-import { useGlimpse } from '../ui/glimpse.tsx';
+import { usePageGlimpse } from '../ui/glimpse.tsx';
 import type { Style } from '../engine/types.ts';
 
 const WIDTH = 132;
@@ -32,7 +32,7 @@ export function StylesList() {
   const selected = typeof style === 'string' ? style : (style?.id ?? null);
   const [catalogue, mine, favourites] = [store.styles.value, ownStyles.mine.value, ownStyles.favourites.value];
   const kinds = useMemo(() => kindsOf({ catalogue, mine, favourites, recent }), [catalogue, mine, favourites, recent]);
-  const glimpse = useGlimpse((id) => pages.plan({ keep: KEEP, style: ownStyles.find(id) ?? id }));
+  const glimpse = usePageGlimpse((id) => pages.plan({ keep: KEEP, style: ownStyles.find(id) ?? id }));
 
   // Where the kind is gone, as with the last favourite, all are shown.
   const open = kinds.some(({ id }) => id === kind.value) ? kind.value : '';

@@ -1,43 +1,52 @@
 /**
- * What a choice would make of the page, seen while one points at it or has the focus on it: the whole page in that style or
- * layout, beside the list. It is there for the eye only, and gone with Escape.
+ * A larger view of what a choice would make, seen while one points at it, has the focus on it, or holds a finger on it:
+ * the whole page in that style or layout, or a photo. It is there for the eye only, and gone with Escape.
  */
 
 import { useEffect, useState } from 'preact/hooks';
 import { strings } from '../strings/strings.ts';
 import { Bitmap, screenPixels } from './bitmap.tsx';
 import { useApp } from './context.ts';
+import { above, beside, besideList } from './glimpse-place.ts';
+import type { Call } from '../engine/engine.ts';
 import type { PageDocument, Style } from '../engine/types.ts';
+import type { Point } from './pointing.ts';
 
 type Named = { id: string; name: string };
+/** What is seen: another `of` asks for another picture. */
+export type Glimpsed = {
+  of: unknown;
+  name: string;
+  /** Width over height. */
+  aspect: number;
+  draw: (width: number, call: Call) => Promise<{ bitmap: ImageBitmap }>;
+};
+/** Where there is room for it: left of the list, above the strip, or wherever it is largest. */
+type Side = 'left' | 'above' | 'beside';
 
 /** Milliseconds that one stays with a choice before it is drawn: who moves across a list wants to see the list. */
 const REST = 220;
-/** Between it and what it belongs to, and from the edges of the window, in CSS pixels. */
-const GAP = 12;
-const WIDTH = 300;
-const HEIGHT = 420;
 
 type Pointed = { id: string; at: DOMRect };
-/** Tells what is pointed at, and null when nothing is any more. */
-export type Point = (id: string | null, element?: Element) => void;
 
 /**
- * @param make the page with the choice of that id; null for none
- * @param side where there is room for it
+ * @param make what is seen of the choice of that id; null for nothing
+ * @param size that it covers at most, in CSS pixels
  */
-export function useGlimpse(make: (id: string) => PageDocument | null, side: 'left' | 'above' = 'left') {
-  const { ui } = useApp();
+export function useGlimpse(
+  make: (id: string) => Glimpsed | null,
+  { side, rest = REST, size = { width: 300, height: 420 } }: { side: Side; rest?: number; size?: Size },
+) {
   const [pointed, setPointed] = useState(null as Pointed | null);
-  const [page, setPage] = useState(null as PageDocument | null);
+  const [glimpsed, setGlimpsed] = useState(null as Glimpsed | null);
 
   useEffect(() => {
     if (!pointed) {
-      setPage(null);
+      setGlimpsed(null);
       return undefined;
     }
-    const rest = setTimeout(() => setPage(make(pointed.id)), page ? 0 : REST);
-    return () => clearTimeout(rest);
+    const timer = setTimeout(() => setGlimpsed(make(pointed.id)), glimpsed ? 0 : rest);
+    return () => clearTimeout(timer);
   }, [pointed?.id]);
 
   useEffect(() => {
@@ -48,44 +57,81 @@ export function useGlimpse(make: (id: string) => PageDocument | null, side: 'lef
   }, [pointed !== null]);
 
   const point: Point = (id, element) =>
-    setPointed(id === null || !element || !ui.wide.peek() ? null : { id, at: element.getBoundingClientRect() });
-  return { point, view: pointed && page && <Glimpse page={page} at={pointed.at} side={side} /> };
+    setPointed(id === null || !element ? null : { id, at: element.getBoundingClientRect() });
+  return {
+    point,
+    view: pointed && glimpsed && <Glimpse glimpsed={glimpsed} at={pointed.at} side={side} most={size} />,
+  };
 }
 
-function Glimpse({ page, at, side }: { page: PageDocument; at: DOMRect; side: 'left' | 'above' }) {
+/** @param make the page with the choice of that id; null for none */
+export function usePageGlimpse(make: (id: string) => PageDocument | null, side: Side = 'left') {
   const { engine } = useApp();
-  const aspect = page.page.width / page.page.height;
-  const width = Math.min(WIDTH, HEIGHT * aspect);
-  const height = width / aspect;
-  const within = (place: number, size: number, whole: number) => Math.max(GAP, Math.min(place, whole - size - GAP));
-  const place =
-    side === 'left'
-      ? {
-          insetInlineStart: `${leftEdge(at) - width - GAP}px`,
-          top: `${within(at.top + at.height / 2 - height / 2, height, innerHeight)}px`,
+  const nameOf = useNames();
+  return useGlimpse(
+    (id) => {
+      const page = make(id);
+      return (
+        page && {
+          of: page,
+          name: nameOf(page),
+          aspect: page.page.width / page.page.height,
+          draw: (width, call) => engine.renderPage(page, width, call),
         }
-      : {
-          insetInlineStart: `${within(at.left + at.width / 2 - width / 2, width, innerWidth)}px`,
-          top: `${Math.max(GAP, at.top - height - GAP)}px`,
-        };
-  const style = { width: `${width}px`, height: `${height}px`, ...place };
+      );
+    },
+    { side },
+  );
+}
+
+type Size = { width: number; height: number };
+
+function Glimpse({
+  glimpsed: { of, name, aspect, draw },
+  at,
+  side,
+  most,
+}: {
+  glimpsed: Glimpsed;
+  at: DOMRect;
+  side: Side;
+  most: Size;
+}) {
+  const { ui } = useApp();
+  const width = Math.min(most.width, most.height * aspect);
+  const size = { width, height: width / aspect };
+  const whole = { width: innerWidth, height: innerHeight };
+  // The lists of a narrow window have no side to look past.
+  const place = !ui.wide.value || side === 'beside' ? beside(at, size, whole) : placed(side, at, size, whole);
+  const style = {
+    width: `${place.width}px`,
+    height: `${place.height}px`,
+    insetInlineStart: `${place.left}px`,
+    top: `${place.top}px`,
+  };
   return (
     <div class="glimpse" style={style} aria-hidden="true">
-      <Bitmap of={page} draw={(call) => engine.renderPage(page, screenPixels(width), call)} />
-      <p class="glimpse-name">{useName(page)}</p>
+      <Bitmap of={of} draw={(call) => draw(screenPixels(place.width), call)} />
+      <p class="glimpse-name">{name}</p>
     </div>
   );
 }
 
-/** What its layout and its style are called. */
-function useName({ layout, style }: PageDocument): string {
+function placed(side: 'left' | 'above', at: DOMRect, size: Size, whole: Size) {
+  return side === 'left' ? besideList(at, size, leftEdge(at), whole) : above(at, size, whole);
+}
+
+/** What the layout and the style of a page are called. */
+function useNames() {
   const { store, ownStyles } = useApp();
-  const entry = typeof layout === 'string' ? store.layouts.value.find(({ id }) => id === layout) : layout;
-  const look =
-    typeof style === 'string'
-      ? (ownStyles.find(style) ?? store.styles.value.find(({ id }) => id === style))
-      : (style as Style);
-  return [entry && strings.layoutTitle(entry as Named), look && strings.styleTitle(look)].filter(Boolean).join(' · ');
+  return ({ layout, style }: PageDocument): string => {
+    const entry = typeof layout === 'string' ? store.layouts.peek().find(({ id }) => id === layout) : layout;
+    const look =
+      typeof style === 'string'
+        ? (ownStyles.find(style) ?? store.styles.peek().find(({ id }) => id === style))
+        : (style as Style);
+    return [entry && strings.layoutTitle(entry as Named), look && strings.styleTitle(look)].filter(Boolean).join(' · ');
+  };
 }
 
 /** Of the side that the list is in, so that nothing of the list is hidden. */

@@ -5,7 +5,9 @@
 import { useEffect, useRef, useState } from 'preact/hooks';
 import { useInView } from './bitmap.tsx';
 import { useGrowing } from './growing.ts';
+import { pointing } from './pointing.ts';
 import type { ComponentChild } from 'preact';
+import type { Point } from './pointing.ts';
 
 type Option = { id: string; name: string };
 
@@ -34,8 +36,8 @@ export function Listbox<T extends Option>({
   /** A second line below the name. */
   noteOf?: (option: T) => string;
   empty?: string;
-  /** Which option the pointer or the focus of the keyboard is on; null when it is on none any more. */
-  onPoint?: (id: string | null, element?: Element) => void;
+  /** Which option the pointer, the focus of the keyboard or a finger that stays is on; null when none is any more. */
+  onPoint?: Point;
   class?: string;
 }) {
   const ref = useRef(null as HTMLDivElement | null);
@@ -100,14 +102,8 @@ export function Listbox<T extends Option>({
                 tabIndex={option.id === stop ? 0 : -1}
                 title={nameOf(option)}
                 aria-description={noteOf?.(option)}
-                onFocus={({ currentTarget }) => {
-                  setActive(option.id);
-                  if (currentTarget.matches(':focus-visible')) onPoint?.(option.id, currentTarget);
-                }}
-                onPointerEnter={
-                  onPoint &&
-                  (({ pointerType, currentTarget }) => pointerType !== 'touch' && onPoint(option.id, currentTarget))
-                }
+                {...(onPoint && pointing(option.id, onPoint))}
+                onFocusIn={() => setActive(option.id)}
                 onClick={() => onChoose(option.id)}
               >
                 {picture(option)}

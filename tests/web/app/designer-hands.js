@@ -18,9 +18,10 @@ export const button = (page, name) => region(page).getByRole('button', { name, e
 export const cards = (page, layer = 'Background layer') =>
   region(page).getByRole('list', { name: layer }).getByRole('listitem');
 
-/** The names of the blocks of a layer, in order. @param {Page} page @param {LayerName} [layer] */
+/** The names of the blocks of a layer, in order, as the field has them. @param {Page} page @param {LayerName} [layer] */
 export async function names(page, layer) {
-  return cards(page, layer).getByRole('heading').allTextContents();
+  const told = await cards(page, layer).getByRole('heading').allTextContents();
+  return told.map((name) => name.replace(/^.* \((.*)\)$/, '$1'));
 }
 
 /** @param {Page} page */

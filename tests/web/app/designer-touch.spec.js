@@ -52,3 +52,33 @@ test('a card is carried by its handle, also to the other layer, and a finger els
   await expect.poll(() => lanes.evaluate((element) => element.scrollTop)).toBeGreaterThan(60);
   expect(await names(page)).toEqual(all);
 });
+
+test('a block is carried from the palette by its handle, or once a finger has stayed on it', async ({ page }) => {
+  await openDesigner(page);
+  for (const block of ['Gaussian', 'Saturation']) await addBlock(page, block);
+  await page.getByRole('button', { name: 'Add block' }).click();
+  const palette = page.getByRole('region', { name: 'Blocks to add' });
+  const block = (/** @type {RegExp} */ name) => palette.getByRole('button', { name }).first();
+  await touch(page, [way(await middle(block(/Posterization/).locator('.card-handle')), await middle(head(page, 0)))]);
+  await expect.poll(() => names(page)).toEqual(['Posterization', 'Gaussian Smoothing', 'Saturation']);
+
+  // A finger that goes on at once scrolls the blocks.
+  const start = await middle(block(/Posterization/));
+  await touch(page, [way(start, [start[0], start[1] - 160])]);
+  await expect.poll(() => palette.getByRole('list').evaluate((list) => list.scrollTop)).toBeGreaterThan(40);
+  expect(await names(page)).toEqual(['Posterization', 'Gaussian Smoothing', 'Saturation']);
+  expect(await names(page, 'Foreground layer')).toEqual([]);
+
+  // One that stays lifts the block, also into the other layer, which is empty; no click follows.
+  await block(/XDoG/).scrollIntoViewIfNeeded();
+  const lines = await middle(region(page).getByRole('list', { name: 'Foreground layer' }).locator('..').locator('h3'));
+  const [x, y] = await middle(block(/XDoG/));
+  const client = await page.context().newCDPSession(page);
+  await client.send('Input.dispatchTouchEvent', { type: 'touchStart', touchPoints: [{ x, y }] });
+  await expect(page.locator('.drag-ghost')).toBeVisible();
+  for (const [px, py] of way([x, y], [lines[0], lines[1] + 40]))
+    await client.send('Input.dispatchTouchEvent', { type: 'touchMove', touchPoints: [{ x: px, y: py }] });
+  await client.send('Input.dispatchTouchEvent', { type: 'touchEnd', touchPoints: [] });
+  await expect.poll(() => names(page, 'Foreground layer')).toEqual(['XDoG']);
+  expect(await names(page)).toEqual(['Posterization', 'Gaussian Smoothing', 'Saturation']);
+});

@@ -166,7 +166,7 @@ test('before and after, and four photos at once', async ({ page }) => {
   const first = await preview(page);
   // Which photo is shown first depends on the page, which is drawn by chance.
   await region(page)
-    .getByRole('list', { name: 'Photo of the preview' })
+    .getByRole('group', { name: 'Photo of the preview' })
     .locator('button:not([aria-current])')
     .last()
     .click();

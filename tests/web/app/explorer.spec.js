@@ -37,6 +37,7 @@ test('styles are invented, sorted, filtered, favoured, bred and used', async ({ 
   await page.getByRole('button', { name: 'Sort by score' }).click();
   const sorted = await scores(page);
   expect(sorted).toEqual([...sorted].sort((a, b) => b - a));
+  expect(sorted.every((score) => Number.isInteger(score) && score >= 0 && score <= 100)).toBe(true);
   const look = page.getByRole('combobox', { name: 'Kind of look' });
   let parts = 0;
   for (const kind of ['line', 'flat', 'gray', 'wild']) {
@@ -57,12 +58,19 @@ test('styles are invented, sorted, filtered, favoured, bred and used', async ({ 
   await deed(page, 0, 'Breed');
   await expect(region(page)).toContainText(`Choose another style to breed with ${first}`);
   await deed(page, 1, 'Breed');
+  await expect(region(page)).toContainText(`children of ${first} and ${second}`);
+  await expect(region(page)).toHaveAttribute('aria-busy', 'false');
+  // Beside the second parent, and marked, though the wall shows favourites only.
+  const children = wall(page).filter({ hasText: `Child of ${first} and ${second}` });
+  const litter = await children.count();
+  expect(litter).toBeGreaterThan(0);
+  await expect(wall(page)).toHaveCount(2 + litter);
+  await expect(wall(page).filter({ hasText: 'Parent' })).toHaveCount(2);
   await look.selectOption('all');
   await expect(region(page)).toHaveAttribute('aria-busy', 'false');
   const bred = await wall(page).count();
-  expect(bred).toBeGreaterThan(count);
-  // By score they hang anywhere.
-  await expect(wall(page).filter({ hasText: `Child of ${first} and ${second}` })).toHaveCount(bred - count);
+  expect(bred).toBe(count + litter);
+  for (let n = 2; n < 2 + litter; n += 1) await expect(wall(page).nth(n)).toContainText(`Child of ${first}`);
   await deed(page, 2, 'More like this');
   await expect.poll(() => wall(page).count()).toBeGreaterThan(bred);
   await expect(region(page)).toHaveAttribute('aria-busy', 'false');
@@ -90,6 +98,7 @@ test('styles are invented, sorted, filtered, favoured, bred and used', async ({ 
   await page.reload();
   await idle(page);
   await page.getByRole('button', { name: 'Explorer', exact: true }).click();
+  await look.selectOption('favourites');
   await expect(wall(page)).toHaveCount(2);
 });
 
@@ -117,7 +126,7 @@ test('the wall is walked, favoured, bred and used by keyboard alone', async ({ p
   await expect.poll(() => wall(page).count()).toBeGreaterThan(count);
   await expect(region(page)).toHaveAttribute('aria-busy', 'false');
   const name = await wall(page).first().getAttribute('aria-label');
-  await wall(page).first().getByRole('button', { name: 'Use' }).focus();
+  await wall(page).first().getByRole('button', { name: 'Use', exact: true }).focus();
   await page.keyboard.press('Enter');
   await idle(page);
   expect((await contents(page)).style).toBe(name);

@@ -35,6 +35,14 @@ async function photoDrawer(page) {
   if (await button(page, 'Photos').isVisible()) await button(page, 'Photos').click();
 }
 
+/** Until a wall of styles is there, which comes by itself. @param {Page} page */
+async function invented(page) {
+  await expect(page.locator('.wall-item').nth(5)).toBeVisible();
+  await expect(page.getByRole('region', { name: 'Style explorer' })).toHaveAttribute('aria-busy', 'false', {
+    timeout: 60_000,
+  });
+}
+
 /** Screens of a wide and of a small window. @type {Record<string, (page: Page) => Promise<void>>} */
 const SCREENS = {
   board: async () => {},
@@ -92,18 +100,30 @@ const SCREENS = {
     await button(page, 'Add block').click();
     await drawn(page);
   },
+  'the page in the designer': async (page) => {
+    await work(page, 'Designer');
+    await button(page, 'Page').click();
+    await drawn(page);
+  },
   'comparison in the designer': async (page) => {
     await work(page, 'Designer');
     await button(page, 'Compare with original').click();
     await drawn(page);
   },
-  'an empty explorer': (page) => work(page, 'Explorer'),
+  'an empty explorer': async (page) => {
+    await work(page, 'Explorer');
+    await invented(page);
+    await button(page, 'Clear').click();
+  },
   explorer: async (page) => {
     await work(page, 'Explorer');
-    await button(page, 'Generate').click();
-    await expect(page.locator('.wall-item').nth(5)).toBeVisible();
-    // It may be over before it could be stopped.
-    await expect(button(page, 'Generate')).toBeVisible({ timeout: 60_000 });
+    await invented(page);
+  },
+  'a style seen large': async (page) => {
+    await work(page, 'Explorer');
+    await invented(page);
+    await page.locator('.wall-item').nth(2).click();
+    await expect(page.locator('.enlarged-picture[aria-busy=false]')).toBeVisible();
   },
   'pages shown': async (page) => {
     await button(page, 'Shuffle').click();

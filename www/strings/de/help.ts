@@ -77,11 +77,11 @@ export const helpStrings = {
     },
     designer: {
       title: 'Einen Stil machen: der Designer',
-      text: `Ein Stil hat zwei Ebenen, eine für die Farben und eine für die Linien, und jede ist eine Reihe von Bausteinen. „${designer.addBlock}“ fügt einen hinzu, seine Regler verändern ihn, und „${designer.compare}“ zeigt, was geschehen ist. „${designer.saveStyle}“ legt ihn unter „${designer.myStyles}“ ab.`,
+      text: `Ein Stil hat zwei Ebenen, eine für die Farben und eine für die Linien, und jede ist eine Reihe von Bausteinen. „${designer.addBlock}“ fügt einen hinzu, seine Regler verändern ihn, und „${designer.compare}“ zeigt, was geschehen ist. Zieh einen Baustein an seinen Platz oder füge ihn mit dem Plus zwischen zwei Karten ein. „${designer.saveStyle}“ legt ihn unter „${designer.myStyles}“ ab.`,
     },
     explorer: {
       title: 'Einen Stil finden: der Explorer',
-      text: `„${designer.generate}“ denkt sich Stile aus und zeigt sie an deinem eigenen Foto. Merke dir mit dem Herz, was dir gefällt, mach mit „${designer.breed}“ aus zweien neue und setze mit „${designer.useStyle}“ einen auf die Seite. Jeden davon kannst du im Designer verändern.`,
+      text: `Er beginnt mit erfundenen Stilen auf deinem eigenen Foto, und „${designer.generate}“ macht mehr davon. Ein Klick zeigt einen groß. Merke dir mit dem Herz, was dir gefällt, mach mit „${designer.breed}“ aus zweien neue und setze mit „${designer.useStyle}“ einen auf die Seite. Jeden davon kannst du im Designer verändern.`,
     },
     words: {
       title: 'Textkästen, Sprechblasen und Soundworte',

@@ -78,11 +78,11 @@ export const helpStrings = {
     },
     designer: {
       title: 'Making a style: the designer',
-      text: `A style has two layers, one for the colours and one for the lines, and each is a row of blocks. “${designer.addBlock}” adds one, its sliders change it, and “${designer.compare}” shows what was done. “${designer.saveStyle}” puts it in “${designer.myStyles}”.`,
+      text: `A style has two layers, one for the colours and one for the lines, and each is a row of blocks. “${designer.addBlock}” adds one, its sliders change it, and “${designer.compare}” shows what was done. Drag a block to its place, or put it in with the plus between two cards. “${designer.saveStyle}” puts it in “${designer.myStyles}”.`,
     },
     explorer: {
       title: 'Finding a style: the explorer',
-      text: `“${designer.generate}” invents styles and shows them on your own photo. Keep those you like with the heart, make more of two with “${designer.breed}”, and put one on the page with “${designer.useStyle}”. Any of them can be changed in the designer.`,
+      text: `It opens with styles invented on your own photo, and “${designer.generate}” makes more. A click shows one large. Keep those you like with the heart, make more of two with “${designer.breed}”, and put one on the page with “${designer.useStyle}”. Any of them can be changed in the designer.`,
     },
     words: {
       title: 'Captions, balloons and sound effects',

@@ -1,11 +1,12 @@
-/** The core and the data files are English by themselves. */
+/** The core and the data files are English by themselves; only blocks have plainer names here. */
 
+import { blocks } from './blocks.ts';
 import type { Names } from '../names.ts';
 
 export const names: Names = {
   families: {},
   choices: {},
-  blocks: {},
+  blocks,
   parameters: {},
   layouts: {},
   styles: {},

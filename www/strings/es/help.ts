@@ -76,11 +76,11 @@ export const helpStrings = {
     },
     designer: {
       title: 'Hacer un estilo: el diseñador',
-      text: `Un estilo tiene dos capas, una para los colores y otra para las líneas, y cada una es una fila de bloques. «${designer.addBlock}» añade uno, sus controles lo cambian y «${designer.compare}» muestra lo que se ha hecho. «${designer.saveStyle}» lo pone en «${designer.myStyles}».`,
+      text: `Un estilo tiene dos capas, una para los colores y otra para las líneas, y cada una es una fila de bloques. «${designer.addBlock}» añade uno, sus controles lo cambian y «${designer.compare}» muestra lo que se ha hecho. Arrastra un bloque a su sitio o insértalo con el signo más entre dos tarjetas. «${designer.saveStyle}» lo pone en «${designer.myStyles}».`,
     },
     explorer: {
       title: 'Encontrar un estilo: el explorador',
-      text: `«${designer.generate}» inventa estilos y los muestra en tu propia foto. Guarda los que te gusten con el corazón, haz más a partir de dos con «${designer.breed}» y pon uno en la página con «${designer.useStyle}». Todos se pueden cambiar en el diseñador.`,
+      text: `Se abre con estilos inventados en tu propia foto, y «${designer.generate}» hace más. Un clic muestra uno en grande. Guarda los que te gusten con el corazón, haz más a partir de dos con «${designer.breed}» y pon uno en la página con «${designer.useStyle}». Todos se pueden cambiar en el diseñador.`,
     },
     words: {
       title: 'Cartelas, bocadillos y onomatopeyas',

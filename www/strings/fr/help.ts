@@ -76,11 +76,11 @@ export const helpStrings = {
     },
     designer: {
       title: 'Faire un style : l’atelier',
-      text: `Un style a deux calques, l’un pour les couleurs et l’autre pour les lignes, et chacun est une suite de blocs. « ${designer.addBlock} » en ajoute un, ses curseurs le changent, et « ${designer.compare} » montre ce qui a été fait. « ${designer.saveStyle} » le met dans « ${designer.myStyles} ».`,
+      text: `Un style a deux calques, l’un pour les couleurs et l’autre pour les lignes, et chacun est une suite de blocs. « ${designer.addBlock} » en ajoute un, ses curseurs le changent, et « ${designer.compare} » montre ce qui a été fait. Faites glisser un bloc à sa place, ou insérez-le avec le plus entre deux cartes. « ${designer.saveStyle} » le met dans « ${designer.myStyles} ».`,
     },
     explorer: {
       title: 'Trouver un style : l’explorateur',
-      text: `« ${designer.generate} » invente des styles et les montre sur votre propre photo. Gardez ceux qui vous plaisent avec le cœur, faites-en d’autres à partir de deux avec « ${designer.breed} », et mettez-en un sur la page avec « ${designer.useStyle} ». Tous peuvent être modifiés dans l’atelier.`,
+      text: `Il s’ouvre sur des styles inventés pour votre propre photo, et « ${designer.generate} » en fait d’autres. Un clic en montre un en grand. Gardez ceux qui vous plaisent avec le cœur, faites-en d’autres à partir de deux avec « ${designer.breed} », et mettez-en un sur la page avec « ${designer.useStyle} ». Tous peuvent être modifiés dans l’atelier.`,
     },
     words: {
       title: 'Cartouches, bulles et onomatopées',

@@ -76,11 +76,11 @@ export const helpStrings = {
     },
     designer: {
       title: 'スタイルを作る：デザイナー',
-      text: `スタイルには色の層と線の層の2つがあり、それぞれがブロックの列です。「${designer.addBlock}」で加え、スライダーで調整し、「${designer.compare}」で違いを確かめます。「${designer.saveStyle}」で「${designer.myStyles}」に入ります。`,
+      text: `スタイルには色の層と線の層の2つがあり、それぞれがブロックの列です。「${designer.addBlock}」で加え、スライダーで調整し、「${designer.compare}」で違いを確かめます。ブロックは好きな場所へドラッグするか、カードの間の＋で挿入します。「${designer.saveStyle}」で「${designer.myStyles}」に入ります。`,
     },
     explorer: {
       title: 'スタイルを見つける：エクスプローラー',
-      text: `「${designer.generate}」はスタイルを考え出し、あなたの写真で見せます。気に入ったものはハートで残し、「${designer.breed}」で2つから新しいものを作り、「${designer.useStyle}」でページに使います。どれもデザイナーで変えられます。`,
+      text: `開くとあなたの写真で考え出したスタイルが並び、「${designer.generate}」でさらに増えます。クリックすると大きく見られます。気に入ったものはハートで残し、「${designer.breed}」で2つから新しいものを作り、「${designer.useStyle}」でページに使います。どれもデザイナーで変えられます。`,
     },
     words: {
       title: 'キャプション、フキダシ、効果音',

@@ -76,11 +76,11 @@ export const helpStrings = {
     },
     designer: {
       title: 'Fazer um estilo: o designer',
-      text: `Um estilo tem duas camadas, uma para as cores e outra para as linhas, e cada uma é uma fila de blocos. “${designer.addBlock}” adiciona um, os controles dele o mudam e “${designer.compare}” mostra o que foi feito. “${designer.saveStyle}” o põe em “${designer.myStyles}”.`,
+      text: `Um estilo tem duas camadas, uma para as cores e outra para as linhas, e cada uma é uma fila de blocos. “${designer.addBlock}” adiciona um, os controles dele o mudam e “${designer.compare}” mostra o que foi feito. Arraste um bloco até o lugar dele ou insira-o com o sinal de mais entre dois cartões. “${designer.saveStyle}” o põe em “${designer.myStyles}”.`,
     },
     explorer: {
       title: 'Encontrar um estilo: o explorador',
-      text: `“${designer.generate}” inventa estilos e os mostra na sua própria foto. Guarde com o coração os que você gostar, faça outros a partir de dois com “${designer.breed}” e ponha um na página com “${designer.useStyle}”. Todos podem ser mudados no designer.`,
+      text: `Ele se abre com estilos inventados na sua própria foto, e “${designer.generate}” faz mais. Um clique mostra um deles grande. Guarde com o coração os que você gostar, faça outros a partir de dois com “${designer.breed}” e ponha um na página com “${designer.useStyle}”. Todos podem ser mudados no designer.`,
     },
     words: {
       title: 'Caixas de texto, balões e onomatopeias',

@@ -1,0 +1,202 @@
+/** A style of the wall seen large on the person's photo; the arrows go to its neighbours. */
+
+import { useEffect, useRef } from 'preact/hooks';
+import { strings } from '../strings/strings.ts';
+import { screenPixels } from '../ui/bitmap.tsx';
+import { IconButton } from '../ui/button.tsx';
+import { useApp } from '../ui/context.ts';
+import { Icon } from '../ui/icon.tsx';
+import { useStyleDeeds } from './style-deeds.ts';
+import type { Shown } from '../photos/photo-picker.tsx';
+import type { Item, Photo } from './explorer.ts';
+
+/** The long side of the copy of a photo that is drawn from: there is no more to see. */
+const MOST = 1600;
+/** What the arrow keys go on by. */
+const STEPS: Record<string, number> = { ArrowLeft: -1, ArrowUp: -1, ArrowRight: 1, ArrowDown: 1 };
+/** What a finger moves over the picture to go on, in CSS pixels. */
+const SWIPE = 48;
+
+export function Enlarged({ fact, photo }: { fact: Shown; photo: Photo }) {
+  const { explorer } = useApp();
+  const shown = explorer.shown.value;
+  const at = shown.findIndex(({ style }) => style.id === explorer.enlarged.value);
+  if (at < 0) return null;
+  const go = (by: number) => {
+    const next = shown[at + by];
+    if (next) explorer.enlarged.value = next.style.id;
+  };
+  return <View fact={fact} photo={photo} item={shown[at]} place={[at, shown.length]} go={go} />;
+}
+
+function View({
+  fact,
+  photo,
+  item,
+  place: [at, count],
+  go,
+}: {
+  fact: Shown;
+  photo: Photo;
+  item: Item;
+  place: [number, number];
+  go: (by: number) => void;
+}) {
+  const { explorer, ownStyles } = useApp();
+  const { style } = item;
+  const deeds = useStyleDeeds(style, photo);
+  const ref = useRef(null as HTMLDialogElement | null);
+  const last = useRef(style.id);
+  last.current = style.id;
+
+  useEffect(() => {
+    const dialog = ref.current;
+    dialog?.showModal();
+    dialog?.focus();
+    return () => {
+      dialog?.close();
+      // Where the person is by now, not where the view was opened.
+      const tile = document.querySelector(`[data-style="${CSS.escape(last.current)}"] .wall-picture`);
+      (tile as HTMLElement | null)?.focus();
+    };
+  }, []);
+
+  function close() {
+    explorer.enlarged.value = null;
+  }
+
+  /** The wall shows what comes of it. */
+  function andClose(deed: () => void) {
+    return () => {
+      deed();
+      close();
+    };
+  }
+
+  function onKeyDown(event: KeyboardEvent) {
+    // The keys of the page do not reach under what lies over it.
+    event.stopPropagation();
+    const step = STEPS[event.key];
+    if (step === undefined || event.ctrlKey || event.metaKey || event.altKey) return;
+    event.preventDefault();
+    go(step);
+  }
+
+  const points = strings.decimal(explorer.scores.points(item), 0);
+  return (
+    <dialog
+      ref={ref}
+      class="enlarged"
+      tabIndex={-1}
+      aria-label={strings.largeView(style.name)}
+      onClose={close}
+      onKeyDown={onKeyDown}
+      onClick={(event) => event.target === ref.current && close()}
+    >
+      <header class="enlarged-head">
+        <h2>{style.name}</h2>
+        <span class="count">{strings.scoreOf(points)}</span>
+        <span class="count enlarged-place">{strings.placeOf(at + 1, count)}</span>
+        <IconButton icon="close" label={strings.close} onClick={close} />
+      </header>
+      <div class="enlarged-stage">
+        <IconButton icon="previous" label={strings.previousStyle} disabled={at === 0} onClick={() => go(-1)} />
+        <Picture fact={fact} item={item} go={go} />
+        <IconButton icon="next" label={strings.nextStyle} disabled={at === count - 1} onClick={() => go(1)} />
+      </div>
+      <footer class="enlarged-tools">
+        <Tool icon="heart" label={strings.favourite} pressed={ownStyles.isFavourite(style.id)} onClick={deeds.favour} />
+        <Tool icon="designer" label={strings.editInDesigner} onClick={deeds.edit} />
+        <Tool icon="breed" label={strings.breed} onClick={andClose(deeds.breed)} />
+        <Tool icon="more" label={strings.moreLikeThis} onClick={andClose(deeds.moreLike)} />
+        <button type="button" class="button strong" onClick={deeds.use}>
+          <Icon name="check" />
+          <span>{strings.useStyle}</span>
+        </button>
+      </footer>
+    </dialog>
+  );
+}
+
+/** With its name where there is room. */
+function Tool({
+  icon,
+  label,
+  pressed,
+  onClick,
+}: {
+  icon: string;
+  label: string;
+  pressed?: boolean;
+  onClick: () => void;
+}) {
+  return (
+    <button type="button" class="button tool" aria-label={label} title={label} aria-pressed={pressed} onClick={onClick}>
+      <Icon name={icon} />
+      <span>{label}</span>
+    </button>
+  );
+}
+
+/** The thumbnail at once, then the picture in the size that it is seen in. */
+function Picture({ fact: { id, name, meta }, item, go }: { fact: Shown; item: Item; go: (by: number) => void }) {
+  const { engine, explorer, messages } = useApp();
+  const canvas = useRef(null as HTMLCanvasElement | null);
+  const start = useRef(0);
+  const { style } = item;
+
+  useEffect(() => {
+    const target = canvas.current;
+    const frame = target?.parentElement;
+    if (!target || !frame) return undefined;
+    const paint = (bitmap: ImageBitmap) => {
+      target.width = bitmap.width;
+      target.height = bitmap.height;
+      target.getContext('2d')?.drawImage(bitmap, 0, 0);
+    };
+    const thumbnail = explorer.pictures.get(style.id);
+    if (thumbnail) paint(thumbnail);
+    frame.setAttribute('aria-busy', 'true');
+    const box = frame.getBoundingClientRect();
+    const scale = Math.min(
+      screenPixels(box.width) / meta.width,
+      screenPixels(box.height) / meta.height,
+      MOST / Math.max(meta.width, meta.height),
+    );
+    const size = {
+      width: Math.max(1, Math.round(meta.width * scale)),
+      height: Math.max(1, Math.round(meta.height * scale)),
+      tier: 'work' as const,
+    };
+    const stop = new AbortController();
+    engine.stylePhoto(id, style, size, { signal: stop.signal }).then(
+      ({ bitmap }) => {
+        if (!stop.signal.aborted) {
+          paint(bitmap);
+          frame.setAttribute('aria-busy', 'false');
+        }
+        bitmap.close();
+      },
+      ({ code, message }) => {
+        if (code !== 'cancelled') messages.alert(message);
+      },
+    );
+    return () => stop.abort();
+  }, [style.id, id]);
+
+  return (
+    <div
+      class="enlarged-picture"
+      style={{ '--aspect': meta.width / meta.height }}
+      onPointerDown={(event) => {
+        start.current = event.clientX;
+      }}
+      onPointerUp={({ pointerType, clientX }) => {
+        const by = clientX - start.current;
+        if (pointerType === 'touch' && Math.abs(by) > SWIPE) go(by < 0 ? 1 : -1);
+      }}
+    >
+      <canvas ref={canvas} role="img" aria-label={strings.styleOn(style.name, name)} />
+    </div>
+  );
+}

@@ -1,0 +1,74 @@
+/**
+ * One line over the wall: what is under way, with the way to end it, or what can be done next. It is always as high, so
+ * that the wall below never moves.
+ */
+
+import { strings } from '../strings/strings.ts';
+import { ActionButton } from '../ui/action-button.tsx';
+import { useApp } from '../ui/context.ts';
+
+export function Status() {
+  return (
+    <div class="explorer-status">
+      <Hint />
+      <UnderWay />
+    </div>
+  );
+}
+
+function UnderWay() {
+  const { explorer, actions } = useApp();
+  const running = explorer.progress.value;
+  const judging = explorer.scores.progress.value;
+  const doing = running ?? judging;
+  if (!doing) return null;
+  const said = !running ? strings.judging : running.what === 'redraw' ? strings.redrawing : strings.inventing;
+  const label = said(doing.done, doing.total);
+  return (
+    <div class="under-way">
+      <span class="count">{label}</span>
+      <progress class="progress" aria-label={label} value={doing.done} max={doing.total} />
+      {running ? (
+        <ActionButton action={actions.explorer.stop} class="button small" text />
+      ) : (
+        <button type="button" class="button small" onClick={explorer.scores.pause}>
+          {strings.stopJudging}
+        </button>
+      )}
+    </div>
+  );
+}
+
+/** What breeding waits for, what came of it, or how many styles there are. */
+function Hint() {
+  const { explorer } = useApp();
+  const { parent, lastParents, unsorted } = explorer;
+  const [shown, all] = [explorer.shown.value.length, explorer.items.value.length];
+  if (parent.value) {
+    return (
+      <p class="explorer-hint">
+        {strings.breedWith(parent.value.name)}
+        <button
+          type="button"
+          class="button small"
+          onClick={() => {
+            parent.value = null;
+          }}
+        >
+          {strings.cancel}
+        </button>
+      </p>
+    );
+  }
+  if (lastParents.value) {
+    const [a, b] = lastParents.value;
+    return <p class="explorer-hint">{strings.litterOf(a.name, b.name)}</p>;
+  }
+  if (unsorted.value && !explorer.scores.progress.value) return <p class="explorer-hint">{strings.sortAgain}</p>;
+  if (all === 0) return null;
+  return (
+    <p class="count" title={strings.dropped(explorer.dropped.value)}>
+      {strings.stylesShown(shown, all)}
+    </p>
+  );
+}

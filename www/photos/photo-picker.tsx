@@ -1,0 +1,51 @@
+/** A row of the album's photos, one of which is chosen. */
+
+import { PLAIN, thumbnail } from './cover.ts';
+import { Bitmap } from '../ui/bitmap.tsx';
+import { useApp } from '../ui/context.ts';
+import type { Fact } from '../document/album.ts';
+
+const THUMB = 64;
+
+export type Shown = Fact & { meta: NonNullable<Fact['meta']> };
+
+/** @returns the photos that can be drawn, in the order of the album */
+export function useDrawnPhotos(): Shown[] {
+  const { store, engine } = useApp();
+  return store.facts.value.flatMap((fact) =>
+    fact.meta && engine.hasPhoto(fact.id) ? [{ ...fact, meta: fact.meta }] : [],
+  );
+}
+
+/** @param props `told`: what the button of a photo of this name is called */
+export function PhotoPicker({
+  label,
+  facts,
+  chosen,
+  told,
+  onChoose,
+}: {
+  label: string;
+  facts: readonly Shown[];
+  chosen: string | null;
+  told: (name: string) => string;
+  onChoose: (id: string) => void;
+}) {
+  const { engine } = useApp();
+  return (
+    <div class="photo-picker" role="group" aria-label={label}>
+      {facts.map(({ id, name, meta }) => (
+        <button
+          key={id}
+          type="button"
+          aria-label={told(name)}
+          title={name}
+          aria-current={id === chosen ? 'true' : undefined}
+          onClick={() => onChoose(id)}
+        >
+          <Bitmap of={id} draw={(call) => engine.stylePhoto(id, PLAIN, thumbnail(meta, THUMB), call)} />
+        </button>
+      ))}
+    </div>
+  );
+}

@@ -1,0 +1,60 @@
+/** Where a larger view goes: near what it belongs to, inside the window, and never over it where there is room. */
+
+export type Box = { left: number; top: number; width: number; height: number };
+export type Size = { width: number; height: number };
+
+/** Between it and what it belongs to, and from the edges of the window, in CSS pixels. */
+export const GAP = 12;
+/** Below this width it shows no more than the thumbnail. */
+const LEAST = 160;
+
+/**
+ * @param at what it belongs to
+ * @param size that it would like to have
+ * @param edge the left edge of the list, which must not be hidden: it goes to the left of it
+ */
+export function besideList(at: Box, size: Size, edge: number, window: Size): Box {
+  return {
+    ...size,
+    left: Math.max(GAP, edge - size.width - GAP),
+    top: within(at.top + at.height / 2 - size.height / 2, size.height, window.height),
+  };
+}
+
+/** To the right of what it belongs to or to the left, above it or below, wherever it is the largest. */
+export function beside(at: Box, size: Size, window: Size): Box {
+  const sideways = Math.max(at.left, window.width - at.left - at.width) - 2 * GAP;
+  const upright = Math.max(at.top, window.height - at.top - at.height) - 2 * GAP;
+  const scale = (width: number, height: number) => Math.min(1, width / size.width, height / size.height);
+  const [room, tall] = [window.width - 2 * GAP, window.height - 2 * GAP];
+  const [aside, over] = [scale(sideways, tall), scale(room, upright)];
+  const best = Math.max(aside, over);
+  // Where neither has room for more than a thumbnail it covers what it belongs to.
+  const fits = best * size.width >= Math.min(LEAST, size.width);
+  const by = fits ? best : scale(room, tall);
+  const [width, height] = [size.width * by, size.height * by];
+  const middle = {
+    left: within(at.left + at.width / 2 - width / 2, width, window.width),
+    top: within(at.top + at.height / 2 - height / 2, height, window.height),
+  };
+  if (!fits) return { width, height, ...middle };
+  if (aside >= over) {
+    const right = at.left + at.width + GAP + width + GAP <= window.width;
+    return { width, height, top: middle.top, left: right ? at.left + at.width + GAP : at.left - GAP - width };
+  }
+  const above = at.top - GAP - height >= GAP - 0.5;
+  return { width, height, left: middle.left, top: above ? at.top - GAP - height : at.top + at.height + GAP };
+}
+
+/** Above what it belongs to. */
+export function above(at: Box, size: Size, window: Size): Box {
+  return {
+    ...size,
+    left: within(at.left + at.width / 2 - size.width / 2, size.width, window.width),
+    top: Math.max(GAP, at.top - size.height - GAP),
+  };
+}
+
+function within(place: number, size: number, whole: number) {
+  return Math.max(GAP, Math.min(place, whole - size - GAP));
+}

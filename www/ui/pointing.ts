@@ -1,0 +1,70 @@
+/**
+ * Which of several choices a person looks at: the one under the pointer, the one with the focus of the keyboard, or the
+ * one that a finger is held on, which does not choose it.
+ */
+
+/** Tells what is pointed at, and null when nothing is any more. */
+export type Point = (id: string | null, element?: Element) => void;
+
+/** Milliseconds that a finger stays, and how far it may move meanwhile, in CSS pixels. */
+const HOLD = 400;
+const SLACK = 10;
+
+/** @returns handlers for the element of a choice */
+export function pointing(id: string, point: Point) {
+  return {
+    onPointerEnter: ({ pointerType, currentTarget }: Of<PointerEvent>) => {
+      if (pointerType !== 'touch') point(id, currentTarget);
+    },
+    onPointerDown: (event: Of<PointerEvent>) => {
+      if (event.pointerType === 'touch' && event.isPrimary) hold(event, id, point);
+    },
+    onFocus: ({ currentTarget }: Of<FocusEvent>) => {
+      if (currentTarget.matches(':focus-visible')) point(id, currentTarget);
+    },
+  };
+}
+
+type Of<T> = T & { currentTarget: HTMLElement };
+
+/** Points at it once the finger has stayed, until it is lifted; then no click follows. */
+function hold({ clientX, clientY, currentTarget: element }: Of<PointerEvent>, id: string, point: Point) {
+  const watch = new AbortController();
+  const { signal } = watch;
+  let held = false;
+  const timer = setTimeout(() => {
+    held = true;
+    point(id, element);
+  }, HOLD);
+  const end = () => {
+    clearTimeout(timer);
+    watch.abort();
+    if (!held) return;
+    point(null);
+    swallowClick(element);
+  };
+  const move = (event: PointerEvent) => {
+    if (!held && Math.hypot(event.clientX - clientX, event.clientY - clientY) > SLACK) end();
+  };
+  window.addEventListener('pointermove', move, { signal });
+  window.addEventListener('pointerup', end, { signal });
+  window.addEventListener('pointercancel', end, { signal });
+  // What a browser does itself when a finger stays or goes on from there.
+  const ours = (event: Event) => held && event.preventDefault();
+  element.addEventListener('touchmove', ours, { signal, passive: false });
+  element.addEventListener('contextmenu', (event) => event.preventDefault(), { signal });
+}
+
+/** The click that a browser makes of the finger that was lifted. */
+function swallowClick(element: HTMLElement) {
+  const done = new AbortController();
+  element.addEventListener(
+    'click',
+    (event) => {
+      event.preventDefault();
+      event.stopImmediatePropagation();
+    },
+    { signal: done.signal, capture: true },
+  );
+  setTimeout(() => done.abort(), 50);
+}
