@@ -176,7 +176,8 @@ pub fn choose(
             for pair in [0, 2] {
                 let (x, y) = (column * CELL, cell_row * CELL + pair);
                 let at = (y + margin) * stride + x + margin;
-                let spreads = places.map(|place| two_rows(&spread.samples, at.wrapping_add_signed(place), stride));
+                let spreads =
+                    places.map(|place| two_rows(&spread.samples, at.wrapping_add_signed(place), stride));
                 let calmest = spreads.iter().fold(far.max(spreads[0]), |least, &spread| least.min(spread));
                 let weights = spreads.map(|spread| {
                     // In Q15, but for what the division of reach leaves over, which all weights share.
@@ -194,8 +195,11 @@ pub fn choose(
                         sum += pixels.mul_scale_round(weight);
                     }
                     let sum = sum.to_array();
-                    let tones: [u8; 2 * CELL] = std::array::from_fn(|i| (f32::from(sum[i]) * share[i] + 0.5) as u8);
-                    for (row, tones) in tones.chunks_exact(CELL).enumerate().filter(|(row, _)| y + row < height) {
+                    let tones: [u8; 2 * CELL] =
+                        std::array::from_fn(|i| (f32::from(sum[i]) * share[i] + 0.5) as u8);
+                    for (row, tones) in
+                        tones.chunks_exact(CELL).enumerate().filter(|(row, _)| y + row < height)
+                    {
                         let out = &mut out.row_mut(y + row)[x..];
                         for (out, &tone) in out.iter_mut().zip(tones) {
                             *out = tone;

@@ -151,7 +151,8 @@ fn tensors(luma: &Plane) -> (usize, usize, [Vec<f32>; 3]) {
         let [xx, xy, yy] = parts.each_mut().map(|part| &mut part[..width]);
         for x in 0..width {
             let gx = (above[x + 2] - above[x]) + 2.0 * (here[x + 2] - here[x]) + (below[x + 2] - below[x]);
-            let gy = (below[x] - above[x]) + 2.0 * (below[x + 1] - above[x + 1]) + (below[x + 2] - above[x + 2]);
+            let gy =
+                (below[x] - above[x]) + 2.0 * (below[x + 1] - above[x + 1]) + (below[x + 2] - above[x + 2]);
             let length = (gx * gx + gy * gy).sqrt() + 1.0;
             xx[x] = gx * gx / length;
             xy[x] = gx * gy / length;

@@ -32,7 +32,13 @@ pub(super) static BLOCK: Block = Block {
     params: &[
         number("pitch", "Pitch", "Distance between lines.", (7.0, 3.0, 40.0, 0.5), Unit::Pixels),
         number("angle", "Angle", "Direction of the first lines.", (20.0, -90.0, 90.0, 1.0), Unit::Degrees),
-        number("follow", "Follow form", "How far lines bend over shapes.", (70.0, 0.0, 100.0, 1.0), Unit::Percent),
+        number(
+            "follow",
+            "Follow form",
+            "How far lines bend over shapes.",
+            (70.0, 0.0, 100.0, 1.0),
+            Unit::Percent,
+        ),
         integer("layers", "Layers", "How many directions dark tones get.", (2, 1, 3)),
         number("ink", "Ink", "Wider lines and blacker shade.", (100.0, 40.0, 200.0, 1.0), Unit::Percent),
     ],
@@ -103,7 +109,13 @@ fn run(args: Args<'_>, mut plane: Plane, context: &mut Context<'_>) -> Result<Pl
 }
 
 /// Cuts the lines of one screen into a row of pixels: darkness beyond `from`, up to `limit`.
-fn cut(phases: &[f32], shades: &[f32], (from, limit, sharp): (f32, f32, f32), rest: &mut [f32], white: &mut [f32]) {
+fn cut(
+    phases: &[f32],
+    shades: &[f32],
+    (from, limit, sharp): (f32, f32, f32),
+    rest: &mut [f32],
+    white: &mut [f32],
+) {
     let lines = phases.iter().zip(shades).zip(rest.iter_mut().zip(white.iter_mut()));
     for ((&phase, &shade), (rest, white)) in lines {
         let wanted = if shade > from { 1.0 - (1.0 - shade) / rest.max(1e-6) } else { 0.0 };
@@ -166,7 +178,8 @@ fn mean(plane: &Plane, (x, y): (usize, usize), side: usize) -> f32 {
     let span = |at: usize, length: usize| at.saturating_sub(side / 2)..(at + side / 2 + 1).min(length);
     let (across, down) = (span(x, plane.width()), span(y, plane.height()));
     let count = across.len() * down.len();
-    let sum: u32 = down.map(|y| plane.row(y)[across.clone()].iter().map(|&v| u32::from(v)).sum::<u32>()).sum();
+    let sum: u32 =
+        down.map(|y| plane.row(y)[across.clone()].iter().map(|&v| u32::from(v)).sum::<u32>()).sum();
     sum as f32 / (255 * count) as f32
 }
 
@@ -267,15 +280,20 @@ fn solve(columns: usize, rows: usize, across: &[f32], down: &[f32]) -> Vec<f32> 
         let (half_columns, half_rows) = (columns.div_ceil(2), rows.div_ceil(2));
         let halve = |wanted: &[f32]| -> Vec<f32> {
             let at = |i: usize, j: usize| wanted[j.min(rows - 1) * columns + i.min(columns - 1)];
-            let row = |i: usize, j: usize| 0.25 * (at(i.saturating_sub(1), j) + 2.0 * at(i, j) + at(i + 1, j));
+            let row =
+                |i: usize, j: usize| 0.25 * (at(i.saturating_sub(1), j) + 2.0 * at(i, j) + at(i + 1, j));
             let places = (0..half_columns * half_rows).map(|k| (k % half_columns * 2, k / half_columns * 2));
             // Twice the weighted mean: a step is twice as long.
-            places.map(|(i, j)| 0.5 * (row(i, j.saturating_sub(1)) + 2.0 * row(i, j) + row(i, j + 1))).collect()
+            places
+                .map(|(i, j)| 0.5 * (row(i, j.saturating_sub(1)) + 2.0 * row(i, j) + row(i, j + 1)))
+                .collect()
         };
         let coarse = solve(half_columns, half_rows, &halve(across), &halve(down));
         for (j, row) in result.chunks_exact_mut(columns).enumerate() {
             for (i, out) in row.iter_mut().enumerate() {
-                let at = |i: usize, j: usize| coarse[j.min(half_rows - 1) * half_columns + i.min(half_columns - 1)];
+                let at = |i: usize, j: usize| {
+                    coarse[j.min(half_rows - 1) * half_columns + i.min(half_columns - 1)]
+                };
                 let (x, y) = (i / 2, j / 2);
                 let (right, below) = ((i % 2) as f32 * 0.5, (j % 2) as f32 * 0.5);
                 let line = |y: usize| at(x, y) + right * (at(x + 1, y) - at(x, y));
@@ -354,7 +372,11 @@ mod tests {
         let shift = found[0] - at(0, 0);
         for j in 0..rows {
             for i in 0..columns {
-                assert!((found[j * columns + i] - shift - at(i, j)).abs() < 0.15, "{i}, {j}: {}", found[j * columns + i] - shift - at(i, j));
+                assert!(
+                    (found[j * columns + i] - shift - at(i, j)).abs() < 0.15,
+                    "{i}, {j}: {}",
+                    found[j * columns + i] - shift - at(i, j)
+                );
             }
         }
     }

@@ -31,7 +31,13 @@ pub(super) static BLOCK: Block = Block {
     params: &[
         number("sigma", "Line width", "Scale of the lines.", (1.4, 0.3, 10.0, 0.1), Unit::Pixels),
         number("p", "Strength", "How strongly lines stand out.", (30.0, 0.0, 100.0, 0.5), Unit::None),
-        number("length", "Stroke length", "How far strokes are drawn on.", (6.0, 0.0, 24.0, 0.5), Unit::Pixels),
+        number(
+            "length",
+            "Stroke length",
+            "How far strokes are drawn on.",
+            (6.0, 0.0, 24.0, 0.5),
+            Unit::Pixels,
+        ),
         number(
             "tone",
             "Solid blacks",
@@ -97,7 +103,8 @@ fn run(args: Args<'_>, mut plane: Plane, context: &mut Context<'_>) -> Result<Pl
     let table = tones(args.number(4), args.number(5));
     for y in 0..height {
         for (out, &sample) in plane.row_mut(y).iter_mut().zip(lines.row(y)) {
-            *out = table[((i32::from(sample) >> 3) - (BOUNDS.0 << 2)).clamp(0, table.len() as i32 - 1) as usize];
+            *out =
+                table[((i32::from(sample) >> 3) - (BOUNDS.0 << 2)).clamp(0, table.len() as i32 - 1) as usize];
         }
     }
     context.check_cancelled()?;

@@ -80,7 +80,8 @@ fn ellipses(distance: f32, stretch: f32) -> Vec<[(isize, isize); SECTORS]> {
         let longer = 1.0 + f64::from(stretch) * (shape % LENGTHS) as f64 / (LENGTHS - 1) as f64;
         std::array::from_fn(|k| {
             let (across, along) = (k as f64 * std::f64::consts::PI * 2.0 / SECTORS as f64).sin_cos();
-            let (along, across) = (along * longer * f64::from(distance), across / longer * f64::from(distance));
+            let (along, across) =
+                (along * longer * f64::from(distance), across / longer * f64::from(distance));
             ((along * cos - across * sin).round() as isize, (along * sin + across * cos).round() as isize)
         })
     };
@@ -90,7 +91,9 @@ fn ellipses(distance: f32, stretch: f32) -> Vec<[(isize, isize); SECTORS]> {
 /// The logarithm of every spread that a fine plane can hold.
 fn spread_table() -> Vec<i16> {
     let unit = f64::from(1 << FRACTION);
-    (0..=255 << FRACTION).map(|fine| (OCTAVE * (f64::from(fine) / unit + NOISE).log2()).round() as i16).collect()
+    (0..=255 << FRACTION)
+        .map(|fine| (OCTAVE * (f64::from(fine) / unit + NOISE).log2()).round() as i16)
+        .collect()
 }
 
 fn pass(
@@ -141,7 +144,8 @@ fn spread_of(luma: &Plane, sigma: f32, margin: usize, spreads: &[i16], context: 
         }
     }
     let spread = blur(&fine, sigma, buffers);
-    let wide = Wide::mapped(&spread, margin, |fine| spreads.get(fine.max(0) as usize).copied().unwrap_or(i16::MAX));
+    let wide =
+        Wide::mapped(&spread, margin, |fine| spreads.get(fine.max(0) as usize).copied().unwrap_or(i16::MAX));
     for fine in [fine, mean, spread] {
         buffers.give(fine);
     }
@@ -162,9 +166,8 @@ mod tests {
     #[test]
     fn an_edge_stays_where_it_is_and_noise_goes() {
         let mut random = oorandom::Rand32::new(9);
-        let plane = Plane::from_fn(120, 80, |x, _| {
-            (if x < 60 { 60 } else { 180 }) + random.rand_range(0..20) as u8
-        });
+        let plane =
+            Plane::from_fn(120, 80, |x, _| (if x < 60 { 60 } else { 180 }) + random.rand_range(0..20) as u8);
         let out = painted(Image::from_luma(plane));
         let row = out.planes()[0].row(40);
         assert!(row[..57].iter().all(|&v| v.abs_diff(70) < 6), "{row:?}");

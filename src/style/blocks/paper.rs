@@ -35,7 +35,9 @@ pub(super) static BLOCK: Block = Block {
             id: "tint",
             label: "Tint",
             help: "Colour of the sheet.",
-            kind: Kind::Choice { names: &["white", "ivory", "cream", "newsprint", "kraft", "gray", "blue", "rose"] },
+            kind: Kind::Choice {
+                names: &["white", "ivory", "cream", "newsprint", "kraft", "gray", "blue", "rose"],
+            },
         },
         number("grain", "Grain", "How much of the surface is seen.", (40.0, 0.0, 100.0, 1.0), Unit::Percent),
         number(
@@ -128,7 +130,11 @@ fn draw(key: (usize, u32, u32), size: f32, scale: f32) -> Drawn {
     let mut heights = plane_of(key.0, side, unit);
     let mean = heights.iter().sum::<f32>() / heights.len() as f32;
     heights.iter_mut().for_each(|height| *height -= mean);
-    Drawn { key, side, heights: heights.iter().map(|&h| (h.clamp(-1.0, 1.0) * 127.0).round() as i8).collect() }
+    Drawn {
+        key,
+        side,
+        heights: heights.iter().map(|&h| (h.clamp(-1.0, 1.0) * 127.0).round() as i8).collect(),
+    }
 }
 
 /// Heights of a sheet: sums of noise of some sizes, of ribs, and of fibres. The borders of the tile are faded into each
@@ -231,7 +237,8 @@ mod tests {
             let mut context = Context::default();
             context.set_scale(1.0);
             let values = [0.0, tint as f32, 0.0, 0.0, 1.0];
-            let out = run(Args::new(&values, 1.0), Image::from_luma(Plane::filled(20, 20, 255)), &mut context);
+            let out =
+                run(Args::new(&values, 1.0), Image::from_luma(Plane::filled(20, 20, 255)), &mut context);
             for (plane, &tone) in out.unwrap().planes().iter().zip(color) {
                 assert!(plane.samples().iter().all(|&v| v == tone));
             }
@@ -242,7 +249,8 @@ mod tests {
     fn the_tile_has_no_seam() {
         for sheet in 0..5 {
             let drawn = draw((sheet, 0, 0), 1.0, 1.0);
-            let at = |x: usize, y: usize| f64::from(drawn.heights[y % drawn.side * drawn.side + x % drawn.side]);
+            let at =
+                |x: usize, y: usize| f64::from(drawn.heights[y % drawn.side * drawn.side + x % drawn.side]);
             let step = |x: usize| (0..drawn.side).map(|y| (at(x + 1, y) - at(x, y)).abs()).sum::<f64>();
             let usual = (0..drawn.side).map(step).sum::<f64>() / drawn.side as f64;
             assert!(step(drawn.side - 1) < 1.6 * usual, "{sheet}: {} {usual}", step(drawn.side - 1));

@@ -185,7 +185,8 @@ fn misfit(shift: f32, seed: u32, plate: u32) -> (isize, isize) {
 
 /// For each ink what it takes of 1 - R, 1 - G and 1 - B, in Q12.
 fn shares(inks: &[ink::Rgb], density: f32) -> Vec<[i32; 3]> {
-    let colors: Vec<[f64; 3]> = inks.iter().map(|ink| ink.map(|tone| 1.0 - f64::from(tone) / 255.0)).collect();
+    let colors: Vec<[f64; 3]> =
+        inks.iter().map(|ink| ink.map(|tone| 1.0 - f64::from(tone) / 255.0)).collect();
     let n = colors.len();
     // (C C^T + small)^-1 C by elimination; what is added keeps two alike inks from pulling against each other.
     let mut rows: Vec<Vec<f64>> = (0..n)
@@ -219,7 +220,9 @@ fn cover(image: &Image, y: usize, share: &[i32; 3], steps: i32, out: &mut [u8]) 
         [r, g, b] => {
             let pixels = r.row(y).iter().zip(g.row(y)).zip(b.row(y));
             for (out, ((&r, &g), &b)) in out.iter_mut().zip(pixels) {
-                let missing = share[0] * i32::from(255 - r) + share[1] * i32::from(255 - g) + share[2] * i32::from(255 - b);
+                let missing = share[0] * i32::from(255 - r)
+                    + share[1] * i32::from(255 - g)
+                    + share[2] * i32::from(255 - b);
                 *out = ((missing + 2048) >> 12).clamp(0, 255) as u8;
             }
         }
@@ -283,7 +286,11 @@ mod tests {
             let out = printed(image, &[(0, choice as f32), (1, 0.0), (2, 0.0)]);
             let tones: Vec<u8> = out.planes().iter().map(|plane| plane.at(33, 3)).collect();
             assert!(out.planes().iter().all(|plane| plane.at(3, 3) == 255), "{}", NAMES[choice]);
-            assert!(tones.iter().map(|&tone| u32::from(tone)).sum::<u32>() < 150, "{}: {tones:?}", NAMES[choice]);
+            assert!(
+                tones.iter().map(|&tone| u32::from(tone)).sum::<u32>() < 150,
+                "{}: {tones:?}",
+                NAMES[choice]
+            );
         }
     }
 

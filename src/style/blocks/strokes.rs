@@ -34,9 +34,27 @@ pub(super) static BLOCK: Block = Block {
     params: &[
         number("width", "Stroke width", "How thick a stroke is.", (2.2, 0.8, 12.0, 0.1), Unit::Pixels),
         number("length", "Stroke length", "How long strokes are.", (14.0, 2.0, 40.0, 0.5), Unit::Pixels),
-        number("angle", "Angle", "Direction where the photo has none.", (-50.0, -90.0, 90.0, 1.0), Unit::Degrees),
-        number("follow", "Follow form", "How far strokes turn along shapes.", (60.0, 0.0, 100.0, 1.0), Unit::Percent),
-        number("hardness", "Hardness", "How clearly strokes stand apart.", (55.0, 0.0, 100.0, 1.0), Unit::Percent),
+        number(
+            "angle",
+            "Angle",
+            "Direction where the photo has none.",
+            (-50.0, -90.0, 90.0, 1.0),
+            Unit::Degrees,
+        ),
+        number(
+            "follow",
+            "Follow form",
+            "How far strokes turn along shapes.",
+            (60.0, 0.0, 100.0, 1.0),
+            Unit::Percent,
+        ),
+        number(
+            "hardness",
+            "Hardness",
+            "How clearly strokes stand apart.",
+            (55.0, 0.0, 100.0, 1.0),
+            Unit::Percent,
+        ),
         number("pressure", "Pressure", "How dark a stroke is.", (80.0, 20.0, 100.0, 1.0), Unit::Percent),
         Param {
             id: "cross",
@@ -173,7 +191,8 @@ impl Pen {
     fn ink(&self, dark: u8, first: u8, second: u8) -> i32 {
         const FROM: i32 = (CROSS.1 * 255.0) as i32;
         let dark = i32::from(dark);
-        let at = |dark: i32, stroke: u8| (((dark - i32::from(stroke)) * self.slope + 32_640) >> 8).clamp(0, 255);
+        let at =
+            |dark: i32, stroke: u8| (((dark - i32::from(stroke)) * self.slope + 32_640) >> 8).clamp(0, 255);
         // The second hand leaves a tenth of the paper.
         let across = ((dark - FROM) * (65_536 * 255 / (255 - FROM))) >> 16;
         let second = if dark > FROM && second > 0 { (at(across, second) * 230) >> 8 } else { 0 };

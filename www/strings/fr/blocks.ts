@@ -46,7 +46,7 @@ export const blocks: Record<string, [string, string]> = {
   ],
   flow_lines: [
     'Lignes d’encre (Flow Lines)',
-    'Dessine les contours en longs traits nets qui suivent les formes ; les miettes d’herbe et de cheveux disparaissent.',
+    'Dessine les contours en longs traits nets qui suivent les formes ; les miettes d’herbe et de cheveux disparaissent.',
   ],
   kuwahara: [
     'Peinture (Kuwahara)',
@@ -132,7 +132,7 @@ export const parameters: Record<string, [string, string]> = {
   'plates.inks': ['Encres', 'Quelles encres sont sur les plaques.'],
   'plates.shift': ['Décalage', 'À quel point les plaques se manquent.'],
   'plates.grain': ['Grain', 'À quel point l’encre est grossière et lacunaire.'],
-  'plates.pitch': ['Points', 'Distance entre les points de la trame ; sous 3 il n’y en a pas.'],
+  'plates.pitch': ['Points', 'Distance entre les points de la trame ; sous 3 il n’y en a pas.'],
   'plates.steps': ['Niveaux', 'Tons d’une plaque, papier compris ; 1 les garde tous.'],
   'plates.density': ['Densité', 'Combien d’encre est posée.'],
   'plates.seed': ['Hasard', 'Un autre nombre décale les plaques autrement.'],

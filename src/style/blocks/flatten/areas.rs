@@ -36,7 +36,8 @@ pub(super) fn settle(
             for x in 0..width {
                 let here = (y + 1) * stride + x + 1;
                 let three = |at: usize| [framed[at - 1], framed[at], framed[at + 1]];
-                let ([a, b0, c], [d, own, e], [f, g0, h]) = (three(here - stride), three(here), three(here + stride));
+                let ([a, b0, c], [d, own, e], [f, g0, h]) =
+                    (three(here - stride), three(here), three(here + stride));
                 let around = [a, b0, c, d, e, f, g0, h];
                 if around == [own; 8] {
                     continue;
@@ -173,7 +174,13 @@ fn root(parents: &mut [u32], mut number: u32) -> u32 {
 }
 
 /// The colour of each area: the palette's, and as much of its own mean as is wanted.
-pub(super) fn colors(areas: &Areas, labels: &[u8], photo: &Image, palette: &[[u8; 3]], own: f32) -> Vec<[u8; 3]> {
+pub(super) fn colors(
+    areas: &Areas,
+    labels: &[u8],
+    photo: &Image,
+    palette: &[[u8; 3]],
+    own: f32,
+) -> Vec<[u8; 3]> {
     let mut sums = vec![([0u64; 3], 0u64); areas.count];
     let mut label_of = vec![0u8; areas.count];
     let [r, g, b] = photo.planes() else { return Vec::new() };
@@ -278,7 +285,8 @@ impl Votes<'_> {
         for dy in -self.reach..=self.reach {
             let row = (j as isize + dy).clamp(0, height as isize - 1) as usize * width;
             for dx in -self.reach..=self.reach {
-                let number = self.areas.numbers[row + (i as isize + dx).clamp(0, width as isize - 1) as usize];
+                let number =
+                    self.areas.numbers[row + (i as isize + dx).clamp(0, width as isize - 1) as usize];
                 let weight = weight.next().copied().unwrap_or(0.0);
                 total += weight;
                 if let Some((_, sum)) = sums[..count].iter_mut().find(|(known, _)| *known == number) {

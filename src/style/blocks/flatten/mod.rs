@@ -17,6 +17,7 @@ mod palette;
 
 use super::{Block, Channels, Kernel};
 use crate::error::Result;
+use crate::raster::resize::{Region, resample_image};
 use crate::raster::{Image, Plane};
 use crate::style::context::Context;
 use crate::style::params::{Args, Kind, Param, Unit, integer, number};
@@ -36,8 +37,20 @@ pub(super) static BLOCK: Block = Block {
             help: "Where the colours come from.",
             kind: Kind::Choice { names: NAMES },
         },
-        number("detail", "Smallest area", "Smaller areas join a neighbour.", (12.0, 0.0, 80.0, 1.0), Unit::Pixels),
-        number("smoothness", "Smooth borders", "How far borders are straightened.", (50.0, 0.0, 100.0, 1.0), Unit::Percent),
+        number(
+            "detail",
+            "Smallest area",
+            "Smaller areas join a neighbour.",
+            (12.0, 0.0, 80.0, 1.0),
+            Unit::Pixels,
+        ),
+        number(
+            "smoothness",
+            "Smooth borders",
+            "How far borders are straightened.",
+            (50.0, 0.0, 100.0, 1.0),
+            Unit::Percent,
+        ),
         number(
             "own",
             "Own colours",
@@ -52,9 +65,18 @@ pub(super) static BLOCK: Block = Block {
 /// Side of the squares of pixels that share a label.
 const STEP: usize = 2;
 
+/// Scale of the picture whose colours make the palette.
+const SAMPLE: f32 = 0.125;
+
 fn run(args: Args<'_>, mut image: Image, context: &mut Context<'_>) -> Result<Image> {
     let small = halved(&image);
-    let costs = Costs::new(&small, args.choice(1), args.number(0) as usize);
+    let reduced = |length: usize| {
+        ((length as f32 * SAMPLE / (context.scale().max(0.05) / STEP as f32)).round() as usize)
+            .clamp(1, length)
+    };
+    let whole = Region::whole(small.width(), small.height());
+    let sample = resample_image(&small, whole, reduced(small.width()), reduced(small.height()));
+    let costs = Costs::new(&small, &sample, args.choice(1), args.number(0) as usize);
     context.check_cancelled()?;
     let (width, height) = (small.width(), small.height());
     let mut labels = costs.nearest(&small);
@@ -152,10 +174,13 @@ mod tests {
 
     #[test]
     fn named_palettes_give_their_colours_alone() {
-        let image = Image::from_rgb([0, 1, 2].map(|c| Plane::from_fn(64, 64, |x, y| (x * 3 + y + 30 * c).min(255) as u8))).unwrap();
+        let image = Image::from_rgb(
+            [0, 1, 2].map(|c| Plane::from_fn(64, 64, |x, y| (x * 3 + y + 30 * c).min(255) as u8)),
+        )
+        .unwrap();
         for choice in 1..NAMES.len() {
             let out = flattened(image.clone(), &[(1, choice as f32), (3, 0.0)]);
-            let costs = Costs::new(&halved(&image), choice, 8);
+            let costs = Costs::new(&halved(&image), &halved(&image), choice, 8);
             let flat = (0..63).flat_map(|y| (0..63).map(move |x| (x, y)));
             let known = flat.filter(|&(x, y)| {
                 let at = |x: usize, y: usize| [0, 1, 2].map(|c: usize| out.planes()[c].at(x, y));

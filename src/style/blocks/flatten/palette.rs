@@ -11,39 +11,103 @@ pub(super) const NAMES: &[&str] =
 fn named(choice: usize) -> &'static [[u8; 3]] {
     match choice {
         1 => &[
-            [24, 22, 34], [46, 58, 110], [44, 120, 180], [120, 190, 220], [196, 40, 44], [230, 110, 50],
-            [248, 200, 60], [60, 130, 80], [130, 180, 90], [120, 76, 54], [198, 146, 106], [242, 206, 170],
-            [128, 128, 136], [206, 204, 200], [252, 248, 238],
+            [24, 22, 34],
+            [46, 58, 110],
+            [44, 120, 180],
+            [120, 190, 220],
+            [196, 40, 44],
+            [230, 110, 50],
+            [248, 200, 60],
+            [60, 130, 80],
+            [130, 180, 90],
+            [120, 76, 54],
+            [198, 146, 106],
+            [242, 206, 170],
+            [128, 128, 136],
+            [206, 204, 200],
+            [252, 248, 238],
         ],
         2 => &[
-            [38, 40, 52], [70, 84, 96], [104, 128, 128], [150, 168, 158], [110, 66, 58], [168, 94, 72],
-            [206, 142, 100], [226, 184, 138], [92, 96, 60], [146, 148, 92], [196, 190, 140], [62, 92, 130],
-            [130, 158, 184], [232, 220, 196], [248, 242, 228],
+            [38, 40, 52],
+            [70, 84, 96],
+            [104, 128, 128],
+            [150, 168, 158],
+            [110, 66, 58],
+            [168, 94, 72],
+            [206, 142, 100],
+            [226, 184, 138],
+            [92, 96, 60],
+            [146, 148, 92],
+            [196, 190, 140],
+            [62, 92, 130],
+            [130, 158, 184],
+            [232, 220, 196],
+            [248, 242, 228],
         ],
         3 => &[
-            [88, 84, 112], [134, 124, 160], [178, 164, 200], [214, 202, 230], [226, 150, 160], [244, 186, 186],
-            [250, 214, 204], [150, 190, 186], [186, 218, 206], [222, 236, 220], [240, 214, 154], [252, 236, 194],
-            [150, 178, 214], [190, 210, 234], [255, 250, 244],
+            [88, 84, 112],
+            [134, 124, 160],
+            [178, 164, 200],
+            [214, 202, 230],
+            [226, 150, 160],
+            [244, 186, 186],
+            [250, 214, 204],
+            [150, 190, 186],
+            [186, 218, 206],
+            [222, 236, 220],
+            [240, 214, 154],
+            [252, 236, 194],
+            [150, 178, 214],
+            [190, 210, 234],
+            [255, 250, 244],
         ],
         4 => &[
-            [42, 34, 38], [84, 58, 50], [146, 62, 44], [206, 96, 48], [232, 154, 68], [242, 206, 128],
-            [36, 84, 92], [62, 136, 132], [142, 180, 156], [250, 238, 208],
+            [42, 34, 38],
+            [84, 58, 50],
+            [146, 62, 44],
+            [206, 96, 48],
+            [232, 154, 68],
+            [242, 206, 128],
+            [36, 84, 92],
+            [62, 136, 132],
+            [142, 180, 156],
+            [250, 238, 208],
         ],
         5 => &[
-            [36, 30, 26], [68, 54, 42], [108, 82, 58], [148, 116, 80], [188, 158, 116], [218, 198, 160],
-            [80, 84, 60], [122, 124, 88], [146, 74, 48], [242, 232, 210],
+            [36, 30, 26],
+            [68, 54, 42],
+            [108, 82, 58],
+            [148, 116, 80],
+            [188, 158, 116],
+            [218, 198, 160],
+            [80, 84, 60],
+            [122, 124, 88],
+            [146, 74, 48],
+            [242, 232, 210],
         ],
         6 => &[
-            [10, 14, 30], [22, 32, 60], [38, 56, 96], [58, 88, 134], [92, 128, 168], [146, 176, 200],
-            [60, 40, 70], [118, 72, 88], [222, 158, 82], [248, 224, 156],
+            [10, 14, 30],
+            [22, 32, 60],
+            [38, 56, 96],
+            [58, 88, 134],
+            [92, 128, 168],
+            [146, 176, 200],
+            [60, 40, 70],
+            [118, 72, 88],
+            [222, 158, 82],
+            [248, 224, 156],
         ],
         7 => &[
-            [34, 20, 48], [74, 32, 78], [128, 44, 92], [188, 62, 84], [228, 98, 74], [246, 146, 78], [252, 196, 106],
+            [34, 20, 48],
+            [74, 32, 78],
+            [128, 44, 92],
+            [188, 62, 84],
+            [228, 98, 74],
+            [246, 146, 78],
+            [252, 196, 106],
             [255, 236, 180],
         ],
-        _ => &[
-            [18, 18, 22], [206, 38, 38], [240, 190, 50], [30, 86, 140], [250, 244, 226],
-        ],
+        _ => &[[18, 18, 22], [206, 38, 38], [240, 190, 50], [30, 86, 140], [250, 244, 226]],
     }
 }
 
@@ -68,9 +132,12 @@ pub(super) struct Costs {
 }
 
 impl Costs {
-    /// The costs of a palette; of the photo's own colours there are `count`, of a named one at most as many.
-    pub(super) fn new(photo: &Image, choice: usize, count: usize) -> Self {
-        let counts = histogram(photo);
+    /// The costs of a palette for the colours of a picture; of the photo's own colours there are `count`, of a named one at
+    /// most as many. `sample` is the picture at a size that does not change with the render, so that a preview and its
+    /// print have one palette.
+    pub(super) fn new(picture: &Image, sample: &Image, choice: usize, count: usize) -> Self {
+        let counts = histogram(sample);
+        let seen = seen(picture);
         let cells = cells();
         let palette = if choice == 0 {
             means(&counts, cells, count)
@@ -78,8 +145,9 @@ impl Costs {
             wanted(&counts, cells, named(choice), count)
         };
         let points: Vec<[f32; 3]> = palette.iter().map(|&color| oklab(color.map(f32::from))).collect();
-        let mut costs = Self { places: vec![0; cells.len()], table: Vec::new(), nearest: Vec::new(), palette };
-        for (cell, &point) in cells.iter().enumerate().filter(|&(cell, _)| counts.seen[cell]) {
+        let mut costs =
+            Self { places: vec![0; cells.len()], table: Vec::new(), nearest: Vec::new(), palette };
+        for (cell, &point) in cells.iter().enumerate().filter(|&(cell, _)| seen[cell]) {
             costs.places[cell] = costs.nearest.len() as u16;
             let start = costs.table.len();
             costs.table.extend(points.iter().map(|&own| (distance(point, own).sqrt() * UNIT) as u16));
@@ -123,27 +191,29 @@ fn color_of(cell: usize) -> [f32; 3] {
     [cell / (CELLS * CELLS), cell / CELLS % CELLS, cell % CELLS].map(|part| part as f32 * 8.0 + 3.5)
 }
 
+/// Cells that any pixel is in.
+fn seen(image: &Image) -> Vec<bool> {
+    let mut seen = vec![false; CELLS.pow(3)];
+    let [r, g, b] = image.planes() else { return seen };
+    for ((&r, &g), &b) in r.samples().iter().zip(g.samples()).zip(b.samples()) {
+        seen[cell_of([r, g, b])] = true;
+    }
+    seen
+}
+
 /// Pixels of each cell, and the sum of their colours.
 struct Counts {
-    /// Cells that any pixel is in; the others count some of the pixels.
-    seen: Vec<bool>,
     pixels: Vec<u32>,
     sums: Vec<[u32; 3]>,
 }
 
 fn histogram(image: &Image) -> Counts {
     let cells = CELLS.pow(3);
-    let mut counts = Counts { seen: vec![false; cells], pixels: vec![0; cells], sums: vec![[0; 3]; cells] };
+    let mut counts = Counts { pixels: vec![0; cells], sums: vec![[0; 3]; cells] };
     let [r, g, b] = image.planes() else { return counts };
-    // Every third pixel tells enough of a palette; an odd step does not fall on a pattern.
-    let step = if r.samples().len() > 60_000 { 3 } else { 1 };
     let pixels = r.samples().iter().zip(g.samples()).zip(b.samples());
-    for (i, ((&r, &g), &b)) in pixels.enumerate() {
+    for ((&r, &g), &b) in pixels {
         let cell = cell_of([r, g, b]);
-        counts.seen[cell] = true;
-        if i % step != 0 {
-            continue;
-        }
         counts.pixels[cell] += 1;
         for (sum, tone) in counts.sums[cell].iter_mut().zip([r, g, b]) {
             *sum += u32::from(tone);
