@@ -112,10 +112,9 @@ fn no_pixel_depends_on_the_width_of_its_row() {
                 context.set_scale(1.0);
                 let reach = match block.id {
                     // The percentiles are those of the whole image, and so are the pixels of another size: they have
-                    // plain references of their own below.
-                    "equalize" | "dynamic_range" | "size" => continue,
-                    // Palettes, the phase of lines and the length of a line are of the whole image: their oracles stand for them.
-                    "flatten" | "engrave" | "flow_lines" => continue,
+                    // plain references of their own below. Palettes, the phase of lines and the length of a line are of
+                    // the whole image, too: their oracles stand for them.
+                    "equalize" | "dynamic_range" | "size" | "flatten" | "engrave" | "flow_lines" => continue,
                     _ => reach(block, &values),
                 };
                 let out = run(block, &values, &image, &mut context);

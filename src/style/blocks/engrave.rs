@@ -119,9 +119,9 @@ fn cut(
     let lines = phases.iter().zip(shades).zip(rest.iter_mut().zip(white.iter_mut()));
     for ((&phase, &shade), (rest, white)) in lines {
         let wanted = if shade > from { 1.0 - (1.0 - shade) / rest.max(1e-6) } else { 0.0 };
-        let wanted = wanted.max(0.0).min(limit);
+        let wanted = wanted.clamp(0.0, limit);
         let distance = (2.0 * (phase - phase.floor()) - 1.0).abs();
-        let paper = ((distance - wanted) * sharp + 0.5).max(0.0).min(1.0);
+        let paper = ((distance - wanted) * sharp + 0.5).clamp(0.0, 1.0);
         // Nothing where nothing is wanted.
         *white *= if wanted > 0.0 { paper } else { 1.0 };
         *rest *= 1.0 - wanted;
@@ -203,7 +203,9 @@ impl Screen {
             deviation = solve(form.columns, form.rows, &across, &down);
             // Differences leave the mean open: without one, a preview and its print have their lines in one place.
             let mean = deviation.iter().sum::<f32>() / deviation.len() as f32;
-            deviation.iter_mut().for_each(|value| *value -= mean);
+            for value in &mut deviation {
+                *value -= mean;
+            }
         }
         Self { wave, columns: form.columns, gap: form.gap, deviation }
     }

@@ -73,8 +73,11 @@ fn run(args: Args<'_>, mut image: Image, context: &mut Context<'_>) -> Result<Im
     Ok(image)
 }
 
+/// Places about a pixel, as steps to the right and down.
+type Ring = [(isize, isize); SECTORS];
+
 /// The eight places of every direction and length.
-fn ellipses(distance: f32, stretch: f32) -> Vec<[(isize, isize); SECTORS]> {
+fn ellipses(distance: f32, stretch: f32) -> Vec<Ring> {
     let one = |shape: usize| {
         let (cos, sin) = unit(shape / LENGTHS);
         let longer = 1.0 + f64::from(stretch) * (shape % LENGTHS) as f64 / (LENGTHS - 1) as f64;
@@ -100,7 +103,7 @@ fn pass(
     image: &mut Image,
     radius: f32,
     reach: i16,
-    (places, spreads): (&[[(isize, isize); SECTORS]], &[i16]),
+    (places, spreads): (&[Ring], &[i16]),
     context: &mut Context<'_>,
 ) {
     let luma = luma_plane(image);

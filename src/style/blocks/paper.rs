@@ -129,7 +129,9 @@ fn draw(key: (usize, u32, u32), size: f32, scale: f32) -> Drawn {
     let unit = side as f32 / SIDE * size;
     let mut heights = plane_of(key.0, side, unit);
     let mean = heights.iter().sum::<f32>() / heights.len() as f32;
-    heights.iter_mut().for_each(|height| *height -= mean);
+    for height in &mut heights {
+        *height -= mean;
+    }
     Drawn {
         key,
         side,
@@ -179,7 +181,7 @@ fn plane_of(sheet: usize, side: usize, unit: f32) -> Vec<f32> {
             // Threads over and under each other.
             5 => {
                 let (u, v) = (x / side as f32 * threads, y / side as f32 * threads);
-                let over = (u as usize + v as usize) % 2 == 0;
+                let over = (u as usize + v as usize).is_multiple_of(2);
                 0.55 * if over { bow(u) * 2.0 - 1.0 } else { bow(v) * 2.0 - 1.0 }
             }
             _ => 0.0,

@@ -45,7 +45,7 @@ pub(super) static BLOCK: Block = Block {
         number("density", "Density", "How much ink is laid.", (100.0, 40.0, 160.0, 1.0), Unit::Percent),
         integer("seed", "Chance", "Another number shifts the plates another way.", (1, 0, 99)),
     ],
-    kernel: Kernel::Image(run),
+    kernel: Kernel::Image(|args, image, context| run(args, &image, context)),
 };
 
 const NAMES: &[&str] = &[
@@ -110,7 +110,7 @@ const SPOT: f32 = 1.6;
 /// Size of the places where the roller left more or less, at 1920 x 1080.
 const CLOUD: f32 = 40.0;
 
-fn run(args: Args<'_>, image: Image, context: &mut Context<'_>) -> Result<Image> {
+fn run(args: Args<'_>, image: &Image, context: &mut Context<'_>) -> Result<Image> {
     let inks = inks(args.choice(0));
     let shift = args.pixels(1);
     let grain = args.number(2) / 100.0;
@@ -140,7 +140,7 @@ fn run(args: Args<'_>, image: Image, context: &mut Context<'_>) -> Result<Image>
                 context.check_cancelled()?;
             }
             let from = (y as isize - dy).clamp(0, height as isize - 1) as usize;
-            cover(&image, from, share, steps, &mut coverage);
+            cover(image, from, share, steps, &mut coverage);
             if grain > 0.0 {
                 spots.row(from + apart, apart, &mut noise);
                 clouds.row(from + apart, apart, &mut cloud);
@@ -269,7 +269,7 @@ fn multiply(row: &mut [u8], coverage: &[u8], ink: u8) {
 mod tests {
     use super::*;
 
-    fn printed(image: Image, change: &[(usize, f32)]) -> Image {
+    fn printed(image: &Image, change: &[(usize, f32)]) -> Image {
         let mut context = Context::default();
         context.set_scale(1.0);
         let mut values: Vec<f32> = BLOCK.params.iter().map(|param| param.kind.default()).collect();
@@ -281,28 +281,24 @@ mod tests {
 
     #[test]
     fn white_is_paper_and_black_is_dark_whatever_the_inks() {
-        for choice in 0..NAMES.len() {
+        for (choice, name) in NAMES.iter().enumerate() {
             let image = Image::from_luma(Plane::from_fn(40, 20, |x, _| if x < 20 { 255 } else { 0 }));
-            let out = printed(image, &[(0, choice as f32), (1, 0.0), (2, 0.0)]);
+            let out = printed(&image, &[(0, choice as f32), (1, 0.0), (2, 0.0)]);
             let tones: Vec<u8> = out.planes().iter().map(|plane| plane.at(33, 3)).collect();
-            assert!(out.planes().iter().all(|plane| plane.at(3, 3) == 255), "{}", NAMES[choice]);
-            assert!(
-                tones.iter().map(|&tone| u32::from(tone)).sum::<u32>() < 150,
-                "{}: {tones:?}",
-                NAMES[choice]
-            );
+            assert!(out.planes().iter().all(|plane| plane.at(3, 3) == 255), "{name}");
+            assert!(tones.iter().map(|&tone| u32::from(tone)).sum::<u32>() < 150, "{name}: {tones:?}");
         }
     }
 
     #[test]
     fn an_ink_of_the_set_is_printed_mostly_by_itself() {
-        for choice in 0..2 {
+        for (choice, name) in NAMES.iter().enumerate().take(2) {
             for (i, ink) in inks(choice).iter().enumerate() {
                 let shares = shares(inks(choice), 1.0);
                 let covered = |k: usize| -> i32 {
                     (0..3).map(|c| shares[k][c] * i32::from(255 - ink[c])).sum::<i32>().clamp(0, 255 << 12)
                 };
-                assert!(covered(i) > 2 * covered(1 - i), "{} {i}", NAMES[choice]);
+                assert!(covered(i) > 2 * covered(1 - i), "{name} {i}");
             }
         }
     }

@@ -45,7 +45,7 @@ pub(super) fn settle(
                 let at = y * width + x;
                 let costs = costs.of([r.samples()[at], g.samples()[at], b.samples()[at]]);
                 let energy = |label: u8| {
-                    let equal = around.iter().filter(|&&other| other == label).count() as i32;
+                    let equal: i32 = around.iter().map(|&other| i32::from(other == label)).sum();
                     i32::from(costs[usize::from(label)]) - pull * equal
                 };
                 let mut best = (energy(own), own);

@@ -178,7 +178,7 @@ mod tests {
             [0, 1, 2].map(|c| Plane::from_fn(64, 64, |x, y| (x * 3 + y + 30 * c).min(255) as u8)),
         )
         .unwrap();
-        for choice in 1..NAMES.len() {
+        for (choice, name) in NAMES.iter().enumerate().skip(1) {
             let out = flattened(image.clone(), &[(1, choice as f32), (3, 0.0)]);
             let costs = Costs::new(&halved(&image), &halved(&image), choice, 8);
             let flat = (0..63).flat_map(|y| (0..63).map(move |x| (x, y)));
@@ -186,7 +186,7 @@ mod tests {
                 let at = |x: usize, y: usize| [0, 1, 2].map(|c: usize| out.planes()[c].at(x, y));
                 costs.palette().contains(&at(x, y))
             });
-            assert!(known.count() > 2400, "{}", NAMES[choice]);
+            assert!(known.count() > 2400, "{name}");
         }
     }
 }
