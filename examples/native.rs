@@ -26,6 +26,13 @@ const ROWS: &[(&str, bool, &str)] = &[
     ("Size, percent 50, colour", false, r#"{"block": "size", "percent": 50}"#),
     ("Size, percent 200", true, r#"{"block": "size", "percent": 200}"#),
     ("Linear Histogram Equalization", true, r#"{"block": "equalize"}"#),
+    ("Flow Lines", true, r#"{"block": "flow_lines"}"#),
+    ("Anisotropic Kuwahara, one pass, colour", false, r#"{"block": "kuwahara", "passes": 1}"#),
+    ("Engraving", true, r#"{"block": "engrave"}"#),
+    ("Pencil Strokes", true, r#"{"block": "strokes"}"#),
+    ("Flat Areas, colour", false, r#"{"block": "flatten"}"#),
+    ("Printing Plates, colour", false, r#"{"block": "plates"}"#),
+    ("Paper, colour", false, r#"{"block": "paper"}"#),
 ];
 
 /// Timed runs of each, after a few that warm up.
