@@ -10,7 +10,7 @@ export const designerStrings = {
       : `${name} Kopie`,
 
   startFrom: 'Ausgehen von',
-  startFromWhat: 'Ausgehen von…',
+  startFromWhat: 'Vorlage…',
   newStyle: 'Ein leerer Stil',
   pageStyle: 'Der Stil der Seite',
   beginWithPage: 'Mit dem Stil der Seite beginnen',

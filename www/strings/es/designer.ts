@@ -37,7 +37,7 @@ export const designerStrings = {
   emptyLayer: { background: 'Nada aún: la foto como es.', foreground: 'Nada aún: sin líneas.' },
   ink: 'Color de la tinta',
   addBlock: 'Añadir bloque',
-  addToLayer: { background: 'Añadir a los colores', foreground: 'Añadir a las líneas' },
+  addToLayer: { background: 'A los colores', foreground: 'A las líneas' },
   palette: 'Bloques para añadir',
   searchBlocks: 'Buscar bloques',
   noBlocks: 'Ningún bloque se llama así.',

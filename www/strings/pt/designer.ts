@@ -37,7 +37,7 @@ export const designerStrings = {
   emptyLayer: { background: 'Nada ainda: a foto como ela é.', foreground: 'Nada ainda: sem linhas.' },
   ink: 'Cor da tinta',
   addBlock: 'Adicionar bloco',
-  addToLayer: { background: 'Adicionar às cores', foreground: 'Adicionar às linhas' },
+  addToLayer: { background: 'Pôr nas cores', foreground: 'Pôr nas linhas' },
   palette: 'Blocos para adicionar',
   searchBlocks: 'Buscar blocos',
   noBlocks: 'Nenhum bloco com esse nome.',
