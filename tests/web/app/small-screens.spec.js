@@ -141,6 +141,11 @@ test.describe('held sideways', () => {
     await expect(page.locator('.wall-item').nth(12)).toBeAttached();
     const head = await page.locator('.workspace-head').boundingBox();
     expect(head?.height).toBeLessThanOrEqual(60);
+    // The filters scroll away with the wall.
+    await page
+      .locator('.wall-item')
+      .first()
+      .evaluate((item) => item.scrollIntoView({ block: 'start' }));
     const tops = await page
       .locator('.wall-item')
       .evaluateAll((items) => items.map((item) => item.getBoundingClientRect().bottom));
