@@ -8,7 +8,10 @@ async function openWithCopies(page) {
   const some = await photos(...SIX);
   const cat = some.find(({ name }) => name === 'cat.jpg') ?? some[0];
   await page.goto('./');
-  await add(page, [...some, ...['cat2.jpg', 'cat3.jpg'].map((name) => ({ ...cat, name }))]);
+  // One after the other: of copies that come together the one that is read first, and so shown first, stands for all.
+  await add(page, some);
+  await idle(page);
+  await add(page, ['cat2.jpg', 'cat3.jpg'].map((name) => ({ ...cat, name })));
   await idle(page);
 }
 
