@@ -8,6 +8,7 @@
 use super::Subject;
 use super::energy::{luma, rgb};
 use crate::raster::Image;
+use crate::raster::sets::Sets;
 
 /// The label of lettering among the subjects.
 pub const LETTERING: &str = "lettering";
@@ -200,7 +201,7 @@ fn strokes(lumas: &[u8], width: usize, height: usize) -> (Vec<bool>, Vec<bool>) 
 /// The connected parts of a mask, by corners too, by one walk over it with joined labels.
 fn pieces(mask: &[bool], lumas: &[u8], width: usize) -> Vec<Piece> {
     let mut labels = vec![u32::MAX; mask.len()];
-    let mut parents: Vec<u32> = Vec::new();
+    let mut sets = Sets::default();
     for i in 0..mask.len() {
         if !mask[i] {
             continue;
@@ -215,22 +216,17 @@ fn pieces(mask: &[bool], lumas: &[u8], width: usize) -> Vec<Piece> {
         ];
         let mut label = u32::MAX;
         for (_, at) in before.into_iter().filter(|&(inside, at)| inside && mask[at]) {
-            let other = root(&mut parents, labels[at]);
-            if label != u32::MAX {
-                parents[label.max(other) as usize] = label.min(other);
-            }
-            label = label.min(other);
+            label = if label == u32::MAX { sets.root(labels[at]) } else { sets.join(label, labels[at]) };
         }
         if label == u32::MAX {
-            label = parents.len() as u32;
-            parents.push(label);
+            label = sets.add();
         }
         labels[i] = label;
     }
     let none = Piece { left: usize::MAX, top: usize::MAX, right: 0, bottom: 0, area: 0, rim: 0, sum: 0 };
-    let mut pieces = vec![none; parents.len()];
+    let mut pieces = vec![none; sets.len()];
     for i in (0..mask.len()).filter(|&i| mask[i]) {
-        let piece = &mut pieces[root(&mut parents, labels[i]) as usize];
+        let piece = &mut pieces[sets.root(labels[i]) as usize];
         let (x, y) = (i % width, i / width);
         (piece.left, piece.right) = (piece.left.min(x), piece.right.max(x));
         (piece.top, piece.bottom) = (piece.top.min(y), piece.bottom.max(y));
@@ -244,14 +240,6 @@ fn pieces(mask: &[bool], lumas: &[u8], width: usize) -> Vec<Piece> {
     }
     pieces.retain(|piece| piece.area > 0);
     pieces
-}
-
-fn root(parents: &mut [u32], mut label: u32) -> u32 {
-    while parents[label as usize] != label {
-        parents[label as usize] = parents[parents[label as usize] as usize];
-        label = parents[label as usize];
-    }
-    label
 }
 
 /// Rows of letters that stand side by side on a line.

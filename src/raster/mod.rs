@@ -24,6 +24,7 @@ pub mod resize;
 #[cfg(feature = "pages")]
 mod samples;
 mod separable;
+pub mod sets;
 #[cfg(feature = "rare")]
 mod tiff;
 

@@ -91,6 +91,14 @@ impl Wide {
     }
 }
 
+impl Wide {
+    /// Samples from one to the other that is so many steps to the right and down, cut to the margin.
+    fn step(&self, (x, y): (isize, isize)) -> isize {
+        let most = self.margin as isize;
+        y.clamp(-most, most) * self.stride as isize + x.clamp(-most, most)
+    }
+}
+
 /// Two rows of a cell: the four samples at `at`, and those `stride` further.
 #[inline]
 fn two_rows(samples: &[i16], at: usize, stride: usize) -> i16x8 {
@@ -113,9 +121,8 @@ pub fn average(
     weights: &[i16],
 ) {
     let Wide { width, height, margin, stride, .. } = *source;
-    let most = margin as isize;
-    let linear = |&(x, y): &(isize, isize)| y.clamp(-most, most) * stride as isize + x.clamp(-most, most);
-    let offsets: Vec<Vec<isize>> = offsets.iter().map(|steps| steps.iter().map(linear).collect()).collect();
+    let offsets: Vec<Vec<isize>> =
+        offsets.iter().map(|steps| steps.iter().map(|&step| source.step(step)).collect()).collect();
     let weights: Vec<i16x8> = weights.iter().map(|&weight| i16x8::splat(weight)).collect();
     let columns = width.div_ceil(CELL);
     for (cell_row, turns) in turns.chunks_exact(columns).take(height.div_ceil(CELL)).enumerate() {
@@ -165,9 +172,8 @@ pub fn choose(
     out: &mut [Plane],
 ) {
     let Wide { width, height, margin, stride, .. } = *spread;
-    let most = margin as isize;
-    let linear = |(x, y): (isize, isize)| y.clamp(-most, most) * stride as isize + x.clamp(-most, most);
-    let places: Vec<[isize; SECTORS]> = places.iter().map(|steps| steps.map(linear)).collect();
+    let places: Vec<[isize; SECTORS]> =
+        places.iter().map(|steps| steps.map(|step| spread.step(step))).collect();
     let (far, slope) = (i16x8::splat(reach), i16x8::splat(i16::MAX / reach.max(1)));
     let columns = width.div_ceil(CELL);
     for (cell_row, shapes) in shapes.chunks_exact(columns).take(height.div_ceil(CELL)).enumerate() {

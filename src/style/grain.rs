@@ -7,13 +7,19 @@
 const PERIOD: u32 = 256;
 
 /// A number that looks random, of its place and a seed.
-#[must_use]
-pub fn hash(x: u32, y: u32, seed: u32) -> u32 {
+fn hash(x: u32, y: u32, seed: u32) -> u32 {
     // The finalizer of MurmurHash3 over a sum of odd multiples.
     let mut h = x.wrapping_mul(0x9e37_79b1) ^ y.wrapping_mul(0x85eb_ca77) ^ seed.wrapping_mul(0xc2b2_ae3d);
     h = (h ^ (h >> 16)).wrapping_mul(0x7feb_352d);
     h = (h ^ (h >> 15)).wrapping_mul(0x846c_a68b);
     h ^ (h >> 16)
+}
+
+/// The same as a number of 0 to 1.
+#[must_use]
+pub fn chance(x: u32, y: u32, seed: u32) -> f32 {
+    // 24 bits, which an f32 holds exactly.
+    (hash(x, y, seed) >> 8) as f32 / 16_777_216.0
 }
 
 /// Value noise: 0 to 1 about a mean of 1/2.
@@ -28,8 +34,7 @@ impl Grain {
     /// Noise whose spots are `size` pixels wide and `height` high.
     #[must_use]
     pub fn new(seed: u32, (width, height): (f32, f32)) -> Self {
-        let lattice =
-            (0..PERIOD * PERIOD).map(|i| (hash(i % PERIOD, i / PERIOD, seed) >> 8) as f32 / 16_777_216.0);
+        let lattice = (0..PERIOD * PERIOD).map(|i| chance(i % PERIOD, i / PERIOD, seed));
         Self { lattice: lattice.collect(), steps: (1.0 / width.max(0.5), 1.0 / height.max(0.5)) }
     }
 
@@ -77,9 +82,8 @@ impl Tile {
         let side = (side.round() as usize).max(8);
         let spots = ((side as f32 / size).round() as usize).clamp(2, PERIOD as usize);
         let step = spots as f32 / side as f32;
-        let lattice: Vec<f32> = (0..spots * spots)
-            .map(|i| (hash((i % spots) as u32, (i / spots) as u32, seed) >> 8) as f32 / 16_777_216.0)
-            .collect();
+        let lattice: Vec<f32> =
+            (0..spots * spots).map(|i| chance((i % spots) as u32, (i / spots) as u32, seed)).collect();
         let places: Vec<(usize, f32)> = (0..side).map(|pixel| place(pixel, step)).collect();
         let mut samples = Vec::with_capacity(side * side);
         let mut line = vec![0.0; spots + 1];

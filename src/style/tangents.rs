@@ -15,6 +15,7 @@
 //! for a flow field); Kang, Lee and Chui, "Coherent line drawing", 2007 (averages along it).
 
 use crate::raster::Plane;
+use crate::simd::blade::halve;
 use crate::simd::oriented::{CELL, Wide, average};
 
 /// Directions of half a turn, clockwise on the screen from the x axis.
@@ -80,7 +81,7 @@ impl Tangents {
     /// what the one before gave, which follows bends.
     pub fn smooth_along(&self, plane: &mut Wide, spare: &mut Wide, sigma: f32) {
         for taps in passes(sigma) {
-            average(plane, spare, &self.turns, &offsets(&taps, 0), &weights(&taps));
+            average(plane, spare, &self.turns, &offsets(&taps), &weights(&taps));
             std::mem::swap(plane, spare);
         }
     }
@@ -116,10 +117,10 @@ fn weights(taps: &[(f32, f32)]) -> Vec<i16> {
     taps.iter().map(|&(_, weight)| (weight * 32767.0).round() as i16).collect()
 }
 
-/// For each direction, the taps as whole steps to the right and down. `quarter` turns them by as many quarters of a turn.
-fn offsets(taps: &[(f32, f32)], quarter: usize) -> Vec<Vec<(isize, isize)>> {
+/// For each direction, the taps as whole steps to the right and down.
+fn offsets(taps: &[(f32, f32)]) -> Vec<Vec<(isize, isize)>> {
     let one = |turn: usize| {
-        let (x, y) = unit(turn + quarter * TURNS / 2);
+        let (x, y) = unit(turn);
         let place = |&(distance, _): &(f32, f32)| {
             ((f64::from(distance) * x).round() as isize, (f64::from(distance) * y).round() as isize)
         };
@@ -170,21 +171,11 @@ fn tensors(luma: &Plane) -> (usize, usize, [Vec<f32>; 3]) {
 
 /// Means of 2 x 2 pixels, each row with its ends repeated once.
 fn halved(luma: &Plane, width: usize, height: usize) -> Vec<f32> {
-    let mut half = Vec::with_capacity((width + 2) * height);
-    for y in 0..height {
+    let mut half = vec![0.0; (width + 2) * height];
+    for (y, row) in half.chunks_exact_mut(width + 2).enumerate() {
         let (above, below) = (luma.row(2 * y), luma.row((2 * y + 1).min(luma.height() - 1)));
-        let start = half.len();
-        half.push(0.0);
-        let (upper, lower) = (above.as_chunks::<2>(), below.as_chunks::<2>());
-        let mean = |a: [u8; 2], b: [u8; 2]| {
-            f32::from(u16::from(a[0]) + u16::from(a[1]) + u16::from(b[0]) + u16::from(b[1])) * 0.25
-        };
-        half.extend(upper.0.iter().zip(lower.0).map(|(&a, &b)| mean(a, b)));
-        if let (&[a], &[b]) = (upper.1, lower.1) {
-            half.push(mean([a, a], [b, b]));
-        }
-        half[start] = half[start + 1];
-        half.push(half[start + width]);
+        halve(above, below, &mut row[1..=width]);
+        (row[0], row[width + 1]) = (row[1], row[width]);
     }
     half
 }

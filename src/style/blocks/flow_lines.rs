@@ -15,6 +15,7 @@
 use super::{Block, Channels, Kernel};
 use crate::error::Result;
 use crate::raster::Plane;
+use crate::raster::sets::Sets;
 use crate::simd::fine::Fine;
 use crate::simd::gaussian::blur;
 use crate::simd::oriented::Wide;
@@ -169,13 +170,13 @@ struct Run {
     start: usize,
     end: usize,
     row: usize,
-    piece: usize,
+    piece: u32,
 }
 
 /// Where on half the resolution a piece of lines is that reaches at least `shortest` pixels across or down.
 fn long_pieces(plane: &Plane, (width, height): (usize, usize), shortest: usize) -> Vec<bool> {
     let mut runs: Vec<Run> = Vec::new();
-    let mut parents: Vec<usize> = Vec::new();
+    let mut pieces = Sets::default();
     let mut above = 0..0;
     for y in 0..height {
         let begin = runs.len();
@@ -195,15 +196,14 @@ fn long_pieces(plane: &Plane, (width, height): (usize, usize), shortest: usize) 
             while x < width && dark(x) {
                 x += 1;
             }
-            let piece = parents.len();
-            parents.push(piece);
+            let piece = pieces.add();
             // Diagonal neighbours belong together.
             while next < above.end && runs[next].end < start {
                 next += 1;
             }
             let mut touching = next;
             while touching < above.end && runs[touching].start <= x {
-                join(&mut parents, runs[touching].piece, piece);
+                pieces.join(runs[touching].piece, piece);
                 touching += 1;
             }
             runs.push(Run { start, end: x, row: y, piece });
@@ -211,32 +211,19 @@ fn long_pieces(plane: &Plane, (width, height): (usize, usize), shortest: usize) 
         above = begin..runs.len();
     }
     // Left, right, top and bottom of each piece.
-    let mut bounds = vec![[usize::MAX, 0, usize::MAX, 0]; parents.len()];
+    let mut bounds = vec![[usize::MAX, 0, usize::MAX, 0]; pieces.len()];
     for run in &runs {
-        let own = &mut bounds[root(&mut parents, run.piece)];
+        let own = &mut bounds[pieces.root(run.piece) as usize];
         *own = [own[0].min(run.start), own[1].max(run.end), own[2].min(run.row), own[3].max(run.row + 1)];
     }
     let mut kept = vec![false; width * height];
     for run in &runs {
-        let [left, right, top, bottom] = bounds[root(&mut parents, run.piece)];
+        let [left, right, top, bottom] = bounds[pieces.root(run.piece) as usize];
         if (right - left).max(bottom - top) >= shortest {
             kept[run.row * width + run.start..run.row * width + run.end].fill(true);
         }
     }
     kept
-}
-
-fn root(parents: &mut [usize], mut piece: usize) -> usize {
-    while parents[piece] != piece {
-        parents[piece] = parents[parents[piece]];
-        piece = parents[piece];
-    }
-    piece
-}
-
-fn join(parents: &mut [usize], a: usize, b: usize) {
-    let (a, b) = (root(parents, a), root(parents, b));
-    parents[a.max(b)] = a.min(b);
 }
 
 #[cfg(test)]

@@ -15,7 +15,7 @@ use super::{Block, Channels, Kernel};
 use crate::error::Result;
 use crate::raster::Image;
 use crate::style::context::Context;
-use crate::style::grain::{Grain, hash};
+use crate::style::grain::{Grain, chance};
 use crate::style::params::{Args, Kind, Param, Unit, number};
 
 pub(super) static BLOCK: Block = Block {
@@ -208,7 +208,7 @@ fn bow(at: f32) -> f32 {
 /// Short bent fibres, some sunk in and some on top.
 fn fibres(heights: &mut [f32], side: usize, unit: f32, count: u32) {
     for k in 0..count {
-        let random = |part: u32| (hash(k, part, 77) >> 8) as f32 / 16_777_216.0;
+        let random = |part: u32| chance(k, part, 77);
         let (mut x, mut y) = (random(0) * side as f32, random(1) * side as f32);
         let (mut dx, mut dy) = (random(2) - 0.5, random(3) - 0.5);
         let bend = (random(4) - 0.5) * 0.08 / unit;

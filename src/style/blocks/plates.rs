@@ -16,7 +16,7 @@ use crate::error::Result;
 use crate::raster::{Image, Plane};
 use crate::simd::dots::Screen;
 use crate::style::context::Context;
-use crate::style::grain::{Tile, hash};
+use crate::style::grain::{Tile, chance};
 use crate::style::params::{Args, Kind, Param, Unit, integer, number};
 
 pub(super) static BLOCK: Block = Block {
@@ -175,7 +175,7 @@ fn run(args: Args<'_>, image: &Image, context: &mut Context<'_>) -> Result<Image
 
 /// Where a plate lies against the one that fits.
 fn misfit(shift: f32, seed: u32, plate: u32) -> (isize, isize) {
-    let random = |part: u32| (hash(seed, plate, part) >> 8) as f32 / 8_388_608.0 - 1.0;
+    let random = |part: u32| 2.0 * chance(seed, plate, part) - 1.0;
     let (x, y) = (random(1), random(2));
     // A direction by chance, and between half and all of the distance.
     let length = (x * x + y * y).sqrt().max(0.05);

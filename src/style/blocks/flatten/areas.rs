@@ -2,6 +2,7 @@
 
 use super::STEP;
 use super::palette::Costs;
+use crate::raster::sets::Sets;
 use crate::raster::{Image, Plane};
 
 /// Rounds in which pixels ask their neighbours.
@@ -131,7 +132,7 @@ pub(super) fn merge_small(labels: &mut [u8], (width, height): (usize, usize), le
 
 /// Areas of equal labels, by their four neighbours.
 fn connect(labels: &[u8], (width, height): (usize, usize)) -> Areas {
-    let mut parents: Vec<u32> = Vec::new();
+    let mut sets = Sets::default();
     let mut numbers = vec![0u32; labels.len()];
     for y in 0..height {
         for x in 0..width {
@@ -139,23 +140,16 @@ fn connect(labels: &[u8], (width, height): (usize, usize)) -> Areas {
             let left = (x > 0 && labels[here - 1] == labels[here]).then(|| numbers[here - 1]);
             let above = (y > 0 && labels[here - width] == labels[here]).then(|| numbers[here - width]);
             numbers[here] = match (left, above) {
-                (Some(left), Some(above)) if left != above => {
-                    let (a, b) = (root(&mut parents, left), root(&mut parents, above));
-                    parents[a.max(b) as usize] = a.min(b);
-                    a.min(b)
-                }
+                (Some(left), Some(above)) if left != above => sets.join(left, above),
                 (Some(number), _) | (None, Some(number)) => number,
-                (None, None) => {
-                    parents.push(parents.len() as u32);
-                    parents.len() as u32 - 1
-                }
+                (None, None) => sets.add(),
             };
         }
     }
-    let mut names = vec![u32::MAX; parents.len()];
+    let mut names = vec![u32::MAX; sets.len()];
     let mut count = 0;
     for number in &mut numbers {
-        let root = root(&mut parents, *number) as usize;
+        let root = sets.root(*number) as usize;
         if names[root] == u32::MAX {
             names[root] = count;
             count += 1;
@@ -163,14 +157,6 @@ fn connect(labels: &[u8], (width, height): (usize, usize)) -> Areas {
         *number = names[root];
     }
     Areas { numbers, count: count as usize }
-}
-
-fn root(parents: &mut [u32], mut number: u32) -> u32 {
-    while parents[number as usize] != number {
-        parents[number as usize] = parents[parents[number as usize] as usize];
-        number = parents[number as usize];
-    }
-    number
 }
 
 /// The colour of each area: the palette's, and as much of its own mean as is wanted.

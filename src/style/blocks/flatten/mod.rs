@@ -19,6 +19,7 @@ use super::{Block, Channels, Kernel};
 use crate::error::Result;
 use crate::raster::resize::{Region, resample_image};
 use crate::raster::{Image, Plane};
+use crate::simd::blade::halve;
 use crate::style::context::Context;
 use crate::style::params::{Args, Kind, Param, Unit, integer, number};
 use palette::{Costs, NAMES};
@@ -98,17 +99,12 @@ fn halved(image: &Image) -> Image {
     let half = |plane: &Plane| {
         let (width, height) = (plane.width().div_ceil(STEP), plane.height().div_ceil(STEP));
         let mut small = Plane::filled(width, height, 0);
+        let mut means = vec![0.0; width];
         for y in 0..height {
             let (above, below) = (plane.row(y * STEP), plane.row((y * STEP + 1).min(plane.height() - 1)));
-            let mean = |a: [u8; 2], b: [u8; 2]| {
-                ((u16::from(a[0]) + u16::from(a[1]) + u16::from(b[0]) + u16::from(b[1]) + 2) / 4) as u8
-            };
-            let ((above, odd), (below, odd_below)) = (above.as_chunks::<2>(), below.as_chunks::<2>());
-            for (out, (&above, &below)) in small.row_mut(y).iter_mut().zip(above.iter().zip(below)) {
-                *out = mean(above, below);
-            }
-            if let (&[a], &[b]) = (odd, odd_below) {
-                small.row_mut(y)[width - 1] = mean([a, a], [b, b]);
+            halve(above, below, &mut means);
+            for (out, mean) in small.row_mut(y).iter_mut().zip(&means) {
+                *out = (mean + 0.5) as u8;
             }
         }
         small
