@@ -15,13 +15,19 @@ export default defineConfig({
   expect: { timeout: 30_000 },
   reporter: [['list']],
   forbidOnly: !!process.env.CI,
+  // Nobody watches there: a second try brings the trace, and tells a race, which is listed as flaky, from a fault.
+  retries: process.env.CI ? 1 : 0,
   use: {
     baseURL: site.url,
     viewport: { width: 1280, height: 800 },
     acceptDownloads: true,
     // What a worker serves no test can stand in the way of; `offline.spec.js` is about it, and allows it.
     serviceWorkers: 'block',
-    trace: 'retain-on-failure',
+    // Pictures and page contents of every step cost a third of the suite's time: they are kept of a second try alone.
+    trace: process.env.CI
+      ? 'on-first-retry'
+      : { mode: 'retain-on-failure', screenshots: false, snapshots: false, sources: false },
+    screenshot: 'only-on-failure',
     launchOptions: CHROMIUM,
   },
   webServer: site.webServer,

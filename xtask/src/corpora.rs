@@ -27,7 +27,7 @@ pub(crate) fn write(project: &Project) -> Result<()> {
     if let Some(reason) = missing.first() {
         bail!("the table needs all files: {reason}");
     }
-    tools::run(replay(project, "docs/hostile.md").args(folders))
+    tools::run(replay(project, "docs/hostile.md")?.args(folders))
 }
 
 /// Replays what can be obtained, and says loudly what cannot.
@@ -39,13 +39,17 @@ pub(crate) fn check(project: &Project) -> Result<(Tally, bool)> {
     for reason in &missing {
         println!("SKIPPED, NOT TESTED: {reason}");
     }
-    tally::count(replay(project, "-").args(folders))
+    tally::count(replay(project, "-")?.args(folders))
 }
 
-fn replay(project: &Project, table: &str) -> Command {
+/// The program that reads the files, built as the suite `rust` builds it.
+fn replay(project: &Project, table: &str) -> Result<Command> {
     let mut cargo = project.cargo();
-    cargo.args(["run", "--quiet", "--example", "hostile", "--", table]);
-    cargo
+    tools::run(cargo.arg("build").args(crate::test::ENGINE).args(["--example", "hostile", "--quiet"]))?;
+    let example = format!("debug/examples/hostile{}", std::env::consts::EXE_SUFFIX);
+    let mut replay = Command::new(project.target.join(example));
+    replay.arg(table).current_dir(&project.root);
+    Ok(replay)
 }
 
 /// The corpora as `NAME=FOLDER`, and why others are not there.

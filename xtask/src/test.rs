@@ -81,6 +81,10 @@ const SUITES: &[Suite] = &[
     Suite { name: "package", lane: Lane::Web, needs: Needs::Modules, run: package::check },
 ];
 
+/// The packages of the engine. What these and xtask share of libraries would be compiled once more, with the features of
+/// both, if they were built by one command.
+pub(crate) const ENGINE: [&str; 3] = ["--workspace", "--exclude", "xtask"];
+
 /// The examples of stages, and what each is given.
 const STAGES: [(&str, &[&str]); 7] = [
     ("raster", &["PHOTO", "OUT.png"]),
@@ -217,7 +221,8 @@ fn lint(project: &Project) -> Result<Outcome> {
         tools::run(project.cargo().arg("clippy").args(choice).arg("--all-targets").args(strict))?;
     }
     crate::wasm::install_target()?;
-    for features in ["pages", "decoders", "detect", "words"] {
+    // What comes later is linted together: each by itself is compiled by the suite `build`.
+    for features in ["pages", "decoders,detect,words"] {
         let web = [
             "clippy",
             "--package",
@@ -241,7 +246,7 @@ fn docs(project: &Project) -> Result<Outcome> {
     tools::run(&mut cargo)?;
     models::make(project)?;
     // As the suite `rust` builds them.
-    tools::run(project.cargo().args(["build", "--workspace", "--examples", "--quiet"]))?;
+    tools::run(project.cargo().arg("build").args(ENGINE).args(["--examples", "--quiet"]))?;
     let photo = "www/public/samples/19-astronaut.jpg";
     let drawn = project.target.join("stage.png");
     for (stage, given) in STAGES {
@@ -258,7 +263,12 @@ fn docs(project: &Project) -> Result<Outcome> {
 }
 
 fn rust(project: &Project) -> Result<Outcome> {
-    tally::count(project.cargo().args(["test", "--workspace", "--no-fail-fast"]))
+    let (mut tally, mut well) = tally::count(project.cargo().arg("test").args(ENGINE).arg("--no-fail-fast"))?;
+    let (own, own_well) =
+        tally::count(project.cargo().args(["test", "--package", "xtask", "--no-fail-fast"]))?;
+    tally += own;
+    well &= own_well;
+    Ok((tally, well))
 }
 
 fn types(project: &Project) -> Result<Outcome> {
@@ -272,7 +282,7 @@ fn unit(project: &Project) -> Result<Outcome> {
 /// The module in a browser against the same code on this machine.
 fn wasm(project: &Project) -> Result<Outcome> {
     // As the suite `rust` builds it: another choice of packages would compile the libraries anew.
-    tools::run(project.cargo().args(["test", "--workspace", "--no-run", "--quiet"]))?;
+    tools::run(project.cargo().arg("test").args(ENGINE).args(["--no-run", "--quiet"]))?;
     let native = project.target.join("debug").join(format!("inkpanel{}", std::env::consts::EXE_SUFFIX));
     let mut playwright = playwright(project)?;
     playwright.args(["--config", "../tests/web/wasm/playwright.config.js"]).env("INKPANEL", native);

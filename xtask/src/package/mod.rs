@@ -154,7 +154,7 @@ pub(crate) fn check(project: &Project) -> Result<(Tally, bool)> {
     let tarball = target.join(tools::output(&mut pack)?.trim());
     println!("{}: {} bytes", tarball.display(), fs::metadata(&tarball)?.len());
     // As the suite `rust` builds it.
-    tools::run(project.cargo().args(["test", "--workspace", "--no-run", "--quiet"]))?;
+    tools::run(project.cargo().arg("test").args(crate::test::ENGINE).args(["--no-run", "--quiet"]))?;
     let native = project.target.join("debug").join(format!("inkpanel{}", std::env::consts::EXE_SUFFIX));
     let mut playwright = npm::tool(project, "@playwright/test/cli.js");
     playwright.args(["test", "--config", "../tests/web/package/playwright.config.js"]);
