@@ -28,7 +28,7 @@ pub(crate) fn expanded<C: CommandFactory>(
     let folder = file.parent().unwrap_or(Path::new(""));
     let (head, tail) = arguments.split_at(2);
     let (options, files) = options(settings, render, folder, tail).map_err(complain)?;
-    Ok(([head, &options, tail].concat(), files))
+    Ok(([head, &options[..], tail].concat(), files))
 }
 
 /// The file that `render --config` names.

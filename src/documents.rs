@@ -1,7 +1,7 @@
 //! Pages as plain data on the command line: written with the names of their photos, and drawn again.
 
-use crate::output::Output;
-use crate::{Complaint, How, decode_file, done, drawing, name, plans, write};
+use crate::output::{Output, write};
+use crate::{Complaint, How, decode_file, done, drawing, name, plans};
 use inkpanel::document::sheets::photos_on;
 use inkpanel::page::Document;
 use serde_json::Value;
@@ -64,7 +64,7 @@ pub(crate) fn draw(file: &Path, files: &[PathBuf], output: &Output, how: &How) -
         output.write(&drawing::draw(page, &full, &output.named)?)?;
         return done(std::slice::from_ref(&output.path));
     }
-    done(&plans::draw_all(&pages, &full, output, how.skip_existing)?)
+    done(&plans::draw_all(&pages, &full, output, (how.skip_existing, &|_, file| Ok(file)))?)
 }
 
 fn read(file: &Path) -> Result<Vec<Document>, Complaint> {

@@ -36,6 +36,8 @@ pub(crate) enum Kind {
     Jpeg,
     Webp,
     Pdf,
+    /// A project, which the page opens.
+    Project,
 }
 
 impl Kind {
@@ -47,8 +49,9 @@ impl Kind {
             Some("jpg" | "jpeg") => Ok(Self::Jpeg),
             Some("webp") => Ok(Self::Webp),
             Some("pdf") => Ok(Self::Pdf),
+            Some("inkpanel") => Ok(Self::Project),
             _ => Err(format!(
-                "{}: give the page a name that ends in .png, .jpg, .webp or .pdf",
+                "{}: give the page a name that ends in .png, .jpg, .webp, .pdf or .inkpanel",
                 output.display()
             )),
         }
@@ -85,6 +88,7 @@ pub(crate) fn encoded(
         Kind::Jpeg => jpeg::encode_rgb(width, height, rgb, dpi, QUALITY),
         Kind::Webp => webp::encode_rgb(width, height, rgb),
         Kind::Pdf => return Err("a photo becomes a .png, .jpg or .webp file".into()),
+        Kind::Project => return Err("a project is made of photos, by render".into()),
     };
     file.map_err(|error| error.to_string())
 }

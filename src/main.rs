@@ -12,6 +12,7 @@ mod inventor;
 mod output;
 mod paper;
 mod plans;
+mod projects;
 mod reopening;
 mod telling;
 
@@ -37,7 +38,7 @@ use std::sync::atomic::{AtomicUsize, Ordering};
 
 use album::told;
 use drawing::Kind;
-use output::{Output, write};
+use output::Output;
 use paper::Paper;
 
 /// Photos in, stylised storyboard pages out.
@@ -156,7 +157,8 @@ struct Render {
     /// or among the photos given.
     #[arg(long, value_name = "FILE")]
     document: Option<PathBuf>,
-    /// Where the page goes: a file that ends in .png, .jpg, .webp or .pdf, or - for standard output.
+    /// Where the page goes: a file that ends in .png, .jpg, .webp or .pdf, one that ends in .inkpanel, which is a project with
+    /// the photos as they are, whatever cameras wrote into them, or - for standard output.
     #[arg(short, long, required_unless_present_any = ["json", "save_document"])]
     output: Option<PathBuf>,
     /// The photos, in their order where they do not say when they were taken, and folders of them; or one saved project
@@ -172,8 +174,8 @@ struct How {
     #[arg(long, value_name = "FILE")]
     #[allow(dead_code, reason = "its settings are options by now")]
     config: Option<PathBuf>,
-    /// The kind of file, whatever its name: png, jpg, webp or pdf.
-    #[arg(long, value_name = "KIND", value_parser = ["png", "jpg", "webp", "pdf"])]
+    /// The kind of file, whatever its name: png, jpg, webp, pdf or inkpanel.
+    #[arg(long, value_name = "KIND", value_parser = ["png", "jpg", "webp", "pdf", "inkpanel"])]
     format: Option<String>,
     /// Fail where something is not as it was asked for, such as a photo that is left out, and write nothing.
     #[arg(long)]
@@ -184,6 +186,9 @@ struct How {
     /// What standard error is told: sentences, or a line of JSON for each step.
     #[arg(long, value_name = "FORM", value_parser = ["text", "json"], default_value = "text")]
     progress: String,
+    /// What a PNG carries of its project, to be opened again: all pages, and the photos as they are, too.
+    #[arg(long, value_name = "WHAT", value_parser = ["none", "project", "photos"], default_value = "none")]
+    embed: String,
     /// Write the page as plain data, for --document; several pages are a list.
     #[arg(long, value_name = "FILE")]
     save_document: Option<PathBuf>,
@@ -191,6 +196,7 @@ struct How {
 
 /// What a page is planned by. A saved one is planned already.
 #[derive(clap::Args, Default, PartialEq)]
+#[allow(clippy::struct_excessive_bools, reason = "each is an option of its own")]
 struct Planned {
     #[command(flatten)]
     paper: Paper,
@@ -300,7 +306,8 @@ fn render_page(render: &Render) -> Result<(), Complaint> {
         telling::step(&event, Some(format!("{}: is there already", output.path.display())));
         return Ok(());
     }
-    let files = album::files(files)?;
+    let given = files;
+    let files = album::files(given)?;
     if let Some(document) = document {
         planned_already(planned, document)?;
         return documents::draw(document, &files, output.as_ref().ok_or(NO_OUTPUT)?, how);
@@ -318,7 +325,12 @@ fn render_page(render: &Render) -> Result<(), Complaint> {
     if page.is_some() {
         return Err("--page is of a saved project, and there is none".into());
     }
-    plan_page(planned, how, output.as_ref(), &files)
+    plan_page(planned, how, output.as_ref(), (&files, &projects::called(given, output_name(output.as_ref()))))
+}
+
+/// The file that a project is called after.
+fn output_name(output: Option<&Output>) -> &Path {
+    output.map_or(Path::new(""), |output| &output.path)
 }
 
 const NO_OUTPUT: &str = "say by --output where the page goes";
@@ -340,27 +352,27 @@ fn done(files: &[PathBuf]) -> Result<(), Complaint> {
 
 /// With `--strict` nothing may differ from what was asked for.
 fn check_strict(how: &How) -> Result<(), Complaint> {
-    match telling::notes() {
-        0 => Ok(()),
-        _ if !how.strict => Ok(()),
-        1 => Err("--strict: this is not as it was asked for, so nothing is written".into()),
-        many => Err(format!("--strict: {many} things are not as they were asked for, so nothing is written")),
+    let notes = telling::notes();
+    if !how.strict || notes == 0 {
+        return Ok(());
     }
+    Err(match notes {
+        1 => "--strict: this is not as it was asked for, so nothing is written".into(),
+        many => format!("--strict: {many} things are not as they were asked for, so nothing is written"),
+    })
 }
 
 fn plan_page(
     render: &Planned,
     how: &How,
     output: Option<&Output>,
-    files: &[PathBuf],
+    (files, album_name): (&[PathBuf], &str),
 ) -> Result<(), Complaint> {
     let layout = render.layout.as_deref().map(layout_value).transpose()?;
     let style = render.style.as_deref().map(style_value).transpose()?;
     let page = render.paper.settings()?;
     let mut photos = import_all(files);
-    if !render.no_detect {
-        add_subjects(&mut photos, render.models.as_deref());
-    }
+    let looked = !render.no_detect && add_subjects(&mut photos, render.models.as_deref());
     star(&mut photos, &render.star);
     let used = used_photos(render, &photos);
     let request = Request {
@@ -386,17 +398,17 @@ fn plan_page(
         photos.iter().map(|(path, photo)| (photo.meta.id.as_str(), path.as_path())).collect();
     let full = |id: &str| paths.get(id).map(|path| decode_file(path)).transpose();
     let drawn: Vec<Document> = pages.iter().map(|page| page.document.clone()).collect();
-    let mut written = Vec::new();
-    match output {
-        Some(output) if render.pages.is_some() => {
-            written = plans::draw_all(&drawn, &full, output, how.skip_existing)?;
-        }
-        Some(output) => {
-            output.write(&drawing::draw(&drawn[0], &full, &output.named)?)?;
-            written.push(output.path.clone());
-        }
-        None => {}
-    }
+    let album = projects::Album {
+        name: album_name.to_owned(),
+        pages: &drawn,
+        photos: &photos,
+        used: request.photos.iter().map(|photo| photo.id.as_str()).collect(),
+        looked,
+    };
+    let mut written = match output {
+        Some(output) => write_pages(&album, &full, output, (how, render.pages.is_some()))?,
+        None => Vec::new(),
+    };
     if let Some(file) = &how.save_document {
         documents::save(&drawn, &paths, render.pages.is_some(), file)?;
         written.push(file.clone());
@@ -407,10 +419,38 @@ fn plan_page(
     done(&written)
 }
 
+/// Writes the pages of an album, as one where they are not `several`.
+///
+/// Returns the files.
+fn write_pages(
+    album: &projects::Album<'_>,
+    photos: &drawing::Photos<'_>,
+    output: &Output,
+    (how, several): (&How, bool),
+) -> Result<Vec<PathBuf>, Complaint> {
+    let kind = Kind::of(&output.named)?;
+    if kind == Kind::Project {
+        output.write(&album.packed()?)?;
+        return Ok(vec![output.path.clone()]);
+    }
+    if how.embed != "none" && kind != Kind::Png {
+        return Err("--embed: only a PNG carries its project".into());
+    }
+    let finish = |page: usize, file: Vec<u8>| match how.embed.as_str() {
+        "none" => Ok(file),
+        what => album.inside(&file, page, what == "photos"),
+    };
+    if several {
+        return plans::draw_all(album.pages, photos, output, (how.skip_existing, &finish));
+    }
+    output.write(&finish(0, drawing::draw(&album.pages[0], photos, &output.named)?)?)?;
+    Ok(vec![output.path.clone()])
+}
+
 /// Gives photos their stars; a name that none of them has is told.
 fn star(photos: &mut [(PathBuf, Imported)], names: &[PathBuf]) {
     for (path, photo) in photos.iter_mut() {
-        photo.meta.starred = names.iter().any(|name| name == path);
+        photo.meta.starred = names.contains(path);
     }
     for name in names.iter().filter(|name| !photos.iter().any(|(path, _)| path == *name)) {
         telling::note(Some(&name.display().to_string()), "is none of the photos, so it gets no large panel");
@@ -423,8 +463,8 @@ fn used_photos(render: &Planned, photos: &[(PathBuf, Imported)]) -> Vec<PhotoMet
     const FEW: usize = 10;
     let measures: Vec<Measures> = photos.iter().map(|(_, photo)| photo.measures.clone()).collect();
     let names: Vec<&str> = photos.iter().map(|(path, _)| name(path)).collect();
-    let mut settings = select::Settings::default();
-    settings.threshold = render.alike.unwrap_or(settings.threshold);
+    let usual = select::Settings::default().threshold;
+    let settings = select::Settings { threshold: render.alike.unwrap_or(usual) };
     let verdicts = select::choose(&names, &measures, &settings);
     let keeps = |verdict: &select::Verdict| verdict.kept || render.keep_all;
     let left: Vec<(&str, &str)> = names
@@ -455,7 +495,7 @@ fn used_photos(render: &Planned, photos: &[(PathBuf, Imported)]) -> Vec<PhotoMet
 fn stylize_photo(style: &str, input: &Path, output: &Path, format: Option<&str>) -> Result<(), Complaint> {
     let output = Output::new(output, format)?;
     let kind = Kind::of(&output.named)?;
-    if kind == Kind::Pdf {
+    if matches!(kind, Kind::Pdf | Kind::Project) {
         return Err(format!("{}: a photo becomes a .png, .jpg or .webp file", output.path.display()));
     }
     let style = read_style(style)?;
@@ -523,15 +563,21 @@ fn detect_photos(files: &[PathBuf], as_json: bool, models: Option<&Path>) -> Res
 }
 
 /// Tells framing what is in the photos; without the nets it goes by contrast, which is said once.
-fn add_subjects(photos: &mut [(PathBuf, Imported)], models: Option<&Path>) {
+///
+/// Returns whether it was looked for.
+fn add_subjects(photos: &mut [(PathBuf, Imported)], models: Option<&Path>) -> bool {
     let detectors = match detectors::load(models) {
         Ok(detectors) => detectors,
-        Err(complaint) => return telling::note(None, &format!("{complaint}; cropping by contrast alone")),
+        Err(complaint) => {
+            telling::note(None, &format!("{complaint}; cropping by contrast alone"));
+            return false;
+        }
     };
     let found = detectors::run(&detectors, photos);
     for ((_, photo), found) in photos.iter_mut().zip(found) {
         photo.meta.find(found.into_iter().map(Into::into));
     }
+    true
 }
 
 /// Prints JSON; a reader that has gone away is no failure.

@@ -260,17 +260,24 @@ fn resolved(panel: &Value, height: f64) -> Option<ResolvedPanel> {
     Some(ResolvedPanel { shape: ResolvedShape::Polygon(corners), bounds, weight, overlay: false, halo })
 }
 
+/// Makes of the file of a page, by its number from 0, what is written.
+pub(crate) type Finish<'f> = &'f dyn Fn(usize, Vec<u8>) -> Result<Vec<u8>, Complaint>;
+
 /// Draws pages into one file or, where its name has a number's place as in `page-%02d.png`, into one each. `skips` leaves
-/// out those that are there.
+/// out those that are there; `finish` has the last word on the bytes of a page.
 ///
 /// Returns the files.
 pub(crate) fn draw_all(
     documents: &[Document],
     photos: &drawing::Photos<'_>,
     output: &Output,
-    skips: bool,
+    (skips, finish): (bool, Finish<'_>),
 ) -> Result<Vec<PathBuf>, Complaint> {
-    if drawing::Kind::of(&output.named)? == drawing::Kind::Pdf {
+    let kind = drawing::Kind::of(&output.named)?;
+    if kind == drawing::Kind::Project {
+        return Err("a project is made of photos; these pages are planned already".into());
+    }
+    if kind == drawing::Kind::Pdf {
         output.write(&drawing::draw_book(documents, photos, &output.named)?)?;
         return Ok(vec![output.path.clone()]);
     }
@@ -282,7 +289,7 @@ pub(crate) fn draw_all(
         let own = Output { path: numbered(&output.path, i + 1), named: numbered(&output.named, i + 1) };
         let there = skips && own.exists();
         if !there {
-            own.write(&drawing::draw(document, photos, &own.named)?)?;
+            own.write(&finish(i, drawing::draw(document, photos, &own.named)?)?)?;
         }
         let file = name(&own.path);
         let event = json!({

@@ -10,6 +10,8 @@ use std::io::Write;
 use std::path::Path;
 use std::process::{Command, Output, Stdio};
 
+use inkpanel::document::saved::Saved;
+use inkpanel::raster::decode::{Limits, decode};
 use made::Tiff;
 
 /// A folder with a photo, tiles in planes that do not divide their image, and files that are no photos.
@@ -314,4 +316,33 @@ fn a_page_goes_out_as_data_and_comes_in_as_the_same_page() {
         assert!(text(&done.stderr).contains(sentence), "{}", text(&done.stderr));
         assert!(!folder.path().join("x.png").exists());
     }
+}
+
+#[test]
+fn a_project_and_a_page_with_its_project_open_again_as_they_were() {
+    let folder = album();
+    for (file, more) in [("Trip.inkpanel", &[][..]), ("page-%02d.png", &["--embed", "photos"])] {
+        let asked = [&["--pages", "2", "-o", file, "album"][..], more].concat();
+        let done = render(folder.path(), &asked);
+        assert!(done.status.success(), "{}", text(&done.stderr));
+    }
+    let plain = render(folder.path(), &["--pages", "2", "-o", "plain-%02d.png", "album"]);
+    assert!(plain.status.success());
+    let pixels = |name: &str| {
+        let bytes = fs::read(folder.path().join(name)).unwrap();
+        decode(&bytes, &Limits::default()).unwrap().image.to_rgb()
+    };
+    for (number, file) in
+        [("1", "Trip.inkpanel"), ("2", "Trip.inkpanel"), ("2", "page-01.png"), ("1", "page-02.png")]
+    {
+        let done = inkpanel(folder.path(), &["render", "--page", number, "-o", "again.png", file]);
+        assert!(done.status.success(), "{file}: {}", text(&done.stderr));
+        assert_eq!(pixels("again.png"), pixels(&format!("plain-0{number}.png")), "{file}, page {number}");
+    }
+    let saved = Saved::read(fs::read(folder.path().join("Trip.inkpanel")).unwrap()).unwrap().unwrap();
+    assert_eq!((saved.project().history.present.name.as_str(), saved.project().photos.len()), ("album", 4));
+    let again = inkpanel(folder.path(), &["render", "-o", "x.inkpanel", "Trip.inkpanel"]);
+    assert_eq!(again.status.code(), Some(1));
+    let wrong = render(folder.path(), &["-o", "x.jpg", "--embed", "project", "album"]);
+    assert!(text(&wrong.stderr).contains("only a PNG carries its project"));
 }

@@ -276,7 +276,11 @@ fn a_project_that_cannot_be_drawn_is_refused_with_a_sentence() {
     let project = path("version-1/storyboard.inkpanel");
     for (arguments, output, sentence) in [
         (vec![&project[..], &project], "two.png", "a project is drawn alone"),
-        (vec![&project[..]], "page.bmp", "give the page a name that ends in .png, .jpg, .webp or .pdf"),
+        (
+            vec![&project[..]],
+            "page.bmp",
+            "give the page a name that ends in .png, .jpg, .webp, .pdf or .inkpanel",
+        ),
         (vec!["missing.inkpanel"], "missing.png", "missing.inkpanel: "),
     ] {
         let done = render(&arguments, &out(output));

@@ -36,6 +36,7 @@ export function ProjectName() {
       maxLength={LONGEST_NAME}
       autocomplete="off"
       spellcheck={false}
+      title={name || undefined}
       value={name}
       onChange={({ currentTarget }) => {
         // Whoever takes the name away gets the one that the photos give.
