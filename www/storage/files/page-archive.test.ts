@@ -156,7 +156,7 @@ describe('an archive of others', () => {
     ['no archive', () => new File(['words'], 'x.zip'), /damaged/],
     [
       'one that says how much it unpacks to',
-      () => zip([{ name: 'a.jpg', content: Buffer.from('x'), packed: true, size: ARCHIVE.entry + 1, length: 9 }]),
+      () => zip([{ name: 'a.jpg', content: Buffer.from('x'), method: 8, size: ARCHIVE.entry + 1 }]),
       /more than a project can/,
     ],
     [
