@@ -5,7 +5,7 @@ use inkpanel::Error;
 use inkpanel::page::import::Imported;
 use inkpanel::page::pdf::{self, picture};
 use inkpanel::page::words::{Letters, draw as word_drawing, place};
-use inkpanel::page::{Document, Scene, compose, jpeg, png};
+use inkpanel::page::{Document, Scene, compose, jpeg, png, webp};
 use inkpanel::raster::Image;
 use inkpanel::style::Context;
 use rayon::prelude::*;
@@ -34,7 +34,10 @@ pub(crate) fn add_words(
 pub(crate) enum Kind {
     Png,
     Jpeg,
+    Webp,
     Pdf,
+    /// A project, which the page opens.
+    Project,
 }
 
 impl Kind {
@@ -44,8 +47,13 @@ impl Kind {
         match ending.as_deref() {
             Some("png") => Ok(Self::Png),
             Some("jpg" | "jpeg") => Ok(Self::Jpeg),
+            Some("webp") => Ok(Self::Webp),
             Some("pdf") => Ok(Self::Pdf),
-            _ => Err(format!("{}: give the page a name that ends in .png, .jpg or .pdf", output.display())),
+            Some("inkpanel") => Ok(Self::Project),
+            _ => Err(format!(
+                "{}: give the page a name that ends in .png, .jpg, .webp, .pdf or .inkpanel",
+                output.display()
+            )),
         }
     }
 }
@@ -65,10 +73,22 @@ pub(crate) fn draw(document: &Document, photos: &Photos<'_>, output: &Path) -> R
     }
     let lay = |letters: Letters| word_drawing::lay_words(&mut sheet, document, &letters);
     Letters::bundled().and_then(lay).map_err(|error| error.to_string())?;
-    let dpi = document.page.dpi;
+    encoded(kind, (sheet.width(), sheet.height()), sheet.rgb(), document.page.dpi)
+}
+
+/// Pixels as a file of a kind that holds a single picture.
+pub(crate) fn encoded(
+    kind: Kind,
+    (width, height): (usize, usize),
+    rgb: &[u8],
+    dpi: u32,
+) -> Result<Vec<u8>, Complaint> {
     let file = match kind {
-        Kind::Jpeg => jpeg::encode_rgb(sheet.width(), sheet.height(), sheet.rgb(), dpi, QUALITY),
-        _ => png::encode(&sheet, dpi),
+        Kind::Png => png::encode_rgb(width, height, rgb, dpi),
+        Kind::Jpeg => jpeg::encode_rgb(width, height, rgb, dpi, QUALITY),
+        Kind::Webp => webp::encode_rgb(width, height, rgb),
+        Kind::Pdf => return Err("a photo becomes a .png, .jpg or .webp file".into()),
+        Kind::Project => return Err("a project is made of photos, by render".into()),
     };
     file.map_err(|error| error.to_string())
 }

@@ -1,7 +1,9 @@
 //! Saved projects and pages on the command line: drawn as the page itself exports them.
 
+use crate::album::{self, told};
 use crate::drawing;
-use crate::{Complaint, survived, write};
+use crate::output::Output;
+use crate::{Complaint, survived};
 use inkpanel::document::saved::Saved;
 use inkpanel::document::sheets::photos_on;
 use inkpanel::page::Document;
@@ -17,11 +19,11 @@ const EXTENSION: &str = "inkpanel";
 /// Returns nothing where the file is neither: then it is a photo.
 pub(crate) fn open(input: &Path) -> Option<Result<Saved, Complaint>> {
     let named = is_project(input);
-    let complain = |reason: String| Err(format!("{}: {reason}", input.display()));
-    let bytes = match std::fs::read(input) {
+    let complain = |reason: String| Err(format!("{}: {reason}", told(input)));
+    let bytes = match album::read(input) {
         Ok(bytes) => bytes,
         // What of a photo cannot be read is told where photos are.
-        Err(error) => return named.then(|| complain(error.to_string())),
+        Err(error) => return named.then(|| complain(error)),
     };
     match survived(|| Saved::read(bytes)) {
         Ok(Some(saved)) => Some(Ok(saved)),
@@ -32,7 +34,7 @@ pub(crate) fn open(input: &Path) -> Option<Result<Saved, Complaint>> {
 
 /// Draws the present page, or the one of that number, from 1.
 pub(crate) fn draw(saved: Saved, input: &Path, number: Option<u32>, output: &Path) -> Result<(), Complaint> {
-    let file = drawn(saved, number, output).map_err(|reason| format!("{}: {reason}", input.display()))?;
+    let file = drawn(saved, number, output).map_err(|reason| format!("{}: {reason}", told(input)))?;
     write(output, &file)
 }
 

@@ -983,3 +983,20 @@ fn the_same_edits_make_what_they_made_in_the_page() {
         assert_eq!(comparable(state_of(editor.project())), comparable(run["start"].clone()), "run {number}");
     }
 }
+
+#[test]
+fn other_paper_keeps_the_number_of_panels() {
+    for count in 2..=9 {
+        let photos = metas(count);
+        let mut editor = opened(&photos);
+        let mut request = Planning::new(editor.project(), &photos).request(1);
+        (request.keep.layout, request.panels) = (false, Some(count));
+        let page = Planning::new(editor.project(), &photos).plan(request, None).unwrap().unwrap();
+        editor.apply(&Edit::ShowPage { page: Arc::new(page.clone()), page_id: 2 }, &How::default());
+        for (width, height) in [(3840, 2160), (2400, 2400), (1600, 4000), (2550, 3300)] {
+            let settings = PageSettings { width, height, ..PageSettings::default() };
+            let other = Planning::new(editor.project(), &photos).on_paper(&page, &settings).unwrap();
+            assert_eq!(other.panels.len(), page.panels.len(), "{count} panels on {width} x {height}");
+        }
+    }
+}

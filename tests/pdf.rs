@@ -158,3 +158,48 @@ fn the_font_of_some_letters_has_the_outlines_of_the_whole() {
         assert_eq!((mine.len(), mine.iter().all(near)), (theirs.len(), true), "{letter}");
     }
 }
+
+/// A PDF file of one page as a program that is not ours draws it; none where that program is not there.
+fn drawn_by_poppler(file: &[u8], dpi: u32) -> Option<Image> {
+    let folder = tempfile::tempdir().unwrap();
+    std::fs::write(folder.path().join("page.pdf"), file).unwrap();
+    let mut command = std::process::Command::new("pdftoppm");
+    command.args(["-r", &dpi.to_string(), "-png", "-singlefile", "page.pdf", "page"]);
+    match command.current_dir(folder.path()).status() {
+        Err(error) if error.kind() == std::io::ErrorKind::NotFound => {
+            eprintln!("SKIPPED: pdftoppm of Poppler is not there, so nothing is compared");
+            assert!(std::env::var_os("CI").is_none(), "pdftoppm must be there in CI");
+            return None;
+        }
+        done => assert!(done.unwrap().success()),
+    }
+    let png = std::fs::read(folder.path().join("page.png")).unwrap();
+    Some(decode(&png, &Limits::default()).unwrap().image)
+}
+
+#[test]
+fn panels_without_a_photo_look_as_on_the_page_of_pixels() {
+    let mut document = document(&json!([]));
+    document.panels[0].photo = None;
+    (document.page.width, document.page.height) = (620, 877);
+    document.page.dpi = 75;
+    document.page.paper = "#f4e8d0".into();
+    document.page.corner_radius = 0.02;
+    let scene = Scene::new(&document, 620).unwrap();
+    let pixels = compose::compose(&scene, |_| None, &mut Context::default()).unwrap();
+    let file = write(&[Leaf { document, pictures: Vec::new() }], "Empty", &letters()).unwrap();
+    let Some(drawn) = drawn_by_poppler(&file, 75) else { return };
+    assert_eq!((drawn.width(), drawn.height().abs_diff(877) <= 1), (620, true));
+    let rgb = drawn.to_rgb();
+    let rows = drawn.height().min(877) * 620 * 3;
+    let far = rgb[..rows]
+        .chunks(3)
+        .zip(pixels.rgb()[..rows].chunks(3))
+        .filter(|(a, b)| a.iter().zip(*b).any(|(a, b)| a.abs_diff(*b) > 48));
+    // The two smooth the edges of lines in their own ways.
+    let (far, all) = (far.count(), rows / 3);
+    assert!(far * 200 < all, "{far} of {all} pixels are of another colour");
+    let middle = scene.panels[3].image_bounds;
+    let at = ((middle.y + middle.height / 2.0) as usize * 620 + (middle.x + middle.width / 2.0) as usize) * 3;
+    assert_eq!(rgb[at..at + 3], pixels.rgb()[at..at + 3], "the gray of an empty panel");
+}

@@ -10,8 +10,8 @@ pub use crate::style::file::MOST_BLOCKS;
 pub const PROJECT: Bounds = Bounds { bytes: 32 << 20, values: 2_000_000, text: 64 << 10 };
 /// A project with all its undo steps, as the browser's database has it.
 pub const HISTORY: Bounds = Bounds { bytes: 128 << 20, values: 8_000_000, text: 64 << 10 };
-/// Bytes of the text in a page PNG: a page of a hundred panels takes a hundredth.
-pub const PAGE_TEXT: usize = 4 << 20;
+/// Bytes of the text in a page PNG, which tells all pages of its storyboard.
+pub const PAGE_TEXT: usize = PROJECT.bytes;
 /// Files in a project file, far more than there are photos in a project.
 pub const ARCHIVE_ENTRIES: usize = 10_000;
 /// Bytes to which one file in a project file may unpack: it is held whole, and once more where it is decoded.

@@ -165,8 +165,9 @@ impl<'p> Planning<'p> {
         request.page = settings.clone();
         // The photos of a page among others stay on it, whatever layout it gets.
         let own = (!self.project.others.is_empty() && !own.is_empty()).then_some(own);
-        if let Some(own) = own.as_ref().filter(|_| !layout) {
-            request.panels = Some(own.len());
+        if !layout {
+            // As many panels as there were, or a page would lose photos by a change of its paper.
+            request.panels = Some(own.as_ref().map_or_else(|| places_of(page), Vec::len));
         }
         let planned = self.plan(request, own)?;
         Ok(planned.unwrap_or_else(|| Document { page: settings.clone(), ..page.clone() }))

@@ -3,6 +3,7 @@
  */
 
 import { signal } from '@preact/signals';
+import { noteFolders } from '../photos/folders.ts';
 
 /** Whether files are being dragged over the window. */
 export const dragging = signal(false);
@@ -53,7 +54,8 @@ async function filesOf(transfer: DataTransfer): Promise<File[]> {
 
 async function walk(entry: FileSystemEntry): Promise<File[]> {
   if (entry.isFile) {
-    return [await new Promise((resolve, reject) => (entry as FileSystemFileEntry).file(resolve, reject))];
+    const file: File = await new Promise((resolve, reject) => (entry as FileSystemFileEntry).file(resolve, reject));
+    return [noteFolders(file, entry.fullPath.split('/').slice(1, -1))];
   }
   const reader = (entry as FileSystemDirectoryEntry).createReader();
   const found = [];

@@ -8,6 +8,7 @@
 import { computed, signal } from '@preact/signals';
 import { strings } from '../strings/strings.ts';
 import { byName } from '../ui/by-name.ts';
+import { isArchiveFile } from '../storage/files/page-archive.ts';
 import { isNamedPng } from '../storage/files/page-files.ts';
 import { isProjectFile } from '../storage/files/project-file.ts';
 import { openPlans } from './plans.ts';
@@ -62,10 +63,13 @@ export function createDroppedFiles({
     const plans = files.filter(({ name }) => name.toLowerCase().endsWith('.json'));
     const projects = files.filter(isProjectFile);
     const subtitles = files.filter(isSubtitles);
-    const pictures = files.filter((file) => ![plans, projects, subtitles].some((list) => list.includes(file)));
+    const archives = files.filter((file) => !projects.includes(file) && isArchiveFile(file));
+    const pictures = files.filter(
+      (file) => ![plans, projects, subtitles, archives].some((list) => list.includes(file)),
+    );
     void openPlans(plans, { ownLayouts, ownStyles });
     // What is dropped while another project is on its way is meant for that one.
-    const turn = Promise.all([before, keeping.turned()]).then(() => openAll(projects, pictures));
+    const turn = Promise.all([before, keeping.turned()]).then(() => openAll(projects, pictures, archives));
     before = turn.catch(() => {});
     const { photos, shown } = await turn;
     await add(photos, shown);
@@ -77,7 +81,10 @@ export function createDroppedFiles({
   async function openProjects(files: readonly File[]) {
     const projects = byName(files).map((file) => ({
       name: file.name,
-      open: () => (isNamedPng(file) ? keeping.pageFiles.openChosen(file) : keeping.files.open(file)),
+      open: () =>
+        isNamedPng(file) || (isArchiveFile(file) && !isProjectFile(file))
+          ? keeping.pageFiles.openChosen(file, keeping.files.open)
+          : keeping.files.open(file),
     }));
     const turn = Promise.all([before, keeping.turned()]).then(() => oneByOne(projects));
     before = turn.catch(() => {});
@@ -86,13 +93,19 @@ export function createDroppedFiles({
 
   /**
    * @param files of projects
+   * @param archives of pages, or of pictures, which join the others
    * @returns photos that no frame waited for, and the project that came with them
    */
   async function openAll(
-    files: readonly File[],
-    pictures: readonly File[],
+    projectFiles: readonly File[],
+    loose: readonly File[],
+    archives: readonly File[],
   ): Promise<{ photos: File[]; shown?: Opened }> {
-    const pages = await keeping.pageFiles.allAmong(pictures);
+    const inside = [];
+    for (const archive of byName(archives)) inside.push(await keeping.pageFiles.unpacked(archive));
+    const files = [...projectFiles, ...inside.flatMap(({ project }) => project ?? [])];
+    const pictures = [...loose, ...inside.flatMap((archive) => archive.pictures)];
+    const pages = [...inside.flatMap(({ page }) => page ?? []), ...(await keeping.pageFiles.allAmong(pictures))];
     const projects = byName([
       ...files.map((file) => ({ name: file.name, open: () => keeping.files.open(file) })),
       ...pages.map((page) => ({ name: page.file.name, open: () => keeping.pageFiles.open(page) })),

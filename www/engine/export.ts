@@ -21,6 +21,9 @@ type Parts = {
   files: ReturnType<typeof createFiles>;
 };
 
+/** In the place of an id: no photo. */
+const EMPTY = '';
+
 /** What stands on the page of a single panel; its patch brings the rest. */
 const ALONE = {
   layout: 'grid-2',
@@ -70,7 +73,7 @@ export function createExports({ run, photos, words, files }: Parts) {
     { quality, title, ...call }: Call & { quality: number; title: string },
   ): Promise<Blob> {
     const step = steps(
-      documents.reduce((sum, document) => sum + shown(document), 1),
+      documents.reduce((sum, document) => sum + withPhoto(document).length, 1),
       call.onProgress,
     );
     return stoppable(call.signal, async (signal) => {
@@ -78,7 +81,7 @@ export function createExports({ run, photos, words, files }: Parts) {
       for (const document of documents) {
         // Borders are lines of the file, so the panels are drawn without.
         const bare = { ...document, page: { ...document.page, border: 0 } };
-        const pictures = await byPhoto(bare, undefined, signal, async (patches) => {
+        const pictures = await byPhoto(bare, withPhoto(bare), signal, async (patches) => {
           const made = await files.pictures(document, patches, quality, { signal });
           step(patches.length);
           return made;
@@ -119,9 +122,11 @@ export function createExports({ run, photos, words, files }: Parts) {
     encode: (patches: PixelPatch[], signal: AbortSignal) => Promise<Blob>,
   ) {
     // Encoding counts as one step.
-    const step = steps(shown(document) + 1, onProgress);
+    const all = document.panels.map((_, index) => index);
+    const step = steps(all.length + 1, onProgress);
     return stoppable(stop, async (signal) => {
-      const panels = await byPhoto(document, undefined, signal, async (patches) => {
+      // Panels without a photo, too: empty frames, as a PDF file has them.
+      const panels = await byPhoto(document, all, signal, async (patches) => {
         step(patches.length);
         return patches;
       });
@@ -133,14 +138,13 @@ export function createExports({ run, photos, words, files }: Parts) {
   }
 
   /**
-   * Draws the panels, those of one photo together.
-   * @param wanted all unless told
+   * Draws panels, those of one photo together.
    * @param use what becomes of those of one photo
    * @returns in the order of the panels
    */
   async function byPhoto<T extends { index: number }>(
     document: PageDocument,
-    wanted: readonly number[] | undefined,
+    wanted: readonly number[],
     signal: AbortSignal,
     use: (patches: PanelPatch[]) => Promise<T[]>,
   ): Promise<T[]> {
@@ -148,7 +152,7 @@ export function createExports({ run, photos, words, files }: Parts) {
     const { width } = document.page;
     const parts = await Promise.all(
       [...panelsByPhoto(document, wanted)].map(async ([id, indexes]) => {
-        const { file, name } = photos.get(id);
+        const { file, name } = id === EMPTY ? { file: null, name: '' } : photos.get(id);
         const args = { id, file, document: json, indexes, width };
         return use(await run({ op: 'fullPanels', args, photo: name, priority: Priority.PAGE, signal }));
       }),
@@ -173,15 +177,23 @@ function steps(total: number, onProgress: Call['onProgress'] = () => {}) {
   return (count: number) => onProgress((done += count), total);
 }
 
-function shown(document: PageDocument) {
-  return document.panels.filter((panel) => panel.photo !== null).length;
+/** @returns the photo that a panel shows; panels that share an image show that of the first */
+function photoOf({ panels, merges }: PageDocument, index: number): string {
+  const leader = merges.find((group) => group.includes(index))?.[0] ?? index;
+  return panels[leader]?.photo ?? EMPTY;
 }
 
-/** @returns the panels that show a photo, by its id */
-function panelsByPhoto(document: PageDocument, wanted?: readonly number[]): Map<string, number[]> {
+/** @returns the panels that show one */
+function withPhoto(document: PageDocument): number[] {
+  return document.panels.flatMap((_, index) => (photoOf(document, index) === EMPTY ? [] : index));
+}
+
+/** @returns panels by the id of their photo */
+function panelsByPhoto(document: PageDocument, wanted: readonly number[]): Map<string, number[]> {
   const groups: Map<string, number[]> = new Map();
-  document.panels.forEach(({ photo }, index) => {
-    if (photo !== null && (!wanted || wanted.includes(index))) groups.set(photo, [...(groups.get(photo) ?? []), index]);
-  });
+  for (const index of wanted) {
+    const photo = photoOf(document, index);
+    groups.set(photo, [...(groups.get(photo) ?? []), index]);
+  }
   return groups;
 }

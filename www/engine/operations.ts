@@ -123,10 +123,12 @@ export function createOperations(studio: Studio, held: ReturnType<typeof createL
 
   /** The panels that show one photo, from its original file at full size, so that it is decoded once for all. */
   async function fullPanels({ id, file, document, indexes, width }: Operations['fullPanels']['args'], tell: Tell) {
-    tell.waits(readingOf(file));
-    const bytes = await bytesOf(file);
-    tell.expects(photoMs(bytes, foreignKind(bytes)));
-    await reading(bytes, (file) => studio.import_full(id, file));
+    if (file) {
+      tell.waits(readingOf(file));
+      const bytes = await bytesOf(file);
+      tell.expects(photoMs(bytes, foreignKind(bytes)));
+      await reading(bytes, (file) => studio.import_full(id, file));
+    }
     try {
       const ok = [];
       for (const index of indexes) {
@@ -135,7 +137,7 @@ export function createOperations(studio: Studio, held: ReturnType<typeof createL
       }
       return { ok, transfer: ok.map((patch) => patch.data.buffer) };
     } finally {
-      studio.drop_photo(`${id}/full`);
+      if (file) studio.drop_photo(`${id}/full`);
     }
   }
 

@@ -48,7 +48,8 @@ export type Operations = {
   explore: { args: { photo: PhotoHandle; styles: string[]; width: number; height: number }; ok: Explored[] };
   stylize: { args: { style: string; width: number; height: number; data: Uint8Array }; ok: PixelPatch };
   fullPanels: {
-    args: { id: string; file: Blob; document: string; indexes: number[]; width: number };
+    /** Without a file: of panels that have no photo. */
+    args: { id: string; file: Blob | null; document: string; indexes: number[]; width: number };
     ok: (PixelPatch & { index: number })[];
   };
   encode: { args: { document: string; width: number; patches: (PixelPatch & { index: number })[] }; ok: Blob };

@@ -28,7 +28,11 @@ function app(engine: Record<string, any> = {}) {
     messages,
     pages: {} as any,
     engine: { exportPng: made, exportJpeg: made, ...engine } as any,
-    pageFiles: { take: () => 'project', carrying: async (png) => ({ png, unclean: 0 }) },
+    pageFiles: {
+      take: () => 'project',
+      carrying: async (png) => ({ png, unclean: 0 }),
+      packed: async () => null,
+    },
   });
   return { download, messages, store };
 }
@@ -44,7 +48,7 @@ test('pages stand in an archive in their order, each made after the one before',
   };
   const { download, messages } = app({ exportJpeg });
   await download.saveAs({ pages: [page(1), page(2), page(3)], format: 'cbz', inside: 'jpeg', quality: 70 });
-  expect(saved.map(({ name }) => name)).toEqual(['inkpanel-3-pages.cbz']);
+  expect(saved.map(({ name }) => name)).toEqual(['Untitled.cbz']);
   const entries = [...(await readArchive(saved[0].blob)).values()];
   expect(entries.map(({ name }) => name)).toEqual(['page-01.jpg', 'page-02.jpg', 'page-03.jpg']);
   expect(await Promise.all(entries.map(async ({ read }) => (await read()).text()))).toEqual([

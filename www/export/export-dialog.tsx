@@ -103,7 +103,7 @@ export function ExportDialog() {
             <span>{strings.pixels(width, height)}</span>
             <FileSize wish={wish} />
           </p>
-          {made === 'png' && <ExportProject />}
+          {(format === 'png' || isArchive(format)) && <ExportProject archive={isArchive(format)} />}
           <ExportActions wish={wish} page={document} close={close} />
         </div>
       </div>

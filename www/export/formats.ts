@@ -1,6 +1,4 @@
-/** The kinds of files that pages become, and what the files are called. */
-
-import type { PageDocument } from '../engine/types.ts';
+/** The kinds of files that pages become. */
 
 export type Format = 'png' | 'jpeg' | 'webp' | 'pdf' | 'zip' | 'cbz';
 /** the pictures of a ZIP or CBZ file */
@@ -22,14 +20,6 @@ export function isArchive(format: Format) {
   return format === 'zip' || format === 'cbz';
 }
 
-/** @returns the name of the file */
-export function fileName(pages: readonly PageDocument[], format: Format): string {
-  const { ending } = FORMATS[format];
-  if (pages.length > 1) return `inkpanel-${pages.length}-pages.${ending}`;
-  const [{ layout, style, seed }] = pages;
-  return `inkpanel-${nameOf(layout)}-${nameOf(style)}-${seed}.${ending}`;
-}
-
 /**
  * @param index from 0
  * @param count of all pages
@@ -38,13 +28,4 @@ export function fileName(pages: readonly PageDocument[], format: Format): string
 export function pageName(index: number, count: number, inside: Inside): string {
   const digits = Math.max(2, String(count).length);
   return `page-${String(index + 1).padStart(digits, '0')}.${FORMATS[inside].ending}`;
-}
-
-/** @param index from 0 */
-export function panelName(page: PageDocument, index: number) {
-  return fileName([page], 'png').replace(/\.png$/, `-panel-${index + 1}.png`);
-}
-
-function nameOf(part: string | { id?: string }) {
-  return typeof part === 'string' ? part : (part.id ?? 'own');
 }

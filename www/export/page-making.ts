@@ -9,8 +9,14 @@ import type { Engine } from '../engine/engine.ts';
 import type { Format, Inside } from './formats.ts';
 
 export type Work = { signal: AbortSignal; onProgress: (done: number, total: number) => void };
-/** What every PNG of a whole page passes through before it leaves. */
-export type Carry = (png: Blob, page: PageDocument) => Promise<Blob>;
+/**
+ * What goes with pages before they leave: `carry` puts it into the PNG of a page, `beside` gives what lies beside the pages
+ * of an archive, if anything.
+ */
+export type Cargo = {
+  carry: (png: Blob, page: PageDocument, how: Work) => Promise<Blob>;
+  beside: (how: Work) => Promise<{ name: string; blob: Blob } | null>;
+};
 /** `quality` from 1 to 100 */
 export type Wish = { pages: readonly PageDocument[]; format: Format; inside?: Inside; quality?: number };
 
@@ -28,7 +34,7 @@ export function createMaking({
   async function make(
     { pages: documents, format, inside = 'png', quality = USUAL_QUALITY }: Wish,
     how: Work,
-    carry: Carry,
+    { carry, beside }: Cargo,
   ): Promise<Blob> {
     if (format === 'pdf')
       return engine.exportPdf(documents, { ...how, quality, title: store.project.peek().name || strings.name });
@@ -37,10 +43,12 @@ export function createMaking({
     for (const [i, document] of documents.entries()) {
       // Each page has the same share of the whole.
       const onProgress = (done: number, total: number) => how.onProgress(i + done / total, documents.length);
-      const blob = await picture(document, inside, quality, { ...how, onProgress }, carry);
+      const blob = await picture(document, inside, quality, { ...how, onProgress }, async (png) => png);
       entries.push({ name: pageName(i, documents.length, inside), blob });
     }
-    return new Blob([await archiveOf(entries)], { type: FORMATS[format].type });
+    const project = await beside(how);
+    if (project) entries.push(project);
+    return new Blob([await archiveOf(entries, { signal: how.signal })], { type: FORMATS[format].type });
   }
 
   async function picture(
@@ -48,10 +56,10 @@ export function createMaking({
     format: 'png' | 'jpeg' | 'webp',
     quality: number,
     how: Work,
-    carry: Carry,
+    carry: Cargo['carry'],
   ) {
     if (format === 'jpeg') return engine.exportJpeg(document, { ...how, quality });
     if (format === 'webp') return engine.exportWebp(document, { ...how, quality });
-    return carry(await engine.exportPng(document, how), document);
+    return carry(await engine.exportPng(document, how), document, how);
   }
 }

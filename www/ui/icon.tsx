@@ -30,6 +30,7 @@ const PATHS: Record<string, string> = {
   settings: 'M4 7h9M17 7h3M4 17h3M11 17h9M15 5v4M9 15v4',
   surprise: 'M12 3.5l1.9 5.1 5.1 1.9-5.1 1.9L12 17.5l-1.9-5.1L5 10.5l5.1-1.9zM19 15.5v4M17 17.5h4',
   edit: 'M4 4h16v16H4zM4 14h16M12 4v4M12 11.5v2.5M9.5 9.8h5',
+  rename: 'M4 20l1-4.6L16.2 4.2l3.6 3.6L8.6 19zM13.8 6.6l3.6 3.6',
   save: 'M5 4h11l3 3v13H5zM8.5 4v5h6V4M8 20v-6.5h8V20',
   open: 'M3.5 19V6h6l2 2.5h7V11M3.5 19l3-8h14.5l-3 8z',
   bin: 'M5 7h14M10 7V4.5h4V7M7 7l.8 12.5h8.4L17 7M10.3 10.5v5.5M13.7 10.5v5.5',

@@ -24,6 +24,9 @@ export const exportStrings = {
   copyPage: 'In die Zwischenablage',
   shareFile: 'Teilen',
   sharePart: 'Jetzt teilen',
+  /** Parts of names of files. */
+  filePage: (n: number) => `Seite ${n}`,
+  filePanel: (n: number) => `Panel ${n}`,
   savePanel: 'Dieses Panel speichern',
   noPhotoHere: 'dieses Panel ist leer',
   exporting: (percent: string) => `Die Seite wird in voller Größe gezeichnet, ${percent}`,

@@ -26,6 +26,9 @@ export const exportStrings = {
   copyPage: 'Copy to clipboard',
   shareFile: 'Share',
   sharePart: 'Share now',
+  /** Parts of names of files. */
+  filePage: (n: number) => `page ${n}`,
+  filePanel: (n: number) => `panel ${n}`,
   savePanel: 'Save this panel',
   noPhotoHere: 'this panel is empty',
   exporting: (percent: string) => `Drawing the page at full size, ${percent}`,

@@ -24,6 +24,9 @@ export const exportStrings = {
   copyPage: 'Copiar al portapapeles',
   shareFile: 'Compartir',
   sharePart: 'Compartir ahora',
+  /** Parts of names of files. */
+  filePage: (n: number) => `página ${n}`,
+  filePanel: (n: number) => `viñeta ${n}`,
   savePanel: 'Guardar esta viñeta',
   noPhotoHere: 'esta viñeta está vacía',
   exporting: (percent: string) => `Dibujando la página a tamaño completo, ${percent}`,

@@ -24,6 +24,9 @@ export const exportStrings = {
   copyPage: 'Copier dans le presse-papiers',
   shareFile: 'Partager',
   sharePart: 'Partager maintenant',
+  /** Parts of names of files. */
+  filePage: (n: number) => `page ${n}`,
+  filePanel: (n: number) => `case ${n}`,
   savePanel: 'Enregistrer cette case',
   noPhotoHere: 'cette case est vide',
   exporting: (percent: string) => `Dessin de la page en taille réelle, ${percent}`,

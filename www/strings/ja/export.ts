@@ -24,6 +24,9 @@ export const exportStrings = {
   copyPage: 'クリップボードにコピー',
   shareFile: '共有',
   sharePart: '今すぐ共有',
+  /** Parts of names of files. */
+  filePage: (n: number) => `ページ${n}`,
+  filePanel: (n: number) => `コマ${n}`,
   savePanel: 'このコマを保存',
   noPhotoHere: 'このコマは空です',
   exporting: (percent: string) => `ページを原寸で描いています：${percent}`,

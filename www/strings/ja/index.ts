@@ -6,6 +6,7 @@ import { describingStrings } from './describing.ts';
 import { designerStrings } from './designer.ts';
 import { exportStrings } from './export.ts';
 import { faultStrings } from './faults.ts';
+import { fileStrings } from './files.ts';
 import { helpStrings } from './help.ts';
 import { keyStrings } from './keys.ts';
 import { offlineStrings } from './offline.ts';
@@ -34,6 +35,7 @@ export const words: Words = {
   ...photoStrings,
   ...pageStrings,
   ...exportStrings,
+  ...fileStrings,
   ...pngStrings,
   ...keyStrings,
   ...helpStrings,

@@ -24,6 +24,9 @@ export const exportStrings = {
   copyPage: 'Copiar a página',
   shareFile: 'Compartilhar',
   sharePart: 'Compartilhar agora',
+  /** Parts of names of files. */
+  filePage: (n: number) => `página ${n}`,
+  filePanel: (n: number) => `quadro ${n}`,
   savePanel: 'Salvar este quadro',
   noPhotoHere: 'este quadro está vazio',
   exporting: (percent: string) => `Desenhando a página em tamanho total, ${percent}`,
