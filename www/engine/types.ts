@@ -503,6 +503,8 @@ export type Word = { kind: 'caption' | 'balloon' | 'effect',
   joined?: string | null,
   /** The language of its text: long words part by its rules. */
   language?: string | null,
+  /** Width and height in page widths that it keeps to, found when it was placed. */
+  room?: readonly [width: number, height: number] | null,
 };
 
 /** Where a word is without its tail, in page widths. */
@@ -521,6 +523,10 @@ export type WordBox = {
   size: number,
   /** The end of its text found no room. */
   cut: boolean,
+  /** Colour of its letters, `#rrggbb`. */
+  color: string,
+  /** Colour inside of its outline, or around its letters. */
+  fill: string,
 };
 
 /** A page template that has passed every check of its schema (see `layouts/README.md`). */

@@ -1,6 +1,6 @@
 //! A word of the page as plain data. In JSON, with what may be left out in brackets:
 //! `{kind, text, [shape], [panel], [x], [y], [width], [size], [tail], [font], [color], [fill], [angle], [arc], [auto],
-//! [craft], [boxless], [capitals], [slant], [outline], [behind], [id], [joined], [language]}`.
+//! [craft], [boxless], [capitals], [slant], [outline], [behind], [id], [joined], [language], [room]}`.
 
 use crate::error::{Error, Result};
 use serde_json::Value;
@@ -100,6 +100,8 @@ pub struct Word {
     pub joined: Option<String>,
     /// The language of its text, such as `en` or `pt-BR`: long words part by its rules. None: they part nowhere.
     pub language: Option<String>,
+    /// Width and height in page widths that a word without a width of its own keeps to, found when it was placed.
+    pub room: Option<(f64, f64)>,
     /// The colours that a person or a file has chosen, of the letters and inside; the others may follow the style.
     pub chosen: (bool, bool),
 }
@@ -182,6 +184,7 @@ impl Word {
             id: field.name("id")?,
             joined: field.name("joined")?.filter(|_| matches!(kind, Kind::Balloon(_))),
             language: field.name("language")?,
+            room: field.pair("room", 0.02, FARTHEST)?,
             chosen: (!value["color"].is_null(), !value["fill"].is_null()),
         })
     }
@@ -216,6 +219,19 @@ impl<'v> Field<'v> {
             Value::Null => Ok(usual),
             Value::String(text) => Ok(text),
             _ => Err(self.wrong(name, "is not text")),
+        }
+    }
+
+    /// Two numbers, or nothing said.
+    fn pair(&self, name: &str, least: f64, most: f64) -> Result<Option<(f64, f64)>> {
+        let value = &self.value[name];
+        if value.is_null() {
+            return Ok(None);
+        }
+        let number = |i: usize| value[i].as_f64().filter(|number| (least..=most).contains(number));
+        match (value.as_array().map(Vec::len), number(0), number(1)) {
+            (Some(2), Some(first), Some(second)) => Ok(Some((first, second))),
+            _ => Err(self.wrong(name, &format!("is not two numbers from {least} to {most}"))),
         }
     }
 
@@ -305,6 +321,7 @@ mod tests {
             (json!({ "kind": "effect", "behind": 0 }), "words[3].behind"),
             (json!({ "kind": "balloon", "joined": 1 }), "words[3].joined"),
             (json!({ "kind": "balloon", "id": "x".repeat(65) }), "words[3].id"),
+            (json!({ "kind": "balloon", "room": [0.5] }), "words[3].room"),
             (json!({ "kind": "balloon", "language": ["en"] }), "words[3].language"),
             (json!({ "kind": "caption", "x": 1e300 }), "words[3].x"),
             (json!({ "kind": "caption", "size": 0 }), "words[3].size"),
