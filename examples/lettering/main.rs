@@ -8,11 +8,13 @@
 mod measure;
 mod pages;
 
+use std::collections::HashMap;
 use std::error::Error;
 use std::fs;
 use std::path::{Path, PathBuf};
 
 use inkpanel::detect::Detectors;
+use inkpanel::framing::Subject;
 use inkpanel::page::words::{Letters, draw};
 use inkpanel::page::{Document, Scene, compose, import, png};
 use inkpanel::raster::decode::{Limits, decode_fit};
@@ -67,12 +69,15 @@ fn detect(root: &Path) -> Result<(), Box<dyn Error>> {
         for path in files {
             let image = decode_fit(&fs::read(&path)?, &Limits::default(), import::WORK_SIDE)?;
             let rounded = |part: f64| (part * 1e4).round() / 1e4;
-            let mut subjects = detectors.detect(&image.image)?;
-            for subject in &mut subjects {
-                for part in [&mut subject.x, &mut subject.y, &mut subject.width, &mut subject.height, &mut subject.score] {
-                    *part = rounded(*part);
-                }
-            }
+            let subject = |found: inkpanel::detect::Detection| Subject {
+                x: rounded(found.x),
+                y: rounded(found.y),
+                width: rounded(found.width),
+                height: rounded(found.height),
+                label: found.label.to_string(),
+                score: rounded(f64::from(found.score)),
+            };
+            let subjects: Vec<Subject> = detectors.detect(&image.image)?.into_iter().map(subject).collect();
             let id = path.file_name().unwrap_or_default().to_string_lossy().into_owned();
             println!("{id}: {}", subjects.iter().map(|s| s.label.as_str()).collect::<Vec<_>>().join(", "));
             all.push(Known { id, folder: folder.into(), size: (image.width, image.height), subjects });
@@ -89,12 +94,13 @@ fn draw_pages(root: &Path, folder: &Path, count: u32) -> Result<(), Box<dyn Erro
     for number in 0..count {
         let page = page(&photos, number, &letters)?;
         let scene = Scene::new(&page, 900)?;
-        let load = |id: &str| {
-            let photo = known.iter().find(|photo| photo.id == id)?;
-            let bytes = fs::read(root.join(&photo.folder).join(id)).ok()?;
-            Some(decode_fit(&bytes, &Limits::default(), import::WORK_SIDE).ok()?.image)
-        };
-        let mut sheet = compose::compose(&scene, load, &mut Context::default())?;
+        let mut images = HashMap::new();
+        for id in scene.panels.iter().filter_map(|panel| panel.photo.as_deref()) {
+            let Some(photo) = known.iter().find(|photo| photo.id == id) else { continue };
+            let bytes = fs::read(root.join(&photo.folder).join(id))?;
+            images.insert(id, decode_fit(&bytes, &Limits::default(), import::WORK_SIDE)?.image);
+        }
+        let mut sheet = compose::compose(&scene, |id| images.get(id), &mut Context::default())?;
         draw::lay_words(&mut sheet, &page, &letters)?;
         fs::write(folder.join(format!("page-{number:02}.png")), png::encode(&sheet, 96)?)?;
     }

@@ -12,32 +12,32 @@ const WIDTH: usize = 620;
 
 /// What was counted on pages.
 #[derive(Debug, Default, Clone)]
-pub struct Figures {
+pub(crate) struct Figures {
     /// Balloons.
-    pub balloons: usize,
+    pub(crate) balloons: usize,
     /// Faces that are seen in panels with words, and those of them that a word or a tail covers a part of.
-    pub faces: (usize, usize),
+    pub(crate) faces: (usize, usize),
     /// Area of bodies in panels with words, and what of it is covered.
-    pub bodies: (f64, f64),
+    pub(crate) bodies: (f64, f64),
     /// Tails, and those that lead to a mouth, or to what is largest where there is none.
-    pub tails: (usize, usize),
+    pub(crate) tails: (usize, usize),
     /// Words with a corner of a line outside of their shape, or a text that is not whole.
-    pub outside: usize,
+    pub(crate) outside: usize,
     /// Pairs of words that overlap.
-    pub overlaps: usize,
+    pub(crate) overlaps: usize,
     /// Words that cross the border of their panel.
-    pub crossing: usize,
+    pub(crate) crossing: usize,
     /// Words that are read before one that is written before them.
-    pub disorder: usize,
+    pub(crate) disorder: usize,
     /// Smallest and largest letters, in points on A4.
-    pub points: Option<(f64, f64)>,
+    pub(crate) points: Option<(f64, f64)>,
     /// What was found wrong, for those who look for it.
-    pub told: Vec<String>,
+    pub(crate) told: Vec<String>,
 }
 
 impl Figures {
     /// Adds those of another page.
-    pub fn add(&mut self, other: Self) {
+    pub(crate) fn add(&mut self, other: Self) {
         self.balloons += other.balloons;
         self.faces = (self.faces.0 + other.faces.0, self.faces.1 + other.faces.1);
         self.bodies = (self.bodies.0 + other.bodies.0, self.bodies.1 + other.bodies.1);
@@ -54,12 +54,12 @@ impl Figures {
     }
 
     /// Share of the bodies' area that is covered, in percent.
-    pub fn covered_bodies(&self) -> f64 {
+    pub(crate) fn covered_bodies(&self) -> f64 {
         100.0 * self.bodies.1 / self.bodies.0.max(1e-9)
     }
 
     /// Tails that are right, in percent.
-    pub fn right_tails(&self) -> f64 {
+    pub(crate) fn right_tails(&self) -> f64 {
         100.0 * self.tails.1 as f64 / (self.tails.0 as f64).max(1.0)
     }
 }
@@ -73,7 +73,7 @@ struct Seen {
 ///
 /// # Errors
 /// Those of drawing it.
-pub fn measure(
+pub(crate) fn measure(
     page: &Document,
     photos: &[PhotoMeta],
     letters: &Letters,

@@ -10,21 +10,21 @@ use std::path::Path;
 
 /// What the nets saw in a photo, as the example stored it.
 #[derive(Serialize, Deserialize)]
-pub struct Known {
+pub(crate) struct Known {
     /// Name of the file.
-    pub id: String,
+    pub(crate) id: String,
     /// Its folder, from the root.
-    pub folder: String,
+    pub(crate) folder: String,
     /// Size in pixels.
-    pub size: (u32, u32),
+    pub(crate) size: (u32, u32),
     /// Faces and objects.
-    pub subjects: Vec<Subject>,
+    pub(crate) subjects: Vec<Subject>,
 }
 
 /// Pages that are measured, and balloons on them.
-pub const PAGES: u32 = 40;
+pub(crate) const PAGES: u32 = 40;
 /// Balloons of a page.
-pub const BALLOONS: usize = 3;
+pub(crate) const BALLOONS: usize = 3;
 
 const STYLES: [&str; 8] =
     ["comic", "noir", "clear-line", "riso-red", "watercolour", "golden-age", "ballpoint", "ben-day"];
@@ -52,12 +52,12 @@ const SPEECHES: [&str; 15] = [
 ///
 /// # Errors
 /// The file is missing or broken.
-pub fn known(root: &Path) -> Result<Vec<Known>, Box<dyn std::error::Error>> {
+pub(crate) fn known(root: &Path) -> Result<Vec<Known>, Box<dyn std::error::Error>> {
     Ok(serde_json::from_str(&std::fs::read_to_string(root.join("tests/data/lettering.json"))?)?)
 }
 
 /// The photos as the planner takes them.
-pub fn photos(known: &[Known]) -> Vec<PhotoMeta> {
+pub(crate) fn photos(known: &[Known]) -> Vec<PhotoMeta> {
     let meta = |known: &Known| {
         let mut meta = PhotoMeta::unmeasured(&known.id, known.size.0, known.size.1);
         meta.subjects.clone_from(&known.subjects);
@@ -70,7 +70,7 @@ pub fn photos(known: &[Known]) -> Vec<PhotoMeta> {
 ///
 /// # Errors
 /// Those of the planner.
-pub fn page(photos: &[PhotoMeta], number: u32, letters: &Letters) -> inkpanel::Result<Document> {
+pub(crate) fn page(photos: &[PhotoMeta], number: u32, letters: &Letters) -> inkpanel::Result<Document> {
     // Photos with people take turns with others, so that most pages have somebody who speaks.
     let (people, others): (Vec<&PhotoMeta>, Vec<&PhotoMeta>) =
         photos.iter().partition(|photo| photo.subjects.iter().any(|s| s.label == "face" || s.label == "person"));

@@ -527,6 +527,8 @@ export type WordBox = {
   color: string,
   /** Colour inside of its outline, or around its letters. */
   fill: string,
+  /** Id of its font. */
+  font: string,
 };
 
 /** A page template that has passed every check of its schema (see `layouts/README.md`). */

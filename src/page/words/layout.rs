@@ -275,6 +275,8 @@ pub struct WordBox {
     pub color: String,
     /// Colour inside of its outline, or around its letters.
     pub fill: String,
+    /// Id of its font.
+    pub font: String,
 }
 
 /// Where the words of a document are, in their order.
@@ -294,6 +296,7 @@ pub fn measured(document: &Document, letters: &Letters) -> Result<Vec<WordBox>> 
             cut: laid.setting.cut,
             color: hexadecimal(laid.word.color),
             fill: hexadecimal(laid.word.fill),
+            font: laid.word.font,
         }
     });
     Ok(boxes.collect())

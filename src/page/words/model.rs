@@ -127,16 +127,18 @@ impl Word {
             "effect" => Kind::Effect,
             _ => return Err(field.wrong("kind", "is none of caption, balloon, effect")),
         };
-        let (font, color, fill) = match kind {
-            Kind::Caption => ("comic-neue", "#111111", "#fff6d6"),
-            Kind::Balloon(Shape::Whisper) => ("comic-neue", "#111111", "#ffffff"),
-            Kind::Balloon(_) => ("comic-neue-bold", "#111111", "#ffffff"),
-            Kind::Effect => ("bangers", "#ffd21f", "#111111"),
-        };
         let craft = match field.number("craft", 1.0, 2.0)? {
             None | Some(1.0) => Craft::First,
             Some(2.0) => Craft::Letterer,
             Some(_) => return Err(field.wrong("craft", "is neither 1 nor 2")),
+        };
+        let (font, color, fill) = match kind {
+            // The lighter one is faint at the sizes of letterers.
+            Kind::Caption if craft == Craft::Letterer => ("comic-neue-bold", "#111111", "#fff6d6"),
+            Kind::Caption => ("comic-neue", "#111111", "#fff6d6"),
+            Kind::Balloon(Shape::Whisper) => ("comic-neue", "#111111", "#ffffff"),
+            Kind::Balloon(_) => ("comic-neue-bold", "#111111", "#ffffff"),
+            Kind::Effect => ("bangers", "#ffd21f", "#111111"),
         };
         let capitals = field.truth("capitals")?;
         let text = field.text("text", "")?;
