@@ -21,6 +21,12 @@ pub(crate) fn add_words(
     let complain = |reason: String| format!("{}: {reason}", file.display());
     let json = std::fs::read_to_string(file).map_err(|error| complain(error.to_string()))?;
     document.words = serde_json::from_str(&json).map_err(|error| complain(error.to_string()))?;
+    // Words that have no place yet are new: they are set as letterers do.
+    for word in document.words.iter_mut().filter_map(serde_json::Value::as_object_mut) {
+        if !["x", "y", "craft"].iter().any(|field| word.contains_key(*field)) {
+            word.insert("craft".to_owned(), 2.into());
+        }
+    }
     let subjects = |id: &str| {
         let photo = photos.iter().find(|(_, photo)| photo.meta.id == id);
         photo.map_or(&[][..], |(_, photo)| &photo.meta.subjects)

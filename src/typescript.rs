@@ -51,7 +51,7 @@ pub(crate) struct Word {
     /// What it says.
     text: String,
     /// The outline of a balloon.
-    #[ts(type = "'oval' | 'thought' | 'shout' | 'whisper'", optional)]
+    #[ts(type = "'oval' | 'thought' | 'shout' | 'whisper' | 'radio'", optional)]
     shape: Option<String>,
     /// The panel that it stands on.
     #[ts(optional = nullable)]
@@ -79,6 +79,34 @@ pub(crate) struct Word {
     arc: Option<f64>,
     /// Nobody has moved it: it goes where it hides no face.
     auto: Option<bool>,
+    /// The conventions that it follows: 2 are those of letterers, which new words get; words without are those of
+    /// earlier pages, and look as they did.
+    #[ts(type = "1 | 2", optional)]
+    craft: Option<u8>,
+    /// A caption without a box.
+    boxless: Option<bool>,
+    /// Whether it is set in capitals; null is as its conventions have it.
+    #[ts(optional = nullable)]
+    capitals: Option<bool>,
+    /// Degrees that the letters of an effect lean to the right, -45 to 45.
+    slant: Option<f64>,
+    /// Half the width of the line around the letters of an effect, in ems, 0 to 0.4; null is as usual.
+    #[ts(optional = nullable)]
+    outline: Option<f64>,
+    /// An effect that stands behind the figures.
+    behind: Option<bool>,
+    /// Its name, for those that are joined to it.
+    #[ts(optional = nullable)]
+    id: Option<String>,
+    /// The name of the balloon that this one is joined to.
+    #[ts(optional = nullable)]
+    joined: Option<String>,
+    /// The language of its text: long words part by its rules.
+    #[ts(optional = nullable)]
+    language: Option<String>,
+    /// Width and height in page widths that it keeps to, found when it was placed.
+    #[ts(type = "readonly [width: number, height: number] | null", optional)]
+    room: Option<(f64, f64)>,
 }
 
 /// Of a page that stands in a table, its number there.
@@ -479,7 +507,7 @@ fn written() -> String {
     let wanted = json!({ "seed": 7, "photos": [photo], "page": settings, "current": null, "keep": { "layout": false }, "panels": 4, "mode": "photos", "merge": false, "taste": { "families": { "grid": 0.5 } }, "avoid": { "layouts": ["grid-4"] }, "styling": { "extra": [], "invented": 0.5 }, "surprise": 1 });
     let planned = shuffle::plan(&serde_json::from_value(wanted.clone()).unwrap()).unwrap();
     let mut page: Value = serde_json::from_str(&planned.to_json()).unwrap();
-    page["words"] = json!([{ "kind": "balloon", "text": "Hi", "shape": "shout", "panel": 0, "x": 0.5, "y": 0.25, "width": 0.25, "size": "auto", "tail": { "x": 0.5, "y": 0.5 }, "font": "bangers", "color": "#111111", "fill": "#ffffff", "angle": 5, "arc": 0.5, "auto": true }]);
+    page["words"] = json!([{ "kind": "balloon", "text": "Hi", "shape": "shout", "panel": 0, "x": 0.5, "y": 0.25, "width": 0.25, "size": "auto", "tail": { "x": 0.5, "y": 0.5 }, "font": "bangers", "color": "#111111", "fill": "#ffffff", "angle": 5, "arc": 0.5, "auto": true, "craft": 2, "boxless": false, "capitals": true, "slant": 5, "outline": 0.1, "behind": false, "id": "b", "joined": "a", "language": "en", "room": [0.5, 0.25] }]);
     let mut editor = Editor::default();
     let differences: Vec<_> =
         edits(&page).iter().map(|edit| editor.apply_json(&edit.to_string()).unwrap()).collect();

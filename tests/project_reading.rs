@@ -189,7 +189,7 @@ fn what_is_wrong_is_refused_with_its_place() {
         (
             "/history/present/page/words/1/text",
             json!(long),
-            "present.page.words[1].text: is longer than 4000 characters",
+            "present.page.words[1].text: is longer than 10000 characters",
         ),
         ("/history/present/page/words", json!(many(1_000)), "present.page.words: has 1000 entries"),
         ("/history/present/page/words", json!(many(20_000)), "present.page.words: has 20000 entries"),

@@ -11,7 +11,7 @@ export const MOST = Object.freeze({
   /** Words of a page. */
   words: 200,
   /** Characters of a word. */
-  letters: 4_000,
+  letters: 10_000,
   /** Styles of one's own, favourites, and layouts: of each so many. */
   styles: 1_000,
   /** Blocks of one layer of a style. */

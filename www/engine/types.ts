@@ -461,7 +461,7 @@ export type Word = { kind: 'caption' | 'balloon' | 'effect',
   /** What it says. */
   text: string,
   /** The outline of a balloon. */
-  shape?: 'oval' | 'thought' | 'shout' | 'whisper',
+  shape?: 'oval' | 'thought' | 'shout' | 'whisper' | 'radio',
   /** The panel that it stands on. */
   panel?: number | null, x?: number, y?: number,
   /** Width in page widths; null fits the text. */
@@ -482,6 +482,29 @@ export type Word = { kind: 'caption' | 'balloon' | 'effect',
   arc?: number,
   /** Nobody has moved it: it goes where it hides no face. */
   auto?: boolean,
+  /**
+   * The conventions that it follows: 2 are those of letterers, which new words get; words without are those of
+   * earlier pages, and look as they did.
+   */
+  craft?: 1 | 2,
+  /** A caption without a box. */
+  boxless?: boolean,
+  /** Whether it is set in capitals; null is as its conventions have it. */
+  capitals?: boolean | null,
+  /** Degrees that the letters of an effect lean to the right, -45 to 45. */
+  slant?: number,
+  /** Half the width of the line around the letters of an effect, in ems, 0 to 0.4; null is as usual. */
+  outline?: number | null,
+  /** An effect that stands behind the figures. */
+  behind?: boolean,
+  /** Its name, for those that are joined to it. */
+  id?: string | null,
+  /** The name of the balloon that this one is joined to. */
+  joined?: string | null,
+  /** The language of its text: long words part by its rules. */
+  language?: string | null,
+  /** Width and height in page widths that it keeps to, found when it was placed. */
+  room?: readonly [width: number, height: number] | null,
 };
 
 /** Where a word is without its tail, in page widths. */
@@ -500,6 +523,12 @@ export type WordBox = {
   size: number,
   /** The end of its text found no room. */
   cut: boolean,
+  /** Colour of its letters, `#rrggbb`. */
+  color: string,
+  /** Colour inside of its outline, or around its letters. */
+  fill: string,
+  /** Id of its font. */
+  font: string,
 };
 
 /** A page template that has passed every check of its schema (see `layouts/README.md`). */

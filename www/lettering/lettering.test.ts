@@ -38,7 +38,17 @@ describe('words', () => {
     const before = past();
     expect(await lettering.add('balloon')).toBe(true);
     expect(lettering.words.value).toEqual([
-      { kind: 'balloon', text: 'Hello!', panel: 0, auto: true, x: 0.25, y: 0.25, tail: null },
+      {
+        craft: 2,
+        language: 'en',
+        kind: 'balloon',
+        text: 'Hello!',
+        panel: 0,
+        auto: true,
+        x: 0.25,
+        y: 0.25,
+        tail: null,
+      },
     ]);
     expect([lettering.chosen.value, past() - before]).toEqual([0, 1]);
     await lettering.add('caption');

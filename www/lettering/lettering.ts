@@ -4,7 +4,7 @@
  */
 
 import { computed, signal } from '@preact/signals';
-import { strings } from '../strings/strings.ts';
+import { language, strings } from '../strings/strings.ts';
 import { MOST, wellFormed } from '../document/limits.ts';
 import { anchored, pagePoint } from './word-places.ts';
 import { createWordPlanning } from './word-planning.ts';
@@ -103,7 +103,7 @@ export function createLettering({
     const before = words.peek();
     const some = fresh
       .slice(0, Math.max(0, MOST.words - before.length))
-      .map((word) => ({ ...word, text: bounded(word.text) }));
+      .map((word): Word => ({ craft: 2, language, ...word, text: bounded(word.text) }));
     if (some.length < fresh.length) messages.alert(strings.wordsFull(MOST.words));
     if (some.length === 0) return 0;
     const all = [...before, ...some];

@@ -16,13 +16,6 @@ type AmountProps = {
   onValue: (value: number) => void;
 };
 
-/** Colours and fonts that the core takes where a word says none. */
-const USUAL = {
-  caption: { color: '#111111', fill: '#fff6d6', font: 'comic-neue' },
-  balloon: { color: '#111111', fill: '#ffffff', font: 'comic-neue-bold' },
-  effect: { color: '#ffd21f', fill: '#111111', font: 'bangers' },
-};
-
 export function WordFields({ index }: { index: number }) {
   const { store, ui, lettering } = useApp();
   const word = lettering.words.value[index];
@@ -35,7 +28,6 @@ export function WordFields({ index }: { index: number }) {
   };
   const set = (news: Partial<Word>) => lettering.edit(index, news, gesture.current);
   const [x, y] = [box.x + box.width / 2, box.y + box.height / 2];
-  const font = word.font ?? (word.shape === 'whisper' ? 'comic-neue' : USUAL[word.kind].font);
 
   function aim(mode: Mode) {
     lettering.mode.value = lettering.mode.peek() === mode ? null : mode;
@@ -92,7 +84,7 @@ export function WordFields({ index }: { index: number }) {
           onValue={(shape) => set({ shape: shape as 'oval' })}
         />
       )}
-      <Choice label={strings.wordFont} value={font} names={strings.fonts} onValue={(value) => set({ font: value })} />
+      <Choice label={strings.wordFont} value={box.font} names={strings.fonts} onValue={(value) => set({ font: value })} />
       <div class="word-numbers" onFocusOut={rest}>
         <Amount
           label={strings.wordX}
@@ -149,7 +141,7 @@ export function WordFields({ index }: { index: number }) {
             <span>{name === 'color' ? strings.wordColor : strings.wordFill}</span>
             <input
               type="color"
-              value={word[name] ?? USUAL[word.kind][name]}
+              value={box[name]}
               onInput={({ currentTarget }) => set({ [name]: currentTarget.value })}
               onChange={rest}
             />

@@ -6,7 +6,8 @@ use super::fonts::{Face, Fonts};
 use super::{share, short};
 use crate::layout::Point;
 use crate::page::words::Letters;
-use crate::page::words::draw::{Bend, Lines, Row, lines, rows};
+use crate::page::words::draw::{Bend, LEAN, Lines, Row, lines, rows};
+use crate::page::words::letters::spoken;
 use crate::page::words::layout::Laid;
 use crate::page::words::model::Kind;
 use pdf_writer::types::{LineCapStyle, LineJoinStyle, TextRenderingMode};
@@ -14,12 +15,20 @@ use pdf_writer::{Content, Name, Str, TextStr};
 
 /// Draws a word on a page of `width` pixels.
 pub(super) fn draw(content: &mut Content, laid: &Laid, width: f64, letters: &Letters, fonts: &Fonts) {
-    let Lines { body, text, half, dash } = lines(laid, width, letters);
+    let Lines { body, united, text, heavy, ringed, half, dash } = lines(laid, width, letters);
     content.save_state();
     content.set_line_join(LineJoinStyle::RoundJoin).set_line_cap(LineCapStyle::RoundCap);
-    content.set_line_width(short(2.0 * half));
-    if laid.word.kind == Kind::Effect {
-        stroke(content, &text, laid.word.fill);
+    content.set_line_width(short(if united { 4.0 } else { 2.0 } * half));
+    if ringed {
+        if half > 0.0 {
+            stroke(content, &text, laid.word.fill);
+        }
+    } else if united {
+        if let Some((on, off)) = dash {
+            content.set_dash_pattern([short(on), short(off)], 0.0);
+        }
+        stroke(content, &body, laid.word.color);
+        fill(content, &body, laid.word.fill);
     } else {
         fill(content, &body, laid.word.fill);
         if let Some((on, off)) = dash {
@@ -29,6 +38,10 @@ pub(super) fn draw(content: &mut Content, laid: &Laid, width: f64, letters: &Let
     }
     let bend = Bend::new(laid, width);
     let size = laid.setting.size * width;
+    if !heavy.0.is_empty() {
+        content.set_dash_pattern([], 0.0).set_line_width(short(2.0 * heavy.1));
+        stroke(content, &heavy.0, laid.word.color);
+    }
     if bend.is_arc() {
         fill(content, &text, laid.word.color);
     }
@@ -43,7 +56,7 @@ pub(super) fn draw(content: &mut Content, laid: &Laid, width: f64, letters: &Let
         // Programs that look for words take a line that is not level for many: they are told what it says.
         let level = laid.word.kind != Kind::Effect;
         if !level {
-            let says: String = row.letters.iter().map(|(letter, _)| letter).collect();
+            let says: String = row.letters.iter().map(|&(letter, _)| spoken(letter)).collect();
             let mut mark = content.begin_marked_content_with_properties(Name(b"Span"));
             mark.properties().actual_text(TextStr(&says));
         }
@@ -82,7 +95,7 @@ fn stroke(content: &mut Content, shapes: &[Vec<Point>], with: [u8; 3]) {
 /// A line of text with the distances that its letters have on the page.
 fn show(content: &mut Content, row: &Row, face: &Face, bend: &Bend, size: f64) {
     let Some(&(_, start)) = row.letters.first() else { return };
-    stand(content, bend, (start, row.baseline), size);
+    stand(content, bend, (start, row.baseline), size, if row.strong { LEAN } else { 0.0 });
     let mut showing = content.show_positioned();
     let mut items = showing.items();
     for (at, &(letter, pen)) in row.letters.iter().enumerate() {
@@ -97,14 +110,16 @@ fn show(content: &mut Content, row: &Row, face: &Face, bend: &Bend, size: f64) {
     }
 }
 
-/// Puts the pen at a place of the word, along the line that the word has there. Text stands upwards, the page downwards.
-fn stand(content: &mut Content, bend: &Bend, (x, y): (f64, f64), size: f64) {
+/// Puts the pen at a place of the word, along the line that the word has there, its letters leaning by a part of their
+/// height. Text stands upwards, the page downwards.
+fn stand(content: &mut Content, bend: &Bend, (x, y): (f64, f64), size: f64, lean: f64) {
     let from = bend.moved(x, y);
-    let to = bend.moved(x + 0.01 * size, y);
-    let (dx, dy) = (to.x - from.x, to.y - from.y);
-    let length = dx.hypot(dy).max(1e-9);
-    let (cos, sin) = (dx / length, dy / length);
+    let side = |x: f64, y: f64| {
+        let to = bend.moved(x, y);
+        ((to.x - from.x) * 100.0, (to.y - from.y) * 100.0)
+    };
+    let (along, up) = (side(x + 0.01 * size, y), side(x + 0.01 * lean * size, y - 0.01 * size));
     let exact = |value: f64| ((value * 1e4).round() / 1e4) as f32;
-    let [a, b] = [cos * size, sin * size].map(exact);
-    content.set_text_matrix([a, b, b, -a, short(from.x), short(from.y)]);
+    let [a, b, c, d] = [along.0, along.1, up.0, up.1].map(exact);
+    content.set_text_matrix([a, b, c, d, short(from.x), short(from.y)]);
 }

@@ -3,6 +3,15 @@
 use crate::error::{Error, Result};
 use crate::layout::Point;
 
+/// The letter that stands for a capital I without bars, which only some fonts have.
+pub const STEM: char = '\u{f8f0}';
+
+/// What a letter is called where text is read and not seen.
+#[must_use]
+pub fn spoken(letter: char) -> char {
+    if letter == STEM { 'I' } else { letter }
+}
+
 /// The fonts of the page, and which accents their letters take.
 #[derive(Default)]
 pub struct Letters {
@@ -61,6 +70,12 @@ impl Letters {
     #[must_use]
     pub fn font(&self, id: &str) -> Option<&Font> {
         self.fonts.iter().find(|font| font.id == id).or_else(|| self.fonts.first())
+    }
+
+    /// The font of what is emphasised in a text of some font: its bold one, or the same where there is none.
+    #[must_use]
+    pub fn strong<'a>(&'a self, font: &'a Font) -> &'a Font {
+        self.fonts.iter().find(|bold| bold.id.strip_suffix("-bold") == Some(&font.id)).unwrap_or(font)
     }
 
     /// Text as the fonts take it: marks joined with their letters, controls and what has no width left out, line ends
@@ -131,6 +146,43 @@ impl Font {
             _ => u32::from(letter),
         };
         self.glyphs.get(self.glyphs.binary_search_by_key(&code, |glyph| glyph.letter).unwrap_or(0))
+    }
+
+    /// Whether it has a letter.
+    #[must_use]
+    pub fn has(&self, letter: char) -> bool {
+        self.glyphs.binary_search_by_key(&u32::from(letter), |glyph| glyph.letter).is_ok()
+    }
+
+    /// Gives a font whose I has bars a second one without, of the stroke of its l at the height of capitals.
+    fn add_stem(&mut self) {
+        let reach = |letter: char| {
+            let glyph = self.glyph(letter)?;
+            let points: Vec<Point> = glyph.contours.iter().flat_map(|contour| contour.flattened(0.01)).collect();
+            let low = points.iter().fold(f64::MAX, |low, point| low.min(point.x));
+            let high = points.iter().fold(f64::MIN, |high, point| high.max(point.x));
+            let top = points.iter().fold(0.0, |top: f64, point| top.max(point.y));
+            Some((high - low, top))
+        };
+        let (Some((barred, height)), Some((stroke, tall))) = (reach('I'), reach('l')) else { return };
+        if barred < 2.0 * stroke || tall <= 0.0 {
+            return;
+        }
+        let Some(l) = self.glyph('l') else { return };
+        // Heights stay in whole units: the fonts of PDF files have no others.
+        let em = f64::from(self.units);
+        let lower = |point: Point| Point::new(point.x, (point.y * height / tall * em).round() / em);
+        let contour = |contour: &Contour| Contour {
+            start: lower(contour.start),
+            segments: contour.segments.iter().map(|&(control, end)| (control.map(lower), lower(end))).collect(),
+        };
+        let stem = Glyph {
+            letter: u32::from(STEM),
+            advance: l.advance,
+            contours: l.contours.iter().map(contour).collect(),
+        };
+        let at = self.glyphs.partition_point(|glyph| glyph.letter < stem.letter);
+        self.glyphs.insert(at, stem);
     }
 
     /// Its name among those of the table.
@@ -253,6 +305,7 @@ impl Reader<'_> {
             pair = pair.checked_add(self.unsigned()?)?;
             font.kerning.push((pair, f64::from(self.signed()?) / em));
         }
+        font.add_stem();
         Some(font)
     }
 

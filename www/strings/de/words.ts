@@ -15,7 +15,7 @@ export const wordStrings = {
   wordList: 'Worte auf der Seite',
   noWords: 'Noch keine Worte.',
   shape: 'Form',
-  shapes: { oval: 'Rede', thought: 'Gedanke', shout: 'Schrei', whisper: 'Flüstern' },
+  shapes: { oval: 'Rede', thought: 'Gedanke', shout: 'Schrei', whisper: 'Flüstern', radio: 'Funk' },
   editWord: 'Text ändern',
   moveWord: 'Bewegen nach…',
   pointTail: 'Dorn zeigt auf…',

@@ -17,7 +17,7 @@ export const wordStrings = {
   wordList: 'Words on the page',
   noWords: 'No words yet.',
   shape: 'Shape',
-  shapes: { oval: 'Speech', thought: 'Thought', shout: 'Shout', whisper: 'Whisper' },
+  shapes: { oval: 'Speech', thought: 'Thought', shout: 'Shout', whisper: 'Whisper', radio: 'Radio' },
   editWord: 'Edit text',
   moveWord: 'Move to…',
   pointTail: 'Point tail at…',

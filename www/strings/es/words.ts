@@ -15,7 +15,7 @@ export const wordStrings = {
   wordList: 'Palabras de la página',
   noWords: 'Aún no hay palabras.',
   shape: 'Forma',
-  shapes: { oval: 'Habla', thought: 'Pensamiento', shout: 'Grito', whisper: 'Susurro' },
+  shapes: { oval: 'Habla', thought: 'Pensamiento', shout: 'Grito', whisper: 'Susurro', radio: 'Radio' },
   editWord: 'Editar texto',
   moveWord: 'Mover a…',
   pointTail: 'Apuntar el rabillo a…',

@@ -15,7 +15,7 @@ export const wordStrings = {
   wordList: 'Textes de la page',
   noWords: 'Pas encore de texte.',
   shape: 'Forme',
-  shapes: { oval: 'Parole', thought: 'Pensée', shout: 'Cri', whisper: 'Murmure' },
+  shapes: { oval: 'Parole', thought: 'Pensée', shout: 'Cri', whisper: 'Murmure', radio: 'Radio' },
   editWord: 'Modifier le texte',
   moveWord: 'Déplacer vers…',
   pointTail: 'Pointer la queue vers…',

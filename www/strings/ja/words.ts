@@ -15,7 +15,7 @@ export const wordStrings = {
   wordList: 'ページの文字',
   noWords: 'まだ文字はありません。',
   shape: '形',
-  shapes: { oval: 'せりふ', thought: '心の声', shout: '叫び', whisper: 'ささやき' },
+  shapes: { oval: 'せりふ', thought: '心の声', shout: '叫び', whisper: 'ささやき', radio: '無線' },
   editWord: '文字を編集',
   moveWord: '移動先を選ぶ…',
   pointTail: 'しっぽの先を選ぶ…',

@@ -15,7 +15,7 @@ export const wordStrings = {
   wordList: 'Textos da página',
   noWords: 'Nenhum texto ainda.',
   shape: 'Forma',
-  shapes: { oval: 'Fala', thought: 'Pensamento', shout: 'Grito', whisper: 'Sussurro' },
+  shapes: { oval: 'Fala', thought: 'Pensamento', shout: 'Grito', whisper: 'Sussurro', radio: 'Rádio' },
   editWord: 'Editar texto',
   moveWord: 'Mover para…',
   pointTail: 'Apontar rabicho para…',
