@@ -10,10 +10,11 @@ mod plans;
 mod reopening;
 
 use clap::{Parser, Subcommand};
-use inkpanel::layout::{PageSettings, Template};
+use inkpanel::framing::PhotoMeta;
+use inkpanel::layout::Template;
 use inkpanel::page::import::{Imported, import};
 use inkpanel::page::request::Request;
-use inkpanel::page::{catalogue, png};
+use inkpanel::page::{Document, catalogue, png};
 use inkpanel::raster::Image;
 use inkpanel::raster::decode::{Limits, decode_fit};
 use inkpanel::select::{self, Measures};
@@ -123,6 +124,8 @@ struct Listing {
 struct Render {
     #[command(flatten)]
     planned: Planned,
+    #[command(flatten)]
+    printing: drawing::Printing,
     /// Of a saved project: which of its pages, from 1; the one that was edited last unless told.
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..))]
     page: Option<u32>,
@@ -147,9 +150,12 @@ struct Planned {
     /// Seed of what is left to chance; 1 unless told.
     #[arg(long)]
     seed: Option<u32>,
-    /// Width of the page in pixels, 2480 unless told; the height follows from A4 upright.
+    /// Width of the page in pixels, 2480 unless told; the height follows from the page size, A4 upright unless told.
     #[arg(long, value_name = "PX", value_parser = clap::value_parser!(u32).range(64..=9800))]
     width: Option<u32>,
+    /// Size of the page: a name such as a5, letter, us-comic or manga-b5, or pixels such as 2480x3508.
+    #[arg(long, value_name = "NAME|WxH")]
+    page_size: Option<String>,
     /// Number of panels.
     #[arg(long)]
     panels: Option<usize>,
@@ -206,21 +212,21 @@ fn main() -> ExitCode {
 }
 
 fn render_page(render: &Render) -> Result<(), Complaint> {
-    let Render { planned, page, output, files } = render;
+    let Render { planned, printing, page, output, files } = render;
     if let Some(output) = output {
-        drawing::Kind::of(output)?;
+        printing.check(drawing::Kind::of(output)?)?;
     }
     if let [file] = &files[..]
         && let Some(saved) = reopening::open(file)
     {
         if *planned != Planned::default() {
             return Err(format!(
-                "{}: it is planned already, so --output and --page are all that it takes",
+                "{}: it is planned already, so --output, --page and what is printed are all that it takes",
                 file.display()
             ));
         }
         let output = output.as_deref().ok_or("say by --output where the page goes")?;
-        return reopening::draw(saved?, file, *page, output);
+        return reopening::draw(saved?, file, *page, (output, printing));
     }
     if let Some(project) = files.iter().find(|file| reopening::is_project(file)) {
         return Err(format!("{}: a project is drawn alone", project.display()));
@@ -228,10 +234,16 @@ fn render_page(render: &Render) -> Result<(), Complaint> {
     if page.is_some() {
         return Err("--page is of a saved project, and there is none".into());
     }
-    plan_page(planned, output.as_deref(), files)
+    plan_page(planned, printing, output.as_deref(), files)
 }
 
-fn plan_page(render: &Planned, output: Option<&Path>, files: &[PathBuf]) -> Result<(), Complaint> {
+fn plan_page(
+    render: &Planned,
+    printing: &drawing::Printing,
+    output: Option<&Path>,
+    files: &[PathBuf],
+) -> Result<(), Complaint> {
+    let page = plans::page_of(render.page_size.as_deref(), render.width)?;
     let layout = render.layout.as_deref().map(layout_value).transpose()?;
     let style = render.style.as_deref().map(style_value).transpose()?;
     let mut photos = import_all(files);
@@ -249,7 +261,6 @@ fn plan_page(render: &Planned, output: Option<&Path>, files: &[PathBuf]) -> Resu
     if used.iter().all(|meta| meta.taken.is_some()) {
         used.sort_by(|a, b| a.taken.cmp(&b.taken));
     }
-    let page = plans::page_of_width(render.width.unwrap_or(PageSettings::default().width));
     let request = Request {
         seed: render.seed.unwrap_or(1),
         photos: used.into_iter().cloned().collect(),
@@ -267,8 +278,12 @@ fn plan_page(render: &Planned, output: Option<&Path>, files: &[PathBuf]) -> Resu
     let paths: HashMap<&str, &Path> =
         photos.iter().map(|(path, photo)| (photo.meta.id.as_str(), path.as_path())).collect();
     let full = |id: &str| paths.get(id).map(|path| decode_file(path)).transpose();
+    let metas: Vec<PhotoMeta> = photos.iter().map(|(_, photo)| photo.meta.clone()).collect();
+    let alts = |document: &Document| drawing::described(document, &metas);
     match output {
-        Some(output) if render.pages.is_some() => plans::draw_all(&pages, &full, output)?,
+        Some(output) if render.pages.is_some() || drawing::Kind::of(output)? == drawing::Kind::Pdf => {
+            plans::draw_all(&pages, &full, output, (printing, &alts))?;
+        }
         Some(output) => write(output, &drawing::draw(&pages[0].document, &full, output)?)?,
         None => {}
     }

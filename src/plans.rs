@@ -2,7 +2,9 @@
 
 use crate::{Complaint, drawing, import_all, name};
 use inkpanel::framing::{Crop, PhotoMeta};
-use inkpanel::layout::{self, Bounds, PageSettings, Point, ResolvedPanel, ResolvedShape, polygon};
+use inkpanel::layout::{
+    self, Bounds, PagePreset, PageSettings, Point, ResolvedPanel, ResolvedShape, polygon,
+};
 use inkpanel::page::Document;
 use inkpanel::page::import::Imported;
 use inkpanel::page::request::{Avoid, Request};
@@ -262,11 +264,15 @@ pub(crate) fn draw_all(
     pages: &[Planned],
     photos: &drawing::Photos<'_>,
     output: &Path,
+    told: (&drawing::Printing, &drawing::Alts<'_>),
 ) -> Result<(), Complaint> {
     let ending = output.extension().map(|e| e.to_string_lossy().to_lowercase()).unwrap_or_default();
     let documents: Vec<Document> = pages.iter().map(|page| page.document.clone()).collect();
     match ending.as_str() {
-        "pdf" => crate::write(output, &drawing::draw_book(&documents, photos, output)?),
+        "pdf" => {
+            let files = drawing::draw_book(&documents, photos, output, told)?;
+            files.iter().try_for_each(|(path, file)| crate::write(path, file))
+        }
         "png" | "jpg" | "jpeg" => {
             for (i, document) in documents.iter().enumerate() {
                 let path = numbered(output, i + 1);
@@ -297,12 +303,37 @@ fn numbered(output: &Path, number: usize) -> PathBuf {
     output.with_file_name(place(file).unwrap_or_else(|| format!("{stem}-{number:02}.{ending}")))
 }
 
-/// The settings of a page as wide as that, upright.
-pub(crate) fn page_of_width(width: u32) -> PageSettings {
+/// The settings of a page of a size, as a name or as pixels such as 2480x3508, and of a width that it is made larger or smaller
+/// to; A4 upright unless told.
+pub(crate) fn page_of(size: Option<&str>, width: Option<u32>) -> Result<PageSettings, Complaint> {
     let mut page = PageSettings::default();
-    let height = f64::from(width) * f64::from(page.height) / f64::from(page.width);
-    (page.width, page.height) = (width, height.round() as u32);
-    page
+    if let Some(name) = size {
+        if let Some(PagePreset { width, height, dpi, .. }) = layout::preset(name) {
+            (page.width, page.height, page.dpi) = (width, height, dpi);
+        } else {
+            let sides: Option<Vec<u32>> = name.split('x').map(|side| side.parse().ok()).collect();
+            let Some(&[width, height]) = sides.as_deref() else {
+                let known = drawing::page_sizes();
+                return Err(format!(
+                    "there is no page size \"{name}\"; say one in pixels such as 2480x3508, or one of {known}"
+                ));
+            };
+            (page.width, page.height) = (width, height);
+        }
+    }
+    if let Some(width) = width.filter(|width| *width != page.width) {
+        let scale = f64::from(width) / f64::from(page.width.max(1));
+        page.height = (f64::from(page.height) * scale).round() as u32;
+        // The paper stays as large where its size was told.
+        if size.is_some() {
+            page.dpi = (f64::from(page.dpi) * scale).round() as u32;
+        }
+        page.width = width;
+    }
+    if size.is_some() {
+        page.validate().map_err(|error| error.to_string())?;
+    }
+    Ok(page)
 }
 
 #[cfg(test)]
