@@ -17,6 +17,7 @@ import type { Engine } from '../engine/engine.ts';
 import type { PageFiles } from '../storage/files/page-files.ts';
 import type { Carry, Wish, Work } from './page-making.ts';
 import type { Signal } from '@preact/signals';
+import type { Format } from './formats.ts';
 
 export type Download = ReturnType<typeof createDownload>;
 
@@ -31,7 +32,7 @@ export function createDownload({
   store: Store;
   pages: Pages;
   messages: Messages;
-  engine: Pick<Engine, 'exportPng' | 'exportJpeg' | 'exportWebp' | 'exportPdf' | 'exportPanel'>;
+  engine: Pick<Engine, 'exportPng' | 'exportJpeg' | 'exportWebp' | 'exportPdf' | 'exportPlates' | 'exportPanel'>;
   pageFiles: Pick<PageFiles, 'take' | 'carrying'>;
   onSaved?: (pages: readonly PageDocument[]) => void;
 }) {
@@ -75,7 +76,7 @@ export function createDownload({
     const cargo = loaded(wish);
     const file = await work((how) => make(wish, how, cargo.carry), strings.exportFailed);
     if (!file) return;
-    save(file, fileName(wish.pages, wish.format));
+    save(file, fileName(wish.pages, fileFormat(wish)));
     onSaved(wish.pages);
     const saved = strings.pagesSaved(wish.pages.length);
     messages.note(cargo.unclean > 0 ? `${saved} ${strings.photosUnclean(cargo.unclean)}` : saved);
@@ -120,7 +121,8 @@ export function createDownload({
 
   async function share(wish: Wish) {
     const made = await work((how) => make(wish, how, loaded(wish).carry), strings.exportFailed);
-    if (made) await hand(new File([made], fileName(wish.pages, wish.format), { type: FORMATS[wish.format].type }));
+    const format = fileFormat(wish);
+    if (made) await hand(new File([made], fileName(wish.pages, format), { type: FORMATS[format].type }));
   }
 
   async function hand(file: File) {
@@ -167,4 +169,9 @@ export function createDownload({
   function cancel() {
     running?.abort();
   }
+}
+
+/** The kind of file that is saved: plates of inks are files in an archive. */
+function fileFormat({ format, print }: Wish): Format {
+  return format === 'pdf' && print?.plates ? 'zip' : format;
 }

@@ -17,6 +17,7 @@ import { sideStrings } from './side.ts';
 import { startStrings } from './start.ts';
 import { storageStrings } from './storage.ts';
 import { wordStrings } from './words.ts';
+import { printStrings } from './print.ts';
 import type { Words } from '../en/index.ts';
 
 export { names } from './names.ts';
@@ -34,6 +35,7 @@ export const words: Words = {
   ...photoStrings,
   ...pageStrings,
   ...exportStrings,
+  ...printStrings,
   ...pngStrings,
   ...keyStrings,
   ...helpStrings,
