@@ -60,11 +60,14 @@ pub(crate) fn draw(file: &Path, files: &[PathBuf], output: &Output, how: &How) -
         paths.insert(photo.to_owned(), path);
     }
     let full = |id: &str| paths.get(id).map(|path| decode_file(path)).transpose();
-    if let [page] = &pages[..] {
+    let printed: drawing::Printed<'_> = (&how.printing, &|page| drawing::described(page, &[]));
+    if let [page] = &pages[..]
+        && drawing::Kind::of(&output.named)? != drawing::Kind::Pdf
+    {
         output.write(&drawing::draw(page, &full, &output.named)?)?;
         return done(std::slice::from_ref(&output.path));
     }
-    done(&plans::draw_all(&pages, &full, output, (how.skip_existing, &|_, file| Ok(file)))?)
+    done(&plans::draw_all(&pages, &full, output, (how.skip_existing, &|_, file| Ok(file), printed))?)
 }
 
 fn read(file: &Path) -> Result<Vec<Document>, Complaint> {

@@ -169,6 +169,8 @@ struct Render {
 /// How it is done, whatever the page.
 #[derive(clap::Args)]
 struct How {
+    #[command(flatten)]
+    printing: drawing::Printing,
     /// Take settings from a file of JSON or TOML: each has the name of an option, "files" are the photos, and files are looked
     /// for beside it. What the command line says goes before it.
     #[arg(long, value_name = "FILE")]
@@ -293,6 +295,9 @@ fn render_page(render: &Render) -> Result<(), Complaint> {
         telling::as_json();
     }
     let output = output.as_deref().map(|path| Output::new(path, how.format.as_deref())).transpose()?;
+    if let Some(output) = &output {
+        how.printing.check(Kind::of(&output.named)?)?;
+    }
     if planned.json && output.as_ref().is_some_and(|output| album::is_standard(&output.path)) {
         return Err("--json and the page cannot both go to standard output".into());
     }
@@ -316,8 +321,8 @@ fn render_page(render: &Render) -> Result<(), Complaint> {
         && let Some(saved) = reopening::open(file)
     {
         planned_already(planned, file)?;
-        reopening::draw(saved?, file, *page, output.as_ref().ok_or(NO_OUTPUT)?)?;
-        return done(&[output.as_ref().map_or(file.clone(), |output| output.path.clone())]);
+        let output = output.as_ref().ok_or(NO_OUTPUT)?;
+        return done(&reopening::draw(saved?, file, *page, (output, &how.printing))?);
     }
     if let Some(project) = files.iter().find(|file| reopening::is_project(file)) {
         return Err(format!("{}: a project is drawn alone", project.display()));
@@ -340,7 +345,7 @@ fn planned_already(planned: &Planned, file: &Path) -> Result<(), Complaint> {
     if *planned == Planned::default() {
         return Ok(());
     }
-    Err(format!("{}: it is planned already, so --output and --page are all that it takes", told(file)))
+    Err(format!("{}: it is planned already, so --output, --page and what is printed are all that it takes", told(file)))
 }
 
 /// Says that all is done.
@@ -440,8 +445,11 @@ fn write_pages(
         "none" => Ok(file),
         what => album.inside(&file, page, what == "photos"),
     };
-    if several {
-        return plans::draw_all(album.pages, photos, output, (how.skip_existing, &finish));
+    let found: Vec<PhotoMeta> = album.photos.iter().map(|(_, photo)| photo.meta.clone()).collect();
+    let alts = |document: &Document| drawing::described(document, &found);
+    if several || kind == Kind::Pdf {
+        let printed: drawing::Printed<'_> = (&how.printing, &alts);
+        return plans::draw_all(album.pages, photos, output, (how.skip_existing, &finish, printed));
     }
     output.write(&finish(0, drawing::draw(&album.pages[0], photos, &output.named)?)?)?;
     Ok(vec![output.path.clone()])

@@ -1,7 +1,7 @@
 //! The paper of pages that the command line plans: its size, and what else of a page is no choice of layout or style.
 
 use crate::Complaint;
-use inkpanel::layout::{DPI, PRESETS, PagePreset, PageSettings};
+use inkpanel::layout::{self, DPI, PRESETS, PagePreset, PageSettings};
 
 /// Millimetres of an inch.
 const INCH: f64 = 25.4;
@@ -9,7 +9,7 @@ const INCH: f64 = 25.4;
 /// Size, gutters and colours of a page; what is not said is as in the page that the browser begins with.
 #[derive(clap::Args, Default, PartialEq, Debug)]
 pub(crate) struct Paper {
-    /// Size of the page: a name (a4, a4-landscape, letter, square, wide, story, portrait, webtoon), pixels (1600x2400), or a
+    /// Size of the page: a name (such as a4, a5, letter, us-comic, manga-b5, square, webtoon), pixels (1600x2400), or a
     /// size on paper (210x297mm, 8.5x11in); a4 unless told.
     #[arg(long, value_name = "NAME|WxH", value_parser = Size::parse)]
     page_size: Option<Size>,
@@ -48,17 +48,21 @@ pub(crate) enum Size {
     Inches(f64, f64),
 }
 
+/// The names of all sizes.
+pub(crate) fn names() -> String {
+    PRESETS.map(|preset| preset.id).join(", ")
+}
+
 impl Size {
     fn parse(text: &str) -> Result<Self, Complaint> {
         let plain = text.trim().to_lowercase();
-        if let Some(known) = PRESETS.iter().find(|preset| preset.id == plain) {
-            return Ok(Self::Known(*known));
+        if let Some(known) = layout::preset(&plain) {
+            return Ok(Self::Known(known));
         }
         Self::measured(&plain).ok_or_else(|| {
-            let known: Vec<&str> = PRESETS.iter().map(|preset| preset.id).collect();
             format!(
                 "there is no such size; say one of {}, or a width and a height such as 1600x2400, 210x297mm or 8.5x11in",
-                known.join(", ")
+                names()
             )
         })
     }
@@ -123,6 +127,7 @@ impl Paper {
             corner_radius: self.corner_radius.unwrap_or(usual.corner_radius),
             paper: self.paper.clone().unwrap_or(usual.paper),
             border_color: self.border_color.clone().unwrap_or(usual.border_color),
+            ..usual
         };
         page.validate().map_err(|error| error.to_string())?;
         Ok(page)

@@ -271,15 +271,14 @@ pub(crate) fn draw_all(
     documents: &[Document],
     photos: &drawing::Photos<'_>,
     output: &Output,
-    (skips, finish): (bool, Finish<'_>),
+    (skips, finish, printed): (bool, Finish<'_>, drawing::Printed<'_>),
 ) -> Result<Vec<PathBuf>, Complaint> {
     let kind = drawing::Kind::of(&output.named)?;
     if kind == drawing::Kind::Project {
         return Err("a project is made of photos; these pages are planned already".into());
     }
     if kind == drawing::Kind::Pdf {
-        output.write(&drawing::draw_book(documents, photos, &output.named)?)?;
-        return Ok(vec![output.path.clone()]);
+        return drawing::write_book(documents, photos, output, printed);
     }
     if is_standard(&output.path) {
         return Err("several pages go to standard output as one PDF file: add --format pdf".into());

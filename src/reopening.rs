@@ -1,7 +1,7 @@
 //! Saved projects and pages on the command line: drawn as the page itself exports them.
 
 use crate::album::{self, told};
-use crate::drawing;
+use crate::drawing::{self, Kind, Printing};
 use crate::output::Output;
 use crate::{Complaint, survived};
 use inkpanel::document::saved::Saved;
@@ -9,7 +9,7 @@ use inkpanel::document::sheets::photos_on;
 use inkpanel::page::Document;
 use inkpanel::raster::decode::{Limits, decode};
 use std::collections::HashMap;
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
 /// What says that a file is meant as a project.
 const EXTENSION: &str = "inkpanel";
@@ -33,9 +33,15 @@ pub(crate) fn open(input: &Path) -> Option<Result<Saved, Complaint>> {
 }
 
 /// Draws the present page, or the one of that number, from 1.
-pub(crate) fn draw(saved: Saved, input: &Path, number: Option<u32>, output: &Path) -> Result<(), Complaint> {
-    let file = drawn(saved, number, output).map_err(|reason| format!("{}: {reason}", told(input)))?;
-    write(output, &file)
+///
+/// Returns the files.
+pub(crate) fn draw(
+    saved: Saved,
+    input: &Path,
+    number: Option<u32>,
+    (output, printing): (&Output, &Printing),
+) -> Result<Vec<PathBuf>, Complaint> {
+    drawn(saved, number, (output, printing)).map_err(|reason| format!("{}: {reason}", told(input)))
 }
 
 /// Whether its name says that a file is a project.
@@ -43,27 +49,42 @@ pub(crate) fn is_project(file: &Path) -> bool {
     file.extension().is_some_and(|ending| ending.eq_ignore_ascii_case(EXTENSION))
 }
 
-fn drawn(mut saved: Saved, number: Option<u32>, output: &Path) -> Result<Vec<u8>, Complaint> {
+fn drawn(
+    mut saved: Saved,
+    number: Option<u32>,
+    (output, printing): (&Output, &Printing),
+) -> Result<Vec<PathBuf>, Complaint> {
     let (pages, present) = saved.pages();
-    let at = number.map_or(present, |number| number as usize - 1);
-    let page = pages.get(at).ok_or_else(|| match pages.len() {
-        0 => "there is no page in it".to_owned(),
-        1 => format!("there is no page {} in it, only one", at + 1),
-        count => format!("there is no page {} in it, only {count}", at + 1),
-    })?;
-    let files = files(&mut saved, page)?;
+    // What is folded or bound is made of all pages, unless one is named.
+    let wanted = if printing.binds() && number.is_none() && !pages.is_empty() {
+        &pages[..]
+    } else {
+        let at = number.map_or(present, |number| number as usize - 1);
+        pages.get(at..=at).ok_or_else(|| match pages.len() {
+            0 => "there is no page in it".to_owned(),
+            1 => format!("there is no page {} in it, only one", at + 1),
+            count => format!("there is no page {} in it, only {count}", at + 1),
+        })?
+    };
+    let files = files(&mut saved, wanted)?;
     let photos = |id: &str| {
         let Some(bytes) = files.get(id) else { return Ok(None) };
         let name = saved.photo(id).map_or(id, |photo| &photo.name);
         let decoded = survived(|| decode(bytes, &Limits::default()));
         decoded.map(|decoded| Some(decoded.image)).map_err(|reason| format!("the photo {name}: {reason}"))
     };
-    drawing::draw(page, &photos, output)
+    if Kind::of(&output.named)? == Kind::Pdf {
+        let alts = |page: &Document| drawing::described(page, &[]);
+        return drawing::write_book(wanted, &photos, output, (printing, &alts));
+    }
+    output.write(&drawing::draw(&wanted[0], &photos, &output.named)?)?;
+    Ok(vec![output.path.clone()])
 }
 
-/// The files of the photos that a page shows, by their ids.
-fn files(saved: &mut Saved, page: &Document) -> Result<HashMap<String, Vec<u8>>, Complaint> {
-    let mut shown: Vec<&str> = photos_on(&[page]).into_iter().collect();
+/// The files of the photos that pages show, by their ids.
+fn files(saved: &mut Saved, pages: &[Document]) -> Result<HashMap<String, Vec<u8>>, Complaint> {
+    let pages: Vec<&Document> = pages.iter().collect();
+    let mut shown: Vec<&str> = photos_on(&pages).into_iter().collect();
     shown.sort_unstable();
     let mut files = HashMap::new();
     for id in &shown {

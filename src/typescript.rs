@@ -29,6 +29,7 @@ use crate::page::import::{ImportEntry, PixelSize};
 use crate::page::layouts::{
     GenerateRequest, Geometry, LayoutChange, LayoutEntry, LayoutFacts, LayoutsRequest,
 };
+use crate::page::pdf::{Imposition, Options};
 use crate::page::request::{Avoid, Keep, Mode, Request, Taste};
 use crate::page::words::layout::WordBox;
 use crate::page::{Document, catalogue, layouts, request, shuffle};
@@ -389,6 +390,8 @@ fn types() -> String {
         FilePhoto,
         FileVideo,
         Likeness,
+        Options,
+        Imposition,
     );
     out.push('\n');
     out.push_str(MORE);

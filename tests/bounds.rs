@@ -50,12 +50,20 @@ fn ranges() -> String {
 
 /// Page sizes that people know, the default first.
 fn sizes() -> String {
-    let size = |PagePreset { id, width, height, dpi, .. }: &PagePreset| {
-        format!("  {{ id: '{id}', width: {width}, height: {height}, dpi: {dpi} }},\n")
-    };
+    let size =
+        |PagePreset { id, purpose, width, height, dpi, safe: [across, down], fold, .. }: &PagePreset| {
+            let purpose = format!("{purpose:?}").to_lowercase();
+            [
+                "  {".to_owned(),
+                format!("    id: '{id}',\n    purpose: '{purpose}',\n    width: {width},"),
+                format!("    height: {height},\n    dpi: {dpi},"),
+                format!("    safe: [{across}, {down}],\n    fold: {fold},\n  }},\n"),
+            ]
+            .join("\n")
+        };
     let all: Vec<_> = PRESETS.iter().map(size).collect();
     format!(
-        "/** Page sizes that people know, the default first. */\nexport const PAGE_SIZES = Object.freeze([\n{}] as const);\n",
+        "/** Page sizes that people know, the default first; `safe` and `fold`: pixels from the sides, and from the middle. */\nexport const PAGE_SIZES = Object.freeze([\n{}] as const);\n",
         all.concat()
     )
 }

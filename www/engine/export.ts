@@ -5,15 +5,18 @@
 
 import { Priority } from './queue.ts';
 import { givesWebp } from './webp.ts';
-import type { PageDocument } from './types.ts';
+import { failure } from './protocol.ts';
+import type { PageDocument, PdfOptions } from './types.ts';
 import type { createFiles } from './files.ts';
 import type { createPhotos } from './photos.ts';
 import type { Run } from './pool.ts';
-import type { PixelPatch } from './protocol.ts';
+import type { Picture, PixelPatch } from './protocol.ts';
 import type { createWords } from './words.ts';
 
 type PanelPatch = PixelPatch & { index: number };
 type Call = { signal?: AbortSignal; onProgress?: (done: number, total: number) => void };
+/** `quality` from 1 to 100; `alts`: of each page what its panels show, for who does not see them. */
+type PdfCall = Call & { quality: number; title: string; alts?: readonly (readonly string[])[]; options?: PdfOptions };
 type Parts = {
   run: Run;
   photos: ReturnType<typeof createPhotos>;
@@ -36,7 +39,7 @@ const ALONE = {
 };
 
 export function createExports({ run, photos, words, files }: Parts) {
-  return { exportPng, exportJpeg, exportWebp, exportPdf, exportPanel };
+  return { exportPng, exportJpeg, exportWebp, exportPdf, exportPlates, exportPanel };
 
   async function exportPng(document: PageDocument, call?: Call): Promise<Blob> {
     return whole(document, call, (patches, signal) => encode(document, patches, signal));
@@ -67,30 +70,73 @@ export function createExports({ run, photos, words, files }: Parts) {
     return files.webp(png, { quality, dpi: document.page.dpi }, call);
   }
 
-  /** @returns one file of all pages */
+  /**
+   * @param call `options`: how it is printed
+   * @returns one file of all pages
+   */
   async function exportPdf(
     documents: readonly PageDocument[],
-    { quality, title, ...call }: Call & { quality: number; title: string },
+    { quality, title, alts = [], options, ...call }: PdfCall,
   ): Promise<Blob> {
-    const step = steps(
-      documents.reduce((sum, document) => sum + withPhoto(document).length, 1),
-      call.onProgress,
-    );
+    const step = stepsOf(documents, call);
     return stoppable(call.signal, async (signal) => {
       const pages = [];
-      for (const document of documents) {
-        // Borders are lines of the file, so the panels are drawn without.
-        const bare = { ...document, page: { ...document.page, border: 0 } };
-        const pictures = await byPhoto(bare, withPhoto(bare), signal, async (patches) => {
-          const made = await files.pictures(document, patches, quality, { signal });
-          step(patches.length);
-          return made;
-        });
-        pages.push({ document, pictures });
+      for (const [i, document] of documents.entries()) {
+        const made = await pictures(document, { quality, plates: 0, signal, step });
+        pages.push({ document, alts: alts[i] ?? [], pictures: made });
       }
-      const pdf = await files.pdf(pages, title, { signal });
+      const pdf = await files.pdf(pages, { ...options, title }, { signal });
       step(1);
       return pdf;
+    });
+  }
+
+  /**
+   * @param documents pages of one style, which prints with inks
+   * @param call as of `exportPdf`
+   * @returns a gray file of all pages for each ink
+   */
+  async function exportPlates(
+    documents: readonly PageDocument[],
+    { quality, title, alts = [], options, ...call }: PdfCall,
+  ): Promise<{ ink: string; blob: Blob }[]> {
+    const step = stepsOf(documents, call);
+    return stoppable(call.signal, async (signal) => {
+      const pages: { document: PageDocument; alts: readonly string[]; pictures: Picture[] }[] = [];
+      let inks: string[] = [];
+      for (const [i, page] of documents.entries()) {
+        const found = await files.plates(page, { signal });
+        if (!found || (inks.length > 0 && String(found.inks) !== String(inks)))
+          throw failure('no-plates', 'The pages are not all printed with the same inks.');
+        ({ inks } = found);
+        const { document } = found;
+        const made = await pictures(document, { quality, plates: inks.length, signal, step });
+        pages.push({ document, alts: alts[i] ?? [], pictures: made });
+      }
+      const plates = [];
+      for (const [plate, ink] of inks.entries()) {
+        const own = pages.map((page) => ({
+          ...page,
+          pictures: page.pictures.filter((picture) => picture.plate === plate),
+        }));
+        plates.push({ ink, blob: await files.pdf(own, { ...options, title, plate }, { signal }) });
+      }
+      step(1);
+      return plates;
+    });
+  }
+
+  /** The panels of a page as a PDF file has them: borders are lines of the file, so they are drawn without. */
+  function pictures(
+    document: PageDocument,
+    { signal, step, ...wish }: { quality: number; plates: number; signal: AbortSignal; step: (count: number) => void },
+  ): Promise<Picture[]> {
+    const bare = { ...document, page: { ...document.page, border: 0 } };
+    return byPhoto(bare, withPhoto(bare), signal, async (patches) => {
+      const count = patches.length;
+      const made = await files.pictures(document, patches, wish, { signal });
+      step(count);
+      return made;
     });
   }
 
@@ -175,6 +221,14 @@ function steps(total: number, onProgress: Call['onProgress'] = () => {}) {
   let done = 0;
   onProgress(done, total);
   return (count: number) => onProgress((done += count), total);
+}
+
+/** Of the panels with photos of all pages, and of the file. */
+function stepsOf(documents: readonly PageDocument[], { onProgress }: Call) {
+  return steps(
+    documents.reduce((sum, document) => sum + withPhoto(document).length, 1),
+    onProgress,
+  );
 }
 
 /** @returns the photo that a panel shows; panels that share an image show that of the first */

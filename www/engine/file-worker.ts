@@ -2,7 +2,7 @@
  * The worker that makes files: the module of words, loaded with the first job, and the browser's own encoder of WebP where it has one.
  */
 
-import initWords, { Book, Cut, Lettering, Print } from '../pkg-words/inkpanel.js';
+import initWords, { Book, Cut, Lettering, Plate, Print, plates_of } from '../pkg-words/inkpanel.js';
 import { blobOf } from './blobs.ts';
 import { fileMs } from './measured.ts';
 import { moduleBytes } from './module-bytes.ts';
@@ -21,7 +21,7 @@ type Args<Op extends keyof Making> = Making[Op]['args'];
 
 let started: Promise<WebAssembly.Memory> | undefined;
 
-const OPERATIONS: Work<Making> = { jpeg, webp, losslessWebp, pictures, pdf };
+const OPERATIONS: Work<Making> = { jpeg, webp, losslessWebp, pictures, plates, pdf };
 
 serveJobs<Making>(async (op, args, tell) => {
   tell.waits(LOADING);
@@ -83,30 +83,46 @@ async function webp({ picture, quality, dpi }: Args<'webp'>, tell: Tell) {
   return { ok: withDpi(new Uint8Array(await made.arrayBuffer()), { width, height, dpi }), transfer: [] };
 }
 
-async function pictures({ document, patches, quality }: Args<'pictures'>, tell: Tell) {
-  const ok: Picture[] = patches.map(({ index, x, y, width, height, data }) => {
-    tell.expects(fileMs(2 * width * height));
-    const cut = new Cut(document, index, x, y, width, height, bytesOf(data), quality);
-    const made = cut.take() as Uint8Array<ArrayBuffer>;
-    const place = { x: cut.x, y: cut.y, width: cut.width, height: cut.height };
-    cut.free();
-    return { index, ...place, jpeg: made };
-  });
+/** @param args `plates`: of so many inks each panel has a picture of its own; 0 for one in colour */
+async function pictures({ document, patches, quality, plates }: Args<'pictures'>, tell: Tell) {
+  const ok: Picture[] = [];
+  for (let ink = 0; ink < Math.max(1, plates); ink += 1) {
+    const plate = plates > 0 ? new Plate(document, ink) : null;
+    try {
+      for (const { index, x, y, width, height, data } of patches) {
+        tell.expects(fileMs(2 * width * height));
+        const rgba = bytesOf(data);
+        const cut = plate
+          ? plate.cut(document, index, x, y, width, height, rgba, quality)
+          : new Cut(document, index, x, y, width, height, rgba, quality);
+        const made = cut.take() as Uint8Array<ArrayBuffer>;
+        const place = { x: cut.x, y: cut.y, width: cut.width, height: cut.height };
+        cut.free();
+        ok.push({ index, ...place, jpeg: made, ...(plate && { plate: ink }) });
+      }
+    } finally {
+      plate?.free();
+    }
+  }
   return { ok, transfer: ok.map((picture) => picture.jpeg.buffer) };
 }
 
-async function pdf({ pages, title }: Args<'pdf'>, tell: Tell) {
+async function plates({ document }: Args<'plates'>) {
+  return { ok: JSON.parse(plates_of(document)) as Making['plates']['ok'], transfer: [] };
+}
+
+async function pdf({ pages, options }: Args<'pdf'>, tell: Tell) {
   const book = new Book();
   const letters = new Lettering();
   try {
     for (const page of pages) {
       tell.expects(PAGE);
-      book.add_page(page.document);
+      book.add_page(page.document, JSON.stringify(page.alts));
       for (const { index, x, y, width, height, jpeg: bytes } of page.pictures)
         book.add_picture(index, x, y, width, height, bytes);
     }
     tell.expects(PAGE * pages.length);
-    const bytes = book.finish(letters, title) as Uint8Array<ArrayBuffer>;
+    const bytes = book.finish(letters, JSON.stringify(options)) as Uint8Array<ArrayBuffer>;
     tell.waits(STORING);
     return { ok: await blobOf(bytes, { type: 'application/pdf' }), transfer: [] };
   } finally {

@@ -5,17 +5,18 @@
 
 import { createPool } from './pool.ts';
 import { Priority } from './queue.ts';
-import type { PageDocument } from './types.ts';
+import type { PageDocument, PdfOptions } from './types.ts';
 import type { Pool } from './pool.ts';
-import type { Making, Picture, PixelPatch } from './protocol.ts';
+import type { Making, Picture, PixelPatch, Plates } from './protocol.ts';
 
 type Call = { signal?: AbortSignal };
+
 export type { Picture };
 
 export function createFiles() {
   let pool: Pool<Making> | undefined;
 
-  return { jpeg, webp, losslessWebp, pictures, pdf, dispose: () => pool?.dispose() };
+  return { jpeg, webp, losslessWebp, pictures, plates, pdf, dispose: () => pool?.dispose() };
 
   function run<Op extends keyof Making>(op: Op, args: Making[Op]['args'], transfer: Transferable[], call?: Call) {
     pool ??= createPool<Making>({ size: 1, spawn });
@@ -73,24 +74,30 @@ export function createFiles() {
   /**
    * Panels as a PDF file has them.
    * @param patches panels drawn without borders at full width; they are handed over
-   * @param quality from 1 to 100
+   * @param wish `quality` from 1 to 100; `plates`: how many inks there is to be a picture of, 0 for colours
    */
   async function pictures(
     document: PageDocument,
     patches: (PixelPatch & { index: number })[],
-    quality: number,
+    { quality, plates = 0 }: { quality: number; plates?: number },
     call?: Call,
   ): Promise<Picture[]> {
-    return run('pictures', { document: JSON.stringify(document), patches, quality }, buffersOf(patches), call);
+    const args = { document: JSON.stringify(document), patches, quality, plates };
+    return run('pictures', args, buffersOf(patches), call);
+  }
+
+  /** @returns null for a page that is not printed with inks */
+  async function plates(document: PageDocument, call?: Call): Promise<Plates | null> {
+    return run('plates', { document: JSON.stringify(document) }, [], call);
   }
 
   /** @param pages the pictures are handed over */
   async function pdf(
-    pages: { document: PageDocument; pictures: Picture[] }[],
-    title: string,
+    pages: { document: PageDocument; alts: readonly string[]; pictures: Picture[] }[],
+    options: PdfOptions,
     call?: Call,
   ): Promise<Blob> {
-    const args = { title, pages: pages.map((page) => ({ ...page, document: JSON.stringify(page.document) })) };
+    const args = { options, pages: pages.map((page) => ({ ...page, document: JSON.stringify(page.document) })) };
     return run(
       'pdf',
       args,

@@ -7,7 +7,7 @@
  */
 
 import type { Designed } from './design.ts';
-import type { Bounds, Detection, FirstLook, ImportEntry, PhotoMeta } from './types.ts';
+import type { Bounds, Detection, FirstLook, ImportEntry, PageDocument, PdfOptions, PhotoMeta } from './types.ts';
 import type { Frame } from './video.ts';
 
 /**
@@ -79,8 +79,12 @@ export type Wording = {
   over: { args: { document: string; width: number; bitmap: ImageBitmap }; ok: ImageBitmap };
 };
 
-/** A panel in a PDF file. */
-export type Picture = Bounds & { index: number; jpeg: Uint8Array<ArrayBuffer> };
+/** A panel in a PDF file, or on the plate of an ink. */
+export type Picture = Bounds & { index: number; jpeg: Uint8Array<ArrayBuffer>; plate?: number };
+/** A page of a PDF file as JSON, what its panels show, and their pictures. */
+export type PdfPage = { document: string; alts: readonly string[]; pictures: Picture[] };
+/** The inks of a page, the strongest last, and the page as it is drawn for their plates. */
+export type Plates = { inks: string[]; document: PageDocument };
 
 /** Those of the worker that makes files; `quality` is from 1 to 100. */
 export type Making = {
@@ -94,10 +98,11 @@ export type Making = {
     ok: Blob;
   };
   pictures: {
-    args: { document: string; patches: (PixelPatch & { index: number })[]; quality: number };
+    args: { document: string; patches: (PixelPatch & { index: number })[]; quality: number; plates: number };
     ok: Picture[];
   };
-  pdf: { args: { pages: { document: string; pictures: Picture[] }[]; title: string }; ok: Blob };
+  plates: { args: { document: string }; ok: Plates | null };
+  pdf: { args: { pages: PdfPage[]; options: PdfOptions }; ok: Blob };
 };
 
 type Tier = 'small' | 'work' | 'full';

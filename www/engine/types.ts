@@ -439,6 +439,8 @@ export type PageSettings = {
   paper: string,
   /** Colour of the line round a panel, `#rrggbb`. */
   borderColor: string,
+  /** How far what ends at the edge goes on beyond it, 0..=0.1: for a file that is printed and cut, never saved. */
+  bleed?: number,
 };
 
 /** The part of a photo that a panel shows, in fractions of the oriented photo. It lies inside the photo. */
@@ -1126,6 +1128,19 @@ export type Likeness = {
   /** Height in pixels. */
   height: number,
 };
+
+/** How a file is made of pages; nothing told gives one sheet a page, in colour, without marks. */
+export type PdfOptions = {
+  title?: string,
+  language?: string,
+  marks?: boolean,
+  imposition?: Imposition | null,
+  paper?: [number, number] | null,
+  plate?: number | null,
+};
+
+/** How pages share sheets. */
+export type Imposition = 'booklet' | 'zine' | '2up' | 'spreads';
 
 /** A value of a parameter: a number, an entry of its choices, or whether it is on. */
 export type ParamValue = number | string | boolean;

@@ -18,6 +18,7 @@ import type { Engine } from '../engine/engine.ts';
 import type { PageFiles } from '../storage/files/page-files.ts';
 import type { Cargo, Wish, Work } from './page-making.ts';
 import type { Signal } from '@preact/signals';
+import type { Format } from './formats.ts';
 
 export type Download = ReturnType<typeof createDownload>;
 
@@ -32,7 +33,7 @@ export function createDownload({
   store: Store;
   pages: Pages;
   messages: Messages;
-  engine: Pick<Engine, 'exportPng' | 'exportJpeg' | 'exportWebp' | 'exportPdf' | 'exportPanel'>;
+  engine: Pick<Engine, 'exportPng' | 'exportJpeg' | 'exportWebp' | 'exportPdf' | 'exportPlates' | 'exportPanel'>;
   pageFiles: Pick<PageFiles, 'take' | 'carrying' | 'packed'>;
   onSaved?: (pages: readonly PageDocument[]) => void;
 }) {
@@ -83,8 +84,8 @@ export function createDownload({
     messages.note(cargo.unclean > 0 ? `${saved} ${strings.photosUnclean(cargo.unclean)}` : saved);
   }
 
-  function nameOf({ pages: documents, format }: Wish) {
-    return fileName(store.project.peek(), documents.length, format);
+  function nameOf(wish: Wish) {
+    return fileName(store.project.peek(), wish.pages.length, fileFormat(wish));
   }
 
   /** What the file of a wish carries of its project; `unclean`: photos in it that keep what their files say. */
@@ -138,7 +139,7 @@ export function createDownload({
   async function share(wish: Wish) {
     const goods = loaded(wish);
     const made = await work((how) => make(wish, how, goods), strings.exportFailed);
-    if (made) await hand(new File([made], nameOf(wish), { type: FORMATS[wish.format].type }));
+    if (made) await hand(new File([made], nameOf(wish), { type: FORMATS[fileFormat(wish)].type }));
   }
 
   async function hand(file: File) {
@@ -185,4 +186,9 @@ export function createDownload({
   function cancel() {
     running?.abort();
   }
+}
+
+/** The kind of file that is saved: plates of inks are files in an archive. */
+function fileFormat({ format, print }: Wish): Format {
+  return format === 'pdf' && print?.plates ? 'zip' : format;
 }

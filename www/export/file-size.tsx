@@ -7,6 +7,8 @@ import type { Wish } from './page-making.ts';
 
 /** While a slider is dragged nothing is measured. */
 const REST_MS = 250;
+/** What the two or three gray plates of a page take of what it takes in colour. */
+const PLATES = 1.2;
 
 /** About how large the file will be; nothing where it cannot be told. */
 export function FileSize({ wish }: { wish: Wish }) {
@@ -25,7 +27,7 @@ export function FileSize({ wish }: { wish: Wish }) {
           ? await estimated(engine, pages, { format: picture, quality, signal: stop.signal }).catch(() => null)
           : null;
       if (stop.signal.aborted) return;
-      setBytes(about);
+      setBytes(about !== null && wish.print?.plates ? about * PLATES : about);
       setBusy(false);
     }, REST_MS);
     return () => {

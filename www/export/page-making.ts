@@ -3,10 +3,14 @@
 import { strings } from '../strings/strings.ts';
 import { FORMATS, isArchive, pageName } from './formats.ts';
 import { archiveOf } from '../storage/files/archive.ts';
+import { describePanel } from '../page/describing.ts';
+import { currentLanguage } from '../strings/language.ts';
+import { bled, NO_PRINT, pdfOptions } from './print.ts';
 import type { Store } from '../document/store.ts';
 import type { PageDocument } from '../engine/types.ts';
 import type { Engine } from '../engine/engine.ts';
 import type { Format, Inside } from './formats.ts';
+import type { Print } from './print.ts';
 
 export type Work = { signal: AbortSignal; onProgress: (done: number, total: number) => void };
 /**
@@ -18,7 +22,14 @@ export type Cargo = {
   beside: (how: Work) => Promise<{ name: string; blob: Blob } | null>;
 };
 /** `quality` from 1 to 100 */
-export type Wish = { pages: readonly PageDocument[]; format: Format; inside?: Inside; quality?: number };
+export type Wish = {
+  pages: readonly PageDocument[];
+  format: Format;
+  inside?: Inside;
+  quality?: number;
+  /** of a PDF file */
+  print?: Print;
+};
 
 export const USUAL_QUALITY = 88;
 
@@ -27,17 +38,16 @@ export function createMaking({
   engine,
 }: {
   store: Store;
-  engine: Pick<Engine, 'exportPng' | 'exportJpeg' | 'exportWebp' | 'exportPdf'>;
+  engine: Pick<Engine, 'exportPng' | 'exportJpeg' | 'exportWebp' | 'exportPdf' | 'exportPlates'>;
 }) {
   return make;
 
   async function make(
-    { pages: documents, format, inside = 'png', quality = USUAL_QUALITY }: Wish,
+    { pages: documents, format, inside = 'png', quality = USUAL_QUALITY, print = NO_PRINT }: Wish,
     how: Work,
     { carry, beside }: Cargo,
   ): Promise<Blob> {
-    if (format === 'pdf')
-      return engine.exportPdf(documents, { ...how, quality, title: store.project.peek().name || strings.name });
+    if (format === 'pdf') return printed(documents, print, quality, how);
     if (!isArchive(format)) return picture(documents[0], format as 'png' | 'jpeg' | 'webp', quality, how, carry);
     const entries = [];
     for (const [i, document] of documents.entries()) {
@@ -51,6 +61,24 @@ export function createMaking({
     return new Blob([await archiveOf(entries, { signal: how.signal })], { type: FORMATS[format].type });
   }
 
+  /** A PDF file; of plates one each, in an archive. */
+  async function printed(documents: readonly PageDocument[], print: Print, quality: number, how: Work) {
+    const title = store.project.peek().name || strings.name;
+    const album = store.album.peek();
+    const alts = documents.map((document) =>
+      document.panels.map((_, i) => strings.panelHolds(i + 1, describePanel(document, album, i) || strings.somePhoto)),
+    );
+    const wish = { ...how, quality, title, alts, options: { language: currentLanguage(), ...pdfOptions(print) } };
+    const pages = documents.map((document) => bled(document, print.bleed));
+    if (!print.plates) return engine.exportPdf(pages, wish);
+    const plates = await engine.exportPlates(pages, wish);
+    const entries = plates.map(({ ink, blob }, i) => ({
+      name: `${i + 1}-${inkName(ink)}.${FORMATS.pdf.ending}`,
+      blob,
+    }));
+    return new Blob([await archiveOf(entries)], { type: FORMATS.zip.type });
+  }
+
   async function picture(
     document: PageDocument,
     format: 'png' | 'jpeg' | 'webp',
@@ -62,4 +90,9 @@ export function createMaking({
     if (format === 'webp') return engine.exportWebp(document, { ...how, quality });
     return carry(await engine.exportPng(document, how), document, how);
   }
+}
+
+/** The name of an ink in the language of this visit. */
+function inkName(ink: string) {
+  return (strings.print.inks as Record<string, string>)[ink] ?? ink;
 }

@@ -17,7 +17,7 @@ mod kuwahara;
 mod luma_posterize;
 mod paper;
 mod pattern;
-mod plates;
+pub mod plates;
 mod posterize;
 mod saturation;
 mod size;

@@ -16,6 +16,7 @@ use crate::error::Result;
 use crate::raster::{Image, Plane};
 use crate::simd::dots::Screen;
 use crate::style::context::Context;
+use crate::style::file::Step;
 use crate::style::grain::{Tile, chance};
 use crate::style::params::{Args, Kind, Param, Unit, integer, number};
 
@@ -62,26 +63,57 @@ const NAMES: &[&str] = &[
     "violet-orange-black",
 ];
 
-/// Colours of printing inks, as they look on white paper.
-mod ink {
-    pub(super) type Rgb = [u8; 3];
-    pub(super) const RED: Rgb = [241, 80, 60];
-    pub(super) const BLUE: Rgb = [0, 98, 172];
-    pub(super) const PINK: Rgb = [255, 72, 160];
-    pub(super) const TEAL: Rgb = [0, 131, 138];
-    pub(super) const ORANGE: Rgb = [255, 122, 42];
-    pub(super) const NAVY: Rgb = [34, 44, 96];
-    pub(super) const CORAL: Rgb = [255, 116, 108];
-    pub(super) const GREEN: Rgb = [0, 120, 86];
-    pub(super) const YELLOW: Rgb = [255, 224, 0];
-    pub(super) const CYAN: Rgb = [0, 160, 220];
-    pub(super) const MAGENTA: Rgb = [224, 20, 130];
-    pub(super) const VIOLET: Rgb = [116, 88, 170];
-    pub(super) const BLACK: Rgb = [28, 26, 30];
+/// An ink as printers name it, and how it looks in full on white paper.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Ink {
+    /// Its name, in English, fit for a file.
+    pub name: &'static str,
+    /// Its colour.
+    pub rgb: [u8; 3],
 }
 
-/// The inks of a name, the strongest last: it is the plate that fits, and the others miss it.
-fn inks(choice: usize) -> &'static [ink::Rgb] {
+/// Colours of printing inks, as they look on white paper.
+mod ink {
+    use super::Ink;
+
+    const fn ink(name: &'static str, rgb: [u8; 3]) -> Ink {
+        Ink { name, rgb }
+    }
+
+    pub(super) const RED: Ink = ink("red", [241, 80, 60]);
+    pub(super) const BLUE: Ink = ink("blue", [0, 98, 172]);
+    pub(super) const PINK: Ink = ink("pink", [255, 72, 160]);
+    pub(super) const TEAL: Ink = ink("teal", [0, 131, 138]);
+    pub(super) const ORANGE: Ink = ink("orange", [255, 122, 42]);
+    pub(super) const NAVY: Ink = ink("navy", [34, 44, 96]);
+    pub(super) const CORAL: Ink = ink("coral", [255, 116, 108]);
+    pub(super) const GREEN: Ink = ink("green", [0, 120, 86]);
+    pub(super) const YELLOW: Ink = ink("yellow", [255, 224, 0]);
+    pub(super) const CYAN: Ink = ink("cyan", [0, 160, 220]);
+    pub(super) const MAGENTA: Ink = ink("magenta", [224, 20, 130]);
+    pub(super) const VIOLET: Ink = ink("violet", [116, 88, 170]);
+    pub(super) const BLACK: Ink = ink("black", [28, 26, 30]);
+}
+
+/// The inks that a step of this block prints with, the strongest last: it is the plate that fits, and the others miss it.
+#[must_use]
+pub fn inks_of(step: &Step) -> Option<&'static [Ink]> {
+    (step.block.id == BLOCK.id && !step.bypass).then(|| inks(Args::new(&step.values, 1.0).choice(0)))
+}
+
+/// The step as it is for plates that a press prints: no paper is missed there by design, and the grain is the press's own.
+#[must_use]
+pub fn exact(step: &Step) -> Step {
+    let mut step = step.clone();
+    for (param, value) in BLOCK.params.iter().zip(&mut step.values) {
+        if matches!(param.id, "shift" | "grain") {
+            *value = 0.0;
+        }
+    }
+    step
+}
+
+fn inks(choice: usize) -> &'static [Ink] {
     match choice {
         0 => &[ink::RED, ink::BLUE],
         1 => &[ink::PINK, ink::TEAL],
@@ -165,7 +197,7 @@ fn run(args: Args<'_>, image: &Image, context: &mut Context<'_>) -> Result<Image
                     *tone = 255 - *tone;
                 }
             }
-            for (plane, &ink) in out.iter_mut().zip(ink) {
+            for (plane, ink) in out.iter_mut().zip(ink.rgb) {
                 multiply(plane.row_mut(y), &printed, ink);
             }
         }
@@ -184,9 +216,9 @@ fn misfit(shift: f32, seed: u32, plate: u32) -> (isize, isize) {
 }
 
 /// For each ink what it takes of 1 - R, 1 - G and 1 - B, in Q12.
-fn shares(inks: &[ink::Rgb], density: f32) -> Vec<[i32; 3]> {
+fn shares(inks: &[Ink], density: f32) -> Vec<[i32; 3]> {
     let colors: Vec<[f64; 3]> =
-        inks.iter().map(|ink| ink.map(|tone| 1.0 - f64::from(tone) / 255.0)).collect();
+        inks.iter().map(|ink| ink.rgb.map(|tone| 1.0 - f64::from(tone) / 255.0)).collect();
     let n = colors.len();
     // (C C^T + small)^-1 C by elimination; what is added keeps two alike inks from pulling against each other.
     let mut rows: Vec<Vec<f64>> = (0..n)
@@ -296,7 +328,10 @@ mod tests {
             for (i, ink) in inks(choice).iter().enumerate() {
                 let shares = shares(inks(choice), 1.0);
                 let covered = |k: usize| -> i32 {
-                    (0..3).map(|c| shares[k][c] * i32::from(255 - ink[c])).sum::<i32>().clamp(0, 255 << 12)
+                    (0..3)
+                        .map(|c| shares[k][c] * i32::from(255 - ink.rgb[c]))
+                        .sum::<i32>()
+                        .clamp(0, 255 << 12)
                 };
                 assert!(covered(i) > 2 * covered(1 - i), "{name} {i}");
             }

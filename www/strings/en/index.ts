@@ -18,6 +18,7 @@ import { sideStrings } from './side.ts';
 import { startStrings } from './start.ts';
 import { storageStrings } from './storage.ts';
 import { wordStrings } from './words.ts';
+import { printStrings } from './print.ts';
 
 export { names } from './names.ts';
 
@@ -36,6 +37,7 @@ export const words = {
   ...pageStrings,
   ...exportStrings,
   ...fileStrings,
+  ...printStrings,
   ...keyStrings,
   ...helpStrings,
   ...faultStrings,

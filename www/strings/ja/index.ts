@@ -18,6 +18,7 @@ import { sideStrings } from './side.ts';
 import { startStrings } from './start.ts';
 import { storageStrings } from './storage.ts';
 import { wordStrings } from './words.ts';
+import { printStrings } from './print.ts';
 import type { Words } from '../en/index.ts';
 
 export { names } from './names.ts';
@@ -36,6 +37,7 @@ export const words: Words = {
   ...pageStrings,
   ...exportStrings,
   ...fileStrings,
+  ...printStrings,
   ...pngStrings,
   ...keyStrings,
   ...helpStrings,
