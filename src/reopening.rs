@@ -64,7 +64,8 @@ fn drawn(
             count => format!("there is no page {} in it, only {count}", at + 1),
         })?
     };
-    let files = files(&mut saved, wanted)?;
+    let wanted: Vec<Document> = wanted.iter().map(|page| Document::clone(page)).collect();
+    let files = files(&mut saved, &wanted)?;
     let photos = |id: &str| {
         let Some(bytes) = files.get(id) else { return Ok(None) };
         let name = saved.photo(id).map_or(id, |photo| &photo.name);
@@ -73,7 +74,7 @@ fn drawn(
     };
     if Kind::of(output)? == Kind::Pdf {
         return drawing::draw_book(
-            wanted,
+            &wanted,
             &photos,
             output,
             (printing, &|page| drawing::described(page, &[])),
