@@ -66,7 +66,8 @@ fn drawn(
             count => format!("there is no page {} in it, only {count}", at + 1),
         })?
     };
-    let files = files(&mut saved, wanted)?;
+    let wanted: Vec<Document> = wanted.iter().map(|page| Document::clone(page)).collect();
+    let files = files(&mut saved, &wanted)?;
     let photos = |id: &str| {
         let Some(bytes) = files.get(id) else { return Ok(None) };
         let name = saved.photo(id).map_or(id, |photo| &photo.name);
@@ -75,7 +76,7 @@ fn drawn(
     };
     if Kind::of(&output.named)? == Kind::Pdf {
         let alts = |page: &Document| drawing::described(page, &[]);
-        return drawing::write_book(wanted, &photos, output, (printing, &alts));
+        return drawing::write_book(&wanted, &photos, output, (printing, &alts));
     }
     output.write(&drawing::draw(&wanted[0], &photos, &output.named)?)?;
     Ok(vec![output.path.clone()])

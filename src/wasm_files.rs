@@ -146,6 +146,14 @@ impl Cut {
         Self::made(document, (index, area, rgba), quality, None)
     }
 
+    /// Moves the file out.
+    #[must_use]
+    pub fn take(&mut self) -> Vec<u8> {
+        std::mem::take(&mut self.jpeg)
+    }
+}
+
+impl Cut {
     fn made(
         document: &str,
         patch: (usize, PixelRect, &[u8]),
@@ -156,12 +164,6 @@ impl Cut {
         let Picture { area, jpeg, .. } = cut().map_err(thrown)?;
         let (width, height) = (area.width as u32, area.height as u32);
         Ok(Self { x: area.x as i32, y: area.y as i32, width, height, jpeg })
-    }
-
-    /// Moves the file out.
-    #[must_use]
-    pub fn take(&mut self) -> Vec<u8> {
-        std::mem::take(&mut self.jpeg)
     }
 }
 

@@ -54,7 +54,7 @@ def faults(path):
                 found.append("XMP and Info tell different titles")
             if any(key in about for key in ("xmp:CreateDate", "xmp:ModifyDate")) or "/CreationDate" in pdf.docinfo:
                 found.append("says when it was made")
-        colored = any("/DeviceRGB" in str(image.obj.ColorSpace) for p in pdf.pages for image in p.images.values())
+        colored = any("/DeviceRGB" in str(image.ColorSpace) for p in pdf.pages for image in p.get_images().values())
         if colored and b"acsp" not in root.OutputIntents[0].DestOutputProfile.read_bytes()[:128]:
             found.append("colours are of no space")
     return found
