@@ -101,7 +101,8 @@ fn odd_text_gets_an_answer_and_nothing_of_it_is_lost() {
     ];
     for text in texts {
         for kind in ["caption", "balloon", "effect"] {
-            let mut page = page_of(&[json!({ "kind": kind, "craft": 2, "text": text, "panel": 1, "language": "en" })]);
+            let mut page =
+                page_of(&[json!({ "kind": kind, "craft": 2, "text": text, "panel": 1, "language": "en" })]);
             place::settle(&mut page, |_| &[], &letters).unwrap();
             assert_eq!(page.words[0]["text"], json!(text), "it is kept as it was written");
             let boxes = measured(&page, &letters).unwrap();
@@ -113,7 +114,8 @@ fn odd_text_gets_an_answer_and_nothing_of_it_is_lost() {
 
 #[test]
 fn two_hundred_words_of_a_page_are_placed_on_it() {
-    let word = |i: usize| json!({ "kind": "balloon", "craft": 2, "text": format!("Number {i}"), "panel": i % 2 });
+    let word =
+        |i: usize| json!({ "kind": "balloon", "craft": 2, "text": format!("Number {i}"), "panel": i % 2 });
     let mut page = page_of(&(0..200).map(word).collect::<Vec<_>>());
     place::settle(&mut page, |_| &[], &letters()).unwrap();
     let boxes = measured(&page, &letters()).unwrap();

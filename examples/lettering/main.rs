@@ -59,11 +59,14 @@ fn figures(root: &Path) -> Result<(), Box<dyn Error>> {
 
 /// What the nets see in all photos that come with the program.
 fn detect(root: &Path) -> Result<(), Box<dyn Error>> {
-    let net = |name: &str| fs::read(root.join("www/models").join(name)).map_err(|error| format!("{name}: {error}"));
+    let net =
+        |name: &str| fs::read(root.join("www/models").join(name)).map_err(|error| format!("{name}: {error}"));
     let detectors = Detectors::new(&net("faces.onnx")?, &net("objects.onnx")?)?;
     let mut all = Vec::new();
     for folder in ["www/public/samples", "tests/photos"] {
-        let mut files: Vec<PathBuf> = fs::read_dir(root.join(folder))?.map(|entry| Ok(entry?.path())).collect::<Result<_, std::io::Error>>()?;
+        let mut files: Vec<PathBuf> = fs::read_dir(root.join(folder))?
+            .map(|entry| Ok(entry?.path()))
+            .collect::<Result<_, std::io::Error>>()?;
         files.retain(|path| path.extension().is_some_and(|extension| extension == "jpg"));
         files.sort();
         for path in files {
@@ -74,8 +77,8 @@ fn detect(root: &Path) -> Result<(), Box<dyn Error>> {
                 y: rounded(found.y),
                 width: rounded(found.width),
                 height: rounded(found.height),
-                label: found.label.to_string(),
-                score: rounded(f64::from(found.score)),
+                label: found.label,
+                score: rounded(found.score),
             };
             let subjects: Vec<Subject> = detectors.detect(&image.image)?.into_iter().map(subject).collect();
             let id = path.file_name().unwrap_or_default().to_string_lossy().into_owned();

@@ -96,7 +96,9 @@ pub(crate) fn measure(
                     figures.faces.0 += 1;
                     if covered > 0.0 {
                         figures.faces.1 += 1;
-                        figures.told.push(format!("{name}: a face in panel {panel} is covered by {covered:.4}"));
+                        figures
+                            .told
+                            .push(format!("{name}: a face in panel {panel} is covered by {covered:.4}"));
                     }
                 }
                 "person" => {
@@ -153,7 +155,8 @@ pub(crate) fn measure(
 
 fn seen_in(page: &Document, ground: &Ground, panel: usize, photos: &[PhotoMeta]) -> Vec<Seen> {
     let content = &page.panels[panel];
-    let Some(photo) = content.photo.as_ref().and_then(|id| photos.iter().find(|photo| photo.id == *id)) else {
+    let Some(photo) = content.photo.as_ref().and_then(|id| photos.iter().find(|photo| photo.id == *id))
+    else {
         return Vec::new();
     };
     let image = ground.panels[panel].bounds;
@@ -198,7 +201,9 @@ fn opaque(patch: &Patch, x: i64, y: i64) -> bool {
 /// The area of a box in page widths squared, and what of it words cover.
 fn covered(patches: &[Patch], bounds: Bounds) -> (f64, f64) {
     let scale = WIDTH as f64;
-    let range = |start: f64, length: f64| ((start * scale).ceil() as i64)..(((start + length) * scale).floor() as i64);
+    let range = |start: f64, length: f64| {
+        ((start * scale).ceil() as i64)..(((start + length) * scale).floor() as i64)
+    };
     let mut count = 0;
     for y in range(bounds.y, bounds.height) {
         for x in range(bounds.x, bounds.width) {
@@ -233,7 +238,8 @@ fn wrong_tail(laid: &Laid, seen: &[Seen]) -> Option<String> {
     let Some(tip) = laid.tip else { return Some("is missing".into()) };
     let middle = laid.middle;
     let (a, b) = laid.setting.half;
-    let norm = (((tip.x - middle.x) / a).abs().powf(2.4) + ((tip.y - middle.y) / b).abs().powf(2.4)).powf(1.0 / 2.4);
+    let norm =
+        (((tip.x - middle.x) / a).abs().powf(2.4) + ((tip.y - middle.y) / b).abs().powf(2.4)).powf(1.0 / 2.4);
     if norm < 1.05 {
         return Some("is too short to be seen".into());
     }
@@ -253,7 +259,8 @@ fn wrong_tail(laid: &Laid, seen: &[Seen]) -> Option<String> {
     let Some((_, head)) = hits.min_by(|a, b| a.0.total_cmp(&b.0)) else {
         return Some("leads to no face".into());
     };
-    let middle_of = |bounds: Bounds| Point::new(bounds.x + bounds.width / 2.0, bounds.y + 0.78 * bounds.height);
+    let middle_of =
+        |bounds: Bounds| Point::new(bounds.x + bounds.width / 2.0, bounds.y + 0.78 * bounds.height);
     let mouth = middle_of(head.bounds);
     let nearer = heads.iter().any(|other| {
         !std::ptr::eq(*other, *head) && middle_of(other.bounds).distance(tip) < 0.75 * mouth.distance(tip)
@@ -280,6 +287,7 @@ fn first_hit(from: Point, to: Point, bounds: Bounds) -> Option<f64> {
 /// Whether a word is read before another: it is above, or beside it on the left.
 fn read_before(a: &Laid, b: &Laid) -> bool {
     let half = |laid: &Laid| laid.setting.half.1;
-    let common = (a.middle.y + half(a)).min(b.middle.y + half(b)) - (a.middle.y - half(a)).max(b.middle.y - half(b));
+    let common =
+        (a.middle.y + half(a)).min(b.middle.y + half(b)) - (a.middle.y - half(a)).max(b.middle.y - half(b));
     if common > 0.3 * 2.0 * half(a).min(half(b)) { a.middle.x < b.middle.x } else { a.middle.y < b.middle.y }
 }

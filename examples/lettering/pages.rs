@@ -72,8 +72,9 @@ pub(crate) fn photos(known: &[Known]) -> Vec<PhotoMeta> {
 /// Those of the planner.
 pub(crate) fn page(photos: &[PhotoMeta], number: u32, letters: &Letters) -> inkpanel::Result<Document> {
     // Photos with people take turns with others, so that most pages have somebody who speaks.
-    let (people, others): (Vec<&PhotoMeta>, Vec<&PhotoMeta>) =
-        photos.iter().partition(|photo| photo.subjects.iter().any(|s| s.label == "face" || s.label == "person"));
+    let (people, others): (Vec<&PhotoMeta>, Vec<&PhotoMeta>) = photos
+        .iter()
+        .partition(|photo| photo.subjects.iter().any(|s| s.label == "face" || s.label == "person"));
     let count = 2 + number as usize % 5;
     let pick = |list: &[&PhotoMeta], from: usize, count: usize| -> Vec<PhotoMeta> {
         (0..count).map(|i| list[(from + i) % list.len()].clone()).collect()
@@ -92,7 +93,8 @@ pub(crate) fn page(photos: &[PhotoMeta], number: u32, letters: &Letters) -> inkp
         ..Request::default()
     };
     let mut page = shuffle::plan(&request)?;
-    let subjects = |id: &str| photos.iter().find(|photo| photo.id == id).map_or(&[][..], |photo| &photo.subjects);
+    let subjects =
+        |id: &str| photos.iter().find(|photo| photo.id == id).map_or(&[][..], |photo| &photo.subjects);
     let faces = |panel: usize| {
         let photo = page.panels[panel].photo.as_deref().unwrap_or_default();
         subjects(photo).iter().filter(|s| s.label == "face").count()

@@ -84,7 +84,12 @@ export function WordFields({ index }: { index: number }) {
           onValue={(shape) => set({ shape: shape as 'oval' })}
         />
       )}
-      <Choice label={strings.wordFont} value={box.font} names={strings.fonts} onValue={(value) => set({ font: value })} />
+      <Choice
+        label={strings.wordFont}
+        value={box.font}
+        names={strings.fonts}
+        onValue={(value) => set({ font: value })}
+      />
       <div class="word-numbers" onFocusOut={rest}>
         <Amount
           label={strings.wordX}

@@ -95,11 +95,7 @@ pub(in crate::page) fn lines(laid: &Laid, width: f64, letters: &Letters) -> Line
         let Laid { middle, tip, setting, .. } = laid;
         outline(&Body { kind: word.kind, craft: word.craft, middle: *middle, half: setting.half, tip: *tip })
     };
-    let mut body = match &laid.chain {
-        _ if ringed => Vec::new(),
-        Chain::Later => Vec::new(),
-        Chain::None | Chain::First { .. } => own(),
-    };
+    let mut body = if ringed || laid.chain == Chain::Later { Vec::new() } else { own() };
     let united = matches!(laid.chain, Chain::First { .. });
     if let Chain::First { bodies, necks } = &laid.chain {
         body.extend(bodies.iter().flat_map(outline));
@@ -113,8 +109,7 @@ pub(in crate::page) fn lines(laid: &Laid, width: f64, letters: &Letters) -> Line
         _ if word.craft == Craft::Letterer => FINER,
         _ => LINE,
     };
-    let dash =
-        (word.kind == Kind::Balloon(Shape::Whisper)).then_some((DASH.0 * width, DASH.1 * width));
+    let dash = (word.kind == Kind::Balloon(Shape::Whisper)).then_some((DASH.0 * width, DASH.1 * width));
     let (text, heavy) = contours(laid, width, letters);
     let heavy = (heavy, HEAVIER * size * width);
     Lines { body, united, text, heavy, ringed, half: half * width, dash }

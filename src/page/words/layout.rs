@@ -1,8 +1,8 @@
 //! Where the words of a document are, and how large. Lengths are in page widths.
 
 use super::letters::Letters;
-use super::palette::{self, Palette};
 use super::model::{Craft, Kind, Word};
+use super::palette::{self, Palette};
 use super::setting::{Setting, Wish, set};
 use super::shapes::reach;
 use super::wording::marks;
@@ -214,7 +214,8 @@ pub fn lay_all(document: &Document, letters: &Letters) -> Result<Vec<Laid>> {
 /// The balloon that each word is joined to.
 pub(super) fn joined<'w>(words: impl Iterator<Item = &'w Word> + Clone) -> Vec<Option<usize>> {
     let place = |name: &String| {
-        let mut balloons = words.clone().enumerate().filter(|(_, word)| matches!(word.kind, Kind::Balloon(_)));
+        let mut balloons =
+            words.clone().enumerate().filter(|(_, word)| matches!(word.kind, Kind::Balloon(_)));
         balloons.find(|(_, word)| word.id.as_ref() == Some(name)).map(|(place, _)| place)
     };
     let of = |(i, word): (usize, &Word)| word.joined.as_ref().and_then(place).filter(|place| *place != i);

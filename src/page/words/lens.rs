@@ -135,11 +135,14 @@ impl<'a> Lens<'a> {
                 let longest = broken.widths.iter().copied().fold(0.0, f64::max);
                 Some((width.map_or(longest / 2.0 + pad_x, |_| wide), block + pad_y))
             };
-            let Some((a, b)) = shape.filter(|(a, b)| *a <= wide + 1e-9 && *b <= high + 1e-9) else { continue };
+            let Some((a, b)) = shape.filter(|(a, b)| *a <= wide + 1e-9 && *b <= high + 1e-9) else {
+                continue;
+            };
             let off = (a / b / manner.aspect).ln();
             // Of shapes around the same lines the smallest lies closest; of a chosen width the lowest is best.
             let waste = (4.0 * a * b / (self.total + 1.0) / PITCH).max(0.1).ln();
-            let cost = broken.cost + if width.is_some() { 4.0 * waste } else { 2.0 * off * off + 1.5 * waste };
+            let cost =
+                broken.cost + if width.is_some() { 4.0 * waste } else { 2.0 * off * off + 1.5 * waste };
             if best.as_ref().is_none_or(|(least, ..)| cost < *least) {
                 best = Some((cost, broken, (a, b)));
             }
@@ -402,7 +405,7 @@ mod tests {
             let set = setting(text, Kind::Balloon(Shape::Oval), None);
             assert!(text_of(&set).iter().all(|line| !line.ends_with('-')), "{:?}", text_of(&set));
         }
-        let narrow = setting("Extraordinary misunderstandings", Kind::Balloon(Shape::Oval), Some(0.115));
+        let narrow = setting("International misinformation", Kind::Balloon(Shape::Oval), Some(0.115));
         let lines = text_of(&narrow);
         assert!(lines.iter().any(|line| line.ends_with('-') && line.chars().count() > 5), "{lines:?}");
     }

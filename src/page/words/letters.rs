@@ -158,7 +158,8 @@ impl Font {
     fn add_stem(&mut self) {
         let reach = |letter: char| {
             let glyph = self.glyph(letter)?;
-            let points: Vec<Point> = glyph.contours.iter().flat_map(|contour| contour.flattened(0.01)).collect();
+            let points: Vec<Point> =
+                glyph.contours.iter().flat_map(|contour| contour.flattened(0.01)).collect();
             let low = points.iter().fold(f64::MAX, |low, point| low.min(point.x));
             let high = points.iter().fold(f64::MIN, |high, point| high.max(point.x));
             let top = points.iter().fold(0.0, |top: f64, point| top.max(point.y));
@@ -174,7 +175,11 @@ impl Font {
         let lower = |point: Point| Point::new(point.x, (point.y * height / tall * em).round() / em);
         let contour = |contour: &Contour| Contour {
             start: lower(contour.start),
-            segments: contour.segments.iter().map(|&(control, end)| (control.map(lower), lower(end))).collect(),
+            segments: contour
+                .segments
+                .iter()
+                .map(|&(control, end)| (control.map(lower), lower(end)))
+                .collect(),
         };
         let stem = Glyph {
             letter: u32::from(STEM),

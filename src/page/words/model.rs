@@ -55,6 +55,7 @@ pub enum Craft {
 
 /// A caption, a balloon or a sound effect.
 #[derive(Debug, Clone, PartialEq)]
+#[allow(clippy::struct_excessive_bools, reason = "each is a field of the file by itself")]
 pub struct Word {
     /// What it is.
     pub kind: Kind,
@@ -302,7 +303,8 @@ mod tests {
         assert!(word(json!({ "kind": "balloon", "craft": 2 })).capitals);
         assert!(!word(json!({ "kind": "balloon", "craft": 2, "capitals": false })).capitals);
         assert!(!word(json!({ "kind": "effect", "craft": 2 })).capitals);
-        let joined = word(json!({ "kind": "balloon", "shape": "radio", "id": "b", "joined": "a", "boxless": true }));
+        let joined =
+            word(json!({ "kind": "balloon", "shape": "radio", "id": "b", "joined": "a", "boxless": true }));
         assert_eq!((joined.id.as_deref(), joined.joined.as_deref()), (Some("b"), Some("a")));
         assert!(!joined.boxless, "only captions have a box to lose");
     }

@@ -29,7 +29,8 @@ const CONTRAST: f64 = 7.0;
 pub fn of(style: &Value) -> Palette {
     let ink = style["ink"].as_str().and_then(hex).unwrap_or([0; 3]);
     let blocks: Vec<&Value> = style["background"].as_array().into_iter().flatten().collect();
-    let runs = |name: &str| blocks.iter().rposition(|block| block["block"] == name && block["bypass"] != true);
+    let runs =
+        |name: &str| blocks.iter().rposition(|block| block["block"] == name && block["bypass"] != true);
     // White lines are drawn on a dark ground: what words stand on is as light as the lines are.
     let light = luma(ink) > 0.35;
     let paper = if light { mixed(ink, [255; 3], 0.6) } else { paper(&blocks, &runs) };

@@ -128,7 +128,8 @@ pub fn set(letters: &Letters, font: &Font, text: &[Mark], wish: &Wish) -> Settin
     };
     // First letters become smaller so far as they are read with ease, then their shape larger, then letters again.
     let readable = wish.size.unwrap_or(manner.readable);
-    let stages = [(wish.room, wish.size.unwrap_or(manner.largest), readable), (wish.most, readable, smallest)];
+    let stages =
+        [(wish.room, wish.size.unwrap_or(manner.largest), readable), (wish.most, readable, smallest)];
     let stages = if wish.craft == Craft::First { [(stages[0].0, stages[0].1, smallest); 2] } else { stages };
     for (room, largest, smallest) in &stages[..if wish.craft == Craft::First { 1 } else { 2 }] {
         let mut size = *largest;

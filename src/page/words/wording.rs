@@ -1,7 +1,7 @@
 //! Text as letterers write it: capitals, curly quotes, the I with bars for the pronoun alone, emphasis where the text has
 //! `*stars*`, and the places at which long words may part.
 //!
-//! Source: Nate Piekos, "Comics Grammar & Tradition" (Blambot); the patterns of TeX by way of `hypher`.
+//! Source: Nate Piekos, "Comics Grammar & Tradition" (Blambot); the patterns of `TeX` by way of `hypher`.
 
 use super::letters::{Font, Letters, STEM};
 use super::model::{Craft, Word};
@@ -150,13 +150,12 @@ fn parts(marks: &mut [Mark], language: &str) {
     for at in 1..marks.len() {
         let (before, here) = (marks[at - 1].letter, marks[at].letter);
         let dash = "-–—/".contains(before) && here.is_alphanumeric();
-        if (dash && at > 1 && marks[at - 2].letter.is_alphanumeric()) || (before == '…' && here.is_alphabetic()) {
+        if (dash && at > 1 && marks[at - 2].letter.is_alphanumeric())
+            || (before == '…' && here.is_alphabetic())
+        {
             marks[at].part = Part::Free;
         }
     }
-    let mut code = [0; 2];
-    code.iter_mut().zip(language.bytes()).for_each(|(to, from)| *to = from);
-    let Some(language) = Lang::from_iso(code) else { return };
     let mut at = 0;
     while at < marks.len() {
         let length = marks[at..].iter().take_while(|mark| mark.letter.is_alphabetic()).count();
@@ -164,17 +163,49 @@ fn parts(marks: &mut [Mark], language: &str) {
             let run = &mut marks[at..at + length];
             let word: String = run.iter().flat_map(|mark| mark.letter.to_lowercase()).collect();
             if word.chars().count() == length {
-                let mut place = 0;
-                for syllable in hypher::hyphenate(&word, language) {
-                    if place >= AROUND_HYPHEN.0 && place + AROUND_HYPHEN.1 <= length {
-                        run[place].part = Part::Hyphen;
-                    }
-                    place += syllable.chars().count();
+                let good = |place: &usize| *place >= AROUND_HYPHEN.0 && place + AROUND_HYPHEN.1 <= length;
+                for place in breaks(&word, language).into_iter().filter(good) {
+                    run[place].part = Part::Hyphen;
                 }
             }
         }
         at += length.max(1);
     }
+}
+
+/// Where a word may part by the rules of its language, in letters from its start.
+fn breaks(word: &str, language: &str) -> Vec<usize> {
+    if language == "en" {
+        return english(word);
+    }
+    let mut code = [0; 2];
+    code.iter_mut().zip(language.bytes()).for_each(|(to, from)| *to = from);
+    let Some(language) = Lang::from_iso(code) else { return Vec::new() };
+    let syllables = hypher::hyphenate(word, language).map(|syllable| syllable.chars().count());
+    syllables
+        .scan(0, |place, length| {
+            *place += length;
+            Some(*place)
+        })
+        .collect()
+}
+
+/// English words part behind long prefixes and before long endings: its patterns would take a tenth of the module of words,
+/// for hyphens that letterers avoid.
+fn english(word: &str) -> Vec<usize> {
+    const BEGINNINGS: [&str; 7] = ["counter", "under", "super", "inter", "hyper", "trans", "after"];
+    const ENDINGS: [&str; 7] = ["tion", "sion", "ment", "ness", "less", "ship", "hood"];
+    let consonant = |rest: &str| !rest.starts_with(['a', 'e', 'i', 'o', 'u', 'y', 's']);
+    let beginnings = BEGINNINGS.iter().filter_map(|part| {
+        let rest = word.strip_prefix(part)?;
+        consonant(rest).then(|| part.chars().count())
+    });
+    let one = word.strip_suffix('s').unwrap_or(word);
+    let endings = ENDINGS.iter().filter_map(|part| {
+        let rest = word.strip_suffix(part).or_else(|| one.strip_suffix(part))?;
+        Some(rest.chars().count())
+    });
+    beginnings.chain(endings).collect()
 }
 
 /// All in capitals. The I with bars is the pronoun's; in words it is a stem, where the font has both.
@@ -207,7 +238,8 @@ mod tests {
 
     fn marked(text: &str, language: &str) -> Vec<Mark> {
         let letters = Letters::bundled().unwrap();
-        let word = json!({ "kind": "balloon", "craft": 2, "text": text, "language": language, "capitals": false });
+        let word =
+            json!({ "kind": "balloon", "craft": 2, "text": text, "language": language, "capitals": false });
         let word = Word::parse(&word, 0).unwrap();
         marks(&word, &letters, letters.font(&word.font).unwrap())
     }
@@ -258,9 +290,11 @@ mod tests {
             }
             out
         };
-        assert_eq!(parted("extraordinary", "en"), "extra|or|di|nary");
+        assert_eq!(parted("international", "en"), "inter|national");
+        assert_eq!(parted("Misinformation", "en"), "Misinforma|tion");
+        assert_eq!(parted("kindnesses transatlantic", "en"), "kindnesses transatlantic");
         assert_eq!(parted("lighthouse table", "en"), "lighthouse table");
-        assert_eq!(parted("extraordinary", ""), "extraordinary", "no language, no rules");
+        assert_eq!(parted("international", ""), "international", "no language, no rules");
         assert_eq!(parted("well-known", "en"), "well-+known");
         assert_eq!(parted("super\u{ad}man", ""), "super|man");
         assert!(parted("extraordinario", "pt").contains('|'));
@@ -269,7 +303,8 @@ mod tests {
     #[test]
     fn the_i_with_bars_is_the_pronoun() {
         let letters = Letters::bundled().unwrap();
-        let word = Word::parse(&json!({ "kind": "balloon", "craft": 2, "text": "I’m in it, am I?" }), 0).unwrap();
+        let word =
+            Word::parse(&json!({ "kind": "balloon", "craft": 2, "text": "I’m in it, am I?" }), 0).unwrap();
         let set = marks(&word, &letters, letters.font(&word.font).unwrap());
         assert_eq!(text(&set), format!("I’M {STEM}N {STEM}T, AM I?"));
     }

@@ -11,7 +11,7 @@
 //! generation from game log" (2008), for faces and order as constraints.
 
 use super::{INSET, Seen, center, contains, covered, gap, panel_of, shared};
-use crate::layout::{Bounds, Point, ResolvedPanel, ResolvedShape};
+use crate::layout::{Bounds, Point, ResolvedPanel};
 use crate::page::words::layout::{Ground, Laid};
 use crate::page::words::letters::Letters;
 use crate::page::words::model::{Craft, Kind, Word};
@@ -85,6 +85,7 @@ pub(super) fn place(
         speakers: speakers(seen),
         taken,
         count: group.len(),
+        weight: std::env::var("LW").ok().and_then(|w| w.parse().ok()).unwrap_or(20.0),
     };
     let mut beam = vec![(0.0, Vec::<Place>::new())];
     for (rank, &index) in group.iter().enumerate() {
@@ -141,6 +142,7 @@ struct Room<'a> {
     taken: &'a [Bounds],
     /// How many words are placed.
     count: usize,
+    weight: f64,
 }
 
 impl Room<'_> {
@@ -163,7 +165,8 @@ impl Room<'_> {
         let mut places = Vec::new();
         for (room, laid) in &shapes {
             // Letters that are smaller than others of the page are a last resort, all the more where the end is missing.
-            let small = 9.0 * (largest / laid.setting.size.max(1e-6)).ln() + if laid.setting.cut { 60.0 } else { 0.0 };
+            let small = 9.0 * (largest / laid.setting.size.max(1e-6)).ln()
+                + if laid.setting.cut { 60.0 } else { 0.0 };
             let plain = if room.is_some() { 0.25 } else { 0.0 };
             for area in self.spots(laid) {
                 let cost = small + plain + self.cost(laid, area, rank);
@@ -233,7 +236,7 @@ impl Room<'_> {
                 }
                 nearest = nearest.min(gap(area, seen.bounds));
             } else {
-                let weight = if seen.person { 7.0 } else { 3.0 };
+                let weight = if seen.person { self.weight } else { 3.0 };
                 cost += weight * (part / own + 2.0 * part / body.max(1e-12));
             }
         }
@@ -269,12 +272,21 @@ impl Room<'_> {
         let (a, b) = (area.width / 2.0, area.height / 2.0);
         // Places all around a balloon, or the corners of a box; a border that is just touched is not crossed.
         let around: &[(f64, f64)] = if round {
-            &[(1.0, 0.0), (-1.0, 0.0), (0.0, 1.0), (0.0, -1.0), (0.75, 0.75), (-0.75, 0.75), (0.75, -0.75), (-0.75, -0.75)]
+            &[
+                (1.0, 0.0),
+                (-1.0, 0.0),
+                (0.0, 1.0),
+                (0.0, -1.0),
+                (0.75, 0.75),
+                (-0.75, 0.75),
+                (0.75, -0.75),
+                (-0.75, -0.75),
+            ]
         } else {
             &[(1.0, 1.0), (-1.0, 1.0), (1.0, -1.0), (-1.0, -1.0)]
         };
         let out = |&&(x, y): &&(f64, f64)| {
-            !holds(&panel.shape, Point::new(middle.x + 0.998 * x * a, middle.y + 0.998 * y * b))
+            !contains(&panel.shape, Point::new(middle.x + 0.998 * x * a, middle.y + 0.998 * y * b))
         };
         FORBIDDEN * 0.5 * around.iter().filter(out).count() as f64
     }
@@ -306,10 +318,9 @@ impl Room<'_> {
             out.push(Place { tip: Some(tip), foot, speaker: Some(face), cost, ..bare });
         }
         if self.speakers.is_empty() {
-            let target = self.largest().map_or_else(
-                || Point::new(self.frame.x + self.frame.width / 2.0, self.frame.y + 0.72 * self.frame.height),
-                |head| head,
-            );
+            let target = self.largest().unwrap_or_else(|| {
+                Point::new(self.frame.x + self.frame.width / 2.0, self.frame.y + 0.72 * self.frame.height)
+            });
             let foot = edge(area, target);
             let way = foot.distance(target);
             let length = TAIL.1.max(REACH.min(0.5) * way).min(0.9 * way).min(3.0 * TAIL.1);
@@ -324,7 +335,8 @@ impl Room<'_> {
 
     /// Where the head is of the largest person or animal, of the largest thing otherwise.
     fn largest(&self) -> Option<Point> {
-        let size = |seen: &&Seen| seen.bounds.width * seen.bounds.height * if seen.person { 4.0 } else { 1.0 };
+        let size =
+            |seen: &&Seen| seen.bounds.width * seen.bounds.height * if seen.person { 4.0 } else { 1.0 };
         let largest = self.seen.iter().max_by(|a, b| size(a).total_cmp(&size(b)))?.bounds;
         Some(Point::new(largest.x + largest.width / 2.0, largest.y + 0.25 * largest.height))
     }
@@ -436,11 +448,6 @@ fn ovals_apart(a: Bounds, b: Bounds, near: f64) -> bool {
     let across = (one.x - other.x).abs() / ((a.width + b.width) / 2.0 + near);
     let down = (one.y - other.y).abs() / ((a.height + b.height) / 2.0 + near);
     across.powf(2.4) + down.powf(2.4) >= 1.0
-}
-
-/// Whether a panel holds a point.
-fn holds(shape: &ResolvedShape, point: Point) -> bool {
-    contains(shape, point)
 }
 
 /// Where the line from the middle of a balloon to a point leaves the balloon.

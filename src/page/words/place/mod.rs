@@ -57,7 +57,8 @@ pub fn settle<'s>(
     let mut news: Vec<(usize, Value)> = Vec::new();
     for (i, word) in words.iter().enumerate().filter(|(_, word)| word.auto && word.craft == Craft::First) {
         let (frame, seen) = (ground.frame(word), scenery(word));
-        let shape = panel_of(word, &ground).and_then(|panel| ground.panels.get(panel)).map(|panel| &panel.shape);
+        let shape =
+            panel_of(word, &ground).and_then(|panel| ground.panels.get(panel)).map(|panel| &panel.shape);
         let laid = ground.lay(word.clone(), letters);
         let (area, tip) = first::place(&laid, frame, shape, &seen, &taken, &mut spoken);
         taken.push(area);
@@ -102,7 +103,8 @@ fn panel_of(word: &Word, ground: &Ground) -> Option<usize> {
 
 /// What the document keeps of a place.
 fn placed(frame: Bounds, middle: Point, tip: Option<Point>) -> Value {
-    let part = |at: Point| (rounded((at.x - frame.x) / frame.width), rounded((at.y - frame.y) / frame.height));
+    let part =
+        |at: Point| (rounded((at.x - frame.x) / frame.width), rounded((at.y - frame.y) / frame.height));
     let (x, y) = part(middle);
     let tail = tip.map(part).map_or(Value::Null, |(x, y)| json!({ "x": x, "y": y }));
     json!({ "x": x, "y": y, "tail": tail })
