@@ -1,6 +1,6 @@
 //! Pages of the command line as files: rendered from the photos at their full size, with their words.
 
-use crate::Complaint;
+use crate::{Complaint, reading};
 use inkpanel::Error;
 use inkpanel::page::import::Imported;
 use inkpanel::page::pdf::{self, picture};
@@ -35,17 +35,24 @@ pub(crate) enum Kind {
     Png,
     Jpeg,
     Pdf,
+    Comic(reading::Kind),
 }
 
 impl Kind {
     /// What the ending of a file names.
     pub(crate) fn of(output: &Path) -> Result<Self, Complaint> {
+        if let Some(kind) = reading::Kind::of(output) {
+            return Ok(Self::Comic(kind));
+        }
         let ending = output.extension().map(|ending| ending.to_string_lossy().to_lowercase());
         match ending.as_deref() {
             Some("png") => Ok(Self::Png),
             Some("jpg" | "jpeg") => Ok(Self::Jpeg),
             Some("pdf") => Ok(Self::Pdf),
-            _ => Err(format!("{}: give the page a name that ends in .png, .jpg or .pdf", output.display())),
+            _ => Err(format!(
+                "{}: give the page a name that ends in .png, .jpg, .pdf, .html, .epub or .cbz",
+                output.display()
+            )),
         }
     }
 }
@@ -71,6 +78,11 @@ pub(crate) fn draw(document: &Document, photos: &Photos<'_>, output: &Path) -> R
         _ => png::encode(&sheet, dpi),
     };
     file.map_err(|error| error.to_string())
+}
+
+/// Renders a document as JPEG, whatever it goes into.
+pub(crate) fn jpeg_of(document: &Document, photos: &Photos<'_>) -> Result<Vec<u8>, Complaint> {
+    draw(document, photos, Path::new("page.jpg"))
 }
 
 /// Of JPEG files and of the pictures in PDF files.

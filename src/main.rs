@@ -7,13 +7,14 @@ mod detectors;
 mod drawing;
 mod inventor;
 mod plans;
+mod reading;
 mod reopening;
 
 use clap::{Parser, Subcommand};
 use inkpanel::layout::{PageSettings, Template};
 use inkpanel::page::import::{Imported, import};
 use inkpanel::page::request::Request;
-use inkpanel::page::{catalogue, png};
+use inkpanel::page::{Document, catalogue, png};
 use inkpanel::raster::Image;
 use inkpanel::raster::decode::{Limits, decode_fit};
 use inkpanel::select::{self, Measures};
@@ -126,9 +127,13 @@ struct Render {
     /// Of a saved project: which of its pages, from 1; the one that was edited last unless told.
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..))]
     page: Option<u32>,
-    /// Where the page goes: a file that ends in .png, .jpg or .pdf.
+    /// Where the page goes: a file that ends in .png, .jpg or .pdf; or the comic: .html, .epub or .cbz, of a saved project with
+    /// all its pages.
     #[arg(short, long, required_unless_present = "json")]
     output: Option<PathBuf>,
+    /// Language of a comic, a tag such as en or pt-BR: what its reader says itself, and what its words are told to be in.
+    #[arg(long, value_name = "TAG", default_value = "en", value_parser = reading::language)]
+    language: String,
     /// The photos, in their order where they do not say when they were taken; or one saved project (.inkpanel), or one
     /// PNG of a page with its project and photos.
     #[arg(required = true)]
@@ -165,7 +170,8 @@ struct Planned {
     /// Captions, balloons and sound effects: a JSON array of words, as the page keeps them.
     #[arg(long, value_name = "FILE")]
     words: Option<PathBuf>,
-    /// Make a storyboard of so many pages, cut where time or scene changes: a PDF file, or files such as page-%02d.png.
+    /// Make a storyboard of so many pages, cut where time or scene changes: a PDF file, a comic (.html, .epub, .cbz), or files
+    /// such as page-%02d.png.
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..=1000))]
     pages: Option<u32>,
     /// Print the plan: layout, photos, crops, style, score and its terms.
@@ -206,7 +212,7 @@ fn main() -> ExitCode {
 }
 
 fn render_page(render: &Render) -> Result<(), Complaint> {
-    let Render { planned, page, output, files } = render;
+    let Render { planned, page, language, output, files } = render;
     if let Some(output) = output {
         drawing::Kind::of(output)?;
     }
@@ -220,7 +226,7 @@ fn render_page(render: &Render) -> Result<(), Complaint> {
             ));
         }
         let output = output.as_deref().ok_or("say by --output where the page goes")?;
-        return reopening::draw(saved?, file, *page, output);
+        return reopening::draw(saved?, file, *page, output, language);
     }
     if let Some(project) = files.iter().find(|file| reopening::is_project(file)) {
         return Err(format!("{}: a project is drawn alone", project.display()));
@@ -228,10 +234,15 @@ fn render_page(render: &Render) -> Result<(), Complaint> {
     if page.is_some() {
         return Err("--page is of a saved project, and there is none".into());
     }
-    plan_page(planned, output.as_deref(), files)
+    plan_page(planned, output.as_deref(), files, language)
 }
 
-fn plan_page(render: &Planned, output: Option<&Path>, files: &[PathBuf]) -> Result<(), Complaint> {
+fn plan_page(
+    render: &Planned,
+    output: Option<&Path>,
+    files: &[PathBuf],
+    language: &str,
+) -> Result<(), Complaint> {
     let layout = render.layout.as_deref().map(layout_value).transpose()?;
     let style = render.style.as_deref().map(style_value).transpose()?;
     let mut photos = import_all(files);
@@ -267,7 +278,20 @@ fn plan_page(render: &Planned, output: Option<&Path>, files: &[PathBuf]) -> Resu
     let paths: HashMap<&str, &Path> =
         photos.iter().map(|(path, photo)| (photo.meta.id.as_str(), path.as_path())).collect();
     let full = |id: &str| paths.get(id).map(|path| decode_file(path)).transpose();
+    let comic = output.and_then(|output| Some((output, reading::Kind::of(output)?)));
+    if let Some((output, kind)) = comic {
+        let documents: Vec<&Document> = pages.iter().map(|page| &page.document).collect();
+        let subjects = |id: &str| {
+            let photo = photos.iter().find(|(_, photo)| photo.meta.id == id);
+            photo.map_or(&[][..], |(_, photo)| &photo.meta.subjects)
+        };
+        let title = output.file_stem().map(|stem| stem.to_string_lossy()).unwrap_or_default();
+        let telling = reading::Telling { title: &title, language };
+        let mut picture = |document: &Document| drawing::jpeg_of(document, &full);
+        write(output, &reading::made(kind, telling, &documents, &subjects, &mut picture)?)?;
+    }
     match output {
+        _ if comic.is_some() => {}
         Some(output) if render.pages.is_some() => plans::draw_all(&pages, &full, output)?,
         Some(output) => write(output, &drawing::draw(&pages[0].document, &full, output)?)?,
         None => {}

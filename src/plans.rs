@@ -276,7 +276,7 @@ pub(crate) fn draw_all(
             Ok(())
         }
         other => Err(format!(
-            "{}: pages go into a .pdf file, or into .png or .jpg files such as page-%02d.png, not into .{other}",
+            "{}: pages go into a .pdf, .html, .epub or .cbz file, or into .png or .jpg files such as page-%02d.png, not into .{other}",
             output.display()
         )),
     }

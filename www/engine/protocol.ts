@@ -97,7 +97,11 @@ export type Making = {
     ok: Picture[];
   };
   pdf: { args: { pages: { document: string; pictures: Picture[] }[]; title: string }; ok: Blob };
+  comic: { args: { kind: ComicKind; comic: string }; ok: string };
 };
+
+/** A comic that is read. */
+export type ComicKind = 'html' | 'epub' | 'cbz';
 
 type Tier = 'small' | 'work' | 'full';
 

@@ -31,7 +31,10 @@ export function createDownload({
   store: Store;
   pages: Pages;
   messages: Messages;
-  engine: Pick<Engine, 'exportPng' | 'exportJpeg' | 'exportWebp' | 'exportPdf' | 'exportPanel'>;
+  engine: Pick<
+    Engine,
+    'exportPng' | 'exportJpeg' | 'exportWebp' | 'exportPdf' | 'exportPanel' | 'givesWebp' | 'comicPieces' | 'comicFiles'
+  >;
   pageFiles: Pick<PageFiles, 'take' | 'carrying'>;
   onSaved?: (pages: readonly PageDocument[]) => void;
 }) {

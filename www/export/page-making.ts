@@ -1,7 +1,8 @@
 /** Pages as the bytes of one file, of each kind that there is. */
 
 import { strings } from '../strings/strings.ts';
-import { FORMATS, isArchive, pageName } from './formats.ts';
+import { createComics } from './comics.ts';
+import { FORMATS, isArchive, isBook, pageName } from './formats.ts';
 import { archiveOf } from '../storage/files/archive.ts';
 import type { Store } from '../document/store.ts';
 import type { PageDocument } from '../engine/types.ts';
@@ -21,8 +22,13 @@ export function createMaking({
   engine,
 }: {
   store: Store;
-  engine: Pick<Engine, 'exportPng' | 'exportJpeg' | 'exportWebp' | 'exportPdf'>;
+  engine: Pick<
+    Engine,
+    'exportPng' | 'exportJpeg' | 'exportWebp' | 'exportPdf' | 'givesWebp' | 'comicPieces' | 'comicFiles'
+  >;
 }) {
+  const comics = createComics({ store, engine });
+
   return make;
 
   async function make(
@@ -32,6 +38,7 @@ export function createMaking({
   ): Promise<Blob> {
     if (format === 'pdf')
       return engine.exportPdf(documents, { ...how, quality, title: store.project.peek().name || strings.name });
+    if (isBook(format)) return comics.book(format, documents, quality, how);
     if (!isArchive(format)) return picture(documents[0], format as 'png' | 'jpeg' | 'webp', quality, how, carry);
     const entries = [];
     for (const [i, document] of documents.entries()) {
@@ -40,6 +47,7 @@ export function createMaking({
       const blob = await picture(document, inside, quality, { ...how, onProgress }, carry);
       entries.push({ name: pageName(i, documents.length, inside), blob });
     }
+    if (format === 'cbz') entries.push(...(await comics.about(documents, inside, how)));
     return new Blob([await archiveOf(entries)], { type: FORMATS[format].type });
   }
 
