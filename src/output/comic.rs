@@ -99,9 +99,11 @@ impl Comic {
     /// Reads what the page asks for.
     ///
     /// # Errors
-    /// `invalid-document` for anything else, for a comic without pages, and for one of more than [`MOST_PAGES`].
+    /// `invalid-document` for anything else, for a page whose settings are out of range, for a comic without pages, and for one
+    /// of more than [`MOST_PAGES`].
     pub fn parse(json: &str) -> Result<Self> {
         let comic: Self = serde_json::from_str(json).map_err(|error| wrong("comic", error.to_string()))?;
+        comic.pages.iter().try_for_each(|page| page.document.page.validate())?;
         if comic.pages.is_empty() || comic.pages.len() > MOST_PAGES {
             return Err(wrong("pages", format!("must be from 1 to {MOST_PAGES}")));
         }
