@@ -113,7 +113,7 @@ function start(document) {
 
   /** @param {boolean} moving whether the way there is shown */
   function show(moving) {
-    root.className = `ready ${view}${view === 'text' ? '' : ' stage'}${view === 'panels' ? ' guided' : ''}`;
+    root.className = `ready view-${view}${view === 'text' ? '' : ' stage'}${view === 'panels' ? ' guided' : ''}`;
     for (const button of views) button.setAttribute('aria-pressed', String(button.getAttribute('data-view') === view));
     const here = pages[at.page];
     pages.forEach(({ page }, i) => page.classList.toggle('current', i === at.page));
@@ -179,7 +179,8 @@ function start(document) {
     if (wanted === 'text') {
       view = wanted;
       show(false);
-      pages[at.page].page.scrollIntoView();
+      if (at.page === 0) window.scrollTo(0, 0);
+      else pages[at.page].page.scrollIntoView();
       return;
     }
     const moving = view !== 'text';
