@@ -325,8 +325,7 @@ fn epubcheck_finds_nothing_wrong() {
         );
         return;
     };
+    // Below its head, a line for each thing that is wrong.
     let table = fs::read_to_string(folder.path().join("said.csv")).unwrap();
-    let wrong =
-        ["ERROR", "WARNING", "FATAL"].iter().any(|level| table.contains(level) || said.contains(level));
-    assert!(!wrong && table.contains("comic.epub"), "{said}\n{table}");
+    assert!(table.starts_with("id;level;location;") && table.trim_end().lines().count() == 1, "{said}\n{table}");
 }
