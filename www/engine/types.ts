@@ -1102,9 +1102,7 @@ export type Likeness = {
 export type Comic = {
   /** What it is called. */
   title: string,
-  /**
-   * BCP 47, such as `en`; what a reader says itself is in that language where there is one, else in English.
-   */
+  /** BCP 47, such as `en`; what a reader says itself is in that language where there is one, else in English. */
   language: string,
   /** The files that its pictures are. */
   picture: PictureKind,

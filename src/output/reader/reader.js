@@ -120,7 +120,7 @@ function start(document) {
     here.sheet.classList.toggle('still', !moving);
     lay();
     const guided = view === 'panels';
-    here.hole.replaceChildren(...(guided ? [here.shapes[at.panel].cloneNode(true)] : []));
+    here.hole.replaceChildren(...(guided ? holes(here.shapes, at.panel) : []));
     const before = counts.slice(0, at.page).reduce((sum, count) => sum + count, 0);
     const [read, all] = guided ? [before + at.panel + 1, total] : [at.page + 1, pages.length];
     place.textContent = `${read} / ${all}`;
@@ -248,6 +248,23 @@ function start(document) {
   }).observe(main);
 
   show(false);
+}
+
+/**
+ * The shapes that are not dimmed: a panel but for those that lie on it, and its words.
+ * @param {readonly Element[]} shapes of all panels; what comes later lies on top
+ * @param {number} panel
+ * @returns {Node[]}
+ */
+function holes(shapes, panel) {
+  const [outline, ...words] = [...shapes[panel].children].map((shape) => shape.cloneNode());
+  const over = shapes.slice(panel + 1).flatMap(({ firstElementChild: later }) => {
+    if (!later) return [];
+    const copy = /** @type {Element} */ (later.cloneNode());
+    copy.setAttribute('class', 'over');
+    return [copy];
+  });
+  return [outline, ...over, ...words];
 }
 
 function enlarged() {
