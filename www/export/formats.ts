@@ -20,7 +20,7 @@ export const FORMATS: Record<Format, { ending: string; type: string; lossy: bool
 export const OF_ONE: readonly Format[] = ['png', 'jpeg', 'webp', 'pdf', 'html', 'epub', 'cbz'];
 export const OF_MANY: readonly Format[] = ['pdf', 'html', 'epub', 'cbz', 'zip'];
 
-export function isArchive(format: Format) {
+export function isArchive(format: Format): format is 'zip' | 'cbz' {
   return format === 'zip' || format === 'cbz';
 }
 

@@ -18,6 +18,11 @@ const STILL = 10;
 const BACK = 0.3;
 /** Where the picture is enlarged by two fingers to more than this, one finger moves it. */
 const ENLARGED = 1.05;
+/**
+ * Keys that go on or back.
+ * @type {Record<string, 1 | -1 | undefined>}
+ */
+const KEYS = { ArrowRight: 1, ArrowDown: 1, PageDown: 1, ArrowLeft: -1, ArrowUp: -1, PageUp: -1 };
 /** Screens on which a whole page is too small to be read. */
 const SMALL = '(max-width: 700px), (max-height: 500px)';
 
@@ -198,8 +203,8 @@ function start(document) {
   document.addEventListener('keydown', (event) => {
     if (event.ctrlKey || event.metaKey || event.altKey || view === 'text') return;
     const onButton = event.target instanceof HTMLButtonElement;
-    const by = { ArrowRight: 1, ArrowDown: 1, PageDown: 1, ArrowLeft: -1, ArrowUp: -1, PageUp: -1 }[event.key];
-    if (by === 1 || by === -1) step(by);
+    const by = KEYS[event.key];
+    if (by) step(by);
     else if (event.key === ' ' && !onButton) step(event.shiftKey ? -1 : 1);
     else if (event.key === 'Enter' && !onButton && view === 'pages') look('panels');
     else if (event.key === 'Escape' && view === 'panels') look('pages');
