@@ -15,8 +15,8 @@ export const exportStrings = {
     cbz: 'CBZ, pour lecteurs de BD',
   },
   bookHelp: {
-    html: 'Un fichier qui s’ouvre dans tout navigateur, sans connexion : case par case, par pages entières ou en texte.',
-    epub: 'Un livre pour les applis de lecture et les liseuses ; chaque case est décrite et tous les mots sont du texte.',
+    html: 'Un fichier qui s’ouvre dans tout navigateur, sans connexion : case par case, par pages entières ou en texte.',
+    epub: 'Un livre pour les applis de lecture et les liseuses ; chaque case est décrite et tous les mots sont du texte.',
   },
   pictures: 'Images à l’intérieur',
   insides: { png: 'PNG, sans perte', jpeg: 'JPEG, léger' },

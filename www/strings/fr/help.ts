@@ -111,8 +111,8 @@ export const helpStrings = {
       text: `« ${board.download} » enregistre la page à la taille d’impression, à partir de vos photos d’origine. « ${board.export} » a le JPEG, le WebP et le PDF, ainsi que la qualité. Plusieurs pages deviennent un PDF, un ZIP ou un CBZ pour lecteurs de BD.`,
     },
     comics: {
-      title: 'BD à lire : HTML, EPUB, CBZ',
-      text: `« ${board.export} » fait aussi des BD. « BD en HTML » est un fichier que tout le monde peut ouvrir dans un navigateur : touchez, balayez ou utilisez les flèches pour aller de case en case, voyez des pages entières ou lisez tout en texte. EPUB est pour les applis de lecture, CBZ pour les lecteurs de BD. Dans tous, l’ordre des cases est connu, avec leurs mots et, si cela a été trouvé, ce qu’elles montrent ; on peut donc les faire lire à voix haute.`,
+      title: 'BD à lire : HTML, EPUB, CBZ',
+      text: `« ${board.export} » fait aussi des BD. « BD en HTML » est un fichier que tout le monde peut ouvrir dans un navigateur : touchez, balayez ou utilisez les flèches pour aller de case en case, voyez des pages entières ou lisez tout en texte. EPUB est pour les applis de lecture, CBZ pour les lecteurs de BD. Dans tous, l’ordre des cases est connu, avec leurs mots et, si cela a été trouvé, ce qu’elles montrent ; on peut donc les faire lire à voix haute.`,
     },
     privacy: {
       title: 'Hors connexion et privé',
