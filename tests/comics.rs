@@ -327,5 +327,8 @@ fn epubcheck_finds_nothing_wrong() {
     };
     // Below its head, a line for each thing that is wrong.
     let table = fs::read_to_string(folder.path().join("said.csv")).unwrap();
-    assert!(table.starts_with("id;level;location;") && table.trim_end().lines().count() == 1, "{said}\n{table}");
+    assert!(
+        table.starts_with("id;level;location;") && table.trim_end().lines().count() == 1,
+        "{said}\n{table}"
+    );
 }

@@ -79,8 +79,8 @@ impl Book<'_> {
         let ToldPage { width, height, panels } = &self.pages[number];
         let name = self.phrases.page_name(number);
         let mut body = format!(
-            "<h1 class=\"unseen\"><span epub:type=\"pagebreak\" role=\"doc-pagebreak\" id=\"break\" \
-             aria-label=\"{}\"></span>{}</h1>\n<img src=\"{}\" width=\"{width}\" height=\"{height}\" alt=\"{}\"/>\n",
+            "<main>\n<h1 class=\"unseen\"><span epub:type=\"pagebreak\" role=\"doc-pagebreak\" id=\"break\" \
+             title=\"{}\"></span>{}</h1>\n<img src=\"{}\" width=\"{width}\" height=\"{height}\" alt=\"{}\"/>\n",
             number + 1,
             escaped(&name),
             self.picture(number),
@@ -89,6 +89,7 @@ impl Book<'_> {
         for (at, panel) in panels.iter().enumerate() {
             self.panel(&mut body, &self.pages[number], at, panel);
         }
+        body.push_str("</main>\n");
         let head = format!(
             "<meta name=\"viewport\" content=\"width={width}, height={height}\"/>\n\
              <link rel=\"stylesheet\" type=\"text/css\" href=\"style.css\"/>\n"
