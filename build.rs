@@ -8,6 +8,9 @@ mod pack;
 #[allow(dead_code, unreachable_pub)]
 mod palette;
 
+use base64::Engine as _;
+use base64::prelude::BASE64_STANDARD;
+use sha2::{Digest, Sha256};
 use std::fmt::Write as _;
 use std::path::Path;
 use std::{env, fs, io};
@@ -16,6 +19,7 @@ fn main() -> io::Result<()> {
     embed("layouts", "LAYOUT_FILES")?;
     embed("styles", "STYLE_FILES")?;
     palettes()?;
+    reader()?;
     letters()
 }
 
@@ -39,6 +43,17 @@ fn palettes() -> io::Result<()> {
     let out = env::var("OUT_DIR").map_err(io::Error::other)?;
     let table = "static PALETTES: &[(&str, [[u8; 3]; 5])] = &[\n";
     fs::write(Path::new(&out).join("palettes.rs"), format!("{table}{}];\n", rows.concat()))
+/// Writes `OUT_DIR/reader.rs`: by which hash a policy names the script and the style that stand in a comic of one file.
+fn reader() -> io::Result<()> {
+    println!("cargo:rerun-if-changed=src/output/reader");
+    let [root, out] = ["CARGO_MANIFEST_DIR", "OUT_DIR"].map(|name| env::var(name).map_err(io::Error::other));
+    let folder = Path::new(&root?).join("src/output/reader");
+    let mut constants = String::new();
+    for (name, file) in [("STYLE_HASH", "reader.css"), ("SCRIPT_HASH", "reader.js")] {
+        let hash = BASE64_STANDARD.encode(Sha256::digest(fs::read(folder.join(file))?));
+        let _ = writeln!(constants, "const {name}: &str = \"{hash}\";");
+    }
+    fs::write(Path::new(&out?).join("reader.rs"), constants)
 }
 
 /// Writes `OUT_DIR/letters.bin`.

@@ -1,7 +1,7 @@
 //! Pages as plain data on the command line: written with the names of their photos, and drawn again.
 
 use crate::output::{Output, write};
-use crate::{Complaint, How, decode_file, done, drawing, name, plans};
+use crate::{Complaint, How, decode_file, done, drawing, name, plans, reading};
 use inkpanel::document::sheets::photos_on;
 use inkpanel::page::Document;
 use serde_json::Value;
@@ -60,7 +60,12 @@ pub(crate) fn draw(file: &Path, files: &[PathBuf], output: &Output, how: &How) -
         paths.insert(photo.to_owned(), path);
     }
     let full = |id: &str| paths.get(id).map(|path| decode_file(path)).transpose();
-    let printed: drawing::Printed<'_> = (&how.printing, &|page| drawing::described(page, &[]));
+    let printed: drawing::Printed<'_> = (&how.printing, &|_| &[]);
+    if let drawing::Kind::Comic(kind) = drawing::Kind::of(&output.named)? {
+        let title = output.named.file_stem().map(|stem| stem.to_string_lossy()).unwrap_or_default();
+        let told = reading::Telling { title: &title, language: how.printing.language() };
+        return done(&reading::write((kind, told), &pages, &|_| &[], &full, output)?);
+    }
     if let [page] = &pages[..]
         && drawing::Kind::of(&output.named)? != drawing::Kind::Pdf
     {

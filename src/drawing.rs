@@ -2,11 +2,11 @@
 
 use crate::album::is_standard;
 use crate::output::{Output, write};
-use crate::{Complaint, paper};
+use crate::{Complaint, paper, reading};
 use inkpanel::Error;
-use inkpanel::framing::PhotoMeta;
+use inkpanel::framing::Subject;
 use inkpanel::layout::{self, PagePreset};
-use inkpanel::page::document::PanelContent;
+use inkpanel::output::describing::described;
 use inkpanel::page::import::Imported;
 use inkpanel::page::pdf::{self, Imposition, Options, picture};
 use inkpanel::page::plates::{self, Separation};
@@ -41,25 +41,18 @@ pub(crate) fn add_words(
     Letters::bundled().and_then(settle).map_err(|error| complain(error.to_string()))
 }
 
-/// What each panel of a page shows, as far as it was found: `Panel 2 of 6: person, dog`.
-pub(crate) fn described(document: &Document, photos: &[PhotoMeta]) -> Vec<String> {
+/// What was found in a photo, by its id.
+pub(crate) type Subjects<'a> = dyn Fn(&str) -> &'a [Subject] + 'a;
+
+/// What each panel of a page shows, as far as it was found: `Panel 2 of 6: a person and a dog`.
+fn alts(document: &Document, subjects: &Subjects<'_>) -> Vec<String> {
+    let shows = described(document, subjects);
     let count = document.panels.len();
-    let seen = |id: &String| {
-        let photo = photos.iter().find(|photo| &photo.id == id)?;
-        let mut labels: Vec<&str> = Vec::new();
-        for subject in &photo.subjects {
-            let label = if subject.label == "face" { "person" } else { subject.label.as_str() };
-            if !labels.contains(&label) {
-                labels.push(label);
-            }
-        }
-        (!labels.is_empty()).then(|| labels.join(", "))
-    };
-    let alt = |(i, panel): (usize, &PanelContent)| {
-        let what = panel.photo.as_ref().and_then(seen).unwrap_or_else(|| "a photo".into());
+    let alt = |i: usize| {
+        let what = shows.get(i).filter(|what| !what.is_empty()).map_or("a photo", String::as_str);
         format!("Panel {} of {count}: {what}", i + 1)
     };
-    document.panels.iter().enumerate().map(alt).collect()
+    (0..count).map(alt).collect()
 }
 
 /// A kind of file.
@@ -71,11 +64,15 @@ pub(crate) enum Kind {
     Pdf,
     /// A project, which the page opens.
     Project,
+    Comic(reading::Kind),
 }
 
 impl Kind {
     /// What the ending of a file names.
     pub(crate) fn of(output: &Path) -> Result<Self, Complaint> {
+        if let Some(kind) = reading::Kind::of(output) {
+            return Ok(Self::Comic(kind));
+        }
         let ending = output.extension().map(|ending| ending.to_string_lossy().to_lowercase());
         match ending.as_deref() {
             Some("png") => Ok(Self::Png),
@@ -84,7 +81,7 @@ impl Kind {
             Some("pdf") => Ok(Self::Pdf),
             Some("inkpanel") => Ok(Self::Project),
             _ => Err(format!(
-                "{}: give the page a name that ends in .png, .jpg, .webp, .pdf or .inkpanel",
+                "{}: give the page a name that ends in .png, .jpg, .webp, .pdf, .html, .epub, .cbz or .inkpanel",
                 output.display()
             )),
         }
@@ -118,9 +115,14 @@ pub(crate) fn encoded(
         Kind::Jpeg => jpeg::encode_rgb(width, height, rgb, dpi, QUALITY),
         Kind::Webp => webp::encode_rgb(width, height, rgb),
         Kind::Pdf => return Err("a photo becomes a .png, .jpg or .webp file".into()),
-        Kind::Project => return Err("a project is made of photos, by render".into()),
+        Kind::Project | Kind::Comic(_) => return Err("that is made of photos, by render".into()),
     };
     file.map_err(|error| error.to_string())
+}
+
+/// Renders a document as JPEG, whatever it goes into.
+pub(crate) fn jpeg_of(document: &Document, photos: &Photos<'_>) -> Result<Vec<u8>, Complaint> {
+    draw(document, photos, Path::new("page.jpg"))
 }
 
 /// Of JPEG files and of the pictures in PDF files.
@@ -145,8 +147,9 @@ pub(crate) struct Printing {
     /// A gray PDF file for each ink that the style prints: OUT-red.pdf, OUT-blue.pdf.
     #[arg(long)]
     plates: bool,
-    /// Language of the words, as a tag such as pt-BR; a PDF file says it to who reads it aloud.
-    #[arg(long, value_name = "TAG", value_parser = language)]
+    /// Language of the words, a tag such as en or pt-BR, en unless told: a PDF file or a comic says it to who reads it aloud, and a
+    /// comic's reader speaks it itself.
+    #[arg(long, value_name = "TAG", value_parser = reading::language)]
     language: Option<String>,
 }
 
@@ -182,12 +185,6 @@ fn sheet(text: &str) -> Result<[f64; 2], Complaint> {
     }
 }
 
-fn language(tag: &str) -> Result<String, Complaint> {
-    let fits = !tag.is_empty() && tag.len() <= 35;
-    let good = fits && tag.chars().all(|letter| letter.is_ascii_alphanumeric() || letter == '-');
-    good.then(|| tag.to_owned()).ok_or_else(|| "a language is a tag such as en or pt-BR".into())
-}
-
 impl Printing {
     /// Says what is of PDF files alone where another kind is asked for.
     pub(crate) fn check(&self, kind: Kind) -> Result<(), Complaint> {
@@ -206,6 +203,11 @@ impl Printing {
         }
     }
 
+    /// The language that is asked for.
+    pub(crate) fn language(&self) -> &str {
+        self.language.as_deref().unwrap_or("en")
+    }
+
     /// Whether pages are put together in another way than one after the other.
     pub(crate) fn binds(&self) -> bool {
         self.impose.is_some()
@@ -214,7 +216,7 @@ impl Printing {
     fn options(&self, output: &Path, plate: Option<usize>) -> Options {
         Options {
             title: output.file_stem().map(|stem| stem.to_string_lossy().into_owned()).unwrap_or_default(),
-            language: self.language.clone().unwrap_or_else(|| "en".into()),
+            language: self.language().to_owned(),
             marks: self.marks,
             imposition: self.impose,
             // Eight pages at their full size are a poster; a zine is made of what lies in the printer.
@@ -232,11 +234,8 @@ impl Printing {
     }
 }
 
-/// What stands for each panel of a page, in their order.
-pub(crate) type Alts<'a> = dyn Fn(&Document) -> Vec<String> + 'a;
-
-/// How pages are printed, and what stands for each panel.
-pub(crate) type Printed<'a> = (&'a Printing, &'a Alts<'a>);
+/// How pages are printed, and what their photos show.
+pub(crate) type Printed<'a> = (&'a Printing, &'a Subjects<'a>);
 
 /// Writes pages as one PDF file, or as one for each ink beside it.
 ///
@@ -245,14 +244,14 @@ pub(crate) fn write_book(
     documents: &[Document],
     photos: &Photos<'_>,
     output: &Output,
-    (printing, alts): Printed<'_>,
+    (printing, subjects): Printed<'_>,
 ) -> Result<Vec<PathBuf>, Complaint> {
     if printing.plates && is_standard(&output.path) {
         return Err("plates are a file for each ink: give the output a name".into());
     }
     let name = if printing.plates { &output.path } else { &output.named };
     let mut written = Vec::new();
-    for (path, file) in draw_book(documents, photos, name, (printing, alts))? {
+    for (path, file) in draw_book(documents, photos, name, (printing, subjects))? {
         let path = if printing.plates { path } else { output.path.clone() };
         write(&path, &file)?;
         written.push(path);
@@ -265,13 +264,13 @@ fn draw_book(
     documents: &[Document],
     photos: &Photos<'_>,
     output: &Path,
-    (printing, alts): Printed<'_>,
+    (printing, subjects): Printed<'_>,
 ) -> Result<Vec<(PathBuf, Vec<u8>)>, Complaint> {
     let told = |error: Error| error.to_string();
     let letters = Letters::bundled().map_err(told)?;
     let documents: Vec<Document> = documents.iter().map(|document| printing.bled(document)).collect();
     if !printing.plates {
-        let leaf = |document| leaf(document, photos, (None, alts(document)));
+        let leaf = |document| leaf(document, photos, (None, alts(document, subjects)));
         let leaves = documents.iter().map(leaf).collect::<Result<Vec<_>, _>>()?;
         let file = pdf::write(&leaves, &printing.options(output, None), &letters).map_err(told)?;
         return Ok(vec![(output.to_owned(), file)]);
@@ -290,7 +289,7 @@ fn draw_book(
     let exact = documents.iter().map(plates::exact).collect::<Result<Vec<_>, _>>().map_err(told)?;
     let mut files = Vec::new();
     for (plate, ink) in inks.iter().enumerate() {
-        let leaf = |document| leaf(document, photos, (Some((&separation, plate)), alts(document)));
+        let leaf = |document| leaf(document, photos, (Some((&separation, plate)), alts(document, subjects)));
         let leaves = exact.iter().map(leaf).collect::<Result<Vec<_>, _>>()?;
         let stem = output.file_stem().map(|stem| stem.to_string_lossy()).unwrap_or_default();
         let path = output.with_file_name(format!("{stem}-{}.pdf", ink.name));

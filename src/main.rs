@@ -13,6 +13,7 @@ mod output;
 mod paper;
 mod plans;
 mod projects;
+mod reading;
 mod reopening;
 mod telling;
 
@@ -157,7 +158,8 @@ struct Render {
     /// or among the photos given.
     #[arg(long, value_name = "FILE")]
     document: Option<PathBuf>,
-    /// Where the page goes: a file that ends in .png, .jpg, .webp or .pdf, one that ends in .inkpanel, which is a project with
+    /// Where the page goes: a file that ends in .png, .jpg, .webp or .pdf; a comic (.html, .epub, .cbz), of a saved project with
+    /// all its pages; one that ends in .inkpanel, which is a project with
     /// the photos as they are, whatever cameras wrote into them, or - for standard output.
     #[arg(short, long, required_unless_present_any = ["json", "save_document"])]
     output: Option<PathBuf>,
@@ -235,7 +237,8 @@ struct Planned {
     /// Captions, balloons and sound effects: a JSON array of words, as the page keeps them.
     #[arg(long, value_name = "FILE")]
     words: Option<PathBuf>,
-    /// Make a storyboard of so many pages, cut where time or scene changes: a PDF file, or files such as page-%02d.png.
+    /// Make a storyboard of so many pages, cut where time or scene changes: a PDF file, a comic (.html, .epub, .cbz), or files
+    /// such as page-%02d.png.
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..=1000))]
     pages: Option<u32>,
     /// Print the plan: layout, photos, crops, style, score and its terms.
@@ -445,10 +448,16 @@ fn write_pages(
         "none" => Ok(file),
         what => album.inside(&file, page, what == "photos"),
     };
-    let found: Vec<PhotoMeta> = album.photos.iter().map(|(_, photo)| photo.meta.clone()).collect();
-    let alts = |document: &Document| drawing::described(document, &found);
+    let subjects = |id: &str| {
+        let photo = album.photos.iter().find(|(_, photo)| photo.meta.id == id);
+        photo.map_or(&[][..], |(_, photo)| &photo.meta.subjects)
+    };
+    if let Kind::Comic(comic) = kind {
+        let told = reading::Telling { title: &album.name, language: how.printing.language() };
+        return reading::write((comic, told), album.pages, &subjects, photos, output);
+    }
     if several || kind == Kind::Pdf {
-        let printed: drawing::Printed<'_> = (&how.printing, &alts);
+        let printed: drawing::Printed<'_> = (&how.printing, &subjects);
         return plans::draw_all(album.pages, photos, output, (how.skip_existing, &finish, printed));
     }
     output.write(&finish(0, drawing::draw(&album.pages[0], photos, &output.named)?)?)?;

@@ -3,9 +3,11 @@
 use crate::album::{self, told};
 use crate::drawing::{self, Kind, Printing};
 use crate::output::Output;
-use crate::{Complaint, survived};
+use crate::{Complaint, reading, survived};
+use inkpanel::document::file::FilePhoto;
 use inkpanel::document::saved::Saved;
 use inkpanel::document::sheets::photos_on;
+use inkpanel::framing::Subject;
 use inkpanel::page::Document;
 use inkpanel::raster::decode::{Limits, decode};
 use std::collections::HashMap;
@@ -32,7 +34,7 @@ pub(crate) fn open(input: &Path) -> Option<Result<Saved, Complaint>> {
     }
 }
 
-/// Draws the present page, or the one of that number, from 1.
+/// Draws the present page, or the one of that number, from 1; what is bound or read has all pages unless one is told.
 ///
 /// Returns the files.
 pub(crate) fn draw(
@@ -54,19 +56,8 @@ fn drawn(
     number: Option<u32>,
     (output, printing): (&Output, &Printing),
 ) -> Result<Vec<PathBuf>, Complaint> {
-    let (pages, present) = saved.pages();
-    // What is folded or bound is made of all pages, unless one is named.
-    let wanted = if printing.binds() && number.is_none() && !pages.is_empty() {
-        &pages[..]
-    } else {
-        let at = number.map_or(present, |number| number as usize - 1);
-        pages.get(at..=at).ok_or_else(|| match pages.len() {
-            0 => "there is no page in it".to_owned(),
-            1 => format!("there is no page {} in it, only one", at + 1),
-            count => format!("there is no page {} in it, only {count}", at + 1),
-        })?
-    };
-    let wanted: Vec<Document> = wanted.iter().map(|page| Document::clone(page)).collect();
+    let kind = Kind::of(&output.named)?;
+    let wanted = wanted(&saved, number, printing.binds() || matches!(kind, Kind::Comic(_)))?;
     let files = files(&mut saved, &wanted)?;
     let photos = |id: &str| {
         let Some(bytes) = files.get(id) else { return Ok(None) };
@@ -74,12 +65,44 @@ fn drawn(
         let decoded = survived(|| decode(bytes, &Limits::default()));
         decoded.map(|decoded| Some(decoded.image)).map_err(|reason| format!("the photo {name}: {reason}"))
     };
-    if Kind::of(&output.named)? == Kind::Pdf {
-        let alts = |page: &Document| drawing::described(page, &[]);
-        return drawing::write_book(&wanted, &photos, output, (printing, &alts));
+    let known: HashMap<&str, Vec<Subject>> =
+        saved.project().photos.iter().map(|photo| (photo.id.as_str(), subjects(photo))).collect();
+    let found = |id: &str| known.get(id).map_or(&[][..], Vec::as_slice);
+    match kind {
+        Kind::Comic(comic) => {
+            let named = saved.project().history.present.name.trim();
+            let stem = output.named.file_stem().map(|stem| stem.to_string_lossy()).unwrap_or_default();
+            let title = if named.is_empty() { &*stem } else { named };
+            let told = reading::Telling { title, language: printing.language() };
+            reading::write((comic, told), &wanted, &found, &photos, output)
+        }
+        Kind::Pdf => drawing::write_book(&wanted, &photos, output, (printing, &found)),
+        _ => {
+            output.write(&drawing::draw(&wanted[0], &photos, &output.named)?)?;
+            Ok(vec![output.path.clone()])
+        }
     }
-    output.write(&drawing::draw(&wanted[0], &photos, &output.named)?)?;
-    Ok(vec![output.path.clone()])
+}
+
+/// The pages that are drawn: `all` of them where none is told, else that one, or the present one.
+fn wanted(saved: &Saved, number: Option<u32>, all: bool) -> Result<Vec<Document>, Complaint> {
+    let (pages, present) = saved.pages();
+    if all && number.is_none() && !pages.is_empty() {
+        return Ok(pages.iter().map(|page| Document::clone(page)).collect());
+    }
+    let at = number.map_or(present, |number| number as usize - 1);
+    let page = pages.get(at).ok_or_else(|| match pages.len() {
+        0 => "there is no page in it".to_owned(),
+        1 => format!("there is no page {} in it, only one", at + 1),
+        count => format!("there is no page {} in it, only {count}", at + 1),
+    })?;
+    Ok(vec![Document::clone(page)])
+}
+
+/// What the file says was found in a photo, as far as it can be read.
+fn subjects(photo: &FilePhoto) -> Vec<Subject> {
+    let told = photo.subjects.iter().flatten();
+    told.filter_map(|subject| serde_json::from_value(subject.clone()).ok()).collect()
 }
 
 /// The files of the photos that pages show, by their ids.

@@ -23,6 +23,7 @@ use crate::layout::tree::Axis;
 use crate::layout::{
     Bounds, Circle, Descriptor, LayoutPanel, Outline, PageSettings, PlacedPanel, Point, Template,
 };
+use crate::output::{self, Comic, ComicPage, PictureKind, Piece};
 use crate::page::catalogue::{BlockEntry, ChoiceRequest, MeasuresEntry, ParamEntry, ParamKind, VerdictEntry};
 use crate::page::document::{LayoutChoice, PanelContent, StyleChoice};
 use crate::page::import::{ImportEntry, PixelSize};
@@ -392,6 +393,11 @@ fn types() -> String {
         Likeness,
         Options,
         Imposition,
+        Comic,
+        ComicPage,
+        PictureKind,
+        Piece,
+        output::File,
     );
     out.push('\n');
     out.push_str(MORE);

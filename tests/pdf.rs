@@ -415,7 +415,9 @@ fn panels_without_a_photo_look_as_on_the_page_of_pixels() {
     document.page.corner_radius = 0.02;
     let scene = Scene::new(&document, 620).unwrap();
     let pixels = compose::compose(&scene, |_| None, &mut Context::default()).unwrap();
-    let file = write(&[Leaf { document, pictures: Vec::new(), alts: Vec::new() }], &Options::default(), &letters()).unwrap();
+    let file =
+        write(&[Leaf { document, pictures: Vec::new(), alts: Vec::new() }], &Options::default(), &letters())
+            .unwrap();
     let Some(drawn) = drawn_by_poppler(&file, 75) else { return };
     assert_eq!((drawn.width(), drawn.height().abs_diff(877) <= 1), (620, true));
     let rgb = drawn.to_rgb();

@@ -7,7 +7,7 @@ use std::path::{Component, Path, PathBuf};
 
 /// The rooms of `src`, from the lowest on. Containers and the kernels on their rows are one: each is written in terms of the
 /// other.
-const ROOMS: [&[&str]; 11] = [
+const ROOMS: [&[&str]; 12] = [
     &["error"],
     &["raster", "simd"],
     &["json"],
@@ -18,6 +18,7 @@ const ROOMS: [&[&str]; 11] = [
     &["style"],
     &["plan"],
     &["page"],
+    &["output"],
     &["document"],
 ];
 

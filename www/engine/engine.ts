@@ -100,6 +100,8 @@ export function createEngine({
     ...createExports({ run, photos, words, files }),
     ...createMeasures({ run, renders, files }),
     givesWebp,
+    comicPieces: files.comicPieces,
+    comicFiles: files.comicFiles,
   };
 
   function run<Op extends keyof Operations>(job: Job<Operations, Op>): Promise<Operations[Op]['ok']> {

@@ -2,7 +2,7 @@
  * The worker that makes files: the module of words, loaded with the first job, and the browser's own encoder of WebP where it has one.
  */
 
-import initWords, { Book, Cut, Lettering, Plate, Print, plates_of } from '../pkg-words/inkpanel.js';
+import initWords, { Book, Cut, Lettering, Plate, Print, comicFile, plates_of } from '../pkg-words/inkpanel.js';
 import { blobOf } from './blobs.ts';
 import { fileMs } from './measured.ts';
 import { moduleBytes } from './module-bytes.ts';
@@ -21,7 +21,7 @@ type Args<Op extends keyof Making> = Making[Op]['args'];
 
 let started: Promise<WebAssembly.Memory> | undefined;
 
-const OPERATIONS: Work<Making> = { jpeg, webp, losslessWebp, pictures, plates, pdf };
+const OPERATIONS: Work<Making> = { jpeg, webp, losslessWebp, pictures, plates, pdf, comic };
 
 serveJobs<Making>(async (op, args, tell) => {
   tell.waits(LOADING);
@@ -127,6 +127,17 @@ async function pdf({ pages, options }: Args<'pdf'>, tell: Tell) {
     return { ok: await blobOf(bytes, { type: 'application/pdf' }), transfer: [] };
   } finally {
     book.free();
+    letters.free();
+  }
+}
+
+/** The text of a comic; its pictures are put in where they are. */
+async function comic({ kind, comic: told }: Args<'comic'>, tell: Tell) {
+  tell.expects(PAGE);
+  const letters = new Lettering();
+  try {
+    return { ok: comicFile(kind, told, letters), transfer: [] };
+  } finally {
     letters.free();
   }
 }

@@ -5,9 +5,9 @@
 
 import { createPool } from './pool.ts';
 import { Priority } from './queue.ts';
-import type { PageDocument, PdfOptions } from './types.ts';
+import type { Comic, ComicFile, PageDocument, PdfOptions, Piece } from './types.ts';
 import type { Pool } from './pool.ts';
-import type { Making, Picture, PixelPatch, Plates } from './protocol.ts';
+import type { ComicKind, Making, Picture, PixelPatch, Plates } from './protocol.ts';
 
 type Call = { signal?: AbortSignal };
 
@@ -16,7 +16,17 @@ export type { Picture };
 export function createFiles() {
   let pool: Pool<Making> | undefined;
 
-  return { jpeg, webp, losslessWebp, pictures, plates, pdf, dispose: () => pool?.dispose() };
+  return {
+    jpeg,
+    webp,
+    losslessWebp,
+    pictures,
+    plates,
+    pdf,
+    comicPieces,
+    comicFiles,
+    dispose: () => pool?.dispose(),
+  };
 
   function run<Op extends keyof Making>(op: Op, args: Making[Op]['args'], transfer: Transferable[], call?: Call) {
     pool ??= createPool<Making>({ size: 1, spawn });
@@ -104,6 +114,20 @@ export function createFiles() {
       pages.flatMap((page) => page.pictures.map((picture) => picture.jpeg.buffer)),
       call,
     );
+  }
+
+  /** @returns an HTML file with a reader, in pieces: text, and the numbers of pages whose pictures stand there as data URLs */
+  async function comicPieces(comic: Comic, call?: Call): Promise<Piece[]> {
+    return JSON.parse(await comicText('html', comic, call));
+  }
+
+  /** @returns the files of an EPUB book or a comic archive, in their order */
+  async function comicFiles(kind: Exclude<ComicKind, 'html'>, comic: Comic, call?: Call): Promise<ComicFile[]> {
+    return JSON.parse(await comicText(kind, comic, call));
+  }
+
+  function comicText(kind: ComicKind, comic: Comic, call?: Call) {
+    return run('comic', { kind, comic: JSON.stringify(comic) }, [], call);
   }
 }
 

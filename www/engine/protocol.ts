@@ -103,7 +103,11 @@ export type Making = {
   };
   plates: { args: { document: string }; ok: Plates | null };
   pdf: { args: { pages: PdfPage[]; options: PdfOptions }; ok: Blob };
+  comic: { args: { kind: ComicKind; comic: string }; ok: string };
 };
+
+/** A comic that is read. */
+export type ComicKind = 'html' | 'epub' | 'cbz';
 
 type Tier = 'small' | 'work' | 'full';
 

@@ -1142,6 +1142,40 @@ export type PdfOptions = {
 /** How pages share sheets. */
 export type Imposition = 'booklet' | 'zine' | '2up' | 'spreads';
 
+/** Pages that become one file. */
+export type Comic = {
+  /** What it is called. */
+  title: string,
+  /** BCP 47, such as `en`; what a reader says itself is in that language where there is one, else in English. */
+  language: string,
+  /** The files that its pictures are. */
+  picture: PictureKind,
+  /** Its pages in order. */
+  pages: ReadonlyArray<ComicPage>,
+};
+
+/** A page of a comic. */
+export type ComicPage = {
+  /** The page; its picture is as large as that. */
+  document: PageDocument,
+  /** What each panel shows, such as `two people and a dog`, in paint order; empty where nobody knows. */
+  shows: ReadonlyArray<string>,
+};
+
+/** A kind of picture. */
+export type PictureKind = "png" | "jpeg" | "webp";
+
+/** A part of a file: text, or the picture of the page of that number, from 0. */
+export type Piece = string | number;
+
+/** A file of an archive. */
+export type ComicFile = {
+  /** Its name, with the folders that it is in. */
+  name: string,
+  /** What is in it. */
+  content: Piece,
+};
+
 /** A value of a parameter: a number, an entry of its choices, or whether it is on. */
 export type ParamValue = number | string | boolean;
 

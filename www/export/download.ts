@@ -33,7 +33,18 @@ export function createDownload({
   store: Store;
   pages: Pages;
   messages: Messages;
-  engine: Pick<Engine, 'exportPng' | 'exportJpeg' | 'exportWebp' | 'exportPdf' | 'exportPlates' | 'exportPanel'>;
+  engine: Pick<
+    Engine,
+    | 'exportPng'
+    | 'exportJpeg'
+    | 'exportWebp'
+    | 'exportPdf'
+    | 'exportPlates'
+    | 'exportPanel'
+    | 'givesWebp'
+    | 'comicPieces'
+    | 'comicFiles'
+  >;
   pageFiles: Pick<PageFiles, 'take' | 'carrying' | 'packed'>;
   onSaved?: (pages: readonly PageDocument[]) => void;
 }) {

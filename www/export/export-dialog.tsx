@@ -4,7 +4,7 @@
  */
 
 import { useEffect, useMemo, useState } from 'preact/hooks';
-import { FORMATS, isArchive, OF_MANY, OF_ONE } from './formats.ts';
+import { FORMATS, OF_MANY, OF_ONE, pictureIn } from './formats.ts';
 import { USUAL_QUALITY } from './page-making.ts';
 import { PAGE_SIZES, scaled, sizeId } from '../page/paper.ts';
 import { strings } from '../strings/strings.ts';
@@ -52,7 +52,7 @@ export function ExportDialog() {
   );
   const format = all ? many : one;
   const webpHasQuality = useWebpQuality();
-  const made = isArchive(format) ? inside : format;
+  const made = pictureIn(format, inside, webpHasQuality);
   const lossy = made === 'webp' ? webpHasQuality : FORMATS[made].lossy;
   const plates = format === 'pdf' && hasPlates(sheets, store.styles.value);
   const asked = useMemo(

@@ -1,6 +1,6 @@
 /** The kinds of files that pages become. */
 
-export type Format = 'png' | 'jpeg' | 'webp' | 'pdf' | 'zip' | 'cbz';
+export type Format = 'png' | 'jpeg' | 'webp' | 'pdf' | 'html' | 'epub' | 'zip' | 'cbz';
 /** the pictures of a ZIP or CBZ file */
 export type Inside = 'png' | 'jpeg';
 
@@ -9,15 +9,33 @@ export const FORMATS: Record<Format, { ending: string; type: string; lossy: bool
   jpeg: { ending: 'jpg', type: 'image/jpeg', lossy: true },
   webp: { ending: 'webp', type: 'image/webp', lossy: true },
   pdf: { ending: 'pdf', type: 'application/pdf', lossy: true },
+  html: { ending: 'html', type: 'text/html', lossy: true },
+  epub: { ending: 'epub', type: 'application/epub+zip', lossy: true },
   zip: { ending: 'zip', type: 'application/zip', lossy: false },
   cbz: { ending: 'cbz', type: 'application/vnd.comicbook+zip', lossy: false },
 };
 
-export const OF_ONE: readonly Format[] = ['png', 'jpeg', 'webp', 'pdf'];
-export const OF_MANY: readonly Format[] = ['pdf', 'zip', 'cbz'];
+export const OF_ONE: readonly Format[] = ['png', 'jpeg', 'webp', 'pdf', 'html', 'epub', 'cbz'];
+export const OF_MANY: readonly Format[] = ['pdf', 'html', 'epub', 'cbz', 'zip'];
 
-export function isArchive(format: Format) {
+export function isArchive(format: Format): format is 'zip' | 'cbz' {
   return format === 'zip' || format === 'cbz';
+}
+
+/** Comics that hold all their pages; what is said of them beside their name has a string. */
+export function isBook(format: Format): format is 'html' | 'epub' {
+  return format === 'html' || format === 'epub';
+}
+
+/**
+ * @param inside of an archive
+ * @param webp whether the browser makes WebP files that are smaller than JPEG
+ * @returns the kind of the pictures in a file
+ */
+export function pictureIn(format: Format, inside: Inside, webp: boolean): 'png' | 'jpeg' | 'webp' {
+  if (isArchive(format)) return inside;
+  if (format === 'html') return webp ? 'webp' : 'jpeg';
+  return format === 'pdf' || format === 'epub' ? 'jpeg' : format;
 }
 
 /**

@@ -1,7 +1,8 @@
 /** Pages as the bytes of one file, of each kind that there is. */
 
 import { strings } from '../strings/strings.ts';
-import { FORMATS, isArchive, pageName } from './formats.ts';
+import { createComics } from './comics.ts';
+import { FORMATS, isArchive, isBook, pageName } from './formats.ts';
 import { archiveOf } from '../storage/files/archive.ts';
 import { describePanel } from '../page/describing.ts';
 import { currentLanguage } from '../strings/language.ts';
@@ -38,8 +39,13 @@ export function createMaking({
   engine,
 }: {
   store: Store;
-  engine: Pick<Engine, 'exportPng' | 'exportJpeg' | 'exportWebp' | 'exportPdf' | 'exportPlates'>;
+  engine: Pick<
+    Engine,
+    'exportPng' | 'exportJpeg' | 'exportWebp' | 'exportPdf' | 'exportPlates' | 'givesWebp' | 'comicPieces' | 'comicFiles'
+  >;
 }) {
+  const comics = createComics({ store, engine });
+
   return make;
 
   async function make(
@@ -48,6 +54,7 @@ export function createMaking({
     { carry, beside }: Cargo,
   ): Promise<Blob> {
     if (format === 'pdf') return printed(documents, print, quality, how);
+    if (isBook(format)) return comics.book(format, documents, quality, how);
     if (!isArchive(format)) return picture(documents[0], format as 'png' | 'jpeg' | 'webp', quality, how, carry);
     const entries = [];
     for (const [i, document] of documents.entries()) {
@@ -56,6 +63,7 @@ export function createMaking({
       const blob = await picture(document, inside, quality, { ...how, onProgress }, async (png) => png);
       entries.push({ name: pageName(i, documents.length, inside), blob });
     }
+    if (format === 'cbz') entries.push(...(await comics.about(documents, inside, how)));
     const project = await beside(how);
     if (project) entries.push(project);
     return new Blob([await archiveOf(entries, { signal: how.signal })], { type: FORMATS[format].type });

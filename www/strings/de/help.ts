@@ -111,6 +111,10 @@ export const helpStrings = {
       title: 'Exportieren: PNG, JPEG, WebP, PDF',
       text: `„${board.download}“ speichert die Seite in Druckgröße, aus deinen Originalfotos. Unter „${board.export}“ gibt es JPEG, WebP und PDF, dazu die Qualität. Mehrere Seiten werden ein PDF, ein ZIP oder ein CBZ für Comic-Leseprogramme.`,
     },
+    comics: {
+      title: 'Comics zum Lesen: HTML, EPUB, CBZ',
+      text: `„${board.export}“ macht auch Comics. „HTML-Comic“ ist eine Datei, die alle in einem Browser öffnen können: Mit Tippen, Wischen oder den Pfeiltasten geht es von Panel zu Panel, dazu gibt es ganze Seiten und alles als Text. EPUB ist für Lese-Apps, CBZ für Comic-Leseprogramme. In allen ist jedes Panel in seiner Reihenfolge bekannt, mit seinen Worten und, soweit es gefunden wurde, mit dem, was es zeigt; so lassen sie sich vorlesen.`,
+    },
     privacy: {
       title: 'Offline und privat',
       text: `Deine Fotos verlassen dieses Gerät nie: Alle Arbeit geschieht in diesem Browser, und nichts wird irgendwohin geschickt. Nach dem ersten Besuch geht Inkpanel auch ohne Verbindung. Wo der Browser es kann, gibt „${offlineStrings.install}“ ihm ein eigenes Fenster.`,

@@ -112,6 +112,10 @@ export const helpStrings = {
       title: 'Export: PNG, JPEG, WebP, PDF',
       text: `“${board.download}” saves the page at print size, from your original photos. “${board.export}” has JPEG, WebP and PDF, and the quality. Several pages become a PDF, a ZIP or a CBZ for comic readers.`,
     },
+    comics: {
+      title: 'Comics that are read: HTML, EPUB, CBZ',
+      text: `“${board.export}” makes comics, too. “HTML comic” is one file that anybody can open in a browser: tap, swipe or press the arrows to go from panel to panel, see whole pages, or read all as text. EPUB is for reading apps, CBZ for comic readers. In all of them each panel is known in its order, with its words and, as far as it was found, what it shows; so they can be read aloud.`,
+    },
     privacy: {
       title: 'Offline and private',
       text: `Your photos never leave this device: all the work is done in this browser, and nothing is sent anywhere. After the first visit Inkpanel also works without a connection. Where the browser can, “${offlineStrings.install}” gives it a window of its own.`,

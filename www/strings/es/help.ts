@@ -110,6 +110,10 @@ export const helpStrings = {
       title: 'Exportar: PNG, JPEG, WebP, PDF',
       text: `«${board.download}» guarda la página a tamaño de impresión, a partir de tus fotos originales. «${board.export}» tiene JPEG, WebP y PDF, además de la calidad. Varias páginas se convierten en un PDF, un ZIP o un CBZ para lectores de cómics.`,
     },
+    comics: {
+      title: 'Cómics para leer: HTML, EPUB, CBZ',
+      text: `«${board.export}» también hace cómics. «Cómic en HTML» es un archivo que cualquiera puede abrir en un navegador: toca, desliza o usa las flechas para ir de viñeta en viñeta, mira páginas enteras o léelo todo como texto. EPUB es para aplicaciones de lectura y CBZ para lectores de cómics. En todos se conoce el orden de las viñetas, con sus palabras y, si se encontró, lo que muestran; así se pueden leer en voz alta.`,
+    },
     privacy: {
       title: 'Sin conexión y en privado',
       text: `Tus fotos nunca salen de este dispositivo: todo el trabajo se hace en este navegador y no se envía nada a ningún sitio. Después de la primera visita, Inkpanel también funciona sin conexión. Si el navegador puede, «${offlineStrings.install}» le da una ventana propia.`,

@@ -110,6 +110,10 @@ export const helpStrings = {
       title: 'Exporter : PNG, JPEG, WebP, PDF',
       text: `« ${board.download} » enregistre la page à la taille d’impression, à partir de vos photos d’origine. « ${board.export} » a le JPEG, le WebP et le PDF, ainsi que la qualité. Plusieurs pages deviennent un PDF, un ZIP ou un CBZ pour lecteurs de BD.`,
     },
+    comics: {
+      title: 'BD à lire : HTML, EPUB, CBZ',
+      text: `« ${board.export} » fait aussi des BD. « BD en HTML » est un fichier que tout le monde peut ouvrir dans un navigateur : touchez, balayez ou utilisez les flèches pour aller de case en case, voyez des pages entières ou lisez tout en texte. EPUB est pour les applis de lecture, CBZ pour les lecteurs de BD. Dans tous, l’ordre des cases est connu, avec leurs mots et, si cela a été trouvé, ce qu’elles montrent ; on peut donc les faire lire à voix haute.`,
+    },
     privacy: {
       title: 'Hors connexion et privé',
       text: `Vos photos ne quittent jamais cet appareil : tout le travail se fait dans ce navigateur, et rien n’est envoyé nulle part. Après la première visite, Inkpanel marche aussi sans connexion. Là où le navigateur le peut, « ${offlineStrings.install} » lui donne sa propre fenêtre.`,

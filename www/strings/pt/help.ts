@@ -110,6 +110,10 @@ export const helpStrings = {
       title: 'Exportar: PNG, JPEG, WebP, PDF',
       text: `“${board.download}” salva a página em tamanho de impressão, a partir das suas fotos originais. “${board.export}” tem JPEG, WebP e PDF, além da qualidade. Várias páginas viram um PDF, um ZIP ou um CBZ para leitores de quadrinhos.`,
     },
+    comics: {
+      title: 'Quadrinhos para ler: HTML, EPUB, CBZ',
+      text: `“${board.export}” também faz quadrinhos. “Quadrinho em HTML” é um arquivo que qualquer pessoa pode abrir em um navegador: toque, deslize ou use as setas para ir de quadro em quadro, veja páginas inteiras ou leia tudo como texto. EPUB é para aplicativos de leitura, CBZ para leitores de quadrinhos. Em todos eles a ordem dos quadros é conhecida, com as palavras e, se foi encontrado, o que eles mostram; assim podem ser lidos em voz alta.`,
+    },
     privacy: {
       title: 'Sem conexão e em particular',
       text: `Suas fotos nunca saem deste aparelho: todo o trabalho é feito neste navegador, e nada é enviado a lugar nenhum. Depois da primeira visita, o Inkpanel também funciona sem conexão. Onde o navegador permite, “${offlineStrings.install}” dá a ele uma janela própria.`,
