@@ -43,6 +43,8 @@ fn palettes() -> io::Result<()> {
     let out = env::var("OUT_DIR").map_err(io::Error::other)?;
     let table = "static PALETTES: &[(&str, [[u8; 3]; 5])] = &[\n";
     fs::write(Path::new(&out).join("palettes.rs"), format!("{table}{}];\n", rows.concat()))
+}
+
 /// Writes `OUT_DIR/reader.rs`: by which hash a policy names the script and the style that stand in a comic of one file.
 fn reader() -> io::Result<()> {
     println!("cargo:rerun-if-changed=src/output/reader");

@@ -1,6 +1,6 @@
 //! Pages as plain data on the command line: written with the names of their photos, and drawn again.
 
-use crate::output::{Output, write};
+use crate::destination::{Output, write};
 use crate::{Complaint, How, decode_file, done, drawing, name, plans, reading};
 use inkpanel::document::sheets::photos_on;
 use inkpanel::page::Document;

@@ -1,7 +1,7 @@
 //! Pages of the command line as files: rendered from the photos at their full size, with their words.
 
 use crate::album::is_standard;
-use crate::output::{Output, write};
+use crate::destination::{Output, write};
 use crate::{Complaint, paper, reading};
 use inkpanel::Error;
 use inkpanel::framing::Subject;

@@ -5,11 +5,11 @@
 
 mod album;
 mod config;
+mod destination;
 mod detectors;
 mod documents;
 mod drawing;
 mod inventor;
-mod output;
 mod paper;
 mod plans;
 mod projects;
@@ -38,8 +38,8 @@ use std::process::ExitCode;
 use std::sync::atomic::{AtomicUsize, Ordering};
 
 use album::told;
+use destination::Output;
 use drawing::Kind;
-use output::Output;
 use paper::Paper;
 
 /// Photos in, stylised storyboard pages out.
@@ -348,7 +348,10 @@ fn planned_already(planned: &Planned, file: &Path) -> Result<(), Complaint> {
     if *planned == Planned::default() {
         return Ok(());
     }
-    Err(format!("{}: it is planned already, so --output, --page and what is printed are all that it takes", told(file)))
+    Err(format!(
+        "{}: it is planned already, so --output, --page and what is printed are all that it takes",
+        told(file)
+    ))
 }
 
 /// Says that all is done.

@@ -1,7 +1,7 @@
 //! Plans of the command line: pages made, told as JSON, read back and judged.
 
 use crate::album::is_standard;
-use crate::output::Output;
+use crate::destination::Output;
 use crate::{Complaint, drawing, import_all, name, telling};
 use inkpanel::framing::{Crop, PhotoMeta};
 use inkpanel::layout::{self, Bounds, Point, ResolvedPanel, ResolvedShape, polygon};

@@ -129,13 +129,17 @@ impl Album<'_> {
 
     /// Where in the archive the photos are, by their ids.
     fn places(&self) -> HashMap<&str, String> {
-        let place = |(i, (path, photo)): (usize, &(PathBuf, Imported))| {
+        let place = |i: usize, path: &Path| {
             let plain = |c: char| if c.is_alphanumeric() || "._-".contains(c) { c } else { '-' };
             let short: String =
                 name(path).chars().rev().take(60).collect::<Vec<_>>().into_iter().rev().map(plain).collect();
-            (photo.meta.id.as_str(), format!("photos/{:03}-{short}", i + 1))
+            format!("photos/{:03}-{short}", i + 1)
         };
-        self.photos.iter().enumerate().map(place).collect()
+        self.photos
+            .iter()
+            .enumerate()
+            .map(|(i, (path, photo))| (photo.meta.id.as_str(), place(i, path)))
+            .collect()
     }
 
     fn archive(&self, text: Option<&str>) -> Result<Vec<u8>, Complaint> {

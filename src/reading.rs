@@ -1,7 +1,7 @@
 //! Comics that are read, on the command line: HTML with a reader in it, EPUB, comic archives. Their pages are JPEG.
 
+use crate::destination::Output;
 use crate::drawing::Photos;
-use crate::output::Output;
 use crate::{Complaint, drawing, telling};
 use base64::Engine as _;
 use base64::prelude::BASE64_STANDARD;

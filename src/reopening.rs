@@ -1,8 +1,8 @@
 //! Saved projects and pages on the command line: drawn as the page itself exports them.
 
 use crate::album::{self, told};
+use crate::destination::Output;
 use crate::drawing::{self, Kind, Printing};
-use crate::output::Output;
 use crate::{Complaint, reading, survived};
 use inkpanel::document::file::FilePhoto;
 use inkpanel::document::saved::Saved;

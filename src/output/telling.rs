@@ -7,6 +7,7 @@ use crate::layout::{Bounds, Point, ResolvedShape};
 use crate::page::words::Letters;
 use crate::page::words::layout::{Ground, Laid, extent, lay_all};
 use crate::page::words::model::Kind;
+use crate::page::words::wording::read;
 use std::f64::consts::{PI, TAU};
 
 /// How far the polygon of a circle may be from it, in pixels.
@@ -148,7 +149,8 @@ fn panel_of(laid: &Laid, ground: &Ground) -> Option<usize> {
 }
 
 fn told_word(laid: &Laid, scale: f64) -> Option<ToldWord> {
-    let text = laid.word.text.split_whitespace().collect::<Vec<_>>().join(" ");
+    let text = read(&laid.word);
+    let text = text.split_whitespace().collect::<Vec<_>>().join(" ");
     let (a, b) = extent(&laid.word, &laid.setting);
     let Point { x, y } = laid.middle;
     let bounds = scaled(Bounds { x: x - a, y: y - b, width: 2.0 * a, height: 2.0 * b }, scale);

@@ -14,6 +14,7 @@ use crate::page::words::draw::{Bend, LEAN, Lines, Row, lines, rows};
 use crate::page::words::layout::{self, Laid};
 use crate::page::words::letters::spoken;
 use crate::page::words::model::Kind;
+use crate::page::words::wording::read;
 use pdf_writer::types::{LineCapStyle, LineJoinStyle, TextRenderingMode};
 use pdf_writer::{Content, Name, Ref, Str, TextStr};
 
@@ -94,7 +95,7 @@ impl Lettering<'_> {
             stroke(content, &body, (colours, laid.word.color));
         }
         end(content);
-        tags.paragraph(content, (self.ground.number, rank), &laid.word.text, id);
+        tags.paragraph(content, (self.ground.number, rank), &read(&laid.word), id);
         let bend = Bend::new(laid, width);
         if !heavy.0.is_empty() {
             content.set_dash_pattern([], 0.0).set_line_width(short(2.0 * heavy.1));

@@ -61,6 +61,16 @@ pub fn marks(word: &Word, letters: &Letters, font: &Font) -> Vec<Mark> {
     marks
 }
 
+/// What a word says where it is read aloud or copied: without the stars of its emphasis, in the case it was written in.
+#[must_use]
+pub fn read(word: &Word) -> String {
+    if word.craft == Craft::First {
+        return word.text.clone();
+    }
+    let text: Vec<char> = word.text.chars().filter(|&letter| letter != '\u{ad}').collect();
+    emphasised(&text).into_iter().map(|mark| mark.letter).collect()
+}
+
 /// Takes the stars off, and marks what stood between them.
 fn emphasised(text: &[char]) -> Vec<Mark> {
     let opens = |at: usize| {
