@@ -96,7 +96,7 @@ function withGiven(parts: Difference['parts'], given: readonly PageDocument[]): 
 
 /** In the order in which the core counts them (`knowing` in `src/document/kept.rs`). */
 function knownParts({ present, shown }: History): Known {
-  const { tray, page, others, mine, favourites, ownLayouts, settings, draft } = present;
+  const { tray, page, others, mine, favourites, ownLayouts, settings, draft, waiting = [] } = present;
   return {
     items: tray,
     pages: [...(page ? [page] : []), ...[...others, ...shown].map((one) => one.page)],
@@ -105,6 +105,7 @@ function knownParts({ present, shown }: History): Known {
     layouts: ownLayouts,
     settings: [settings],
     drafts: draft ? [draft] : [],
+    words: waiting,
   };
 }
 
