@@ -117,6 +117,7 @@ pub(in crate::page) fn rows<'a>(laid: &Laid, width: f64, letters: &'a Letters) -
     let size = setting.size * width;
     let last = setting.lines.len().saturating_sub(1) as f64;
     let row = |(i, (run, length)): (usize, &(Vec<char>, f64))| {
+        let run = &letters.ordered(run);
         let mut pen = -length * width / 2.0;
         let baseline = (i as f64 - last / 2.0) * setting.pitch * width + font.capitals * size / 2.0;
         let place = |(at, &letter): (usize, &char)| {
