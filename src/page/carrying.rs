@@ -42,7 +42,7 @@ pub fn belongs(word: &Value, panels: &[PanelContent]) -> Option<Value> {
     let mut word = word.clone();
     word["panel"] = json!(panel);
     if let Some(word) = word.as_object_mut().filter(|word| word.get("auto") != Some(&json!(false))) {
-        for name in ["x", "y", "tail"] {
+        for name in ["x", "y", "tail", "room"] {
             word.remove(name);
         }
     }

@@ -16,8 +16,6 @@ import type { Signal } from '@preact/signals';
 
 /** Widths of words that are taken, in page widths. */
 const [NARROWEST, WIDEST] = [0.04, 0.96];
-/** New words follow the conventions of letterers. */
-const CRAFT = 2;
 
 export type Lettering = ReturnType<typeof createLettering>;
 /** A word that is laid over pages: on a panel of the page whose place is told, else on its photo. */
@@ -112,7 +110,6 @@ export function createLettering({
         panel,
         photo: photoOn(page, panel),
         auto: true,
-        language,
         ...(kind === 'effect' ? { angle: -8 } : {}),
       },
     ]);
@@ -128,7 +125,7 @@ export function createLettering({
     const before = words.peek();
     const some = fresh
       .slice(0, Math.max(0, MOST.words - before.length))
-      .map((word) => ({ craft: CRAFT, ...word, text: bounded(word.text) }));
+      .map((word): Word => ({ craft: 2, language, ...word, text: bounded(word.text) }));
     if (some.length < fresh.length) messages.alert(strings.wordsFull(MOST.words));
     if (some.length === 0) return 0;
     const all = [...before, ...some];
@@ -148,7 +145,8 @@ export function createLettering({
       waiting: waiting.peek().length,
     });
     const before = count();
-    const laid = fresh.map((word) => ({ craft: CRAFT, ...word, text: bounded(word.text) }));
+    // The language of a film is not that of the page: its words part nowhere.
+    const laid = fresh.map((word): AddedWord => ({ craft: 2, ...word, text: bounded(word.text) }));
     store.change({ type: 'add-words', words: laid });
     const after = count();
     const added = { shown: after.shown - before.shown, waiting: after.waiting - before.waiting };

@@ -151,7 +151,8 @@ impl Letters {
     pub fn missing(&self, text: &str, font: &Font) -> Vec<char> {
         let mut missing: Vec<char> = Vec::new();
         for letter in self.cleaned(text) {
-            if letter != '\n' && !font.has(letter) && !missing.contains(&letter) {
+            let drawn = matches!(letter, '\n' | '\u{a0}' | '\u{202f}' | '\u{2011}') || font.has(letter);
+            if !drawn && !missing.contains(&letter) {
                 missing.push(letter);
             }
         }
@@ -202,7 +203,7 @@ impl Font {
     /// Whether it has a letter.
     #[must_use]
     pub fn has(&self, letter: char) -> bool {
-        self.glyph(letter).is_some_and(|glyph| glyph.letter != 0)
+        self.glyphs.binary_search_by_key(&u32::from(letter), |glyph| glyph.letter).is_ok()
     }
 
     /// Its name among those of the table.
