@@ -184,6 +184,9 @@ impl Writer {
             let mut outline = Outline { scale: *scale as f32, lean: *lean as f32, ..Outline::default() };
             // A glyph without an outline is a space.
             let _ = face.outline_glyph(glyph, &mut outline);
+            if source > 0 {
+                outline.turn_clockwise();
+            }
             self.outline(outline);
         }
         let plain: Vec<_> = glyphs.iter().filter(|(letter, _)| !compositions.contains_key(letter)).collect();
@@ -257,6 +260,29 @@ struct Contour {
     segments: Vec<(Option<Place>, Place)>,
 }
 
+impl Contour {
+    /// Twice its area, about: positive where it runs counterclockwise, as y goes up.
+    fn area(&self) -> f64 {
+        let ends = self.segments.iter().map(|(_, end)| *end);
+        let points: Vec<Place> = [self.start].into_iter().chain(ends).collect();
+        let next = points.iter().cycle().skip(1);
+        points
+            .iter()
+            .zip(next)
+            .map(|(a, b)| f64::from(a.0) * f64::from(b.1) - f64::from(b.0) * f64::from(a.1))
+            .sum()
+    }
+
+    fn reverse(&mut self) {
+        let mut end = self.start;
+        for (_, point) in &mut self.segments {
+            std::mem::swap(point, &mut end);
+        }
+        self.start = end;
+        self.segments.reverse();
+    }
+}
+
 struct Outline {
     contours: Vec<Contour>,
     scale: f32,
@@ -270,6 +296,15 @@ impl Default for Outline {
 }
 
 impl Outline {
+    /// Some fonts draw their outer lines the other way round, where what is inside would be a hole.
+    fn turn_clockwise(&mut self) {
+        let areas = self.contours.iter().map(Contour::area);
+        let largest = areas.max_by(|a, b| a.abs().total_cmp(&b.abs()));
+        if largest.is_some_and(|area| area > 0.0) {
+            self.contours.iter_mut().for_each(Contour::reverse);
+        }
+    }
+
     fn add(&mut self, control: Option<Place>, end: Place) {
         if let Some(contour) = self.contours.last_mut() {
             contour.segments.push((control, end));

@@ -152,15 +152,16 @@ function EffectTools({ word, set }: { word: Word; set: (news: Partial<Word>) => 
   );
 }
 
-/** Puts the bar above the word, else below it, in the middle over it as far as the window lets it. */
+/** Puts the bar above the word and its tail, else below them, in the middle over it as far as the window lets it. */
 function place(bar: HTMLElement, box: WordBox, height: number) {
   const page = bar.closest('.page') as HTMLElement;
   const [width, tall] = [page.clientWidth, page.clientHeight];
   const room = (bar.closest('.stage-area') ?? page).getBoundingClientRect();
   const { left, top } = page.getBoundingClientRect();
   bar.style.maxWidth = `${Math.max(160, room.width - 8)}px`;
-  const above = (box.y / height) * tall - AIR - bar.offsetHeight;
-  const below = ((box.y + box.height) / height) * tall + AIR;
+  const tip = box.tip?.[1] ?? box.y;
+  const above = (Math.min(box.y, tip) / height) * tall - AIR - bar.offsetHeight;
+  const below = (Math.max(box.y + box.height, tip) / height) * tall + AIR;
   const ceiling = room.top - top + 4;
   const floor = room.bottom - top - bar.offsetHeight - 4;
   // A word as high as the page leaves the side on which more is free.

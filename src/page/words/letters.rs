@@ -395,6 +395,19 @@ mod tests {
                 let points = font.outline(letter, 0.01).into_iter().flatten();
                 points.map(|point| point.y).fold(f64::MIN, f64::max)
             };
+            // They are drawn the same way round: what is inside is no hole.
+            let area = |letter| {
+                let lines = font.outline(letter, 0.01).into_iter();
+                let around = |line: Vec<Point>| {
+                    let next = line.iter().cycle().skip(1);
+                    line.iter().zip(next).map(|(a, b)| a.x * b.y - b.x * a.y).sum::<f64>()
+                };
+                lines.map(around).sum::<f64>()
+            };
+            for letter in "ACoСъешьещётихмягкбулоЖΞεσκπάζωψΠłńợổ".chars()
+            {
+                assert!(area(letter) < -0.05, "{id}: {letter} {}", area(letter));
+            }
             for letter in ['Н', 'Π'] {
                 assert!((height(letter) - font.capitals).abs() < 0.03, "{id}: {letter} {}", height(letter));
             }
