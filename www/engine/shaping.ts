@@ -23,6 +23,8 @@ const JOINED =
   /[\p{Script=Arabic}\p{Script=Hebrew}\p{Script=Syriac}\p{Script=Thaana}\p{Script=Nko}\p{Script=Devanagari}\p{Script=Bengali}\p{Script=Gurmukhi}\p{Script=Gujarati}\p{Script=Oriya}\p{Script=Tamil}\p{Script=Telugu}\p{Script=Kannada}\p{Script=Malayalam}\p{Script=Sinhala}\p{Script=Thai}\p{Script=Lao}\p{Script=Tibetan}\p{Script=Myanmar}\p{Script=Khmer}\p{Script=Mongolian}]/u;
 const LEFTWARD = /[\p{Script=Arabic}\p{Script=Hebrew}\p{Script=Syriac}\p{Script=Thaana}\p{Script=Nko}]/u;
 const EMOJI = /\p{Extended_Pictographic}/u;
+/** What has a shape of its own, other than marks and joiners. */
+const SEEN = /[\p{L}\p{N}\p{Extended_Pictographic}]/u;
 /** No font has a letter for it: what is drawn for it is drawn for all that are missing. */
 const NOBODY = '\u{10fffd}';
 /** The font of which all that is missing is missing in the others. */
@@ -87,10 +89,17 @@ function createPen(): ((run: string) => Drawn | null) | null {
 
   return (run) => {
     const emoji = EMOJI.test(run);
+    if ([...run].some((letter) => isUnknown(letter))) return null;
     const picture = drawn(context, emoji && !run.includes('\ufe0f') ? `${run}\ufe0e` : run);
-    if (!picture || (nothing && isSame(picture, nothing))) return null;
     return picture;
   };
+
+  /** Whether the system has a sign for what it has no letter for, and draws that. */
+  function isUnknown(letter: string) {
+    if (!nothing || !SEEN.test(letter)) return false;
+    const picture = drawn(context as OffscreenCanvasRenderingContext2D, letter);
+    return picture !== null && isSame(picture, nothing);
+  }
 }
 
 /** Browsers that protect from fingerprinting hand out other pixels than were drawn. */
