@@ -77,7 +77,10 @@ function pagesIn(change: Change): readonly PageDocument[] {
 function laidOver(was: History, told: Difference, given: readonly PageDocument[]): History {
   const before = [...was.past, was.present, ...was.future];
   const { state, withPage } = joinedWith(withGiven(told.parts, given), knownParts(was));
-  const states: Project[] = [...before, ...told.states.map(([of, fields]) => ({ ...before[of], ...state(fields) }))];
+  const states: Project[] = [
+    ...before,
+    ...told.states.map(([of, fields]) => bare({ ...before[of], ...state(fields) })),
+  ];
   const entries: Shown[] = [...was.shown, ...told.entries.map(withPage)];
   const now = {
     past: listed(told.past, states, was.past),
@@ -86,6 +89,13 @@ function laidOver(was: History, told: Difference, given: readonly PageDocument[]
     shown: listed(told.shown, entries, was.shown),
   };
   return Object.entries(now).every(([part, value]) => was[part as keyof History] === value) ? was : now;
+}
+
+/** Where no word waits nothing is told of them. */
+function bare(project: Project): Project {
+  if (project.waiting?.length !== 0) return project;
+  const { waiting: _, ...rest } = project;
+  return rest;
 }
 
 function withGiven(parts: Difference['parts'], given: readonly PageDocument[]): Difference['parts'] {
