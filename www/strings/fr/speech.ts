@@ -6,7 +6,7 @@ export const speechStrings = {
   wordTurn: 'Tourner le texte',
   turnKeys: 'Les flèches le tournent d’un degré, avec Maj de 15',
   wordMissing: (letters: string) =>
-    `Aucune police du programme ni de cet appareil n’a ces caractères, ils sont dessinés comme des cases : ${letters}`,
+    `Aucune police du programme ni de cet appareil n’a ces caractères, ils sont dessinés comme des cases : ${letters}`,
   wordForeign: 'Certains de ces caractères sont dessinés avec une police de cet appareil.',
   wordSlant: 'Inclinaison',
   wordOutline: 'Contour',
@@ -29,14 +29,14 @@ export const speechStrings = {
   barDelete: 'Supprimer',
   script: 'Script et sous-titres',
   scriptText: 'Script ou dialogue',
-  scriptSample: 'ANNA: Où sommes-nous ?\nBEN: On y est presque.\n\nSFX: Plouf',
+  scriptSample: 'ANNA: Où sommes-nous ?\nBEN: On y est presque.\n\nSFX: Plouf',
   scriptHelp: 'Une ligne par bulle, précédée de NOM:. Une ligne vide passe à la case suivante.',
   putScript: 'Mettre en bulles',
   soundsAsEffects: 'Sons en effets',
   scriptLaid: (n: number) => (n < 2 ? `${n} texte a été mis sur les pages.` : `${n} textes ont été mis sur les pages.`),
   scriptNoPage: 'il n’y a pas encore de page. Ajoutez d’abord des photos.',
   scriptEmpty: 'rien n’y est dit.',
-  scriptFailed: (why: string) => `Le script n’a pas été mis sur la page : ${why}`,
+  scriptFailed: (why: string) => `Le script n’a pas été mis sur la page : ${why}`,
   subtitlesLaid: (shown: number, waiting: number, homeless: number) =>
     [
       shown < 2 ? `${shown} texte a été mis sur les pages.` : `${shown} textes ont été mis sur les pages.`,
@@ -49,11 +49,11 @@ export const speechStrings = {
     ].join(' '),
   subtitlesThere: 'tous ses sous-titres sont déjà là.',
   subtitlesSkipped: (n: number, why: readonly string[]) =>
-    `${n < 2 ? 'un sous-titre a été ignoré' : `${n} sous-titres ont été ignorés`} : ${why.join(' ')}`,
+    `${n < 2 ? 'un sous-titre a été ignoré' : `${n} sous-titres ont été ignorés`} : ${why.join(' ')}`,
   subtitlesGuessed: 'il n’est pas en UTF-8, il a donc été lu comme texte d’Europe occidentale (Windows-1252).',
   wordsWaiting: (n: number) => (n < 2 ? `${n} texte attend sa photo` : `${n} textes attendent leurs photos`),
   wordsWaitingWhy: 'Ils reviennent quand une page montre de nouveau leurs photos.',
-  putWaiting: (text: string) => `Mettre sur cette page : ${text}`,
-  dropWaiting: (text: string) => `Écarter : ${text}`,
+  putWaiting: (text: string) => `Mettre sur cette page : ${text}`,
+  dropWaiting: (text: string) => `Écarter : ${text}`,
   dropAllWaiting: 'Tout écarter',
 };
