@@ -14,8 +14,8 @@ use std::sync::Arc;
 pub(super) fn follow(before: &Project, next: &mut Project) {
     let sheets = before.sheets();
     let has_words = |project: &Project| {
-        let own = project.page.iter().chain(project.others.iter().map(|sheet| &sheet.page));
-        own.into_iter().any(|page| !page.words.is_empty())
+        let mut own = project.page.iter().chain(project.others.iter().map(|sheet| &sheet.page));
+        own.any(|page| !page.words.is_empty())
     };
     if next.waiting.is_empty() && !has_words(next) && !has_words(before) {
         return;
