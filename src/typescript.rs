@@ -81,6 +81,12 @@ pub(crate) struct Word {
     arc: Option<f64>,
     /// Nobody has moved it: it goes where it hides no face.
     auto: Option<bool>,
+    /// The photo that it belongs to: it goes wherever that is. Null names the one on its panel.
+    #[ts(optional = nullable)]
+    photo: Option<String>,
+    /// The subtitle that it was made of: none is added twice.
+    #[ts(optional = nullable)]
+    cue: Option<String>,
     /// The conventions that it follows: 2 are those of letterers, which new words get; words without are those of
     /// earlier pages, and look as they did.
     #[ts(type = "1 | 2", optional)]
@@ -136,6 +142,9 @@ struct Tables {
     settings: Vec<Value>,
     #[ts(as = "Vec<Draft>")]
     drafts: Vec<Value>,
+    #[ts(as = "Vec<Word>")]
+    words: Vec<Value>,
+    waits: Vec<Vec<Number>>,
 }
 
 /// What an edit changed: `difference` in `src/document/kept.rs` says how it is read.
@@ -284,10 +293,12 @@ export type SharedLists = Pick<Project, 'mine' | 'favourites' | 'ownLayouts'>;
 export type Runs = ReadonlyArray<readonly [first: number, count: number]>;
 
 /** What of a state stands in tables, which it names by numbers. */
-export type Tabled = 'tray' | 'settings' | 'page' | 'others' | 'draft' | 'mine' | 'favourites' | 'ownLayouts';
+export type Tabled = 'tray' | 'settings' | 'page' | 'others' | 'draft' | 'waiting' | 'mine' | 'favourites' | 'ownLayouts';
 
 /** A state whose parts stand in tables. */
-export type KeptState = Omit<Project, Tabled> & { [Field in Tabled]: number | Extract<Project[Field], null> };
+export type KeptState = Omit<Project, Tabled> & {
+  [Field in Exclude<Tabled, 'waiting'>]: number | Extract<Project[Field], null>;
+} & { waiting?: number };
 
 /** A page of a storyboard, and one that was shown, whose page stands in a table. */
 export type KeptSheet = Omit<Sheet, 'page'> & { page: number };
@@ -476,6 +487,8 @@ fn edits(page: &Value) -> Vec<Value> {
         { "type": "change-page", "page": page },
         { "type": "change-settings", "settings": page["page"], "page": page },
         { "type": "set-sheets", "sheets": [sheet(1), sheet(2)], "at": 1 },
+        { "type": "add-words", "words": [{ "kind": "balloon", "text": "Hi", "photo": "p", "panel": 0, "auto": true }, { "kind": "balloon", "text": "Ho", "sheet": 2, "panel": 1, "joins": true }] },
+        { "type": "drop-waiting", "words": [0] },
         { "type": "design", "draft": draft },
         { "type": "own-styles", "mine": [style] },
         { "type": "favourites", "favourites": [style] },
@@ -516,7 +529,7 @@ fn written() -> String {
     let wanted = json!({ "seed": 7, "photos": [photo], "page": settings, "current": null, "keep": { "layout": false }, "panels": 4, "mode": "photos", "merge": false, "taste": { "families": { "grid": 0.5 } }, "avoid": { "layouts": ["grid-4"] }, "styling": { "extra": [], "invented": 0.5 }, "surprise": 1 });
     let planned = shuffle::plan(&serde_json::from_value(wanted.clone()).unwrap()).unwrap();
     let mut page: Value = serde_json::from_str(&planned.to_json()).unwrap();
-    page["words"] = json!([{ "kind": "balloon", "text": "Hi", "shape": "shout", "panel": 0, "x": 0.5, "y": 0.25, "width": 0.25, "size": "auto", "tail": { "x": 0.5, "y": 0.5 }, "font": "bangers", "color": "#111111", "fill": "#ffffff", "angle": 5, "arc": 0.5, "auto": true, "craft": 2, "boxless": false, "capitals": true, "slant": 5, "outline": 0.1, "behind": false, "id": "b", "joined": "a", "language": "en", "room": [0.5, 0.25] }]);
+    page["words"] = json!([{ "kind": "balloon", "text": "Hi", "shape": "shout", "panel": 0, "x": 0.5, "y": 0.25, "width": 0.25, "size": "auto", "tail": { "x": 0.5, "y": 0.5 }, "font": "bangers", "color": "#111111", "fill": "#ffffff", "angle": 5, "arc": 0.5, "auto": true, "craft": 2, "boxless": false, "capitals": true, "slant": 5, "outline": 0.1, "behind": false, "id": "b", "joined": "a", "language": "en", "room": [0.5, 0.25], "photo": "a", "cue": "1.000/0" }]);
     let mut editor = Editor::default();
     let differences: Vec<_> =
         edits(&page).iter().map(|edit| editor.apply_json(&edit.to_string()).unwrap()).collect();

@@ -3,7 +3,7 @@
 #![allow(clippy::unwrap_used, reason = "a test may stop at the first thing that is not as expected")]
 
 use inkpanel::document::history::History;
-use inkpanel::document::{kept, limits, spreading, subtitles};
+use inkpanel::document::{kept, limits, script, spreading, subtitles};
 use inkpanel::layout::{DPI, MOST_PIXELS, PRESETS, PagePreset, SIDES};
 use inkpanel::page::words::model::FARTHEST;
 use inkpanel::select;
@@ -22,6 +22,7 @@ fn bounds() -> String {
         ("A place of a word, in widths and heights of its panel to either side.", "away", FARTHEST as usize),
         ("Bytes of the text of a project.", "text", limits::PROJECT.bytes),
         ("Bytes of a file of subtitles.", "subtitles", subtitles::MOST_BYTES),
+        ("Characters of a script.", "script", script::MOST_SCRIPT),
     ];
     let head = "/**\n * What a project holds at most. Written out of `src/document/limits.rs` by `cargo xtask bless`, not by hand: the core reads\n * no project beyond it, so none is made here.\n */\n\nexport const MOST = Object.freeze({\n";
     let lines = most.map(|(what, name, value)| format!("  /** {what} */\n  {name}: {},\n", grouped(value)));

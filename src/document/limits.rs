@@ -38,6 +38,8 @@ pub const MOST_LAYOUTS: usize = 1_000;
 pub const MOST_LOVED: usize = 10_000;
 /// Panels that a person may want.
 pub const MOST_WANTED: u64 = 100;
+/// Words that wait for photos that no page shows: those of a film.
+pub const MOST_WAITING: usize = 2_000;
 /// Videos of a project.
 pub const MOST_VIDEOS: usize = 1_000;
 /// What is found in one photo.

@@ -1,6 +1,7 @@
 //! Pages of a project planned from its photos. A photo is on one page of a storyboard only: a page is planned from its own
 //! photos and from those that no other page shows; where these are too few to fill it, from all.
 
+use super::following;
 use super::project::Project;
 use super::sheets::photos_on;
 use crate::error::Result;
@@ -113,7 +114,7 @@ impl<'p> Planning<'p> {
             Some(photos) => photos,
             None => self.cast(&mut request)?,
         };
-        planned_of(request, &photos).map(Some)
+        planned_of(request, &photos).map(|page| Some(following::gathered(project, page)))
     }
 
     /// The page after the photos in use changed: as it was where it can be. `grow`: there are more photos than before.

@@ -46,6 +46,9 @@ pub struct Project {
     pub at: usize,
     /// The style in the designer.
     pub draft: Option<Arc<Draft>>,
+    /// Words of photos that no page shows: they come back with these.
+    #[cfg_attr(all(test, feature = "cli"), ts(type = "ReadonlyArray<Word>", optional))]
+    pub waiting: List<Value>,
     /// A person's own styles, which all projects share.
     #[cfg_attr(all(test, feature = "cli"), ts(as = "Vec<crate::style::Style>"))]
     pub mine: List<Value>,
@@ -206,6 +209,7 @@ impl Default for Project {
             others: Arc::new([]),
             at: 0,
             draft: None,
+            waiting: Arc::new([]),
             mine: Arc::new([]),
             favourites: Arc::new([]),
             own_layouts: Arc::new([]),
@@ -224,6 +228,7 @@ pub(super) trait Parts {
     fn page(&mut self, value: Value) -> Read<Arc<Document>>;
     fn sheets(&mut self, value: Value) -> Read<List<Sheet>>;
     fn draft(&mut self, value: Value) -> Read<Arc<Draft>>;
+    fn waiting(&mut self, value: Value) -> Read<List<Value>>;
     fn styles(&mut self, value: Value, field: &str) -> Read<List<Value>>;
     fn layouts(&mut self, value: Value, field: &str) -> Read<List<Value>>;
 }
@@ -259,6 +264,9 @@ impl Project {
         if let Some(others) = fields.part("others", &mut |value| parts.sheets(value))? {
             state.others = others;
         }
+        // A program that did not know of them may have lost the table that they stood in.
+        let waiting = fields.take("waiting").and_then(|value| parts.waiting(value).ok());
+        state.waiting = waiting.unwrap_or_else(|| Arc::new([]));
         if let Some(mine) = fields.part("mine", &mut |value| parts.styles(value, "mine"))? {
             state.mine = mine;
         }

@@ -51,6 +51,27 @@ impl Project {
     }
 }
 
+impl Project {
+    /// [`Project::each_page`] with the number of each page in the storyboard.
+    pub(super) fn each_numbered_page(
+        &mut self,
+        change: &mut dyn FnMut(usize, &Arc<Document>) -> Option<Arc<Document>>,
+    ) {
+        let edited = self.at;
+        // The page that is edited comes first.
+        let mut told = 0;
+        self.each_page(&mut |page| {
+            let number = match told {
+                0 => edited,
+                other if other <= edited => other - 1,
+                other => other,
+            };
+            told += 1;
+            change(number, page)
+        });
+    }
+}
+
 /// Writes sheets, the pages of those that were there left out.
 pub(super) fn write(out: &mut Writer, sheets: &[Arc<Sheet>], before: &[Arc<Sheet>]) {
     out.list(sheets, &|out, sheet| {

@@ -103,6 +103,12 @@ impl Planning<'_> {
                 (panel.crop, panel.edited, panel.locked) = (None, false, false);
             }
         }
+        // What is said of a photo is said of the one that looks like it, too.
+        for word in &mut current.words {
+            if let Some(other) = word["photo"].as_str().map(|photo| swap(photo)) {
+                word["photo"] = other.into();
+            }
+        }
         let layout = free.len() >= places_of(page);
         let mut request = self.request_for(Some(current), Keep { layout, ..KEEP_ALL }, page.seed);
         request.panels = (!layout).then_some(free.len());

@@ -6,6 +6,7 @@
 //! | [`import`] | a file turned into what the page needs of a photo |
 //! | [`catalogue`] | blocks, layouts and styles as JSON |
 //! | [`layouts`] | layouts listed, made and changed, as JSON |
+//! | [`carrying`] | words and the photos that they belong to |
 //! | [`request`] | what is asked of a new document |
 //! | [`shuffle`] | a new document from photos, locks and a seed |
 //! | [`styling`] | the style of a page that leaves it to chance |
@@ -24,6 +25,7 @@
 //! | [`pdf`] | pages as lines, text and pictures |
 
 mod bleed;
+pub mod carrying;
 pub mod catalogue;
 pub mod compose;
 pub mod coverage;

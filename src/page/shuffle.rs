@@ -1,5 +1,6 @@
 //! A new document from photos, locks and a seed: the pure function behind every shuffle, choice and refinement.
 
+use super::carrying::{carried, tied};
 use super::document::{Document, VERSION, style_of, template_of};
 use super::fill::{Stage, contents};
 use super::request::{Mode, Request};
@@ -62,6 +63,10 @@ pub fn planned(request: &Request, shelf: &Shelf) -> Result<Planned> {
     let (order, panels) = contents(request, stage, &plan.panels);
     let style = choose_style(request, stage, &plan, &mut random)?;
     style_of(&style)?;
+    // Words follow their photos; those of photos that are not here are left out, and wait in the project.
+    let known =
+        |current: &Document| current.words.iter().map(|word| tied(word, &current.panels)).collect::<Vec<_>>();
+    let (words, _) = carried(&current.map(known).unwrap_or_default(), &panels);
     let document = Document {
         version: VERSION,
         seed: request.seed,
@@ -71,8 +76,7 @@ pub fn planned(request: &Request, shelf: &Shelf) -> Result<Planned> {
         panels,
         merges: stage.merges.clone(),
         page: request.page.clone(),
-        // Words follow their panels into another layout.
-        words: current.map(|current| current.words.clone()).unwrap_or_default(),
+        words,
         rest: current.map(|current| current.rest.clone()).unwrap_or_default(),
     };
     Ok(Planned { document, score: plan.score })

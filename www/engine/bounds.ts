@@ -24,6 +24,8 @@ export const MOST = Object.freeze({
   text: 33_554_432,
   /** Bytes of a file of subtitles. */
   subtitles: 5_000_000,
+  /** Characters of a script. */
+  script: 200_000,
 });
 
 /** What a page may be: pixels of a side, pixels in all, dots an inch. */

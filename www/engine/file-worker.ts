@@ -8,6 +8,7 @@ import { fileMs } from './measured.ts';
 import { moduleBytes } from './module-bytes.ts';
 import { failure } from './protocol.ts';
 import { LOADING, STORING, serveJobs } from './serving.ts';
+import { createShaping } from './shaping.ts';
 import { withDpi } from './webp.ts';
 import type { Making, Picture, PixelPatch } from './protocol.ts';
 import type { Tell, Work } from './serving.ts';
@@ -114,8 +115,10 @@ async function plates({ document }: Args<'plates'>) {
 async function pdf({ pages, options }: Args<'pdf'>, tell: Tell) {
   const book = new Book();
   const letters = new Lettering();
+  const shape = createShaping(letters);
   try {
     for (const page of pages) {
+      shape(JSON.parse(page.document));
       tell.expects(PAGE);
       book.add_page(page.document, JSON.stringify(page.alts));
       for (const { index, x, y, width, height, jpeg: bytes } of page.pictures)

@@ -28,6 +28,8 @@ export type Project = {
   at: number,
   /** The style in the designer. */
   draft: Draft | null,
+  /** Words of photos that no page shows: they come back with these. */
+  waiting?: ReadonlyArray<Word>,
   /** A person's own styles, which all projects share. */
   mine: ReadonlyArray<Style>,
   /** Styles that are favourites, which all projects share. */
@@ -323,6 +325,17 @@ export type Edit = { "type": "add-photos",
   /** Which is edited from now on. */
   at: number,
 }
+| { "type": "add-words",
+  /**
+   * Each with the place of its page as `sheet` and its `panel`, or with its `photo`; `joins` those that go on with what the
+   * one before says.
+   */
+  words: ReadonlyArray<Word & { sheet?: number; joins?: boolean }>,
+}
+| { "type": "drop-waiting",
+  /** Their numbers. */
+  words: ReadonlyArray<number>,
+}
 | { "type": "no-page" }
 | { "type": "design",
   /** None where nothing is. */
@@ -484,6 +497,10 @@ export type Word = { kind: 'caption' | 'balloon' | 'effect',
   arc?: number,
   /** Nobody has moved it: it goes where it hides no face. */
   auto?: boolean,
+  /** The photo that it belongs to: it goes wherever that is. Null names the one on its panel. */
+  photo?: string | null,
+  /** The subtitle that it was made of: none is added twice. */
+  cue?: string | null,
   /**
    * The conventions that it follows: 2 are those of letterers, which new words get; words without are those of
    * earlier pages, and look as they did.
@@ -1022,7 +1039,7 @@ export type BreedRequest = { a: StyleChoice, b: StyleChoice, seed: number,
 };
 
 /** The tables that states name their parts of. */
-export type Tables = { items: ReadonlyArray<TrayItem>, trays: ReadonlyArray<ReadonlyArray<number>>, pages: ReadonlyArray<PageDocument>, sheets: ReadonlyArray<KeptSheet>, books: ReadonlyArray<ReadonlyArray<number>>, styles: ReadonlyArray<Style>, shelves: ReadonlyArray<ReadonlyArray<number>>, layouts: ReadonlyArray<Template>, layoutShelves: ReadonlyArray<ReadonlyArray<number>>, settings: ReadonlyArray<PageSettings>, drafts: ReadonlyArray<Draft>,
+export type Tables = { items: ReadonlyArray<TrayItem>, trays: ReadonlyArray<ReadonlyArray<number>>, pages: ReadonlyArray<PageDocument>, sheets: ReadonlyArray<KeptSheet>, books: ReadonlyArray<ReadonlyArray<number>>, styles: ReadonlyArray<Style>, shelves: ReadonlyArray<ReadonlyArray<number>>, layouts: ReadonlyArray<Template>, layoutShelves: ReadonlyArray<ReadonlyArray<number>>, settings: ReadonlyArray<PageSettings>, drafts: ReadonlyArray<Draft>, words: ReadonlyArray<Word>, waits: ReadonlyArray<ReadonlyArray<number>>,
 };
 
 /** What an edit changed: `difference` in `src/document/kept.rs` says how it is read. */
@@ -1186,10 +1203,12 @@ export type SharedLists = Pick<Project, 'mine' | 'favourites' | 'ownLayouts'>;
 export type Runs = ReadonlyArray<readonly [first: number, count: number]>;
 
 /** What of a state stands in tables, which it names by numbers. */
-export type Tabled = 'tray' | 'settings' | 'page' | 'others' | 'draft' | 'mine' | 'favourites' | 'ownLayouts';
+export type Tabled = 'tray' | 'settings' | 'page' | 'others' | 'draft' | 'waiting' | 'mine' | 'favourites' | 'ownLayouts';
 
 /** A state whose parts stand in tables. */
-export type KeptState = Omit<Project, Tabled> & { [Field in Tabled]: number | Extract<Project[Field], null> };
+export type KeptState = Omit<Project, Tabled> & {
+  [Field in Exclude<Tabled, 'waiting'>]: number | Extract<Project[Field], null>;
+} & { waiting?: number };
 
 /** A page of a storyboard, and one that was shown, whose page stands in a table. */
 export type KeptSheet = Omit<Sheet, 'page'> & { page: number };

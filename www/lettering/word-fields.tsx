@@ -16,6 +16,14 @@ type AmountProps = {
   onValue: (value: number) => void;
 };
 
+/** Half the line around the letters of an effect that has none told, in ems. */
+export const USUAL_OUTLINE = 0.06;
+
+/** Whether a word is set in capitals: letterers do so but for sounds. */
+export function capitals({ capitals, craft, kind }: Word): boolean {
+  return capitals ?? (craft === 2 && kind !== 'effect');
+}
+
 export function WordFields({ index }: { index: number }) {
   const { store, ui, lettering } = useApp();
   const word = lettering.words.value[index];
@@ -28,6 +36,8 @@ export function WordFields({ index }: { index: number }) {
   };
   const set = (news: Partial<Word>) => lettering.edit(index, news, gesture.current);
   const [x, y] = [box.x + box.width / 2, box.y + box.height / 2];
+
+  const missing = lettering.missing(word.text, box.font);
 
   function aim(mode: Mode) {
     lettering.mode.value = lettering.mode.peek() === mode ? null : mode;
@@ -74,6 +84,16 @@ export function WordFields({ index }: { index: number }) {
       {box.cut && (
         <p class="quiet" role="note">
           {strings.wordCut}
+        </p>
+      )}
+      {missing && (
+        <p class="quiet" role="note">
+          {strings.wordMissing(missing)}
+        </p>
+      )}
+      {!missing && lettering.foreign(word.text) && (
+        <p class="quiet" role="note">
+          {strings.wordForeign}
         </p>
       )}
       {word.kind === 'balloon' && (
@@ -139,6 +159,33 @@ export function WordFields({ index }: { index: number }) {
             onValue={(value) => set({ arc: value / 100 })}
           />
         )}
+        {word.kind === 'effect' && (
+          <Amount
+            label={strings.wordSlant}
+            value={word.slant ?? 0}
+            least={-45}
+            most={45}
+            onValue={(slant) => set({ slant })}
+          />
+        )}
+        {word.kind === 'effect' && (
+          <Amount
+            label={strings.wordOutline}
+            value={(word.outline ?? USUAL_OUTLINE) * 100}
+            least={0}
+            most={40}
+            onValue={(value) => set({ outline: value / 100 })}
+          />
+        )}
+      </div>
+      <div class="word-switches">
+        <Switch label={strings.wordCapitals} on={capitals(word)} onChange={(on) => set({ capitals: on })} />
+        {word.kind === 'caption' && (
+          <Switch label={strings.wordBoxless} on={word.boxless ?? false} onChange={(boxless) => set({ boxless })} />
+        )}
+        {word.kind === 'effect' && (
+          <Switch label={strings.wordBehind} on={word.behind ?? false} onChange={(behind) => set({ behind })} />
+        )}
       </div>
       <div class="word-colours">
         {(['color', 'fill'] as const).map((name) => (
@@ -154,6 +201,15 @@ export function WordFields({ index }: { index: number }) {
         ))}
       </div>
     </div>
+  );
+}
+
+function Switch({ label, on, onChange }: { label: string; on: boolean; onChange: (on: boolean) => void }) {
+  return (
+    <label class="check">
+      <input type="checkbox" checked={on} onChange={({ currentTarget }) => onChange(currentTarget.checked)} />
+      <span>{label}</span>
+    </label>
   );
 }
 

@@ -173,6 +173,7 @@ pub(in crate::page) fn rows<'a>(laid: &Laid, width: f64, letters: &'a Letters) -
     let bold = letters.strong(font);
     let mut rows = Vec::with_capacity(setting.lines.len());
     for (i, (run, length)) in setting.lines.iter().enumerate() {
+        let run = &letters.ordered(run);
         let marks = setting.strong.get(i).map_or(&[][..], Vec::as_slice);
         let mut pen = -length * width / 2.0;
         let baseline = (i as f64 - last / 2.0) * setting.pitch * width + font.capitals * size / 2.0;

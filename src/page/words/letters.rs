@@ -1,5 +1,6 @@
 //! The table of letters: outlines, advances and kerning of the fonts, as `fonts/pack.rs` writes them.
 
+use super::learning::{self, Drawing, Learnt};
 use crate::error::{Error, Result};
 use crate::layout::Point;
 
@@ -18,6 +19,8 @@ pub struct Letters {
     /// The composed character, its base and its mark, in ascending order of the first.
     compositions: Vec<[u32; 3]>,
     fonts: Vec<Font>,
+    /// What the fonts did not have.
+    learnt: Vec<Learnt>,
 }
 
 /// One font. Lengths are in ems, y up.
@@ -83,7 +86,14 @@ impl Letters {
     #[must_use]
     pub fn cleaned(&self, text: &str) -> Vec<char> {
         let mut out: Vec<char> = Vec::new();
-        for letter in text.chars() {
+        let mut rest = text;
+        while let Some(letter) = rest.chars().next() {
+            if let Some((number, run)) = self.begun(rest) {
+                out.extend(learning::letter(number));
+                rest = &rest[run.len()..];
+                continue;
+            }
+            rest = &rest[letter.len_utf8()..];
             match letter {
                 '\n' | '\u{2028}' | '\u{2029}' => out.push('\n'),
                 '\t' | '\u{2000}'..='\u{200a}' => out.push(' '),
@@ -105,6 +115,63 @@ impl Letters {
             }
         }
         out
+    }
+
+    /// Makes a run of text a letter of all fonts, as a picture shows it; `leftward` where it is read from right to left.
+    ///
+    /// Returns whether it is one now.
+    pub fn learn(&mut self, run: &str, leftward: bool, drawing: Drawing) -> bool {
+        let Some(letter) = learning::letter(self.learnt.len()).filter(|_| !run.is_empty()) else {
+            return false;
+        };
+        if self.learnt.iter().any(|learnt| learnt.run == run) {
+            return true;
+        }
+        for font in &mut self.fonts {
+            let Some(contours) = drawing.contours() else { return false };
+            let glyph = Glyph { letter: u32::from(letter), advance: drawing.advance / drawing.em, contours };
+            let at = font.glyphs.partition_point(|other| other.letter < glyph.letter);
+            font.glyphs.insert(at, glyph);
+        }
+        self.learnt.push(Learnt { run: run.to_owned(), leftward });
+        true
+    }
+
+    /// Whether some letters of a text were learnt.
+    #[must_use]
+    pub fn foreign(&self, text: &str) -> bool {
+        self.cleaned(text)
+            .into_iter()
+            .any(|letter| learning::number(letter).is_some_and(|at| at < self.learnt.len()))
+    }
+
+    /// The longest run that was learnt and that a text begins with.
+    fn begun(&self, text: &str) -> Option<(usize, &str)> {
+        let runs = self.learnt.iter().map(|learnt| learnt.run.as_str()).enumerate();
+        runs.filter(|(_, run)| text.starts_with(run)).max_by_key(|(_, run)| run.len())
+    }
+
+    /// The letters of a line from left to right, where some of it is read the other way.
+    #[must_use]
+    pub fn ordered(&self, line: &[char]) -> Vec<char> {
+        learning::ordered(line, |letter| {
+            learning::number(letter)
+                .and_then(|number| self.learnt.get(number))
+                .is_some_and(|learnt| learnt.leftward)
+        })
+    }
+
+    /// The letters of a text that a font does not have, each once: they are drawn as boxes.
+    #[must_use]
+    pub fn missing(&self, text: &str, font: &Font) -> Vec<char> {
+        let mut missing: Vec<char> = Vec::new();
+        for letter in self.cleaned(text) {
+            let drawn = matches!(letter, '\n' | '\u{a0}' | '\u{202f}' | '\u{2011}') || font.has(letter);
+            if !drawn && !missing.contains(&letter) {
+                missing.push(letter);
+            }
+        }
+        missing
     }
 
     fn composed(&self, base: char, mark: char) -> Option<char> {
@@ -363,6 +430,39 @@ mod tests {
             // Accents do not change how close letters stand.
             let accented = letters.advance(font, 'Á', Some('V')) - letters.advance(font, 'Á', None);
             assert!((accented - (together - apart)).abs() < 1e-9);
+        }
+    }
+
+    #[test]
+    fn european_languages_have_all_their_letters() {
+        let letters = Letters::bundled().unwrap();
+        let said = "Zażółć gęślą jaźń. Příliš žluťoučký kůň. Ķĺģ Ăâîșț Ħġ. Þór ð. Tiếng Việt: Người đã ổn, ưỡn Ẵ. \
+            Ξεσκεπάζω την ψυχοφθόρα βδελυγμία; ΐΰ. Съешь ещё этих булок. Ґанок, її Єва, ўсё, Ђорђе, Љиљана, Ѓ Ќ.";
+        for id in ["comic-neue", "comic-neue-bold", "bangers"] {
+            let font = letters.font(id).unwrap();
+            assert_eq!(letters.missing(said, font), [], "{id}");
+            assert_eq!(letters.missing("a漢b漢😀", font), ['漢', '😀']);
+            // Letters that come from another font are as high as its own.
+            let height = |letter| {
+                let points = font.outline(letter, 0.01).into_iter().flatten();
+                points.map(|point| point.y).fold(f64::MIN, f64::max)
+            };
+            // They are drawn the same way round: what is inside is no hole.
+            let area = |letter| {
+                let lines = font.outline(letter, 0.01).into_iter();
+                let around = |line: Vec<Point>| {
+                    let next = line.iter().cycle().skip(1);
+                    line.iter().zip(next).map(|(a, b)| a.x * b.y - b.x * a.y).sum::<f64>()
+                };
+                lines.map(around).sum::<f64>()
+            };
+            for letter in "ACoСъешьещётихмягкбулоЖΞεσκπάζωψΠłńợổ".chars()
+            {
+                assert!(area(letter) < -0.05, "{id}: {letter} {}", area(letter));
+            }
+            for letter in ['Н', 'Π'] {
+                assert!((height(letter) - font.capitals).abs() < 0.03, "{id}: {letter} {}", height(letter));
+            }
         }
     }
 

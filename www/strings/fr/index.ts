@@ -15,6 +15,7 @@ import { panelStrings } from './panels.ts';
 import { photoStrings } from './photos.ts';
 import { pngStrings } from './png.ts';
 import { sideStrings } from './side.ts';
+import { speechStrings } from './speech.ts';
 import { startStrings } from './start.ts';
 import { storageStrings } from './storage.ts';
 import { wordStrings } from './words.ts';
@@ -32,6 +33,7 @@ export const words: Words = {
   ...designerStrings,
   ...storageStrings,
   ...offlineStrings,
+  ...speechStrings,
   ...wordStrings,
   ...photoStrings,
   ...pageStrings,
