@@ -134,8 +134,6 @@ impl Word {
             Some(_) => return Err(field.wrong("craft", "is neither 1 nor 2")),
         };
         let (font, color, fill) = match kind {
-            // The lighter one is faint at the sizes of letterers.
-            Kind::Caption if craft == Craft::Letterer => ("comic-neue-bold", "#111111", "#fff6d6"),
             Kind::Caption => ("comic-neue", "#111111", "#fff6d6"),
             Kind::Balloon(Shape::Whisper) => ("comic-neue", "#111111", "#ffffff"),
             Kind::Balloon(_) => ("comic-neue-bold", "#111111", "#ffffff"),

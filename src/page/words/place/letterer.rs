@@ -30,6 +30,8 @@ const REACH: f64 = 0.56;
 const TAIL: (f64, f64) = (0.014, 0.034);
 /// What breaks a rule of letterers.
 const FORBIDDEN: f64 = 400.0;
+/// What it costs to cover a body.
+const BODY: f64 = 30.0;
 /// Faces that speak, of those in a panel.
 const SPEAKERS: usize = 6;
 
@@ -85,7 +87,6 @@ pub(super) fn place(
         speakers: speakers(seen),
         taken,
         count: group.len(),
-        weight: std::env::var("LW").ok().and_then(|w| w.parse().ok()).unwrap_or(20.0),
     };
     let mut beam = vec![(0.0, Vec::<Place>::new())];
     for (rank, &index) in group.iter().enumerate() {
@@ -142,7 +143,6 @@ struct Room<'a> {
     taken: &'a [Bounds],
     /// How many words are placed.
     count: usize,
-    weight: f64,
 }
 
 impl Room<'_> {
@@ -236,7 +236,7 @@ impl Room<'_> {
                 }
                 nearest = nearest.min(gap(area, seen.bounds));
             } else {
-                let weight = if seen.person { self.weight } else { 3.0 };
+                let weight = if seen.person { BODY } else { 3.0 };
                 cost += weight * (part / own + 2.0 * part / body.max(1e-12));
             }
         }
