@@ -22,7 +22,6 @@ pub fn encode_rgb(width: usize, height: usize, rgb: &[u8], dpi: u32) -> Result<V
     let mut encoder = Encoder::new(&mut bytes, width as u32, height as u32);
     encoder.set_color(ColorType::Rgb);
     encoder.set_depth(BitDepth::Eight);
-    // Besides its own chunk those of gamma and primaries, for programs that know these alone.
     encoder.set_source_srgb(SrgbRenderingIntent::Perceptual);
     // A person waits for it: a few per cent of size are not worth ten times the time.
     encoder.set_compression(Compression::Fast);

@@ -1148,16 +1148,25 @@ export type Likeness = {
 
 /** How a file is made of pages; nothing told gives one sheet a page, in colour, without marks. */
 export type PdfOptions = {
+  /** What the file is called where it is shown. */
   title?: string,
+  /** Language of what stands in it, as a tag such as `pt-BR`; empty says nothing. */
   language?: string,
+  /** Lines beyond the corners that say where to cut and fold. */
   marks?: boolean,
+  /** How pages share sheets. */
   imposition?: Imposition | null,
+  /**
+   * Width and height in millimetres of the sheets that all is fitted to, upright or not; none makes sheets as large as
+   * what is on them.
+   */
   paper?: [number, number] | null,
+  /** The ink whose plate this is, by its place among those of the style; none is for all colours. */
   plate?: number | null,
 };
 
 /** How pages share sheets. */
-export type Imposition = 'booklet' | 'zine' | '2up' | 'spreads';
+export type Imposition = "booklet" | "zine" | "2up" | "spreads";
 
 /** Pages that become one file. */
 export type Comic = {

@@ -18,7 +18,7 @@ const STYLE = {
   foreground: [{ block: 'to_gray' }, { block: 'xdog' }],
   ink: '#203050',
 };
-const PLAIN = ['IHDR', 'pHYs', 'IDAT', 'IEND'];
+const PLAIN = ['IHDR', 'pHYs', 'sRGB', 'IDAT', 'IEND'];
 
 /** Photos as a telephone makes them, turned and told. @param {...string} names */
 async function told(...names) {
@@ -100,7 +100,7 @@ test('a page with photos opens on another device, and goes out again byte by byt
 }) => {
   await ownPage(page);
   const png = await exported(page, 'With photos');
-  expect(chunksOf(png)).toEqual(['IHDR', 'pHYs', 'iTXt', 'IDAT', 'ipPh', 'IEND']);
+  expect(chunksOf(png)).toEqual(['IHDR', 'pHYs', 'sRGB', 'iTXt', 'IDAT', 'ipPh', 'IEND']);
   expectNoSecrets(png);
   const other = await elsewhere(browser, baseURL);
   await drop(other, [file('page.png', png)]);
@@ -117,7 +117,7 @@ test('a page with photos opens on another device, and goes out again byte by byt
 test('a page without photos waits for them, and is then the same picture', async ({ page, browser, baseURL }) => {
   await ownPage(page);
   const png = await download(page);
-  expect(chunksOf(png)).toEqual(['IHDR', 'pHYs', 'iTXt', 'IDAT', 'IEND']);
+  expect(chunksOf(png)).toEqual(['IHDR', 'pHYs', 'sRGB', 'iTXt', 'IDAT', 'IEND']);
   expectNoSecrets(png);
   const other = await elsewhere(browser, baseURL);
   await add(other, [file('page.png', png)]);
