@@ -8,7 +8,7 @@ use crate::layout::{PageSettings, Template};
 use crate::page::Document;
 use crate::raster::color::parse_hex;
 use crate::select::THRESHOLD;
-use crate::style::{Style, blocks};
+use crate::style::{Style, blocks, earlier};
 use serde_json::{Map, Value};
 use std::collections::HashSet;
 use std::sync::Arc;
@@ -167,6 +167,9 @@ pub struct Draft {
     pub foreground: Vec<DraftStep>,
     /// Colour of the lines, `#rrggbb`.
     pub ink: String,
+    /// Whether it takes no care of faces.
+    #[cfg_attr(all(test, feature = "cli"), ts(as = "Option<_>", optional))]
+    pub careless: bool,
     /// Fields that this program does not know.
     #[cfg_attr(all(test, feature = "cli"), ts(skip))]
     pub rest: Map<String, Value>,
@@ -307,6 +310,7 @@ pub(super) fn tray(mut items: Vec<Arc<TrayItem>>) -> List<TrayItem> {
 /// A style of one's own: a style file with an id.
 pub(super) fn style(value: Value) -> Read<Arc<Value>> {
     identified(&value)?;
+    let value = earlier::told(value);
     Style::from_value("style", &value).map_err(Wrong::of)?;
     Ok(Arc::new(value))
 }
@@ -442,6 +446,7 @@ impl Draft {
             background: fields.each("background", MOST_BLOCKS, &DraftStep::read)?,
             foreground: fields.each("foreground", MOST_BLOCKS, &DraftStep::read)?,
             ink,
+            careless: fields.flag("careless")?,
             rest: fields.rest(),
         }))
     }
@@ -455,6 +460,9 @@ impl Draft {
             out.key(name).list(layer, &|out, step| step.write(out));
         }
         out.key("ink").text(&self.ink);
+        if self.careless {
+            out.key("careless").flag(true);
+        }
         out.rest(&self.rest);
         out.close(b'}');
     }
@@ -470,12 +478,13 @@ impl DraftStep {
             Some(Value::Object(values)) => values,
             Some(_) => return Err(Wrong::new("is no object").at("values")),
         };
+        earlier::complete(&id, &mut values);
         for (name, value) in &mut values {
             let wrong = |reason: &str| Wrong::new(reason).at(name).at("values");
             let param = block.params.iter().find(|param| param.id == name);
             let param = param.ok_or_else(|| wrong("is no parameter of this block"))?;
             // 2 and 2.0 are the same value.
-            *value = param.value_to_json(param.value_from_json(value).map_err(|reason| wrong(&reason))?);
+            *value = param.normalized(value).map_err(|reason| wrong(&reason))?;
         }
         let (key, bypass) = (fields.count("key", 0, GREATEST_ID)?, fields.flag("bypass")?);
         Ok(Self { key, block: id, values, bypass, rest: fields.rest() })

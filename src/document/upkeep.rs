@@ -101,6 +101,7 @@ impl Planning<'_> {
             if let Some(photo) = panel.photo.as_deref().filter(|photo| !used.contains(photo)) {
                 panel.photo = Some(swap(photo));
                 (panel.crop, panel.edited, panel.locked) = (None, false, false);
+                panel.faces.clear();
             }
         }
         let layout = free.len() >= places_of(page);

@@ -53,6 +53,8 @@ pub struct ScenePanel {
     pub photo: Option<String>,
     /// Part of the photo that fills `image_bounds`.
     pub crop: Crop,
+    /// Faces of the photo, in fractions of it.
+    pub faces: Vec<Crop>,
 }
 
 impl Scene {
@@ -122,6 +124,7 @@ pub(super) fn panels(
             area: PixelRect::around(bounds[i], halo.max(page.border * pixels / 2.0) + 1.0),
             photo: document.panels[leader].photo.clone(),
             crop: document.panels[leader].crop.or(content.crop).unwrap_or(WHOLE),
+            faces: document.panels[leader].faces.clone(),
         }
     };
     Ok(resolved.into_iter().enumerate().map(panel).collect())
