@@ -52,7 +52,10 @@ export const parameters: Record<string, [string, string]> = {
   'brightness.channels': ['Wirkt auf', 'Auf die Helligkeit allein, die Farben bleiben, oder auf Rot, Grün und Blau.'],
   'soft_threshold.phi': ['Weichheit', 'Wie steil Grau zu Schwarz wird; wenig ist weich.'],
   'soft_threshold.epsilon': ['Schwelle', 'Helligkeit, ab der alles weiß ist.'],
-  'soft_threshold.channels': ['Wirkt auf', 'Auf die Helligkeit allein, die Farben bleiben, oder auf Rot, Grün und Blau.'],
+  'soft_threshold.channels': [
+    'Wirkt auf',
+    'Auf die Helligkeit allein, die Farben bleiben, oder auf Rot, Grün und Blau.',
+  ],
   'saturation.amount': ['Stärke', '0 ist grau, 1 ändert nichts, 2 verdoppelt die Farbe.'],
   'hue.angle': ['Winkel', 'Drehung im Farbkreis.'],
   'hue.red': ['Rot', 'Rot, das zu jedem Bildpunkt kommt.'],
@@ -74,7 +77,10 @@ export const parameters: Record<string, [string, string]> = {
   'pattern.levels': ['Stufen', 'Wie viele Töne, Papierweiß und Schwarz mitgezählt.'],
   'pattern.pattern': ['Muster', 'Womit die Töne gezeichnet werden.'],
   'pattern.scale': ['Maßstab', 'Größe des Musters.'],
-  'pattern.texture': ['Eigene Textur', 'Ein eigenes Bild statt des Musters: Seine dunklen Teile bekommen zuerst Tinte.'],
+  'pattern.texture': [
+    'Eigene Textur',
+    'Ein eigenes Bild statt des Musters: Seine dunklen Teile bekommen zuerst Tinte.',
+  ],
   'halftone.pitch': ['Rasterweite', 'Abstand der Punkte.'],
   'halftone.mode': ['Farben', 'Cyan, Magenta, Gelb und Schwarz, oder nur Schwarz.'],
   'equalize.low': ['Schwarz ab', 'Anteil der Bildpunkte, der schwarz wird.'],

@@ -93,7 +93,8 @@ export const designerStrings = {
     'Der Speicher dieses Browsers ist voll oder gesperrt. Deine Stile und Layouts bleiben nur, solange diese Seite offen ist. Exportiere, was du behalten willst.',
   linkedStyle: 'Stil aus dem Link',
   linkCopied: 'Der Link ist in der Zwischenablage.',
-  linkTooLong: (name: string) => `${name} ist zu lang für einen Link, denn die Textur geht mit. Exportiere den Stil als Datei.`,
+  linkTooLong: (name: string) =>
+    `${name} ist zu lang für einen Link, denn die Textur geht mit. Exportiere den Stil als Datei.`,
   linkNotCopied: (link: string) => `Die Zwischenablage geht hier nicht. Der Link ist: ${link}`,
 
   // Explorer

@@ -95,7 +95,8 @@ export const designerStrings = {
     'The storage of this browser is full or refused, so your styles and layouts last as long as this page. Export what you want to keep.',
   linkedStyle: 'style of the link',
   linkCopied: 'The link is in the clipboard.',
-  linkTooLong: (name: string) => `${name} is too long for a link, as its texture goes with it. Export it as a file instead.`,
+  linkTooLong: (name: string) =>
+    `${name} is too long for a link, as its texture goes with it. Export it as a file instead.`,
   linkNotCopied: (link: string) => `The clipboard cannot be used here. The link is: ${link}`,
 
   // Explorer

@@ -64,7 +64,10 @@ export const parameters: Record<string, [string, string]> = {
   'brightness.channels': ['Actúa sobre', 'Solo la luminosidad, y los colores quedan, o el rojo, el verde y el azul.'],
   'soft_threshold.phi': ['Suavidad', 'Con qué pendiente cae el gris a negro; poco es suave.'],
   'soft_threshold.epsilon': ['Umbral', 'Luz a partir de la cual todo es blanco.'],
-  'soft_threshold.channels': ['Actúa sobre', 'Solo la luminosidad, y los colores quedan, o el rojo, el verde y el azul.'],
+  'soft_threshold.channels': [
+    'Actúa sobre',
+    'Solo la luminosidad, y los colores quedan, o el rojo, el verde y el azul.',
+  ],
   'saturation.amount': ['Cantidad', '0 es gris, 1 no cambia nada, 2 dobla el color.'],
   'hue.angle': ['Ángulo', 'Giro del círculo cromático.'],
   'hue.red': ['Rojo', 'Rojo que se suma a cada píxel.'],
@@ -86,7 +89,10 @@ export const parameters: Record<string, [string, string]> = {
   'pattern.levels': ['Niveles', 'Cuántos tonos, con el papel blanco y el negro.'],
   'pattern.pattern': ['Trama', 'Con qué se dibujan los tonos.'],
   'pattern.scale': ['Escala', 'Tamaño de la trama.'],
-  'pattern.texture': ['Textura propia', 'Una imagen tuya en lugar de la trama: sus partes oscuras toman tinta primero.'],
+  'pattern.texture': [
+    'Textura propia',
+    'Una imagen tuya en lugar de la trama: sus partes oscuras toman tinta primero.',
+  ],
   'halftone.pitch': ['Paso', 'Distancia entre puntos.'],
   'halftone.mode': ['Tintas', 'Cian, magenta, amarillo y negro, o solo negro.'],
   'equalize.low': ['Negro desde', 'Parte de los píxeles que pasa a negro.'],

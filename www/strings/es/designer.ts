@@ -93,7 +93,8 @@ export const designerStrings = {
     'El almacenamiento de este navegador está lleno o no se permite, así que tus estilos y plantillas duran lo que esta página. Exporta lo que quieras conservar.',
   linkedStyle: 'estilo del enlace',
   linkCopied: 'El enlace está en el portapapeles.',
-  linkTooLong: (name: string) => `${name} es demasiado largo para un enlace, porque lleva su textura. Expórtalo como archivo.`,
+  linkTooLong: (name: string) =>
+    `${name} es demasiado largo para un enlace, porque lleva su textura. Expórtalo como archivo.`,
   linkNotCopied: (link: string) => `Aquí no se puede usar el portapapeles. El enlace es: ${link}`,
 
   // Explorer

@@ -76,7 +76,10 @@ export const parameters: Record<string, [string, string]> = {
   'brightness.channels': ['Agit sur', 'La luminosité seule, qui garde les couleurs, ou le rouge, le vert et le bleu.'],
   'soft_threshold.phi': ['Douceur', 'La pente du gris au noir ; peu est doux.'],
   'soft_threshold.epsilon': ['Seuil', 'Luminosité à partir de laquelle tout est blanc.'],
-  'soft_threshold.channels': ['Agit sur', 'La luminosité seule, qui garde les couleurs, ou le rouge, le vert et le bleu.'],
+  'soft_threshold.channels': [
+    'Agit sur',
+    'La luminosité seule, qui garde les couleurs, ou le rouge, le vert et le bleu.',
+  ],
   'saturation.amount': ['Quantité', '0 est gris, 1 ne change rien, 2 double la couleur.'],
   'hue.angle': ['Angle', 'Rotation du cercle chromatique.'],
   'hue.red': ['Rouge', 'Rouge ajouté à chaque pixel.'],
@@ -98,7 +101,10 @@ export const parameters: Record<string, [string, string]> = {
   'pattern.levels': ['Niveaux', 'Combien de tons, avec le blanc du papier et le noir.'],
   'pattern.pattern': ['Motif', 'Avec quoi les tons sont dessinés.'],
   'pattern.scale': ['Échelle', 'Taille du motif.'],
-  'pattern.texture': ['Texture à soi', 'Une image à vous à la place du motif : ses parties sombres prennent l’encre d’abord.'],
+  'pattern.texture': [
+    'Texture à soi',
+    'Une image à vous à la place du motif : ses parties sombres prennent l’encre d’abord.',
+  ],
   'halftone.pitch': ['Pas', 'Distance entre les points.'],
   'halftone.mode': ['Encres', 'Cyan, magenta, jaune et noir, ou noir seul.'],
   'equalize.low': ['Noir à partir de', 'Part des pixels qui devient noire.'],

@@ -99,7 +99,8 @@ export const designerStrings = {
     'Le stockage de ce navigateur est plein ou refusé : vos styles et vos gabarits durent le temps de cette page. Exportez ce que vous voulez garder.',
   linkedStyle: 'style du lien',
   linkCopied: 'Le lien est dans le presse-papiers.',
-  linkTooLong: (name: string) => `${name} est trop long pour un lien, car sa texture l’accompagne. Exportez-le comme fichier.`,
+  linkTooLong: (name: string) =>
+    `${name} est trop long pour un lien, car sa texture l’accompagne. Exportez-le comme fichier.`,
   linkNotCopied: (link: string) => `Le presse-papiers ne peut pas servir ici. Voici le lien : ${link}`,
 
   // Explorer

@@ -99,7 +99,8 @@ export const designerStrings = {
     'ブラウザーの保存領域がいっぱいか、使えません。スタイルとレイアウトはこのページを開いている間だけ残ります。残したいものは書き出してください。',
   linkedStyle: 'リンクのスタイル',
   linkCopied: 'リンクをクリップボードにコピーしました。',
-  linkTooLong: (name: string) => `${name}はテクスチャを含むため、リンクには長すぎます。ファイルとして書き出してください。`,
+  linkTooLong: (name: string) =>
+    `${name}はテクスチャを含むため、リンクには長すぎます。ファイルとして書き出してください。`,
   linkNotCopied: (link: string) => `ここではクリップボードを使えません。リンク：${link}`,
 
   // Explorer

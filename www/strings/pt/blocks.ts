@@ -80,7 +80,10 @@ export const parameters: Record<string, [string, string]> = {
   'pattern.levels': ['Níveis', 'Quantos tons, com o branco do papel e o preto.'],
   'pattern.pattern': ['Padrão', 'Com que os tons são desenhados.'],
   'pattern.scale': ['Escala', 'Tamanho do padrão.'],
-  'pattern.texture': ['Textura própria', 'Uma imagem sua no lugar do padrão: as partes escuras recebem tinta primeiro.'],
+  'pattern.texture': [
+    'Textura própria',
+    'Uma imagem sua no lugar do padrão: as partes escuras recebem tinta primeiro.',
+  ],
   'halftone.pitch': ['Passo', 'Distância entre os pontos.'],
   'halftone.mode': ['Tintas', 'Ciano, magenta, amarelo e preto, ou só preto.'],
   'equalize.low': ['Preto desde', 'Parte dos pixels que vira preto.'],
