@@ -13,6 +13,9 @@ use serde_json::{Map, Value};
 use std::collections::HashSet;
 use std::sync::Arc;
 
+/// The share of invented styles that a new project begins with.
+const INVENTED: f64 = 0.15;
+
 /// A list that states share, of things that lists share.
 pub type List<T> = Arc<[Arc<T>]>;
 
@@ -121,7 +124,7 @@ pub struct Locks {
 }
 
 /// How a shuffle draws a style.
-#[derive(Debug, Clone, PartialEq, Default)]
+#[derive(Debug, Clone, PartialEq)]
 #[cfg_attr(all(test, feature = "cli"), derive(ts_rs::TS), ts(rename_all = "camelCase"))]
 pub struct Styling {
     /// The share of invented ones, 0 to 1.
@@ -133,6 +136,12 @@ pub struct Styling {
     /// Fields that this program does not know.
     #[cfg_attr(all(test, feature = "cli"), ts(skip))]
     pub rest: Map<String, Value>,
+}
+
+impl Default for Styling {
+    fn default() -> Self {
+        Self { invented: INVENTED, keep_lines: false, keep_colours: false, rest: Map::new() }
+    }
 }
 
 /// A page of a storyboard.
@@ -416,7 +425,7 @@ impl Locks {
 
 pub(super) fn styling(value: Value) -> Read<Styling> {
     let mut fields = Fields::of(value)?;
-    let invented = fields.number("invented", 0.0, 1.0)?.unwrap_or_default();
+    let invented = fields.number("invented", 0.0, 1.0)?.unwrap_or(INVENTED);
     let (keep_lines, keep_colours) = (fields.flag("keepLines")?, fields.flag("keepColours")?);
     Ok(Styling { invented, keep_lines, keep_colours, rest: fields.rest() })
 }
