@@ -103,7 +103,7 @@ export const parameters: Record<string, [string, string]> = {
   'pattern.scale': ['Échelle', 'Taille du motif.'],
   'pattern.texture': [
     'Texture à soi',
-    'Une image à vous à la place du motif : ses parties sombres prennent l’encre d’abord.',
+    'Une image à vous à la place du motif : ses parties sombres prennent l’encre d’abord.',
   ],
   'halftone.pitch': ['Pas', 'Distance entre les points.'],
   'halftone.mode': ['Encres', 'Cyan, magenta, jaune et noir, ou noir seul.'],
