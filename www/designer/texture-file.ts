@@ -5,7 +5,7 @@
 
 import { MOST } from '../document/limits.ts';
 import { strings } from '../strings/strings.ts';
-import type { Style } from '../engine/types.ts';
+import type { Style, StyleStep } from '../engine/types.ts';
 
 /** How PNG and JPEG files begin: the name of a file may say anything. */
 const KINDS = [
@@ -26,7 +26,7 @@ export async function textureOf(file: File, check: (style: Style, name: string) 
   const kind = KINDS.find(({ start }) => start.every((byte, at) => bytes[at] === byte));
   if (!kind) throw new Error(strings.textureOfAnotherKind(file.name));
   const url = `data:${kind.type};base64,${btoa(Array.from(bytes, (byte) => String.fromCharCode(byte)).join(''))}`;
-  const background = [{ block: 'to_gray' }, { block: 'pattern', texture: url }];
+  const background: StyleStep[] = [{ block: 'to_gray' }, { block: 'pattern', texture: url }];
   check({ id: 'texture', name: 'texture', tags: [], background }, file.name);
   return url;
 }

@@ -103,5 +103,6 @@ export const draftEdits: { [Type in DraftEdit['type']]: Extract<DraftEdit, { typ
   "reset": {"at":0,"layer":"foreground","type":"reset"},
   "bypass": {"at":0,"layer":"foreground","on":true,"type":"bypass"},
   "name": {"name":"One","type":"name"},
+  "faces": {"on":false,"type":"faces"},
   "ink": {"ink":"#102030","type":"ink"},
 };
