@@ -516,6 +516,7 @@ fn draft_edits() -> Vec<Value> {
         { "type": "reset", "layer": "foreground", "at": 0 },
         { "type": "bypass", "layer": "foreground", "at": 0, "on": true },
         { "type": "name", "name": "One" },
+        { "type": "faces", "on": false },
         { "type": "ink", "ink": "#102030" },
     ]);
     told.as_array().unwrap().clone()

@@ -18,6 +18,7 @@ fn bounds() -> String {
         ("Characters of a word.", "letters", limits::MOST_LETTERS),
         ("Styles of one's own, favourites, and layouts: of each so many.", "styles", limits::MOST_STYLES),
         ("Blocks of one layer of a style.", "blocks", limits::MOST_BLOCKS),
+        ("Bytes of the file of a texture.", "texture", limits::TEXTURE),
         ("Characters of a name.", "name", limits::LONGEST_NAME),
         ("A place of a word, in widths and heights of its panel to either side.", "away", FARTHEST as usize),
         ("Bytes of the text of a project.", "text", limits::PROJECT.bytes),

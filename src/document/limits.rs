@@ -5,11 +5,14 @@ use crate::json::Bounds;
 pub use crate::page::document::{LONGEST_ID, MOST_PHOTOS};
 pub use crate::page::words::model::{MOST_LETTERS, MOST_WORDS};
 pub use crate::style::file::MOST_BLOCKS;
+pub use crate::style::texture::MOST_BYTES as TEXTURE;
 
+/// Bytes of one text: a texture as a data URL is the longest.
+const TEXT: usize = 2 * TEXTURE;
 /// The text of a project file, and the text in a page PNG.
-pub const PROJECT: Bounds = Bounds { bytes: 32 << 20, values: 2_000_000, text: 64 << 10 };
+pub const PROJECT: Bounds = Bounds { bytes: 32 << 20, values: 2_000_000, text: TEXT };
 /// A project with all its undo steps, as the browser's database has it.
-pub const HISTORY: Bounds = Bounds { bytes: 128 << 20, values: 8_000_000, text: 64 << 10 };
+pub const HISTORY: Bounds = Bounds { bytes: 128 << 20, values: 8_000_000, text: TEXT };
 /// Bytes of the text in a page PNG, which tells all pages of its storyboard.
 pub const PAGE_TEXT: usize = PROJECT.bytes;
 /// Files in a project file, far more than there are photos in a project.

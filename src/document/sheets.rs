@@ -112,6 +112,7 @@ pub(super) fn exchanged(page: &Document, id: &str, by: &str) -> Option<Document>
     for panel in &mut page.panels {
         if panel.photo.as_deref() == Some(id) {
             panel.photo = Some(by.to_owned());
+            panel.faces.clear();
         }
     }
     Some(page)
@@ -128,6 +129,7 @@ pub(super) fn without(page: &Document, gone: &dyn Fn(&str) -> bool) -> Option<Do
     for panel in &mut page.panels {
         if panel.photo.as_deref().is_some_and(gone) {
             (panel.photo, panel.crop, panel.edited) = (None, None, false);
+            panel.faces.clear();
         }
     }
     Some(page)

@@ -75,6 +75,8 @@ pub enum ParamKind {
     Boolean,
     /// One of some names.
     Choice,
+    /// A person's own picture: its data URL, or an empty text.
+    Texture,
 }
 
 /// All filter blocks.
@@ -135,6 +137,7 @@ fn param(param: &Param) -> ParamEntry {
             let default = names.first().copied().into();
             ParamEntry { kind: ParamKind::Choice, default, choices: Some(names), ..entry }
         }
+        Kind::Texture => ParamEntry { kind: ParamKind::Texture, default: "".into(), ..entry },
     }
 }
 

@@ -7,9 +7,11 @@ use super::bleed;
 use super::mask::{self, PixelRect};
 use super::scene::{Scene, ScenePanel};
 use crate::error::{Error, Result};
+use crate::framing::Crop;
 use crate::layout::Bounds;
 use crate::raster::Image;
 use crate::raster::resize::{Region, resample_image};
+use crate::style::faces::FaceBox;
 use crate::style::{Context, stylize};
 
 /// A rectangle of straight-alpha RGBA pixels at a place of the page.
@@ -105,7 +107,20 @@ fn panel_image(
     let image = resample_image(photo, region, inner.width, inner.height);
     let image = if inner == at { image } else { bleed::mirrored(&image, (before, above), at) };
     context.check_cancelled()?;
+    context.show_faces(faces_in(panel, (photo_width, photo_height), region, at));
     Ok((stylize(&image, &scene.style, context)?, at))
+}
+
+/// The faces of a panel's photo in pixels of its image.
+fn faces_in(panel: &ScenePanel, photo: (f64, f64), region: Region, at: PixelRect) -> Vec<FaceBox> {
+    let (across, down) = (at.width as f64 / region.width, at.height as f64 / region.height);
+    let face = |face: &Crop| FaceBox {
+        x: (face.x * photo.0 - region.x) * across,
+        y: (face.y * photo.1 - region.y) * down,
+        width: face.width * photo.0 * across,
+        height: face.height * photo.1 * down,
+    };
+    panel.faces.iter().map(face).collect()
 }
 
 /// Copies the pixels that `area` and the image share.

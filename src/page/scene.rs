@@ -54,6 +54,8 @@ pub struct ScenePanel {
     pub photo: Option<String>,
     /// Part of the photo that fills `image_bounds`; beyond the photo where the page has bleed and the photo ends.
     pub crop: Crop,
+    /// Faces of the photo, in fractions of it.
+    pub faces: Vec<Crop>,
 }
 
 impl Scene {
@@ -136,6 +138,7 @@ pub(super) fn panels(
             area: PixelRect::around(reached[i], halo.max(page.border * pixels / 2.0) + 1.0),
             photo: document.panels[leader].photo.clone(),
             crop: if image_bounds == shown { crop } else { bleed::widened(crop, shown, image_bounds) },
+            faces: document.panels[leader].faces.clone(),
         }
     };
     Ok(resolved.into_iter().enumerate().zip(further).map(panel).collect())

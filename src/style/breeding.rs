@@ -40,6 +40,7 @@ pub fn breed(a: &Style, b: &Style, seed: u32, surprise: f64) -> Style {
         background,
         foreground,
         ink: lines.ink,
+        faces: a.faces && b.faces,
         score: None,
     }
 }
@@ -65,6 +66,7 @@ fn mutate(layer: &mut Vec<Step>, surprise: f64, random: &mut Rand64) {
                     let other = least + (most - least + 1.0) * random.rand_float() as f32;
                     if random.rand_float() < 0.4 * surprise { other.floor().min(most) } else { *value }
                 }
+                Kind::Texture => *value,
                 _ if least >= 0.0 && *value > 0.0 => *value * factor(push * surprise) as f32,
                 _ => *value + (push * surprise) as f32 * 0.3 * (most - least),
             };

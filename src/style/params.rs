@@ -1,6 +1,10 @@
 //! What a block's parameter is. Controls, the JSON check, the procedural generator and the documentation all
 //! come from these descriptors.
 
+use super::file::Step;
+use super::texture::Texture;
+use std::sync::Arc;
+
 /// One parameter of a block.
 #[derive(Debug)]
 pub struct Param {
@@ -50,6 +54,9 @@ pub enum Kind {
         /// The names.
         names: &'static [&'static str],
     },
+    /// A person's own picture, as a data URL; an empty text is none. It stands beside the numbers
+    /// ([`Step::texture`](super::file::Step)).
+    Texture,
 }
 
 /// Unit of a number.
@@ -88,7 +95,7 @@ impl Kind {
             Self::Number { default, .. } => default,
             Self::Integer { default, .. } => default as f32,
             Self::Flag { default } => f32::from(u8::from(default)),
-            Self::Choice { .. } => 0.0,
+            Self::Choice { .. } | Self::Texture => 0.0,
         }
     }
 
@@ -100,6 +107,7 @@ impl Kind {
             Self::Integer { min, max, .. } => (min as f32, max as f32),
             Self::Flag { .. } => (0.0, 1.0),
             Self::Choice { names } => (0.0, names.len().saturating_sub(1) as f32),
+            Self::Texture => (0.0, 0.0),
         }
     }
 }
@@ -144,10 +152,22 @@ pub const fn integer(
     Param { id, label, help, kind: Kind::Integer { default, min, max } }
 }
 
-/// What a block is given: its values in the order of its descriptor, and the scale of the render.
+/// A choice between working on every channel alike and on luma; the first is the default.
+#[must_use]
+pub const fn channels(names: &'static [&'static str]) -> Param {
+    Param {
+        id: "channels",
+        label: "Works on",
+        help: "Luma alone, which keeps the colours, or each of red, green and blue.",
+        kind: Kind::Choice { names },
+    }
+}
+
+/// What a block is given: its values in the order of its descriptor, its texture, and the scale of the render.
 #[derive(Debug, Clone, Copy)]
 pub struct Args<'a> {
     values: &'a [f32],
+    texture: Option<&'a Arc<Texture>>,
     scale: f32,
 }
 
@@ -155,7 +175,19 @@ impl<'a> Args<'a> {
     /// `values` in the order of the descriptor; `scale` = sqrt(w h / (1920 * 1080)) of the render.
     #[must_use]
     pub fn new(values: &'a [f32], scale: f32) -> Self {
-        Self { values, scale }
+        Self { values, texture: None, scale }
+    }
+
+    /// The values of a step.
+    #[must_use]
+    pub fn of(step: &'a Step, scale: f32) -> Self {
+        Self { values: &step.values, texture: step.texture.as_ref(), scale }
+    }
+
+    /// The person's own texture.
+    #[must_use]
+    pub fn texture(&self) -> Option<&'a Arc<Texture>> {
+        self.texture
     }
 
     /// Parameter `i` as it stands.

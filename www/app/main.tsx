@@ -40,6 +40,7 @@ import { createStore } from '../document/store.ts';
 import { createShownPages } from '../book/shown-pages.ts';
 import { createSubtitling } from '../lettering/subtitling.ts';
 import { isStyleLink } from '../styles/style-link.ts';
+import { createInventions } from '../explorer/inventions.ts';
 import { createStyling } from '../styles/styling.ts';
 import { createRecentStyles } from '../styles/recent-styles.ts';
 import { createTaste } from '../styles/taste.ts';
@@ -103,7 +104,14 @@ const keeping = createKeeping({
   views,
 });
 const explorer = createExplorer({ store, engine, messages, ownStyles, seed: freshSeed, judged: ui.detects });
-const styling = createStyling({ store, ownStyles });
+const inventions = createInventions({
+  store,
+  engine,
+  seed: freshSeed,
+  idle: () => ui.painted.value === store.page.value && subjects.settled.value,
+  wanted: ui.detects,
+});
+const styling = createStyling({ store, ownStyles, inventions: () => inventions.ready.peek() });
 const crops = createBetterCrops({ store, pages, ui });
 const subjects = createSubjects({
   store,

@@ -1,7 +1,8 @@
 /**
- * A parameter of a block, as its descriptor says: a slider with a number field, a switch, or a choice.
+ * A parameter of a block, as its descriptor says: a slider with a number field, a switch, a choice, or a picture.
  */
 
+import { TextureChoice } from './texture-choice.tsx';
 import { strings } from '../strings/strings.ts';
 import type { BlockParam, ParamValue } from '../engine/types.ts';
 
@@ -46,6 +47,7 @@ export function Parameter({
       </label>
     );
   }
+  if (kind === 'texture') return <TextureChoice label={label} help={help} value={String(value)} onSet={onSet} />;
   return (
     <Range
       param={param}

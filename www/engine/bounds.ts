@@ -16,6 +16,8 @@ export const MOST = Object.freeze({
   styles: 1_000,
   /** Blocks of one layer of a style. */
   blocks: 32,
+  /** Bytes of the file of a texture. */
+  texture: 262_144,
   /** Characters of a name. */
   name: 1_000,
   /** A place of a word, in widths and heights of its panel to either side. */

@@ -112,6 +112,8 @@ export type Draft = {
   foreground: ReadonlyArray<DraftStep>,
   /** Colour of the lines, `#rrggbb`. */
   ink: string,
+  /** Whether it takes no care of faces. */
+  careless?: boolean,
 };
 
 /** A block of a draft. */
@@ -195,6 +197,10 @@ export type DraftEdit = { "type": "add",
 | { "type": "name",
   /** It. */
   name: string,
+}
+| { "type": "faces",
+  /** Whether it does. */
+  on: boolean,
 }
 | { "type": "ink",
   /** `#rrggbb`. */
@@ -420,6 +426,8 @@ export type PanelUse = {
   photo: string | null,
   /** The part of the photo that fills the panel, or the group it is merged into. */
   crop: Crop | null,
+  /** Faces of the photo, in fractions of it, which the style takes care of. Pages of before have none, and look as they did. */
+  faces?: ReadonlyArray<Crop>,
   /** Kept by every shuffle. */
   locked?: boolean,
   /** The crop was made by hand: it stays while the photo stays in this panel. */
@@ -569,6 +577,8 @@ export type Style = {
   foreground?: ReadonlyArray<StyleStep>,
   /** Colour of the lines. */
   ink?: string,
+  /** Whether it takes care of faces, as a style does that does not say otherwise. */
+  faces?: boolean,
   /** Score from 0 to 1 of a generated style. */
   score?: number,
 };
@@ -645,12 +655,14 @@ export type Avoid = {
   styles?: ReadonlyArray<string>,
 };
 
-/** How a style is drawn. As JSON `{extra, invented, keepLines, keepColours}`, each of which may be missing. */
+/** How a style is drawn. As JSON `{extra, invented, inventions, keepLines, keepColours}`, each of which may be missing. */
 export type StylingRequest = {
   /** Styles in full that are drawn like the designed ones: a person's own and favourites. */
   extra?: ReadonlyArray<Style>,
   /** Share of draws, 0 to 1, that invent a style. */
   invented?: number,
+  /** Invented styles that were tried and found good: only these are drawn where the list is there, however short it is. */
+  inventions?: ReadonlyArray<Style>,
   /** The line layer and its ink stay. */
   keepLines?: boolean,
   /** The colour layer stays. */
@@ -744,7 +756,7 @@ export type BlockParam = {
 };
 
 /** What a parameter is. */
-export type ParamKind = "number" | "integer" | "boolean" | "choice";
+export type ParamKind = "number" | "integer" | "boolean" | "choice" | "texture";
 
 /** Which images a block takes or gives. */
 export type Channels = "luma" | "color" | "any";

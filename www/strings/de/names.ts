@@ -50,6 +50,8 @@ export const names: Names = {
     stipple: 'Punktierung',
     cmyk: 'CMYK',
     mono: 'Eine Farbe',
+    luma: 'Nur Helligkeit',
+    each: 'Jeder Farbkanal',
     photo: 'Aus dem Foto',
     comic: 'Comic',
     gouache: 'Gouache',

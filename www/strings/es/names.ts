@@ -50,6 +50,8 @@ export const names: Names = {
     stipple: 'Punteado',
     cmyk: 'CMYK',
     mono: 'Una tinta',
+    luma: 'Solo la luminosidad',
+    each: 'Cada canal',
     photo: 'De la foto',
     comic: 'Cómic',
     gouache: 'Gouache',

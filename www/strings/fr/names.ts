@@ -50,6 +50,8 @@ export const names: Names = {
     stipple: 'Pointillé',
     cmyk: 'CMJN',
     mono: 'Une encre',
+    luma: 'La luminosité seule',
+    each: 'Chaque canal',
     photo: 'De la photo',
     comic: 'BD',
     gouache: 'Gouache',

@@ -50,6 +50,8 @@ export const names: Names = {
     stipple: '点描',
     cmyk: 'CMYK',
     mono: '一色',
+    luma: '明るさだけ',
+    each: '各チャンネル',
     photo: '写真から',
     comic: 'コミック',
     gouache: 'ガッシュ',

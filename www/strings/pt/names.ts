@@ -50,6 +50,8 @@ export const names: Names = {
     stipple: 'Pontilhado',
     cmyk: 'CMYK',
     mono: 'Uma tinta',
+    luma: 'Só a luminosidade',
+    each: 'Cada canal',
     photo: 'Da foto',
     comic: 'Quadrinhos',
     gouache: 'Guache',
