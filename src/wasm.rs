@@ -13,6 +13,7 @@ pub mod document_reading;
 pub mod drafting;
 pub mod editing;
 mod frames;
+pub mod imitate;
 pub mod layouts;
 pub mod planning;
 pub mod style;

@@ -86,6 +86,7 @@ fn parameter(param: &Value) -> String {
     let default = &param["default"];
     let domain = match text(param, "kind").as_str() {
         "boolean" => "true or false".to_owned(),
+        "colour" => "`#rrggbb`".to_owned(),
         "choice" => {
             let choices: Vec<_> =
                 param["choices"].as_array().unwrap().iter().map(|c| c.as_str().unwrap_or_default()).collect();

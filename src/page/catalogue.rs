@@ -75,6 +75,8 @@ pub enum ParamKind {
     Boolean,
     /// One of some names.
     Choice,
+    /// `#rrggbb`.
+    Colour,
 }
 
 /// All filter blocks.
@@ -135,6 +137,11 @@ fn param(param: &Param) -> ParamEntry {
             let default = names.first().copied().into();
             ParamEntry { kind: ParamKind::Choice, default, choices: Some(names), ..entry }
         }
+        Kind::Colour { .. } => ParamEntry {
+            kind: ParamKind::Colour,
+            default: param.value_to_json(param.kind.default()),
+            ..entry
+        },
     }
 }
 

@@ -4,7 +4,7 @@
 //! out of range is an error that names the file, the block's position and the parameter.
 
 use super::blocks::{self, Block, Channels};
-use super::params::{Kind, Param};
+use super::params::{Kind, Param, colour_of, colour_value};
 use crate::error::{Error, Result};
 use serde_json::{Map, Value, json};
 
@@ -145,6 +145,10 @@ impl Param {
             Kind::Integer { .. } => json!(value as i64),
             Kind::Flag { .. } => json!(value != 0.0),
             Kind::Choice { names } => json!(names.get(value as usize)),
+            Kind::Colour { .. } => {
+                let [r, g, b] = colour_of(value);
+                json!(format!("#{r:02x}{g:02x}{b:02x}"))
+            }
         }
     }
 
@@ -175,6 +179,11 @@ impl Param {
             Kind::Choice { names } => {
                 let position = value.as_str().and_then(|name| names.iter().position(|n| *n == name));
                 Ok(position.ok_or(format!("is {value}, it must be one of: {}", names.join(", ")))? as f32)
+            }
+            Kind::Colour { .. } => {
+                let colour = value.as_str().and_then(crate::raster::color::parse_hex);
+                let bad = || format!("is {value}, it must be a colour like \"#101014\"");
+                Ok(colour_value(colour.ok_or_else(bad)?))
             }
         }
     }

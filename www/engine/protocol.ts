@@ -7,7 +7,7 @@
  */
 
 import type { Designed } from './design.ts';
-import type { Bounds, Detection, FirstLook, ImportEntry, PhotoMeta } from './types.ts';
+import type { Bounds, Detection, FirstLook, ImportEntry, PhotoMeta, Style } from './types.ts';
 import type { Frame } from './video.ts';
 
 /**
@@ -46,6 +46,9 @@ export type Operations = {
   stylePixels: { args: { photo: PhotoHandle; style: string; width: number; height: number }; ok: PixelPatch };
   design: { args: { photo: PhotoHandle; style: string; width: number; height: number; stages: number }; ok: Designed };
   explore: { args: { photo: PhotoHandle; styles: string[]; width: number; height: number }; ok: Explored[] };
+  readLook: { args: { photo: PhotoHandle }; ok: string };
+  /** `asks` are trials that a search asked for; what fails is null. */
+  tryLooks: { args: { photo: PhotoHandle; asks: Trial[] }; ok: (string | null)[] };
   stylize: { args: { style: string; width: number; height: number; data: Uint8Array }; ok: PixelPatch };
   fullPanels: {
     args: { id: string; file: Blob; document: string; indexes: number[]; width: number };
@@ -98,6 +101,9 @@ export type Making = {
   };
   pdf: { args: { pages: { document: string; pictures: Picture[] }[]; title: string }; ok: Blob };
 };
+
+/** What a search for a look asks for: a style, the pixels at which a photo is to be drawn in it, and whether close. */
+export type Trial = { style: Style; area: number; close: boolean };
 
 type Tier = 'small' | 'work' | 'full';
 

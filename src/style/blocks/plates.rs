@@ -17,7 +17,7 @@ use crate::raster::{Image, Plane};
 use crate::simd::dots::Screen;
 use crate::style::context::Context;
 use crate::style::grain::{Tile, chance};
-use crate::style::params::{Args, Kind, Param, Unit, integer, number};
+use crate::style::params::{Args, Kind, Param, Unit, colour, integer, number};
 
 pub(super) static BLOCK: Block = Block {
     id: "plates",
@@ -44,6 +44,9 @@ pub(super) static BLOCK: Block = Block {
         integer("steps", "Steps", "Tones of a plate, paper among them; 1 keeps all.", (1, 1, 6)),
         number("density", "Density", "How much ink is laid.", (100.0, 40.0, 160.0, 1.0), Unit::Percent),
         integer("seed", "Chance", "Another number shifts the plates another way.", (1, 0, 99)),
+        colour("ink_1", "Ink 1", "An ink of the set \"own\"; white is none.", ink::RED),
+        colour("ink_2", "Ink 2", "An ink of the set \"own\"; white is none.", ink::BLUE),
+        colour("ink_3", "Ink 3", "An ink of the set \"own\"; white is none.", [255; 3]),
     ],
     kernel: Kernel::Image(|args, image, context| run(args, &image, context)),
 };
@@ -60,7 +63,11 @@ const NAMES: &[&str] = &[
     "yellow-black",
     "teal-black",
     "violet-orange-black",
+    "own",
 ];
+
+/// The choice of inks of one's own, and where they begin.
+const OWN: (usize, usize) = (11, 7);
 
 /// Colours of printing inks, as they look on white paper.
 mod ink {
@@ -97,6 +104,14 @@ fn inks(choice: usize) -> &'static [ink::Rgb] {
     }
 }
 
+/// The inks that parameters tell, the darkest last; black where all are white.
+fn own_inks(args: Args<'_>) -> Vec<ink::Rgb> {
+    let light = |ink: &ink::Rgb| ink.iter().map(|&tone| u32::from(tone)).sum::<u32>();
+    let mut inks: Vec<_> = (0..3).map(|i| args.colour(OWN.1 + i)).filter(|ink| light(ink) < 740).collect();
+    inks.sort_by_key(|ink| std::cmp::Reverse(light(ink)));
+    if inks.is_empty() { vec![ink::BLACK] } else { inks }
+}
+
 /// Angles of the screens, as cosine and sine: 75, 15 and 45 degrees.
 const ANGLES: [(f64, f64); 3] = [
     (0.258_819_045_102_520_76, 0.965_925_826_289_068_3),
@@ -111,7 +126,8 @@ const SPOT: f32 = 1.6;
 const CLOUD: f32 = 40.0;
 
 fn run(args: Args<'_>, image: &Image, context: &mut Context<'_>) -> Result<Image> {
-    let inks = inks(args.choice(0));
+    let own = own_inks(args);
+    let inks = if args.choice(0) == OWN.0 { &own[..] } else { inks(args.choice(0)) };
     let shift = args.pixels(1);
     let grain = args.number(2) / 100.0;
     // Below two pixels a grid of dots aliases into nonsense.
@@ -281,7 +297,7 @@ mod tests {
 
     #[test]
     fn white_is_paper_and_black_is_dark_whatever_the_inks() {
-        for (choice, name) in NAMES.iter().enumerate() {
+        for (choice, name) in NAMES.iter().enumerate().take(OWN.0) {
             let image = Image::from_luma(Plane::from_fn(40, 20, |x, _| if x < 20 { 255 } else { 0 }));
             let out = printed(&image, &[(0, choice as f32), (1, 0.0), (2, 0.0)]);
             let tones: Vec<u8> = out.planes().iter().map(|plane| plane.at(33, 3)).collect();
@@ -301,6 +317,17 @@ mod tests {
                 assert!(covered(i) > 2 * covered(1 - i), "{name} {i}");
             }
         }
+    }
+
+    #[test]
+    fn inks_of_ones_own_are_printed_without_the_white_ones() {
+        let own = |inks: [[u8; 3]; 3]| -> Vec<ink::Rgb> {
+            let mut values: Vec<f32> = BLOCK.params.iter().map(|param| param.kind.default()).collect();
+            values[OWN.1..].copy_from_slice(&inks.map(crate::style::params::colour_value));
+            own_inks(Args::new(&values, 1.0))
+        };
+        assert_eq!(own([[20, 30, 80], [255; 3], [240, 120, 90]]), [[240, 120, 90], [20, 30, 80]]);
+        assert_eq!(own([[255; 3]; 3]), [ink::BLACK]);
     }
 
     #[test]

@@ -7,6 +7,7 @@ import { designerStrings } from './designer.ts';
 import { exportStrings } from './export.ts';
 import { faultStrings } from './faults.ts';
 import { helpStrings } from './help.ts';
+import { imitationStrings } from './imitation.ts';
 import { keyStrings } from './keys.ts';
 import { offlineStrings } from './offline.ts';
 import { pageStrings } from './page.ts';
@@ -35,6 +36,7 @@ export const words: Words = {
   ...pageStrings,
   ...exportStrings,
   ...pngStrings,
+  ...imitationStrings,
   ...keyStrings,
   ...helpStrings,
   ...faultStrings,

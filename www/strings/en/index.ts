@@ -7,6 +7,7 @@ import { designerStrings } from './designer.ts';
 import { exportStrings } from './export.ts';
 import { faultStrings } from './faults.ts';
 import { helpStrings } from './help.ts';
+import { imitationStrings } from './imitation.ts';
 import { keyStrings } from './keys.ts';
 import { offlineStrings } from './offline.ts';
 import { pageStrings } from './page.ts';
@@ -34,6 +35,7 @@ export const words = {
   ...photoStrings,
   ...pageStrings,
   ...exportStrings,
+  ...imitationStrings,
   ...keyStrings,
   ...helpStrings,
   ...faultStrings,
