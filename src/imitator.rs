@@ -3,8 +3,7 @@
 use std::io::Write;
 use std::path::Path;
 
-use inkpanel::raster::Image;
-use inkpanel::style::imitate::{self, Search, Trial};
+use inkpanel::style::imitate::{self, Ask, Search, Seen};
 use inkpanel::style::{Context, Style};
 use rayon::prelude::*;
 use serde_json::Value;
@@ -15,9 +14,10 @@ use crate::{Complaint, decode_file_fit};
 const SIDE: usize = 1600;
 
 /// Styles that give `photo` the look of `picture`, as an array of style files with a score each. Progress goes to standard
-/// error.
-pub(crate) fn imitate(picture: &Path, photo: &Path, seed: u32) -> Result<Value, Complaint> {
-    let look = imitate::read(&decode_file_fit(picture, SIDE)?)
+/// error. `anyway` takes pictures that seem to have no look of their own.
+pub(crate) fn imitate(picture: &Path, photo: &Path, seed: u32, anyway: bool) -> Result<Value, Complaint> {
+    let read = if anyway { imitate::read_any } else { imitate::read };
+    let look = read(&decode_file_fit(picture, SIDE)?)
         .map_err(|error| format!("{}: {error}", picture.display()))?;
     let photo = decode_file_fit(photo, SIDE)?;
     let mut search = Search::new(look, seed);
@@ -29,13 +29,11 @@ pub(crate) fn imitate(picture: &Path, photo: &Path, seed: u32) -> Result<Value, 
         if asks.is_empty() {
             break;
         }
-        search.tell(asks.par_iter().map(|ask| attempt(&photo, ask)).collect());
+        let seen = Seen::of(&photo, &asks[0]);
+        // What fails to draw is no candidate.
+        let attempt = |ask: &Ask| imitate::attempt(&seen, &ask.style, &mut Context::default()).ok();
+        search.tell(asks.par_iter().map(attempt).collect());
     }
     eprintln!();
     Ok(search.proposals().iter().map(Style::to_value).collect())
-}
-
-/// What fails to draw is no candidate.
-fn attempt(photo: &Image, ask: &imitate::Ask) -> Option<Trial> {
-    imitate::attempt(photo, ask, &mut Context::default()).ok()
 }

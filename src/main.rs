@@ -114,6 +114,9 @@ enum Command {
         /// Answer as JSON: an array of style files, the nearest first, each with a score from 0 to 1.
         #[arg(long)]
         json: bool,
+        /// Take the picture even where it looks like a plain photo or is blank.
+        #[arg(long)]
+        anyway: bool,
         /// Another seed tries other styles.
         #[arg(long, default_value_t = 1)]
         seed: u32,
@@ -206,8 +209,8 @@ fn main() -> ExitCode {
             inventor::invent(seed, count, photo.as_deref(), models.as_deref())
                 .and_then(|styles| list(&styles, json))
         }
-        Command::Imitate { picture, photo, json, seed } => {
-            imitator::imitate(&picture, &photo, seed).and_then(|styles| list(&styles, json))
+        Command::Imitate { picture, photo, json, anyway, seed } => {
+            imitator::imitate(&picture, &photo, seed, anyway).and_then(|styles| list(&styles, json))
         }
         Command::Blocks(listing) => list(&catalogue::blocks(), listing.json),
         Command::Layouts(listing) => list(&catalogue::layouts(), listing.json),

@@ -144,6 +144,8 @@ pub struct Studio {
     sheet: Option<(Sheet, u32)>,
     file: Vec<u8>,
     designs: style::Designs,
+    /// The photo of the last trial, as trials see it.
+    seen: Option<(String, crate::style::imitate::Seen)>,
 }
 
 #[wasm_bindgen]
@@ -195,6 +197,7 @@ impl Studio {
 
     /// Lets a photo go.
     pub fn drop_photo(&mut self, key: &str) {
+        self.seen = None;
         self.photos.remove(key);
     }
 

@@ -2,9 +2,9 @@
 //! measured crosses as JSON that only the core reads.
 
 use super::{Studio, parse, style_of, thrown};
-use crate::error::Result;
-use crate::style::imitate::{self, Ask, Features, Search, Trial};
+use crate::error::{Error, Result};
 use crate::style::Style;
+use crate::style::imitate::{self, Ask, Features, Search, Seen, Trial};
 use serde_json::{Value, json};
 use wasm_bindgen::prelude::*;
 
@@ -12,8 +12,10 @@ use wasm_bindgen::prelude::*;
 impl Studio {
     /// The look of a picture that was imported, as JSON. Throws `small-picture`, `blank-picture` or `plain-photo` where
     /// there is nothing to imitate.
-    pub fn picture_look(&self, key: &str) -> std::result::Result<String, JsValue> {
-        let read = || -> Result<String> { Ok(told(&imitate::read(self.photo(key)?)?)) };
+    /// `anyway` takes all but small ones.
+    pub fn picture_look(&self, key: &str, anyway: bool) -> std::result::Result<String, JsValue> {
+        let reader = if anyway { imitate::read_any } else { imitate::read };
+        let read = || -> Result<String> { Ok(told(&reader(self.photo(key)?)?)) };
         read().map_err(thrown)
     }
 
@@ -26,8 +28,12 @@ impl Studio {
                 area: wanted["area"].as_u64().unwrap_or(1) as usize,
                 close: wanted["close"].as_bool().unwrap_or_default(),
             };
-            let photo = self.photos.get(key).ok_or_else(|| crate::error::Error::MissingPhoto(key.to_owned()))?;
-            Ok(told(&imitate::attempt(photo, &ask, &mut self.context)?))
+            let name = format!("{key} {} {}", ask.area, ask.close);
+            if self.seen.as_ref().is_none_or(|(known, _)| *known != name) {
+                self.seen = Some((name, Seen::of(self.photo(key)?, &ask)));
+            }
+            let seen = self.seen.as_ref().map(|(_, seen)| seen).ok_or_else(|| Error::MissingPhoto(key.to_owned()))?;
+            Ok(told(&imitate::attempt(seen, &ask.style, &mut self.context)?))
         };
         attempt().map_err(thrown)
     }

@@ -28,11 +28,12 @@ export function createImitating({
   /**
    * The look of a picture, to be searched for. Throws `small-picture`, `blank-picture` or `plain-photo` where it has none.
    * @param id of an imported picture
+   * @param call `anyway` takes all but small ones
    */
-  async function readLook(id: string, call?: Call): Promise<string> {
+  async function readLook(id: string, { anyway = false, ...call }: Call & { anyway?: boolean } = {}): Promise<string> {
     const [photo] = photos.handles([id], 'work');
     const job = { photo: photos.names([id]), holds: [photo.key], priority: Priority.VIEW };
-    return run({ ...job, op: 'readLook', args: { photo }, ...call });
+    return run({ ...job, op: 'readLook', args: { photo, anyway }, ...call });
   }
 
   /**

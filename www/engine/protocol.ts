@@ -46,7 +46,7 @@ export type Operations = {
   stylePixels: { args: { photo: PhotoHandle; style: string; width: number; height: number }; ok: PixelPatch };
   design: { args: { photo: PhotoHandle; style: string; width: number; height: number; stages: number }; ok: Designed };
   explore: { args: { photo: PhotoHandle; styles: string[]; width: number; height: number }; ok: Explored[] };
-  readLook: { args: { photo: PhotoHandle }; ok: string };
+  readLook: { args: { photo: PhotoHandle; anyway: boolean }; ok: string };
   /** `asks` are trials that a search asked for; what fails is null. */
   tryLooks: { args: { photo: PhotoHandle; asks: Trial[] }; ok: (string | null)[] };
   stylize: { args: { style: string; width: number; height: number; data: Uint8Array }; ok: PixelPatch };

@@ -64,10 +64,10 @@ export function createStyleOperations({
   }
 
   /** What a picture looks like, as text that only the core reads. */
-  async function readLook({ photo }: Operations['readLook']['args'], tell: Tell): Promise<Answer<string>> {
+  async function readLook({ photo, anyway }: Operations['readLook']['args'], tell: Tell): Promise<Answer<string>> {
     await fetchPhotos([photo], tell);
     tell.expects(blocksMs(photo.width * photo.height, 4));
-    return { ok: studio.picture_look(photo.key), transfer: [] };
+    return { ok: studio.picture_look(photo.key, anyway), transfer: [] };
   }
 
   /** What a photo looks like in some styles. One that cannot be drawn is no candidate. */

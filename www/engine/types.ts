@@ -696,7 +696,7 @@ export type BlockParam = {
 };
 
 /** What a parameter is. */
-export type ParamKind = "number" | "integer" | "boolean" | "choice";
+export type ParamKind = "number" | "integer" | "boolean" | "choice" | "colour";
 
 /** Which images a block takes or gives. */
 export type Channels = "luma" | "color" | "any";

@@ -59,7 +59,7 @@ export function ImitationScreen() {
             <Original />
             {fact && <Result fact={fact} />}
           </div>
-          <Status />
+          <Status fact={fact} />
           {fact && <Proposals fact={fact} />}
           <div class="imitation-tools">
             <ActionButton action={actions.imitation.save} class="button" text />
@@ -140,7 +140,7 @@ function Result({ fact }: { fact: Shown }) {
 }
 
 /** How far it is, or why nothing was found. */
-function Status() {
+function Status({ fact }: { fact: Shown | null }) {
   const { imitation, actions } = useApp();
   const done = imitation.progress.value;
   return (
@@ -153,6 +153,11 @@ function Status() {
         </>
       )}
       {done === null && imitation.fault.value !== null && <p class="imitation-fault">{imitation.fault.value}</p>}
+      {done === null && imitation.doubted.value && fact && (
+        <button type="button" class="button small" onClick={() => imitation.insist(fact.id)}>
+          {strings.imitationAnyway}
+        </button>
+      )}
       {done === null && imitation.proposals.value.length > 0 && (
         <span class="count">{strings.imitationFound(imitation.proposals.value.length)}</span>
       )}

@@ -68,6 +68,12 @@ describe('a style from a picture', () => {
     imitation.take([file('a.jpg')]);
     await imitation.search('p1');
     expect(imitation.fault.value).toMatch(/^This is a plain photo/);
+    expect(imitation.doubted.value).toBe(true);
+    imitation.insist('p1');
+    await vi.waitFor(() => expect(imitation.progress.value).toBeNull());
+    expect(engine.readLook.mock.calls.map((call: any) => call[1].anyway)).toEqual([false, true]);
+    engine.forgetPhoto.mockClear();
+    await imitation.search('p1');
     expect(imitation.proposals.value).toEqual([]);
     expect(engine.forgetPhoto).toHaveBeenCalledOnce();
     const other = app({ readLook: () => Promise.reject(fault('new', 'A sentence of the core.')) });

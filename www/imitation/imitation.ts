@@ -39,6 +39,8 @@ export function createImitation({
   const proposals: Signal<readonly Style[]> = signal([]);
   /** Why there are none, as a sentence. */
   const fault: Signal<string | null> = signal(null);
+  /** Whether the picture was refused for what a person may know better. */
+  const doubted = signal(false);
   /** The proposal that is seen large. */
   const shown: Signal<string | null> = signal(null);
   /** The photo that was chosen to try styles on. */
@@ -46,8 +48,9 @@ export function createImitation({
   let running: AbortController | null = null;
   /** What the picture was found to look like. */
   let look: string | null = null;
+  let anyway = false;
 
-  return { picture, progress, proposals, fault, shown, photo, open, take, search, stop, choose, clear };
+  return { picture, progress, proposals, fault, doubted, insist, shown, photo, open, take, search, stop, choose, clear };
 
   /** Shows the workspace, as it was left. */
   function open() {
@@ -65,6 +68,8 @@ export function createImitation({
     }
     stop();
     look = null;
+    anyway = false;
+    doubted.value = false;
     picture.value = { name: file.name, file };
     proposals.value = [];
     fault.value = null;
@@ -81,6 +86,7 @@ export function createImitation({
     running = mine;
     const { signal: ends } = mine;
     fault.value = null;
+    doubted.value = false;
     progress.value = 0;
     try {
       look ??= await read(wanted, ends);
@@ -97,7 +103,10 @@ export function createImitation({
       if (found.length === 0) fault.value = strings.imitationNone;
     } catch (error) {
       const { code, message } = error as { code?: string; message: string };
-      if (!ends.aborted && code !== 'cancelled') fault.value = strings.imitationReasons[code ?? ''] ?? message;
+      if (!ends.aborted && code !== 'cancelled') {
+        fault.value = strings.imitationReasons[code ?? ''] ?? message;
+        doubted.value = code === 'plain-photo';
+      }
     }
     if (running === mine) {
       running = null;
@@ -108,10 +117,16 @@ export function createImitation({
   async function read({ file }: Picture, ends: AbortSignal): Promise<string> {
     try {
       await engine.importPhoto(ID, file, { signal: ends });
-      return await engine.readLook(ID, { signal: ends });
+      return await engine.readLook(ID, { anyway, signal: ends });
     } finally {
       engine.forgetPhoto(ID);
     }
+  }
+
+  /** Searches for what seemed to be a plain photo. */
+  function insist(id: string) {
+    anyway = true;
+    void search(id);
   }
 
   /** A style of a name of its own, under an id that no other has. The score is of this search alone. */
@@ -134,6 +149,7 @@ export function createImitation({
   function clear() {
     stop();
     look = null;
+    doubted.value = false;
     picture.value = null;
     proposals.value = [];
     fault.value = null;

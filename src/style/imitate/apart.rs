@@ -7,6 +7,9 @@ use super::lines::Lines;
 /// Pitches below this, in pixels of a 1920 x 1080 picture, do not show at the size of a trial.
 pub(super) const FINEST: f32 = 8.5;
 
+/// What a screen counts that was not seen close yet: about as much as one that is far off.
+const UNSEEN: f32 = 3.0;
+
 /// The parts of a distance.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Apart {
@@ -41,7 +44,7 @@ pub(super) fn apart(wanted: &Features, found: &Features) -> Apart {
             + 0.4 * texture
             + 0.8 * (wanted.flat - found.flat).abs() / 0.12
             + 0.5 * (free(wanted) - free(found)).abs() / 0.7,
-        screen: if wanted.screen.pitch > 0.0 && wanted.screen.pitch < FINEST { 0.0 } else { screens(wanted, found) },
+        screen: if (0.1..FINEST).contains(&wanted.screen.pitch) { UNSEEN } else { screens(wanted, found) },
     }
 }
 

@@ -37,7 +37,7 @@ pub use spectrum::Screen;
 
 use super::context::{Context, scale_of};
 use super::look::signature;
-use super::stylize;
+use super::{Style, stylize};
 use crate::error::Result;
 use crate::raster::Image;
 use crate::raster::resize::{Region, resample_image};
@@ -49,10 +49,18 @@ use serde::{Deserialize, Serialize};
 /// # Errors
 /// `small-picture`, `blank-picture` or `plain-photo` where there is nothing to imitate.
 pub fn read(picture: &Image) -> Result<Features> {
-    nothing::check_size(picture)?;
-    let features = Features::of(picture);
+    let features = read_any(picture)?;
     nothing::check_look(&features)?;
     Ok(features)
+}
+
+/// The same of whatever somebody insists on: a painting may be told from a photo by people alone.
+///
+/// # Errors
+/// `small-picture`.
+pub fn read_any(picture: &Image) -> Result<Features> {
+    nothing::check_size(picture)?;
+    Ok(Features::of(picture))
 }
 
 /// What came of a style.
@@ -64,33 +72,45 @@ pub struct Trial {
     pub signature: Vec<u8>,
 }
 
-/// Draws a photo in a style at the size of a trial and reads its look.
+/// A photo as it is seen in trials.
+pub struct Seen {
+    image: Image,
+    scale: f32,
+    close: bool,
+}
+
+impl Seen {
+    /// The photo for a trial; all that are asked for at once see it alike.
+    #[must_use]
+    pub fn of(photo: &Image, ask: &Ask) -> Self {
+        if ask.close {
+            return Self { image: middle(photo), scale: scale_of(FINE as f64), close: true };
+        }
+        let image = features::reduced(photo, ask.area);
+        let scale = scale_of(image.width() as f64 * image.height() as f64);
+        Self { image, scale, close: false }
+    }
+}
+
+/// Draws a photo in a style and reads its look.
 ///
 /// # Errors
 /// `cancelled` when the context says so.
-pub fn attempt(photo: &Image, ask: &Ask, context: &mut Context<'_>) -> Result<Trial> {
-    let seen = if ask.close { close(photo, context) } else { whole(photo, ask.area, context) };
-    let drawn = stylize(&seen, &ask.style, context)?;
+pub fn attempt(seen: &Seen, style: &Style, context: &mut Context<'_>) -> Result<Trial> {
+    context.set_scale(seen.scale);
+    let drawn = stylize(&seen.image, style, context)?;
     let mut features = Features::at_size(&drawn);
-    if ask.close {
-        features.screen = spectrum::screen(&crate::simd::point::luma_plane(&drawn), context.scale());
+    if seen.close {
+        features.screen = spectrum::screen(&crate::simd::point::luma_plane(&drawn), seen.scale);
     }
     Ok(Trial { features, signature: signature(&drawn) })
 }
 
-/// The whole photo, with the scale set to it.
-fn whole(photo: &Image, area: usize, context: &mut Context<'_>) -> Image {
-    let image = features::reduced(photo, area);
-    context.fit_scale(&image);
-    image
-}
-
-/// The middle of the photo as it is in a larger one, with the scale set to that.
-fn close(photo: &Image, context: &mut Context<'_>) -> Image {
+/// The middle of the photo as it is in a large picture of it.
+fn middle(photo: &Image) -> Image {
     let (width, height) = (photo.width() as f64, photo.height() as f64);
-    let pixels = width * height;
     let part = (AREA as f64 / FINE as f64).sqrt();
-    let factor = (FINE as f64 / pixels).sqrt();
+    let factor = (FINE as f64 / (width * height)).sqrt();
     let region = Region {
         x: 0.5 * width * (1.0 - part),
         y: 0.5 * height * (1.0 - part),
@@ -98,7 +118,5 @@ fn close(photo: &Image, context: &mut Context<'_>) -> Image {
         height: height * part,
     };
     let side = |length: f64| ((length * part * factor).round() as usize).max(1);
-    let image = resample_image(photo, region, side(width), side(height));
-    context.set_scale(scale_of(FINE as f64));
-    image
+    resample_image(photo, region, side(width), side(height))
 }

@@ -18,12 +18,12 @@ pub(super) fn check_size(picture: &Image) -> Result<()> {
 /// `blank-picture`, `plain-photo`.
 pub(super) fn check_look(features: &Features) -> Result<()> {
     if is_blank(features) {
-        return Err(Error::BlankPicture);
+        Err(Error::BlankPicture)
+    } else if is_photo(features) {
+        Err(Error::PlainPhoto)
+    } else {
+        Ok(())
     }
-    if photo_score(features) > 0.0 {
-        return Err(Error::PlainPhoto);
-    }
-    Ok(())
 }
 
 /// Hardly anything but one colour.
@@ -33,7 +33,15 @@ fn is_blank(features: &Features) -> bool {
     most > 0.985 || texture < 0.6
 }
 
-/// Above 0 a picture is taken for a photo as a camera made it.
-pub(super) fn photo_score(_features: &Features) -> f32 {
-    -1.0
+/// Whether a picture has what pictures of cameras have and next to no print, drawing or painting has: many colours, or many
+/// grays, colours of one lightness that differ, hardly a line, as many light ones as dark ones, and nothing that repeats.
+/// Bounds are between 16 photos and 116 designed styles on them; paint without lines is the nearest to a photo.
+fn is_photo(features: &Features) -> bool {
+    let Features { dark, light, screen, tones, .. } = features;
+    let drawn = dark.density > 0.075 || dark.density > 3.0 * light.density + 0.004;
+    let printed = screen.pitch > 0.0 && screen.strength > 1.4;
+    let solid = tones[0] + tones[tones.len() - 1];
+    let gray = features.chroma < 0.004;
+    let varied = if gray { solid < 0.3 } else { features.variety > 0.1 && features.free > 0.017 };
+    varied && !drawn && !printed
 }

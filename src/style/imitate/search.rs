@@ -38,7 +38,7 @@ pub struct Effort {
 
 impl Effort {
     /// What a person waits for: 300 to 350 trials.
-    pub const FULL: Self = Self { nearest: 12, rounds: 6, children: 24, tuned: 8 };
+    pub const FULL: Self = Self { nearest: 12, rounds: 5, children: 24, tuned: 8 };
     /// What tests can wait for.
     pub const BRIEF: Self = Self { nearest: 5, rounds: 1, children: 8, tuned: 4 };
 }

@@ -11,6 +11,7 @@ export const imitationStrings = {
   imitationOther: 'Anderes Bild',
   imitationFile: 'Bild, dessen Stil gesucht wird',
   imitationAgain: 'Noch einmal suchen',
+  imitationAnyway: 'Trotzdem suchen',
   imitating: 'Stile werden gesucht …',
   imitationProposals: 'Gefundene Stile',
   imitationPhotos: 'Foto zum Ausprobieren',

@@ -10,6 +10,7 @@ export const imitationStrings = {
   imitationOther: 'Another picture',
   imitationFile: 'Picture whose style is wanted',
   imitationAgain: 'Search again',
+  imitationAnyway: 'Search anyway',
   imitating: 'Searching for styles…',
   imitationProposals: 'Styles found',
   imitationPhotos: 'Photo to try them on',

@@ -10,6 +10,7 @@ export const imitationStrings = {
   imitationOther: 'Otra imagen',
   imitationFile: 'Imagen cuyo estilo se busca',
   imitationAgain: 'Buscar de nuevo',
+  imitationAnyway: 'Buscar de todos modos',
   imitating: 'Buscando estilos…',
   imitationProposals: 'Estilos encontrados',
   imitationPhotos: 'Foto en la que probarlos',

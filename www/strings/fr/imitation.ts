@@ -10,6 +10,7 @@ export const imitationStrings = {
   imitationOther: 'Une autre image',
   imitationFile: 'Image dont le style est cherché',
   imitationAgain: 'Chercher encore',
+  imitationAnyway: 'Chercher quand même',
   imitating: 'Recherche de styles…',
   imitationProposals: 'Styles trouvés',
   imitationPhotos: 'Photo pour les essayer',

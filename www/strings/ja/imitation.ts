@@ -10,6 +10,7 @@ export const imitationStrings = {
   imitationOther: '別の絵',
   imitationFile: 'スタイルを探す絵',
   imitationAgain: 'もう一度探す',
+  imitationAnyway: 'それでも探す',
   imitating: 'スタイルを探しています…',
   imitationProposals: '見つかったスタイル',
   imitationPhotos: '試す写真',

@@ -11,6 +11,7 @@ export const imitationStrings = {
   imitationOther: 'Outra imagem',
   imitationFile: 'Imagem cujo estilo é procurado',
   imitationAgain: 'Procurar de novo',
+  imitationAnyway: 'Procurar mesmo assim',
   imitating: 'Procurando estilos…',
   imitationProposals: 'Estilos encontrados',
   imitationPhotos: 'Foto para experimentá-los',
