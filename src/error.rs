@@ -136,7 +136,9 @@ pub enum Error {
     #[error("the picture is blank: there is no style in it")]
     BlankPicture,
     /// A picture whose style is wanted is a photo as a camera makes it.
-    #[error("the picture is a plain photo: choose a drawing, a print or a painting, whose lines and colours can be taken over")]
+    #[error(
+        "the picture is a plain photo: choose a drawing, a print or a painting, whose lines and colours can be taken over"
+    )]
     PlainPhoto,
     /// The caller asked to stop.
     #[error("cancelled")]

@@ -17,8 +17,8 @@ const SIDE: usize = 1600;
 /// error. `anyway` takes pictures that seem to have no look of their own.
 pub(crate) fn imitate(picture: &Path, photo: &Path, seed: u32, anyway: bool) -> Result<Value, Complaint> {
     let read = if anyway { imitate::read_any } else { imitate::read };
-    let look = read(&decode_file_fit(picture, SIDE)?)
-        .map_err(|error| format!("{}: {error}", picture.display()))?;
+    let look =
+        read(&decode_file_fit(picture, SIDE)?).map_err(|error| format!("{}: {error}", picture.display()))?;
     let photo = decode_file_fit(photo, SIDE)?;
     let mut search = Search::new(look, seed);
     loop {

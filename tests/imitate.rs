@@ -16,6 +16,9 @@ use std::path::Path;
 const TRIALS: usize = 40;
 const FOUND: f64 = 0.8;
 
+/// Pixels of a trial: fewer than a person's are tried with, as all of it is to be quick.
+const AREA: usize = 60_000;
+
 fn photo(name: &str) -> Image {
     let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/photos").join(name);
     decode_fit(&fs::read(path).unwrap(), &Limits::default(), 1000).unwrap().image
@@ -26,7 +29,7 @@ fn drawn(photo: &Image, style: &Style) -> Image {
 }
 
 fn attempt(photo: &Image, style: &Style, close: bool) -> Trial {
-    let seen = Seen::of(photo, &Ask { style: style.clone(), area: 160_000, close });
+    let seen = Seen::of(photo, &Ask { style: style.clone(), area: AREA, close });
     imitate::attempt(&seen, style, &mut Context::default()).unwrap()
 }
 
@@ -86,7 +89,7 @@ fn designed_styles_are_found_again_on_another_photo() {
         .into_par_iter()
         .map(|i| {
             let style = &catalogue()[i * catalogue().len() / TRIALS];
-            let look = Features::of(&drawn(&pictures[i % pictures.len()], style));
+            let look = Features::within(&drawn(&pictures[i % pictures.len()], style), AREA);
             let survey = &surveys[i % 2];
             let proposals = survey.search(look.clone(), 1, Effort::BRIEF);
             assert!((3..=6).contains(&proposals.len()), "{}: {}", style.id, proposals.len());
@@ -108,7 +111,7 @@ fn designed_styles_are_found_again_on_another_photo() {
 fn the_same_seed_finds_the_same() {
     let own = photo("raccoon.jpg");
     let survey = Survey::of(&own);
-    let look = Features::of(&drawn(&photo("cat.jpg"), &catalogue()[40]));
+    let look = Features::within(&drawn(&photo("cat.jpg"), &catalogue()[40]), AREA);
     let told = |seed| {
         let styles = survey.search(look.clone(), seed, Effort::BRIEF);
         styles.iter().map(|style| style.to_value().to_string()).collect::<Vec<_>>()

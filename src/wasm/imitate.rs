@@ -32,7 +32,11 @@ impl Studio {
             if self.seen.as_ref().is_none_or(|(known, _)| *known != name) {
                 self.seen = Some((name, Seen::of(self.photo(key)?, &ask)));
             }
-            let seen = self.seen.as_ref().map(|(_, seen)| seen).ok_or_else(|| Error::MissingPhoto(key.to_owned()))?;
+            let seen = self
+                .seen
+                .as_ref()
+                .map(|(_, seen)| seen)
+                .ok_or_else(|| Error::MissingPhoto(key.to_owned()))?;
             Ok(told(&imitate::attempt(seen, &ask.style, &mut self.context)?))
         };
         attempt().map_err(thrown)
@@ -59,9 +63,9 @@ impl Imitation {
     /// The next trials, a JSON array for `try_look`; empty when the search is done.
     #[must_use]
     pub fn ask(&mut self) -> String {
-        let asks = self.0.ask().into_iter().map(|Ask { style, area, close }| {
-            json!({ "style": style.to_value(), "area": area, "close": close })
-        });
+        let asks = self.0.ask().into_iter().map(
+            |Ask { style, area, close }| json!({ "style": style.to_value(), "area": area, "close": close }),
+        );
         Value::Array(asks.collect()).to_string()
     }
 

@@ -3,9 +3,10 @@
 use super::colours::palette_distance;
 use super::features::{Features, TONES};
 use super::lines::Lines;
+use crate::style::context::scale_of;
 
-/// Pitches below this, in pixels of a 1920 x 1080 picture, do not show at the size of a trial.
-pub(super) const FINEST: f32 = 8.5;
+/// Pitches below so many pixels of a trial do not show in it.
+const FINEST: f32 = 2.4;
 
 /// What a screen counts that was not seen close yet: about as much as one that is far off.
 const UNSEEN: f32 = 3.0;
@@ -44,7 +45,11 @@ pub(super) fn apart(wanted: &Features, found: &Features) -> Apart {
             + 0.4 * texture
             + 0.8 * (wanted.flat - found.flat).abs() / 0.12
             + 0.5 * (free(wanted) - free(found)).abs() / 0.7,
-        screen: if (0.1..FINEST).contains(&wanted.screen.pitch) { UNSEEN } else { screens(wanted, found) },
+        screen: if (0.1..FINEST / scale_of(wanted.area as f64)).contains(&wanted.screen.pitch) {
+            UNSEEN
+        } else {
+            screens(wanted, found)
+        },
     }
 }
 
@@ -73,7 +78,7 @@ fn tones(a: &[f32; TONES], b: &[f32; TONES]) -> f32 {
 
 fn lines(a: &Lines, b: &Lines) -> f32 {
     // Below a hundredth of the picture they hardly count.
-    let density = ((a.density + 0.012) / (b.density + 0.012)).ln().abs() / 0.22;
+    let density = ((a.density + 0.012) / (b.density + 0.012)).ln().abs() / 0.15;
     let both = (a.density.min(b.density) / 0.03).min(1.0);
     let width = if a.width > 0.0 && b.width > 0.0 { (a.width / b.width).ln().abs() / 0.3 } else { 0.0 };
     density.min(6.0) + 0.5 * both * width

@@ -111,7 +111,8 @@ fn between([l1, a1, b1]: [f32; 3], [l2, a2, b2]: [f32; 3]) -> f32 {
     let stretch = 1.0 + 0.5 * (1.0 - seventh(mean_chroma));
     let (a1, a2) = (a1 * stretch, a2 * stretch);
     let (c1, c2) = (a1.hypot(b1), a2.hypot(b2));
-    let hue = |a: f32, b: f32| if a == 0.0 && b == 0.0 { 0.0 } else { b.atan2(a).to_degrees().rem_euclid(360.0) };
+    let hue =
+        |a: f32, b: f32| if a == 0.0 && b == 0.0 { 0.0 } else { b.atan2(a).to_degrees().rem_euclid(360.0) };
     let (h1, h2) = (hue(a1, b1), hue(a2, b2));
     let turn = if c1 * c2 == 0.0 { 0.0 } else { (h2 - h1 + 180.0).rem_euclid(360.0) - 180.0 };
     let (dl, dc) = (l2 - l1, c2 - c1);
@@ -160,9 +161,10 @@ mod tests {
 
     #[test]
     fn a_picture_of_two_colours_has_two() {
-        let image = Image::from_rgb([[20, 240], [30, 220], [90, 200]].map(|pair: [u8; 2]| {
-            Plane::from_fn(60, 40, move |x, _| pair[usize::from(x >= 20)])
-        }))
+        let image = Image::from_rgb(
+            [[20, 240], [30, 220], [90, 200]]
+                .map(|pair: [u8; 2]| Plane::from_fn(60, 40, move |x, _| pair[usize::from(x >= 20)])),
+        )
         .unwrap();
         let palette = palette(&image);
         assert_eq!(palette.len(), 2);

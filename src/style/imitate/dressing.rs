@@ -135,7 +135,8 @@ pub(super) fn dressed(style: &Style, dress: Dress, wanted: &Wanted) -> Option<St
 /// The steps of a background that do not colour. `gray` makes it gray first.
 fn body(background: &[Step], gray: bool, without: &[&str]) -> Option<Vec<Step>> {
     let luma_only = background.iter().any(|step| ["pattern", "engrave"].contains(&step.block.id));
-    let dropped = |id: &str| COLOURING.contains(&id) || without.contains(&id) || (id == "to_gray" && !luma_only);
+    let dropped =
+        |id: &str| COLOURING.contains(&id) || without.contains(&id) || (id == "to_gray" && !luma_only);
     let mut kept: Vec<Step> = background.iter().filter(|step| !dropped(step.block.id)).cloned().collect();
     // What is only there to make an even tone leaves nothing.
     if background.iter().any(|step| step.block.id == "brightness" && step.values[0] == 0.0) {
@@ -231,7 +232,8 @@ mod tests {
     #[test]
     fn every_dress_of_every_style_is_a_valid_file_that_draws() {
         let wanted = wanted();
-        let photo = Image::from_rgb([3, 5, 7].map(|k| Plane::from_fn(60, 40, |x, y| ((x * k) ^ (y * 4)) as u8)));
+        let photo =
+            Image::from_rgb([3, 5, 7].map(|k| Plane::from_fn(60, 40, |x, y| ((x * k) ^ (y * 4)) as u8)));
         let photo = photo.unwrap();
         let mut made = 0;
         for style in catalogue() {

@@ -54,7 +54,13 @@ impl Features {
     /// Of a picture of any size. Whatever is larger than needed is reduced first.
     #[must_use]
     pub fn of(picture: &Image) -> Self {
-        let small = reduced(picture, AREA);
+        Self::within(picture, AREA)
+    }
+
+    /// The same at so many pixels at most, at which styles are tried then.
+    #[must_use]
+    pub fn within(picture: &Image, area: usize) -> Self {
+        let small = reduced(picture, area.min(AREA));
         let fine = reduced(picture, FINE);
         Self { screen: screen_of(&fine), variety: colours::variety(&small), ..Self::at_size(&small) }
     }

@@ -27,10 +27,8 @@ pub(super) fn lines(luma: &Plane, scale: f32) -> [Lines; 2] {
         // A pixel belongs to a line when both sides of it are lighter, across or down.
         let on = |x: usize, y: usize| {
             let here = tone(x, y).saturating_add(STEP);
-            let across = x >= reach
-                && x + reach < width
-                && here < tone(x - reach, y)
-                && here < tone(x + reach, y);
+            let across =
+                x >= reach && x + reach < width && here < tone(x - reach, y) && here < tone(x + reach, y);
             across
                 || (y >= reach
                     && y + reach < height

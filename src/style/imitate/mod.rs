@@ -41,7 +41,7 @@ use super::{Style, stylize};
 use crate::error::Result;
 use crate::raster::Image;
 use crate::raster::resize::{Region, resample_image};
-use features::{AREA, FINE};
+use features::FINE;
 use serde::{Deserialize, Serialize};
 
 /// Reads the look of a picture.
@@ -84,7 +84,7 @@ impl Seen {
     #[must_use]
     pub fn of(photo: &Image, ask: &Ask) -> Self {
         if ask.close {
-            return Self { image: middle(photo), scale: scale_of(FINE as f64), close: true };
+            return Self { image: middle(photo, ask.area), scale: scale_of(FINE as f64), close: true };
         }
         let image = features::reduced(photo, ask.area);
         let scale = scale_of(image.width() as f64 * image.height() as f64);
@@ -107,9 +107,9 @@ pub fn attempt(seen: &Seen, style: &Style, context: &mut Context<'_>) -> Result<
 }
 
 /// The middle of the photo as it is in a large picture of it.
-fn middle(photo: &Image) -> Image {
+fn middle(photo: &Image, area: usize) -> Image {
     let (width, height) = (photo.width() as f64, photo.height() as f64);
-    let part = (AREA as f64 / FINE as f64).sqrt();
+    let part = (area as f64 / FINE as f64).sqrt();
     let factor = (FINE as f64 / (width * height)).sqrt();
     let region = Region {
         x: 0.5 * width * (1.0 - part),

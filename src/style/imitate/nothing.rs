@@ -11,7 +11,11 @@ const SHORTEST: usize = 64;
 /// `small-picture`.
 pub(super) fn check_size(picture: &Image) -> Result<()> {
     let (width, height) = (picture.width(), picture.height());
-    if width.min(height) < SHORTEST { Err(Error::SmallPicture { width, height, least: SHORTEST }) } else { Ok(()) }
+    if width.min(height) < SHORTEST {
+        Err(Error::SmallPicture { width, height, least: SHORTEST })
+    } else {
+        Ok(())
+    }
 }
 
 /// # Errors
@@ -39,7 +43,7 @@ fn is_blank(features: &Features) -> bool {
 fn is_photo(features: &Features) -> bool {
     let Features { dark, light, screen, tones, .. } = features;
     let drawn = dark.density > 0.075 || dark.density > 3.0 * light.density + 0.004;
-    let printed = screen.pitch > 0.0 && screen.strength > 1.4;
+    let printed = screen.pitch > 0.0;
     let solid = tones[0] + tones[tones.len() - 1];
     let gray = features.chroma < 0.004;
     let varied = if gray { solid < 0.3 } else { features.variety > 0.1 && features.free > 0.017 };

@@ -40,7 +40,7 @@ impl Effort {
     /// What a person waits for: 300 to 350 trials.
     pub const FULL: Self = Self { nearest: 12, rounds: 5, children: 24, tuned: 8 };
     /// What tests can wait for.
-    pub const BRIEF: Self = Self { nearest: 5, rounds: 1, children: 8, tuned: 4 };
+    pub const BRIEF: Self = Self { nearest: 6, rounds: 3, children: 12, tuned: 4 };
 }
 
 /// Styles that have children.
@@ -106,7 +106,8 @@ impl Search {
     /// A search for styles that look like a picture with these features.
     #[must_use]
     pub fn new(features: Features, seed: u32) -> Self {
-        let random = Rand64::new(u128::from(seed).wrapping_mul(0x9e37_79b9_7f4a_7c15_f39c_c060_5ced_c835) | 1);
+        let random =
+            Rand64::new(u128::from(seed).wrapping_mul(0x9e37_79b9_7f4a_7c15_f39c_c060_5ced_c835) | 1);
         Self {
             wanted: Wanted::new(features),
             random,
@@ -175,10 +176,12 @@ impl Search {
         let mut chosen: Vec<&Candidate> = Vec::new();
         let Some(best) = self.known.first().map(|best| best.apart.total()) else { return Vec::new() };
         // First one of a kind, then more of a kind, at last whatever is there.
-        for (kinds, alike, most) in [(1, ALIKE, PROPOSALS.1), (2, ALIKE, PROPOSALS.0), (9, 0.5, PROPOSALS.0)] {
+        for (kinds, alike, most) in [(1, ALIKE, PROPOSALS.1), (2, ALIKE, PROPOSALS.0), (9, 0.5, PROPOSALS.0)]
+        {
             for candidate in &self.known {
                 let far = candidate.apart.total() > (1.7 * best).max(best + 2.5);
-                let like = chosen.iter().any(|other| difference(&other.signature, &candidate.signature) <= alike);
+                let like =
+                    chosen.iter().any(|other| difference(&other.signature, &candidate.signature) <= alike);
                 let same = chosen.iter().filter(|other| other.origin == candidate.origin).count();
                 if chosen.len() < most && !like && same < kinds && (!far || chosen.len() < PROPOSALS.0) {
                     chosen.push(candidate);
@@ -229,7 +232,8 @@ impl Search {
 
     /// Half of the styles are the nearest altogether, the others by what colours do not change.
     fn dress(&mut self) {
-        let mut nearest: Vec<usize> = self.known.iter().take(self.effort.nearest / 2).map(|near| near.origin.0).collect();
+        let mut nearest: Vec<usize> =
+            self.known.iter().take(self.effort.nearest / 2).map(|near| near.origin.0).collect();
         let mut by_shape: Vec<&Candidate> = self.known.iter().collect();
         let shape = |candidate: &Candidate| candidate.apart.shape + candidate.apart.screen;
         by_shape.sort_by(|a, b| shape(a).total_cmp(&shape(b)));
@@ -305,7 +309,8 @@ impl Search {
 }
 
 fn same_chain(a: &Style, b: &Style) -> bool {
-    a.ink == b.ink && format!("{:?}{:?}", a.background, a.foreground) == format!("{:?}{:?}", b.background, b.foreground)
+    a.ink == b.ink
+        && format!("{:?}{:?}", a.background, a.foreground) == format!("{:?}{:?}", b.background, b.foreground)
 }
 
 /// Mean difference of two signatures.
@@ -389,7 +394,8 @@ const FIXED: [(&str, &str); 6] = [
 /// Moves about two values of a style. `far` is the usual step, as a share of the value or of its range.
 fn mutate(style: &mut Style, far: f64, random: &mut Rand64) {
     let free = |block: &str, param: &crate::style::params::Param| {
-        matches!(param.kind, Kind::Number { .. } | Kind::Integer { .. }) && !FIXED.contains(&(block, param.id))
+        matches!(param.kind, Kind::Number { .. } | Kind::Integer { .. })
+            && !FIXED.contains(&(block, param.id))
     };
     let count: usize = layers(style)
         .flatten()
@@ -403,7 +409,9 @@ fn mutate(style: &mut Style, far: f64, random: &mut Rand64) {
             let push = far * ((random.rand_float() + random.rand_float() + random.rand_float()) * 2.0 - 3.0);
             let (least, most) = param.kind.range();
             let moved = match param.kind {
-                Kind::Integer { .. } => *value + (push * 4.0).signum() as f32 * (1.0 + (push * 2.0).abs() as f32).floor(),
+                Kind::Integer { .. } => {
+                    *value + (push * 4.0).signum() as f32 * (1.0 + (push * 2.0).abs() as f32).floor()
+                }
                 _ if least >= 0.0 && *value > 0.0 => *value * (push as f32).exp(),
                 _ => *value + push as f32 * 0.15 * (most - least),
             };

@@ -26,8 +26,9 @@ const PATCHES: usize = 12;
 /// Rings from which and up to which a peak counts: a tenth of a patch, and two pixels and a bit.
 const RINGS: (usize, usize) = (4, 60);
 
-/// From this height above its neighbourhood a peak is a screen, as a natural logarithm.
-pub(super) const CLEAR: f32 = 0.75;
+/// From this height above its neighbourhood a peak is a screen, as a natural logarithm: tiles, roofs and fences of photos stay
+/// below, screens and hatching of designed styles are above.
+pub(super) const CLEAR: f32 = 1.35;
 
 /// What repeats.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
@@ -234,7 +235,9 @@ mod tests {
         let (mut re, mut im) = (signal.clone(), vec![0.0; SIDE]);
         row(&mut re, &mut im, &turns);
         for k in [0, 1, 5, 64, 127] {
-            let term = |i: usize| f64::from(signal[i]) * (std::f64::consts::TAU * (i * k) as f64 / SIDE as f64).cos();
+            let term = |i: usize| {
+                f64::from(signal[i]) * (std::f64::consts::TAU * (i * k) as f64 / SIDE as f64).cos()
+            };
             let expected: f64 = (0..SIDE).map(term).sum();
             assert!((f64::from(re[k]) - expected).abs() < 0.05, "{k}: {} {expected}", re[k]);
         }

@@ -22,8 +22,8 @@ use crate::raster::{Image, Plane};
 use crate::simd::blade::halve;
 use crate::style::context::Context;
 use crate::style::params::{Args, Kind, Param, Unit, colour, integer, number};
-use palette::{Costs, NAMES, OWN};
 pub(in crate::style) use palette::{CELLS, cell_of, cells, distance, histogram, means, oklab};
+use palette::{Costs, NAMES, OWN};
 
 pub(super) static BLOCK: Block = Block {
     id: "flatten",
@@ -211,7 +211,8 @@ mod tests {
 
     #[test]
     fn a_palette_of_ones_own_gives_its_first_colours_alone() {
-        let image = Image::from_rgb([0, 1, 2].map(|c| Plane::from_fn(64, 64, |x, y| (x * 3 + y + 30 * c) as u8)));
+        let image =
+            Image::from_rgb([0, 1, 2].map(|c| Plane::from_fn(64, 64, |x, y| (x * 3 + y + 30 * c) as u8)));
         let own = [[200, 30, 40], [20, 40, 90]];
         let values = [colour_value(own[0]), colour_value(own[1])];
         let change = [(0, 2.0), (1, OWN as f32), (3, 0.0), (5, values[0]), (6, values[1])];
