@@ -160,7 +160,7 @@ pub const fn colour(id: &'static str, label: &'static str, help: &'static str, d
 /// A colour as the value of a parameter.
 #[must_use]
 pub fn colour_value([r, g, b]: [u8; 3]) -> f32 {
-    (u32::from(r) << 16 | u32::from(g) << 8 | u32::from(b)) as f32
+    u32::from_be_bytes([0, r, g, b]) as f32
 }
 
 /// The colour of a value.

@@ -5,7 +5,13 @@ import { createImitation } from './imitation.ts';
 const file = (name: string) => new File(['x'], name);
 const fault = (code: string, message = code) => Object.assign(new Error(message), { code });
 
-function app({ readLook = async () => 'look', photos = 3 }: { readLook?: () => Promise<string>; photos?: number } = {}) {
+function app({
+  readLook = async () => 'look',
+  photos = 3,
+}: {
+  readLook?: () => Promise<string>;
+  photos?: number;
+} = {}) {
   const ends: AbortSignal[] = [];
   const engine = {
     importPhoto: vi.fn(async () => ({})),

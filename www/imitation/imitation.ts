@@ -50,7 +50,22 @@ export function createImitation({
   let look: string | null = null;
   let anyway = false;
 
-  return { picture, progress, proposals, fault, doubted, insist, shown, photo, open, take, search, stop, choose, clear };
+  return {
+    picture,
+    progress,
+    proposals,
+    fault,
+    doubted,
+    insist,
+    shown,
+    photo,
+    open,
+    take,
+    search,
+    stop,
+    choose,
+    clear,
+  };
 
   /** Shows the workspace, as it was left. */
   function open() {

@@ -40,8 +40,8 @@ pub(super) fn apart(wanted: &Features, found: &Features) -> Apart {
     Apart {
         palette: palette_distance(&wanted.palette, &found.palette) / 4.0,
         shape: 0.6 * tones(&wanted.tones, &found.tones) / 0.06
-            + lines(&wanted.dark, &found.dark)
-            + 0.7 * lines(&wanted.light, &found.light)
+            + lines(wanted.dark, found.dark)
+            + 0.7 * lines(wanted.light, found.light)
             + 0.4 * texture
             + 0.8 * (wanted.flat - found.flat).abs() / 0.12
             + 0.5 * (free(wanted) - free(found)).abs() / 0.7,
@@ -76,7 +76,7 @@ fn tones(a: &[f32; TONES], b: &[f32; TONES]) -> f32 {
     work / TONES as f32
 }
 
-fn lines(a: &Lines, b: &Lines) -> f32 {
+fn lines(a: Lines, b: Lines) -> f32 {
     // Below a hundredth of the picture they hardly count.
     let density = ((a.density + 0.012) / (b.density + 0.012)).ln().abs() / 0.15;
     let both = (a.density.min(b.density) / 0.03).min(1.0);

@@ -35,7 +35,7 @@ impl Inks {
         let mut best: Option<(f32, f32, Vec<[f32; 3]>)> = None;
         for set in 1u32..1 << others.len() {
             let inks: Vec<[f32; 3]> =
-                (0..others.len()).filter(|i| set >> i & 1 == 1).map(|i| others[i]).collect();
+                (0..others.len()).filter(|i| (set >> i) & 1 == 1).map(|i| others[i]).collect();
             if inks.len() > 3 {
                 continue;
             }
