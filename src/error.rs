@@ -137,7 +137,7 @@ pub enum Error {
     BlankPicture,
     /// A picture whose style is wanted is a photo as a camera makes it.
     #[error(
-        "the picture is a plain photo: choose a drawing, a print or a painting, whose lines and colours can be taken over"
+        "the picture looks like a plain photo: choose a drawing, a print or a painting, whose lines and colours can be taken over"
     )]
     PlainPhoto,
     /// The caller asked to stop.

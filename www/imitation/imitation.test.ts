@@ -73,7 +73,7 @@ describe('a style from a picture', () => {
     const { imitation, engine } = app({ readLook: () => Promise.reject(fault('plain-photo')) });
     imitation.take([file('a.jpg')]);
     await imitation.search('p1');
-    expect(imitation.fault.value).toMatch(/^This is a plain photo/);
+    expect(imitation.fault.value).toMatch(/^This looks like a plain photo/);
     expect(imitation.doubted.value).toBe(true);
     imitation.insist('p1');
     await vi.waitFor(() => expect(imitation.progress.value).toBeNull());

@@ -13,7 +13,7 @@ test('a style is taken over from a picture that is dropped with Alt, used on the
 
   // A plain photo has nothing to take over, which is said.
   await region.getByLabel('Picture whose style is wanted').setInputFiles(await photos('raccoon.jpg'));
-  await expect(region.getByText('This is a plain photo', { exact: false })).toBeVisible({ timeout: 30_000 });
+  await expect(region.getByText('This looks like a plain photo', { exact: false })).toBeVisible({ timeout: 30_000 });
 
   const buffer = await readFile(new URL('../../../docs/pages/noir.png', import.meta.url));
   await drop(page, [{ name: 'dark print.png', mimeType: 'image/png', buffer }], { altKey: true });

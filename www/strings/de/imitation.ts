@@ -29,7 +29,7 @@ export const imitationStrings = {
     'small-picture': 'Dieses Bild ist zu klein, um einen Stil daraus zu lesen: Jede Seite braucht 64 Pixel.',
     'blank-picture': 'Dieses Bild ist leer: Es steckt kein Stil darin.',
     'plain-photo':
-      'Das ist ein gewöhnliches Foto: Es hat keine Linien, Druckfarben oder Malerei zum Übernehmen. Wähle eine Zeichnung, einen Druck oder ein Gemälde.',
+      'Das sieht nach einem gewöhnlichen Foto aus: Es hat keine Linien, Druckfarben oder Malerei zum Übernehmen. Wähle eine Zeichnung, einen Druck oder ein Gemälde.',
     'worker-lost': 'Beim Lesen dieses Bildes blieb das Programm stehen. Versuch es mit einem anderen.',
     'unreadable-file': 'Die Datei wurde verschoben, verändert oder gelöscht, seit du sie gewählt hast.',
     'unknown-format':

@@ -28,7 +28,7 @@ export const imitationStrings = {
     'small-picture': 'This picture is too small to read a style from: each side needs 64 pixels.',
     'blank-picture': 'This picture is blank: there is no style in it.',
     'plain-photo':
-      'This is a plain photo: there are no lines, inks or paints to take over. Choose a drawing, a print or a painting.',
+      'This looks like a plain photo: there are no lines, inks or paints to take over. Choose a drawing, a print or a painting.',
     'worker-lost': 'Reading this picture stopped the program. Try another one.',
     'unreadable-file': 'The file was moved, changed or deleted since you chose it.',
     'unknown-format': 'This is no picture that can be read. Choose a JPEG, PNG, WebP, AVIF, GIF, BMP or TIFF file.',

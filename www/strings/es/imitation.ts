@@ -28,7 +28,7 @@ export const imitationStrings = {
     'small-picture': 'Esta imagen es demasiado pequeña para leer un estilo: cada lado necesita 64 píxeles.',
     'blank-picture': 'Esta imagen está vacía: no hay ningún estilo en ella.',
     'plain-photo':
-      'Es una foto corriente: no hay líneas, tintas ni pintura que tomar. Elige un dibujo, un grabado o una pintura.',
+      'Parece una foto corriente: no hay líneas, tintas ni pintura que tomar. Elige un dibujo, un grabado o una pintura.',
     'worker-lost': 'Al leer esta imagen el programa se detuvo. Prueba con otra.',
     'unreadable-file': 'El archivo se movió, cambió o borró desde que lo elegiste.',
     'unknown-format': 'No es una imagen que se pueda leer. Elige un archivo JPEG, PNG, WebP, AVIF, GIF, BMP o TIFF.',

@@ -85,7 +85,7 @@ export const helpStrings = {
     },
     imitation: {
       title: 'Un style d’après une image',
-      text: `« ${imitation.styleFromPicture} » donne à vos photos l’aspect d’une planche de BD, d’une estampe ou d’une peinture. Choisissez l’image à cet endroit, ou déposez-la n’importe où en maintenant Alt. Après quelques secondes, trois à six styles apparaissent sur votre propre photo ; utilisez-en un, enregistrez-le ou modifiez-le dans l’atelier.`,
+      text: `« ${imitation.styleFromPicture} » donne à vos photos l’aspect d’une planche de BD, d’une estampe ou d’une peinture. Choisissez l’image à cet endroit, ou déposez-la n’importe où en maintenant Alt. Après quelques secondes, trois à six styles apparaissent sur votre propre photo ; utilisez-en un, enregistrez-le ou modifiez-le dans l’atelier.`,
     },
     words: {
       title: 'Cartouches, bulles et onomatopées',

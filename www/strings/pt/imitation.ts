@@ -29,7 +29,7 @@ export const imitationStrings = {
     'small-picture': 'Esta imagem é pequena demais para ler um estilo: cada lado precisa de 64 pixels.',
     'blank-picture': 'Esta imagem está em branco: não há estilo nela.',
     'plain-photo':
-      'É uma foto comum: não há linhas, tintas ou pintura para aproveitar. Escolha um desenho, uma gravura ou uma pintura.',
+      'Parece uma foto comum: não há linhas, tintas ou pintura para aproveitar. Escolha um desenho, uma gravura ou uma pintura.',
     'worker-lost': 'A leitura desta imagem parou o programa. Tente outra.',
     'unreadable-file': 'O arquivo foi movido, alterado ou apagado desde que você o escolheu.',
     'unknown-format':
