@@ -48,6 +48,8 @@ pub struct Features {
     pub free: f32,
     /// How many colours it takes to make most of the picture, 0 to 1 and more; 0 where nobody asked, as of trials.
     pub variety: f32,
+    /// Share of the pixels that have one of the ten most common grays, but for black and white; 0 where nobody asked.
+    pub steps: f32,
 }
 
 impl Features {
@@ -62,7 +64,12 @@ impl Features {
     pub fn within(picture: &Image, area: usize) -> Self {
         let small = reduced(picture, area.min(AREA));
         let fine = reduced(picture, FINE);
-        Self { screen: screen_of(&fine), variety: colours::variety(&small), ..Self::at_size(&small) }
+        Self {
+            screen: screen_of(&fine),
+            variety: colours::variety(&small),
+            steps: steps(&small),
+            ..Self::at_size(&small)
+        }
     }
 
     /// Of a picture at the size at which it is measured.
@@ -84,6 +91,7 @@ impl Features {
             chroma,
             free,
             variety: 0.0,
+            steps: 0.0,
         }
     }
 
@@ -119,6 +127,18 @@ fn tones(luma: &Plane) -> [f32; TONES] {
     std::array::from_fn(|i| {
         counts[i * step..(i + 1) * step].iter().sum::<u32>() as f32 / luma.samples().len() as f32
     })
+}
+
+/// Of pictures in a few levels nearly all; see [`Features::steps`].
+fn steps(picture: &Image) -> f32 {
+    /// Grays that count as black, and as white.
+    const ENDS: usize = 6;
+    let luma = luma_plane(picture);
+    let mut counts = histogram(luma.samples());
+    let between = &mut counts[ENDS..256 - ENDS];
+    let total: u32 = between.iter().sum();
+    between.sort_unstable_by(|a, b| b.cmp(a));
+    between[..10].iter().sum::<u32>() as f32 / total.max(1) as f32
 }
 
 fn texture(luma: &Plane) -> [f32; 4] {

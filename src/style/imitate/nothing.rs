@@ -38,11 +38,12 @@ fn is_blank(features: &Features) -> bool {
 }
 
 /// Whether a picture has what pictures of cameras have and next to no print, drawing or painting has: many colours, or many
-/// grays, colours of one lightness that differ, hardly a line, as many light ones as dark ones, and nothing that repeats.
+/// grays, colours of one lightness that differ, no few levels, hardly a line, as many light ones as dark ones, and nothing that
+/// repeats.
 /// Bounds are between 16 photos and 116 designed styles on them; paint without lines is the nearest to a photo.
 fn is_photo(features: &Features) -> bool {
     let Features { dark, light, screen, tones, .. } = features;
-    let drawn = dark.density > 0.075 || dark.density > 3.0 * light.density + 0.004;
+    let drawn = dark.density > 0.075 || dark.density > 3.0 * light.density + 0.004 || features.steps > 0.45;
     let printed = screen.pitch > 0.0;
     let solid = tones[0] + tones[tones.len() - 1];
     let gray = features.chroma < 0.004;
