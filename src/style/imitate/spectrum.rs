@@ -250,7 +250,8 @@ mod tests {
             let dots = Plane::from_fn(400, 260, |x, y| {
                 let (x, y) = (x as f32, y as f32);
                 let (u, v) = (0.8 * x + 0.6 * y, 0.8 * y - 0.6 * x);
-                if wave(u) + wave(v) > 0.6 { 30 } else { 220 }
+                // Hard dots would have harmonics that a grid of pixels folds back to coarse waves.
+                (125.0 + 45.0 * (wave(u) + wave(v))) as u8
             });
             let found = screen(&dots, 1.0);
             assert!((found.pitch / pitch - 1.0).abs() < 0.06, "{pitch}: {found:?}");
