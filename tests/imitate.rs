@@ -149,7 +149,7 @@ fn pictures_without_a_look_are_told() {
     for name in ["macaw.jpg", "cat.jpg", "palace.jpg", "raccoon.jpg", "stream.jpg", "wine.jpg", "crab.jpg"] {
         assert_eq!(code(&photo(name)).map(|_| ()), Err("plain-photo"), "{name}");
     }
-    for id in ["comic", "noir", "manga", "newsprint", "copperplate", "riso-zine", "linocut", "aquarelle"] {
+    for id in ["comic", "noir", "manga", "newsprint", "copperplate", "riso-zine", "linocut", "screenprint"] {
         let style = inkpanel::style::catalogue::find(id).unwrap();
         for name in ["cat.jpg", "temple.jpg"] {
             assert!(code(&drawn(&photo(name), style)).is_ok(), "{id} on {name}");
