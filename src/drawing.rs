@@ -283,7 +283,10 @@ fn draw_book(
         )
     })?;
     let inks = separation.inks();
-    if documents.iter().any(|page| page.style().is_ok_and(|style| plates::inks(&style) != Some(inks))) {
+    if documents
+        .iter()
+        .any(|page| page.style().is_ok_and(|style| plates::inks(&style).as_deref() != Some(inks)))
+    {
         return Err("the pages are printed with different inks; plates are of pages in one style".into());
     }
     let exact = documents.iter().map(plates::exact).collect::<Result<Vec<_>, _>>().map_err(told)?;

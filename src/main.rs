@@ -9,6 +9,7 @@ mod destination;
 mod detectors;
 mod documents;
 mod drawing;
+mod imitator;
 mod inventor;
 mod paper;
 mod plans;
@@ -129,6 +130,22 @@ enum Command {
         models: Option<PathBuf>,
         /// A photo to draw them on; each style then has a score from 0 to 1.
         photo: Option<PathBuf>,
+    },
+    /// Find styles that give a photo the look of a picture: a comic page, a print, a painting.
+    Imitate {
+        /// The picture whose look is wanted.
+        picture: PathBuf,
+        /// The photo that is to get it.
+        photo: PathBuf,
+        /// Answer as JSON: an array of style files, the nearest first, each with a score from 0 to 1.
+        #[arg(long)]
+        json: bool,
+        /// Take the picture even where it looks like a plain photo or is blank.
+        #[arg(long)]
+        anyway: bool,
+        /// Another seed tries other styles.
+        #[arg(long, default_value_t = 1)]
+        seed: u32,
     },
     /// List the filter blocks.
     Blocks(Listing),
@@ -278,6 +295,9 @@ fn main() -> ExitCode {
         Command::Generate { seed, count, json, models, photo } => {
             inventor::invent(seed, count, photo.as_deref(), models.as_deref())
                 .and_then(|styles| list(&styles, json))
+        }
+        Command::Imitate { picture, photo, json, anyway, seed } => {
+            imitator::imitate(&picture, &photo, seed, anyway).and_then(|styles| list(&styles, json))
         }
         Command::Blocks(listing) => list(&catalogue::blocks(), listing.json),
         Command::Layouts(listing) => list(&catalogue::layouts(), listing.json),

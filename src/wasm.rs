@@ -13,6 +13,7 @@ pub mod document_reading;
 pub mod drafting;
 pub mod editing;
 mod frames;
+pub mod imitate;
 pub mod layouts;
 pub mod planning;
 pub mod style;
@@ -152,6 +153,8 @@ pub struct Studio {
     sheet: Option<(Sheet, u32)>,
     file: Vec<u8>,
     designs: style::Designs,
+    /// The photo of the last trial, as trials see it.
+    seen: Option<(String, crate::style::imitate::Seen)>,
 }
 
 #[wasm_bindgen]
@@ -203,6 +206,7 @@ impl Studio {
 
     /// Lets a photo go.
     pub fn drop_photo(&mut self, key: &str) {
+        self.seen = None;
         self.photos.remove(key);
     }
 

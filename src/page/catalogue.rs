@@ -77,6 +77,8 @@ pub enum ParamKind {
     Choice,
     /// A person's own picture: its data URL, or an empty text.
     Texture,
+    /// `#rrggbb`.
+    Colour,
 }
 
 /// All filter blocks.
@@ -138,6 +140,11 @@ fn param(param: &Param) -> ParamEntry {
             ParamEntry { kind: ParamKind::Choice, default, choices: Some(names), ..entry }
         }
         Kind::Texture => ParamEntry { kind: ParamKind::Texture, default: "".into(), ..entry },
+        Kind::Colour { .. } => ParamEntry {
+            kind: ParamKind::Colour,
+            default: param.value_to_json(param.kind.default()),
+            ..entry
+        },
     }
 }
 

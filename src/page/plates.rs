@@ -17,7 +17,7 @@ const ROUNDS: usize = 40;
 
 /// What each ink prints of a colour.
 pub struct Separation {
-    inks: &'static [Ink],
+    inks: Vec<Ink>,
     /// Coverage of each ink, colour by colour.
     table: Vec<[f32; 3]>,
 }
@@ -26,13 +26,13 @@ impl Separation {
     /// That of a style; none where it prints no plates.
     #[must_use]
     pub fn of(style: &Style) -> Option<Self> {
-        inks(style).map(|inks| Self { inks, table: table(inks) })
+        inks(style).map(|inks| Self { table: table(&inks), inks })
     }
 
     /// The inks, the strongest last.
     #[must_use]
-    pub fn inks(&self) -> &'static [Ink] {
-        self.inks
+    pub fn inks(&self) -> &[Ink] {
+        &self.inks
     }
 
     /// How much of the plate of an ink is covered where the page has a colour, 0..=255.
@@ -54,7 +54,7 @@ impl Separation {
 
 /// The inks of the last block of plates of a style.
 #[must_use]
-pub fn inks(style: &Style) -> Option<&'static [Ink]> {
+pub fn inks(style: &Style) -> Option<Vec<Ink>> {
     let steps = style.background.iter().chain(style.foreground.iter().flatten());
     steps.filter_map(plates::inks_of).last()
 }

@@ -5,7 +5,7 @@
 
 use super::blocks::{self, Block, Channels};
 use super::earlier;
-use super::params::{Kind, Param};
+use super::params::{Kind, Param, colour_of, colour_value};
 use super::texture::Texture;
 use crate::error::{Error, Result};
 use serde_json::{Map, Value, json};
@@ -168,6 +168,10 @@ impl Param {
             Kind::Integer { .. } => json!(value as i64),
             Kind::Flag { .. } => json!(value != 0.0),
             Kind::Choice { names } => json!(names.get(value as usize)),
+            Kind::Colour { .. } => {
+                let [r, g, b] = colour_of(value);
+                json!(format!("#{r:02x}{g:02x}{b:02x}"))
+            }
             Kind::Texture => json!(""),
         }
     }
@@ -209,6 +213,11 @@ impl Param {
                 Ok(position.ok_or(format!("is {value}, it must be one of: {}", names.join(", ")))? as f32)
             }
             Kind::Texture => texture(value).map(|_| 0.0),
+            Kind::Colour { .. } => {
+                let colour = value.as_str().and_then(crate::raster::color::parse_hex);
+                let bad = || format!("is {value}, it must be a colour like \"#101014\"");
+                Ok(colour_value(colour.ok_or_else(bad)?))
+            }
         }
     }
 }

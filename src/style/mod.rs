@@ -17,6 +17,7 @@
 //! | [`stages`] | a chain that keeps the picture after every block, for the designer |
 //! | [`procedural`] | styles invented from a seed |
 //! | [`breeding`] | new styles from two others |
+//! | [`imitate`] | styles that look like a picture |
 //! | [`look`] | what kind of look a picture has, and whether two look the same |
 //! | [`aesthetic`] | the light score that sorts them |
 
@@ -31,6 +32,7 @@ pub mod earlier;
 pub mod faces;
 pub mod file;
 pub mod grain;
+pub mod imitate;
 pub mod look;
 pub mod params;
 pub mod procedural;

@@ -18,8 +18,8 @@ pub struct Param {
     pub kind: Kind,
 }
 
-/// Type, default and range of a parameter. At run time every value is an f32: a flag is 0 or 1, a choice its
-/// position.
+/// Type, default and range of a parameter. At run time every value is an f32: a flag is 0 or 1, a choice its position,
+/// a colour the number of its six hexadecimal digits, which an f32 holds exactly.
 #[derive(Debug)]
 pub enum Kind {
     /// A number of `min..=max`.
@@ -57,6 +57,11 @@ pub enum Kind {
     /// A person's own picture, as a data URL; an empty text is none. It stands beside the numbers
     /// ([`Step::texture`](super::file::Step)).
     Texture,
+    /// A colour; in style files it is `#rrggbb`.
+    Colour {
+        /// Used where a style file says nothing.
+        default: [u8; 3],
+    },
 }
 
 /// Unit of a number.
@@ -96,6 +101,7 @@ impl Kind {
             Self::Integer { default, .. } => default as f32,
             Self::Flag { default } => f32::from(u8::from(default)),
             Self::Choice { .. } | Self::Texture => 0.0,
+            Self::Colour { default } => colour_value(default),
         }
     }
 
@@ -108,6 +114,7 @@ impl Kind {
             Self::Flag { .. } => (0.0, 1.0),
             Self::Choice { names } => (0.0, names.len().saturating_sub(1) as f32),
             Self::Texture => (0.0, 0.0),
+            Self::Colour { .. } => (0.0, colour_value([255; 3])),
         }
     }
 }
@@ -163,6 +170,25 @@ pub const fn channels(names: &'static [&'static str]) -> Param {
     }
 }
 
+/// A colour parameter.
+#[must_use]
+pub const fn colour(id: &'static str, label: &'static str, help: &'static str, default: [u8; 3]) -> Param {
+    Param { id, label, help, kind: Kind::Colour { default } }
+}
+
+/// A colour as the value of a parameter.
+#[must_use]
+pub fn colour_value([r, g, b]: [u8; 3]) -> f32 {
+    u32::from_be_bytes([0, r, g, b]) as f32
+}
+
+/// The colour of a value.
+#[must_use]
+pub fn colour_of(value: f32) -> [u8; 3] {
+    let [_, r, g, b] = (value as u32).to_be_bytes();
+    [r, g, b]
+}
+
 /// What a block is given: its values in the order of its descriptor, its texture, and the scale of the render.
 #[derive(Debug, Clone, Copy)]
 pub struct Args<'a> {
@@ -206,6 +232,12 @@ impl<'a> Args<'a> {
     #[must_use]
     pub fn flag(&self, i: usize) -> bool {
         self.values[i] != 0.0
+    }
+
+    /// Parameter `i` as a colour.
+    #[must_use]
+    pub fn colour(&self, i: usize) -> [u8; 3] {
+        colour_of(self.values[i])
     }
 
     /// Parameter `i` as a position in its names.

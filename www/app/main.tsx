@@ -21,6 +21,7 @@ import { createExplorer } from '../explorer/explorer.ts';
 import { createKeeping } from '../storage/storage.ts';
 import { createShelves } from '../storage/shelves.ts';
 import { createFraming } from '../page/panels/framing.ts';
+import { createImitation } from '../imitation/imitation.ts';
 import { createHints } from '../help/hints.ts';
 import { createInstalling } from '../offline/installing.ts';
 import { freshPhotoPrefix } from '../photos/intake.ts';
@@ -104,6 +105,7 @@ const keeping = createKeeping({
   views,
 });
 const explorer = createExplorer({ store, engine, messages, ownStyles, seed: freshSeed, judged: ui.detects });
+const imitation = createImitation({ store, engine, messages, ui, seed: freshSeed, freshId: freshStyleId });
 const inventions = createInventions({
   store,
   engine,
@@ -201,6 +203,7 @@ const parts: Parts = {
   taste,
   recentStyles,
   explorer,
+  imitation,
   keeping,
   shownPages,
   subjects,
@@ -216,7 +219,7 @@ const parts: Parts = {
 };
 const actions = createActions(parts);
 window.addEventListener('keydown', createKeys({ actions, ui, leave: leaveMode, pointed: trackPointed(window) }));
-acceptFiles(window, intake);
+acceptFiles(window, intake, imitation.take);
 expectFiles(window, subjects.expect);
 holdSliders(window);
 
@@ -313,6 +316,7 @@ function leavePage() {
 function leave() {
   leavePage();
   explorer.stop();
+  imitation.clear();
   ui.stack.value = null;
   ui.work.value = null;
 }

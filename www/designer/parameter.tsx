@@ -1,5 +1,5 @@
 /**
- * A parameter of a block, as its descriptor says: a slider with a number field, a switch, a choice, or a picture.
+ * A parameter of a block, as its descriptor says: a slider with a number field, a switch, a choice, a colour, or a picture.
  */
 
 import { TextureChoice } from './texture-choice.tsx';
@@ -29,6 +29,19 @@ export function Parameter({
     return (
       <label class="parameter switch" title={help}>
         <input type="checkbox" checked={value === true} onChange={(event) => onSet(event.currentTarget.checked)} />
+        <span>{label}</span>
+      </label>
+    );
+  }
+  if (kind === 'colour') {
+    return (
+      <label class="parameter switch" title={help}>
+        <input
+          type="color"
+          value={String(value)}
+          onInput={(event) => onMove(event.currentTarget.value)}
+          onChange={(event) => onSet(event.currentTarget.value)}
+        />
         <span>{label}</span>
       </label>
     );

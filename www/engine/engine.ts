@@ -9,6 +9,7 @@ import { createDesign } from './design.ts';
 import { createDetector } from './detector.ts';
 import { createExports } from './export.ts';
 import { createFiles } from './files.ts';
+import { createImitating } from './imitate.ts';
 import { createMeasures } from './measures.ts';
 import { createPhotos } from './photos.ts';
 import { createPool } from './pool.ts';
@@ -94,6 +95,7 @@ export function createEngine({
     photos,
     lettering: words.lettering,
     ...renders,
+    ...createImitating({ run, photos, ready }),
     judges: aesthetics.judges,
     judgeStyle: aesthetics.judgeStyle,
     drawDesign: design.draw,

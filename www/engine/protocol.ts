@@ -7,7 +7,16 @@
  */
 
 import type { Designed } from './design.ts';
-import type { Bounds, Detection, FirstLook, ImportEntry, PageDocument, PdfOptions, PhotoMeta } from './types.ts';
+import type {
+  Bounds,
+  Detection,
+  FirstLook,
+  ImportEntry,
+  PageDocument,
+  PdfOptions,
+  PhotoMeta,
+  Style,
+} from './types.ts';
 import type { Frame } from './video.ts';
 
 /**
@@ -46,6 +55,9 @@ export type Operations = {
   stylePixels: { args: { photo: PhotoHandle; style: string; width: number; height: number }; ok: PixelPatch };
   design: { args: { photo: PhotoHandle; style: string; width: number; height: number; stages: number }; ok: Designed };
   explore: { args: { photo: PhotoHandle; styles: string[]; width: number; height: number }; ok: Explored[] };
+  readLook: { args: { photo: PhotoHandle; anyway: boolean }; ok: string };
+  /** `asks` are trials that a search asked for; what fails is null. */
+  tryLooks: { args: { photo: PhotoHandle; asks: Trial[] }; ok: (string | null)[] };
   stylize: { args: { style: string; width: number; height: number; data: Uint8Array }; ok: PixelPatch };
   fullPanels: {
     /** Without a file: of panels that have no photo. */
@@ -108,6 +120,9 @@ export type Making = {
 
 /** A comic that is read. */
 export type ComicKind = 'html' | 'epub' | 'cbz';
+
+/** What a search for a look asks for: a style, the pixels at which a photo is to be drawn in it, and whether close. */
+export type Trial = { style: Style; area: number; close: boolean };
 
 type Tier = 'small' | 'work' | 'full';
 

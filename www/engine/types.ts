@@ -756,7 +756,7 @@ export type BlockParam = {
 };
 
 /** What a parameter is. */
-export type ParamKind = "number" | "integer" | "boolean" | "choice" | "texture";
+export type ParamKind = "number" | "integer" | "boolean" | "choice" | "texture" | "colour";
 
 /** Which images a block takes or gives. */
 export type Channels = "luma" | "color" | "any";

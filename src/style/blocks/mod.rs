@@ -8,7 +8,7 @@ mod dynamic_range;
 mod engrave;
 mod equalize;
 mod etf;
-mod flatten;
+pub(in crate::style) mod flatten;
 mod flow_lines;
 mod gaussian;
 mod halftone;

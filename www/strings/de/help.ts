@@ -1,6 +1,7 @@
 import { boardStrings as board } from './board.ts';
 import { bookStrings } from './book.ts';
 import { designerStrings as designer } from './designer.ts';
+import { imitationStrings as imitation } from './imitation.ts';
 import { storageStrings as storage } from './storage.ts';
 import { offlineStrings } from './offline.ts';
 import { panelStrings as panels } from './panels.ts';
@@ -82,6 +83,10 @@ export const helpStrings = {
     explorer: {
       title: 'Einen Stil finden: der Explorer',
       text: `Er beginnt mit erfundenen Stilen auf deinem eigenen Foto, und „${designer.generate}“ macht mehr davon. Ein Klick zeigt einen groß. Merke dir mit dem Herz, was dir gefällt, mach mit „${designer.breed}“ aus zweien neue und setze mit „${designer.useStyle}“ einen auf die Seite. Jeden davon kannst du im Designer verändern.`,
+    },
+    imitation: {
+      title: 'Ein Stil aus einem Bild',
+      text: `„${imitation.styleFromPicture}“ überträgt das Aussehen einer Comicseite, eines Drucks oder eines Gemäldes auf deine Fotos. Wähle das Bild dort oder lege es mit gedrückter Alt-Taste irgendwo ab. Nach wenigen Sekunden siehst du drei bis sechs Stile auf deinem eigenen Foto; nimm einen, speichere ihn oder verändere ihn im Designer.`,
     },
     words: {
       title: 'Textkästen, Sprechblasen und Soundworte',

@@ -42,6 +42,7 @@ export const names: Names = {
     paper: 'Papier',
   },
   choices: {
+    own: 'Eigene',
     hatch: 'Schraffur',
     cross_hatch: 'Kreuzschraffur',
     dots: 'Punkte',

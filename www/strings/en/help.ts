@@ -3,6 +3,7 @@
 import { boardStrings as board } from './board.ts';
 import { bookStrings } from './book.ts';
 import { designerStrings as designer } from './designer.ts';
+import { imitationStrings as imitation } from './imitation.ts';
 import { storageStrings as storage } from './storage.ts';
 import { offlineStrings } from './offline.ts';
 import { panelStrings as panels } from './panels.ts';
@@ -83,6 +84,10 @@ export const helpStrings = {
     explorer: {
       title: 'Finding a style: the explorer',
       text: `It opens with styles invented on your own photo, and “${designer.generate}” makes more. A click shows one large. Keep those you like with the heart, make more of two with “${designer.breed}”, and put one on the page with “${designer.useStyle}”. Any of them can be changed in the designer.`,
+    },
+    imitation: {
+      title: 'A style from a picture',
+      text: `“${imitation.styleFromPicture}” takes the look of a comic page, a print or a painting over to your photos. Choose the picture there, or drop it anywhere with Alt held. After a few seconds you see three to six styles on your own photo; use one, save it, or change it in the designer.`,
     },
     words: {
       title: 'Captions, balloons and sound effects',

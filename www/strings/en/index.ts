@@ -8,6 +8,7 @@ import { exportStrings } from './export.ts';
 import { faultStrings } from './faults.ts';
 import { fileStrings } from './files.ts';
 import { helpStrings } from './help.ts';
+import { imitationStrings } from './imitation.ts';
 import { keyStrings } from './keys.ts';
 import { offlineStrings } from './offline.ts';
 import { pageStrings } from './page.ts';
@@ -40,6 +41,7 @@ export const words = {
   ...exportStrings,
   ...fileStrings,
   ...printStrings,
+  ...imitationStrings,
   ...keyStrings,
   ...helpStrings,
   ...faultStrings,

@@ -1,6 +1,7 @@
 import { boardStrings as board } from './board.ts';
 import { bookStrings } from './book.ts';
 import { designerStrings as designer } from './designer.ts';
+import { imitationStrings as imitation } from './imitation.ts';
 import { storageStrings as storage } from './storage.ts';
 import { offlineStrings } from './offline.ts';
 import { panelStrings as panels } from './panels.ts';
@@ -81,6 +82,10 @@ export const helpStrings = {
     explorer: {
       title: 'Encontrar un estilo: el explorador',
       text: `Se abre con estilos inventados en tu propia foto, y «${designer.generate}» hace más. Un clic muestra uno en grande. Guarda los que te gusten con el corazón, haz más a partir de dos con «${designer.breed}» y pon uno en la página con «${designer.useStyle}». Todos se pueden cambiar en el diseñador.`,
+    },
+    imitation: {
+      title: 'Un estilo de una imagen',
+      text: `«${imitation.styleFromPicture}» lleva a tus fotos el aspecto de una página de cómic, un grabado o una pintura. Elige allí la imagen o suéltala en cualquier lugar con Alt pulsada. En pocos segundos ves de tres a seis estilos en tu propia foto; usa uno, guárdalo o cámbialo en el diseñador.`,
     },
     words: {
       title: 'Cartelas, bocadillos y onomatopeyas',

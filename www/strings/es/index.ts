@@ -8,6 +8,7 @@ import { exportStrings } from './export.ts';
 import { faultStrings } from './faults.ts';
 import { fileStrings } from './files.ts';
 import { helpStrings } from './help.ts';
+import { imitationStrings } from './imitation.ts';
 import { keyStrings } from './keys.ts';
 import { offlineStrings } from './offline.ts';
 import { pageStrings } from './page.ts';
@@ -41,6 +42,7 @@ export const words: Words = {
   ...fileStrings,
   ...printStrings,
   ...pngStrings,
+  ...imitationStrings,
   ...keyStrings,
   ...helpStrings,
   ...faultStrings,

@@ -42,6 +42,7 @@ export const names: Names = {
     paper: 'Papel',
   },
   choices: {
+    own: 'Propios',
     hatch: 'Trama',
     cross_hatch: 'Trama cruzada',
     dots: 'Puntos',

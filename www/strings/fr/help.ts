@@ -1,6 +1,7 @@
 import { boardStrings as board } from './board.ts';
 import { bookStrings } from './book.ts';
 import { designerStrings as designer } from './designer.ts';
+import { imitationStrings as imitation } from './imitation.ts';
 import { storageStrings as storage } from './storage.ts';
 import { offlineStrings } from './offline.ts';
 import { panelStrings as panels } from './panels.ts';
@@ -81,6 +82,10 @@ export const helpStrings = {
     explorer: {
       title: 'Trouver un style : l’explorateur',
       text: `Il s’ouvre sur des styles inventés pour votre propre photo, et « ${designer.generate} » en fait d’autres. Un clic en montre un en grand. Gardez ceux qui vous plaisent avec le cœur, faites-en d’autres à partir de deux avec « ${designer.breed} », et mettez-en un sur la page avec « ${designer.useStyle} ». Tous peuvent être modifiés dans l’atelier.`,
+    },
+    imitation: {
+      title: 'Un style d’après une image',
+      text: `« ${imitation.styleFromPicture} » donne à vos photos l’aspect d’une planche de BD, d’une estampe ou d’une peinture. Choisissez l’image à cet endroit, ou déposez-la n’importe où en maintenant Alt. Après quelques secondes, trois à six styles apparaissent sur votre propre photo ; utilisez-en un, enregistrez-le ou modifiez-le dans l’atelier.`,
     },
     words: {
       title: 'Cartouches, bulles et onomatopées',

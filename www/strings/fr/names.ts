@@ -42,6 +42,7 @@ export const names: Names = {
     paper: 'Papier',
   },
   choices: {
+    own: 'Personnel',
     hatch: 'Hachures',
     cross_hatch: 'Hachures croisées',
     dots: 'Points',

@@ -1,6 +1,7 @@
 import { boardStrings as board } from './board.ts';
 import { bookStrings } from './book.ts';
 import { designerStrings as designer } from './designer.ts';
+import { imitationStrings as imitation } from './imitation.ts';
 import { storageStrings as storage } from './storage.ts';
 import { offlineStrings } from './offline.ts';
 import { panelStrings as panels } from './panels.ts';
@@ -81,6 +82,10 @@ export const helpStrings = {
     explorer: {
       title: 'スタイルを見つける：エクスプローラー',
       text: `開くとあなたの写真で考え出したスタイルが並び、「${designer.generate}」でさらに増えます。クリックすると大きく見られます。気に入ったものはハートで残し、「${designer.breed}」で2つから新しいものを作り、「${designer.useStyle}」でページに使います。どれもデザイナーで変えられます。`,
+    },
+    imitation: {
+      title: '絵からスタイルを作る',
+      text: `「${imitation.styleFromPicture}」は、漫画のページや版画、絵画の雰囲気をあなたの写真に移します。そこで絵を選ぶか、Altキーを押しながらどこにでもドロップしてください。数秒で、あなたの写真に3〜6個のスタイルが表示されます。使う、保存する、デザイナーで変えることができます。`,
     },
     words: {
       title: 'キャプション、フキダシ、効果音',

@@ -42,6 +42,7 @@ export const names: Names = {
     paper: '紙',
   },
   choices: {
+    own: '自分の色',
     hatch: 'ハッチング',
     cross_hatch: 'クロスハッチング',
     dots: '点',

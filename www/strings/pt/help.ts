@@ -1,6 +1,7 @@
 import { boardStrings as board } from './board.ts';
 import { bookStrings } from './book.ts';
 import { designerStrings as designer } from './designer.ts';
+import { imitationStrings as imitation } from './imitation.ts';
 import { storageStrings as storage } from './storage.ts';
 import { offlineStrings } from './offline.ts';
 import { panelStrings as panels } from './panels.ts';
@@ -81,6 +82,10 @@ export const helpStrings = {
     explorer: {
       title: 'Encontrar um estilo: o explorador',
       text: `Ele se abre com estilos inventados na sua própria foto, e “${designer.generate}” faz mais. Um clique mostra um deles grande. Guarde com o coração os que você gostar, faça outros a partir de dois com “${designer.breed}” e ponha um na página com “${designer.useStyle}”. Todos podem ser mudados no designer.`,
+    },
+    imitation: {
+      title: 'Um estilo de uma imagem',
+      text: `“${imitation.styleFromPicture}” leva para suas fotos o visual de uma página de quadrinhos, de uma gravura ou de uma pintura. Escolha a imagem ali ou solte-a em qualquer lugar com Alt pressionada. Em poucos segundos você vê de três a seis estilos na sua própria foto; use um, salve-o ou mude-o no designer.`,
     },
     words: {
       title: 'Caixas de texto, balões e onomatopeias',

@@ -42,6 +42,7 @@ export const names: Names = {
     paper: 'Papel',
   },
   choices: {
+    own: 'Próprias',
     hatch: 'Hachura',
     cross_hatch: 'Hachura cruzada',
     dots: 'Pontos',
