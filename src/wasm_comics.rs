@@ -3,7 +3,7 @@
 //!
 //! Errors are as in the module of words.
 
-use crate::destination::{Comic, cbz, epub, html};
+use crate::output::{Comic, cbz, epub, html};
 use crate::error::{Error, Result};
 use crate::wasm_error::thrown;
 use crate::wasm_words::Lettering;
