@@ -1254,6 +1254,9 @@ export type ErrorCode =
 | 'unknown-layout'
 | 'missing-photo'
 | 'no-photos'
+| 'small-picture'
+| 'blank-picture'
+| 'plain-photo'
 | 'cancelled'
 | 'detector'
 | 'encode';
