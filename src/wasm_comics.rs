@@ -3,8 +3,8 @@
 //!
 //! Errors are as in the module of words.
 
-use crate::output::{Comic, cbz, epub, html};
 use crate::error::{Error, Result};
+use crate::output::{Comic, cbz, epub, html};
 use crate::wasm_error::thrown;
 use crate::wasm_words::Lettering;
 use serde::Serialize;

@@ -211,7 +211,7 @@ fn the_width_changes_the_dots_and_not_the_paper() {
         pdf[at + 14..].split(']').next().unwrap().split(' ').map(|n| n.parse().unwrap()).collect();
     // A4 in points.
     assert!((sides[0] - 595.28).abs() < 2.0 && (sides[1] - 841.89).abs() < 2.0, "{sides:?}");
-    let wrong = render(folder.path(), &["-o", "page.png", "album", "--page-size", "a7b"]);
+    let wrong = inkpanel(folder.path(), &["render", "-o", "page.png", "album", "--page-size", "a7b"]);
     assert_eq!(wrong.status.code(), Some(2));
     assert!(text(&wrong.stderr).contains("a4-landscape"), "{}", text(&wrong.stderr));
 }

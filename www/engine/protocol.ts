@@ -7,16 +7,7 @@
  */
 
 import type { Designed } from './design.ts';
-import type {
-  Bounds,
-  Detection,
-  FirstLook,
-  ImportEntry,
-  PageDocument,
-  PdfOptions,
-  PhotoMeta,
-  Style,
-} from './types.ts';
+import type { Bounds, Detection, FirstLook, ImportEntry, PageDocument, PdfOptions, PhotoMeta, Style } from './types.ts';
 import type { Frame } from './video.ts';
 
 /**

@@ -41,7 +41,14 @@ export function createMaking({
   store: Store;
   engine: Pick<
     Engine,
-    'exportPng' | 'exportJpeg' | 'exportWebp' | 'exportPdf' | 'exportPlates' | 'givesWebp' | 'comicPieces' | 'comicFiles'
+    | 'exportPng'
+    | 'exportJpeg'
+    | 'exportWebp'
+    | 'exportPdf'
+    | 'exportPlates'
+    | 'givesWebp'
+    | 'comicPieces'
+    | 'comicFiles'
   >;
 }) {
   const comics = createComics({ store, engine });

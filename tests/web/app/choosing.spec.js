@@ -11,7 +11,10 @@ async function openWithCopies(page) {
   // One after the other: of copies that come together the one that is read first, and so shown first, stands for all.
   await add(page, some);
   await idle(page);
-  await add(page, ['cat2.jpg', 'cat3.jpg'].map((name) => ({ ...cat, name })));
+  await add(
+    page,
+    ['cat2.jpg', 'cat3.jpg'].map((name) => ({ ...cat, name })),
+  );
   await idle(page);
 }
 
