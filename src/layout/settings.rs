@@ -127,7 +127,7 @@ const fn spread(id: &'static str, name: &'static str, size: (u32, u32)) -> PageP
 }
 
 /// The page sizes that are offered, the default first. Safe areas: what printers of each kind ask for.
-pub const PRESETS: [PagePreset; 21] = [
+pub const PRESETS: [PagePreset; 20] = [
     printed("a4", "A4", Purpose::Paper, (2480, 3508), 50),
     printed("a4-landscape", "A4 landscape", Purpose::Paper, (3508, 2480), 50),
     printed("a3", "A3", Purpose::Paper, (3508, 4961), 50),
@@ -143,7 +143,6 @@ pub const PRESETS: [PagePreset; 21] = [
     printed("tankobon", "Tankobon", Purpose::Book, (1500, 2150), 60),
     printed("square", "Square", Purpose::Book, (2400, 2400), 50),
     spread("spread-a4", "Photo book, A4 spread", (4961, 3508)),
-    spread("spread-landscape", "Photo book, landscape spread", (7016, 2480)),
     spread("spread-square", "Photo book, square spread", (4961, 2480)),
     screen("wide", "Screen 16:9", (3840, 2160), [192, 108]),
     screen("story", "Story 9:16", (1440, 2560), [86, 333]),

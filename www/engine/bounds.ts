@@ -183,15 +183,6 @@ export const PAGE_SIZES = Object.freeze([
     fold: 118,
   },
   {
-    id: 'spread-landscape',
-    purpose: 'book',
-    width: 7016,
-    height: 2480,
-    dpi: 300,
-    safe: [71, 71],
-    fold: 118,
-  },
-  {
     id: 'spread-square',
     purpose: 'book',
     width: 4961,

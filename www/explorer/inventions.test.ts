@@ -4,7 +4,7 @@ import { fakeApp } from '../document/testing.ts';
 
 type Judge = (seed: number, photo: string) => { fault: string; score: number };
 
-async function app(judge: Judge, { judges = false, mean = (_: number) => 9, wanted = true } = {}) {
+async function app(judge: Judge, { judges = false, mean = (_: number): number => 9, wanted = true } = {}) {
   const made = fakeApp();
   const asked: { photo: string; width: number; height: number }[] = [];
   made.store.planner.value = {

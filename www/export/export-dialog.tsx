@@ -4,7 +4,7 @@
  */
 
 import { useEffect, useMemo, useState } from 'preact/hooks';
-import { FORMATS, OF_MANY, OF_ONE, pictureIn } from './formats.ts';
+import { FORMATS, OF_MANY, OF_ONE, isArchive, pictureIn } from './formats.ts';
 import { USUAL_QUALITY } from './page-making.ts';
 import { PAGE_SIZES, scaled, sizeId } from '../page/paper.ts';
 import { strings } from '../strings/strings.ts';

@@ -27,7 +27,6 @@ export const pageStrings = {
     'manga-b5': 'Manga B5',
     tankobon: 'Tankobon',
     'spread-a4': 'Fotobuch, Doppelseite A4',
-    'spread-landscape': 'Fotobuch, Doppelseite quer',
     'spread-square': 'Fotobuch, Doppelseite quadratisch',
     custom: 'Eigenes',
   },

@@ -29,7 +29,6 @@ export const pageStrings = {
     'manga-b5': 'Manga B5',
     tankobon: 'Tankobon',
     'spread-a4': 'Photo book, A4 spread',
-    'spread-landscape': 'Photo book, landscape spread',
     'spread-square': 'Photo book, square spread',
     custom: 'Custom',
   },

@@ -27,7 +27,6 @@ export const pageStrings = {
     'manga-b5': 'Manga B5',
     tankobon: 'Tankobon',
     'spread-a4': 'Fotolibro, doble página A4',
-    'spread-landscape': 'Fotolibro, doble página apaisada',
     'spread-square': 'Fotolibro, doble página cuadrada',
     custom: 'A medida',
   },

@@ -27,7 +27,6 @@ export const pageStrings = {
     'manga-b5': 'Manga B5',
     tankobon: 'Tankobon',
     'spread-a4': 'Livre photo, double page A4',
-    'spread-landscape': 'Livre photo, double page paysage',
     'spread-square': 'Livre photo, double page carrée',
     custom: 'Sur mesure',
   },

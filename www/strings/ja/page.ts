@@ -27,7 +27,6 @@ export const pageStrings = {
     'manga-b5': '漫画 B5',
     tankobon: '単行本',
     'spread-a4': 'フォトブック見開き A4',
-    'spread-landscape': 'フォトブック見開き 横長',
     'spread-square': 'フォトブック見開き 正方形',
     custom: 'カスタム',
   },

@@ -1,4 +1,4 @@
-/** 印刷の言葉:用紙、塗り足し、版、印刷前の確認。 */
+/** 印刷の言葉：用紙、塗り足し、版、印刷前の確認。 */
 
 export const printStrings = {
   print: {
@@ -23,7 +23,7 @@ export const printStrings = {
     impositions: {
       none: '1枚に1ページ',
       booklet: '折って綴じる冊子',
-      zine: 'ミニZINE(1枚から8ページ)',
+      zine: 'ミニZINE（1枚から8ページ）',
       twoUp: '切り分ける2ページ',
       spreads: '見開き',
     },
@@ -58,7 +58,7 @@ export const printStrings = {
       black: '黒',
     },
     coarse: (n: number, dpi: number) =>
-      `${n}個のコマがこの大きさで${dpi} dpi未満です。印刷するとぼやけるかもしれません:`,
+      `${n}個のコマがこの大きさで${dpi} dpi未満です。印刷するとぼやけるかもしれません：`,
     coarsePanel: (n: number, dpi: number) => `コマ${n}:${dpi} dpi`,
     coarseOn: (page: number, n: number, dpi: number) => `${page}ページ、コマ${n}:${dpi} dpi`,
     coarseMore: (n: number) => `ほか${n}個`,

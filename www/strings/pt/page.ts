@@ -27,7 +27,6 @@ export const pageStrings = {
     'manga-b5': 'Mangá B5',
     tankobon: 'Tankobon',
     'spread-a4': 'Fotolivro, página dupla A4',
-    'spread-landscape': 'Fotolivro, página dupla paisagem',
     'spread-square': 'Fotolivro, página dupla quadrada',
     custom: 'Sob medida',
   },

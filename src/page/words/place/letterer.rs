@@ -31,7 +31,9 @@ const TAIL: (f64, f64) = (0.014, 0.034);
 /// What breaks a rule of letterers.
 const FORBIDDEN: f64 = 400.0;
 /// What it costs to cover a body.
-const BODY: f64 = 30.0;
+const BODY: f64 = 60.0;
+/// The size of letters from which on they are read without effort, in page widths: 6 points on A4.
+const LEGIBLE: f64 = 0.0101;
 /// Faces that speak, of those in a panel.
 const SPEAKERS: usize = 6;
 
@@ -152,7 +154,9 @@ impl Room<'_> {
         let mut shapes = vec![(None, usual)];
         // A person's size or width is not changed.
         if word.kind != Kind::Effect && word.width.is_none() && self.count <= CROWD {
-            for (across, down) in [(0.94, 0.2), (0.94, 0.3), (0.34, 0.8), (0.46, 0.34), (0.3, 0.3)] {
+            for (across, down) in
+                [(0.94, 0.2), (0.94, 0.3), (0.22, 0.8), (0.34, 0.8), (0.46, 0.34), (0.3, 0.3)]
+            {
                 let room = (across * self.frame.width, down * self.frame.height);
                 let laid = ground.lay(Word { room: Some(room), ..word.clone() }, letters);
                 let other = |(_, shape): &(_, Laid)| shape.setting != laid.setting;
@@ -162,6 +166,8 @@ impl Room<'_> {
             }
         }
         let largest = shapes.iter().map(|(_, laid)| laid.setting.size).fold(0.0, f64::max);
+        // A column beside a body is no gain where nobody can read it.
+        shapes.retain(|(_, laid)| laid.setting.size >= LEGIBLE.min(largest));
         let mut places = Vec::new();
         for (room, laid) in &shapes {
             // Letters that are smaller than others of the page are a last resort, all the more where the end is missing.
@@ -237,7 +243,7 @@ impl Room<'_> {
                 nearest = nearest.min(gap(area, seen.bounds));
             } else {
                 let weight = if seen.person { BODY } else { 3.0 };
-                cost += weight * (part / own + 2.0 * part / body.max(1e-12));
+                cost += weight * (part / own + 4.0 * part / body.max(1e-12));
             }
         }
         cost + self.manners(laid.word.kind, area, rank, nearest / size)
