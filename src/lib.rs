@@ -64,6 +64,8 @@ pub mod json;
 #[cfg(feature = "pages")]
 pub mod layout;
 #[cfg(feature = "pages")]
+mod order;
+#[cfg(feature = "pages")]
 pub mod output;
 #[cfg(feature = "pages")]
 pub mod page;

@@ -4,6 +4,7 @@
 use super::script;
 use super::speech::{self, Said, Taking};
 use crate::json::Writer;
+use crate::order::sort_by;
 use serde_json::{Value, json};
 
 /// Most bytes of a file.
@@ -167,7 +168,7 @@ impl Subtitles {
         if all.cues.is_empty() {
             return Err(all.flaws.into_iter().next().unwrap_or(Flaw::Empty));
         }
-        all.cues.sort_by(|a, b| a.start.total_cmp(&b.start));
+        sort_by(&mut all.cues, |a, b| a.start.total_cmp(&b.start));
         Ok(all)
     }
 }
@@ -225,7 +226,7 @@ pub fn matched(cues: &[Cue], frames: &[Frame], taking: Taking) -> (Vec<Value>, u
     // By time, those that are shown apart from the others.
     let sorted = |shown: bool| {
         let mut some: Vec<usize> = (0..frames.len()).filter(|&i| frames[i].shown == shown).collect();
-        some.sort_by(|&a, &b| frames[a].time.total_cmp(&frames[b].time));
+        sort_by(&mut some, |&a, &b| frames[a].time.total_cmp(&frames[b].time));
         some
     };
     let mut pairs: Vec<(bool, f64, usize, usize)> = Vec::new();
@@ -243,7 +244,7 @@ pub fn matched(cues: &[Cue], frames: &[Frame], taking: Taking) -> (Vec<Value>, u
             }
         }
     }
-    pairs.sort_by(|a, b| a.0.cmp(&b.0).then(a.1.total_cmp(&b.1)).then(a.2.cmp(&b.2)));
+    sort_by(&mut pairs, |a, b| a.0.cmp(&b.0).then(a.1.total_cmp(&b.1)).then(a.2.cmp(&b.2)));
     let mut room = vec![MOST_OF_FRAME; frames.len()];
     let mut places = vec![None; cues.len()];
     for (_, _, cue, frame) in pairs {

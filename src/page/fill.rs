@@ -4,6 +4,7 @@ use super::document::{Document, MOST_FACES, PanelContent};
 use super::request::Request;
 use crate::framing::{Crop, FACE, PhotoMeta};
 use crate::layout::{FAMILIES, ResolvedPanel, Template, resolve};
+use crate::order::sort_by;
 use crate::plan::slots::slot;
 use crate::plan::{Assignment, Candidate, Slot};
 use serde_json::Value;
@@ -106,7 +107,7 @@ fn faces_of(photo: &PhotoMeta) -> Vec<Crop> {
         })
         .filter(|face| face.width > 0.0 && face.height > 0.0)
         .collect();
-    faces.sort_by(|a, b| b.height.total_cmp(&a.height));
+    sort_by(&mut faces, |a, b| b.height.total_cmp(&a.height));
     faces.truncate(MOST_FACES);
     faces
 }

@@ -13,6 +13,7 @@
 
 use super::{Block, Channels, Kernel};
 use crate::error::Result;
+use crate::order::sort_by_key;
 use crate::raster::{Image, Plane};
 use crate::simd::dots::Screen;
 use crate::style::context::Context;
@@ -144,7 +145,7 @@ fn own_inks(args: Args<'_>) -> Vec<Ink> {
     let light = |ink: &Ink| ink.rgb.iter().map(|&tone| u32::from(tone)).sum::<u32>();
     let told = NAMES.iter().enumerate().map(|(i, &name)| Ink { name, rgb: args.colour(OWN + i) });
     let mut inks: Vec<Ink> = told.filter(|ink| light(ink) < 740).collect();
-    inks.sort_by_key(|ink| std::cmp::Reverse(light(ink)));
+    sort_by_key(&mut inks, |ink| std::cmp::Reverse(light(ink)));
     if inks.is_empty() { vec![ink::BLACK] } else { inks }
 }
 

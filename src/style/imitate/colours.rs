@@ -1,5 +1,6 @@
 //! The colours of a picture, and how far apart people see two.
 
+use crate::order::sort_by;
 use crate::raster::Image;
 use crate::style::blocks::flatten::{CELLS, cells, distance, histogram, means};
 use serde::{Deserialize, Serialize};
@@ -39,7 +40,7 @@ pub(super) fn palette(image: &Image) -> Vec<Colour> {
     let shares = pixels.iter().map(|&count| count as f32 / total.max(1) as f32);
     let mut palette: Vec<Colour> =
         colours.into_iter().zip(shares).map(|(rgb, share)| Colour { rgb, share }).collect();
-    palette.sort_by(|a, b| b.share.total_cmp(&a.share));
+    sort_by(&mut palette, |a, b| b.share.total_cmp(&a.share));
     let mut joined: Vec<Colour> = Vec::with_capacity(palette.len());
     for colour in palette {
         match joined.iter_mut().find(|known| delta_e(known.rgb, colour.rgb) < SAME) {
@@ -70,7 +71,7 @@ pub fn palette_distance(a: &[Colour], b: &[Colour]) -> f32 {
 /// need at most.
 pub(super) fn variety(image: &Image) -> f32 {
     let mut counts = histogram(image).pixels;
-    counts.sort_unstable_by(|a, b| b.cmp(a));
+    sort_by(&mut counts, |a, b| b.cmp(a));
     let total: u32 = counts.iter().sum();
     let mut sum = 0;
     let needed = counts.iter().take_while(|&&count| {

@@ -3,6 +3,7 @@
 use super::colours::{Colour, MOST, delta_e, oklab};
 use super::features::Features;
 use super::inks::Inks;
+use crate::order::sort_by;
 use crate::style::Style;
 use crate::style::blocks;
 use crate::style::file::Step;
@@ -56,7 +57,7 @@ impl Wanted {
 
     fn lightest_first(&self) -> Vec<Colour> {
         let mut palette = self.features.palette.clone();
-        palette.sort_by(|a, b| oklab(b.rgb)[0].total_cmp(&oklab(a.rgb)[0]));
+        sort_by(&mut palette, |a, b| oklab(b.rgb)[0].total_cmp(&oklab(a.rgb)[0]));
         palette.retain(|colour| colour.share > 0.004);
         palette
     }

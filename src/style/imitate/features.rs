@@ -3,6 +3,7 @@
 use super::colours::{self, Colour, palette};
 use super::lines::{Lines, lines};
 use super::spectrum::{Screen, screen};
+use crate::order::sort_by;
 use crate::raster::resize::{Region, resample_image};
 use crate::raster::{Image, Plane};
 use crate::simd::point::luma_plane;
@@ -137,7 +138,7 @@ fn steps(picture: &Image) -> f32 {
     let mut counts = histogram(luma.samples());
     let between = &mut counts[ENDS..256 - ENDS];
     let total: u32 = between.iter().sum();
-    between.sort_unstable_by(|a, b| b.cmp(a));
+    sort_by(between, |a, b| b.cmp(a));
     between[..10].iter().sum::<u32>() as f32 / total.max(1) as f32
 }
 

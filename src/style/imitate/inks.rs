@@ -1,6 +1,7 @@
 //! The paper and the inks of a print, from its colours: inks multiply, so what they make together is known.
 
 use super::colours::{Colour, delta_e, oklab};
+use crate::order::sort_by;
 
 /// A colour with a smaller share of the picture is no paper.
 const PAPER: f32 = 0.02;
@@ -48,7 +49,7 @@ impl Inks {
         let (error, inks) = best.map_or((0.0, vec![[0.1; 3]]), |(_, error, inks)| (error, inks));
         let mut inks: Vec<[u8; 3]> =
             inks.iter().map(|ink| ink.map(|share| (share * 255.0).round() as u8)).collect();
-        inks.sort_by(|a, b| oklab(*a)[0].total_cmp(&oklab(*b)[0]));
+        sort_by(&mut inks, |a, b| oklab(*a)[0].total_cmp(&oklab(*b)[0]));
         Self { paper, inks, error }
     }
 }

@@ -17,6 +17,7 @@ use super::Trial;
 use super::apart::{Apart, apart, screens};
 use super::dressing::{ALL, Wanted, dressed, layers, scaled};
 use super::features::{AREA, Features};
+use crate::order::sort_by;
 use crate::style::Style;
 use crate::style::catalogue::catalogue;
 use crate::style::params::Kind;
@@ -166,7 +167,7 @@ impl Search {
             let apart = apart(&self.wanted.features, &features);
             self.known.push(Candidate { style: ask.style, origin, apart, found: features, signature });
         }
-        self.known.sort_by(|a, b| a.apart.total().total_cmp(&b.apart.total()));
+        sort_by(&mut self.known, |a, b| a.apart.total().total_cmp(&b.apart.total()));
         self.advance();
     }
 
@@ -188,7 +189,7 @@ impl Search {
                 }
             }
         }
-        chosen.sort_by(|a, b| a.apart.total().total_cmp(&b.apart.total()));
+        sort_by(&mut chosen, |a, b| a.apart.total().total_cmp(&b.apart.total()));
         chosen.iter().enumerate().map(|(i, candidate)| self.proposal(i, candidate)).collect()
     }
 
@@ -236,7 +237,7 @@ impl Search {
             self.known.iter().take(self.effort.nearest / 2).map(|near| near.origin.0).collect();
         let mut by_shape: Vec<&Candidate> = self.known.iter().collect();
         let shape = |candidate: &Candidate| candidate.apart.shape + candidate.apart.screen;
-        by_shape.sort_by(|a, b| shape(a).total_cmp(&shape(b)));
+        sort_by(&mut by_shape, |a, b| shape(a).total_cmp(&shape(b)));
         for candidate in by_shape {
             if nearest.len() < self.effort.nearest && !nearest.contains(&candidate.origin.0) {
                 nearest.push(candidate.origin.0);

@@ -13,6 +13,7 @@
 //! Source: Field, "Relations between the statistics of natural images and the response properties of cortical cells", 1987
 //! (the spectrum of natural pictures).
 
+use crate::order::sort_by;
 use crate::raster::Plane;
 use serde::{Deserialize, Serialize};
 use std::f32::consts::{PI, TAU};
@@ -106,7 +107,7 @@ fn directed(power: &[f32], ring: usize) -> f32 {
         index += 1;
     });
     let total: f32 = sectors.iter().sum();
-    sectors.sort_by(|a, b| b.total_cmp(a));
+    sort_by(&mut sectors, |a, b| b.total_cmp(a));
     let strongest: f32 = sectors[..SECTORS / 8].iter().sum();
     ((strongest / total.max(f32::MIN_POSITIVE) - 0.125) / 0.875).clamp(0.0, 1.0)
 }

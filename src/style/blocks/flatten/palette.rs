@@ -1,5 +1,6 @@
 //! Palettes, and how far each colour of a picture is from theirs.
 
+use crate::order::sort_by_key;
 use crate::raster::Image;
 use std::sync::OnceLock;
 
@@ -299,7 +300,7 @@ fn wanted(counts: &Counts, cells: &[[f32; 3]], palette: &[[u8; 3]], count: usize
         uses[closest(&points, cells[cell])] += pixels;
     }
     let mut order: Vec<usize> = (0..palette.len()).collect();
-    order.sort_by_key(|&i| std::cmp::Reverse(uses[i]));
+    sort_by_key(&mut order, |&i| std::cmp::Reverse(uses[i]));
     order.truncate(count.max(2));
     order.sort_unstable();
     order.into_iter().map(|i| palette[i]).collect()
