@@ -112,7 +112,8 @@ fn solved(cuts: &[f64], allowed: &[usize], even: f64, pages: usize) -> Option<Ve
 
 /// Seconds of `YYYY:MM:DD HH:MM:SS`, in a calendar whose months are all of 31 days: pauses are compared, not told.
 fn seconds(taken: &str) -> Option<f64> {
-    let mut numbers = taken.split([':', ' ', '-', 'T', '.']).map(|digits| digits.parse::<f64>().ok());
+    let mut numbers =
+        taken.split([':', ' ', '-', 'T', '.']).map(|digits| digits.parse::<u32>().ok().map(f64::from));
     let mut next = || numbers.next().flatten();
     let (year, month, day) = (next()?, next()?, next()?);
     let (hour, minute, second) = (next()?, next()?, next().unwrap_or(0.0));

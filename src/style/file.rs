@@ -164,7 +164,9 @@ impl Param {
     pub(crate) fn value_to_json(&self, value: f32) -> Value {
         match self.kind {
             // Through the shortest decimal, so that 1.2 is not written as 1.2000000476837158.
-            Kind::Number { .. } => json!(value.to_string().parse::<f64>().unwrap_or(f64::from(value))),
+            Kind::Number { .. } => {
+                json!(serde_json::from_str(&value.to_string()).unwrap_or(f64::from(value)))
+            }
             Kind::Integer { .. } => json!(value as i64),
             Kind::Flag { .. } => json!(value != 0.0),
             Kind::Choice { names } => json!(names.get(value as usize)),

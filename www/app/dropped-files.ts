@@ -12,7 +12,7 @@ import { isArchiveFile } from '../storage/files/page-archive.ts';
 import { isNamedPng } from '../storage/files/page-files.ts';
 import { isProjectFile } from '../storage/files/project-file.ts';
 import { openPlans } from './plans.ts';
-import { isSubtitles } from '../lettering/subtitling.ts';
+import { speechAmong } from '../lettering/subtitling.ts';
 import type { Store } from '../document/store.ts';
 import type { OwnLayouts } from '../layouts/own-layouts.ts';
 import type { Subtitling } from '../lettering/subtitling.ts';
@@ -62,19 +62,23 @@ export function createDroppedFiles({
   async function takeIn(files: readonly File[]) {
     const plans = files.filter(({ name }) => name.toLowerCase().endsWith('.json'));
     const projects = files.filter(isProjectFile);
-    const subtitles = files.filter(isSubtitles);
+    const speech = speechAmong(files);
     const archives = files.filter((file) => !projects.includes(file) && isArchiveFile(file));
-    const pictures = files.filter(
-      (file) => ![plans, projects, subtitles, archives].some((list) => list.includes(file)),
-    );
+    const pictures = files.filter((file) => ![plans, projects, archives].some((list) => list.includes(file)));
     void openPlans(plans, { ownLayouts, ownStyles });
     // What is dropped while another project is on its way is meant for that one.
-    const turn = Promise.all([before, keeping.turned()]).then(() => openAll(projects, pictures, archives));
+    const turn = Promise.all([speech, before, keeping.turned()]).then(([spoken]) =>
+      openAll(
+        projects,
+        pictures.filter((file) => !spoken.includes(file)),
+        archives,
+      ),
+    );
     before = turn.catch(() => {});
     const { photos, shown } = await turn;
     await add(photos, shown);
     // Their video may have come with them.
-    await subtitling.open(subtitles);
+    await subtitling.open(await speech);
   }
 
   /** Opens files that were chosen as projects. */

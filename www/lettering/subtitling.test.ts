@@ -1,6 +1,6 @@
 import { signal } from '@preact/signals';
 import { expect, test, vi } from 'vitest';
-import { createSubtitling, isSubtitles } from './subtitling.ts';
+import { createSubtitling, speechAmong } from './subtitling.ts';
 import type { ReadSubtitles, Spoken } from '../engine/words.ts';
 
 const NONE = { cues: 1, homeless: 0, left: 0, cut: 0, skipped: 0, flaws: [], guessed: false };
@@ -33,9 +33,17 @@ function app(told: (text: string) => ReadSubtitles, { film = true } = {}) {
   return { ...subtitling, subtitles, script, alert, note, lay, fileFailed };
 }
 
-test('files are told by their names', () => {
-  const names = ['A.SRT', 'a.en.vtt', 'script.txt', 'srt.jpg'];
-  expect(names.map((name) => isSubtitles({ name }))).toEqual([true, true, true, false]);
+test('subtitles are told by their names, and a text is a script where somebody speaks in it', async () => {
+  const wide = Buffer.from('\ufeffANNA: Hello', 'utf16le');
+  const files = [
+    new File(['1'], 'A.SRT'),
+    new File([''], 'a.en.vtt'),
+    new File(['Night.\nANNA: Hello'], 'script.txt'),
+    new File([wide], 'wide.txt'),
+    new File(['Dear diary, this is no photo.'], 'notes.txt'),
+    new File(['ANNA: Hello'], 'srt.jpg'),
+  ];
+  expect((await speechAmong(files)).map(({ name }) => name)).toEqual(['A.SRT', 'a.en.vtt', 'script.txt', 'wide.txt']);
 });
 
 test('words go to frames in use, shown or not, and what was left out is told with the name of the file', async () => {

@@ -21,9 +21,24 @@ export type Subtitling = ReturnType<typeof createSubtitling>;
 type Frame = { id: string; name: string; time: number; shown: boolean };
 type Place = { sheet: number; panel: number };
 
-/** Files that say something: subtitles and scripts. */
-export function isSubtitles({ name }: { name: string }) {
-  return /\.(srt|vtt|txt)$/i.test(name);
+/** A line that tells who speaks, as `ANNA: Hello` does. */
+const SPEAKER = /^[ \t]*[\p{L}\p{N}][^:：\n]{0,60}[:：][ \t]*\S/mu;
+/** Bytes of a text in which such a line stands, if any. */
+const BEGINNING = 64 << 10;
+
+/** @returns the files that say something: subtitles, and texts in which somebody speaks; any other text is none */
+export async function speechAmong(files: readonly File[]): Promise<File[]> {
+  const spoken = await Promise.all(
+    files.map(async (file) => /\.(srt|vtt)$/i.test(file.name) || (/\.txt$/i.test(file.name) && (await isScript(file)))),
+  );
+  return files.filter((_, index) => spoken[index]);
+}
+
+async function isScript(file: File): Promise<boolean> {
+  const bytes = new Uint8Array(await file.slice(0, BEGINNING).arrayBuffer());
+  const wide = bytes[0] === 0xff ? 'utf-16le' : 'utf-16be';
+  const encoding = bytes[0] === 0xff || bytes[0] === 0xfe ? wide : 'utf-8';
+  return SPEAKER.test(new TextDecoder(encoding).decode(bytes));
 }
 
 export function createSubtitling({
