@@ -375,6 +375,7 @@ fn planned_already(planned: &Planned, file: &Path) -> Result<(), Complaint> {
 }
 
 /// Says that all is done.
+#[allow(clippy::unnecessary_wraps, reason = "it is the last word of what can fail")]
 fn done(files: &[PathBuf]) -> Result<(), Complaint> {
     let files: Vec<String> = files.iter().map(|file| file.display().to_string()).collect();
     telling::step(&json!({ "event": "done", "files": files }), None);
@@ -518,7 +519,9 @@ fn used_photos(render: &Planned, photos: &[(PathBuf, Imported)]) -> Vec<PhotoMet
         let (count, some) = (left.len(), plans::some(&names));
         telling::note(None, &format!("{count} photos are left out, as `inkpanel select` tells why: {some}"));
     } else {
-        left.iter().for_each(|(name, why)| telling::note(Some(name), &format!("left out: {why}")));
+        for (name, why) in &left {
+            telling::note(Some(name), &format!("left out: {why}"));
+        }
     }
     let mut used: Vec<PhotoMeta> = photos
         .iter()

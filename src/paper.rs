@@ -8,6 +8,7 @@ const INCH: f64 = 25.4;
 
 /// Size, gutters and colours of a page; what is not said is as in the page that the browser begins with.
 #[derive(clap::Args, Default, PartialEq, Debug)]
+#[allow(clippy::struct_field_names, reason = "they are the names of options")]
 pub(crate) struct Paper {
     /// Size of the page: a name (such as a4, a5, letter, us-comic, manga-b5, square, webtoon), pixels (1600x2400), or a
     /// size on paper (210x297mm, 8.5x11in); a4 unless told.

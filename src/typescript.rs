@@ -306,6 +306,7 @@ export type KeptShown = Omit<Shown, 'page'> & { page: number };
 ";
 
 /// The module of types.
+#[allow(clippy::too_many_lines, reason = "a list of types")]
 fn types() -> String {
     let cfg = Config::new().with_large_int("number");
     let mut out = String::from(

@@ -9,6 +9,7 @@ use inkpanel::style::imitate::{self, Ask, Effort, Features, Search, Seen, Trial,
 use inkpanel::style::{Context, Style, stylize};
 use rayon::prelude::*;
 use std::collections::HashMap;
+use std::fmt::Write as _;
 use std::fs;
 use std::path::Path;
 
@@ -106,8 +107,10 @@ fn trials(step: usize) -> Vec<(String, [bool; 3])> {
 /// Fails where fewer than that share of the styles are found with all three.
 fn check(rows: &[(String, [bool; 3])], share: f64) {
     let found = rows.iter().filter(|(_, met)| met.iter().all(|met| *met)).count();
-    let table: String = rows.iter().map(|(id, met)| format!("  {id}: {met:?}\n")).collect();
-    let table = format!("{found} of {} (palette, lines, screen)\n{table}", rows.len());
+    let mut table = format!("{found} of {} (palette, lines, screen)", rows.len());
+    for (id, met) in rows {
+        let _ = write!(table, "\n  {id}: {met:?}");
+    }
     eprintln!("{table}");
     assert!(found as f64 >= share * rows.len() as f64, "{table}");
 }

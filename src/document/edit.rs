@@ -251,6 +251,7 @@ impl Project {
     /// The state after an edit; none where nothing changes. Steps through time and lists that come from outside are
     /// not of one state, and change nothing here.
     #[must_use]
+    #[allow(clippy::too_many_lines, reason = "an arm for each edit")]
     pub fn after(&self, edit: &Edit) -> Option<Self> {
         let mut next = self.clone();
         match edit {

@@ -17,7 +17,9 @@ pub fn page(value: Value) -> Read<Arc<Document>> {
     let mut page = Document::read(value)?;
     check(&page)?;
     let Document { words, panels, .. } = &mut page;
-    words.iter_mut().for_each(|word| tie(word, panels));
+    for word in words.iter_mut() {
+        tie(word, panels);
+    }
     Ok(Arc::new(page))
 }
 

@@ -73,7 +73,7 @@ pub fn read(text: &str) -> Vec<Vec<Said>> {
                     last.text.push_str(line);
                 }
                 None if has_names => {
-                    group.push(Said { manner: Manner::Told, speaker: None, text: line.to_owned() })
+                    group.push(Said { manner: Manner::Told, speaker: None, text: line.to_owned() });
                 }
                 None => group.append(&mut speech::of_lines(std::iter::once(line))),
             },

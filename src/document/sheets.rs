@@ -51,12 +51,12 @@ impl Project {
     }
 }
 
+/// What becomes of the page of a number; none where it stays as it is.
+type NumberedChange<'c> = dyn FnMut(usize, &Arc<Document>) -> Option<Arc<Document>> + 'c;
+
 impl Project {
     /// [`Project::each_page`] with the number of each page in the storyboard.
-    pub(super) fn each_numbered_page(
-        &mut self,
-        change: &mut dyn FnMut(usize, &Arc<Document>) -> Option<Arc<Document>>,
-    ) {
+    pub(super) fn each_numbered_page(&mut self, change: &mut NumberedChange<'_>) {
         let edited = self.at;
         // The page that is edited comes first.
         let mut told = 0;

@@ -289,9 +289,11 @@ mod tests {
         (Manner::Sound, text.to_owned())
     }
 
+    type Case = (&'static [&'static str], Vec<(Manner, String)>);
+
     #[test]
     fn speakers_and_sounds_are_told_apart() {
-        let cases: [(&[&str], Vec<(Manner, String)>); 13] = [
+        let cases: [Case; 13] = [
             (&["Hello", "there."], vec![speech("Hello there.")]),
             (&["- Who is it?", "- Me."], vec![speech("Who is it?"), speech("Me.")]),
             (&["-Who is it,", "at night?", "–Me."], vec![speech("Who is it, at night?"), speech("Me.")]),

@@ -106,7 +106,7 @@ impl Planning<'_> {
         }
         // What is said of a photo is said of the one that looks like it, too.
         for word in &mut current.words {
-            if let Some(other) = word["photo"].as_str().map(|photo| swap(photo)) {
+            if let Some(other) = word["photo"].as_str().map(&swap) {
                 word["photo"] = other.into();
             }
         }

@@ -101,12 +101,12 @@ const ON: &str = "<svg viewBox=\"0 0 24 24\" aria-hidden=\"true\"><path d=\"M9 5
 /// What dims the page but for one panel, and the shapes of panels and of their words: those that are read are holes in it.
 fn shapes(text: &mut String, page: &ToldPage, id: usize) {
     let ToldPage { width, height, panels } = page;
-    let _ = write!(
+    let _ = writeln!(
         text,
         "<svg viewBox=\"0 0 {width} {height}\" width=\"{width}\" height=\"{height}\" aria-hidden=\"true\" \
          focusable=\"false\"><mask id=\"mask-{id}\"><rect width=\"{width}\" height=\"{height}\" fill=\"#fff\"/>\
          <g class=\"hole\"></g></mask>\
-         <rect class=\"veil\" width=\"{width}\" height=\"{height}\" mask=\"url(#mask-{id})\"/>\n"
+         <rect class=\"veil\" width=\"{width}\" height=\"{height}\" mask=\"url(#mask-{id})\"/>"
     );
     for (at, panel) in panels.iter().enumerate() {
         let corners = points(&panel.outline, &short);

@@ -56,7 +56,7 @@ impl Separation {
 #[must_use]
 pub fn inks(style: &Style) -> Option<Vec<Ink>> {
     let steps = style.background.iter().chain(style.foreground.iter().flatten());
-    steps.filter_map(plates::inks_of).last()
+    steps.filter_map(plates::inks_of).next_back()
 }
 
 /// The page as it is drawn for plates: no plate misses the others, and neither grain nor paper is on them, which the press

@@ -63,12 +63,11 @@ fn mutate(layer: &mut Vec<Step>, surprise: f64, random: &mut Rand64) {
             let (least, most) = param.kind.range();
             let changed = match param.kind {
                 // Any change of the number would be another colour altogether.
-                Kind::Colour { .. } => *value,
+                Kind::Colour { .. } | Kind::Texture => *value,
                 Kind::Flag { .. } | Kind::Choice { .. } => {
                     let other = least + (most - least + 1.0) * random.rand_float() as f32;
                     if random.rand_float() < 0.4 * surprise { other.floor().min(most) } else { *value }
                 }
-                Kind::Texture => *value,
                 _ if least >= 0.0 && *value > 0.0 => *value * factor(push * surprise) as f32,
                 _ => *value + (push * surprise) as f32 * 0.3 * (most - least),
             };

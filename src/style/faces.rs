@@ -218,7 +218,7 @@ mod tests {
 
     fn photo() -> Image {
         Image::from_rgb(
-            [70, 50, 45].map(|base| Plane::from_fn(160, 120, |x, y| (base + (x * 3 ^ y * 5) % 40) as u8)),
+            [70, 50, 45].map(|base| Plane::from_fn(160, 120, |x, y| (base + ((x * 3) ^ (y * 5)) % 40) as u8)),
         )
         .unwrap()
     }

@@ -111,7 +111,6 @@ const inventions = createInventions({
   engine,
   seed: freshSeed,
   idle: () => ui.painted.value === store.page.value && subjects.settled.value,
-  wanted: ui.detects,
 });
 const styling = createStyling({ store, ownStyles, inventions: () => inventions.ready.peek() });
 const crops = createBetterCrops({ store, pages, ui });

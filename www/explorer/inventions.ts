@@ -26,20 +26,18 @@ const LEAST_JUDGED = 4.5;
 /** Milliseconds after the last change for which nobody is going from page to page. */
 const CALM = 3000;
 
-/** @param app `idle`: whether nothing else is under way; not `wanted`, nothing is judged and so nothing drawn */
+/** @param app `idle`: whether nothing else is under way */
 export function createInventions({
   store,
   engine,
   seed,
   idle,
-  wanted = true,
   calm = CALM,
 }: {
   store: Store;
   engine: Pick<Engine, 'exploreStyles' | 'judges' | 'judgeStyle' | 'hasPhoto'>;
   seed: () => number;
   idle: () => boolean;
-  wanted?: boolean;
   calm?: number;
 }) {
   const ready = signal([] as readonly Style[]);
@@ -54,7 +52,7 @@ export function createInventions({
     if (ready.peek().some(({ id }) => id === shown)) ready.value = ready.peek().filter(({ id }) => id !== shown);
     clearTimeout(timer);
     running?.abort();
-    if (wanted && page && share > 0 && idle()) timer = setTimeout(() => void fill(), calm);
+    if (page && share > 0 && idle()) timer = setTimeout(() => void fill(), calm);
   });
 
   return { ready };

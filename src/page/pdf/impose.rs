@@ -51,7 +51,7 @@ pub fn sides(how: Option<Imposition>, pages: usize) -> Vec<Side> {
             let seats = pages.next_multiple_of(4);
             let side = |side: usize| {
                 let other = seats - 1 - side;
-                if side % 2 == 0 { row(&[other, side]) } else { row(&[side, other]) }
+                if side.is_multiple_of(2) { row(&[other, side]) } else { row(&[side, other]) }
             };
             (0..seats / 2).map(side).collect()
         }

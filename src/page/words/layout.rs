@@ -212,7 +212,7 @@ pub fn lay_all(document: &Document, letters: &Letters) -> Result<Vec<Laid>> {
 }
 
 /// The balloon that each word is joined to.
-pub(super) fn joined<'w>(words: impl Iterator<Item = &'w Word> + Clone) -> Vec<Option<usize>> {
+pub(super) fn joined<'w>(words: &(impl Iterator<Item = &'w Word> + Clone)) -> Vec<Option<usize>> {
     let place = |name: &String| {
         let mut balloons =
             words.clone().enumerate().filter(|(_, word)| matches!(word.kind, Kind::Balloon(_)));
@@ -224,7 +224,7 @@ pub(super) fn joined<'w>(words: impl Iterator<Item = &'w Word> + Clone) -> Vec<O
 
 /// Tells balloons that are joined of each other.
 fn join(all: &mut [Laid]) {
-    let targets = joined(all.iter().map(|laid| &laid.word));
+    let targets = joined(&all.iter().map(|laid| &laid.word));
     let mut first: Vec<usize> = (0..all.len()).collect();
     for (i, to) in targets.iter().enumerate().filter_map(|(i, to)| to.map(|to| (i, to))) {
         let (low, high) = (first[i].min(first[to]), first[i].max(first[to]));

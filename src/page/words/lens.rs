@@ -101,7 +101,7 @@ impl<'a> Lens<'a> {
             let after = if at == end {
                 After::Space
             } else {
-                match text[at].part {
+                match text.get(at).map_or(Part::No, |mark| mark.part) {
                     Part::Hyphen => After::Hyphen,
                     Part::Free => After::Dash,
                     Part::No if at - from >= longest => After::Torn,

@@ -14,6 +14,7 @@ const WORTH: f32 = 0.012;
 
 /// What a picture was printed with.
 #[derive(Debug, Clone, PartialEq)]
+#[allow(clippy::struct_field_names, reason = "paper and inks are the printer's words")]
 pub(super) struct Inks {
     pub(super) paper: [u8; 3],
     /// One to three, as they look on white, the darkest first.

@@ -161,7 +161,7 @@ impl Search {
         for ((ask, origin), trial) in std::mem::take(&mut self.asked).into_iter().zip(trials) {
             let Some(Trial { features, signature }) = trial else { continue };
             if ask.close {
-                self.tuned(ask.style, features);
+                self.tuned(&ask.style, &features);
                 continue;
             }
             let apart = apart(&self.wanted.features, &features);
@@ -296,11 +296,11 @@ impl Search {
     }
 
     /// Takes over what a style's screen is like close by, and gives it the pitch that it should have.
-    fn tuned(&mut self, style: Style, close: Features) {
-        let same = |candidate: &&mut Candidate| same_chain(&candidate.style, &style);
+    fn tuned(&mut self, style: &Style, close: &Features) {
+        let same = |candidate: &&mut Candidate| same_chain(&candidate.style, style);
         let Some(candidate) = self.known.iter_mut().find(same) else { return };
         let wanted = &self.wanted.features;
-        candidate.apart.screen = screens(wanted, &close);
+        candidate.apart.screen = screens(wanted, close);
         let ratio = wanted.screen.pitch / close.screen.pitch.max(1e-3);
         // What is far off is another thing that repeats, a harmonic say.
         if close.screen.pitch > 0.0 && (ratio - 1.0).abs() > 0.03 && (0.4..2.5).contains(&ratio) {

@@ -30,7 +30,8 @@ test('a PDF has the page in its size, text that is found, and looks as the PNG d
   expect(about).not.toContain('CreationDate');
   const text = (await run('pdftotext', ['-raw', path, '-'])).stdout.replace(/\s+/g, ' ');
   for (const words of ['Meanwhile, at the harbour', 'Où est le phare?']) {
-    expect(text).toContain(words);
+    // Letterers write capitals, and so does what is drawn.
+    expect(text.toLowerCase()).toContain(words.toLowerCase());
   }
   expect(text.replace(/ /g, '')).toContain('KRAKOOM');
   const fonts = (await run('pdffonts', [path])).stdout.trim().split('\n').slice(2);

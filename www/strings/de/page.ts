@@ -26,8 +26,8 @@ export const pageStrings = {
     'us-comic': 'US-Comic',
     'manga-b5': 'Manga B5',
     tankobon: 'Tankobon',
-    'spread-a4': 'Fotobuch, Doppelseite A4',
-    'spread-square': 'Fotobuch, Doppelseite quadratisch',
+    'spread-a4': 'Doppelseite, A4',
+    'spread-square': 'Doppelseite, quadratisch',
     custom: 'Eigenes',
   },
 

@@ -451,8 +451,8 @@ fn cover(area: Bounds, other: Bounds, round: bool) -> f64 {
 /// Whether two ovals keep some room between them although their boxes do not.
 fn ovals_apart(a: Bounds, b: Bounds, near: f64) -> bool {
     let (one, other) = (center(a), center(b));
-    let across = (one.x - other.x).abs() / ((a.width + b.width) / 2.0 + near);
-    let down = (one.y - other.y).abs() / ((a.height + b.height) / 2.0 + near);
+    let across = (one.x - other.x).abs() / (f64::midpoint(a.width, b.width) + near);
+    let down = (one.y - other.y).abs() / (f64::midpoint(a.height, b.height) + near);
     across.powf(2.4) + down.powf(2.4) >= 1.0
 }
 

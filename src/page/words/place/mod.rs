@@ -64,7 +64,7 @@ pub fn settle<'s>(
         taken.push(area);
         news.push((i, placed(frame, center(area), tip)));
     }
-    let joins = joined(words.iter());
+    let joins = joined(&words.iter());
     for group in letterer::groups(&words, &ground) {
         let seen = words.get(group[0]).map(&scenery).unwrap_or_default();
         for (i, place) in letterer::place(&words, &joins, &group, &ground, &seen, &taken, letters) {
