@@ -222,6 +222,7 @@ impl Printing {
             // Eight pages at their full size are a poster; a zine is made of what lies in the printer.
             paper: self.sheet.or((self.impose == Some(Imposition::Zine)).then_some(A4)),
             plate,
+            inks: Vec::new(),
         }
     }
 
@@ -276,16 +277,17 @@ fn draw_book(
         return Ok(vec![(output.to_owned(), file)]);
     }
     let style = documents.first().ok_or("there is no page to print")?.style().map_err(told)?;
-    let separation = Separation::of(&style).ok_or_else(|| {
+    let inks = plates::inks(&style).ok_or_else(|| {
         format!(
             "the style {} prints no plates; one with the block \"Inks (Printing Plates)\" does",
             style.name
         )
     })?;
-    let inks = separation.inks();
+    let colours = plates::colours(&inks);
+    let separation = Separation::new(&colours);
     if documents
         .iter()
-        .any(|page| page.style().is_ok_and(|style| plates::inks(&style).as_deref() != Some(inks)))
+        .any(|page| page.style().is_ok_and(|style| plates::inks(&style).as_ref() != Some(&inks)))
     {
         return Err("the pages are printed with different inks; plates are of pages in one style".into());
     }
@@ -296,7 +298,8 @@ fn draw_book(
         let leaves = exact.iter().map(leaf).collect::<Result<Vec<_>, _>>()?;
         let stem = output.file_stem().map(|stem| stem.to_string_lossy()).unwrap_or_default();
         let path = output.with_file_name(format!("{stem}-{}.pdf", ink.name));
-        let file = pdf::write(&leaves, &printing.options(&path, Some(plate)), &letters).map_err(told)?;
+        let options = Options { inks: colours.clone(), ..printing.options(&path, Some(plate)) };
+        let file = pdf::write(&leaves, &options, &letters).map_err(told)?;
         files.push((path, file));
     }
     Ok(files)

@@ -10,7 +10,7 @@ use crate::error::{Error, Result};
 use crate::page::compose::Sheet;
 use crate::page::mask::PixelRect;
 use crate::page::pdf::{self, Leaf, Options, Picture, picture};
-use crate::page::plates::{self, Separation};
+use crate::page::plates::Separation;
 use crate::page::{Document, jpeg, webp};
 use crate::wasm_error::thrown;
 use crate::wasm_words::Lettering;
@@ -81,15 +81,14 @@ pub struct Plate {
 
 #[wasm_bindgen]
 impl Plate {
-    /// That of the ink at a place among those that the style of a document prints.
+    /// That of the ink at a place among inks, whose colours on white paper follow each other: red, green and blue of each.
     #[wasm_bindgen(constructor)]
-    pub fn new(document: &str, ink: usize) -> std::result::Result<Plate, JsValue> {
-        let plate = || -> Result<Self> {
-            let separation = Separation::of(&*Document::parse(document)?.style()?);
-            let separation = separation.filter(|found| ink < found.inks().len()).ok_or_else(no_plate)?;
-            Ok(Self { separation, ink })
-        };
-        plate().map_err(thrown)
+    pub fn new(colours: &[u8], ink: usize) -> std::result::Result<Plate, JsValue> {
+        let inks = colours.as_chunks::<3>().0;
+        if ink >= inks.len() {
+            return Err(thrown(no_plate()));
+        }
+        Ok(Self { separation: Separation::new(inks), ink })
     }
 
     /// The picture of a panel in gray, as this ink is printed; else as [`Cut`] makes it.
@@ -112,19 +111,6 @@ impl Plate {
 
 fn no_plate() -> Error {
     Error::InvalidDocument { location: "style".into(), reason: "prints no plate of that number".into() }
-}
-
-/// The inks that the style of a document prints, the strongest last, as a JSON array of their names; and the document as it
-/// is drawn for their plates: `{inks, document}`. `null` where it prints none.
-#[wasm_bindgen]
-pub fn plates_of(document: &str) -> std::result::Result<String, JsValue> {
-    let told = || -> Result<String> {
-        let page = Document::parse(document)?;
-        let Some(inks) = plates::inks(&*page.style()?) else { return Ok("null".into()) };
-        let names: Vec<String> = inks.iter().map(|ink| format!("\"{}\"", ink.name)).collect();
-        Ok(format!("{{\"inks\":[{}],\"document\":{}}}", names.join(","), plates::exact(&page)?.to_json()))
-    };
-    told().map_err(thrown)
 }
 
 #[wasm_bindgen]

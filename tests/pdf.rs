@@ -321,7 +321,8 @@ fn what_has_no_colour_is_gray_and_a_plate_is_the_cover_of_its_ink() {
     let step = &exact.style().unwrap().background[0];
     assert_eq!(step.values[1..3], [0.0, 0.0]);
     assert!(exact.style().unwrap().background[1].bypass);
-    let separation = Separation::of(&exact.style().unwrap()).unwrap();
+    let colours = plates::colours(&plates::inks(&exact.style().unwrap()).unwrap());
+    let separation = Separation::new(&colours);
     let area = PixelRect { x: 0, y: 0, width: 600, height: 400 };
     let red: Vec<u8> = [241, 80, 60, 255].repeat(600 * 400);
     for (ink, expected) in [(0, 0), (1, 255)] {
@@ -330,12 +331,13 @@ fn what_has_no_colour_is_gray_and_a_plate_is_the_cover_of_its_ink() {
         let seen = image.planes()[0].at(300, 200);
         assert!(seen.abs_diff(expected) < 14, "{ink}: {seen}");
         let leaf = Leaf { document: exact.clone(), pictures: vec![own], alts: Vec::new() };
-        let options = Options { plate: Some(ink), ..Options::default() };
+        let options = Options { plate: Some(ink), inks: colours.clone(), ..Options::default() };
         let file = write(&[leaf], &options, &letters()).unwrap();
         assert_eq!((count(&file, "/DeviceGray"), count(&file, "OutputIntent")), (1, 0));
     }
     let leaf = Leaf { document: exact, pictures: Vec::new(), alts: Vec::new() };
-    let missing = write(&[leaf], &Options { plate: Some(2), ..Options::default() }, &letters());
+    let missing =
+        write(&[leaf], &Options { plate: Some(2), inks: colours.clone(), ..Options::default() }, &letters());
     assert_eq!(missing.unwrap_err().code(), "invalid-document");
 }
 

@@ -17,7 +17,7 @@ const ROUNDS: usize = 40;
 
 /// What each ink prints of a colour.
 pub struct Separation {
-    inks: Vec<Ink>,
+    inks: usize,
     /// Coverage of each ink, colour by colour.
     table: Vec<[f32; 3]>,
 }
@@ -26,13 +26,19 @@ impl Separation {
     /// That of a style; none where it prints no plates.
     #[must_use]
     pub fn of(style: &Style) -> Option<Self> {
-        inks(style).map(|inks| Self { table: table(&inks), inks })
+        inks(style).map(|inks| Self::new(&colours(&inks)))
     }
 
-    /// The inks, the strongest last.
+    /// That of inks of these colours on white paper, the strongest last; it knows nothing of styles.
     #[must_use]
-    pub fn inks(&self) -> &[Ink] {
-        &self.inks
+    pub fn new(inks: &[[u8; 3]]) -> Self {
+        Self { inks: inks.len(), table: table(inks) }
+    }
+
+    /// How many inks there are.
+    #[must_use]
+    pub fn inks(&self) -> usize {
+        self.inks
     }
 
     /// How much of the plate of an ink is covered where the page has a colour, 0..=255.
@@ -59,6 +65,12 @@ pub fn inks(style: &Style) -> Option<Vec<Ink>> {
     steps.filter_map(plates::inks_of).next_back()
 }
 
+/// The colours of inks.
+#[must_use]
+pub fn colours(inks: &[Ink]) -> Vec<[u8; 3]> {
+    inks.iter().map(|ink| ink.rgb).collect()
+}
+
 /// The page as it is drawn for plates: no plate misses the others, and neither grain nor paper is on them, which the press
 /// brings.
 ///
@@ -80,9 +92,9 @@ pub fn exact(document: &Document) -> crate::error::Result<Document> {
     Ok(Document { style: style.to_value(), ..document.clone() })
 }
 
-fn table(inks: &[Ink]) -> Vec<[f32; 3]> {
+fn table(inks: &[[u8; 3]]) -> Vec<[f32; 3]> {
     let missing: Vec<[f32; 3]> =
-        inks.iter().map(|ink| ink.rgb.map(|tone| 1.0 - f32::from(tone) / 255.0)).collect();
+        inks.iter().map(|ink| ink.map(|tone| 1.0 - f32::from(tone) / 255.0)).collect();
     let tone = |at: usize| at as f32 / (SIDE - 1) as f32;
     let colors = (0..SIDE.pow(3)).map(|i| [tone(i / SIDE / SIDE), tone(i / SIDE % SIDE), tone(i % SIDE)]);
     colors.map(|color| solved(&missing, color)).collect()
@@ -118,7 +130,8 @@ mod tests {
     fn inks_are_found_again_in_what_they_print() {
         let style = catalogue().iter().find(|style| inks(style).is_some()).unwrap();
         let separation = Separation::of(style).unwrap();
-        let inks = separation.inks();
+        let inks = inks(style).unwrap();
+        assert_eq!(separation.inks(), inks.len());
         let over = |covers: &[f32]| {
             [0, 1, 2].map(|channel| {
                 let left: f32 = inks

@@ -10,7 +10,7 @@ import type { PageDocument, PdfOptions } from './types.ts';
 import type { createFiles } from './files.ts';
 import type { createPhotos } from './photos.ts';
 import type { Run } from './pool.ts';
-import type { Picture, PixelPatch } from './protocol.ts';
+import type { Picture, PixelPatch, Plates, Rgb } from './protocol.ts';
 import type { createWords } from './words.ts';
 
 type PanelPatch = PixelPatch & { index: number };
@@ -82,7 +82,7 @@ export function createExports({ run, photos, words, files }: Parts) {
     return stoppable(call.signal, async (signal) => {
       const pages = [];
       for (const [i, document] of documents.entries()) {
-        const made = await pictures(document, { quality, plates: 0, signal, step });
+        const made = await pictures(document, { quality, inks: [], signal, step });
         pages.push({ document, alts: alts[i] ?? [], pictures: made });
       }
       const pdf = await files.pdf(pages, { ...options, title }, { signal });
@@ -103,23 +103,25 @@ export function createExports({ run, photos, words, files }: Parts) {
     const step = stepsOf(documents, call);
     return stoppable(call.signal, async (signal) => {
       const pages: { document: PageDocument; alts: readonly string[]; pictures: Picture[] }[] = [];
-      let inks: string[] = [];
+      let inks: Plates['inks'] = [];
       for (const [i, page] of documents.entries()) {
-        const found = await files.plates(page, { signal });
-        if (!found || (inks.length > 0 && String(found.inks) !== String(inks)))
+        const args = { document: JSON.stringify(page) };
+        const found = await run({ op: 'plates', args, priority: Priority.PAGE, signal });
+        if (!found || (inks.length > 0 && JSON.stringify(found.inks) !== JSON.stringify(inks)))
           throw failure('no-plates', 'The pages are not all printed with the same inks.');
         ({ inks } = found);
         const { document } = found;
-        const made = await pictures(document, { quality, plates: inks.length, signal, step });
+        const made = await pictures(document, { quality, inks: coloursOf(inks), signal, step });
         pages.push({ document, alts: alts[i] ?? [], pictures: made });
       }
       const plates = [];
-      for (const [plate, ink] of inks.entries()) {
+      for (const [plate, { name }] of inks.entries()) {
         const own = pages.map((page) => ({
           ...page,
           pictures: page.pictures.filter((picture) => picture.plate === plate),
         }));
-        plates.push({ ink, blob: await files.pdf(own, { ...options, title, plate }, { signal }) });
+        const how = { ...options, title, plate, inks: coloursOf(inks) };
+        plates.push({ ink: name, blob: await files.pdf(own, how, { signal }) });
       }
       step(1);
       return plates;
@@ -129,7 +131,7 @@ export function createExports({ run, photos, words, files }: Parts) {
   /** The panels of a page as a PDF file has them: borders are lines of the file, so they are drawn without. */
   function pictures(
     document: PageDocument,
-    { signal, step, ...wish }: { quality: number; plates: number; signal: AbortSignal; step: (count: number) => void },
+    { signal, step, ...wish }: { quality: number; inks: readonly Rgb[]; signal: AbortSignal; step: (count: number) => void },
   ): Promise<Picture[]> {
     const bare = { ...document, page: { ...document.page, border: 0 } };
     return byPhoto(bare, withPhoto(bare), signal, async (patches) => {
@@ -215,6 +217,10 @@ async function stoppable<T>(signal: AbortSignal | undefined, work: (signal: Abor
   } finally {
     stop.abort();
   }
+}
+
+function coloursOf(inks: Plates['inks']): Rgb[] {
+  return inks.map(({ rgb }) => rgb);
 }
 
 function steps(total: number, onProgress: Call['onProgress'] = () => {}) {

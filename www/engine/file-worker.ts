@@ -2,7 +2,7 @@
  * The worker that makes files: the module of words, loaded with the first job, and the browser's own encoder of WebP where it has one.
  */
 
-import initWords, { Book, Cut, Lettering, Plate, Print, comicFile, plates_of } from '../pkg-words/inkpanel.js';
+import initWords, { Book, Cut, Lettering, Plate, Print, comicFile } from '../pkg-words/inkpanel.js';
 import { blobOf } from './blobs.ts';
 import { fileMs } from './measured.ts';
 import { moduleBytes } from './module-bytes.ts';
@@ -22,7 +22,7 @@ type Args<Op extends keyof Making> = Making[Op]['args'];
 
 let started: Promise<WebAssembly.Memory> | undefined;
 
-const OPERATIONS: Work<Making> = { jpeg, webp, losslessWebp, pictures, plates, pdf, comic };
+const OPERATIONS: Work<Making> = { jpeg, webp, losslessWebp, pictures, pdf, comic };
 
 serveJobs<Making>(async (op, args, tell) => {
   tell.waits(LOADING);
@@ -84,11 +84,12 @@ async function webp({ picture, quality, dpi }: Args<'webp'>, tell: Tell) {
   return { ok: withDpi(new Uint8Array(await made.arrayBuffer()), { width, height, dpi }), transfer: [] };
 }
 
-/** @param args `plates`: of so many inks each panel has a picture of its own; 0 for one in colour */
-async function pictures({ document, patches, quality, plates }: Args<'pictures'>, tell: Tell) {
+/** @param args `inks`: each panel has a picture of its own for each of them; none for one in colour */
+async function pictures({ document, patches, quality, inks }: Args<'pictures'>, tell: Tell) {
   const ok: Picture[] = [];
-  for (let ink = 0; ink < Math.max(1, plates); ink += 1) {
-    const plate = plates > 0 ? new Plate(document, ink) : null;
+  const colours = Uint8Array.from(inks.flat());
+  for (let ink = 0; ink < Math.max(1, inks.length); ink += 1) {
+    const plate = inks.length > 0 ? new Plate(colours, ink) : null;
     try {
       for (const { index, x, y, width, height, data } of patches) {
         tell.expects(fileMs(2 * width * height));
@@ -106,10 +107,6 @@ async function pictures({ document, patches, quality, plates }: Args<'pictures'>
     }
   }
   return { ok, transfer: ok.map((picture) => picture.jpeg.buffer) };
-}
-
-async function plates({ document }: Args<'plates'>) {
-  return { ok: JSON.parse(plates_of(document)) as Making['plates']['ok'], transfer: [] };
 }
 
 async function pdf({ pages, options }: Args<'pdf'>, tell: Tell) {

@@ -7,7 +7,7 @@ import { createPool } from './pool.ts';
 import { Priority } from './queue.ts';
 import type { Comic, ComicFile, PageDocument, PdfOptions, Piece } from './types.ts';
 import type { Pool } from './pool.ts';
-import type { ComicKind, Making, Picture, PixelPatch, Plates } from './protocol.ts';
+import type { ComicKind, Making, Picture, PixelPatch, Rgb } from './protocol.ts';
 
 type Call = { signal?: AbortSignal };
 
@@ -21,7 +21,6 @@ export function createFiles() {
     webp,
     losslessWebp,
     pictures,
-    plates,
     pdf,
     comicPieces,
     comicFiles,
@@ -84,21 +83,16 @@ export function createFiles() {
   /**
    * Panels as a PDF file has them.
    * @param patches panels drawn without borders at full width; they are handed over
-   * @param wish `quality` from 1 to 100; `plates`: how many inks there is to be a picture of, 0 for colours
+   * @param wish `quality` from 1 to 100; `inks`: there is a picture of each of them, or one in colours
    */
   async function pictures(
     document: PageDocument,
     patches: (PixelPatch & { index: number })[],
-    { quality, plates = 0 }: { quality: number; plates?: number },
+    { quality, inks = [] }: { quality: number; inks?: readonly Rgb[] },
     call?: Call,
   ): Promise<Picture[]> {
-    const args = { document: JSON.stringify(document), patches, quality, plates };
+    const args = { document: JSON.stringify(document), patches, quality, inks };
     return run('pictures', args, buffersOf(patches), call);
-  }
-
-  /** @returns null for a page that is not printed with inks */
-  async function plates(document: PageDocument, call?: Call): Promise<Plates | null> {
-    return run('plates', { document: JSON.stringify(document) }, [], call);
   }
 
   /** @param pages the pictures are handed over */

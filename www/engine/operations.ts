@@ -11,9 +11,10 @@ import { reading } from './readable.ts';
 import { STORING, readingOf } from './serving.ts';
 import { createStyleOperations } from './style-operations.ts';
 import { createWarmUp } from './warm-up.ts';
+import { plates_of } from '../pkg/inkpanel.js';
 import type { Patch, Studio } from '../pkg/inkpanel.js';
 import type { createLru } from './lru.ts';
-import type { BitmapPatch, Imported, Operations, PhotoHandle, PixelPatch } from './protocol.ts';
+import type { BitmapPatch, Imported, Operations, PhotoHandle, PixelPatch, Plates } from './protocol.ts';
 import type { Tell, Work } from './serving.ts';
 import type { ImportEntry, PixelSize } from './types.ts';
 
@@ -33,6 +34,7 @@ export function createOperations(studio: Studio, held: ReturnType<typeof createL
     stylize,
     fullPanels,
     encode,
+    plates,
     warm: createWarmUp(studio),
     ...createStyleOperations({ studio, fetchPhotos, bitmap }),
   };
@@ -106,6 +108,11 @@ export function createOperations(studio: Studio, held: ReturnType<typeof createL
     await fetchPhotos([photo], tell);
     tell.expects(styleMs(style, width * height));
     return pixels(studio.stylize_photo(photo.key, style, width, height, ''));
+  }
+
+  async function plates({ document }: Operations['plates']['args']) {
+    const ok: Plates | null = JSON.parse(plates_of(document));
+    return { ok, transfer: [] };
   }
 
   async function stylize({ style, width, height, data }: Operations['stylize']['args'], tell: Tell) {

@@ -46,6 +46,7 @@ export type Operations = {
   stylePixels: { args: { photo: PhotoHandle; style: string; width: number; height: number }; ok: PixelPatch };
   design: { args: { photo: PhotoHandle; style: string; width: number; height: number; stages: number }; ok: Designed };
   explore: { args: { photo: PhotoHandle; styles: string[]; width: number; height: number }; ok: Explored[] };
+  plates: { args: { document: string }; ok: Plates | null };
   readLook: { args: { photo: PhotoHandle; anyway: boolean }; ok: string };
   /** `asks` are trials that a search asked for; what fails is null. */
   tryLooks: { args: { photo: PhotoHandle; asks: Trial[] }; ok: (string | null)[] };
@@ -87,7 +88,8 @@ export type Picture = Bounds & { index: number; jpeg: Uint8Array<ArrayBuffer>; p
 /** A page of a PDF file as JSON, what its panels show, and their pictures. */
 export type PdfPage = { document: string; alts: readonly string[]; pictures: Picture[] };
 /** The inks of a page, the strongest last, and the page as it is drawn for their plates. */
-export type Plates = { inks: string[]; document: PageDocument };
+export type Plates = { inks: { name: string; rgb: Rgb }[]; document: PageDocument };
+export type Rgb = [number, number, number];
 
 /** Those of the worker that makes files; `quality` is from 1 to 100. */
 export type Making = {
@@ -101,10 +103,9 @@ export type Making = {
     ok: Blob;
   };
   pictures: {
-    args: { document: string; patches: (PixelPatch & { index: number })[]; quality: number; plates: number };
+    args: { document: string; patches: (PixelPatch & { index: number })[]; quality: number; inks: readonly Rgb[] };
     ok: Picture[];
   };
-  plates: { args: { document: string }; ok: Plates | null };
   pdf: { args: { pages: PdfPage[]; options: PdfOptions }; ok: Blob };
   comic: { args: { kind: ComicKind; comic: string }; ok: string };
 };

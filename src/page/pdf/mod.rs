@@ -107,7 +107,7 @@ impl Book<'_> {
         let mut content = Content::new();
         for cell in &sheet.cells {
             let leaf = &self.leaves[cell.leaf];
-            let colours = colours_of(&leaf.document, self.options.plate)?;
+            let colours = colours_of(&leaf.document, self.options)?;
             let ground = drawing::Ground { leaf, number: cell.leaf, room: cell.room, colours: &colours };
             content.save_state();
             content.transform(sheet.matrix_of(cell));
@@ -163,14 +163,14 @@ impl Book<'_> {
 }
 
 /// What becomes of the colours of a page.
-fn colours_of(document: &Document, plate: Option<usize>) -> Result<Colours> {
-    let Some(ink) = plate else { return Ok(Colours::Own) };
-    let separation = Separation::of(&*document.style()?).filter(|found| ink < found.inks().len());
-    let separation = separation.ok_or_else(|| Error::InvalidDocument {
-        location: "style".into(),
-        reason: "prints no plate of that number".into(),
-    })?;
-    Ok(Colours::Plate { separation: Box::new(separation), ink, paper: document.page.paper_rgb() })
+fn colours_of(document: &Document, options: &Options) -> Result<Colours> {
+    let Some(ink) = options.plate else { return Ok(Colours::Own) };
+    if ink >= options.inks.len() {
+        let reason = "prints no plate of that number".into();
+        return Err(Error::InvalidDocument { location: "style".into(), reason });
+    }
+    let separation = Box::new(Separation::new(&options.inks));
+    Ok(Colours::Plate { separation, ink, paper: document.page.paper_rgb() })
 }
 
 fn packed(bytes: &[u8]) -> Vec<u8> {

@@ -28,7 +28,10 @@ pub struct Options {
     /// what is on them.
     #[cfg_attr(all(test, feature = "cli"), ts(optional = nullable, as = "Option<[f64; 2]>"))]
     pub paper: Option<[f64; 2]>,
-    /// The ink whose plate this is, by its place among those of the style; none is for all colours.
+    /// The ink whose plate this is, by its place in `inks`; none is for all colours.
     #[cfg_attr(all(test, feature = "cli"), ts(optional = nullable))]
     pub plate: Option<usize>,
+    /// The colours on white paper of the inks of plates, the strongest last.
+    #[cfg_attr(all(test, feature = "cli"), ts(as = "Option<Vec<[u8; 3]>>"))]
+    pub inks: Vec<[u8; 3]>,
 }
