@@ -210,13 +210,14 @@ test('a project file has the photos, but not where and when they were taken', as
   await add(page, await told(...SIX.slice(0, 3)));
   await idle(page);
   const before = await picture(page);
+  await page.getByLabel('Project name').fill('Back home');
   await page.getByRole('button', { name: 'Projects' }).click();
   const project = (await saved(page, () => page.getByRole('button', { name: 'Save project' }).click())).bytes;
   for (const secret of SECRETS) expect(project.includes(Buffer.from(secret, 'latin1')), secret).toBe(false);
   await expect(page.getByRole('status').getByText('without their place, date and camera')).toBeVisible();
   await page.getByRole('button', { name: 'New project' }).click();
   await drop(page, [{ name: 'back.inkpanel', mimeType: 'application/zip', buffer: project }]);
-  await expect(page.getByLabel('Project name')).toHaveValue('back');
+  await expect(page.getByLabel('Project name')).toHaveValue('Back home');
   await idle(page);
   expect(await picture(page)).toBe(before);
 });
