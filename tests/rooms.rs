@@ -7,9 +7,8 @@ use std::path::{Component, Path, PathBuf};
 
 /// The rooms of `src`, from the lowest on. Containers and the kernels on their rows are one: each is written in terms of the
 /// other.
-const ROOMS: [&[&str]; 13] = [
+const ROOMS: [&[&str]; 11] = [
     &["error"],
-    &["order"],
     &["raster", "simd"],
     &["json"],
     &["select"],
@@ -19,7 +18,6 @@ const ROOMS: [&[&str]; 13] = [
     &["style"],
     &["plan"],
     &["page"],
-    &["output"],
     &["document"],
 ];
 

@@ -19,10 +19,7 @@
 //! | [`spreading`] | an album laid out over pages |
 //! | [`upkeep`] | pages that lost a photo |
 //! | [`draft`] | a style while it is designed |
-//! | [`speech`] | what people say, cut into what balloons hold |
-//! | [`subtitles`] | subtitles, and the frames that they go to |
-//! | [`script`] | scripts as people write them |
-//! | [`following`] | words that stay with their photos |
+//! | [`subtitles`] | subtitles, and the panels that they go to |
 //!
 //! # Fields that are added, and versions
 //!
@@ -42,7 +39,6 @@ pub mod draft;
 pub mod edit;
 pub mod editor;
 pub mod file;
-pub mod following;
 pub mod history;
 pub mod kept;
 pub mod limits;
@@ -52,9 +48,7 @@ pub mod planning;
 pub mod project;
 #[cfg(feature = "files")]
 pub mod saved;
-pub mod script;
 pub mod sheets;
-pub mod speech;
 pub mod spreading;
 pub mod subtitles;
 pub mod upkeep;

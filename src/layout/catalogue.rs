@@ -1,6 +1,5 @@
 //! The templates that ship with the program: every file of `layouts/`, embedded at build time.
 
-use crate::order::sort_by;
 use std::sync::{Mutex, OnceLock, PoisonError};
 
 use super::template::Template;
@@ -18,7 +17,7 @@ pub fn catalogue() -> &'static [Template] {
         let parsed = LAYOUT_FILES.iter().map(|(file, json)| Template::parse(file, json));
         let mut templates: Vec<Template> = parsed.filter_map(Result::ok).collect();
         let family = |template: &Template| super::FAMILIES.iter().position(|f| *f == template.family());
-        sort_by(&mut templates, |a, b| {
+        templates.sort_by(|a, b| {
             let key = |t: &Template| (family(t), t.panels().len());
             key(a).cmp(&key(b)).then_with(|| a.id().cmp(b.id()))
         });

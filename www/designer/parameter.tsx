@@ -1,8 +1,7 @@
 /**
- * A parameter of a block, as its descriptor says: a slider with a number field, a switch, a choice, a colour, or a picture.
+ * A parameter of a block, as its descriptor says: a slider with a number field, a switch, or a choice.
  */
 
-import { TextureChoice } from './texture-choice.tsx';
 import { strings } from '../strings/strings.ts';
 import type { BlockParam, ParamValue } from '../engine/types.ts';
 
@@ -33,19 +32,6 @@ export function Parameter({
       </label>
     );
   }
-  if (kind === 'colour') {
-    return (
-      <label class="parameter switch" title={help}>
-        <input
-          type="color"
-          value={String(value)}
-          onInput={(event) => onMove(event.currentTarget.value)}
-          onChange={(event) => onSet(event.currentTarget.value)}
-        />
-        <span>{label}</span>
-      </label>
-    );
-  }
   if (kind === 'choice') {
     return (
       <label class="parameter choice" title={help}>
@@ -60,7 +46,6 @@ export function Parameter({
       </label>
     );
   }
-  if (kind === 'texture') return <TextureChoice label={label} help={help} value={String(value)} onSet={onSet} />;
   return (
     <Range
       param={param}

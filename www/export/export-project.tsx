@@ -1,4 +1,4 @@
-/** What the file carries besides its pictures, in the export dialog. */
+/** What the PNG carries besides its picture, in the export dialog. */
 
 import { useEffect } from 'preact/hooks';
 import { strings } from '../strings/strings.ts';
@@ -7,8 +7,7 @@ import type { Cargo } from '../storage/files/page-files.ts';
 
 const KINDS: readonly Cargo[] = ['project', 'photos', 'none'];
 
-/** @param props `archive`: it is no PNG, but an archive of pages */
-export function ExportProject({ archive }: { archive: boolean }) {
+export function ExportProject() {
   const { cargo } = useApp().keeping.pageFiles;
   const now = cargo.value;
   // Photos go with the file that is saved from here, not with a later one.
@@ -20,7 +19,7 @@ export function ExportProject({ archive }: { archive: boolean }) {
   );
   return (
     <fieldset class="cargo">
-      <legend>{archive ? strings.cargoFile : strings.cargo}</legend>
+      <legend>{strings.cargo}</legend>
       {KINDS.map((kind) => (
         <label class="cargo-kind" key={kind}>
           <input
@@ -37,7 +36,7 @@ export function ExportProject({ archive }: { archive: boolean }) {
         </label>
       ))}
       <p class="quiet" id="cargo-help">
-        {archive ? strings.cargoFileHelp[now] : strings.cargoHelp[now]} {now !== 'none' && strings.cargoClean}
+        {strings.cargoHelp[now]} {now !== 'none' && strings.cargoClean}
       </p>
     </fieldset>
   );

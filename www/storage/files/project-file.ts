@@ -3,12 +3,10 @@
  * but without what cameras write beside them.
  */
 
-import { signal } from '@preact/signals';
 import { PLACES_FOR_LOST, TEXT } from '../../engine/limits.ts';
 import { strings } from '../../strings/strings.ts';
 import { createEditing } from '../../document/editing.ts';
 import { sheetsOf } from '../../document/sheets.ts';
-import { fileNameOf } from '../../ui/file-name.ts';
 import { save as saveFile } from '../../ui/files.ts';
 import { archiveOf, readArchive } from './archive.ts';
 import { strippedOf } from '../../photos/identity.ts';
@@ -21,10 +19,8 @@ import type { Planner, Store } from '../../document/store.ts';
 import type { Engine } from '../../engine/engine.ts';
 import type { Saving } from '../saving.ts';
 import type { Snapshot } from '../snapshot.ts';
-import type { Work } from './archive.ts';
 import type { Archive, FileOpening, Hands } from './file-opening.ts';
 import type { FilePhoto, FileProject } from './project-json.ts';
-import type { Signal } from '@preact/signals';
 
 export const EXTENSION = '.inkpanel';
 
@@ -36,7 +32,7 @@ export function createProjectFiles({
   store,
   engine,
   messages,
-  saving: saves,
+  saving,
   fileOpening,
 }: {
   store: Store;
@@ -45,44 +41,27 @@ export function createProjectFiles({
   saving: Pick<Saving, 'filed'>;
   fileOpening: FileOpening;
 }) {
-  /** The files that are in it by now, while it is made. */
-  const saving: Signal<{ done: number; total: number } | null> = signal(null);
-  let stop: AbortController | null = null;
-
-  return { save, open, saving, cancelSaving: () => stop?.abort() };
+  return { save, open };
 
   /** Gives the project to the person as a file. */
   async function save() {
-    // A second press would only make the same file again.
-    if (stop) return;
-    stop = new AbortController();
-    const { signal: cancelled } = stop;
     try {
-      const { file, name, unclean } = await packed({
-        signal: cancelled,
-        onProgress: (done, total) => {
-          saving.value = total > 1 ? { done, total } : null;
-        },
-      });
-      cancelled.throwIfAborted();
+      const { file, name, unclean } = await packed();
       saveFile(file, name);
-      saves.filed();
+      saving.filed();
       messages.note(strings.projectSaved(unclean));
     } catch (error) {
-      if (!cancelled.aborted) messages.alert(strings.projectNotSaved((error as Error).message));
-    } finally {
-      stop = null;
-      saving.value = null;
+      messages.alert(strings.projectNotSaved((error as Error).message));
     }
   }
 
-  async function packed(work: Work) {
+  async function packed() {
     const { history, facts, videos } = snapshotOf(store);
     const read = facts.filter(({ id }) => engine.photos.has(id));
     const blobs: Map<string, Blob> = new Map();
     for (const { id } of read) blobs.set(id, engine.photos.get(id).file);
     for (const { key, file } of videos) blobs.set(videoKey(key), file);
-    return packedProject({ history, facts: read, videos }, blobs, { work });
+    return packedProject({ history, facts: read, videos }, blobs);
   }
 
   /** Opens a project file beside those that there are. */
@@ -124,7 +103,7 @@ export function videoKey(key: string) {
 
 /**
  * @param blobs the files of its photos, by their ids, and of its videos
- * @param how `version` of the history; `work`: each file counts twice, as it is read twice
+ * @param version of the history
  * @returns `unclean`: files whose place and date could not be taken out
  */
 export async function packedProject(
@@ -134,7 +113,7 @@ export async function packedProject(
     videos,
   }: Pick<Snapshot, 'history' | 'facts'> & { videos: readonly (Omit<Video, 'file'> & { file: Blob })[] },
   blobs: ReadonlyMap<string, Blob>,
-  { version, work = {} }: { version?: number; work?: Work } = {},
+  version?: number,
 ): Promise<{ file: Blob; name: string; unclean: string[] }> {
   const { json, paths } = projectJson(
     history,
@@ -145,8 +124,6 @@ export async function packedProject(
   const unclean: string[] = [];
   const entries = [];
   for (const [id, name] of paths) {
-    work.signal?.throwIfAborted();
-    work.onProgress?.(entries.length / 2, paths.size);
     const { blob, clean } = await strippedOf(blobs.get(id) as Blob);
     if (!clean)
       unclean.push(
@@ -154,16 +131,13 @@ export async function packedProject(
       );
     entries.push({ name, blob });
   }
-  const file = await archiveOf([{ name: 'project.json', blob: new Blob([json]) }, ...entries], {
-    signal: work.signal,
-    onProgress: (done, total) => work.onProgress?.((paths.size * (1 + done / total)) / 2, paths.size),
-  });
-  return { file: new Blob([file], { type: 'application/zip' }), name: projectFileName(history.present.name), unclean };
+  const file = await archiveOf([{ name: 'project.json', blob: new Blob([json]) }, ...entries]);
+  return { file: new Blob([file], { type: 'application/zip' }), name: fileNameOf(history.present.name), unclean };
 }
 
 /** @param name of a project */
-export function projectFileName(name: string) {
-  return fileNameOf([name], EXTENSION.slice(1), strings.untitled);
+export function fileNameOf(name: string) {
+  return `${(name || strings.untitled).replaceAll(/[^\p{L}\p{N} ._-]+/gu, '-').slice(0, 80)}${EXTENSION}`;
 }
 
 /**

@@ -42,7 +42,6 @@ export const names: Names = {
     paper: 'Papier',
   },
   choices: {
-    own: 'Eigene',
     hatch: 'Schraffur',
     cross_hatch: 'Kreuzschraffur',
     dots: 'Punkte',
@@ -51,8 +50,6 @@ export const names: Names = {
     stipple: 'Punktierung',
     cmyk: 'CMYK',
     mono: 'Eine Farbe',
-    luma: 'Nur Helligkeit',
-    each: 'Jeder Farbkanal',
     photo: 'Aus dem Foto',
     comic: 'Comic',
     gouache: 'Gouache',

@@ -5,7 +5,7 @@ import type { Names } from '../names.ts';
 
 export const names: Names = {
   families: {},
-  choices: { luma: 'Luma', each: 'Each channel' },
+  choices: {},
   blocks,
   parameters: {},
   layouts: {},

@@ -42,7 +42,6 @@ export const names: Names = {
     paper: 'Papier',
   },
   choices: {
-    own: 'Personnel',
     hatch: 'Hachures',
     cross_hatch: 'Hachures croisées',
     dots: 'Points',
@@ -51,8 +50,6 @@ export const names: Names = {
     stipple: 'Pointillé',
     cmyk: 'CMJN',
     mono: 'Une encre',
-    luma: 'La luminosité seule',
-    each: 'Chaque canal',
     photo: 'De la photo',
     comic: 'BD',
     gouache: 'Gouache',

@@ -42,7 +42,6 @@ export const names: Names = {
     paper: '紙',
   },
   choices: {
-    own: '自分の色',
     hatch: 'ハッチング',
     cross_hatch: 'クロスハッチング',
     dots: '点',
@@ -51,8 +50,6 @@ export const names: Names = {
     stipple: '点描',
     cmyk: 'CMYK',
     mono: '一色',
-    luma: '明るさだけ',
-    each: '各チャンネル',
     photo: '写真から',
     comic: 'コミック',
     gouache: 'ガッシュ',
