@@ -6,6 +6,7 @@ import { screenPixels } from '../ui/bitmap.tsx';
 import { IconButton } from '../ui/button.tsx';
 import { useApp } from '../ui/context.ts';
 import { Icon } from '../ui/icon.tsx';
+import { onEscape } from '../ui/on-escape.ts';
 import { useStyleDeeds } from './style-deeds.ts';
 import type { Shown } from '../photos/photo-picker.tsx';
 import type { Item, Photo } from './explorer.ts';
@@ -59,6 +60,17 @@ function View({
       const tile = document.querySelector(`[data-style="${CSS.escape(last.current)}"] .wall-picture`);
       (tile as HTMLElement | null)?.focus();
     };
+  }, []);
+
+  // A button that has the focus loses it at the end of the wall, where nothing is before or behind: keys would then reach the
+  // explorer under the view, and Escape would close both.
+  useEffect(() => {
+    if (!ref.current?.contains(document.activeElement)) ref.current?.focus();
+  }, [at]);
+  useEffect(() => {
+    const over = new AbortController();
+    onEscape(close, over.signal);
+    return () => over.abort();
   }, []);
 
   function close() {
