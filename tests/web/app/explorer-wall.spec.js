@@ -155,7 +155,9 @@ test('a click opens a style large; arrows go to its neighbours, Escape closes, U
 
   const before = await picture(page);
   await page.keyboard.press('Enter');
+  await expect(large(page)).toHaveAccessibleName(`Large view of ${names[0]}`);
   await page.keyboard.press('ArrowRight');
+  await expect(large(page)).toHaveAccessibleName(`Large view of ${names[1]}`);
   await large(page).getByRole('button', { name: 'Use', exact: true }).click();
   await idle(page);
   await expect(region(page)).toHaveCount(0);
