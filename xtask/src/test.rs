@@ -263,12 +263,11 @@ fn docs(project: &Project) -> Result<Outcome> {
 }
 
 fn rust(project: &Project) -> Result<Outcome> {
-    let (mut tally, mut well) = tally::count(project.cargo().arg("test").args(ENGINE).arg("--no-fail-fast"))?;
+    let (mut tally, well) = tally::count(project.cargo().arg("test").args(ENGINE).arg("--no-fail-fast"))?;
     let (own, own_well) =
         tally::count(project.cargo().args(["test", "--package", "xtask", "--no-fail-fast"]))?;
     tally += own;
-    well &= own_well;
-    Ok((tally, well))
+    Ok((tally, well && own_well))
 }
 
 fn types(project: &Project) -> Result<Outcome> {
