@@ -4,7 +4,13 @@
 
 #[path = "fonts/pack.rs"]
 mod pack;
+#[path = "src/page/words/palette.rs"]
+#[allow(dead_code, unreachable_pub)]
+mod palette;
 
+use base64::Engine as _;
+use base64::prelude::BASE64_STANDARD;
+use sha2::{Digest, Sha256};
 use std::fmt::Write as _;
 use std::path::Path;
 use std::{env, fs, io};
@@ -12,7 +18,44 @@ use std::{env, fs, io};
 fn main() -> io::Result<()> {
     embed("layouts", "LAYOUT_FILES")?;
     embed("styles", "STYLE_FILES")?;
+    palettes()?;
+    reader()?;
     letters()
+}
+
+/// Writes `OUT_DIR/palettes.rs`, the colours of words on pages of each style, sorted by its id.
+fn palettes() -> io::Result<()> {
+    println!("cargo:rerun-if-changed=src/page/words/palette.rs");
+    let root = env::var("CARGO_MANIFEST_DIR").map_err(io::Error::other)?;
+    let mut rows = Vec::new();
+    for entry in fs::read_dir(Path::new(&root).join("styles"))? {
+        let path = entry?.path();
+        if path.extension().is_none_or(|extension| extension != "json") {
+            continue;
+        }
+        let style: serde_json::Value = serde_json::from_str(&fs::read_to_string(&path)?)?;
+        let stem = path.file_stem().unwrap_or_default().to_string_lossy().into_owned();
+        let id = style["id"].as_str().map_or(stem, str::to_owned);
+        let palette::Palette { ink, paper, note, accent, edge } = palette::of(&style);
+        rows.push(format!("    ({id:?}, [{ink:?}, {paper:?}, {note:?}, {accent:?}, {edge:?}]),\n"));
+    }
+    rows.sort();
+    let out = env::var("OUT_DIR").map_err(io::Error::other)?;
+    let table = "static PALETTES: &[(&str, [[u8; 3]; 5])] = &[\n";
+    fs::write(Path::new(&out).join("palettes.rs"), format!("{table}{}];\n", rows.concat()))
+}
+
+/// Writes `OUT_DIR/reader.rs`: by which hash a policy names the script and the style that stand in a comic of one file.
+fn reader() -> io::Result<()> {
+    println!("cargo:rerun-if-changed=src/output/reader");
+    let [root, out] = ["CARGO_MANIFEST_DIR", "OUT_DIR"].map(|name| env::var(name).map_err(io::Error::other));
+    let folder = Path::new(&root?).join("src/output/reader");
+    let mut constants = String::new();
+    for (name, file) in [("STYLE_HASH", "reader.css"), ("SCRIPT_HASH", "reader.js")] {
+        let hash = BASE64_STANDARD.encode(Sha256::digest(fs::read(folder.join(file))?));
+        let _ = writeln!(constants, "const {name}: &str = \"{hash}\";");
+    }
+    fs::write(Path::new(&out?).join("reader.rs"), constants)
 }
 
 /// Writes `OUT_DIR/letters.bin`.

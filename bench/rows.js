@@ -12,7 +12,8 @@ const COLOURFUL = ['to_gray', 'to_color', 'halftone', 'kuwahara', 'strokes', 'fl
 /** More of the same blocks. @type {[block: string, luma: boolean, params: Record<string, any>][]} */
 const VARIANTS = [
   ['posterize', false, {}],
-  ['brightness', false, {}],
+  // As the peers do it.
+  ['brightness', false, { channels: 'each' }],
   ['gaussian', true, { sigma: 6 }],
   ['gaussian', false, { sigma: 6 }],
   ['size', false, { percent: 50 }],

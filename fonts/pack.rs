@@ -18,12 +18,42 @@ use ttf_parser::gpos::{PairAdjustment, PositioningSubtable};
 use ttf_parser::{Face, GlyphId, OutlineBuilder, Tag};
 use unicode_normalization::char::compose;
 
-/// Id in a word's `font`, and file.
-const FONTS: [(&str, &str); 3] = [
-    ("comic-neue", "ComicNeue-Regular.ttf"),
-    ("comic-neue-bold", "ComicNeue-Bold.ttf"),
-    ("bangers", "Bangers-Regular.ttf"),
+/// A font of the table: its id in a word's `font`, its file, those that its missing letters come from, the first that has
+/// one, and how far these lean to the right, in ems an em, so that they stand beside its own.
+const FONTS: [(&str, &str, &[&str], f64); 3] = [
+    (
+        "comic-neue",
+        "ComicNeue-Regular.ttf",
+        &[
+            "ComicRelief-LatinExtended-Regular.ttf",
+            "Mali-Vietnamese-Regular.ttf",
+            "ComicRelief-Greek-Regular.ttf",
+            "ComicRelief-Cyrillic-Regular.ttf",
+        ],
+        0.0,
+    ),
+    ("comic-neue-bold", "ComicNeue-Bold.ttf", &BOLD, 0.0),
+    ("bangers", "Bangers-Regular.ttf", &BOLD, 0.16),
 ];
+const BOLD: [&str; 4] = [
+    "ComicRelief-LatinExtended-Bold.ttf",
+    "Mali-Vietnamese-Bold.ttf",
+    "ComicRelief-Greek-Bold.ttf",
+    "ComicRelief-Cyrillic-Bold.ttf",
+];
+
+/// A file that letters come from. Those of another font are as large as its own.
+struct Source<'a> {
+    face: Face<'a>,
+    scale: f64,
+    lean: f64,
+}
+
+impl Source<'_> {
+    fn scaled(&self, length: impl Into<f64>) -> i32 {
+        (length.into() * self.scale).round() as i32
+    }
+}
 
 /// Accents that text may bring as characters of their own.
 const MARKS: std::ops::RangeInclusive<char> = '\u{300}'..='\u{36f}';
@@ -42,20 +72,36 @@ pub(crate) fn pack(folder: &Path) -> Result<Vec<u8>, String> {
         }
     }
     out.count(FONTS.len());
-    for (id, file) in FONTS {
-        let bytes = fs::read(folder.join(file)).map_err(|error| format!("{file}: {error}"))?;
-        let face = Face::parse(&bytes, 0).map_err(|error| format!("{file}: {error}"))?;
+    for (id, file, others, lean) in FONTS {
+        let files: Vec<&str> = [file].into_iter().chain(others.iter().copied()).collect();
+        let read = |file: &&str| fs::read(folder.join(file)).map_err(|error| format!("{file}: {error}"));
+        let bytes = files.iter().map(read).collect::<Result<Vec<_>, _>>()?;
+        let mut sources: Vec<Source> = Vec::new();
+        for (file, bytes) in files.iter().zip(&bytes) {
+            let face = Face::parse(bytes, 0).map_err(|error| format!("{file}: {error}"))?;
+            let (scale, lean) =
+                sources.first().map_or((1.0, 0.0), |first| (matched(&first.face, &face), lean));
+            sources.push(Source { face, scale, lean });
+        }
         out.count(id.len());
         out.0.extend(id.as_bytes());
-        out.font(&face, &compositions);
+        out.font(&sources, &compositions);
     }
     Ok(out.0)
 }
 
+/// Units of the first font for one of the other, so that capitals are as high.
+fn matched(first: &Face, other: &Face) -> f64 {
+    let capitals = |face: &Face| f64::from(face.capital_height().unwrap_or(face.ascender()));
+    capitals(first) / capitals(other)
+}
+
 fn charset() -> BTreeSet<char> {
-    let ranges = [(0x20, 0x7e), (0xa1, 0x17f), (0x218, 0x21b), (0x2010, 0x2015), (0x2018, 0x201f)];
-    let signs = "†‡•…‰′″‹›⁄€™−≈≠≤≥←↑→↓★☆♠♣♥♦♩♪♫♬❤ẞ";
-    let letters = ranges.into_iter().flat_map(|(first, last)| (first..=last).filter_map(char::from_u32));
+    let latin = [(0x20, 0x7e), (0xa1, 0x24f), (0x1e80, 0x1e85), (0x1ea0, 0x1ef9)];
+    let others = [(0x370, 0x3ff), (0x400, 0x52f), (0x2010, 0x2015), (0x2018, 0x201f)];
+    let signs = "†‡•…‰′″‹›⁄€₴₽₫№™−≈≠≤≥←↑→↓★☆♠♣♥♦♩♪♫♬❤ẞ";
+    let letters =
+        latin.into_iter().chain(others).flat_map(|(first, last)| (first..=last).filter_map(char::from_u32));
     letters.chain(signs.chars()).collect()
 }
 
@@ -113,31 +159,47 @@ impl Writer {
         self.unsigned(count as u32);
     }
 
-    fn font(&mut self, face: &Face, compositions: &BTreeMap<char, (char, char)>) {
+    fn font(&mut self, sources: &[Source], compositions: &BTreeMap<char, (char, char)>) {
+        let face = &sources[0].face;
         let capitals = face.capital_height().unwrap_or(face.ascender());
         self.unsigned(u32::from(face.units_per_em()));
         self.signed(i32::from(face.ascender()));
         self.signed(-i32::from(face.descender()));
         self.signed(i32::from(capitals));
-        let glyphs: BTreeMap<char, GlyphId> =
-            charset().into_iter().filter_map(|letter| Some((letter, face.glyph_index(letter)?))).collect();
+        let first = |letter| {
+            let has = |(i, source): (usize, &Source)| Some((i, source.face.glyph_index(letter)?));
+            sources.iter().enumerate().find_map(has)
+        };
+        let glyphs: BTreeMap<char, (usize, GlyphId)> =
+            charset().into_iter().filter_map(|letter| Some((letter, first(letter)?))).collect();
         self.count(glyphs.len() + 1);
         self.missing(i32::from(capitals));
         let mut before = 0;
-        for (&letter, &glyph) in &glyphs {
+        for (&letter, &(source, glyph)) in &glyphs {
+            let Source { face, scale, lean } = &sources[source];
             self.unsigned(u32::from(letter) - before);
             before = u32::from(letter);
-            self.unsigned(u32::from(face.glyph_hor_advance(glyph).unwrap_or(0)));
-            let mut outline = Outline::default();
+            let advance = f64::from(face.glyph_hor_advance(glyph).unwrap_or(0)) * scale;
+            self.unsigned(advance.round() as u32);
+            let mut outline = Outline { scale: *scale as f32, lean: *lean as f32, ..Outline::default() };
             // A glyph without an outline is a space.
             let _ = face.outline_glyph(glyph, &mut outline);
+            if source > 0 {
+                outline.turn_clockwise();
+            }
             self.outline(outline);
         }
         let plain: Vec<_> = glyphs.iter().filter(|(letter, _)| !compositions.contains_key(letter)).collect();
         let mut pairs = Vec::new();
-        for &(&a, &left) in &plain {
-            for &(&b, &right) in &plain {
-                if let Some(change) = kern(face, left, right).filter(|change| *change != 0) {
+        for &(&a, &(one, left)) in &plain {
+            for &(&b, &(other, right)) in &plain {
+                // Letters of two fonts know nothing of each other.
+                if one != other {
+                    continue;
+                }
+                let source = &sources[one];
+                let change = kern(&source.face, left, right).map_or(0, |change| source.scaled(change));
+                if change != 0 {
                     pairs.push((u32::from(a) << 16 | u32::from(b), change));
                 }
             }
@@ -147,7 +209,7 @@ impl Writer {
         for (pair, change) in pairs {
             self.unsigned(pair - before);
             before = pair;
-            self.signed(i32::from(change));
+            self.signed(change);
         }
     }
 
@@ -164,10 +226,10 @@ impl Writer {
         });
         self.unsigned(0);
         self.unsigned((right + line * 2) as u32);
-        self.outline(Outline { contours: contours.into() });
+        self.outline(Outline { contours: contours.into(), ..Outline::default() });
     }
 
-    fn outline(&mut self, Outline { contours }: Outline) {
+    fn outline(&mut self, Outline { contours, .. }: Outline) {
         self.count(contours.len());
         let mut pen = (0, 0);
         for Contour { start, segments } in contours {
@@ -198,39 +260,83 @@ struct Contour {
     segments: Vec<(Option<Place>, Place)>,
 }
 
-#[derive(Default)]
+impl Contour {
+    /// Twice its area, about: positive where it runs counterclockwise, as y goes up.
+    fn area(&self) -> f64 {
+        let ends = self.segments.iter().map(|(_, end)| *end);
+        let points: Vec<Place> = [self.start].into_iter().chain(ends).collect();
+        let next = points.iter().cycle().skip(1);
+        points
+            .iter()
+            .zip(next)
+            .map(|(a, b)| f64::from(a.0) * f64::from(b.1) - f64::from(b.0) * f64::from(a.1))
+            .sum()
+    }
+
+    fn reverse(&mut self) {
+        let mut end = self.start;
+        for (_, point) in &mut self.segments {
+            std::mem::swap(point, &mut end);
+        }
+        self.start = end;
+        self.segments.reverse();
+    }
+}
+
 struct Outline {
     contours: Vec<Contour>,
+    scale: f32,
+    lean: f32,
+}
+
+impl Default for Outline {
+    fn default() -> Self {
+        Self { contours: Vec::new(), scale: 1.0, lean: 0.0 }
+    }
 }
 
 impl Outline {
+    /// Some fonts draw their outer lines the other way round, where what is inside would be a hole.
+    fn turn_clockwise(&mut self) {
+        let areas = self.contours.iter().map(Contour::area);
+        let largest = areas.max_by(|a, b| a.abs().total_cmp(&b.abs()));
+        if largest.is_some_and(|area| area > 0.0) {
+            self.contours.iter_mut().for_each(Contour::reverse);
+        }
+    }
+
     fn add(&mut self, control: Option<Place>, end: Place) {
         if let Some(contour) = self.contours.last_mut() {
             contour.segments.push((control, end));
         }
     }
-}
 
-fn whole(x: f32, y: f32) -> Place {
-    (x.round() as i32, y.round() as i32)
+    fn whole(&self, x: f32, y: f32) -> Place {
+        let [x, y] = [(x + y * self.lean) * self.scale, y * self.scale];
+        (x.round() as i32, y.round() as i32)
+    }
 }
 
 impl OutlineBuilder for Outline {
     fn move_to(&mut self, x: f32, y: f32) {
-        self.contours.push(Contour { start: whole(x, y), segments: Vec::new() });
+        let start = self.whole(x, y);
+        self.contours.push(Contour { start, segments: Vec::new() });
     }
 
     fn line_to(&mut self, x: f32, y: f32) {
-        self.add(None, whole(x, y));
+        let end = self.whole(x, y);
+        self.add(None, end);
     }
 
     fn quad_to(&mut self, x1: f32, y1: f32, x: f32, y: f32) {
-        self.add(Some(whole(x1, y1)), whole(x, y));
+        let (control, end) = (self.whole(x1, y1), self.whole(x, y));
+        self.add(Some(control), end);
     }
 
     fn curve_to(&mut self, x1: f32, y1: f32, x2: f32, y2: f32, x: f32, y: f32) {
         // None of these fonts has cubic curves; the nearest quadratic one stands for it.
-        self.add(Some(whole(x1.midpoint(x2), y1.midpoint(y2))), whole(x, y));
+        let (control, end) = (self.whole(x1.midpoint(x2), y1.midpoint(y2)), self.whole(x, y));
+        self.add(Some(control), end);
     }
 
     fn close(&mut self) {}

@@ -1,11 +1,17 @@
 //! Pages of the command line as files: rendered from the photos at their full size, with their words.
 
-use crate::Complaint;
+use crate::album::is_standard;
+use crate::destination::{Output, write};
+use crate::{Complaint, paper, reading};
 use inkpanel::Error;
+use inkpanel::framing::Subject;
+use inkpanel::layout::{self, PagePreset};
+use inkpanel::output::describing::described;
 use inkpanel::page::import::Imported;
-use inkpanel::page::pdf::{self, picture};
+use inkpanel::page::pdf::{self, Imposition, Options, picture};
+use inkpanel::page::plates::{self, Separation};
 use inkpanel::page::words::{Letters, draw as word_drawing, place};
-use inkpanel::page::{Document, Scene, compose, jpeg, png};
+use inkpanel::page::{Document, Scene, compose, jpeg, png, webp};
 use inkpanel::raster::Image;
 use inkpanel::style::Context;
 use rayon::prelude::*;
@@ -21,6 +27,12 @@ pub(crate) fn add_words(
     let complain = |reason: String| format!("{}: {reason}", file.display());
     let json = std::fs::read_to_string(file).map_err(|error| complain(error.to_string()))?;
     document.words = serde_json::from_str(&json).map_err(|error| complain(error.to_string()))?;
+    // Words that have no place yet are new: they are set as letterers do.
+    for word in document.words.iter_mut().filter_map(serde_json::Value::as_object_mut) {
+        if !["x", "y", "craft"].iter().any(|field| word.contains_key(*field)) {
+            word.insert("craft".to_owned(), 2.into());
+        }
+    }
     let subjects = |id: &str| {
         let photo = photos.iter().find(|(_, photo)| photo.meta.id == id);
         photo.map_or(&[][..], |(_, photo)| &photo.meta.subjects)
@@ -29,23 +41,49 @@ pub(crate) fn add_words(
     Letters::bundled().and_then(settle).map_err(|error| complain(error.to_string()))
 }
 
+/// What was found in a photo, by its id.
+pub(crate) type Subjects<'a> = dyn Fn(&str) -> &'a [Subject] + 'a;
+
+/// What each panel of a page shows, as far as it was found: `Panel 2 of 6: a person and a dog`.
+fn alts(document: &Document, subjects: &Subjects<'_>) -> Vec<String> {
+    let shows = described(document, subjects);
+    let count = document.panels.len();
+    let alt = |i: usize| {
+        let what = shows.get(i).filter(|what| !what.is_empty()).map_or("a photo", String::as_str);
+        format!("Panel {} of {count}: {what}", i + 1)
+    };
+    (0..count).map(alt).collect()
+}
+
 /// A kind of file.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum Kind {
     Png,
     Jpeg,
+    Webp,
     Pdf,
+    /// A project, which the page opens.
+    Project,
+    Comic(reading::Kind),
 }
 
 impl Kind {
     /// What the ending of a file names.
     pub(crate) fn of(output: &Path) -> Result<Self, Complaint> {
+        if let Some(kind) = reading::Kind::of(output) {
+            return Ok(Self::Comic(kind));
+        }
         let ending = output.extension().map(|ending| ending.to_string_lossy().to_lowercase());
         match ending.as_deref() {
             Some("png") => Ok(Self::Png),
             Some("jpg" | "jpeg") => Ok(Self::Jpeg),
+            Some("webp") => Ok(Self::Webp),
             Some("pdf") => Ok(Self::Pdf),
-            _ => Err(format!("{}: give the page a name that ends in .png, .jpg or .pdf", output.display())),
+            Some("inkpanel") => Ok(Self::Project),
+            _ => Err(format!(
+                "{}: give the page a name that ends in .png, .jpg, .webp, .pdf, .html, .epub, .cbz or .inkpanel",
+                output.display()
+            )),
         }
     }
 }
@@ -53,57 +91,235 @@ impl Kind {
 /// Decodes a photo at its full size by its id; gives nothing for one that is not there.
 pub(crate) type Photos<'p> = dyn Fn(&str) -> Result<Option<Image>, Complaint> + Sync + 'p;
 
-/// Renders a document from its photos, decoded at their full size, as the kind of file that `output` names.
+/// Renders a document from its photos, decoded at their full size, as the kind of picture that `output` names.
 pub(crate) fn draw(document: &Document, photos: &Photos<'_>, output: &Path) -> Result<Vec<u8>, Complaint> {
     let kind = Kind::of(output)?;
-    if kind == Kind::Pdf {
-        return draw_pdf(document, photos, output);
-    }
     let mut sheet = compose::Sheet::new(&scene_of(document)?);
     for patch in patches(document, photos)? {
         sheet.lay(patch.area, &patch.rgba).map_err(|error| error.to_string())?;
     }
     let lay = |letters: Letters| word_drawing::lay_words(&mut sheet, document, &letters);
     Letters::bundled().and_then(lay).map_err(|error| error.to_string())?;
-    let dpi = document.page.dpi;
+    encoded(kind, (sheet.width(), sheet.height()), sheet.rgb(), document.page.dpi)
+}
+
+/// Pixels as a file of a kind that holds a single picture.
+pub(crate) fn encoded(
+    kind: Kind,
+    (width, height): (usize, usize),
+    rgb: &[u8],
+    dpi: u32,
+) -> Result<Vec<u8>, Complaint> {
     let file = match kind {
-        Kind::Jpeg => jpeg::encode_rgb(sheet.width(), sheet.height(), sheet.rgb(), dpi, QUALITY),
-        _ => png::encode(&sheet, dpi),
+        Kind::Png => png::encode_rgb(width, height, rgb, dpi),
+        Kind::Jpeg => jpeg::encode_rgb(width, height, rgb, dpi, QUALITY),
+        Kind::Webp => webp::encode_rgb(width, height, rgb),
+        Kind::Pdf => return Err("a photo becomes a .png, .jpg or .webp file".into()),
+        Kind::Project | Kind::Comic(_) => return Err("that is made of photos, by render".into()),
     };
     file.map_err(|error| error.to_string())
+}
+
+/// Renders a document as JPEG, whatever it goes into.
+pub(crate) fn jpeg_of(document: &Document, photos: &Photos<'_>) -> Result<Vec<u8>, Complaint> {
+    draw(document, photos, Path::new("page.jpg"))
 }
 
 /// Of JPEG files and of the pictures in PDF files.
 const QUALITY: u8 = 90;
 
-/// The same as a file of one page whose title is the file's name.
-fn draw_pdf(document: &Document, photos: &Photos<'_>, output: &Path) -> Result<Vec<u8>, Complaint> {
-    draw_book(std::slice::from_ref(document), photos, output)
+/// What is asked of a file beside its pages, on the command line.
+#[derive(clap::Args, Default, PartialEq, Clone)]
+pub(crate) struct Printing {
+    /// Of a PDF file: art goes on so many millimetres beyond the edge, which is cut off.
+    #[arg(long, value_name = "MM", value_parser = millimetres)]
+    bleed: Option<f64>,
+    /// Of a PDF file: lines that say where to cut and fold.
+    #[arg(long)]
+    marks: bool,
+    /// Of a PDF file: pages on sheets to fold or cut: booklet, zine, 2up or spreads.
+    #[arg(long, value_name = "HOW", value_parser = imposition)]
+    impose: Option<Imposition>,
+    /// Fits the sheets of a PDF file to paper of this size, a name or such as 210x297 in millimetres; a zine goes on A4
+    /// unless told.
+    #[arg(long, value_name = "NAME|WxH", value_parser = sheet)]
+    sheet: Option<[f64; 2]>,
+    /// A gray PDF file for each ink that the style prints: OUT-red.pdf, OUT-blue.pdf.
+    #[arg(long)]
+    plates: bool,
+    /// Language of the words, a tag such as en or pt-BR, en unless told: a PDF file or a comic says it to who reads it aloud, and a
+    /// comic's reader speaks it itself.
+    #[arg(long, value_name = "TAG", value_parser = reading::language)]
+    language: Option<String>,
 }
 
-/// Pages as one PDF file whose title is the file's name.
-pub(crate) fn draw_book(
+/// Width and height of A4 in millimetres.
+const A4: [f64; 2] = [210.0, 297.0];
+/// Widest bleed in millimetres; a tenth of the page's width is the most in any case.
+const MOST_BLEED: f64 = 25.0;
+
+fn millimetres(text: &str) -> Result<f64, Complaint> {
+    let told = text.trim_end_matches("mm").trim().parse::<f64>().ok();
+    told.filter(|told| (0.0..=MOST_BLEED).contains(told))
+        .ok_or_else(|| format!("a bleed is a number of millimetres from 0 to {MOST_BLEED}"))
+}
+
+fn imposition(name: &str) -> Result<Imposition, Complaint> {
+    let found = Imposition::ALL.iter().find(|(known, _)| *known == name);
+    found.map(|(_, how)| *how).ok_or_else(|| {
+        let names: Vec<&str> = Imposition::ALL.iter().map(|(known, _)| *known).collect();
+        format!("pages are imposed as one of {}", names.join(", "))
+    })
+}
+
+fn sheet(text: &str) -> Result<[f64; 2], Complaint> {
+    if let Some(PagePreset { width, height, dpi, .. }) = layout::preset(text) {
+        return Ok([width, height].map(|side| f64::from(side) / f64::from(dpi) * 25.4));
+    }
+    let sides: Option<Vec<f64>> = text.split('x').map(|side| side.parse().ok()).collect();
+    match sides.as_deref() {
+        Some(&[width, height]) if [width, height].iter().all(|side| (20.0..=5000.0).contains(side)) => {
+            Ok([width, height])
+        }
+        _ => Err(format!("a sheet is such as 210x297 in millimetres, or one of {}", paper::names())),
+    }
+}
+
+impl Printing {
+    /// Says what is of PDF files alone where another kind is asked for.
+    pub(crate) fn check(&self, kind: Kind) -> Result<(), Complaint> {
+        let told = [
+            ("--bleed", self.bleed.is_some()),
+            ("--marks", self.marks),
+            ("--impose", self.impose.is_some()),
+            ("--sheet", self.sheet.is_some()),
+            ("--plates", self.plates),
+        ];
+        match told.iter().find(|(_, told)| *told) {
+            Some((flag, _)) if kind != Kind::Pdf => {
+                Err(format!("{flag} is for PDF files: give the output a name that ends in .pdf"))
+            }
+            _ => Ok(()),
+        }
+    }
+
+    /// The language that is asked for.
+    pub(crate) fn language(&self) -> &str {
+        self.language.as_deref().unwrap_or("en")
+    }
+
+    /// Whether pages are put together in another way than one after the other.
+    pub(crate) fn binds(&self) -> bool {
+        self.impose.is_some()
+    }
+
+    fn options(&self, output: &Path, plate: Option<usize>) -> Options {
+        Options {
+            title: output.file_stem().map(|stem| stem.to_string_lossy().into_owned()).unwrap_or_default(),
+            language: self.language().to_owned(),
+            marks: self.marks,
+            imposition: self.impose,
+            // Eight pages at their full size are a poster; a zine is made of what lies in the printer.
+            paper: self.sheet.or((self.impose == Some(Imposition::Zine)).then_some(A4)),
+            plate,
+            inks: Vec::new(),
+        }
+    }
+
+    /// The page with the bleed that is asked for.
+    fn bled(&self, document: &Document) -> Document {
+        let mut page = document.clone();
+        let width = f64::from(page.page.width) / f64::from(page.page.dpi.max(1)) * 25.4;
+        page.page.bleed = (self.bleed.unwrap_or(0.0) / width).min(0.1);
+        page
+    }
+}
+
+/// How pages are printed, and what their photos show.
+pub(crate) type Printed<'a> = (&'a Printing, &'a Subjects<'a>);
+
+/// Writes pages as one PDF file, or as one for each ink beside it.
+///
+/// Returns the files.
+pub(crate) fn write_book(
+    documents: &[Document],
+    photos: &Photos<'_>,
+    output: &Output,
+    (printing, subjects): Printed<'_>,
+) -> Result<Vec<PathBuf>, Complaint> {
+    if printing.plates && is_standard(&output.path) {
+        return Err("plates are a file for each ink: give the output a name".into());
+    }
+    let name = if printing.plates { &output.path } else { &output.named };
+    let mut written = Vec::new();
+    for (path, file) in draw_book(documents, photos, name, (printing, subjects))? {
+        let path = if printing.plates { path } else { output.path.clone() };
+        write(&path, &file)?;
+        written.push(path);
+    }
+    Ok(written)
+}
+
+/// Pages as PDF files whose title is the file's name: one, or one for each ink. Gives each with where it goes.
+fn draw_book(
     documents: &[Document],
     photos: &Photos<'_>,
     output: &Path,
-) -> Result<Vec<u8>, Complaint> {
-    let leaves = documents.iter().map(|document| leaf(document, photos)).collect::<Result<Vec<_>, _>>()?;
-    let title = output.file_stem().map(|stem| stem.to_string_lossy()).unwrap_or_default();
-    let write = |letters: Letters| pdf::write(&leaves, &title, &letters);
-    Letters::bundled().and_then(write).map_err(|error| error.to_string())
+    (printing, subjects): Printed<'_>,
+) -> Result<Vec<(PathBuf, Vec<u8>)>, Complaint> {
+    let told = |error: Error| error.to_string();
+    let letters = Letters::bundled().map_err(told)?;
+    let documents: Vec<Document> = documents.iter().map(|document| printing.bled(document)).collect();
+    if !printing.plates {
+        let leaf = |document| leaf(document, photos, (None, alts(document, subjects)));
+        let leaves = documents.iter().map(leaf).collect::<Result<Vec<_>, _>>()?;
+        let file = pdf::write(&leaves, &printing.options(output, None), &letters).map_err(told)?;
+        return Ok(vec![(output.to_owned(), file)]);
+    }
+    let style = documents.first().ok_or("there is no page to print")?.style().map_err(told)?;
+    let inks = plates::inks(&style).ok_or_else(|| {
+        format!(
+            "the style {} prints no plates; one with the block \"Inks (Printing Plates)\" does",
+            style.name
+        )
+    })?;
+    let colours = plates::colours(&inks);
+    let separation = Separation::new(&colours);
+    if documents
+        .iter()
+        .any(|page| page.style().is_ok_and(|style| plates::inks(&style).as_ref() != Some(&inks)))
+    {
+        return Err("the pages are printed with different inks; plates are of pages in one style".into());
+    }
+    let exact = documents.iter().map(plates::exact).collect::<Result<Vec<_>, _>>().map_err(told)?;
+    let mut files = Vec::new();
+    for (plate, ink) in inks.iter().enumerate() {
+        let leaf = |document| leaf(document, photos, (Some((&separation, plate)), alts(document, subjects)));
+        let leaves = exact.iter().map(leaf).collect::<Result<Vec<_>, _>>()?;
+        let stem = output.file_stem().map(|stem| stem.to_string_lossy()).unwrap_or_default();
+        let path = output.with_file_name(format!("{stem}-{}.pdf", ink.name));
+        let options = Options { inks: colours.clone(), ..printing.options(&path, Some(plate)) };
+        let file = pdf::write(&leaves, &options, &letters).map_err(told)?;
+        files.push((path, file));
+    }
+    Ok(files)
 }
 
-fn leaf(document: &Document, photos: &Photos<'_>) -> Result<pdf::Leaf, Complaint> {
+fn leaf(
+    document: &Document,
+    photos: &Photos<'_>,
+    (plate, alts): (Option<(&Separation, usize)>, Vec<String>),
+) -> Result<pdf::Leaf, Complaint> {
     let scene = scene_of(document)?;
     let patches = patches(&picture::bare(document), photos)?;
     let pictures = patches
         .par_iter()
         .enumerate()
         .filter(|(index, _)| scene.panels[*index].photo.is_some())
-        .map(|(index, patch)| picture::cut(document, index, patch.area, &patch.rgba, QUALITY))
+        .map(|(index, patch)| picture::cut(document, (index, patch.area, &patch.rgba), QUALITY, plate))
         .collect::<Result<Vec<_>, Error>>()
         .map_err(|error| error.to_string())?;
-    Ok(pdf::Leaf { document: document.clone(), pictures })
+    Ok(pdf::Leaf { document: document.clone(), pictures, alts })
 }
 
 fn scene_of(document: &Document) -> Result<Scene, Complaint> {

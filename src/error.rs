@@ -122,6 +122,24 @@ pub enum Error {
     /// Nothing to make a page of.
     #[error("there is no usable photo")]
     NoPhotos,
+    /// A picture whose style is wanted has too few pixels.
+    #[error("the picture is too small to have a style: {width} x {height} pixels, each side needs {least}")]
+    SmallPicture {
+        /// Width in pixels.
+        width: usize,
+        /// Height in pixels.
+        height: usize,
+        /// What each side needs.
+        least: usize,
+    },
+    /// A picture whose style is wanted shows next to nothing.
+    #[error("the picture is blank: there is no style in it")]
+    BlankPicture,
+    /// A picture whose style is wanted is a photo as a camera makes it.
+    #[error(
+        "the picture looks like a plain photo: choose a drawing, a print or a painting, whose lines and colours can be taken over"
+    )]
+    PlainPhoto,
     /// The caller asked to stop.
     #[error("cancelled")]
     Cancelled,
@@ -155,6 +173,9 @@ impl Error {
             Self::UnknownLayout(_) => "unknown-layout",
             Self::MissingPhoto(_) => "missing-photo",
             Self::NoPhotos => "no-photos",
+            Self::SmallPicture { .. } => "small-picture",
+            Self::BlankPicture => "blank-picture",
+            Self::PlainPhoto => "plain-photo",
             Self::Cancelled => "cancelled",
             Self::Detector(_) => "detector",
             Self::Encode(_) => "encode",

@@ -14,11 +14,12 @@
 //! | [`style`] | chains of filter blocks in two layers |
 //! | [`plan`] | which layout, which photo in which panel, judged by what is seen |
 //! | [`page`] | panels, borders and paper composed into one page; PNG, JPEG, PDF |
+//! | [`output`] | pages as comics that are read: HTML with a reader in it, EPUB, comic archives |
 //! | [`document`] | the project that a person edits and saves: its pages, photos, styles and layouts |
 //!
 //! Under everything beside `raster`: [`error`], and [`json`], which reads JSON of strangers.
 //!
-//! On top, without algorithms of their own: `wasm`, `wasm_detect`, `wasm_decoders` and `wasm_words` with `wasm_files` (the web
+//! On top, without algorithms of their own: `wasm`, `wasm_detect`, `wasm_decoders` and `wasm_words` with `wasm_files` and `wasm_comics` (the web
 //! boundary, in four modules) and `main.rs` (the command line).
 //!
 //! Each stage has an example that runs: `examples/stage_raster.rs` and so on to `stage_page.rs`. Through some of them:
@@ -63,6 +64,10 @@ pub mod json;
 #[cfg(feature = "pages")]
 pub mod layout;
 #[cfg(feature = "pages")]
+mod order;
+#[cfg(feature = "pages")]
+pub mod output;
+#[cfg(feature = "pages")]
 pub mod page;
 #[cfg(feature = "pages")]
 pub mod plan;
@@ -82,6 +87,8 @@ mod typescript;
     not(any(feature = "detect", feature = "words", feature = "decoders"))
 ))]
 pub mod wasm;
+#[cfg(all(target_arch = "wasm32", feature = "words"))]
+pub mod wasm_comics;
 #[cfg(all(target_arch = "wasm32", feature = "decoders"))]
 pub mod wasm_decoders;
 #[cfg(all(target_arch = "wasm32", feature = "detect"))]

@@ -3,17 +3,28 @@
 //! Progress and complaints go to standard error, results to standard output. Exit codes: 0 done, 1 bad input,
 //! 2 wrong usage (from the argument parser).
 
+mod album;
+mod config;
+mod destination;
 mod detectors;
+mod documents;
 mod drawing;
+mod imitator;
 mod inventor;
+mod paper;
 mod plans;
+mod projects;
+mod reading;
 mod reopening;
+mod telling;
 
-use clap::{Parser, Subcommand};
-use inkpanel::layout::{PageSettings, Template};
+use clap::error::ErrorKind;
+use clap::{CommandFactory, Parser, Subcommand};
+use inkpanel::framing::PhotoMeta;
+use inkpanel::layout::Template;
 use inkpanel::page::import::{Imported, import};
 use inkpanel::page::request::Request;
-use inkpanel::page::{catalogue, png};
+use inkpanel::page::{Document, catalogue};
 use inkpanel::raster::Image;
 use inkpanel::raster::decode::{Limits, decode_fit};
 use inkpanel::select::{self, Measures};
@@ -25,18 +36,31 @@ use std::collections::HashMap;
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
+use std::sync::atomic::{AtomicUsize, Ordering};
+
+use album::told;
+use destination::Output;
+use drawing::Kind;
+use paper::Paper;
 
 /// Photos in, stylised storyboard pages out.
 #[derive(Parser)]
-#[command(version, about)]
+#[command(version, about, after_help = EXIT_CODES)]
 struct Cli {
     #[command(subcommand)]
     command: Command,
 }
 
+const EXIT_CODES: &str = "\
+Exit codes:
+  0  done; what is left out is named on standard error
+  1  bad input, or something that --strict does not let pass: the reason is on standard error, and nothing is written
+  2  wrong usage: an option, its value, or a file of settings";
+
 #[derive(Subcommand)]
 enum Command {
     /// Make a storyboard page of photos, or draw a saved one.
+    #[command(after_help = EXIT_CODES)]
     Render(Box<Render>),
     /// Judge the pages of a plan as `render --json` prints it: the score and its terms.
     Score {
@@ -57,15 +81,18 @@ enum Command {
         /// Id of a designed style, or a style file.
         #[arg(long, value_name = "ID|FILE")]
         style: String,
-        /// The photo.
+        /// The photo; - is standard input.
         input: PathBuf,
-        /// Where the PNG goes.
+        /// Where it goes: a file that ends in .png, .jpg or .webp, or - for standard output.
         #[arg(short, long)]
         output: PathBuf,
+        /// The kind of file, whatever its name: png, jpg or webp.
+        #[arg(long, value_name = "KIND", value_parser = ["png", "jpg", "webp"])]
+        format: Option<String>,
     },
     /// Say which photos are worth a panel, and why.
     Select {
-        /// The photos.
+        /// The photos, or folders of them.
         #[arg(required = true)]
         files: Vec<PathBuf>,
         /// Answer as JSON.
@@ -77,7 +104,7 @@ enum Command {
     },
     /// Find faces and objects.
     Detect {
-        /// The photos.
+        /// The photos, or folders of them.
         #[arg(required = true)]
         files: Vec<PathBuf>,
         /// Answer as JSON.
@@ -104,6 +131,22 @@ enum Command {
         /// A photo to draw them on; each style then has a score from 0 to 1.
         photo: Option<PathBuf>,
     },
+    /// Find styles that give a photo the look of a picture: a comic page, a print, a painting.
+    Imitate {
+        /// The picture whose look is wanted.
+        picture: PathBuf,
+        /// The photo that is to get it.
+        photo: PathBuf,
+        /// Answer as JSON: an array of style files, the nearest first, each with a score from 0 to 1.
+        #[arg(long)]
+        json: bool,
+        /// Take the picture even where it looks like a plain photo or is blank.
+        #[arg(long)]
+        anyway: bool,
+        /// Another seed tries other styles.
+        #[arg(long, default_value_t = 1)]
+        seed: u32,
+    },
     /// List the filter blocks.
     Blocks(Listing),
     /// List the page templates.
@@ -123,21 +166,61 @@ struct Listing {
 struct Render {
     #[command(flatten)]
     planned: Planned,
+    #[command(flatten)]
+    how: How,
     /// Of a saved project: which of its pages, from 1; the one that was edited last unless told.
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..))]
     page: Option<u32>,
-    /// Where the page goes: a file that ends in .png, .jpg or .pdf.
-    #[arg(short, long, required_unless_present = "json")]
+    /// Draw a page that is planned already, as --save-document writes it; the photos are those that it names, found beside it
+    /// or among the photos given.
+    #[arg(long, value_name = "FILE")]
+    document: Option<PathBuf>,
+    /// Where the page goes: a file that ends in .png, .jpg, .webp or .pdf; a comic (.html, .epub, .cbz), of a saved project with
+    /// all its pages; one that ends in .inkpanel, which is a project with
+    /// the photos as they are, whatever cameras wrote into them, or - for standard output.
+    #[arg(short, long, required_unless_present_any = ["json", "save_document"])]
     output: Option<PathBuf>,
-    /// The photos, in their order where they do not say when they were taken; or one saved project (.inkpanel), or one
-    /// PNG of a page with its project and photos.
-    #[arg(required = true)]
+    /// The photos, in their order where they do not say when they were taken, and folders of them; or one saved project
+    /// (.inkpanel, or a ZIP or CBZ file of its pages), or one PNG of a page with its project and photos. - is standard input.
     files: Vec<PathBuf>,
+}
+
+/// How it is done, whatever the page.
+#[derive(clap::Args)]
+struct How {
+    #[command(flatten)]
+    printing: drawing::Printing,
+    /// Take settings from a file of JSON or TOML: each has the name of an option, "files" are the photos, and files are looked
+    /// for beside it. What the command line says goes before it.
+    #[arg(long, value_name = "FILE")]
+    #[allow(dead_code, reason = "its settings are options by now")]
+    config: Option<PathBuf>,
+    /// The kind of file, whatever its name: png, jpg, webp, pdf or inkpanel.
+    #[arg(long, value_name = "KIND", value_parser = ["png", "jpg", "webp", "pdf", "inkpanel"])]
+    format: Option<String>,
+    /// Fail where something is not as it was asked for, such as a photo that is left out, and write nothing.
+    #[arg(long)]
+    strict: bool,
+    /// Leave files that are there as they are, so that work that was stopped goes on.
+    #[arg(long)]
+    skip_existing: bool,
+    /// What standard error is told: sentences, or a line of JSON for each step.
+    #[arg(long, value_name = "FORM", value_parser = ["text", "json"], default_value = "text")]
+    progress: String,
+    /// What a PNG carries of its project, to be opened again: all pages, and the photos as they are, too.
+    #[arg(long, value_name = "WHAT", value_parser = ["none", "project", "photos"], default_value = "none")]
+    embed: String,
+    /// Write the page as plain data, for --document; several pages are a list.
+    #[arg(long, value_name = "FILE")]
+    save_document: Option<PathBuf>,
 }
 
 /// What a page is planned by. A saved one is planned already.
 #[derive(clap::Args, Default, PartialEq)]
+#[allow(clippy::struct_excessive_bools, reason = "each is an option of its own")]
 struct Planned {
+    #[command(flatten)]
+    paper: Paper,
     /// Id of a page template, or a layout file.
     #[arg(long, value_name = "ID|FILE")]
     layout: Option<String>,
@@ -147,9 +230,15 @@ struct Planned {
     /// Seed of what is left to chance; 1 unless told.
     #[arg(long)]
     seed: Option<u32>,
-    /// Width of the page in pixels, 2480 unless told; the height follows from A4 upright.
-    #[arg(long, value_name = "PX", value_parser = clap::value_parser!(u32).range(64..=9800))]
-    width: Option<u32>,
+    /// Photos whose fingerprints differ in at most so many of 64 bits show the same picture; 10 unless told.
+    #[arg(long, value_name = "BITS", value_parser = clap::value_parser!(u32).range(0..=64))]
+    alike: Option<u32>,
+    /// Use all photos, those that look alike and those that are blurred, too.
+    #[arg(long)]
+    keep_all: bool,
+    /// Keep the photos in the order in which they are given, whatever they say of when they were taken.
+    #[arg(long)]
+    as_given: bool,
     /// Number of panels.
     #[arg(long)]
     panels: Option<usize>,
@@ -165,7 +254,8 @@ struct Planned {
     /// Captions, balloons and sound effects: a JSON array of words, as the page keeps them.
     #[arg(long, value_name = "FILE")]
     words: Option<PathBuf>,
-    /// Make a storyboard of so many pages, cut where time or scene changes: a PDF file, or files such as page-%02d.png.
+    /// Make a storyboard of so many pages, cut where time or scene changes: a PDF file, a comic (.html, .epub, .cbz), or files
+    /// such as page-%02d.png.
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..=1000))]
     pages: Option<u32>,
     /// Print the plan: layout, photos, crops, style, score and its terms.
@@ -180,17 +270,34 @@ struct Planned {
 type Complaint = String;
 
 fn main() -> ExitCode {
-    let done = match Cli::parse().command {
-        Command::Render(render) => render_page(&render),
+    let (arguments, listed) = match config::expanded::<Cli>(std::env::args_os().collect()) {
+        Ok(expanded) => expanded,
+        Err(complaint) => {
+            telling::failure(&complaint);
+            return ExitCode::from(2);
+        }
+    };
+    let done = match Cli::parse_from(arguments).command {
+        Command::Render(mut render) => {
+            if render.files.is_empty() {
+                render.files = listed;
+            }
+            render_page(&render)
+        }
         Command::Score { plan, json, models, no_detect } => {
             plans::score(&plan, json, !no_detect, models.as_deref())
         }
-        Command::Stylize { style, input, output } => stylize_photo(&style, &input, &output),
+        Command::Stylize { style, input, output, format } => {
+            stylize_photo(&style, &input, &output, format.as_deref())
+        }
         Command::Select { files, json, threshold } => select_photos(&files, json, threshold),
         Command::Detect { files, json, models } => detect_photos(&files, json, models.as_deref()),
         Command::Generate { seed, count, json, models, photo } => {
             inventor::invent(seed, count, photo.as_deref(), models.as_deref())
                 .and_then(|styles| list(&styles, json))
+        }
+        Command::Imitate { picture, photo, json, anyway, seed } => {
+            imitator::imitate(&picture, &photo, seed, anyway).and_then(|styles| list(&styles, json))
         }
         Command::Blocks(listing) => list(&catalogue::blocks(), listing.json),
         Command::Layouts(listing) => list(&catalogue::layouts(), listing.json),
@@ -199,28 +306,46 @@ fn main() -> ExitCode {
     match done {
         Ok(()) => ExitCode::SUCCESS,
         Err(complaint) => {
-            eprintln!("inkpanel: {complaint}");
+            telling::failure(&complaint);
             ExitCode::from(1)
         }
     }
 }
 
 fn render_page(render: &Render) -> Result<(), Complaint> {
-    let Render { planned, page, output, files } = render;
-    if let Some(output) = output {
-        drawing::Kind::of(output)?;
+    let Render { planned, how, page, document, output, files } = render;
+    if how.progress == "json" {
+        telling::as_json();
+    }
+    let output = output.as_deref().map(|path| Output::new(path, how.format.as_deref())).transpose()?;
+    if let Some(output) = &output {
+        how.printing.check(Kind::of(&output.named)?)?;
+    }
+    if planned.json && output.as_ref().is_some_and(|output| album::is_standard(&output.path)) {
+        return Err("--json and the page cannot both go to standard output".into());
+    }
+    if files.is_empty() && document.is_none() {
+        Cli::command()
+            .error(ErrorKind::MissingRequiredArgument, "say which photos, or which saved project")
+            .exit();
+    }
+    if let Some(output) = output.as_ref().filter(|output| how.skip_existing && output.exists()) {
+        let event = json!({ "event": "skipped", "file": output.path.display().to_string() });
+        telling::step(&event, Some(format!("{}: is there already", output.path.display())));
+        return Ok(());
+    }
+    let given = files;
+    let files = album::files(given)?;
+    if let Some(document) = document {
+        planned_already(planned, document)?;
+        return documents::draw(document, &files, output.as_ref().ok_or(NO_OUTPUT)?, how);
     }
     if let [file] = &files[..]
         && let Some(saved) = reopening::open(file)
     {
-        if *planned != Planned::default() {
-            return Err(format!(
-                "{}: it is planned already, so --output and --page are all that it takes",
-                file.display()
-            ));
-        }
-        let output = output.as_deref().ok_or("say by --output where the page goes")?;
-        return reopening::draw(saved?, file, *page, output);
+        planned_already(planned, file)?;
+        let output = output.as_ref().ok_or(NO_OUTPUT)?;
+        return done(&reopening::draw(saved?, file, *page, (output, &how.printing))?);
     }
     if let Some(project) = files.iter().find(|file| reopening::is_project(file)) {
         return Err(format!("{}: a project is drawn alone", project.display()));
@@ -228,31 +353,63 @@ fn render_page(render: &Render) -> Result<(), Complaint> {
     if page.is_some() {
         return Err("--page is of a saved project, and there is none".into());
     }
-    plan_page(planned, output.as_deref(), files)
+    plan_page(planned, how, output.as_ref(), (&files, &projects::called(given, output_name(output.as_ref()))))
 }
 
-fn plan_page(render: &Planned, output: Option<&Path>, files: &[PathBuf]) -> Result<(), Complaint> {
+/// The file that a project is called after.
+fn output_name(output: Option<&Output>) -> &Path {
+    output.map_or(Path::new(""), |output| &output.path)
+}
+
+const NO_OUTPUT: &str = "say by --output where the page goes";
+
+/// What is planned already takes nothing of what pages are planned by.
+fn planned_already(planned: &Planned, file: &Path) -> Result<(), Complaint> {
+    if *planned == Planned::default() {
+        return Ok(());
+    }
+    Err(format!(
+        "{}: it is planned already, so --output, --page and what is printed are all that it takes",
+        told(file)
+    ))
+}
+
+/// Says that all is done.
+#[allow(clippy::unnecessary_wraps, reason = "it is the last word of what can fail")]
+fn done(files: &[PathBuf]) -> Result<(), Complaint> {
+    let files: Vec<String> = files.iter().map(|file| file.display().to_string()).collect();
+    telling::step(&json!({ "event": "done", "files": files }), None);
+    Ok(())
+}
+
+/// With `--strict` nothing may differ from what was asked for.
+fn check_strict(how: &How) -> Result<(), Complaint> {
+    let notes = telling::notes();
+    if !how.strict || notes == 0 {
+        return Ok(());
+    }
+    Err(match notes {
+        1 => "--strict: this is not as it was asked for, so nothing is written".into(),
+        many => format!("--strict: {many} things are not as they were asked for, so nothing is written"),
+    })
+}
+
+fn plan_page(
+    render: &Planned,
+    how: &How,
+    output: Option<&Output>,
+    (files, album_name): (&[PathBuf], &str),
+) -> Result<(), Complaint> {
     let layout = render.layout.as_deref().map(layout_value).transpose()?;
     let style = render.style.as_deref().map(style_value).transpose()?;
+    let page = render.paper.settings()?;
     let mut photos = import_all(files);
-    if !render.no_detect {
-        add_subjects(&mut photos, render.models.as_deref());
-    }
-    for (path, photo) in &mut photos {
-        photo.meta.starred = render.star.contains(path);
-    }
-    let measures: Vec<Measures> = photos.iter().map(|(_, photo)| photo.measures.clone()).collect();
-    let names: Vec<&str> = photos.iter().map(|(path, _)| name(path)).collect();
-    let verdicts = select::choose(&names, &measures, &select::Settings::default());
-    let mut used: Vec<_> =
-        photos.iter().zip(&verdicts).filter(|(_, v)| v.kept).map(|(p, _)| &p.1.meta).collect();
-    if used.iter().all(|meta| meta.taken.is_some()) {
-        used.sort_by(|a, b| a.taken.cmp(&b.taken));
-    }
-    let page = plans::page_of_width(render.width.unwrap_or(PageSettings::default().width));
+    let looked = !render.no_detect && add_subjects(&mut photos, render.models.as_deref());
+    star(&mut photos, &render.star);
+    let used = used_photos(render, &photos);
     let request = Request {
         seed: render.seed.unwrap_or(1),
-        photos: used.into_iter().cloned().collect(),
+        photos: used,
         page,
         layout,
         style,
@@ -264,32 +421,136 @@ fn plan_page(render: &Planned, output: Option<&Path>, files: &[PathBuf]) -> Resu
     if let (Some(file), Some(first)) = (&render.words, pages.first_mut()) {
         drawing::add_words(&mut first.document, file, &photos)?;
     }
+    if let Some(wanted) = render.pages.filter(|wanted| *wanted as usize != pages.len()) {
+        telling::note(None, &format!("there are {} pages, not {wanted}", pages.len()));
+    }
+    plans::tell_differences(&pages, render.panels, &request.photos, &photos);
+    check_strict(how)?;
     let paths: HashMap<&str, &Path> =
         photos.iter().map(|(path, photo)| (photo.meta.id.as_str(), path.as_path())).collect();
     let full = |id: &str| paths.get(id).map(|path| decode_file(path)).transpose();
-    match output {
-        Some(output) if render.pages.is_some() => plans::draw_all(&pages, &full, output)?,
-        Some(output) => write(output, &drawing::draw(&pages[0].document, &full, output)?)?,
-        None => {}
+    let drawn: Vec<Document> = pages.iter().map(|page| page.document.clone()).collect();
+    let album = projects::Album {
+        name: album_name.to_owned(),
+        pages: &drawn,
+        photos: &photos,
+        used: request.photos.iter().map(|photo| photo.id.as_str()).collect(),
+        looked,
+    };
+    let mut written = match output {
+        Some(output) => write_pages(&album, &full, output, (how, render.pages.is_some()))?,
+        None => Vec::new(),
+    };
+    if let Some(file) = &how.save_document {
+        documents::save(&drawn, &paths, render.pages.is_some(), file)?;
+        written.push(file.clone());
     }
     if render.json {
         print(&plans::told(&pages, &photos)?)?;
     }
-    Ok(())
+    done(&written)
 }
 
-fn stylize_photo(style: &str, input: &Path, output: &Path) -> Result<(), Complaint> {
+/// Writes the pages of an album, as one where they are not `several`.
+///
+/// Returns the files.
+fn write_pages(
+    album: &projects::Album<'_>,
+    photos: &drawing::Photos<'_>,
+    output: &Output,
+    (how, several): (&How, bool),
+) -> Result<Vec<PathBuf>, Complaint> {
+    let kind = Kind::of(&output.named)?;
+    if kind == Kind::Project {
+        output.write(&album.packed()?)?;
+        return Ok(vec![output.path.clone()]);
+    }
+    if how.embed != "none" && kind != Kind::Png {
+        return Err("--embed: only a PNG carries its project".into());
+    }
+    let finish = |page: usize, file: Vec<u8>| match how.embed.as_str() {
+        "none" => Ok(file),
+        what => album.inside(&file, page, what == "photos"),
+    };
+    let subjects = |id: &str| {
+        let photo = album.photos.iter().find(|(_, photo)| photo.meta.id == id);
+        photo.map_or(&[][..], |(_, photo)| &photo.meta.subjects)
+    };
+    if let Kind::Comic(comic) = kind {
+        let told = reading::Telling { title: &album.name, language: how.printing.language() };
+        return reading::write((comic, told), album.pages, &subjects, photos, output);
+    }
+    if several || kind == Kind::Pdf {
+        let printed: drawing::Printed<'_> = (&how.printing, &subjects);
+        return plans::draw_all(album.pages, photos, output, (how.skip_existing, &finish, printed));
+    }
+    output.write(&finish(0, drawing::draw(&album.pages[0], photos, &output.named)?)?)?;
+    Ok(vec![output.path.clone()])
+}
+
+/// Gives photos their stars; a name that none of them has is told.
+fn star(photos: &mut [(PathBuf, Imported)], names: &[PathBuf]) {
+    for (path, photo) in photos.iter_mut() {
+        photo.meta.starred = names.contains(path);
+    }
+    for name in names.iter().filter(|name| !photos.iter().any(|(path, _)| path == *name)) {
+        telling::note(Some(&name.display().to_string()), "is none of the photos, so it gets no large panel");
+    }
+}
+
+/// The photos that pages are made of, in their order; those that look like others, and blurred ones, are told and left out.
+fn used_photos(render: &Planned, photos: &[(PathBuf, Imported)]) -> Vec<PhotoMeta> {
+    /// Beyond so many they are not told one by one.
+    const FEW: usize = 10;
+    let measures: Vec<Measures> = photos.iter().map(|(_, photo)| photo.measures.clone()).collect();
+    let names: Vec<&str> = photos.iter().map(|(path, _)| name(path)).collect();
+    let usual = select::Settings::default().threshold;
+    let settings = select::Settings { threshold: render.alike.unwrap_or(usual) };
+    let verdicts = select::choose(&names, &measures, &settings);
+    let keeps = |verdict: &select::Verdict| verdict.kept || render.keep_all;
+    let left: Vec<(&str, &str)> = names
+        .iter()
+        .zip(&verdicts)
+        .filter(|(_, verdict)| !keeps(verdict))
+        .map(|(name, verdict)| (*name, verdict.why.as_str()))
+        .collect();
+    if left.len() > FEW {
+        let names: Vec<&str> = left.iter().map(|(name, _)| *name).collect();
+        let (count, some) = (left.len(), plans::some(&names));
+        telling::note(None, &format!("{count} photos are left out, as `inkpanel select` tells why: {some}"));
+    } else {
+        for (name, why) in &left {
+            telling::note(Some(name), &format!("left out: {why}"));
+        }
+    }
+    let mut used: Vec<PhotoMeta> = photos
+        .iter()
+        .zip(&verdicts)
+        .filter(|(_, verdict)| keeps(verdict))
+        .map(|(p, _)| p.1.meta.clone())
+        .collect();
+    if !render.as_given && used.iter().all(|meta| meta.taken.is_some()) {
+        used.sort_by(|a, b| a.taken.cmp(&b.taken));
+    }
+    used
+}
+
+fn stylize_photo(style: &str, input: &Path, output: &Path, format: Option<&str>) -> Result<(), Complaint> {
+    let output = Output::new(output, format)?;
+    let kind = Kind::of(&output.named)?;
+    if matches!(kind, Kind::Pdf | Kind::Project) {
+        return Err(format!("{}: a photo becomes a .png, .jpg or .webp file", output.path.display()));
+    }
     let style = read_style(style)?;
     let image = decode_file(input)?;
     let mut context = Context::for_image(&image);
     let drawn = stylize(&image, &style, &mut context).map_err(|error| error.to_string())?;
-    let png = png::encode_rgb(drawn.width(), drawn.height(), &drawn.to_rgb(), 96)
-        .map_err(|error| error.to_string())?;
-    write(output, &png)
+    let size = (drawn.width(), drawn.height());
+    output.write(&drawing::encoded(kind, size, &drawn.to_rgb(), 96)?)
 }
 
 fn select_photos(files: &[PathBuf], as_json: bool, threshold: u32) -> Result<(), Complaint> {
-    let photos = import_all(files);
+    let photos = import_all(&album::files(files)?);
     if photos.is_empty() {
         return Err(Error::NoPhotos.to_string());
     }
@@ -324,7 +585,7 @@ fn select_photos(files: &[PathBuf], as_json: bool, threshold: u32) -> Result<(),
 
 fn detect_photos(files: &[PathBuf], as_json: bool, models: Option<&Path>) -> Result<(), Complaint> {
     let detectors = detectors::load(models)?;
-    let photos = import_all(files);
+    let photos = import_all(&album::files(files)?);
     if photos.is_empty() {
         return Err(Error::NoPhotos.to_string());
     }
@@ -345,15 +606,21 @@ fn detect_photos(files: &[PathBuf], as_json: bool, models: Option<&Path>) -> Res
 }
 
 /// Tells framing what is in the photos; without the nets it goes by contrast, which is said once.
-fn add_subjects(photos: &mut [(PathBuf, Imported)], models: Option<&Path>) {
+///
+/// Returns whether it was looked for.
+fn add_subjects(photos: &mut [(PathBuf, Imported)], models: Option<&Path>) -> bool {
     let detectors = match detectors::load(models) {
         Ok(detectors) => detectors,
-        Err(complaint) => return eprintln!("inkpanel: {complaint}; cropping by contrast alone"),
+        Err(complaint) => {
+            telling::note(None, &format!("{complaint}; cropping by contrast alone"));
+            return false;
+        }
     };
     let found = detectors::run(&detectors, photos);
     for ((_, photo), found) in photos.iter_mut().zip(found) {
         photo.meta.find(found.into_iter().map(Into::into));
     }
+    true
 }
 
 /// Prints JSON; a reader that has gone away is no failure.
@@ -387,19 +654,24 @@ fn list(catalogue: &impl serde::Serialize, as_json: bool) -> Result<(), Complain
 /// Reads files side by side; names those that cannot be read and goes on without them.
 fn import_all(files: &[PathBuf]) -> Vec<(PathBuf, Imported)> {
     let limits = Limits::default();
+    let count = AtomicUsize::new(0);
     let read: Vec<Result<Imported, Complaint>> = files
         .par_iter()
         .enumerate()
         .map(|(i, path)| {
-            let bytes = std::fs::read(path).map_err(|error| error.to_string())?;
-            survived(|| import(&format!("photo-{i}"), &bytes, &limits))
+            let photo = album::read(path)
+                .and_then(|bytes| survived(|| import(&format!("photo-{i}"), &bytes, &limits)));
+            let done = count.fetch_add(1, Ordering::Relaxed) + 1;
+            let event = json!({ "event": "photo", "file": told(path), "done": done, "of": files.len() });
+            telling::step(&event, None);
+            photo
         })
         .collect();
     let mut photos = Vec::new();
     for (path, photo) in files.iter().zip(read) {
         match photo {
             Ok(photo) => photos.push((path.clone(), photo)),
-            Err(complaint) => eprintln!("inkpanel: {}: {complaint}; left out", path.display()),
+            Err(complaint) => telling::note(Some(&told(path)), &format!("{complaint}; left out")),
         }
     }
     photos
@@ -420,8 +692,8 @@ fn decode_file(path: &Path) -> Result<Image, Complaint> {
 }
 
 fn decode_file_fit(path: &Path, longest: usize) -> Result<Image, Complaint> {
-    let complain = |reason: String| format!("{}: {reason}", path.display());
-    let bytes = std::fs::read(path).map_err(|error| complain(error.to_string()))?;
+    let complain = |reason: String| format!("{}: {reason}", told(path));
+    let bytes = album::read(path).map_err(complain)?;
     survived(|| decode_fit(&bytes, &Limits::default(), longest))
         .map(|decoded| decoded.image)
         .map_err(complain)
@@ -450,10 +722,6 @@ fn layout_value(id_or_file: &str) -> Result<Value, Complaint> {
 
 fn name(path: &Path) -> &str {
     path.file_name().and_then(|name| name.to_str()).unwrap_or("?")
-}
-
-fn write(path: &Path, bytes: &[u8]) -> Result<(), Complaint> {
-    std::fs::write(path, bytes).map_err(|error| format!("{}: {error}", path.display()))
 }
 
 #[cfg(test)]

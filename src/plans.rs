@@ -1,8 +1,10 @@
 //! Plans of the command line: pages made, told as JSON, read back and judged.
 
-use crate::{Complaint, drawing, import_all, name};
+use crate::album::is_standard;
+use crate::destination::Output;
+use crate::{Complaint, drawing, import_all, name, telling};
 use inkpanel::framing::{Crop, PhotoMeta};
-use inkpanel::layout::{self, Bounds, PageSettings, Point, ResolvedPanel, ResolvedShape, polygon};
+use inkpanel::layout::{self, Bounds, Point, ResolvedPanel, ResolvedShape, polygon};
 use inkpanel::page::Document;
 use inkpanel::page::import::Imported;
 use inkpanel::page::request::{Avoid, Request};
@@ -11,6 +13,7 @@ use inkpanel::plan::composer::{gallery, judge};
 use inkpanel::plan::slots::slot;
 use inkpanel::plan::{Assignment, Candidate, Score, Shelf, layouts, spread};
 use serde_json::{Map, Value, json};
+use std::collections::HashSet;
 use std::path::{Path, PathBuf};
 
 /// Corners of the polygon that a circle is told as.
@@ -257,29 +260,46 @@ fn resolved(panel: &Value, height: f64) -> Option<ResolvedPanel> {
     Some(ResolvedPanel { shape: ResolvedShape::Polygon(corners), bounds, weight, overlay: false, halo })
 }
 
-/// Draws pages into one file or, where its name has a number's place as in `page-%02d.png`, into one each.
+/// Makes of the file of a page, by its number from 0, what is written.
+pub(crate) type Finish<'f> = &'f dyn Fn(usize, Vec<u8>) -> Result<Vec<u8>, Complaint>;
+
+/// Draws pages into one file or, where its name has a number's place as in `page-%02d.png`, into one each. `skips` leaves
+/// out those that are there; `finish` has the last word on the bytes of a page.
+///
+/// Returns the files.
 pub(crate) fn draw_all(
-    pages: &[Planned],
+    documents: &[Document],
     photos: &drawing::Photos<'_>,
-    output: &Path,
-) -> Result<(), Complaint> {
-    let ending = output.extension().map(|e| e.to_string_lossy().to_lowercase()).unwrap_or_default();
-    let documents: Vec<Document> = pages.iter().map(|page| page.document.clone()).collect();
-    match ending.as_str() {
-        "pdf" => crate::write(output, &drawing::draw_book(&documents, photos, output)?),
-        "png" | "jpg" | "jpeg" => {
-            for (i, document) in documents.iter().enumerate() {
-                let path = numbered(output, i + 1);
-                crate::write(&path, &drawing::draw(document, photos, &path)?)?;
-                eprintln!("inkpanel: {} of {}: {}", i + 1, documents.len(), name(&path));
-            }
-            Ok(())
-        }
-        other => Err(format!(
-            "{}: pages go into a .pdf file, or into .png or .jpg files such as page-%02d.png, not into .{other}",
-            output.display()
-        )),
+    output: &Output,
+    (skips, finish, printed): (bool, Finish<'_>, drawing::Printed<'_>),
+) -> Result<Vec<PathBuf>, Complaint> {
+    let kind = drawing::Kind::of(&output.named)?;
+    if kind == drawing::Kind::Project {
+        return Err("a project is made of photos; these pages are planned already".into());
     }
+    if kind == drawing::Kind::Pdf {
+        return drawing::write_book(documents, photos, output, printed);
+    }
+    if is_standard(&output.path) {
+        return Err("several pages go to standard output as one PDF file: add --format pdf".into());
+    }
+    let mut files = Vec::new();
+    for (i, document) in documents.iter().enumerate() {
+        let own = Output { path: numbered(&output.path, i + 1), named: numbered(&output.named, i + 1) };
+        let there = skips && own.exists();
+        if !there {
+            own.write(&finish(i, drawing::draw(document, photos, &own.named)?)?)?;
+        }
+        let file = name(&own.path);
+        let event = json!({
+            "event": if there { "skipped" } else { "page" },
+            "page": i + 1, "of": documents.len(), "file": own.path.display().to_string(),
+        });
+        let more = if there { ", which is there" } else { "" };
+        telling::step(&event, Some(format!("{} of {}: {file}{more}", i + 1, documents.len())));
+        files.push(own.path);
+    }
+    Ok(files)
 }
 
 /// The name of a page's file: the number at `%d` or `%02d`, else before the ending.
@@ -297,12 +317,46 @@ fn numbered(output: &Path, number: usize) -> PathBuf {
     output.with_file_name(place(file).unwrap_or_else(|| format!("{stem}-{number:02}.{ending}")))
 }
 
-/// The settings of a page as wide as that, upright.
-pub(crate) fn page_of_width(width: u32) -> PageSettings {
-    let mut page = PageSettings::default();
-    let height = f64::from(width) * f64::from(page.height) / f64::from(page.width);
-    (page.width, page.height) = (width, height.round() as u32);
-    page
+/// Says what is not as it was asked for: a page of another number of panels, photos that come more than once, photos that no
+/// page shows.
+pub(crate) fn tell_differences(
+    pages: &[Planned],
+    wanted: Option<usize>,
+    used: &[PhotoMeta],
+    photos: &[(PathBuf, Imported)],
+) {
+    for (i, page) in pages.iter().enumerate() {
+        let of = if pages.len() > 1 { format!("page {}: ", i + 1) } else { String::new() };
+        let panels = page.document.panels.len();
+        if let Some(wanted) = wanted.filter(|wanted| *wanted != panels) {
+            telling::note(None, &format!("{of}it has {panels} panels, not {wanted}"));
+        }
+        if let Some(why) = repeats(&page.document) {
+            telling::note(None, &format!("{of}{why}"));
+        }
+    }
+    let shown: HashSet<&str> = pages
+        .iter()
+        .flat_map(|page| page.document.panels.iter().filter_map(|panel| panel.photo.as_deref()))
+        .collect();
+    let unseen: Vec<&str> = photos
+        .iter()
+        .filter(|(_, photo)| used.iter().any(|used| used.id == photo.meta.id))
+        .filter(|(_, photo)| !shown.contains(photo.meta.id.as_str()))
+        .map(|(path, _)| name(path))
+        .collect();
+    if !unseen.is_empty() {
+        let of = used.len();
+        telling::note(None, &format!("{} of {of} photos have no panel: {}", unseen.len(), some(&unseen)));
+    }
+}
+
+/// The first names of a list, and how many more there are.
+pub(crate) fn some(names: &[&str]) -> String {
+    match names.len() {
+        0..=4 => names.join(", "),
+        many => format!("{} and {} more", names[..3].join(", "), many - 3),
+    }
 }
 
 #[cfg(test)]

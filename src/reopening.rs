@@ -1,13 +1,17 @@
 //! Saved projects and pages on the command line: drawn as the page itself exports them.
 
-use crate::drawing;
-use crate::{Complaint, survived, write};
+use crate::album::{self, told};
+use crate::destination::Output;
+use crate::drawing::{self, Kind, Printing};
+use crate::{Complaint, reading, survived};
+use inkpanel::document::file::FilePhoto;
 use inkpanel::document::saved::Saved;
 use inkpanel::document::sheets::photos_on;
+use inkpanel::framing::Subject;
 use inkpanel::page::Document;
 use inkpanel::raster::decode::{Limits, decode};
 use std::collections::HashMap;
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
 /// What says that a file is meant as a project.
 const EXTENSION: &str = "inkpanel";
@@ -17,11 +21,11 @@ const EXTENSION: &str = "inkpanel";
 /// Returns nothing where the file is neither: then it is a photo.
 pub(crate) fn open(input: &Path) -> Option<Result<Saved, Complaint>> {
     let named = is_project(input);
-    let complain = |reason: String| Err(format!("{}: {reason}", input.display()));
-    let bytes = match std::fs::read(input) {
+    let complain = |reason: String| Err(format!("{}: {reason}", told(input)));
+    let bytes = match album::read(input) {
         Ok(bytes) => bytes,
         // What of a photo cannot be read is told where photos are.
-        Err(error) => return named.then(|| complain(error.to_string())),
+        Err(error) => return named.then(|| complain(error)),
     };
     match survived(|| Saved::read(bytes)) {
         Ok(Some(saved)) => Some(Ok(saved)),
@@ -30,10 +34,16 @@ pub(crate) fn open(input: &Path) -> Option<Result<Saved, Complaint>> {
     }
 }
 
-/// Draws the present page, or the one of that number, from 1.
-pub(crate) fn draw(saved: Saved, input: &Path, number: Option<u32>, output: &Path) -> Result<(), Complaint> {
-    let file = drawn(saved, number, output).map_err(|reason| format!("{}: {reason}", input.display()))?;
-    write(output, &file)
+/// Draws the present page, or the one of that number, from 1; what is bound or read has all pages unless one is told.
+///
+/// Returns the files.
+pub(crate) fn draw(
+    saved: Saved,
+    input: &Path,
+    number: Option<u32>,
+    (output, printing): (&Output, &Printing),
+) -> Result<Vec<PathBuf>, Complaint> {
+    drawn(saved, number, (output, printing)).map_err(|reason| format!("{}: {reason}", told(input)))
 }
 
 /// Whether its name says that a file is a project.
@@ -41,27 +51,64 @@ pub(crate) fn is_project(file: &Path) -> bool {
     file.extension().is_some_and(|ending| ending.eq_ignore_ascii_case(EXTENSION))
 }
 
-fn drawn(mut saved: Saved, number: Option<u32>, output: &Path) -> Result<Vec<u8>, Complaint> {
-    let (pages, present) = saved.pages();
-    let at = number.map_or(present, |number| number as usize - 1);
-    let page = pages.get(at).ok_or_else(|| match pages.len() {
-        0 => "there is no page in it".to_owned(),
-        1 => format!("there is no page {} in it, only one", at + 1),
-        count => format!("there is no page {} in it, only {count}", at + 1),
-    })?;
-    let files = files(&mut saved, page)?;
+fn drawn(
+    mut saved: Saved,
+    number: Option<u32>,
+    (output, printing): (&Output, &Printing),
+) -> Result<Vec<PathBuf>, Complaint> {
+    let kind = Kind::of(&output.named)?;
+    let wanted = wanted(&saved, number, printing.binds() || matches!(kind, Kind::Comic(_)))?;
+    let files = files(&mut saved, &wanted)?;
     let photos = |id: &str| {
         let Some(bytes) = files.get(id) else { return Ok(None) };
         let name = saved.photo(id).map_or(id, |photo| &photo.name);
         let decoded = survived(|| decode(bytes, &Limits::default()));
         decoded.map(|decoded| Some(decoded.image)).map_err(|reason| format!("the photo {name}: {reason}"))
     };
-    drawing::draw(page, &photos, output)
+    let known: HashMap<&str, Vec<Subject>> =
+        saved.project().photos.iter().map(|photo| (photo.id.as_str(), subjects(photo))).collect();
+    let found = |id: &str| known.get(id).map_or(&[][..], Vec::as_slice);
+    match kind {
+        Kind::Comic(comic) => {
+            let named = saved.project().history.present.name.trim();
+            let stem = output.named.file_stem().map(|stem| stem.to_string_lossy()).unwrap_or_default();
+            let title = if named.is_empty() { &*stem } else { named };
+            let told = reading::Telling { title, language: printing.language() };
+            reading::write((comic, told), &wanted, &found, &photos, output)
+        }
+        Kind::Pdf => drawing::write_book(&wanted, &photos, output, (printing, &found)),
+        _ => {
+            output.write(&drawing::draw(&wanted[0], &photos, &output.named)?)?;
+            Ok(vec![output.path.clone()])
+        }
+    }
 }
 
-/// The files of the photos that a page shows, by their ids.
-fn files(saved: &mut Saved, page: &Document) -> Result<HashMap<String, Vec<u8>>, Complaint> {
-    let mut shown: Vec<&str> = photos_on(&[page]).into_iter().collect();
+/// The pages that are drawn: `all` of them where none is told, else that one, or the present one.
+fn wanted(saved: &Saved, number: Option<u32>, all: bool) -> Result<Vec<Document>, Complaint> {
+    let (pages, present) = saved.pages();
+    if all && number.is_none() && !pages.is_empty() {
+        return Ok(pages.iter().map(|page| Document::clone(page)).collect());
+    }
+    let at = number.map_or(present, |number| number as usize - 1);
+    let page = pages.get(at).ok_or_else(|| match pages.len() {
+        0 => "there is no page in it".to_owned(),
+        1 => format!("there is no page {} in it, only one", at + 1),
+        count => format!("there is no page {} in it, only {count}", at + 1),
+    })?;
+    Ok(vec![Document::clone(page)])
+}
+
+/// What the file says was found in a photo, as far as it can be read.
+fn subjects(photo: &FilePhoto) -> Vec<Subject> {
+    let told = photo.subjects.iter().flatten();
+    told.filter_map(|subject| serde_json::from_value(subject.clone()).ok()).collect()
+}
+
+/// The files of the photos that pages show, by their ids.
+fn files(saved: &mut Saved, pages: &[Document]) -> Result<HashMap<String, Vec<u8>>, Complaint> {
+    let pages: Vec<&Document> = pages.iter().collect();
+    let mut shown: Vec<&str> = photos_on(&pages).into_iter().collect();
     shown.sort_unstable();
     let mut files = HashMap::new();
     for id in &shown {

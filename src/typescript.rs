@@ -23,12 +23,14 @@ use crate::layout::tree::Axis;
 use crate::layout::{
     Bounds, Circle, Descriptor, LayoutPanel, Outline, PageSettings, PlacedPanel, Point, Template,
 };
+use crate::output::{self, Comic, ComicPage, PictureKind, Piece};
 use crate::page::catalogue::{BlockEntry, ChoiceRequest, MeasuresEntry, ParamEntry, ParamKind, VerdictEntry};
 use crate::page::document::{LayoutChoice, PanelContent, StyleChoice};
 use crate::page::import::{ImportEntry, PixelSize};
 use crate::page::layouts::{
     GenerateRequest, Geometry, LayoutChange, LayoutEntry, LayoutFacts, LayoutsRequest,
 };
+use crate::page::pdf::{Imposition, Options};
 use crate::page::request::{Avoid, Keep, Mode, Request, Taste};
 use crate::page::words::layout::WordBox;
 use crate::page::{Document, catalogue, layouts, request, shuffle};
@@ -51,7 +53,7 @@ pub(crate) struct Word {
     /// What it says.
     text: String,
     /// The outline of a balloon.
-    #[ts(type = "'oval' | 'thought' | 'shout' | 'whisper'", optional)]
+    #[ts(type = "'oval' | 'thought' | 'shout' | 'whisper' | 'radio'", optional)]
     shape: Option<String>,
     /// The panel that it stands on.
     #[ts(optional = nullable)]
@@ -79,6 +81,40 @@ pub(crate) struct Word {
     arc: Option<f64>,
     /// Nobody has moved it: it goes where it hides no face.
     auto: Option<bool>,
+    /// The photo that it belongs to: it goes wherever that is. Null names the one on its panel.
+    #[ts(optional = nullable)]
+    photo: Option<String>,
+    /// The subtitle that it was made of: none is added twice.
+    #[ts(optional = nullable)]
+    cue: Option<String>,
+    /// The conventions that it follows: 2 are those of letterers, which new words get; words without are those of
+    /// earlier pages, and look as they did.
+    #[ts(type = "1 | 2", optional)]
+    craft: Option<u8>,
+    /// A caption without a box.
+    boxless: Option<bool>,
+    /// Whether it is set in capitals; null is as its conventions have it.
+    #[ts(optional = nullable)]
+    capitals: Option<bool>,
+    /// Degrees that the letters of an effect lean to the right, -45 to 45.
+    slant: Option<f64>,
+    /// Half the width of the line around the letters of an effect, in ems, 0 to 0.4; null is as usual.
+    #[ts(optional = nullable)]
+    outline: Option<f64>,
+    /// An effect that stands behind the figures.
+    behind: Option<bool>,
+    /// Its name, for those that are joined to it.
+    #[ts(optional = nullable)]
+    id: Option<String>,
+    /// The name of the balloon that this one is joined to.
+    #[ts(optional = nullable)]
+    joined: Option<String>,
+    /// The language of its text: long words part by its rules.
+    #[ts(optional = nullable)]
+    language: Option<String>,
+    /// Width and height in page widths that it keeps to, found when it was placed.
+    #[ts(type = "readonly [width: number, height: number] | null", optional)]
+    room: Option<(f64, f64)>,
 }
 
 /// Of a page that stands in a table, its number there.
@@ -106,6 +142,9 @@ struct Tables {
     settings: Vec<Value>,
     #[ts(as = "Vec<Draft>")]
     drafts: Vec<Value>,
+    #[ts(as = "Vec<Word>")]
+    words: Vec<Value>,
+    waits: Vec<Vec<Number>>,
 }
 
 /// What an edit changed: `difference` in `src/document/kept.rs` says how it is read.
@@ -254,10 +293,12 @@ export type SharedLists = Pick<Project, 'mine' | 'favourites' | 'ownLayouts'>;
 export type Runs = ReadonlyArray<readonly [first: number, count: number]>;
 
 /** What of a state stands in tables, which it names by numbers. */
-export type Tabled = 'tray' | 'settings' | 'page' | 'others' | 'draft' | 'mine' | 'favourites' | 'ownLayouts';
+export type Tabled = 'tray' | 'settings' | 'page' | 'others' | 'draft' | 'waiting' | 'mine' | 'favourites' | 'ownLayouts';
 
 /** A state whose parts stand in tables. */
-export type KeptState = Omit<Project, Tabled> & { [Field in Tabled]: number | Extract<Project[Field], null> };
+export type KeptState = Omit<Project, Tabled> & {
+  [Field in Exclude<Tabled, 'waiting'>]: number | Extract<Project[Field], null>;
+} & { waiting?: number };
 
 /** A page of a storyboard, and one that was shown, whose page stands in a table. */
 export type KeptSheet = Omit<Sheet, 'page'> & { page: number };
@@ -265,6 +306,7 @@ export type KeptShown = Omit<Shown, 'page'> & { page: number };
 ";
 
 /// The module of types.
+#[allow(clippy::too_many_lines, reason = "a list of types")]
 fn types() -> String {
     let cfg = Config::new().with_large_int("number");
     let mut out = String::from(
@@ -361,6 +403,13 @@ fn types() -> String {
         FilePhoto,
         FileVideo,
         Likeness,
+        Options,
+        Imposition,
+        Comic,
+        ComicPage,
+        PictureKind,
+        Piece,
+        output::File,
     );
     out.push('\n');
     out.push_str(MORE);
@@ -439,6 +488,8 @@ fn edits(page: &Value) -> Vec<Value> {
         { "type": "change-page", "page": page },
         { "type": "change-settings", "settings": page["page"], "page": page },
         { "type": "set-sheets", "sheets": [sheet(1), sheet(2)], "at": 1 },
+        { "type": "add-words", "words": [{ "kind": "balloon", "text": "Hi", "photo": "p", "panel": 0, "auto": true }, { "kind": "balloon", "text": "Ho", "sheet": 2, "panel": 1, "joins": true }] },
+        { "type": "drop-waiting", "words": [0] },
         { "type": "design", "draft": draft },
         { "type": "own-styles", "mine": [style] },
         { "type": "favourites", "favourites": [style] },
@@ -466,6 +517,7 @@ fn draft_edits() -> Vec<Value> {
         { "type": "reset", "layer": "foreground", "at": 0 },
         { "type": "bypass", "layer": "foreground", "at": 0, "on": true },
         { "type": "name", "name": "One" },
+        { "type": "faces", "on": false },
         { "type": "ink", "ink": "#102030" },
     ]);
     told.as_array().unwrap().clone()
@@ -479,7 +531,7 @@ fn written() -> String {
     let wanted = json!({ "seed": 7, "photos": [photo], "page": settings, "current": null, "keep": { "layout": false }, "panels": 4, "mode": "photos", "merge": false, "taste": { "families": { "grid": 0.5 } }, "avoid": { "layouts": ["grid-4"] }, "styling": { "extra": [], "invented": 0.5 }, "surprise": 1 });
     let planned = shuffle::plan(&serde_json::from_value(wanted.clone()).unwrap()).unwrap();
     let mut page: Value = serde_json::from_str(&planned.to_json()).unwrap();
-    page["words"] = json!([{ "kind": "balloon", "text": "Hi", "shape": "shout", "panel": 0, "x": 0.5, "y": 0.25, "width": 0.25, "size": "auto", "tail": { "x": 0.5, "y": 0.5 }, "font": "bangers", "color": "#111111", "fill": "#ffffff", "angle": 5, "arc": 0.5, "auto": true }]);
+    page["words"] = json!([{ "kind": "balloon", "text": "Hi", "shape": "shout", "panel": 0, "x": 0.5, "y": 0.25, "width": 0.25, "size": "auto", "tail": { "x": 0.5, "y": 0.5 }, "font": "bangers", "color": "#111111", "fill": "#ffffff", "angle": 5, "arc": 0.5, "auto": true, "craft": 2, "boxless": false, "capitals": true, "slant": 5, "outline": 0.1, "behind": false, "id": "b", "joined": "a", "language": "en", "room": [0.5, 0.25], "photo": "a", "cue": "1.000/0" }]);
     let mut editor = Editor::default();
     let differences: Vec<_> =
         edits(&page).iter().map(|edit| editor.apply_json(&edit.to_string()).unwrap()).collect();

@@ -13,6 +13,7 @@ pub mod document_reading;
 pub mod drafting;
 pub mod editing;
 mod frames;
+pub mod imitate;
 pub mod layouts;
 pub mod planning;
 pub mod style;
@@ -28,9 +29,10 @@ use crate::page::{Scene, catalogue, png};
 use crate::raster::decode::{Limits, decode};
 use crate::raster::resize::{Region, resample_image};
 use crate::raster::{Image, Plane};
-use crate::style::{Context, Style, stylize};
+use crate::style::{Context, Style, earlier, stylize};
 use crate::wasm_error::thrown;
 use serde::{Deserialize, Serialize};
+use serde_json::Value;
 use std::collections::HashMap;
 use wasm_bindgen::prelude::*;
 
@@ -65,10 +67,18 @@ fn listed(list: &impl Serialize) -> String {
     serde_json::to_string(list).unwrap_or_default()
 }
 
-/// Reads a style file and gives it back normalised. Throws `invalid-style`.
+/// Reads a style file and gives it back normalised. One of the page's own from before blocks had a choice keeps its look.
+/// Throws `invalid-style`.
 #[wasm_bindgen]
 pub fn check_style(json: &str, file: &str) -> std::result::Result<String, JsValue> {
-    Style::parse(file, json).map(|style| style.to_value().to_string()).map_err(thrown)
+    let check = || -> Result<String> {
+        match serde_json::from_str::<Value>(json) {
+            Ok(value) if earlier::is_of_the_page(&value) => Style::from_value(file, &earlier::told(value)),
+            _ => Style::parse(file, json),
+        }
+        .map(|style| style.to_value().to_string())
+    };
+    check().map_err(thrown)
 }
 
 /// Reads a layout file and gives it back normalised. Throws `invalid-layout`.
@@ -143,6 +153,8 @@ pub struct Studio {
     sheet: Option<(Sheet, u32)>,
     file: Vec<u8>,
     designs: style::Designs,
+    /// The photo of the last trial, as trials see it.
+    seen: Option<(String, crate::style::imitate::Seen)>,
 }
 
 #[wasm_bindgen]
@@ -194,6 +206,7 @@ impl Studio {
 
     /// Lets a photo go.
     pub fn drop_photo(&mut self, key: &str) {
+        self.seen = None;
         self.photos.remove(key);
     }
 

@@ -6,10 +6,11 @@
 // Every function that returns a Result throws as the module's documentation says.
 #![allow(clippy::missing_errors_doc)]
 
-use crate::error::Result;
+use crate::error::{Error, Result};
 use crate::page::compose::Sheet;
 use crate::page::mask::PixelRect;
-use crate::page::pdf::{self, Leaf, Picture, picture};
+use crate::page::pdf::{self, Leaf, Options, Picture, picture};
+use crate::page::plates::Separation;
 use crate::page::{Document, jpeg, webp};
 use crate::wasm_error::thrown;
 use crate::wasm_words::Lettering;
@@ -71,6 +72,47 @@ pub struct Cut {
     jpeg: Vec<u8>,
 }
 
+/// The plate of an ink, which the panels of pages in one style share.
+#[wasm_bindgen]
+pub struct Plate {
+    separation: Separation,
+    ink: usize,
+}
+
+#[wasm_bindgen]
+impl Plate {
+    /// That of the ink at a place among inks, whose colours on white paper follow each other: red, green and blue of each.
+    #[wasm_bindgen(constructor)]
+    pub fn new(colours: &[u8], ink: usize) -> std::result::Result<Plate, JsValue> {
+        let inks = colours.as_chunks::<3>().0;
+        if ink >= inks.len() {
+            return Err(thrown(no_plate()));
+        }
+        Ok(Self { separation: Separation::new(inks), ink })
+    }
+
+    /// The picture of a panel in gray, as this ink is printed; else as [`Cut`] makes it.
+    #[allow(clippy::too_many_arguments)] // The fields of a patch, which cross one by one.
+    pub fn cut(
+        &self,
+        document: &str,
+        index: usize,
+        x: i32,
+        y: i32,
+        width: usize,
+        height: usize,
+        rgba: &[u8],
+        quality: u8,
+    ) -> std::result::Result<Cut, JsValue> {
+        let area = PixelRect { x: i64::from(x), y: i64::from(y), width, height };
+        Cut::made(document, (index, area, rgba), quality, Some((&self.separation, self.ink)))
+    }
+}
+
+fn no_plate() -> Error {
+    Error::InvalidDocument { location: "style".into(), reason: "prints no plate of that number".into() }
+}
+
 #[wasm_bindgen]
 impl Cut {
     /// Makes it of the patch of a panel without a border; see `page::pdf::picture::cut`.
@@ -87,17 +129,27 @@ impl Cut {
         quality: u8,
     ) -> std::result::Result<Cut, JsValue> {
         let area = PixelRect { x: i64::from(x), y: i64::from(y), width, height };
-        let cut =
-            || -> Result<Picture> { picture::cut(&Document::parse(document)?, index, area, rgba, quality) };
-        let Picture { area, jpeg, .. } = cut().map_err(thrown)?;
-        let (width, height) = (area.width as u32, area.height as u32);
-        Ok(Self { x: area.x as i32, y: area.y as i32, width, height, jpeg })
+        Self::made(document, (index, area, rgba), quality, None)
     }
 
     /// Moves the file out.
     #[must_use]
     pub fn take(&mut self) -> Vec<u8> {
         std::mem::take(&mut self.jpeg)
+    }
+}
+
+impl Cut {
+    fn made(
+        document: &str,
+        patch: (usize, PixelRect, &[u8]),
+        quality: u8,
+        plate: Option<(&Separation, usize)>,
+    ) -> std::result::Result<Cut, JsValue> {
+        let cut = || -> Result<Picture> { picture::cut(&Document::parse(document)?, patch, quality, plate) };
+        let Picture { area, jpeg, .. } = cut().map_err(thrown)?;
+        let (width, height) = (area.width as u32, area.height as u32);
+        Ok(Self { x: area.x as i32, y: area.y as i32, width, height, jpeg })
     }
 }
 
@@ -117,10 +169,11 @@ impl Book {
         Self::default()
     }
 
-    /// Adds a page.
-    pub fn add_page(&mut self, document: &str) -> std::result::Result<(), JsValue> {
+    /// Adds a page. `alts`: what its panels show, a JSON array of texts.
+    pub fn add_page(&mut self, document: &str, alts: &str) -> std::result::Result<(), JsValue> {
         let document = Document::parse(document).map_err(thrown)?;
-        self.leaves.push(Leaf { document, pictures: Vec::new() });
+        let alts = serde_json::from_str(alts).map_err(|error| thrown(refused("alts", &error)))?;
+        self.leaves.push(Leaf { document, pictures: Vec::new(), alts });
         Ok(())
     }
 
@@ -132,8 +185,14 @@ impl Book {
         }
     }
 
-    /// The file.
-    pub fn finish(&self, lettering: &Lettering, title: &str) -> std::result::Result<Vec<u8>, JsValue> {
-        pdf::write(&self.leaves, title, lettering.letters()).map_err(thrown)
+    /// The file. `options`: those of `page::pdf::options` as JSON.
+    pub fn finish(&self, lettering: &Lettering, options: &str) -> std::result::Result<Vec<u8>, JsValue> {
+        let options: Options =
+            serde_json::from_str(options).map_err(|error| thrown(refused("options", &error)))?;
+        pdf::write(&self.leaves, &options, lettering.letters()).map_err(thrown)
     }
+}
+
+fn refused(what: &str, error: &serde_json::Error) -> Error {
+    Error::InvalidDocument { location: what.into(), reason: error.to_string() }
 }

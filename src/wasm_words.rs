@@ -7,10 +7,13 @@
 // Every function that returns a Result throws as the module's documentation says.
 #![allow(clippy::missing_errors_doc)]
 
+use crate::document::script;
+use crate::document::speech::Taking;
 use crate::document::subtitles::{self, Frame};
 use crate::error::{Error, Result};
 use crate::framing::Subject;
 use crate::page::Document;
+use crate::page::words::learning::Drawing;
 use crate::page::words::{Letters, draw, layout, place};
 use crate::wasm_error::thrown;
 use serde_json::Value;
@@ -60,6 +63,34 @@ impl Lettering {
         measure().map_err(thrown)
     }
 
+    /// Makes a run of text a letter of all fonts; see `page::words::learning`. Returns whether it is one now.
+    #[allow(clippy::too_many_arguments, reason = "a picture, as plain numbers")]
+    pub fn learn(
+        &mut self,
+        run: &str,
+        leftward: bool,
+        width: usize,
+        ink: &[u8],
+        em: f64,
+        baseline: f64,
+        left: f64,
+        advance: f64,
+    ) -> bool {
+        self.letters.learn(run, leftward, Drawing { width, ink, em, baseline, left, advance })
+    }
+
+    /// Whether some letters of a text were learnt.
+    #[must_use]
+    pub fn foreign(&self, text: &str) -> bool {
+        self.letters.foreign(text)
+    }
+
+    /// The letters of a text that no font of that id has, each once.
+    #[must_use]
+    pub fn missing(&self, text: &str, font: &str) -> String {
+        self.letters.font(font).map(|font| self.letters.missing(text, font)).into_iter().flatten().collect()
+    }
+
     /// One word of a page that is `width` pixels wide.
     pub fn render(
         &self,
@@ -85,15 +116,24 @@ impl Lettering {
     }
 }
 
-/// What a file of subtitles says at the times of frames, as words of that kind; see `document::subtitles::told`. Of each
-/// frame its panel and its time in seconds, one after the other.
+/// What a file of subtitles says at the times of frames, or laid over `panels`; see `document::subtitles::told`. Of each frame
+/// its time in seconds, and 1 where a page shows it, one after the other. `sounds` become effects, or are left out.
 #[wasm_bindgen]
 #[must_use]
-pub fn subtitles(bytes: &[u8], vtt: bool, frames: &[f64], kind: &str) -> String {
+pub fn subtitles(bytes: &[u8], vtt: bool, frames: &[f64], panels: usize, kind: &str, sounds: bool) -> String {
     let (frames, _) = frames.as_chunks::<2>();
-    let frames: Vec<Frame> =
-        frames.iter().map(|&[panel, time]| Frame { panel: panel as usize, time }).collect();
-    subtitles::told(bytes, vtt, &frames, kind)
+    let frames: Vec<Frame> = frames.iter().map(|&[time, shown]| Frame { time, shown: shown > 0.0 }).collect();
+    subtitles::told(bytes, vtt, &frames, panels, Taking { kind, sounds })
+}
+
+/// A script laid over `panels`; see `document::script::told`. Null for what is no text.
+#[wasm_bindgen]
+#[must_use]
+pub fn script(bytes: &[u8], panels: usize, kind: &str, sounds: bool) -> String {
+    match subtitles::decoded(bytes) {
+        Some((text, _)) => script::told(&text, panels, Taking { kind, sounds }),
+        None => "null".to_owned(),
+    }
 }
 
 /// A rectangle of rendered pixels, in pixels of the page.

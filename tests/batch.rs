@@ -6,9 +6,12 @@
 mod made;
 
 use std::fs;
+use std::io::Write;
 use std::path::Path;
-use std::process::{Command, Output};
+use std::process::{Command, Output, Stdio};
 
+use inkpanel::document::saved::Saved;
+use inkpanel::raster::decode::{Limits, decode};
 use made::Tiff;
 
 /// A folder with a photo, tiles in planes that do not divide their image, and files that are no photos.
@@ -78,4 +81,268 @@ fn nothing_left_is_a_failure() {
         assert!(BAD.iter().all(|file| said.contains(file)), "{said}");
     }
     assert!(!folder.path().join("page.png").exists());
+}
+
+/// A folder with four photos that look like no other.
+fn album() -> tempfile::TempDir {
+    let folder = tempfile::tempdir().unwrap();
+    let photos = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/photos");
+    for (i, name) in ["bee.jpg", "cat.jpg", "macaw.jpg", "wine.jpg"].into_iter().enumerate() {
+        fs::create_dir_all(folder.path().join("album/day")).unwrap();
+        let place = if i < 2 { format!("album/{name}") } else { format!("album/day/{name}") };
+        fs::copy(photos.join(name), folder.path().join(place)).unwrap();
+    }
+    folder
+}
+
+/// Runs it with that on standard input.
+fn fed(folder: &Path, arguments: &[&str], input: &[u8]) -> Output {
+    let mut command = Command::new(env!("CARGO_BIN_EXE_inkpanel"));
+    command.args(arguments).current_dir(folder);
+    let piped = command.stdin(Stdio::piped()).stdout(Stdio::piped()).stderr(Stdio::piped());
+    let mut child = piped.spawn().unwrap();
+    let mut stdin = child.stdin.take().unwrap();
+    let input = input.to_vec();
+    // It may go away before it has read all.
+    let writing = std::thread::spawn(move || drop(stdin.write_all(&input)));
+    let output = child.wait_with_output().unwrap();
+    writing.join().unwrap();
+    output
+}
+
+const SMALL: [&str; 6] = ["--no-detect", "--style", "noir", "--page-size", "200x280", "--seed=5"];
+
+fn render(folder: &Path, arguments: &[&str]) -> Output {
+    inkpanel(folder, &[&["render"][..], &SMALL, arguments].concat())
+}
+
+#[test]
+fn an_ending_that_is_not_known_is_refused_and_those_that_are_tell_the_truth() {
+    let folder = album();
+    let photo = "album/bee.jpg";
+    let starts = [("png", &b"\x89PNG"[..]), ("jpg", b"\xFF\xD8"), ("JPEG", b"\xFF\xD8"), ("webp", b"RIFF")];
+    for (ending, start) in starts {
+        let file = format!("out.{ending}");
+        let done = inkpanel(folder.path(), &["stylize", "--style", "noir", photo, "-o", &file]);
+        assert!(done.status.success(), "{}", text(&done.stderr));
+        assert!(fs::read(folder.path().join(&file)).unwrap().starts_with(start), "{file}");
+        let done = render(folder.path(), &["-o", &file, "album"]);
+        assert!(done.status.success(), "{}", text(&done.stderr));
+        assert!(fs::read(folder.path().join(&file)).unwrap().starts_with(start), "{file}");
+    }
+    for file in ["x.tiff", "x.gif", "x", "x.jpg.bak"] {
+        for done in [
+            inkpanel(folder.path(), &["stylize", "--style", "noir", photo, "-o", file]),
+            render(folder.path(), &["-o", file, "album"]),
+        ] {
+            let said = text(&done.stderr);
+            assert_eq!(done.status.code(), Some(1), "{file}: {said}");
+            assert!(said.contains("a name that ends in .png, .jpg, .webp"), "{said}");
+            assert!(!folder.path().join(file).exists());
+        }
+    }
+    let pdf = inkpanel(folder.path(), &["stylize", "--style", "noir", photo, "-o", "x.pdf"]);
+    assert_eq!(pdf.status.code(), Some(1));
+}
+
+#[test]
+fn standard_input_and_output_stand_for_files() {
+    let folder = album();
+    let photo = fs::read(folder.path().join("album/bee.jpg")).unwrap();
+    let by_pipe =
+        fed(folder.path(), &["stylize", "--style", "noir", "-", "-o", "-", "--format", "jpg"], &photo);
+    assert!(by_pipe.stdout.starts_with(b"\xFF\xD8"), "{}", text(&by_pipe.stderr));
+    let by_file = inkpanel(folder.path(), &["stylize", "--style", "noir", "album/bee.jpg", "-o", "bee.jpg"]);
+    assert!(by_file.status.success());
+    assert_eq!(fs::read(folder.path().join("bee.jpg")).unwrap(), by_pipe.stdout);
+    let page = fed(folder.path(), &[&["render"][..], &SMALL, &["-o", "-", "-"]].concat(), &photo);
+    assert!(page.stdout.starts_with(b"\x89PNG"), "{}", text(&page.stderr));
+    assert!(!folder.path().join("-").exists());
+    let twice = fed(folder.path(), &[&["render"][..], &SMALL, &["-o", "x.png", "-", "-"]].concat(), &photo);
+    assert!(text(&twice.stderr).contains("only once"));
+    let both = render(folder.path(), &["--json", "-o", "-", "album"]);
+    assert!(text(&both.stderr).contains("cannot both go to standard output") && both.stdout.is_empty());
+}
+
+#[test]
+fn what_is_not_as_it_was_asked_for_is_told_and_strict_stops_there() {
+    let folder = album();
+    fs::copy(folder.path().join("album/bee.jpg"), folder.path().join("album/bee-2.jpg")).unwrap();
+    let asked = ["-o", "page.png", "--panels", "50", "--star", "nobody.jpg", "album", "missing.jpg"];
+    let done = render(folder.path(), &asked);
+    let said = text(&done.stderr);
+    assert_eq!(done.status.code(), Some(0), "{said}");
+    for part in [
+        "missing.jpg: ",
+        "bee",
+        "left out",
+        "panels, not 50",
+        "photos repeat: there are 4",
+        "nobody.jpg: is none",
+    ] {
+        assert!(said.contains(part), "{part}: {said}");
+    }
+    fs::remove_file(folder.path().join("page.png")).unwrap();
+    let strict = render(folder.path(), &[&asked[..], &["--strict"]].concat());
+    assert_eq!(strict.status.code(), Some(1));
+    assert!(text(&strict.stderr).contains("so nothing is written"), "{}", text(&strict.stderr));
+    assert!(!folder.path().join("page.png").exists());
+    let few = render(folder.path(), &["-o", "page.png", "--panels", "2", "album"]);
+    assert!(text(&few.stderr).contains("2 of 4 photos have no panel"), "{}", text(&few.stderr));
+    let clean = render(
+        folder.path(),
+        &["-o", "page.png", "--panels", "4", "--strict", "album/bee.jpg", "album/cat.jpg", "album/day"],
+    );
+    assert!(clean.status.success(), "{}", text(&clean.stderr));
+    assert_eq!(text(&clean.stderr), "");
+}
+
+#[test]
+fn the_width_changes_the_dots_and_not_the_paper() {
+    let folder = album();
+    let done = inkpanel(
+        folder.path(),
+        &["render", "--no-detect", "--style", "noir", "--width", "620", "-o", "page.pdf", "album/bee.jpg"],
+    );
+    assert!(done.status.success(), "{}", text(&done.stderr));
+    let pdf = String::from_utf8_lossy(&fs::read(folder.path().join("page.pdf")).unwrap()).into_owned();
+    let at = pdf.find("/MediaBox[0 0 ").unwrap();
+    let sides: Vec<f64> =
+        pdf[at + 14..].split(']').next().unwrap().split(' ').map(|n| n.parse().unwrap()).collect();
+    // A4 in points.
+    assert!((sides[0] - 595.28).abs() < 2.0 && (sides[1] - 841.89).abs() < 2.0, "{sides:?}");
+    let wrong = inkpanel(folder.path(), &["render", "-o", "page.png", "album", "--page-size", "a7b"]);
+    assert_eq!(wrong.status.code(), Some(2));
+    assert!(text(&wrong.stderr).contains("a4-landscape"), "{}", text(&wrong.stderr));
+}
+
+#[test]
+fn settings_come_from_a_file_and_what_is_said_goes_before() {
+    let folder = album();
+    let by_options =
+        render(folder.path(), &["-o", "options.png", "--panels", "3", "--gutter", "0.03", "album"]);
+    assert!(by_options.status.success(), "{}", text(&by_options.stderr));
+    let toml = "no-detect = true\nstyle = \"noir\"\npage_size = \"200x280\"\nseed = 5\npanels = 3\ngutter = 0.03\n\
+        output = \"file.png\"\nfiles = [\"album\"]\n";
+    fs::write(folder.path().join("page.toml"), toml).unwrap();
+    let json = r#"{ "no-detect": true, "style": "comic", "page-size": "200x280", "seed": 5, "panels": 3, "gutter": 0.03, "files": "album" }"#;
+    fs::write(folder.path().join("page.json"), json).unwrap();
+    let by_toml = inkpanel(folder.path(), &["render", "--config", "page.toml"]);
+    assert!(by_toml.status.success(), "{}", text(&by_toml.stderr));
+    let by_json =
+        inkpanel(folder.path(), &["render", "--config=page.json", "--style", "noir", "-o", "other.png"]);
+    assert!(by_json.status.success(), "{}", text(&by_json.stderr));
+    let page = |name: &str| fs::read(folder.path().join(name)).unwrap();
+    assert_eq!(page("file.png"), page("options.png"));
+    assert_eq!(page("other.png"), page("options.png"));
+    for (text_of, sentence) in [
+        ("sede = 1", "there is no setting called \"sede\""),
+        ("seed = ", "is no TOML"),
+        ("merge = 1", "merge: must be true or false"),
+    ] {
+        fs::write(folder.path().join("bad.toml"), text_of).unwrap();
+        let done = inkpanel(folder.path(), &["render", "--config", "bad.toml", "-o", "x.png", "album"]);
+        assert_eq!(done.status.code(), Some(2), "{text_of}");
+        assert!(text(&done.stderr).contains(sentence), "{}", text(&done.stderr));
+    }
+    let none = inkpanel(folder.path(), &["render", "-o", "x.png"]);
+    assert_eq!(none.status.code(), Some(2));
+}
+
+#[test]
+fn stopped_work_goes_on_and_files_are_there_whole_or_not_at_all() {
+    let folder = album();
+    let asked = ["--pages", "2", "-o", "page-%02d.png", "--skip-existing", "album"];
+    assert!(render(folder.path(), &asked).status.success());
+    let page = |number: u32| folder.path().join(format!("page-0{number}.png"));
+    let before = fs::metadata(page(1)).unwrap().modified().unwrap();
+    fs::remove_file(page(2)).unwrap();
+    let again = render(folder.path(), &asked);
+    assert!(text(&again.stderr).contains("page-01.png, which is there"), "{}", text(&again.stderr));
+    assert_eq!(fs::metadata(page(1)).unwrap().modified().unwrap(), before);
+    assert!(page(2).exists());
+    let one = render(folder.path(), &["-o", "page-01.png", "--skip-existing", "album"]);
+    assert!(one.status.success() && text(&one.stderr).contains("is there already"));
+    let left = fs::read_dir(folder.path()).unwrap().map(|entry| entry.unwrap().file_name());
+    assert!(left.into_iter().all(|name| !name.to_string_lossy().ends_with(".part")));
+    let nowhere = render(folder.path(), &["-o", "missing/page.png", "album"]);
+    assert_eq!(nowhere.status.code(), Some(1));
+    assert!(text(&nowhere.stderr).contains("missing/page.png"), "{}", text(&nowhere.stderr));
+}
+
+#[test]
+fn steps_are_lines_of_json_where_asked_for() {
+    let folder = album();
+    let done = render(
+        folder.path(),
+        &["--progress", "json", "--pages", "2", "-o", "page-%02d.png", "album", "missing.jpg"],
+    );
+    assert!(done.status.success(), "{}", text(&done.stderr));
+    let lines: Vec<serde_json::Value> =
+        text(&done.stderr).lines().map(|line| serde_json::from_str(line).unwrap()).collect();
+    let events = |event: &str| lines.iter().filter(|line| line["event"] == event).count();
+    assert_eq!((events("photo"), events("page"), events("done")), (5, 2, 1));
+    assert!(lines.iter().any(|line| line["event"] == "note" && line["file"] == "missing.jpg"));
+    assert_eq!(lines.last().unwrap()["files"], serde_json::json!(["page-01.png", "page-02.png"]));
+    let failed = render(folder.path(), &["--progress", "json", "-o", "x.png", "--layout", "gone", "album"]);
+    let said = text(&failed.stderr);
+    let last: serde_json::Value = serde_json::from_str(said.lines().last().unwrap()).unwrap();
+    assert_eq!((last["event"].as_str(), failed.status.code()), (Some("error"), Some(1)));
+}
+
+#[test]
+fn a_page_goes_out_as_data_and_comes_in_as_the_same_page() {
+    let folder = album();
+    let one = render(folder.path(), &["-o", "one.png", "--save-document", "album/one.json", "album"]);
+    assert!(one.status.success(), "{}", text(&one.stderr));
+    let again =
+        inkpanel(folder.path(), &["render", "--document", "album/one.json", "-o", "again.png", "album"]);
+    assert!(again.status.success(), "{}", text(&again.stderr));
+    let page = |name: &str| fs::read(folder.path().join(name)).unwrap();
+    assert_eq!(page("one.png"), page("again.png"));
+    let several = render(folder.path(), &["--pages", "2", "--save-document", "two.json", "album"]);
+    assert!(several.status.success(), "{}", text(&several.stderr));
+    let book = inkpanel(folder.path(), &["render", "--document", "two.json", "-o", "two.pdf", "album"]);
+    assert!(book.status.success(), "{}", text(&book.stderr));
+    assert!(page("two.pdf").starts_with(b"%PDF"));
+    for (arguments, sentence) in [
+        (vec!["--document", "two.json", "-o", "x.png"], "is neither beside it nor among the photos given"),
+        (vec!["--document", "two.json", "-o", "x.png", "--style", "noir", "album"], "it is planned already"),
+        (vec!["--document", "gone.json", "-o", "x.png"], "gone.json: "),
+        (vec!["--document", "album/bee.jpg", "-o", "x.png"], "is no JSON"),
+    ] {
+        let done = inkpanel(folder.path(), &[&["render"][..], &arguments].concat());
+        assert_eq!(done.status.code(), Some(1), "{arguments:?}");
+        assert!(text(&done.stderr).contains(sentence), "{}", text(&done.stderr));
+        assert!(!folder.path().join("x.png").exists());
+    }
+}
+
+#[test]
+fn a_project_and_a_page_with_its_project_open_again_as_they_were() {
+    let folder = album();
+    for (file, more) in [("Trip.inkpanel", &[][..]), ("page-%02d.png", &["--embed", "photos"])] {
+        let asked = [&["--pages", "2", "-o", file, "album"][..], more].concat();
+        let done = render(folder.path(), &asked);
+        assert!(done.status.success(), "{}", text(&done.stderr));
+    }
+    let plain = render(folder.path(), &["--pages", "2", "-o", "plain-%02d.png", "album"]);
+    assert!(plain.status.success());
+    let pixels = |name: &str| {
+        let bytes = fs::read(folder.path().join(name)).unwrap();
+        decode(&bytes, &Limits::default()).unwrap().image.to_rgb()
+    };
+    for (number, file) in
+        [("1", "Trip.inkpanel"), ("2", "Trip.inkpanel"), ("2", "page-01.png"), ("1", "page-02.png")]
+    {
+        let done = inkpanel(folder.path(), &["render", "--page", number, "-o", "again.png", file]);
+        assert!(done.status.success(), "{file}: {}", text(&done.stderr));
+        assert_eq!(pixels("again.png"), pixels(&format!("plain-0{number}.png")), "{file}, page {number}");
+    }
+    let saved = Saved::read(fs::read(folder.path().join("Trip.inkpanel")).unwrap()).unwrap().unwrap();
+    assert_eq!((saved.project().history.present.name.as_str(), saved.project().photos.len()), ("album", 4));
+    let again = inkpanel(folder.path(), &["render", "-o", "x.inkpanel", "Trip.inkpanel"]);
+    assert_eq!(again.status.code(), Some(1));
+    let wrong = render(folder.path(), &["-o", "x.jpg", "--embed", "project", "album"]);
+    assert!(text(&wrong.stderr).contains("only a PNG carries its project"));
 }

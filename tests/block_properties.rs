@@ -54,7 +54,7 @@ fn settings(block: &Block) -> Vec<Vec<f32>> {
 }
 
 fn run(block: &'static Block, values: &[f32], image: &Image, context: &mut Context<'_>) -> Image {
-    let step = Step { block, values: values.to_vec(), bypass: false };
+    let step = Step { block, values: values.to_vec(), texture: None, bypass: false };
     chain::run_owned(&[step], image.clone(), context).unwrap()
 }
 
@@ -160,7 +160,11 @@ fn tones_are_stretched_as_the_formulas_say_at_every_width() {
                     let flat = high <= low || high - low >= range;
                     Box::new(move |v| if flat { v } else { start + (v - low) * range / (high - low) })
                 };
-                let numbers = values.map(|value| value as f32);
+                let mut numbers = values.map(|value| value as f32).to_vec();
+                if id == "equalize" {
+                    // Each channel: luma has rounding of its own.
+                    numbers.push(1.0);
+                }
                 let out = run(block, &numbers[..block.params.len()], &image, &mut Context::default());
                 for (out, before) in out.planes().iter().zip(image.planes()) {
                     for (&out, &before) in out.samples().iter().zip(before.samples()) {

@@ -41,7 +41,11 @@ fn bound(block: &str, params: &Map<String, Value>) -> Option<Bound> {
         // The kept U and V are bytes: a half that is rounded the other way is 1.77 steps of blue.
         "to_color" => OneBut(0.01),
         // Tables of the exact formula; a half is rounded up here and there.
-        "posterize" | "brightness" | "equalize" | "dynamic_range" => Max(1.0),
+        "posterize" | "dynamic_range" => Max(1.0),
+        "soft_threshold" if params.get("channels") != Some(&json!("luma")) => Max(1.0),
+        // A gain multiplies the other rounding of luma.
+        "brightness" | "equalize" if params.get("channels") != Some(&json!("each")) => Max(3.0),
+        "brightness" | "equalize" => Max(1.0),
         "luma_posterize" | "soft_threshold" => OTHER_LEVEL,
         // Two roundings to bytes; the blur itself is exact to a quarter of a grey step.
         "gaussian" => Max(1.0),

@@ -3,7 +3,7 @@
 #![allow(clippy::unwrap_used, reason = "a test may stop at the first thing that is not as expected")]
 
 use inkpanel::document::history::History;
-use inkpanel::document::{kept, limits, spreading, subtitles};
+use inkpanel::document::{kept, limits, script, spreading, subtitles};
 use inkpanel::layout::{DPI, MOST_PIXELS, PRESETS, PagePreset, SIDES};
 use inkpanel::page::words::model::FARTHEST;
 use inkpanel::select;
@@ -18,10 +18,12 @@ fn bounds() -> String {
         ("Characters of a word.", "letters", limits::MOST_LETTERS),
         ("Styles of one's own, favourites, and layouts: of each so many.", "styles", limits::MOST_STYLES),
         ("Blocks of one layer of a style.", "blocks", limits::MOST_BLOCKS),
+        ("Bytes of the file of a texture.", "texture", limits::TEXTURE),
         ("Characters of a name.", "name", limits::LONGEST_NAME),
         ("A place of a word, in widths and heights of its panel to either side.", "away", FARTHEST as usize),
         ("Bytes of the text of a project.", "text", limits::PROJECT.bytes),
         ("Bytes of a file of subtitles.", "subtitles", subtitles::MOST_BYTES),
+        ("Characters of a script.", "script", script::MOST_SCRIPT),
     ];
     let head = "/**\n * What a project holds at most. Written out of `src/document/limits.rs` by `cargo xtask bless`, not by hand: the core reads\n * no project beyond it, so none is made here.\n */\n\nexport const MOST = Object.freeze({\n";
     let lines = most.map(|(what, name, value)| format!("  /** {what} */\n  {name}: {},\n", grouped(value)));
@@ -50,12 +52,20 @@ fn ranges() -> String {
 
 /// Page sizes that people know, the default first.
 fn sizes() -> String {
-    let size = |PagePreset { id, width, height, dpi, .. }: &PagePreset| {
-        format!("  {{ id: '{id}', width: {width}, height: {height}, dpi: {dpi} }},\n")
-    };
+    let size =
+        |PagePreset { id, purpose, width, height, dpi, safe: [across, down], fold, .. }: &PagePreset| {
+            let purpose = format!("{purpose:?}").to_lowercase();
+            [
+                "  {".to_owned(),
+                format!("    id: '{id}',\n    purpose: '{purpose}',\n    width: {width},"),
+                format!("    height: {height},\n    dpi: {dpi},"),
+                format!("    safe: [{across}, {down}],\n    fold: {fold},\n  }},\n"),
+            ]
+            .join("\n")
+        };
     let all: Vec<_> = PRESETS.iter().map(size).collect();
     format!(
-        "/** Page sizes that people know, the default first. */\nexport const PAGE_SIZES = Object.freeze([\n{}] as const);\n",
+        "/** Page sizes that people know, the default first; `safe` and `fold`: pixels from the sides, and from the middle. */\nexport const PAGE_SIZES = Object.freeze([\n{}] as const);\n",
         all.concat()
     )
 }

@@ -86,6 +86,8 @@ fn parameter(param: &Value) -> String {
     let default = &param["default"];
     let domain = match text(param, "kind").as_str() {
         "boolean" => "true or false".to_owned(),
+        "texture" => return format!("`{}` a PNG or JPEG picture as a data URL (none)", text(param, "id")),
+        "colour" => "`#rrggbb`".to_owned(),
         "choice" => {
             let choices: Vec<_> =
                 param["choices"].as_array().unwrap().iter().map(|c| c.as_str().unwrap_or_default()).collect();

@@ -14,7 +14,7 @@ use inkpanel::document::{kept, limits, own};
 use inkpanel::framing::PhotoMeta;
 use inkpanel::layout::{self, PageSettings};
 use inkpanel::page::Document;
-use inkpanel::page::request::Request;
+use inkpanel::page::request::{Keep, Mode, Request};
 use inkpanel::page::shuffle;
 use oorandom::Rand64;
 use serde_json::{Map, Value, json};
@@ -235,7 +235,7 @@ fn edit(random: &mut Rand64) -> (Edit, How) {
     let on = random.rand_float() < 0.5;
     let photo = (*some(random, &PHOTOS)).to_owned();
     let page = some(random, pages()).clone();
-    let edit = match random.rand_range(0..27) {
+    let edit = match random.rand_range(0..29) {
         0 | 1 => Edit::AddPhotos { ids: some_photos(random) },
         2 => Edit::RemovePhotos { ids: some_photos(random) },
         3 => Edit::UsePhotos { uses: vec![(photo, on)] },
@@ -269,10 +269,17 @@ fn edit(random: &mut Rand64) -> (Edit, How) {
         22 => Edit::Rename { name: (*some(random, &WORDS)).to_owned() },
         23 => Edit::Styling { styling: Styling { invented: 0.5, keep_lines: on, ..Styling::default() } },
         24 => Edit::Undo,
+        27 => Edit::AddWords { words: vec![word_of(&photo, &format!("{id}"))] },
+        28 => Edit::DropWaiting { words: vec![0] },
         _ => Edit::Redo,
     };
     let gesture = [None, None, Some("drag"), Some("other")];
     (edit, How { silent: false, gesture: some(random, &gesture).map(str::to_owned) })
+}
+
+/// Something said about a photo, made of a subtitle.
+fn word_of(photo: &str, text: &str) -> Value {
+    json!({ "kind": "balloon", "text": text, "panel": 0, "photo": photo, "auto": true, "cue": format!("film {text}") })
 }
 
 fn own_styles() -> List<Value> {
@@ -656,6 +663,109 @@ fn spreading_takes_the_wanted_number_of_panels_or_the_locked_layout_and_keeps_wo
     assert!(sheets[..3].iter().all(|sheet| sheet.page.layout == layout));
 }
 
+/// Where each word with a photo is: its text, the photo of its panel, or none where it waits.
+fn homes(project: &Project) -> Vec<(String, Option<String>)> {
+    let text = |word: &Value| word["text"].as_str().unwrap().to_owned();
+    let sheets = project.sheets();
+    let shown = sheets.iter().flat_map(|sheet| {
+        let on = |word: &Value| sheet.page.panels[word["panel"].as_u64().unwrap() as usize].photo.clone();
+        sheet.page.words.iter().map(move |word| (text(word), on(word)))
+    });
+    let mut all: Vec<_> = shown.chain(project.waiting.iter().map(|word| (text(word), None))).collect();
+    all.sort();
+    all
+}
+
+#[test]
+fn words_stay_with_their_photos_whatever_becomes_of_the_page() {
+    let photos = metas(14);
+    for seed in 0..12 {
+        let mut random = Rand64::new(u128::from(seed));
+        let mut seeds = Seeds::new(seed);
+        let mut editor = opened(&photos);
+        let first = editor.project().page.as_ref().unwrap().panels[0].photo.clone().unwrap();
+        let last = photos.last().unwrap().id.clone();
+        let words = vec![word_of(&first, "one"), word_of(&last, "two"), word_of("nobody", "three")];
+        assert!(editor.apply(&Edit::AddWords { words: words.clone() }, &How::default()));
+        assert!(!editor.apply(&Edit::AddWords { words }, &How::default()), "a subtitle came twice");
+        let homed = |editor: &Editor, what: &str| {
+            let project = editor.project();
+            let seen: Vec<String> = shown(editor).concat();
+            let home = |photo: &str| seen.iter().any(|seen| seen == photo).then(|| photo.to_owned());
+            let mut wanted = vec![
+                ("one".to_owned(), home(&first)),
+                ("two".to_owned(), home(&last)),
+                ("three".into(), None),
+            ];
+            wanted.sort();
+            assert_eq!(homes(project), wanted, "seed {seed}: {what}");
+        };
+        homed(&editor, "added");
+        for _ in 0..12 {
+            let before = editor.project().clone();
+            let what = random.rand_range(0..6);
+            match what {
+                // Other layouts, styles and photos.
+                0..=2 => {
+                    let keep = Keep { layout: what == 1, style: what != 1, photos: what != 2 };
+                    let mode = if what == 2 { Mode::Photos } else { Mode::Shuffle };
+                    let planning = Planning::new(editor.project(), &photos);
+                    let request = Request { keep, mode, ..planning.request(seeds.next_seed()) };
+                    let page = planning.plan(request, None).unwrap().unwrap();
+                    let page_id = editor.history().fresh_page_id();
+                    editor.apply(&Edit::ShowPage { page: Arc::new(page), page_id }, &How::default());
+                }
+                // Two photos change places by hand.
+                3 => {
+                    let mut page = Document::clone(editor.project().page.as_ref().unwrap());
+                    page.merges.clear();
+                    let count = page.panels.len();
+                    page.panels.swap(0, count - 1);
+                    editor.apply(&Edit::ChangePage { page: Arc::new(page) }, &How::default());
+                }
+                4 => spread(&mut editor, &photos, &mut seeds),
+                // Another page is edited.
+                _ => {
+                    let sheets = editor.project().sheets();
+                    let at = random.rand_range(0..sheets.len() as u64) as usize;
+                    editor.apply(&Edit::SetSheets { sheets, at }, &How::default());
+                }
+            }
+            homed(&editor, &format!("after {what}"));
+            editor.apply(&Edit::Undo, &How::default());
+            assert_eq!(*editor.project(), before, "seed {seed}: undone {what}");
+            editor.apply(&Edit::Redo, &How::default());
+            homed(&editor, "done again");
+        }
+        let kept = kept::write(editor.history(), &Vec::new());
+        assert_eq!(kept::parse(&kept).unwrap().0, *editor.history());
+    }
+}
+
+#[test]
+fn a_word_that_was_removed_by_hand_stays_away_and_one_moved_to_another_photo_is_of_that() {
+    let photos = metas(6);
+    let mut editor = opened(&photos);
+    let page = |editor: &Editor| Document::clone(editor.project().page.as_ref().unwrap());
+    let [one, two] = [0, 1].map(|panel: usize| page(&editor).panels[panel].photo.clone().unwrap());
+    editor.apply(&Edit::AddWords { words: vec![word_of(&one, "a"), word_of(&one, "b")] }, &How::default());
+    let mut changed = page(&editor);
+    changed.words.remove(0);
+    changed.words[0]["panel"] = json!(1);
+    changed.words[0]["photo"] = Value::Null;
+    editor.apply(&Edit::ChangePage { page: Arc::new(changed) }, &How::default());
+    assert_eq!(homes(editor.project()), [("b".to_owned(), Some(two.clone()))]);
+    // One photo takes the place of another, and what was said of it.
+    editor.apply(&Edit::ExchangePhoto { id: two, by: "new".into() }, &How::default());
+    assert_eq!(homes(editor.project()), [("b".to_owned(), Some("new".into()))]);
+    // Long speech is parted, and hangs together.
+    let mut parts = vec![word_of(&one, "c"), word_of(&one, "d")];
+    parts[1]["joins"] = json!(true);
+    editor.apply(&Edit::AddWords { words: parts }, &How::default());
+    let words = page(&editor).words;
+    assert_eq!(words[words.len() - 1]["joined"], words[words.len() - 2]["id"]);
+}
+
 #[test]
 fn no_page_is_a_leftover() {
     for count in 1..100 {
@@ -958,6 +1068,9 @@ fn the_same_edits_make_what_they_made_in_the_page() {
     let runs: Value = serde_json::from_str(include_str!("oracles/data/edits.json")).unwrap();
     for (number, run) in runs.as_array().unwrap().iter().enumerate() {
         let mut editor = Editor::default();
+        // The page did not draw invented styles by itself then.
+        let styling = Styling { invented: 0.0, ..Styling::default() };
+        editor.apply(&Edit::Styling { styling }, &How { silent: true, gesture: None });
         for (i, (change, step)) in
             run["changes"].as_array().unwrap().iter().zip(run["steps"].as_array().unwrap()).enumerate()
         {
@@ -981,5 +1094,22 @@ fn the_same_edits_make_what_they_made_in_the_page() {
         assert_eq!(json!(shown), run["shown"], "run {number}");
         while editor.apply(&Edit::Undo, &How::default()) {}
         assert_eq!(comparable(state_of(editor.project())), comparable(run["start"].clone()), "run {number}");
+    }
+}
+
+#[test]
+fn other_paper_keeps_the_number_of_panels() {
+    for count in 2..=9 {
+        let photos = metas(count);
+        let mut editor = opened(&photos);
+        let mut request = Planning::new(editor.project(), &photos).request(1);
+        (request.keep.layout, request.panels) = (false, Some(count));
+        let page = Planning::new(editor.project(), &photos).plan(request, None).unwrap().unwrap();
+        editor.apply(&Edit::ShowPage { page: Arc::new(page.clone()), page_id: 2 }, &How::default());
+        for (width, height) in [(3840, 2160), (2400, 2400), (1600, 4000), (2550, 3300)] {
+            let settings = PageSettings { width, height, ..PageSettings::default() };
+            let other = Planning::new(editor.project(), &photos).on_paper(&page, &settings).unwrap();
+            assert_eq!(other.panels.len(), page.panels.len(), "{count} panels on {width} x {height}");
+        }
     }
 }

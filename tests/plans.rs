@@ -127,6 +127,6 @@ fn what_is_no_plan_is_refused_by_name() {
         let said = refusal(&inkpanel(folder.path(), &["score", "plan.json", "--json"], &[]));
         assert!(said.contains("plan.json") && said.contains(word), "{text}: {said}");
     }
-    let said = refusal(&inkpanel(folder.path(), &["render", "--pages", "2", "-o", "x.webp"], &PHOTOS));
-    assert!(said.contains("x.webp") && !folder.path().join("x.webp").exists(), "{said}");
+    let said = refusal(&inkpanel(folder.path(), &["render", "--pages", "2", "-o", "x.tiff"], &PHOTOS));
+    assert!(said.contains("x.tiff") && !folder.path().join("x.tiff").exists(), "{said}");
 }

@@ -7,8 +7,9 @@ use std::path::{Component, Path, PathBuf};
 
 /// The rooms of `src`, from the lowest on. Containers and the kernels on their rows are one: each is written in terms of the
 /// other.
-const ROOMS: [&[&str]; 11] = [
+const ROOMS: [&[&str]; 13] = [
     &["error"],
+    &["order"],
     &["raster", "simd"],
     &["json"],
     &["select"],
@@ -18,6 +19,7 @@ const ROOMS: [&[&str]; 11] = [
     &["style"],
     &["plan"],
     &["page"],
+    &["output"],
     &["document"],
 ];
 

@@ -276,7 +276,11 @@ fn a_project_that_cannot_be_drawn_is_refused_with_a_sentence() {
     let project = path("version-1/storyboard.inkpanel");
     for (arguments, output, sentence) in [
         (vec![&project[..], &project], "two.png", "a project is drawn alone"),
-        (vec![&project[..]], "page.bmp", "give the page a name that ends in .png, .jpg or .pdf"),
+        (
+            vec![&project[..]],
+            "page.bmp",
+            "give the page a name that ends in .png, .jpg, .webp, .pdf, .html, .epub, .cbz or .inkpanel",
+        ),
         (vec!["missing.inkpanel"], "missing.png", "missing.inkpanel: "),
     ] {
         let done = render(&arguments, &out(output));
@@ -308,10 +312,30 @@ fn what_unpacks_to_more_than_a_project_has_is_refused() {
 #[test]
 fn a_saved_page_becomes_a_file_of_any_kind() {
     let folder = tempfile::tempdir().unwrap();
-    for (name, start) in [("page.jpg", &b"\xFF\xD8"[..]), ("page.pdf", b"%PDF")] {
+    for (name, start) in [("page.jpg", &b"\xFF\xD8"[..]), ("page.pdf", b"%PDF"), ("page.webp", b"RIFF")] {
         let output = folder.path().join(name);
         let done = render(&[&path("version-1/merged-words.png")], &output);
         assert!(done.status.success(), "{}", String::from_utf8_lossy(&done.stderr));
         assert!(fs::read(&output).unwrap().starts_with(start));
     }
+}
+
+#[test]
+fn an_archive_of_pages_is_drawn_by_the_project_in_it() {
+    let project = file("version-1/storyboard.inkpanel");
+    let mut writer = zip::ZipWriter::new(std::io::Cursor::new(Vec::new()));
+    let stored = zip::write::SimpleFileOptions::default().compression_method(zip::CompressionMethod::Stored);
+    for (name, bytes) in [("page-01.png", &b"a picture"[..]), ("project.inkpanel", &project)] {
+        writer.start_file(name, stored).unwrap();
+        std::io::Write::write_all(&mut writer, bytes).unwrap();
+    }
+    let archive = writer.finish().unwrap().into_inner();
+    let folder = tempfile::tempdir().unwrap();
+    let book = folder.path().join("book.cbz");
+    fs::write(&book, &archive).unwrap();
+    expect_same(&["--page", "1", book.to_str().unwrap()], "version-1/storyboard-1.png");
+    let mut flipped = archive;
+    let at = flipped.windows(9).position(|window| window == b"\"history\"").unwrap();
+    flipped[at + 40] ^= 1;
+    refused("flipped.cbz", &flipped, &[], "is damaged");
 }

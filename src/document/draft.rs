@@ -10,7 +10,9 @@ use crate::page::document::style_of;
 use crate::raster::color::parse_hex;
 use crate::style::Style;
 use crate::style::blocks::{self, Block, Channels};
+use crate::style::earlier;
 use crate::style::file::Step;
+use crate::style::params::Kind;
 use serde_json::{Map, Value, json};
 
 /// A layer of a style.
@@ -101,6 +103,11 @@ pub enum DraftEdit {
         /// It.
         name: String,
     },
+    /// It takes care of faces, or no longer.
+    Faces {
+        /// Whether it does.
+        on: bool,
+    },
     /// The lines get a colour.
     Ink {
         /// `#rrggbb`.
@@ -156,6 +163,7 @@ impl Draft {
             background: Vec::new(),
             foreground: Vec::new(),
             ink: BLACK.into(),
+            careless: false,
             rest: Map::new(),
         }
     }
@@ -168,7 +176,12 @@ impl Draft {
             let step = |step: &Step| {
                 key += 1;
                 let values = step.block.params.iter().zip(&step.values);
-                let values = values.map(|(param, value)| (param.id.to_owned(), param.value_to_json(*value)));
+                let values = values.map(|(param, value)| {
+                    let texture = step.texture.as_ref().filter(|_| matches!(param.kind, Kind::Texture));
+                    let value =
+                        texture.map_or_else(|| param.value_to_json(*value), |texture| json!(texture.url()));
+                    (param.id.to_owned(), value)
+                });
                 let values = values.collect();
                 DraftStep { key, block: step.block.id.into(), values, bypass: step.bypass, rest: Map::new() }
             };
@@ -186,6 +199,7 @@ impl Draft {
             background,
             foreground,
             ink: format!("#{r:02x}{g:02x}{b:02x}"),
+            careless: !style.faces,
             rest: Map::new(),
         }
     }
@@ -199,7 +213,9 @@ impl Draft {
             let step = |(step, wrong): (&DraftStep, Option<Misfit>)| {
                 let mut file = Map::from_iter([("block".to_owned(), json!(step.block))]);
                 let usual = defaults(&step.block);
-                let told = step.values.iter().filter(|(name, value)| usual.get(*name) != Some(value));
+                let told = step.values.iter().filter(|(name, value)| {
+                    usual.get(*name) != Some(value) || earlier::is_always_told(&step.block, name)
+                });
                 file.extend(told.map(|(name, value)| (name.clone(), value.clone())));
                 if step.bypass || wrong.is_some() {
                     file.insert("bypass".into(), json!(true));
@@ -218,6 +234,9 @@ impl Draft {
         if self.ink != BLACK {
             file["ink"] = json!(self.ink);
         }
+        if self.careless {
+            file["faces"] = json!(false);
+        }
         file
     }
 
@@ -230,6 +249,7 @@ impl Draft {
         let most = MOST_BLOCKS;
         match edit {
             DraftEdit::Name { name } => next.name.clone_from(name),
+            DraftEdit::Faces { on } => next.careless = !on,
             DraftEdit::Ink { ink } => {
                 parse_hex(ink)?;
                 next.ink.clone_from(ink);
@@ -272,7 +292,7 @@ impl Draft {
                 let step = next.step_mut(*place)?;
                 let known = blocks::find(&step.block)?.params.iter().find(|known| known.id == *param)?;
                 // 2 and 2.0 are the same value.
-                let value = known.value_to_json(known.value_from_json(value).ok()?);
+                let value = known.normalized(value).ok()?;
                 if step.values.get(param) == Some(&value) {
                     return None;
                 }
@@ -436,6 +456,7 @@ impl DraftEdit {
                 let name = fields.text("name", usize::MAX)?.unwrap_or_default();
                 Self::Name { name: name.chars().take(LONGEST_NAME).collect() }
             }
+            "faces" => Self::Faces { on: fields.flag("on")? },
             "ink" => Self::Ink { ink: fields.name("ink", LONGEST_ID)? },
             _ => return Err(Wrong::new("is nothing that can be done").at("type")),
         })

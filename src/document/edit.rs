@@ -2,13 +2,15 @@
 
 use super::limits::{
     GREATEST_ID, LONGEST_ID, LONGEST_NAME, MOST_LAYOUTS, MOST_LOVED, MOST_PHOTOS, MOST_SHEETS, MOST_STYLES,
-    MOST_WANTED,
+    MOST_WAITING, MOST_WANTED,
 };
 use super::project::{self, Draft, Focus, List, Order, Project, Sheet, Styling, TrayItem};
-use super::{own, pages, sheets};
+use super::{following, own, pages, sheets};
+use crate::json::fields::whole_of;
 use crate::json::{Fields, Read, Wrong, each, items, text_of};
 use crate::layout::PageSettings;
 use crate::page::Document;
+use crate::page::words::Word;
 use serde_json::Value;
 use std::collections::HashSet;
 use std::sync::Arc;
@@ -109,6 +111,21 @@ pub enum Edit {
         sheets: Vec<Arc<Sheet>>,
         /// Which is edited from now on.
         at: usize,
+    },
+    /// Words that are new, laid over pages and photos.
+    AddWords {
+        /// Each with the place of its page as `sheet` and its `panel`, or with its `photo`; `joins` those that go on with what the
+        /// one before says.
+        #[cfg_attr(
+            all(test, feature = "cli"),
+            ts(type = "ReadonlyArray<Word & { sheet?: number; joins?: boolean }>")
+        )]
+        words: Vec<Value>,
+    },
+    /// Words that wait are no longer wanted.
+    DropWaiting {
+        /// Their numbers.
+        words: Vec<usize>,
     },
     /// There is no page any more.
     NoPage,
@@ -234,6 +251,7 @@ impl Project {
     /// The state after an edit; none where nothing changes. Steps through time and lists that come from outside are
     /// not of one state, and change nothing here.
     #[must_use]
+    #[allow(clippy::too_many_lines, reason = "an arm for each edit")]
     pub fn after(&self, edit: &Edit) -> Option<Self> {
         let mut next = self.clone();
         match edit {
@@ -302,6 +320,8 @@ impl Project {
                 }
             }
             Edit::SetSheets { sheets, at } => next.set_sheets(sheets, *at)?,
+            Edit::AddWords { words } => return self.with_words(words),
+            Edit::DropWaiting { words } => return self.without_waiting(words),
             Edit::NoPage => {
                 next.page.take()?;
                 next.others = Arc::new([]);
@@ -333,6 +353,7 @@ impl Project {
             // A page that was shown before may have photos that are no longer on the table.
             let table: HashSet<&str> = self.tray.iter().map(|item| item.id.as_str()).collect();
             next.each_page(&mut |page| sheets::without(page, &|photo| !table.contains(photo)).map(Arc::new));
+            following::follow(self, &mut next);
         }
         Some(next)
     }
@@ -366,6 +387,7 @@ impl Project {
                 (item.id == id).then(|| TrayItem { id: by.to_owned(), used: Some(true), ..item.clone() })
             });
             self.each_page(&mut |page| sheets::exchanged(page, id, by).map(Arc::new));
+            self.words_exchanged(id, by);
         }
     }
 
@@ -499,6 +521,11 @@ impl Edit {
                 }
                 Self::SetSheets { sheets, at }
             }
+            "add-words" => Self::AddWords { words: fields.each("words", MOST_WAITING, &fresh_word)? },
+            "drop-waiting" => {
+                let number = |number| whole_of(&number, 0, MOST_WAITING as u64).map(|number| number as usize);
+                Self::DropWaiting { words: fields.each("words", MOST_WAITING, &number)? }
+            }
             "no-page" => Self::NoPage,
             "design" => Self::Design { draft: fields.nullable("draft").part("draft", &mut Draft::read)? },
             "love-page" => {
@@ -539,6 +566,12 @@ impl Edit {
 
 fn ids(fields: &mut Fields) -> Read<Vec<String>> {
     fields.each("ids", MOST_PHOTOS, &|id| text_of(id, LONGEST_ID))
+}
+
+/// A word that is to be added.
+fn fresh_word(value: Value) -> Read<Value> {
+    Word::parse(&value, 0).map_err(|error| Wrong::of(error).without("words[0]."))?;
+    Ok(value)
 }
 
 fn uses(value: Value) -> Read<Vec<(String, bool)>> {

@@ -7,7 +7,7 @@ use super::history::{History, keep};
 use super::kept::Interner;
 use super::limits::{
     LONGEST_ID, LONGEST_NAME, LONGEST_PATH, LONGEST_SIDE, MOST_LAYOUTS, MOST_PHOTOS, MOST_SHEETS,
-    MOST_STYLES, MOST_SUBJECTS, MOST_VIDEOS, PROJECT,
+    MOST_STYLES, MOST_SUBJECTS, MOST_VIDEOS, MOST_WAITING, PROJECT,
 };
 use super::project::{self, Draft, List, Parts, Sheet, TrayItem};
 use super::{Dropped, VERSION, pages, refusal, version};
@@ -184,6 +184,11 @@ impl ProjectFile {
             names.on(&mut Arc::make_mut(sheet).page);
         }
         present.others = others.into();
+        let mut waiting = present.waiting.to_vec();
+        for word in &mut waiting {
+            names.of_word(Arc::make_mut(word));
+        }
+        present.waiting = waiting.into();
         let mut tray = present.tray.to_vec();
         for item in &mut tray {
             let item = Arc::make_mut(item);
@@ -235,6 +240,15 @@ impl Names<'_> {
         for id in page.order.iter_mut().chain(page.panels.iter_mut().filter_map(|panel| panel.photo.as_mut()))
         {
             *id = self.of(id);
+        }
+        for word in &mut page.words {
+            self.of_word(word);
+        }
+    }
+
+    fn of_word(&mut self, word: &mut Value) {
+        if let Some(photo) = word["photo"].as_str().map(|photo| self.of(photo)) {
+            word["photo"] = photo.into();
         }
     }
 }
@@ -397,6 +411,10 @@ impl Parts for Inline {
 
     fn draft(&mut self, value: Value) -> Read<Arc<Draft>> {
         Draft::read(value)
+    }
+
+    fn waiting(&mut self, value: Value) -> Read<List<Value>> {
+        Ok(each(items(value, MOST_WAITING)?, &pages::waiting)?.into())
     }
 
     fn styles(&mut self, value: Value, field: &str) -> Read<List<Value>> {

@@ -10,13 +10,16 @@
 //! | `sheets`, `books` | pages of a storyboard, and lists of their indices | `others` of a state |
 //! | `styles`, `shelves` | styles, and lists of their indices | `mine` and `favourites` of a state |
 //! | `layouts`, `layoutShelves` | layouts, and lists of their indices | `ownLayouts` of a state |
+//! | `words`, `waits` | words without a page, and lists of their indices | `waiting` of a state |
 //! | `settings`, `drafts` | page settings, drafts | `settings`, `draft` of a state |
 //!
 //! Each part is checked once.
 
 use super::edit::Shelf;
 use super::history::{History, Shown};
-use super::limits::{HISTORY, MOST_LAYOUTS, MOST_PHOTOS, MOST_SHEETS, MOST_SHOWN, MOST_STEPS, MOST_STYLES};
+use super::limits::{
+    HISTORY, MOST_LAYOUTS, MOST_PHOTOS, MOST_SHEETS, MOST_SHOWN, MOST_STEPS, MOST_STYLES, MOST_WAITING,
+};
 use super::project::{self, Draft, List, Order, Parts, Project, Sheet, TrayItem};
 use super::{Dropped, VERSION, leave_out, own, pages, refusal, version};
 use crate::error::Result;
@@ -183,6 +186,7 @@ struct Tables {
     trays: Table<List<TrayItem>>,
     pages: Table<Arc<Document>>,
     books: Table<List<Sheet>>,
+    waits: Table<List<Value>>,
     shelves: Table<List<Value>>,
     layout_shelves: Table<List<Value>>,
     settings: Table<Arc<PageSettings>>,
@@ -198,11 +202,13 @@ impl Tables {
         let tray_items = all(table("items")?, &TrayItem::read);
         let pages = all(table("pages")?, &pages::page);
         let sheets = all(table("sheets")?, &|value| Sheet::read(value, &|page| part(&pages, &page, "page")));
+        let words = all(table("words")?, &pages::waiting);
         let styles = own_parts(table("styles")?, "styles", project::style, dropped);
         let layouts = own_parts(table("layouts")?, "layouts", project::layout, dropped);
         Ok(Self {
             trays: listed(table("trays")?, MOST_PHOTOS, &tray_items, "photo", &project::tray),
             books: listed(table("books")?, MOST_SHEETS, &sheets, "page", &Into::into),
+            waits: listed(table("waits")?, MOST_WAITING, &words, "word", &Into::into),
             shelves: shelves(table("shelves")?, MOST_STYLES, &styles),
             layout_shelves: shelves(table("layoutShelves")?, MOST_LAYOUTS, &layouts),
             settings: all(table("settings")?, &pages::settings),
@@ -231,6 +237,10 @@ impl Parts for Tables {
 
     fn draft(&mut self, value: Value) -> Read<Arc<Draft>> {
         part(&self.drafts, &value, "object")
+    }
+
+    fn waiting(&mut self, value: Value) -> Read<List<Value>> {
+        part(&self.waits, &value, "list")
     }
 
     fn styles(&mut self, value: Value, _field: &str) -> Read<List<Value>> {
@@ -296,7 +306,7 @@ fn part<T: Clone>(table: &[Read<T>], index: &Value, what: &str) -> Read<T> {
 }
 
 /// Tables by their names, in the order of their numbers.
-const TABLES: [&str; 11] = [
+const TABLES: [&str; 13] = [
     "items",
     "trays",
     "pages",
@@ -308,6 +318,8 @@ const TABLES: [&str; 11] = [
     "layoutShelves",
     "settings",
     "drafts",
+    "words",
+    "waits",
 ];
 const ITEMS: usize = 0;
 const PAGES: usize = 2;
@@ -316,6 +328,7 @@ const STYLES: usize = 5;
 const LAYOUTS: usize = 7;
 const SETTINGS: usize = 9;
 const DRAFTS: usize = 10;
+const WORDS: usize = 11;
 
 /// Whether two parts are alike; most are the very same.
 fn same<T: PartialEq>(a: &Arc<T>, b: &Arc<T>) -> bool {
@@ -348,7 +361,7 @@ impl Interner {
     }
 
     /// One whose tables begin with the parts that its reader has, in this order: of the present its photos, its page, those
-    /// of the other sheets and those shown, the other sheets, its own styles and favourites, its layouts, settings and draft.
+    /// of the other sheets and those shown, the other sheets, its own styles and favourites, its layouts, settings and draft, and the words that wait.
     fn knowing(history: &History) -> Self {
         let mut parts = Self::default();
         let present = &history.present;
@@ -361,6 +374,7 @@ impl Interner {
         parts.know(LAYOUTS, present.own_layouts.iter());
         parts.know(SETTINGS, [&present.settings].into_iter());
         parts.know(DRAFTS, present.draft.iter());
+        parts.know(WORDS, present.waiting.iter());
         parts
     }
 
@@ -440,6 +454,11 @@ impl Interner {
                 Some(draft) => self.part(out.key("draft"), DRAFTS, draft, &|_, out, draft| draft.write(out)),
                 None => out.key("draft").null(),
             }
+        }
+        // Nothing is told of them in a project without.
+        let none = was.is_none_or(|was| was.waiting.is_empty()) && state.waiting.is_empty();
+        if !none && fresh(&|was| same_list(&was.waiting, &state.waiting)) {
+            self.list(out.key("waiting"), WORDS, &state.waiting, &|_, out, word| out.value(word));
         }
         for (shelf, name) in Shelf::ALL {
             if fresh(&|was| same_list(shelf.of(was), shelf.of(state))) {

@@ -5,13 +5,16 @@ use crate::json::Bounds;
 pub use crate::page::document::{LONGEST_ID, MOST_PHOTOS};
 pub use crate::page::words::model::{MOST_LETTERS, MOST_WORDS};
 pub use crate::style::file::MOST_BLOCKS;
+pub use crate::style::texture::MOST_BYTES as TEXTURE;
 
+/// Bytes of one text: a texture as a data URL is the longest.
+const TEXT: usize = 2 * TEXTURE;
 /// The text of a project file, and the text in a page PNG.
-pub const PROJECT: Bounds = Bounds { bytes: 32 << 20, values: 2_000_000, text: 64 << 10 };
+pub const PROJECT: Bounds = Bounds { bytes: 32 << 20, values: 2_000_000, text: TEXT };
 /// A project with all its undo steps, as the browser's database has it.
-pub const HISTORY: Bounds = Bounds { bytes: 128 << 20, values: 8_000_000, text: 64 << 10 };
-/// Bytes of the text in a page PNG: a page of a hundred panels takes a hundredth.
-pub const PAGE_TEXT: usize = 4 << 20;
+pub const HISTORY: Bounds = Bounds { bytes: 128 << 20, values: 8_000_000, text: TEXT };
+/// Bytes of the text in a page PNG, which tells all pages of its storyboard.
+pub const PAGE_TEXT: usize = PROJECT.bytes;
 /// Files in a project file, far more than there are photos in a project.
 pub const ARCHIVE_ENTRIES: usize = 10_000;
 /// Bytes to which one file in a project file may unpack: it is held whole, and once more where it is decoded.
@@ -38,6 +41,8 @@ pub const MOST_LAYOUTS: usize = 1_000;
 pub const MOST_LOVED: usize = 10_000;
 /// Panels that a person may want.
 pub const MOST_WANTED: u64 = 100;
+/// Words that wait for photos that no page shows: those of a film.
+pub const MOST_WAITING: usize = 2_000;
 /// Videos of a project.
 pub const MOST_VIDEOS: usize = 1_000;
 /// What is found in one photo.

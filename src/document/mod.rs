@@ -19,7 +19,10 @@
 //! | [`spreading`] | an album laid out over pages |
 //! | [`upkeep`] | pages that lost a photo |
 //! | [`draft`] | a style while it is designed |
-//! | [`subtitles`] | subtitles, and the panels that they go to |
+//! | [`speech`] | what people say, cut into what balloons hold |
+//! | [`subtitles`] | subtitles, and the frames that they go to |
+//! | [`script`] | scripts as people write them |
+//! | [`following`] | words that stay with their photos |
 //!
 //! # Fields that are added, and versions
 //!
@@ -39,6 +42,7 @@ pub mod draft;
 pub mod edit;
 pub mod editor;
 pub mod file;
+pub mod following;
 pub mod history;
 pub mod kept;
 pub mod limits;
@@ -48,7 +52,9 @@ pub mod planning;
 pub mod project;
 #[cfg(feature = "files")]
 pub mod saved;
+pub mod script;
 pub mod sheets;
+pub mod speech;
 pub mod spreading;
 pub mod subtitles;
 pub mod upkeep;

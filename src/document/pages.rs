@@ -3,6 +3,7 @@
 
 use crate::json::{Read, Wrong};
 use crate::layout::PageSettings;
+use crate::page::carrying::tie;
 use crate::page::document::{Document, style_of, template_of};
 use crate::page::words::Word;
 use serde_json::Value;
@@ -13,8 +14,12 @@ use std::sync::Arc;
 /// # Errors
 /// With the place of what is wrong.
 pub fn page(value: Value) -> Read<Arc<Document>> {
-    let page = Document::read(value)?;
+    let mut page = Document::read(value)?;
     check(&page)?;
+    let Document { words, panels, .. } = &mut page;
+    for word in words.iter_mut() {
+        tie(word, panels);
+    }
     Ok(Arc::new(page))
 }
 
@@ -34,6 +39,18 @@ pub fn check(page: &Document) -> Read<()> {
     }
     Word::parse_all(&page.words).map_err(Wrong::of)?;
     Ok(())
+}
+
+/// Reads a word that waits for its photo.
+///
+/// # Errors
+/// With the field that is wrong.
+pub fn waiting(value: Value) -> Read<Arc<Value>> {
+    Word::parse(&value, 0).map_err(|error| Wrong::of(error).without("words[0]."))?;
+    if !value["photo"].is_string() {
+        return Err(Wrong::new("is missing").at("photo"));
+    }
+    Ok(Arc::new(value))
 }
 
 /// Reads page settings and checks their ranges.

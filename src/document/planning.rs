@@ -1,6 +1,7 @@
 //! Pages of a project planned from its photos. A photo is on one page of a storyboard only: a page is planned from its own
 //! photos and from those that no other page shows; where these are too few to fill it, from all.
 
+use super::following;
 use super::project::Project;
 use super::sheets::photos_on;
 use crate::error::Result;
@@ -113,7 +114,7 @@ impl<'p> Planning<'p> {
             Some(photos) => photos,
             None => self.cast(&mut request)?,
         };
-        planned_of(request, &photos).map(Some)
+        planned_of(request, &photos).map(|page| Some(following::gathered(project, page)))
     }
 
     /// The page after the photos in use changed: as it was where it can be. `grow`: there are more photos than before.
@@ -161,15 +162,23 @@ impl<'p> Planning<'p> {
         let shown = photos_on(&[page]);
         let own: Vec<Known> =
             self.photos.iter().filter(|photo| shown.contains(photo.id())).copied().collect();
-        let mut request = self.request_for(Some(page.clone()), Keep { layout, ..KEEP_ALL }, page.seed);
-        request.page = settings.clone();
         // The photos of a page among others stay on it, whatever layout it gets.
         let own = (!self.project.others.is_empty() && !own.is_empty()).then_some(own);
-        if let Some(own) = own.as_ref().filter(|_| !layout) {
-            request.panels = Some(own.len());
-        }
-        let planned = self.plan(request, own)?;
-        Ok(planned.unwrap_or_else(|| Document { page: settings.clone(), ..page.clone() }))
+        let count = own.as_ref().map_or_else(|| places_of(page), Vec::len);
+        let planned = |layout: bool| {
+            let mut request = self.request_for(Some(page.clone()), Keep { layout, ..KEEP_ALL }, page.seed);
+            request.page = settings.clone();
+            // As many panels as there were, or a page would lose photos by a change of its paper.
+            request.panels = (!layout).then_some(count);
+            self.plan(request, own.clone())
+        };
+        let found = planned(layout)?;
+        // Where no layout of that aspect has as many, the one that is there is better than a photo that is lost.
+        let found = match found {
+            Some(other) if !layout && places_of(&other) < count => planned(true)?,
+            found => found,
+        };
+        Ok(found.unwrap_or_else(|| Document { page: settings.clone(), ..page.clone() }))
     }
 
     /// A page that was shown before, with other photos where its own are not on the table any more, on the paper that the

@@ -8,10 +8,13 @@ use crate::layout::{PageSettings, Template};
 use crate::page::Document;
 use crate::raster::color::parse_hex;
 use crate::select::THRESHOLD;
-use crate::style::{Style, blocks};
+use crate::style::{Style, blocks, earlier};
 use serde_json::{Map, Value};
 use std::collections::HashSet;
 use std::sync::Arc;
+
+/// The share of invented styles that a new project begins with.
+const INVENTED: f64 = 0.15;
 
 /// A list that states share, of things that lists share.
 pub type List<T> = Arc<[Arc<T>]>;
@@ -46,6 +49,9 @@ pub struct Project {
     pub at: usize,
     /// The style in the designer.
     pub draft: Option<Arc<Draft>>,
+    /// Words of photos that no page shows: they come back with these.
+    #[cfg_attr(all(test, feature = "cli"), ts(type = "ReadonlyArray<Word>", optional))]
+    pub waiting: List<Value>,
     /// A person's own styles, which all projects share.
     #[cfg_attr(all(test, feature = "cli"), ts(as = "Vec<crate::style::Style>"))]
     pub mine: List<Value>,
@@ -121,7 +127,7 @@ pub struct Locks {
 }
 
 /// How a shuffle draws a style.
-#[derive(Debug, Clone, PartialEq, Default)]
+#[derive(Debug, Clone, PartialEq)]
 #[cfg_attr(all(test, feature = "cli"), derive(ts_rs::TS), ts(rename_all = "camelCase"))]
 pub struct Styling {
     /// The share of invented ones, 0 to 1.
@@ -133,6 +139,12 @@ pub struct Styling {
     /// Fields that this program does not know.
     #[cfg_attr(all(test, feature = "cli"), ts(skip))]
     pub rest: Map<String, Value>,
+}
+
+impl Default for Styling {
+    fn default() -> Self {
+        Self { invented: INVENTED, keep_lines: false, keep_colours: false, rest: Map::new() }
+    }
 }
 
 /// A page of a storyboard.
@@ -167,6 +179,9 @@ pub struct Draft {
     pub foreground: Vec<DraftStep>,
     /// Colour of the lines, `#rrggbb`.
     pub ink: String,
+    /// Whether it takes no care of faces.
+    #[cfg_attr(all(test, feature = "cli"), ts(as = "Option<_>", optional))]
+    pub careless: bool,
     /// Fields that this program does not know.
     #[cfg_attr(all(test, feature = "cli"), ts(skip))]
     pub rest: Map<String, Value>,
@@ -206,6 +221,7 @@ impl Default for Project {
             others: Arc::new([]),
             at: 0,
             draft: None,
+            waiting: Arc::new([]),
             mine: Arc::new([]),
             favourites: Arc::new([]),
             own_layouts: Arc::new([]),
@@ -224,6 +240,7 @@ pub(super) trait Parts {
     fn page(&mut self, value: Value) -> Read<Arc<Document>>;
     fn sheets(&mut self, value: Value) -> Read<List<Sheet>>;
     fn draft(&mut self, value: Value) -> Read<Arc<Draft>>;
+    fn waiting(&mut self, value: Value) -> Read<List<Value>>;
     fn styles(&mut self, value: Value, field: &str) -> Read<List<Value>>;
     fn layouts(&mut self, value: Value, field: &str) -> Read<List<Value>>;
 }
@@ -259,6 +276,9 @@ impl Project {
         if let Some(others) = fields.part("others", &mut |value| parts.sheets(value))? {
             state.others = others;
         }
+        // A program that did not know of them may have lost the table that they stood in.
+        let waiting = fields.take("waiting").and_then(|value| parts.waiting(value).ok());
+        state.waiting = waiting.unwrap_or_else(|| Arc::new([]));
         if let Some(mine) = fields.part("mine", &mut |value| parts.styles(value, "mine"))? {
             state.mine = mine;
         }
@@ -307,6 +327,7 @@ pub(super) fn tray(mut items: Vec<Arc<TrayItem>>) -> List<TrayItem> {
 /// A style of one's own: a style file with an id.
 pub(super) fn style(value: Value) -> Read<Arc<Value>> {
     identified(&value)?;
+    let value = earlier::told(value);
     Style::from_value("style", &value).map_err(Wrong::of)?;
     Ok(Arc::new(value))
 }
@@ -412,7 +433,7 @@ impl Locks {
 
 pub(super) fn styling(value: Value) -> Read<Styling> {
     let mut fields = Fields::of(value)?;
-    let invented = fields.number("invented", 0.0, 1.0)?.unwrap_or_default();
+    let invented = fields.number("invented", 0.0, 1.0)?.unwrap_or(INVENTED);
     let (keep_lines, keep_colours) = (fields.flag("keepLines")?, fields.flag("keepColours")?);
     Ok(Styling { invented, keep_lines, keep_colours, rest: fields.rest() })
 }
@@ -442,6 +463,7 @@ impl Draft {
             background: fields.each("background", MOST_BLOCKS, &DraftStep::read)?,
             foreground: fields.each("foreground", MOST_BLOCKS, &DraftStep::read)?,
             ink,
+            careless: fields.flag("careless")?,
             rest: fields.rest(),
         }))
     }
@@ -455,6 +477,9 @@ impl Draft {
             out.key(name).list(layer, &|out, step| step.write(out));
         }
         out.key("ink").text(&self.ink);
+        if self.careless {
+            out.key("careless").flag(true);
+        }
         out.rest(&self.rest);
         out.close(b'}');
     }
@@ -470,12 +495,13 @@ impl DraftStep {
             Some(Value::Object(values)) => values,
             Some(_) => return Err(Wrong::new("is no object").at("values")),
         };
+        earlier::complete(&id, &mut values);
         for (name, value) in &mut values {
             let wrong = |reason: &str| Wrong::new(reason).at(name).at("values");
             let param = block.params.iter().find(|param| param.id == name);
             let param = param.ok_or_else(|| wrong("is no parameter of this block"))?;
             // 2 and 2.0 are the same value.
-            *value = param.value_to_json(param.value_from_json(value).map_err(|reason| wrong(&reason))?);
+            *value = param.normalized(value).map_err(|reason| wrong(&reason))?;
         }
         let (key, bypass) = (fields.count("key", 0, GREATEST_ID)?, fields.flag("bypass")?);
         Ok(Self { key, block: id, values, bypass, rest: fields.rest() })

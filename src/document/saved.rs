@@ -1,6 +1,6 @@
 //! Projects and pages as people keep them: a project file (`.inkpanel`, a ZIP file with `project.json` and the photos), and a
 //! PNG of a page that carries its project (an `iTXt` chunk called `inkpanel`) and perhaps its photos (a ZIP file in the chunk
-//! `ipPh`). Which of them a file is, its content tells. Not for the browser, which reads both without holding them in memory.
+//! `ipPh`); a ZIP or CBZ file of pages has a project file beside them. Which of them a file is, its content tells. Not for the browser, which reads both without holding them in memory.
 //!
 //! Nothing that a file says of itself is believed: what is unpacked is counted while it is unpacked.
 
@@ -19,6 +19,8 @@ use zip::{CompressionMethod, ZipArchive};
 const SIGNATURE: &[u8] = b"\x89PNG\r\n\x1a\n";
 /// Where a ZIP file begins: with its first file, or with its end where it has none.
 const ARCHIVES: [&[u8]; 2] = [b"PK\x03\x04", b"PK\x05\x06"];
+/// The project file in an archive of pages.
+const BESIDE: &str = "project.inkpanel";
 const KEYWORD: &[u8] = b"inkpanel";
 const TEXT: [u8; 4] = *b"iTXt";
 const PHOTOS: [u8; 4] = *b"ipPh";
@@ -53,6 +55,10 @@ impl Saved {
 
     fn read_project(bytes: Vec<u8>) -> Result<Self> {
         let mut archive = archive(bytes)?;
+        if archive.index_for_name(BESIDE).is_some() {
+            let inside = entry(&mut archive, BESIDE, ENTRY)?.unwrap_or_default();
+            archive = self::archive(inside)?;
+        }
         let text = entry(&mut archive, "project.json", PROJECT.bytes as u64)?;
         let text = text.ok_or_else(|| damaged("project.json", "is missing"))?;
         let text = String::from_utf8(text).map_err(|_| damaged("project.json", "is no text"))?;

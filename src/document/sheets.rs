@@ -51,6 +51,27 @@ impl Project {
     }
 }
 
+/// What becomes of the page of a number; none where it stays as it is.
+type NumberedChange<'c> = dyn FnMut(usize, &Arc<Document>) -> Option<Arc<Document>> + 'c;
+
+impl Project {
+    /// [`Project::each_page`] with the number of each page in the storyboard.
+    pub(super) fn each_numbered_page(&mut self, change: &mut NumberedChange<'_>) {
+        let edited = self.at;
+        // The page that is edited comes first.
+        let mut told = 0;
+        self.each_page(&mut |page| {
+            let number = match told {
+                0 => edited,
+                other if other <= edited => other - 1,
+                other => other,
+            };
+            told += 1;
+            change(number, page)
+        });
+    }
+}
+
 /// Writes sheets, the pages of those that were there left out.
 pub(super) fn write(out: &mut Writer, sheets: &[Arc<Sheet>], before: &[Arc<Sheet>]) {
     out.list(sheets, &|out, sheet| {
@@ -91,6 +112,7 @@ pub(super) fn exchanged(page: &Document, id: &str, by: &str) -> Option<Document>
     for panel in &mut page.panels {
         if panel.photo.as_deref() == Some(id) {
             panel.photo = Some(by.to_owned());
+            panel.faces.clear();
         }
     }
     Some(page)
@@ -107,6 +129,7 @@ pub(super) fn without(page: &Document, gone: &dyn Fn(&str) -> bool) -> Option<Do
     for panel in &mut page.panels {
         if panel.photo.as_deref().is_some_and(gone) {
             (panel.photo, panel.crop, panel.edited) = (None, None, false);
+            panel.faces.clear();
         }
     }
     Some(page)

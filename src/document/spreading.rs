@@ -1,16 +1,17 @@
 //! An album laid out over pages: how many, which photos on each, and words that go with their photos.
 
 use super::limits::{MOST_SHEETS, MOST_WORDS};
-use super::planning::{KEEP_ALL, Known, Planning, Seeds, places_of};
+use super::planning::{Known, Planning, Seeds, places_of};
 use super::project::Sheet;
 use super::sheets;
 use crate::error::Result;
 use crate::json::Writer;
 use crate::layout;
 use crate::page::Document;
+use crate::page::carrying::{belongs, photo_of, tied};
 use crate::page::request::{Keep, Mode, Request};
 pub use crate::plan::spread::balanced;
-use serde_json::{Map, Value, json};
+use serde_json::{Map, Value};
 use std::sync::Arc;
 
 /// Panels of a page among others where no number is wanted, and of a first page at most: large enough to be looked at.
@@ -44,7 +45,7 @@ impl Planning<'_> {
                 self.plan(request, Some(own.to_vec()))
             };
             if let Some(fresh) = varied(&made, seeds, &draw)? {
-                made.push(self.with_words(fresh, &before, own)?);
+                made.push(with_words(fresh, &before));
             }
         }
         let sheet = |(i, page): (usize, Document)| {
@@ -124,33 +125,27 @@ impl Planning<'_> {
         };
         varied(std::slice::from_ref(page), seeds, &draw)
     }
+}
 
-    /// The page with the words that were on its photos before; those of a whole page stay on the first photo of theirs.
-    #[inline(never)]
-    fn with_words(&self, page: Document, before: &[Arc<Sheet>], photos: &[Known]) -> Result<Document> {
-        let mut words = Vec::new();
-        for old in before.iter().map(|sheet| &sheet.page) {
-            for word in &old.words {
-                let on = word["panel"].as_u64();
-                let photo = old.panels.get(on.unwrap_or(0) as usize).and_then(|panel| panel.photo.as_ref());
-                let shows = |photo| page.panels.iter().position(|panel| panel.photo.as_ref() == Some(photo));
-                let Some(panel) = photo.and_then(shows) else { continue };
-                let mut word = word.clone();
-                if on.is_some() {
-                    word["panel"] = json!(panel);
-                }
-                words.push(word);
+/// The page with the words that were on its photos before; those of a whole page stay on the first photo of theirs.
+#[inline(never)]
+fn with_words(page: Document, before: &[Arc<Sheet>]) -> Document {
+    // What waited for its photos is there already.
+    let mut words = page.words;
+    for old in before.iter().map(|sheet| &sheet.page) {
+        let first = old.panels.first().and_then(|panel| panel.photo.as_deref());
+        let shows = |photo: &str| page.panels.iter().any(|panel| panel.photo.as_deref() == Some(photo));
+        for word in &old.words {
+            let own = photo_of(word, &old.panels);
+            if word["panel"].is_null() && first.is_some_and(shows) {
+                words.push(word.clone());
+            } else if own.is_some_and(shows) {
+                words.extend(belongs(&tied(word, &old.panels), &page.panels));
             }
         }
-        if words.is_empty() {
-            return Ok(page);
-        }
-        words.truncate(MOST_WORDS);
-        let seed = page.seed;
-        let current = Document { words, ..page };
-        let request = self.request_for(Some(current.clone()), KEEP_ALL, seed);
-        Ok(self.plan(request, Some(photos.to_vec()))?.unwrap_or(current))
     }
+    words.truncate(MOST_WORDS);
+    Document { words, ..page }
 }
 
 /// Full pages, and the rest.

@@ -1,7 +1,10 @@
-//! Subtitles as `SubRip` (.srt) and `WebVTT` (.vtt) files have them, and the panels that they go to. Each letter is looked at a
+//! Subtitles as `SubRip` (.srt) and `WebVTT` (.vtt) files have them, and the frames that they go to. Each letter is looked at a
 //! bounded number of times, whatever the text is.
 
+use super::script;
+use super::speech::{self, Said, Taking};
 use crate::json::Writer;
+use crate::order::sort_by;
 use serde_json::{Value, json};
 
 /// Most bytes of a file.
@@ -10,8 +13,15 @@ pub const MOST_BYTES: usize = 5_000_000;
 pub const MOST_CUES: usize = 20_000;
 /// Most characters of a subtitle; two lines on the screen have some eighty.
 pub const MOST_LETTERS: usize = 1_000;
-/// Seconds that a frame may be before or after what is said.
-pub const SLACK: f64 = 0.75;
+/// Seconds that a frame may be before or after what is said: of a film a few frames are looked at, and each stands for what
+/// is around it.
+pub const REACH: f64 = 20.0;
+/// Words of one frame, in a panel that is still to be seen.
+pub const MOST_OF_FRAME: usize = 3;
+/// Frames on either side of a subtitle that are looked at for it.
+const NEAREST: usize = 8;
+/// What is wrong with single subtitles is told of so many.
+const MOST_SKIPPED: usize = 3;
 
 /// What is said when.
 #[derive(Debug, Clone, PartialEq)]
@@ -20,8 +30,8 @@ pub struct Cue {
     pub start: f64,
     /// Seconds, no less than the start.
     pub end: f64,
-    /// The text without marks.
-    pub text: String,
+    /// What is said, without marks, by one speaker after the other.
+    pub said: Vec<Said>,
 }
 
 /// What a file says.
@@ -33,6 +43,12 @@ pub struct Subtitles {
     pub left: usize,
     /// Subtitles whose text was too long.
     pub cut: usize,
+    /// What is wrong with the first of those that were skipped,
+    pub flaws: Vec<Flaw>,
+    /// and how many these were.
+    pub skipped: usize,
+    /// It was in no UTF, and so was taken for Windows-1252.
+    pub guessed: bool,
 }
 
 /// What is wrong with a file of subtitles.
@@ -55,7 +71,7 @@ pub enum Flaw {
 }
 
 impl Flaw {
-    /// Writes it: `{kind, line, text}`, the line and the text where they are told.
+    /// Writes the fields of it: `kind, line, text`, the line and the text where they are told.
     fn write(&self, out: &mut Writer) {
         let (kind, line, text) = match self {
             Self::Large => ("large", None, None),
@@ -66,7 +82,6 @@ impl Flaw {
             Self::Time(line, text) => ("time", Some(line), Some(text)),
             Self::Order(line) => ("order", Some(line), None),
         };
-        out.open(b'{');
         out.key("kind").text(kind);
         if let Some(line) = line {
             out.key("line").whole(*line as u64);
@@ -74,24 +89,23 @@ impl Flaw {
         if let Some(text) = text {
             out.key("text").text(text);
         }
-        out.close(b'}');
     }
 }
 
 /// What reading gives.
 pub type Result<T> = std::result::Result<T, Flaw>;
 
-/// A panel that shows a frame of a film.
+/// A frame of a film.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Frame {
-    /// Which.
-    pub panel: usize,
     /// Its time in seconds.
     pub time: f64,
+    /// A page shows it.
+    pub shown: bool,
 }
 
 impl Subtitles {
-    /// Reads a file in UTF-8 or, with its mark, in UTF-16.
+    /// Reads a file in UTF-8, with its mark in UTF-16, or in Windows-1252.
     ///
     /// # Errors
     /// What is wrong with it.
@@ -99,18 +113,8 @@ impl Subtitles {
         if bytes.len() > MOST_BYTES {
             return Err(Flaw::Large);
         }
-        let wide = |order: fn([u8; 2]) -> u16| {
-            let (units, rest) = bytes[2..].as_chunks::<2>();
-            let letters = char::decode_utf16(units.iter().map(|unit| order(*unit)));
-            letters.collect::<std::result::Result<String, _>>().ok().filter(|_| rest.is_empty())
-        };
-        let text = match bytes {
-            [0xFF, 0xFE, ..] => wide(u16::from_le_bytes),
-            [0xFE, 0xFF, ..] => wide(u16::from_be_bytes),
-            _ => std::str::from_utf8(bytes).ok().map(str::to_owned),
-        };
-        let text = text.filter(|text| !text.contains('\0')).ok_or(Flaw::Binary)?;
-        Self::parse(&text, vtt)
+        let (text, guessed) = decoded(bytes).ok_or(Flaw::Binary)?;
+        Self::parse(&text, vtt).map(|read| Self { guessed, ..read })
     }
 
     /// Reads the text of a file.
@@ -139,76 +143,177 @@ impl Subtitles {
             if vtt && is_remark(lines[from]) {
                 continue;
             }
-            let mut cue = cue(&lines, from, at)?;
-            if cue.text.is_empty() {
-                continue;
+            let read = cue(&lines, from, at).map(|(start, end, text)| {
+                let (text, cut) = match text.char_indices().nth(MOST_LETTERS) {
+                    Some((end, _)) => (&text[..end], true),
+                    None => (&text[..], false),
+                };
+                (Cue { start, end, said: speech::of_lines(text.split('\n')) }, cut)
+            });
+            match read {
+                Err(flaw) => {
+                    all.skipped += 1;
+                    if all.flaws.len() < MOST_SKIPPED {
+                        all.flaws.push(flaw);
+                    }
+                }
+                Ok((cue, _)) if cue.said.is_empty() => {}
+                Ok(_) if all.cues.len() == MOST_CUES => all.left += 1,
+                Ok((cue, cut)) => {
+                    all.cut += usize::from(cut);
+                    all.cues.push(cue);
+                }
             }
-            if all.cues.len() == MOST_CUES {
-                all.left += 1;
-                continue;
-            }
-            if let Some((end, _)) = cue.text.char_indices().nth(MOST_LETTERS) {
-                let kept = trimmed(&cue.text[..end]).to_owned();
-                cue.text = kept;
-                all.cut += 1;
-            }
-            all.cues.push(cue);
         }
         if all.cues.is_empty() {
-            return Err(Flaw::Empty);
+            return Err(all.flaws.into_iter().next().unwrap_or(Flaw::Empty));
         }
-        all.cues.sort_by(|a, b| a.start.total_cmp(&b.start));
+        sort_by(&mut all.cues, |a, b| a.start.total_cmp(&b.start));
         Ok(all)
     }
 }
 
-/// The subtitle that is shown at a time, or the nearest that begins or ends within `slack` seconds of it.
+/// The text of a file, and whether its letters were guessed.
 #[must_use]
-pub fn cue_at(cues: &[Cue], time: f64, slack: f64) -> Option<usize> {
-    let away = |cue: &Cue| (cue.start - time).max(time - cue.end).max(0.0);
-    let nearest = (0..cues.len()).min_by(|&a, &b| away(&cues[a]).total_cmp(&away(&cues[b])))?;
-    (away(&cues[nearest]) <= slack).then_some(nearest)
+pub fn decoded(bytes: &[u8]) -> Option<(String, bool)> {
+    let wide = |order: fn([u8; 2]) -> u16| {
+        let (units, rest) = bytes[2..].as_chunks::<2>();
+        let letters = char::decode_utf16(units.iter().map(|unit| order(*unit)));
+        letters.collect::<std::result::Result<String, _>>().ok().filter(|_| rest.is_empty())
+    };
+    let (text, guessed) = match bytes {
+        [0xFF, 0xFE, ..] => (wide(u16::from_le_bytes)?, false),
+        [0xFE, 0xFF, ..] => (wide(u16::from_be_bytes)?, false),
+        _ => match std::str::from_utf8(bytes) {
+            Ok(text) => (text.to_owned(), false),
+            Err(_) => (bytes.iter().map(|byte| western(*byte)).collect(), true),
+        },
+    };
+    // Text has no controls but those that end lines; files of programs are full of them.
+    let control = |letter: char| {
+        letter.is_ascii_control() && !matches!(letter, '\n' | '\r' | '\t' | '\x0b' | '\x0c' | '\x1a')
+    };
+    let few = if guessed { !text.contains(control) } else { !text.contains('\0') };
+    few.then_some((text, guessed))
 }
 
-/// Words for the frames at whose times something is said, as captions or balloons that find their places. A subtitle goes
-/// to one frame only, the nearest to its middle.
+/// A letter of Windows-1252, in which old files of Western Europe are: a table of 32 entries is no library's work.
+fn western(byte: u8) -> char {
+    const HIGH: [char; 32] = [
+        '€', '\u{81}', '‚', 'ƒ', '„', '…', '†', '‡', 'ˆ', '‰', 'Š', '‹', 'Œ', '\u{8d}', 'Ž', '\u{8f}',
+        '\u{90}', '‘', '’', '“', '”', '•', '–', '—', '˜', '™', 'š', '›', 'œ', '\u{9d}', 'ž', 'Ÿ',
+    ];
+    match byte {
+        0x80..=0x9f => HIGH[usize::from(byte - 0x80)],
+        _ => char::from(byte),
+    }
+}
+
+/// How far a time is from what is said, in seconds.
+fn away(cue: &Cue, time: f64) -> f64 {
+    (cue.start - time).max(time - cue.end).max(0.0)
+}
+
+/// Words for the frames near which something is said, as captions or balloons that find their places, and how many subtitles
+/// have none. Each subtitle goes to one frame: to the nearest that a page shows and that has room, else to the nearest of
+/// the others. Of each word `frame` is the number of its frame, and `cue` names the subtitle and the part of it.
 #[must_use]
-pub fn matched(cues: &[Cue], frames: &[Frame], kind: &str) -> Vec<Value> {
-    let mut places: Vec<(usize, Frame)> = Vec::new();
-    for frame in frames {
-        let Some(cue) = cue_at(cues, frame.time, SLACK) else { continue };
-        let off = |frame: &Frame| (frame.time - f64::midpoint(cues[cue].start, cues[cue].end)).abs();
-        match places.iter_mut().find(|(other, _)| *other == cue) {
-            Some((_, before)) if off(frame) < off(before) => *before = *frame,
-            Some(_) => {}
-            None => places.push((cue, *frame)),
+pub fn matched(cues: &[Cue], frames: &[Frame], taking: Taking) -> (Vec<Value>, usize) {
+    let words: Vec<Vec<Value>> = cues
+        .iter()
+        .map(|cue| cue.said.iter().flat_map(|said| speech::words(said, taking)).collect())
+        .collect();
+    // By time, those that are shown apart from the others.
+    let sorted = |shown: bool| {
+        let mut some: Vec<usize> = (0..frames.len()).filter(|&i| frames[i].shown == shown).collect();
+        sort_by(&mut some, |&a, &b| frames[a].time.total_cmp(&frames[b].time));
+        some
+    };
+    let mut pairs: Vec<(bool, f64, usize, usize)> = Vec::new();
+    for shown in [true, false] {
+        let some = sorted(shown);
+        for (i, cue) in cues.iter().enumerate().filter(|(i, _)| !words[*i].is_empty()) {
+            let middle = f64::midpoint(cue.start, cue.end);
+            let at = some.partition_point(|&frame| frames[frame].time < middle);
+            for &frame in &some[at.saturating_sub(NEAREST)..(at + NEAREST).min(some.len())] {
+                let off = away(cue, frames[frame].time);
+                if off <= REACH {
+                    // Of two frames in one subtitle the one nearer to its middle.
+                    pairs.push((!shown, off + (frames[frame].time - middle).abs() * 1e-3, i, frame));
+                }
+            }
         }
     }
-    let word = |(cue, frame): (usize, Frame)| json!({ "kind": kind, "text": cues[cue].text, "panel": frame.panel, "auto": true });
-    places.into_iter().map(word).collect()
+    sort_by(&mut pairs, |a, b| a.0.cmp(&b.0).then(a.1.total_cmp(&b.1)).then(a.2.cmp(&b.2)));
+    let mut room = vec![MOST_OF_FRAME; frames.len()];
+    let mut places = vec![None; cues.len()];
+    for (_, _, cue, frame) in pairs {
+        let wanted = words[cue].len();
+        // What is longer than any frame holds gets one alone.
+        if places[cue].is_none() && (room[frame] >= wanted || room[frame] == MOST_OF_FRAME) {
+            places[cue] = Some(frame);
+            room[frame] = room[frame].saturating_sub(wanted);
+        }
+    }
+    let homeless = (0..cues.len()).filter(|&i| places[i].is_none() && !words[i].is_empty()).count();
+    let mut made = Vec::new();
+    for ((cue, words), place) in cues.iter().zip(words).zip(places) {
+        let Some(frame) = place else { continue };
+        for (part, mut word) in words.into_iter().enumerate() {
+            word["frame"] = json!(frame);
+            word["cue"] = json!(format!("{:.3}/{part}", cue.start));
+            made.push(word);
+        }
+    }
+    (made, homeless)
 }
 
-/// What a file of subtitles says at the times of some frames, in JSON: `{words, cues, left, cut}`, the words and how many
-/// subtitles were read, left out, and cut; or what is wrong with it, `{flaw: {kind, line, text}}`.
+/// What a file of subtitles says at the times of some frames, in JSON: `{words, cues, homeless, left, cut, skipped, flaws, guessed}`, the
+/// words and how many subtitles were read, found no frame, were left out, cut and skipped; or what is wrong with it,
+/// `{flaw: {kind, line, text}}`. Where there are no frames, they are laid over so many panels in order, of each word its
+/// `place` among them.
 #[must_use]
-pub fn told(bytes: &[u8], vtt: bool, frames: &[Frame], kind: &str) -> String {
+pub fn told(bytes: &[u8], vtt: bool, frames: &[Frame], panels: usize, taking: Taking) -> String {
     let mut out = Writer::default();
     out.open(b'{');
     match Subtitles::read(bytes, vtt) {
-        Ok(Subtitles { cues, left, cut }) => {
-            out.key("words").list(&matched(&cues, frames, kind), &|out, word| out.value(word));
-            for (name, count) in [("cues", cues.len()), ("left", left), ("cut", cut)] {
+        Ok(Subtitles { cues, left, cut, flaws, skipped, guessed }) => {
+            let (words, homeless) = if frames.is_empty() {
+                let groups: Vec<Vec<Said>> = cues.iter().map(|cue| cue.said.clone()).collect();
+                (script::placed(&groups, panels, taking), 0)
+            } else {
+                matched(&cues, frames, taking)
+            };
+            out.key("words").list(&words, &|out, word| out.value(word));
+            let counts = [
+                ("cues", cues.len()),
+                ("homeless", homeless),
+                ("left", left),
+                ("cut", cut),
+                ("skipped", skipped),
+            ];
+            for (name, count) in counts {
                 out.key(name).whole(count as u64);
             }
+            out.key("flaws").list(&flaws, &|out, flaw| {
+                out.open(b'{');
+                flaw.write(out);
+                out.close(b'}');
+            });
+            out.key("guessed").flag(guessed);
         }
-        Err(flaw) => flaw.write(out.key("flaw")),
+        Err(flaw) => {
+            out.key("flaw").open(b'{');
+            flaw.write(&mut out);
+            out.close(b'}');
+        }
     }
     out.close(b'}');
     out.finish()
 }
 
 /// Lines of whatever system.
-fn lines(text: &str) -> Vec<&str> {
+pub(super) fn lines(text: &str) -> Vec<&str> {
     let mut lines = Vec::new();
     let mut rest = text;
     while let Some(end) = rest.find(['\r', '\n']) {
@@ -220,11 +325,11 @@ fn lines(text: &str) -> Vec<&str> {
 }
 
 /// As JavaScript has white space.
-fn is_space(letter: char) -> bool {
+pub(super) fn is_space(letter: char) -> bool {
     letter == '\u{feff}' || (letter.is_whitespace() && letter != '\u{85}')
 }
 
-fn trimmed(text: &str) -> &str {
+pub(super) fn trimmed(text: &str) -> &str {
     text.trim_matches(is_space)
 }
 
@@ -242,7 +347,8 @@ fn is_word(letter: char) -> bool {
     letter.is_ascii_alphanumeric() || letter == '_'
 }
 
-fn cue(lines: &[&str], from: usize, end: usize) -> Result<Cue> {
+/// When a block is said, and its lines.
+fn cue(lines: &[&str], from: usize, end: usize) -> Result<(f64, f64, String)> {
     // A number or a name may stand before the times.
     let at = if lines[from].contains("-->") { from } else { from + 1 };
     let line = lines.get(at).filter(|line| at < end && line.contains("-->"));
@@ -254,7 +360,7 @@ fn cue(lines: &[&str], from: usize, end: usize) -> Result<Cue> {
     if end_time < start {
         return Err(Flaw::Order(at + 1));
     }
-    Ok(Cue { start, end: end_time, text: plain(&lines[at + 1..end]) })
+    Ok((start, end_time, plain(&lines[at + 1..end])))
 }
 
 /// `hours:minutes:seconds,thousandths`, the hours left out or not.
@@ -276,13 +382,23 @@ fn seconds(time: &str) -> Option<f64> {
     )
 }
 
-/// Text without tags, places and entities.
+/// Lines without tags, places and entities. Who speaks in `WebVTT` begins as with a dash.
 fn plain(lines: &[&str]) -> String {
-    let lines = lines.iter().map(|line| without(&without(line, "<", ">"), "{\\", "}"));
-    let lines: Vec<String> =
-        lines.map(|line| trimmed(&line).to_owned()).filter(|line| !line.is_empty()).collect();
-    let text = entities(&lines.join(" "));
-    text.split(is_space).filter(|word| !word.is_empty()).collect::<Vec<_>>().join(" ")
+    let bare = |line: &str| {
+        let line = entities(&without(&without(line, "<", ">"), "{\\", "}"));
+        line.split(is_space).filter(|word| !word.is_empty()).collect::<Vec<_>>().join(" ")
+    };
+    let lines = lines.iter().map(|line| voices(line));
+    let bare: Vec<String> = lines.flat_map(|line| line.split('\n').map(bare).collect::<Vec<_>>()).collect();
+    bare.into_iter().filter(|line| !line.is_empty()).collect::<Vec<_>>().join("\n")
+}
+
+/// A line with a new one and a dash where `<v Name>` stands.
+fn voices(line: &str) -> String {
+    if !line.contains("<v") {
+        return line.to_owned();
+    }
+    line.replace("<v ", "\n- <v ").replace("<v.", "\n- <v.")
 }
 
 /// Without what stands between these; what is not closed stays.
@@ -337,7 +453,11 @@ mod tests {
 
     fn cues(text: &str, vtt: bool) -> Vec<(f64, f64, String)> {
         let read = Subtitles::parse(text, vtt).unwrap();
-        read.cues.into_iter().map(|Cue { start, end, text }| (start, end, text)).collect()
+        read.cues.iter().map(|cue| (cue.start, cue.end, said(cue))).collect()
+    }
+
+    fn said(cue: &Cue) -> String {
+        cue.said.iter().map(|said| said.text.as_str()).collect::<Vec<_>>().join(" | ")
     }
 
     #[test]
@@ -353,7 +473,6 @@ mod tests {
 
     #[test]
     fn what_is_malformed_names_its_line() {
-        let time = "00:00:01,000 --> 00:00:02,000";
         let cases = [
             (String::new(), false, Flaw::Empty),
             ("1\n00:00:01,000 > 00:00:02,000\nHi".into(), false, Flaw::Stray(1, "1".into())),
@@ -369,7 +488,6 @@ mod tests {
                 Flaw::Time(2, "00:00:01,000 --> 99999:00:02,000".into()),
             ),
             ("1\n00:00:03,000 --> 00:00:02,000\nHi".into(), false, Flaw::Order(2)),
-            (format!("1\n{time}\nHi\n\nno time here\nnone"), false, Flaw::Stray(5, "no time here".into())),
             (format!("{}\nx", "-->".repeat(20)), false, Flaw::Time(1, format!("{}-…", "-->".repeat(13)))),
             ("1\n".into(), false, Flaw::Stray(1, "1".into())),
             ("00:01.000 --> 00:02.000\nHi".into(), true, Flaw::Header),
@@ -378,6 +496,28 @@ mod tests {
         for (text, vtt, flaw) in cases {
             assert_eq!(Subtitles::parse(&text, vtt), Err(flaw), "{text:?}");
         }
+    }
+
+    #[test]
+    fn a_subtitle_that_is_malformed_costs_itself_alone() {
+        let time = "00:00:01,000 --> 00:00:02,000";
+        let text = format!("1\n{time}\nHi\n\nno time here\nnone\n\n3\nsoon --> later\nx\n\n4\n{time}\nBye");
+        let read = Subtitles::parse(&text, false).unwrap();
+        assert_eq!(read.cues.iter().map(said).collect::<Vec<_>>(), ["Hi", "Bye"]);
+        let flaws = [Flaw::Stray(5, "no time here".into()), Flaw::Time(9, "soon --> later".into())];
+        assert_eq!((read.skipped, &read.flaws[..]), (2, &flaws[..]));
+        let many = format!("{}{time}\nHi", "x\ny\n\n".repeat(9));
+        let read = Subtitles::parse(&many, false).unwrap();
+        assert_eq!((read.skipped, read.flaws.len()), (9, MOST_SKIPPED));
+    }
+
+    #[test]
+    fn speakers_of_one_subtitle_are_told_apart() {
+        let time = "00:00:01.000 --> 00:00:02.000";
+        let read = |text: &str| cues(&format!("WEBVTT\n\n{time}\n{text}"), true)[0].2.clone();
+        assert_eq!(read("<v Anna>Who?\n<v.loud Ben>Me.</v>"), "Who? | Me.");
+        assert_eq!(read("- Who?\n- Me."), "Who? | Me.");
+        assert_eq!(read("ANNA: Who?\n[a bell]"), "Who? | a bell");
     }
 
     #[test]
@@ -396,46 +536,92 @@ mod tests {
         }
     }
 
+    const TAKING: Taking = Taking { kind: "balloon", sounds: false };
+
     #[test]
     fn what_a_file_says_is_told_as_json() {
-        let read = |bytes: &[u8]| -> Value {
-            let frames = [Frame { panel: 2, time: 1.5 }];
-            serde_json::from_str(&told(bytes, false, &frames, "balloon")).unwrap()
+        let read = |bytes: &[u8], frames: &[Frame]| -> Value {
+            serde_json::from_str(&told(bytes, false, frames, 2, TAKING)).unwrap()
         };
-        let word = json!({ "kind": "balloon", "text": "Hello there", "panel": 2, "auto": true });
-        assert_eq!(read(SRT.as_bytes()), json!({ "words": [word], "cues": 2, "left": 0, "cut": 0 }));
-        assert_eq!(read(b"1\n"), json!({ "flaw": { "kind": "stray", "line": 1, "text": "1" } }));
-        assert_eq!(read(b"1\0"), json!({ "flaw": { "kind": "binary" } }));
+        let frames = [Frame { time: 90.0, shown: true }, Frame { time: 1.5, shown: true }];
+        let word = json!({ "kind": "balloon", "text": "Hello there", "auto": true });
+        let on = |word: &Value, name: &str, at: Value| {
+            let mut word = word.clone();
+            word[name] = at;
+            word
+        };
+        let placed = on(&on(&word, "frame", json!(1)), "cue", json!("1.000/0"));
+        let answer = read(SRT.as_bytes(), &frames);
+        assert_eq!(answer["words"][0], placed);
+        assert_eq!(
+            (&answer["cues"], &answer["homeless"], &answer["guessed"]),
+            (&json!(2), &json!(0), &json!(false))
+        );
+        // Without frames they are laid over the panels.
+        let words = read(SRT.as_bytes(), &[])["words"].clone();
+        let bye = json!({ "kind": "balloon", "text": "Bye", "auto": true });
+        assert_eq!(words, json!([on(&word, "place", json!(0)), on(&bye, "place", json!(1))]));
+        assert_eq!(read(b"1\n", &[]), json!({ "flaw": { "kind": "stray", "line": 1, "text": "1" } }));
+        assert_eq!(read(b"1\0", &[]), json!({ "flaw": { "kind": "binary" } }));
     }
 
     #[test]
-    fn files_are_read_in_utf_8_and_utf_16_and_refused_in_anything_else() {
+    fn files_are_read_in_utf_8_utf_16_and_windows_1252_and_refused_in_anything_else() {
         let units: Vec<u16> = SRT.encode_utf16().collect();
         let little: Vec<u8> = units.iter().flat_map(|unit| unit.to_le_bytes()).collect();
         let big: Vec<u8> = units.iter().flat_map(|unit| unit.to_be_bytes()).collect();
         for bytes in [SRT.as_bytes(), &little, &big] {
-            assert_eq!(Subtitles::read(bytes, false).unwrap().cues.len(), 2);
+            let read = Subtitles::read(bytes, false).unwrap();
+            assert_eq!((read.cues.len(), read.guessed), (2, false));
         }
-        for bytes in [&[0x31, 0xe9, 0x0a][..], b"1\0", &[0xFF, 0xFE, 0x00], &[0xFE, 0xFF, 0xD8, 0x00]] {
+        let read =
+            Subtitles::read(b"00:00:01,000 --> 00:00:02,000\n\x93Caf\xe9\x94 \x96 5\xa0\x80", false).unwrap();
+        assert_eq!((said(&read.cues[0]).as_str(), read.guessed), ("“Café” – 5 €", true));
+        for bytes in [&[0x31, 0xe9, 0x0a, 0x01][..], b"1\0", &[0xFF, 0xFE, 0x00], &[0xFE, 0xFF, 0xD8, 0x00]] {
             assert_eq!(Subtitles::read(bytes, false), Err(Flaw::Binary));
         }
         assert_eq!(Subtitles::read(&vec![b' '; MOST_BYTES + 1], false), Err(Flaw::Large));
     }
 
-    #[test]
-    fn a_frame_has_what_is_said_at_its_time_or_close_to_it() {
-        let cues = Subtitles::parse(SRT, false).unwrap().cues;
-        let at = |time| cue_at(&cues, time, 0.5).map(|cue| cues[cue].text.as_str());
-        assert_eq!((at(2.0), at(2.9), at(5.0)), (Some("Hello there"), Some("Hello there"), None));
-        assert_eq!(cue_at(&[], 5.0, 0.5), None);
+    /// Where words go: their texts, and the numbers of their frames.
+    fn homes(cues: &[Cue], frames: &[(f64, bool)]) -> (Vec<(String, u64)>, usize) {
+        let frames: Vec<Frame> = frames.iter().map(|&(time, shown)| Frame { time, shown }).collect();
+        let (words, homeless) = matched(cues, &frames, TAKING);
+        let home =
+            |word: &Value| (word["text"].as_str().unwrap().to_owned(), word["frame"].as_u64().unwrap());
+        (words.iter().map(home).collect(), homeless)
+    }
+
+    fn film(count: usize, every: usize) -> Vec<Cue> {
+        let cue = |i| {
+            let from = i * every;
+            format!("00:00:{from:02},000 --> 00:00:{from:02},900\nLine {i}")
+        };
+        Subtitles::parse(&(0..count).map(cue).collect::<Vec<_>>().join("\n\n"), false).unwrap().cues
     }
 
     #[test]
-    fn a_subtitle_goes_to_one_frame_only_the_one_nearest_to_its_middle() {
-        let frames = [(0, 1.1), (1, 1.7), (2, 30.0), (3, 61.0)].map(|(panel, time)| Frame { panel, time });
-        let words = matched(&Subtitles::parse(SRT, false).unwrap().cues, &frames, "caption");
-        let word = |text: &str, panel: usize| json!({ "kind": "caption", "text": text, "panel": panel, "auto": true });
-        assert_eq!(words, [word("Hello there", 1), word("Bye", 3)]);
+    fn a_subtitle_goes_to_one_frame_only_the_nearest_to_it() {
+        let cues = Subtitles::parse(SRT, false).unwrap().cues;
+        let (words, homeless) = homes(&cues, &[(1.1, true), (1.7, true), (30.0, true), (61.0, true)]);
+        assert_eq!((words, homeless), (vec![("Hello there".into(), 1), ("Bye".into(), 3)], 0));
+        // What is said minutes away says nothing about a frame.
+        assert_eq!(homes(&cues[..1], &[(90.0, true)]), (vec![], 1));
+    }
+
+    #[test]
+    fn all_subtitles_of_a_short_film_find_a_frame() {
+        let (words, homeless) = homes(&film(11, 4), &[(2.0, true), (14.0, true), (26.0, true), (38.0, true)]);
+        assert_eq!((words.len(), homeless), (11, 0));
+        assert!((0..4).all(|frame| words.iter().filter(|word| word.1 == frame).count() <= MOST_OF_FRAME));
+        assert_eq!(homes(&film(11, 4), &[(20.0, true)]).1, 11 - MOST_OF_FRAME);
+    }
+
+    #[test]
+    fn frames_that_are_seen_come_first() {
+        let cues = film(1, 1);
+        assert_eq!(homes(&cues, &[(0.5, false), (6.0, true)]).0[0].1, 1);
+        assert_eq!(homes(&cues, &[(0.5, false), (60.0, true)]).0[0].1, 0);
     }
 
     #[test]
@@ -443,11 +629,11 @@ mod tests {
         const CUE: &str = "00:00:01,000 --> 00:00:02,000\n";
         let many: Vec<String> = (0..MOST_CUES + 7).map(|i| format!("{CUE}{i}")).collect();
         let read = Subtitles::parse(&many.join("\n\n"), false).unwrap();
-        assert_eq!((read.cues.len(), read.left, read.cues[0].text.as_str()), (MOST_CUES, 7, "0"));
+        assert_eq!((read.cues.len(), read.left, said(&read.cues[0]).as_str()), (MOST_CUES, 7, "0"));
         let long = format!("{CUE}{}\n\n{CUE}short", "\u{1f600}".repeat(MOST_LETTERS + 1));
         let read = Subtitles::parse(&long, false).unwrap();
         assert_eq!(
-            (read.cut, read.cues[0].text.chars().count(), read.cues[1].text.as_str()),
+            (read.cut, said(&read.cues[0]).chars().count(), said(&read.cues[1]).as_str()),
             (1, MOST_LETTERS, "short")
         );
     }
@@ -482,11 +668,14 @@ mod tests {
                 Err(_) => {}
                 Ok(read) => {
                     prop_assert!(!read.cues.is_empty());
-                    prop_assert!(read.cues.iter().map(|cue| cue.text.len()).sum::<usize>() <= text.len());
                     prop_assert!(read.cues.is_sorted_by(|a, b| a.start <= b.start));
-                    for Cue { start, end, text } in &read.cues {
-                        prop_assert!(end >= start && *start >= 0.0 && !text.is_empty() && trimmed(text) == text);
+                    for Cue { start, end, said } in &read.cues {
+                        prop_assert!(end >= start && *start >= 0.0 && !said.is_empty());
+                        prop_assert!(said.iter().all(|said| !said.text.is_empty() && trimmed(&said.text) == said.text));
                     }
+                    let frames = [Frame { time: 1.0, shown: true }, Frame { time: 2.0, shown: false }];
+                    let (words, homeless) = matched(&read.cues, &frames, TAKING);
+                    prop_assert!(homeless <= read.cues.len() && words.iter().all(|word| word["frame"].as_u64() < Some(2)));
                 }
             }
         }

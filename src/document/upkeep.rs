@@ -101,6 +101,13 @@ impl Planning<'_> {
             if let Some(photo) = panel.photo.as_deref().filter(|photo| !used.contains(photo)) {
                 panel.photo = Some(swap(photo));
                 (panel.crop, panel.edited, panel.locked) = (None, false, false);
+                panel.faces.clear();
+            }
+        }
+        // What is said of a photo is said of the one that looks like it, too.
+        for word in &mut current.words {
+            if let Some(other) = word["photo"].as_str().map(&swap) {
+                word["photo"] = other.into();
             }
         }
         let layout = free.len() >= places_of(page);

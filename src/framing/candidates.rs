@@ -8,6 +8,7 @@
 use super::frame::Target;
 use super::photo::{Crop, FACE, PhotoMeta, Subject};
 use crate::layout::Bounds;
+use crate::order::sort_by;
 
 /// Where the centre of a face stands in the height of a crop.
 const EYE_LINE: f64 = 0.42;
@@ -85,7 +86,7 @@ impl<'a> View<'a> {
             let size = area.width * area.height * s.score.clamp(0.0, 1.0);
             if s.label == FACE { size + width * height } else { size }
         };
-        subjects.sort_by(|a, b| rank(b).total_cmp(&rank(a)));
+        sort_by(&mut subjects, |a, b| rank(b).total_cmp(&rank(a)));
         let faces = subjects.iter().filter(|(_, subject)| subject.label == FACE).count();
         subjects.truncate(MOST_SUBJECTS.max(faces.min(MOST_FACES)));
         let grown = subjects.iter().map(|(_, subject)| area(&subject.grown())).collect();
@@ -387,7 +388,7 @@ fn stops(at: f64, length: f64, limit: f64, faces: impl Iterator<Item = (f64, f64
         .chain([at])
         .map(move |place| place.clamp(0.0, room))
         .collect();
-    places.sort_by(|a, b| (a - at).abs().total_cmp(&(b - at).abs()));
+    sort_by(&mut places, |a, b| (a - at).abs().total_cmp(&(b - at).abs()));
     places.dedup();
     places
 }

@@ -7,6 +7,7 @@
 
 use super::Subject;
 use super::energy::{luma, rgb};
+use crate::order::{sort_by, sort_by_key};
 use crate::raster::Image;
 use crate::raster::sets::Sets;
 
@@ -113,7 +114,7 @@ pub fn lettering(image: &Image) -> Vec<Subject> {
         lines.extend(lines_of(letters).into_iter().filter(|line| sheet.is_printed(line)));
     }
     let mut blocks = joined(lines);
-    blocks.sort_by(|a, b| (b.width() * b.height()).total_cmp(&(a.width() * a.height())));
+    sort_by(&mut blocks, |a, b| (b.width() * b.height()).total_cmp(&(a.width() * a.height())));
     let subject = |line: &Piece| Subject {
         x: line.left as f64 / width as f64,
         y: line.top as f64 / height as f64,
@@ -244,7 +245,7 @@ fn pieces(mask: &[bool], lumas: &[u8], width: usize) -> Vec<Piece> {
 
 /// Rows of letters that stand side by side on a line.
 fn lines_of(mut letters: Vec<Piece>) -> Vec<Piece> {
-    letters.sort_by_key(|letter| letter.left);
+    sort_by_key(&mut letters, |letter| letter.left);
     let mut used = vec![false; letters.len()];
     let mut lines = Vec::new();
     for first in 0..letters.len() {

@@ -1,5 +1,6 @@
 //! The templates that ship with the program: every file of `layouts/`, embedded at build time.
 
+use crate::order::sort_by;
 use std::sync::{Mutex, OnceLock, PoisonError};
 
 use super::template::Template;
@@ -17,7 +18,7 @@ pub fn catalogue() -> &'static [Template] {
         let parsed = LAYOUT_FILES.iter().map(|(file, json)| Template::parse(file, json));
         let mut templates: Vec<Template> = parsed.filter_map(Result::ok).collect();
         let family = |template: &Template| super::FAMILIES.iter().position(|f| *f == template.family());
-        templates.sort_by(|a, b| {
+        sort_by(&mut templates, |a, b| {
             let key = |t: &Template| (family(t), t.panels().len());
             key(a).cmp(&key(b)).then_with(|| a.id().cmp(b.id()))
         });

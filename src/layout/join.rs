@@ -8,6 +8,7 @@ use super::edit::{base_weights, in_tree, rebuilt, refused, tree};
 use super::template::Template;
 use super::tree::{Axis, Node, PAGE, Split};
 use crate::error::Result;
+use crate::order::sort_by;
 
 /// Places within this of each other are the same, in parts of a cell: shares have four digits.
 const NEAR: f64 = 1e-3;
@@ -167,7 +168,7 @@ fn partition(rects: &[Rect], ids: &mut Vec<usize>) -> Option<Node> {
 /// The rectangles by what lies between two neighbouring cuts all the way across.
 fn bands(rects: &[Rect], axis: Axis) -> Vec<Vec<Rect>> {
     let mut sorted = rects.to_vec();
-    sorted.sort_by(|a, b| a.extent(axis).0.total_cmp(&b.extent(axis).0));
+    sort_by(&mut sorted, |a, b| a.extent(axis).0.total_cmp(&b.extent(axis).0));
     let mut bands: Vec<Vec<Rect>> = Vec::new();
     let mut reached = f64::NEG_INFINITY;
     for rect in sorted {

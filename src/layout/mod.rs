@@ -24,7 +24,9 @@ pub use catalogue::{catalogue, find, good_for};
 pub use generate::generate;
 pub use polygon::{Bounds, Point};
 pub use resolve::{ResolvedPanel, ResolvedShape, resolve};
-pub use settings::{DEFAULT_GUTTER, DPI, MOST_PIXELS, PRESETS, PagePreset, PageSettings, SIDES};
+pub use settings::{
+    DEFAULT_GUTTER, DPI, MOST_PIXELS, PRESETS, PagePreset, PageSettings, Purpose, SIDES, preset,
+};
 pub use template::{Body, LEAST_THICKNESS, Panel, Shape, Template};
 pub use write::{Circle, Descriptor, LayoutPanel, Outline, PlacedPanel};
 

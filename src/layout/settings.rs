@@ -32,6 +32,15 @@ pub struct PageSettings {
     pub paper: String,
     /// Colour of the line round a panel, `#rrggbb`.
     pub border_color: String,
+    /// How far what ends at the edge goes on beyond it, 0..=0.1: for a file that is printed and cut, never saved.
+    #[serde(skip_serializing_if = "is_none")]
+    #[cfg_attr(all(test, feature = "cli"), ts(as = "Option<f64>", optional))]
+    pub bleed: f64,
+}
+
+#[allow(clippy::trivially_copy_pass_by_ref, reason = "serde asks by reference")]
+fn is_none(bleed: &f64) -> bool {
+    *bleed <= 0.0
 }
 
 impl Default for PageSettings {
@@ -47,40 +56,105 @@ impl Default for PageSettings {
             corner_radius: 0.0,
             paper: "#ffffff".into(),
             border_color: "#111111".into(),
+            bleed: 0.0,
         }
     }
 }
 
-/// A page size that people know by name.
+/// What a page size is for.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "lowercase")]
+pub enum Purpose {
+    /// Paper of offices and homes.
+    Paper,
+    /// Books that are printed and cut.
+    Book,
+    /// Screens.
+    Screen,
+}
+
+/// A page size that people know by name.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 pub struct PagePreset {
     /// Stable name.
     pub id: &'static str,
     /// The name that people see.
     pub name: &'static str,
+    /// What it is for.
+    pub purpose: Purpose,
     /// Width in pixels.
     pub width: u32,
     /// Height in pixels.
     pub height: u32,
     /// Pixels an inch.
     pub dpi: u32,
+    /// How far faces and words stay from the edge, left and right, then top and bottom, in pixels: what is nearer may be cut
+    /// off, or lie under what apps lay over it.
+    pub safe: [u32; 2],
+    /// How far they stay from the middle, where two pages are bound, to each side; 0 for a single page.
+    pub fold: u32,
 }
 
-const fn preset(id: &'static str, name: &'static str, width: u32, height: u32, dpi: u32) -> PagePreset {
-    PagePreset { id, name, width, height, dpi }
+/// Pixels of so many tenths of a millimetre at 300 dots an inch.
+const fn tenths(length: u32) -> u32 {
+    (length * 300 + 127) / 254
 }
 
-/// The page sizes that are offered, the default first.
-pub const PRESETS: [PagePreset; 8] = [
-    preset("a4", "A4", 2480, 3508, 300),
-    preset("a4-landscape", "A4 landscape", 3508, 2480, 300),
-    preset("letter", "Letter", 2550, 3300, 300),
-    preset("square", "Square", 2400, 2400, 300),
-    preset("wide", "Screen 16:9", 3840, 2160, 96),
-    preset("story", "Story 9:16", 1440, 2560, 96),
-    preset("portrait", "Portrait 4:5", 2160, 2700, 96),
-    preset("webtoon", "Webtoon", 1600, 4000, 96),
+/// A size in pixels at 300 dots an inch whose edge may be cut off by so many tenths of a millimetre.
+const fn printed(
+    id: &'static str,
+    name: &'static str,
+    purpose: Purpose,
+    (width, height): (u32, u32),
+    safe: u32,
+) -> PagePreset {
+    PagePreset { id, name, purpose, width, height, dpi: 300, safe: [tenths(safe); 2], fold: 0 }
+}
+
+/// A size of screens, with what apps lay over its sides, and its top and bottom.
+const fn screen(
+    id: &'static str,
+    name: &'static str,
+    (width, height): (u32, u32),
+    safe: [u32; 2],
+) -> PagePreset {
+    PagePreset { id, name, purpose: Purpose::Screen, width, height, dpi: 96, safe, fold: 0 }
+}
+
+/// Two pages of a book beside each other.
+const fn spread(id: &'static str, name: &'static str, size: (u32, u32)) -> PagePreset {
+    PagePreset { fold: tenths(100), ..printed(id, name, Purpose::Book, size, 60) }
+}
+
+/// The page sizes that are offered, the default first. Safe areas: what printers of each kind ask for.
+pub const PRESETS: [PagePreset; 20] = [
+    printed("a4", "A4", Purpose::Paper, (2480, 3508), 50),
+    printed("a4-landscape", "A4 landscape", Purpose::Paper, (3508, 2480), 50),
+    printed("a3", "A3", Purpose::Paper, (3508, 4961), 50),
+    printed("a5", "A5", Purpose::Paper, (1748, 2480), 50),
+    printed("a6", "A6", Purpose::Paper, (1240, 1748), 40),
+    printed("letter", "Letter", Purpose::Paper, (2550, 3300), 64),
+    printed("letter-landscape", "Letter landscape", Purpose::Paper, (3300, 2550), 64),
+    printed("half-letter", "Half Letter", Purpose::Paper, (1650, 2550), 64),
+    printed("legal", "Legal", Purpose::Paper, (2550, 4200), 64),
+    printed("tabloid", "Tabloid", Purpose::Paper, (3300, 5100), 64),
+    printed("us-comic", "US comic", Purpose::Book, (1988, 3075), 64),
+    printed("manga-b5", "Manga B5", Purpose::Book, (2150, 3035), 60),
+    printed("tankobon", "Tankobon", Purpose::Book, (1500, 2150), 60),
+    printed("square", "Square", Purpose::Book, (2400, 2400), 50),
+    spread("spread-a4", "Photo book, A4 spread", (4961, 3508)),
+    spread("spread-square", "Photo book, square spread", (4961, 2480)),
+    screen("wide", "Screen 16:9", (3840, 2160), [192, 108]),
+    screen("story", "Story 9:16", (1440, 2560), [86, 333]),
+    screen("portrait", "Portrait 4:5", (2160, 2700), [108, 135]),
+    screen("webtoon", "Webtoon", (1600, 4000), [80, 0]),
 ];
+
+/// The page size of a name.
+#[must_use]
+pub fn preset(id: &str) -> Option<PagePreset> {
+    PRESETS.into_iter().find(|preset| preset.id == id)
+}
 
 /// The most pixels of an exported page: A1 at 300 dots an inch.
 pub const MOST_PIXELS: u64 = 72_000_000;
@@ -112,6 +186,7 @@ impl PageSettings {
             ("margin", &mut page.margin),
             ("border", &mut page.border),
             ("cornerRadius", &mut page.corner_radius),
+            ("bleed", &mut page.bleed),
         ];
         for (name, length) in lengths {
             *length = fields.number(name, f64::MIN, f64::MAX)?.unwrap_or(*length);
@@ -163,6 +238,7 @@ impl PageSettings {
             ("margin", self.margin, 0.2),
             ("border", self.border, 0.05),
             ("cornerRadius", self.corner_radius, 0.2),
+            ("bleed", self.bleed, 0.1),
         ];
         for (field, value, most) in lengths {
             if !(0.0..=most).contains(&value) {

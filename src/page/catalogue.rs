@@ -75,6 +75,10 @@ pub enum ParamKind {
     Boolean,
     /// One of some names.
     Choice,
+    /// A person's own picture: its data URL, or an empty text.
+    Texture,
+    /// `#rrggbb`.
+    Colour,
 }
 
 /// All filter blocks.
@@ -135,6 +139,12 @@ fn param(param: &Param) -> ParamEntry {
             let default = names.first().copied().into();
             ParamEntry { kind: ParamKind::Choice, default, choices: Some(names), ..entry }
         }
+        Kind::Texture => ParamEntry { kind: ParamKind::Texture, default: "".into(), ..entry },
+        Kind::Colour { .. } => ParamEntry {
+            kind: ParamKind::Colour,
+            default: param.value_to_json(param.kind.default()),
+            ..entry
+        },
     }
 }
 

@@ -3,12 +3,15 @@
 //! A patch is a panel with its mask and its border as straight-alpha RGBA. Painting all patches in their order
 //! over the paper colour gives the page; the browser does that on a canvas, [`Sheet`] does it for files.
 
+use super::bleed;
 use super::mask::{self, PixelRect};
 use super::scene::{Scene, ScenePanel};
 use crate::error::{Error, Result};
+use crate::framing::Crop;
 use crate::layout::Bounds;
 use crate::raster::Image;
 use crate::raster::resize::{Region, resample_image};
+use crate::style::faces::FaceBox;
 use crate::style::{Context, stylize};
 
 /// A rectangle of straight-alpha RGBA pixels at a place of the page.
@@ -74,20 +77,50 @@ fn panel_image(
     let at = PixelRect::around(panel.image_bounds, 0.0);
     let Bounds { x, y, width, height } = panel.image_bounds;
     let (photo_width, photo_height) = (photo.width() as f64, photo.height() as f64);
+    // Where the photo ends before the bleed does, its mirror image goes on.
+    let outside = |start: f64, length: f64, bounds: f64, from: f64, pixel: i64, count: usize| {
+        if start >= 0.0 && start + length <= 1.0 {
+            return (0, 0);
+        }
+        let step = length / bounds;
+        bleed::beyond(start + (pixel as f64 - from) * step, step, count)
+    };
+    let crop = panel.crop;
+    let (before, behind) = outside(crop.x, crop.width, width, x, at.x, at.width);
+    let (above, below) = outside(crop.y, crop.height, height, y, at.y, at.height);
+    let inner = PixelRect {
+        x: at.x + before as i64,
+        y: at.y + above as i64,
+        width: at.width - before - behind,
+        height: at.height - above - below,
+    };
     // The crop belongs to the exact bounds; whole pixels reach a little further on each side.
-    let (step_x, step_y) =
-        (panel.crop.width * photo_width / width, panel.crop.height * photo_height / height);
+    let (step_x, step_y) = (crop.width * photo_width / width, crop.height * photo_height / height);
     let span = |start: f64, step: f64, from: f64, pixel: i64, count: usize, limit: f64| {
         let low = (start + (pixel as f64 - from) * step).clamp(0.0, limit - 1e-3);
         let high = (start + ((pixel + count as i64) as f64 - from) * step).clamp(low + 1e-3, limit);
         (low, high - low)
     };
-    let (left, region_width) = span(panel.crop.x * photo_width, step_x, x, at.x, at.width, photo_width);
-    let (top, region_height) = span(panel.crop.y * photo_height, step_y, y, at.y, at.height, photo_height);
+    let (left, region_width) = span(crop.x * photo_width, step_x, x, inner.x, inner.width, photo_width);
+    let (top, region_height) = span(crop.y * photo_height, step_y, y, inner.y, inner.height, photo_height);
     let region = Region { x: left, y: top, width: region_width, height: region_height };
-    let image = resample_image(photo, region, at.width, at.height);
+    let image = resample_image(photo, region, inner.width, inner.height);
+    let image = if inner == at { image } else { bleed::mirrored(&image, (before, above), at) };
     context.check_cancelled()?;
+    context.show_faces(faces_in(panel, (photo_width, photo_height), region, at));
     Ok((stylize(&image, &scene.style, context)?, at))
+}
+
+/// The faces of a panel's photo in pixels of its image.
+fn faces_in(panel: &ScenePanel, photo: (f64, f64), region: Region, at: PixelRect) -> Vec<FaceBox> {
+    let (across, down) = (at.width as f64 / region.width, at.height as f64 / region.height);
+    let face = |face: &Crop| FaceBox {
+        x: (face.x * photo.0 - region.x) * across,
+        y: (face.y * photo.1 - region.y) * down,
+        width: face.width * photo.0 * across,
+        height: face.height * photo.1 * down,
+    };
+    panel.faces.iter().map(face).collect()
 }
 
 /// Copies the pixels that `area` and the image share.

@@ -9,6 +9,7 @@
 
 use super::mask::PixelRect;
 use crate::layout::Point;
+use crate::order::sort_by;
 
 /// A closed line; its area is added to the coverage, or taken off it.
 pub struct Contour {
@@ -25,7 +26,7 @@ const BLOCK: usize = 32;
 #[must_use]
 pub fn coverage(contours: &[Contour], area: PixelRect) -> Vec<u8> {
     let mut waiting: Vec<Segment> = contours.iter().flat_map(|contour| segments(contour, area)).collect();
-    waiting.sort_by(|a, b| b.top.total_cmp(&a.top));
+    sort_by(&mut waiting, |a, b| b.top.total_cmp(&a.top));
     let mut crossing: Vec<Segment> = Vec::new();
     let mut changes = Changes::new(area.width);
     let mut samples = vec![0; area.width * area.height];

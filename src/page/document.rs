@@ -6,7 +6,7 @@ use crate::error::{Error, Result};
 use crate::framing::Crop;
 use crate::json::{Fields, Read, Writer, Wrong, each, fields, items};
 use crate::layout::{self, PageSettings, Template};
-use crate::style::{Style, catalogue};
+use crate::style::{Style, catalogue, earlier};
 use serde::{Deserialize, Deserializer};
 use serde_json::{Map, Value};
 use std::borrow::Cow;
@@ -17,6 +17,8 @@ pub const VERSION: u32 = 1;
 pub const MOST_PHOTOS: usize = 5_000;
 /// Most panels of a page: more than a layout has.
 const MOST_PANELS: usize = 100;
+/// Most faces of a panel: those of more are too small to be cared for.
+pub const MOST_FACES: usize = 64;
 /// Most characters of an id of a photo, a style or a layout.
 pub const LONGEST_ID: usize = 200;
 /// How far a crop may reach beyond its photo: numbers are rounded. And the least side of a crop.
@@ -80,6 +82,9 @@ pub struct PanelContent {
     pub photo: Option<String>,
     /// The part of the photo that fills the panel, or the group it is merged into.
     pub crop: Option<Crop>,
+    /// Faces of the photo, in fractions of it, which the style takes care of. Pages of before have none, and look as they did.
+    #[cfg_attr(all(test, feature = "cli"), ts(as = "Option<Vec<Crop>>", optional))]
+    pub faces: Vec<Crop>,
     /// Kept by every shuffle.
     #[cfg_attr(all(test, feature = "cli"), ts(as = "Option<_>", optional))]
     pub locked: bool,
@@ -136,7 +141,7 @@ impl Document {
             version: VERSION,
             seed: fields.count("seed", 0, u64::from(u32::MAX))? as u32,
             layout: fields.required("layout")?,
-            style: fields.required("style")?,
+            style: earlier::told(fields.required("style")?),
             order,
             panels,
             // A panel shares its image with others, or with none.
@@ -212,9 +217,11 @@ impl PanelContent {
     fn read(value: Value) -> Read<Self> {
         let mut fields = Fields::of(value)?;
         let crop = fields.nullable("crop").part("crop", &mut read_crop)?;
+        let faces = fields.each("faces", MOST_FACES, &read_face)?;
         Ok(Self {
             photo: fields.nullable("photo").text("photo", LONGEST_ID)?,
             crop,
+            faces,
             locked: fields.nullable("locked").flag("locked")?,
             edited: fields.nullable("edited").flag("edited")?,
             rest: fields.rest(),
@@ -228,11 +235,26 @@ impl PanelContent {
             None => out.key("photo").null(),
         }
         out.key("crop").put(&self.crop);
+        if !self.faces.is_empty() {
+            out.key("faces").list(&self.faces, &|out, face| out.put(face));
+        }
         out.key("locked").flag(self.locked);
         out.key("edited").flag(self.edited);
         out.rest(&self.rest);
         out.close(b'}');
     }
+}
+
+/// The box of a face, of which a part may lie beyond the photo.
+fn read_face(value: Value) -> Read<Crop> {
+    let mut fields = Fields::of(value)?;
+    let mut side = |name: &str, least: f64| {
+        fields.number(name, least, 2.0)?.ok_or_else(|| Wrong::new("is missing").at(name))
+    };
+    let (x, y, width, height) =
+        (side("x", -1.0)?, side("y", -1.0)?, side("width", 0.0)?, side("height", 0.0)?);
+    fields.done()?;
+    Ok(Crop { x, y, width, height })
 }
 
 /// A crop, which must lie inside of its photo.

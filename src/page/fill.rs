@@ -1,9 +1,10 @@
 //! The panels of a template as places for photos, with what a person locked or keeps, and the contents that come of it.
 
-use super::document::{Document, PanelContent};
+use super::document::{Document, MOST_FACES, PanelContent};
 use super::request::Request;
-use crate::framing::PhotoMeta;
+use crate::framing::{Crop, FACE, PhotoMeta};
 use crate::layout::{FAMILIES, ResolvedPanel, Template, resolve};
+use crate::order::sort_by;
 use crate::plan::slots::slot;
 use crate::plan::{Assignment, Candidate, Slot};
 use serde_json::Value;
@@ -81,6 +82,7 @@ pub(super) fn contents(
             PanelContent {
                 photo: assigned.map(|a| photos[a.photo].id.clone()),
                 crop: assigned.map(|a| a.crop),
+                faces: assigned.map_or_else(Vec::new, |a| faces_of(&photos[a.photo])),
                 // An empty panel may be locked too.
                 locked: head.is_some_and(|head| locked[head]) || before(i).is_some_and(|panel| panel.locked),
                 edited: assigned.is_some_and(|a| edited(leader_of(merges, i), &photos[a.photo].id)),
@@ -89,6 +91,25 @@ pub(super) fn contents(
         })
         .collect();
     (order_of(&panels, current, photos), panels)
+}
+
+/// The faces of a photo, the largest first.
+fn faces_of(photo: &PhotoMeta) -> Vec<Crop> {
+    // As few digits as say where a pixel is: a project holds many.
+    let rounded = |part: f64| (part.clamp(-1.0, 2.0) * 1e4).round() / 1e4;
+    let faces = photo.subjects.iter().filter(|subject| subject.label == FACE);
+    let mut faces: Vec<Crop> = faces
+        .map(|face| Crop {
+            x: rounded(face.x),
+            y: rounded(face.y),
+            width: rounded(face.width),
+            height: rounded(face.height),
+        })
+        .filter(|face| face.width > 0.0 && face.height > 0.0)
+        .collect();
+    sort_by(&mut faces, |a, b| b.height.total_cmp(&a.height));
+    faces.truncate(MOST_FACES);
+    faces
 }
 
 /// The panel that stands for `panel`: the first of its group.

@@ -1,24 +1,49 @@
 //! Pictures as JPEG files: pages, and the panels in a PDF file.
 
+use super::srgb;
 use crate::error::{Error, Result};
-use image::ExtendedColorType;
 use image::codecs::jpeg::{JpegEncoder, PixelDensity};
+use image::{ExtendedColorType, ImageEncoder};
 
-/// Encodes interleaved RGB with a quality from 1 to 100, as a file that says its resolution and nothing else of where
-/// it comes from.
+/// Encodes interleaved RGB with a quality from 1 to 100, as a file that says its resolution, that its colours are sRGB, and
+/// nothing else of where it comes from.
 ///
 /// # Errors
 /// `encode` when `rgb` does not hold `3 * width * height` bytes, or a side is longer than 65,535 pixels.
 pub fn encode_rgb(width: usize, height: usize, rgb: &[u8], dpi: u32, quality: u8) -> Result<Vec<u8>> {
-    if rgb.len() != width * height * 3 {
-        return Err(Error::Encode("the pixels are not as many as the sides say".into()));
+    encode(width, height, (rgb, ExtendedColorType::Rgb8), dpi, quality, true)
+}
+
+/// The same for a picture in a file that says itself what its colours are: three channels, or one where `samples` are as
+/// many as the pixels.
+///
+/// # Errors
+/// `encode` as above.
+pub fn encode_part(width: usize, height: usize, samples: &[u8], dpi: u32, quality: u8) -> Result<Vec<u8>> {
+    let gray = samples.len() == width * height;
+    let kind = if gray { ExtendedColorType::L8 } else { ExtendedColorType::Rgb8 };
+    encode(width, height, (samples, kind), dpi, quality, false)
+}
+
+fn encode(
+    width: usize,
+    height: usize,
+    (samples, kind): (&[u8], ExtendedColorType),
+    dpi: u32,
+    quality: u8,
+    alone: bool,
+) -> Result<Vec<u8>> {
+    let failed = |reason: String| Error::Encode(reason);
+    if samples.len() != width * height * usize::from(kind.channel_count()) {
+        return Err(failed("the pixels are not as many as the sides say".into()));
     }
     let mut bytes = Vec::new();
     let mut encoder = JpegEncoder::new_with_quality(&mut bytes, quality.clamp(1, 100));
     encoder.set_pixel_density(PixelDensity::dpi(dpi.min(u32::from(u16::MAX)) as u16));
-    encoder
-        .encode(rgb, width as u32, height as u32, ExtendedColorType::Rgb8)
-        .map_err(|error| Error::Encode(error.to_string()))?;
+    if alone {
+        encoder.set_icc_profile(srgb::profile().to_vec()).map_err(|error| failed(error.to_string()))?;
+    }
+    encoder.encode(samples, width as u32, height as u32, kind).map_err(|error| failed(error.to_string()))?;
     Ok(bytes)
 }
 
@@ -41,6 +66,9 @@ mod tests {
         assert!(off < 3, "{off}");
         let poor = encode_rgb(40, 30, &rgb, 300, 20).unwrap();
         assert!(poor.len() < bytes.len());
+        let holds = |file: &[u8]| file.windows(12).any(|window| window == b"ICC_PROFILE\0");
+        let part = encode_part(40, 30, &rgb, 300, 95).unwrap();
+        assert_eq!((holds(&bytes), holds(&part)), (true, false));
     }
 
     #[test]

@@ -2,9 +2,9 @@
 
 use super::compose::Sheet;
 use crate::error::{Error, Result};
-use png::{BitDepth, ColorType, Compression, Encoder, PixelDimensions, Unit};
+use png::{BitDepth, ColorType, Compression, Encoder, PixelDimensions, SrgbRenderingIntent, Unit};
 
-/// Encodes a page as an 8-bit RGB PNG that says its resolution.
+/// Encodes a page as an 8-bit RGB PNG that says its resolution and that its colours are sRGB.
 ///
 /// # Errors
 /// `encode` when the encoder fails, which only memory can make it do.
@@ -22,6 +22,7 @@ pub fn encode_rgb(width: usize, height: usize, rgb: &[u8], dpi: u32) -> Result<V
     let mut encoder = Encoder::new(&mut bytes, width as u32, height as u32);
     encoder.set_color(ColorType::Rgb);
     encoder.set_depth(BitDepth::Eight);
+    encoder.set_source_srgb(SrgbRenderingIntent::Perceptual);
     // A person waits for it: a few per cent of size are not worth ten times the time.
     encoder.set_compression(Compression::Fast);
     let per_metre = (f64::from(dpi) / 0.0254).round() as u32;

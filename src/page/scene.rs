@@ -1,6 +1,7 @@
 //! A document resolved to pixels of one size: what the renderer needs to know and nothing of how it came
 //! about.
 
+use super::bleed;
 use super::document::Document;
 use super::mask::PixelRect;
 use crate::error::{Error, Result};
@@ -51,8 +52,10 @@ pub struct ScenePanel {
     pub area: PixelRect,
     /// Id of the photo, none for an empty panel.
     pub photo: Option<String>,
-    /// Part of the photo that fills `image_bounds`.
+    /// Part of the photo that fills `image_bounds`; beyond the photo where the page has bleed and the photo ends.
     pub crop: Crop,
+    /// Faces of the photo, in fractions of it.
+    pub faces: Vec<Crop>,
 }
 
 impl Scene {
@@ -111,20 +114,49 @@ pub(super) fn panels(
         return Err(invalid("panels", format!("has {has} entries, the layout has {wants} panels")));
     }
     let bounds: Vec<Bounds> = resolved.iter().map(|panel| scaled_bounds(panel.bounds, pixels)).collect();
-    let panel = |(i, panel): (usize, ResolvedPanel)| {
+    let further = further_shapes(document, &resolved, (pixels, height as f64));
+    // With the bleed, where there is some.
+    let reached: Vec<Bounds> = further
+        .iter()
+        .zip(&bounds)
+        .map(|(shape, own)| match shape {
+            Some(ResolvedShape::Polygon(points)) => Bounds::of(points),
+            _ => *own,
+        })
+        .collect();
+    let panel = |((i, panel), further): ((usize, ResolvedPanel), Option<ResolvedShape>)| {
         let content = &document.panels[i];
         let leader = document.merge_of(i).and_then(|group| group.first().copied()).unwrap_or(i);
         let halo = panel.halo * pixels;
+        let image = |bounds: &[Bounds]| document.merge_of(i).map_or(bounds[i], |group| union(group, bounds));
+        let (image_bounds, shown) = (image(&reached), image(&bounds));
+        let crop = document.panels[leader].crop.or(content.crop).unwrap_or(WHOLE);
         ScenePanel {
-            shape: scaled_shape(panel.shape, pixels),
-            image_bounds: document.merge_of(i).map_or(bounds[i], |group| union(group, &bounds)),
+            shape: further.unwrap_or_else(|| scaled_shape(panel.shape, pixels)),
+            image_bounds,
             halo,
-            area: PixelRect::around(bounds[i], halo.max(page.border * pixels / 2.0) + 1.0),
+            area: PixelRect::around(reached[i], halo.max(page.border * pixels / 2.0) + 1.0),
             photo: document.panels[leader].photo.clone(),
-            crop: document.panels[leader].crop.or(content.crop).unwrap_or(WHOLE),
+            crop: if image_bounds == shown { crop } else { bleed::widened(crop, shown, image_bounds) },
+            faces: document.panels[leader].faces.clone(),
         }
     };
-    Ok(resolved.into_iter().enumerate().map(panel).collect())
+    Ok(resolved.into_iter().enumerate().zip(further).map(panel).collect())
+}
+
+/// The shapes of panels that end at the edge of a page with bleed: they go on beyond it.
+fn further_shapes(
+    document: &Document,
+    panels: &[ResolvedPanel],
+    (width, height): (f64, f64),
+) -> Vec<Option<ResolvedShape>> {
+    let by = document.page.bleed * width;
+    let further = |panel: &ResolvedPanel| {
+        (by > 0.0)
+            .then(|| bleed::extended(&scaled_shape(panel.shape.clone(), width), (width, height), by))
+            .flatten()
+    };
+    panels.iter().map(further).collect()
 }
 
 fn invalid(location: &str, reason: String) -> Error {

@@ -1,5 +1,6 @@
 //! A new document from photos, locks and a seed: the pure function behind every shuffle, choice and refinement.
 
+use super::carrying::{carried, tied};
 use super::document::{Document, VERSION, style_of, template_of};
 use super::fill::{Stage, contents};
 use super::request::{Mode, Request};
@@ -62,6 +63,10 @@ pub fn planned(request: &Request, shelf: &Shelf) -> Result<Planned> {
     let (order, panels) = contents(request, stage, &plan.panels);
     let style = choose_style(request, stage, &plan, &mut random)?;
     style_of(&style)?;
+    // Words follow their photos; those of photos that are not here are left out, and wait in the project.
+    let known =
+        |current: &Document| current.words.iter().map(|word| tied(word, &current.panels)).collect::<Vec<_>>();
+    let (words, _) = carried(&current.map(known).unwrap_or_default(), &panels);
     let document = Document {
         version: VERSION,
         seed: request.seed,
@@ -71,8 +76,7 @@ pub fn planned(request: &Request, shelf: &Shelf) -> Result<Planned> {
         panels,
         merges: stage.merges.clone(),
         page: request.page.clone(),
-        // Words follow their panels into another layout.
-        words: current.map(|current| current.words.clone()).unwrap_or_default(),
+        words,
         rest: current.map(|current| current.rest.clone()).unwrap_or_default(),
     };
     Ok(Planned { document, score: plan.score })
@@ -175,7 +179,7 @@ fn some<T: Clone>(items: &[T], count: usize, random: &mut Rand64) -> Vec<T> {
 mod tests {
     use super::super::request::{Keep, Mode};
     use super::*;
-    use crate::framing::{Crop, Focus, PhotoMeta};
+    use crate::framing::{Crop, Focus, PhotoMeta, Subject};
     use crate::layout::PageSettings;
 
     fn photos(count: usize) -> Vec<PhotoMeta> {
@@ -200,6 +204,35 @@ mod tests {
 
     fn shown(document: &Document) -> Vec<String> {
         document.panels.iter().filter_map(|panel| panel.photo.clone()).collect()
+    }
+
+    #[test]
+    fn panels_know_the_faces_of_their_photos_and_a_page_of_before_has_none() {
+        let face = |height: f64, label: &str| Subject {
+            x: 0.123_456,
+            y: 0.2,
+            width: 0.1,
+            height,
+            label: label.to_owned(),
+            score: 0.9,
+        };
+        let mut request = request(8, 3);
+        for photo in &mut request.photos {
+            photo.find([face(0.1, "face"), face(0.5, "person"), face(0.3, "face")]);
+        }
+        let page = plan(&request).unwrap();
+        for panel in &page.panels {
+            assert_eq!(panel.faces.iter().map(|face| face.height).collect::<Vec<_>>(), [0.3, 0.1]);
+            assert!((panel.faces[0].x - 0.1235).abs() < 1e-12);
+        }
+        assert_eq!(Document::parse(&page.to_json()).unwrap(), page);
+        let mut before: serde_json::Value = serde_json::from_str(&page.to_json()).unwrap();
+        for panel in before["panels"].as_array_mut().unwrap() {
+            panel.as_object_mut().unwrap().remove("faces");
+        }
+        let before = Document::parse(&before.to_string()).unwrap();
+        assert!(before.panels.iter().all(|panel| panel.faces.is_empty()));
+        assert!(!before.to_json().contains("faces"));
     }
 
     #[test]

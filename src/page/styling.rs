@@ -12,7 +12,7 @@ use oorandom::Rand64;
 use serde::Deserialize;
 use serde_json::Value;
 
-/// How a style is drawn. As JSON `{extra, invented, keepLines, keepColours}`, each of which may be missing.
+/// How a style is drawn. As JSON `{extra, invented, inventions, keepLines, keepColours}`, each of which may be missing.
 #[derive(Debug, Clone, Default, Deserialize)]
 #[serde(from = "Value")]
 #[cfg_attr(
@@ -27,6 +27,9 @@ pub struct Styling {
     /// Share of draws, 0 to 1, that invent a style.
     #[cfg_attr(all(test, feature = "cli"), ts(as = "Option<_>", optional))]
     pub invented: f64,
+    /// Invented styles that were tried and found good: only these are drawn where the list is there, however short it is.
+    #[cfg_attr(all(test, feature = "cli"), ts(as = "Option<Vec<crate::style::Style>>", optional))]
+    pub inventions: Option<Vec<Value>>,
     /// The line layer and its ink stay.
     #[cfg_attr(all(test, feature = "cli"), ts(as = "Option<_>", optional))]
     pub keep_lines: bool,
@@ -40,11 +43,12 @@ impl From<Value> for Styling {
         let flag = |key: &str| value[key].as_bool().unwrap_or_default();
         let (keep_lines, keep_colours) = (flag("keepLines"), flag("keepColours"));
         let invented = value["invented"].as_f64().unwrap_or_default();
-        let extra = match value.get_mut("extra").map(Value::take) {
-            Some(Value::Array(styles)) => styles,
-            _ => Vec::new(),
+        let mut list = |key: &str| match value.get_mut(key).map(Value::take) {
+            Some(Value::Array(styles)) => Some(styles),
+            _ => None,
         };
-        Self { extra, invented, keep_lines, keep_colours }
+        let (extra, inventions) = (list("extra").unwrap_or_default(), list("inventions"));
+        Self { extra, invented, inventions, keep_lines, keep_colours }
     }
 }
 
@@ -76,11 +80,18 @@ fn draw(request: &Request, current: Option<&Value>, page: &Shown, random: &mut R
     let wish = &request.styling;
     // What is invented has no line layer, so it has nothing to give where only lines are wanted.
     let lines_only = wish.keep_colours && current.is_some();
-    if wish.invented > 0.0 && !lines_only && random.rand_float() < wish.invented {
-        return Ok(procedural::invent(random.rand_u64() as u32).to_value());
-    }
     let before = current.and_then(|style| style.as_str().or_else(|| style["id"].as_str()));
     let shown = |id: &str| Some(id) == before || request.avoid.styles.iter().any(|other| other == id);
+    if wish.invented > 0.0 && !lines_only && random.rand_float() < wish.invented {
+        let Some(tried) = &wish.inventions else {
+            return Ok(procedural::invent(random.rand_u64() as u32).to_value());
+        };
+        let fresh: Vec<&Value> =
+            tried.iter().filter(|style| !shown(style["id"].as_str().unwrap_or_default())).collect();
+        if !fresh.is_empty() {
+            return Ok(fresh[random.rand_range(0..fresh.len() as u64) as usize].clone());
+        }
+    }
     // The first page of a visit is to be liked at once.
     let first = current.is_none();
     let designed = catalogue::catalogue()
@@ -165,6 +176,24 @@ mod tests {
         let invented = drawn(0.5).iter().filter(|style| style.is_object() && **style != own).count();
         assert!((150..250).contains(&invented), "{invented} of 400");
         assert!(drawn(1.0).iter().all(Value::is_object));
+    }
+
+    #[test]
+    fn where_styles_were_tried_only_these_are_drawn_as_inventions() {
+        let tried: Vec<Value> = (1..4).map(|seed| procedural::invent(seed).to_value()).collect();
+        let styling = |inventions: &[Value]| Styling {
+            invented: 0.5,
+            inventions: Some(inventions.to_vec()),
+            ..Styling::default()
+        };
+        let drawn = |inventions: &[Value]| -> Vec<Value> {
+            (0..200).map(|seed| plan(&request(seed, styling(inventions))).unwrap().style).collect()
+        };
+        assert!(drawn(&[]).iter().all(Value::is_string));
+        let invented: Vec<Value> = drawn(&tried).into_iter().filter(Value::is_object).collect();
+        assert!((70..130).contains(&invented.len()), "{} of 200", invented.len());
+        assert!(tried.iter().all(|style| invented.contains(style)));
+        assert!(invented.iter().all(|style| tried.contains(style)));
     }
 
     #[test]

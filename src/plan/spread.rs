@@ -1,6 +1,7 @@
 //! An album cut into pages where its time, its place or its scene changes.
 
 use crate::framing::PhotoMeta;
+use crate::order::sort_by;
 
 /// What a page costs, so that there are not more than needed.
 const PAGE: f64 = 0.35;
@@ -48,7 +49,7 @@ pub fn cuts(photos: &[PhotoMeta]) -> Vec<f64> {
         photos.iter().map(|photo| photo.taken.as_deref().and_then(seconds)).collect();
     let pause = |i: usize| Some((times[i]? - times[i - 1]?).abs());
     let mut pauses: Vec<f64> = (1..photos.len()).filter_map(pause).collect();
-    pauses.sort_by(f64::total_cmp);
+    sort_by(&mut pauses, f64::total_cmp);
     let usual = pauses.get(pauses.len() / 2).copied().unwrap_or(0.0).max(20.0);
     let ramp = |value: f64, (low, high): (f64, f64)| ((value - low) / (high - low)).clamp(0.0, 1.0);
     (1..photos.len())
@@ -111,7 +112,8 @@ fn solved(cuts: &[f64], allowed: &[usize], even: f64, pages: usize) -> Option<Ve
 
 /// Seconds of `YYYY:MM:DD HH:MM:SS`, in a calendar whose months are all of 31 days: pauses are compared, not told.
 fn seconds(taken: &str) -> Option<f64> {
-    let mut numbers = taken.split([':', ' ', '-', 'T', '.']).map(|digits| digits.parse::<f64>().ok());
+    let mut numbers =
+        taken.split([':', ' ', '-', 'T', '.']).map(|digits| digits.parse::<u32>().ok().map(f64::from));
     let mut next = || numbers.next().flatten();
     let (year, month, day) = (next()?, next()?, next()?);
     let (hour, minute, second) = (next()?, next()?, next().unwrap_or(0.0));

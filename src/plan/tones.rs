@@ -91,7 +91,7 @@ fn looks() -> &'static [Look] {
     READ.get_or_init(|| {
         let line = |(place, line): (usize, &'static str)| {
             let mut words = line.split_ascii_whitespace();
-            let (id, rating) = (words.next()?, words.next()?.parse().ok()?);
+            let (id, rating) = (words.next()?, serde_json::from_str::<f64>(words.next()?).ok()?);
             Some(Look { id, rating, place, response: words.next().and_then(response) })
         };
         LOOKS.lines().enumerate().filter_map(line).collect()

@@ -2,6 +2,7 @@
 
 use super::Measures;
 use super::groups::leaders;
+use crate::order::sort_by;
 
 /// Below this part of the album's median [`laplacian`](super::sharpness::laplacian) a photo counts as blurred.
 /// Of 150 varied photos one lies below (a bare pyramid in the haze), and every one of them once it is blurred
@@ -80,7 +81,7 @@ fn blur_floor(measures: &[Measures]) -> f32 {
         return 0.0;
     }
     let mut sorted: Vec<f32> = measures.iter().map(|measure| measure.laplacian).collect();
-    sorted.sort_by(f32::total_cmp);
+    sort_by(&mut sorted, f32::total_cmp);
     BLURRED * sorted[sorted.len() / 2]
 }
 

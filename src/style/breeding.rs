@@ -40,6 +40,7 @@ pub fn breed(a: &Style, b: &Style, seed: u32, surprise: f64) -> Style {
         background,
         foreground,
         ink: lines.ink,
+        faces: a.faces && b.faces,
         score: None,
     }
 }
@@ -61,6 +62,8 @@ fn mutate(layer: &mut Vec<Step>, surprise: f64, random: &mut Rand64) {
             let push = (random.rand_float() + random.rand_float() + random.rand_float()) / 1.5 - 1.0;
             let (least, most) = param.kind.range();
             let changed = match param.kind {
+                // Any change of the number would be another colour altogether.
+                Kind::Colour { .. } | Kind::Texture => *value,
                 Kind::Flag { .. } | Kind::Choice { .. } => {
                     let other = least + (most - least + 1.0) * random.rand_float() as f32;
                     if random.rand_float() < 0.4 * surprise { other.floor().min(most) } else { *value }

@@ -2,6 +2,7 @@
 
 use super::file::Style;
 use crate::error::{Error, Result};
+use crate::order::sort_by_key;
 use std::sync::OnceLock;
 
 /// The families in the order in which the page shows them, from ink to prints. A style's family is its first tag.
@@ -41,7 +42,7 @@ pub fn by_family() -> Vec<&'static Style> {
     };
     let mut styles: Vec<&Style> = catalogue().iter().collect();
     // What is in no family comes last.
-    styles.sort_by_key(|style| family(style).unwrap_or(FAMILIES.len()));
+    sort_by_key(&mut styles, |style| family(style).unwrap_or(FAMILIES.len()));
     styles
 }
 

@@ -124,7 +124,7 @@ fn widened(image: Image) -> Image {
 
 fn point_op(step: &Step, scale: f32) -> Option<PointOp> {
     match step.block.kernel {
-        Kernel::Point(op) => Some(op(Args::new(&step.values, scale))),
+        Kernel::Point(op) => Some(op(Args::of(step, scale))),
         _ => None,
     }
 }
@@ -140,21 +140,21 @@ fn push_fused(ops: &mut Vec<PointOp>, op: PointOp) {
 // Called from several places: a copy in each would only make the module larger.
 #[inline(never)]
 fn run_block(step: &Step, image: Image, context: &mut Context<'_>) -> Result<Image> {
-    let args = Args::new(&step.values, context.scale());
+    let args = Args::of(step, context.scale());
     match step.block.kernel {
         Kernel::Point(op) => run_points(&[op(args)], image, false, context),
         Kernel::Tones(make) => {
-            let table = if let [r, g, b] = image.planes() {
+            let op = if let [r, g, b] = image.planes() {
                 let mut y = context.take_plane(image.width(), image.height());
                 point::luma(r.samples(), g.samples(), b.samples(), y.samples_mut());
-                let table = make(args, &Tones::new(y.samples()));
+                let op = make(args, &Tones::new(y.samples()));
                 context.give_plane(y);
-                table
+                op
             } else {
                 make(args, &Tones::new(image.planes()[0].samples()))
             };
             let chroma = image.chroma().is_some();
-            run_points(&[PointOp::Table(table)], image, chroma, context)
+            run_points(&[op], image, chroma, context)
         }
         Kernel::Planes(kernel) => {
             let (planes, chroma) = image.into_parts();

@@ -1,5 +1,6 @@
 //! What a run gives to its blocks: scale, scratch memory, cancellation.
 
+use super::faces::FaceBox;
 use crate::error::{Error, Result};
 use crate::raster::{Image, Plane};
 use crate::simd::gaussian::Buffers;
@@ -24,6 +25,9 @@ pub struct Context<'a> {
     pub(in crate::style) sheet: Option<super::blocks::DrawnSheet>,
     /// The tiles of the last Pattern Filling.
     pub(in crate::style) tiles: Option<super::blocks::DrawnTiles>,
+    /// The last person's own texture at the size at which it was drawn.
+    pub(in crate::style) texture: Option<super::blocks::DrawnTexture>,
+    faces: Vec<FaceBox>,
     planes: Vec<Vec<u8>>,
     cancelled: Option<&'a dyn Fn() -> bool>,
 }
@@ -51,6 +55,17 @@ impl<'a> Context<'a> {
     #[must_use]
     pub fn scale(&self) -> f32 {
         self.scale
+    }
+
+    /// Tells the faces of the image that is stylised next, in its pixels.
+    pub fn show_faces(&mut self, faces: Vec<FaceBox>) {
+        self.faces = faces;
+    }
+
+    /// The faces of this image, which are forgotten: the next has others. None where nobody cares for them.
+    pub(in crate::style) fn shown_faces(&mut self, cared: bool) -> Vec<FaceBox> {
+        let faces = std::mem::take(&mut self.faces);
+        if cared { faces } else { Vec::new() }
     }
 
     /// Asks `cancelled` between blocks.

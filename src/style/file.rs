@@ -4,9 +4,12 @@
 //! out of range is an error that names the file, the block's position and the parameter.
 
 use super::blocks::{self, Block, Channels};
-use super::params::{Kind, Param};
+use super::earlier;
+use super::params::{Kind, Param, colour_of, colour_value};
+use super::texture::Texture;
 use crate::error::{Error, Result};
 use serde_json::{Map, Value, json};
+use std::sync::Arc;
 
 /// Blocks that one layer may hold; far beyond what looks good, and a bound on the work that a file can ask for.
 pub const MOST_BLOCKS: usize = 32;
@@ -28,6 +31,9 @@ pub struct Style {
     /// Colour of the lines.
     #[cfg_attr(all(test, feature = "cli"), ts(as = "Option<String>"))]
     pub ink: [u8; 3],
+    /// Whether it takes care of faces, as a style does that does not say otherwise.
+    #[cfg_attr(all(test, feature = "cli"), ts(as = "Option<bool>"))]
+    pub faces: bool,
     /// Score from 0 to 1 of a generated style.
     pub score: Option<f64>,
 }
@@ -44,6 +50,8 @@ pub struct Step {
     pub block: &'static Block,
     /// Its values in the order of the descriptor.
     pub values: Vec<f32>,
+    /// The picture of its texture parameter, where it has one and a person gave one.
+    pub texture: Option<Arc<Texture>>,
     /// Kept in the file but left out of the chain.
     pub bypass: bool,
 }
@@ -68,7 +76,9 @@ impl Style {
             return Err(invalid(file, "file", "must be an object with a \"background\" list"));
         };
         for key in map.keys() {
-            if !["id", "name", "tags", "background", "foreground", "ink", "score"].contains(&key.as_str()) {
+            if !["id", "name", "tags", "background", "foreground", "ink", "faces", "score"]
+                .contains(&key.as_str())
+            {
                 return Err(invalid(file, key, "is no field of a style"));
             }
         }
@@ -83,6 +93,12 @@ impl Style {
             background,
             foreground: layer(file, map, "foreground")?,
             ink: ink(file, map)?,
+            faces: match map.get("faces") {
+                None => true,
+                Some(faces) => {
+                    faces.as_bool().ok_or_else(|| invalid(file, "faces", "must be true or false"))?
+                }
+            },
             score: match map.get("score") {
                 None => None,
                 Some(score) => {
@@ -107,6 +123,9 @@ impl Style {
             let [r, g, b] = self.ink;
             map.insert("ink".into(), json!(format!("#{r:02x}{g:02x}{b:02x}")));
         }
+        if !self.faces {
+            map.insert("faces".into(), json!(false));
+        }
         if let Some(score) = self.score {
             map.insert("score".into(), json!(score));
         }
@@ -119,14 +138,18 @@ impl Step {
     #[must_use]
     pub fn new(block: &'static Block) -> Self {
         let values = block.params.iter().map(|param| param.kind.default()).collect();
-        Self { block, values, bypass: false }
+        Self { block, values, texture: None, bypass: false }
     }
 
     fn to_value(&self) -> Value {
         let mut map = Map::new();
         map.insert("block".into(), json!(self.block.id));
         for (param, &value) in self.block.params.iter().zip(&self.values) {
-            if (value - param.kind.default()).abs() > f32::EPSILON {
+            if matches!(param.kind, Kind::Texture) {
+                map.extend(self.texture.iter().map(|texture| (param.id.to_owned(), json!(texture.url()))));
+            } else if (value - param.kind.default()).abs() > f32::EPSILON
+                || earlier::is_always_told(self.block.id, param.id)
+            {
                 map.insert(param.id.into(), param.value_to_json(value));
             }
         }
@@ -141,10 +164,25 @@ impl Param {
     pub(crate) fn value_to_json(&self, value: f32) -> Value {
         match self.kind {
             // Through the shortest decimal, so that 1.2 is not written as 1.2000000476837158.
-            Kind::Number { .. } => json!(value.to_string().parse::<f64>().unwrap_or(f64::from(value))),
+            Kind::Number { .. } => {
+                json!(serde_json::from_str(&value.to_string()).unwrap_or(f64::from(value)))
+            }
             Kind::Integer { .. } => json!(value as i64),
             Kind::Flag { .. } => json!(value != 0.0),
             Kind::Choice { names } => json!(names.get(value as usize)),
+            Kind::Colour { .. } => {
+                let [r, g, b] = colour_of(value);
+                json!(format!("#{r:02x}{g:02x}{b:02x}"))
+            }
+            Kind::Texture => json!(""),
+        }
+    }
+
+    /// A value as it is written: 2 and 2.0 are the same. Says what would be right where it is not.
+    pub(crate) fn normalized(&self, value: &Value) -> std::result::Result<Value, String> {
+        match self.kind {
+            Kind::Texture => texture(value).map(|texture| json!(texture.map_or("", |(url, _)| url))),
+            _ => self.value_from_json(value).map(|value| self.value_to_json(value)),
         }
     }
 
@@ -176,7 +214,22 @@ impl Param {
                 let position = value.as_str().and_then(|name| names.iter().position(|n| *n == name));
                 Ok(position.ok_or(format!("is {value}, it must be one of: {}", names.join(", ")))? as f32)
             }
+            Kind::Texture => texture(value).map(|_| 0.0),
+            Kind::Colour { .. } => {
+                let colour = value.as_str().and_then(crate::raster::color::parse_hex);
+                let bad = || format!("is {value}, it must be a colour like \"#101014\"");
+                Ok(colour_value(colour.ok_or_else(bad)?))
+            }
         }
+    }
+}
+
+/// A texture and its data URL; none for an empty text.
+fn texture(value: &Value) -> std::result::Result<Option<(&str, Texture)>, String> {
+    match value.as_str() {
+        Some("") => Ok(None),
+        Some(url) => Texture::read(url).map(|texture| Some((url, texture))),
+        None => Err("must be a text, the data URL of a PNG or JPEG picture".into()),
     }
 }
 
@@ -254,11 +307,19 @@ fn step(file: &str, place: &str, value: &Value) -> Result<Step> {
             step.bypass = value.as_bool().ok_or_else(|| invalid(file, &place, "must be true or false"))?;
             continue;
         }
+        // A pattern that is a picture is a person's own.
+        let is_picture = value.as_str().is_some_and(|text| text.starts_with("data:"));
+        let key = if key == "pattern" && is_picture { "texture" } else { key.as_str() };
         let Some(i) = block.params.iter().position(|param| param.id == key) else {
             let known: Vec<&str> = block.params.iter().map(|param| param.id).collect();
             let known = if known.is_empty() { "it has none".to_owned() } else { known.join(", ") };
             return Err(invalid(file, &place, format!("is no parameter of this block ({known})")));
         };
+        if matches!(block.params[i].kind, Kind::Texture) {
+            let read = texture(value).map_err(|reason| invalid(file, &place, reason))?;
+            step.texture = read.map(|(_, texture)| Arc::new(texture));
+            continue;
+        }
         step.values[i] =
             block.params[i].value_from_json(value).map_err(|reason| invalid(file, &place, reason))?;
     }

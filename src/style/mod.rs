@@ -5,15 +5,19 @@
 //! | [`params`] | what a parameter is: kind, default, range, step, unit |
 //! | [`blocks`] | the registry and one file a block |
 //! | [`blade`] | operators learned from photos, as banks of small filters |
+//! | [`faces`] | what a style does not do to faces |
 //! | [`mod@file`] | the style file: parsing with exact error places, writing |
 //! | [`chain`] | a layer compiled into passes and run |
 //! | [`tangents`] | the direction of edges everywhere, and averages along it |
 //! | [`context`] | scale, scratch memory and cancellation that a run gives to its blocks |
 //! | [`catalogue`] | the designed styles that ship in `styles/` |
+//! | [`earlier`] | how blocks drew before they had a choice, for what was saved then |
+//! | [`texture`] | a person's own texture for Pattern Filling |
 //! | [`grain`] | noise of a given size, the same everywhere |
 //! | [`stages`] | a chain that keeps the picture after every block, for the designer |
 //! | [`procedural`] | styles invented from a seed |
 //! | [`breeding`] | new styles from two others |
+//! | [`imitate`] | styles that look like a picture |
 //! | [`look`] | what kind of look a picture has, and whether two look the same |
 //! | [`aesthetic`] | the light score that sorts them |
 
@@ -24,13 +28,17 @@ pub mod breeding;
 pub mod catalogue;
 pub mod chain;
 pub mod context;
+pub mod earlier;
+pub mod faces;
 pub mod file;
 pub mod grain;
+pub mod imitate;
 pub mod look;
 pub mod params;
 pub mod procedural;
 pub mod stages;
 pub mod tangents;
+pub mod texture;
 
 pub use context::Context;
 pub use file::Style;
@@ -40,13 +48,31 @@ use crate::raster::Image;
 
 /// Runs a style on an image: the background layer, and the foreground layer laid over it as ink.
 ///
-/// The result has the size of `image`; it is luma when nothing in it has colour.
+/// The result has the size of `image`; it is luma when nothing in it has colour. Where the context knows of faces in the
+/// image, the style takes care of them, unless it says that it does not.
 ///
 /// # Errors
 /// `cancelled` when the context says so.
 #[inline(never)]
 pub fn stylize(image: &Image, style: &Style, context: &mut Context<'_>) -> Result<Image> {
-    let background = chain::run(&style.background, image, context)?;
+    let faces = context.shown_faces(style.faces);
+    let Some(care) = faces::Care::of(&faces, image.width(), image.height()) else {
+        return layered(style, image, context, None);
+    };
+    let style = care.scaled(style, context.scale());
+    layered(&style, &care.lit(image), context, Some(&care))
+}
+
+fn layered(
+    style: &Style,
+    image: &Image,
+    context: &mut Context<'_>,
+    care: Option<&faces::Care<'_>>,
+) -> Result<Image> {
+    let mut background = chain::run(&style.background, image, context)?;
+    if let Some(care) = care {
+        background = care.held(image, background, &style.background);
+    }
     let Some(foreground) = &style.foreground else { return Ok(background) };
     let lines = chain::run(foreground, image, context)?;
     context.check_cancelled()?;

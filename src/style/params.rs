@@ -1,6 +1,10 @@
 //! What a block's parameter is. Controls, the JSON check, the procedural generator and the documentation all
 //! come from these descriptors.
 
+use super::file::Step;
+use super::texture::Texture;
+use std::sync::Arc;
+
 /// One parameter of a block.
 #[derive(Debug)]
 pub struct Param {
@@ -14,8 +18,8 @@ pub struct Param {
     pub kind: Kind,
 }
 
-/// Type, default and range of a parameter. At run time every value is an f32: a flag is 0 or 1, a choice its
-/// position.
+/// Type, default and range of a parameter. At run time every value is an f32: a flag is 0 or 1, a choice its position,
+/// a colour the number of its six hexadecimal digits, which an f32 holds exactly.
 #[derive(Debug)]
 pub enum Kind {
     /// A number of `min..=max`.
@@ -49,6 +53,14 @@ pub enum Kind {
     Choice {
         /// The names.
         names: &'static [&'static str],
+    },
+    /// A person's own picture, as a data URL; an empty text is none. It stands beside the numbers
+    /// ([`Step::texture`](super::file::Step)).
+    Texture,
+    /// A colour; in style files it is `#rrggbb`.
+    Colour {
+        /// Used where a style file says nothing.
+        default: [u8; 3],
     },
 }
 
@@ -88,7 +100,8 @@ impl Kind {
             Self::Number { default, .. } => default,
             Self::Integer { default, .. } => default as f32,
             Self::Flag { default } => f32::from(u8::from(default)),
-            Self::Choice { .. } => 0.0,
+            Self::Choice { .. } | Self::Texture => 0.0,
+            Self::Colour { default } => colour_value(default),
         }
     }
 
@@ -100,6 +113,8 @@ impl Kind {
             Self::Integer { min, max, .. } => (min as f32, max as f32),
             Self::Flag { .. } => (0.0, 1.0),
             Self::Choice { names } => (0.0, names.len().saturating_sub(1) as f32),
+            Self::Texture => (0.0, 0.0),
+            Self::Colour { .. } => (0.0, colour_value([255; 3])),
         }
     }
 }
@@ -144,10 +159,41 @@ pub const fn integer(
     Param { id, label, help, kind: Kind::Integer { default, min, max } }
 }
 
-/// What a block is given: its values in the order of its descriptor, and the scale of the render.
+/// A choice between working on every channel alike and on luma; the first is the default.
+#[must_use]
+pub const fn channels(names: &'static [&'static str]) -> Param {
+    Param {
+        id: "channels",
+        label: "Works on",
+        help: "Luma alone, which keeps the colours, or each of red, green and blue.",
+        kind: Kind::Choice { names },
+    }
+}
+
+/// A colour parameter.
+#[must_use]
+pub const fn colour(id: &'static str, label: &'static str, help: &'static str, default: [u8; 3]) -> Param {
+    Param { id, label, help, kind: Kind::Colour { default } }
+}
+
+/// A colour as the value of a parameter.
+#[must_use]
+pub fn colour_value([r, g, b]: [u8; 3]) -> f32 {
+    u32::from_be_bytes([0, r, g, b]) as f32
+}
+
+/// The colour of a value.
+#[must_use]
+pub fn colour_of(value: f32) -> [u8; 3] {
+    let [_, r, g, b] = (value as u32).to_be_bytes();
+    [r, g, b]
+}
+
+/// What a block is given: its values in the order of its descriptor, its texture, and the scale of the render.
 #[derive(Debug, Clone, Copy)]
 pub struct Args<'a> {
     values: &'a [f32],
+    texture: Option<&'a Arc<Texture>>,
     scale: f32,
 }
 
@@ -155,7 +201,19 @@ impl<'a> Args<'a> {
     /// `values` in the order of the descriptor; `scale` = sqrt(w h / (1920 * 1080)) of the render.
     #[must_use]
     pub fn new(values: &'a [f32], scale: f32) -> Self {
-        Self { values, scale }
+        Self { values, texture: None, scale }
+    }
+
+    /// The values of a step.
+    #[must_use]
+    pub fn of(step: &'a Step, scale: f32) -> Self {
+        Self { values: &step.values, texture: step.texture.as_ref(), scale }
+    }
+
+    /// The person's own texture.
+    #[must_use]
+    pub fn texture(&self) -> Option<&'a Arc<Texture>> {
+        self.texture
     }
 
     /// Parameter `i` as it stands.
@@ -174,6 +232,12 @@ impl<'a> Args<'a> {
     #[must_use]
     pub fn flag(&self, i: usize) -> bool {
         self.values[i] != 0.0
+    }
+
+    /// Parameter `i` as a colour.
+    #[must_use]
+    pub fn colour(&self, i: usize) -> [u8; 3] {
+        colour_of(self.values[i])
     }
 
     /// Parameter `i` as a position in its names.

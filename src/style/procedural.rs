@@ -23,7 +23,7 @@ struct Draw {
     repeats: bool,
 }
 
-/// What is drawn from. Ranges are the paper's; the sizes stop at 200 per cent, which is 8 megapixels at 1920 x 1080.
+/// What is drawn from. Ranges are the paper's.
 const DRAWS: &[Draw] = &[
     Draw { block: "xdog", ranges: &[("sigma", 0.5, 8.0), ("p", 1.0, 40.0)], repeats: true },
     Draw { block: "tvf", ranges: &[("time", 3.0, 40.0)], repeats: true },
@@ -35,7 +35,7 @@ const DRAWS: &[Draw] = &[
     Draw { block: "detail", ranges: &[("delta", -100.0, 60.0)], repeats: false },
     Draw { block: "luma_posterize", ranges: &[("levels", 5.0, 12.0)], repeats: false },
     Draw { block: "saturation", ranges: &[("amount", 1.5, 2.2)], repeats: false },
-    Draw { block: "size", ranges: &[("percent", 100.0, 200.0)], repeats: false },
+    Draw { block: "size", ranges: &[("percent", 100.0, 300.0)], repeats: false },
 ];
 
 /// What goes before Soft Threshold. By itself that turns most of a photo white, as everything above a rather dark gray
@@ -107,13 +107,14 @@ pub fn invent(seed: u32) -> Style {
         background: chain,
         foreground: None,
         ink: [0; 3],
+        faces: true,
         score: None,
     }
 }
 
 /// Adds Soft Threshold, and what it needs before it: lines that it turns into ink stay next to it.
 fn threshold(chain: &mut Vec<Step>, mut step: Step, random: &mut Rand64) {
-    if let [phi, epsilon] = &mut step.values[..] {
+    if let [phi, epsilon, ..] = &mut step.values[..] {
         *phi = phi.max((DARK / *epsilon * 1000.0).ceil() / 1000.0);
     }
     let at = chain.len() - usize::from(chain.last().is_some_and(|last| last.block.id == "xdog"));

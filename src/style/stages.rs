@@ -133,7 +133,7 @@ fn steps_of(style: &Style, layer: Layer) -> &[Step] {
 
 fn same_step(a: &Step, b: &Step) -> bool {
     let bits = |step: &Step| step.values.iter().map(|value| value.to_bits()).collect::<Vec<_>>();
-    a.block.id == b.block.id && a.bypass == b.bypass && bits(a) == bits(b)
+    a.block.id == b.block.id && a.bypass == b.bypass && bits(a) == bits(b) && a.texture == b.texture
 }
 
 fn is_point(step: &Step) -> bool {

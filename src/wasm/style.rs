@@ -2,13 +2,13 @@
 
 use super::{Patch, Studio, parse, style_of, thrown};
 use crate::error::{Error, Result};
-use crate::page::document;
+use crate::page::{Document, document, plates};
 use crate::raster::Image;
 use crate::raster::resize::{Region, fit, resample_image};
 use crate::style::aesthetic::{Fault, Judgement, judge};
 use crate::style::stages::{Layer, Stages};
 use crate::style::{Style, breeding, look, procedural, stylize};
-use serde_json::Value;
+use serde_json::{Value, json};
 use wasm_bindgen::prelude::*;
 
 /// Photos whose stages are kept: as many as are shown at once, and the one before.
@@ -23,6 +23,19 @@ pub(super) struct Designs(Vec<(String, Stages)>);
 #[must_use]
 pub fn invent_style(seed: u32) -> String {
     procedural::invent(seed).to_value().to_string()
+}
+
+/// The inks that the style of a document prints, the strongest last, and the document as it is drawn for their plates:
+/// `{inks: [{name, rgb}], document}` as JSON. `null` where it prints none.
+#[wasm_bindgen]
+pub fn plates_of(document: &str) -> std::result::Result<String, JsValue> {
+    let told = || -> Result<String> {
+        let page = Document::parse(document)?;
+        let Some(inks) = plates::inks(&*page.style()?) else { return Ok("null".into()) };
+        let inks: Vec<Value> = inks.iter().map(|ink| json!({ "name": ink.name, "rgb": ink.rgb })).collect();
+        Ok(format!("{{\"inks\":{},\"document\":{}}}", json!(inks), plates::exact(&page)?.to_json()))
+    };
+    told().map_err(thrown)
 }
 
 /// A child of `{a, b, seed, surprise}`, as JSON; `a` and `b` are styles, by id or in full.

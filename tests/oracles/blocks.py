@@ -9,6 +9,8 @@ tests/blocks.rs compares, with the tolerance and its
 reason beside each block. Parameters in pixels are pixels of these files: the test sets the scale to 1.
 """
 
+import base64
+import io
 import json
 import pathlib
 
@@ -20,6 +22,7 @@ from etf import reference as etf
 from PIL import Image
 from scipy.ndimage import gaussian_filter
 from scipy.optimize import brentq
+from scipy.stats import rankdata
 from skimage.metrics import structural_similarity
 from skimage.restoration import denoise_tv_chambolle
 
@@ -67,12 +70,17 @@ def luma_posterize(image, levels):
     return luma_only(image, lambda y: posterize(y, levels))
 
 
-def brightness(image, gain):
-    return image * gain
+def working_on(channels, image, change):
+    """Luma alone, or each channel alike."""
+    return luma_only(image, change) if channels == "luma" else change(image)
 
 
-def soft_threshold(image, phi, epsilon):
-    return luma_only(image, lambda y: 255 * (1 + np.tanh(np.minimum(0, phi * (y - epsilon)))))
+def brightness(image, gain, channels="luma"):
+    return working_on(channels, image, lambda v: v * gain)
+
+
+def soft_threshold(image, phi, epsilon, channels="each"):
+    return working_on(channels, image, lambda v: 255 * (1 + np.tanh(np.minimum(0, phi * (v - epsilon)))))
 
 
 def saturation(image, amount):
@@ -129,9 +137,28 @@ def stroke(position, spacing, width):
     return np.abs((position / spacing) % 1 - 0.5) * spacing - width / 2
 
 
-def pattern(image, levels, pattern, scale):
+def own_texture(image, levels, texture):
+    """A tone takes ink where a person's texture is darkest, so much that it covers the tone."""
+    tones = np.asarray(Image.open(io.BytesIO(base64.b64decode(texture.split(",")[1]))).convert("L")).astype(int)
+    radius = max(min(tones.shape) // 48, 1)
+    count, around = 2 * radius + 1, tones * 16
+    for _ in range(3):
+        for axis in (1, 0):
+            around = (sum(np.roll(around, k, axis) for k in range(-radius, radius + 1)) + count // 2) // count
+    order = (2 * 16 * tones + around + 24) // 48
+    ranks = to_u8((rankdata(order, method="average") - 0.5).reshape(order.shape) / order.size * 255)
+    tile = np.tile(ranks, [-(-side // part) for side, part in zip(image.shape, ranks.shape)])
+    tile = tile[: image.shape[0], : image.shape[1]].astype(float)
+    level = np.floor(image * levels / 256)
+    drawn = np.clip((tile - 255 * (1 - level / (levels - 1))) / 24 + 0.5, 0, 1) * 255
+    return np.where(level == 0, 0, np.where(level == levels - 1, 255, drawn))
+
+
+def pattern(image, levels, pattern="hatch", scale=1, texture=""):
     """Tiles of strokes at scale 1, by their distance to ink at pixel centres."""
     assert scale == 1
+    if texture:
+        return own_texture(image, levels, texture)
     y, x = np.mgrid[: image.shape[0], : image.shape[1]] + 0.5
     out = np.zeros_like(image)
     for level in range(1, levels):
@@ -187,9 +214,9 @@ def detail(image, delta, sigma_s, sigma_r):
     return image + delta / 100 * (image - base)
 
 
-def equalize(image, low, high):
+def equalize(image, low, high, channels="luma"):
     low, high = percentiles(image if image.ndim == 2 else to_u8(image @ WEIGHTS), low, high)
-    return (image - low) * 255 / (high - low) if high > low else image
+    return working_on(channels, image, lambda v: (v - low) * 255 / (high - low)) if high > low else image
 
 
 def dynamic_range(image, range):
@@ -198,6 +225,14 @@ def dynamic_range(image, range):
         return image
     start = np.clip((low + high - range) / 2, 0, 255 - range)
     return start + (image - low) * range / (high - low)
+
+
+def own_picture(rows):
+    """A texture as a person has it: slanted strokes in two tones, as a data URL."""
+    y, x = np.mgrid[:rows, :48]
+    file = io.BytesIO()
+    Image.fromarray(np.where((x + 2 * y) % 16 < 6, 30, 225).astype(np.uint8)).save(file, "PNG", optimize=True)
+    return "data:image/png;base64," + base64.b64encode(file.getvalue()).decode()
 
 
 LUMA, COLOR = "luma", "photo"
@@ -212,8 +247,9 @@ CASES = [
     *[(posterize, source, {"levels": n}) for source, n in ((LUMA, 2), (LUMA, 10), (COLOR, 5), (LUMA, 64))],
     *[(luma_posterize, source, {"levels": n}) for source, n in ((LUMA, 8), (COLOR, 5))],
     *[(brightness, COLOR, {"gain": gain}) for gain in (0.5, 1.2, 3)],
+    (brightness, COLOR, {"gain": 1.6, "channels": "each"}),
     *[(soft_threshold, LUMA, {"phi": phi, "epsilon": e}) for phi, e in ((0.013, 50), (0.03, 80), (0.5, 120))],
-    (soft_threshold, COLOR, {"phi": 0.03, "epsilon": 130}),
+    *[(soft_threshold, COLOR, {"phi": 0.03, "epsilon": 130, "channels": c}) for c in ("each", "luma")],
     *[(saturation, COLOR, {"amount": amount}) for amount in (0, 0.4, 1.5, 4)],
     *[(hue, COLOR, {"angle": a, "red": r, "green": 0, "blue": b}) for a, r, b in ((30, 0, 0), (-120, 40, -25))],
     *[(colorize, LUMA, {"hue": h, "saturation": s}) for h, s in ((30, 0.5), (200, 1), (300, 0.25))],
@@ -225,10 +261,12 @@ CASES = [
     *[(xdog, LUMA, {"sigma": sigma, "p": 20}) for sigma in (1, 2, 4, 8)],
     *[(size, LUMA, {"percent": percent}) for percent in (50, 35, 200)],
     *[(pattern, LUMA, {"levels": n, "pattern": p, "scale": 1}) for n, p in ((5, "lines"), (6, "cross_hatch"))],
+    *[(pattern, LUMA, {"levels": n, "texture": own_picture(rows)}) for n, rows in ((5, 32), (8, 50))],
     *[(halftone, LUMA, {"pitch": pitch, "mode": "mono"}) for pitch in (6, 11.5)],
     (halftone, COLOR, {"pitch": 8, "mode": "cmyk"}),
     *[(detail, LUMA, {"delta": d, "sigma_s": s, "sigma_r": r}) for d, s, r in ((-100, 8, 25), (-100, 4, 40), (60, 8, 25))],
     *[(equalize, source, {"low": lo, "high": hi}) for source, lo, hi in ((LUMA, 5, 95), (LUMA, 20, 60), (COLOR, 5, 95))],
+    (equalize, COLOR, {"low": 5, "high": 95, "channels": "each"}),
     *[(dynamic_range, LUMA, {"range": range_}) for range_ in (128, 250)],
     *[(flow_lines, LUMA, FLOW | more) for more in ({}, {"tone": 80, "epsilon": 120, "p": 20}, {"sigma": 3, "shortest": 0})],
     *[(kuwahara, LUMA, {"radius": r, "sharpness": 70, "stretch": 70, "passes": 1}) for r in (5, 10)],

@@ -78,7 +78,7 @@ test('the list of keys has the keys that people know, in their order', async () 
 
 /** What needs a browser, a film, the letters or the real core. */
 const ELSEWHERE =
-  /^(page\.acceptCrops|photos\.add|layouts\.(save|forget)|panels\.(save|earlier|later|zoom|fit|reset|cut|slant)|words|designer|explorer|styles|download\.download)/;
+  /^(page\.acceptCrops|photos\.add|layouts\.(save|forget)|panels\.(save|earlier|later|zoom|fit|reset|cut|slant)|words|designer|explorer|imitation\.edit|styles|download\.download)/;
 /** They are the undo itself. */
 const WALKS = ['page.undo', 'page.redo'];
 
@@ -100,6 +100,9 @@ test.each(HERE)('%s counts in the undo as its mark says', async (id) => {
   if (id === 'panels.split') merging.merge();
   else if (!['panels.merge', 'panels.join', 'panels.swap'].includes(id)) selection.set([0]);
   if (id === 'window.shrinkPage') parts.ui.zoom.value = 2;
+  parts.imitation.proposals.value = [{ id: 'like-1', name: 'Like a print', tags: [], background: [] }];
+  parts.imitation.shown.value = 'like-1';
+  if (id === 'imitation.stop') parts.imitation.progress.value = 0.5;
   const action = new Map(everyAction(createActions(parts))).get(id);
   const before = store.history.peek().past.length;
   if (action && isEnabled(action)) action.run();

@@ -5,6 +5,7 @@
 import { createBookActions } from '../book/book-actions.ts';
 import { createDesignerActions } from '../designer/designer-actions.ts';
 import { createExplorerActions } from '../explorer/explorer-actions.ts';
+import { createImitationActions } from '../imitation/imitation-actions.ts';
 import { createDownloadActions } from '../export/download-actions.ts';
 import { createLayoutActions } from '../layouts/layout-actions.ts';
 import { createWordActions } from '../lettering/word-actions.ts';
@@ -31,6 +32,7 @@ export function createActions(parts: Parts) {
     photos: createPhotoActions(parts),
     designer: createDesignerActions(parts),
     explorer: createExplorerActions(parts),
+    imitation: createImitationActions(parts),
     download: createDownloadActions(parts),
     window: createWindowActions(parts),
   } satisfies Tables;

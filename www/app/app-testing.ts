@@ -6,6 +6,7 @@ import { createShownPages } from '../book/shown-pages.ts';
 import { createDesigner } from '../designer/designer.ts';
 import { fakeApp } from '../document/testing.ts';
 import { createExplorer } from '../explorer/explorer.ts';
+import { createImitation } from '../imitation/imitation.ts';
 import { createDownload } from '../export/download.ts';
 import { createOwnLayouts } from '../layouts/own-layouts.ts';
 import { createLettering } from '../lettering/lettering.ts';
@@ -55,6 +56,7 @@ export async function fakeParts(): Promise<Parts> {
     lettering: createLettering({ store, messages, selection, load: () => new Promise(() => {}) }),
     ownLayouts: createOwnLayouts({ store, pages, messages }),
     explorer: createExplorer({ store, engine, messages, ownStyles, seed: () => 1, judged: false }),
+    imitation: createImitation({ store, engine, messages, ui, seed: () => 1, freshId: () => 'mine' }),
     download: createDownload({ store, pages, engine, messages, pageFiles: {} as any }),
   };
   await reading.addFiles(files(...PHOTOS));

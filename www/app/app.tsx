@@ -2,8 +2,9 @@ import { strings } from '../strings/strings.ts';
 import { Board } from './board.tsx';
 import { useApp } from '../ui/context.ts';
 import { Designer } from '../designer/designer-screen.tsx';
-import { dragging } from './drop.ts';
+import { STYLE_ZONE, dragging, forStyle } from './drop.ts';
 import { Explorer } from '../explorer/explorer-screen.tsx';
+import { ImitationScreen } from '../imitation/imitation-screen.tsx';
 import { ExportDialog } from '../export/export-dialog.tsx';
 import { Broken } from '../storage/broken.tsx';
 import { PagesWall } from '../book/pages-wall.tsx';
@@ -65,14 +66,20 @@ function Everything() {
       {!empty ? <Board /> : keeping.running.value ? <Waiting /> : !projects && <Start />}
       {!empty && ui.work.value === 'designer' && <Designer />}
       {!empty && ui.work.value === 'explorer' && <Explorer />}
+      {!empty && ui.work.value === 'imitation' && <ImitationScreen />}
       {!empty && ui.work.value === 'pages' && <PagesWall />}
       {projects && <Projects />}
       <Toasts />
       {dialog === 'help' && <HelpDialog />}
       {dialog === 'export' && store.page.value && <ExportDialog />}
       {dragging.value && (
-        <div class="drop-veil">
+        <div class="drop-veil" data-zones={!empty} data-for={forStyle.value ? 'style' : 'photos'}>
           <p>{strings.dropHere}</p>
+          {!empty && (
+            <p class="drop-style" data-drop={STYLE_ZONE}>
+              {strings.dropForStyle}
+            </p>
+          )}
         </div>
       )}
     </div>

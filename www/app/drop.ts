@@ -3,11 +3,19 @@
  */
 
 import { signal } from '@preact/signals';
+import { noteFolders } from '../photos/folders.ts';
 
 /** Whether files are being dragged over the window. */
 export const dragging = signal(false);
 
-export function acceptFiles(window: Window, accept: (files: File[]) => void) {
+/** Whether what is dragged would be taken for its style: Alt is held, or it is over the zone for that. */
+export const forStyle = signal(false);
+
+/** Names, as `data-drop`, elements on which a picture is dropped for its style. */
+export const STYLE_ZONE = 'style';
+
+/** @param imitate takes files for their style */
+export function acceptFiles(window: Window, accept: (files: File[]) => void, imitate: (files: File[]) => void) {
   let depth = 0;
   const over = (step: number) => {
     depth = Math.max(0, depth + step);
@@ -15,13 +23,18 @@ export function acceptFiles(window: Window, accept: (files: File[]) => void) {
   };
   window.addEventListener('dragenter', (event) => carries(event) && over(1));
   window.addEventListener('dragleave', (event) => carries(event) && over(-1));
-  window.addEventListener('dragover', (event) => carries(event) && event.preventDefault());
+  window.addEventListener('dragover', (event) => {
+    if (!carries(event)) return;
+    event.preventDefault();
+    forStyle.value = wantsStyle(event);
+  });
   window.addEventListener('drop', async (event) => {
     depth = 0;
     dragging.value = false;
     if (!event.dataTransfer || !carries(event)) return;
     event.preventDefault();
-    accept(await filesOf(event.dataTransfer));
+    const take = wantsStyle(event) ? imitate : accept;
+    take(await filesOf(event.dataTransfer));
   });
   window.addEventListener('paste', (event) => {
     const files = [...(event.clipboardData?.files ?? [])];
@@ -33,6 +46,10 @@ export function acceptFiles(window: Window, accept: (files: File[]) => void) {
 export function expectFiles(window: Window, expect: () => void) {
   window.addEventListener('dragenter', (event) => carries(event) && expect());
   window.addEventListener('click', ({ target }) => isFileInput(target) && expect(), { capture: true });
+}
+
+function wantsStyle({ altKey, target }: DragEvent) {
+  return altKey || (target instanceof Element && target.closest(`[data-drop='${STYLE_ZONE}']`) !== null);
 }
 
 function carries(event: DragEvent) {
@@ -53,7 +70,8 @@ async function filesOf(transfer: DataTransfer): Promise<File[]> {
 
 async function walk(entry: FileSystemEntry): Promise<File[]> {
   if (entry.isFile) {
-    return [await new Promise((resolve, reject) => (entry as FileSystemFileEntry).file(resolve, reject))];
+    const file: File = await new Promise((resolve, reject) => (entry as FileSystemFileEntry).file(resolve, reject));
+    return [noteFolders(file, entry.fullPath.split('/').slice(1, -1))];
   }
   const reader = (entry as FileSystemDirectoryEntry).createReader();
   const found = [];

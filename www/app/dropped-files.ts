@@ -8,10 +8,11 @@
 import { computed, signal } from '@preact/signals';
 import { strings } from '../strings/strings.ts';
 import { byName } from '../ui/by-name.ts';
+import { isArchiveFile } from '../storage/files/page-archive.ts';
 import { isNamedPng } from '../storage/files/page-files.ts';
 import { isProjectFile } from '../storage/files/project-file.ts';
 import { openPlans } from './plans.ts';
-import { isSubtitles } from '../lettering/subtitling.ts';
+import { speechAmong } from '../lettering/subtitling.ts';
 import type { Store } from '../document/store.ts';
 import type { OwnLayouts } from '../layouts/own-layouts.ts';
 import type { Subtitling } from '../lettering/subtitling.ts';
@@ -61,23 +62,33 @@ export function createDroppedFiles({
   async function takeIn(files: readonly File[]) {
     const plans = files.filter(({ name }) => name.toLowerCase().endsWith('.json'));
     const projects = files.filter(isProjectFile);
-    const subtitles = files.filter(isSubtitles);
-    const pictures = files.filter((file) => ![plans, projects, subtitles].some((list) => list.includes(file)));
+    const speech = speechAmong(files);
+    const archives = files.filter((file) => !projects.includes(file) && isArchiveFile(file));
+    const pictures = files.filter((file) => ![plans, projects, archives].some((list) => list.includes(file)));
     void openPlans(plans, { ownLayouts, ownStyles });
     // What is dropped while another project is on its way is meant for that one.
-    const turn = Promise.all([before, keeping.turned()]).then(() => openAll(projects, pictures));
+    const turn = Promise.all([speech, before, keeping.turned()]).then(([spoken]) =>
+      openAll(
+        projects,
+        pictures.filter((file) => !spoken.includes(file)),
+        archives,
+      ),
+    );
     before = turn.catch(() => {});
     const { photos, shown } = await turn;
     await add(photos, shown);
     // Their video may have come with them.
-    await subtitling.open(subtitles);
+    await subtitling.open(await speech);
   }
 
   /** Opens files that were chosen as projects. */
   async function openProjects(files: readonly File[]) {
     const projects = byName(files).map((file) => ({
       name: file.name,
-      open: () => (isNamedPng(file) ? keeping.pageFiles.openChosen(file) : keeping.files.open(file)),
+      open: () =>
+        isNamedPng(file) || (isArchiveFile(file) && !isProjectFile(file))
+          ? keeping.pageFiles.openChosen(file, keeping.files.open)
+          : keeping.files.open(file),
     }));
     const turn = Promise.all([before, keeping.turned()]).then(() => oneByOne(projects));
     before = turn.catch(() => {});
@@ -86,13 +97,19 @@ export function createDroppedFiles({
 
   /**
    * @param files of projects
+   * @param archives of pages, or of pictures, which join the others
    * @returns photos that no frame waited for, and the project that came with them
    */
   async function openAll(
-    files: readonly File[],
-    pictures: readonly File[],
+    projectFiles: readonly File[],
+    loose: readonly File[],
+    archives: readonly File[],
   ): Promise<{ photos: File[]; shown?: Opened }> {
-    const pages = await keeping.pageFiles.allAmong(pictures);
+    const inside = [];
+    for (const archive of byName(archives)) inside.push(await keeping.pageFiles.unpacked(archive));
+    const files = [...projectFiles, ...inside.flatMap(({ project }) => project ?? [])];
+    const pictures = [...loose, ...inside.flatMap((archive) => archive.pictures)];
+    const pages = [...inside.flatMap(({ page }) => page ?? []), ...(await keeping.pageFiles.allAmong(pictures))];
     const projects = byName([
       ...files.map((file) => ({ name: file.name, open: () => keeping.files.open(file) })),
       ...pages.map((page) => ({ name: page.file.name, open: () => keeping.pageFiles.open(page) })),

@@ -21,6 +21,7 @@ import { createExplorer } from '../explorer/explorer.ts';
 import { createKeeping } from '../storage/storage.ts';
 import { createShelves } from '../storage/shelves.ts';
 import { createFraming } from '../page/panels/framing.ts';
+import { createImitation } from '../imitation/imitation.ts';
 import { createHints } from '../help/hints.ts';
 import { createInstalling } from '../offline/installing.ts';
 import { freshPhotoPrefix } from '../photos/intake.ts';
@@ -40,6 +41,7 @@ import { createStore } from '../document/store.ts';
 import { createShownPages } from '../book/shown-pages.ts';
 import { createSubtitling } from '../lettering/subtitling.ts';
 import { isStyleLink } from '../styles/style-link.ts';
+import { createInventions } from '../explorer/inventions.ts';
 import { createStyling } from '../styles/styling.ts';
 import { createRecentStyles } from '../styles/recent-styles.ts';
 import { createTaste } from '../styles/taste.ts';
@@ -103,7 +105,14 @@ const keeping = createKeeping({
   views,
 });
 const explorer = createExplorer({ store, engine, messages, ownStyles, seed: freshSeed, judged: ui.detects });
-const styling = createStyling({ store, ownStyles });
+const imitation = createImitation({ store, engine, messages, ui, seed: freshSeed, freshId: freshStyleId });
+const inventions = createInventions({
+  store,
+  engine,
+  seed: freshSeed,
+  idle: () => ui.painted.value === store.page.value && subjects.settled.value,
+});
+const styling = createStyling({ store, ownStyles, inventions: () => inventions.ready.peek() });
 const crops = createBetterCrops({ store, pages, ui });
 const subjects = createSubjects({
   store,
@@ -193,6 +202,7 @@ const parts: Parts = {
   taste,
   recentStyles,
   explorer,
+  imitation,
   keeping,
   shownPages,
   subjects,
@@ -208,7 +218,7 @@ const parts: Parts = {
 };
 const actions = createActions(parts);
 window.addEventListener('keydown', createKeys({ actions, ui, leave: leaveMode, pointed: trackPointed(window) }));
-acceptFiles(window, intake);
+acceptFiles(window, intake, imitation.take);
 expectFiles(window, subjects.expect);
 holdSliders(window);
 
@@ -305,6 +315,7 @@ function leavePage() {
 function leave() {
   leavePage();
   explorer.stop();
+  imitation.clear();
   ui.stack.value = null;
   ui.work.value = null;
 }

@@ -17,6 +17,8 @@ import { isEnabled } from '../ui/action.ts';
 import { ActionButton } from '../ui/action-button.tsx';
 import { WordLayer } from '../lettering/word-layer.tsx';
 import { styleOfPage } from '../styles/style-actions.ts';
+import { CoarseHide, CoarseMarks } from '../export/print-check.tsx';
+import { SafeArea } from '../page/safe-area.tsx';
 import type { App } from '../ui/context.ts';
 import type { Store } from '../document/store.ts';
 
@@ -107,9 +109,12 @@ export function Stage() {
             <WordLayer page={page} geometry={geometry} width={width > 0 ? pixels : 0} />
           )}
           {page && geometry && ui.subjects.value && <PanelSubjects page={page} geometry={geometry} />}
+          {page && ui.safeArea.value && <SafeArea settings={settings} />}
+          {page && geometry && <CoarseMarks page={page} geometry={geometry} />}
           {page && geometry && reshaping.editing.value && <Cuts />}
           {page && geometry && zoom === 1 && <PanelBar geometry={geometry} />}
         </div>
+        {page && <CoarseHide />}
         {isEnabled(app.actions.page.acceptCrops) && (
           <ActionButton action={app.actions.page.acceptCrops} class="better-crops" text />
         )}

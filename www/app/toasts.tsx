@@ -14,7 +14,9 @@ export function Toasts() {
   const opening = keeping.files.progress.value;
   const list = messages.list.value;
   const running = download.progress.value;
-  const exporting = running ? strings.exporting(strings.percent(running.done / running.total)) : '';
+  const saving = keeping.files.saving.value;
+  const percent = running ? strings.percent(running.done / Math.max(1, running.total)) : '';
+  const exporting = running ? (running.packing ? strings.packingPhotos(percent) : strings.exporting(percent)) : '';
   return (
     <>
       <div class="toasts">
@@ -29,6 +31,22 @@ export function Toasts() {
               <progress class="progress" aria-label={exporting} value={running.done} max={running.total} />
             </div>
             <button type="button" class="button" onClick={download.cancel}>
+              {strings.cancel}
+            </button>
+          </div>
+        )}
+        {saving && (
+          <div class="toast" aria-busy="true">
+            <div class="toast-work">
+              <span>{strings.savingProject(saving.done, saving.total)}</span>
+              <progress
+                class="progress"
+                aria-label={strings.saveProject}
+                value={saving.done}
+                max={Math.max(1, saving.total)}
+              />
+            </div>
+            <button type="button" class="button" onClick={keeping.files.cancelSaving}>
               {strings.cancel}
             </button>
           </div>

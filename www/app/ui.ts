@@ -20,7 +20,7 @@ const LETTERS_KEY = 'inkpanel.letters';
 const DETECT_KEY = 'inkpanel.detect';
 const IDEAS_KEY = 'inkpanel.ideas';
 
-export type Work = 'designer' | 'explorer' | 'projects' | 'pages';
+export type Work = 'designer' | 'explorer' | 'imitation' | 'projects' | 'pages';
 
 export function createUi(window: Window) {
   const wide = mediaSignal(window, '(min-width: 1000px)');
@@ -63,6 +63,10 @@ export function createUi(window: Window) {
     },
     /** Whether photos are looked at for faces and objects; `inkpanel.detect` = `off` in the storage says no. */
     detects: remembered(window, DETECT_KEY) !== 'off',
+    /** Whether what is never cut off is drawn on the page. */
+    safeArea: signal(false),
+    /** Width on paper in inches for which coarse panels are marked; null marks none. */
+    printCheck: signal(null) as Signal<number | null>,
     /** Whether the boxes of what was found are drawn. */
     subjects: signal(false),
     /** A photo of the stack that is open. */

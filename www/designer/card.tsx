@@ -10,7 +10,10 @@ import { useApp } from '../ui/context.ts';
 import { Icon } from '../ui/icon.tsx';
 import { BlockName } from './block-name.tsx';
 import { Parameter } from './parameter.tsx';
-import type { DraftStep, Layer, Misfit } from '../engine/types.ts';
+import type { BlockParam, DraftStep, Layer, Misfit } from '../engine/types.ts';
+
+/** The choice of colours of one's own. */
+const OWN = 'own';
 
 /** @param props `marked`: a dragged card would land on that side of it */
 export function Card({
@@ -81,6 +84,14 @@ export function Card({
     event.stopPropagation();
   }
 
+  /** Colours of one's own are asked for where one's own are wanted, as many as there are. */
+  const asked = ({ id, kind }: BlockParam) => {
+    if (kind !== 'colour') return true;
+    const place = /^color_(\d)$/.exec(id)?.[1];
+    const own = Object.values(step.values).includes(OWN);
+    return own && (place === undefined || Number(place) <= Number(step.values.colors));
+  };
+
   const name = strings.card(strings.blockName(block), at + 1);
   return (
     <li
@@ -150,7 +161,7 @@ export function Card({
           </button>
         </p>
       )}
-      {block.params.map((param) => (
+      {block.params.filter(asked).map((param) => (
         <Parameter
           key={param.id}
           block={block.id}

@@ -41,6 +41,16 @@ export function Lane({
     <section class="lane" data-layer={layer} onFocusIn={() => designer.turnTo(layer)}>
       <header class="lane-head">
         <h3 title={strings.layerHelp[layer]}>{strings.layerName[layer]}</h3>
+        {layer === 'background' && (
+          <label class="lane-faces" title={strings.careForFacesHelp}>
+            <input
+              type="checkbox"
+              checked={!draft.careless}
+              onChange={(event) => designer.change({ type: 'faces', on: event.currentTarget.checked })}
+            />
+            <span>{strings.careForFaces}</span>
+          </label>
+        )}
         {layer === 'foreground' && (
           <input
             type="color"

@@ -1,7 +1,8 @@
 /**
- * A parameter of a block, as its descriptor says: a slider with a number field, a switch, or a choice.
+ * A parameter of a block, as its descriptor says: a slider with a number field, a switch, a choice, a colour, or a picture.
  */
 
+import { TextureChoice } from './texture-choice.tsx';
 import { strings } from '../strings/strings.ts';
 import type { BlockParam, ParamValue } from '../engine/types.ts';
 
@@ -32,6 +33,19 @@ export function Parameter({
       </label>
     );
   }
+  if (kind === 'colour') {
+    return (
+      <label class="parameter switch" title={help}>
+        <input
+          type="color"
+          value={String(value)}
+          onInput={(event) => onMove(event.currentTarget.value)}
+          onChange={(event) => onSet(event.currentTarget.value)}
+        />
+        <span>{label}</span>
+      </label>
+    );
+  }
   if (kind === 'choice') {
     return (
       <label class="parameter choice" title={help}>
@@ -46,6 +60,7 @@ export function Parameter({
       </label>
     );
   }
+  if (kind === 'texture') return <TextureChoice label={label} help={help} value={String(value)} onSet={onSet} />;
   return (
     <Range
       param={param}

@@ -29,6 +29,7 @@ export function StyleBar() {
       <div class="style-tools">
         <ActionButton action={actions.designer.save} class="button" text />
         <ActionButton action={actions.designer.exportStyle} />
+        <ActionButton action={actions.imitation.open} />
         <IconButton icon="open" label={strings.importStyle} onClick={() => file.current?.click()} />
         <ActionButton action={actions.designer.copyLink} />
         <ActionButton action={actions.designer.duplicate} />

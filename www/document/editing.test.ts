@@ -112,6 +112,10 @@ const actions: Record<Action['type'], fc.Arbitrary<any>> = {
     sheets: ids.map((id) => ({ page: pageOf(id), pageId: id + 10, sheet: id })),
     at: at % ids.length,
   })),
+  'add-words': fc.tuple(photo, fc.constantFrom(undefined, 1, 2)).map(([id, sheet]) => ({
+    words: [{ kind: 'balloon', text: id, photo: sheet ? null : id, panel: 0, sheet, auto: true }],
+  })),
+  'drop-waiting': fc.record({ words: fc.subarray([0, 1]) }),
   'no-page': fc.constant({}),
   design: fc.constantFrom(
     { draft: null },

@@ -77,7 +77,10 @@ function pagesIn(change: Change): readonly PageDocument[] {
 function laidOver(was: History, told: Difference, given: readonly PageDocument[]): History {
   const before = [...was.past, was.present, ...was.future];
   const { state, withPage } = joinedWith(withGiven(told.parts, given), knownParts(was));
-  const states: Project[] = [...before, ...told.states.map(([of, fields]) => ({ ...before[of], ...state(fields) }))];
+  const states: Project[] = [
+    ...before,
+    ...told.states.map(([of, fields]) => bare({ ...before[of], ...state(fields) })),
+  ];
   const entries: Shown[] = [...was.shown, ...told.entries.map(withPage)];
   const now = {
     past: listed(told.past, states, was.past),
@@ -88,6 +91,13 @@ function laidOver(was: History, told: Difference, given: readonly PageDocument[]
   return Object.entries(now).every(([part, value]) => was[part as keyof History] === value) ? was : now;
 }
 
+/** Where no word waits nothing is told of them. */
+function bare(project: Project): Project {
+  if (project.waiting?.length !== 0) return project;
+  const { waiting: _, ...rest } = project;
+  return rest;
+}
+
 function withGiven(parts: Difference['parts'], given: readonly PageDocument[]): Difference['parts'] {
   if (parts.pages.length === 0) return parts;
   const texts = new Map(given.map((page) => [JSON.stringify(page), page]));
@@ -96,7 +106,7 @@ function withGiven(parts: Difference['parts'], given: readonly PageDocument[]): 
 
 /** In the order in which the core counts them (`knowing` in `src/document/kept.rs`). */
 function knownParts({ present, shown }: History): Known {
-  const { tray, page, others, mine, favourites, ownLayouts, settings, draft } = present;
+  const { tray, page, others, mine, favourites, ownLayouts, settings, draft, waiting = [] } = present;
   return {
     items: tray,
     pages: [...(page ? [page] : []), ...[...others, ...shown].map((one) => one.page)],
@@ -105,6 +115,7 @@ function knownParts({ present, shown }: History): Known {
     layouts: ownLayouts,
     settings: [settings],
     drafts: draft ? [draft] : [],
+    words: waiting,
   };
 }
 

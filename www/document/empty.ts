@@ -33,5 +33,5 @@ export const EMPTY_PROJECT: Project = Object.freeze({
   favourites: Object.freeze([]),
   ownLayouts: Object.freeze([]),
   loved: Object.freeze([]),
-  styling: Object.freeze({ invented: 0, keepLines: false, keepColours: false }),
+  styling: Object.freeze({ invented: 0.15, keepLines: false, keepColours: false }),
 });

@@ -99,6 +99,6 @@ export function fakeApp(odd: Record<string, 'bad' | 'twin'> = {}, hooks: Paramet
     forgetPhoto: () => {},
   } as any;
   const reading = createReading({ store, pages, engine, messages });
-  const files = (...names: string[]) => names.map((name) => new File(['x'], name));
+  const files = (...names: string[]) => names.map((name) => new File(['x'], name, { lastModified: 0 }));
   return { store, planner, pages, messages, engine, reading, files };
 }

@@ -9,6 +9,7 @@ import { createDesign } from './design.ts';
 import { createDetector } from './detector.ts';
 import { createExports } from './export.ts';
 import { createFiles } from './files.ts';
+import { createImitating } from './imitate.ts';
 import { createMeasures } from './measures.ts';
 import { createPhotos } from './photos.ts';
 import { createPool } from './pool.ts';
@@ -94,12 +95,15 @@ export function createEngine({
     photos,
     lettering: words.lettering,
     ...renders,
+    ...createImitating({ run, photos, ready }),
     judges: aesthetics.judges,
     judgeStyle: aesthetics.judgeStyle,
     drawDesign: design.draw,
     ...createExports({ run, photos, words, files }),
     ...createMeasures({ run, renders, files }),
     givesWebp,
+    comicPieces: files.comicPieces,
+    comicFiles: files.comicFiles,
   };
 
   function run<Op extends keyof Operations>(job: Job<Operations, Op>): Promise<Operations[Op]['ok']> {

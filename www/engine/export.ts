@@ -5,21 +5,27 @@
 
 import { Priority } from './queue.ts';
 import { givesWebp } from './webp.ts';
-import type { PageDocument } from './types.ts';
+import { failure } from './protocol.ts';
+import type { PageDocument, PdfOptions } from './types.ts';
 import type { createFiles } from './files.ts';
 import type { createPhotos } from './photos.ts';
 import type { Run } from './pool.ts';
-import type { PixelPatch } from './protocol.ts';
+import type { Picture, PixelPatch, Plates, Rgb } from './protocol.ts';
 import type { createWords } from './words.ts';
 
 type PanelPatch = PixelPatch & { index: number };
 type Call = { signal?: AbortSignal; onProgress?: (done: number, total: number) => void };
+/** `quality` from 1 to 100; `alts`: of each page what its panels show, for who does not see them. */
+type PdfCall = Call & { quality: number; title: string; alts?: readonly (readonly string[])[]; options?: PdfOptions };
 type Parts = {
   run: Run;
   photos: ReturnType<typeof createPhotos>;
   words: Pick<ReturnType<typeof createWords>, 'patches'>;
   files: ReturnType<typeof createFiles>;
 };
+
+/** In the place of an id: no photo. */
+const EMPTY = '';
 
 /** What stands on the page of a single panel; its patch brings the rest. */
 const ALONE = {
@@ -33,7 +39,7 @@ const ALONE = {
 };
 
 export function createExports({ run, photos, words, files }: Parts) {
-  return { exportPng, exportJpeg, exportWebp, exportPdf, exportPanel };
+  return { exportPng, exportJpeg, exportWebp, exportPdf, exportPlates, exportPanel };
 
   async function exportPng(document: PageDocument, call?: Call): Promise<Blob> {
     return whole(document, call, (patches, signal) => encode(document, patches, signal));
@@ -64,30 +70,75 @@ export function createExports({ run, photos, words, files }: Parts) {
     return files.webp(png, { quality, dpi: document.page.dpi }, call);
   }
 
-  /** @returns one file of all pages */
+  /**
+   * @param call `options`: how it is printed
+   * @returns one file of all pages
+   */
   async function exportPdf(
     documents: readonly PageDocument[],
-    { quality, title, ...call }: Call & { quality: number; title: string },
+    { quality, title, alts = [], options, ...call }: PdfCall,
   ): Promise<Blob> {
-    const step = steps(
-      documents.reduce((sum, document) => sum + shown(document), 1),
-      call.onProgress,
-    );
+    const step = stepsOf(documents, call);
     return stoppable(call.signal, async (signal) => {
       const pages = [];
-      for (const document of documents) {
-        // Borders are lines of the file, so the panels are drawn without.
-        const bare = { ...document, page: { ...document.page, border: 0 } };
-        const pictures = await byPhoto(bare, undefined, signal, async (patches) => {
-          const made = await files.pictures(document, patches, quality, { signal });
-          step(patches.length);
-          return made;
-        });
-        pages.push({ document, pictures });
+      for (const [i, document] of documents.entries()) {
+        const made = await pictures(document, { quality, inks: [], signal, step });
+        pages.push({ document, alts: alts[i] ?? [], pictures: made });
       }
-      const pdf = await files.pdf(pages, title, { signal });
+      const pdf = await files.pdf(pages, { ...options, title }, { signal });
       step(1);
       return pdf;
+    });
+  }
+
+  /**
+   * @param documents pages of one style, which prints with inks
+   * @param call as of `exportPdf`
+   * @returns a gray file of all pages for each ink
+   */
+  async function exportPlates(
+    documents: readonly PageDocument[],
+    { quality, title, alts = [], options, ...call }: PdfCall,
+  ): Promise<{ ink: string; blob: Blob }[]> {
+    const step = stepsOf(documents, call);
+    return stoppable(call.signal, async (signal) => {
+      const pages: { document: PageDocument; alts: readonly string[]; pictures: Picture[] }[] = [];
+      let inks: Plates['inks'] = [];
+      for (const [i, page] of documents.entries()) {
+        const args = { document: JSON.stringify(page) };
+        const found = await run({ op: 'plates', args, priority: Priority.PAGE, signal });
+        if (!found || (inks.length > 0 && JSON.stringify(found.inks) !== JSON.stringify(inks)))
+          throw failure('no-plates', 'The pages are not all printed with the same inks.');
+        ({ inks } = found);
+        const { document } = found;
+        const made = await pictures(document, { quality, inks: coloursOf(inks), signal, step });
+        pages.push({ document, alts: alts[i] ?? [], pictures: made });
+      }
+      const plates = [];
+      for (const [plate, { name }] of inks.entries()) {
+        const own = pages.map((page) => ({
+          ...page,
+          pictures: page.pictures.filter((picture) => picture.plate === plate),
+        }));
+        const how = { ...options, title, plate, inks: coloursOf(inks) };
+        plates.push({ ink: name, blob: await files.pdf(own, how, { signal }) });
+      }
+      step(1);
+      return plates;
+    });
+  }
+
+  /** The panels of a page as a PDF file has them: borders are lines of the file, so they are drawn without. */
+  function pictures(
+    document: PageDocument,
+    { signal, step, ...wish }: { quality: number; inks: readonly Rgb[]; signal: AbortSignal; step: (count: number) => void },
+  ): Promise<Picture[]> {
+    const bare = { ...document, page: { ...document.page, border: 0 } };
+    return byPhoto(bare, withPhoto(bare), signal, async (patches) => {
+      const count = patches.length;
+      const made = await files.pictures(document, patches, wish, { signal });
+      step(count);
+      return made;
     });
   }
 
@@ -119,9 +170,11 @@ export function createExports({ run, photos, words, files }: Parts) {
     encode: (patches: PixelPatch[], signal: AbortSignal) => Promise<Blob>,
   ) {
     // Encoding counts as one step.
-    const step = steps(shown(document) + 1, onProgress);
+    const all = document.panels.map((_, index) => index);
+    const step = steps(all.length + 1, onProgress);
     return stoppable(stop, async (signal) => {
-      const panels = await byPhoto(document, undefined, signal, async (patches) => {
+      // Panels without a photo, too: empty frames, as a PDF file has them.
+      const panels = await byPhoto(document, all, signal, async (patches) => {
         step(patches.length);
         return patches;
       });
@@ -133,14 +186,13 @@ export function createExports({ run, photos, words, files }: Parts) {
   }
 
   /**
-   * Draws the panels, those of one photo together.
-   * @param wanted all unless told
+   * Draws panels, those of one photo together.
    * @param use what becomes of those of one photo
    * @returns in the order of the panels
    */
   async function byPhoto<T extends { index: number }>(
     document: PageDocument,
-    wanted: readonly number[] | undefined,
+    wanted: readonly number[],
     signal: AbortSignal,
     use: (patches: PanelPatch[]) => Promise<T[]>,
   ): Promise<T[]> {
@@ -148,7 +200,7 @@ export function createExports({ run, photos, words, files }: Parts) {
     const { width } = document.page;
     const parts = await Promise.all(
       [...panelsByPhoto(document, wanted)].map(async ([id, indexes]) => {
-        const { file, name } = photos.get(id);
+        const { file, name } = id === EMPTY ? { file: null, name: '' } : photos.get(id);
         const args = { id, file, document: json, indexes, width };
         return use(await run({ op: 'fullPanels', args, photo: name, priority: Priority.PAGE, signal }));
       }),
@@ -167,21 +219,41 @@ async function stoppable<T>(signal: AbortSignal | undefined, work: (signal: Abor
   }
 }
 
+function coloursOf(inks: Plates['inks']): Rgb[] {
+  return inks.map(({ rgb }) => rgb);
+}
+
 function steps(total: number, onProgress: Call['onProgress'] = () => {}) {
   let done = 0;
   onProgress(done, total);
   return (count: number) => onProgress((done += count), total);
 }
 
-function shown(document: PageDocument) {
-  return document.panels.filter((panel) => panel.photo !== null).length;
+/** Of the panels with photos of all pages, and of the file. */
+function stepsOf(documents: readonly PageDocument[], { onProgress }: Call) {
+  return steps(
+    documents.reduce((sum, document) => sum + withPhoto(document).length, 1),
+    onProgress,
+  );
 }
 
-/** @returns the panels that show a photo, by its id */
-function panelsByPhoto(document: PageDocument, wanted?: readonly number[]): Map<string, number[]> {
+/** @returns the photo that a panel shows; panels that share an image show that of the first */
+function photoOf({ panels, merges }: PageDocument, index: number): string {
+  const leader = merges.find((group) => group.includes(index))?.[0] ?? index;
+  return panels[leader]?.photo ?? EMPTY;
+}
+
+/** @returns the panels that show one */
+function withPhoto(document: PageDocument): number[] {
+  return document.panels.flatMap((_, index) => (photoOf(document, index) === EMPTY ? [] : index));
+}
+
+/** @returns panels by the id of their photo */
+function panelsByPhoto(document: PageDocument, wanted: readonly number[]): Map<string, number[]> {
   const groups: Map<string, number[]> = new Map();
-  document.panels.forEach(({ photo }, index) => {
-    if (photo !== null && (!wanted || wanted.includes(index))) groups.set(photo, [...(groups.get(photo) ?? []), index]);
-  });
+  for (const index of wanted) {
+    const photo = photoOf(document, index);
+    groups.set(photo, [...(groups.get(photo) ?? []), index]);
+  }
   return groups;
 }

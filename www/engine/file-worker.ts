@@ -2,12 +2,13 @@
  * The worker that makes files: the module of words, loaded with the first job, and the browser's own encoder of WebP where it has one.
  */
 
-import initWords, { Book, Cut, Lettering, Print } from '../pkg-words/inkpanel.js';
+import initWords, { Book, Cut, Lettering, Plate, Print, comicFile } from '../pkg-words/inkpanel.js';
 import { blobOf } from './blobs.ts';
 import { fileMs } from './measured.ts';
 import { moduleBytes } from './module-bytes.ts';
 import { failure } from './protocol.ts';
 import { LOADING, STORING, serveJobs } from './serving.ts';
+import { createShaping } from './shaping.ts';
 import { withDpi } from './webp.ts';
 import type { Making, Picture, PixelPatch } from './protocol.ts';
 import type { Tell, Work } from './serving.ts';
@@ -21,7 +22,7 @@ type Args<Op extends keyof Making> = Making[Op]['args'];
 
 let started: Promise<WebAssembly.Memory> | undefined;
 
-const OPERATIONS: Work<Making> = { jpeg, webp, losslessWebp, pictures, pdf };
+const OPERATIONS: Work<Making> = { jpeg, webp, losslessWebp, pictures, pdf, comic };
 
 serveJobs<Making>(async (op, args, tell) => {
   tell.waits(LOADING);
@@ -83,34 +84,60 @@ async function webp({ picture, quality, dpi }: Args<'webp'>, tell: Tell) {
   return { ok: withDpi(new Uint8Array(await made.arrayBuffer()), { width, height, dpi }), transfer: [] };
 }
 
-async function pictures({ document, patches, quality }: Args<'pictures'>, tell: Tell) {
-  const ok: Picture[] = patches.map(({ index, x, y, width, height, data }) => {
-    tell.expects(fileMs(2 * width * height));
-    const cut = new Cut(document, index, x, y, width, height, bytesOf(data), quality);
-    const made = cut.take() as Uint8Array<ArrayBuffer>;
-    const place = { x: cut.x, y: cut.y, width: cut.width, height: cut.height };
-    cut.free();
-    return { index, ...place, jpeg: made };
-  });
+/** @param args `inks`: each panel has a picture of its own for each of them; none for one in colour */
+async function pictures({ document, patches, quality, inks }: Args<'pictures'>, tell: Tell) {
+  const ok: Picture[] = [];
+  const colours = Uint8Array.from(inks.flat());
+  for (let ink = 0; ink < Math.max(1, inks.length); ink += 1) {
+    const plate = inks.length > 0 ? new Plate(colours, ink) : null;
+    try {
+      for (const { index, x, y, width, height, data } of patches) {
+        tell.expects(fileMs(2 * width * height));
+        const rgba = bytesOf(data);
+        const cut = plate
+          ? plate.cut(document, index, x, y, width, height, rgba, quality)
+          : new Cut(document, index, x, y, width, height, rgba, quality);
+        const made = cut.take() as Uint8Array<ArrayBuffer>;
+        const place = { x: cut.x, y: cut.y, width: cut.width, height: cut.height };
+        cut.free();
+        ok.push({ index, ...place, jpeg: made, ...(plate && { plate: ink }) });
+      }
+    } finally {
+      plate?.free();
+    }
+  }
   return { ok, transfer: ok.map((picture) => picture.jpeg.buffer) };
 }
 
-async function pdf({ pages, title }: Args<'pdf'>, tell: Tell) {
+async function pdf({ pages, options }: Args<'pdf'>, tell: Tell) {
   const book = new Book();
   const letters = new Lettering();
+  const shape = createShaping(letters);
   try {
     for (const page of pages) {
+      shape(JSON.parse(page.document));
       tell.expects(PAGE);
-      book.add_page(page.document);
+      book.add_page(page.document, JSON.stringify(page.alts));
       for (const { index, x, y, width, height, jpeg: bytes } of page.pictures)
         book.add_picture(index, x, y, width, height, bytes);
     }
     tell.expects(PAGE * pages.length);
-    const bytes = book.finish(letters, title) as Uint8Array<ArrayBuffer>;
+    const bytes = book.finish(letters, JSON.stringify(options)) as Uint8Array<ArrayBuffer>;
     tell.waits(STORING);
     return { ok: await blobOf(bytes, { type: 'application/pdf' }), transfer: [] };
   } finally {
     book.free();
+    letters.free();
+  }
+}
+
+/** The text of a comic; its pictures are put in where they are. */
+async function comic({ kind, comic: told }: Args<'comic'>, tell: Tell) {
+  tell.expects(PAGE);
+  const letters = new Lettering();
+  try {
+    return { ok: comicFile(kind, told, letters), transfer: [] };
+  } finally {
     letters.free();
   }
 }

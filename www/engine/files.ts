@@ -5,17 +5,27 @@
 
 import { createPool } from './pool.ts';
 import { Priority } from './queue.ts';
-import type { PageDocument } from './types.ts';
+import type { Comic, ComicFile, PageDocument, PdfOptions, Piece } from './types.ts';
 import type { Pool } from './pool.ts';
-import type { Making, Picture, PixelPatch } from './protocol.ts';
+import type { ComicKind, Making, Picture, PixelPatch, Rgb } from './protocol.ts';
 
 type Call = { signal?: AbortSignal };
+
 export type { Picture };
 
 export function createFiles() {
   let pool: Pool<Making> | undefined;
 
-  return { jpeg, webp, losslessWebp, pictures, pdf, dispose: () => pool?.dispose() };
+  return {
+    jpeg,
+    webp,
+    losslessWebp,
+    pictures,
+    pdf,
+    comicPieces,
+    comicFiles,
+    dispose: () => pool?.dispose(),
+  };
 
   function run<Op extends keyof Making>(op: Op, args: Making[Op]['args'], transfer: Transferable[], call?: Call) {
     pool ??= createPool<Making>({ size: 1, spawn });
@@ -73,30 +83,45 @@ export function createFiles() {
   /**
    * Panels as a PDF file has them.
    * @param patches panels drawn without borders at full width; they are handed over
-   * @param quality from 1 to 100
+   * @param wish `quality` from 1 to 100; `inks`: there is a picture of each of them, or one in colours
    */
   async function pictures(
     document: PageDocument,
     patches: (PixelPatch & { index: number })[],
-    quality: number,
+    { quality, inks = [] }: { quality: number; inks?: readonly Rgb[] },
     call?: Call,
   ): Promise<Picture[]> {
-    return run('pictures', { document: JSON.stringify(document), patches, quality }, buffersOf(patches), call);
+    const args = { document: JSON.stringify(document), patches, quality, inks };
+    return run('pictures', args, buffersOf(patches), call);
   }
 
   /** @param pages the pictures are handed over */
   async function pdf(
-    pages: { document: PageDocument; pictures: Picture[] }[],
-    title: string,
+    pages: { document: PageDocument; alts: readonly string[]; pictures: Picture[] }[],
+    options: PdfOptions,
     call?: Call,
   ): Promise<Blob> {
-    const args = { title, pages: pages.map((page) => ({ ...page, document: JSON.stringify(page.document) })) };
+    const args = { options, pages: pages.map((page) => ({ ...page, document: JSON.stringify(page.document) })) };
     return run(
       'pdf',
       args,
       pages.flatMap((page) => page.pictures.map((picture) => picture.jpeg.buffer)),
       call,
     );
+  }
+
+  /** @returns an HTML file with a reader, in pieces: text, and the numbers of pages whose pictures stand there as data URLs */
+  async function comicPieces(comic: Comic, call?: Call): Promise<Piece[]> {
+    return JSON.parse(await comicText('html', comic, call));
+  }
+
+  /** @returns the files of an EPUB book or a comic archive, in their order */
+  async function comicFiles(kind: Exclude<ComicKind, 'html'>, comic: Comic, call?: Call): Promise<ComicFile[]> {
+    return JSON.parse(await comicText(kind, comic, call));
+  }
+
+  function comicText(kind: ComicKind, comic: Comic, call?: Call) {
+    return run('comic', { kind, comic: JSON.stringify(comic) }, [], call);
   }
 }
 

@@ -31,6 +31,7 @@ const LISTS: readonly [field: Tabled, table: keyof Tables, entries: keyof Tables
   ['mine', 'shelves', 'styles'],
   ['favourites', 'shelves', 'styles'],
   ['ownLayouts', 'layoutShelves', 'layouts'],
+  ['waiting', 'waits', 'words'],
 ];
 const TABLES: readonly (keyof Tables)[] = [
   'items',
@@ -44,6 +45,8 @@ const TABLES: readonly (keyof Tables)[] = [
   'layoutShelves',
   'settings',
   'drafts',
+  'words',
+  'waits',
 ];
 
 /**
@@ -131,6 +134,7 @@ export function joinedWith(told: Tables, known: Known = {}) {
     draft: joined(known.drafts, told.drafts),
     mine: styles,
     favourites: styles,
+    waiting: listed(told.waits, joined(known.words, told.words)),
     ownLayouts: listed(told.layoutShelves, joined(known.layouts, told.layouts)),
   };
   const part = (field: string, value: unknown) =>

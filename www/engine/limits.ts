@@ -32,13 +32,15 @@ export const ARCHIVE = Object.freeze({
 export const TEXT = Object.freeze({
   /** Bytes in a project file: a thousand pages take a fifth. */
   project: MOST.text,
-  /** Bytes in a page PNG: a page of a hundred panels takes a hundredth. */
-  page: 4 * MB,
+  /** Bytes in a page PNG, which tells all pages of its storyboard. */
+  page: MOST.text,
 });
 
 export const PNG = Object.freeze({
   /** A page of ten thousand chunks was not made to be looked at. */
   chunks: 100_000,
+  /** Bytes of a chunk, by the format. */
+  longest: 2 ** 31 - 1,
   /** Texts of others that are looked at before it is taken for a picture like others. */
   texts: 64,
   /** Bytes of a keyword and all else before the text of an `iTXt` chunk. */

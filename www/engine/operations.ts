@@ -11,9 +11,10 @@ import { reading } from './readable.ts';
 import { STORING, readingOf } from './serving.ts';
 import { createStyleOperations } from './style-operations.ts';
 import { createWarmUp } from './warm-up.ts';
+import { plates_of } from '../pkg/inkpanel.js';
 import type { Patch, Studio } from '../pkg/inkpanel.js';
 import type { createLru } from './lru.ts';
-import type { BitmapPatch, Imported, Operations, PhotoHandle, PixelPatch } from './protocol.ts';
+import type { BitmapPatch, Imported, Operations, PhotoHandle, PixelPatch, Plates } from './protocol.ts';
 import type { Tell, Work } from './serving.ts';
 import type { ImportEntry, PixelSize } from './types.ts';
 
@@ -33,6 +34,7 @@ export function createOperations(studio: Studio, held: ReturnType<typeof createL
     stylize,
     fullPanels,
     encode,
+    plates,
     warm: createWarmUp(studio),
     ...createStyleOperations({ studio, fetchPhotos, bitmap }),
   };
@@ -108,6 +110,11 @@ export function createOperations(studio: Studio, held: ReturnType<typeof createL
     return pixels(studio.stylize_photo(photo.key, style, width, height, ''));
   }
 
+  async function plates({ document }: Operations['plates']['args']) {
+    const ok: Plates | null = JSON.parse(plates_of(document));
+    return { ok, transfer: [] };
+  }
+
   async function stylize({ style, width, height, data }: Operations['stylize']['args'], tell: Tell) {
     tell.expects(styleMs(style, width * height));
     const styled = studio.stylize(style, width, height, data) as Uint8Array<ArrayBuffer>;
@@ -123,10 +130,12 @@ export function createOperations(studio: Studio, held: ReturnType<typeof createL
 
   /** The panels that show one photo, from its original file at full size, so that it is decoded once for all. */
   async function fullPanels({ id, file, document, indexes, width }: Operations['fullPanels']['args'], tell: Tell) {
-    tell.waits(readingOf(file));
-    const bytes = await bytesOf(file);
-    tell.expects(photoMs(bytes, foreignKind(bytes)));
-    await reading(bytes, (file) => studio.import_full(id, file));
+    if (file) {
+      tell.waits(readingOf(file));
+      const bytes = await bytesOf(file);
+      tell.expects(photoMs(bytes, foreignKind(bytes)));
+      await reading(bytes, (file) => studio.import_full(id, file));
+    }
     try {
       const ok = [];
       for (const index of indexes) {
@@ -135,7 +144,7 @@ export function createOperations(studio: Studio, held: ReturnType<typeof createL
       }
       return { ok, transfer: ok.map((patch) => patch.data.buffer) };
     } finally {
-      studio.drop_photo(`${id}/full`);
+      if (file) studio.drop_photo(`${id}/full`);
     }
   }
 

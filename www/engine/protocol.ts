@@ -7,7 +7,7 @@
  */
 
 import type { Designed } from './design.ts';
-import type { Bounds, Detection, FirstLook, ImportEntry, PhotoMeta } from './types.ts';
+import type { Bounds, Detection, FirstLook, ImportEntry, PageDocument, PdfOptions, PhotoMeta, Style } from './types.ts';
 import type { Frame } from './video.ts';
 
 /**
@@ -46,9 +46,14 @@ export type Operations = {
   stylePixels: { args: { photo: PhotoHandle; style: string; width: number; height: number }; ok: PixelPatch };
   design: { args: { photo: PhotoHandle; style: string; width: number; height: number; stages: number }; ok: Designed };
   explore: { args: { photo: PhotoHandle; styles: string[]; width: number; height: number }; ok: Explored[] };
+  plates: { args: { document: string }; ok: Plates | null };
+  readLook: { args: { photo: PhotoHandle; anyway: boolean }; ok: string };
+  /** `asks` are trials that a search asked for; what fails is null. */
+  tryLooks: { args: { photo: PhotoHandle; asks: Trial[] }; ok: (string | null)[] };
   stylize: { args: { style: string; width: number; height: number; data: Uint8Array }; ok: PixelPatch };
   fullPanels: {
-    args: { id: string; file: Blob; document: string; indexes: number[]; width: number };
+    /** Without a file: of panels that have no photo. */
+    args: { id: string; file: Blob | null; document: string; indexes: number[]; width: number };
     ok: (PixelPatch & { index: number })[];
   };
   encode: { args: { document: string; width: number; patches: (PixelPatch & { index: number })[] }; ok: Blob };
@@ -78,8 +83,13 @@ export type Wording = {
   over: { args: { document: string; width: number; bitmap: ImageBitmap }; ok: ImageBitmap };
 };
 
-/** A panel in a PDF file. */
-export type Picture = Bounds & { index: number; jpeg: Uint8Array<ArrayBuffer> };
+/** A panel in a PDF file, or on the plate of an ink. */
+export type Picture = Bounds & { index: number; jpeg: Uint8Array<ArrayBuffer>; plate?: number };
+/** A page of a PDF file as JSON, what its panels show, and their pictures. */
+export type PdfPage = { document: string; alts: readonly string[]; pictures: Picture[] };
+/** The inks of a page, the strongest last, and the page as it is drawn for their plates. */
+export type Plates = { inks: { name: string; rgb: Rgb }[]; document: PageDocument };
+export type Rgb = [number, number, number];
 
 /** Those of the worker that makes files; `quality` is from 1 to 100. */
 export type Making = {
@@ -93,11 +103,18 @@ export type Making = {
     ok: Blob;
   };
   pictures: {
-    args: { document: string; patches: (PixelPatch & { index: number })[]; quality: number };
+    args: { document: string; patches: (PixelPatch & { index: number })[]; quality: number; inks: readonly Rgb[] };
     ok: Picture[];
   };
-  pdf: { args: { pages: { document: string; pictures: Picture[] }[]; title: string }; ok: Blob };
+  pdf: { args: { pages: PdfPage[]; options: PdfOptions }; ok: Blob };
+  comic: { args: { kind: ComicKind; comic: string }; ok: string };
 };
+
+/** A comic that is read. */
+export type ComicKind = 'html' | 'epub' | 'cbz';
+
+/** What a search for a look asks for: a style, the pixels at which a photo is to be drawn in it, and whether close. */
+export type Trial = { style: Style; area: number; close: boolean };
 
 type Tier = 'small' | 'work' | 'full';
 

@@ -20,7 +20,7 @@ export function createStyleOperations({
   /** How long each block took when it ran last, by photo and size. */
   const clocks: Map<string, Map<number, number>> = new Map();
 
-  return { design, explore };
+  return { design, explore, readLook, tryLooks };
 
   async function design(
     { photo, style, width, height, stages }: Operations['design']['args'],
@@ -61,6 +61,33 @@ export function createStyleOperations({
       if (place < 0) return times;
       times.set(place, performance.now() - start);
     }
+  }
+
+  /** What a picture looks like, as text that only the core reads. */
+  async function readLook({ photo, anyway }: Operations['readLook']['args'], tell: Tell): Promise<Answer<string>> {
+    await fetchPhotos([photo], tell);
+    tell.expects(blocksMs(photo.width * photo.height, 4));
+    return { ok: studio.picture_look(photo.key, anyway), transfer: [] };
+  }
+
+  /** What a photo looks like in some styles. One that cannot be drawn is no candidate. */
+  async function tryLooks(
+    { photo, asks }: Operations['tryLooks']['args'],
+    tell: Tell,
+  ): Promise<Answer<(string | null)[]>> {
+    await fetchPhotos([photo], tell);
+    const ok = asks.map((ask) => {
+      // The photo is reduced, drawn, and measured.
+      tell.expects(styleMs(JSON.stringify(ask.style), ask.area) + blocksMs(photo.width * photo.height, 2));
+      try {
+        return studio.try_look(photo.key, JSON.stringify(ask));
+      } catch (error) {
+        // A trap is the end of this worker; what the core refuses is told by a code.
+        if ((error as { code?: string }).code === undefined) throw error;
+        return null;
+      }
+    });
+    return { ok, transfer: [] };
   }
 
   /** A photo in some styles, each with its score, look and signature; a style that fails is left out. */

@@ -28,6 +28,8 @@ export type Project = {
   at: number,
   /** The style in the designer. */
   draft: Draft | null,
+  /** Words of photos that no page shows: they come back with these. */
+  waiting?: ReadonlyArray<Word>,
   /** A person's own styles, which all projects share. */
   mine: ReadonlyArray<Style>,
   /** Styles that are favourites, which all projects share. */
@@ -110,6 +112,8 @@ export type Draft = {
   foreground: ReadonlyArray<DraftStep>,
   /** Colour of the lines, `#rrggbb`. */
   ink: string,
+  /** Whether it takes no care of faces. */
+  careless?: boolean,
 };
 
 /** A block of a draft. */
@@ -193,6 +197,10 @@ export type DraftEdit = { "type": "add",
 | { "type": "name",
   /** It. */
   name: string,
+}
+| { "type": "faces",
+  /** Whether it does. */
+  on: boolean,
 }
 | { "type": "ink",
   /** `#rrggbb`. */
@@ -323,6 +331,17 @@ export type Edit = { "type": "add-photos",
   /** Which is edited from now on. */
   at: number,
 }
+| { "type": "add-words",
+  /**
+   * Each with the place of its page as `sheet` and its `panel`, or with its `photo`; `joins` those that go on with what the
+   * one before says.
+   */
+  words: ReadonlyArray<Word & { sheet?: number; joins?: boolean }>,
+}
+| { "type": "drop-waiting",
+  /** Their numbers. */
+  words: ReadonlyArray<number>,
+}
 | { "type": "no-page" }
 | { "type": "design",
   /** None where nothing is. */
@@ -407,6 +426,8 @@ export type PanelUse = {
   photo: string | null,
   /** The part of the photo that fills the panel, or the group it is merged into. */
   crop: Crop | null,
+  /** Faces of the photo, in fractions of it, which the style takes care of. Pages of before have none, and look as they did. */
+  faces?: ReadonlyArray<Crop>,
   /** Kept by every shuffle. */
   locked?: boolean,
   /** The crop was made by hand: it stays while the photo stays in this panel. */
@@ -439,6 +460,8 @@ export type PageSettings = {
   paper: string,
   /** Colour of the line round a panel, `#rrggbb`. */
   borderColor: string,
+  /** How far what ends at the edge goes on beyond it, 0..=0.1: for a file that is printed and cut, never saved. */
+  bleed?: number,
 };
 
 /** The part of a photo that a panel shows, in fractions of the oriented photo. It lies inside the photo. */
@@ -461,7 +484,7 @@ export type Word = { kind: 'caption' | 'balloon' | 'effect',
   /** What it says. */
   text: string,
   /** The outline of a balloon. */
-  shape?: 'oval' | 'thought' | 'shout' | 'whisper',
+  shape?: 'oval' | 'thought' | 'shout' | 'whisper' | 'radio',
   /** The panel that it stands on. */
   panel?: number | null, x?: number, y?: number,
   /** Width in page widths; null fits the text. */
@@ -482,6 +505,33 @@ export type Word = { kind: 'caption' | 'balloon' | 'effect',
   arc?: number,
   /** Nobody has moved it: it goes where it hides no face. */
   auto?: boolean,
+  /** The photo that it belongs to: it goes wherever that is. Null names the one on its panel. */
+  photo?: string | null,
+  /** The subtitle that it was made of: none is added twice. */
+  cue?: string | null,
+  /**
+   * The conventions that it follows: 2 are those of letterers, which new words get; words without are those of
+   * earlier pages, and look as they did.
+   */
+  craft?: 1 | 2,
+  /** A caption without a box. */
+  boxless?: boolean,
+  /** Whether it is set in capitals; null is as its conventions have it. */
+  capitals?: boolean | null,
+  /** Degrees that the letters of an effect lean to the right, -45 to 45. */
+  slant?: number,
+  /** Half the width of the line around the letters of an effect, in ems, 0 to 0.4; null is as usual. */
+  outline?: number | null,
+  /** An effect that stands behind the figures. */
+  behind?: boolean,
+  /** Its name, for those that are joined to it. */
+  id?: string | null,
+  /** The name of the balloon that this one is joined to. */
+  joined?: string | null,
+  /** The language of its text: long words part by its rules. */
+  language?: string | null,
+  /** Width and height in page widths that it keeps to, found when it was placed. */
+  room?: readonly [width: number, height: number] | null,
 };
 
 /** Where a word is without its tail, in page widths. */
@@ -500,6 +550,12 @@ export type WordBox = {
   size: number,
   /** The end of its text found no room. */
   cut: boolean,
+  /** Colour of its letters, `#rrggbb`. */
+  color: string,
+  /** Colour inside of its outline, or around its letters. */
+  fill: string,
+  /** Id of its font. */
+  font: string,
 };
 
 /** A page template that has passed every check of its schema (see `layouts/README.md`). */
@@ -521,6 +577,8 @@ export type Style = {
   foreground?: ReadonlyArray<StyleStep>,
   /** Colour of the lines. */
   ink?: string,
+  /** Whether it takes care of faces, as a style does that does not say otherwise. */
+  faces?: boolean,
   /** Score from 0 to 1 of a generated style. */
   score?: number,
 };
@@ -597,12 +655,14 @@ export type Avoid = {
   styles?: ReadonlyArray<string>,
 };
 
-/** How a style is drawn. As JSON `{extra, invented, keepLines, keepColours}`, each of which may be missing. */
+/** How a style is drawn. As JSON `{extra, invented, inventions, keepLines, keepColours}`, each of which may be missing. */
 export type StylingRequest = {
   /** Styles in full that are drawn like the designed ones: a person's own and favourites. */
   extra?: ReadonlyArray<Style>,
   /** Share of draws, 0 to 1, that invent a style. */
   invented?: number,
+  /** Invented styles that were tried and found good: only these are drawn where the list is there, however short it is. */
+  inventions?: ReadonlyArray<Style>,
   /** The line layer and its ink stay. */
   keepLines?: boolean,
   /** The colour layer stays. */
@@ -696,7 +756,7 @@ export type BlockParam = {
 };
 
 /** What a parameter is. */
-export type ParamKind = "number" | "integer" | "boolean" | "choice";
+export type ParamKind = "number" | "integer" | "boolean" | "choice" | "texture" | "colour";
 
 /** Which images a block takes or gives. */
 export type Channels = "luma" | "color" | "any";
@@ -991,7 +1051,7 @@ export type BreedRequest = { a: StyleChoice, b: StyleChoice, seed: number,
 };
 
 /** The tables that states name their parts of. */
-export type Tables = { items: ReadonlyArray<TrayItem>, trays: ReadonlyArray<ReadonlyArray<number>>, pages: ReadonlyArray<PageDocument>, sheets: ReadonlyArray<KeptSheet>, books: ReadonlyArray<ReadonlyArray<number>>, styles: ReadonlyArray<Style>, shelves: ReadonlyArray<ReadonlyArray<number>>, layouts: ReadonlyArray<Template>, layoutShelves: ReadonlyArray<ReadonlyArray<number>>, settings: ReadonlyArray<PageSettings>, drafts: ReadonlyArray<Draft>,
+export type Tables = { items: ReadonlyArray<TrayItem>, trays: ReadonlyArray<ReadonlyArray<number>>, pages: ReadonlyArray<PageDocument>, sheets: ReadonlyArray<KeptSheet>, books: ReadonlyArray<ReadonlyArray<number>>, styles: ReadonlyArray<Style>, shelves: ReadonlyArray<ReadonlyArray<number>>, layouts: ReadonlyArray<Template>, layoutShelves: ReadonlyArray<ReadonlyArray<number>>, settings: ReadonlyArray<PageSettings>, drafts: ReadonlyArray<Draft>, words: ReadonlyArray<Word>, waits: ReadonlyArray<ReadonlyArray<number>>,
 };
 
 /** What an edit changed: `difference` in `src/document/kept.rs` says how it is read. */
@@ -1098,6 +1158,62 @@ export type Likeness = {
   height: number,
 };
 
+/** How a file is made of pages; nothing told gives one sheet a page, in colour, without marks. */
+export type PdfOptions = {
+  /** What the file is called where it is shown. */
+  title?: string,
+  /** Language of what stands in it, as a tag such as `pt-BR`; empty says nothing. */
+  language?: string,
+  /** Lines beyond the corners that say where to cut and fold. */
+  marks?: boolean,
+  /** How pages share sheets. */
+  imposition?: Imposition | null,
+  /**
+   * Width and height in millimetres of the sheets that all is fitted to, upright or not; none makes sheets as large as
+   * what is on them.
+   */
+  paper?: [number, number] | null,
+  /** The ink whose plate this is, by its place among those of the style; none is for all colours. */
+  plate?: number | null,
+};
+
+/** How pages share sheets. */
+export type Imposition = "booklet" | "zine" | "2up" | "spreads";
+
+/** Pages that become one file. */
+export type Comic = {
+  /** What it is called. */
+  title: string,
+  /** BCP 47, such as `en`; what a reader says itself is in that language where there is one, else in English. */
+  language: string,
+  /** The files that its pictures are. */
+  picture: PictureKind,
+  /** Its pages in order. */
+  pages: ReadonlyArray<ComicPage>,
+};
+
+/** A page of a comic. */
+export type ComicPage = {
+  /** The page; its picture is as large as that. */
+  document: PageDocument,
+  /** What each panel shows, such as `two people and a dog`, in paint order; empty where nobody knows. */
+  shows: ReadonlyArray<string>,
+};
+
+/** A kind of picture. */
+export type PictureKind = "png" | "jpeg" | "webp";
+
+/** A part of a file: text, or the picture of the page of that number, from 0. */
+export type Piece = string | number;
+
+/** A file of an archive. */
+export type ComicFile = {
+  /** Its name, with the folders that it is in. */
+  name: string,
+  /** What is in it. */
+  content: Piece,
+};
+
 /** A value of a parameter: a number, an entry of its choices, or whether it is on. */
 export type ParamValue = number | string | boolean;
 
@@ -1108,10 +1224,12 @@ export type SharedLists = Pick<Project, 'mine' | 'favourites' | 'ownLayouts'>;
 export type Runs = ReadonlyArray<readonly [first: number, count: number]>;
 
 /** What of a state stands in tables, which it names by numbers. */
-export type Tabled = 'tray' | 'settings' | 'page' | 'others' | 'draft' | 'mine' | 'favourites' | 'ownLayouts';
+export type Tabled = 'tray' | 'settings' | 'page' | 'others' | 'draft' | 'waiting' | 'mine' | 'favourites' | 'ownLayouts';
 
 /** A state whose parts stand in tables. */
-export type KeptState = Omit<Project, Tabled> & { [Field in Tabled]: number | Extract<Project[Field], null> };
+export type KeptState = Omit<Project, Tabled> & {
+  [Field in Exclude<Tabled, 'waiting'>]: number | Extract<Project[Field], null>;
+} & { waiting?: number };
 
 /** A page of a storyboard, and one that was shown, whose page stands in a table. */
 export type KeptSheet = Omit<Sheet, 'page'> & { page: number };
@@ -1136,6 +1254,9 @@ export type ErrorCode =
 | 'unknown-layout'
 | 'missing-photo'
 | 'no-photos'
+| 'small-picture'
+| 'blank-picture'
+| 'plain-photo'
 | 'cancelled'
 | 'detector'
 | 'encode';

@@ -6,6 +6,7 @@ import initWords, { Lettering } from '../pkg-words/inkpanel.js';
 import { wordMs } from './measured.ts';
 import { moduleBytes } from './module-bytes.ts';
 import { LOADING, serveJobs } from './serving.ts';
+import { createShaping } from './shaping.ts';
 import type { Wording } from './protocol.ts';
 import type { Tell, Work } from './serving.ts';
 import type { PageDocument } from './types.ts';
@@ -25,10 +26,15 @@ serveJobs<Wording>(async (op, args, tell) => {
 async function start(): Promise<Work<Wording>> {
   await initWords({ module_or_path: await moduleBytes(MODULE, 'words-missing', 'The letters could not be loaded.') });
   const letters = new Lettering();
+  const shape = createShaping(letters);
+  const shaped = <Of extends { document: string }>(args: Of): Of => {
+    shape(JSON.parse(args.document));
+    return args;
+  };
   return {
-    word: (args, tell) => word(letters, args, tell),
-    words: (args, tell) => words(letters, args, tell),
-    over: (args, tell) => over(letters, args, tell),
+    word: (args, tell) => word(letters, shaped(args), tell),
+    words: (args, tell) => words(letters, shaped(args), tell),
+    over: (args, tell) => over(letters, shaped(args), tell),
   };
 }
 

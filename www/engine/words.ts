@@ -6,18 +6,37 @@
 import { createPool } from './pool.ts';
 import { moduleBytes } from './module-bytes.ts';
 import { Priority } from './queue.ts';
+import { createShaping } from './shaping.ts';
 import type { Pool } from './pool.ts';
 import type { PageDocument, Subject, Word, WordBox } from './types.ts';
 import type { Call } from './engine.ts';
 import type { BitmapPatch, PixelPatch, Wording } from './protocol.ts';
 
+/** A word out of speech: the number of its frame, or of its place among panels; `joins` goes on with the one before. */
+export type Spoken = Word & { frame?: number; place?: number; joins?: boolean };
+/** What becomes of speech and of sounds: effects, or nothing. */
+export type Taking = { kind: 'caption' | 'balloon'; sounds: boolean };
 /** What is wrong with a file of subtitles; lines are counted from 1. */
 export type SubtitleFlaw =
   | { kind: 'large' | 'binary' | 'header' | 'empty' }
   | { kind: 'order'; line: number }
   | { kind: 'stray' | 'time'; line: number; text: string };
-/** Words for frames at whose times something is said, and how many subtitles were read, left out, and cut. */
-export type ReadSubtitles = { words: Word[]; cues: number; left: number; cut: number } | { flaw: SubtitleFlaw };
+/**
+ * Words for frames near which something is said, and how many subtitles were read, found no frame, were left out, cut and
+ * skipped; of the first of these what is wrong. `guessed`: the letters were taken for those of Windows.
+ */
+export type ReadSubtitles =
+  | {
+      words: Spoken[];
+      cues: number;
+      homeless: number;
+      left: number;
+      cut: number;
+      skipped: number;
+      flaws: SubtitleFlaw[];
+      guessed: boolean;
+    }
+  | { flaw: SubtitleFlaw };
 export type Lettering = Awaited<ReturnType<ReturnType<typeof createWords>['lettering']>>;
 
 const MODULE = new URL('../pkg-words/inkpanel_bg.wasm', import.meta.url);
@@ -89,33 +108,48 @@ export function layPixels(page: PixelPatch, patch: PixelPatch) {
 }
 
 async function open() {
-  const [{ default: init, Lettering, subtitles }, bytes] = await Promise.all([
+  const [{ default: init, Lettering, subtitles, script }, bytes] = await Promise.all([
     import('../pkg-words/inkpanel.js'),
     loadWords(),
   ]);
   await init({ module_or_path: bytes });
   const letters = new Lettering();
+  const shape = createShaping(letters);
   return {
     /**
      * @param subjects what is in the photos, by their ids
      * @returns the words of the document, those placed by themselves where they hide no face
      */
-    settle: (document: PageDocument, subjects: Record<string, readonly Subject[]>): Word[] =>
-      JSON.parse(letters.settle(JSON.stringify(document), JSON.stringify(subjects))),
-    measure: (document: PageDocument): WordBox[] => JSON.parse(letters.measure(JSON.stringify(document))),
+    settle: (document: PageDocument, subjects: Record<string, readonly Subject[]>): Word[] => {
+      shape(document);
+      return JSON.parse(letters.settle(JSON.stringify(document), JSON.stringify(subjects)));
+    },
+    measure: (document: PageDocument): WordBox[] => {
+      shape(document);
+      return JSON.parse(letters.measure(JSON.stringify(document)));
+    },
+    /** @returns whether some of its letters are drawn with fonts of the system */
+    foreign: (text: string): boolean => letters.foreign(text),
+    /** @returns the letters of a text that a font does not have, each once */
+    missing: (text: string, font: string): string => letters.missing(text, font),
     /**
      * @param bytes of a file, WebVTT or SubRip
-     * @param frames panels, and the times of what they show in seconds
+     * @param frames their times in seconds, and whether a page shows them; where there are none, the words are laid over so many
+     * `panels` in order
      */
     subtitles: (
       bytes: Uint8Array,
       vtt: boolean,
-      frames: readonly { panel: number; time: number }[],
-      kind: Word['kind'],
+      frames: readonly { time: number; shown: boolean }[],
+      panels: number,
+      { kind, sounds }: Taking,
     ): ReadSubtitles => {
-      const places = Float64Array.from(frames.flatMap(({ panel, time }) => [panel, time]));
-      return JSON.parse(subtitles(bytes, vtt, places, kind));
+      const places = Float64Array.from(frames.flatMap(({ time, shown }) => [time, Number(shown)]));
+      return JSON.parse(subtitles(bytes, vtt, places, panels, kind, sounds));
     },
+    /** @returns a script laid over panels in order, and how many lines it has; null for what is no text */
+    script: (bytes: Uint8Array, panels: number, { kind, sounds }: Taking): { words: Spoken[]; lines: number } | null =>
+      JSON.parse(script(bytes, panels, kind, sounds)),
   };
 }
 

@@ -53,7 +53,7 @@ function turned(hue: number, turn: number, gray: boolean): StyleStep[] {
   const angle = (turn % 2 === 0 ? 1 : -1) * spread(turn, 5, 20, 80);
   return [
     { block: 'hue', angle: Math.round(angle) },
-    { block: 'brightness', gain: [0.6, 1, 1.35][turn % 3] },
+    { block: 'brightness', gain: [0.6, 1, 1.35][turn % 3], channels: 'each' },
   ];
 }
 

@@ -28,7 +28,11 @@ function app(engine: Record<string, any> = {}) {
     messages,
     pages: {} as any,
     engine: { exportPng: made, exportJpeg: made, ...engine } as any,
-    pageFiles: { take: () => 'project', carrying: async (png) => ({ png, unclean: 0 }) },
+    pageFiles: {
+      take: () => 'project',
+      carrying: async (png) => ({ png, unclean: 0 }),
+      packed: async () => null,
+    },
   });
   return { download, messages, store };
 }
@@ -42,17 +46,57 @@ test('pages stand in an archive in their order, each made after the one before',
     busy -= 1;
     return new Blob([`${document.seed} at ${quality}`]);
   };
-  const { download, messages } = app({ exportJpeg });
+  const comicFiles = async (kind: string, { title, pages }: any) => [
+    { name: 'page-01.jpg', content: 0 },
+    { name: 'ComicInfo.xml', content: `${kind} ${title} ${pages.length}` },
+  ];
+  const { download, messages } = app({ exportJpeg, comicFiles });
   await download.saveAs({ pages: [page(1), page(2), page(3)], format: 'cbz', inside: 'jpeg', quality: 70 });
-  expect(saved.map(({ name }) => name)).toEqual(['inkpanel-3-pages.cbz']);
+  expect(saved.map(({ name }) => name)).toEqual(['Untitled.cbz']);
   const entries = [...(await readArchive(saved[0].blob)).values()];
-  expect(entries.map(({ name }) => name)).toEqual(['page-01.jpg', 'page-02.jpg', 'page-03.jpg']);
+  expect(entries.map(({ name }) => name)).toEqual(['page-01.jpg', 'page-02.jpg', 'page-03.jpg', 'ComicInfo.xml']);
   expect(await Promise.all(entries.map(async ({ read }) => (await read()).text()))).toEqual([
     '1 at 70',
     '2 at 70',
     '3 at 70',
+    'cbz Inkpanel 3',
   ]);
   expect(messages.list.value.map(({ text }) => text)).toEqual(['3 pages were saved in one file.']);
+});
+
+test('an HTML comic has its pictures where the core says, with progress from page to page', async () => {
+  const made: any[] = [];
+  const draw =
+    (kind: string) =>
+    async (document: any, { quality, onProgress }: any) => {
+      onProgress(1, 2);
+      made.push([kind, document.seed, quality]);
+      return new Blob([`${document.seed}`], { type: 'image/webp' });
+    };
+  class Reader extends EventTarget {
+    result = '';
+    async readAsDataURL(blob: Blob) {
+      this.result = `data:${blob.type},${await blob.text()}`;
+      this.dispatchEvent(new Event('load'));
+    }
+  }
+  vi.stubGlobal('FileReader', Reader);
+  const comicPieces = async ({ picture }: any) => ['<img src="', 0, '"><img src="', 1, `"> ${picture}`];
+  const { download } = app({ exportWebp: draw('webp'), givesWebp: async () => true, comicPieces });
+  const seen: number[] = [];
+  const stop = download.progress.subscribe((value) => {
+    if (value) seen.push(value.done / value.total);
+  });
+  await download.saveAs({ pages: [page(1), page(2)], format: 'html', quality: 80 });
+  stop();
+  vi.unstubAllGlobals();
+  expect(made).toEqual([
+    ['webp', 1, 80],
+    ['webp', 2, 80],
+  ]);
+  expect(seen).toEqual([0.25, 0.75]);
+  expect(saved[0].name).toMatch(/\.html$/);
+  expect(await saved[0].blob.text()).toBe('<img src="data:image/webp,1"><img src="data:image/webp,2"> webp');
 });
 
 test('progress goes from page to page', async () => {

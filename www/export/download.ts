@@ -6,7 +6,8 @@
 import { signal } from '@preact/signals';
 import { strings } from '../strings/strings.ts';
 import { save } from '../ui/files.ts';
-import { FORMATS, fileName, isArchive, panelName } from './formats.ts';
+import { fileName, panelName } from './export-name.ts';
+import { FORMATS, isArchive } from './formats.ts';
 import { createMaking } from './page-making.ts';
 import { sized } from '../page/paper.ts';
 import type { Messages } from '../ui/messages.ts';
@@ -15,8 +16,9 @@ import type { Progress, Store } from '../document/store.ts';
 import type { PageDocument, PageSettings } from '../engine/types.ts';
 import type { Engine } from '../engine/engine.ts';
 import type { PageFiles } from '../storage/files/page-files.ts';
-import type { Carry, Wish, Work } from './page-making.ts';
+import type { Cargo, Wish, Work } from './page-making.ts';
 import type { Signal } from '@preact/signals';
+import type { Format } from './formats.ts';
 
 export type Download = ReturnType<typeof createDownload>;
 
@@ -31,11 +33,23 @@ export function createDownload({
   store: Store;
   pages: Pages;
   messages: Messages;
-  engine: Pick<Engine, 'exportPng' | 'exportJpeg' | 'exportWebp' | 'exportPdf' | 'exportPanel'>;
-  pageFiles: Pick<PageFiles, 'take' | 'carrying'>;
+  engine: Pick<
+    Engine,
+    | 'exportPng'
+    | 'exportJpeg'
+    | 'exportWebp'
+    | 'exportPdf'
+    | 'exportPlates'
+    | 'exportPanel'
+    | 'givesWebp'
+    | 'comicPieces'
+    | 'comicFiles'
+  >;
+  pageFiles: Pick<PageFiles, 'take' | 'carrying' | 'packed'>;
   onSaved?: (pages: readonly PageDocument[]) => void;
 }) {
-  const progress: Signal<Progress | null> = signal(null);
+  /** `packing`: the pages are drawn, and what goes with them is put in. */
+  const progress: Signal<(Progress & { packing?: boolean }) | null> = signal(null);
   let running: AbortController | null = null;
   const make = createMaking({ store, engine });
 
@@ -73,27 +87,42 @@ export function createDownload({
 
   async function saveAs(wish: Wish) {
     const cargo = loaded(wish);
-    const file = await work((how) => make(wish, how, cargo.carry), strings.exportFailed);
+    const file = await work((how) => make(wish, how, cargo), strings.exportFailed);
     if (!file) return;
-    save(file, fileName(wish.pages, wish.format));
+    save(file, nameOf(wish));
     onSaved(wish.pages);
     const saved = strings.pagesSaved(wish.pages.length);
     messages.note(cargo.unclean > 0 ? `${saved} ${strings.photosUnclean(cargo.unclean)}` : saved);
   }
 
-  /** What the PNG of a wish carries of its project; `unclean`: photos in it that keep what their files say. */
-  function loaded({ format, inside = 'png' }: Wish) {
+  function nameOf(wish: Wish) {
+    return fileName(store.project.peek(), wish.pages.length, fileFormat(wish));
+  }
+
+  /** What the file of a wish carries of its project; `unclean`: photos in it that keep what their files say. */
+  function loaded({ format }: Wish) {
     // At once: what the person chose is for this file.
-    const what = (isArchive(format) ? inside : format) === 'png' ? pageFiles.take() : 'none';
-    const cargo = {
+    const what = isArchive(format) || format === 'png' ? pageFiles.take() : 'none';
+    const packing = ({ signal: stop }: Work): Work => ({
+      signal: stop,
+      onProgress: (done, total) => {
+        if (what === 'photos') progress.value = { done, total, packing: true };
+      },
+    });
+    const goods = {
       unclean: 0,
-      carry: (async (png, page) => {
-        const carrying = await pageFiles.carrying(png, page, what);
-        cargo.unclean += carrying.unclean;
+      carry: async (png, page, how) => {
+        const carrying = await pageFiles.carrying(png, page, what, packing(how));
+        goods.unclean += carrying.unclean;
         return carrying.png;
-      }) as Carry,
-    };
-    return cargo;
+      },
+      beside: async (how) => {
+        const packed = await pageFiles.packed(what, packing(how));
+        goods.unclean += packed?.unclean ?? 0;
+        return packed?.entry ?? null;
+      },
+    } as Cargo & { unclean: number };
+    return goods;
   }
 
   /** @param index of a panel of the page */
@@ -101,7 +130,7 @@ export function createDownload({
     const page = store.page.peek();
     const file = page && (await work((how) => engine.exportPanel(page, index, how), strings.exportFailed));
     if (!file) return;
-    save(file, panelName(page, index));
+    save(file, panelName(store.project.peek(), index));
     messages.note(strings.panelSaved);
   }
 
@@ -119,8 +148,9 @@ export function createDownload({
   }
 
   async function share(wish: Wish) {
-    const made = await work((how) => make(wish, how, loaded(wish).carry), strings.exportFailed);
-    if (made) await hand(new File([made], fileName(wish.pages, wish.format), { type: FORMATS[wish.format].type }));
+    const goods = loaded(wish);
+    const made = await work((how) => make(wish, how, goods), strings.exportFailed);
+    if (made) await hand(new File([made], nameOf(wish), { type: FORMATS[fileFormat(wish)].type }));
   }
 
   async function hand(file: File) {
@@ -167,4 +197,9 @@ export function createDownload({
   function cancel() {
     running?.abort();
   }
+}
+
+/** The kind of file that is saved: plates of inks are files in an archive. */
+function fileFormat({ format, print }: Wish): Format {
+  return format === 'pdf' && print?.plates ? 'zip' : format;
 }

@@ -4,7 +4,7 @@
  */
 
 import { useEffect, useMemo, useState } from 'preact/hooks';
-import { FORMATS, OF_MANY, OF_ONE, isArchive } from './formats.ts';
+import { FORMATS, OF_MANY, OF_ONE, isArchive, pictureIn } from './formats.ts';
 import { USUAL_QUALITY } from './page-making.ts';
 import { PAGE_SIZES, scaled, sizeId } from '../page/paper.ts';
 import { strings } from '../strings/strings.ts';
@@ -15,13 +15,23 @@ import { ExportActions } from './export-actions.tsx';
 import { ExportProject } from './export-project.tsx';
 import { FileSize } from './file-size.tsx';
 import { FormatChoice } from './format-choice.tsx';
+import { hasPlates, NO_PRINT } from './print.ts';
+import { PrintCheck } from './print-check.tsx';
+import { PrintOptions } from './print-options.tsx';
 import type { PageDocument } from '../engine/types.ts';
 import type { Format, Inside } from './formats.ts';
+import type { Print } from './print.ts';
 
 const PREVIEW = 220;
+/** Sizes of fewer dots an inch are for screens. */
+const COARSE_FROM = 150;
+/** Sizes of where A4 is not what lies in a printer. */
+const AMERICAN = /letter|legal|tabloid|^us-/;
+/** The sizes with a picture, in their order; the others are in a list. */
+const PICTURED: readonly string[] = ['a4', 'a4-landscape', 'letter', 'square', 'wide', 'story', 'portrait', 'webtoon'];
 
 export function ExportDialog() {
-  const { store, download, engine, ui } = useApp();
+  const { store, download, engine, book, ui } = useApp();
   const page = store.page.value as PageDocument;
   const count = download.sheets().length;
   const [every, setEvery] = useState(false);
@@ -32,6 +42,7 @@ export function ExportDialog() {
   const [many, setMany] = useState('pdf' as Format);
   const [inside, setInside] = useState('png' as Inside);
   const [quality, setQuality] = useState(USUAL_QUALITY);
+  const [print, setPrint] = useState(NO_PRINT);
   const base = all ? page.page : (PAGE_SIZES.find(({ id }) => id === size) ?? page.page);
   const { width, height, dpi } = scaled(base, factor);
   const document = useMemo(() => download.preview({ width, height, dpi }), [page, width, height, dpi]);
@@ -41,9 +52,17 @@ export function ExportDialog() {
   );
   const format = all ? many : one;
   const webpHasQuality = useWebpQuality();
-  const made = isArchive(format) ? inside : format;
+  const made = pictureIn(format, inside, webpHasQuality);
   const lossy = made === 'webp' ? webpHasQuality : FORMATS[made].lossy;
-  const wish = useMemo(() => ({ pages: sheets, format, inside, quality }), [sheets, format, inside, quality]);
+  const plates = format === 'pdf' && hasPlates(sheets, store.styles.value);
+  const asked = useMemo(
+    () => ({ ...print, plates: print.plates && plates, sheets: sheets.length > 1 ? print.sheets : 'none' }) as Print,
+    [print, plates, sheets],
+  );
+  const wish = useMemo(
+    () => ({ pages: sheets, format, inside, quality, print: asked }),
+    [sheets, format, inside, quality, asked],
+  );
   const close = () => {
     ui.dialog.value = null;
   };
@@ -79,6 +98,7 @@ export function ExportDialog() {
               <option value={0.5}>{strings.half}</option>
             </select>
           </label>
+          {dpi >= COARSE_FROM && <PrintCheck pages={sheets} only={all ? null : book.at.value} close={close} />}
           <FormatChoice
             formats={all ? OF_MANY : OF_ONE}
             format={format}
@@ -86,6 +106,15 @@ export function ExportDialog() {
             inside={inside}
             chooseInside={setInside}
           />
+          {format === 'pdf' && (
+            <PrintOptions
+              print={print}
+              change={(part) => setPrint({ ...print, ...part })}
+              pages={sheets.length}
+              plates={plates}
+              home={AMERICAN.test(sizeId(page.page)) ? 'letter' : 'a4'}
+            />
+          )}
           {lossy && (
             <label class="field">
               <span>{strings.pictureQuality}</span>
@@ -103,7 +132,7 @@ export function ExportDialog() {
             <span>{strings.pixels(width, height)}</span>
             <FileSize wish={wish} />
           </p>
-          {made === 'png' && <ExportProject />}
+          {(format === 'png' || isArchive(format)) && <ExportProject archive={isArchive(format)} />}
           <ExportActions wish={wish} page={document} close={close} />
         </div>
       </div>
@@ -112,10 +141,12 @@ export function ExportDialog() {
 }
 
 function Sizes({ size, choose }: { size: string; choose: (id: string) => void }) {
+  const pictured = PAGE_SIZES.filter(({ id }) => PICTURED.includes(id) || id === size);
+  const listed = PAGE_SIZES.filter(({ id }) => !PICTURED.includes(id));
   return (
     <fieldset class="sizes">
       <legend>{strings.pageSize}</legend>
-      {PAGE_SIZES.map((option) => (
+      {pictured.map((option) => (
         <label class="size" key={option.id}>
           <input
             type="radio"
@@ -128,6 +159,19 @@ function Sizes({ size, choose }: { size: string; choose: (id: string) => void })
           <span>{strings.size[option.id as 'a4']}</span>
         </label>
       ))}
+      <select
+        class="select more-sizes"
+        aria-label={strings.print.moreSizes}
+        value={listed.some(({ id }) => id === size) ? size : ''}
+        onChange={(event) => event.currentTarget.value && choose(event.currentTarget.value)}
+      >
+        <option value="">{strings.print.moreSizes}</option>
+        {listed.map(({ id }) => (
+          <option key={id} value={id}>
+            {strings.size[id]}
+          </option>
+        ))}
+      </select>
     </fieldset>
   );
 }

@@ -1,4 +1,4 @@
-/** What the PNG carries besides its picture, in the export dialog. */
+/** What the file carries besides its pictures, in the export dialog. */
 
 import { useEffect } from 'preact/hooks';
 import { strings } from '../strings/strings.ts';
@@ -7,7 +7,8 @@ import type { Cargo } from '../storage/files/page-files.ts';
 
 const KINDS: readonly Cargo[] = ['project', 'photos', 'none'];
 
-export function ExportProject() {
+/** @param props `archive`: it is no PNG, but an archive of pages */
+export function ExportProject({ archive }: { archive: boolean }) {
   const { cargo } = useApp().keeping.pageFiles;
   const now = cargo.value;
   // Photos go with the file that is saved from here, not with a later one.
@@ -19,7 +20,7 @@ export function ExportProject() {
   );
   return (
     <fieldset class="cargo">
-      <legend>{strings.cargo}</legend>
+      <legend>{archive ? strings.cargoFile : strings.cargo}</legend>
       {KINDS.map((kind) => (
         <label class="cargo-kind" key={kind}>
           <input
@@ -36,7 +37,7 @@ export function ExportProject() {
         </label>
       ))}
       <p class="quiet" id="cargo-help">
-        {strings.cargoHelp[now]} {now !== 'none' && strings.cargoClean}
+        {archive ? strings.cargoFileHelp[now] : strings.cargoHelp[now]} {now !== 'none' && strings.cargoClean}
       </p>
     </fieldset>
   );

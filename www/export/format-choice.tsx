@@ -1,4 +1,4 @@
-import { isArchive } from './formats.ts';
+import { isArchive, isBook } from './formats.ts';
 import { strings } from '../strings/strings.ts';
 import type { Format, Inside } from './formats.ts';
 
@@ -20,7 +20,12 @@ export function FormatChoice({
     <>
       <label class="field">
         <span>{strings.format}</span>
-        <select class="select" value={format} onChange={(event) => choose(event.currentTarget.value as Format)}>
+        <select
+          class="select"
+          value={format}
+          aria-describedby={isBook(format) ? 'book-help' : undefined}
+          onChange={(event) => choose(event.currentTarget.value as Format)}
+        >
           {formats.map((id) => (
             <option key={id} value={id}>
               {strings.formats[id]}
@@ -28,6 +33,11 @@ export function FormatChoice({
           ))}
         </select>
       </label>
+      {isBook(format) && (
+        <p class="quiet" id="book-help">
+          {strings.bookHelp[format]}
+        </p>
+      )}
       {isArchive(format) && (
         <label class="field">
           <span>{strings.pictures}</span>

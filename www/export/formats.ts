@@ -1,8 +1,6 @@
-/** The kinds of files that pages become, and what the files are called. */
+/** The kinds of files that pages become. */
 
-import type { PageDocument } from '../engine/types.ts';
-
-export type Format = 'png' | 'jpeg' | 'webp' | 'pdf' | 'zip' | 'cbz';
+export type Format = 'png' | 'jpeg' | 'webp' | 'pdf' | 'html' | 'epub' | 'zip' | 'cbz';
 /** the pictures of a ZIP or CBZ file */
 export type Inside = 'png' | 'jpeg';
 
@@ -11,23 +9,33 @@ export const FORMATS: Record<Format, { ending: string; type: string; lossy: bool
   jpeg: { ending: 'jpg', type: 'image/jpeg', lossy: true },
   webp: { ending: 'webp', type: 'image/webp', lossy: true },
   pdf: { ending: 'pdf', type: 'application/pdf', lossy: true },
+  html: { ending: 'html', type: 'text/html', lossy: true },
+  epub: { ending: 'epub', type: 'application/epub+zip', lossy: true },
   zip: { ending: 'zip', type: 'application/zip', lossy: false },
   cbz: { ending: 'cbz', type: 'application/vnd.comicbook+zip', lossy: false },
 };
 
-export const OF_ONE: readonly Format[] = ['png', 'jpeg', 'webp', 'pdf'];
-export const OF_MANY: readonly Format[] = ['pdf', 'zip', 'cbz'];
+export const OF_ONE: readonly Format[] = ['png', 'jpeg', 'webp', 'pdf', 'html', 'epub', 'cbz'];
+export const OF_MANY: readonly Format[] = ['pdf', 'html', 'epub', 'cbz', 'zip'];
 
-export function isArchive(format: Format) {
+export function isArchive(format: Format): format is 'zip' | 'cbz' {
   return format === 'zip' || format === 'cbz';
 }
 
-/** @returns the name of the file */
-export function fileName(pages: readonly PageDocument[], format: Format): string {
-  const { ending } = FORMATS[format];
-  if (pages.length > 1) return `inkpanel-${pages.length}-pages.${ending}`;
-  const [{ layout, style, seed }] = pages;
-  return `inkpanel-${nameOf(layout)}-${nameOf(style)}-${seed}.${ending}`;
+/** Comics that hold all their pages; what is said of them beside their name has a string. */
+export function isBook(format: Format): format is 'html' | 'epub' {
+  return format === 'html' || format === 'epub';
+}
+
+/**
+ * @param inside of an archive
+ * @param webp whether the browser makes WebP files that are smaller than JPEG
+ * @returns the kind of the pictures in a file
+ */
+export function pictureIn(format: Format, inside: Inside, webp: boolean): 'png' | 'jpeg' | 'webp' {
+  if (isArchive(format)) return inside;
+  if (format === 'html') return webp ? 'webp' : 'jpeg';
+  return format === 'pdf' || format === 'epub' ? 'jpeg' : format;
 }
 
 /**
@@ -38,13 +46,4 @@ export function fileName(pages: readonly PageDocument[], format: Format): string
 export function pageName(index: number, count: number, inside: Inside): string {
   const digits = Math.max(2, String(count).length);
   return `page-${String(index + 1).padStart(digits, '0')}.${FORMATS[inside].ending}`;
-}
-
-/** @param index from 0 */
-export function panelName(page: PageDocument, index: number) {
-  return fileName([page], 'png').replace(/\.png$/, `-panel-${index + 1}.png`);
-}
-
-function nameOf(part: string | { id?: string }) {
-  return typeof part === 'string' ? part : (part.id ?? 'own');
 }

@@ -1,18 +1,36 @@
 /** Pages as the bytes of one file, of each kind that there is. */
 
 import { strings } from '../strings/strings.ts';
-import { FORMATS, isArchive, pageName } from './formats.ts';
+import { createComics } from './comics.ts';
+import { FORMATS, isArchive, isBook, pageName } from './formats.ts';
 import { archiveOf } from '../storage/files/archive.ts';
+import { describePanel } from '../page/describing.ts';
+import { currentLanguage } from '../strings/language.ts';
+import { bled, NO_PRINT, pdfOptions } from './print.ts';
 import type { Store } from '../document/store.ts';
 import type { PageDocument } from '../engine/types.ts';
 import type { Engine } from '../engine/engine.ts';
 import type { Format, Inside } from './formats.ts';
+import type { Print } from './print.ts';
 
 export type Work = { signal: AbortSignal; onProgress: (done: number, total: number) => void };
-/** What every PNG of a whole page passes through before it leaves. */
-export type Carry = (png: Blob, page: PageDocument) => Promise<Blob>;
+/**
+ * What goes with pages before they leave: `carry` puts it into the PNG of a page, `beside` gives what lies beside the pages
+ * of an archive, if anything.
+ */
+export type Cargo = {
+  carry: (png: Blob, page: PageDocument, how: Work) => Promise<Blob>;
+  beside: (how: Work) => Promise<{ name: string; blob: Blob } | null>;
+};
 /** `quality` from 1 to 100 */
-export type Wish = { pages: readonly PageDocument[]; format: Format; inside?: Inside; quality?: number };
+export type Wish = {
+  pages: readonly PageDocument[];
+  format: Format;
+  inside?: Inside;
+  quality?: number;
+  /** of a PDF file */
+  print?: Print;
+};
 
 export const USUAL_QUALITY = 88;
 
@@ -21,26 +39,59 @@ export function createMaking({
   engine,
 }: {
   store: Store;
-  engine: Pick<Engine, 'exportPng' | 'exportJpeg' | 'exportWebp' | 'exportPdf'>;
+  engine: Pick<
+    Engine,
+    | 'exportPng'
+    | 'exportJpeg'
+    | 'exportWebp'
+    | 'exportPdf'
+    | 'exportPlates'
+    | 'givesWebp'
+    | 'comicPieces'
+    | 'comicFiles'
+  >;
 }) {
+  const comics = createComics({ store, engine });
+
   return make;
 
   async function make(
-    { pages: documents, format, inside = 'png', quality = USUAL_QUALITY }: Wish,
+    { pages: documents, format, inside = 'png', quality = USUAL_QUALITY, print = NO_PRINT }: Wish,
     how: Work,
-    carry: Carry,
+    { carry, beside }: Cargo,
   ): Promise<Blob> {
-    if (format === 'pdf')
-      return engine.exportPdf(documents, { ...how, quality, title: store.project.peek().name || strings.name });
+    if (format === 'pdf') return printed(documents, print, quality, how);
+    if (isBook(format)) return comics.book(format, documents, quality, how);
     if (!isArchive(format)) return picture(documents[0], format as 'png' | 'jpeg' | 'webp', quality, how, carry);
     const entries = [];
     for (const [i, document] of documents.entries()) {
       // Each page has the same share of the whole.
       const onProgress = (done: number, total: number) => how.onProgress(i + done / total, documents.length);
-      const blob = await picture(document, inside, quality, { ...how, onProgress }, carry);
+      const blob = await picture(document, inside, quality, { ...how, onProgress }, async (png) => png);
       entries.push({ name: pageName(i, documents.length, inside), blob });
     }
-    return new Blob([await archiveOf(entries)], { type: FORMATS[format].type });
+    if (format === 'cbz') entries.push(...(await comics.about(documents, inside, how)));
+    const project = await beside(how);
+    if (project) entries.push(project);
+    return new Blob([await archiveOf(entries, { signal: how.signal })], { type: FORMATS[format].type });
+  }
+
+  /** A PDF file; of plates one each, in an archive. */
+  async function printed(documents: readonly PageDocument[], print: Print, quality: number, how: Work) {
+    const title = store.project.peek().name || strings.name;
+    const album = store.album.peek();
+    const alts = documents.map((document) =>
+      document.panels.map((_, i) => strings.panelHolds(i + 1, describePanel(document, album, i) || strings.somePhoto)),
+    );
+    const wish = { ...how, quality, title, alts, options: { language: currentLanguage(), ...pdfOptions(print) } };
+    const pages = documents.map((document) => bled(document, print.bleed));
+    if (!print.plates) return engine.exportPdf(pages, wish);
+    const plates = await engine.exportPlates(pages, wish);
+    const entries = plates.map(({ ink, blob }, i) => ({
+      name: `${i + 1}-${inkName(ink)}.${FORMATS.pdf.ending}`,
+      blob,
+    }));
+    return new Blob([await archiveOf(entries)], { type: FORMATS.zip.type });
   }
 
   async function picture(
@@ -48,10 +99,15 @@ export function createMaking({
     format: 'png' | 'jpeg' | 'webp',
     quality: number,
     how: Work,
-    carry: Carry,
+    carry: Cargo['carry'],
   ) {
     if (format === 'jpeg') return engine.exportJpeg(document, { ...how, quality });
     if (format === 'webp') return engine.exportWebp(document, { ...how, quality });
-    return carry(await engine.exportPng(document, how), document);
+    return carry(await engine.exportPng(document, how), document, how);
   }
+}
+
+/** The name of an ink in the language of this visit. */
+function inkName(ink: string) {
+  return (strings.print.inks as Record<string, string>)[ink] ?? ink;
 }

@@ -37,8 +37,20 @@ describe('words', () => {
   test('one is added, placed and chosen as one step', async () => {
     const before = past();
     expect(await lettering.add('balloon')).toBe(true);
+    const photo = store.page.value?.panels[0].photo;
     expect(lettering.words.value).toEqual([
-      { kind: 'balloon', text: 'Hello!', panel: 0, auto: true, x: 0.25, y: 0.25, tail: null },
+      {
+        kind: 'balloon',
+        text: 'Hello!',
+        panel: 0,
+        photo,
+        auto: true,
+        craft: 2,
+        language: 'en',
+        x: 0.25,
+        y: 0.25,
+        tail: null,
+      },
     ]);
     expect([lettering.chosen.value, past() - before]).toEqual([0, 1]);
     await lettering.add('caption');
@@ -78,10 +90,42 @@ describe('words', () => {
     expect(lettering.words.value[0]).toMatchObject({ x: 0.25, auto: true });
   });
 
-  test('another page has the words of this one', async () => {
+  test('another page has the words of this one whose photos it shows, on the panels of these', async () => {
     await lettering.add('effect');
-    const other = pages.plan({ keep: { layout: false, style: false, photos: false } }) as PageDocument;
-    expect(lettering.on({ ...other, words: [] }).words).toEqual(lettering.words.value);
+    const page = store.page.value as PageDocument;
+    const panels = page.panels.toReversed();
+    const [word] = lettering.on({ ...page, panels, words: [] }).words;
+    expect(word).toMatchObject({ text: 'BAM!', panel: panels.length - 1, photo: page.panels[0].photo });
+    expect(lettering.on({ ...page, panels: [{ photo: 'x', crop: null }], words: [] }).words).toEqual([]);
+  });
+
+  test('words that are laid find places, wait for photos that no page shows, and do not come twice', async () => {
+    await lettering.ready();
+    const photo = store.page.value?.panels[1].photo as string;
+    const said = (text: string, photo: string) =>
+      ({ kind: 'balloon', text, photo, panel: 0, auto: true, cue: text }) as const;
+    const fresh = [said('one', photo), said('two', 'elsewhere')];
+    const steps = past();
+    expect(lettering.lay(fresh)).toEqual({ shown: 1, waiting: 1 });
+    expect(past() - steps).toBe(1);
+    expect(lettering.words.value[0]).toMatchObject({ text: 'one', panel: 1, x: 0.25, craft: 2 });
+    expect(lettering.lay(fresh)).toEqual({ shown: 0, waiting: 0 });
+    // One that waits is taken onto the page, and another step takes that back.
+    lettering.take(0);
+    expect([lettering.words.value.length, lettering.waiting.value.length]).toEqual([2, 0]);
+    pages.undo();
+    pages.undo();
+    expect([lettering.words.value.length, lettering.waiting.value.length]).toEqual([0, 0]);
+  });
+
+  test('one is made wider and turned, each drag one step', async () => {
+    await lettering.add('effect');
+    const steps = past();
+    const gesture = lettering.step();
+    for (const width of [0.2, 0.3, 7]) lettering.resize(0, width, gesture);
+    expect([lettering.words.value[0].width, past() - steps]).toEqual([0.96, 1]);
+    lettering.turn(0, 270);
+    expect(lettering.words.value[0].angle).toBe(-90);
   });
 
   test('without letters the page stays, and the reason is said', async () => {

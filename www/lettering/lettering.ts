@@ -4,17 +4,22 @@
  */
 
 import { computed, signal } from '@preact/signals';
-import { strings } from '../strings/strings.ts';
+import { language, strings } from '../strings/strings.ts';
 import { MOST, wellFormed } from '../document/limits.ts';
 import { anchored, pagePoint } from './word-places.ts';
 import { createWordPlanning } from './word-planning.ts';
 import type { Messages } from '../ui/messages.ts';
 import type { Store } from '../document/store.ts';
-import type { Word } from '../engine/types.ts';
+import type { PageDocument, Word } from '../engine/types.ts';
 import type { Engine } from '../engine/engine.ts';
 import type { Signal } from '@preact/signals';
 
+/** Widths of words that are taken, in page widths. */
+const [NARROWEST, WIDEST] = [0.04, 0.96];
+
 export type Lettering = ReturnType<typeof createLettering>;
+/** A word that is laid over pages: on a panel of the page whose place is told, else on its photo. */
+export type AddedWord = Word & { sheet?: number; joins?: boolean };
 /** What the next click on the page is for. */
 export type Mode = 'move' | 'tail';
 
@@ -42,6 +47,8 @@ export function createLettering({
   /** The word whose text is being written. */
   const editing = signal(-1);
   const mode: Signal<Mode | null> = signal(null);
+  /** Words of photos that no page shows. */
+  const waiting = computed(() => store.project.value.waiting ?? []);
   let steps = 0;
 
   return {
@@ -57,10 +64,18 @@ export function createLettering({
     choose,
     add,
     addAll,
+    lay,
+    waiting,
+    take,
+    drop,
     edit,
     write,
     move,
     point,
+    resize,
+    turn,
+    foreign: (text: string) => letters.value?.foreign(text) ?? false,
+    missing: (text: string, font: string) => letters.value?.missing(text, font) ?? '',
     remove,
     settleOne,
     step,
@@ -89,7 +104,14 @@ export function createLettering({
     const free = page.panels.findIndex((_, i) => !busy.has(i));
     const panel = selection.panels.peek()[0] ?? Math.max(0, free);
     const added = await addAll([
-      { kind, text: strings.wordSample[kind], panel, auto: true, ...(kind === 'effect' ? { angle: -8 } : {}) },
+      {
+        kind,
+        text: strings.wordSample[kind],
+        panel,
+        photo: photoOn(page, panel),
+        auto: true,
+        ...(kind === 'effect' ? { angle: -8 } : {}),
+      },
     ]);
     if (added > 0) choose(words.peek().length - 1);
     return added > 0;
@@ -103,13 +125,52 @@ export function createLettering({
     const before = words.peek();
     const some = fresh
       .slice(0, Math.max(0, MOST.words - before.length))
-      .map((word) => ({ ...word, text: bounded(word.text) }));
+      .map((word): Word => ({ craft: 2, language, ...word, text: bounded(word.text) }));
     if (some.length < fresh.length) messages.alert(strings.wordsFull(MOST.words));
     if (some.length === 0) return 0;
     const all = [...before, ...some];
     const places = some.map((_, i) => before.length + i);
     store.change({ type: 'change-page', page: settled({ ...page, words: all }, places) });
     return some.length;
+  }
+
+  /**
+   * Lays words over all pages in one step: one whose photo no page shows waits for it, and what is there already does not come
+   * again.
+   * @returns how many more words there are on pages, and waiting
+   */
+  function lay(fresh: readonly AddedWord[]): { shown: number; waiting: number } {
+    const count = () => ({
+      shown: store.sheets.peek().reduce((sum, page) => sum + (page.words?.length ?? 0), 0),
+      waiting: waiting.peek().length,
+    });
+    const before = count();
+    // The language of a film is not that of the page: its words part nowhere.
+    const laid = fresh.map((word): AddedWord => ({ craft: 2, ...word, text: bounded(word.text) }));
+    store.change({ type: 'add-words', words: laid });
+    const after = count();
+    const added = { shown: after.shown - before.shown, waiting: after.waiting - before.waiting };
+    const lost = laid.length - added.shown - added.waiting;
+    if (lost > 0 && after.shown >= MOST.words) messages.alert(strings.wordsFull(MOST.words));
+    return added;
+  }
+
+  /** A word that waits comes onto the page, and belongs to the photo of the panel that is chosen, or of the first. */
+  function take(index: number) {
+    const page = store.page.peek();
+    const word = waiting.peek()[index];
+    if (!page || !word) return;
+    const gesture = step();
+    const panel = selection.panels.peek()[0] ?? 0;
+    store.change({ type: 'drop-waiting', words: [index], gesture });
+    const all = [...words.peek(), { ...word, panel, photo: photoOn(page, panel) }];
+    store.change({ type: 'change-page', page: settled({ ...page, words: all }, [all.length - 1]), gesture });
+    choose(all.length - 1);
+  }
+
+  /** Words that wait are no longer wanted. */
+  function drop(indices: readonly number[]) {
+    store.change({ type: 'drop-waiting', words: [...indices] });
   }
 
   function edit(index: number, news: Partial<Word>, gesture?: string) {
@@ -133,7 +194,7 @@ export function createLettering({
     const word = words.peek()[index];
     if (!geometry || !word) return;
     const tip = boxes.peek()[index]?.tip ?? null;
-    edit(index, { ...anchored(geometry, word, to, tip), auto: false }, gesture);
+    edit(index, { ...onPhoto(anchored(geometry, word, to, tip)), auto: false }, gesture);
   }
 
   /** @param to in page widths; null takes the tail off */
@@ -143,7 +204,23 @@ export function createLettering({
     const box = boxes.peek()[index];
     if (!geometry || !word || !box) return;
     const middle = [box.x + box.width / 2, box.y + box.height / 2] as [number, number];
-    edit(index, { ...anchored(geometry, word, middle, to), auto: false }, gesture);
+    edit(index, { ...onPhoto(anchored(geometry, word, middle, to)), auto: false }, gesture);
+  }
+
+  /** @param width of its box, in page widths */
+  function resize(index: number, width: number, gesture?: string) {
+    edit(index, { width: rounded(Math.min(WIDEST, Math.max(NARROWEST, width))) }, gesture);
+  }
+
+  /** @param angle of an effect in degrees, clockwise, whatever turn it is of */
+  function turn(index: number, angle: number, gesture?: string) {
+    edit(index, { angle: rounded(((((angle + 180) % 360) + 360) % 360) - 180) }, gesture);
+  }
+
+  /** A word belongs to the photo that it is put on. */
+  function onPhoto(place: Partial<Word>): Partial<Word> {
+    const page = store.page.peek();
+    return { ...place, photo: page ? photoOn(page, place.panel ?? -1) : null };
   }
 
   function remove(index: number) {
@@ -169,6 +246,14 @@ export function createLettering({
     const word = words.peek()[index];
     return geometry && word ? pagePoint(geometry, word, [word.x ?? 0.5, word.y ?? 0.5]) : [0.5, 0.5];
   }
+}
+
+function rounded(number: number): number {
+  return Math.round(number * 1e4) / 1e4;
+}
+
+function photoOn({ panels }: PageDocument, panel: number): string | null {
+  return panels[panel]?.photo ?? null;
 }
 
 /** @returns as the core takes it */

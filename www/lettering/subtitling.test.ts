@@ -1,60 +1,112 @@
 import { signal } from '@preact/signals';
 import { expect, test, vi } from 'vitest';
-import { createSubtitling, isSubtitles } from './subtitling.ts';
-import type { ReadSubtitles } from '../engine/words.ts';
+import { createSubtitling, speechAmong } from './subtitling.ts';
+import type { ReadSubtitles, Spoken } from '../engine/words.ts';
+
+const NONE = { cues: 1, homeless: 0, left: 0, cut: 0, skipped: 0, flaws: [], guessed: false };
 
 /** @param told what is read of a file, by its text */
-function app(told: (text: string) => ReadSubtitles) {
-  const [alert, note, fileFailed, addAll] = [vi.fn(), vi.fn(), vi.fn(), vi.fn(async () => 1)];
-  const fact = { id: 'f', name: 'film.mp4', video: 'v', time: 1.5, meta: null, measures: null };
-  const subtitles = vi.fn((bytes: Uint8Array) => told(new TextDecoder().decode(bytes)));
-  const { open } = createSubtitling({
+function app(told: (text: string) => ReadSubtitles, { film = true } = {}) {
+  const [alert, note, fileFailed] = [vi.fn(), vi.fn(), vi.fn()];
+  const lay = vi.fn((words: readonly unknown[]) => ({ shown: words.length, waiting: 0 }));
+  const frame = (id: string, time: number) => [id, { id, name: 'film.mp4', video: 'v', time }] as const;
+  const page = { panels: [{ photo: 'f' }, { photo: 'f' }, { photo: 'x' }], merges: [[0, 1]] };
+  const project = { page, pageId: 1, sheet: 4, others: [{ page, pageId: 2, sheet: 5 }], at: 1 };
+  const decoded = (bytes: Uint8Array) => new TextDecoder().decode(bytes);
+  const subtitles = vi.fn((bytes: Uint8Array) => told(decoded(bytes)));
+  const script = vi.fn((bytes: Uint8Array) => {
+    const words: Spoken[] = decoded(bytes) ? [{ kind: 'balloon', text: decoded(bytes), auto: true, place: 3 }] : [];
+    return { words, lines: words.length };
+  });
+  const subtitling = createSubtitling({
     store: {
-      videos: signal(new Map()),
-      album: signal(new Map([['f', fact]])),
-      page: signal({ panels: [{ photo: 'f', crop: null }], merges: [] }),
+      videos: signal(new Map(film ? [['v', { key: 'v', name: 'film.mp4' }]] : [])),
+      album: signal(new Map(film ? [frame('f', 1.5), frame('g', 9), frame('h', 12)] : [])),
+      verdicts: signal(new Map()),
+      tray: signal([{ id: 'f' }, { id: 'g' }, { id: 'h', use: false }, { id: 'x' }]),
+      sheets: signal([page]),
+      project: signal(project),
     },
-    lettering: { addAll, ready: async () => ({ subtitles }) },
+    lettering: { lay, ready: async () => ({ subtitles, script }) },
     messages: { alert, note, fileFailed },
   } as any);
-  return { open, subtitles, alert, addAll, fileFailed };
+  return { ...subtitling, subtitles, script, alert, note, lay, fileFailed };
 }
 
-test('files are told by their names', () => {
-  expect(['A.SRT', 'a.en.vtt', 'srt.jpg'].map((name) => isSubtitles({ name }))).toEqual([true, true, false]);
+test('subtitles are told by their names, and a text is a script where somebody speaks in it', async () => {
+  const wide = Buffer.from('\ufeffANNA: Hello', 'utf16le');
+  const files = [
+    new File(['1'], 'A.SRT'),
+    new File([''], 'a.en.vtt'),
+    new File(['Night.\nANNA: Hello'], 'script.txt'),
+    new File([wide], 'wide.txt'),
+    new File(['Dear diary, this is no photo.'], 'notes.txt'),
+    new File(['ANNA: Hello'], 'srt.jpg'),
+  ];
+  expect((await speechAmong(files)).map(({ name }) => name)).toEqual(['A.SRT', 'a.en.vtt', 'script.txt', 'wide.txt']);
 });
 
-test('words go to the panels that show frames, and what was left out is told with the name of the file', async () => {
-  const words = [{ kind: 'caption' as const, text: 'x', panel: 0, auto: true }];
-  const { open, subtitles, alert, addAll } = app((text) =>
-    text === 'many' ? { words, cues: 20_000, left: 1, cut: 0 } : { words, cues: 1, left: 0, cut: 1 },
+test('words go to frames in use, shown or not, and what was left out is told with the name of the file', async () => {
+  const words: Spoken[] = [{ kind: 'balloon', text: 'x', frame: 1, cue: '9.000/0', auto: true }];
+  const { open, subtitles, alert, lay } = app((text) =>
+    text === 'many' ? { ...NONE, words, cues: 20_000, left: 1 } : { ...NONE, words, cut: 1 },
   );
   await open([new File(['many'], 'many.srt'), new File(['long'], 'long.vtt')]);
-  const frames = [expect.objectContaining({ panel: 0, time: 1.5 })];
+  const frames = [
+    expect.objectContaining({ time: 1.5, shown: true }),
+    expect.objectContaining({ time: 9, shown: false }),
+  ];
+  const taking = { kind: 'balloon', sounds: false };
   expect(subtitles.mock.calls).toEqual([
-    [expect.anything(), false, frames, 'caption'],
-    [expect.anything(), true, frames, 'caption'],
+    [expect.anything(), false, frames, 4, taking],
+    [expect.anything(), true, frames, 4, taking],
   ]);
-  expect(addAll.mock.calls).toEqual([[words], [words]]);
+  // The panel is that of the photo, wherever it is.
+  const laid = { kind: 'balloon', text: 'x', auto: true, photo: 'g', panel: 0, cue: 'film.mp4 9.000/0' };
+  expect(lay.mock.calls).toEqual([[[laid]], [[laid]]]);
   expect(alert.mock.calls).toEqual([
     [expect.stringMatching(/^many\.srt: 20000 subtitles were read; 1 more/)],
     [expect.stringMatching(/^long\.vtt: a subtitle is too long/)],
   ]);
 });
 
-test('what is wrong is said, with its line', async () => {
-  const { open, fileFailed } = app((text) => ({
-    flaw: text === 'time' ? { kind: 'time', line: 2, text: 'soon' } : { kind: 'header' },
-  }));
-  await open([new File(['time'], 'a.srt'), new File(['?'], 'b.vtt')]);
+test('without a film they are laid over the panels of all pages, of merged ones the first', async () => {
+  const words: Spoken[] = [0, 3].map((place) => ({ kind: 'balloon', text: 'x', place, auto: true }));
+  const { open, lay } = app(() => ({ ...NONE, words }), { film: false });
+  await open([new File(['x'], 'a.srt')]);
+  const word = { kind: 'balloon', text: 'x', auto: true };
+  expect(lay.mock.calls[0][0]).toEqual([
+    { ...word, sheet: 5, panel: 0 },
+    { ...word, sheet: 4, panel: 2 },
+  ]);
+});
+
+test('a script is laid over panels, and one that says nothing is refused with a sentence', async () => {
+  const { put, lay, alert, note } = app(() => ({ ...NONE, words: [] }));
+  expect(await put('Hi')).toBe(true);
+  expect(lay.mock.calls[0][0]).toEqual([{ kind: 'balloon', text: 'Hi', auto: true, sheet: 4, panel: 2 }]);
+  expect(note).toHaveBeenCalledWith(expect.stringMatching(/^1 word was put/));
+  expect(await put('')).toBe(false);
+  expect(alert).toHaveBeenCalledWith(expect.stringMatching(/nothing to say/));
+});
+
+test('what is wrong is said, with its line; single subtitles that are wrong are named', async () => {
+  const words: Spoken[] = [{ kind: 'balloon', text: 'x', frame: 0, auto: true }];
+  const { open, fileFailed, alert, note } = app((text) => {
+    if (text === 'some') return { ...NONE, words, skipped: 1, flaws: [{ kind: 'order', line: 7 }], guessed: true };
+    return { flaw: text === 'time' ? { kind: 'time', line: 2, text: 'soon' } : { kind: 'header' } };
+  });
+  await open([new File(['time'], 'a.srt'), new File(['?'], 'b.vtt'), new File(['some'], 'c.srt')]);
   expect(fileFailed.mock.calls).toEqual([
     ['a.srt', expect.stringMatching(/^line 2: “soon” is not a time/)],
     ['b.vtt', expect.stringMatching(/WEBVTT/)],
   ]);
+  expect(alert).toHaveBeenCalledWith(expect.stringMatching(/^c\.srt: a subtitle was skipped: line 7/));
+  expect(note.mock.calls[0][0]).toMatch(/Windows-1252/);
 });
 
 test('a file that is too large is refused before it is read', async () => {
-  const { open, fileFailed } = app(() => ({ words: [], cues: 0, left: 0, cut: 0 }));
+  const { open, fileFailed } = app(() => ({ ...NONE, words: [] }));
   const arrayBuffer = vi.fn();
   await open([{ name: 'a.srt', size: 5_000_001, arrayBuffer } as any]);
   expect(arrayBuffer).not.toHaveBeenCalled();

@@ -1,21 +1,44 @@
 /**
- * Subtitles of a video onto the page: each goes to the panel whose frame is of its time. Files that come with the video
- * wait until its frames are read.
+ * Speech onto pages: subtitles go to the frames of their film, on whatever page these are, and wait with those that no page
+ * shows; scripts, and subtitles without a film, are laid over the panels of all pages in order. Each is one step of the undo.
+ * Files that come with a video wait until its frames are read.
  */
 
 import { signal } from '@preact/signals';
 import { strings } from '../strings/strings.ts';
 import { MOST } from '../document/limits.ts';
+import { isUsed } from '../document/album.ts';
+import { sheetsOf } from '../document/sheets.ts';
 import type { Messages } from '../ui/messages.ts';
 import type { Store } from '../document/store.ts';
-import type { SubtitleFlaw } from '../engine/words.ts';
-import type { Lettering } from './lettering.ts';
+import type { Spoken, SubtitleFlaw } from '../engine/words.ts';
+import type { AddedWord, Lettering } from './lettering.ts';
 import type { Signal } from '@preact/signals';
 
 export type Subtitling = ReturnType<typeof createSubtitling>;
 
-export function isSubtitles({ name }: { name: string }) {
-  return /\.(srt|vtt)$/i.test(name);
+/** A frame of a film, and the panels of pages. */
+type Frame = { id: string; name: string; time: number; shown: boolean };
+type Place = { sheet: number; panel: number };
+
+/** A line that tells who speaks, as `ANNA: Hello` does. */
+const SPEAKER = /^[ \t]*[\p{L}\p{N}][^:：\n]{0,60}[:：][ \t]*\S/mu;
+/** Bytes of a text in which such a line stands, if any. */
+const BEGINNING = 64 << 10;
+
+/** @returns the files that say something: subtitles, and texts in which somebody speaks; any other text is none */
+export async function speechAmong(files: readonly File[]): Promise<File[]> {
+  const spoken = await Promise.all(
+    files.map(async (file) => /\.(srt|vtt)$/i.test(file.name) || (/\.txt$/i.test(file.name) && (await isScript(file)))),
+  );
+  return files.filter((_, index) => spoken[index]);
+}
+
+async function isScript(file: File): Promise<boolean> {
+  const bytes = new Uint8Array(await file.slice(0, BEGINNING).arrayBuffer());
+  const wide = bytes[0] === 0xff ? 'utf-16le' : 'utf-16be';
+  const encoding = bytes[0] === 0xff || bytes[0] === 0xfe ? wide : 'utf-8';
+  return SPEAKER.test(new TextDecoder(encoding).decode(bytes));
 }
 
 export function createSubtitling({
@@ -24,60 +47,123 @@ export function createSubtitling({
   messages,
 }: {
   store: Store;
-  lettering: Pick<Lettering, 'addAll' | 'ready'>;
+  lettering: Pick<Lettering, 'lay' | 'ready'>;
   messages: Pick<Messages, 'alert' | 'note' | 'fileFailed'>;
 }) {
-  /** What subtitles become. */
-  const kind: Signal<'caption' | 'balloon'> = signal('caption');
+  /** What speech becomes. */
+  const kind: Signal<'caption' | 'balloon'> = signal('balloon');
+  /** Sounds become effects. */
+  const sounds = signal(false);
+  /** The script as it is being written, which outlives the view. */
+  const draft = signal('');
 
-  return { kind, open };
+  return { kind, sounds, draft, open, put };
 
   async function open(files: readonly File[]) {
     for (const file of files) {
       try {
-        await put(file);
+        await take(file);
       } catch (error) {
         messages.fileFailed(file.name, (error as Error).message);
       }
     }
   }
 
-  async function put(file: File) {
+  async function take(file: File) {
     if (file.size > MOST.subtitles) throw new Error(sentence({ kind: 'large' }));
-    const [bytes, letters] = await Promise.all([file.arrayBuffer(), lettering.ready()]);
-    if (!letters) return;
-    const frames = framesOf(file.name);
-    const told = letters.subtitles(new Uint8Array(bytes), /\.vtt$/i.test(file.name), frames, kind.peek());
-    if ('flaw' in told) throw new Error(sentence(told.flaw));
-    const { words, cues, left, cut } = told;
-    if (left > 0) messages.alert(strings.fileFailed(file.name, strings.subtitlesLeft(left, cues)));
-    if (cut > 0) messages.alert(strings.fileFailed(file.name, strings.subtitlesCut(cut)));
-    if (frames.length === 0) throw new Error(strings.subtitlesNoFrames);
-    if (words.length === 0) throw new Error(strings.subtitlesNoMatch);
-    const added = await lettering.addAll(words);
-    if (added > 0) messages.note(strings.subtitlesAdded(added));
+    const bytes = new Uint8Array(await file.arrayBuffer());
+    if (/\.txt$/i.test(file.name)) await lay(bytes);
+    else await subtitle(file.name, bytes);
   }
 
   /**
-   * The panels that show a frame of the video that the subtitles are of: that of the same name, else of any.
+   * Lays a script over the panels of all pages.
+   * @returns whether anything was put there
+   */
+  async function put(script: string): Promise<boolean> {
+    try {
+      return await lay(new TextEncoder().encode(script));
+    } catch (error) {
+      messages.alert(strings.scriptFailed((error as Error).message));
+      return false;
+    }
+  }
+
+  async function lay(bytes: Uint8Array): Promise<boolean> {
+    const letters = await lettering.ready();
+    if (!letters) return false;
+    const panels = panelsInOrder();
+    if (panels.length === 0) throw new Error(strings.scriptNoPage);
+    const told = letters.script(bytes, panels.length, { kind: kind.peek(), sounds: sounds.peek() });
+    if (!told) throw new Error(strings.subtitleErrors.binary);
+    if (told.words.length === 0) throw new Error(strings.scriptEmpty);
+    const { shown } = lettering.lay(told.words.map((word) => onPanel(word, panels)));
+    messages.note(strings.scriptLaid(shown));
+    return true;
+  }
+
+  async function subtitle(name: string, bytes: Uint8Array) {
+    const letters = await lettering.ready();
+    if (!letters) return;
+    const frames = framesOf(name);
+    const panels = panelsInOrder();
+    if (frames.length === 0 && panels.length === 0) throw new Error(strings.subtitlesNoFrames);
+    const taking = { kind: kind.peek(), sounds: sounds.peek() };
+    const told = letters.subtitles(bytes, /\.vtt$/i.test(name), frames, panels.length, taking);
+    if ('flaw' in told) throw new Error(sentence(told.flaw));
+    const { words, cues, homeless, left, cut, skipped, flaws } = told;
+    const tell = (what: string) => messages.alert(strings.fileFailed(name, what));
+    if (left > 0) tell(strings.subtitlesLeft(left, cues));
+    if (cut > 0) tell(strings.subtitlesCut(cut));
+    if (skipped > 0) tell(strings.subtitlesSkipped(skipped, flaws.map(sentence)));
+    if (told.guessed) messages.note(strings.fileFailed(name, strings.subtitlesGuessed));
+    if (words.length === 0) throw new Error(strings.subtitlesNoMatch);
+    const added = lettering.lay(
+      words.map((word) => (word.frame === undefined ? onPanel(word, panels) : onFrame(word, frames[word.frame]))),
+    );
+    if (added.shown + added.waiting === 0) messages.note(strings.fileFailed(name, strings.subtitlesThere));
+    else messages.note(strings.subtitlesLaid(added.shown, added.waiting, homeless));
+  }
+
+  /**
+   * The frames in use of the video that the subtitles are of: that of the same name, else of any.
    * @param name of the file of subtitles
    */
-  function framesOf(name: string) {
-    const stem = (file: string) => file.replace(/(\.[a-z]{2,3})?\.\w+$/i, '').toLowerCase();
-    const videos = [...store.videos.peek().values()];
-    const own = videos.filter((video) => stem(video.name) === stem(name)).map(({ key }) => key);
+  function framesOf(name: string): Frame[] {
+    const stem = (file: string) => file.replace(/(\.[a-z]{2,3}(-\w{2,4})?)?\.\w+$/i, '').toLowerCase();
+    const videos = store.videos.peek();
+    const own = [...videos.values()].filter((video) => stem(video.name) === stem(name)).map(({ key }) => key);
     const album = store.album.peek();
-    const page = store.page.peek();
-    const all = (page?.panels ?? []).flatMap(({ photo }, panel) => {
-      const fact = album.get(photo ?? '');
-      const leads = page?.merges.every((group) => !group.includes(panel) || group[0] === panel);
-      return fact?.video !== undefined && fact.time !== undefined && leads
-        ? [{ panel, time: fact.time, video: fact.video }]
-        : [];
+    const verdicts = store.verdicts.peek();
+    const shown = new Set(store.sheets.peek().flatMap((page) => page.panels.map(({ photo }) => photo)));
+    const all = store.tray.peek().flatMap((item) => {
+      const fact = album.get(item.id);
+      if (fact?.video === undefined || fact.time === undefined) return [];
+      if (!shown.has(item.id) && !isUsed(item, verdicts)) return [];
+      const film = videos.get(fact.video)?.name ?? '';
+      return [{ id: item.id, name: film, time: fact.time, shown: shown.has(item.id), video: fact.video }];
     });
     const matching = all.filter(({ video }) => own.includes(video));
     return matching.length > 0 ? matching : all;
   }
+
+  /** The panels of all pages, in the order in which they are read; of merged ones the first. */
+  function panelsInOrder(): Place[] {
+    return sheetsOf(store.project.peek()).flatMap(({ page, sheet }) =>
+      page.panels.flatMap((_, panel) =>
+        page.merges.every((group) => !group.includes(panel) || group[0] === panel) ? [{ sheet, panel }] : [],
+      ),
+    );
+  }
+}
+
+function onPanel({ frame: _, place = 0, ...word }: Spoken, panels: readonly Place[]): AddedWord {
+  return { ...word, ...panels[place] };
+}
+
+/** A film is known by its name: its key is another each time that a project is opened. */
+function onFrame({ frame: _, place: __, ...word }: Spoken, { id, name }: Frame): AddedWord {
+  return { ...word, photo: id, panel: 0, cue: `${name} ${word.cue}` };
 }
 
 function sentence(flaw: SubtitleFlaw): string {

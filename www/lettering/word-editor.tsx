@@ -1,12 +1,11 @@
 import { useLayoutEffect, useRef } from 'preact/hooks';
+import { MOST } from '../document/limits.ts';
 import { strings } from '../strings/strings.ts';
 import { useApp } from '../ui/context.ts';
 import { liftAbove } from './above-keyboard.ts';
 import { focusOn, placed } from './word-hands.ts';
 import type { WordBox } from '../engine/types.ts';
 
-/** The core takes no more. */
-const MOST = 4000;
 /** Smaller text could not be read while it is written, in CSS pixels. */
 const LEAST = 14;
 
@@ -64,7 +63,7 @@ export function WordEditor({ index, box, height }: { index: number; box: WordBox
       class="word-editor"
       data-kind={word.kind}
       aria-label={strings.wordText(strings.word(word.kind, word.text))}
-      maxLength={MOST}
+      maxLength={MOST.letters}
       // It is wider than a short word, and stays on the page.
       style={{ ...place, left: `clamp(75px, ${place.left}, 100% - 75px)` }}
       onKeyDown={press}

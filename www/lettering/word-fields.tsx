@@ -16,12 +16,13 @@ type AmountProps = {
   onValue: (value: number) => void;
 };
 
-/** Colours and fonts that the core takes where a word says none. */
-const USUAL = {
-  caption: { color: '#111111', fill: '#fff6d6', font: 'comic-neue' },
-  balloon: { color: '#111111', fill: '#ffffff', font: 'comic-neue-bold' },
-  effect: { color: '#ffd21f', fill: '#111111', font: 'bangers' },
-};
+/** Half the line around the letters of an effect that has none told, in ems. */
+export const USUAL_OUTLINE = 0.06;
+
+/** Whether a word is set in capitals: letterers do so but for sounds. */
+export function capitals({ capitals, craft, kind }: Word): boolean {
+  return capitals ?? (craft === 2 && kind !== 'effect');
+}
 
 export function WordFields({ index }: { index: number }) {
   const { store, ui, lettering } = useApp();
@@ -35,7 +36,8 @@ export function WordFields({ index }: { index: number }) {
   };
   const set = (news: Partial<Word>) => lettering.edit(index, news, gesture.current);
   const [x, y] = [box.x + box.width / 2, box.y + box.height / 2];
-  const font = word.font ?? (word.shape === 'whisper' ? 'comic-neue' : USUAL[word.kind].font);
+
+  const missing = lettering.missing(word.text, box.font);
 
   function aim(mode: Mode) {
     lettering.mode.value = lettering.mode.peek() === mode ? null : mode;
@@ -84,6 +86,16 @@ export function WordFields({ index }: { index: number }) {
           {strings.wordCut}
         </p>
       )}
+      {missing && (
+        <p class="quiet" role="note">
+          {strings.wordMissing(missing)}
+        </p>
+      )}
+      {!missing && lettering.foreign(word.text) && (
+        <p class="quiet" role="note">
+          {strings.wordForeign}
+        </p>
+      )}
       {word.kind === 'balloon' && (
         <Choice
           label={strings.shape}
@@ -92,7 +104,12 @@ export function WordFields({ index }: { index: number }) {
           onValue={(shape) => set({ shape: shape as 'oval' })}
         />
       )}
-      <Choice label={strings.wordFont} value={font} names={strings.fonts} onValue={(value) => set({ font: value })} />
+      <Choice
+        label={strings.wordFont}
+        value={box.font}
+        names={strings.fonts}
+        onValue={(value) => set({ font: value })}
+      />
       <div class="word-numbers" onFocusOut={rest}>
         <Amount
           label={strings.wordX}
@@ -142,6 +159,33 @@ export function WordFields({ index }: { index: number }) {
             onValue={(value) => set({ arc: value / 100 })}
           />
         )}
+        {word.kind === 'effect' && (
+          <Amount
+            label={strings.wordSlant}
+            value={word.slant ?? 0}
+            least={-45}
+            most={45}
+            onValue={(slant) => set({ slant })}
+          />
+        )}
+        {word.kind === 'effect' && (
+          <Amount
+            label={strings.wordOutline}
+            value={(word.outline ?? USUAL_OUTLINE) * 100}
+            least={0}
+            most={40}
+            onValue={(value) => set({ outline: value / 100 })}
+          />
+        )}
+      </div>
+      <div class="word-switches">
+        <Switch label={strings.wordCapitals} on={capitals(word)} onChange={(on) => set({ capitals: on })} />
+        {word.kind === 'caption' && (
+          <Switch label={strings.wordBoxless} on={word.boxless ?? false} onChange={(boxless) => set({ boxless })} />
+        )}
+        {word.kind === 'effect' && (
+          <Switch label={strings.wordBehind} on={word.behind ?? false} onChange={(behind) => set({ behind })} />
+        )}
       </div>
       <div class="word-colours">
         {(['color', 'fill'] as const).map((name) => (
@@ -149,7 +193,7 @@ export function WordFields({ index }: { index: number }) {
             <span>{name === 'color' ? strings.wordColor : strings.wordFill}</span>
             <input
               type="color"
-              value={word[name] ?? USUAL[word.kind][name]}
+              value={box[name]}
               onInput={({ currentTarget }) => set({ [name]: currentTarget.value })}
               onChange={rest}
             />
@@ -157,6 +201,15 @@ export function WordFields({ index }: { index: number }) {
         ))}
       </div>
     </div>
+  );
+}
+
+function Switch({ label, on, onChange }: { label: string; on: boolean; onChange: (on: boolean) => void }) {
+  return (
+    <label class="check">
+      <input type="checkbox" checked={on} onChange={({ currentTarget }) => onChange(currentTarget.checked)} />
+      <span>{label}</span>
+    </label>
   );
 }
 

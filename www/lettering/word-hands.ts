@@ -11,6 +11,10 @@ const LARGE_STEP = 0.03;
 /** Pixels before a press counts as a drag. */
 const SLACK = 4;
 
+/** An effect is straight where it is nearer than this to a right angle, in degrees. */
+const CLOSE = 4;
+const RIGHT = 90;
+
 /** in page widths */
 type Place = [number, number];
 type Grip = { id: number; x: number; y: number; at: Place; gesture: string; moved: boolean };
@@ -29,11 +33,49 @@ function pageOf(element: EventTarget | null) {
 
 export function useWordHands(index: number) {
   const { lettering } = useApp();
+  /** The gesture of the key that turns. */
+  const held = useRef('');
   const last = useRef({ chosen: false, moved: false, tapped: false } as Press);
   const middle = () => lettering.pageAt(index);
   const tip = () => lettering.boxes.peek()[index]?.tip ?? middle();
   const body = useHand(middle, (to, gesture) => lettering.move(index, to, gesture));
   const tail = useHand(tip, (to, gesture) => lettering.point(index, to, gesture));
+  const size = useHand(corner, (to, gesture) => {
+    const [x] = middle();
+    if (lettering.words.peek()[index]?.kind !== 'effect') lettering.resize(index, 2 * Math.abs(to[0] - x), gesture);
+    else {
+      // Letters that are turned and bent grow with the distance of the hand.
+      const box = lettering.boxes.peek()[index];
+      const now = distance(corner(), middle());
+      if (box && now > 0) lettering.resize(index, (widthOf() * distance(to, middle())) / now, gesture);
+    }
+  });
+  const turned = useHand(knob, ([x, y], gesture) => {
+    const [mx, my] = middle();
+    const angle = (Math.atan2(y - my, x - mx) * 180) / Math.PI + 90;
+    // Upright is found again without looking at numbers.
+    const straight = Math.round(angle / RIGHT) * RIGHT;
+    lettering.turn(index, Math.round(Math.abs(angle - straight) < CLOSE ? straight : angle), gesture);
+  });
+
+  /** The lower right corner of its box. */
+  function corner(): Place {
+    const box = lettering.boxes.peek()[index];
+    return box ? [box.x + box.width, box.y + box.height] : middle();
+  }
+
+  function widthOf(): number {
+    return lettering.words.peek()[index]?.width ?? lettering.boxes.peek()[index]?.width ?? 0;
+  }
+
+  /** Where an effect is held to be turned: above it, as it stands. */
+  function knob(): Place {
+    const box = lettering.boxes.peek()[index];
+    const angle = ((lettering.words.peek()[index]?.angle ?? 0) * Math.PI) / 180;
+    const reach = (box?.height ?? 0) / 2 + 0.04;
+    const [x, y] = middle();
+    return [x + Math.sin(angle) * reach, y - Math.cos(angle) * reach];
+  }
 
   function press(event: KeyboardEvent) {
     if (event.ctrlKey || event.metaKey || event.altKey) return;
@@ -81,7 +123,34 @@ export function useWordHands(index: number) {
       onPointerUp: () => void tail.onPointerUp(),
       onClick: (event: MouseEvent) => event.stopPropagation(),
     },
+    size: {
+      ...size,
+      onPointerUp: () => void size.onPointerUp(),
+      onClick: (event: MouseEvent) => event.stopPropagation(),
+    },
+    knob: {
+      ...turned,
+      onPointerUp: () => void turned.onPointerUp(),
+      onClick: (event: MouseEvent) => event.stopPropagation(),
+      onKeyDown: turnByKey,
+      onKeyUp: () => {
+        held.current = '';
+      },
+    },
+    /** Where the handles are, in page widths. */
+    corner,
+    knobAt: knob,
   };
+
+  function turnByKey(event: KeyboardEvent) {
+    const way = WAYS[event.key];
+    if (!way || event.ctrlKey || event.metaKey || event.altKey) return;
+    event.preventDefault();
+    event.stopPropagation();
+    const by = (way[0] || way[1]) * (event.shiftKey ? 15 : 1);
+    if (held.current === '') held.current = lettering.step();
+    lettering.turn(index, (lettering.words.peek()[index]?.angle ?? 0) + by, held.current);
+  }
 
   function useHand(where: () => Place, put: (to: Place, gesture: string) => void) {
     const grip = useRef(null as Grip | null);
@@ -131,6 +200,10 @@ export function useWordHands(index: number) {
       },
     };
   }
+}
+
+function distance([ax, ay]: Place, [bx, by]: Place): number {
+  return Math.hypot(ax - bx, ay - by);
 }
 
 /** @param selectors the first of which something is there says what gets the focus */

@@ -7,6 +7,7 @@ import { useEffect, useRef } from 'preact/hooks';
 import { strings } from '../strings/strings.ts';
 import { useApp } from '../ui/context.ts';
 import { placed, pointOn, useWordHands } from './word-hands.ts';
+import { WordBar } from './word-bar.tsx';
 import { WordEditor } from './word-editor.tsx';
 import { createWordPainter } from './word-painter.ts';
 import type { Geometry, PageDocument, WordBox } from '../engine/types.ts';
@@ -19,6 +20,7 @@ export function WordLayer({ page, geometry, width }: { page: PageDocument; geome
   const words = lettering.words.value;
   const boxes = lettering.boxes.value;
   const editing = lettering.editing.value;
+  const chosen = lettering.chosen.value;
 
   useEffect(() => {
     painter.current = createWordPainter(canvas.current as HTMLCanvasElement, {
@@ -41,6 +43,7 @@ export function WordLayer({ page, geometry, width }: { page: PageDocument; geome
         {words.map(
           (_, i) => boxes[i] && i !== editing && <Word key={i} index={i} box={boxes[i]} height={geometry.height} />,
         )}
+        {boxes[chosen] && editing < 0 && !lettering.mode.value && <WordBar index={chosen} box={boxes[chosen]} />}
         {lettering.mode.value && <Aim />}
         {boxes[editing] && (
           <WordEditor key={`edit-${editing}`} index={editing} box={boxes[editing]} height={geometry.height} />
@@ -79,8 +82,36 @@ function Word({ index, box, height }: { index: number; box: WordBox; height: num
           {...hands.tail}
         />
       )}
+      {chosen && (
+        <button
+          type="button"
+          class="word-handle"
+          data-handle="size"
+          aria-label={strings.wordResize}
+          aria-description={strings.resizeKeys}
+          style={spot(hands.corner(), height)}
+          {...hands.size}
+        />
+      )}
+      {chosen && word.kind === 'effect' && (
+        <button
+          type="button"
+          class="word-handle"
+          data-handle="turn"
+          aria-label={strings.wordTurn}
+          aria-description={strings.turnKeys}
+          style={spot(hands.knobAt(), height)}
+          {...hands.knob}
+        />
+      )}
     </>
   );
+}
+
+/** @returns where a handle is, kept on the page */
+function spot([x, y]: readonly [number, number], height: number) {
+  const percent = (part: number) => `${Math.min(100, Math.max(0, part * 100)).toFixed(3)}%`;
+  return { left: percent(x), top: percent(y / height) };
 }
 
 /** Over the whole page while the next click says where something goes. */

@@ -3,7 +3,7 @@
  * all drawn anew. A word waits for the picture that is being drawn of it before it asks for the next.
  */
 
-import type { PageDocument } from '../engine/types.ts';
+import type { PageDocument, Word } from '../engine/types.ts';
 import type { Engine } from '../engine/engine.ts';
 import type { BitmapPatch } from '../engine/protocol.ts';
 
@@ -37,14 +37,17 @@ export function createWordPainter(
 
   /** @param width of the page, in pixels of the screen */
   function show(document: PageDocument, width: number) {
-    const { words = [], layout, page } = document;
+    const { words = [], layout, page, style } = document;
     const same =
       sheet &&
       sheet.width === width &&
       JSON.stringify([sheet.document.layout, sheet.document.page]) === JSON.stringify([layout, page]);
     // Another page does not show the words of the one before in their old places.
     if (!same || words.length !== sheet?.keys.length) shown = [];
-    sheet = { document, width, keys: words.map((word) => JSON.stringify([word, layout, page, width])) };
+    // Joined balloons are drawn as one shape, and words take the colours of the style where they have none.
+    const joined = words.filter(({ id, joined }) => id || joined);
+    const key = (word: Word) => [word, layout, page, width, word.craft && style, (word.id || word.joined) && joined];
+    sheet = { document, width, keys: words.map((word) => JSON.stringify(key(word))) };
     words.forEach((_, i) => request(i));
     paint();
   }

@@ -3,8 +3,9 @@
  * moved.
  */
 
-import { computed, effect, signal } from '@preact/signals';
+import { computed, effect, signal, untracked } from '@preact/signals';
 import { strings } from '../strings/strings.ts';
+import { sheetsOf } from '../document/sheets.ts';
 import type { Messages } from '../ui/messages.ts';
 import type { Store } from '../document/store.ts';
 import type { PageDocument, Word } from '../engine/types.ts';
@@ -43,6 +44,24 @@ export function createWordPlanning({
   effect(() => {
     if (words.value.length > 0 && !letters.value) void ready().then((table) => table && settle(true));
   });
+  // Words that came with their photo, or were laid over all pages, have no places yet. It is no step of its own.
+  effect(() => {
+    const project = store.project.value;
+    const lost = sheetsOf(project).some(({ page }) => homeless(page).length > 0);
+    if (!lost) return;
+    if (!letters.value) {
+      if (words.peek().length === 0) void ready();
+      return;
+    }
+    untracked(() => {
+      const sheets = sheetsOf(project).map((sheet) => {
+        const some = homeless(sheet.page);
+        return some.length > 0 ? { ...sheet, page: settled(sheet.page, some) } : sheet;
+      });
+      if (!sheets.some(({ page }) => homeless(page).length > 0))
+        store.change({ type: 'set-sheets', sheets, at: project.at, silent: true });
+    });
+  });
 
   return { words, letters, rested, ready, settled, on };
 
@@ -78,9 +97,11 @@ export function createWordPlanning({
     return { ...page, words: all.map((word, i) => (stays(i) ? word : placed[i])) };
   }
 
-  /** Another page with the words of this one. */
+  /** Another page with the words of this one whose photos it shows, and those that wait for photos of it. */
   function on(page: PageDocument): PageDocument {
-    return !page.words?.length && words.peek().length === 0 ? page : settled({ ...page, words: [...words.peek()] });
+    const { waiting = [] } = store.project.peek();
+    const own = [...words.peek(), ...waiting].flatMap((word) => carried(word, page));
+    return !page.words?.length && own.length === 0 ? page : settled({ ...page, words: own });
   }
 
   function settle(silent: boolean) {
@@ -89,6 +110,19 @@ export function createWordPlanning({
     if (next && JSON.stringify(next.words) !== JSON.stringify(page.words))
       store.change({ type: 'change-page', page: next, silent });
   }
+}
+
+/** Which words of a page have no place yet. */
+function homeless({ words = [] }: PageDocument): number[] {
+  return words.flatMap(({ auto, x }, i) => (auto !== false && (x === undefined || x === null) ? [i] : []));
+}
+
+/** The word on the panel of its photo, as the core carries it; none where the photo is not there. */
+function carried(word: Word, { panels }: PageDocument): Word[] {
+  const { photo, panel } = word;
+  if (!photo || panel === undefined || panel === null || panels[panel]?.photo === photo) return [word];
+  const at = panels.findIndex((other) => other.photo === photo);
+  return at < 0 ? [] : [{ ...word, panel: at }];
 }
 
 /** @returns all but the places that the core chooses */

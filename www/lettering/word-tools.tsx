@@ -1,12 +1,17 @@
 /** Words in the side: added, listed, and the one that is chosen changed. Every drag on the page has its click or field here. */
 
 import { useRef } from 'preact/hooks';
+import { MOST } from '../document/limits.ts';
 import { strings } from '../strings/strings.ts';
+import { IconButton } from '../ui/button.tsx';
 import { ChosenFiles } from '../photos/chosen-files.tsx';
 import { useApp } from '../ui/context.ts';
 import { Icon } from '../ui/icon.tsx';
 import { WordFields } from './word-fields.tsx';
 import { ActionButton } from '../ui/action-button.tsx';
+
+/** Waiting words that are listed: those of a whole film would be no list to read. */
+const LISTED = 100;
 
 export function WordTools() {
   const { lettering, actions } = useApp();
@@ -39,18 +44,62 @@ export function WordTools() {
           ))}
         </ul>
       )}
-      <Subtitles />
+      <Waiting />
+      <Speech />
     </section>
   );
 }
 
-function Subtitles() {
+/** Words whose photos no page shows. */
+function Waiting() {
+  const { lettering } = useApp();
+  const words = lettering.waiting.value;
+  if (words.length === 0) return null;
+  return (
+    <details class="waiting">
+      <summary>{strings.wordsWaiting(words.length)}</summary>
+      <p class="quiet">{strings.wordsWaitingWhy}</p>
+      <ul class="waiting-words">
+        {words.slice(0, LISTED).map(({ text }, i) => (
+          <li key={i}>
+            <span title={text}>{text}</span>
+            <IconButton icon="put" label={strings.putWaiting(text)} onClick={() => lettering.take(i)} />
+            <IconButton icon="bin" label={strings.dropWaiting(text)} onClick={() => lettering.drop([i])} />
+          </li>
+        ))}
+      </ul>
+      <button type="button" class="button small" onClick={() => lettering.drop(words.map((_, i) => i))}>
+        <Icon name="bin" />
+        {strings.dropAllWaiting}
+      </button>
+    </details>
+  );
+}
+
+/** Scripts and subtitles, which become balloons. */
+function Speech() {
   const { subtitling, store } = useApp();
   const file = useRef(null as HTMLInputElement | null);
-  if (store.videos.value.size === 0) return null;
+  const script = subtitling.draft.value;
+
+  async function put() {
+    if (await subtitling.put(subtitling.draft.peek())) subtitling.draft.value = '';
+  }
+
   return (
     <fieldset class="subtitles">
-      <legend>{strings.subtitles}</legend>
+      <legend>{strings.script}</legend>
+      <textarea
+        class="script-text"
+        aria-label={strings.scriptText}
+        placeholder={strings.scriptSample}
+        maxLength={MOST.script}
+        value={script}
+        onInput={({ currentTarget }) => {
+          subtitling.draft.value = currentTarget.value;
+        }}
+      />
+      <p class="quiet">{strings.scriptHelp}</p>
       <label class="field">
         <span>{strings.subtitlesAs}</span>
         <select
@@ -60,18 +109,44 @@ function Subtitles() {
             subtitling.kind.value = currentTarget.value as 'caption';
           }}
         >
-          {(['caption', 'balloon'] as const).map((kind) => (
+          {(['balloon', 'caption'] as const).map((kind) => (
             <option key={kind} value={kind}>
               {strings.subtitlesKinds[kind]}
             </option>
           ))}
         </select>
       </label>
-      <button type="button" class="button small" onClick={() => file.current?.click()}>
-        <Icon name="open" />
-        {strings.addSubtitles}
-      </button>
-      <ChosenFiles input={file} accept=".srt,.vtt,text/vtt" label={strings.subtitlesFile} onFiles={subtitling.open} />
+      <label class="check">
+        <input
+          type="checkbox"
+          checked={subtitling.sounds.value}
+          onChange={({ currentTarget }) => {
+            subtitling.sounds.value = currentTarget.checked;
+          }}
+        />
+        <span>{strings.soundsAsEffects}</span>
+      </label>
+      <div class="speech-deeds">
+        <button
+          type="button"
+          class="button small"
+          disabled={script.trim() === '' || store.page.value === null}
+          onClick={() => void put()}
+        >
+          <Icon name="balloon" />
+          {strings.putScript}
+        </button>
+        <button type="button" class="button small" onClick={() => file.current?.click()}>
+          <Icon name="open" />
+          {strings.addSubtitles}
+        </button>
+      </div>
+      <ChosenFiles
+        input={file}
+        accept=".srt,.vtt,.txt,text/vtt,text/plain"
+        label={strings.subtitlesFile}
+        onFiles={subtitling.open}
+      />
     </fieldset>
   );
 }

@@ -19,9 +19,10 @@ const LENGTHS: { name: 'gutter' | 'margin' | 'border' | 'cornerRadius'; most: nu
 ];
 
 const COLOURS: ('paper' | 'borderColor')[] = ['paper', 'borderColor'];
+const PURPOSES = ['paper', 'book', 'screen'] as const;
 
 export function PageSettingsForm() {
-  const { store, pages } = useApp();
+  const { store, pages, ui } = useApp();
   const { settings } = store.project.value;
   const drags = useRef(0);
   /** Whether a size of one's own was asked for; it may be that of a known one for a while. */
@@ -54,15 +55,29 @@ export function PageSettingsForm() {
       <label class="field">
         <span>{strings.pageSize}</span>
         <select class="select" value={size} onChange={(event) => resize(event.currentTarget.value)}>
-          {PAGE_SIZES.map(({ id }) => (
-            <option key={id} value={id}>
-              {strings.size[id]}
-            </option>
+          {PURPOSES.map((purpose) => (
+            <optgroup key={purpose} label={strings.print.purpose[purpose]}>
+              {PAGE_SIZES.filter((other) => other.purpose === purpose).map(({ id }) => (
+                <option key={id} value={id}>
+                  {strings.size[id]}
+                </option>
+              ))}
+            </optgroup>
           ))}
           <option value="custom">{strings.size.custom}</option>
         </select>
       </label>
       {size === 'custom' && <CustomSize />}
+      <label class="choice" title={strings.print.safeHelp}>
+        <input
+          type="checkbox"
+          checked={ui.safeArea.value}
+          onChange={(event) => {
+            ui.safeArea.value = event.currentTarget.checked;
+          }}
+        />
+        {strings.print.showSafe}
+      </label>
       {LENGTHS.map(({ name, most, step }) => (
         <label class="field length" key={name}>
           <span>{strings[name]}</span>

@@ -12,6 +12,17 @@ export function sizeId({ width, height }: { width: number; height: number }): st
   return PAGE_SIZES.find((size) => size.width === width && size.height === height)?.id ?? 'custom';
 }
 
+/** How far from the edge of a page that has no name faces and words stay, in parts of its shorter side. */
+const USUAL_SAFE = 0.03;
+
+/** What of a page is never cut off: pixels from its sides, from its top and bottom, and from the fold in its middle. */
+export function safeArea(page: { width: number; height: number }): { across: number; down: number; fold: number } {
+  const known = PAGE_SIZES.find(({ id }) => id === sizeId(page));
+  if (known) return { across: known.safe[0], down: known.safe[1], fold: known.fold };
+  const room = Math.round(USUAL_SAFE * Math.min(page.width, page.height));
+  return { across: room, down: room, fold: 0 };
+}
+
 export function sized(
   settings: PageSettings,
   { width = settings.width, height = settings.height, dpi = settings.dpi }: Partial<PageSettings>,

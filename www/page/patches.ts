@@ -45,13 +45,14 @@ export function createPatches(render: Engine['renderPanel']) {
     width: number,
   ): string {
     const group = merges.find((other) => other.includes(index)) ?? [index];
-    const { photo, crop } = panels[group[0]];
+    const { photo, crop, faces } = panels[group[0]];
     const shapes = group.map((i) => geometry.panels[i]);
     return JSON.stringify([
       style,
       page,
       photo,
       crop,
+      faces,
       geometry.panels[index],
       shapes,
       geometry.panels.filter(({ overlay }) => !overlay).length,

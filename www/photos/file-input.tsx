@@ -10,7 +10,7 @@ export function FileInput() {
   return (
     <ChosenFiles
       id={ID}
-      accept="image/*,video/*,.heic,.heif,.avif,.mkv,.srt,.vtt"
+      accept="image/*,video/*,.heic,.heif,.avif,.mkv,.srt,.vtt,.zip,.cbz"
       label={strings.filesLabel}
       onFiles={intake}
     />

@@ -8,6 +8,7 @@ import { mayMove, pictureEnds } from '../engine/animation-times.ts';
 import { isVideo } from '../engine/video.ts';
 import { strings } from '../strings/strings.ts';
 import { byName } from '../ui/by-name.ts';
+import { createAlbumNaming } from './album-naming.ts';
 import { createFirstPage } from './first-page.ts';
 import { FRAMES, createFrames } from './frames.ts';
 import { createIntake } from './intake.ts';
@@ -56,6 +57,7 @@ export function createReading({
 
   const intake = createIntake({ store, pages, engine, messages, prefix });
   const frames = createFrames({ store, engine, intake });
+  const naming = createAlbumNaming({ store });
   const firstPage = createFirstPage({ store, pages, facesReady: () => engine.facesReady() });
 
   return {
@@ -70,6 +72,8 @@ export function createReading({
     edit,
     freshIds: intake.freshIds,
     count: intake.count,
+    /** What the project is called by its photos; empty where they tell nothing. */
+    automaticName: naming.automatic,
     /** Whether the first page is a moment away. */
     near: firstPage.near,
   };
@@ -114,6 +118,7 @@ export function createReading({
       messages.alert(strings.tooManyPhotos(given.length - sources.length, strings.decimal(MOST.photos)));
     if (sources.length === 0) return null;
     const ids = sources.flatMap((source) => source.ids);
+    naming.begin(sources);
     intake.count(0, ids.length);
     if (first) {
       gesture = null;
@@ -204,6 +209,7 @@ export function createReading({
     gesture = null;
     stop = null;
     messages.close(complaint);
+    naming.settle(step);
     if (store.photos.peek().length === 0) {
       store.change({ type: 'no-page', silent: true });
       complaint = messages.alert(strings.noUsablePhoto);

@@ -7,7 +7,7 @@ import { Icon } from '../ui/icon.tsx';
 import type { Keeping } from './storage.ts';
 
 /** Characters of a name. */
-const LONGEST = 80;
+export const LONGEST_NAME = 80;
 
 export function ProjectBar() {
   const { store, ui } = useApp();
@@ -25,7 +25,7 @@ export function ProjectBar() {
 
 /** Edited in place; Escape leaves it as it was. */
 export function ProjectName() {
-  const { store } = useApp();
+  const { store, reading } = useApp();
   const { name } = store.project.value;
   return (
     <input
@@ -33,12 +33,14 @@ export function ProjectName() {
       class="project-name"
       aria-label={strings.projectName}
       placeholder={strings.untitled}
-      maxLength={LONGEST}
+      maxLength={LONGEST_NAME}
       autocomplete="off"
       spellcheck={false}
+      title={name || undefined}
       value={name}
       onChange={({ currentTarget }) => {
-        store.change({ type: 'rename', name: currentTarget.value.trim() });
+        // Whoever takes the name away gets the one that the photos give.
+        store.change({ type: 'rename', name: currentTarget.value.trim() || reading.automaticName() });
         currentTarget.value = store.project.peek().name;
       }}
       onKeyDown={(event) => {

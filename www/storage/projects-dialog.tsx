@@ -11,7 +11,7 @@ import { InstallButton } from '../offline/install.tsx';
 import { Workspace } from '../ui/workspace.tsx';
 import { Broken } from './broken.tsx';
 import { Elsewhere } from './elsewhere.tsx';
-import { ProjectName, SaveState } from './project-bar.tsx';
+import { LONGEST_NAME, ProjectName, SaveState } from './project-bar.tsx';
 import type { ProjectRecord } from './database.ts';
 
 export function Projects() {
@@ -38,7 +38,12 @@ export function Projects() {
         {strings.saveProject}
       </button>
       <InstallButton />
-      <ChosenFiles input={input} label={strings.projectFile} accept={`${EXTENSION},.png`} onFiles={openProjects} />
+      <ChosenFiles
+        input={input}
+        label={strings.projectFile}
+        accept={`${EXTENSION},.png,.cbz,.zip`}
+        onFiles={openProjects}
+      />
     </div>
   );
   return (
@@ -73,6 +78,7 @@ function Project({ project: { id, name, changed, photos, picture } }: { project:
   const title = name || strings.untitled;
   const current = keeping.current.value === id;
   const busy = keeping.busy.value;
+  const [renaming, setRenaming] = useState(false);
 
   async function open() {
     if (await keeping.open(id)) ui.work.value = null;
@@ -91,10 +97,20 @@ function Project({ project: { id, name, changed, photos, picture } }: { project:
         {picture && <Picture blob={picture} />}
       </button>
       <div class="project-about">
-        <strong>{title}</strong>
+        {renaming ? (
+          <NewName id={id} name={name} title={title} close={() => setRenaming(false)} />
+        ) : (
+          <strong>{title}</strong>
+        )}
         <span>{strings.projectAbout(photos, changed > 0 ? strings.moment(changed) : '')}</span>
       </div>
       <div class="project-tools">
+        <IconButton
+          icon="rename"
+          label={strings.renameNamed(title)}
+          pressed={renaming}
+          onClick={() => setRenaming(!renaming)}
+        />
         <IconButton icon="duplicate" label={strings.duplicateNamed(title)} onClick={() => void keeping.duplicate(id)} />
         <IconButton
           icon="bin"
@@ -104,6 +120,45 @@ function Project({ project: { id, name, changed, photos, picture } }: { project:
         />
       </div>
     </li>
+  );
+}
+
+/** In the place of the name, with the whole of it chosen. Enter takes it, and so does going elsewhere; Escape does not. */
+function NewName({ id, name, title, close }: { id: string; name: string; title: string; close: () => void }) {
+  const { keeping } = useApp();
+  const field = useRef(null as HTMLInputElement | null);
+  useEffect(() => {
+    field.current?.focus();
+    field.current?.select();
+  }, []);
+  const left = useRef(false);
+  const end = (take: boolean) => {
+    if (left.current) return;
+    left.current = true;
+    const wanted = field.current?.value ?? '';
+    if (take) void keeping.rename(id, wanted).finally(close);
+    else close();
+  };
+  return (
+    <input
+      ref={field}
+      type="text"
+      class="project-rename"
+      aria-label={strings.newNameOf(title)}
+      placeholder={strings.untitled}
+      maxLength={LONGEST_NAME}
+      autocomplete="off"
+      spellcheck={false}
+      defaultValue={name}
+      onBlur={() => end(true)}
+      onKeyDown={(event) => {
+        if (event.key !== 'Enter' && event.key !== 'Escape') return;
+        event.preventDefault();
+        // What else Escape closes stays.
+        event.stopPropagation();
+        end(event.key === 'Enter');
+      }}
+    />
   );
 }
 

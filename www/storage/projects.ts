@@ -3,6 +3,7 @@
 import { signal } from '@preact/signals';
 import { strings } from '../strings/strings.ts';
 import { freshId } from '../document/fresh-id.ts';
+import { wellFormed } from '../document/limits.ts';
 import { drawnId, isProjectId } from './drawn-states.ts';
 import { projectLock } from './locks.ts';
 import { isGone } from './restoring.ts';
@@ -41,7 +42,7 @@ export function createProjects({
   const list: Signal<readonly ProjectRecord[]> = signal([]);
   const { say, current } = opening;
 
-  return { list, refresh, openCopy, create, duplicate, remove };
+  return { list, refresh, openCopy, create, duplicate, rename, remove };
 
   async function create() {
     const done = await opening.create();
@@ -82,6 +83,64 @@ export function createProjects({
       say(error);
       return null;
     }
+  }
+
+  /**
+   * Gives a project another name, without opening it. A state that cannot be read keeps its own.
+   * @returns whether it has it
+   */
+  async function rename(id: string, wanted: string): Promise<boolean> {
+    const name = wanted.trim();
+    if (name === '' || name === nameOf(id)) return false;
+    if (id === current.peek()) {
+      store.change({ type: 'rename', name });
+      await saving.flush();
+      await refresh().catch(say);
+      return true;
+    }
+    const free = await locks.take(projectLock(id));
+    if (!free) {
+      messages.alert(strings.openElsewhere(nameOf(id)));
+      return false;
+    }
+    try {
+      await writeName(id, wellFormed(name));
+      await refresh();
+      return true;
+    } catch (error) {
+      say(error);
+      return false;
+    } finally {
+      free();
+    }
+  }
+
+  /** In all of its states: to undo an edit brings no name back that was not undone. The stamp stays, as the journal goes by it. */
+  async function writeName(id: string, name: string) {
+    const all = (await database()).transaction(['projects', 'states'], 'readwrite');
+    const [projects, states] = [all.objectStore('projects'), all.objectStore('states')];
+    const [project, state, drawn] = await Promise.all([projects.get(id), states.get(id), states.get(drawnId(id))]);
+    const named = <T>(states: readonly T[]): T[] => states.map((one) => ({ ...one, name }));
+    const history = state?.history;
+    await Promise.all([
+      projects.put({ ...((project ?? entryOf({ id })[0]) as ProjectRecord), name }),
+      ...(history?.present
+        ? [
+            states.put({
+              ...state,
+              id,
+              history: {
+                ...history,
+                past: named(history.past ?? []),
+                present: { ...history.present, name },
+                future: named(history.future ?? []),
+              },
+            }),
+          ]
+        : []),
+      ...(drawn?.drawn ? [states.put({ ...drawn, drawn: named(drawn.drawn) })] : []),
+      all.done,
+    ]);
   }
 
   /** Deletes a project; for a while it can be brought back. */

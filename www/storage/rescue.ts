@@ -6,7 +6,7 @@
 import { inBlobs } from './database.ts';
 import { archiveOf } from './files/archive.ts';
 import { strippedOf } from '../photos/identity.ts';
-import { fileNameOf, packedProject, videoKey } from './files/project-file.ts';
+import { projectFileName, packedProject, videoKey } from './files/project-file.ts';
 import { nameOf } from './restoring.ts';
 import type { Database } from './database.ts';
 
@@ -39,8 +39,8 @@ export async function rescued(
     });
     const blobs = new Map([...files, ...films.map(({ key, file }) => [videoKey(key), file] as const)]);
     return {
-      ...(await packedProject({ history: state.history, facts, videos: films }, blobs, state.version)),
-      name: fileNameOf(name),
+      ...(await packedProject({ history: state.history, facts, videos: films }, blobs, { version: state.version })),
+      name: projectFileName(name),
     };
   } catch {
     // Not even its parts are what they should be.
@@ -56,7 +56,7 @@ export async function rescued(
     }
     return {
       file: new Blob([await archiveOf(entries)], { type: 'application/zip' }),
-      name: fileNameOf(name),
+      name: projectFileName(name),
       unclean: [],
     };
   }

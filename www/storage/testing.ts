@@ -168,7 +168,7 @@ export function fakeBrowser({
     const begun = keeping.begin();
     early({ keeping, reading });
     await begun;
-    const files = (...names: string[]) => names.map((name) => new File([name], name));
+    const files = (...names: string[]) => names.map((name) => new File([name], name, { lastModified: 0 }));
     const add = async (...names: string[]) => {
       await reading.addFiles(files(...names));
       await keeping.flush();

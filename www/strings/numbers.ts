@@ -2,6 +2,8 @@
 
 /** Digits behind the point of a number that is shown whole. */
 const MOST_DIGITS = 6;
+/** Days of a stretch that is told by its first and its last. */
+const MOST_DAYS = 62;
 
 /** @param locale such as `de` or `es-MX` */
 export function numbersIn(locale: string) {
@@ -34,8 +36,27 @@ export function numbersIn(locale: string) {
     return `${hours ? `${hours}:${two(minutes, `${minutes}`)}` : minutes}:${two(rest, decimal(rest, 1))}`;
   }
 
+  /**
+   * @param from a day, in milliseconds of UTC
+   * @param to a day not before it
+   * @returns the days as one writes them: `3–5 June 2026`; of several months these, of several years these alone
+   */
+  function dates(from: number, to: number): string {
+    const days = (to - from) / 86_400_000;
+    const year = 'numeric';
+    const parts: Intl.DateTimeFormatOptions =
+      days <= MOST_DAYS ? { day: 'numeric', month: 'long', year } : days <= 366 ? { month: 'long', year } : { year };
+    const format = new Intl.DateTimeFormat(locale, { ...parts, timeZone: 'UTC' });
+    const ends = [format.format(from), format.format(to)];
+    // Where a language writes stretches in figures alone, the two ends in words are nearer to a name.
+    const range = typeof format.formatRange === 'function' ? format.formatRange(from, to) : '/';
+    // Some languages have spaces that only typesetters know.
+    return (range.includes('/') ? [...new Set(ends)].join(' – ') : range).replaceAll(/\s+/gu, ' ');
+  }
+
   return {
     decimal,
+    dates,
     clock,
     /** @param part of 1 */
     percent: (part: number, digits = 0) => format(part, digits, { style: 'percent' }),

@@ -71,12 +71,12 @@ describe('my styles', () => {
     await styles.open([
       file('bad.json', {}),
       file('noir.json', style('noir', { name: 'Other' })),
-      file('long.json', ' '.repeat(300_000)),
+      file('long.json', ' '.repeat(600_000)),
     ]);
     await vi.waitFor(() => expect(messages.list.value.map(({ text }) => text)).toContain('2 files could not be read.'));
     const alerts = messages.failures.value.map(({ text }) => text);
     expect(alerts[0]).toMatch(/bad\.json.*background.*missing/);
-    expect(alerts[1]).toMatch(/long\.json.*256 KB/);
+    expect(alerts[1]).toMatch(/long\.json.*512 KB/);
     // Another style of a designed one's id gets an id of its own.
     expect(kept()).toEqual([style('fresh-1', { name: 'Other' })]);
     expect(opened.map(({ id }) => id)).toEqual(['fresh-1']);

@@ -6,7 +6,7 @@
 import { computed } from '@preact/signals';
 import { strings } from '../strings/strings.ts';
 import { save as saveFile } from '../ui/files.ts';
-import { LONGEST_STYLE, isStyleLink, linkOf, textOfLink } from './style-link.ts';
+import { LONGEST_LINK, LONGEST_STYLE, isStyleLink, linkOf, textOfLink } from './style-link.ts';
 import type { Messages } from '../ui/messages.ts';
 import type { Designer } from '../designer/designer.ts';
 import type { Store } from '../document/store.ts';
@@ -105,7 +105,13 @@ export function createOwnStyles({
     style: Style,
     { address, write: copy }: { address: string; write: (text: string) => Promise<void> },
   ): Promise<string> {
-    const link = address.replace(/#.*$/s, '') + (await linkOf(style));
+    const mark = await linkOf(style);
+    const link = address.replace(/#.*$/s, '') + mark;
+    // A texture makes a link that no program passes on whole.
+    if (mark.length > LONGEST_LINK) {
+      messages.alert(strings.linkTooLong(style.name));
+      return link;
+    }
     await copy(link).then(
       () => messages.note(strings.linkCopied),
       () => messages.alert(strings.linkNotCopied(link)),

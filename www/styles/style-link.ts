@@ -5,9 +5,9 @@
 
 const MARK = '#style=';
 /** No link is longer, in letters. */
-const LONGEST_LINK = 16 * 1024;
+export const LONGEST_LINK = 16 * 1024;
 /** No style in a link is longer, in bytes; a small link may hold a huge text. */
-export const LONGEST_STYLE = 256 * 1024;
+export const LONGEST_STYLE = 512 * 1024;
 
 export function isStyleLink(hash: string): boolean {
   return hash.startsWith(MARK);

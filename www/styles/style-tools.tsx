@@ -24,6 +24,7 @@ export function StyleTools() {
           <Icon name="settings" />
           <span>{strings.styleShuffle}</span>
         </button>
+        <ActionButton action={actions.imitation.open} class="button small" text />
         <ActionButton action={actions.styles.edit} />
       </div>
       {open.value && <StyleShuffle />}

@@ -3,6 +3,7 @@
 import type { Styling } from '../document/project.ts';
 import type { Store } from '../document/store.ts';
 import type { Wish } from '../engine/core.ts';
+import type { Style } from '../engine/types.ts';
 import type { OwnStyles } from './own-styles.ts';
 
 export type StylingDeeds = ReturnType<typeof createStyling>;
@@ -10,9 +11,12 @@ export type StylingDeeds = ReturnType<typeof createStyling>;
 export function createStyling({
   store,
   ownStyles,
+  inventions = () => [],
 }: {
   store: Store;
   ownStyles: Pick<OwnStyles, 'mine' | 'favourites'>;
+  /** Invented styles that were tried on photos of the page. */
+  inventions?: () => readonly Style[];
 }) {
   return { asked, change };
 
@@ -23,7 +27,7 @@ export function createStyling({
     const { invented, keepLines, keepColours } = store.project.peek().styling;
     const mine = ownStyles.mine.peek();
     const extra = [...mine, ...ownStyles.favourites.peek().filter(({ id }) => mine.every((style) => style.id !== id))];
-    return { ...wish, styling: { extra, invented, keepLines, keepColours } };
+    return { ...wish, styling: { extra, invented, inventions: [...inventions()], keepLines, keepColours } };
   }
 
   /** @param gesture names one drag of a control, which is one step of the undo */

@@ -12,6 +12,7 @@ import type { Store } from '../document/store.ts';
 import type { Engine } from '../engine/engine.ts';
 import type { Explorer } from '../explorer/explorer.ts';
 import type { Download } from '../export/download.ts';
+import type { Imitation } from '../imitation/imitation.ts';
 import type { Hints } from '../help/hints.ts';
 import type { OwnLayouts } from '../layouts/own-layouts.ts';
 import type { Lettering } from '../lettering/lettering.ts';
@@ -64,6 +65,7 @@ export type Parts = {
   designer: Designer;
   ownStyles: OwnStyles;
   explorer: Explorer;
+  imitation: Imitation;
   styling: StylingDeeds;
   keeping: Keeping;
   shownPages: ShownPages;

@@ -29,6 +29,7 @@ const TOPICS: &[Topic] = &[
             ("goldens", "a_page_of_each_family_of_layouts_looks_as_it_did"),
             ("goldens", "every_designed_style_looks_as_it_did"),
             ("words", "a_page_of_words_looks_as_it_did"),
+            ("lettering", "a_page_by_a_letterer_looks_as_it_did"),
         ],
         stored: &["tests/goldens"],
     },

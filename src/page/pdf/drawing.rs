@@ -1,60 +1,92 @@
 //! The panels of a page in a PDF file: paper, pictures inside of their shapes, borders. The origin is the upper left
 //! corner, the unit a pixel of the page.
 
-use super::{Picture, share, short};
+use super::color::Colours;
+use super::tags::{Tags, artifact, end};
+use super::{Leaf, short};
 use crate::error::Result;
 use crate::layout::Point;
 use crate::page::compose::EMPTY;
-use crate::page::document::Document;
 use crate::page::mask;
-use crate::page::scene;
-use pdf_writer::{Content, Name};
+use crate::page::scene::{self, ScenePanel};
+use pdf_writer::{Content, Name, Ref};
 
 /// What is thinner is not drawn, as on the page of pixels.
 const THINNEST: f64 = 0.05;
 
-pub(super) fn draw(content: &mut Content, document: &Document, pictures: &[Picture]) -> Result<()> {
+/// A page in its place.
+pub(super) struct Ground<'a> {
+    pub(super) leaf: &'a Leaf,
+    /// Its number, from 0.
+    pub(super) number: usize,
+    /// Pixels that are drawn beyond each of its sides: left, top, right, bottom.
+    pub(super) room: [f64; 4],
+    pub(super) colours: &'a Colours,
+}
+
+pub(super) fn draw(
+    content: &mut Content,
+    ground: &Ground,
+    tags: &mut Tags,
+    next: &mut impl FnMut() -> Ref,
+) -> Result<()> {
+    let Leaf { document, pictures, alts } = ground.leaf;
     let page = &document.page;
     let size = scene::size(document, page.width as usize)?;
-    let width = f64::from(page.width);
-    let (border, radius) = (page.border * width, page.corner_radius * width);
-    color(content, page.paper_rgb());
-    content.rect(0.0, 0.0, size.0 as f32, size.1 as f32).fill_nonzero();
+    let [left, top, right, bottom] = ground.room;
+    let (x, y) = (short(-left), short(-top));
+    let (width, height) = (short(size.0 as f64 + left + right), short(size.1 as f64 + top + bottom));
+    if page.bleed > 0.0 {
+        content.rect(x, y, width, height).clip_nonzero().end_path();
+    }
+    artifact(content);
+    ground.colours.fill(content, page.paper_rgb());
+    content.rect(x, y, width, height).fill_nonzero();
+    end(content);
     for (i, panel) in scene::panels(document, &*document.template()?, size)?.iter().enumerate() {
-        let line = |by: f64| mask::outline(&panel.shape, radius, by);
-        if panel.halo >= THINNEST {
-            color(content, page.paper_rgb());
-            path(content, &line(panel.halo));
-            content.fill_nonzero();
-        }
-        if let Some(picture) = pictures.iter().find(|picture| picture.index == i) {
-            content.save_state();
-            path(content, &line(0.0));
-            content.clip_nonzero().end_path();
-            // Pictures stand upright on their lower edge.
-            let area = picture.area;
-            let (w, h) = (area.width as f32, area.height as f32);
-            content.transform([w, 0.0, 0.0, -h, area.x as f32, area.y as f32 + h]);
-            content.x_object(Name(picture.name().as_bytes())).restore_state();
+        if pictures.iter().any(|picture| picture.index == i) {
+            let alt = alts.get(i).filter(|alt| !alt.is_empty()).cloned();
+            let alt = alt.unwrap_or_else(|| format!("Panel {}", i + 1));
+            tags.figure(content, ground.number, i, &alt, next());
         } else {
-            color(content, EMPTY);
-            path(content, &line(0.0));
-            content.fill_nonzero();
+            artifact(content);
         }
-        if border >= THINNEST {
-            color(content, page.border_rgb());
-            path(content, &line(border / 2.0));
-            path(content, &line(-border / 2.0));
-            content.fill_even_odd();
-        }
+        draw_panel(content, ground, i, panel);
+        end(content);
     }
     Ok(())
 }
 
-/// The colour of what is filled next.
-pub(super) fn color(content: &mut Content, rgb: [u8; 3]) {
-    let [r, g, b] = share(rgb);
-    content.set_fill_rgb(r, g, b);
+fn draw_panel(content: &mut Content, ground: &Ground, index: usize, panel: &ScenePanel) {
+    let page = &ground.leaf.document.page;
+    let width = f64::from(page.width);
+    let (border, radius) = (page.border * width, page.corner_radius * width);
+    let line = |by: f64| mask::outline(&panel.shape, radius, by);
+    if panel.halo >= THINNEST {
+        ground.colours.fill(content, page.paper_rgb());
+        path(content, &line(panel.halo));
+        content.fill_nonzero();
+    }
+    if let Some(picture) = ground.leaf.pictures.iter().find(|picture| picture.index == index) {
+        content.save_state();
+        path(content, &line(0.0));
+        content.clip_nonzero().end_path();
+        // Pictures stand upright on their lower edge.
+        let area = picture.area;
+        let (w, h) = (area.width as f32, area.height as f32);
+        content.transform([w, 0.0, 0.0, -h, area.x as f32, area.y as f32 + h]);
+        content.x_object(Name(picture.name(ground.number).as_bytes())).restore_state();
+    } else {
+        ground.colours.fill(content, EMPTY);
+        path(content, &line(0.0));
+        content.fill_nonzero();
+    }
+    if border >= THINNEST {
+        ground.colours.fill(content, page.border_rgb());
+        path(content, &line(border / 2.0));
+        path(content, &line(-border / 2.0));
+        content.fill_even_odd();
+    }
 }
 
 /// Adds a closed line to the path.

@@ -3,8 +3,9 @@
 
 use super::packed;
 use crate::page::words::Letters;
+use crate::page::words::draw::rows;
 use crate::page::words::layout::Laid;
-use crate::page::words::letters::Font;
+use crate::page::words::letters::{Font, spoken};
 use crate::page::words::truetype::subset;
 use pdf_writer::types::{CidFontType, FontFlags, SystemInfo, UnicodeCmap};
 use pdf_writer::{Dict, Filter, Finish, Name, Pdf, Rect, Ref, Str};
@@ -29,20 +30,22 @@ pub(super) struct Face<'a> {
 impl<'a> Fonts<'a> {
     /// The fonts that the words of pages need.
     pub(super) fn of(pages: &[Vec<Laid>], letters: &'a Letters, next: &mut impl FnMut() -> Ref) -> Self {
-        let font_of = |laid: &Laid| letters.font(&laid.word.font);
-        let words = || pages.iter().flatten();
-        let mut faces: Vec<Face> = Vec::new();
-        for font in words().filter_map(font_of) {
-            if faces.iter().any(|face| face.font.id() == font.id()) {
-                continue;
-            }
-            let same = |laid: &&Laid| font_of(laid).is_some_and(|other| other.id() == font.id());
-            let lines = words().filter(same).flat_map(|laid| &laid.setting.lines);
-            let used: BTreeSet<char> = lines.flat_map(|(run, _)| run.iter().copied()).collect();
-            let place = faces.len();
-            faces.push(Face { font, letters: used.into_iter().collect(), id: next(), place });
+        let mut faces: Vec<(&'a Font, BTreeSet<char>)> = Vec::new();
+        for row in pages.iter().flatten().flat_map(|laid| rows(laid, 1.0, letters)) {
+            let known = faces.iter().position(|(font, _)| font.id() == row.font.id());
+            let at = known.unwrap_or_else(|| {
+                faces.push((row.font, BTreeSet::new()));
+                faces.len() - 1
+            });
+            faces[at].1.extend(row.letters.iter().map(|(letter, _)| letter));
         }
-        Self(faces)
+        let face = |(place, (font, used)): (usize, (&'a Font, BTreeSet<char>))| Face {
+            font,
+            letters: used.into_iter().collect(),
+            id: next(),
+            place,
+        };
+        Self(faces.into_iter().enumerate().map(face).collect())
     }
 
     pub(super) fn face(&self, id: &str) -> Option<&Face<'a>> {
@@ -101,7 +104,7 @@ impl Face<'_> {
         stream.finish();
         let mut map = UnicodeCmap::<u16>::new(Name(b"Inkpanel"), IDENTITY);
         for (at, &letter) in self.letters.iter().enumerate() {
-            map.pair(at as u16 + 1, letter);
+            map.pair(at as u16 + 1, spoken(letter));
         }
         pdf.cmap(unicode, &packed(&map.finish())).filter(Filter::FlateDecode);
     }

@@ -1,78 +1,157 @@
 //! The words of a page in a PDF file: balloons as lines, letters as text that can be found and copied. The letters of
 //! a bent line are bent themselves, which text cannot be: they are drawn as lines, with unseen text straight across them.
 
-use super::drawing::{color, path};
+use super::color::Colours;
+use super::drawing::{Ground, path};
 use super::fonts::{Face, Fonts};
-use super::{share, short};
-use crate::layout::Point;
+use super::short;
+use super::tags::{Tags, artifact, end};
+use crate::error::Result;
+use crate::layout::{Bounds, Point};
+use crate::page::document::Document;
 use crate::page::words::Letters;
-use crate::page::words::draw::{Bend, Lines, Row, lines, rows};
-use crate::page::words::layout::Laid;
+use crate::page::words::draw::{Bend, LEAN, Lines, Row, lines, rows};
+use crate::page::words::layout::{self, Laid};
+use crate::page::words::letters::spoken;
 use crate::page::words::model::Kind;
+use crate::page::words::wording::read;
 use pdf_writer::types::{LineCapStyle, LineJoinStyle, TextRenderingMode};
-use pdf_writer::{Content, Name, Str, TextStr};
+use pdf_writer::{Content, Name, Ref, Str, TextStr};
 
-/// Draws a word on a page of `width` pixels.
-pub(super) fn draw(content: &mut Content, laid: &Laid, width: f64, letters: &Letters, fonts: &Fonts) {
-    let Lines { body, text, half, dash } = lines(laid, width, letters);
-    content.save_state();
-    content.set_line_join(LineJoinStyle::RoundJoin).set_line_cap(LineCapStyle::RoundCap);
-    content.set_line_width(short(2.0 * half));
-    if laid.word.kind == Kind::Effect {
-        stroke(content, &text, laid.word.fill);
-    } else {
-        fill(content, &body, laid.word.fill);
-        if let Some((on, off)) = dash {
-            content.set_dash_pattern([short(on), short(off)], 0.0);
-        }
-        stroke(content, &body, laid.word.color);
+/// What a step to the right counts where words of one panel are read, in steps down: of two that begin about as high the
+/// left one comes first.
+const ASIDE: f64 = 0.35;
+
+/// When words are read: behind which panel, and the place among those that stand there. One that stands on the page is of
+/// the panel under it, or before or behind all of them.
+///
+/// # Errors
+/// `unknown-layout`, `invalid-layout`.
+pub(super) fn ranks(document: &Document, words: &[Laid]) -> Result<Vec<(i64, f64)>> {
+    if words.is_empty() {
+        return Ok(Vec::new());
     }
-    let bend = Bend::new(laid, width);
-    let size = laid.setting.size * width;
-    if bend.is_arc() {
-        fill(content, &text, laid.word.color);
-    }
-    color(content, laid.word.color);
-    content.begin_text();
-    if bend.is_arc() {
-        content.set_text_rendering_mode(TextRenderingMode::Invisible);
-    }
-    for row in rows(laid, width, letters) {
-        let Some(face) = fonts.face(row.font.id()) else { continue };
-        content.set_font(Name(face.name().as_bytes()), 1.0);
-        // Programs that look for words take a line that is not level for many: they are told what it says.
-        let level = laid.word.kind != Kind::Effect;
-        if !level {
-            let says: String = row.letters.iter().map(|(letter, _)| letter).collect();
-            let mut mark = content.begin_marked_content_with_properties(Name(b"Span"));
-            mark.properties().actual_text(TextStr(&says));
-        }
-        show(content, &row, face, &bend.straightened(), size);
-        if !level {
-            content.end_marked_content();
-        }
-    }
-    content.end_text();
-    content.restore_state();
+    let panels = layout::Ground::new(document)?.panels;
+    let holds = |bounds: &Bounds, at: Point| {
+        (bounds.x..=bounds.x + bounds.width).contains(&at.x)
+            && (bounds.y..=bounds.y + bounds.height).contains(&at.y)
+    };
+    let rank = |laid: &Laid| {
+        let at = laid.middle;
+        let under = || panels.iter().rposition(|panel| holds(&panel.bounds, at));
+        let panel = laid.word.panel.filter(|panel| *panel < panels.len()).or_else(under);
+        let panel = panel.map_or_else(
+            || {
+                let above = panels.iter().all(|panel| at.y < panel.bounds.y + panel.bounds.height / 2.0);
+                if above { -1 } else { panels.len() as i64 }
+            },
+            |panel| panel as i64,
+        );
+        (panel, at.y + ASIDE * at.x)
+    };
+    Ok(words.iter().map(rank).collect())
 }
 
-fn fill(content: &mut Content, shapes: &[Vec<Point>], with: [u8; 3]) {
+/// The words of a page.
+pub(super) struct Lettering<'a> {
+    pub(super) ground: &'a Ground<'a>,
+    pub(super) letters: &'a Letters,
+    pub(super) fonts: &'a Fonts<'a>,
+    /// When they are read, see [`ranks`].
+    pub(super) ranks: Vec<(i64, f64)>,
+}
+
+impl Lettering<'_> {
+    /// Draws a word.
+    pub(super) fn draw(
+        &self,
+        content: &mut Content,
+        laid: &Laid,
+        rank: (i64, f64),
+        (tags, id): (&mut Tags, Ref),
+    ) {
+        let width = f64::from(self.ground.leaf.document.page.width);
+        let colours = self.ground.colours;
+        let Lines { body, united, text, heavy, ringed, half, dash } = lines(laid, width, self.letters);
+        content.save_state();
+        artifact(content);
+        content.set_line_join(LineJoinStyle::RoundJoin).set_line_cap(LineCapStyle::RoundCap);
+        content.set_line_width(short(if united { 4.0 } else { 2.0 } * half));
+        if ringed {
+            if half > 0.0 {
+                stroke(content, &text, (colours, laid.word.fill));
+            }
+        } else if united {
+            if let Some((on, off)) = dash {
+                content.set_dash_pattern([short(on), short(off)], 0.0);
+            }
+            stroke(content, &body, (colours, laid.word.color));
+            fill(content, &body, (colours, laid.word.fill));
+        } else {
+            fill(content, &body, (colours, laid.word.fill));
+            if let Some((on, off)) = dash {
+                content.set_dash_pattern([short(on), short(off)], 0.0);
+            }
+            stroke(content, &body, (colours, laid.word.color));
+        }
+        end(content);
+        tags.paragraph(content, (self.ground.number, rank), &read(&laid.word), id);
+        let bend = Bend::new(laid, width);
+        if !heavy.0.is_empty() {
+            content.set_dash_pattern([], 0.0).set_line_width(short(2.0 * heavy.1));
+            stroke(content, &heavy.0, (colours, laid.word.color));
+        }
+        if bend.is_arc() {
+            fill(content, &text, (colours, laid.word.color));
+        }
+        colours.fill(content, laid.word.color);
+        self.text(content, laid, width, &bend);
+        end(content);
+        content.restore_state();
+    }
+
+    /// The letters as text.
+    fn text(&self, content: &mut Content, laid: &Laid, width: f64, bend: &Bend) {
+        let size = laid.setting.size * width;
+        content.begin_text();
+        if bend.is_arc() {
+            content.set_text_rendering_mode(TextRenderingMode::Invisible);
+        }
+        for row in rows(laid, width, self.letters) {
+            let Some(face) = self.fonts.face(row.font.id()) else { continue };
+            content.set_font(Name(face.name().as_bytes()), 1.0);
+            // Programs that look for words take a line that is not level for many: they are told what it says.
+            let level = laid.word.kind != Kind::Effect;
+            if !level {
+                let says: String = row.letters.iter().map(|&(letter, _)| spoken(letter)).collect();
+                let mut mark = content.begin_marked_content_with_properties(Name(b"Span"));
+                mark.properties().actual_text(TextStr(&says));
+            }
+            show(content, &row, face, &bend.straightened(), size);
+            if !level {
+                content.end_marked_content();
+            }
+        }
+        content.end_text();
+    }
+}
+
+fn fill(content: &mut Content, shapes: &[Vec<Point>], (colours, with): (&Colours, [u8; 3])) {
     if shapes.is_empty() {
         return;
     }
-    color(content, with);
+    colours.fill(content, with);
     for points in shapes {
         path(content, points);
     }
     content.fill_nonzero();
 }
 
-fn stroke(content: &mut Content, shapes: &[Vec<Point>], with: [u8; 3]) {
+fn stroke(content: &mut Content, shapes: &[Vec<Point>], (colours, with): (&Colours, [u8; 3])) {
     if shapes.is_empty() {
         return;
     }
-    let [r, g, b] = share(with);
-    content.set_stroke_rgb(r, g, b);
+    colours.stroke(content, with);
     for points in shapes {
         path(content, points);
     }
@@ -82,7 +161,7 @@ fn stroke(content: &mut Content, shapes: &[Vec<Point>], with: [u8; 3]) {
 /// A line of text with the distances that its letters have on the page.
 fn show(content: &mut Content, row: &Row, face: &Face, bend: &Bend, size: f64) {
     let Some(&(_, start)) = row.letters.first() else { return };
-    stand(content, bend, (start, row.baseline), size);
+    stand(content, bend, (start, row.baseline), size, if row.strong { LEAN } else { 0.0 });
     let mut showing = content.show_positioned();
     let mut items = showing.items();
     for (at, &(letter, pen)) in row.letters.iter().enumerate() {
@@ -97,14 +176,16 @@ fn show(content: &mut Content, row: &Row, face: &Face, bend: &Bend, size: f64) {
     }
 }
 
-/// Puts the pen at a place of the word, along the line that the word has there. Text stands upwards, the page downwards.
-fn stand(content: &mut Content, bend: &Bend, (x, y): (f64, f64), size: f64) {
+/// Puts the pen at a place of the word, along the line that the word has there, its letters leaning by a part of their
+/// height. Text stands upwards, the page downwards.
+fn stand(content: &mut Content, bend: &Bend, (x, y): (f64, f64), size: f64, lean: f64) {
     let from = bend.moved(x, y);
-    let to = bend.moved(x + 0.01 * size, y);
-    let (dx, dy) = (to.x - from.x, to.y - from.y);
-    let length = dx.hypot(dy).max(1e-9);
-    let (cos, sin) = (dx / length, dy / length);
+    let side = |x: f64, y: f64| {
+        let to = bend.moved(x, y);
+        ((to.x - from.x) * 100.0, (to.y - from.y) * 100.0)
+    };
+    let (along, up) = (side(x + 0.01 * size, y), side(x + 0.01 * lean * size, y - 0.01 * size));
     let exact = |value: f64| ((value * 1e4).round() / 1e4) as f32;
-    let [a, b] = [cos * size, sin * size].map(exact);
-    content.set_text_matrix([a, b, b, -a, short(from.x), short(from.y)]);
+    let [a, b, c, d] = [along.0, along.1, up.0, up.1].map(exact);
+    content.set_text_matrix([a, b, c, d, short(from.x), short(from.y)]);
 }

@@ -4,25 +4,46 @@
 //! | module | for |
 //! |---|---|
 //! | [`picture`] | the picture of a panel, as the file holds it |
+//! | [`options`] | what is asked of a file beside its pages |
+//! | [`impose`] | which page goes where on sheets that are folded or cut |
+//! | `sheet` | a side of a sheet, with its measures |
 //! | `drawing` | the panels of a page |
 //! | `lettering` | the words of a page |
+//! | `marks` | where a sheet is cut and folded |
+//! | `color` | colours, or the plate of one ink |
 //! | `fonts` | the letters that the words need |
+//! | `tags` | what is read, in its order, and what stands for pictures |
+//! | `about` | title, language and colour space |
 //!
 //! All geometry is that of the page as pixels: the same functions say where it is.
 
+mod about;
+mod color;
 mod drawing;
 mod fonts;
+pub mod impose;
 mod lettering;
+mod marks;
+pub mod options;
 pub mod picture;
+mod sheet;
+mod tags;
 
 use super::document::Document;
+use super::plates::Separation;
 use super::words::Letters;
-use super::words::layout::lay_all;
-use crate::error::Result;
+use super::words::layout::{Laid, lay_all};
+use crate::error::{Error, Result};
+use about::About;
+use color::Colours;
 use fonts::Fonts;
+pub use impose::Imposition;
 use miniz_oxide::deflate::compress_to_vec_zlib;
-use pdf_writer::{Content, Filter, Finish, Name, Pdf, Rect, Ref, TextStr};
+pub use options::Options;
+use pdf_writer::{Content, Filter, Finish, Name, Pdf, Ref};
 pub use picture::Picture;
+use sheet::Sheet;
+use tags::Tags;
 
 /// A page with the pictures of its panels.
 pub struct Leaf {
@@ -30,69 +51,126 @@ pub struct Leaf {
     pub document: Document,
     /// Pictures of its panels; a panel without one is empty.
     pub pictures: Vec<Picture>,
+    /// What its panels show, in their order, for who does not see them; what is missing says the number of the panel.
+    pub alts: Vec<String>,
 }
 
-/// Longest side that readers of PDF files take, in units.
-const LONGEST: f64 = 14_400.0;
-/// Units of 1/72 inch.
-const INCH: f64 = 72.0;
-
-/// Writes pages, each as large as its dots an inch make it.
+/// Writes pages, each as large as its dots an inch make it, on sheets as the options say.
 ///
 /// # Errors
-/// `invalid-document` for panels that do not fit the layout and for words that break their shape; `unknown-layout`,
-/// `invalid-layout`.
-pub fn write(leaves: &[Leaf], title: &str, letters: &Letters) -> Result<Vec<u8>> {
+/// `invalid-document` for panels that do not fit the layout, for words that break their shape, and for a plate of an ink
+/// that the style of a page does not print; `unknown-layout`, `invalid-layout`, and their kin of styles for plates.
+pub fn write(leaves: &[Leaf], options: &Options, letters: &Letters) -> Result<Vec<u8>> {
     let mut last = Ref::new(1);
     let mut next = || last.bump();
     let mut pdf = Pdf::with_settings(pdf_writer::Settings { pretty: false });
-    let (catalog, tree) = (next(), next());
-    let mut root = pdf.catalog(catalog);
-    root.pages(tree).viewer_preferences().display_doc_title(true);
-    root.finish();
-    // No times, no names: who made it and when is nobody's business.
-    pdf.document_info(next()).title(TextStr(title)).producer(TextStr("Inkpanel"));
-    let ids: Vec<Ref> = leaves.iter().map(|_| next()).collect();
+    let (catalog, tree, info) = (next(), next(), next());
+    let about = About::new(options, &mut next);
+    about.write(&mut pdf, (catalog, tree), info, options);
+    let sides = impose::sides(options.imposition, leaves.len());
+    let ids: Vec<Ref> = sides.iter().map(|_| next()).collect();
     pdf.pages(tree).kids(ids.iter().copied()).count(ids.len() as i32);
 
     let words = leaves.iter().map(|leaf| lay_all(&leaf.document, letters)).collect::<Result<Vec<_>>>()?;
     let fonts = Fonts::of(&words, letters, &mut next);
     fonts.write(&mut pdf, &mut next);
-    for ((leaf, words), id) in leaves.iter().zip(&words).zip(ids) {
-        let settings = &leaf.document.page;
-        let (width, height) = (f64::from(settings.width), f64::from(settings.height));
-        let points = INCH / f64::from(settings.dpi.max(1));
-        let unit = (width.max(height) * points / LONGEST).ceil().max(1.0);
-        let scale = points / unit;
+    let mut book = Book { leaves, words: &words, options, letters, fonts: &fonts, tags: Tags::default() };
+    for (side, id) in sides.iter().zip(ids) {
+        let sheet = Sheet::new(side, leaves, options);
+        book.write(&mut pdf, &sheet, (id, tree), &mut next)?;
+    }
+    book.tags.write(&mut pdf, about.structure, leaves.len(), &mut next);
+    Ok(pdf.finish())
+}
+
+/// What all sheets are made of.
+struct Book<'a> {
+    leaves: &'a [Leaf],
+    words: &'a [Vec<Laid>],
+    options: &'a Options,
+    letters: &'a Letters,
+    fonts: &'a Fonts<'a>,
+    tags: Tags,
+}
+
+impl Book<'_> {
+    /// Writes one side of a sheet, with the pictures on it.
+    fn write(
+        &mut self,
+        pdf: &mut Pdf,
+        sheet: &Sheet,
+        (id, tree): (Ref, Ref),
+        next: &mut impl FnMut() -> Ref,
+    ) -> Result<()> {
+        self.tags.begin(id);
+        let key = self.tags.key();
         let mut content = Content::new();
-        content.transform([scale, 0.0, 0.0, -scale, 0.0, height * scale].map(|value| value as f32));
-        drawing::draw(&mut content, &leaf.document, &leaf.pictures)?;
-        for laid in words {
-            lettering::draw(&mut content, laid, width, letters, &fonts);
+        for cell in &sheet.cells {
+            let leaf = &self.leaves[cell.leaf];
+            let colours = colours_of(&leaf.document, self.options)?;
+            let ground = drawing::Ground { leaf, number: cell.leaf, room: cell.room, colours: &colours };
+            content.save_state();
+            content.transform(sheet.matrix_of(cell));
+            drawing::draw(&mut content, &ground, &mut self.tags, next)?;
+            let lettering = lettering::Lettering {
+                ground: &ground,
+                letters: self.letters,
+                fonts: self.fonts,
+                ranks: lettering::ranks(&leaf.document, &self.words[cell.leaf])?,
+            };
+            for (laid, rank) in self.words[cell.leaf].iter().zip(&lettering.ranks) {
+                lettering.draw(&mut content, laid, *rank, (&mut self.tags, next()));
+            }
+            content.restore_state();
         }
-        let images: Vec<Ref> = leaf.pictures.iter().map(|_| next()).collect();
+        if self.options.marks {
+            tags::artifact(&mut content);
+            marks::draw(&mut content, sheet, self.options.imposition, &Colours::Own);
+            tags::end(&mut content);
+        }
+        let pictures: Vec<(&Picture, usize, Ref)> = sheet
+            .cells
+            .iter()
+            .flat_map(|cell| self.leaves[cell.leaf].pictures.iter().map(|picture| (picture, cell.leaf)))
+            .map(|(picture, leaf)| (picture, leaf, next()))
+            .collect();
         let drawn = next();
         let mut page = pdf.page(id);
-        page.media_box(Rect::new(0.0, 0.0, (width * scale) as f32, (height * scale) as f32)).parent(tree);
-        if unit > 1.0 {
-            page.user_unit(unit as f32);
+        page.media_box(sheet.media_box()).parent(tree);
+        if sheet.bleed > 0.0 {
+            page.bleed_box(sheet.inner_box(sheet.bleed));
         }
-        page.contents(drawn);
+        page.trim_box(sheet.inner_box(0.0));
+        if sheet.unit > 1.0 {
+            page.user_unit(sheet.unit as f32);
+        }
+        page.struct_parents(key).contents(drawn);
         let mut resources = page.resources();
         let mut named = resources.x_objects();
-        for (picture, &image) in leaf.pictures.iter().zip(&images) {
-            named.pair(Name(picture.name().as_bytes()), image);
+        for (picture, leaf, image) in &pictures {
+            named.pair(Name(picture.name(*leaf).as_bytes()), *image);
         }
         named.finish();
-        fonts.name(&mut resources.fonts());
+        self.fonts.name(&mut resources.fonts());
         resources.finish();
         page.finish();
-        for (picture, image) in leaf.pictures.iter().zip(images) {
-            picture.write(&mut pdf, image);
+        for (picture, _, image) in pictures {
+            picture.write(pdf, image);
         }
         pdf.stream(drawn, &packed(&content.finish())).filter(Filter::FlateDecode);
+        Ok(())
     }
-    Ok(pdf.finish())
+}
+
+/// What becomes of the colours of a page.
+fn colours_of(document: &Document, options: &Options) -> Result<Colours> {
+    let Some(ink) = options.plate else { return Ok(Colours::Own) };
+    if ink >= options.inks.len() {
+        let reason = "prints no plate of that number".into();
+        return Err(Error::InvalidDocument { location: "style".into(), reason });
+    }
+    let separation = Box::new(Separation::new(&options.inks));
+    Ok(Colours::Plate { separation, ink, paper: document.page.paper_rgb() })
 }
 
 fn packed(bytes: &[u8]) -> Vec<u8> {

@@ -4,6 +4,7 @@ use crate::error::{Error, Result};
 use crate::page::document::Document;
 use crate::page::jpeg;
 use crate::page::mask::PixelRect;
+use crate::page::plates::Separation;
 use crate::page::scene;
 use pdf_writer::{Filter, Pdf, Ref};
 
@@ -26,12 +27,18 @@ pub fn bare(document: &Document) -> Document {
 }
 
 /// Makes the picture of a panel of the patch that was rendered of the [`bare`] document at its full width. The patch
-/// has the colours of the whole rectangle, also where the panel's shape covers nothing of it.
+/// has the colours of the whole rectangle, also where the panel's shape covers nothing of it. `plate` is the ink that it is
+/// printed with; without one it keeps its colours, and is gray where it has none.
 ///
 /// # Errors
 /// `invalid-document` for a panel that the page does not have; `buffer-size` when the patch does not hold the pixels of
 /// its area; `encode`.
-pub fn cut(document: &Document, index: usize, area: PixelRect, rgba: &[u8], quality: u8) -> Result<Picture> {
+pub fn cut(
+    document: &Document,
+    (index, area, rgba): (usize, PixelRect, &[u8]),
+    quality: u8,
+    plate: Option<(&Separation, usize)>,
+) -> Result<Picture> {
     let expected = area.width.saturating_mul(area.height).saturating_mul(4);
     if rgba.len() != expected {
         let (width, height) = (area.width, area.height);
@@ -48,25 +55,47 @@ pub fn cut(document: &Document, index: usize, area: PixelRect, rgba: &[u8], qual
     let right = (area.x + area.width as i64).min(image.x + image.width as i64);
     let bottom = (area.y + area.height as i64).min(image.y + image.height as i64);
     let (width, height) = ((right - left).max(1) as usize, (bottom - top).max(1) as usize);
-    let mut rgb = Vec::with_capacity(width * height * 3);
-    for y in 0..height {
+    let rows = (0..height).map(|y| {
         let from = ((top - area.y) as usize + y) * area.width + (left - area.x) as usize;
-        let row = rgba.get(from * 4..(from + width) * 4).unwrap_or(&[]);
-        rgb.extend(row.chunks_exact(4).flat_map(|pixel| [pixel[0], pixel[1], pixel[2]]));
-    }
-    let jpeg = jpeg::encode_rgb(width, height, &rgb, document.page.dpi, quality)?;
+        rgba.get(from * 4..(from + width) * 4).unwrap_or(&[])
+    });
+    let pixels =
+        || rows.clone().flat_map(|row| row.chunks_exact(4)).map(|pixel| [pixel[0], pixel[1], pixel[2]]);
+    let samples: Vec<u8> = match plate {
+        Some((separation, ink)) => pixels().map(|rgb| 255 - separation.cover(rgb, ink)).collect(),
+        None if pixels().all(|[r, g, b]| r == g && g == b) => pixels().map(|[gray, ..]| gray).collect(),
+        None => pixels().flatten().collect(),
+    };
+    let jpeg = jpeg::encode_part(width, height, &samples, document.page.dpi, quality)?;
     Ok(Picture { index, area: PixelRect { x: left, y: top, width, height }, jpeg })
 }
 
 impl Picture {
-    pub(super) fn name(&self) -> String {
-        format!("P{}", self.index)
+    /// The name on sheets with pages of other numbers.
+    pub(super) fn name(&self, leaf: usize) -> String {
+        format!("L{leaf}P{}", self.index)
     }
 
     pub(super) fn write(&self, pdf: &mut Pdf, id: Ref) {
         let mut image = pdf.image_xobject(id, &self.jpeg);
         image.filter(Filter::DctDecode);
         image.width(self.area.width as i32).height(self.area.height as i32).bits_per_component(8);
-        image.color_space().device_rgb();
+        if is_gray(&self.jpeg) {
+            image.color_space().device_gray();
+        } else {
+            image.color_space().device_rgb();
+        }
     }
+}
+
+/// Whether a JPEG file has one channel, as its frame says. Source: ITU-T T.81, section B.2.2.
+fn is_gray(jpeg: &[u8]) -> bool {
+    let mut at = 2;
+    while let Some(&[0xff, marker, high, low]) = jpeg.get(at..at + 4) {
+        if matches!(marker, 0xc0..=0xc2) {
+            return jpeg.get(at + 9) == Some(&1);
+        }
+        at += 2 + usize::from(u16::from_be_bytes([high, low]));
+    }
+    false
 }

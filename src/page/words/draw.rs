@@ -1,8 +1,9 @@
 //! A word as pixels: a patch of straight-alpha RGBA that lies on the panels.
 
-use super::layout::{Ground, Laid, lay_all};
+use super::balloons::neck;
+use super::layout::{Body, Chain, Ground, Laid, lay_all};
 use super::letters::{Font, Letters};
-use super::model::{Kind, Shape, Word};
+use super::model::{Craft, Kind, Shape, Word};
 use super::shapes;
 use crate::error::{Error, Result};
 use crate::layout::{Bounds, Point};
@@ -14,6 +15,14 @@ use crate::page::scene::MAX_SIDE;
 
 /// Half the width of outlines, in page widths.
 const LINE: f64 = 0.0014;
+/// The same of a letterer's, about half a millimetre in all on A4.
+const FINER: f64 = 0.0011;
+/// The line around the letters of a caption without a box, in ems.
+const HALO: f64 = 0.1;
+/// How much emphasised letters lean, as a part of their height.
+pub(in crate::page) const LEAN: f64 = 0.21;
+/// Half of what the strokes of emphasised letters gain in width, in ems, where the font has no bolder one.
+const HEAVIER: f64 = 0.016;
 /// Lengths of a whisper's dashes and of the gaps between, in page widths.
 const DASH: (f64, f64) = (0.0085, 0.007);
 /// The line around the letters of an effect, in ems.
@@ -31,7 +40,13 @@ pub fn render(document: &Document, index: usize, width: usize, letters: &Letters
     }
     let missing = || invalid(format!("words[{index}]"), "there is no such word");
     let value = document.words.get(index).ok_or_else(missing)?;
-    let laid = Ground::new(document)?.lay(Word::parse(value, index)?, letters);
+    let word = Word::parse(value, index)?;
+    // What is joined is drawn by the first of the balloons, which must know them all.
+    if word.id.is_some() || word.joined.is_some() {
+        let all = lay_all(document, letters)?;
+        return all.get(index).map(|laid| draw(laid, width as f64, letters)).ok_or_else(missing);
+    }
+    let laid = Ground::new(document)?.lay(word, letters);
     Ok(draw(&laid, width as f64, letters))
 }
 
@@ -50,11 +65,17 @@ pub fn lay_words(sheet: &mut Sheet, document: &Document, letters: &Letters) -> R
 
 /// The lines of a word on a page of some width, in its pixels.
 pub(in crate::page) struct Lines {
-    /// Outline of a balloon or a caption; its tail is a part of it, or follows it.
+    /// Outline of a balloon or a caption; its tail is a part of it, or follows it. Of joined balloons all outlines.
     pub(in crate::page) body: Vec<Vec<Point>>,
+    /// The outlines overlap and are one shape: their lines are drawn below what fills them, twice as wide.
+    pub(in crate::page) united: bool,
     /// Outlines of the letters.
     pub(in crate::page) text: Vec<Vec<Point>>,
-    /// Half the width of the line around the body, or around the letters of an effect.
+    /// Outlines of the letters that are drawn heavier, with half the width of the line that makes them so.
+    pub(in crate::page) heavy: (Vec<Vec<Point>>, f64),
+    /// A line around the letters sets them off what is below: there is no body.
+    pub(in crate::page) ringed: bool,
+    /// Half the width of the line around the body, or around the letters.
     pub(in crate::page) half: f64,
     /// Lengths of dashes and gaps of the line, where it has some.
     pub(in crate::page) dash: Option<(f64, f64)>,
@@ -62,45 +83,74 @@ pub(in crate::page) struct Lines {
 
 /// What is drawn of a word on a page of `width` pixels.
 pub(in crate::page) fn lines(laid: &Laid, width: f64, letters: &Letters) -> Lines {
-    let kind = laid.word.kind;
-    let scaled = |point: Point| Point::new(point.x * width, point.y * width);
-    let middle = scaled(laid.middle);
-    let (a, b) = laid.setting.half;
-    let dash = (kind == Kind::Balloon(Shape::Whisper)).then_some((DASH.0 * width, DASH.1 * width));
-    Lines {
-        body: shapes::outline(kind, (middle.x, middle.y), (a * width, b * width), laid.tip.map(scaled)),
-        text: contours(laid, width, letters),
-        half: if kind == Kind::Effect { RING * laid.setting.size } else { LINE } * width,
-        dash,
+    let word = &laid.word;
+    let ringed = word.kind == Kind::Effect || word.boxless;
+    let outline = |body: &Body| {
+        let scaled = |point: Point| Point::new(point.x * width, point.y * width);
+        let middle = scaled(body.middle);
+        let half = (body.half.0 * width, body.half.1 * width);
+        shapes::outline(body.kind, body.craft, (middle.x, middle.y), half, body.tip.map(scaled))
+    };
+    let own = || {
+        let Laid { middle, tip, setting, .. } = laid;
+        outline(&Body { kind: word.kind, craft: word.craft, middle: *middle, half: setting.half, tip: *tip })
+    };
+    let mut body = if ringed || laid.chain == Chain::Later { Vec::new() } else { own() };
+    let united = matches!(laid.chain, Chain::First { .. });
+    if let Chain::First { bodies, necks } = &laid.chain {
+        body.extend(bodies.iter().flat_map(outline));
+        let scaled = |point: Point| Point::new(point.x * width, point.y * width);
+        body.extend(necks.iter().map(|tie| neck(scaled(tie.from), scaled(tie.to), tie.half * width)));
     }
+    let size = laid.setting.size;
+    let half = match word.kind {
+        Kind::Effect => word.outline.unwrap_or(RING) * size,
+        _ if word.boxless => HALO * size,
+        _ if word.craft == Craft::Letterer => FINER,
+        _ => LINE,
+    };
+    let dash = (word.kind == Kind::Balloon(Shape::Whisper)).then_some((DASH.0 * width, DASH.1 * width));
+    let (text, heavy) = contours(laid, width, letters);
+    let heavy = (heavy, HEAVIER * size * width);
+    Lines { body, united, text, heavy, ringed, half: half * width, dash }
 }
 
 /// Draws a word on a page of `width` pixels.
 #[must_use]
 pub fn draw(laid: &Laid, width: f64, letters: &Letters) -> Patch {
-    let Lines { body, text, half: line, dash } = lines(laid, width, letters);
+    let Lines { body, united, text, heavy, ringed, half: line, dash } = lines(laid, width, letters);
     let points = || body.iter().chain(&text).flatten();
-    let area = around(points(), line + 1.0);
+    let area = around(points(), if united { 2.0 * line } else { line } + 1.0);
     let mut rgba = vec![0; area.width * area.height * 4];
     let filled = |shapes: &[Vec<Point>]| coverage(&contoured(shapes), area);
-    let ring = |shapes: &[Vec<Point>], dash: Option<(f64, f64)>| {
+    let ring = |shapes: &[Vec<Point>], line: f64, dash: Option<(f64, f64)>| {
         let mut mask = vec![0; area.width * area.height];
         for points in shapes {
             stroke(&mut mask, area, points, line, dash);
         }
         mask
     };
-    if laid.word.kind == Kind::Effect {
-        lay_over(&mut rgba, &ring(&text, None), laid.word.fill);
+    let word = &laid.word;
+    if ringed {
+        // No line around the letters is none at all, not a faint one.
+        if line > 0.0 {
+            lay_over(&mut rgba, &ring(&text, line, None), word.fill);
+        }
+    } else if united {
+        lay_over(&mut rgba, &ring(&body, 2.0 * line, dash), word.color);
+        lay_over(&mut rgba, &filled(&body), word.fill);
     } else {
-        lay_over(&mut rgba, &filled(&body), laid.word.fill);
-        lay_over(&mut rgba, &ring(&body, dash), laid.word.color);
+        lay_over(&mut rgba, &filled(&body), word.fill);
+        lay_over(&mut rgba, &ring(&body, line, dash), word.color);
     }
-    lay_over(&mut rgba, &filled(&text), laid.word.color);
+    if !heavy.0.is_empty() {
+        lay_over(&mut rgba, &ring(&heavy.0, heavy.1, None), word.color);
+    }
+    lay_over(&mut rgba, &filled(&text), word.color);
     Patch { area, rgba }
 }
 
-/// A line of text before it is bent and turned, in pixels from the middle of its word.
+/// Letters of a line that stand alike, before they are bent and turned, in pixels from the middle of their word.
 pub(in crate::page) struct Row<'a> {
     /// Height of the baseline below the middle.
     pub(in crate::page) baseline: f64,
@@ -108,6 +158,10 @@ pub(in crate::page) struct Row<'a> {
     pub(in crate::page) letters: Vec<(char, f64)>,
     /// The font of them all.
     pub(in crate::page) font: &'a Font,
+    /// They are emphasised: they lean by [`LEAN`].
+    pub(in crate::page) strong: bool,
+    /// They are drawn heavier, where that is all that tells them from others.
+    pub(in crate::page) heavy: bool,
 }
 
 /// The lines of a word on a page of `width` pixels.
@@ -116,35 +170,57 @@ pub(in crate::page) fn rows<'a>(laid: &Laid, width: f64, letters: &'a Letters) -
     let setting = &laid.setting;
     let size = setting.size * width;
     let last = setting.lines.len().saturating_sub(1) as f64;
-    let row = |(i, (run, length)): (usize, &(Vec<char>, f64))| {
+    let bold = letters.strong(font);
+    let mut rows = Vec::with_capacity(setting.lines.len());
+    for (i, (run, length)) in setting.lines.iter().enumerate() {
+        let run = &letters.ordered(run);
+        let marks = setting.strong.get(i).map_or(&[][..], Vec::as_slice);
         let mut pen = -length * width / 2.0;
         let baseline = (i as f64 - last / 2.0) * setting.pitch * width + font.capitals * size / 2.0;
-        let place = |(at, &letter): (usize, &char)| {
-            let here = pen;
-            pen += letters.advance(font, letter, run.get(at + 1).copied()) * size;
-            (letter, here)
-        };
-        Row { baseline, letters: run.iter().enumerate().map(place).collect(), font }
-    };
-    setting.lines.iter().enumerate().map(row).collect()
+        let mut at = 0;
+        while at < run.len() {
+            let strong = |at: usize| marks.get(at).copied().unwrap_or(false);
+            let alike = (at..run.len()).take_while(|&i| strong(i) == strong(at)).count();
+            let font = if strong(at) { bold } else { font };
+            let mut row = Row {
+                baseline,
+                letters: Vec::with_capacity(alike),
+                font,
+                strong: strong(at),
+                heavy: strong(at) && font.id() == laid.word.font,
+            };
+            for i in at..at + alike {
+                row.letters.push((run[i], pen));
+                pen += letters.advance(font, run[i], run.get(i + 1).copied()) * size;
+            }
+            rows.push(row);
+            at += alike;
+        }
+    }
+    rows
 }
 
-/// The outlines of the letters in pixels.
-fn contours(laid: &Laid, width: f64, letters: &Letters) -> Vec<Vec<Point>> {
+/// The outlines of the letters in pixels, and once more of those that are drawn heavier.
+fn contours(laid: &Laid, width: f64, letters: &Letters) -> (Vec<Vec<Point>>, Vec<Vec<Point>>) {
     let size = laid.setting.size * width;
     let bend = Bend::new(laid, width);
-    let mut out = Vec::new();
+    let (mut out, mut heavy) = (Vec::new(), Vec::new());
     for row in rows(laid, width, letters) {
+        let lean = if row.strong { LEAN } else { 0.0 };
         for (letter, pen) in row.letters {
             for mut points in row.font.outline(letter, 0.08 / size.max(1.0)) {
                 for point in &mut points {
-                    *point = bend.moved(pen + point.x * size, row.baseline - point.y * size);
+                    let x = pen + (point.x + lean * point.y) * size;
+                    *point = bend.moved(x, row.baseline - point.y * size);
+                }
+                if row.heavy {
+                    heavy.push(points.clone());
                 }
                 out.push(points);
             }
         }
     }
-    out
+    (out, heavy)
 }
 
 /// The place of a word, and the arc and the turn of an effect around it.
@@ -154,6 +230,8 @@ pub(in crate::page) struct Bend {
     radius: f64,
     sin: f64,
     cos: f64,
+    /// How much letters lean, as a part of their height.
+    slant: f64,
 }
 
 impl Bend {
@@ -164,7 +242,8 @@ impl Bend {
         // The whole line covers a third of the circle at most.
         let turn = laid.word.arc * std::f64::consts::FRAC_PI_3;
         let radius = if effect && turn.abs() > 0.02 { laid.setting.half.0 * width / turn } else { 0.0 };
-        Self { middle: (laid.middle.x * width, laid.middle.y * width), radius, sin, cos }
+        let slant = if effect { laid.word.slant.to_radians().tan() } else { 0.0 };
+        Self { middle: (laid.middle.x * width, laid.middle.y * width), radius, sin, cos, slant }
     }
 
     /// Whether the line is bent.
@@ -179,7 +258,7 @@ impl Bend {
 
     /// The place on the page of what is at `(x, y)` from the middle of the straight line.
     pub(in crate::page) fn moved(&self, x: f64, y: f64) -> Point {
-        let (mut x, mut y) = (x, y);
+        let (mut x, mut y) = (x - self.slant * y, y);
         if self.radius != 0.0 {
             // The bow's middle stays in the middle of the word.
             let rise =

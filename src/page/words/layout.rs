@@ -1,9 +1,11 @@
 //! Where the words of a document are, and how large. Lengths are in page widths.
 
 use super::letters::Letters;
-use super::model::{Kind, Word};
+use super::model::{Craft, Kind, Word};
+use super::palette::{self, Palette};
 use super::setting::{Setting, Wish, set};
 use super::shapes::reach;
+use super::wording::marks;
 use crate::error::Result;
 use crate::layout::{Bounds, Point, ResolvedPanel, resolve};
 use crate::page::Document;
@@ -19,6 +21,51 @@ pub struct Laid {
     pub middle: Point,
     /// Where its tail ends.
     pub tip: Option<Point>,
+    /// Where the balloon belongs that is drawn with others as one.
+    pub chain: Chain,
+}
+
+/// Balloons that are joined are drawn as one shape, by the first of them.
+#[derive(Debug, Clone, Default, PartialEq)]
+pub enum Chain {
+    /// It stands alone.
+    #[default]
+    None,
+    /// It is the first, and draws these outlines with its own.
+    First {
+        /// The other balloons.
+        bodies: Vec<Body>,
+        /// What joins them.
+        necks: Vec<Neck>,
+    },
+    /// Another draws its outline.
+    Later,
+}
+
+/// The outline of a balloon.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Body {
+    /// Which one.
+    pub kind: Kind,
+    /// By which conventions.
+    pub craft: Craft,
+    /// Its middle.
+    pub middle: Point,
+    /// Half the width and height of the shape around its text.
+    pub half: (f64, f64),
+    /// Where its tail ends.
+    pub tip: Option<Point>,
+}
+
+/// What joins two balloons.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Neck {
+    /// The middle of one.
+    pub from: Point,
+    /// The middle of the other.
+    pub to: Point,
+    /// Half its width.
+    pub half: f64,
 }
 
 /// The page that words stand on.
@@ -27,6 +74,21 @@ pub struct Ground {
     pub panels: Vec<ResolvedPanel>,
     /// Height of the page.
     pub height: f64,
+    /// Colours of its style.
+    pub palette: Palette,
+}
+
+include!(concat!(env!("OUT_DIR"), "/palettes.rs"));
+
+/// The colours that words take from the style of a document.
+fn palette_of(style: &serde_json::Value) -> Palette {
+    let known = style.as_str().and_then(|id| PALETTES.iter().find(|(known, _)| *known == id));
+    match known {
+        Some((_, [ink, paper, note, accent, edge])) => {
+            Palette { ink: *ink, paper: *paper, note: *note, accent: *accent, edge: *edge }
+        }
+        None => palette::of(style),
+    }
 }
 
 impl Ground {
@@ -37,7 +99,7 @@ impl Ground {
     pub fn new(document: &Document) -> Result<Self> {
         let aspect = document.page.aspect();
         let panels = resolve(&*document.template()?, aspect, &document.page);
-        Ok(Self { panels, height: 1.0 / aspect })
+        Ok(Self { panels, height: 1.0 / aspect, palette: palette_of(&document.style) })
     }
 
     /// What the places of a word are fractions of: its panel, the last one where the page has fewer, or the page.
@@ -47,27 +109,64 @@ impl Ground {
         panel.map_or(Bounds { x: 0.0, y: 0.0, width: 1.0, height: self.height }, |panel| panel.bounds)
     }
 
+    /// A word with the colours of the page, where it has none of its own.
+    fn coloured(&self, mut word: Word) -> Word {
+        if word.craft == Craft::Letterer {
+            let Palette { ink, paper, note, accent, edge } = self.palette;
+            let (color, fill) = match word.kind {
+                Kind::Caption if word.boxless => (ink, paper),
+                Kind::Caption => (ink, note),
+                Kind::Balloon(_) => (ink, paper),
+                Kind::Effect => (accent, edge),
+            };
+            // A colour that was chosen may not be read on one that was not: then the usual ones stay.
+            match word.chosen {
+                (false, false) => (word.color, word.fill) = (color, fill),
+                (true, false) if palette::contrast(word.color, fill) > 3.0 => word.fill = fill,
+                (false, true) if palette::contrast(color, word.fill) > 3.0 => word.color = color,
+                _ => {}
+            }
+        }
+        word
+    }
+
     /// A word set and put into its place. It never leaves the page.
     #[must_use]
     pub fn lay(&self, word: Word, letters: &Letters) -> Laid {
+        let word = self.coloured(word);
         let frame = self.frame(&word);
         let point = |(x, y): (f64, f64)| Point::new(frame.x + x * frame.width, frame.y + y * frame.height);
         let reach = reach(word.kind);
-        let (across, down) = if word.panel.is_some() { (0.84, 0.62) } else { (0.5, 0.3) };
+        let share = match (word.panel.is_some(), word.craft) {
+            (false, _) => (0.5, 0.3),
+            (true, Craft::First) => (0.84, 0.62),
+            (true, Craft::Letterer) => (0.66, 0.4),
+        };
+        let part = |(across, down): (f64, f64)| (across * frame.width / reach, down * frame.height / reach);
+        let own = word.room.map(|(width, height)| (width / reach, height / reach));
         let wish = Wish {
             kind: word.kind,
+            craft: word.craft,
             width: word.width,
             size: word.size,
-            room: (across * frame.width / reach, down * frame.height / reach),
+            room: own.unwrap_or_else(|| part(share)),
+            most: own.unwrap_or_else(|| part((0.94, 0.8))),
             page: (0.96 / reach, 0.96 * self.height / reach),
         };
         // A person's width may be more than the panel's.
         let room = word.width.map_or(wish.room, |_| (wish.page.0, wish.room.1));
-        let wish = Wish { room, ..wish };
-        let text = letters.cleaned(&word.text);
+        let most = word.width.map_or(wish.most, |_| (wish.page.0, wish.most.1));
+        let wish = Wish { room, most, ..wish };
         let setting = match letters.font(&word.font) {
-            Some(font) => set(letters, font, &text, &wish),
-            None => Setting { size: 0.0, pitch: 0.0, lines: Vec::new(), half: (0.0, 0.0), cut: true },
+            Some(font) => set(letters, font, &marks(&word, letters, font), &wish),
+            None => Setting {
+                size: 0.0,
+                pitch: 0.0,
+                lines: Vec::new(),
+                strong: Vec::new(),
+                half: (0.0, 0.0),
+                cut: true,
+            },
         };
         let half = extent(&word, &setting);
         let inside = |at: f64, half: f64, length: f64| at.max(half).min((length - half).max(length / 2.0));
@@ -77,7 +176,7 @@ impl Ground {
             .tail
             .map(point)
             .map(|tip| Point::new(inside(tip.x, 0.0, 1.0), inside(tip.y, 0.0, self.height)));
-        Laid { word, setting, middle, tip }
+        Laid { word, setting, middle, tip, chain: Chain::None }
     }
 }
 
@@ -91,7 +190,9 @@ pub fn extent(word: &Word, setting: &Setting) -> (f64, f64) {
     }
     // The bow of an arched line is up to a quarter of its width high.
     let (sin, cos) = word.angle.to_radians().sin_cos();
-    let b = b + 0.25 * a * word.arc.abs();
+    let line = word.outline.map_or(0.0, |line| line * setting.size);
+    let b = b + 0.25 * a * word.arc.abs() + line;
+    let a = a + b * word.slant.to_radians().tan().abs() + line;
     (a * cos.abs() + b * sin.abs(), a * sin.abs() + b * cos.abs())
 }
 
@@ -104,7 +205,53 @@ pub fn lay_all(document: &Document, letters: &Letters) -> Result<Vec<Laid>> {
         return Ok(Vec::new());
     }
     let ground = Ground::new(document)?;
-    Ok(Word::parse_all(&document.words)?.into_iter().map(|word| ground.lay(word, letters)).collect())
+    let mut all: Vec<Laid> =
+        Word::parse_all(&document.words)?.into_iter().map(|word| ground.lay(word, letters)).collect();
+    join(&mut all);
+    Ok(all)
+}
+
+/// The balloon that each word is joined to.
+pub(super) fn joined<'w>(words: &(impl Iterator<Item = &'w Word> + Clone)) -> Vec<Option<usize>> {
+    let place = |name: &String| {
+        let mut balloons =
+            words.clone().enumerate().filter(|(_, word)| matches!(word.kind, Kind::Balloon(_)));
+        balloons.find(|(_, word)| word.id.as_ref() == Some(name)).map(|(place, _)| place)
+    };
+    let of = |(i, word): (usize, &Word)| word.joined.as_ref().and_then(place).filter(|place| *place != i);
+    words.clone().enumerate().map(of).collect()
+}
+
+/// Tells balloons that are joined of each other.
+fn join(all: &mut [Laid]) {
+    let targets = joined(&all.iter().map(|laid| &laid.word));
+    let mut first: Vec<usize> = (0..all.len()).collect();
+    for (i, to) in targets.iter().enumerate().filter_map(|(i, to)| to.map(|to| (i, to))) {
+        let (low, high) = (first[i].min(first[to]), first[i].max(first[to]));
+        first.iter_mut().filter(|first| **first == high).for_each(|first| *first = low);
+    }
+    for root in 0..all.len() {
+        let others: Vec<usize> = (root + 1..all.len()).filter(|&i| first[i] == root).collect();
+        if first[root] != root || others.is_empty() {
+            continue;
+        }
+        let body = |&i: &usize| {
+            let Laid { word, middle, tip, setting, .. } = &all[i];
+            Body { kind: word.kind, craft: word.craft, middle: *middle, half: setting.half, tip: *tip }
+        };
+        let bodies = others.iter().map(body).collect();
+        let neck = |&i: &usize| {
+            let to = targets[i]?;
+            let narrow = |i: usize| all[i].setting.half.0.min(all[i].setting.half.1);
+            let half = 0.34 * narrow(i).min(narrow(to));
+            Some(Neck { from: all[to].middle, to: all[i].middle, half })
+        };
+        let necks = std::iter::once(&root).chain(&others).filter_map(neck).collect();
+        all[root].chain = Chain::First { bodies, necks };
+        for i in others {
+            all[i].chain = Chain::Later;
+        }
+    }
 }
 
 /// Where a word is without its tail, in page widths.
@@ -125,6 +272,12 @@ pub struct WordBox {
     pub size: f64,
     /// The end of its text found no room.
     pub cut: bool,
+    /// Colour of its letters, `#rrggbb`.
+    pub color: String,
+    /// Colour inside of its outline, or around its letters.
+    pub fill: String,
+    /// Id of its font.
+    pub font: String,
 }
 
 /// Where the words of a document are, in their order.
@@ -142,7 +295,30 @@ pub fn measured(document: &Document, letters: &Letters) -> Result<Vec<WordBox>> 
             tip: laid.tip,
             size: laid.setting.size,
             cut: laid.setting.cut,
+            color: hexadecimal(laid.word.color),
+            fill: hexadecimal(laid.word.fill),
+            font: laid.word.font,
         }
     });
     Ok(boxes.collect())
+}
+
+fn hexadecimal([r, g, b]: [u8; 3]) -> String {
+    format!("#{r:02x}{g:02x}{b:02x}")
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn words_are_read_on_the_paper_of_every_style() {
+        assert!(PALETTES.len() > 100);
+        for (id, [ink, paper, note, accent, edge]) in PALETTES {
+            for (over, ground, least) in [(ink, paper, 7.0), (ink, note, 7.0), (accent, edge, 3.0)] {
+                let contrast = palette::contrast(*over, *ground);
+                assert!(contrast >= least, "{id}: {over:?} on {ground:?} is {contrast}");
+            }
+        }
+    }
 }

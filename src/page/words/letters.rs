@@ -1,7 +1,17 @@
 //! The table of letters: outlines, advances and kerning of the fonts, as `fonts/pack.rs` writes them.
 
+use super::learning::{self, Drawing, Learnt};
 use crate::error::{Error, Result};
 use crate::layout::Point;
+
+/// The letter that stands for a capital I without bars, which only some fonts have.
+pub const STEM: char = '\u{f8f0}';
+
+/// What a letter is called where text is read and not seen.
+#[must_use]
+pub fn spoken(letter: char) -> char {
+    if letter == STEM { 'I' } else { letter }
+}
 
 /// The fonts of the page, and which accents their letters take.
 #[derive(Default)]
@@ -9,6 +19,8 @@ pub struct Letters {
     /// The composed character, its base and its mark, in ascending order of the first.
     compositions: Vec<[u32; 3]>,
     fonts: Vec<Font>,
+    /// What the fonts did not have.
+    learnt: Vec<Learnt>,
 }
 
 /// One font. Lengths are in ems, y up.
@@ -63,12 +75,25 @@ impl Letters {
         self.fonts.iter().find(|font| font.id == id).or_else(|| self.fonts.first())
     }
 
+    /// The font of what is emphasised in a text of some font: its bold one, or the same where there is none.
+    #[must_use]
+    pub fn strong<'a>(&'a self, font: &'a Font) -> &'a Font {
+        self.fonts.iter().find(|bold| bold.id.strip_suffix("-bold") == Some(&font.id)).unwrap_or(font)
+    }
+
     /// Text as the fonts take it: marks joined with their letters, controls and what has no width left out, line ends
     /// as `\n`.
     #[must_use]
     pub fn cleaned(&self, text: &str) -> Vec<char> {
         let mut out: Vec<char> = Vec::new();
-        for letter in text.chars() {
+        let mut rest = text;
+        while let Some(letter) = rest.chars().next() {
+            if let Some((number, run)) = self.begun(rest) {
+                out.extend(learning::letter(number));
+                rest = &rest[run.len()..];
+                continue;
+            }
+            rest = &rest[letter.len_utf8()..];
             match letter {
                 '\n' | '\u{2028}' | '\u{2029}' => out.push('\n'),
                 '\t' | '\u{2000}'..='\u{200a}' => out.push(' '),
@@ -90,6 +115,63 @@ impl Letters {
             }
         }
         out
+    }
+
+    /// Makes a run of text a letter of all fonts, as a picture shows it; `leftward` where it is read from right to left.
+    ///
+    /// Returns whether it is one now.
+    pub fn learn(&mut self, run: &str, leftward: bool, drawing: Drawing) -> bool {
+        let Some(letter) = learning::letter(self.learnt.len()).filter(|_| !run.is_empty()) else {
+            return false;
+        };
+        if self.learnt.iter().any(|learnt| learnt.run == run) {
+            return true;
+        }
+        for font in &mut self.fonts {
+            let Some(contours) = drawing.contours() else { return false };
+            let glyph = Glyph { letter: u32::from(letter), advance: drawing.advance / drawing.em, contours };
+            let at = font.glyphs.partition_point(|other| other.letter < glyph.letter);
+            font.glyphs.insert(at, glyph);
+        }
+        self.learnt.push(Learnt { run: run.to_owned(), leftward });
+        true
+    }
+
+    /// Whether some letters of a text were learnt.
+    #[must_use]
+    pub fn foreign(&self, text: &str) -> bool {
+        self.cleaned(text)
+            .into_iter()
+            .any(|letter| learning::number(letter).is_some_and(|at| at < self.learnt.len()))
+    }
+
+    /// The longest run that was learnt and that a text begins with.
+    fn begun(&self, text: &str) -> Option<(usize, &str)> {
+        let runs = self.learnt.iter().map(|learnt| learnt.run.as_str()).enumerate();
+        runs.filter(|(_, run)| text.starts_with(run)).max_by_key(|(_, run)| run.len())
+    }
+
+    /// The letters of a line from left to right, where some of it is read the other way.
+    #[must_use]
+    pub fn ordered(&self, line: &[char]) -> Vec<char> {
+        learning::ordered(line, |letter| {
+            learning::number(letter)
+                .and_then(|number| self.learnt.get(number))
+                .is_some_and(|learnt| learnt.leftward)
+        })
+    }
+
+    /// The letters of a text that a font does not have, each once: they are drawn as boxes.
+    #[must_use]
+    pub fn missing(&self, text: &str, font: &Font) -> Vec<char> {
+        let mut missing: Vec<char> = Vec::new();
+        for letter in self.cleaned(text) {
+            let drawn = matches!(letter, '\n' | '\u{a0}' | '\u{202f}' | '\u{2011}') || font.has(letter);
+            if !drawn && !missing.contains(&letter) {
+                missing.push(letter);
+            }
+        }
+        missing
     }
 
     fn composed(&self, base: char, mark: char) -> Option<char> {
@@ -131,6 +213,48 @@ impl Font {
             _ => u32::from(letter),
         };
         self.glyphs.get(self.glyphs.binary_search_by_key(&code, |glyph| glyph.letter).unwrap_or(0))
+    }
+
+    /// Whether it has a letter.
+    #[must_use]
+    pub fn has(&self, letter: char) -> bool {
+        self.glyphs.binary_search_by_key(&u32::from(letter), |glyph| glyph.letter).is_ok()
+    }
+
+    /// Gives a font whose I has bars a second one without, of the stroke of its l at the height of capitals.
+    fn add_stem(&mut self) {
+        let reach = |letter: char| {
+            let glyph = self.glyph(letter)?;
+            let points: Vec<Point> =
+                glyph.contours.iter().flat_map(|contour| contour.flattened(0.01)).collect();
+            let low = points.iter().fold(f64::MAX, |low, point| low.min(point.x));
+            let high = points.iter().fold(f64::MIN, |high, point| high.max(point.x));
+            let top = points.iter().fold(0.0, |top: f64, point| top.max(point.y));
+            Some((high - low, top))
+        };
+        let (Some((barred, height)), Some((stroke, tall))) = (reach('I'), reach('l')) else { return };
+        if barred < 2.0 * stroke || tall <= 0.0 {
+            return;
+        }
+        let Some(l) = self.glyph('l') else { return };
+        // Heights stay in whole units: the fonts of PDF files have no others.
+        let em = f64::from(self.units);
+        let lower = |point: Point| Point::new(point.x, (point.y * height / tall * em).round() / em);
+        let contour = |contour: &Contour| Contour {
+            start: lower(contour.start),
+            segments: contour
+                .segments
+                .iter()
+                .map(|&(control, end)| (control.map(lower), lower(end)))
+                .collect(),
+        };
+        let stem = Glyph {
+            letter: u32::from(STEM),
+            advance: l.advance,
+            contours: l.contours.iter().map(contour).collect(),
+        };
+        let at = self.glyphs.partition_point(|glyph| glyph.letter < stem.letter);
+        self.glyphs.insert(at, stem);
     }
 
     /// Its name among those of the table.
@@ -253,6 +377,7 @@ impl Reader<'_> {
             pair = pair.checked_add(self.unsigned()?)?;
             font.kerning.push((pair, f64::from(self.signed()?) / em));
         }
+        font.add_stem();
         Some(font)
     }
 
@@ -305,6 +430,39 @@ mod tests {
             // Accents do not change how close letters stand.
             let accented = letters.advance(font, 'Á', Some('V')) - letters.advance(font, 'Á', None);
             assert!((accented - (together - apart)).abs() < 1e-9);
+        }
+    }
+
+    #[test]
+    fn european_languages_have_all_their_letters() {
+        let letters = Letters::bundled().unwrap();
+        let said = "Zażółć gęślą jaźń. Příliš žluťoučký kůň. Ķĺģ Ăâîșț Ħġ. Þór ð. Tiếng Việt: Người đã ổn, ưỡn Ẵ. \
+            Ξεσκεπάζω την ψυχοφθόρα βδελυγμία; ΐΰ. Съешь ещё этих булок. Ґанок, її Єва, ўсё, Ђорђе, Љиљана, Ѓ Ќ.";
+        for id in ["comic-neue", "comic-neue-bold", "bangers"] {
+            let font = letters.font(id).unwrap();
+            assert_eq!(letters.missing(said, font), [], "{id}");
+            assert_eq!(letters.missing("a漢b漢😀", font), ['漢', '😀']);
+            // Letters that come from another font are as high as its own.
+            let height = |letter| {
+                let points = font.outline(letter, 0.01).into_iter().flatten();
+                points.map(|point| point.y).fold(f64::MIN, f64::max)
+            };
+            // They are drawn the same way round: what is inside is no hole.
+            let area = |letter| {
+                let lines = font.outline(letter, 0.01).into_iter();
+                let around = |line: Vec<Point>| {
+                    let next = line.iter().cycle().skip(1);
+                    line.iter().zip(next).map(|(a, b)| a.x * b.y - b.x * a.y).sum::<f64>()
+                };
+                lines.map(around).sum::<f64>()
+            };
+            for letter in "ACoСъешьещётихмягкбулоЖΞεσκπάζωψΠłńợổ".chars()
+            {
+                assert!(area(letter) < -0.05, "{id}: {letter} {}", area(letter));
+            }
+            for letter in ['Н', 'Π'] {
+                assert!((height(letter) - font.capitals).abs() < 0.03, "{id}: {letter} {}", height(letter));
+            }
         }
     }
 

@@ -4,27 +4,37 @@
 //! | module | for |
 //! |---|---|
 //! | [`letters`] | outlines, advances and kerning of the fonts |
+//! | [`learning`] | letters that the fonts do not have, from pictures of them |
 //! | [`model`] | a word as plain data, checked |
+//! | [`wording`] | text as letterers write it: capitals, quotes, emphasis, hyphens |
 //! | [`setting`] | text broken into lines and fitted into a shape |
-//! | `shapes` | outlines of balloons and captions |
+//! | `lens` | the same by the conventions of letterers |
+//! | `shapes` | outlines of balloons and captions, those of the first pages |
+//! | `balloons` | those of letterers |
 //! | [`layout`] | where a word of a document is, and how large |
 //! | [`draw`] | a word as pixels |
+//! | [`palette`] | colours of words from the style of their page |
 //! | [`place`] | where a word goes by itself: away from faces |
 //! | [`truetype`] | letters of the table as a font for other programs |
 //!
-//! What text may hold: everything in Unicode. The fonts have Latin with its accents, also where these come as characters
-//! of their own, and some signs; other letters (emoji, Hebrew, Chinese) are drawn as one box each, in the order of the
-//! text. Characters without width (joiners, marks of direction, variation selectors) and marks that no letter takes are
+//! What text may hold: everything in Unicode. The fonts have Latin with its extensions and accents, also where these come as
+//! characters of their own, Greek, Cyrillic, and some signs; other letters (emoji, Hebrew, Chinese) are learnt from
+//! pictures, where a browser draws these, or are drawn as one box each; [`Letters::missing`] names them. Characters without width (joiners, marks of direction, variation selectors) and marks that no letter takes are
 //! left out. Text that does not fit the page at the smallest size ends in an ellipsis.
 
+mod balloons;
 pub mod draw;
 pub mod layout;
+pub mod learning;
+mod lens;
 pub mod letters;
 pub mod model;
+pub mod palette;
 pub mod place;
 pub mod setting;
 mod shapes;
 pub mod truetype;
+pub mod wording;
 
 pub use letters::Letters;
 pub use model::Word;

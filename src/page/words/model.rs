@@ -1,13 +1,20 @@
 //! A word of the page as plain data. In JSON, with what may be left out in brackets:
-//! `{kind, text, [shape], [panel], [x], [y], [width], [size], [tail], [font], [color], [fill], [angle], [arc], [auto]}`.
+//! `{kind, text, [shape], [panel], [x], [y], [width], [size], [tail], [font], [color], [fill], [angle], [arc], [auto],
+//! [craft], [boxless], [capitals], [slant], [outline], [behind], [id], [joined], [language], [room]}`.
 
 use crate::error::{Error, Result};
 use serde_json::Value;
 
 /// Most characters of one word: far more than a page holds.
-pub const MOST_LETTERS: usize = 4_000;
+pub const MOST_LETTERS: usize = 10_000;
 /// Most words of a page.
 pub const MOST_WORDS: usize = 200;
+/// Most characters of the name of a word, and of its language.
+pub const LONGEST_ID: usize = 64;
+/// Degrees that the letters of an effect may lean to either side.
+pub const STEEPEST: f64 = 45.0;
+/// The widest line around the letters of an effect, in ems.
+pub const WIDEST_OUTLINE: f64 = 0.4;
 /// A place of a word, in widths and heights of its panel to either side.
 pub const FARTHEST: f64 = 10.0;
 
@@ -33,10 +40,22 @@ pub enum Shape {
     Shout,
     /// Whispered: dashes.
     Whisper,
+    /// Out of a loudspeaker: a jagged line, its tail a bolt.
+    Radio,
+}
+
+/// By which conventions a word is set, drawn and placed. Words of earlier pages go on to look as they did.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+pub enum Craft {
+    /// Those of the first pages: `craft` is missing, or 1.
+    First,
+    /// Those of letterers: 2, as new words have it.
+    Letterer,
 }
 
 /// A caption, a balloon or a sound effect.
 #[derive(Debug, Clone, PartialEq)]
+#[allow(clippy::struct_excessive_bools, reason = "each is a field of the file by itself")]
 pub struct Word {
     /// What it is.
     pub kind: Kind,
@@ -64,6 +83,28 @@ pub struct Word {
     pub arc: f64,
     /// Nobody has moved it: it goes where it hides no face. True unless told where it has no place.
     pub auto: bool,
+    /// The conventions that it follows.
+    pub craft: Craft,
+    /// A caption without a box: its letters lie on the picture, with a line around them.
+    pub boxless: bool,
+    /// Whether it is set in capitals.
+    pub capitals: bool,
+    /// Degrees that the letters of an effect lean to the right, up to [`STEEPEST`].
+    pub slant: f64,
+    /// Half the width of the line around the letters of an effect, in ems; none is as usual.
+    pub outline: Option<f64>,
+    /// An effect that stands behind the figures, where it is known what they cover.
+    pub behind: bool,
+    /// Its name, for those that are joined to it.
+    pub id: Option<String>,
+    /// The name of the balloon that this one is joined to: the same mouth says both.
+    pub joined: Option<String>,
+    /// The language of its text, such as `en` or `pt-BR`: long words part by its rules. None: they part nowhere.
+    pub language: Option<String>,
+    /// Width and height in page widths that a word without a width of its own keeps to, found when it was placed.
+    pub room: Option<(f64, f64)>,
+    /// The colours that a person or a file has chosen, of the letters and inside; the others may follow the style.
+    pub chosen: (bool, bool),
 }
 
 impl Word {
@@ -78,7 +119,8 @@ impl Word {
             "thought" => Shape::Thought,
             "shout" => Shape::Shout,
             "whisper" => Shape::Whisper,
-            _ => return Err(field.wrong("shape", "is none of oval, thought, shout, whisper")),
+            "radio" => Shape::Radio,
+            _ => return Err(field.wrong("shape", "is none of oval, thought, shout, whisper, radio")),
         };
         let kind = match field.text("kind", "")? {
             "caption" => Kind::Caption,
@@ -86,15 +128,21 @@ impl Word {
             "effect" => Kind::Effect,
             _ => return Err(field.wrong("kind", "is none of caption, balloon, effect")),
         };
+        let craft = match field.number("craft", 1.0, 2.0)? {
+            None | Some(1.0) => Craft::First,
+            Some(2.0) => Craft::Letterer,
+            Some(_) => return Err(field.wrong("craft", "is neither 1 nor 2")),
+        };
         let (font, color, fill) = match kind {
             Kind::Caption => ("comic-neue", "#111111", "#fff6d6"),
             Kind::Balloon(Shape::Whisper) => ("comic-neue", "#111111", "#ffffff"),
             Kind::Balloon(_) => ("comic-neue-bold", "#111111", "#ffffff"),
             Kind::Effect => ("bangers", "#ffd21f", "#111111"),
         };
+        let capitals = field.truth("capitals")?;
         let text = field.text("text", "")?;
         if text.chars().nth(MOST_LETTERS).is_some() {
-            return Err(field.wrong("text", "is longer than 4000 characters"));
+            return Err(field.wrong("text", "is longer than 10000 characters"));
         }
         let font = field.text("font", font)?;
         if !["comic-neue", "comic-neue-bold", "bangers"].contains(&font) {
@@ -127,6 +175,18 @@ impl Word {
             angle: field.number("angle", -180.0, 180.0)?.unwrap_or(0.0),
             arc: field.number("arc", -1.0, 1.0)?.unwrap_or(0.0),
             auto: value["auto"].as_bool().unwrap_or(value["x"].is_null() && value["y"].is_null()),
+            craft,
+            boxless: field.truth("boxless")?.unwrap_or(false) && kind == Kind::Caption,
+            // Letterers write all in capitals, but for sounds, that are written as they sound.
+            capitals: capitals.unwrap_or(craft == Craft::Letterer && kind != Kind::Effect),
+            slant: field.number("slant", -STEEPEST, STEEPEST)?.unwrap_or(0.0),
+            outline: field.number("outline", 0.0, WIDEST_OUTLINE)?,
+            behind: field.truth("behind")?.unwrap_or(false),
+            id: field.name("id")?,
+            joined: field.name("joined")?.filter(|_| matches!(kind, Kind::Balloon(_))),
+            language: field.name("language")?,
+            room: field.pair("room", 0.02, FARTHEST)?,
+            chosen: (!value["color"].is_null(), !value["fill"].is_null()),
         })
     }
 
@@ -161,6 +221,37 @@ impl<'v> Field<'v> {
             Value::String(text) => Ok(text),
             _ => Err(self.wrong(name, "is not text")),
         }
+    }
+
+    /// Two numbers, or nothing said.
+    fn pair(&self, name: &str, least: f64, most: f64) -> Result<Option<(f64, f64)>> {
+        let value = &self.value[name];
+        if value.is_null() {
+            return Ok(None);
+        }
+        let number = |i: usize| value[i].as_f64().filter(|number| (least..=most).contains(number));
+        match (value.as_array().map(Vec::len), number(0), number(1)) {
+            (Some(2), Some(first), Some(second)) => Ok(Some((first, second))),
+            _ => Err(self.wrong(name, &format!("is not two numbers from {least} to {most}"))),
+        }
+    }
+
+    /// Yes or no, or nothing said.
+    fn truth(&self, name: &str) -> Result<Option<bool>> {
+        match &self.value[name] {
+            Value::Null => Ok(None),
+            Value::Bool(truth) => Ok(Some(*truth)),
+            _ => Err(self.wrong(name, "is neither true nor false")),
+        }
+    }
+
+    /// A short text, such as an id; nothing for an empty one.
+    fn name(&self, name: &str) -> Result<Option<String>> {
+        let text = self.text(name, "")?;
+        if text.chars().nth(LONGEST_ID).is_some() {
+            return Err(self.wrong(name, "is longer than 64 characters"));
+        }
+        Ok((!text.is_empty()).then(|| text.to_owned()))
     }
 
     /// A coordinate; the middle where it is missing.
@@ -201,6 +292,19 @@ mod tests {
                 .unwrap();
         assert_eq!((word.kind, word.at, word.size), (Kind::Balloon(Shape::Shout), (0.5, 0.5), None));
         assert_eq!((word.fill, word.font.as_str()), ([255; 3], "comic-neue-bold"));
+        assert_eq!((word.craft, word.capitals, word.outline, word.joined), (Craft::First, false, None, None));
+    }
+
+    #[test]
+    fn new_words_are_a_letterers() {
+        let word = |value: Value| Word::parse(&value, 0).unwrap();
+        assert!(word(json!({ "kind": "balloon", "craft": 2 })).capitals);
+        assert!(!word(json!({ "kind": "balloon", "craft": 2, "capitals": false })).capitals);
+        assert!(!word(json!({ "kind": "effect", "craft": 2 })).capitals);
+        let joined =
+            word(json!({ "kind": "balloon", "shape": "radio", "id": "b", "joined": "a", "boxless": true }));
+        assert_eq!((joined.id.as_deref(), joined.joined.as_deref()), (Some("b"), Some("a")));
+        assert!(!joined.boxless, "only captions have a box to lose");
     }
 
     #[test]
@@ -210,7 +314,17 @@ mod tests {
             (json!({ "kind": "poem" }), "words[3].kind"),
             (json!({ "kind": "balloon", "shape": "square" }), "words[3].shape"),
             (json!({ "kind": "caption", "text": 7 }), "words[3].text"),
-            (json!({ "kind": "caption", "text": "x".repeat(10_000) }), "words[3].text"),
+            (json!({ "kind": "caption", "text": "x".repeat(10_001) }), "words[3].text"),
+            (json!({ "kind": "caption", "boxless": 1 }), "words[3].boxless"),
+            (json!({ "kind": "caption", "capitals": "yes" }), "words[3].capitals"),
+            (json!({ "kind": "caption", "craft": 1.5 }), "words[3].craft"),
+            (json!({ "kind": "effect", "slant": 60 }), "words[3].slant"),
+            (json!({ "kind": "effect", "outline": -1 }), "words[3].outline"),
+            (json!({ "kind": "effect", "behind": 0 }), "words[3].behind"),
+            (json!({ "kind": "balloon", "joined": 1 }), "words[3].joined"),
+            (json!({ "kind": "balloon", "id": "x".repeat(65) }), "words[3].id"),
+            (json!({ "kind": "balloon", "room": [0.5] }), "words[3].room"),
+            (json!({ "kind": "balloon", "language": ["en"] }), "words[3].language"),
             (json!({ "kind": "caption", "x": 1e300 }), "words[3].x"),
             (json!({ "kind": "caption", "size": 0 }), "words[3].size"),
             (json!({ "kind": "caption", "panel": -1 }), "words[3].panel"),

@@ -4,23 +4,32 @@
 //! the shape is wide at its height: that balances the lines, and makes those of an ellipse short at the top and the
 //! bottom. Of all numbers of lines the one is taken whose shape looks best; where none fits, a smaller size is tried.
 
+use super::lens;
 use super::letters::{Font, Letters};
-use super::model::Kind;
+use super::model::{Craft, Kind, Shape};
+use super::wording::Mark;
 
 /// Exponent of the superellipse that balloons are: a little fuller than an ellipse, as drawn ones are.
 pub(super) const FULLNESS: f64 = 2.4;
+
+/// Distance of two baselines in ems.
+pub(super) const PITCH: f64 = 1.12;
 
 /// What a text is set for.
 #[derive(Debug, Clone, Copy)]
 pub struct Wish {
     /// What the text is in.
     pub kind: Kind,
+    /// By which conventions.
+    pub craft: Craft,
     /// Width of the shape in page widths, where a person chose it.
     pub width: Option<f64>,
     /// Height of an em in page widths, where a person chose it.
     pub size: Option<f64>,
     /// Width and height that the shape should not exceed, in page widths.
     pub room: (f64, f64),
+    /// Width and height that it may have before letters become too small to be read with ease.
+    pub most: (f64, f64),
     /// Width and height that it must not exceed.
     pub page: (f64, f64),
 }
@@ -34,6 +43,8 @@ pub struct Setting {
     pub pitch: f64,
     /// The lines, each with its width.
     pub lines: Vec<(Vec<char>, f64)>,
+    /// Of each line, which of its letters are emphasised.
+    pub strong: Vec<Vec<bool>>,
     /// Half the width and height of the shape around.
     pub half: (f64, f64),
     /// The text did not fit even at the smallest size: its end is missing.
@@ -41,29 +52,60 @@ pub struct Setting {
 }
 
 /// What belongs to a kind; lengths in ems, sizes in page widths.
-struct Manner {
-    round: bool,
+pub(super) struct Manner {
+    pub(super) round: bool,
     /// Room beside the letters, and above and below them.
-    pad: (f64, f64),
+    pub(super) pad: (f64, f64),
     /// Width over height that looks best.
-    aspect: f64,
+    pub(super) aspect: f64,
     largest: f64,
+    /// What is still read with ease.
+    readable: f64,
     smallest: f64,
 }
 
-fn manner(kind: Kind, width: Option<f64>) -> Manner {
-    match kind {
-        Kind::Caption => {
-            Manner { round: false, pad: (0.55, 0.5), aspect: 3.2, largest: 0.0195, smallest: 0.008 }
-        }
-        Kind::Balloon(_) => {
-            Manner { round: true, pad: (0.46, 0.44), aspect: 1.6, largest: 0.021, smallest: 0.008 }
-        }
+fn manner(kind: Kind, craft: Craft, width: Option<f64>) -> Manner {
+    let first = match kind {
+        Kind::Caption => Manner {
+            round: false,
+            pad: (0.55, 0.5),
+            aspect: 3.2,
+            largest: 0.0195,
+            readable: 0.0195,
+            smallest: 0.008,
+        },
+        Kind::Balloon(_) => Manner {
+            round: true,
+            pad: (0.46, 0.44),
+            aspect: 1.6,
+            largest: 0.021,
+            readable: 0.021,
+            smallest: 0.008,
+        },
         Kind::Effect => {
             let largest = if width.is_some() { 0.4 } else { 0.085 };
-            Manner { round: false, pad: (0.14, 0.14), aspect: 20.0, largest, smallest: 0.012 }
+            Manner {
+                round: false,
+                pad: (0.14, 0.14),
+                aspect: 20.0,
+                largest,
+                readable: largest,
+                smallest: 0.012,
+            }
         }
+    };
+    if craft == Craft::First || kind == Kind::Effect {
+        return first;
     }
+    // On A4, 210 mm wide, 0.0168 are 10 points and 0.0134 are 8; a shout is louder, a whisper is not.
+    let loud = match kind {
+        Kind::Balloon(Shape::Shout) => 1.15,
+        Kind::Balloon(Shape::Whisper) | Kind::Caption => 0.95,
+        _ => 1.0,
+    };
+    let pad = if first.round { (0.5, 0.46) } else { (0.6, 0.52) };
+    let aspect = if first.round { 1.5 } else { first.aspect };
+    Manner { pad, aspect, largest: 0.0168 * loud, readable: 0.0134 * loud, smallest: 0.0098, ..first }
 }
 
 /// Each size that is tried is smaller by this factor.
@@ -71,39 +113,60 @@ const STEP: f64 = 0.93;
 /// Most lines of a word.
 const MOST_LINES: usize = 60;
 
-/// Sets a text that was [`Letters::cleaned`].
+/// Sets a text whose letters are [`marks`](super::wording::marks).
 #[must_use]
-pub fn set(letters: &Letters, font: &Font, text: &[char], wish: &Wish) -> Setting {
-    let manner = manner(wish.kind, wish.width);
+pub fn set(letters: &Letters, font: &Font, text: &[Mark], wish: &Wish) -> Setting {
+    let manner = manner(wish.kind, wish.craft, wish.width);
     let smallest = wish.size.unwrap_or(manner.smallest);
-    let mut size = wish.size.unwrap_or(manner.largest);
-    let setter = Setter { letters, font, text, wish, manner: &manner };
-    loop {
-        if let Some(setting) = setter.at(size, wish.room, false) {
-            return setting;
+    let strong = letters.strong(font);
+    let setter = Setter { letters, font, strong, text, wish, manner: &manner };
+    let lens = (wish.craft == Craft::Letterer && wish.kind != Kind::Effect).then(|| lens::Lens::new(&setter));
+    let lens = lens.filter(lens::Lens::is_short);
+    let at = |setter: &Setter, size: f64, room: (f64, f64)| match &lens {
+        Some(lens) => lens.at(size, room, setter.wish.width),
+        None => setter.at(size, room, false),
+    };
+    // First letters become smaller so far as they are read with ease, then their shape larger, then letters again.
+    let readable = wish.size.unwrap_or(manner.readable);
+    let stages =
+        [(wish.room, wish.size.unwrap_or(manner.largest), readable), (wish.most, readable, smallest)];
+    let stages = if wish.craft == Craft::First { [(stages[0].0, stages[0].1, smallest); 2] } else { stages };
+    for (room, largest, smallest) in &stages[..if wish.craft == Craft::First { 1 } else { 2 }] {
+        let mut size = *largest;
+        loop {
+            if setter.may_fit(size, *room)
+                && let Some(setting) = at(&setter, size, *room)
+            {
+                return setting;
+            }
+            if size <= *smallest {
+                break;
+            }
+            size = (size * STEP).max(*smallest);
         }
-        if size <= smallest {
-            break;
-        }
-        size = (size * STEP).max(smallest);
     }
     let wider = Wish { width: None, ..*wish };
     let last = Setter { wish: &wider, ..setter };
-    last.at(size, wish.page, false).or_else(|| last.at(size, wish.page, true)).unwrap_or(Setting {
-        size,
-        pitch: size,
+    at(&last, smallest, wish.page).or_else(|| last.at(smallest, wish.page, true)).unwrap_or(Setting {
+        size: smallest,
+        pitch: smallest,
         lines: Vec::new(),
-        half: (size, size),
+        strong: Vec::new(),
+        half: (smallest, smallest),
         cut: true,
     })
 }
 
-struct Setter<'a> {
-    letters: &'a Letters,
-    font: &'a Font,
-    text: &'a [char],
-    wish: &'a Wish,
-    manner: &'a Manner,
+/// A text with all that it is set by.
+#[derive(Clone, Copy)]
+pub(super) struct Setter<'a> {
+    pub(super) letters: &'a Letters,
+    pub(super) font: &'a Font,
+    /// The font of what is emphasised.
+    pub(super) strong: &'a Font,
+    pub(super) text: &'a [Mark],
+    pub(super) wish: &'a Wish,
+    pub(super) manner: &'a Manner,
 }
 
 /// How badly a shape looks, the first token of each line and the one after its last, and half the shape's sizes in ems.
@@ -121,9 +184,33 @@ struct Token {
 }
 
 impl Setter<'_> {
+    /// How far the pen moves over a letter of the text, in ems.
+    pub(super) fn advance(&self, at: usize, next: Option<char>) -> f64 {
+        let mark = self.text[at];
+        self.letters.advance(if mark.strong { self.strong } else { self.font }, mark.letter, next)
+    }
+
+    /// Width of a part of the text in ems, as it stands in one line.
+    pub(super) fn width(&self, part: std::ops::Range<usize>) -> f64 {
+        let next = |at: usize| (at + 1 < part.end).then(|| self.text[at + 1].letter);
+        part.clone().map(|at| self.advance(at, next(at))).sum()
+    }
+
+    /// False where a text has so many letters that no lines of it fit a room; true says nothing.
+    fn may_fit(&self, size: f64, room: (f64, f64)) -> bool {
+        let area = room.0.max(self.wish.width.unwrap_or(0.0)) * room.1;
+        // No letter of the fonts but the narrowest is less than a fifth of an em wide.
+        self.text.len() < 200 || self.text.len() as f64 * 0.1 * size * size < area
+    }
+
+    /// A line with a width, and which of its letters are emphasised.
+    pub(super) fn line(&self, part: std::ops::Range<usize>) -> (Vec<char>, Vec<bool>) {
+        self.text[part].iter().map(|mark| (mark.letter, mark.strong)).unzip()
+    }
+
     /// The text at a size, if it fits the room; `cut` takes what fits.
     fn at(&self, size: f64, room: (f64, f64), cut: bool) -> Option<Setting> {
-        let pitch = if matches!(self.wish.kind, Kind::Effect) { 0.95 } else { 1.12 };
+        let pitch = if matches!(self.wish.kind, Kind::Effect) { 0.95 } else { PITCH };
         let capitals = self.font.capitals;
         let (pad_x, pad_y) = self.manner.pad;
         let wide = self.wish.width.unwrap_or(room.0) / size / 2.0;
@@ -175,16 +262,23 @@ impl Setter<'_> {
         }
         let (_, lines, half) = best?;
         let missing = lines.last().is_some_and(|line| line.1 < tokens.len());
+        let mut strong = Vec::with_capacity(lines.len());
         let runs = lines.iter().enumerate().map(|(i, &(first, end))| {
-            let mut run = self.text[tokens[first].start..tokens[end - 1].end].to_vec();
+            let part = tokens[first].start..tokens[end - 1].end;
+            let mut width = self.width(part.clone());
+            let (mut run, mut marks) = self.line(part.clone());
             if missing && i + 1 == lines.len() {
+                width += self.advance(part.end - 1, Some('…')) - self.advance(part.end - 1, None);
+                width += self.letters.advance(self.font, '…', None);
                 run.push('…');
+                marks.push(false);
             }
-            let width = self.letters.width(self.font, &run) * size;
-            (run, width)
+            strong.push(marks);
+            (run, width * size)
         });
         let lines = runs.collect();
-        Some(Setting { size, pitch: pitch * size, lines, half: (half.0 * size, half.1 * size), cut: missing })
+        let half = (half.0 * size, half.1 * size);
+        Some(Setting { size, pitch: pitch * size, lines, strong, half, cut: missing })
     }
 
     /// The text in tokens no wider than `most` ems. In a sound effect only line ends part words.
@@ -193,14 +287,14 @@ impl Setter<'_> {
         let whole = matches!(self.wish.kind, Kind::Effect) && self.wish.size.is_none();
         let mut tokens: Vec<Token> = Vec::new();
         let (mut open, mut fresh) = (false, false);
-        for (i, &letter) in self.text.iter().enumerate() {
+        for (i, letter) in self.text.iter().map(|mark| mark.letter).enumerate() {
             if letter == '\n' || (letter == ' ' && !(whole && open)) {
                 open = false;
                 fresh |= letter == '\n' && !tokens.is_empty();
                 continue;
             }
-            let next = self.text.get(i + 1).filter(|next| **next != '\n').copied();
-            let advance = self.letters.advance(self.font, letter, next);
+            let next = self.text.get(i + 1).map(|next| next.letter).filter(|next| *next != '\n');
+            let advance = self.advance(i, next);
             match tokens.last_mut() {
                 Some(token) if open && (token.width + advance <= most || whole) => {
                     token.end = i + 1;
@@ -256,13 +350,15 @@ mod tests {
     use crate::page::words::model::Shape;
 
     fn wish(kind: Kind) -> Wish {
-        Wish { kind, width: None, size: None, room: (0.42, 0.3), page: (0.94, 1.3) }
+        let (craft, room) = (Craft::First, (0.42, 0.3));
+        Wish { kind, craft, width: None, size: None, room, most: room, page: (0.94, 1.3) }
     }
 
     fn setting(text: &str, wish: &Wish) -> Setting {
         let letters = Letters::bundled().unwrap();
         let font = letters.font("comic-neue-bold").unwrap();
-        set(&letters, font, &letters.cleaned(text), wish)
+        let marks: Vec<Mark> = letters.cleaned(text).into_iter().map(Mark::plain).collect();
+        set(&letters, font, &marks, wish)
     }
 
     fn text_of(setting: &Setting) -> Vec<String> {

@@ -1,6 +1,7 @@
 //! Outlines of balloons and captions, as closed lines in pixels of the page.
 
-use super::model::{Kind, Shape};
+use super::balloons;
+use super::model::{Craft, Kind, Shape};
 use super::setting::FULLNESS;
 use crate::layout::Point;
 use std::f64::consts::{PI, TAU};
@@ -9,9 +10,10 @@ use std::f64::consts::{PI, TAU};
 const WITHIN: f64 = 0.08;
 
 /// A body with half the width `a` and half the height `b` around `(x, y)`; the tail is a part of it, or follows it as
-/// bubbles. `spike` is the length of a shout's spikes. An effect has none.
+/// bubbles. An effect has none.
 pub(super) fn outline(
     kind: Kind,
+    craft: Craft,
     (x, y): (f64, f64),
     (a, b): (f64, f64),
     tip: Option<Point>,
@@ -22,6 +24,9 @@ pub(super) fn outline(
     let mut shapes = match kind {
         Kind::Effect => Vec::new(),
         Kind::Caption => vec![[(-a, -b), (a, -b), (a, b), (-a, b)].map(|(x, y)| Point::new(x, y)).to_vec()],
+        Kind::Balloon(shape) if craft == Craft::Letterer || shape == Shape::Radio => {
+            balloons::outline(shape, a, b, tip)
+        }
         Kind::Balloon(Shape::Thought) => cloud(a, b, tip),
         Kind::Balloon(Shape::Shout) => vec![burst(a, b, tip)],
         Kind::Balloon(_) => vec![oval(a, b, tip)],
@@ -37,23 +42,24 @@ pub(super) fn reach(kind: Kind) -> f64 {
     match kind {
         Kind::Balloon(Shape::Thought) => 1.18,
         Kind::Balloon(Shape::Shout) => 1.34,
+        Kind::Balloon(Shape::Radio) => 1.17,
         _ => 1.0,
     }
 }
 
 /// A point of the superellipse.
-fn at(a: f64, b: f64, angle: f64) -> Point {
+pub(super) fn at(a: f64, b: f64, angle: f64) -> Point {
     let part = |value: f64| value.abs().powf(2.0 / FULLNESS).copysign(value);
     Point::new(a * part(angle.cos()), b * part(angle.sin()))
 }
 
 /// The parameter of the superellipse in the direction of a point.
-fn towards(a: f64, b: f64, to: Point) -> f64 {
+pub(super) fn towards(a: f64, b: f64, to: Point) -> f64 {
     let part = |value: f64| value.abs().powf(FULLNESS / 2.0).copysign(value);
     part(to.y / b).atan2(part(to.x / a))
 }
 
-fn steps(radius: f64) -> usize {
+pub(super) fn steps(radius: f64) -> usize {
     (PI / (2.0 * WITHIN / radius.max(0.5)).min(1.0).sqrt()).ceil().clamp(16.0, 400.0) as usize
 }
 
@@ -81,7 +87,7 @@ fn oval(a: f64, b: f64, tip: Option<Point>) -> Vec<Point> {
 }
 
 /// Adds a quadratic curve but its start.
-fn curve(points: &mut Vec<Point>, from: Point, control: Point, to: Point) {
+pub(super) fn curve(points: &mut Vec<Point>, from: Point, control: Point, to: Point) {
     let off = (from.x - 2.0 * control.x + to.x).hypot(from.y - 2.0 * control.y + to.y);
     let count = (off / (4.0 * WITHIN)).sqrt().ceil().clamp(1.0, 60.0) as usize;
     for i in 1..=count {

@@ -1,8 +1,9 @@
-//! Brightness: every channel times a gain, clipped.
+//! Brightness: luma times a gain, clipped; a colour image keeps its colour differences, as the paper has it, or has
+//! each channel times the gain, which makes colours stronger or weaker, too.
 
 use super::{Block, Channels, Kernel, PointOp};
 use crate::simd::table::Table;
-use crate::style::params::{Unit, number};
+use crate::style::params::{Unit, channels, number};
 
 pub(super) static BLOCK: Block = Block {
     id: "brightness",
@@ -10,15 +11,13 @@ pub(super) static BLOCK: Block = Block {
     help: "Makes the image lighter or darker.",
     input: Channels::Any,
     output: Channels::Any,
-    params: &[number(
-        "gain",
-        "Gain",
-        "1 changes nothing, 2 is twice as bright.",
-        (1.2, 0.0, 4.0, 0.05),
-        Unit::None,
-    )],
+    params: &[
+        number("gain", "Gain", "1 changes nothing, 2 is twice as bright.", (1.2, 0.0, 4.0, 0.05), Unit::None),
+        channels(&["luma", "each"]),
+    ],
     kernel: Kernel::Point(|args| {
         let gain = args.number(0);
-        PointOp::Table(Table::from_fn(|v| v * gain))
+        let table = Table::from_fn(|v| v * gain);
+        if args.choice(1) == 0 { PointOp::LumaTable(table) } else { PointOp::Table(table) }
     }),
 };

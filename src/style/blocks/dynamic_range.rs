@@ -1,7 +1,7 @@
 //! Histogram Minimum Dynamic Range: where the 5 and 95 percentiles of luma are closer than the range asked
 //! for, tones are scaled about their midpoint until they are not, and shifted so that both lie in 0..=255.
 
-use super::{Block, Channels, Kernel};
+use super::{Block, Channels, Kernel, PointOp};
 use crate::simd::table::Table;
 use crate::style::params::{Unit, number};
 
@@ -22,10 +22,10 @@ pub(super) static BLOCK: Block = Block {
         let range = args.number(0);
         let [low, high] = [5.0, 95.0].map(|percent| f32::from(tones.percentile(percent)));
         if high <= low || high - low >= range {
-            return Table::from_fn(|v| v);
+            return PointOp::Table(Table::from_fn(|v| v));
         }
         let middle = f32::midpoint(low, high);
         let start = (middle - range / 2.0).clamp(0.0, 255.0 - range);
-        Table::from_fn(|v| start + (v - low) * range / (high - low))
+        PointOp::Table(Table::from_fn(|v| start + (v - low) * range / (high - low)))
     }),
 };

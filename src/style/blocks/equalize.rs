@@ -1,10 +1,10 @@
 //! Linear Histogram Equalization: (v - lo) 255 / (hi - lo), where lo and hi are percentiles of luma (inverted
-//! CDF); unchanged where they meet. A colour image has all channels stretched alike, which stretches its
-//! luma by the same rule and keeps its hues.
+//! CDF); unchanged where they meet. A colour image has its luma stretched and keeps its colour differences, as the paper
+//! has it, or all channels stretched alike, which makes colours stronger, too.
 
-use super::{Block, Channels, Kernel};
+use super::{Block, Channels, Kernel, PointOp};
 use crate::simd::table::Table;
-use crate::style::params::{Unit, number};
+use crate::style::params::{Unit, channels, number};
 
 pub(super) static BLOCK: Block = Block {
     id: "equalize",
@@ -21,12 +21,12 @@ pub(super) static BLOCK: Block = Block {
             Unit::Percent,
         ),
         number("high", "White from", "Percentile that turns white.", (95.0, 0.0, 100.0, 0.5), Unit::Percent),
+        channels(&["luma", "each"]),
     ],
     kernel: Kernel::Tones(|args, tones| {
         let [low, high] = [0, 1].map(|i| f32::from(tones.percentile(args.number(i))));
-        if high <= low {
-            return Table::from_fn(|v| v);
-        }
-        Table::from_fn(|v| (v - low) * 255.0 / (high - low))
+        let stretch = |v: f32| if high <= low { v } else { (v - low) * 255.0 / (high - low) };
+        let table = Table::from_fn(stretch);
+        if args.choice(2) == 0 { PointOp::LumaTable(table) } else { PointOp::Table(table) }
     }),
 };

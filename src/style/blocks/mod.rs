@@ -8,7 +8,7 @@ mod dynamic_range;
 mod engrave;
 mod equalize;
 mod etf;
-mod flatten;
+pub(in crate::style) mod flatten;
 mod flow_lines;
 mod gaussian;
 mod halftone;
@@ -17,7 +17,7 @@ mod kuwahara;
 mod luma_posterize;
 mod paper;
 mod pattern;
-mod plates;
+pub mod plates;
 mod posterize;
 mod saturation;
 mod size;
@@ -37,7 +37,7 @@ use crate::simd::table::Table;
 use crate::simd::tones::Tones;
 pub(in crate::style) use detail::Buffers as GridBuffers;
 pub(in crate::style) use paper::Drawn as DrawnSheet;
-pub(in crate::style) use pattern::Drawn as DrawnTiles;
+pub(in crate::style) use pattern::{Drawn as DrawnTiles, DrawnTexture};
 use serde::Serialize;
 pub(in crate::style) use tvf::Buffers as FlowBuffers;
 use wide::i16x8;
@@ -116,8 +116,8 @@ pub enum Channels {
 pub enum Kernel {
     /// Looks at one pixel only: joins its neighbours in the chain in one pass.
     Point(fn(Args<'_>) -> PointOp),
-    /// A table made from percentiles of luma and applied to every plane.
-    Tones(fn(Args<'_>, &Tones<'_>) -> Table),
+    /// A table made from percentiles of luma.
+    Tones(fn(Args<'_>, &Tones<'_>) -> PointOp),
     /// Looks at neighbours, plane by plane.
     Planes(fn(Args<'_>, Plane, &mut Context<'_>) -> Result<Plane>),
     /// Looks at the luma of neighbours; a colour image keeps its colours and takes the new luma.

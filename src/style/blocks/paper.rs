@@ -16,7 +16,7 @@ use crate::error::Result;
 use crate::raster::Image;
 use crate::style::context::Context;
 use crate::style::grain::{Grain, chance};
-use crate::style::params::{Args, Kind, Param, Unit, number};
+use crate::style::params::{Args, Kind, Param, Unit, colour, number};
 
 pub(super) static BLOCK: Block = Block {
     id: "paper",
@@ -36,7 +36,7 @@ pub(super) static BLOCK: Block = Block {
             label: "Tint",
             help: "Colour of the sheet.",
             kind: Kind::Choice {
-                names: &["white", "ivory", "cream", "newsprint", "kraft", "gray", "blue", "rose"],
+                names: &["white", "ivory", "cream", "newsprint", "kraft", "gray", "blue", "rose", "own"],
             },
         },
         number("grain", "Grain", "How much of the surface is seen.", (40.0, 0.0, 100.0, 1.0), Unit::Percent),
@@ -48,6 +48,7 @@ pub(super) static BLOCK: Block = Block {
             Unit::Percent,
         ),
         number("size", "Grain size", "Size of the surface's grain.", (1.0, 0.4, 4.0, 0.1), Unit::None),
+        colour("color", "Sheet colour", "Colour of the sheet with the tint \"own\".", [255; 3]),
     ],
     kernel: Kernel::Image(run),
 };
@@ -81,7 +82,7 @@ pub(in crate::style) struct Drawn {
 }
 
 fn run(args: Args<'_>, image: Image, context: &mut Context<'_>) -> Result<Image> {
-    let tint = TINTS[args.choice(1).min(TINTS.len() - 1)];
+    let tint = TINTS.get(args.choice(1)).copied().unwrap_or_else(|| args.colour(5));
     let (grain, pigment) = (args.number(2) / 100.0, args.number(3) / 100.0);
     let (size, scale) = (args.number(4), context.scale());
     let key = (args.choice(0), size.to_bits(), scale.to_bits());

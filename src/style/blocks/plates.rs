@@ -13,11 +13,13 @@
 
 use super::{Block, Channels, Kernel};
 use crate::error::Result;
+use crate::order::sort_by_key;
 use crate::raster::{Image, Plane};
 use crate::simd::dots::Screen;
 use crate::style::context::Context;
+use crate::style::file::Step;
 use crate::style::grain::{Tile, chance};
-use crate::style::params::{Args, Kind, Param, Unit, integer, number};
+use crate::style::params::{Args, Kind, Param, Unit, colour, integer, number};
 
 pub(super) static BLOCK: Block = Block {
     id: "plates",
@@ -44,6 +46,9 @@ pub(super) static BLOCK: Block = Block {
         integer("steps", "Steps", "Tones of a plate, paper among them; 1 keeps all.", (1, 1, 6)),
         number("density", "Density", "How much ink is laid.", (100.0, 40.0, 160.0, 1.0), Unit::Percent),
         integer("seed", "Chance", "Another number shifts the plates another way.", (1, 0, 99)),
+        colour("ink_1", "Ink 1", "An ink of the set \"own\"; white is none.", ink::RED.rgb),
+        colour("ink_2", "Ink 2", "An ink of the set \"own\"; white is none.", ink::BLUE.rgb),
+        colour("ink_3", "Ink 3", "An ink of the set \"own\"; white is none.", [255; 3]),
     ],
     kernel: Kernel::Image(|args, image, context| run(args, &image, context)),
 };
@@ -60,29 +65,64 @@ const NAMES: &[&str] = &[
     "yellow-black",
     "teal-black",
     "violet-orange-black",
+    "own",
 ];
+
+/// Where the parameters of inks of one's own begin.
+const OWN: usize = 7;
+
+/// An ink as printers name it, and how it looks in full on white paper.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Ink {
+    /// Its name, in English, fit for a file.
+    pub name: &'static str,
+    /// Its colour.
+    pub rgb: [u8; 3],
+}
 
 /// Colours of printing inks, as they look on white paper.
 mod ink {
-    pub(super) type Rgb = [u8; 3];
-    pub(super) const RED: Rgb = [241, 80, 60];
-    pub(super) const BLUE: Rgb = [0, 98, 172];
-    pub(super) const PINK: Rgb = [255, 72, 160];
-    pub(super) const TEAL: Rgb = [0, 131, 138];
-    pub(super) const ORANGE: Rgb = [255, 122, 42];
-    pub(super) const NAVY: Rgb = [34, 44, 96];
-    pub(super) const CORAL: Rgb = [255, 116, 108];
-    pub(super) const GREEN: Rgb = [0, 120, 86];
-    pub(super) const YELLOW: Rgb = [255, 224, 0];
-    pub(super) const CYAN: Rgb = [0, 160, 220];
-    pub(super) const MAGENTA: Rgb = [224, 20, 130];
-    pub(super) const VIOLET: Rgb = [116, 88, 170];
-    pub(super) const BLACK: Rgb = [28, 26, 30];
+    use super::Ink;
+
+    const fn ink(name: &'static str, rgb: [u8; 3]) -> Ink {
+        Ink { name, rgb }
+    }
+
+    pub(super) const RED: Ink = ink("red", [241, 80, 60]);
+    pub(super) const BLUE: Ink = ink("blue", [0, 98, 172]);
+    pub(super) const PINK: Ink = ink("pink", [255, 72, 160]);
+    pub(super) const TEAL: Ink = ink("teal", [0, 131, 138]);
+    pub(super) const ORANGE: Ink = ink("orange", [255, 122, 42]);
+    pub(super) const NAVY: Ink = ink("navy", [34, 44, 96]);
+    pub(super) const CORAL: Ink = ink("coral", [255, 116, 108]);
+    pub(super) const GREEN: Ink = ink("green", [0, 120, 86]);
+    pub(super) const YELLOW: Ink = ink("yellow", [255, 224, 0]);
+    pub(super) const CYAN: Ink = ink("cyan", [0, 160, 220]);
+    pub(super) const MAGENTA: Ink = ink("magenta", [224, 20, 130]);
+    pub(super) const VIOLET: Ink = ink("violet", [116, 88, 170]);
+    pub(super) const BLACK: Ink = ink("black", [28, 26, 30]);
 }
 
-/// The inks of a name, the strongest last: it is the plate that fits, and the others miss it.
-fn inks(choice: usize) -> &'static [ink::Rgb] {
-    match choice {
+/// The inks that a step of this block prints with, the strongest last: it is the plate that fits, and the others miss it.
+#[must_use]
+pub fn inks_of(step: &Step) -> Option<Vec<Ink>> {
+    (step.block.id == BLOCK.id && !step.bypass).then(|| inks(Args::new(&step.values, 1.0)))
+}
+
+/// The step as it is for plates that a press prints: no paper is missed there by design, and the grain is the press's own.
+#[must_use]
+pub fn exact(step: &Step) -> Step {
+    let mut step = step.clone();
+    for (param, value) in BLOCK.params.iter().zip(&mut step.values) {
+        if matches!(param.id, "shift" | "grain") {
+            *value = 0.0;
+        }
+    }
+    step
+}
+
+fn inks(args: Args<'_>) -> Vec<Ink> {
+    let named: &[Ink] = match args.choice(0) {
         0 => &[ink::RED, ink::BLUE],
         1 => &[ink::PINK, ink::TEAL],
         2 => &[ink::ORANGE, ink::NAVY],
@@ -93,8 +133,20 @@ fn inks(choice: usize) -> &'static [ink::Rgb] {
         7 => &[ink::RED, ink::BLACK],
         8 => &[ink::YELLOW, ink::BLACK],
         9 => &[ink::TEAL, ink::BLACK],
-        _ => &[ink::VIOLET, ink::ORANGE, ink::BLACK],
-    }
+        10 => &[ink::VIOLET, ink::ORANGE, ink::BLACK],
+        _ => return own_inks(args),
+    };
+    named.to_vec()
+}
+
+/// The inks that parameters tell, the darkest last; black where all are white.
+fn own_inks(args: Args<'_>) -> Vec<Ink> {
+    const NAMES: [&str; 3] = ["ink-1", "ink-2", "ink-3"];
+    let light = |ink: &Ink| ink.rgb.iter().map(|&tone| u32::from(tone)).sum::<u32>();
+    let told = NAMES.iter().enumerate().map(|(i, &name)| Ink { name, rgb: args.colour(OWN + i) });
+    let mut inks: Vec<Ink> = told.filter(|ink| light(ink) < 740).collect();
+    sort_by_key(&mut inks, |ink| std::cmp::Reverse(light(ink)));
+    if inks.is_empty() { vec![ink::BLACK] } else { inks }
 }
 
 /// Angles of the screens, as cosine and sine: 75, 15 and 45 degrees.
@@ -111,14 +163,14 @@ const SPOT: f32 = 1.6;
 const CLOUD: f32 = 40.0;
 
 fn run(args: Args<'_>, image: &Image, context: &mut Context<'_>) -> Result<Image> {
-    let inks = inks(args.choice(0));
+    let inks = inks(args);
     let shift = args.pixels(1);
     let grain = args.number(2) / 100.0;
     // Below two pixels a grid of dots aliases into nonsense.
     let pitch = (args.number(3) >= 3.0).then(|| args.pixels(3).max(2.0));
     let steps = args.number(4) as i32;
     let seed = args.number(6) as u32;
-    let shares = shares(inks, args.number(5) / 100.0);
+    let shares = shares(&inks, args.number(5) / 100.0);
     let (width, height) = (image.width(), image.height());
     let mut out = [(); 3].map(|()| Plane::filled(width, height, 255));
     let mut coverage = vec![0u8; width];
@@ -165,7 +217,7 @@ fn run(args: Args<'_>, image: &Image, context: &mut Context<'_>) -> Result<Image
                     *tone = 255 - *tone;
                 }
             }
-            for (plane, &ink) in out.iter_mut().zip(ink) {
+            for (plane, ink) in out.iter_mut().zip(ink.rgb) {
                 multiply(plane.row_mut(y), &printed, ink);
             }
         }
@@ -184,9 +236,9 @@ fn misfit(shift: f32, seed: u32, plate: u32) -> (isize, isize) {
 }
 
 /// For each ink what it takes of 1 - R, 1 - G and 1 - B, in Q12.
-fn shares(inks: &[ink::Rgb], density: f32) -> Vec<[i32; 3]> {
+fn shares(inks: &[Ink], density: f32) -> Vec<[i32; 3]> {
     let colors: Vec<[f64; 3]> =
-        inks.iter().map(|ink| ink.map(|tone| 1.0 - f64::from(tone) / 255.0)).collect();
+        inks.iter().map(|ink| ink.rgb.map(|tone| 1.0 - f64::from(tone) / 255.0)).collect();
     let n = colors.len();
     // (C C^T + small)^-1 C by elimination; what is added keeps two alike inks from pulling against each other.
     let mut rows: Vec<Vec<f64>> = (0..n)
@@ -281,7 +333,7 @@ mod tests {
 
     #[test]
     fn white_is_paper_and_black_is_dark_whatever_the_inks() {
-        for (choice, name) in NAMES.iter().enumerate() {
+        for (choice, name) in NAMES.iter().enumerate().take(NAMES.len() - 1) {
             let image = Image::from_luma(Plane::from_fn(40, 20, |x, _| if x < 20 { 255 } else { 0 }));
             let out = printed(&image, &[(0, choice as f32), (1, 0.0), (2, 0.0)]);
             let tones: Vec<u8> = out.planes().iter().map(|plane| plane.at(33, 3)).collect();
@@ -293,14 +345,29 @@ mod tests {
     #[test]
     fn an_ink_of_the_set_is_printed_mostly_by_itself() {
         for (choice, name) in NAMES.iter().enumerate().take(2) {
-            for (i, ink) in inks(choice).iter().enumerate() {
-                let shares = shares(inks(choice), 1.0);
+            let set = inks(Args::new(&[choice as f32], 1.0));
+            for (i, ink) in set.iter().enumerate() {
+                let shares = shares(&set, 1.0);
                 let covered = |k: usize| -> i32 {
-                    (0..3).map(|c| shares[k][c] * i32::from(255 - ink[c])).sum::<i32>().clamp(0, 255 << 12)
+                    (0..3)
+                        .map(|c| shares[k][c] * i32::from(255 - ink.rgb[c]))
+                        .sum::<i32>()
+                        .clamp(0, 255 << 12)
                 };
                 assert!(covered(i) > 2 * covered(1 - i), "{name} {i}");
             }
         }
+    }
+
+    #[test]
+    fn inks_of_ones_own_are_printed_without_the_white_ones() {
+        let own = |inks: [[u8; 3]; 3]| -> Vec<[u8; 3]> {
+            let mut values: Vec<f32> = BLOCK.params.iter().map(|param| param.kind.default()).collect();
+            values[OWN..].copy_from_slice(&inks.map(crate::style::params::colour_value));
+            own_inks(Args::new(&values, 1.0)).iter().map(|ink| ink.rgb).collect()
+        };
+        assert_eq!(own([[20, 30, 80], [255; 3], [240, 120, 90]]), [[240, 120, 90], [20, 30, 80]]);
+        assert_eq!(own([[255; 3]; 3]), [ink::BLACK.rgb]);
     }
 
     #[test]

@@ -1,11 +1,12 @@
 //! Soft Threshold: 255 (1 + tanh(min(0, phi (v - epsilon)))): white from epsilon on, falling off below.
-//! A colour image takes the new luma and keeps its colours.
+//! A colour image has each channel thresholded, which leaves two levels of each, as the paper has it, or takes the
+//! new luma and keeps its colour differences.
 //!
 //! Source: Winnemöller et al., "`XDoG`: an `eXtended` difference-of-Gaussians compendium", 2012.
 
 use super::{Block, Channels, Kernel, PointOp};
 use crate::simd::table::Table;
-use crate::style::params::{Unit, number};
+use crate::style::params::{Unit, channels, number};
 
 pub(super) static BLOCK: Block = Block {
     id: "soft_threshold",
@@ -28,9 +29,11 @@ pub(super) static BLOCK: Block = Block {
             (80.0, 0.0, 255.0, 1.0),
             Unit::Grey,
         ),
+        channels(&["each", "luma"]),
     ],
     kernel: Kernel::Point(|args| {
         let (phi, epsilon) = (args.number(0), args.number(1));
-        PointOp::LumaTable(Table::from_fn(|v| 255.0 * (1.0 + (phi * (v - epsilon)).min(0.0).tanh())))
+        let table = Table::from_fn(|v| 255.0 * (1.0 + (phi * (v - epsilon)).min(0.0).tanh()));
+        if args.choice(2) == 0 { PointOp::Table(table) } else { PointOp::LumaTable(table) }
     }),
 };

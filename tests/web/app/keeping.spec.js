@@ -130,6 +130,7 @@ test('a project goes into a file and comes back when it is dropped on the window
   await press(page, 'Shuffle');
   await saved(page);
   const before = await contents(page);
+  await page.getByLabel('Project name').fill('Back home');
   await page.getByRole('button', { name: 'Projects' }).click();
   const download = page.waitForEvent('download');
   await page.getByRole('button', { name: 'Save project' }).click();
@@ -140,7 +141,7 @@ test('a project goes into a file and comes back when it is dropped on the window
   await idle(page);
   await expect(panels(page)).toHaveCount(before.photos.length);
   expect(await contents(page)).toEqual(before);
-  await expect(page.getByLabel('Project name')).toHaveValue('back');
+  await expect(page.getByLabel('Project name')).toHaveValue('Back home');
   await saved(page);
   await drop(page, [
     { name: 'bad.inkpanel', mimeType: 'application/zip', buffer: buffer.subarray(0, buffer.length / 2) },

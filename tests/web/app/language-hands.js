@@ -83,7 +83,7 @@ const SCREENS = {
   words: async (page, strings) => {
     await side(page, strings.words, strings.sideTab.words);
     await button(page, strings.addWord.balloon).click();
-    await expect(page.locator('textarea')).toBeFocused();
+    await expect(page.locator('.word-editor')).toBeFocused();
     await page.keyboard.press('Enter');
   },
   'page settings': async (page, strings) => {

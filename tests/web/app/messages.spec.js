@@ -82,6 +82,6 @@ test('subtitles that are a wall of marks are answered like others', async ({ pag
   const alert = page.getByRole('alert');
   await expect(alert).toContainText('2 files could not be read.');
   await alert.getByRole('button', { name: 'Show the list' }).click();
-  await expect(page.getByRole('listitem').filter({ hasText: /^wall\.srt.*no frame of a video/ })).toBeVisible();
+  await expect(page.getByRole('listitem').filter({ hasText: /^wall\.srt.*there is no page yet/ })).toBeVisible();
   await expect(page.getByRole('listitem').filter({ hasText: /^large\.srt.*larger than 5 MB/ })).toBeVisible();
 });

@@ -18,7 +18,7 @@ const STYLE = {
   foreground: [{ block: 'to_gray' }, { block: 'xdog' }],
   ink: '#203050',
 };
-const PLAIN = ['IHDR', 'pHYs', 'IDAT', 'IEND'];
+const PLAIN = ['IHDR', 'pHYs', 'sRGB', 'IDAT', 'IEND'];
 
 /** Photos as a telephone makes them, turned and told. @param {...string} names */
 async function told(...names) {
@@ -100,7 +100,7 @@ test('a page with photos opens on another device, and goes out again byte by byt
 }) => {
   await ownPage(page);
   const png = await exported(page, 'With photos');
-  expect(chunksOf(png)).toEqual(['IHDR', 'pHYs', 'iTXt', 'IDAT', 'ipPh', 'IEND']);
+  expect(chunksOf(png)).toEqual(['IHDR', 'pHYs', 'sRGB', 'iTXt', 'IDAT', 'ipPh', 'IEND']);
   expectNoSecrets(png);
   const other = await elsewhere(browser, baseURL);
   await drop(other, [file('page.png', png)]);
@@ -117,7 +117,7 @@ test('a page with photos opens on another device, and goes out again byte by byt
 test('a page without photos waits for them, and is then the same picture', async ({ page, browser, baseURL }) => {
   await ownPage(page);
   const png = await download(page);
-  expect(chunksOf(png)).toEqual(['IHDR', 'pHYs', 'iTXt', 'IDAT', 'IEND']);
+  expect(chunksOf(png)).toEqual(['IHDR', 'pHYs', 'sRGB', 'iTXt', 'IDAT', 'IEND']);
   expectNoSecrets(png);
   const other = await elsewhere(browser, baseURL);
   await add(other, [file('page.png', png)]);
@@ -161,7 +161,7 @@ test('a page opens beside the work that is there, and there is a way back', asyn
   const note = page.getByRole('status').getByText('page.png is open again').locator('..');
   await expect(note).toBeVisible();
   await idle(page);
-  await expect(page.getByLabel('Project name')).toHaveValue('');
+  await expect(page.getByLabel('Project name')).toHaveValue(/\d{4}$/);
   await note.getByRole('button', { name: 'Back to First' }).click();
   await expect(page.getByLabel('Project name')).toHaveValue('First');
   await idle(page);
@@ -210,13 +210,14 @@ test('a project file has the photos, but not where and when they were taken', as
   await add(page, await told(...SIX.slice(0, 3)));
   await idle(page);
   const before = await picture(page);
+  await page.getByLabel('Project name').fill('Back home');
   await page.getByRole('button', { name: 'Projects' }).click();
   const project = (await saved(page, () => page.getByRole('button', { name: 'Save project' }).click())).bytes;
   for (const secret of SECRETS) expect(project.includes(Buffer.from(secret, 'latin1')), secret).toBe(false);
   await expect(page.getByRole('status').getByText('without their place, date and camera')).toBeVisible();
   await page.getByRole('button', { name: 'New project' }).click();
   await drop(page, [{ name: 'back.inkpanel', mimeType: 'application/zip', buffer: project }]);
-  await expect(page.getByLabel('Project name')).toHaveValue('back');
+  await expect(page.getByLabel('Project name')).toHaveValue('Back home');
   await idle(page);
   expect(await picture(page)).toBe(before);
 });

@@ -3,9 +3,8 @@
 
 import { readFileSync } from 'node:fs';
 import { readFile } from 'node:fs/promises';
-import { dataOf, textHead, textOf } from '../../../www/engine/png-chunks.ts';
+import { chunksOf, dataOf, textHead, textOf } from '../../../www/engine/png-chunks.ts';
 import { readArchive } from '../../../www/storage/files/archive.ts';
-import { pageFileOf } from '../../../www/storage/files/page-file.ts';
 import { savedAs } from './export-hands.js';
 import { PNG, expect } from './support.js';
 
@@ -49,8 +48,9 @@ export async function goodFiles(page) {
   );
   const project = JSON.parse(await (await /** @type {any} */ (archive.get('project.json')).read()).text());
   const png = await savedAs(page, 'png');
-  const found = /** @type {any} */ (await pageFileOf(new File([new Uint8Array(png.bytes)], 'page.png')));
-  const head = /** @type {any} */ (await textHead(/** @type {any} */ (await dataOf(found.file, found.text))));
+  const file = new File([new Uint8Array(png.bytes)], 'page.png');
+  const text = /** @type {any} */ ((await chunksOf(file))?.find(({ type }) => type === 'iTXt'));
+  const head = /** @type {any} */ (await textHead(/** @type {any} */ (await dataOf(file, text))));
   const drawn = JSON.parse(String(await textOf(head, 1 << 22)));
   const packed = drawn.photos.map((/** @type {any} */ { path }, /** @type {number} */ i) => ({
     name: path,

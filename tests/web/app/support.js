@@ -87,8 +87,9 @@ export async function add(page, files) {
  * Drops files on the window, as a person does.
  * @param {Page} page
  * @param {{ name: string, mimeType: string, buffer: Buffer }[]} files
+ * @param {{ altKey?: boolean }} [keys] held meanwhile
  */
-export async function drop(page, files) {
+export async function drop(page, files, keys = {}) {
   const plainFiles = files.map(({ name, mimeType, buffer }) => ({ name, mimeType, base64: buffer.toString('base64') }));
   const transfer = await page.evaluateHandle((list) => {
     const made = new DataTransfer();
@@ -99,7 +100,7 @@ export async function drop(page, files) {
     return made;
   }, plainFiles);
   for (const type of ['dragenter', 'dragover', 'drop'])
-    await page.dispatchEvent('body', type, { dataTransfer: transfer });
+    await page.dispatchEvent('body', type, { dataTransfer: transfer, ...keys });
 }
 
 /**

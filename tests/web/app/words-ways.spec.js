@@ -69,6 +69,42 @@ test('words stay through shuffles, are on the alternatives and in the PNG', asyn
   await expect(word(page, 'Caption: ONCE UPON A TIME')).toBeVisible();
 });
 
+test('a script becomes balloons in one step, and a word is made wider, turned and restyled on the page', async ({
+  page,
+}) => {
+  await openBoard(page);
+  await tab(page, 'Words');
+  await page
+    .getByRole('textbox', { name: 'Script or dialogue' })
+    .fill('ANNA: Where are we?\nBEN (thinks): Что это? Πού; 你好\n\nSFX: Splash');
+  await page.getByRole('button', { name: 'Put into balloons' }).click();
+  await expect(word(page, /: /)).toHaveCount(3);
+  await idle(page);
+  const effect = word(page, 'Sound effect: SPLASH');
+  await effect.click();
+  const bar = page.getByRole('toolbar', { name: 'Lettering tools' });
+  const [before, above] = [await box(effect), await box(bar)];
+  expect(above.y + above.height <= before.y || above.y >= before.y + before.height).toBe(true);
+  const drag = async (/** @type {string} */ name, /** @type {number} */ x, /** @type {number} */ y) => {
+    const handle = await box(page.getByRole('button', { name, exact: true }));
+    await page.mouse.move(handle.x + 12, handle.y + 12);
+    await page.mouse.down();
+    await page.mouse.move(handle.x + 12 + x, handle.y + 12 + y, { steps: 4 });
+    await page.mouse.up();
+    await idle(page);
+  };
+  await drag('Resize word', 40, 20);
+  expect((await box(effect)).width).toBeGreaterThan(before.width * 1.1);
+  await drag('Turn word', 60, 30);
+  const angle = page.getByRole('spinbutton', { name: 'Angle' });
+  expect(Number(await angle.inputValue())).toBeGreaterThan(0);
+  await bar.getByRole('button', { name: 'Arch up' }).click();
+  await expect(page.getByRole('spinbutton', { name: 'Arc', exact: true })).toHaveValue('60');
+  await accessible(page);
+  for (let i = 0; i < 4; i += 1) await press(page, 'Undo');
+  await expect(word(page, /: /)).toHaveCount(0);
+});
+
 test.describe('on a phone', () => {
   test.use({ viewport: { width: 360, height: 740 }, hasTouch: true });
 
@@ -99,9 +135,9 @@ test('subtitles that come with a video are put on its frames; what is malformed 
   const film = { name: 'album.mp4', mimeType: 'video/mp4', buffer: await readFile(VIDEO) };
   const cues = Array.from({ length: 6 }, (_, i) => `${i + 1}\n00:00:0${i},050 --> 00:00:0${i},950\nSecond ${i}\n`);
   await add(page, [film, textFile('album.srt', cues.join('\n'))]);
-  await expect(word(page, /^Caption: Second \d/).first()).toBeVisible({ timeout: 60_000 });
+  await expect(word(page, /^Balloon: Second \d/).first()).toBeVisible({ timeout: 60_000 });
   await idle(page);
-  const texts = await word(page, /^Caption: Second \d/).evaluateAll((list) =>
+  const texts = await word(page, /^Balloon: Second \d/).evaluateAll((list) =>
     list.map((one) => one.getAttribute('aria-label')),
   );
   const times = (await contents(page)).photos.map((name) => /(\d+):([\d.]+)/.exec(name ?? '')?.[2]);

@@ -14,6 +14,8 @@ import { failure } from '../../engine/protocol.ts';
 import type { Watch } from '../../engine/inflate.ts';
 
 type Entry = { name: string; blob: Blob };
+/** How long work is followed and stopped. */
+export type Work = { signal?: AbortSignal; onProgress?: (done: number, total: number) => void };
 /**
  * A file in it. `packed`: it has to be unpacked, which takes memory. `read` rejects with `damaged-project` where the bytes
  * are not those that were put in, with `too-large-project` where they are more than `most` or than they may be.
@@ -47,17 +49,21 @@ const ENCRYPTED = 1;
 const LATER = 8;
 const [STORED, DEFLATED] = [0, 8];
 
-/** @returns rejects with `too-large` above four gigabytes, and where nobody could open it */
-export async function archiveOf(entries: readonly Entry[]): Promise<Blob> {
+/**
+ * @param how `onProgress` counts the files of which the checksum is known
+ * @returns rejects with `too-large` above four gigabytes, and where nobody could open it
+ */
+export async function archiveOf(entries: readonly Entry[], { signal, onProgress }: Work = {}): Promise<Blob> {
   if (entries.length > ARCHIVE.entries)
     throw failure('too-large', `The project has more than ${ARCHIVE.entries} photos.`);
   const parts: BlobPart[] = [];
   const directory: BlobPart[] = [];
   let at = 0;
   let length = 0;
-  for (const { name, blob } of entries) {
+  for (const [i, { name, blob }] of entries.entries()) {
+    onProgress?.(i, entries.length);
     const bytes = new TextEncoder().encode(name);
-    const [crc, offset] = [await crcOf(blob), at];
+    const [crc, offset] = [await crcOf(blob, { signal }), at];
     // The time is 1980-01-01: when a file was made is nobody's business.
     const about = [20, UTF8, STORED, 0, 0x21];
     const local = record(LOCAL_SIZE, LOCAL, about, [crc, blob.size, blob.size], [bytes.length, 0]);

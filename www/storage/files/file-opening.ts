@@ -57,7 +57,7 @@ export function createFileOpening({
   /** How often a person has stopped it. */
   let stops = 0;
 
-  return { progress, open, cancel, stops: () => stops };
+  return { progress, open, unpack, cancel, stops: () => stops };
 
   /** Ends what is being read, and those that wait for it. */
   function cancel() {
@@ -74,6 +74,52 @@ export function createFileOpening({
     const done = last.then(() => stops === before && openNow(file, read, way));
     last = done.catch(() => {});
     return done;
+  }
+
+  /**
+   * Looks into a file that is no project itself, in its turn, with progress.
+   * @param look `step` tells how far it is
+   * @returns null where it was stopped or cannot be read, which is said
+   */
+  function unpack<T>(
+    file: File,
+    look: (watch: Hands['watch'], step: (done: number, total: number) => void) => Promise<T>,
+  ): Promise<T | null> {
+    const before = stops;
+    const done = last.then(() => (stops === before ? unpackNow(file, look) : null));
+    last = done.catch(() => {});
+    return done;
+  }
+
+  async function unpackNow<T>(
+    file: File,
+    look: (watch: Hands['watch'], step: (done: number, total: number) => void) => Promise<T>,
+  ): Promise<T | null> {
+    stop = new AbortController();
+    progress.value = { name: file.name, done: 0, total: 1 };
+    const { signal: cancelled } = stop;
+    const quiet = silence(stop);
+    try {
+      const step = (done: number, total: number) => {
+        if (!cancelled.aborted) progress.value = { name: file.name, done, total };
+      };
+      const found = await Promise.race([quiet.over, look({ signal: cancelled, beat: quiet.beat }, step)]);
+      cancelled.throwIfAborted();
+      return found;
+    } catch (error) {
+      tell(file, cancelled.aborted ? cancelled.reason : error);
+      return null;
+    } finally {
+      quiet.end();
+      progress.value = null;
+    }
+  }
+
+  function tell(file: File, error: unknown, way?: Way) {
+    const { code, message } = error as { code?: string; message: string };
+    const why = strings.projectReasons[code ?? ''] ?? message;
+    if (code !== 'cancelled')
+      messages.fileFailed(file.name, why, { text: strings.projectFileNotOpened(file.name, why), way });
   }
 
   async function openNow(file: File, read: (hands: Hands) => Promise<Content>, way?: Way) {
@@ -112,10 +158,7 @@ export function createFileOpening({
     } catch (error) {
       taken.forEach(engine.forgetPhoto);
       // What was stopped fails in many ways, for the one reason.
-      const { code, message } = (cancelled.aborted ? cancelled.reason : error) as { code?: string; message: string };
-      const why = strings.projectReasons[code ?? ''] ?? message;
-      if (code !== 'cancelled')
-        messages.fileFailed(file.name, why, { text: strings.projectFileNotOpened(file.name, why), way });
+      tell(file, cancelled.aborted ? cancelled.reason : error, way);
       return false;
     } finally {
       quiet.end();

@@ -8,13 +8,23 @@ import { PNG, TEXT } from '../../engine/limits.ts';
 import { archiveOf, readArchive } from './archive.ts';
 import { readProjectJson } from './project-json.ts';
 import { damaged } from '../../document/versions.ts';
+import { failure } from '../../engine/protocol.ts';
+import { strings } from '../../strings/strings.ts';
 import type { Planner } from '../../document/store.ts';
+import type { Watch } from '../../engine/inflate.ts';
+import type { Work } from './archive.ts';
 import type { Chunk } from '../../engine/png-chunks.ts';
 import type { Archive } from './file-opening.ts';
 import type { FileProject } from './project-json.ts';
 
-/** A page that was found to have a project. */
-export type PageFile = { file: File; text: Chunk; photos: Chunk | null };
+/**
+ * A file that was found to have a project. `read` gives it with its photos, and rejects with `damaged-project`,
+ * `newer-project` or `too-large-project`.
+ */
+export type PageFile = {
+  file: File;
+  read: (planner: Pick<Planner, 'readProject'>, watch?: Watch) => Promise<{ project: FileProject; archive: Archive }>;
+};
 
 const KEYWORD = 'inkpanel';
 /** By the letters' cases: not needed for the picture, of one program, may be copied with it. */
@@ -25,9 +35,13 @@ export async function withProject(
   png: Blob,
   json: string,
   photos: readonly { name: string; blob: Blob }[],
+  work: Work = {},
 ): Promise<Blob> {
   const before = [await textChunk(KEYWORD, json)];
-  const after = photos.length > 0 ? [await chunkOf(PHOTOS, await archiveOf(photos))] : [];
+  const archive = photos.length > 0 ? await archiveOf(photos, work) : null;
+  // The format has no longer chunks.
+  if (archive && archive.size > PNG.longest) throw failure('too-large', strings.photosTooLarge);
+  const after = archive ? [await chunkOf(PHOTOS, archive)] : [];
   return withChunks(png, { before, after });
 }
 
@@ -37,23 +51,27 @@ export async function pageFileOf(file: File): Promise<PageFile | null> {
   const chunks = await chunksOf(file);
   for (const text of chunks?.filter(({ type }) => type === 'iTXt').slice(0, PNG.texts) ?? []) {
     const head = await textHead(file.slice(text.at, text.at + text.length));
-    if (head?.keyword === KEYWORD) return { file, text, photos: chunks?.find(({ type }) => type === PHOTOS) ?? null };
+    if (head?.keyword !== KEYWORD) continue;
+    const photos = chunks?.find(({ type }) => type === PHOTOS) ?? null;
+    return { file, read: (planner) => readChunks(file, text, photos, planner) };
   }
   return null;
 }
 
-/** @returns rejects with `damaged-project`, `newer-project` or `too-large-project` */
-export async function readPageFile(
-  { file, text, photos }: PageFile,
-  planner: Pick<Planner, 'readProject'>,
-): Promise<{ project: FileProject; archive: Archive }> {
+async function readChunks(file: File, text: Chunk, photos: Chunk | null, planner: Pick<Planner, 'readProject'>) {
   const data = text.length > TEXT.page ? null : await dataOf(file, text);
   const head = data && (await textHead(data));
   const json = head && (await textOf(head, TEXT.page));
   if (!json) throw damaged('the text of the page is damaged');
+  const project = withPage(json, planner);
+  return { project, archive: photos ? await photosIn(file.slice(photos.at, photos.at + photos.length)) : new Map() };
+}
+
+/** @returns throws where it has no page */
+export function withPage(json: string, planner: Pick<Planner, 'readProject'>): FileProject {
   const project = readProjectJson(json, planner);
   if (!project.history.present.page) throw damaged('page: is missing');
-  return { project, archive: photos ? await photosIn(file.slice(photos.at, photos.at + photos.length)) : new Map() };
+  return project;
 }
 
 /** Each entry knows its own checksum. A part that is broken costs the photos, not the page; one that is a trap costs all. */

@@ -6,9 +6,12 @@
 import { signal } from '@preact/signals';
 import { strings } from '../../strings/strings.ts';
 import { EMPTY_PROJECT } from '../../document/empty.ts';
+import { MOST } from '../../document/limits.ts';
+import { photosOn, sheetsOf } from '../../document/sheets.ts';
 import { foundPhotos } from './found-photos.ts';
-import { pageFileOf, readPageFile, withProject } from './page-file.ts';
-import { pageJson } from './page-json.ts';
+import { isArchiveFile, projectEntry, readInside } from './page-archive.ts';
+import { pageFileOf, withProject } from './page-file.ts';
+import { numbered, pageJson } from './page-json.ts';
 import { renamed } from './project-json.ts';
 import type { Messages } from '../../ui/messages.ts';
 import type { Fact } from '../../document/album.ts';
@@ -21,12 +24,13 @@ import type { Opening } from '../opening.ts';
 import type { Projects } from '../projects.ts';
 import type { Content } from '../restoring.ts';
 import type { AbsentPhotos } from './absent-photos.ts';
+import type { Work } from './archive.ts';
 import type { Archive, FileOpening, Hands } from './file-opening.ts';
 import type { PageFile } from './page-file.ts';
 import type { FileProject } from './project-json.ts';
 import type { Signal } from '@preact/signals';
 
-/** What a PNG carries: nothing, the project, or the photos too. */
+/** What a PNG or an archive of pages carries: nothing, the project, or the photos too. */
 export type Cargo = 'none' | 'project' | 'photos';
 export type PageFiles = ReturnType<typeof createPageFiles>;
 
@@ -57,7 +61,7 @@ export function createPageFiles({
   /** What the next PNG carries. */
   const cargo: Signal<Cargo> = signal('project');
 
-  return { cargo, take, carrying, among, allAmong, open, openChosen };
+  return { cargo, take, carrying, packed, among, allAmong, unpacked, open, openChosen };
 
   /** What this PNG carries. Photos go with the one for which they were asked, no other. */
   function take(): Cargo {
@@ -74,12 +78,46 @@ export function createPageFiles({
     png: Blob,
     page: PageDocument,
     what: Cargo = take(),
+    work: Work = {},
   ): Promise<{ png: Blob; unclean: number }> {
     if (what === 'none') return { png, unclean: 0 };
-    const fileOf = (id: string) => (engine.photos.has(id) ? engine.photos.get(id).file : null);
-    const { json, files, unclean } = await pageJson(store.project.peek(), page, { album: store.album.peek(), fileOf });
+    const { json, files, unclean } = await told(page, work);
     const photos = what === 'photos' ? files : [];
-    return { png: await withProject(png, json, photos), unclean: what === 'photos' ? unclean : 0 };
+    return { png: await withProject(png, json, photos, work), unclean: what === 'photos' ? unclean : 0 };
+  }
+
+  /** @returns the same for an archive of pages: what lies beside them; null where it carries nothing */
+  async function packed(
+    what: Cargo,
+    work: Work = {},
+  ): Promise<{ entry: { name: string; blob: Blob }; unclean: number } | null> {
+    const page = store.page.peek();
+    if (what === 'none' || !page) return null;
+    const { json, files, unclean } = await told(page, work);
+    const photos = what === 'photos';
+    return { entry: await projectEntry(json, photos ? files : [], work), unclean: photos ? unclean : 0 };
+  }
+
+  function told(page: PageDocument, work: Work) {
+    const fileOf = (id: string) => (engine.photos.has(id) ? engine.photos.get(id).file : null);
+    return pageJson(store.project.peek(), page, { album: store.album.peek(), fileOf, ...work });
+  }
+
+  /**
+   * What is in an archive that was dropped or chosen.
+   * @returns the project that it carries, or one that it is itself under another name; and its pictures. What cannot be
+   * read is said
+   */
+  async function unpacked(file: File): Promise<{ page?: PageFile; project?: File; pictures: File[] }> {
+    const inside = await fileOpening.unpack(file, (watch, step) => readInside(file, { ...watch, step }));
+    if (!inside) return { pictures: [] };
+    if ('page' in inside) return { page: inside.page, pictures: [] };
+    if ('project' in inside) return { project: file, pictures: [] };
+    const { pictures, damaged, beyond } = inside;
+    for (const name of damaged) messages.fileFailed(name, strings.damagedInArchive(file.name));
+    if (beyond > 0) messages.alert(strings.tooManyPhotos(beyond, strings.decimal(MOST.photos)));
+    if (pictures.length + damaged.length === 0) messages.fileFailed(file.name, strings.noPicturesInside);
+    return { pictures };
   }
 
   /** @returns the first that carries a project */
@@ -100,6 +138,7 @@ export function createPageFiles({
   /** @returns whether it is on the page now */
   async function open(page: PageFile): Promise<boolean> {
     const { file } = page;
+    const picture = !isArchiveFile(file);
     /** What was there when its turn came, if anything. */
     const there: { id: string; name: string }[] = [];
     let missing = 0;
@@ -113,17 +152,17 @@ export function createPageFiles({
       async (hands) => {
         if (store.tray.peek().length > 0)
           there.push({ id: opening.current.peek(), name: store.project.peek().name || strings.untitled });
-        const { project, archive } = await readPageFile(page, hands.planner);
-        const content = await contentOf(onePage(project), archive, hands);
+        const { project, archive } = await page.read(hands.planner, hands.watch);
+        const content = await contentOf(pagesAlone(project), archive, hands);
         missing = [...content.album.values()].filter(({ absent }) => absent).length;
         unread.push(...content.unread);
         return content;
       },
-      asPhoto(async () => {}),
+      picture ? asPhoto(async () => {}) : undefined,
     );
     if (!done) return false;
     const before = there[0] ?? null;
-    const way = asPhoto(() => leave(before?.id ?? null));
+    const way = picture ? asPhoto(() => leave(before?.id ?? null)) : undefined;
     const of = store.tray.peek().length;
     if (missing > 0) absentPhotos.tell(strings.photosMissing(file.name, missing, of), way);
     else
@@ -137,13 +176,18 @@ export function createPageFiles({
   }
 
   /**
-   * Opens a PNG that was chosen as a project.
+   * Opens a PNG or an archive that was chosen as a project.
+   * @param openProject opens a project file
    * @returns whether it is on the page now
    */
-  async function openChosen(file: File): Promise<boolean> {
-    const page = await among([file]);
+  async function openChosen(file: File, openProject: (file: File) => Promise<boolean>): Promise<boolean> {
+    const { page, project, pictures } = isArchiveFile(file)
+      ? await unpacked(file)
+      : { page: await among([file]), project: undefined, pictures: [file] };
     if (page) return open(page);
-    const way = { label: strings.useAsPhoto, run: () => void reading.addFiles([file]) };
+    if (project) return openProject(project);
+    if (pictures.length === 0) return false;
+    const way = { label: strings.useAsPhoto, run: () => void reading.addFiles(pictures) };
     messages.fileFailed(file.name, strings.noProjectInside, {
       text: strings.projectFileNotOpened(file.name, strings.noProjectInside),
       way,
@@ -196,17 +240,21 @@ export function createPageFiles({
   }
 }
 
-/** @returns with the photos of its page only, and as a page that was shown */
-function onePage({ history, photos, dropped }: FileProject): FileProject {
-  const page = history.present.page as PageDocument;
-  const shown = new Set(page.panels.map(({ photo }) => photo));
+/** @returns with the photos of its pages only, and each as a page that was shown */
+function pagesAlone({ history, photos, dropped }: FileProject): FileProject {
+  const pages = sheetsOf(history.present).map(({ page }) => page);
+  const shown = photosOn(pages);
   const own = photos.filter(({ id }) => shown.delete(id));
   const known = new Set(own.map(({ id }) => id));
   const tray = own.map(({ id }) => history.present.tray.find((item) => item.id === id) ?? { id, use: true });
-  const panels = page.panels.map((panel) => (known.has(panel.photo ?? '') ? panel : { ...panel, photo: null }));
-  const whole = { ...page, panels, order: page.order.filter((id) => known.has(id)) };
-  // Of a project that is more than its page, only what a page is made with.
-  const { name, alike, order, locks, panels: wanted, styling } = history.present;
+  const whole = pages.map((page) => ({
+    ...page,
+    panels: page.panels.map((panel) => (known.has(panel.photo ?? '') ? panel : { ...panel, photo: null })),
+    order: page.order.filter((id) => known.has(id)),
+  }));
+  // Of a project that is more than its pages, only what these are made with.
+  const { name, alike, order, locks, panels: wanted, styling, at } = history.present;
+  const sheets = numbered(whole, at);
   const present = {
     ...EMPTY_PROJECT,
     name,
@@ -216,14 +264,18 @@ function onePage({ history, photos, dropped }: FileProject): FileProject {
     panels: wanted,
     styling,
     tray,
-    page: whole,
-    pageId: 1,
-    settings: page.page,
+    ...sheets,
+    settings: sheets.page.page,
   };
   return {
     photos: own,
     videos: [],
     dropped,
-    history: { past: [], present, future: [], shown: [{ id: 1, page: whole }] },
+    history: {
+      past: [],
+      present,
+      future: [],
+      shown: whole.map((page, i) => ({ id: i + 1, page, ...(i > 0 ? { sheet: i } : {}) })),
+    },
   };
 }

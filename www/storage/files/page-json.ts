@@ -1,27 +1,30 @@
 /**
- * What a downloaded page tells of itself: the page with its layout, style, crops and words, and of its photos how they
- * are recognised. The shape is that of `project.json`, so the same checks and migrations hold. Names of files, ids and
+ * What a downloaded page tells of itself: the storyboard that it belongs to, each page with its layout, style, crops and
+ * words, and of its photos how they are recognised. The shape is that of `project.json`, so the same checks and migrations hold. Names of files, ids and
  * times stay here: the same page gives the same text wherever it is made.
  */
 
 import { EMPTY_PROJECT } from '../../document/empty.ts';
+import { photosOn, sheetsOf } from '../../document/sheets.ts';
 import { hashOf, strippedOf } from '../../photos/identity.ts';
 import { projectJson } from './project-json.ts';
 import type { Album } from '../../document/album.ts';
 import type { PageDocument, Project } from '../../document/project.ts';
+import type { Work } from './archive.ts';
 
 /**
- * @param page as it is drawn, which may be in another size than the project has it
- * @param photos `fileOf`: null of a photo that is not here
+ * @param page the present one as it is drawn, which may be in another size than the project has it
+ * @param photos `fileOf`: null of a photo that is not here; `onProgress` counts them
  * @returns `files`: the photos that are
  *   here under the names that the text has for them, without what cameras write; `unclean`: those of a kind that keeps it
  */
 export async function pageJson(
   project: Project,
   page: PageDocument,
-  { album, fileOf }: { album: Album; fileOf: (id: string) => Blob | null },
+  { album, fileOf, signal, onProgress }: { album: Album; fileOf: (id: string) => Blob | null } & Work,
 ): Promise<{ json: string; files: { name: string; blob: Blob }[]; unclean: number }> {
-  const shown = new Set(page.panels.map(({ photo }) => photo));
+  const pages = pagesWith(project, page);
+  const shown = photosOn(pages);
   const facts = project.tray
     .flatMap(({ id }) => (shown.has(id) ? (album.get(id) ?? []) : []))
     .filter(({ meta }) => meta !== null);
@@ -33,6 +36,8 @@ export async function pageJson(
   const blobs = new Map();
   let unclean = 0;
   for (const { id, credit, meta, measures, looked, absent } of facts) {
+    signal?.throwIfAborted();
+    onProgress?.(told.length, facts.length);
     const file = absent ? null : fileOf(id);
     const known = meta as NonNullable<typeof meta>;
     const { fingerprint, width, height } = known;
@@ -66,11 +71,11 @@ export async function pageJson(
     .filter(({ id }) => ids.has(id))
     .map(({ id, focus }) => ({ id: idOf(id), use: true, ...(focus ? { focus } : {}) }));
   const { name, alike, order, locks, panels, styling } = project;
-  const drawn = {
+  const drawn = pages.map((page) => ({
     ...page,
     order: page.order.flatMap((id) => ids.get(id) ?? []),
     panels: page.panels.map((panel) => ({ ...panel, photo: ids.get(panel.photo ?? '') ?? null })),
-  };
+  }));
   const present = {
     ...EMPTY_PROJECT,
     name,
@@ -81,10 +86,33 @@ export async function pageJson(
     styling,
     tray,
     settings: page.page,
-    page: drawn,
-    pageId: 1,
+    ...numbered(drawn, project.page ? project.at : 0),
   };
   const { json, paths } = projectJson({ present, shown: [] }, told, []);
   const files = [...paths].flatMap(([id, path]) => (blobs.has(id) ? { name: path, blob: blobs.get(id) } : []));
   return { json, files, unclean };
+}
+
+/** Pages as the storyboard of a project, with numbers that tell nothing of how it came to be. */
+export function numbered(pages: readonly PageDocument[], at: number) {
+  const sheets = pages.map((page, i) => ({ page, pageId: i + 1, sheet: i }));
+  return { ...sheets[at], others: sheets.toSpliced(at, 1), at };
+}
+
+/**
+ * The pages of a project with the present one as it is drawn. Where that has more or fewer pixels on the same paper the
+ * others have as many, so that they still are one storyboard.
+ */
+function pagesWith(project: Project, page: PageDocument): PageDocument[] {
+  const sheets = sheetsOf(project).map((sheet) => sheet.page);
+  const own = sheets[project.at]?.page;
+  if (!own) return [page];
+  const { width, height, dpi } = page.page;
+  const sameSide = ({ width: w, height: h }: typeof own) => w === own.width && h === own.height;
+  const scaled =
+    (width !== own.width || height !== own.height) && Math.abs((width / height) * (own.height / own.width) - 1) < 0.01;
+  return sheets.map((other, i) => {
+    if (i === project.at) return page;
+    return scaled && sameSide(other.page) ? { ...other, page: { ...other.page, width, height, dpi } } : other;
+  });
 }

@@ -70,7 +70,7 @@ describe('a page that was tampered with', () => {
         changed((_, page) => {
           page.panels = Array(100_000).fill(page.panels[0]);
         }),
-      /damaged/,
+      /more than a project can/,
     ],
     [
       'a crop beyond the photo',

@@ -39,7 +39,7 @@ async function changed(change: (json: any) => any) {
 
 describe('a project file', () => {
   it('opens as a project of its own, as it was', async () => {
-    expect(file.name).toBe('Trip- one-two.inkpanel');
+    expect(file.name).toBe('Trip one two.inkpanel');
     const { present, shown } = documentOf(tab);
     await tab.keeping.create();
     tab.store.change({ type: 'own-styles', mine: [] });

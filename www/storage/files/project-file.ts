@@ -3,10 +3,12 @@
  * but without what cameras write beside them.
  */
 
+import { signal } from '@preact/signals';
 import { PLACES_FOR_LOST, TEXT } from '../../engine/limits.ts';
 import { strings } from '../../strings/strings.ts';
 import { createEditing } from '../../document/editing.ts';
 import { sheetsOf } from '../../document/sheets.ts';
+import { fileNameOf } from '../../ui/file-name.ts';
 import { save as saveFile } from '../../ui/files.ts';
 import { archiveOf, readArchive } from './archive.ts';
 import { strippedOf } from '../../photos/identity.ts';
@@ -19,8 +21,10 @@ import type { Planner, Store } from '../../document/store.ts';
 import type { Engine } from '../../engine/engine.ts';
 import type { Saving } from '../saving.ts';
 import type { Snapshot } from '../snapshot.ts';
+import type { Work } from './archive.ts';
 import type { Archive, FileOpening, Hands } from './file-opening.ts';
 import type { FilePhoto, FileProject } from './project-json.ts';
+import type { Signal } from '@preact/signals';
 
 export const EXTENSION = '.inkpanel';
 
@@ -32,7 +36,7 @@ export function createProjectFiles({
   store,
   engine,
   messages,
-  saving,
+  saving: saves,
   fileOpening,
 }: {
   store: Store;
@@ -41,27 +45,44 @@ export function createProjectFiles({
   saving: Pick<Saving, 'filed'>;
   fileOpening: FileOpening;
 }) {
-  return { save, open };
+  /** The files that are in it by now, while it is made. */
+  const saving: Signal<{ done: number; total: number } | null> = signal(null);
+  let stop: AbortController | null = null;
+
+  return { save, open, saving, cancelSaving: () => stop?.abort() };
 
   /** Gives the project to the person as a file. */
   async function save() {
+    // A second press would only make the same file again.
+    if (stop) return;
+    stop = new AbortController();
+    const { signal: cancelled } = stop;
     try {
-      const { file, name, unclean } = await packed();
+      const { file, name, unclean } = await packed({
+        signal: cancelled,
+        onProgress: (done, total) => {
+          saving.value = total > 1 ? { done, total } : null;
+        },
+      });
+      cancelled.throwIfAborted();
       saveFile(file, name);
-      saving.filed();
+      saves.filed();
       messages.note(strings.projectSaved(unclean));
     } catch (error) {
-      messages.alert(strings.projectNotSaved((error as Error).message));
+      if (!cancelled.aborted) messages.alert(strings.projectNotSaved((error as Error).message));
+    } finally {
+      stop = null;
+      saving.value = null;
     }
   }
 
-  async function packed() {
+  async function packed(work: Work) {
     const { history, facts, videos } = snapshotOf(store);
     const read = facts.filter(({ id }) => engine.photos.has(id));
     const blobs: Map<string, Blob> = new Map();
     for (const { id } of read) blobs.set(id, engine.photos.get(id).file);
     for (const { key, file } of videos) blobs.set(videoKey(key), file);
-    return packedProject({ history, facts: read, videos }, blobs);
+    return packedProject({ history, facts: read, videos }, blobs, { work });
   }
 
   /** Opens a project file beside those that there are. */
@@ -103,7 +124,7 @@ export function videoKey(key: string) {
 
 /**
  * @param blobs the files of its photos, by their ids, and of its videos
- * @param version of the history
+ * @param how `version` of the history; `work`: each file counts twice, as it is read twice
  * @returns `unclean`: files whose place and date could not be taken out
  */
 export async function packedProject(
@@ -113,7 +134,7 @@ export async function packedProject(
     videos,
   }: Pick<Snapshot, 'history' | 'facts'> & { videos: readonly (Omit<Video, 'file'> & { file: Blob })[] },
   blobs: ReadonlyMap<string, Blob>,
-  version?: number,
+  { version, work = {} }: { version?: number; work?: Work } = {},
 ): Promise<{ file: Blob; name: string; unclean: string[] }> {
   const { json, paths } = projectJson(
     history,
@@ -124,6 +145,8 @@ export async function packedProject(
   const unclean: string[] = [];
   const entries = [];
   for (const [id, name] of paths) {
+    work.signal?.throwIfAborted();
+    work.onProgress?.(entries.length / 2, paths.size);
     const { blob, clean } = await strippedOf(blobs.get(id) as Blob);
     if (!clean)
       unclean.push(
@@ -131,13 +154,16 @@ export async function packedProject(
       );
     entries.push({ name, blob });
   }
-  const file = await archiveOf([{ name: 'project.json', blob: new Blob([json]) }, ...entries]);
-  return { file: new Blob([file], { type: 'application/zip' }), name: fileNameOf(history.present.name), unclean };
+  const file = await archiveOf([{ name: 'project.json', blob: new Blob([json]) }, ...entries], {
+    signal: work.signal,
+    onProgress: (done, total) => work.onProgress?.((paths.size * (1 + done / total)) / 2, paths.size),
+  });
+  return { file: new Blob([file], { type: 'application/zip' }), name: projectFileName(history.present.name), unclean };
 }
 
 /** @param name of a project */
-export function fileNameOf(name: string) {
-  return `${(name || strings.untitled).replaceAll(/[^\p{L}\p{N} ._-]+/gu, '-').slice(0, 80)}${EXTENSION}`;
+export function projectFileName(name: string) {
+  return fileNameOf([name], EXTENSION.slice(1), strings.untitled);
 }
 
 /**

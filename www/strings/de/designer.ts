@@ -36,6 +36,8 @@ export const designerStrings = {
   },
   emptyLayer: { background: 'Noch nichts: das Foto, wie es ist.', foreground: 'Noch nichts: keine Linien.' },
   ink: 'Tuschefarbe',
+  careForFaces: 'Achtet auf Gesichter',
+  careForFacesHelp: 'Linien und Punkte nicht größer, als Gesichter vertragen, und ihre Farben nah am Foto.',
   addBlock: 'Baustein hinzufügen',
   addToLayer: { background: 'Zu den Farben', foreground: 'Zu den Linien' },
   palette: 'Bausteine zur Auswahl',
@@ -57,6 +59,14 @@ export const designerStrings = {
   card: (name: string, n: number) => `${n}. ${name}`,
   valueOf: (label: string) => `${label}, als Zahl`,
   defaultIs: (value: string) => `Normalerweise ${value}`,
+  chooseTexture: 'Bild wählen',
+  otherTexture: 'Anderes Bild',
+  removeTexture: 'Textur entfernen',
+  textureFile: 'Bild für die Textur',
+  textureShown: 'Die Textur',
+  textureTooLarge: (name: string, kilobytes: number, most: number) =>
+    `${name} hat ${kilobytes} kB, eine Textur höchstens ${most}. Speichere sie kleiner und wähle sie noch einmal.`,
+  textureOfAnotherKind: (name: string) => `${name} ist weder ein PNG- noch ein JPEG-Bild.`,
   totalTime: (time: string) => `${time} insgesamt`,
   lacks: {
     luma: 'Braucht Grau und bekommt hier Farbe. Bis dahin wird er ausgelassen.',
@@ -78,11 +88,13 @@ export const designerStrings = {
   styleSaved: (name: string) => `${name} ist in Meine Stile.`,
   styleDeleted: (name: string) => `${name} wurde gelöscht. Rückgängig holt ihn zurück.`,
   styleKept: (name: string) => `${name} ist in Meine Stile. Füge Fotos hinzu, um ihn zu sehen.`,
-  styleTooLong: (name: string) => `Stil ${name}: Die Datei ist länger als 256 KB`,
+  styleTooLong: (name: string) => `Stil ${name}: Die Datei ist länger als 512 KB`,
   stylesNotKept:
     'Der Speicher dieses Browsers ist voll oder gesperrt. Deine Stile und Layouts bleiben nur, solange diese Seite offen ist. Exportiere, was du behalten willst.',
   linkedStyle: 'Stil aus dem Link',
   linkCopied: 'Der Link ist in der Zwischenablage.',
+  linkTooLong: (name: string) =>
+    `${name} ist zu lang für einen Link, denn die Textur geht mit. Exportiere den Stil als Datei.`,
   linkNotCopied: (link: string) => `Die Zwischenablage geht hier nicht. Der Link ist: ${link}`,
 
   // Explorer

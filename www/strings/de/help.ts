@@ -1,6 +1,7 @@
 import { boardStrings as board } from './board.ts';
 import { bookStrings } from './book.ts';
 import { designerStrings as designer } from './designer.ts';
+import { imitationStrings as imitation } from './imitation.ts';
 import { storageStrings as storage } from './storage.ts';
 import { offlineStrings } from './offline.ts';
 import { panelStrings as panels } from './panels.ts';
@@ -83,6 +84,10 @@ export const helpStrings = {
       title: 'Einen Stil finden: der Explorer',
       text: `Er beginnt mit erfundenen Stilen auf deinem eigenen Foto, und „${designer.generate}“ macht mehr davon. Ein Klick zeigt einen groß. Merke dir mit dem Herz, was dir gefällt, mach mit „${designer.breed}“ aus zweien neue und setze mit „${designer.useStyle}“ einen auf die Seite. Jeden davon kannst du im Designer verändern.`,
     },
+    imitation: {
+      title: 'Ein Stil aus einem Bild',
+      text: `„${imitation.styleFromPicture}“ überträgt das Aussehen einer Comicseite, eines Drucks oder eines Gemäldes auf deine Fotos. Wähle das Bild dort oder lege es mit gedrückter Alt-Taste irgendwo ab. Nach wenigen Sekunden siehst du drei bis sechs Stile auf deinem eigenen Foto; nimm einen, speichere ihn oder verändere ihn im Designer.`,
+    },
     words: {
       title: 'Textkästen, Sprechblasen und Soundworte',
       text: `Unter „${side.sideTab.words}“ fügst du einen Textkasten, eine Sprechblase oder ein Soundwort hinzu; es kommt dorthin, wo es kein Gesicht verdeckt, wenn Platz ist. Zieh es, oder schreib nach einem Doppelklick hinein; mit dem Finger tippst du es noch einmal an. Auch Filme bringen Worte mit: „${words.addSubtitles}“ liest eine Untertiteldatei.`,
@@ -110,6 +115,10 @@ export const helpStrings = {
     export: {
       title: 'Exportieren: PNG, JPEG, WebP, PDF',
       text: `„${board.download}“ speichert die Seite in Druckgröße, aus deinen Originalfotos. Unter „${board.export}“ gibt es JPEG, WebP und PDF, dazu die Qualität. Mehrere Seiten werden ein PDF, ein ZIP oder ein CBZ für Comic-Leseprogramme.`,
+    },
+    comics: {
+      title: 'Comics zum Lesen: HTML, EPUB, CBZ',
+      text: `„${board.export}“ macht auch Comics. „HTML-Comic“ ist eine Datei, die alle in einem Browser öffnen können: Mit Tippen, Wischen oder den Pfeiltasten geht es von Panel zu Panel, dazu gibt es ganze Seiten und alles als Text. EPUB ist für Lese-Apps, CBZ für Comic-Leseprogramme. In allen ist jedes Panel in seiner Reihenfolge bekannt, mit seinen Worten und, soweit es gefunden wurde, mit dem, was es zeigt; so lassen sie sich vorlesen.`,
     },
     privacy: {
       title: 'Offline und privat',

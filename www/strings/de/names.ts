@@ -42,6 +42,7 @@ export const names: Names = {
     paper: 'Papier',
   },
   choices: {
+    own: 'Eigene',
     hatch: 'Schraffur',
     cross_hatch: 'Kreuzschraffur',
     dots: 'Punkte',
@@ -50,6 +51,8 @@ export const names: Names = {
     stipple: 'Punktierung',
     cmyk: 'CMYK',
     mono: 'Eine Farbe',
+    luma: 'Nur Helligkeit',
+    each: 'Jeder Farbkanal',
     photo: 'Aus dem Foto',
     comic: 'Comic',
     gouache: 'Gouache',

@@ -47,6 +47,9 @@ export const storageStrings = {
   openNamed: (name: string) => `${name} öffnen`,
   duplicateNamed: (name: string) => `${name} duplizieren`,
   deleteNamed: (name: string) => `${name} löschen`,
+  renameNamed: (name: string) => `${name} umbenennen`,
+  newNameOf: (name: string) => `Neuer Name von ${name}`,
+  sampleAlbum: 'Beispielalbum',
   openNow: 'Gerade offen',
   projectAbout: (photos: number, when: string) =>
     `${photos === 1 ? '1 Foto' : `${photos} Fotos`}${when && `, ${when}`}`,

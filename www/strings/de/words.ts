@@ -15,7 +15,7 @@ export const wordStrings = {
   wordList: 'Worte auf der Seite',
   noWords: 'Noch keine Worte.',
   shape: 'Form',
-  shapes: { oval: 'Rede', thought: 'Gedanke', shout: 'Schrei', whisper: 'Flüstern' },
+  shapes: { oval: 'Rede', thought: 'Gedanke', shout: 'Schrei', whisper: 'Flüstern', radio: 'Funk' },
   editWord: 'Text ändern',
   moveWord: 'Bewegen nach…',
   pointTail: 'Dorn zeigt auf…',
@@ -40,16 +40,12 @@ export const wordStrings = {
   wordsFailed: (why: string) => `Die Worte konnten nicht gezeichnet werden: ${why}`,
 
   // Subtitles
-  subtitles: 'Untertitel',
   addSubtitles: 'Untertitel hinzufügen',
   subtitlesFile: 'Untertiteldatei',
   subtitlesAs: 'Als',
   subtitlesKinds: { caption: 'Textkästen', balloon: 'Sprechblasen' },
-  subtitlesAdded: (n: number) =>
-    n === 1 ? '1 Untertitel wurde auf die Seite gesetzt.' : `${n} Untertitel wurden auf die Seite gesetzt.`,
-  subtitlesNoFrames:
-    'Auf der Seite ist kein Einzelbild eines Videos. Füge erst das Video hinzu, dann seine Untertitel.',
-  subtitlesNoMatch: 'Zu den Zeiten der Einzelbilder auf der Seite wird nichts gesagt.',
+  subtitlesNoFrames: 'Es gibt noch keine Seite. Füge erst Fotos oder das Video hinzu.',
+  subtitlesNoMatch: 'Nahe den Zeiten der Einzelbilder wird nichts gesagt.',
   subtitlesLeft: (n: number, of: number) =>
     `${of} Untertitel wurden gelesen; ${n} weitere ${n === 1 ? 'war zu viel und wurde' : 'waren zu viele und wurden'} ausgelassen.`,
   subtitlesCut: (n: number) =>
@@ -58,7 +54,7 @@ export const wordStrings = {
       : `${n} Untertitel sind zu lang, daher wurden ihre Enden ausgelassen.`,
   subtitleErrors: {
     empty: 'Es sind keine Untertitel darin.',
-    binary: 'Es ist kein Text in UTF-8 oder UTF-16.',
+    binary: 'Es ist kein lesbarer Text.',
     large: 'Sie ist größer als 5 MB.',
     time: (line: number, text: string) => `Zeile ${line}: „${text}“ ist keine Zeit wie 00:01:02,500 --> 00:01:04,000.`,
     order: (line: number) => `Zeile ${line}: Der Untertitel endet, bevor er beginnt.`,

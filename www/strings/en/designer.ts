@@ -38,6 +38,8 @@ export const designerStrings = {
   },
   emptyLayer: { background: 'Nothing yet: the photo as it is.', foreground: 'Nothing yet: no lines.' },
   ink: 'Ink colour',
+  careForFaces: 'Takes care of faces',
+  careForFacesHelp: 'Lines and dots no larger than faces bear, and colours of faces near the photo.',
   addBlock: 'Add block',
   addToLayer: { background: 'Add to colours', foreground: 'Add to lines' },
   palette: 'Blocks to add',
@@ -59,6 +61,14 @@ export const designerStrings = {
   card: (name: string, n: number) => `${n}. ${name}`,
   valueOf: (label: string) => `${label}, as a number`,
   defaultIs: (value: string) => `Usually ${value}`,
+  chooseTexture: 'Choose a picture',
+  otherTexture: 'Another picture',
+  removeTexture: 'Remove texture',
+  textureFile: 'Picture for the texture',
+  textureShown: 'The texture',
+  textureTooLarge: (name: string, kilobytes: number, most: number) =>
+    `${name} has ${kilobytes} kB, a texture may have at most ${most}. Save it smaller and choose it again.`,
+  textureOfAnotherKind: (name: string) => `${name} is neither a PNG nor a JPEG picture.`,
   totalTime: (time: string) => `${time} in all`,
   lacks: {
     luma: 'Needs gray, and gets colour here. It is left out until then.',
@@ -80,11 +90,13 @@ export const designerStrings = {
   styleSaved: (name: string) => `${name} is in My styles.`,
   styleDeleted: (name: string) => `${name} was deleted. Undo brings it back.`,
   styleKept: (name: string) => `${name} is in My styles. Add photos to see it.`,
-  styleTooLong: (name: string) => `style ${name}: file: is longer than 256 KB`,
+  styleTooLong: (name: string) => `style ${name}: file: is longer than 512 KB`,
   stylesNotKept:
     'The storage of this browser is full or refused, so your styles and layouts last as long as this page. Export what you want to keep.',
   linkedStyle: 'style of the link',
   linkCopied: 'The link is in the clipboard.',
+  linkTooLong: (name: string) =>
+    `${name} is too long for a link, as its texture goes with it. Export it as a file instead.`,
   linkNotCopied: (link: string) => `The clipboard cannot be used here. The link is: ${link}`,
 
   // Explorer

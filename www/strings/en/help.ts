@@ -3,6 +3,7 @@
 import { boardStrings as board } from './board.ts';
 import { bookStrings } from './book.ts';
 import { designerStrings as designer } from './designer.ts';
+import { imitationStrings as imitation } from './imitation.ts';
 import { storageStrings as storage } from './storage.ts';
 import { offlineStrings } from './offline.ts';
 import { panelStrings as panels } from './panels.ts';
@@ -84,6 +85,10 @@ export const helpStrings = {
       title: 'Finding a style: the explorer',
       text: `It opens with styles invented on your own photo, and “${designer.generate}” makes more. A click shows one large. Keep those you like with the heart, make more of two with “${designer.breed}”, and put one on the page with “${designer.useStyle}”. Any of them can be changed in the designer.`,
     },
+    imitation: {
+      title: 'A style from a picture',
+      text: `“${imitation.styleFromPicture}” takes the look of a comic page, a print or a painting over to your photos. Choose the picture there, or drop it anywhere with Alt held. After a few seconds you see three to six styles on your own photo; use one, save it, or change it in the designer.`,
+    },
     words: {
       title: 'Captions, balloons and sound effects',
       text: `In “${side.sideTab.words}” you add a caption, a balloon or a sound effect; it is put where it hides no face, if there is room. Drag it, or write in it by a double click; by touch, tap it once more. Films bring words, too: “${words.addSubtitles}” reads a file of subtitles.`,
@@ -111,6 +116,10 @@ export const helpStrings = {
     export: {
       title: 'Export: PNG, JPEG, WebP, PDF',
       text: `“${board.download}” saves the page at print size, from your original photos. “${board.export}” has JPEG, WebP and PDF, and the quality. Several pages become a PDF, a ZIP or a CBZ for comic readers.`,
+    },
+    comics: {
+      title: 'Comics that are read: HTML, EPUB, CBZ',
+      text: `“${board.export}” makes comics, too. “HTML comic” is one file that anybody can open in a browser: tap, swipe or press the arrows to go from panel to panel, see whole pages, or read all as text. EPUB is for reading apps, CBZ for comic readers. In all of them each panel is known in its order, with its words and, as far as it was found, what it shows; so they can be read aloud.`,
     },
     privacy: {
       title: 'Offline and private',

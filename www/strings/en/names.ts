@@ -5,7 +5,7 @@ import type { Names } from '../names.ts';
 
 export const names: Names = {
   families: {},
-  choices: {},
+  choices: { luma: 'Luma', each: 'Each channel' },
   blocks,
   parameters: {},
   layouts: {},

@@ -49,6 +49,9 @@ export const storageStrings = {
   openNamed: (name: string) => `Open ${name}`,
   duplicateNamed: (name: string) => `Duplicate ${name}`,
   deleteNamed: (name: string) => `Delete ${name}`,
+  renameNamed: (name: string) => `Rename ${name}`,
+  newNameOf: (name: string) => `New name of ${name}`,
+  sampleAlbum: 'Sample album',
   openNow: 'Open now',
   projectAbout: (photos: number, when: string) =>
     `${photos === 1 ? '1 photo' : `${photos} photos`}${when && `, ${when}`}`,

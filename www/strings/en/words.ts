@@ -17,7 +17,7 @@ export const wordStrings = {
   wordList: 'Words on the page',
   noWords: 'No words yet.',
   shape: 'Shape',
-  shapes: { oval: 'Speech', thought: 'Thought', shout: 'Shout', whisper: 'Whisper' },
+  shapes: { oval: 'Speech', thought: 'Thought', shout: 'Shout', whisper: 'Whisper', radio: 'Radio' },
   editWord: 'Edit text',
   moveWord: 'Move to…',
   pointTail: 'Point tail at…',
@@ -42,14 +42,12 @@ export const wordStrings = {
   wordsFailed: (why: string) => `The words could not be drawn: ${why}`,
 
   // Subtitles
-  subtitles: 'Subtitles',
   addSubtitles: 'Add subtitles',
   subtitlesFile: 'Subtitle file',
   subtitlesAs: 'As',
   subtitlesKinds: { caption: 'Captions', balloon: 'Balloons' },
-  subtitlesAdded: (n: number) => (n === 1 ? '1 subtitle was put on the page.' : `${n} subtitles were put on the page.`),
-  subtitlesNoFrames: 'there is no frame of a video on the page. Add the video first, then its subtitles.',
-  subtitlesNoMatch: 'nothing is said at the times of the frames on the page.',
+  subtitlesNoFrames: 'there is no page yet. Add photos or the video first.',
+  subtitlesNoMatch: 'nothing in it is said near the times of the frames.',
   subtitlesLeft: (n: number, of: number) => `${of} subtitles were read; ${n} more are too many and were left out.`,
   subtitlesCut: (n: number) =>
     n === 1
@@ -57,7 +55,7 @@ export const wordStrings = {
       : `${n} subtitles are too long, so their ends were left out.`,
   subtitleErrors: {
     empty: 'there are no subtitles in it.',
-    binary: 'it is not text in UTF-8 or UTF-16.',
+    binary: 'it is no text that can be read.',
     large: 'it is larger than 5 MB.',
     time: (line: number, text: string) => `line ${line}: “${text}” is not a time like 00:01:02,500 --> 00:01:04,000.`,
     order: (line: number) => `line ${line}: the subtitle ends before it starts.`,

@@ -36,6 +36,8 @@ export const designerStrings = {
   },
   emptyLayer: { background: 'Nada aún: la foto como es.', foreground: 'Nada aún: sin líneas.' },
   ink: 'Color de la tinta',
+  careForFaces: 'Cuida las caras',
+  careForFacesHelp: 'Líneas y puntos no mayores de lo que admiten las caras, y sus colores cerca de la foto.',
   addBlock: 'Añadir bloque',
   addToLayer: { background: 'A los colores', foreground: 'A las líneas' },
   palette: 'Bloques para añadir',
@@ -57,6 +59,14 @@ export const designerStrings = {
   card: (name: string, n: number) => `${n}. ${name}`,
   valueOf: (label: string) => `${label}, como número`,
   defaultIs: (value: string) => `Normalmente ${value}`,
+  chooseTexture: 'Elegir una imagen',
+  otherTexture: 'Otra imagen',
+  removeTexture: 'Quitar la textura',
+  textureFile: 'Imagen para la textura',
+  textureShown: 'La textura',
+  textureTooLarge: (name: string, kilobytes: number, most: number) =>
+    `${name} tiene ${kilobytes} kB; una textura, como mucho ${most}. Guárdala más pequeña y elígela otra vez.`,
+  textureOfAnotherKind: (name: string) => `${name} no es una imagen PNG ni JPEG.`,
   totalTime: (time: string) => `${time} en total`,
   lacks: {
     luma: 'Necesita gris y aquí le llega color. Hasta entonces se omite.',
@@ -78,11 +88,13 @@ export const designerStrings = {
   styleSaved: (name: string) => `${name} está en Mis estilos.`,
   styleDeleted: (name: string) => `${name} se ha borrado. Deshacer lo recupera.`,
   styleKept: (name: string) => `${name} está en Mis estilos. Añade fotos para verlo.`,
-  styleTooLong: (name: string) => `estilo ${name}: el archivo pasa de 256 KB`,
+  styleTooLong: (name: string) => `estilo ${name}: el archivo pasa de 512 KB`,
   stylesNotKept:
     'El almacenamiento de este navegador está lleno o no se permite, así que tus estilos y plantillas duran lo que esta página. Exporta lo que quieras conservar.',
   linkedStyle: 'estilo del enlace',
   linkCopied: 'El enlace está en el portapapeles.',
+  linkTooLong: (name: string) =>
+    `${name} es demasiado largo para un enlace, porque lleva su textura. Expórtalo como archivo.`,
   linkNotCopied: (link: string) => `Aquí no se puede usar el portapapeles. El enlace es: ${link}`,
 
   // Explorer

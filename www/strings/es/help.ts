@@ -1,6 +1,7 @@
 import { boardStrings as board } from './board.ts';
 import { bookStrings } from './book.ts';
 import { designerStrings as designer } from './designer.ts';
+import { imitationStrings as imitation } from './imitation.ts';
 import { storageStrings as storage } from './storage.ts';
 import { offlineStrings } from './offline.ts';
 import { panelStrings as panels } from './panels.ts';
@@ -82,6 +83,10 @@ export const helpStrings = {
       title: 'Encontrar un estilo: el explorador',
       text: `Se abre con estilos inventados en tu propia foto, y «${designer.generate}» hace más. Un clic muestra uno en grande. Guarda los que te gusten con el corazón, haz más a partir de dos con «${designer.breed}» y pon uno en la página con «${designer.useStyle}». Todos se pueden cambiar en el diseñador.`,
     },
+    imitation: {
+      title: 'Un estilo de una imagen',
+      text: `«${imitation.styleFromPicture}» lleva a tus fotos el aspecto de una página de cómic, un grabado o una pintura. Elige allí la imagen o suéltala en cualquier lugar con Alt pulsada. En pocos segundos ves de tres a seis estilos en tu propia foto; usa uno, guárdalo o cámbialo en el diseñador.`,
+    },
     words: {
       title: 'Cartelas, bocadillos y onomatopeyas',
       text: `En «${side.sideTab.words}» añades una cartela, un bocadillo o una onomatopeya; se pone donde no tape ninguna cara, si hay sitio. Arrástrala, o escribe en ella con un doble clic; con el dedo, tócala otra vez. Las películas también traen palabras: «${words.addSubtitles}» lee un archivo de subtítulos.`,
@@ -109,6 +114,10 @@ export const helpStrings = {
     export: {
       title: 'Exportar: PNG, JPEG, WebP, PDF',
       text: `«${board.download}» guarda la página a tamaño de impresión, a partir de tus fotos originales. «${board.export}» tiene JPEG, WebP y PDF, además de la calidad. Varias páginas se convierten en un PDF, un ZIP o un CBZ para lectores de cómics.`,
+    },
+    comics: {
+      title: 'Cómics para leer: HTML, EPUB, CBZ',
+      text: `«${board.export}» también hace cómics. «Cómic en HTML» es un archivo que cualquiera puede abrir en un navegador: toca, desliza o usa las flechas para ir de viñeta en viñeta, mira páginas enteras o léelo todo como texto. EPUB es para aplicaciones de lectura y CBZ para lectores de cómics. En todos se conoce el orden de las viñetas, con sus palabras y, si se encontró, lo que muestran; así se pueden leer en voz alta.`,
     },
     privacy: {
       title: 'Sin conexión y en privado',

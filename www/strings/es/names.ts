@@ -42,6 +42,7 @@ export const names: Names = {
     paper: 'Papel',
   },
   choices: {
+    own: 'Propios',
     hatch: 'Trama',
     cross_hatch: 'Trama cruzada',
     dots: 'Puntos',
@@ -50,6 +51,8 @@ export const names: Names = {
     stipple: 'Punteado',
     cmyk: 'CMYK',
     mono: 'Una tinta',
+    luma: 'Solo la luminosidad',
+    each: 'Cada canal',
     photo: 'De la foto',
     comic: 'Cómic',
     gouache: 'Gouache',

@@ -47,6 +47,9 @@ export const storageStrings = {
   openNamed: (name: string) => `Abrir ${name}`,
   duplicateNamed: (name: string) => `Duplicar ${name}`,
   deleteNamed: (name: string) => `Borrar ${name}`,
+  renameNamed: (name: string) => `Cambiar el nombre de ${name}`,
+  newNameOf: (name: string) => `Nombre nuevo de ${name}`,
+  sampleAlbum: 'Álbum de muestra',
   openNow: 'Abierto ahora',
   projectAbout: (photos: number, when: string) =>
     `${photos === 1 ? '1 foto' : `${photos} fotos`}${when && `, ${when}`}`,

@@ -15,7 +15,7 @@ export const wordStrings = {
   wordList: 'Palabras de la página',
   noWords: 'Aún no hay palabras.',
   shape: 'Forma',
-  shapes: { oval: 'Habla', thought: 'Pensamiento', shout: 'Grito', whisper: 'Susurro' },
+  shapes: { oval: 'Habla', thought: 'Pensamiento', shout: 'Grito', whisper: 'Susurro', radio: 'Radio' },
   editWord: 'Editar texto',
   moveWord: 'Mover a…',
   pointTail: 'Apuntar el rabillo a…',
@@ -40,15 +40,12 @@ export const wordStrings = {
   wordsFailed: (why: string) => `No se pudieron dibujar las palabras: ${why}`,
 
   // Subtitles
-  subtitles: 'Subtítulos',
   addSubtitles: 'Añadir subtítulos',
   subtitlesFile: 'Archivo de subtítulos',
   subtitlesAs: 'Como',
   subtitlesKinds: { caption: 'Cartelas', balloon: 'Bocadillos' },
-  subtitlesAdded: (n: number) =>
-    n === 1 ? 'Se ha puesto 1 subtítulo en la página.' : `Se han puesto ${n} subtítulos en la página.`,
-  subtitlesNoFrames: 'no hay ningún fotograma de vídeo en la página. Añade primero el vídeo y después sus subtítulos.',
-  subtitlesNoMatch: 'no se dice nada en los momentos de los fotogramas de la página.',
+  subtitlesNoFrames: 'todavía no hay página. Añade primero fotos o el vídeo.',
+  subtitlesNoMatch: 'no dice nada cerca de los momentos de los fotogramas.',
   subtitlesLeft: (n: number, of: number) =>
     `se han leído ${of} subtítulos; ${n} más son demasiados y se han dejado fuera.`,
   subtitlesCut: (n: number) =>
@@ -57,7 +54,7 @@ export const wordStrings = {
       : `${n} subtítulos son demasiado largos, así que se han dejado fuera sus finales.`,
   subtitleErrors: {
     empty: 'no contiene subtítulos.',
-    binary: 'no es texto en UTF-8 ni UTF-16.',
+    binary: 'no es un texto que se pueda leer.',
     large: 'pasa de 5 MB.',
     time: (line: number, text: string) =>
       `línea ${line}: «${text}» no es un tiempo como 00:01:02,500 --> 00:01:04,000.`,

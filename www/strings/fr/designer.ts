@@ -39,6 +39,8 @@ export const designerStrings = {
     foreground: 'Rien encore : pas de lignes.',
   },
   ink: 'Couleur de l’encre',
+  careForFaces: 'Ménage les visages',
+  careForFacesHelp: 'Des traits et des points à la mesure des visages, et leurs couleurs près de la photo.',
   addBlock: 'Ajouter un bloc',
   addToLayer: { background: 'Aux couleurs', foreground: 'Aux lignes' },
   palette: 'Blocs à ajouter',
@@ -60,6 +62,14 @@ export const designerStrings = {
   card: (name: string, n: number) => `${n}. ${name}`,
   valueOf: (label: string) => `${label}, en chiffres`,
   defaultIs: (value: string) => `Normalement ${value}`,
+  chooseTexture: 'Choisir une image',
+  otherTexture: 'Autre image',
+  removeTexture: 'Retirer la texture',
+  textureFile: 'Image de la texture',
+  textureShown: 'La texture',
+  textureTooLarge: (name: string, kilobytes: number, most: number) =>
+    `${name} pèse ${kilobytes} ko, une texture au plus ${most}. Enregistrez-la plus petite et choisissez-la de nouveau.`,
+  textureOfAnotherKind: (name: string) => `${name} n’est ni une image PNG ni une image JPEG.`,
   totalTime: (time: string) => `${time} en tout`,
   lacks: {
     luma: 'Il lui faut du gris et il reçoit de la couleur. Il est ignoré d’ici là.',
@@ -84,11 +94,13 @@ export const designerStrings = {
   styleSaved: (name: string) => `${name} est dans Mes styles.`,
   styleDeleted: (name: string) => `${name} a été supprimé. Annuler le ramène.`,
   styleKept: (name: string) => `${name} est dans Mes styles. Ajoutez des photos pour le voir.`,
-  styleTooLong: (name: string) => `style ${name} : le fichier dépasse 256 Ko`,
+  styleTooLong: (name: string) => `style ${name} : le fichier dépasse 512 Ko`,
   stylesNotKept:
     'Le stockage de ce navigateur est plein ou refusé : vos styles et vos gabarits durent le temps de cette page. Exportez ce que vous voulez garder.',
   linkedStyle: 'style du lien',
   linkCopied: 'Le lien est dans le presse-papiers.',
+  linkTooLong: (name: string) =>
+    `${name} est trop long pour un lien, car sa texture l’accompagne. Exportez-le comme fichier.`,
   linkNotCopied: (link: string) => `Le presse-papiers ne peut pas servir ici. Voici le lien : ${link}`,
 
   // Explorer

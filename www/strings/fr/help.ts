@@ -1,6 +1,7 @@
 import { boardStrings as board } from './board.ts';
 import { bookStrings } from './book.ts';
 import { designerStrings as designer } from './designer.ts';
+import { imitationStrings as imitation } from './imitation.ts';
 import { storageStrings as storage } from './storage.ts';
 import { offlineStrings } from './offline.ts';
 import { panelStrings as panels } from './panels.ts';
@@ -82,6 +83,10 @@ export const helpStrings = {
       title: 'Trouver un style : l’explorateur',
       text: `Il s’ouvre sur des styles inventés pour votre propre photo, et « ${designer.generate} » en fait d’autres. Un clic en montre un en grand. Gardez ceux qui vous plaisent avec le cœur, faites-en d’autres à partir de deux avec « ${designer.breed} », et mettez-en un sur la page avec « ${designer.useStyle} ». Tous peuvent être modifiés dans l’atelier.`,
     },
+    imitation: {
+      title: 'Un style d’après une image',
+      text: `« ${imitation.styleFromPicture} » donne à vos photos l’aspect d’une planche de BD, d’une estampe ou d’une peinture. Choisissez l’image à cet endroit, ou déposez-la n’importe où en maintenant Alt. Après quelques secondes, trois à six styles apparaissent sur votre propre photo ; utilisez-en un, enregistrez-le ou modifiez-le dans l’atelier.`,
+    },
     words: {
       title: 'Cartouches, bulles et onomatopées',
       text: `Dans « ${side.sideTab.words} », vous ajoutez un cartouche, une bulle ou une onomatopée ; le texte se place là où il ne cache aucun visage, s’il y a de la place. Faites-le glisser, ou écrivez dedans après un double clic ou, au doigt, en le touchant encore une fois. Les films apportent aussi des textes : « ${words.addSubtitles} » lit un fichier de sous-titres.`,
@@ -109,6 +114,10 @@ export const helpStrings = {
     export: {
       title: 'Exporter : PNG, JPEG, WebP, PDF',
       text: `« ${board.download} » enregistre la page à la taille d’impression, à partir de vos photos d’origine. « ${board.export} » a le JPEG, le WebP et le PDF, ainsi que la qualité. Plusieurs pages deviennent un PDF, un ZIP ou un CBZ pour lecteurs de BD.`,
+    },
+    comics: {
+      title: 'BD à lire : HTML, EPUB, CBZ',
+      text: `« ${board.export} » fait aussi des BD. « BD en HTML » est un fichier que tout le monde peut ouvrir dans un navigateur : touchez, balayez ou utilisez les flèches pour aller de case en case, voyez des pages entières ou lisez tout en texte. EPUB est pour les applis de lecture, CBZ pour les lecteurs de BD. Dans tous, l’ordre des cases est connu, avec leurs mots et, si cela a été trouvé, ce qu’elles montrent ; on peut donc les faire lire à voix haute.`,
     },
     privacy: {
       title: 'Hors connexion et privé',

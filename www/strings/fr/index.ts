@@ -6,7 +6,9 @@ import { describingStrings } from './describing.ts';
 import { designerStrings } from './designer.ts';
 import { exportStrings } from './export.ts';
 import { faultStrings } from './faults.ts';
+import { fileStrings } from './files.ts';
 import { helpStrings } from './help.ts';
+import { imitationStrings } from './imitation.ts';
 import { keyStrings } from './keys.ts';
 import { offlineStrings } from './offline.ts';
 import { pageStrings } from './page.ts';
@@ -14,9 +16,11 @@ import { panelStrings } from './panels.ts';
 import { photoStrings } from './photos.ts';
 import { pngStrings } from './png.ts';
 import { sideStrings } from './side.ts';
+import { speechStrings } from './speech.ts';
 import { startStrings } from './start.ts';
 import { storageStrings } from './storage.ts';
 import { wordStrings } from './words.ts';
+import { printStrings } from './print.ts';
 import type { Words } from '../en/index.ts';
 
 export { names } from './names.ts';
@@ -30,11 +34,15 @@ export const words: Words = {
   ...designerStrings,
   ...storageStrings,
   ...offlineStrings,
+  ...speechStrings,
   ...wordStrings,
   ...photoStrings,
   ...pageStrings,
   ...exportStrings,
+  ...fileStrings,
+  ...printStrings,
   ...pngStrings,
+  ...imitationStrings,
   ...keyStrings,
   ...helpStrings,
   ...faultStrings,

@@ -42,6 +42,7 @@ export const names: Names = {
     paper: 'Papier',
   },
   choices: {
+    own: 'Personnel',
     hatch: 'Hachures',
     cross_hatch: 'Hachures croisées',
     dots: 'Points',
@@ -50,6 +51,8 @@ export const names: Names = {
     stipple: 'Pointillé',
     cmyk: 'CMJN',
     mono: 'Une encre',
+    luma: 'La luminosité seule',
+    each: 'Chaque canal',
     photo: 'De la photo',
     comic: 'BD',
     gouache: 'Gouache',

@@ -47,6 +47,9 @@ export const storageStrings = {
   openNamed: (name: string) => `Ouvrir ${name}`,
   duplicateNamed: (name: string) => `Dupliquer ${name}`,
   deleteNamed: (name: string) => `Supprimer ${name}`,
+  renameNamed: (name: string) => `Renommer ${name}`,
+  newNameOf: (name: string) => `Nouveau nom de ${name}`,
+  sampleAlbum: 'Album d’exemple',
   openNow: 'Ouvert maintenant',
   projectAbout: (photos: number, when: string) =>
     `${photos < 2 ? `${photos} photo` : `${photos} photos`}${when && `, ${when}`}`,

@@ -15,7 +15,7 @@ export const wordStrings = {
   wordList: 'Textes de la page',
   noWords: 'Pas encore de texte.',
   shape: 'Forme',
-  shapes: { oval: 'Parole', thought: 'Pensée', shout: 'Cri', whisper: 'Murmure' },
+  shapes: { oval: 'Parole', thought: 'Pensée', shout: 'Cri', whisper: 'Murmure', radio: 'Radio' },
   editWord: 'Modifier le texte',
   moveWord: 'Déplacer vers…',
   pointTail: 'Pointer la queue vers…',
@@ -40,15 +40,12 @@ export const wordStrings = {
   wordsFailed: (why: string) => `Les textes n’ont pas pu être dessinés : ${why}`,
 
   // Subtitles
-  subtitles: 'Sous-titres',
   addSubtitles: 'Ajouter des sous-titres',
   subtitlesFile: 'Fichier de sous-titres',
   subtitlesAs: 'En',
   subtitlesKinds: { caption: 'Cartouches', balloon: 'Bulles' },
-  subtitlesAdded: (n: number) =>
-    n < 2 ? `${n} sous-titre a été mis sur la page.` : `${n} sous-titres ont été mis sur la page.`,
-  subtitlesNoFrames: 'il n’y a aucune image de vidéo sur la page. Ajoutez d’abord la vidéo, puis ses sous-titres.',
-  subtitlesNoMatch: 'rien n’est dit au moment des images qui sont sur la page.',
+  subtitlesNoFrames: 'il n’y a pas encore de page. Ajoutez d’abord des photos ou la vidéo.',
+  subtitlesNoMatch: 'rien n’y est dit près du moment des images.',
   subtitlesLeft: (n: number, of: number) =>
     `${of} sous-titres ont été lus ; ${n} de plus ${n < 2 ? 'était de trop et a été laissé' : 'étaient de trop et ont été laissés'} de côté.`,
   subtitlesCut: (n: number) =>
@@ -57,7 +54,7 @@ export const wordStrings = {
       : `${n} sous-titres sont trop longs, leur fin a donc été laissée de côté.`,
   subtitleErrors: {
     empty: 'il ne contient aucun sous-titre.',
-    binary: 'ce n’est pas du texte en UTF-8 ou UTF-16.',
+    binary: 'ce n’est pas un texte lisible.',
     large: 'il dépasse 5 Mo.',
     time: (line: number, text: string) =>
       `ligne ${line} : « ${text} » n’est pas un temps comme 00:01:02,500 --> 00:01:04,000.`,

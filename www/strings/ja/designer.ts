@@ -39,6 +39,8 @@ export const designerStrings = {
     foreground: 'まだ何もありません：線はありません。',
   },
   ink: 'インクの色',
+  careForFaces: '顔を大切にする',
+  careForFacesHelp: '線や点を顔の大きさに合わせ、顔の色を写真に近く保ちます。',
   addBlock: 'ブロックを追加',
   addToLayer: { background: '色に追加', foreground: '線に追加' },
   palette: '追加できるブロック',
@@ -60,6 +62,14 @@ export const designerStrings = {
   card: (name: string, n: number) => `${n}. ${name}`,
   valueOf: (label: string) => `${label}（数値）`,
   defaultIs: (value: string) => `通常は${value}`,
+  chooseTexture: '画像を選ぶ',
+  otherTexture: '別の画像',
+  removeTexture: 'テクスチャを外す',
+  textureFile: 'テクスチャの画像',
+  textureShown: 'テクスチャ',
+  textureTooLarge: (name: string, kilobytes: number, most: number) =>
+    `${name}は${kilobytes} kBあります。テクスチャは${most} kBまでです。小さく保存してから選び直してください。`,
+  textureOfAnotherKind: (name: string) => `${name}はPNGでもJPEGでもありません。`,
   totalTime: (time: string) => `合計${time}`,
   lacks: {
     luma: 'グレーが必要ですが、カラーが来ています。それまでは飛ばされます。',
@@ -84,11 +94,13 @@ export const designerStrings = {
   styleSaved: (name: string) => `${name}をマイスタイルに保存しました。`,
   styleDeleted: (name: string) => `${name}を削除しました。「元に戻す」で戻せます。`,
   styleKept: (name: string) => `${name}はマイスタイルにあります。写真を追加すると見られます。`,
-  styleTooLong: (name: string) => `スタイル${name}：ファイルが256 KBを超えています`,
+  styleTooLong: (name: string) => `スタイル${name}：ファイルが512 KBを超えています`,
   stylesNotKept:
     'ブラウザーの保存領域がいっぱいか、使えません。スタイルとレイアウトはこのページを開いている間だけ残ります。残したいものは書き出してください。',
   linkedStyle: 'リンクのスタイル',
   linkCopied: 'リンクをクリップボードにコピーしました。',
+  linkTooLong: (name: string) =>
+    `${name}はテクスチャを含むため、リンクには長すぎます。ファイルとして書き出してください。`,
   linkNotCopied: (link: string) => `ここではクリップボードを使えません。リンク：${link}`,
 
   // Explorer

@@ -1,6 +1,7 @@
 import { boardStrings as board } from './board.ts';
 import { bookStrings } from './book.ts';
 import { designerStrings as designer } from './designer.ts';
+import { imitationStrings as imitation } from './imitation.ts';
 import { storageStrings as storage } from './storage.ts';
 import { offlineStrings } from './offline.ts';
 import { panelStrings as panels } from './panels.ts';
@@ -82,6 +83,10 @@ export const helpStrings = {
       title: 'スタイルを見つける：エクスプローラー',
       text: `開くとあなたの写真で考え出したスタイルが並び、「${designer.generate}」でさらに増えます。クリックすると大きく見られます。気に入ったものはハートで残し、「${designer.breed}」で2つから新しいものを作り、「${designer.useStyle}」でページに使います。どれもデザイナーで変えられます。`,
     },
+    imitation: {
+      title: '絵からスタイルを作る',
+      text: `「${imitation.styleFromPicture}」は、漫画のページや版画、絵画の雰囲気をあなたの写真に移します。そこで絵を選ぶか、Altキーを押しながらどこにでもドロップしてください。数秒で、あなたの写真に3〜6個のスタイルが表示されます。使う、保存する、デザイナーで変えることができます。`,
+    },
     words: {
       title: 'キャプション、フキダシ、効果音',
       text: `「${side.sideTab.words}」でキャプション、フキダシ、効果音を追加できます。場所があれば、顔を隠さない所に置かれます。ドラッグで動かし、ダブルクリック（指ではもう一度タップ）で書き換えます。動画のせりふも使えます。「${words.addSubtitles}」は字幕ファイルを読み込みます。`,
@@ -109,6 +114,10 @@ export const helpStrings = {
     export: {
       title: '書き出し：PNG、JPEG、WebP、PDF',
       text: `「${board.download}」は、元の写真から印刷サイズのページを保存します。「${board.export}」では、JPEG、WebP、PDFと、その品質を選べます。複数のページは、PDF、ZIP、またはコミックリーダー用のCBZになります。`,
+    },
+    comics: {
+      title: '読むためのコミック：HTML、EPUB、CBZ',
+      text: `「${board.export}」ではコミックも作れます。「HTMLコミック」は、だれでもブラウザーで開ける1つのファイルです。タップ、スワイプ、矢印キーでコマからコマへ進み、ページ全体を見たり、すべてをテキストで読んだりできます。EPUBは読書アプリ用、CBZはコミックリーダー用です。どれもコマの順番と言葉、見つかったものが入っているので、読み上げることができます。`,
     },
     privacy: {
       title: 'オフラインとプライバシー',

@@ -42,6 +42,7 @@ export const names: Names = {
     paper: '紙',
   },
   choices: {
+    own: '自分の色',
     hatch: 'ハッチング',
     cross_hatch: 'クロスハッチング',
     dots: '点',
@@ -50,6 +51,8 @@ export const names: Names = {
     stipple: '点描',
     cmyk: 'CMYK',
     mono: '一色',
+    luma: '明るさだけ',
+    each: '各チャンネル',
     photo: '写真から',
     comic: 'コミック',
     gouache: 'ガッシュ',

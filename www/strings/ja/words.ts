@@ -15,7 +15,7 @@ export const wordStrings = {
   wordList: 'ページの文字',
   noWords: 'まだ文字はありません。',
   shape: '形',
-  shapes: { oval: 'せりふ', thought: '心の声', shout: '叫び', whisper: 'ささやき' },
+  shapes: { oval: 'せりふ', thought: '心の声', shout: '叫び', whisper: 'ささやき', radio: '無線' },
   editWord: '文字を編集',
   moveWord: '移動先を選ぶ…',
   pointTail: 'しっぽの先を選ぶ…',
@@ -40,19 +40,17 @@ export const wordStrings = {
   wordsFailed: (why: string) => `文字を描けませんでした：${why}`,
 
   // Subtitles
-  subtitles: '字幕',
   addSubtitles: '字幕を追加',
   subtitlesFile: '字幕ファイル',
   subtitlesAs: '入れ方',
   subtitlesKinds: { caption: 'キャプション', balloon: 'フキダシ' },
-  subtitlesAdded: (n: number) => `字幕${n}件をページに入れました。`,
-  subtitlesNoFrames: 'ページに動画のフレームがありません。先に動画を、次に字幕を追加してください。',
-  subtitlesNoMatch: 'ページにあるフレームの時刻には、せりふがありません。',
+  subtitlesNoFrames: 'まだページがありません。先に写真か動画を追加してください。',
+  subtitlesNoMatch: 'フレームの時刻の近くに、せりふがありません。',
   subtitlesLeft: (n: number, of: number) => `字幕${of}件を読み込みました。入りきらない${n}件は除きました。`,
   subtitlesCut: (n: number) => `${n}件の字幕が長すぎるため、終わりを省きました。`,
   subtitleErrors: {
     empty: '字幕が入っていません。',
-    binary: 'UTF-8またはUTF-16のテキストではありません。',
+    binary: '読み取れるテキストではありません。',
     large: '5 MBを超えています。',
     time: (line: number, text: string) =>
       `${line}行目：「${text}」は00:01:02,500 --> 00:01:04,000のような時刻ではありません。`,

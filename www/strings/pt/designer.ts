@@ -36,6 +36,8 @@ export const designerStrings = {
   },
   emptyLayer: { background: 'Nada ainda: a foto como ela é.', foreground: 'Nada ainda: sem linhas.' },
   ink: 'Cor da tinta',
+  careForFaces: 'Cuida dos rostos',
+  careForFacesHelp: 'Linhas e pontos não maiores do que os rostos suportam, e suas cores perto da foto.',
   addBlock: 'Adicionar bloco',
   addToLayer: { background: 'Pôr nas cores', foreground: 'Pôr nas linhas' },
   palette: 'Blocos para adicionar',
@@ -57,6 +59,14 @@ export const designerStrings = {
   card: (name: string, n: number) => `${n}. ${name}`,
   valueOf: (label: string) => `${label}, em número`,
   defaultIs: (value: string) => `Normalmente ${value}`,
+  chooseTexture: 'Escolher uma imagem',
+  otherTexture: 'Outra imagem',
+  removeTexture: 'Remover a textura',
+  textureFile: 'Imagem da textura',
+  textureShown: 'A textura',
+  textureTooLarge: (name: string, kilobytes: number, most: number) =>
+    `${name} tem ${kilobytes} kB; uma textura, no máximo ${most}. Salve-a menor e escolha-a de novo.`,
+  textureOfAnotherKind: (name: string) => `${name} não é uma imagem PNG nem JPEG.`,
   totalTime: (time: string) => `${time} no total`,
   lacks: {
     luma: 'Precisa de cinza e recebe cor aqui. Até lá é pulado.',
@@ -78,11 +88,12 @@ export const designerStrings = {
   styleSaved: (name: string) => `${name} está em Meus estilos.`,
   styleDeleted: (name: string) => `${name} foi excluído. Desfazer traz de volta.`,
   styleKept: (name: string) => `${name} está em Meus estilos. Adicione fotos para vê-lo.`,
-  styleTooLong: (name: string) => `estilo ${name}: o arquivo passa de 256 KB`,
+  styleTooLong: (name: string) => `estilo ${name}: o arquivo passa de 512 KB`,
   stylesNotKept:
     'O armazenamento deste navegador está cheio ou bloqueado, então seus estilos e layouts duram só enquanto esta página estiver aberta. Exporte o que quiser guardar.',
   linkedStyle: 'estilo do link',
   linkCopied: 'O link está na área de transferência.',
+  linkTooLong: (name: string) => `${name} é longo demais para um link, pois leva a textura. Exporte-o como arquivo.`,
   linkNotCopied: (link: string) => `A área de transferência não pode ser usada aqui. O link é: ${link}`,
 
   // Explorer

@@ -1,6 +1,7 @@
 import { boardStrings as board } from './board.ts';
 import { bookStrings } from './book.ts';
 import { designerStrings as designer } from './designer.ts';
+import { imitationStrings as imitation } from './imitation.ts';
 import { storageStrings as storage } from './storage.ts';
 import { offlineStrings } from './offline.ts';
 import { panelStrings as panels } from './panels.ts';
@@ -82,6 +83,10 @@ export const helpStrings = {
       title: 'Encontrar um estilo: o explorador',
       text: `Ele se abre com estilos inventados na sua própria foto, e “${designer.generate}” faz mais. Um clique mostra um deles grande. Guarde com o coração os que você gostar, faça outros a partir de dois com “${designer.breed}” e ponha um na página com “${designer.useStyle}”. Todos podem ser mudados no designer.`,
     },
+    imitation: {
+      title: 'Um estilo de uma imagem',
+      text: `“${imitation.styleFromPicture}” leva para suas fotos o visual de uma página de quadrinhos, de uma gravura ou de uma pintura. Escolha a imagem ali ou solte-a em qualquer lugar com Alt pressionada. Em poucos segundos você vê de três a seis estilos na sua própria foto; use um, salve-o ou mude-o no designer.`,
+    },
     words: {
       title: 'Caixas de texto, balões e onomatopeias',
       text: `Em “${side.sideTab.words}”, você adiciona uma caixa de texto, um balão ou uma onomatopeia; o texto fica onde não esconde nenhum rosto, se houver espaço. Arraste-o, ou escreva nele com um clique duplo; com o dedo, toque nele mais uma vez. Filmes também trazem textos: “${words.addSubtitles}” lê um arquivo de legendas.`,
@@ -109,6 +114,10 @@ export const helpStrings = {
     export: {
       title: 'Exportar: PNG, JPEG, WebP, PDF',
       text: `“${board.download}” salva a página em tamanho de impressão, a partir das suas fotos originais. “${board.export}” tem JPEG, WebP e PDF, além da qualidade. Várias páginas viram um PDF, um ZIP ou um CBZ para leitores de quadrinhos.`,
+    },
+    comics: {
+      title: 'Quadrinhos para ler: HTML, EPUB, CBZ',
+      text: `“${board.export}” também faz quadrinhos. “Quadrinho em HTML” é um arquivo que qualquer pessoa pode abrir em um navegador: toque, deslize ou use as setas para ir de quadro em quadro, veja páginas inteiras ou leia tudo como texto. EPUB é para aplicativos de leitura, CBZ para leitores de quadrinhos. Em todos eles a ordem dos quadros é conhecida, com as palavras e, se foi encontrado, o que eles mostram; assim podem ser lidos em voz alta.`,
     },
     privacy: {
       title: 'Sem conexão e em particular',

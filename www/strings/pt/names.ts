@@ -42,6 +42,7 @@ export const names: Names = {
     paper: 'Papel',
   },
   choices: {
+    own: 'Próprias',
     hatch: 'Hachura',
     cross_hatch: 'Hachura cruzada',
     dots: 'Pontos',
@@ -50,6 +51,8 @@ export const names: Names = {
     stipple: 'Pontilhado',
     cmyk: 'CMYK',
     mono: 'Uma tinta',
+    luma: 'Só a luminosidade',
+    each: 'Cada canal',
     photo: 'Da foto',
     comic: 'Quadrinhos',
     gouache: 'Guache',

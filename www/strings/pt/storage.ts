@@ -47,6 +47,9 @@ export const storageStrings = {
   openNamed: (name: string) => `Abrir ${name}`,
   duplicateNamed: (name: string) => `Duplicar ${name}`,
   deleteNamed: (name: string) => `Excluir ${name}`,
+  renameNamed: (name: string) => `Renomear ${name}`,
+  newNameOf: (name: string) => `Novo nome de ${name}`,
+  sampleAlbum: 'Álbum de exemplo',
   openNow: 'Aberto agora',
   projectAbout: (photos: number, when: string) =>
     `${photos < 2 ? `${photos} foto` : `${photos} fotos`}${when && `, ${when}`}`,

@@ -15,7 +15,7 @@ export const wordStrings = {
   wordList: 'Textos da página',
   noWords: 'Nenhum texto ainda.',
   shape: 'Forma',
-  shapes: { oval: 'Fala', thought: 'Pensamento', shout: 'Grito', whisper: 'Sussurro' },
+  shapes: { oval: 'Fala', thought: 'Pensamento', shout: 'Grito', whisper: 'Sussurro', radio: 'Rádio' },
   editWord: 'Editar texto',
   moveWord: 'Mover para…',
   pointTail: 'Apontar rabicho para…',
@@ -40,15 +40,12 @@ export const wordStrings = {
   wordsFailed: (why: string) => `Não foi possível desenhar os textos: ${why}`,
 
   // Subtitles
-  subtitles: 'Legendas',
   addSubtitles: 'Adicionar legendas',
   subtitlesFile: 'Arquivo de legendas',
   subtitlesAs: 'Como',
   subtitlesKinds: { caption: 'Caixas de texto', balloon: 'Balões' },
-  subtitlesAdded: (n: number) =>
-    n < 2 ? `${n} legenda foi posta na página.` : `${n} legendas foram postas na página.`,
-  subtitlesNoFrames: 'não há imagens de um vídeo na página. Adicione primeiro o vídeo, depois as legendas.',
-  subtitlesNoMatch: 'nada é dito nos momentos das imagens que estão na página.',
+  subtitlesNoFrames: 'ainda não há página. Adicione primeiro fotos ou o vídeo.',
+  subtitlesNoMatch: 'nada é dito perto dos momentos das imagens.',
   subtitlesLeft: (n: number, of: number) =>
     `${of} legendas foram lidas; mais ${n} ${n < 2 ? 'era demais e ficou' : 'eram demais e ficaram'} de fora.`,
   subtitlesCut: (n: number) =>
@@ -57,7 +54,7 @@ export const wordStrings = {
       : `${n} legendas são longas demais, então o final delas ficou de fora.`,
   subtitleErrors: {
     empty: 'não há legendas nele.',
-    binary: 'não é texto em UTF-8 nem UTF-16.',
+    binary: 'não é um texto que se possa ler.',
     large: 'passa de 5 MB.',
     time: (line: number, text: string) => `linha ${line}: “${text}” não é um tempo como 00:01:02,500 --> 00:01:04,000.`,
     order: (line: number) => `linha ${line}: a legenda termina antes de começar.`,

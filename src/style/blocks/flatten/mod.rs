@@ -1,7 +1,7 @@
 //! Flatten: areas of few colours with clean borders, as cut paper or a colourist's flats.
 //!
 //! ```text
-//! palette  = k means of the photo's colours in Oklab, or one that is named
+//! palette  = k means of the photo's colours in Oklab, one that is named, or a person's own
 //! labels   = argmin of distance to the palette - smoothness * equal neighbours     (iterated conditional modes)
 //! areas smaller than `detail` join the neighbour with the longest border
 //! borders  = the larger of two Gaussian counts of labels, one pixel soft
@@ -21,8 +21,9 @@ use crate::raster::resize::{Region, resample_image};
 use crate::raster::{Image, Plane};
 use crate::simd::blade::halve;
 use crate::style::context::Context;
-use crate::style::params::{Args, Kind, Param, Unit, integer, number};
-use palette::{Costs, NAMES};
+use crate::style::params::{Args, Kind, Param, Unit, colour, integer, number};
+pub(in crate::style) use palette::{CELLS, cell_of, cells, distance, histogram, means, oklab};
+use palette::{Costs, NAMES, OWN};
 
 pub(super) static BLOCK: Block = Block {
     id: "flatten",
@@ -59,9 +60,24 @@ pub(super) static BLOCK: Block = Block {
             (0.0, 0.0, 100.0, 1.0),
             Unit::Percent,
         ),
+        own_color("color_1", "Colour 1", [24, 22, 34]),
+        own_color("color_2", "Colour 2", [252, 248, 238]),
+        own_color("color_3", "Colour 3", [196, 40, 44]),
+        own_color("color_4", "Colour 4", [44, 120, 180]),
+        own_color("color_5", "Colour 5", [248, 200, 60]),
+        own_color("color_6", "Colour 6", [60, 130, 80]),
+        own_color("color_7", "Colour 7", [198, 146, 106]),
+        own_color("color_8", "Colour 8", [128, 128, 136]),
     ],
     kernel: Kernel::Image(run),
 };
+
+/// Where the colours of a palette of one's own begin, and how many there are.
+const OWN_COLORS: (usize, usize) = (5, 8);
+
+const fn own_color(id: &'static str, label: &'static str, default: [u8; 3]) -> Param {
+    colour(id, label, "A colour of the palette \"own\".", default)
+}
 
 /// Side of the squares of pixels that share a label.
 const STEP: usize = 2;
@@ -77,7 +93,13 @@ fn run(args: Args<'_>, mut image: Image, context: &mut Context<'_>) -> Result<Im
     };
     let whole = Region::whole(small.width(), small.height());
     let sample = resample_image(&small, whole, reduced(small.width()), reduced(small.height()));
-    let costs = Costs::new(&small, &sample, args.choice(1), args.number(0) as usize);
+    let count = args.number(0) as usize;
+    let costs = if args.choice(1) == OWN {
+        let (first, most) = OWN_COLORS;
+        Costs::of_palette(&small, (first..first + count.min(most)).map(|i| args.colour(i)).collect())
+    } else {
+        Costs::new(&small, &sample, args.choice(1), count)
+    };
     context.check_cancelled()?;
     let (width, height) = (small.width(), small.height());
     let mut labels = costs.nearest(&small);
@@ -117,6 +139,7 @@ fn halved(image: &Image) -> Image {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::style::params::colour_value;
     use std::collections::BTreeSet;
 
     fn flattened(image: Image, change: &[(usize, f32)]) -> Image {
@@ -174,7 +197,7 @@ mod tests {
             [0, 1, 2].map(|c| Plane::from_fn(64, 64, |x, y| (x * 3 + y + 30 * c).min(255) as u8)),
         )
         .unwrap();
-        for (choice, name) in NAMES.iter().enumerate().skip(1) {
+        for (choice, name) in NAMES.iter().enumerate().take(OWN).skip(1) {
             let out = flattened(image.clone(), &[(1, choice as f32), (3, 0.0)]);
             let costs = Costs::new(&halved(&image), &halved(&image), choice, 8);
             let flat = (0..63).flat_map(|y| (0..63).map(move |x| (x, y)));
@@ -184,5 +207,17 @@ mod tests {
             });
             assert!(known.count() > 2400, "{name}");
         }
+    }
+
+    #[test]
+    fn a_palette_of_ones_own_gives_its_first_colours_alone() {
+        let image =
+            Image::from_rgb([0, 1, 2].map(|c| Plane::from_fn(64, 64, |x, y| (x * 3 + y + 30 * c) as u8)));
+        let own = [[200, 30, 40], [20, 40, 90]];
+        let values = [colour_value(own[0]), colour_value(own[1])];
+        let change = [(0, 2.0), (1, OWN as f32), (3, 0.0), (5, values[0]), (6, values[1])];
+        let out = flattened(image.unwrap(), &change);
+        let at = |x: usize, y: usize| [0, 1, 2].map(|c: usize| out.planes()[c].at(x, y));
+        assert_eq!((at(60, 60), at(2, 2)), (own[0], own[1]));
     }
 }

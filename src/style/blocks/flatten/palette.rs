@@ -1,11 +1,15 @@
 //! Palettes, and how far each colour of a picture is from theirs.
 
+use crate::order::sort_by_key;
 use crate::raster::Image;
 use std::sync::OnceLock;
 
-/// The palettes; the first is taken from the photo.
+/// The palettes; the first is taken from the photo, the last is told by parameters.
 pub(super) const NAMES: &[&str] =
-    &["photo", "comic", "gouache", "pastel", "retro", "earth", "night", "sunset", "poster"];
+    &["photo", "comic", "gouache", "pastel", "retro", "earth", "night", "sunset", "poster", "own"];
+
+/// The choice of a palette of one's own.
+pub(super) const OWN: usize = 9;
 
 /// Colours of the named palettes, dark to light.
 fn named(choice: usize) -> &'static [[u8; 3]] {
@@ -112,7 +116,7 @@ fn named(choice: usize) -> &'static [[u8; 3]] {
 }
 
 /// Cells of each channel in the table of costs.
-const CELLS: usize = 32;
+pub(in crate::style) const CELLS: usize = 32;
 
 /// Rounds of k-means.
 const ROUNDS: usize = 14;
@@ -137,13 +141,19 @@ impl Costs {
     /// print have one palette.
     pub(super) fn new(picture: &Image, sample: &Image, choice: usize, count: usize) -> Self {
         let counts = histogram(sample);
-        let seen = seen(picture);
         let cells = cells();
         let palette = if choice == 0 {
             means(&counts, cells, count)
         } else {
             wanted(&counts, cells, named(choice), count)
         };
+        Self::of_palette(picture, palette)
+    }
+
+    /// The costs of these colours, of which there is at least one.
+    pub(super) fn of_palette(picture: &Image, palette: Vec<[u8; 3]>) -> Self {
+        let seen = seen(picture);
+        let cells = cells();
         let points: Vec<[f32; 3]> = palette.iter().map(|&color| oklab(color.map(f32::from))).collect();
         let mut costs =
             Self { places: vec![0; cells.len()], table: Vec::new(), nearest: Vec::new(), palette };
@@ -176,12 +186,12 @@ impl Costs {
     }
 }
 
-fn cell_of([r, g, b]: [u8; 3]) -> usize {
+pub(in crate::style) fn cell_of([r, g, b]: [u8; 3]) -> usize {
     (usize::from(r >> 3) * CELLS + usize::from(g >> 3)) * CELLS + usize::from(b >> 3)
 }
 
 /// Oklab of the middle of every cell.
-fn cells() -> &'static [[f32; 3]] {
+pub(in crate::style) fn cells() -> &'static [[f32; 3]] {
     static CELLS_IN_OKLAB: OnceLock<Vec<[f32; 3]>> = OnceLock::new();
     CELLS_IN_OKLAB.get_or_init(|| (0..CELLS.pow(3)).map(|cell| oklab(color_of(cell))).collect())
 }
@@ -202,12 +212,12 @@ fn seen(image: &Image) -> Vec<bool> {
 }
 
 /// Pixels of each cell, and the sum of their colours.
-struct Counts {
-    pixels: Vec<u32>,
+pub(in crate::style) struct Counts {
+    pub(in crate::style) pixels: Vec<u32>,
     sums: Vec<[u32; 3]>,
 }
 
-fn histogram(image: &Image) -> Counts {
+pub(in crate::style) fn histogram(image: &Image) -> Counts {
     let cells = CELLS.pow(3);
     let mut counts = Counts { pixels: vec![0; cells], sums: vec![[0; 3]; cells] };
     let [r, g, b] = image.planes() else { return counts };
@@ -224,7 +234,7 @@ fn histogram(image: &Image) -> Counts {
 
 /// k-means of the colours of a photo, from starts that are far apart and common. Common colours count by the root of
 /// their number, so that a large sky does not take every colour.
-fn means(counts: &Counts, cells: &[[f32; 3]], count: usize) -> Vec<[u8; 3]> {
+pub(in crate::style) fn means(counts: &Counts, cells: &[[f32; 3]], count: usize) -> Vec<[u8; 3]> {
     struct Own {
         cell: usize,
         weight: f32,
@@ -290,7 +300,7 @@ fn wanted(counts: &Counts, cells: &[[f32; 3]], palette: &[[u8; 3]], count: usize
         uses[closest(&points, cells[cell])] += pixels;
     }
     let mut order: Vec<usize> = (0..palette.len()).collect();
-    order.sort_by_key(|&i| std::cmp::Reverse(uses[i]));
+    sort_by_key(&mut order, |&i| std::cmp::Reverse(uses[i]));
     order.truncate(count.max(2));
     order.sort_unstable();
     order.into_iter().map(|i| palette[i]).collect()
@@ -307,13 +317,13 @@ fn closest(points: &[[f32; 3]], point: [f32; 3]) -> usize {
     best.0
 }
 
-fn distance(a: [f32; 3], b: [f32; 3]) -> f32 {
+pub(in crate::style) fn distance(a: [f32; 3], b: [f32; 3]) -> f32 {
     let part = |i: usize| (a[i] - b[i]) * (a[i] - b[i]);
     part(0) + part(1) + part(2)
 }
 
 /// Oklab of an sRGB colour, 0..=255 each.
-fn oklab(rgb: [f32; 3]) -> [f32; 3] {
+pub(in crate::style) fn oklab(rgb: [f32; 3]) -> [f32; 3] {
     let [r, g, b] = rgb.map(|tone| {
         let tone = f64::from(tone) / 255.0;
         if tone <= 0.040_45 { tone / 12.92 } else { ((tone + 0.055) / 1.055).powf(2.4) }

@@ -1,6 +1,8 @@
 //! Pattern Filling: luma in a few levels, each drawn with its own tile of lines or dots, from white paper to
-//! solid black. The tile sets are drawn by code, see [`tiles`].
+//! solid black. The tile sets are drawn by code, see [`tiles`]; a person's own texture gives its ink by its tones, see
+//! [`own`].
 
+mod own;
 mod tiles;
 
 use super::{Block, Channels, Kernel};
@@ -9,6 +11,7 @@ use crate::raster::Plane;
 use crate::simd::screen::select;
 use crate::style::context::Context;
 use crate::style::params::{Kind, Param, Unit, integer, number};
+pub(in crate::style) use own::Drawn as DrawnTexture;
 use tiles::Tile;
 
 pub(super) static BLOCK: Block = Block {
@@ -26,9 +29,18 @@ pub(super) static BLOCK: Block = Block {
             kind: Kind::Choice { names: tiles::NAMES },
         },
         number("scale", "Scale", "Size of the pattern.", (1.0, 0.25, 4.0, 0.05), Unit::None),
+        Param {
+            id: "texture",
+            label: "Own texture",
+            help: "A picture of your own in place of the pattern: its dark parts take ink first.",
+            kind: Kind::Texture,
+        },
     ],
     kernel: Kernel::Planes(|args, plane, context| {
         let scale = args.number(2) * context.scale();
+        if let Some(texture) = args.texture() {
+            return own::fill(plane, texture, args.number(0) as usize, scale, context);
+        }
         let key = (args.choice(1), args.number(0) as usize, scale.to_bits());
         // Drawing takes longer than filling: a slider elsewhere or another panel finds the tiles as they were.
         let drawn = context.tiles.take().filter(|drawn| drawn.key == key);

@@ -1,0 +1,293 @@
+//! How well the words of a page lie, measured on what is drawn.
+
+use inkpanel::framing::{Crop, PhotoMeta};
+use inkpanel::layout::{Bounds, Point};
+use inkpanel::page::words::layout::{Ground, Laid, lay_all};
+use inkpanel::page::words::model::Kind;
+use inkpanel::page::words::{Letters, draw};
+use inkpanel::page::{Document, Patch};
+
+/// Width at which pages are drawn to be measured.
+const WIDTH: usize = 620;
+
+/// What was counted on pages.
+#[derive(Debug, Default, Clone)]
+pub(crate) struct Figures {
+    /// Balloons.
+    pub(crate) balloons: usize,
+    /// Faces that are seen in panels with words, and those of them that a word or a tail covers a part of.
+    pub(crate) faces: (usize, usize),
+    /// Area of bodies in panels with words, and what of it is covered.
+    pub(crate) bodies: (f64, f64),
+    /// Tails, and those that lead to a mouth, or to what is largest where there is none.
+    pub(crate) tails: (usize, usize),
+    /// Words with a corner of a line outside of their shape, or a text that is not whole.
+    pub(crate) outside: usize,
+    /// Pairs of words that overlap.
+    pub(crate) overlaps: usize,
+    /// Words that cross the border of their panel.
+    pub(crate) crossing: usize,
+    /// Words that are read before one that is written before them.
+    pub(crate) disorder: usize,
+    /// Smallest and largest letters, in points on A4.
+    pub(crate) points: Option<(f64, f64)>,
+    /// What was found wrong, for those who look for it.
+    pub(crate) told: Vec<String>,
+}
+
+impl Figures {
+    /// Adds those of another page.
+    pub(crate) fn add(&mut self, other: Self) {
+        self.balloons += other.balloons;
+        self.faces = (self.faces.0 + other.faces.0, self.faces.1 + other.faces.1);
+        self.bodies = (self.bodies.0 + other.bodies.0, self.bodies.1 + other.bodies.1);
+        self.tails = (self.tails.0 + other.tails.0, self.tails.1 + other.tails.1);
+        self.outside += other.outside;
+        self.overlaps += other.overlaps;
+        self.crossing += other.crossing;
+        self.disorder += other.disorder;
+        self.points = match (self.points, other.points) {
+            (Some(a), Some(b)) => Some((a.0.min(b.0), a.1.max(b.1))),
+            (a, b) => a.or(b),
+        };
+        self.told.extend(other.told);
+    }
+
+    /// Share of the bodies' area that is covered, in percent.
+    pub(crate) fn covered_bodies(&self) -> f64 {
+        100.0 * self.bodies.1 / self.bodies.0.max(1e-9)
+    }
+
+    /// Tails that are right, in percent.
+    pub(crate) fn right_tails(&self) -> f64 {
+        100.0 * self.tails.1 as f64 / (self.tails.0 as f64).max(1.0)
+    }
+}
+
+struct Seen {
+    label: String,
+    bounds: Bounds,
+}
+
+/// Measures a page; `name` stands in what is told.
+///
+/// # Errors
+/// Those of drawing it.
+pub(crate) fn measure(
+    page: &Document,
+    photos: &[PhotoMeta],
+    letters: &Letters,
+    name: &str,
+) -> inkpanel::Result<Figures> {
+    let ground = Ground::new(page)?;
+    let all = lay_all(page, letters)?;
+    let patches: Vec<Patch> =
+        (0..all.len()).map(|i| draw::render(page, i, WIDTH, letters)).collect::<inkpanel::Result<_>>()?;
+    let mut figures = Figures::default();
+    let mut panels: Vec<usize> = all.iter().filter_map(|laid| laid.word.panel).collect();
+    panels.sort_unstable();
+    panels.dedup();
+    for panel in panels {
+        let frame = ground.panels[panel].bounds;
+        for seen in seen_in(page, &ground, panel, photos) {
+            let (area, covered) = covered(&patches, inside(seen.bounds, frame));
+            match seen.label.as_str() {
+                "face" => {
+                    figures.faces.0 += 1;
+                    if covered > 0.0 {
+                        figures.faces.1 += 1;
+                        figures
+                            .told
+                            .push(format!("{name}: a face in panel {panel} is covered by {covered:.4}"));
+                    }
+                }
+                "person" => {
+                    figures.bodies.0 += area;
+                    figures.bodies.1 += covered;
+                }
+                _ => {}
+            }
+        }
+    }
+    for (i, laid) in all.iter().enumerate() {
+        let points = laid.setting.size * 210.0 / 25.4 * 72.0;
+        figures.points =
+            Some(figures.points.map_or((points, points), |(low, high)| (low.min(points), high.max(points))));
+        if !matches!(laid.word.kind, Kind::Balloon(_)) {
+            continue;
+        }
+        figures.balloons += 1;
+        if laid.setting.cut || !holds_its_text(laid, letters) {
+            figures.outside += 1;
+            figures.told.push(format!("{name}: word {i} is outside of its balloon"));
+        }
+        if laid.word.joined.is_none() {
+            figures.tails.0 += 1;
+            let panel = laid.word.panel.unwrap_or(0);
+            match wrong_tail(laid, &seen_in(page, &ground, panel, photos)) {
+                None => figures.tails.1 += 1,
+                Some(why) => figures.told.push(format!("{name}: the tail of word {i} {why}")),
+            }
+        }
+        let frame = ground.frame(&laid.word);
+        let (a, b) = laid.setting.half;
+        if laid.middle.x - a < frame.x - 1e-6
+            || laid.middle.x + a > frame.x + frame.width + 1e-6
+            || laid.middle.y - b < frame.y - 1e-6
+            || laid.middle.y + b > frame.y + frame.height + 1e-6
+        {
+            figures.crossing += 1;
+            figures.told.push(format!("{name}: word {i} crosses the border of its panel"));
+        }
+        for (j, other) in all.iter().enumerate().skip(i + 1) {
+            if touching(&patches[i], &patches[j]) {
+                figures.overlaps += 1;
+                figures.told.push(format!("{name}: words {i} and {j} overlap"));
+            }
+            if laid.word.panel == other.word.panel && read_before(other, laid) {
+                figures.disorder += 1;
+                figures.told.push(format!("{name}: word {j} is read before word {i}"));
+            }
+        }
+    }
+    Ok(figures)
+}
+
+fn seen_in(page: &Document, ground: &Ground, panel: usize, photos: &[PhotoMeta]) -> Vec<Seen> {
+    let content = &page.panels[panel];
+    let Some(photo) = content.photo.as_ref().and_then(|id| photos.iter().find(|photo| photo.id == *id))
+    else {
+        return Vec::new();
+    };
+    let image = ground.panels[panel].bounds;
+    let crop = content.crop.unwrap_or(Crop { x: 0.0, y: 0.0, width: 1.0, height: 1.0 });
+    let (across, down) = (image.width / crop.width, image.height / crop.height);
+    let seen = photo.subjects.iter().map(|subject| Seen {
+        label: subject.label.clone(),
+        bounds: Bounds {
+            x: image.x + (subject.x - crop.x) * across,
+            y: image.y + (subject.y - crop.y) * down,
+            width: subject.width * across,
+            height: subject.height * down,
+        },
+    });
+    // What is cut off for the most part is not seen.
+    let shown = |seen: &Seen| {
+        let part = inside(seen.bounds, image);
+        part.width * part.height > 0.3 * seen.bounds.width * seen.bounds.height
+    };
+    seen.filter(shown).collect()
+}
+
+fn inside(a: Bounds, b: Bounds) -> Bounds {
+    let (x, y) = (a.x.max(b.x), a.y.max(b.y));
+    Bounds {
+        x,
+        y,
+        width: ((a.x + a.width).min(b.x + b.width) - x).max(0.0),
+        height: ((a.y + a.height).min(b.y + b.height) - y).max(0.0),
+    }
+}
+
+fn opaque(patch: &Patch, x: i64, y: i64) -> bool {
+    let (x, y) = (x - patch.area.x, y - patch.area.y);
+    x >= 0
+        && y >= 0
+        && (x as usize) < patch.area.width
+        && (y as usize) < patch.area.height
+        && patch.rgba[(y as usize * patch.area.width + x as usize) * 4 + 3] > 127
+}
+
+/// The area of a box in page widths squared, and what of it words cover.
+fn covered(patches: &[Patch], bounds: Bounds) -> (f64, f64) {
+    let scale = WIDTH as f64;
+    let range = |start: f64, length: f64| {
+        ((start * scale).ceil() as i64)..(((start + length) * scale).floor() as i64)
+    };
+    let mut count = 0;
+    for y in range(bounds.y, bounds.height) {
+        for x in range(bounds.x, bounds.width) {
+            count += usize::from(patches.iter().any(|patch| opaque(patch, x, y)));
+        }
+    }
+    (bounds.width * bounds.height, count as f64 / scale / scale)
+}
+
+fn touching(a: &Patch, b: &Patch) -> bool {
+    (0..a.area.height as i64).any(|y| {
+        (0..a.area.width as i64).any(|x| {
+            let (x, y) = (x + a.area.x, y + a.area.y);
+            opaque(a, x, y) && opaque(b, x, y)
+        })
+    })
+}
+
+/// Whether all corners of all lines are inside of the oval, which bursts and clouds go around.
+fn holds_its_text(laid: &Laid, letters: &Letters) -> bool {
+    let (a, b) = laid.setting.half;
+    let capitals = letters.font(&laid.word.font).map_or(0.7, |font| font.capitals) * laid.setting.size;
+    let last = (laid.setting.lines.len() as f64 - 1.0) / 2.0;
+    laid.setting.lines.iter().enumerate().all(|(i, (_, width))| {
+        let y = (i as f64 - last).abs() * laid.setting.pitch + capitals / 2.0;
+        (width / 2.0 / a).powf(2.4) + (y / b).powf(2.4) < 1.0
+    })
+}
+
+/// What is wrong with a tail: it should lead to a mouth, end before it, and pass nobody else.
+fn wrong_tail(laid: &Laid, seen: &[Seen]) -> Option<String> {
+    let Some(tip) = laid.tip else { return Some("is missing".into()) };
+    let middle = laid.middle;
+    let (a, b) = laid.setting.half;
+    let norm =
+        (((tip.x - middle.x) / a).abs().powf(2.4) + ((tip.y - middle.y) / b).abs().powf(2.4)).powf(1.0 / 2.4);
+    if norm < 1.05 {
+        return Some("is too short to be seen".into());
+    }
+    let foot = middle.toward(tip, 1.0 / norm);
+    let heads: Vec<&Seen> = seen.iter().filter(|seen| seen.label == "face").collect();
+    // On along its line, as far as the panel goes.
+    let far = Point::new(foot.x + (tip.x - foot.x) * 40.0, foot.y + (tip.y - foot.y) * 40.0);
+    if heads.is_empty() {
+        let bodies: Vec<&Seen> = seen.iter().filter(|seen| seen.label != "text").collect();
+        let hit = bodies.is_empty() || bodies.iter().any(|seen| first_hit(foot, far, seen.bounds).is_some());
+        return (!hit).then(|| "leads to nothing that is seen".into());
+    }
+    if heads.iter().any(|head| first_hit(foot, tip, head.bounds).is_some_and(|at| at < 0.999)) {
+        return Some("crosses a face".into());
+    }
+    let hits = heads.iter().filter_map(|head| Some((first_hit(foot, far, head.bounds)?, head)));
+    let Some((_, head)) = hits.min_by(|a, b| a.0.total_cmp(&b.0)) else {
+        return Some("leads to no face".into());
+    };
+    let middle_of =
+        |bounds: Bounds| Point::new(bounds.x + bounds.width / 2.0, bounds.y + 0.78 * bounds.height);
+    let mouth = middle_of(head.bounds);
+    let nearer = heads.iter().any(|other| {
+        !std::ptr::eq(*other, *head) && middle_of(other.bounds).distance(tip) < 0.75 * mouth.distance(tip)
+    });
+    if nearer {
+        return Some("ends nearer to another face".into());
+    }
+    let way = foot.distance(tip) / foot.distance(mouth).max(1e-9);
+    let until = first_hit(foot, mouth, head.bounds).unwrap_or(1.0);
+    (way < until.min(0.5) - 0.05 || way > 0.65).then(|| format!("ends {:.0} % of the way", 100.0 * way))
+}
+
+/// How far along a line a box begins.
+fn first_hit(from: Point, to: Point, bounds: Bounds) -> Option<f64> {
+    (0..=4_000).map(|i| f64::from(i) / 4_000.0).find(|&part| {
+        let at = from.toward(to, part);
+        at.x >= bounds.x
+            && at.x <= bounds.x + bounds.width
+            && at.y >= bounds.y
+            && at.y <= bounds.y + bounds.height
+    })
+}
+
+/// Whether a word is read before another: it is above, or beside it on the left.
+fn read_before(a: &Laid, b: &Laid) -> bool {
+    let half = |laid: &Laid| laid.setting.half.1;
+    let common =
+        (a.middle.y + half(a)).min(b.middle.y + half(b)) - (a.middle.y - half(a)).max(b.middle.y - half(b));
+    if common > 0.3 * 2.0 * half(a).min(half(b)) { a.middle.x < b.middle.x } else { a.middle.y < b.middle.y }
+}

@@ -1,0 +1,112 @@
+//! Pages of the photos that come with the program, with balloons that are placed by themselves.
+
+use inkpanel::framing::{PhotoMeta, Subject};
+use inkpanel::page::request::Request;
+use inkpanel::page::words::{Letters, place};
+use inkpanel::page::{Document, shuffle};
+use serde::{Deserialize, Serialize};
+use serde_json::{Value, json};
+use std::path::Path;
+
+/// What the nets saw in a photo, as the example stored it.
+#[derive(Serialize, Deserialize)]
+pub(crate) struct Known {
+    /// Name of the file.
+    pub(crate) id: String,
+    /// Its folder, from the root.
+    pub(crate) folder: String,
+    /// Size in pixels.
+    pub(crate) size: (u32, u32),
+    /// Faces and objects.
+    pub(crate) subjects: Vec<Subject>,
+}
+
+/// Pages that are measured, and balloons on them.
+pub(crate) const PAGES: u32 = 40;
+/// Balloons of a page.
+pub(crate) const BALLOONS: usize = 3;
+
+const STYLES: [&str; 8] =
+    ["comic", "noir", "clear-line", "riso-red", "watercolour", "golden-age", "ballpoint", "ben-day"];
+
+/// As people speak: a word, a sentence, two.
+const SPEECHES: [&str; 15] = [
+    "Look!",
+    "Did you hear that?",
+    "I told you it was the *other* road.",
+    "Don't move. Whatever happens, don't move.",
+    "We could have taken the train, you know. Trains have seats.",
+    "No.",
+    "So this is where you've been hiding all summer?",
+    "It's the oldest trick in the book, and we fell for it like children.",
+    "Who wants ice cream?",
+    "Nobody will ever believe us.",
+    "Wait — is that *ours*?",
+    "I never thought we would see the lighthouse again, not after such a night.",
+    "Quick, before anyone notices!",
+    "That's what she said yesterday, and the day before that.",
+    "Smile!",
+];
+
+/// The photos that are known.
+///
+/// # Errors
+/// The file is missing or broken.
+pub(crate) fn known(root: &Path) -> Result<Vec<Known>, Box<dyn std::error::Error>> {
+    Ok(serde_json::from_str(&std::fs::read_to_string(root.join("tests/data/lettering.json"))?)?)
+}
+
+/// The photos as the planner takes them.
+pub(crate) fn photos(known: &[Known]) -> Vec<PhotoMeta> {
+    let meta = |known: &Known| {
+        let mut meta = PhotoMeta::unmeasured(&known.id, known.size.0, known.size.1);
+        meta.subjects.clone_from(&known.subjects);
+        meta
+    };
+    known.iter().map(meta).collect()
+}
+
+/// A page: its layout, photos and crops by the planner, two balloons on the panel with most faces and one on another.
+///
+/// # Errors
+/// Those of the planner.
+pub(crate) fn page(photos: &[PhotoMeta], number: u32, letters: &Letters) -> inkpanel::Result<Document> {
+    // Photos with people take turns with others, so that most pages have somebody who speaks.
+    let (people, others): (Vec<&PhotoMeta>, Vec<&PhotoMeta>) = photos
+        .iter()
+        .partition(|photo| photo.subjects.iter().any(|s| s.label == "face" || s.label == "person"));
+    let count = 2 + number as usize % 5;
+    let pick = |list: &[&PhotoMeta], from: usize, count: usize| -> Vec<PhotoMeta> {
+        (0..count).map(|i| list[(from + i) % list.len()].clone()).collect()
+    };
+    let start = number as usize;
+    let mut chosen = pick(&people, start * 2, count.div_ceil(2) + 1);
+    chosen.extend(pick(&others, start * 3, count / 2));
+    chosen.sort_by(|a, b| a.id.cmp(&b.id));
+    chosen.dedup_by(|a, b| a.id == b.id);
+    let request = Request {
+        seed: number + 1,
+        photos: chosen,
+        style: Some(json!(STYLES[start % STYLES.len()])),
+        panels: Some(count),
+        merge: Some(false),
+        ..Request::default()
+    };
+    let mut page = shuffle::plan(&request)?;
+    let subjects =
+        |id: &str| photos.iter().find(|photo| photo.id == id).map_or(&[][..], |photo| &photo.subjects);
+    let faces = |panel: usize| {
+        let photo = page.panels[panel].photo.as_deref().unwrap_or_default();
+        subjects(photo).iter().filter(|s| s.label == "face").count()
+    };
+    let mut panels: Vec<usize> = (0..page.panels.len()).collect();
+    panels.sort_by_key(|&panel| (usize::MAX - faces(panel), panel));
+    let on = [panels[0], panels[0], panels[1 % panels.len()]];
+    let words = on.iter().enumerate().map(|(i, panel)| {
+        let text = SPEECHES[(start * BALLOONS + i) % SPEECHES.len()];
+        json!({ "kind": "balloon", "craft": 2, "text": text, "panel": panel, "language": "en" })
+    });
+    page.words = words.collect::<Vec<Value>>();
+    place::settle(&mut page, subjects, letters)?;
+    Ok(page)
+}

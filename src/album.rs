@@ -1,0 +1,151 @@
+//! Where photos of the command line come from: files, folders as albums, and standard input.
+
+use crate::{Complaint, name};
+use std::cmp::Ordering;
+use std::io::Read;
+use std::path::{Path, PathBuf};
+use std::sync::OnceLock;
+
+/// In the place of a file: standard input, or standard output.
+pub(crate) const STANDARD: &str = "-";
+/// Endings of the pictures that a folder is searched for.
+const PICTURES: [&str; 9] = ["jpg", "jpeg", "png", "webp", "gif", "bmp", "tif", "tiff", "jpe"];
+/// Folders in folders that are looked into.
+const DEEPEST: usize = 8;
+/// Files that one run takes, more than an album has: a folder may be a whole disk.
+const MOST_FILES: usize = 100_000;
+/// Bytes that are taken from standard input.
+const MOST_INPUT: u64 = 1 << 30;
+
+/// Whether a file stands for standard input or output.
+pub(crate) fn is_standard(path: &Path) -> bool {
+    path.as_os_str() == STANDARD
+}
+
+/// The name of a file as people are told it.
+pub(crate) fn told(path: &Path) -> String {
+    if is_standard(path) { "standard input".to_owned() } else { path.display().to_string() }
+}
+
+/// Reads a file, or standard input, which is read once and kept.
+pub(crate) fn read(path: &Path) -> Result<Vec<u8>, Complaint> {
+    static INPUT: OnceLock<Result<Vec<u8>, Complaint>> = OnceLock::new();
+    if !is_standard(path) {
+        return std::fs::read(path).map_err(|error| error.to_string());
+    }
+    let input = || {
+        let mut bytes = Vec::new();
+        let mut input = std::io::stdin().lock().take(MOST_INPUT + 1);
+        input.read_to_end(&mut bytes).map_err(|error| error.to_string())?;
+        if bytes.len() as u64 > MOST_INPUT {
+            return Err(format!("is larger than {} MB", MOST_INPUT >> 20));
+        }
+        Ok(bytes)
+    };
+    INPUT.get_or_init(input).clone()
+}
+
+/// The files that are meant: of a folder its pictures and those of the folders in it, in the order in which people count.
+pub(crate) fn files(given: &[PathBuf]) -> Result<Vec<PathBuf>, Complaint> {
+    if given.iter().filter(|path| is_standard(path)).count() > 1 {
+        return Err("standard input (-) can be read only once".into());
+    }
+    let mut files = Vec::new();
+    for path in given {
+        if is_standard(path) || !path.is_dir() {
+            files.push(path.clone());
+            continue;
+        }
+        let before = files.len();
+        walk(path, 0, &mut files)?;
+        if files.len() == before {
+            return Err(format!("{}: there is no picture in this folder", path.display()));
+        }
+    }
+    if files.len() > MOST_FILES {
+        return Err(format!("there are more than {MOST_FILES} files"));
+    }
+    Ok(files)
+}
+
+fn walk(folder: &Path, depth: usize, files: &mut Vec<PathBuf>) -> Result<(), Complaint> {
+    let complain = |error: std::io::Error| format!("{}: {error}", folder.display());
+    let mut found: Vec<PathBuf> = Vec::new();
+    for entry in std::fs::read_dir(folder).map_err(complain)? {
+        found.push(entry.map_err(complain)?.path());
+    }
+    found.sort_by(|a, b| by_name(name(a), name(b)).then_with(|| a.cmp(b)));
+    for path in found.into_iter().filter(|path| !name(path).starts_with('.')) {
+        // What is linked from elsewhere could lead round in a circle.
+        if path.is_dir() && !path.is_symlink() && depth < DEEPEST {
+            walk(&path, depth + 1, files)?;
+        } else if path.is_file() && is_picture(&path) && files.len() <= MOST_FILES {
+            files.push(path);
+        }
+    }
+    Ok(())
+}
+
+fn is_picture(path: &Path) -> bool {
+    let ending = path.extension().map(|ending| ending.to_string_lossy().to_lowercase());
+    ending.is_some_and(|ending| PICTURES.contains(&ending.as_str()))
+}
+
+/// The order of files in a folder as people see it: `photo2` before `photo10`, capitals like small letters.
+fn by_name(a: &str, b: &str) -> Ordering {
+    let (mut a, mut b) = (a.chars().peekable(), b.chars().peekable());
+    loop {
+        let (Some(&x), Some(&y)) = (a.peek(), b.peek()) else {
+            return a.peek().is_some().cmp(&b.peek().is_some());
+        };
+        let order = if x.is_ascii_digit() && y.is_ascii_digit() {
+            let (x, y) = (number(&mut a), number(&mut b));
+            x.len().cmp(&y.len()).then_with(|| x.cmp(&y))
+        } else {
+            a.next();
+            b.next();
+            x.to_lowercase().cmp(y.to_lowercase())
+        };
+        if order != Ordering::Equal {
+            return order;
+        }
+    }
+}
+
+/// The digits that come next, without zeros before them.
+fn number(text: &mut std::iter::Peekable<std::str::Chars<'_>>) -> String {
+    let mut digits = String::new();
+    while let Some(digit) = text.next_if(char::is_ascii_digit) {
+        if !(digits.is_empty() && digit == '0') {
+            digits.push(digit);
+        }
+    }
+    digits
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn files_are_in_the_order_in_which_people_count() {
+        let mut names = ["photo10.jpg", "Photo2.jpg", "photo1.jpg", "a.jpg", "photo02b.jpg", "photo"];
+        names.sort_by(|a, b| by_name(a, b));
+        assert_eq!(names, ["a.jpg", "photo", "photo1.jpg", "Photo2.jpg", "photo02b.jpg", "photo10.jpg"]);
+    }
+
+    #[test]
+    fn a_folder_is_its_pictures_and_those_of_its_folders() {
+        let folder = tempfile::tempdir().unwrap();
+        let at = |name: &str| folder.path().join(name);
+        std::fs::create_dir_all(at("b/c")).unwrap();
+        for file in ["2.jpg", "10.PNG", "b/c/x.webp", "b/notes.txt", ".hidden.jpg"] {
+            std::fs::write(at(file), "").unwrap();
+        }
+        let found = files(&[folder.path().to_owned()]).unwrap();
+        assert_eq!(found, ["2.jpg", "10.PNG", "b/c/x.webp"].map(at));
+        std::fs::create_dir(at("empty")).unwrap();
+        assert!(files(&[at("empty")]).unwrap_err().contains("no picture in this folder"));
+        assert!(files(&["-".into(), "-".into()]).unwrap_err().contains("only once"));
+    }
+}

@@ -1,0 +1,180 @@
+//! Settings of `render` in a file: each stands for the option of its name, and what the command line says goes before it.
+
+use crate::Complaint;
+use clap::{Command, CommandFactory};
+use serde_json::{Map, Value};
+use std::ffi::OsString;
+use std::path::{Path, PathBuf};
+
+/// Bytes of a file of settings.
+const MOST: u64 = 1 << 20;
+/// Settings that name files, which are looked for from the folder of the file of settings.
+const FILES: [&str; 6] = ["output", "words", "star", "models", "document", "save-document"];
+/// Those that may name a file or something else.
+const PERHAPS_FILES: [&str; 2] = ["layout", "style"];
+
+/// The arguments with those of the file that `--config` names put before them, and the photos that the file names.
+///
+/// # Errors
+/// A sentence with the name of the file and of the setting.
+pub(crate) fn expanded<C: CommandFactory>(
+    arguments: Vec<OsString>,
+) -> Result<(Vec<OsString>, Vec<PathBuf>), Complaint> {
+    let Some(file) = named(&arguments) else { return Ok((arguments, Vec::new())) };
+    let complain = |reason: String| format!("{}: {reason}", file.display());
+    let settings = read(&file).map_err(complain)?;
+    let command = C::command();
+    let render = command.find_subcommand("render").ok_or("there is no render")?;
+    let folder = file.parent().unwrap_or(Path::new(""));
+    let (head, tail) = arguments.split_at(2);
+    let (options, files) = options(settings, render, folder, tail).map_err(complain)?;
+    Ok(([head, &options[..], tail].concat(), files))
+}
+
+/// The file that `render --config` names.
+fn named(arguments: &[OsString]) -> Option<PathBuf> {
+    if arguments.get(1)?.to_str()? != "render" {
+        return None;
+    }
+    let mut rest = arguments[2..].iter().take_while(|argument| *argument != "--");
+    while let Some(argument) = rest.next() {
+        if argument == "--config" {
+            return rest.next().map(PathBuf::from);
+        }
+        if let Some(file) = argument.to_str().and_then(|text| text.strip_prefix("--config=")) {
+            return Some(PathBuf::from(file));
+        }
+    }
+    None
+}
+
+/// Reads JSON from a file that ends so, else TOML.
+fn read(file: &Path) -> Result<Map<String, Value>, Complaint> {
+    let about = std::fs::metadata(file).map_err(|error| error.to_string())?;
+    if about.len() > MOST {
+        return Err(format!("is larger than {MOST} bytes"));
+    }
+    let text = std::fs::read_to_string(file).map_err(|error| error.to_string())?;
+    let is_json = file.extension().is_some_and(|ending| ending.eq_ignore_ascii_case("json"));
+    let value: Value = if is_json {
+        serde_json::from_str(&text).map_err(|error| format!("is no JSON: {error}"))?
+    } else {
+        toml::from_str(&text).map_err(|error| format!("is no TOML: {}", error.to_string().trim()))?
+    };
+    match value {
+        Value::Object(settings) => Ok(settings),
+        _ => Err("must be a table of settings".into()),
+    }
+}
+
+/// Settings as options of the command, but for those that were `said` already, and the files among them.
+fn options(
+    settings: Map<String, Value>,
+    command: &Command,
+    folder: &Path,
+    said: &[OsString],
+) -> Result<(Vec<OsString>, Vec<PathBuf>), Complaint> {
+    let (mut options, mut files) = (Vec::new(), Vec::new());
+    for (key, value) in settings {
+        let name = key.replace('_', "-");
+        if name == "files" {
+            files.extend(texts(&value, &key)?.into_iter().map(|file| located(&file, folder)));
+            continue;
+        }
+        let known = command.get_arguments().find(|argument| argument.get_long() == Some(name.as_str()));
+        let known = known
+            .filter(|_| name != "config")
+            .ok_or_else(|| format!("there is no setting called \"{key}\""))?;
+        let option = format!("--{name}");
+        if is_said(said, &option, known.get_short()) {
+            continue;
+        }
+        if !known.get_action().takes_values() {
+            match value {
+                Value::Bool(true) => options.push(option.into()),
+                Value::Bool(false) => {}
+                _ => return Err(format!("{key}: must be true or false")),
+            }
+            continue;
+        }
+        for text in texts(&value, &key)? {
+            let is_file = FILES.contains(&name.as_str())
+                || (PERHAPS_FILES.contains(&name.as_str()) && folder.join(&text).is_file());
+            let value = if is_file { located(&text, folder).into_os_string() } else { text.into() };
+            // A number below 0 would else be taken for an option.
+            let mut whole = OsString::from(format!("{option}="));
+            whole.push(value);
+            options.push(whole);
+        }
+    }
+    Ok((options, files))
+}
+
+/// Whether an option is among the arguments, in full or in short.
+fn is_said(arguments: &[OsString], option: &str, short: Option<char>) -> bool {
+    arguments.iter().filter_map(|argument| argument.to_str()).take_while(|text| *text != "--").any(|text| {
+        let whole = text.split_once('=').map_or(text, |(option, _)| option);
+        whole == option
+            || short.is_some_and(|short| {
+                text.strip_prefix('-').is_some_and(|rest| !rest.starts_with('-') && rest.starts_with(short))
+            })
+    })
+}
+
+fn located(file: &str, folder: &Path) -> PathBuf {
+    if file == crate::album::STANDARD { PathBuf::from(file) } else { folder.join(file) }
+}
+
+/// A text or a number, or several.
+fn texts(value: &Value, key: &str) -> Result<Vec<String>, Complaint> {
+    let one = |value: &Value| match value {
+        Value::String(text) => Ok(text.clone()),
+        Value::Number(number) => Ok(number.to_string()),
+        _ => Err(format!("{key}: must be a text or a number")),
+    };
+    match value {
+        Value::Array(values) => values.iter().map(one).collect(),
+        value => Ok(vec![one(value)?]),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use serde_json::json;
+
+    fn made(settings: Value, said: &[&str]) -> Result<Vec<String>, Complaint> {
+        let command = crate::Cli::command();
+        let render = command.find_subcommand("render").unwrap();
+        let Value::Object(settings) = settings else { panic!("a table") };
+        let said: Vec<OsString> = said.iter().map(OsString::from).collect();
+        let (options, files) = options(settings, render, Path::new("album"), &said)?;
+        let files = files.into_iter().map(PathBuf::into_os_string);
+        Ok(options.into_iter().chain(files).map(|text| text.to_string_lossy().into_owned()).collect())
+    }
+
+    #[test]
+    fn settings_are_options_and_files_are_beside_them() {
+        let settings = json!({ "seed": 7, "merge": true, "no_detect": false, "star": ["a.jpg", "b.jpg"], "files": "c.jpg" });
+        let expected = ["--merge", "--seed=7", "--star=album/a.jpg", "--star=album/b.jpg", "album/c.jpg"];
+        assert_eq!(made(settings, &[]).unwrap(), expected);
+    }
+
+    #[test]
+    fn what_the_command_line_says_goes_before() {
+        let settings = json!({ "seed": 7, "style": "noir", "output": "x.png" });
+        assert_eq!(made(settings.clone(), &["--seed=3", "-opage.png"]).unwrap(), ["--style=noir"]);
+        assert_eq!(
+            made(settings, &["--style", "comic", "--", "--seed"]).unwrap(),
+            ["--output=album/x.png", "--seed=7"]
+        );
+    }
+
+    #[test]
+    fn what_is_no_setting_is_named() {
+        assert_eq!(made(json!({ "sede": 7 }), &[]).unwrap_err(), "there is no setting called \"sede\"");
+        assert_eq!(made(json!({ "config": "x" }), &[]).unwrap_err(), "there is no setting called \"config\"");
+        assert_eq!(made(json!({ "merge": 1 }), &[]).unwrap_err(), "merge: must be true or false");
+        assert_eq!(made(json!({ "seed": {} }), &[]).unwrap_err(), "seed: must be a text or a number");
+    }
+}

@@ -1,0 +1,127 @@
+//! Where results of the command line go: files that are there whole or not at all, and standard output.
+
+use crate::Complaint;
+use crate::album::is_standard;
+use crate::drawing::Kind;
+use std::fs::{self, File};
+use std::io::{ErrorKind, Write};
+use std::path::{Path, PathBuf};
+
+/// A place for a result.
+#[derive(Debug, Clone, PartialEq)]
+pub(crate) struct Output {
+    /// Where it goes; `-` is standard output.
+    pub(crate) path: PathBuf,
+    /// The name that tells its kind: that of the file, or one made up for what has none.
+    pub(crate) named: PathBuf,
+}
+
+impl Output {
+    /// A place of that name. What `format` says of its kind goes before what the name says; standard output is PNG unless
+    /// told.
+    ///
+    /// # Errors
+    /// A sentence for a kind that is not known.
+    pub(crate) fn new(path: &Path, format: Option<&str>) -> Result<Self, Complaint> {
+        let named = match format {
+            Some(format) => Path::new("page").with_extension(format),
+            None if is_standard(path) => PathBuf::from("page.png"),
+            None => path.to_owned(),
+        };
+        Kind::of(&named)?;
+        // The title of a PDF file is its name.
+        let named = match format {
+            Some(format) if !is_standard(path) => path.with_extension(format),
+            _ => named,
+        };
+        Ok(Self { path: path.to_owned(), named })
+    }
+
+    /// Whether it is there already. A file of ours is there whole or not at all.
+    pub(crate) fn exists(&self) -> bool {
+        !is_standard(&self.path)
+            && fs::metadata(&self.path).is_ok_and(|file| file.is_file() && file.len() > 0)
+    }
+
+    pub(crate) fn write(&self, bytes: &[u8]) -> Result<(), Complaint> {
+        write(&self.path, bytes)
+    }
+}
+
+/// Writes a file beside the place where it belongs and puts it there when it is whole; or writes to standard output.
+///
+/// # Errors
+/// A sentence with the name; then nothing of it is left, and a file that was there is as it was.
+pub(crate) fn write(path: &Path, bytes: &[u8]) -> Result<(), Complaint> {
+    if is_standard(path) {
+        let mut out = std::io::stdout().lock();
+        return match out.write_all(bytes).and_then(|()| out.flush()) {
+            // A reader that has gone away is no failure.
+            Err(error) if error.kind() != ErrorKind::BrokenPipe => Err(format!("standard output: {error}")),
+            _ => Ok(()),
+        };
+    }
+    let complain = |error: std::io::Error| format!("{}: {error}", path.display());
+    // What is linked stays a link; what is no file, such as a pipe, cannot be put in place of.
+    let path = fs::canonicalize(path).unwrap_or_else(|_| path.to_owned());
+    if fs::metadata(&path).is_ok_and(|there| !there.is_file()) {
+        return fs::write(&path, bytes).map_err(complain);
+    }
+    let fresh = fresh_beside(&path);
+    let written =
+        File::create(&fresh).and_then(|mut file| file.write_all(bytes).and_then(|()| file.sync_all()));
+    let placed = written.and_then(|()| fs::rename(&fresh, &path));
+    if placed.is_err() {
+        let _ = fs::remove_file(&fresh);
+    }
+    placed.map_err(complain)
+}
+
+/// A name in the same folder that no other run has.
+fn fresh_beside(path: &Path) -> PathBuf {
+    let name = path.file_name().unwrap_or_default().to_string_lossy().into_owned();
+    let short: String = name.chars().take(40).collect();
+    path.with_file_name(format!(".{short}.{}.part", std::process::id()))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_file_is_there_whole_and_nothing_is_left_beside_it() {
+        let folder = tempfile::tempdir().unwrap();
+        let file = folder.path().join("page.png");
+        for bytes in [&b"one"[..], b"another"] {
+            write(&file, bytes).unwrap();
+            assert_eq!(fs::read(&file).unwrap(), bytes);
+        }
+        assert_eq!(fs::read_dir(folder.path()).unwrap().count(), 1);
+        let nowhere = folder.path().join("missing/page.png");
+        assert!(write(&nowhere, b"x").unwrap_err().contains("page.png"));
+    }
+
+    #[test]
+    fn a_folder_in_its_place_is_a_complaint_and_stays() {
+        let folder = tempfile::tempdir().unwrap();
+        let place = folder.path().join("page.png");
+        fs::create_dir(&place).unwrap();
+        assert!(write(&place, b"x").is_err());
+        assert!(place.is_dir());
+        assert_eq!(fs::read_dir(folder.path()).unwrap().count(), 1);
+    }
+
+    #[test]
+    fn the_kind_is_told_by_the_name_or_by_word() {
+        let kind = |path: &str, format: Option<&str>| {
+            Output::new(Path::new(path), format).map(|output| Kind::of(&output.named).unwrap())
+        };
+        assert_eq!(kind("a.PNG", None), Ok(Kind::Png));
+        assert_eq!(kind("-", None), Ok(Kind::Png));
+        assert_eq!(kind("-", Some("jpg")), Ok(Kind::Jpeg));
+        assert_eq!(kind("a.out", Some("webp")), Ok(Kind::Webp));
+        for name in ["a.tiff", "a", "a.svg"] {
+            assert!(kind(name, None).unwrap_err().contains("a name that ends in .png"), "{name}");
+        }
+    }
+}

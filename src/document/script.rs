@@ -1,0 +1,217 @@
+//! Scripts as people write them: `NAME: what she says`, a line each, an empty line between panels.
+
+use super::speech::{self, Manner, Said, Taking, laid, named};
+use super::subtitles::{lines, trimmed};
+use crate::json::Writer;
+use serde_json::{Value, json};
+
+/// Most characters of a script: a book of comics has fewer.
+pub const MOST_SCRIPT: usize = 200_000;
+
+/// Names that stand for the narrator, without accents being looked at, in the languages of the page.
+const NARRATORS: [&str; 14] = [
+    "CAPTION",
+    "CAP",
+    "NARRATOR",
+    "NARRATION",
+    "TITLE",
+    "ERZÄHLER",
+    "ERZÄHLERIN",
+    "TEXT",
+    "NARRADOR",
+    "NARRADORA",
+    "NARRATEUR",
+    "RÉCITATIF",
+    "LEGENDA",
+    "ナレーション",
+];
+/// Names that stand for a sound.
+const SOUNDS: [&str; 10] =
+    ["SFX", "SOUND", "SOUND EFFECT", "GERÄUSCH", "SONIDO", "BRUIT", "SOM", "EFECTO", "EFFET", "効果音"];
+/// What begins the heading of a page or a panel, which says nothing.
+const HEADINGS: [&str; 13] = [
+    "PAGE",
+    "PANEL",
+    "SCENE",
+    "SEITE",
+    "BILD",
+    "PÁGINA",
+    "VIÑETA",
+    "PLANCHE",
+    "CASE",
+    "QUADRO",
+    "VINHETA",
+    "ページ",
+    "コマ",
+];
+/// How something is said, by what begins a word in round brackets behind the name.
+const MANNERS: [(Manner, &[&str]); 3] = [
+    (Manner::Thought, &["think", "thought", "denk", "piens", "pens", "心"]),
+    (Manner::Whisper, &["whisper", "flüster", "susurr", "chuchot", "sussurr", "ささや", "小声"]),
+    (Manner::Shout, &["shout", "yell", "scream", "cri", "ruf", "schrei", "grit", "叫"]),
+];
+
+/// The paragraphs of a script, each with what is said in it.
+#[must_use]
+pub fn read(text: &str) -> Vec<Vec<Said>> {
+    let text = text.strip_prefix('\u{feff}').unwrap_or(text);
+    let lines: Vec<&str> = lines(text).into_iter().map(trimmed).collect();
+    let has_names = lines.iter().any(|line| voice(line).is_some());
+    let mut groups: Vec<Vec<Said>> = vec![Vec::new()];
+    for line in lines {
+        if line.is_empty() || is_heading(line) {
+            groups.push(Vec::new());
+            continue;
+        }
+        let Some(group) = groups.last_mut() else { continue };
+        match voice(line) {
+            Some(said) => group.push(said),
+            // Where people are named, a line without a name goes on with what the one before it says.
+            None => match group.last_mut().filter(|_| has_names) {
+                Some(last) => {
+                    last.text.push(' ');
+                    last.text.push_str(line);
+                }
+                None if has_names => {
+                    group.push(Said { manner: Manner::Told, speaker: None, text: line.to_owned() });
+                }
+                None => group.append(&mut speech::of_lines(std::iter::once(line))),
+            },
+        }
+    }
+    for said in groups.iter_mut().flatten() {
+        said.text = trimmed(&said.text).to_owned();
+    }
+    for group in &mut groups {
+        group.retain(|said| !said.text.is_empty());
+    }
+    groups.retain(|group| !group.is_empty());
+    groups
+}
+
+/// Who says something, how, and what: none where nobody is named.
+fn voice(line: &str) -> Option<Said> {
+    let (front, back) = line.split_at(line.find([':', '：'])?);
+    let (name, how) = match front.split_once(['(', '（']) {
+        Some((name, how)) => (trimmed(name), how.trim_end_matches([')', '）', ' '])),
+        None => (trimmed(front), ""),
+    };
+    let colon = format!("{name}{back}");
+    let (_, text) = named(&colon, false)?;
+    let loud = name.to_uppercase();
+    let how = how.to_lowercase();
+    let manner = if NARRATORS.contains(&loud.as_str()) {
+        Manner::Told
+    } else if SOUNDS.contains(&loud.as_str()) {
+        Manner::Sound
+    } else {
+        let said = |starts: &[&str]| {
+            how.split([' ', ',']).any(|word| starts.iter().any(|start| word.starts_with(start)))
+        };
+        MANNERS.iter().find(|(_, starts)| said(starts)).map_or(Manner::Said, |(manner, _)| *manner)
+    };
+    Some(Said { manner, speaker: Some(name.to_owned()), text: text.to_owned() })
+}
+
+/// `PAGE 2, PANEL 3`, with or without a colon.
+fn is_heading(line: &str) -> bool {
+    let loud = line.to_uppercase();
+    let Some(rest) = HEADINGS.iter().find_map(|word| loud.strip_prefix(word)) else { return false };
+    let rest = rest.trim_start();
+    rest.starts_with(|letter: char| letter.is_numeric())
+        && rest.chars().filter(|letter| letter.is_alphabetic()).count() <= 10
+}
+
+/// Words for the paragraphs of a script laid over so many panels in order, in JSON: `{words, lines}`, of each word its
+/// `place` among the panels, and how many lines were read.
+#[must_use]
+pub fn told(text: &str, panels: usize, taking: Taking) -> String {
+    let text = text.char_indices().nth(MOST_SCRIPT).map_or(text, |(end, _)| &text[..end]);
+    let groups = read(text);
+    let words = placed(&groups, panels, taking);
+    let mut out = Writer::default();
+    out.open(b'{');
+    out.key("words").list(&words, &|out, word| out.value(word));
+    out.key("lines").whole(groups.iter().map(Vec::len).sum::<usize>() as u64);
+    out.close(b'}');
+    out.finish()
+}
+
+/// The words of groups of speech, each with its `place`. A single paragraph is laid out line by line.
+pub(super) fn placed(groups: &[Vec<Said>], panels: usize, taking: Taking) -> Vec<Value> {
+    // What has a name for a sound is meant to be heard.
+    let taking = |said: &Said| Taking { sounds: taking.sounds || said.speaker.is_some(), ..taking };
+    let alone: Vec<&[Said]> = match groups {
+        [one] => one.chunks(1).collect(),
+        _ => groups.iter().map(Vec::as_slice).collect(),
+    };
+    let groups: Vec<Vec<Value>> = alone
+        .into_iter()
+        .map(|group| group.iter().flat_map(|said| speech::words(said, taking(said))).collect())
+        .filter(|words: &Vec<Value>| !words.is_empty())
+        .collect();
+    let places = laid(groups.len(), panels);
+    let at = |(words, place): (Vec<Value>, usize)| {
+        words.into_iter().map(move |mut word| {
+            word["place"] = json!(place);
+            word
+        })
+    };
+    if panels == 0 { Vec::new() } else { groups.into_iter().zip(places).flat_map(at).collect() }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use proptest::prelude::*;
+
+    const TAKING: Taking = Taking { kind: "balloon", sounds: false };
+
+    fn words(text: &str, panels: usize) -> Vec<(String, String, u64)> {
+        let told: Value = serde_json::from_str(&told(text, panels, TAKING)).unwrap();
+        let word = |word: &Value| {
+            let kind = word["shape"].as_str().or(word["kind"].as_str()).unwrap();
+            (kind.to_owned(), word["text"].as_str().unwrap().to_owned(), word["place"].as_u64().unwrap())
+        };
+        told["words"].as_array().unwrap().iter().map(word).collect()
+    }
+
+    fn word(kind: &str, text: &str, place: u64) -> (String, String, u64) {
+        (kind.to_owned(), text.to_owned(), place)
+    }
+
+    #[test]
+    fn a_script_is_laid_over_panels_paragraph_by_paragraph() {
+        let script = "PAGE 1, PANEL 1\nCaption: Lisbon, in summer.\nAnna: Where are we?\nBen (whispering): Nearly\nthere.\n\nPanel 2:\nANNA (thinks): Hm.\nSFX: Bam\n\nBen： Run!";
+        assert_eq!(
+            words(script, 6),
+            [
+                word("caption", "Lisbon, in summer.", 0),
+                word("balloon", "Where are we?", 0),
+                word("whisper", "Nearly there.", 0),
+                word("thought", "Hm.", 1),
+                word("effect", "BAM", 1),
+                word("balloon", "Run!", 2),
+            ]
+        );
+    }
+
+    #[test]
+    fn one_paragraph_is_laid_line_by_line_and_more_lines_than_panels_stand_close() {
+        assert_eq!(words("A: One\nB: Two", 4), [word("balloon", "One", 0), word("balloon", "Two", 1)]);
+        let places: Vec<u64> = words("One\nTwo\nThree\nFour", 2).into_iter().map(|word| word.2).collect();
+        assert_eq!(places, [0, 0, 1, 1]);
+        assert!(words("A: One", 0).is_empty() && words(" \n\n", 3).is_empty());
+    }
+
+    proptest! {
+        #[test]
+        fn any_text_is_a_script(text in "[\\PC\n:()]{0,200}", panels in 0_usize..9) {
+            let told: Value = serde_json::from_str(&told(&text, panels, TAKING)).unwrap();
+            for word in told["words"].as_array().unwrap() {
+                prop_assert!(word["place"].as_u64().unwrap() < panels as u64);
+                prop_assert!(!word["text"].as_str().unwrap().is_empty());
+            }
+        }
+    }
+}

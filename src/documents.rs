@@ -1,0 +1,104 @@
+//! Pages as plain data on the command line: written with the names of their photos, and drawn again.
+
+use crate::destination::{Output, write};
+use crate::{Complaint, How, decode_file, done, drawing, name, plans, reading};
+use inkpanel::document::sheets::photos_on;
+use inkpanel::page::Document;
+use serde_json::Value;
+use std::collections::HashMap;
+use std::path::{Path, PathBuf};
+
+/// Bytes of a file of pages.
+const MOST: u64 = 64 << 20;
+/// Pages in it.
+const MOST_PAGES: usize = 1_000;
+
+/// Writes pages, one as it is, `several` as a list. In the place of ids stand the names of the photos: alone where no other
+/// photo has the same, else with their folders.
+///
+/// # Errors
+/// A sentence with the name of the file.
+pub(crate) fn save(
+    pages: &[Document],
+    paths: &HashMap<&str, &Path>,
+    several: bool,
+    file: &Path,
+) -> Result<(), Complaint> {
+    let named = |id: &str| -> String {
+        let Some(path) = paths.get(id) else { return id.to_owned() };
+        let alone = paths.values().filter(|other| name(other) == name(path)).count() == 1;
+        if alone { name(path).to_owned() } else { path.display().to_string() }
+    };
+    let texts: Vec<String> = pages
+        .iter()
+        .map(|page| {
+            let mut page = page.clone();
+            for panel in &mut page.panels {
+                panel.photo = panel.photo.as_deref().map(named);
+            }
+            page.order = page.order.iter().map(|id| named(id)).collect();
+            page.to_json()
+        })
+        .collect();
+    let text = if several { format!("[{}]", texts.join(",\n")) } else { texts.concat() };
+    write(file, format!("{text}\n").as_bytes())
+}
+
+/// Draws the pages of a file.
+///
+/// # Errors
+/// A sentence for what is no page, and for a photo that is neither among `files` nor beside the file.
+pub(crate) fn draw(file: &Path, files: &[PathBuf], output: &Output, how: &How) -> Result<(), Complaint> {
+    let complain = |reason: String| format!("{}: {reason}", file.display());
+    let pages = read(file).map_err(complain)?;
+    let shown: Vec<&Document> = pages.iter().collect();
+    let mut paths: HashMap<String, PathBuf> = HashMap::new();
+    for photo in photos_on(&shown) {
+        let path = found(photo, file, files).ok_or_else(|| {
+            complain(format!("the photo {photo} is neither beside it nor among the photos given"))
+        })?;
+        paths.insert(photo.to_owned(), path);
+    }
+    let full = |id: &str| paths.get(id).map(|path| decode_file(path)).transpose();
+    let printed: drawing::Printed<'_> = (&how.printing, &|_| &[]);
+    if let drawing::Kind::Comic(kind) = drawing::Kind::of(&output.named)? {
+        let title = output.named.file_stem().map(|stem| stem.to_string_lossy()).unwrap_or_default();
+        let told = reading::Telling { title: &title, language: how.printing.language() };
+        return done(&reading::write((kind, told), &pages, &|_| &[], &full, output)?);
+    }
+    if let [page] = &pages[..]
+        && drawing::Kind::of(&output.named)? != drawing::Kind::Pdf
+    {
+        output.write(&drawing::draw(page, &full, &output.named)?)?;
+        return done(std::slice::from_ref(&output.path));
+    }
+    done(&plans::draw_all(&pages, &full, output, (how.skip_existing, &|_, file| Ok(file), printed))?)
+}
+
+fn read(file: &Path) -> Result<Vec<Document>, Complaint> {
+    let bytes = crate::album::read(file)?;
+    if bytes.len() as u64 > MOST {
+        return Err(format!("is larger than {} MB", MOST >> 20));
+    }
+    let value: Value = serde_json::from_slice(&bytes).map_err(|error| format!("is no JSON: {error}"))?;
+    let values = match value {
+        Value::Array(values) => values,
+        value => vec![value],
+    };
+    if values.is_empty() || values.len() > MOST_PAGES {
+        return Err(format!("must have from 1 to {MOST_PAGES} pages"));
+    }
+    values
+        .iter()
+        .map(|value| Document::parse(&value.to_string()).map_err(|error| error.to_string()))
+        .collect()
+}
+
+/// The file of a photo that is named as one was given, or in a folder beside the page.
+fn found(photo: &str, page: &Path, files: &[PathBuf]) -> Option<PathBuf> {
+    let wanted = Path::new(photo);
+    let given =
+        files.iter().find(|file| *file == wanted).or_else(|| files.iter().find(|file| name(file) == photo));
+    let beside = page.parent().unwrap_or(Path::new("")).join(wanted);
+    given.cloned().or_else(|| beside.is_file().then_some(beside))
+}

@@ -1,0 +1,39 @@
+//! Styles from a picture, for the command line.
+
+use std::io::Write;
+use std::path::Path;
+
+use inkpanel::style::imitate::{self, Ask, Search, Seen};
+use inkpanel::style::{Context, Style};
+use rayon::prelude::*;
+use serde_json::Value;
+
+use crate::{Complaint, decode_file_fit};
+
+/// Long side of what is measured: more shows no more of a screen.
+const SIDE: usize = 1600;
+
+/// Styles that give `photo` the look of `picture`, as an array of style files with a score each. Progress goes to standard
+/// error. `anyway` takes pictures that seem to have no look of their own.
+pub(crate) fn imitate(picture: &Path, photo: &Path, seed: u32, anyway: bool) -> Result<Value, Complaint> {
+    let read = if anyway { imitate::read_any } else { imitate::read };
+    let look =
+        read(&decode_file_fit(picture, SIDE)?).map_err(|error| format!("{}: {error}", picture.display()))?;
+    let photo = decode_file_fit(photo, SIDE)?;
+    let mut search = Search::new(look, seed);
+    loop {
+        eprint!("\rlooking for styles: {:3.0} %", search.progress() * 100.0);
+        // Standard error that is gone is no reason to stop.
+        let _ = std::io::stderr().flush();
+        let asks = search.ask();
+        if asks.is_empty() {
+            break;
+        }
+        let seen = Seen::of(&photo, &asks[0]);
+        // What fails to draw is no candidate.
+        let attempt = |ask: &Ask| imitate::attempt(&seen, &ask.style, &mut Context::default()).ok();
+        search.tell(asks.par_iter().map(attempt).collect());
+    }
+    eprintln!();
+    Ok(search.proposals().iter().map(Style::to_value).collect())
+}

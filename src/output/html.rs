@@ -1,0 +1,185 @@
+//! One file of HTML that holds a comic and its reader: pictures as data URLs, every panel as a region with what it shows and what
+//! is said in it, in reading order. It asks nobody for anything: its policy allows its own script, its own style and pictures that
+//! are in it. Without a script it is a long page of pictures and text.
+
+use super::comic::{Comic, Piece};
+use super::markup::{escaped, points, short};
+use super::phrases::Phrases;
+use super::telling::{ToldPage, ToldPanel, ToldWord, WordKind, tell};
+use crate::error::Result;
+use crate::layout::Bounds;
+use crate::page::words::Letters;
+use std::fmt::Write as _;
+
+const STYLE: &str = include_str!("reader/reader.css");
+const SCRIPT: &str = include_str!("reader/reader.js");
+
+// `STYLE_HASH` and `SCRIPT_HASH`: the SHA-256 of both in base64, as a Content-Security-Policy names them.
+include!(concat!(env!("OUT_DIR"), "/reader.rs"));
+
+/// How much larger the hole for a word is than the word, so that its outline is in it.
+const AROUND: f64 = 1.06;
+
+/// The file in pieces, in their order; a picture stands for its data URL.
+///
+/// # Errors
+/// As [`tell`].
+pub fn write(comic: &Comic, letters: &Letters) -> Result<Vec<Piece>> {
+    let phrases = Phrases::of(&comic.language)?;
+    let pages = tell(comic, letters, &phrases)?;
+    let mut pieces = Vec::new();
+    let mut text = head(comic);
+    for (number, page) in pages.iter().enumerate() {
+        let name = phrases.page_name(number);
+        let ToldPage { width, height, panels } = page;
+        let alt = escaped(&phrases.page_with(number, panels.len()));
+        let id = number + 1;
+        let _ = write!(
+            text,
+            "<section class=\"page\" id=\"page-{id}\" aria-label=\"{name}\" data-size=\"{width} {height}\">\n\
+             <h2>{name}</h2>\n<div class=\"frame\"><div class=\"sheet\">\n\
+             <img width=\"{width}\" height=\"{height}\" alt=\"{alt}\" decoding=\"async\" src=\"",
+            name = escaped(&name),
+        );
+        pieces.push(Piece::Text(std::mem::take(&mut text)));
+        pieces.push(Piece::Picture(number));
+        text.push_str("\">\n");
+        shapes(&mut text, page, id);
+        text.push_str("</div></div>\n<ol class=\"panels\">\n");
+        for (at, panel) in panels.iter().enumerate() {
+            told(&mut text, (number, at), panel, page, &phrases);
+        }
+        text.push_str("</ol>\n</section>\n");
+    }
+    foot(&mut text, &phrases);
+    pieces.push(Piece::Text(text));
+    Ok(pieces)
+}
+
+fn head(comic: &Comic) -> String {
+    let (language, title) = (escaped(&comic.language), escaped(&comic.title));
+    format!(
+        "<!doctype html>\n<html lang=\"{language}\">\n<head>\n<meta charset=\"utf-8\">\n\
+         <meta http-equiv=\"Content-Security-Policy\" content=\"default-src 'none'; img-src data:; \
+         style-src 'sha256-{STYLE_HASH}'; script-src 'sha256-{SCRIPT_HASH}'; base-uri 'none'; form-action 'none'\">\n\
+         <meta name=\"viewport\" content=\"width=device-width, initial-scale=1, viewport-fit=cover\">\n\
+         <meta name=\"color-scheme\" content=\"light dark\">\n<meta name=\"generator\" content=\"Inkpanel\">\n\
+         <title>{title}</title>\n<style>{STYLE}</style>\n</head>\n<body>\n\
+         <header><h1 dir=\"auto\">{title}</h1></header>\n<main id=\"comic\">\n"
+    )
+}
+
+fn foot(text: &mut String, phrases: &Phrases) {
+    let say = |phrase: &str| escaped(phrase);
+    let _ = write!(
+        text,
+        "</main>\n<footer class=\"bar\">\n\
+         <div class=\"views\" role=\"group\" aria-label=\"{view}\">\n\
+         <button type=\"button\" data-view=\"panels\" aria-pressed=\"false\">{panels}</button>\n\
+         <button type=\"button\" data-view=\"pages\" aria-pressed=\"false\">{pages}</button>\n\
+         <button type=\"button\" data-view=\"text\" aria-pressed=\"false\">{words}</button>\n</div>\n\
+         <span id=\"place\" aria-hidden=\"true\"></span>\n\
+         <div class=\"steps\">\n\
+         <button type=\"button\" id=\"previous\" aria-label=\"{previous}\">{BACK}</button>\n\
+         <button type=\"button\" id=\"next\" aria-label=\"{next}\">{ON}</button>\n</div>\n\
+         <div id=\"progress\" aria-hidden=\"true\"></div>\n\
+         <p id=\"says\" class=\"unseen\" role=\"status\"></p>\n</footer>\n\
+         <script type=\"module\">{SCRIPT}</script>\n</body>\n</html>\n",
+        view = say(&phrases.view),
+        panels = say(&phrases.panels),
+        pages = say(&phrases.pages),
+        words = say(&phrases.text),
+        previous = say(&phrases.previous),
+        next = say(&phrases.next),
+    );
+}
+
+/// Arrows of the buttons.
+const BACK: &str = "<svg viewBox=\"0 0 24 24\" aria-hidden=\"true\"><path d=\"M15 5l-7 7 7 7\"/></svg>";
+const ON: &str = "<svg viewBox=\"0 0 24 24\" aria-hidden=\"true\"><path d=\"M9 5l7 7-7 7\"/></svg>";
+
+/// What dims the page but for one panel, and the shapes of panels and of their words: those that are read are holes in it.
+fn shapes(text: &mut String, page: &ToldPage, id: usize) {
+    let ToldPage { width, height, panels } = page;
+    let _ = writeln!(
+        text,
+        "<svg viewBox=\"0 0 {width} {height}\" width=\"{width}\" height=\"{height}\" aria-hidden=\"true\" \
+         focusable=\"false\"><mask id=\"mask-{id}\"><rect width=\"{width}\" height=\"{height}\" fill=\"#fff\"/>\
+         <g class=\"hole\"></g></mask>\
+         <rect class=\"veil\" width=\"{width}\" height=\"{height}\" mask=\"url(#mask-{id})\"/>"
+    );
+    for (at, panel) in panels.iter().enumerate() {
+        let corners = points(&panel.outline, &short);
+        let _ = write!(text, "<g class=\"shape\" data-panel=\"{at}\"><polygon points=\"{corners}\"/>");
+        for word in &panel.words {
+            word_shape(text, word);
+        }
+        text.push_str("</g>\n");
+    }
+    text.push_str("</svg>\n");
+}
+
+fn word_shape(text: &mut String, ToldWord { kind, bounds, .. }: &ToldWord) {
+    let Bounds { x, y, width, height } = *bounds;
+    let (x, y) = (x + width / 2.0, y + height / 2.0);
+    let (a, b) = (width / 2.0 * AROUND, height / 2.0 * AROUND);
+    let [x, y, a, b] = match kind {
+        WordKind::Balloon => [x, y, a, b],
+        _ => [x - a, y - b, 2.0 * a, 2.0 * b],
+    }
+    .map(short);
+    let _ = match kind {
+        WordKind::Balloon => write!(text, "<ellipse cx=\"{x}\" cy=\"{y}\" rx=\"{a}\" ry=\"{b}\"/>"),
+        _ => write!(text, "<rect x=\"{x}\" y=\"{y}\" width=\"{a}\" height=\"{b}\"/>"),
+    };
+}
+
+/// A panel as text.
+fn told(text: &mut String, (page, at): (usize, usize), panel: &ToldPanel, on: &ToldPage, phrases: &Phrases) {
+    let Bounds { x, y, width, height } = panel.view(on);
+    let [x, y, width, height] = [x, y, width, height].map(short);
+    let name = phrases.panel_name(page, at);
+    let shows = escaped(&panel.shows);
+    let _ = write!(
+        text,
+        "<li><section class=\"panel\" id=\"page-{}-panel-{}\" aria-label=\"{}: {shows}\" \
+         data-box=\"{x} {y} {width} {height}\">\n<h3 aria-hidden=\"true\">{}</h3>\n<p class=\"shows\">{shows}</p>\n",
+        page + 1,
+        at + 1,
+        escaped(&name),
+        escaped(&phrases.panel_alone(at)),
+    );
+    for word in &panel.words {
+        let kind = match word.kind {
+            WordKind::Caption => "caption",
+            WordKind::Balloon => "balloon",
+            WordKind::Effect => "effect",
+        };
+        let _ = writeln!(
+            text,
+            "<p class=\"word {kind}\"><span class=\"kind\">{}</span> <span class=\"said\" dir=\"auto\">{}</span></p>",
+            escaped(phrases.word(word.kind)),
+            escaped(&word.text),
+        );
+    }
+    text.push_str("</section></li>\n");
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_reader_ends_neither_its_script_nor_its_style() {
+        assert!(!SCRIPT.contains("</script") && !SCRIPT.contains("<!--") && !STYLE.contains("</"));
+        // Lines of another end would be other bytes than those of the hash once a browser has read them.
+        assert!(!SCRIPT.contains('\r') && !STYLE.contains('\r'));
+    }
+
+    #[test]
+    fn the_reader_asks_nobody() {
+        for address in ["http:", "https:", "//cdn", "import(", "import ", "fetch(", "url("] {
+            assert!(!SCRIPT.contains(address) && !STYLE.contains(address), "{address}");
+        }
+    }
+}

@@ -1,0 +1,60 @@
+//! Text in XML and HTML.
+
+use std::fmt::Write as _;
+
+/// Text as it may stand in an element or an attribute. What XML 1.0 has no characters for is left out: a file with them would be
+/// none.
+pub(super) fn escaped(text: &str) -> String {
+    let mut out = String::with_capacity(text.len());
+    for letter in text.chars() {
+        match letter {
+            '&' => out.push_str("&amp;"),
+            '<' => out.push_str("&lt;"),
+            '>' => out.push_str("&gt;"),
+            '"' => out.push_str("&quot;"),
+            '\'' => out.push_str("&#39;"),
+            '\t' | '\n' | '\r' => out.push(' '),
+            '\0'..'\u{20}' | '\u{7f}'..'\u{a0}' | '\u{fffe}' | '\u{ffff}' => {}
+            other => out.push(other),
+        }
+    }
+    out
+}
+
+/// A length with the two digits that can be seen, and no more letters than it takes.
+pub(super) fn short(value: f64) -> String {
+    let rounded = (value * 100.0).round() / 100.0;
+    // There is one nought.
+    format!("{}", if rounded == 0.0 { 0.0 } else { rounded })
+}
+
+/// Points as `x,y x,y`, each coordinate written by `number`.
+pub(super) fn points(points: &[(f64, f64)], number: &dyn Fn(f64) -> String) -> String {
+    let mut out = String::new();
+    for (i, &(x, y)) in points.iter().enumerate() {
+        let space = if i == 0 { "" } else { " " };
+        // Writing into text never fails.
+        let _ = write!(out, "{space}{},{}", number(x), number(y));
+    }
+    out
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn nothing_that_text_says_is_markup() {
+        assert_eq!(
+            escaped("<b a=\"x\" c='y'>&\u{0}\u{1b}\n"),
+            "&lt;b a=&quot;x&quot; c=&#39;y&#39;&gt;&amp; "
+        );
+        assert_eq!(escaped("Ärger 🦊 שלום"), "Ärger 🦊 שלום");
+    }
+
+    #[test]
+    fn lengths_are_short() {
+        assert_eq!([1.0, 2.345_6, -0.001].map(short), ["1", "2.35", "0"]);
+        assert_eq!(points(&[(1.0, 2.5), (3.0, 4.0)], &short), "1,2.5 3,4");
+    }
+}

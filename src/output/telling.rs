@@ -1,0 +1,184 @@
+//! Pages told: their panels in reading order, as polygons in pixels of the page's picture, what each shows and what is said in it.
+
+use super::comic::{Comic, ComicPage, wrong};
+use super::phrases::Phrases;
+use crate::error::Result;
+use crate::layout::{Bounds, Point, ResolvedShape};
+use crate::page::words::Letters;
+use crate::page::words::layout::{Ground, Laid, extent, lay_all};
+use crate::page::words::model::Kind;
+use crate::page::words::wording::read;
+use std::f64::consts::{PI, TAU};
+
+/// How far the polygon of a circle may be from it, in pixels.
+const ROUND: f64 = 0.25;
+/// Corners that a circle has at least.
+const LEAST_CORNERS: f64 = 32.0;
+/// Words of a panel are read from the top; of two the one to the left is first where it is lower by less than this part of the
+/// way between them.
+const SLANT: f64 = 0.3;
+
+/// A page.
+#[derive(Debug, Clone, PartialEq)]
+pub struct ToldPage {
+    /// Width of its picture in pixels.
+    pub width: u32,
+    /// Height of its picture in pixels.
+    pub height: u32,
+    /// Its panels in the order in which they are read.
+    pub panels: Vec<ToldPanel>,
+}
+
+/// A panel.
+#[derive(Debug, Clone, PartialEq)]
+pub struct ToldPanel {
+    /// Its outline in pixels.
+    pub outline: Vec<(f64, f64)>,
+    /// What is around its outline.
+    pub bounds: Bounds,
+    /// What it shows, in words; never empty.
+    pub shows: String,
+    /// Whether what it shows was found, and is not only that there is a photo.
+    pub known: bool,
+    /// What is said in it, in the order in which it is read.
+    pub words: Vec<ToldWord>,
+}
+
+/// A word.
+#[derive(Debug, Clone, PartialEq)]
+pub struct ToldWord {
+    /// What it is.
+    pub kind: WordKind,
+    /// What it says, on one line.
+    pub text: String,
+    /// What is around it, in pixels.
+    pub bounds: Bounds,
+    /// Height of an em in pixels.
+    pub size: f64,
+}
+
+/// What a word is, as far as it is told.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum WordKind {
+    /// Narration.
+    Caption,
+    /// What somebody says or thinks.
+    Balloon,
+    /// A sound.
+    Effect,
+}
+
+impl ToldPanel {
+    /// What has to be in view to read it: the panel with the words that stand out of it, in pixels; never outside of the page.
+    #[must_use]
+    pub fn view(&self, page: &ToldPage) -> Bounds {
+        let all = self.words.iter().map(|word| word.bounds).fold(self.bounds, Bounds::union);
+        within(all, page)
+    }
+}
+
+/// What of a rectangle lies on the page.
+pub(super) fn within(bounds: Bounds, page: &ToldPage) -> Bounds {
+    let (left, top) = (bounds.x.max(0.0), bounds.y.max(0.0));
+    let right = (bounds.x + bounds.width).min(f64::from(page.width));
+    let bottom = (bounds.y + bounds.height).min(f64::from(page.height));
+    Bounds { x: left, y: top, width: (right - left).max(1.0), height: (bottom - top).max(1.0) }
+}
+
+/// All pages of a comic.
+///
+/// # Errors
+/// `invalid-document` for panels that do not fit the layout and for words that break their shape; `unknown-layout`,
+/// `invalid-layout`.
+pub fn tell(comic: &Comic, letters: &Letters, phrases: &Phrases) -> Result<Vec<ToldPage>> {
+    comic.pages.iter().map(|page| told(page, letters, phrases)).collect()
+}
+
+fn told(page: &ComicPage, letters: &Letters, phrases: &Phrases) -> Result<ToldPage> {
+    let ComicPage { document, shows } = page;
+    let ground = Ground::new(document)?;
+    if ground.panels.len() != document.panels.len() {
+        let (has, wants) = (document.panels.len(), ground.panels.len());
+        return Err(wrong("panels", format!("has {has} entries, the layout has {wants} panels")));
+    }
+    let (width, height) = (document.page.width, document.page.height);
+    let scale = f64::from(width);
+    let mut panels: Vec<ToldPanel> = Vec::new();
+    for (i, panel) in ground.panels.iter().enumerate() {
+        let leader = document.merge_of(i).and_then(|group| group.first().copied()).unwrap_or(i);
+        let photo = document.panels.get(leader).is_some_and(|panel| panel.photo.is_some());
+        let found = shows.get(i).map(|text| text.trim()).filter(|text| photo && !text.is_empty());
+        let usual = if photo { &phrases.photo } else { &phrases.empty };
+        panels.push(ToldPanel {
+            outline: outline(&panel.shape, scale),
+            bounds: scaled(panel.bounds, scale),
+            shows: found.unwrap_or(usual).to_owned(),
+            // That a panel is empty is all that there is to say of it.
+            known: found.is_some() || !photo,
+            words: Vec::new(),
+        });
+    }
+    let mut laid = lay_all(document, letters)?;
+    laid.sort_by(|a, b| place(a).total_cmp(&place(b)));
+    for word in &laid {
+        let Some(at) = panel_of(word, &ground) else { continue };
+        panels[at].words.extend(told_word(word, scale));
+    }
+    Ok(ToldPage { width, height, panels })
+}
+
+/// Where a word comes when it is read.
+fn place(laid: &Laid) -> f64 {
+    laid.middle.y + SLANT * laid.middle.x
+}
+
+/// The panel that a word is read with: its own, else the one that it lies on or is nearest to.
+fn panel_of(laid: &Laid, ground: &Ground) -> Option<usize> {
+    let last = ground.panels.len().checked_sub(1)?;
+    if let Some(panel) = laid.word.panel {
+        return Some(panel.min(last));
+    }
+    let Point { x, y } = laid.middle;
+    let away = |panel: usize| {
+        let Bounds { x: left, y: top, width, height } = ground.panels[panel].bounds;
+        let (dx, dy) = ((left - x).max(x - left - width).max(0.0), (top - y).max(y - top - height).max(0.0));
+        dx.hypot(dy)
+    };
+    // Of panels that lie on each other the one that is seen: the last.
+    (0..=last).rev().min_by(|&a, &b| away(a).total_cmp(&away(b)))
+}
+
+fn told_word(laid: &Laid, scale: f64) -> Option<ToldWord> {
+    let text = read(&laid.word);
+    let text = text.split_whitespace().collect::<Vec<_>>().join(" ");
+    let (a, b) = extent(&laid.word, &laid.setting);
+    let Point { x, y } = laid.middle;
+    let bounds = scaled(Bounds { x: x - a, y: y - b, width: 2.0 * a, height: 2.0 * b }, scale);
+    let kind = match laid.word.kind {
+        Kind::Caption => WordKind::Caption,
+        Kind::Effect => WordKind::Effect,
+        Kind::Balloon(_) => WordKind::Balloon,
+    };
+    (!text.is_empty()).then_some(ToldWord { kind, text, bounds, size: laid.setting.size * scale })
+}
+
+fn scaled(bounds: Bounds, by: f64) -> Bounds {
+    Bounds { x: bounds.x * by, y: bounds.y * by, width: bounds.width * by, height: bounds.height * by }
+}
+
+/// The outline of a panel in pixels; a circle has so many corners that none can be seen.
+fn outline(shape: &ResolvedShape, scale: f64) -> Vec<(f64, f64)> {
+    match shape {
+        ResolvedShape::Polygon(points) => points.iter().map(|p| (p.x * scale, p.y * scale)).collect(),
+        ResolvedShape::Circle { center, radius } => {
+            let radius = radius * scale;
+            let step = (1.0 - ROUND / radius.max(ROUND)).acos().max(0.01);
+            let count = (PI / step).ceil().max(LEAST_CORNERS);
+            let at = |i: f64| {
+                let (sin, cos) = (TAU * i / count).sin_cos();
+                (center.x * scale + radius * cos, center.y * scale + radius * sin)
+            };
+            (0..count as usize).map(|i| at(i as f64)).collect()
+        }
+    }
+}

@@ -1,0 +1,107 @@
+//! Words and the photos that they belong to: a word on a panel is of the photo there, and its field `photo` names it.
+
+use super::document::PanelContent;
+use serde_json::{Value, json};
+
+/// The photo of a word: the one that it names, else the one on its panel.
+#[must_use]
+pub fn photo_of<'a>(word: &'a Value, panels: &'a [PanelContent]) -> Option<&'a str> {
+    word["panel"].as_u64()?;
+    word["photo"].as_str().or_else(|| on_panel(word, panels))
+}
+
+fn on_panel<'a>(word: &Value, panels: &'a [PanelContent]) -> Option<&'a str> {
+    let panel = usize::try_from(word["panel"].as_u64()?).ok()?;
+    // In a layout of fewer panels a word stands on the last.
+    panels.get(panel).or(panels.last())?.photo.as_deref()
+}
+
+/// Lets a word name its photo, where it stands on a panel and names none.
+pub fn tie(word: &mut Value, panels: &[PanelContent]) {
+    if word["photo"].is_string() {
+        return;
+    }
+    if let Some(photo) = on_panel(word, panels) {
+        word["photo"] = json!(photo);
+    }
+}
+
+/// The word with the name of its photo.
+#[must_use]
+pub fn tied(word: &Value, panels: &[PanelContent]) -> Value {
+    let mut word = word.clone();
+    tie(&mut word, panels);
+    word
+}
+
+/// The word on the panel that shows its photo; none where none does. One that finds its place by itself looks for it anew.
+#[must_use]
+pub fn belongs(word: &Value, panels: &[PanelContent]) -> Option<Value> {
+    let photo = word["photo"].as_str()?;
+    let panel = panels.iter().position(|panel| panel.photo.as_deref() == Some(photo))?;
+    let mut word = word.clone();
+    word["panel"] = json!(panel);
+    if let Some(word) = word.as_object_mut().filter(|word| word.get("auto") != Some(&json!(false))) {
+        for name in ["x", "y", "tail", "room"] {
+            word.remove(name);
+        }
+    }
+    Some(word)
+}
+
+/// Words on panels with these photos: those that stay, each on the panel of its photo, and those whose photo is not there.
+#[must_use]
+pub fn carried(words: &[Value], panels: &[PanelContent]) -> (Vec<Value>, Vec<Value>) {
+    let (mut stay, mut leave) = (Vec::new(), Vec::new());
+    for word in words {
+        let word = tied(word, panels);
+        let named = word["panel"].as_u64().and(word["photo"].as_str());
+        match named {
+            // A photo may be on several panels.
+            Some(photo) if on_panel(&word, panels) != Some(photo) => match belongs(&word, panels) {
+                Some(word) => stay.push(word),
+                None => leave.push(word),
+            },
+            _ => stay.push(word),
+        }
+    }
+    (stay, leave)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn panels(photos: &[&str]) -> Vec<PanelContent> {
+        photos
+            .iter()
+            .map(|&photo| PanelContent { photo: Some(photo.into()), ..PanelContent::default() })
+            .collect()
+    }
+
+    #[test]
+    fn a_word_goes_where_its_photo_is() {
+        let word = tied(
+            &json!({ "kind": "balloon", "text": "Hi", "panel": 1, "x": 0.2, "y": 0.3, "auto": false }),
+            &panels(&["a", "b"]),
+        );
+        assert_eq!(word["photo"], "b");
+        let (stay, leave) = carried(std::slice::from_ref(&word), &panels(&["b", "c"]));
+        assert_eq!((&stay[0]["panel"], &stay[0]["x"], leave.len()), (&json!(0), &json!(0.2), 0));
+        assert_eq!(carried(std::slice::from_ref(&word), &panels(&["a", "c"])).1, std::slice::from_ref(&word));
+        // It does not move between two panels of one photo, nor does one of the whole page.
+        assert_eq!(carried(std::slice::from_ref(&word), &panels(&["b", "b"])).0, [word]);
+        let page = json!({ "kind": "caption", "text": "Title", "photo": "a" });
+        assert_eq!(carried(std::slice::from_ref(&page), &panels(&["c"])).0, [page]);
+    }
+
+    #[test]
+    fn one_that_nobody_moved_looks_for_its_place_anew() {
+        let word = json!({ "kind": "balloon", "text": "Hi", "panel": 0, "photo": "b", "x": 0.2, "y": 0.3, "auto": true, "tail": { "x": 1, "y": 1 } });
+        let (stay, _) = carried(&[word], &panels(&["a", "b"]));
+        assert_eq!(
+            stay,
+            [json!({ "kind": "balloon", "text": "Hi", "panel": 1, "photo": "b", "auto": true })]
+        );
+    }
+}

@@ -1,0 +1,502 @@
+//! Where letterers put words: captions flush into corners, balloons high in the panel and near the mouth that says them,
+//! read in the order in which they are written, never on a face, off bodies where there is room.
+//!
+//! The words of a panel are placed together. Of each, some shapes are tried (as its text likes it, flat, upright, small) at
+//! a grid of places; what is bad about a place by itself is one cost, what is bad about two places together another. The
+//! best sets are carried on from word to word (a beam search), so that the first balloon leaves room for the second.
+//!
+//! Costs come in ranks: faces, borders, other words and the order of reading outweigh all that is usual or pretty.
+//!
+//! Source: Nate Piekos, "Comics Grammar & Tradition" (Blambot); Thawonmas and Shuda, "Comic layout for automatic comic
+//! generation from game log" (2008), for faces and order as constraints.
+
+use super::{INSET, Seen, center, contains, covered, gap, panel_of, shared};
+use crate::layout::{Bounds, Point, ResolvedPanel};
+use crate::page::words::layout::{Ground, Laid};
+use crate::page::words::letters::Letters;
+use crate::page::words::model::{Craft, Kind, Word};
+
+/// Places that are tried along each side of a panel.
+const STEPS: usize = 15;
+/// Sets of places that are carried on where there are few words; of many, whose sets are large, fewer.
+const BEAM: usize = 24;
+/// More words of one panel than this are placed one after the other.
+const CROWD: usize = 12;
+/// Places of one word that are kept for the search.
+const PLACES: usize = 160;
+/// Where a tail ends on its way from the balloon to the mouth.
+const REACH: f64 = 0.56;
+/// The shortest tail that still points, and one that no mouth asks for, in page widths.
+const TAIL: (f64, f64) = (0.014, 0.034);
+/// What breaks a rule of letterers.
+const FORBIDDEN: f64 = 400.0;
+/// What it costs to cover a body.
+const BODY: f64 = 60.0;
+/// The size of letters from which on they are read without effort, in page widths: 6 points on A4.
+const LEGIBLE: f64 = 0.0101;
+/// Faces that speak, of those in a panel.
+const SPEAKERS: usize = 6;
+
+/// Where a word stands.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Place {
+    /// What it covers without its tail.
+    pub(super) area: Bounds,
+    /// Where its tail ends.
+    pub(super) tip: Option<Point>,
+    /// The room that its text was set for, where that is not the usual.
+    pub(super) room: Option<(f64, f64)>,
+    /// The foot of its tail.
+    foot: Point,
+    /// The face that says it, among those of the panel.
+    speaker: Option<usize>,
+    /// Its text is round a balloon: corners are free.
+    round: bool,
+    cost: f64,
+}
+
+/// The words that are placed together: those of a panel that nobody has moved, in their order.
+pub(super) fn groups(words: &[Word], ground: &Ground) -> Vec<Vec<usize>> {
+    let mut groups: Vec<(Option<usize>, Vec<usize>)> = Vec::new();
+    for (i, word) in words.iter().enumerate() {
+        if !word.auto || word.craft == Craft::First {
+            continue;
+        }
+        let panel = panel_of(word, ground);
+        match groups.iter_mut().find(|(other, _)| *other == panel) {
+            Some((_, group)) => group.push(i),
+            None => groups.push((panel, vec![i])),
+        }
+    }
+    groups.into_iter().map(|(_, group)| group).collect()
+}
+
+/// Finds the places of the words of a group. `joins`: the balloon that each word of the document is joined to.
+pub(super) fn place(
+    words: &[Word],
+    joins: &[Option<usize>],
+    group: &[usize],
+    ground: &Ground,
+    seen: &[Seen],
+    taken: &[Bounds],
+    letters: &Letters,
+) -> Vec<(usize, Place)> {
+    let Some(word) = group.first().map(|&first| &words[first]) else { return Vec::new() };
+    let room = Room {
+        frame: ground.frame(word),
+        panel: panel_of(word, ground).and_then(|panel| ground.panels.get(panel)),
+        seen,
+        speakers: speakers(seen),
+        taken,
+        count: group.len(),
+    };
+    let mut beam = vec![(0.0, Vec::<Place>::new())];
+    for (rank, &index) in group.iter().enumerate() {
+        let places = room.places(&words[index], rank, ground, letters);
+        let mut next: Vec<(f64, usize, usize)> = Vec::new();
+        for (set, (cost, before)) in beam.iter().enumerate() {
+            for (at, place) in places.iter().enumerate() {
+                let pairs = before.iter().enumerate().map(|(other, placed)| {
+                    let joined = joins[index] == Some(group[other]);
+                    let kinds = (words[group[other]].kind, words[index].kind);
+                    together(placed, place, kinds, joined, other + 1 == rank)
+                });
+                next.push((cost + place.cost + pairs.sum::<f64>(), set, at));
+            }
+        }
+        next.sort_by(|a, b| a.0.total_cmp(&b.0));
+        next.truncate(if group.len() > CROWD { 1 } else { BEAM });
+        let carried = next.into_iter().map(|(cost, set, at)| {
+            let mut set = beam[set].1.clone();
+            set.push(places[at]);
+            (cost, set)
+        });
+        beam = carried.collect();
+    }
+    let places = beam.into_iter().next().map(|(_, places)| places).unwrap_or_default();
+    let mut out: Vec<(usize, Place)> = group.iter().copied().zip(places).collect();
+    // Of balloons that are joined the first alone has a tail: one mouth says them all.
+    let joined: Vec<usize> = out.iter().map(|(i, _)| *i).filter(|&i| joins[i].is_some()).collect();
+    for (_, place) in out.iter_mut().filter(|(i, _)| joined.contains(i)) {
+        place.tip = None;
+    }
+    out
+}
+
+/// The faces that may speak, the likeliest first: large ones, that were surely seen.
+fn speakers(seen: &[Seen]) -> Vec<(usize, f64)> {
+    let size = |seen: &Seen| seen.bounds.width * seen.bounds.height * (0.5 + 0.5 * seen.score);
+    let faces = || seen.iter().enumerate().filter(|(_, seen)| seen.face);
+    let largest = faces().map(|(_, seen)| size(seen)).fold(1e-12, f64::max);
+    let mut likely: Vec<(usize, f64)> =
+        faces().map(|(i, seen)| (i, 2.2 * (1.0 - (size(seen) / largest).sqrt()))).collect();
+    likely.sort_by(|a, b| a.1.total_cmp(&b.1));
+    likely.truncate(SPEAKERS);
+    likely
+}
+
+/// A panel in which words are placed.
+struct Room<'a> {
+    frame: Bounds,
+    panel: Option<&'a ResolvedPanel>,
+    seen: &'a [Seen],
+    /// Faces that may speak, and what it costs that they do.
+    speakers: Vec<(usize, f64)>,
+    taken: &'a [Bounds],
+    /// How many words are placed.
+    count: usize,
+}
+
+impl Room<'_> {
+    /// The best places of a word by itself. `rank`: how many of the panel's words come before it.
+    fn places(&self, word: &Word, rank: usize, ground: &Ground, letters: &Letters) -> Vec<Place> {
+        let usual = ground.lay(Word { room: None, ..word.clone() }, letters);
+        let mut shapes = vec![(None, usual)];
+        // A person's size or width is not changed.
+        if word.kind != Kind::Effect && word.width.is_none() && self.count <= CROWD {
+            for (across, down) in
+                [(0.94, 0.2), (0.94, 0.3), (0.22, 0.8), (0.34, 0.8), (0.46, 0.34), (0.3, 0.3)]
+            {
+                let room = (across * self.frame.width, down * self.frame.height);
+                let laid = ground.lay(Word { room: Some(room), ..word.clone() }, letters);
+                let other = |(_, shape): &(_, Laid)| shape.setting != laid.setting;
+                if shapes.iter().all(other) {
+                    shapes.push((Some(room), laid));
+                }
+            }
+        }
+        let largest = shapes.iter().map(|(_, laid)| laid.setting.size).fold(0.0, f64::max);
+        // A column beside a body is no gain where nobody can read it.
+        shapes.retain(|(_, laid)| laid.setting.size >= LEGIBLE.min(largest));
+        let mut places = Vec::new();
+        for (room, laid) in &shapes {
+            // Letters that are smaller than others of the page are a last resort, all the more where the end is missing.
+            let small = 9.0 * (largest / laid.setting.size.max(1e-6)).ln()
+                + if laid.setting.cut { 60.0 } else { 0.0 };
+            let plain = if room.is_some() { 0.25 } else { 0.0 };
+            for area in self.spots(laid) {
+                let cost = small + plain + self.cost(laid, area, rank);
+                self.aimed(laid, area, cost, *room, &mut places);
+            }
+        }
+        places.sort_by(|a: &Place, b| a.cost.total_cmp(&b.cost));
+        self.varied(places)
+    }
+
+    /// The cheapest places, among them some in each part of the panel: what is best alone may not be best beside others.
+    fn varied(&self, places: Vec<Place>) -> Vec<Place> {
+        let mut kept = Vec::with_capacity(PLACES);
+        let mut counts = [0; 25];
+        let share = PLACES / 25 + 10;
+        for place in places {
+            let middle = center(place.area);
+            let part = |at: f64, start: f64, length: f64| {
+                (((at - start) / length.max(1e-9) * 5.0).floor().clamp(0.0, 4.0)) as usize
+            };
+            let cell = part(middle.x, self.frame.x, self.frame.width)
+                + 5 * part(middle.y, self.frame.y, self.frame.height);
+            if counts[cell] < share {
+                counts[cell] += 1;
+                kept.push(place);
+            }
+        }
+        kept
+    }
+
+    /// The areas that are tried for a word.
+    fn spots(&self, laid: &Laid) -> Vec<Bounds> {
+        let Bounds { width, height, .. } = covered(laid);
+        // A caption lies on the border of its panel: they are one line.
+        let inset = if laid.word.kind == Kind::Caption { 0.0 } else { INSET };
+        let along = |start: f64, length: f64, size: f64| -> Vec<f64> {
+            let room = length - size - 2.0 * inset;
+            if room <= 0.0 {
+                return vec![start + (length - size) / 2.0];
+            }
+            (0..STEPS).map(|i| start + inset + room * i as f64 / (STEPS - 1) as f64).collect()
+        };
+        let rows = along(self.frame.y, self.frame.height, height);
+        let columns = along(self.frame.x, self.frame.width, width);
+        rows.iter().flat_map(|&y| columns.iter().map(move |&x| Bounds { x, y, width, height })).collect()
+    }
+
+    /// What is bad about a place, but for its tail.
+    fn cost(&self, laid: &Laid, area: Bounds, rank: usize) -> f64 {
+        let round = matches!(laid.word.kind, Kind::Balloon(_));
+        let mut cost = self.outside(area, round);
+        for other in self.taken {
+            let touched = shared(area, grown(*other, INSET));
+            if touched > 0.0 {
+                cost += FORBIDDEN * (1.0 + touched / (area.width * area.height));
+            }
+        }
+        let own = area.width * area.height;
+        let size = self.frame.width.hypot(self.frame.height);
+        let mut nearest = size;
+        for seen in self.seen {
+            let body = seen.bounds.width * seen.bounds.height;
+            let part = cover(area, if seen.face { grown(seen.bounds, 0.004) } else { seen.bounds }, round);
+            if seen.face {
+                if part > 0.0 {
+                    cost += FORBIDDEN + 4.0 * FORBIDDEN * part / own.min(body).max(1e-12);
+                }
+                nearest = nearest.min(gap(area, seen.bounds));
+            } else {
+                let weight = if seen.person { BODY } else { 3.0 };
+                cost += weight * (part / own + 4.0 * part / body.max(1e-12));
+            }
+        }
+        cost + self.manners(laid.word.kind, area, rank, nearest / size)
+    }
+
+    /// What is usual: captions in corners, balloons high, sounds where there is room.
+    fn manners(&self, kind: Kind, area: Bounds, rank: usize, nearest: f64) -> f64 {
+        let frame = self.frame;
+        let part = |at: f64, start: f64, room: f64| if room > 1e-9 { (at - start) / room } else { 0.5 };
+        let right = part(area.x, frame.x, frame.width - area.width);
+        let low = part(area.y, frame.y, frame.height - area.height);
+        match kind {
+            Kind::Caption => {
+                // The first words of a panel stand in its upper left corner, the last of some may end it.
+                let last = rank > 0 && rank + 1 == self.count;
+                let wanted = if last { right.min(1.0 - right) } else { right };
+                let flush = right.min(1.0 - right) + low.min(1.0 - low);
+                3.0 * flush + 0.5 * wanted + if last { 0.1 } else { 1.0 } * low - 0.6 * nearest
+            }
+            Kind::Balloon(_) => {
+                let turn = if self.count > 1 { rank as f64 / (self.count - 1) as f64 } else { 0.0 };
+                1.6 * (low - 0.5 * turn).max(0.0) + 0.3 * low + 0.15 * right
+            }
+            Kind::Effect => 1.2 * (right - 0.5).hypot(low - 0.6) - 1.5 * nearest,
+        }
+    }
+
+    /// What a place costs that reaches beyond its panel.
+    fn outside(&self, area: Bounds, round: bool) -> f64 {
+        let Some(panel) = self.panel else { return 0.0 };
+        let middle = center(area);
+        let (a, b) = (area.width / 2.0, area.height / 2.0);
+        // Places all around a balloon, or the corners of a box; a border that is just touched is not crossed.
+        let around: &[(f64, f64)] = if round {
+            &[
+                (1.0, 0.0),
+                (-1.0, 0.0),
+                (0.0, 1.0),
+                (0.0, -1.0),
+                (0.75, 0.75),
+                (-0.75, 0.75),
+                (0.75, -0.75),
+                (-0.75, -0.75),
+            ]
+        } else {
+            &[(1.0, 1.0), (-1.0, 1.0), (1.0, -1.0), (-1.0, -1.0)]
+        };
+        let out = |&&(x, y): &&(f64, f64)| {
+            !contains(&panel.shape, Point::new(middle.x + 0.998 * x * a, middle.y + 0.998 * y * b))
+        };
+        FORBIDDEN * 0.5 * around.iter().filter(out).count() as f64
+    }
+
+    /// Adds a place with the tail to each face that may say it; without one where nobody is seen.
+    fn aimed(&self, laid: &Laid, area: Bounds, cost: f64, room: Option<(f64, f64)>, out: &mut Vec<Place>) {
+        let round = matches!(laid.word.kind, Kind::Balloon(_));
+        let bare = Place { area, tip: None, room, foot: center(area), speaker: None, round, cost };
+        if !round {
+            out.push(bare);
+            return;
+        }
+        let size = self.frame.width.hypot(self.frame.height);
+        for &(face, unlikely) in &self.speakers {
+            let head = self.seen[face].bounds;
+            let mouth = Point::new(head.x + head.width / 2.0, head.y + 0.78 * head.height);
+            let foot = edge(area, mouth);
+            let way = foot.distance(mouth);
+            // Not into the face itself, however near the balloon is.
+            let until = entry(foot, mouth, grown(head, 0.003)) - 1e-3;
+            let along = REACH.min(until).max(0.0);
+            let length = along * way;
+            let short = if length < TAIL.0 { 14.0 * (1.0 - length / TAIL.0) + 2.0 } else { 0.0 };
+            let tip = foot.toward(mouth, along);
+            let ideal = 0.1 * size;
+            let far = (way - ideal).max(0.0) / size + 0.5 * (ideal - way).max(0.0) / size;
+            let crossed = self.crossed(foot, tip, mouth, face);
+            let cost = cost + unlikely + short + 4.5 * far + crossed;
+            out.push(Place { tip: Some(tip), foot, speaker: Some(face), cost, ..bare });
+        }
+        if self.speakers.is_empty() {
+            let target = self.largest().unwrap_or_else(|| {
+                Point::new(self.frame.x + self.frame.width / 2.0, self.frame.y + 0.72 * self.frame.height)
+            });
+            let foot = edge(area, target);
+            let way = foot.distance(target);
+            let length = TAIL.1.max(REACH.min(0.5) * way).min(0.9 * way).min(3.0 * TAIL.1);
+            // A balloon over what is meant has no way to it: it has no tail.
+            let inside = ((target.x - center(area).x) / area.width).abs() < 0.5
+                && ((target.y - center(area).y) / area.height).abs() < 0.5;
+            let tip = (!inside).then(|| foot.toward(target, length / way.max(1e-9)));
+            let far = (way - 0.1 * size).abs() / size;
+            out.push(Place { tip, foot, cost: cost + 2.0 * far + if inside { 6.0 } else { 0.0 }, ..bare });
+        }
+    }
+
+    /// Where the head is of the largest person or animal, of the largest thing otherwise.
+    fn largest(&self) -> Option<Point> {
+        let size =
+            |seen: &&Seen| seen.bounds.width * seen.bounds.height * if seen.person { 4.0 } else { 1.0 };
+        let largest = self.seen.iter().max_by(|a, b| size(a).total_cmp(&size(b)))?.bounds;
+        Some(Point::new(largest.x + largest.width / 2.0, largest.y + 0.25 * largest.height))
+    }
+
+    /// What a tail costs for all that it crosses, and for whom it seems to mean: others that its line leads to first.
+    fn crossed(&self, foot: Point, tip: Point, mouth: Point, speaker: usize) -> f64 {
+        let mut cost = 0.0;
+        let head = self.seen[speaker].bounds;
+        for (i, seen) in self.seen.iter().enumerate().filter(|(i, _)| *i != speaker) {
+            if seen.face {
+                if entry(foot, tip, grown(seen.bounds, 0.004)) < 1.0 {
+                    cost += FORBIDDEN;
+                } else if entry(foot, mouth, seen.bounds) < 1.0 && shared(seen.bounds, head) <= 0.0 {
+                    cost += 30.0;
+                } else if center(seen.bounds).distance(tip) < 0.8 * center(head).distance(tip) {
+                    // The nearest face is the one that a reader takes for the speaker.
+                    cost += 24.0;
+                }
+            } else if seen.person && shared(self.seen[i].bounds, head) < 0.5 * head.width * head.height {
+                // Across somebody else.
+                cost += 4.0 * inside(foot, tip, seen.bounds);
+            }
+        }
+        for other in self.taken {
+            cost += if entry(foot, tip, *other) < 1.0 { FORBIDDEN } else { 0.0 };
+        }
+        cost
+    }
+}
+
+/// What is bad about two words of a panel together; `first` is written before `second`, right before where they `follow`.
+fn together(first: &Place, second: &Place, kinds: (Kind, Kind), joined: bool, follow: bool) -> f64 {
+    let (a, b) = (first.area, second.area);
+    let mut cost = 0.0;
+    let near = if joined { 0.002 } else { INSET };
+    if shared(grown(a, near), b) > 0.0 && !(first.round && second.round && ovals_apart(a, b, near)) {
+        cost += FORBIDDEN * (1.0 + shared(a, b) / (a.width * a.height).min(b.width * b.height));
+    }
+    for (from, over) in [(first, b), (second, a)] {
+        if let Some(tip) = from.tip
+            && entry(from.foot, tip, over) < 1.0
+        {
+            cost += FORBIDDEN;
+        }
+    }
+    if let (Some(one), Some(other)) = (first.tip, second.tip)
+        && !joined
+        && crossing((first.foot, one), (second.foot, other))
+    {
+        cost += FORBIDDEN;
+    }
+    let sound = kinds.0 == Kind::Effect || kinds.1 == Kind::Effect;
+    if !sound && !reads_after(a, b) {
+        cost += FORBIDDEN;
+    }
+    if joined {
+        // One mouth, and close beside each other.
+        cost += if first.speaker == second.speaker { 0.0 } else { FORBIDDEN / 2.0 };
+        cost += 60.0 * gap(a, b);
+    } else if follow && first.speaker.is_some() && first.speaker == second.speaker {
+        // People take turns.
+        cost += 1.2;
+    }
+    cost
+}
+
+/// Whether a reader comes to `b` after `a`: it is below, or to the right at about the same height.
+fn reads_after(a: Bounds, b: Bounds) -> bool {
+    let common = (a.y + a.height).min(b.y + b.height) - a.y.max(b.y);
+    let beside = common > 0.25 * a.height.min(b.height);
+    if beside {
+        let lower = center(b).y - center(a).y;
+        b.x + b.width / 2.0 > a.x + a.width / 2.0
+            && b.x >= a.x + 0.6 * a.width
+            && lower > -0.3 * a.height.max(b.height)
+    } else {
+        b.y > a.y
+    }
+}
+
+fn grown(bounds: Bounds, by: f64) -> Bounds {
+    Bounds {
+        x: bounds.x - by,
+        y: bounds.y - by,
+        width: bounds.width + 2.0 * by,
+        height: bounds.height + 2.0 * by,
+    }
+}
+
+/// About what of a box a word covers; nothing where a balloon's roundness keeps clear of it.
+fn cover(area: Bounds, other: Bounds, round: bool) -> f64 {
+    let part = shared(area, other);
+    if part > 0.0 && round {
+        // The place of the box that is nearest to the middle, in halves of the balloon.
+        let middle = center(area);
+        let near = |at: f64, start: f64, length: f64| (at.clamp(start, start + length) - at).abs();
+        let x = near(middle.x, other.x, other.width) / (area.width / 2.0);
+        let y = near(middle.y, other.y, other.height) / (area.height / 2.0);
+        if x.powf(2.4) + y.powf(2.4) >= 1.0 {
+            return 0.0;
+        }
+    }
+    part
+}
+
+/// Whether two ovals keep some room between them although their boxes do not.
+fn ovals_apart(a: Bounds, b: Bounds, near: f64) -> bool {
+    let (one, other) = (center(a), center(b));
+    let across = (one.x - other.x).abs() / (f64::midpoint(a.width, b.width) + near);
+    let down = (one.y - other.y).abs() / (f64::midpoint(a.height, b.height) + near);
+    across.powf(2.4) + down.powf(2.4) >= 1.0
+}
+
+/// Where the line from the middle of a balloon to a point leaves the balloon.
+fn edge(area: Bounds, to: Point) -> Point {
+    let middle = center(area);
+    let (x, y) = ((to.x - middle.x) * 2.0 / area.width, (to.y - middle.y) * 2.0 / area.height);
+    let inside = (x.abs().powf(2.4) + y.abs().powf(2.4)).powf(1.0 / 2.4);
+    middle.toward(to, (1.0 / inside.max(1e-9)).min(1.0))
+}
+
+/// How far along a line a box begins, 0 to 1; more than 1 where the line ends before.
+fn entry(from: Point, to: Point, bounds: Bounds) -> f64 {
+    span(from, to, bounds).map_or(2.0, |(first, _)| first)
+}
+
+/// How much of a line lies in a box, in lengths of the line.
+fn inside(from: Point, to: Point, bounds: Bounds) -> f64 {
+    span(from, to, bounds).map_or(0.0, |(first, last)| last - first)
+}
+
+/// The part of a line that lies in a box (Liang and Barsky, 1984).
+fn span(from: Point, to: Point, bounds: Bounds) -> Option<(f64, f64)> {
+    let (mut first, mut last) = (0.0f64, 1.0f64);
+    let sides = [
+        (from.x, to.x - from.x, bounds.x, bounds.x + bounds.width),
+        (from.y, to.y - from.y, bounds.y, bounds.y + bounds.height),
+    ];
+    for (start, step, low, high) in sides {
+        if step.abs() < 1e-12 {
+            if start < low || start > high {
+                return None;
+            }
+            continue;
+        }
+        let (a, b) = ((low - start) / step, (high - start) / step);
+        first = first.max(a.min(b));
+        last = last.min(a.max(b));
+    }
+    (first <= last).then_some((first, last))
+}
+
+/// Whether two lines cross.
+fn crossing((a, b): (Point, Point), (c, d): (Point, Point)) -> bool {
+    let side = |p: Point, q: Point, r: Point| (q.x - p.x) * (r.y - p.y) - (q.y - p.y) * (r.x - p.x);
+    side(a, b, c) * side(a, b, d) < 0.0 && side(c, d, a) * side(c, d, b) < 0.0
+}

@@ -1,0 +1,181 @@
+//! Where a word goes by itself.
+//!
+//! Words of the first pages keep to the rules that they were placed by (`first`); those of letterers are placed by theirs
+//! (`letterer`). Both answer with fractions of the panel's bounds, which the document keeps.
+
+mod first;
+mod letterer;
+
+use super::layout::{Ground, Laid, extent, joined};
+use super::letters::Letters;
+use super::model::{Craft, Word};
+use crate::error::Result;
+use crate::framing::{Crop, FACE, Subject};
+use crate::layout::{Bounds, Point, ResolvedShape};
+use crate::page::Document;
+use serde_json::{Value, json};
+
+/// Room between a word and the edge of its panel, in page widths.
+const INSET: f64 = 0.008;
+
+/// Something in a photo, where it is on the page.
+#[derive(Debug, Clone, Copy)]
+struct Seen {
+    bounds: Bounds,
+    face: bool,
+    person: bool,
+    score: f64,
+}
+
+/// Puts every word of a document that is placed by itself where it hides no face. `subjects` knows what is in a photo.
+///
+/// # Errors
+/// `invalid-document` for a word that breaks its shape; those of the layout.
+pub fn settle<'s>(
+    document: &mut Document,
+    subjects: impl Fn(&str) -> &'s [Subject],
+    letters: &Letters,
+) -> Result<()> {
+    let words = Word::parse_all(&document.words)?;
+    if !words.iter().any(|word| word.auto) {
+        return Ok(());
+    }
+    let ground = Ground::new(document)?;
+    let scenery = |word: &Word| match panel_of(word, &ground) {
+        Some(panel) => seen_in(document, &ground, panel, &subjects),
+        None => {
+            (0..ground.panels.len()).flat_map(|panel| seen_in(document, &ground, panel, &subjects)).collect()
+        }
+    };
+    // What a person has placed is there first.
+    let mut taken: Vec<Bounds> = words
+        .iter()
+        .filter(|word| !word.auto)
+        .map(|word| covered(&ground.lay(word.clone(), letters)))
+        .collect();
+    let mut spoken: Vec<Point> = Vec::new();
+    let mut news: Vec<(usize, Value)> = Vec::new();
+    for (i, word) in words.iter().enumerate().filter(|(_, word)| word.auto && word.craft == Craft::First) {
+        let (frame, seen) = (ground.frame(word), scenery(word));
+        let shape =
+            panel_of(word, &ground).and_then(|panel| ground.panels.get(panel)).map(|panel| &panel.shape);
+        let laid = ground.lay(word.clone(), letters);
+        let (area, tip) = first::place(&laid, frame, shape, &seen, &taken, &mut spoken);
+        taken.push(area);
+        news.push((i, placed(frame, center(area), tip)));
+    }
+    let joins = joined(&words.iter());
+    for group in letterer::groups(&words, &ground) {
+        let seen = words.get(group[0]).map(&scenery).unwrap_or_default();
+        for (i, place) in letterer::place(&words, &joins, &group, &ground, &seen, &taken, letters) {
+            let mut value = placed(ground.frame(&words[i]), center(place.area), place.tip);
+            value["room"] = match place.room {
+                Some((width, height)) => json!([rounded(width), rounded(height)]),
+                None => Value::Null,
+            };
+            taken.push(place.area);
+            news.push((i, value));
+        }
+    }
+    for (i, value) in news {
+        let word = &mut document.words[i];
+        for name in ["x", "y", "tail", "room"] {
+            if let Some(value) = value.get(name) {
+                // What has no room of its own says nothing of it, as before.
+                if name == "room" && value.is_null() {
+                    if let Some(fields) = word.as_object_mut() {
+                        fields.remove(name);
+                    }
+                } else {
+                    word[name] = value.clone();
+                }
+            }
+        }
+        word["auto"] = json!(true);
+    }
+    Ok(())
+}
+
+/// The panel that a word stands on: the last one where the page has fewer.
+fn panel_of(word: &Word, ground: &Ground) -> Option<usize> {
+    word.panel.map(|panel| panel.min(ground.panels.len().saturating_sub(1)))
+}
+
+/// What the document keeps of a place.
+fn placed(frame: Bounds, middle: Point, tip: Option<Point>) -> Value {
+    let part =
+        |at: Point| (rounded((at.x - frame.x) / frame.width), rounded((at.y - frame.y) / frame.height));
+    let (x, y) = part(middle);
+    let tail = tip.map(part).map_or(Value::Null, |(x, y)| json!({ "x": x, "y": y }));
+    json!({ "x": x, "y": y, "tail": tail })
+}
+
+/// Finer than any pixel, and short as text.
+fn rounded(part: f64) -> f64 {
+    (part * 1e5).round() / 1e5
+}
+
+fn center(bounds: Bounds) -> Point {
+    Point::new(bounds.x + bounds.width / 2.0, bounds.y + bounds.height / 2.0)
+}
+
+fn covered(laid: &Laid) -> Bounds {
+    let (a, b) = extent(&laid.word, &laid.setting);
+    Bounds { x: laid.middle.x - a, y: laid.middle.y - b, width: 2.0 * a, height: 2.0 * b }
+}
+
+/// What is seen of the subjects in a panel.
+fn seen_in<'s>(
+    document: &Document,
+    ground: &Ground,
+    panel: usize,
+    subjects: &impl Fn(&str) -> &'s [Subject],
+) -> Vec<Seen> {
+    let group = document.merge_of(panel).unwrap_or(&[]);
+    let leader = group.first().copied().unwrap_or(panel);
+    let Some(content) = document.panels.get(leader) else { return Vec::new() };
+    let bounds = |panel: usize| ground.panels.get(panel).map(|panel| panel.bounds);
+    let image = group.iter().filter_map(|&i| bounds(i)).reduce(Bounds::union).or_else(|| bounds(panel));
+    let (Some(photo), Some(image), Some(own)) = (&content.photo, image, bounds(panel)) else {
+        return Vec::new();
+    };
+    let crop = content.crop.unwrap_or(Crop { x: 0.0, y: 0.0, width: 1.0, height: 1.0 });
+    let (across, down) = (image.width / crop.width, image.height / crop.height);
+    let found = subjects(photo).iter().map(|subject| Seen {
+        bounds: Bounds {
+            x: image.x + (subject.x - crop.x) * across,
+            y: image.y + (subject.y - crop.y) * down,
+            width: subject.width * across,
+            height: subject.height * down,
+        },
+        face: subject.label == FACE,
+        person: subject.label == "person",
+        score: subject.score,
+    });
+    found.filter(|seen| shared(seen.bounds, own) > 0.3 * seen.bounds.width * seen.bounds.height).collect()
+}
+
+/// The area that two boxes share.
+fn shared(a: Bounds, b: Bounds) -> f64 {
+    let across = (a.x + a.width).min(b.x + b.width) - a.x.max(b.x);
+    let down = (a.y + a.height).min(b.y + b.height) - a.y.max(b.y);
+    across.max(0.0) * down.max(0.0)
+}
+
+/// How far apart two boxes are; 0 where they touch.
+fn gap(a: Bounds, b: Bounds) -> f64 {
+    let across = (a.x.max(b.x) - (a.x + a.width).min(b.x + b.width)).max(0.0);
+    let down = (a.y.max(b.y) - (a.y + a.height).min(b.y + b.height)).max(0.0);
+    across.hypot(down)
+}
+
+/// Whether a panel holds a point.
+fn contains(shape: &ResolvedShape, point: Point) -> bool {
+    match shape {
+        ResolvedShape::Circle { center, radius } => center.distance(point) <= *radius,
+        ResolvedShape::Polygon(points) => points
+            .iter()
+            .zip(points.iter().cycle().skip(1))
+            .all(|(a, b)| (b.x - a.x) * (point.y - a.y) - (b.y - a.y) * (point.x - a.x) >= -1e-9),
+    }
+}

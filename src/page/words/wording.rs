@@ -1,0 +1,321 @@
+//! Text as letterers write it: capitals, curly quotes, the I with bars for the pronoun alone, emphasis where the text has
+//! `*stars*`, and the places at which long words may part.
+//!
+//! Source: Nate Piekos, "Comics Grammar & Tradition" (Blambot); the patterns of `TeX` by way of `hypher`.
+
+use super::letters::{Font, Letters, STEM};
+use super::model::{Craft, Word};
+use hypher::Lang;
+
+/// How many letters of a word stand at least before and after its hyphen.
+const AROUND_HYPHEN: (usize, usize) = (5, 3);
+/// Stands for a place at which the text itself lets a word part, while it is worked on.
+const SOFT: char = '\u{f8f1}';
+
+/// Whether a word may part before a letter.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Part {
+    /// It may not.
+    No,
+    /// With a hyphen.
+    Hyphen,
+    /// As it is: behind a hyphen or a dash of the text.
+    Free,
+}
+
+/// A letter to be set.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Mark {
+    /// What is drawn.
+    pub letter: char,
+    /// It is emphasised.
+    pub strong: bool,
+    /// Whether the word may part before it.
+    pub part: Part,
+}
+
+impl Mark {
+    /// A letter like any other.
+    #[must_use]
+    pub fn plain(letter: char) -> Self {
+        Self { letter, strong: false, part: Part::No }
+    }
+}
+
+/// The letters of a word, by its conventions.
+#[must_use]
+pub fn marks(word: &Word, letters: &Letters, font: &Font) -> Vec<Mark> {
+    if word.craft == Craft::First {
+        return letters.cleaned(&word.text).into_iter().map(Mark::plain).collect();
+    }
+    let language = word.language.as_deref().unwrap_or_default().get(..2).unwrap_or_default().to_lowercase();
+    let own = |letter: char| if matches!(letter, STEM | SOFT) { '\u{fffd}' } else { letter };
+    let text: String =
+        word.text.chars().map(|letter| if letter == '\u{ad}' { SOFT } else { own(letter) }).collect();
+    let mut marks = emphasised(&letters.cleaned(&text));
+    quotes(&mut marks, &language);
+    parts(&mut marks, &language);
+    if word.capitals {
+        marks = capitals(&marks, &language, font);
+    }
+    marks
+}
+
+/// What a word says where it is read aloud or copied: without the stars of its emphasis, in the case it was written in.
+#[must_use]
+pub fn read(word: &Word) -> String {
+    if word.craft == Craft::First {
+        return word.text.clone();
+    }
+    let text: Vec<char> = word.text.chars().filter(|&letter| letter != '\u{ad}').collect();
+    emphasised(&text).into_iter().map(|mark| mark.letter).collect()
+}
+
+/// Takes the stars off, and marks what stood between them.
+fn emphasised(text: &[char]) -> Vec<Mark> {
+    let opens = |at: usize| {
+        let before = at.checked_sub(1).and_then(|i| text.get(i));
+        before.is_none_or(|letter| !letter.is_alphanumeric() && *letter != '*')
+            && text.get(at + 1).is_some_and(|letter| !letter.is_whitespace() && *letter != '*')
+    };
+    let closes = |at: usize| {
+        !text[at - 1].is_whitespace() && text.get(at + 1).is_none_or(|letter| !letter.is_alphanumeric())
+    };
+    let mut marks = Vec::with_capacity(text.len());
+    let (mut end, mut soft) = (None, false);
+    let mut looked = 0;
+    for (at, &letter) in text.iter().enumerate() {
+        if letter == '*' {
+            if end == Some(at) {
+                end = None;
+                continue;
+            }
+            // Where a star has found no other, none after it looks for one again: the text is gone through twice at most.
+            if end.is_none() && at >= looked && opens(at) {
+                let line = text[at + 1..].iter().position(|&l| l == '\n').map_or(text.len(), |i| at + 1 + i);
+                end = (at + 2..line).find(|&i| text[i] == '*' && closes(i));
+                if end.is_some() {
+                    continue;
+                }
+                looked = line;
+            }
+        }
+        if letter == SOFT {
+            soft = !marks.is_empty();
+            continue;
+        }
+        let part = if soft { Part::Hyphen } else { Part::No };
+        soft = false;
+        marks.push(Mark { letter, strong: end.is_some(), part });
+    }
+    marks
+}
+
+/// Turns straight quotes and apostrophes into curly ones.
+fn quotes(marks: &mut [Mark], language: &str) {
+    let double = match language {
+        "de" => ['„', '“'],
+        _ => ['“', '”'],
+    };
+    let single = match language {
+        "de" => ['‚', '‘'],
+        _ => ['‘', '’'],
+    };
+    let mut open = false;
+    for at in 0..marks.len() {
+        let before = at.checked_sub(1).map(|i| marks[i].letter);
+        let opening = before.is_none_or(|letter| letter.is_whitespace() || "([{¿¡—–-/„“‚‘".contains(letter));
+        let after = marks.get(at + 1).map(|mark| mark.letter);
+        marks[at].letter = match marks[at].letter {
+            '"' => double[usize::from(!opening)],
+            '\'' if opening && !elided(&marks[at + 1..]) && after.is_some_and(char::is_alphabetic) => {
+                open = true;
+                single[0]
+            }
+            '\'' if open && !after.is_some_and(char::is_alphanumeric) => {
+                open = false;
+                single[1]
+            }
+            // What stands for letters that are left out is an apostrophe: '90s, 'em, don't.
+            '\'' => '’',
+            letter => letter,
+        };
+    }
+}
+
+/// Whether a text begins with a word that is said without its first letters.
+fn elided(marks: &[Mark]) -> bool {
+    let word: String = marks
+        .iter()
+        .take(8)
+        .map(|mark| mark.letter)
+        .take_while(|letter| letter.is_alphanumeric())
+        .flat_map(char::to_lowercase)
+        .collect();
+    ["em", "tis", "twas", "til", "cause", "bout", "round", "n", "neath", "ere"].contains(&word.as_str())
+}
+
+/// Marks where words may part: behind their own hyphens and dashes, and long ones by the rules of their language.
+fn parts(marks: &mut [Mark], language: &str) {
+    for at in 1..marks.len() {
+        let (before, here) = (marks[at - 1].letter, marks[at].letter);
+        let dash = "-–—/".contains(before) && here.is_alphanumeric();
+        if (dash && at > 1 && marks[at - 2].letter.is_alphanumeric())
+            || (before == '…' && here.is_alphabetic())
+        {
+            marks[at].part = Part::Free;
+        }
+    }
+    let mut at = 0;
+    while at < marks.len() {
+        let length = marks[at..].iter().take_while(|mark| mark.letter.is_alphabetic()).count();
+        if length >= AROUND_HYPHEN.0 + AROUND_HYPHEN.1 {
+            let run = &mut marks[at..at + length];
+            let word: String = run.iter().flat_map(|mark| mark.letter.to_lowercase()).collect();
+            if word.chars().count() == length {
+                let good = |place: &usize| *place >= AROUND_HYPHEN.0 && place + AROUND_HYPHEN.1 <= length;
+                for place in breaks(&word, language).into_iter().filter(good) {
+                    run[place].part = Part::Hyphen;
+                }
+            }
+        }
+        at += length.max(1);
+    }
+}
+
+/// Where a word may part by the rules of its language, in letters from its start.
+fn breaks(word: &str, language: &str) -> Vec<usize> {
+    if language == "en" {
+        return english(word);
+    }
+    let mut code = [0; 2];
+    code.iter_mut().zip(language.bytes()).for_each(|(to, from)| *to = from);
+    let Some(language) = Lang::from_iso(code) else { return Vec::new() };
+    let syllables = hypher::hyphenate(word, language).map(|syllable| syllable.chars().count());
+    syllables
+        .scan(0, |place, length| {
+            *place += length;
+            Some(*place)
+        })
+        .collect()
+}
+
+/// English words part behind long prefixes and before long endings: its patterns would take a tenth of the module of words,
+/// for hyphens that letterers avoid.
+fn english(word: &str) -> Vec<usize> {
+    const BEGINNINGS: [&str; 7] = ["counter", "under", "super", "inter", "hyper", "trans", "after"];
+    const ENDINGS: [&str; 7] = ["tion", "sion", "ment", "ness", "less", "ship", "hood"];
+    let consonant = |rest: &str| !rest.starts_with(['a', 'e', 'i', 'o', 'u', 'y', 's']);
+    let beginnings = BEGINNINGS.iter().filter_map(|part| {
+        let rest = word.strip_prefix(part)?;
+        consonant(rest).then(|| part.chars().count())
+    });
+    let one = word.strip_suffix('s').unwrap_or(word);
+    let endings = ENDINGS.iter().filter_map(|part| {
+        let rest = word.strip_suffix(part).or_else(|| one.strip_suffix(part))?;
+        Some(rest.chars().count())
+    });
+    beginnings.chain(endings).collect()
+}
+
+/// All in capitals. The I with bars is the pronoun's; in words it is a stem, where the font has both.
+fn capitals(marks: &[Mark], language: &str, font: &Font) -> Vec<Mark> {
+    let letter = |at: usize| marks.get(at).map(|mark| mark.letter);
+    let within = |letter: Option<char>| letter.is_some_and(char::is_alphanumeric);
+    let mut out = Vec::with_capacity(marks.len());
+    for (at, mark) in marks.iter().enumerate() {
+        let alone = !within(at.checked_sub(1).and_then(letter)) && !within(letter(at + 1));
+        let push = |out: &mut Vec<Mark>, letter: char, first: bool| {
+            let letter = if letter == 'I' && !alone && font.has(STEM) { STEM } else { letter };
+            out.push(Mark { letter, part: if first { mark.part } else { Part::No }, ..*mark });
+        };
+        match mark.letter {
+            'i' if matches!(language, "tr" | "az") => push(&mut out, 'İ', true),
+            other => {
+                for (i, capital) in other.to_uppercase().enumerate() {
+                    push(&mut out, capital, i == 0);
+                }
+            }
+        }
+    }
+    out
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use serde_json::json;
+
+    fn marked(text: &str, language: &str) -> Vec<Mark> {
+        let letters = Letters::bundled().unwrap();
+        let word =
+            json!({ "kind": "balloon", "craft": 2, "text": text, "language": language, "capitals": false });
+        let word = Word::parse(&word, 0).unwrap();
+        marks(&word, &letters, letters.font(&word.font).unwrap())
+    }
+
+    fn text(marks: &[Mark]) -> String {
+        marks.iter().map(|mark| mark.letter).collect()
+    }
+
+    #[test]
+    fn quotes_are_curly() {
+        let cases = [
+            ("\"Don't,\" he said.", "en", "“Don’t,” he said."),
+            ("Give 'em rock 'n' roll of the '90s", "en", "Give ’em rock ’n’ roll of the ’90s"),
+            ("He said 'no way'.", "en", "He said ‘no way’."),
+            ("(\"Ja\")", "de", "(„Ja“)"),
+            ("5'", "en", "5’"),
+        ];
+        for (from, language, to) in cases {
+            assert_eq!(text(&marked(from, language)), to);
+        }
+    }
+
+    #[test]
+    fn stars_emphasise_what_is_between_them() {
+        let strong = |from: &str| {
+            let marks = marked(from, "en");
+            let strong: Vec<Mark> = marks.iter().copied().filter(|mark| mark.strong).collect();
+            (text(&marks), text(&strong))
+        };
+        assert_eq!(strong("I *really* mean it"), ("I really mean it".into(), "really".into()));
+        assert_eq!(strong("*All of it.*"), ("All of it.".into(), "All of it.".into()));
+        for plain in ["2 * 3 * 4", "a*b*c", "*", "**", "half *open", "*over\nlines*"] {
+            assert_eq!(strong(plain), (plain.into(), String::new()));
+        }
+    }
+
+    #[test]
+    fn long_words_part_by_their_language() {
+        let parted = |from: &str, language: &str| {
+            let mut out = String::new();
+            for mark in marked(from, language) {
+                match mark.part {
+                    Part::Hyphen => out.push('|'),
+                    Part::Free => out.push('+'),
+                    Part::No => {}
+                }
+                out.push(mark.letter);
+            }
+            out
+        };
+        assert_eq!(parted("international", "en"), "inter|national");
+        assert_eq!(parted("Misinformation", "en"), "Misinforma|tion");
+        assert_eq!(parted("kindnesses transatlantic", "en"), "kindnesses transatlantic");
+        assert_eq!(parted("lighthouse table", "en"), "lighthouse table");
+        assert_eq!(parted("international", ""), "international", "no language, no rules");
+        assert_eq!(parted("well-known", "en"), "well-+known");
+        assert_eq!(parted("super\u{ad}man", ""), "super|man");
+        assert!(parted("extraordinario", "pt").contains('|'));
+    }
+
+    #[test]
+    fn the_i_with_bars_is_the_pronoun() {
+        let letters = Letters::bundled().unwrap();
+        let word =
+            Word::parse(&json!({ "kind": "balloon", "craft": 2, "text": "I’m in it, am I?" }), 0).unwrap();
+        let set = marks(&word, &letters, letters.font(&word.font).unwrap());
+        assert_eq!(text(&set), format!("I’M {STEM}N {STEM}T, AM I?"));
+    }
+}

@@ -1,0 +1,176 @@
+//! Comics that are read, on the command line: HTML with a reader in it, EPUB, comic archives. Their pages are JPEG.
+
+use crate::destination::Output;
+use crate::drawing::Photos;
+use crate::{Complaint, drawing, telling};
+use base64::Engine as _;
+use base64::prelude::BASE64_STANDARD;
+use inkpanel::framing::Subject;
+use inkpanel::output::describing::described;
+use inkpanel::output::{Comic, ComicPage, File, PictureKind, Piece, cbz, epub, html};
+use inkpanel::page::Document;
+use inkpanel::page::words::Letters;
+use serde_json::json;
+use std::borrow::Borrow;
+use std::io::{Cursor, Write};
+use std::path::{Path, PathBuf};
+use zip::write::SimpleFileOptions;
+use zip::{CompressionMethod, DateTime, ZipWriter};
+
+/// A kind of comic.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) enum Kind {
+    Html,
+    Epub,
+    Cbz,
+}
+
+impl Kind {
+    /// What the ending of a file names; nothing where it is another kind of file.
+    pub(crate) fn of(output: &Path) -> Option<Self> {
+        let ending = output.extension()?.to_string_lossy().to_lowercase();
+        match ending.as_str() {
+            "html" | "htm" => Some(Self::Html),
+            "epub" => Some(Self::Epub),
+            "cbz" => Some(Self::Cbz),
+            _ => None,
+        }
+    }
+}
+
+/// What is told of a comic beside its pages.
+#[derive(Clone, Copy)]
+pub(crate) struct Telling<'t> {
+    /// What it is called.
+    pub(crate) title: &'t str,
+    /// BCP 47.
+    pub(crate) language: &'t str,
+}
+
+/// The language of a comic, checked: letters and digits in parts of up to eight, as BCP 47 has them.
+pub(crate) fn language(tag: &str) -> Result<String, Complaint> {
+    let part = |part: &str| (1..=8).contains(&part.len()) && part.chars().all(|c| c.is_ascii_alphanumeric());
+    let first = tag.split('-').next().unwrap_or_default();
+    if first.len() < 2 || first.chars().any(|c| c.is_ascii_digit()) || !tag.split('-').all(part) {
+        return Err(format!("{tag} is no language such as en or pt-BR"));
+    }
+    Ok(tag.to_owned())
+}
+
+/// Draws pages, and puts the comic of them in its place.
+///
+/// Returns the file.
+pub(crate) fn write<'s>(
+    (kind, told_of): (Kind, Telling<'_>),
+    pages: &[Document],
+    subjects: &dyn Fn(&str) -> &'s [Subject],
+    photos: &Photos<'_>,
+    output: &Output,
+) -> Result<Vec<PathBuf>, Complaint> {
+    let mut picture = |page: &Document| drawing::jpeg_of(page, photos);
+    output.write(&made(kind, told_of, pages, subjects, &mut picture)?)?;
+    Ok(vec![output.path.clone()])
+}
+
+/// Makes a comic of pages. `subjects`: what was found in a photo, by its id; `picture` draws a page as JPEG.
+fn made<'s, D: Borrow<Document>>(
+    kind: Kind,
+    told_of: Telling<'_>,
+    pages: &[D],
+    subjects: &dyn Fn(&str) -> &'s [Subject],
+    picture: &mut dyn FnMut(&Document) -> Result<Vec<u8>, Complaint>,
+) -> Result<Vec<u8>, Complaint> {
+    // What a panel shows is told in English alone; to others it is a photo.
+    let english = told_of.language.split('-').next().is_some_and(|code| code.eq_ignore_ascii_case("en"));
+    let page = |document: &D| {
+        let document = document.borrow();
+        let shows = if english { described(document, subjects) } else { Vec::new() };
+        ComicPage { document: document.clone(), shows }
+    };
+    let comic = Comic {
+        title: told_of.title.to_owned(),
+        language: told_of.language.to_owned(),
+        picture: PictureKind::Jpeg,
+        pages: pages.iter().map(page).collect(),
+    };
+    let text = |error: inkpanel::Error| error.to_string();
+    let letters = Letters::bundled().map_err(text)?;
+    // What cannot be told is known before anything is drawn.
+    let told = match kind {
+        Kind::Html => Told::Pieces(html::write(&comic, &letters).map_err(text)?),
+        Kind::Epub => Told::Files(epub::write(&comic, &letters).map_err(text)?),
+        Kind::Cbz => Told::Files(cbz::write(&comic, &letters).map_err(text)?),
+    };
+    let mut pictures = Vec::new();
+    for (i, page) in pages.iter().enumerate() {
+        pictures.push(picture(page.borrow())?);
+        if pages.len() > 1 {
+            let event = json!({ "event": "page", "page": i + 1, "of": pages.len() });
+            telling::step(&event, Some(format!("page {} of {}", i + 1, pages.len())));
+        }
+    }
+    match told {
+        Told::Pieces(pieces) => Ok(joined(&pieces, &pictures)),
+        Told::Files(files) => packed(&files, &pictures).map_err(|error| error.to_string()),
+    }
+}
+
+enum Told {
+    Pieces(Vec<Piece>),
+    Files(Vec<File>),
+}
+
+/// One file of text and of pictures as data URLs.
+fn joined(pieces: &[Piece], pictures: &[Vec<u8>]) -> Vec<u8> {
+    let mut out = String::new();
+    for piece in pieces {
+        match piece {
+            Piece::Text(text) => out.push_str(text),
+            Piece::Picture(page) => {
+                out.push_str("data:");
+                out.push_str(PictureKind::Jpeg.media_type());
+                out.push_str(";base64,");
+                BASE64_STANDARD.encode_string(&pictures[*page], &mut out);
+            }
+        }
+    }
+    out.into_bytes()
+}
+
+/// A ZIP file whose files are all of the first day that it can name. The first is stored as it is, as EPUB wants it, and so are
+/// pictures, which are packed already.
+fn packed(files: &[File], pictures: &[Vec<u8>]) -> Result<Vec<u8>, zip::result::ZipError> {
+    let mut archive = ZipWriter::new(Cursor::new(Vec::new()));
+    let options = |method| {
+        SimpleFileOptions::default().compression_method(method).last_modified_time(DateTime::default())
+    };
+    for (i, File { name, content }) in files.iter().enumerate() {
+        match content {
+            Piece::Picture(page) => {
+                archive.start_file(name, options(CompressionMethod::Stored))?;
+                archive.write_all(&pictures[*page])?;
+            }
+            Piece::Text(text) => {
+                let method = if i == 0 { CompressionMethod::Stored } else { CompressionMethod::Deflated };
+                archive.start_file(name, options(method))?;
+                archive.write_all(text.as_bytes())?;
+            }
+        }
+    }
+    Ok(archive.finish()?.into_inner())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn languages_are_tags() {
+        for good in ["en", "pt-BR", "zh-Hant-TW", "de"] {
+            assert_eq!(language(good).unwrap(), good);
+        }
+        for bad in ["", "e", "en_US", "en-", "1n", "en\"", "unbelievable"] {
+            assert!(language(bad).is_err(), "{bad}");
+        }
+    }
+}

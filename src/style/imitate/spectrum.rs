@@ -1,0 +1,266 @@
+//! Screens by the power spectrum: how far dots or lines are apart that repeat over a picture.
+//!
+//! ```text
+//! P(f)  = sum over patches of |FFT(window (patch - mean))|^2
+//! E(r)  = mean over the ring of P r^2                             natural pictures fall by about 1 / r^2, so theirs is even
+//! peak  = the r where E stands highest above its neighbourhood on a logarithmic axis
+//! ```
+//!
+//! Two patches go through one transform as its real and imaginary part; the sum of their powers is the mean of |Z(k)|^2 and
+//! |Z(-k)|^2. The transform is a plain one of radix 2: the libraries that `tract` brings plan transforms of any length with
+//! kernels for each, which is more code than all of this room.
+//!
+//! Source: Field, "Relations between the statistics of natural images and the response properties of cortical cells", 1987
+//! (the spectrum of natural pictures).
+
+use crate::order::sort_by;
+use crate::raster::Plane;
+use serde::{Deserialize, Serialize};
+use std::f32::consts::{PI, TAU};
+
+/// Side of a patch.
+const SIDE: usize = 128;
+
+/// Patches, at most; an even number.
+const PATCHES: usize = 12;
+
+/// Rings from which and up to which a peak counts: a tenth of a patch, and two pixels and a bit.
+const RINGS: (usize, usize) = (4, 60);
+
+/// From this height above its neighbourhood a peak is a screen, as a natural logarithm: tiles, roofs and fences of photos stay
+/// below, screens and hatching of designed styles are above.
+pub(super) const CLEAR: f32 = 1.35;
+
+/// What repeats.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+pub struct Screen {
+    /// Distance of the dots or lines, in pixels of a 1920 x 1080 picture; 0 where nothing repeats.
+    pub pitch: f32,
+    /// How far it stands out: the natural logarithm of the power against that of the neighbourhood.
+    pub strength: f32,
+    /// How much of the power of its ring lies in its strongest directions, 0 (all alike) to 1: dots and straight lines have
+    /// much, grain and lines that wind have little.
+    pub directed: f32,
+}
+
+/// The screen of a picture. `scale` is pixels of the picture for one of a 1920 x 1080 picture.
+pub(super) fn screen(luma: &Plane, scale: f32) -> Screen {
+    let power = power(luma);
+    let mut energy = [0.0f32; SIDE / 2];
+    let mut counts = [0u32; SIDE / 2];
+    for_each(|at, radius| {
+        let ring = radius.round() as usize;
+        if ring < SIDE / 2 {
+            energy[ring] += power[at] * radius * radius;
+            counts[ring] += 1;
+        }
+    });
+    for (energy, &count) in energy.iter_mut().zip(&counts) {
+        *energy = (*energy / count.max(1) as f32 + 1.0).ln();
+    }
+    let Some((ring, strength)) = peak(&energy) else {
+        return Screen { pitch: 0.0, strength: 0.0, directed: 0.0 };
+    };
+    // A parabola through the three rings around it, on the even scale of logarithms.
+    let [before, here, after] = [energy[ring - 1], energy[ring], energy[ring + 1]];
+    let bend = before - 2.0 * here + after;
+    let exact = ring as f32 + if bend < 0.0 { 0.5 * (before - after) / bend } else { 0.0 }.clamp(-0.5, 0.5);
+    let pitch = if strength >= CLEAR { SIDE as f32 / exact / scale } else { 0.0 };
+    Screen { pitch, strength, directed: directed(&power, ring) }
+}
+
+/// The ring that stands highest above its neighbourhood, and by how much.
+fn peak(energy: &[f32; SIDE / 2]) -> Option<(usize, f32)> {
+    let mut best: Option<(usize, f32)> = None;
+    for ring in RINGS.0..=RINGS.1 {
+        // What is half and half again as fine, without the peak itself.
+        let around = |range: std::ops::RangeInclusive<usize>| {
+            let rings = &energy[*range.start()..=(*range.end()).min(SIDE / 2 - 1)];
+            if rings.is_empty() { f32::INFINITY } else { rings.iter().sum::<f32>() / rings.len() as f32 }
+        };
+        let below = around((ring * 4 / 10).max(2)..=(ring * 7 / 10).max(2));
+        let above = if ring * 14 / 10 < SIDE / 2 - 1 {
+            around(ring * 14 / 10..=ring * 18 / 10)
+        } else {
+            around(SIDE / 2 - 2..=SIDE / 2 - 1)
+        };
+        let higher = energy[ring] - f32::midpoint(below, above);
+        let top = energy[ring] >= energy[ring - 1] && energy[ring] >= energy[ring + 1];
+        if top && best.is_none_or(|(_, known)| higher > known) {
+            best = Some((ring, higher));
+        }
+    }
+    best
+}
+
+/// Which share of a ring's power lies in its strongest eighth of directions, beyond an eighth.
+fn directed(power: &[f32], ring: usize) -> f32 {
+    const SECTORS: usize = 24;
+    let mut sectors = [0.0f32; SECTORS];
+    let mut index = 0;
+    for_each(|at, radius| {
+        if (radius - ring as f32).abs() <= 1.0 {
+            let (x, y) = place(index);
+            let turn = (y as f32).atan2(x as f32) / PI + 1.0;
+            sectors[(turn * SECTORS as f32) as usize % SECTORS] += power[at];
+        }
+        index += 1;
+    });
+    let total: f32 = sectors.iter().sum();
+    sort_by(&mut sectors, |a, b| b.total_cmp(a));
+    let strongest: f32 = sectors[..SECTORS / 8].iter().sum();
+    ((strongest / total.max(f32::MIN_POSITIVE) - 0.125) / 0.875).clamp(0.0, 1.0)
+}
+
+/// Signed frequencies of the entry that `for_each` visits as its `index`th: half the plane, as the other mirrors it.
+fn place(index: usize) -> (isize, isize) {
+    let half = SIDE as isize / 2;
+    ((index % SIDE) as isize - half, (index / SIDE) as isize)
+}
+
+/// Visits half the plane of frequencies: position in the spectrum, and radius.
+fn for_each(mut visit: impl FnMut(usize, f32)) {
+    let wrapped = |k: isize| k.rem_euclid(SIDE as isize) as usize;
+    for index in 0..SIDE * SIDE / 2 {
+        let (x, y) = place(index);
+        visit(wrapped(y) * SIDE + wrapped(x), ((x * x + y * y) as f32).sqrt());
+    }
+}
+
+/// The summed power of patches that are spread over a picture.
+fn power(luma: &Plane) -> Vec<f32> {
+    let mut power = vec![0.0; SIDE * SIDE];
+    let window: Vec<f32> = (0..SIDE).map(|i| 0.5 - 0.5 * (TAU * i as f32 / SIDE as f32).cos()).collect();
+    let turns: Vec<(f32, f32)> = (0..SIDE / 2)
+        .map(|i| {
+            let (sin, cos) = (-TAU * i as f32 / SIDE as f32).sin_cos();
+            (cos, sin)
+        })
+        .collect();
+    let places = places(luma.width(), luma.height());
+    let (mut re, mut im) = (vec![0.0; SIDE * SIDE], vec![0.0; SIDE * SIDE]);
+    for pair in places.chunks(2) {
+        cut(luma, pair[0], &window, &mut re);
+        cut(luma, *pair.last().unwrap_or(&pair[0]), &window, &mut im);
+        transform(&mut re, &mut im, &turns);
+        for (out, (re, im)) in power.iter_mut().zip(re.iter().zip(&im)) {
+            *out += re * re + im * im;
+        }
+    }
+    // Of the two patches of a pair together: the mean of both halves.
+    let mirrored = |at: usize| (SIDE - at / SIDE) % SIDE * SIDE + (SIDE - at % SIDE) % SIDE;
+    (0..SIDE * SIDE).map(|at| f32::midpoint(power[at], power[mirrored(at)])).collect()
+}
+
+/// Corners of patches, spread evenly; one where the picture holds no more.
+fn places(width: usize, height: usize) -> Vec<(usize, usize)> {
+    let count = |length: usize, most: usize| (length / (SIDE * 3 / 4)).clamp(1, most);
+    let columns = count(width, 4);
+    let rows = count(height, PATCHES / columns);
+    let spread = |i: usize, count: usize, length: usize| {
+        let room = length.saturating_sub(SIDE);
+        if count > 1 { room * i / (count - 1) } else { room / 2 }
+    };
+    (0..columns * rows)
+        .map(|i| (spread(i % columns, columns, width), spread(i / columns, rows, height)))
+        .collect()
+}
+
+/// A patch without its mean under a window; what lies beyond the picture is its mean.
+fn cut(luma: &Plane, (left, top): (usize, usize), window: &[f32], out: &mut [f32]) {
+    let (width, height) = (SIDE.min(luma.width()), SIDE.min(luma.height()));
+    let rows = (top..top + height).map(|y| &luma.row(y)[left..left + width]);
+    let sum: u32 = rows.clone().flatten().map(|&tone| u32::from(tone)).sum();
+    let mean = sum as f32 / (width * height) as f32;
+    out.fill(0.0);
+    for (y, row) in rows.enumerate() {
+        for (x, &tone) in row.iter().enumerate() {
+            out[y * SIDE + x] = (f32::from(tone) - mean) * window[x] * window[y];
+        }
+    }
+}
+
+/// The transform of a patch, in place: rows, then columns as the rows of the transposed.
+fn transform(re: &mut [f32], im: &mut [f32], turns: &[(f32, f32)]) {
+    for _ in 0..2 {
+        for (re, im) in re.chunks_exact_mut(SIDE).zip(im.chunks_exact_mut(SIDE)) {
+            row(re, im, turns);
+        }
+        for y in 0..SIDE {
+            for x in 0..y {
+                re.swap(y * SIDE + x, x * SIDE + y);
+                im.swap(y * SIDE + x, x * SIDE + y);
+            }
+        }
+    }
+}
+
+/// A transform of radix 2 with its places turned first.
+///
+/// Source: Cooley and Tukey, "An algorithm for the machine calculation of complex Fourier series", 1965.
+fn row(re: &mut [f32], im: &mut [f32], turns: &[(f32, f32)]) {
+    let bits = SIDE.trailing_zeros();
+    for i in 0..SIDE {
+        let j = i.reverse_bits() >> (usize::BITS - bits);
+        if i < j {
+            re.swap(i, j);
+            im.swap(i, j);
+        }
+    }
+    let mut half = 1;
+    while half < SIDE {
+        for start in (0..SIDE).step_by(2 * half) {
+            for k in 0..half {
+                let (cos, sin) = turns[k * (SIDE / 2 / half)];
+                let (a, b) = (start + k, start + k + half);
+                let (x, y) = (re[b] * cos - im[b] * sin, re[b] * sin + im[b] * cos);
+                (re[b], im[b]) = (re[a] - x, im[a] - y);
+                (re[a], im[a]) = (re[a] + x, im[a] + y);
+            }
+        }
+        half *= 2;
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_transform_is_that_of_its_definition() {
+        let turns: Vec<(f32, f32)> = (0..SIDE / 2)
+            .map(|i| (-TAU * i as f32 / SIDE as f32).sin_cos())
+            .map(|(sin, cos)| (cos, sin))
+            .collect();
+        let signal: Vec<f32> = (0..SIDE).map(|i| ((i * 37 + 11) % 101) as f32).collect();
+        let (mut re, mut im) = (signal.clone(), vec![0.0; SIDE]);
+        row(&mut re, &mut im, &turns);
+        for k in [0, 1, 5, 64, 127] {
+            let term = |i: usize| {
+                f64::from(signal[i]) * (std::f64::consts::TAU * (i * k) as f64 / SIDE as f64).cos()
+            };
+            let expected: f64 = (0..SIDE).map(term).sum();
+            assert!((f64::from(re[k]) - expected).abs() < 0.05, "{k}: {} {expected}", re[k]);
+        }
+    }
+
+    #[test]
+    fn a_grid_of_dots_has_its_pitch_and_noise_has_none() {
+        for pitch in [3.2f32, 5.0, 8.0, 14.5] {
+            let wave = |v: f32| (v * TAU / pitch).cos();
+            let dots = Plane::from_fn(400, 260, |x, y| {
+                let (x, y) = (x as f32, y as f32);
+                let (u, v) = (0.8 * x + 0.6 * y, 0.8 * y - 0.6 * x);
+                // Hard dots would have harmonics that a grid of pixels folds back to coarse waves.
+                (125.0 + 45.0 * (wave(u) + wave(v))) as u8
+            });
+            let found = screen(&dots, 1.0);
+            assert!((found.pitch / pitch - 1.0).abs() < 0.06, "{pitch}: {found:?}");
+            assert!(found.directed > 0.4, "{found:?}");
+        }
+        let mut random = oorandom::Rand32::new(3);
+        let noise = Plane::from_fn(400, 260, |_, _| random.rand_range(0..256) as u8);
+        assert!(screen(&noise, 1.0).strength < CLEAR, "{:?}", screen(&noise, 1.0));
+        assert!(screen(&Plane::filled(50, 20, 90), 1.0).pitch.abs() < f32::EPSILON);
+    }
+}

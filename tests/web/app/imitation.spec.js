@@ -1,0 +1,36 @@
+// @ts-check
+import { readFile } from 'node:fs/promises';
+import { FOUR } from './designer-hands.js';
+import { AxeBuilder } from '../../../www/testing.ts';
+import { drop, expect, openBoard, photos, test } from './support.js';
+
+test('a style is taken over from a picture that is dropped with Alt, used on the page, and saved', async ({ page }) => {
+  test.setTimeout(90_000);
+  await openBoard(page, FOUR);
+  await page.getByRole('button', { name: 'Style from a picture', exact: true }).click();
+  const region = page.getByRole('region', { name: 'Style from a picture' });
+  await expect(region.getByText('Choose a picture whose look you want', { exact: false })).toBeVisible();
+
+  // A plain photo has nothing to take over, which is said.
+  await region.getByLabel('Picture whose style is wanted').setInputFiles(await photos('raccoon.jpg'));
+  await expect(region.getByText('This looks like a plain photo', { exact: false })).toBeVisible({ timeout: 30_000 });
+
+  const buffer = await readFile(new URL('../../../docs/pages/noir.png', import.meta.url));
+  await drop(page, [{ name: 'dark print.png', mimeType: 'image/png', buffer }], { altKey: true });
+  await expect(region.getByRole('progressbar')).toBeVisible();
+  const found = region.getByRole('list', { name: 'Styles found' }).getByRole('button');
+  await expect(found.first()).toBeVisible({ timeout: 60_000 });
+  await expect(region).toHaveAttribute('aria-busy', 'false');
+  expect(await found.count()).toBeGreaterThanOrEqual(3);
+  expect(await found.count()).toBeLessThanOrEqual(6);
+  await expect(region.getByRole('img', { name: 'Like dark print 1 on', exact: false })).toBeVisible();
+  await found.nth(1).focus();
+  await page.keyboard.press('Enter');
+  await expect(found.nth(1)).toHaveAttribute('aria-pressed', 'true');
+  expect((await new AxeBuilder({ page }).analyze()).violations).toEqual([]);
+
+  await region.getByRole('button', { name: 'Save style' }).click();
+  await region.getByRole('button', { name: 'Use', exact: true }).click();
+  await expect(region).toBeHidden();
+  await expect(page.getByRole('option', { name: 'Like dark print 2' })).toHaveAttribute('aria-selected', 'true');
+});

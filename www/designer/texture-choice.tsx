@@ -1,0 +1,63 @@
+/** A parameter that is a person's own picture: chosen from a file, shown, and taken away again. */
+
+import { useEffect, useRef, useState } from 'preact/hooks';
+import { ChosenFiles } from '../photos/chosen-files.tsx';
+import { strings } from '../strings/strings.ts';
+import { IconButton } from '../ui/button.tsx';
+import { useApp } from '../ui/context.ts';
+import { pictureOf, textureOf } from './texture-file.ts';
+
+export function TextureChoice({
+  label,
+  help,
+  value,
+  onSet,
+}: {
+  label: string;
+  help: string;
+  value: string;
+  onSet: (value: string) => void;
+}) {
+  const { store, messages } = useApp();
+  const input = useRef(null as HTMLInputElement | null);
+  const button = useRef(null as HTMLButtonElement | null);
+
+  async function take([file]: readonly File[]) {
+    const planner = store.planner.peek();
+    if (!file || !planner) return;
+    try {
+      onSet(await textureOf(file, (style, name) => planner.checkStyle(JSON.stringify(style), name)));
+    } catch (error) {
+      messages.alert((error as Error).message);
+    }
+  }
+
+  function remove() {
+    onSet('');
+    button.current?.focus();
+  }
+
+  return (
+    <div class="parameter texture" role="group" aria-label={label} title={help}>
+      <span aria-hidden="true">{label}</span>
+      <span class="texture-tools">
+        {value !== '' && <Swatch url={value} />}
+        <button type="button" class="button small" ref={button} onClick={() => input.current?.click()}>
+          {value === '' ? strings.chooseTexture : strings.otherTexture}
+        </button>
+        {value !== '' && <IconButton icon="close" label={strings.removeTexture} onClick={remove} />}
+      </span>
+      <ChosenFiles input={input} accept="image/png,image/jpeg" label={strings.textureFile} onFiles={take} />
+    </div>
+  );
+}
+
+function Swatch({ url }: { url: string }) {
+  const [source, setSource] = useState('');
+  useEffect(() => {
+    const address = URL.createObjectURL(pictureOf(url));
+    setSource(address);
+    return () => URL.revokeObjectURL(address);
+  }, [url]);
+  return source === '' ? null : <img class="texture-swatch" src={source} alt={strings.textureShown} />;
+}

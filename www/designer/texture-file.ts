@@ -1,0 +1,39 @@
+/**
+ * A picture file as the texture of a style: a data URL. What is told here is told in the language of the page; what is
+ * wrong inside a picture only the core can see, which reads it.
+ */
+
+import { MOST } from '../document/limits.ts';
+import { strings } from '../strings/strings.ts';
+import type { Style, StyleStep } from '../engine/types.ts';
+
+/** How PNG and JPEG files begin: the name of a file may say anything. */
+const KINDS = [
+  { type: 'image/png', start: [0x89, 0x50, 0x4e, 0x47] },
+  { type: 'image/jpeg', start: [0xff, 0xd8, 0xff] },
+];
+
+/**
+ * @param check the core's check of a style, which throws
+ * @returns the data URL of a picture that the core can draw with
+ * @throws a sentence that names the file
+ */
+export async function textureOf(file: File, check: (style: Style, name: string) => unknown): Promise<string> {
+  if (file.size > MOST.texture) {
+    throw new Error(strings.textureTooLarge(file.name, Math.ceil(file.size / 1024), MOST.texture / 1024));
+  }
+  const bytes = new Uint8Array(await file.arrayBuffer());
+  const kind = KINDS.find(({ start }) => start.every((byte, at) => bytes[at] === byte));
+  if (!kind) throw new Error(strings.textureOfAnotherKind(file.name));
+  const url = `data:${kind.type};base64,${btoa(Array.from(bytes, (byte) => String.fromCharCode(byte)).join(''))}`;
+  const background: StyleStep[] = [{ block: 'to_gray' }, { block: 'pattern', texture: url }];
+  check({ id: 'texture', name: 'texture', tags: [], background }, file.name);
+  return url;
+}
+
+/** @returns the picture of a data URL, as a file: images of data URLs are not allowed on the page */
+export function pictureOf(url: string): Blob {
+  const [head, letters = ''] = url.split(',');
+  const type = /^data:(image\/\w+);/.exec(head)?.[1];
+  return new Blob([Uint8Array.from(atob(letters), (letter) => letter.charCodeAt(0))], { type });
+}

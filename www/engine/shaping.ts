@@ -1,0 +1,170 @@
+/**
+ * Letters that the fonts of the program do not have, from the fonts of the system: the browser shapes and draws them once, large,
+ * and the core takes the outlines of the pictures for letters. A word of a script whose letters join or turn is one picture, a
+ * letter of any other is one by itself. Where a browser does not hand drawn pixels over as they are, nothing is learnt.
+ */
+
+import type { Lettering } from '../pkg-words/inkpanel.js';
+import type { PageDocument } from './types.ts';
+
+/** What of the letters is needed. */
+type Learner = Pick<Lettering, 'learn' | 'missing'>;
+type Drawn = { ink: Uint8Array; width: number; baseline: number; left: number; advance: number };
+
+/** Height of an em in the pictures, in pixels: print shows letters smaller. */
+const EM = 144;
+const AIR = 4;
+/** Fonts of systems that draw signs in black, and whatever the system has. */
+const FAMILY = `"Noto Emoji", "Segoe UI Symbol", "Noto Sans", system-ui, sans-serif`;
+/** A word is longer than so many letters only in jest. */
+const LONGEST = 60;
+/** Scripts that are shaped a word at a time. */
+const JOINED =
+  /[\p{Script=Arabic}\p{Script=Hebrew}\p{Script=Syriac}\p{Script=Thaana}\p{Script=Nko}\p{Script=Devanagari}\p{Script=Bengali}\p{Script=Gurmukhi}\p{Script=Gujarati}\p{Script=Oriya}\p{Script=Tamil}\p{Script=Telugu}\p{Script=Kannada}\p{Script=Malayalam}\p{Script=Sinhala}\p{Script=Thai}\p{Script=Lao}\p{Script=Tibetan}\p{Script=Myanmar}\p{Script=Khmer}\p{Script=Mongolian}]/u;
+const LEFTWARD = /[\p{Script=Arabic}\p{Script=Hebrew}\p{Script=Syriac}\p{Script=Thaana}\p{Script=Nko}]/u;
+const EMOJI = /\p{Extended_Pictographic}/u;
+/** What has a shape of its own, other than marks and joiners. */
+const SEEN = /[\p{L}\p{N}\p{Extended_Pictographic}]/u;
+/** No font has a letter for it: what is drawn for it is drawn for all that are missing. */
+const NOBODY = '\u{10fffd}';
+/** The font of which all that is missing is missing in the others. */
+const FONT = 'comic-neue';
+
+/**
+ * What teaches the letters of a program new ones.
+ * @returns is told the words of each page before they are measured or drawn
+ */
+export function createShaping(letters: Learner) {
+  /** Texts that were looked at. */
+  const seen: Set<string> = new Set();
+  const tried: Set<string> = new Set();
+  let pen: ReturnType<typeof createPen> | null | undefined;
+
+  return (page: Pick<PageDocument, 'words'>) => {
+    for (const { text } of page.words ?? []) {
+      if (seen.has(text)) continue;
+      seen.add(text);
+      // Balloons may be set in capitals.
+      if (letters.missing(text, FONT) !== '')
+        for (const said of [text, text.toUpperCase()]) runsOf(said).forEach(learn);
+    }
+  };
+
+  function runsOf(text: string): string[] {
+    const segmenter = new Intl.Segmenter(undefined, { granularity: 'grapheme' });
+    return text.split(/\s+/).flatMap((word) => {
+      if (letters.missing(word, FONT) === '') return [];
+      if (JOINED.test(word)) return word.length <= LONGEST ? [word] : pieces(word, LONGEST);
+      return [...segmenter.segment(word)].flatMap(({ segment }) =>
+        letters.missing(segment, FONT) === '' ? [] : [segment],
+      );
+    });
+  }
+
+  function learn(run: string) {
+    if (tried.has(run)) return;
+    tried.add(run);
+    pen ??= pen === undefined ? createPen() : null;
+    const drawn = pen?.(run);
+    if (!drawn) return;
+    const { ink, width, baseline, left, advance } = drawn;
+    letters.learn(run, LEFTWARD.test(run), width, ink, EM, baseline, left, advance);
+  }
+}
+
+function pieces(word: string, length: number): string[] {
+  const letters = [...word];
+  return Array.from({ length: Math.ceil(letters.length / length) }, (_, i) =>
+    letters.slice(i * length, (i + 1) * length).join(''),
+  );
+}
+
+/** @returns what draws a run, or null for one that the system has no font for; null where pixels are not handed over */
+function createPen(): ((run: string) => Drawn | null) | null {
+  if (typeof OffscreenCanvas === 'undefined') return null;
+  const canvas = new OffscreenCanvas(8, 8);
+  const context = canvas.getContext('2d', { willReadFrequently: true }) as OffscreenCanvasRenderingContext2D | null;
+  if (!context || !isHonest(context)) return null;
+  const nothing = drawn(context, NOBODY);
+
+  return (run) => {
+    const emoji = EMOJI.test(run);
+    if ([...run].some((letter) => isUnknown(letter))) return null;
+    const picture = drawn(context, emoji && !run.includes('\ufe0f') ? `${run}\ufe0e` : run);
+    return picture;
+  };
+
+  /** Whether the system has a sign for what it has no letter for, and draws that. */
+  function isUnknown(letter: string) {
+    if (!nothing || !SEEN.test(letter)) return false;
+    const picture = drawn(context as OffscreenCanvasRenderingContext2D, letter);
+    return picture !== null && isSame(picture, nothing);
+  }
+}
+
+/** Browsers that protect from fingerprinting hand out other pixels than were drawn. */
+function isHonest(context: OffscreenCanvasRenderingContext2D): boolean {
+  context.fillStyle = '#204060';
+  context.fillRect(0, 0, 8, 8);
+  const { data } = context.getImageData(0, 0, 8, 8);
+  return data.every((value, i) => Math.abs(value - [0x20, 0x40, 0x60, 0xff][i % 4]) < 3);
+}
+
+function drawn(context: OffscreenCanvasRenderingContext2D, run: string): Drawn | null {
+  const { canvas } = context;
+  const set = () => {
+    context.font = `700 ${EM}px ${FAMILY}`;
+    context.textBaseline = 'alphabetic';
+    context.textAlign = 'left';
+    context.direction = LEFTWARD.test(run) ? 'rtl' : 'ltr';
+    context.fillStyle = '#000';
+  };
+  set();
+  const size = context.measureText(run);
+  const left = Math.ceil(Math.max(0, size.actualBoundingBoxLeft)) + AIR;
+  const baseline = Math.ceil(Math.max(0, size.actualBoundingBoxAscent)) + AIR;
+  const width = left + Math.ceil(Math.max(size.width, size.actualBoundingBoxRight)) + AIR;
+  const height = baseline + Math.ceil(Math.max(0, size.actualBoundingBoxDescent)) + AIR;
+  if (width * height > 4_000_000) return null;
+  // This empties it, too.
+  canvas.width = width;
+  canvas.height = height;
+  set();
+  context.fillText(run, left, baseline);
+  const { data } = context.getImageData(0, 0, width, height);
+  const ink = new Uint8Array(width * height);
+  let coloured = 0;
+  for (let i = 0; i < ink.length; i += 1) {
+    ink[i] = data[i * 4 + 3];
+    if (ink[i] > 128 && data[i * 4] + data[i * 4 + 1] + data[i * 4 + 2] > 60) coloured += 1;
+  }
+  if (coloured > 40) line(ink, data, width);
+  if (!ink.some((value) => value > 128)) return null;
+  return { ink, width, baseline, left, advance: size.width };
+}
+
+/** A picture in colours becomes a drawing: its edge, and what is dark in it. */
+function line(ink: Uint8Array, data: Uint8ClampedArray, width: number) {
+  const reach = Math.round(EM / 26);
+  const alpha = Uint8Array.from(ink);
+  const height = ink.length / width;
+  const inside = (x: number, y: number) => x >= 0 && y >= 0 && x < width && y < height && alpha[y * width + x] > 128;
+  for (let i = 0; i < ink.length; i += 1) {
+    const [x, y] = [i % width, Math.floor(i / width)];
+    const [red, green, blue] = [data[i * 4], data[i * 4 + 1], data[i * 4 + 2]];
+    const dark = 0.299 * red + 0.587 * green + 0.114 * blue < 110;
+    const edge = [
+      [reach, 0],
+      [-reach, 0],
+      [0, reach],
+      [0, -reach],
+    ].some(([dx, dy]) => !inside(x + dx, y + dy));
+    ink[i] = alpha[i] > 128 && (dark || edge) ? alpha[i] : 0;
+  }
+}
+
+function isSame(one: Drawn, other: Drawn): boolean {
+  return (
+    one.width === other.width && one.ink.length === other.ink.length && one.ink.every((v, i) => v === other.ink[i])
+  );
+}

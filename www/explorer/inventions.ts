@@ -1,0 +1,115 @@
+/**
+ * Invented styles that a shuffle may draw. Nobody has looked at them, so each is tried first, on three photos of the page at
+ * 448 pixels: one that shows nothing on any of them, or that is worth less than most designed ones, is never drawn. A few
+ * are kept ready, made while nothing else is to be done.
+ */
+
+import { effect, signal } from '@preact/signals';
+import { coloured } from './colouring.ts';
+import type { Store } from '../document/store.ts';
+import type { Engine } from '../engine/engine.ts';
+import type { Style } from '../engine/types.ts';
+
+export type Inventions = ReturnType<typeof createInventions>;
+type Tried = { id: string; width: number; height: number };
+
+/** The longer side of a picture that is judged, and the photos that each style is judged on. */
+const SIDE = 448;
+const PHOTOS = 3;
+/** Styles that are kept ready, tried at a time, and tried at most for a page: some photos look good in few. */
+const READY = 6;
+const PARCEL = 4;
+const TRIES = 48;
+/** The least a style must be worth, from 0 to 1 by simple measures, and from 1 to 10 by the net. */
+const LEAST = 0.5;
+const LEAST_JUDGED = 4.5;
+/** Milliseconds after the last change for which nobody is going from page to page. */
+const CALM = 3000;
+
+/** @param app `idle`: whether nothing else is under way */
+export function createInventions({
+  store,
+  engine,
+  seed,
+  idle,
+  calm = CALM,
+}: {
+  store: Store;
+  engine: Pick<Engine, 'exploreStyles' | 'judges' | 'judgeStyle' | 'hasPhoto'>;
+  seed: () => number;
+  idle: () => boolean;
+  calm?: number;
+}) {
+  const ready = signal([] as readonly Style[]);
+  let running: AbortController | null = null;
+  let timer: ReturnType<typeof setTimeout> | undefined;
+
+  effect(() => {
+    const page = store.page.value;
+    const share = store.project.value.styling.invented;
+    // One that is on the page was drawn: the next shuffle has another.
+    const shown = typeof page?.style === 'string' ? page.style : page?.style.id;
+    if (ready.peek().some(({ id }) => id === shown)) ready.value = ready.peek().filter(({ id }) => id !== shown);
+    clearTimeout(timer);
+    running?.abort();
+    if (page && share > 0 && idle()) timer = setTimeout(() => void fill(), calm);
+  });
+
+  return { ready };
+
+  async function fill() {
+    if (ready.peek().length >= READY) return;
+    const mine = new AbortController();
+    running = mine;
+    const photos = tried();
+    try {
+      for (let count = 0; photos.length > 0 && count < TRIES && ready.peek().length < READY; count += PARCEL) {
+        const good = await parcel(photos, mine.signal);
+        if (mine.signal.aborted) return;
+        ready.value = [...ready.peek(), ...good];
+      }
+    } catch {
+      // Stopped, or a photo went while it was tried: the next page tries again.
+    } finally {
+      if (running === mine) running = null;
+    }
+  }
+
+  /** @returns those of some new styles that are worth being drawn, on all photos */
+  async function parcel(photos: readonly Tried[], stop: AbortSignal): Promise<Style[]> {
+    const planner = store.planner.peek();
+    if (!planner) return [];
+    const [from, blocks] = [seed(), planner.blocks()];
+    const all = Array.from({ length: PARCEL }, (_, i) => (from + i) >>> 0);
+    let styles = all.map((at) => coloured(planner.inventStyle(at), at, blocks));
+    for (const photo of photos) {
+      const explored = await engine.exploreStyles(photo.id, styles, photo, { signal: stop });
+      for (const { bitmap } of explored) bitmap.close();
+      const good = explored.filter(({ fault, score }) => fault === '' && score >= LEAST);
+      styles = good.map(({ index }) => styles[index]);
+      if (styles.length === 0) return [];
+    }
+    if (!engine.judges) return styles;
+    const judged: Style[] = [];
+    for (const style of styles) {
+      let sum = 0;
+      for (const photo of photos) sum += await engine.judgeStyle(photo.id, style, photo, { signal: stop });
+      if (sum / photos.length >= LEAST_JUDGED) judged.push(style);
+    }
+    return judged;
+  }
+
+  /** Photos of the page at the size at which they are judged. */
+  function tried(): Tried[] {
+    const shown = new Set(store.page.peek()?.panels.flatMap(({ photo }) => photo ?? []));
+    return store.facts
+      .peek()
+      .flatMap(({ id, meta }) => (meta && shown.has(id) && engine.hasPhoto(id) ? [{ id, ...sized(meta) }] : []))
+      .slice(0, PHOTOS);
+  }
+}
+
+function sized({ width, height }: { width: number; height: number }) {
+  const scale = SIDE / Math.max(width, height, 1);
+  return { width: Math.max(1, Math.round(width * scale)), height: Math.max(1, Math.round(height * scale)) };
+}

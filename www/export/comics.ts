@@ -1,0 +1,97 @@
+/**
+ * Comics that are read: HTML with a reader in it, EPUB books, and what a comic archive tells of its pages. The core writes the
+ * text; the pictures are put in here, as Blobs, which the browser keeps where it has room.
+ */
+
+import { language, strings } from '../strings/strings.ts';
+import { FORMATS, pictureIn } from './formats.ts';
+import { describePanel } from '../page/describing.ts';
+import { archiveOf } from '../storage/files/archive.ts';
+import type { Store } from '../document/store.ts';
+import type { Comic, PageDocument, PictureKind } from '../engine/types.ts';
+import type { Engine } from '../engine/engine.ts';
+import type { Inside } from './formats.ts';
+import type { Work } from './page-making.ts';
+
+export function createComics({
+  store,
+  engine,
+}: {
+  store: Pick<Store, 'project' | 'album'>;
+  engine: Pick<Engine, 'exportJpeg' | 'exportWebp' | 'givesWebp' | 'comicPieces' | 'comicFiles'>;
+}) {
+  return { book, about };
+
+  /** All pages in one file, with progress by the panels that are drawn. */
+  async function book(
+    format: 'html' | 'epub',
+    documents: readonly PageDocument[],
+    quality: number,
+    how: Work,
+  ): Promise<Blob> {
+    const kind = pictureIn(format, 'jpeg', await engine.givesWebp());
+    const comic = told(documents, kind);
+    const { signal } = how;
+    const { type } = FORMATS[format];
+    if (format === 'html') {
+      // What cannot be told is known before anything is drawn.
+      const pieces = await engine.comicPieces(comic, { signal });
+      const pictures = await drawn(documents, kind, quality, how);
+      const urls: Blob[] = [];
+      for (const picture of pictures) urls.push(await dataUrl(picture));
+      return new Blob(
+        pieces.map((piece) => (typeof piece === 'number' ? urls[piece] : piece)),
+        { type },
+      );
+    }
+    const files = await engine.comicFiles(format, comic, { signal });
+    const pictures = await drawn(documents, kind, quality, how);
+    const entries = files.map(({ name, content }) => ({
+      name,
+      blob: typeof content === 'number' ? pictures[content] : new Blob([content]),
+    }));
+    return new Blob([await archiveOf(entries)], { type });
+  }
+
+  /** One page after the other; each has the same share of the whole. */
+  async function drawn(documents: readonly PageDocument[], kind: PictureKind, quality: number, how: Work) {
+    const draw = kind === 'webp' ? engine.exportWebp : engine.exportJpeg;
+    const pictures: Blob[] = [];
+    for (const [i, document] of documents.entries()) {
+      const onProgress = (done: number, total: number) => how.onProgress(i + done / total, documents.length);
+      pictures.push(await draw(document, { ...how, onProgress, quality }));
+    }
+    return pictures;
+  }
+
+  /** What lies beside the pages of a comic archive: what libraries and readers of comics want to know. */
+  async function about(documents: readonly PageDocument[], inside: Inside, { signal }: Work) {
+    const files = await engine.comicFiles('cbz', told(documents, inside), { signal });
+    return files.flatMap(({ name, content }) =>
+      typeof content === 'string' ? [{ name, blob: new Blob([content]) }] : [],
+    );
+  }
+
+  function told(documents: readonly PageDocument[], picture: PictureKind): Comic {
+    const album = store.album.peek();
+    return {
+      title: store.project.peek().name || strings.name,
+      language,
+      picture,
+      pages: documents.map((document) => ({
+        document,
+        shows: document.panels.map((_, panel) => describePanel(document, album, panel)),
+      })),
+    };
+  }
+}
+
+/** A picture as text, kept as a Blob. */
+function dataUrl(picture: Blob): Promise<Blob> {
+  return new Promise((resolve, reject) => {
+    const reader = new FileReader();
+    reader.addEventListener('load', () => resolve(new Blob([reader.result as string])));
+    reader.addEventListener('error', () => reject(reader.error));
+    reader.readAsDataURL(picture);
+  });
+}

@@ -1,0 +1,27 @@
+/** What files of pages are called: after the project, with the number of the page where there are several. */
+
+import { strings } from '../strings/strings.ts';
+import { fileNameOf } from '../ui/file-name.ts';
+import { FORMATS } from './formats.ts';
+import type { Project } from '../document/project.ts';
+import type { Format } from './formats.ts';
+
+type Named = Pick<Project, 'name' | 'at' | 'others'>;
+
+/**
+ * @param project whose page that is edited is the one that is saved alone
+ * @param count of the pages in the file
+ */
+export function fileName(project: Named, count: number, format: Format): string {
+  const parts = [project.name, count > 1 ? '' : pagePart(project)];
+  return fileNameOf(parts, FORMATS[format].ending, strings.untitled);
+}
+
+/** @param index from 0 */
+export function panelName(project: Named, index: number): string {
+  return fileNameOf([project.name, pagePart(project), strings.filePanel(index + 1)], 'png', strings.untitled);
+}
+
+function pagePart({ at, others }: Named): string {
+  return others.length > 0 ? strings.filePage(at + 1) : '';
+}

@@ -1,0 +1,104 @@
+/** The panels that are too coarse for paper: named before the page is saved, with a way to each, and marked on the page. */
+
+import { useMemo } from 'preact/hooks';
+import type { Geometry, PageDocument } from '../engine/types.ts';
+import { strings } from '../strings/strings.ts';
+import { useApp } from '../ui/context.ts';
+import type { Coarse } from './print.ts';
+import { COARSE, coarsePanels } from './print.ts';
+
+/** So many are named; the marks on the page show them all. */
+const NAMED = 4;
+
+type Found = Coarse & { page: number };
+
+/** @param pages as they are saved; `only` is the place of a page in the storyboard where it is saved alone */
+export function PrintCheck({
+  pages,
+  only,
+  close,
+}: {
+  pages: readonly PageDocument[];
+  only: number | null;
+  close: () => void;
+}) {
+  const { store, book, selection, ui } = useApp();
+  const album = store.album.value;
+  const found = useMemo((): Found[] => {
+    const planner = store.planner.peek();
+    if (!planner) return [];
+    return pages.flatMap((page, i) =>
+      coarsePanels(page, planner.geometry(page.layout, page.page), album, inchesOf(page)).map((coarse) => ({
+        ...coarse,
+        page: only ?? i,
+      })),
+    );
+  }, [pages, only, album]);
+  if (found.length === 0) return null;
+
+  function go({ page, panel }: Found) {
+    ui.printCheck.value = inchesOf(pages[only === null ? page : 0]);
+    if (page !== book.at.peek()) book.go(page);
+    close();
+    selection.set([panel]);
+  }
+
+  return (
+    <section class="print-check" aria-live="polite">
+      <p>{strings.print.coarse(found.length, COARSE)}</p>
+      <ul>
+        {found.slice(0, NAMED).map((coarse) => (
+          <li key={`${coarse.page} ${coarse.panel}`}>
+            <button type="button" class="link-button" onClick={() => go(coarse)}>
+              {only === null
+                ? strings.print.coarseOn(coarse.page + 1, coarse.panel + 1, coarse.dpi)
+                : strings.print.coarsePanel(coarse.panel + 1, coarse.dpi)}
+            </button>
+          </li>
+        ))}
+        {found.length > NAMED && <li class="quiet">{strings.print.coarseMore(found.length - NAMED)}</li>}
+      </ul>
+      <p class="quiet">{strings.print.coarseHelp}</p>
+    </section>
+  );
+}
+
+/** Marks on the panels of the page that are too coarse, until they are hidden or cured. */
+export function CoarseMarks({ page, geometry }: { page: PageDocument; geometry: Geometry }) {
+  const { store, ui } = useApp();
+  const inches = ui.printCheck.value;
+  const found = inches === null ? [] : coarsePanels(page, geometry, store.album.value, inches);
+  if (found.length === 0) return null;
+  return (
+    <div class="coarse-marks">
+      {found.map(({ panel, dpi }) => {
+        const { x, y, width, height } = geometry.panels[panel].bounds;
+        const style = { left: `${(x + width / 2) * 100}%`, top: `${((y + height / 2) / geometry.height) * 100}%` };
+        return (
+          <span key={panel} class="coarse-mark" style={style}>
+            {strings.print.coarseMark(dpi)}
+          </span>
+        );
+      })}
+    </div>
+  );
+}
+
+/** Hides the marks. */
+export function CoarseHide() {
+  const { ui } = useApp();
+  const hide = () => {
+    ui.printCheck.value = null;
+  };
+  if (ui.printCheck.value === null) return null;
+  return (
+    <button type="button" class="button coarse-hide" onClick={hide}>
+      {strings.print.coarseHide}
+    </button>
+  );
+}
+
+/** Width of a page on paper. */
+function inchesOf({ page }: PageDocument) {
+  return page.width / page.dpi;
+}

@@ -1,0 +1,174 @@
+/**
+ * A style from a picture: the picture whose look is wanted, the search for it on a photo of the person's own, and the
+ * styles that it proposes. They belong to the session; one that is saved, used or edited becomes a part of the project.
+ */
+
+import { signal } from '@preact/signals';
+import { strings } from '../strings/strings.ts';
+import type { Signal } from '@preact/signals';
+import type { Ui } from '../app/ui.ts';
+import type { Store } from '../document/store.ts';
+import type { Engine } from '../engine/engine.ts';
+import type { Style } from '../engine/types.ts';
+import type { Messages } from '../ui/messages.ts';
+
+export type Imitation = ReturnType<typeof createImitation>;
+type Picture = { name: string; file: Blob };
+
+/** Under this id the picture is known to the engine; no photo of an album has it. */
+const ID = 'imitated-picture';
+
+export function createImitation({
+  store,
+  engine,
+  messages,
+  ui,
+  seed,
+  freshId,
+}: {
+  store: Pick<Store, 'tray'>;
+  engine: Pick<Engine, 'importPhoto' | 'forgetPhoto' | 'readLook' | 'imitate'>;
+  messages: Pick<Messages, 'alert'>;
+  ui: Pick<Ui, 'work'>;
+  seed: () => number;
+  freshId: () => string;
+}) {
+  const picture: Signal<Picture | null> = signal(null);
+  /** How far the search is, 0 to 1; null while there is none. */
+  const progress: Signal<number | null> = signal(null);
+  const proposals: Signal<readonly Style[]> = signal([]);
+  /** Why there are none, as a sentence. */
+  const fault: Signal<string | null> = signal(null);
+  /** Whether the picture was refused for what a person may know better. */
+  const doubted = signal(false);
+  /** The proposal that is seen large. */
+  const shown: Signal<string | null> = signal(null);
+  /** The photo that was chosen to try styles on. */
+  const photo: Signal<string | null> = signal(null);
+  let running: AbortController | null = null;
+  /** What the picture was found to look like. */
+  let look: string | null = null;
+  let anyway = false;
+
+  return {
+    picture,
+    progress,
+    proposals,
+    fault,
+    doubted,
+    insist,
+    shown,
+    photo,
+    open,
+    take,
+    search,
+    stop,
+    choose,
+    clear,
+  };
+
+  /** Shows the workspace, as it was left. */
+  function open() {
+    if (store.tray.peek().length === 0) messages.alert(strings.imitationNeedsPhotos);
+    else ui.work.value = 'imitation';
+  }
+
+  /** Takes the first of some files as the picture. */
+  function take(files: readonly File[]) {
+    const [file] = files;
+    if (!file) return;
+    if (store.tray.peek().length === 0) {
+      messages.alert(strings.imitationNeedsPhotos);
+      return;
+    }
+    stop();
+    look = null;
+    anyway = false;
+    doubted.value = false;
+    picture.value = { name: file.name, file };
+    proposals.value = [];
+    fault.value = null;
+    shown.value = null;
+    ui.work.value = 'imitation';
+  }
+
+  /** Looks for styles on a photo: with what is known of the picture, or after it is read. */
+  async function search(id: string) {
+    const wanted = picture.peek();
+    if (!wanted) return;
+    stop();
+    const mine = new AbortController();
+    running = mine;
+    const { signal: ends } = mine;
+    fault.value = null;
+    doubted.value = false;
+    progress.value = 0;
+    try {
+      look ??= await read(wanted, ends);
+      const found = await engine.imitate(look, id, {
+        seed: seed() >>> 0,
+        signal: ends,
+        onProgress: (done) => {
+          if (!ends.aborted) progress.value = done;
+        },
+      });
+      if (ends.aborted) return;
+      proposals.value = found.map((style, i) => named(style, wanted.name, i + 1));
+      shown.value = proposals.value[0]?.id ?? null;
+      if (found.length === 0) fault.value = strings.imitationNone;
+    } catch (error) {
+      const { code, message } = error as { code?: string; message: string };
+      if (!ends.aborted && code !== 'cancelled') {
+        fault.value = strings.imitationReasons[code ?? ''] ?? message;
+        doubted.value = code === 'plain-photo';
+      }
+    }
+    if (running === mine) {
+      running = null;
+      progress.value = null;
+    }
+  }
+
+  async function read({ file }: Picture, ends: AbortSignal): Promise<string> {
+    try {
+      await engine.importPhoto(ID, file, { signal: ends });
+      return await engine.readLook(ID, { anyway, signal: ends });
+    } finally {
+      engine.forgetPhoto(ID);
+    }
+  }
+
+  /** Searches for what seemed to be a plain photo. */
+  function insist(id: string) {
+    anyway = true;
+    void search(id);
+  }
+
+  /** A style of a name of its own, under an id that no other has. The score is of this search alone. */
+  function named({ score: _, ...style }: Style, file: string, place: number): Style {
+    return { ...style, id: freshId(), name: strings.imitationName(file.replace(/\.[^.]*$/, '').slice(0, 40), place) };
+  }
+
+  /** @param id of a proposal */
+  function choose(id: string) {
+    shown.value = id;
+  }
+
+  function stop() {
+    running?.abort();
+    running = null;
+    progress.value = null;
+  }
+
+  /** Forgets all of it. */
+  function clear() {
+    stop();
+    look = null;
+    doubted.value = false;
+    picture.value = null;
+    proposals.value = [];
+    fault.value = null;
+    shown.value = null;
+    photo.value = null;
+  }
+}

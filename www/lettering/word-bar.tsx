@@ -1,0 +1,173 @@
+/**
+ * What is changed most often of the word that is chosen, in a bar beside it on the page: above it or below it, where there is
+ * room, never over it. While text is written there is none, so that it and the keyboard of a screen never meet.
+ */
+
+import { useLayoutEffect, useRef } from 'preact/hooks';
+import { strings } from '../strings/strings.ts';
+import { IconButton } from '../ui/button.tsx';
+import { useApp } from '../ui/context.ts';
+import { USUAL_OUTLINE, capitals } from './word-fields.tsx';
+import type { Word, WordBox } from '../engine/types.ts';
+
+/** Pixels between the word and the bar: the handles have room. */
+const AIR = 18;
+/** Each press makes the letters so much larger or smaller. */
+const GROWTH = 1.12;
+const [LEAST_SIZE, MOST_SIZE] = [0.005, 0.4];
+/** What the switches of an effect give. */
+const ARC = 0.6;
+const SLANT = 15;
+const THICK = 0.14;
+
+const SHAPES = ['oval', 'thought', 'shout', 'whisper', 'radio'] as const;
+
+export function WordBar({ index, box }: { index: number; box: WordBox }) {
+  const { lettering, store, ui } = useApp();
+  const bar = useRef(null as HTMLDivElement | null);
+  const gesture = useRef(lettering.step());
+  const word = lettering.words.value[index];
+  const height = store.geometry.value?.height ?? 1;
+  const hidden = !ui.wide.value && ui.sheet.value !== null;
+
+  useLayoutEffect(() => {
+    if (bar.current) place(bar.current, box, height);
+  });
+  if (!word || hidden) return null;
+
+  const rest = () => {
+    gesture.current = lettering.step();
+  };
+  const set = (news: Partial<Word>) => {
+    lettering.edit(index, news, gesture.current);
+    rest();
+  };
+  const stop = (event: Event) => event.stopPropagation();
+  const grow = (by: number) => set({ size: Math.min(MOST_SIZE, Math.max(LEAST_SIZE, box.size * by)) });
+  const { font } = box;
+  const bold = font === 'comic-neue-bold';
+
+  return (
+    <div
+      ref={bar}
+      class="word-bar"
+      role="toolbar"
+      aria-label={strings.wordBar}
+      // It finds its place anew where the page is enlarged.
+      data-zoom={ui.zoom.value}
+      onClick={stop}
+      onPointerDown={stop}
+      onKeyDown={(event: KeyboardEvent) => {
+        // Letters pressed here are no shortcuts of the page.
+        if (event.key !== 'Escape' && event.key !== 'Tab') event.stopPropagation();
+      }}
+    >
+      <IconButton
+        icon="text"
+        label={strings.barWrite}
+        onClick={() => {
+          lettering.editing.value = index;
+        }}
+      />
+      {word.kind === 'balloon' &&
+        SHAPES.map((shape) => (
+          <IconButton
+            key={shape}
+            icon={`balloon-${shape}`}
+            label={strings.shapes[shape]}
+            pressed={(word.shape ?? 'oval') === shape}
+            onClick={() => set({ shape })}
+          />
+        ))}
+      {word.kind === 'balloon' && !box.tip && (
+        <IconButton icon="focus" label={strings.barTail} onClick={() => (lettering.mode.value = 'tail')} />
+      )}
+      <span class="word-bar-line" />
+      <IconButton icon="smaller" label={strings.barSmaller} onClick={() => grow(1 / GROWTH)} />
+      <IconButton icon="larger" label={strings.barLarger} onClick={() => grow(GROWTH)} />
+      {font !== 'bangers' && (
+        <IconButton
+          icon="bold"
+          label={strings.barBold}
+          pressed={bold}
+          onClick={() => set({ font: bold ? 'comic-neue' : 'comic-neue-bold' })}
+        />
+      )}
+      <IconButton
+        icon="capitals"
+        label={strings.barCapitals}
+        pressed={capitals(word)}
+        onClick={() => set({ capitals: !capitals(word) })}
+      />
+      {word.kind === 'effect' && <EffectTools word={word} set={set} />}
+      <span class="word-bar-line" />
+      {(['color', 'fill'] as const).map((name) => (
+        <input
+          key={name}
+          type="color"
+          class="word-bar-colour"
+          aria-label={name === 'color' ? strings.barInk : strings.barFill}
+          title={name === 'color' ? strings.barInk : strings.barFill}
+          value={box[name]}
+          onInput={({ currentTarget }) => lettering.edit(index, { [name]: currentTarget.value }, gesture.current)}
+          onChange={rest}
+        />
+      ))}
+      <IconButton icon="bin" label={strings.barDelete} onClick={() => lettering.remove(index)} />
+    </div>
+  );
+}
+
+function EffectTools({ word, set }: { word: Word; set: (news: Partial<Word>) => void }) {
+  const arc = word.arc ?? 0;
+  const slant = word.slant ?? 0;
+  const thick = (word.outline ?? USUAL_OUTLINE) >= THICK;
+  return (
+    <>
+      <IconButton
+        icon="arch"
+        label={strings.barArch}
+        pressed={arc > 0}
+        onClick={() => set({ arc: arc > 0 ? 0 : ARC })}
+      />
+      <IconButton
+        icon="sag"
+        label={strings.barSag}
+        pressed={arc < 0}
+        onClick={() => set({ arc: arc < 0 ? 0 : -ARC })}
+      />
+      <IconButton
+        icon="lean"
+        label={strings.barLean}
+        pressed={slant !== 0}
+        onClick={() => set({ slant: slant === 0 ? SLANT : 0 })}
+      />
+      <IconButton
+        icon="outline"
+        label={strings.barOutline}
+        pressed={thick}
+        onClick={() => set({ outline: thick ? null : THICK })}
+      />
+    </>
+  );
+}
+
+/** Puts the bar above the word and its tail, else below them, in the middle over it as far as the window lets it. */
+function place(bar: HTMLElement, box: WordBox, height: number) {
+  const page = bar.closest('.page') as HTMLElement;
+  const [width, tall] = [page.clientWidth, page.clientHeight];
+  const room = (bar.closest('.stage-area') ?? page).getBoundingClientRect();
+  const { left, top } = page.getBoundingClientRect();
+  bar.style.maxWidth = `${Math.max(160, room.width - 8)}px`;
+  const tip = box.tip?.[1] ?? box.y;
+  const above = (Math.min(box.y, tip) / height) * tall - AIR - bar.offsetHeight;
+  const below = (Math.max(box.y + box.height, tip) / height) * tall + AIR;
+  const ceiling = room.top - top + 4;
+  const floor = room.bottom - top - bar.offsetHeight - 4;
+  // A word as high as the page leaves the side on which more is free.
+  const y = above >= ceiling ? above : below <= floor ? below : above - ceiling > floor - below ? above : below;
+  const middle = (box.x + box.width / 2) * width - bar.offsetWidth / 2;
+  const x = Math.max(room.left - left + 4, Math.min(middle, room.right - left - bar.offsetWidth - 4));
+  bar.style.top = `${y}px`;
+  bar.style.left = `${x}px`;
+}

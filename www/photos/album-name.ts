@@ -1,0 +1,70 @@
+/**
+ * What an album is called before a person names it: after the folder that all of its photos came in, else after the days
+ * on which they were taken.
+ */
+
+/**
+ * What is known of a photo. `folders`: from the outermost, none where it came alone; `taken` is what the camera wrote,
+ * `YYYY:MM:DD HH:MM:SS`; `modified` the time of its file, in ms, where the file is at hand; `sample`: it ships with the page.
+ */
+export type Origin = {
+  folders: readonly string[];
+  taken: string | null;
+  modified: number | null;
+  sample?: boolean;
+};
+
+/** What cameras, systems and programs call folders, which says nothing of what is in them. */
+const EMPTY_NAMES =
+  /^(dcim|\d{3}[a-z0-9_]{5}|camera( roll)?|downloads?|desktop|documents?|pictures?|photos?|images?|fotos?|bilder|imágenes|imagens|descargas|téléchargements|ダウンロード|画像|写真|new folder.*|neuer ordner.*|tmp|temp)$/i;
+
+const DAY = 86_400_000;
+/** Before that nobody took photos with a camera that writes the day: its clock was not set. */
+const FIRST_DAY = Date.UTC(1990, 0, 2);
+
+/**
+ * @param how `now` in ms; `dates` writes a stretch of days, in ms of UTC, in the language of the page
+ * @returns empty where nothing can be told
+ */
+export function albumName(
+  origins: readonly Origin[],
+  { samples, dates, now }: { samples: string; dates: (from: number, to: number) => string; now: number },
+): string {
+  if (origins.length === 0) return '';
+  if (origins.every(({ sample }) => sample)) return samples;
+  return folderName(origins) || daysName(origins, dates, now);
+}
+
+function folderName(origins: readonly Origin[]): string {
+  const [first, ...rest] = origins.map(({ folders }) => folders);
+  const apart = first.findIndex((folder, i) => rest.some((folders) => folders[i] !== folder));
+  const common = apart < 0 ? first : first.slice(0, apart);
+  return common.findLast((folder) => folder.trim() !== '' && !EMPTY_NAMES.test(folder.trim()))?.trim() ?? '';
+}
+
+function daysName(origins: readonly Origin[], dates: (from: number, to: number) => string, now: number): string {
+  const taken = origins.flatMap((origin) => dayTaken(origin, now) ?? []);
+  // Times of files are those of copies as often as not: they count only where cameras are silent.
+  const days =
+    taken.length * 2 >= origins.length
+      ? taken
+      : origins.flatMap((origin) => dayTaken(origin, now) ?? dayOf(origin.modified, now) ?? []);
+  if (days.length === 0) return '';
+  return dates(Math.min(...days), Math.max(...days));
+}
+
+function dayTaken({ taken }: Origin, now: number): number | null {
+  const [, year, month, day] = /^(\d{4}):(\d\d):(\d\d)/.exec(taken ?? '') ?? [];
+  return year ? real(Date.UTC(Number(year), Number(month) - 1, Number(day)), now) : null;
+}
+
+/** The day of a moment, where the person is. */
+function dayOf(time: number | null, now: number): number | null {
+  if (time === null) return null;
+  const at = new Date(time);
+  return real(Date.UTC(at.getFullYear(), at.getMonth(), at.getDate()), now);
+}
+
+function real(day: number, now: number): number | null {
+  return day >= FIRST_DAY && day <= now + 2 * DAY ? day : null;
+}

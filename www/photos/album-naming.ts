@@ -1,0 +1,59 @@
+/**
+ * The project gets its name from its photos, until a person gives it one: where it comes from stands in `album-name.ts`. As
+ * more photos come, the name follows them.
+ */
+
+import { strings } from '../strings/strings.ts';
+import { albumName } from './album-name.ts';
+import { foldersOf } from './folders.ts';
+import type { Place } from '../document/place.ts';
+import type { Store } from '../document/store.ts';
+
+/** Characters of a name, as many as the field for it takes. */
+const MOST = 80;
+
+export function createAlbumNaming({ store }: { store: Store }) {
+  /** Where photos of this visit came from, by their ids. */
+  const files: Map<string, { folders: readonly string[]; modified: number }> = new Map();
+  /** The name of the project that no person gave it; null where one did. */
+  let free: { place: Place; name: string } | null = null;
+
+  return { automatic, begin, settle };
+
+  /** @returns what the project is called by its photos; empty where they tell nothing */
+  function automatic(): string {
+    const origins = store.facts.peek().map(({ id, meta, credit, absent }) => ({
+      folders: files.get(id)?.folders ?? [],
+      modified: files.get(id)?.modified ?? null,
+      taken: absent ? null : (meta?.taken ?? null),
+      sample: credit !== undefined,
+    }));
+    const name = albumName(origins, { samples: strings.sampleAlbum, dates: strings.dates, now: Date.now() });
+    return [...name].slice(0, MOST).join('');
+  }
+
+  /** Photos are about to come. @param sources the files of which they are made, with the ids of the photos */
+  function begin(sources: readonly { file: File; ids: readonly string[] }[]) {
+    const { name } = store.project.peek();
+    if (!isFree(name)) free = name === '' || name === automatic() ? { place: store.place.peek(), name } : null;
+    for (const { file, ids } of sources)
+      for (const id of ids) files.set(id, { folders: foldersOf(file), modified: file.lastModified });
+  }
+
+  /**
+   * They are there.
+   * @param gesture the step of the undo that they belong to; null for the first, which cannot be undone
+   */
+  function settle(gesture: string | null) {
+    const { name } = store.project.peek();
+    if (!isFree(name)) return;
+    const next = automatic();
+    if (next === '' || next === name) return;
+    free = { place: store.place.peek(), name: next };
+    store.change({ type: 'rename', name: next, ...(gesture === null ? { silent: true } : { gesture }) });
+  }
+
+  function isFree(name: string): boolean {
+    return free?.place === store.place.peek() && free.name === name;
+  }
+}

@@ -1,0 +1,199 @@
+import { beforeEach, describe, expect, it, vi } from 'vitest';
+import { ARCHIVE } from '../../engine/limits.ts';
+import { foldersOf } from '../../photos/folders.ts';
+import { save as saveFile } from '../../ui/files.ts';
+import { archiveOf } from './archive.ts';
+import { fakeBrowser } from '../testing.ts';
+import { packedNothing, zipOf } from './testing-archives.ts';
+import { bare, downloaded, dropped, textIn } from './testing-pages.ts';
+import type { Cargo } from './page-files.ts';
+import type { Tab } from './testing-pages.ts';
+
+vi.mock('../../ui/files.ts', () => ({ save: vi.fn() }));
+
+/** Where a storyboard of two pages was made. */
+let tab: Tab;
+
+const pages = (of: Tab) =>
+  of.store.sheets.value.map(({ layout, style, panels }) => [
+    layout,
+    style,
+    panels.map(({ photo }) => of.store.album.value.get(photo ?? '')?.name),
+  ]);
+
+async function twoPages() {
+  const made = await fakeBrowser().tab();
+  await made.add('a.jpg', 'b.jpg', 'c.jpg', 'd.jpg', 'e.jpg');
+  const { page } = made.store.project.value;
+  const [a, b, ...rest] = made.store.tray.value.map(({ id }) => id);
+  const of = (ids: string[], seed: number) => ({
+    ...(page as any),
+    seed,
+    layout: `grid-${ids.length}`,
+    order: ids,
+    merges: [],
+    panels: ids.map((photo) => ({ photo, crop: null, locked: false, edited: false })),
+  });
+  made.store.change({
+    type: 'set-sheets',
+    sheets: [
+      { page: of([a, b], 1), pageId: 7, sheet: 3 },
+      { page: of(rest, 2), pageId: 9, sheet: 5 },
+    ],
+    at: 1,
+  });
+  made.store.change({ type: 'rename', name: 'Trip' });
+  await made.keeping.flush();
+  return made;
+}
+
+/** Its pages as one file. */
+async function book(of: Tab, what: Cargo, ending = 'cbz') {
+  const packed = await of.keeping.pageFiles.packed(what);
+  const entries = [{ name: 'page-01.png', blob: await bare() }, ...(packed ? [packed.entry] : [])];
+  return new File([await archiveOf(entries)], `Trip.${ending}`);
+}
+
+beforeEach(async () => {
+  vi.mocked(saveFile).mockClear();
+  tab = await twoPages();
+});
+
+describe('a page', () => {
+  it('carries all pages of its storyboard, and opens again on the one that it shows', async () => {
+    const other = await fakeBrowser().tab();
+    await dropped(other, await downloaded(tab, 'photos'));
+    const name = (photo: string) => `photo-${photo.charCodeAt(0) - 96}`;
+    expect(pages(other)).toEqual(
+      pages(tab).map(([layout, style, photos]) => [layout, style, (photos as string[]).map((photo) => name(photo))]),
+    );
+    expect([other.store.project.value.at, other.store.project.value.name]).toEqual([1, 'Trip']);
+    expect(other.store.history.value.shown.map(({ id }) => id)).toEqual([1, 2]);
+    // Nothing of how it came to be.
+    const present = JSON.parse(await textIn(await downloaded(tab, 'project'))).history.present;
+    expect([present.sheet, present.pageId, present.others[0].sheet]).toEqual([1, 2, 0]);
+  });
+
+  it('in fewer pixels has the others in as many, on other paper as they are', async () => {
+    const page = tab.store.page.value as any;
+    const drawnAs = async (size: object) => {
+      const drawn = { ...page, page: { ...page.page, ...size } };
+      const { png } = await tab.keeping.pageFiles.carrying(await bare(), drawn, 'project');
+      const { present } = JSON.parse(await textIn(png)).history;
+      return [present.page.page.width, present.others[0].page.page.width];
+    };
+    const { width, height } = page.page;
+    expect(await drawnAs({ width: width / 2, height: height / 2, dpi: 150 })).toEqual([width / 2, width / 2]);
+    expect(await drawnAs({ width: 2400, height: 2400 })).toEqual([2400, width]);
+  });
+});
+
+describe('an archive of pages', () => {
+  it.each(['cbz', 'zip'])('as %s opens again as the storyboard', async (ending) => {
+    const other = await fakeBrowser().tab();
+    const { page } = await other.keeping.pageFiles.unpacked(await book(tab, 'photos', ending));
+    expect(page && (await other.keeping.pageFiles.open(page))).toBe(true);
+    expect(pages(other).map(([layout]) => layout)).toEqual(['grid-2', 'grid-3']);
+    expect(other.names()).toEqual(['photo-1', 'photo-2', 'photo-3', 'photo-4', 'photo-5']);
+    expect(other.store.project.value.name).toBe('Trip');
+  });
+
+  it('finds its photos on the device where it was made, and can be chosen', async () => {
+    const file = await book(tab, 'project');
+    await tab.keeping.create();
+    expect(await tab.keeping.pageFiles.openChosen(file, async () => false)).toBe(true);
+    expect(tab.names()).toEqual(['a.jpg', 'b.jpg', 'c.jpg', 'd.jpg', 'e.jpg']);
+    expect(await book(tab, 'none').then((bare) => tab.keeping.pageFiles.unpacked(bare))).toMatchObject({
+      pictures: [{ name: 'page-01.png' }],
+    });
+  });
+
+  it('that is a project file under another name is opened as one', async () => {
+    await tab.keeping.files.save();
+    const [blob] = vi.mocked(saveFile).mock.calls[0];
+    const file = new File([blob], 'mailed.zip');
+    expect((await tab.keeping.pageFiles.unpacked(file)).project).toBe(file);
+  });
+});
+
+describe('an archive of others', () => {
+  const said = () => tab.messages.failures.value.map(({ name, why }) => [name, why]);
+  const zip = (files: Parameters<typeof zipOf>[0], name = 'Lisbon.zip') => new File([zipOf(files)], name);
+
+  it('gives its pictures, and nothing else that is in it', async () => {
+    const content = Buffer.from('pixels');
+    const file = zip([
+      { name: 'day 1/b.JPG', content, packed: true },
+      { name: 'a.png', content },
+      { name: 'notes.txt', content },
+      { name: '__MACOSX/._a.png', content },
+      { name: '.hidden.jpg', content },
+      { name: 'day 1/' },
+    ]);
+    const { pictures } = await tab.keeping.pageFiles.unpacked(file);
+    expect(pictures.map(({ name, type }) => [name, type])).toEqual([
+      ['b.JPG', 'image/jpeg'],
+      ['a.png', 'image/png'],
+    ]);
+    expect(await pictures[0].text()).toBe('pixels');
+    expect(pictures.map(foldersOf)).toEqual([['Lisbon', 'day 1'], ['Lisbon']]);
+  });
+
+  it('with a picture that is damaged gives the others, and names it', async () => {
+    const content = Buffer.from('pixels');
+    const { pictures } = await tab.keeping.pageFiles.unpacked(
+      zip([
+        { name: 'good.jpg', content },
+        { name: 'bad.jpg', content, crc: 1 },
+      ]),
+    );
+    expect(pictures.map(({ name }) => name)).toEqual(['good.jpg']);
+    expect(said()).toEqual([['bad.jpg', 'it is damaged in Lisbon.zip.']]);
+  });
+
+  it.each([
+    ['nothing to look at', () => zip([{ name: 'notes.txt' }]), /no picture in it/],
+    ['no archive', () => new File(['words'], 'x.zip'), /damaged/],
+    [
+      'one that says how much it unpacks to',
+      () => zip([{ name: 'a.jpg', content: Buffer.from('x'), method: 8, size: ARCHIVE.entry + 1 }]),
+      /more than a project can/,
+    ],
+    [
+      'one that does not',
+      () => {
+        const packed = packedNothing(320);
+        return zip([{ name: 'a.jpg', content: packed, method: 8, length: packed.length, size: 100 * 2 ** 20, crc: 0 }]);
+      },
+      /damaged|more than a project can/,
+    ],
+  ])('with %s is refused with a reason', async (_, made, why) => {
+    const before = tab.store.history.value;
+    expect((await tab.keeping.pageFiles.unpacked(made())).pictures).toEqual([]);
+    expect(said().map(([, reason]) => reason)).toEqual([expect.stringMatching(why)]);
+    expect(tab.store.history.value).toBe(before);
+  });
+});
+
+describe('saving a project as a file', () => {
+  it('tells how far it is, and can be stopped, which gives no file', async () => {
+    const seen: number[] = [];
+    const stop = tab.keeping.files.saving.subscribe((value) => value && seen.push(value.done / value.total));
+    await tab.keeping.files.save();
+    expect(seen.length).toBeGreaterThan(5);
+    expect(seen).toEqual([...seen].sort((a, b) => a - b));
+    expect([Math.max(...seen) < 1, tab.keeping.files.saving.value]).toEqual([true, null]);
+    stop();
+    vi.mocked(saveFile).mockClear();
+    const saving = tab.keeping.files.save();
+    tab.keeping.files.cancelSaving();
+    await saving;
+    expect(vi.mocked(saveFile)).not.toHaveBeenCalled();
+    expect([tab.keeping.files.saving.value, tab.messages.list.value.some(({ kind }) => kind === 'alert')]).toEqual([
+      null,
+      false,
+    ]);
+    await tab.keeping.files.save();
+    expect(vi.mocked(saveFile)).toHaveBeenCalledOnce();
+  });
+});

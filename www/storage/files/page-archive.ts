@@ -1,0 +1,111 @@
+/**
+ * ZIP and CBZ files. Those of ours carry their storyboard beside the pages, as a project file of its own: programs that show
+ * comics pass over what is no picture. Of others the pictures are photos.
+ */
+
+import { ARCHIVE, TEXT } from '../../engine/limits.ts';
+import { isVideo } from '../../engine/video.ts';
+import { MOST } from '../../document/limits.ts';
+import { damaged } from '../../document/versions.ts';
+import { noteFolders } from '../../photos/folders.ts';
+import { archiveOf, readArchive } from './archive.ts';
+import { withPage } from './page-file.ts';
+import type { Watch } from '../../engine/inflate.ts';
+import type { Archive } from './file-opening.ts';
+import type { PageFile } from './page-file.ts';
+import type { Work } from './archive.ts';
+
+/** Its name in an archive; whoever takes it out has a project file. */
+const PROJECT = 'project.inkpanel';
+/** The text of a project file. */
+const TEXT_NAME = 'project.json';
+
+const TYPES: Record<string, string> = {
+  jpg: 'image/jpeg',
+  jpeg: 'image/jpeg',
+  png: 'image/png',
+  webp: 'image/webp',
+  gif: 'image/gif',
+  bmp: 'image/bmp',
+  tif: 'image/tiff',
+  tiff: 'image/tiff',
+  avif: 'image/avif',
+  heic: 'image/heic',
+  heif: 'image/heif',
+};
+
+/**
+ * What is in an archive: a project of ours with its pages; a project file under another name; or pictures, the names of those that
+ * are damaged, and how many more there are than a project holds.
+ */
+export type Inside = { page: PageFile } | { project: true } | { pictures: File[]; damaged: string[]; beyond: number };
+
+/** @returns whether it says that it is an archive */
+export const isArchiveFile = ({ name, type }: File): boolean =>
+  /\.(zip|cbz)$/i.test(name) ||
+  ['application/zip', 'application/x-zip-compressed', 'application/vnd.comicbook+zip'].includes(type);
+
+/** @returns what an archive of pages carries of its project */
+export async function projectEntry(
+  json: string,
+  photos: readonly { name: string; blob: Blob }[],
+  work: Work,
+): Promise<{ name: string; blob: Blob }> {
+  return { name: PROJECT, blob: await archiveOf([{ name: TEXT_NAME, blob: new Blob([json]) }, ...photos], work) };
+}
+
+/**
+ * @param step is told how many of the pictures are there
+ * @returns rejects with `damaged-project` where it is no archive, `too-large-project` where it unpacks to more than it may
+ */
+export async function readInside(
+  file: File,
+  { step, ...watch }: Watch & { step: (done: number, total: number) => void },
+): Promise<Inside> {
+  const archive = await readArchive(file);
+  const project = archive.get(PROJECT);
+  if (project) return { page: { file, read: (planner, watch) => readProject(project, planner, watch) } };
+  if (archive.has(TEXT_NAME)) return { project: true };
+  const wanted = [...archive.values()].filter(({ name }) => isPicture(name));
+  const pictures: File[] = [];
+  const spoilt: string[] = [];
+  for (const { name, read } of wanted.slice(0, MOST.photos)) {
+    step(pictures.length + spoilt.length, wanted.length);
+    const folders = name.split('/');
+    const own = folders.pop() as string;
+    const type = TYPES[endingOf(own)] ?? '';
+    const bytes = await read(watch).catch((error) => {
+      if (error.code !== 'damaged-project') throw error;
+      spoilt.push(own);
+      return null;
+    });
+    if (!bytes) continue;
+    const picture = new File([bytes], own, { type, lastModified: file.lastModified });
+    pictures.push(noteFolders(picture, [file.name.replace(/\.[^.]*$/, ''), ...folders]));
+  }
+  return { pictures, damaged: spoilt, beyond: Math.max(0, wanted.length - MOST.photos) };
+}
+
+async function readProject(
+  found: NonNullable<ReturnType<Archive['get']>>,
+  planner: Parameters<PageFile['read']>[0],
+  watch: Watch = {},
+) {
+  // What lies in it as it is stays a part of the file, however large it is; what another program packed has to be held.
+  const archive = await readArchive(await found.read(found.packed ? { most: ARCHIVE.entry, ...watch } : watch));
+  const text = await archive.get(TEXT_NAME)?.read({ most: TEXT.project, ...watch });
+  if (!text) throw damaged(`${TEXT_NAME} is missing`);
+  return { project: withPage(await text.text(), planner), archive };
+}
+
+/** What systems put beside pictures, and hidden files, are none. */
+function isPicture(path: string): boolean {
+  const parts = path.split('/');
+  const name = parts.at(-1) ?? '';
+  if (parts.includes('__MACOSX') || name.startsWith('.')) return false;
+  return endingOf(name) in TYPES || isVideo(Object.assign(new Blob(), { name }));
+}
+
+function endingOf(name: string): string {
+  return /\.([^.]+)$/.exec(name.toLowerCase())?.[1] ?? '';
+}

@@ -1,0 +1,60 @@
+/** The words about lettering by hand, scripts and subtitles. */
+
+export const speechStrings = {
+  wordResize: 'Größe des Textes ändern',
+  resizeKeys: 'Pfeile machen es breiter oder schmaler',
+  wordTurn: 'Text drehen',
+  turnKeys: 'Pfeile drehen um ein Grad, mit Umschalt um 15',
+  wordMissing: (letters: string) =>
+    `Diese Zeichen hat keine Schrift des Programms oder dieses Geräts, sie werden als Kästchen gezeichnet: ${letters}`,
+  wordForeign: 'Einige dieser Zeichen sind mit einer Schrift dieses Geräts gezeichnet.',
+  wordSlant: 'Neigung',
+  wordOutline: 'Kontur',
+  wordCapitals: 'In Großbuchstaben',
+  wordBoxless: 'Ohne Kasten',
+  wordBehind: 'Hinter den Figuren',
+  wordBar: 'Schriftwerkzeuge',
+  barWrite: 'Schreiben',
+  barTail: 'Dorn geben',
+  barSmaller: 'Kleinere Schrift',
+  barLarger: 'Größere Schrift',
+  barBold: 'Fett',
+  barCapitals: 'Großbuchstaben',
+  barArch: 'Nach oben wölben',
+  barSag: 'Durchhängen',
+  barLean: 'Neigen',
+  barOutline: 'Dicke Kontur',
+  barInk: 'Farbe der Buchstaben',
+  barFill: 'Farbe hinter den Buchstaben',
+  barDelete: 'Löschen',
+  script: 'Skript und Untertitel',
+  scriptText: 'Skript oder Dialog',
+  scriptSample: 'ANNA: Wo sind wir?\nBEN: Gleich da.\n\nSFX: Platsch',
+  scriptHelp: 'Eine Zeile je Sprechblase, vorn NAME:. Eine leere Zeile geht zum nächsten Bild.',
+  putScript: 'In Sprechblasen setzen',
+  soundsAsEffects: 'Geräusche als Soundwörter',
+  scriptLaid: (n: number) =>
+    n === 1 ? '1 Text wurde auf die Seiten gesetzt.' : `${n} Texte wurden auf die Seiten gesetzt.`,
+  scriptNoPage: 'Es gibt noch keine Seite. Füge erst Fotos hinzu.',
+  scriptEmpty: 'Es wird nichts darin gesagt.',
+  scriptFailed: (why: string) => `Das Skript kam nicht auf die Seite: ${why}`,
+  subtitlesLaid: (shown: number, waiting: number, homeless: number) =>
+    [
+      shown === 1 ? '1 Text wurde auf die Seiten gesetzt.' : `${shown} Texte wurden auf die Seiten gesetzt.`,
+      ...(waiting > 0
+        ? [`${waiting} ${waiting === 1 ? 'wartet' : 'warten'} auf Einzelbilder, die keine Seite zeigt.`]
+        : []),
+      ...(homeless > 0
+        ? [`${homeless} ${homeless === 1 ? 'fand' : 'fanden'} kein Einzelbild mit Platz in der Nähe.`]
+        : []),
+    ].join(' '),
+  subtitlesThere: 'Alle ihre Untertitel sind schon da.',
+  subtitlesSkipped: (n: number, why: readonly string[]) =>
+    `${n === 1 ? 'Ein Untertitel wurde' : `${n} Untertitel wurden`} übersprungen: ${why.join(' ')}`,
+  subtitlesGuessed: 'Sie ist nicht in UTF-8 und wurde deshalb als westeuropäischer Text (Windows-1252) gelesen.',
+  wordsWaiting: (n: number) => (n === 1 ? '1 Text wartet auf sein Foto' : `${n} Texte warten auf ihre Fotos`),
+  wordsWaitingWhy: 'Sie kommen zurück, wenn eine Seite ihre Fotos wieder zeigt.',
+  putWaiting: (text: string) => `Auf diese Seite setzen: ${text}`,
+  dropWaiting: (text: string) => `Verwerfen: ${text}`,
+  dropAllWaiting: 'Alle verwerfen',
+};

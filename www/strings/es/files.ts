@@ -1,0 +1,15 @@
+/** Words of files that carry a storyboard, and of archives. */
+
+export const fileStrings = {
+  cargoFile: 'Dentro del archivo',
+  cargoFileHelp: {
+    project: 'Suelta el archivo aquí para seguir trabajando en él. Encuentra sus fotos en este dispositivo.',
+    photos: 'Se abre en cualquier dispositivo, con las fotos. Quien tiene el archivo las tiene.',
+    none: 'Las páginas y nada más.',
+  },
+  packingPhotos: (percent: string) => `Añadiendo las fotos, ${percent}`,
+  photosTooLarge: 'juntas, las fotos son demasiado grandes para un PNG. Guarda mejor el proyecto como archivo.',
+  savingProject: (done: number, total: number) => `Guardando el proyecto, ${Math.floor(done)} de ${total} archivos`,
+  damagedInArchive: (archive: string) => `está dañada en ${archive}.`,
+  noPicturesInside: 'no hay ninguna imagen dentro.',
+};

@@ -1,0 +1,15 @@
+/** Words of files that carry a storyboard, and of archives. */
+
+export const fileStrings = {
+  cargoFile: 'Dans le fichier',
+  cargoFileHelp: {
+    project: 'Déposez le fichier ici pour y travailler de nouveau. Il retrouve ses photos sur cet appareil.',
+    photos: 'S’ouvre sur n’importe quel appareil, photos comprises. Qui a le fichier les a.',
+    none: 'Les pages et rien d’autre.',
+  },
+  packingPhotos: (percent: string) => `Ajout des photos, ${percent}`,
+  photosTooLarge: 'ensemble, les photos sont trop lourdes pour un PNG. Enregistrez plutôt le projet dans un fichier.',
+  savingProject: (done: number, total: number) => `Enregistrement du projet, ${Math.floor(done)} fichiers sur ${total}`,
+  damagedInArchive: (archive: string) => `elle est endommagée dans ${archive}.`,
+  noPicturesInside: 'il ne contient aucune image.',
+};

@@ -1,0 +1,59 @@
+/** The words about lettering by hand, scripts and subtitles. */
+
+export const speechStrings = {
+  wordResize: 'Redimensionner le texte',
+  resizeKeys: 'Les flèches l’élargissent ou le rétrécissent',
+  wordTurn: 'Tourner le texte',
+  turnKeys: 'Les flèches le tournent d’un degré, avec Maj de 15',
+  wordMissing: (letters: string) =>
+    `Aucune police du programme ni de cet appareil n’a ces caractères, ils sont dessinés comme des cases : ${letters}`,
+  wordForeign: 'Certains de ces caractères sont dessinés avec une police de cet appareil.',
+  wordSlant: 'Inclinaison',
+  wordOutline: 'Contour',
+  wordCapitals: 'En capitales',
+  wordBoxless: 'Sans cadre',
+  wordBehind: 'Derrière les personnages',
+  wordBar: 'Outils de lettrage',
+  barWrite: 'Écrire',
+  barTail: 'Ajouter une queue',
+  barSmaller: 'Lettres plus petites',
+  barLarger: 'Lettres plus grandes',
+  barBold: 'Gras',
+  barCapitals: 'Capitales',
+  barArch: 'Cintrer vers le haut',
+  barSag: 'Cintrer vers le bas',
+  barLean: 'Pencher',
+  barOutline: 'Contour épais',
+  barInk: 'Couleur des lettres',
+  barFill: 'Couleur derrière les lettres',
+  barDelete: 'Supprimer',
+  script: 'Script et sous-titres',
+  scriptText: 'Script ou dialogue',
+  scriptSample: 'ANNA: Où sommes-nous ?\nBEN: On y est presque.\n\nSFX: Plouf',
+  scriptHelp: 'Une ligne par bulle, précédée de NOM:. Une ligne vide passe à la case suivante.',
+  putScript: 'Mettre en bulles',
+  soundsAsEffects: 'Sons en effets',
+  scriptLaid: (n: number) => (n < 2 ? `${n} texte a été mis sur les pages.` : `${n} textes ont été mis sur les pages.`),
+  scriptNoPage: 'il n’y a pas encore de page. Ajoutez d’abord des photos.',
+  scriptEmpty: 'rien n’y est dit.',
+  scriptFailed: (why: string) => `Le script n’a pas été mis sur la page : ${why}`,
+  subtitlesLaid: (shown: number, waiting: number, homeless: number) =>
+    [
+      shown < 2 ? `${shown} texte a été mis sur les pages.` : `${shown} textes ont été mis sur les pages.`,
+      ...(waiting > 0
+        ? [`${waiting} ${waiting < 2 ? 'attend' : 'attendent'} des images qu’aucune page ne montre.`]
+        : []),
+      ...(homeless > 0
+        ? [`${homeless} n’${homeless < 2 ? 'a' : 'ont'} pas trouvé d’image proche avec de la place.`]
+        : []),
+    ].join(' '),
+  subtitlesThere: 'tous ses sous-titres sont déjà là.',
+  subtitlesSkipped: (n: number, why: readonly string[]) =>
+    `${n < 2 ? 'un sous-titre a été ignoré' : `${n} sous-titres ont été ignorés`} : ${why.join(' ')}`,
+  subtitlesGuessed: 'il n’est pas en UTF-8, il a donc été lu comme texte d’Europe occidentale (Windows-1252).',
+  wordsWaiting: (n: number) => (n < 2 ? `${n} texte attend sa photo` : `${n} textes attendent leurs photos`),
+  wordsWaitingWhy: 'Ils reviennent quand une page montre de nouveau leurs photos.',
+  putWaiting: (text: string) => `Mettre sur cette page : ${text}`,
+  dropWaiting: (text: string) => `Écarter : ${text}`,
+  dropAllWaiting: 'Tout écarter',
+};

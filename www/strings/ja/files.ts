@@ -1,0 +1,15 @@
+/** Words of files that carry a storyboard, and of archives. */
+
+export const fileStrings = {
+  cargoFile: 'ファイルに含めるもの',
+  cargoFileHelp: {
+    project: 'ファイルをここにドロップすると続きの作業ができます。写真はこのデバイスから探します。',
+    photos: 'どのデバイスでも写真ごと開けます。ファイルを持つ人は写真も持つことになります。',
+    none: 'ページだけで、ほかには何も入りません。',
+  },
+  packingPhotos: (percent: string) => `写真を入れています、${percent}`,
+  photosTooLarge: '写真を合わせるとPNGには大きすぎます。代わりにプロジェクトをファイルに保存してください。',
+  savingProject: (done: number, total: number) => `プロジェクトを保存中、${total}個中${Math.floor(done)}個のファイル`,
+  damagedInArchive: (archive: string) => `${archive}の中で壊れています。`,
+  noPicturesInside: '中に画像がありません。',
+};

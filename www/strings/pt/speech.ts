@@ -1,0 +1,57 @@
+/** The words about lettering by hand, scripts and subtitles. */
+
+export const speechStrings = {
+  wordResize: 'Redimensionar o texto',
+  resizeKeys: 'As setas alargam ou estreitam',
+  wordTurn: 'Girar o texto',
+  turnKeys: 'As setas giram um grau, com Shift 15',
+  wordMissing: (letters: string) =>
+    `Nenhuma fonte do programa nem deste aparelho tem estas letras, elas são desenhadas como quadrados: ${letters}`,
+  wordForeign: 'Algumas destas letras são desenhadas com uma fonte deste aparelho.',
+  wordSlant: 'Inclinação',
+  wordOutline: 'Contorno',
+  wordCapitals: 'Em maiúsculas',
+  wordBoxless: 'Sem caixa',
+  wordBehind: 'Atrás das figuras',
+  wordBar: 'Ferramentas de letreiramento',
+  barWrite: 'Escrever',
+  barTail: 'Pôr um rabicho',
+  barSmaller: 'Letras menores',
+  barLarger: 'Letras maiores',
+  barBold: 'Negrito',
+  barCapitals: 'Maiúsculas',
+  barArch: 'Arquear para cima',
+  barSag: 'Arquear para baixo',
+  barLean: 'Inclinar',
+  barOutline: 'Contorno grosso',
+  barInk: 'Cor das letras',
+  barFill: 'Cor atrás das letras',
+  barDelete: 'Excluir',
+  script: 'Roteiro e legendas',
+  scriptText: 'Roteiro ou diálogo',
+  scriptSample: 'ANA: Onde estamos?\nLEO: Quase lá.\n\nSFX: Splash',
+  scriptHelp: 'Uma linha por balão, com NOME: na frente. Uma linha vazia passa ao quadro seguinte.',
+  putScript: 'Pôr em balões',
+  soundsAsEffects: 'Sons como efeitos',
+  scriptLaid: (n: number) => (n === 1 ? '1 texto foi posto nas páginas.' : `${n} textos foram postos nas páginas.`),
+  scriptNoPage: 'ainda não há página. Adicione fotos primeiro.',
+  scriptEmpty: 'nada é dito nele.',
+  scriptFailed: (why: string) => `O roteiro não foi posto na página: ${why}`,
+  subtitlesLaid: (shown: number, waiting: number, homeless: number) =>
+    [
+      shown === 1 ? '1 texto foi posto nas páginas.' : `${shown} textos foram postos nas páginas.`,
+      ...(waiting > 0 ? [`${waiting} ${waiting === 1 ? 'espera' : 'esperam'} imagens que nenhuma página mostra.`] : []),
+      ...(homeless > 0
+        ? [`${homeless} não ${homeless === 1 ? 'achou' : 'acharam'} uma imagem próxima com espaço.`]
+        : []),
+    ].join(' '),
+  subtitlesThere: 'todas as suas legendas já estão lá.',
+  subtitlesSkipped: (n: number, why: readonly string[]) =>
+    `${n === 1 ? 'uma legenda foi pulada' : `${n} legendas foram puladas`}: ${why.join(' ')}`,
+  subtitlesGuessed: 'não está em UTF-8, por isso foi lido como texto da Europa Ocidental (Windows-1252).',
+  wordsWaiting: (n: number) => (n === 1 ? '1 texto espera sua foto' : `${n} textos esperam suas fotos`),
+  wordsWaitingWhy: 'Eles voltam quando uma página mostra suas fotos de novo.',
+  putWaiting: (text: string) => `Pôr nesta página: ${text}`,
+  dropWaiting: (text: string) => `Descartar: ${text}`,
+  dropAllWaiting: 'Descartar todos',
+};

@@ -1,0 +1,63 @@
+/** Names of files that every system takes: what a person would call them, without what Windows, macOS or Linux refuse. */
+
+/** Most bytes of a name without its ending: systems take 255, and browsers put ` (1)` behind a name that is there. */
+const MOST_BYTES = 180;
+/**
+ * Refused by Windows, or a path elsewhere; control characters; marks that turn the direction of what follows, by which an
+ * ending can be made to look like another.
+ */
+const REFUSED = /[<>:"/\\|?*\p{Cc}\u061c\u200e\u200f\u202a-\u202e\u2066-\u2069\ufeff]+/gu;
+/** Names of devices on Windows, whatever ending they have. */
+const DEVICE = /^(con|prn|aux|nul|conin\$|conout\$|com[0-9¹²³]|lpt[0-9¹²³])(?=\.|$)/i;
+
+/**
+ * @param parts of the name, joined by ` - `; empty ones are left out. Where all of it is too long, the first is cut
+ * @param ending without its dot
+ * @param fallback where nothing of the first part can stand in a name
+ */
+export function fileNameOf(parts: readonly string[], ending: string, fallback: string): string {
+  const [first = '', ...rest] = parts;
+  const tail = rest
+    .map(cleaned)
+    .filter((part) => part !== '')
+    .map((part) => ` - ${part}`)
+    .join('');
+  const room = Math.max(16, MOST_BYTES - bytesOf(tail));
+  const head = cut(cleaned(first) || cleaned(fallback), room);
+  return `${undeviced(`${head}${tail}`)}.${ending}`;
+}
+
+function cleaned(part: string): string {
+  const plain = part
+    .replaceAll(/\p{Surrogate}/gu, '\ufffd')
+    .normalize('NFC')
+    .replaceAll(REFUSED, ' ')
+    .replaceAll(/\s+/gu, ' ');
+  // What begins with a dot is hidden, what ends with one or a space is cut by Windows.
+  return plain.replaceAll(/^[. ~]+|[. ]+$/gu, '');
+}
+
+function undeviced(name: string): string {
+  return DEVICE.test(name) ? `_${name}` : name;
+}
+
+/** Cut between letters as a reader sees them. */
+function cut(text: string, most: number): string {
+  if (bytesOf(text) <= most) return text;
+  let kept = '';
+  for (const letter of lettersOf(text)) {
+    if (bytesOf(kept + letter) > most) break;
+    kept += letter;
+  }
+  return cleaned(kept);
+}
+
+function lettersOf(text: string): string[] {
+  // Younger than the browsers that run the page.
+  if (typeof Intl.Segmenter !== 'function') return [...text];
+  return [...new Intl.Segmenter().segment(text)].map(({ segment }) => segment);
+}
+
+function bytesOf(text: string): number {
+  return new TextEncoder().encode(text).length;
+}
