@@ -4,13 +4,14 @@
  * times stay here: the same page gives the same text wherever it is made.
  */
 
-import { EMPTY_PROJECT } from '../../document/empty.ts';
-import { photosOn, sheetsOf } from '../../document/sheets.ts';
-import { hashOf, strippedOf } from '../../photos/identity.ts';
-import { projectJson } from './project-json.ts';
 import type { Album } from '../../document/album.ts';
+import { EMPTY_PROJECT } from '../../document/empty.ts';
 import type { PageDocument, Project } from '../../document/project.ts';
+import { photosOn, sheetsOf } from '../../document/sheets.ts';
+import type { Word } from '../../engine/types.ts';
+import { hashOf, strippedOf } from '../../photos/identity.ts';
 import type { Work } from './archive.ts';
+import { projectJson } from './project-json.ts';
 
 /**
  * @param page the present one as it is drawn, which may be in another size than the project has it
@@ -75,6 +76,7 @@ export async function pageJson(
     ...page,
     order: page.order.flatMap((id) => ids.get(id) ?? []),
     panels: page.panels.map((panel) => ({ ...panel, photo: ids.get(panel.photo ?? '') ?? null })),
+    words: page.words.map((word) => wordOf(word, ids)),
   }));
   const present = {
     ...EMPTY_PROJECT,
@@ -91,6 +93,12 @@ export async function pageJson(
   const { json, paths } = projectJson({ present, shown: [] }, told, []);
   const files = [...paths].flatMap(([id, path]) => (blobs.has(id) ? { name: path, blob: blobs.get(id) } : []));
   return { json, files, unclean };
+}
+
+/** A word with the name that its photo has in the file; one whose photo is not on the pages stays on its panel alone. */
+function wordOf({ photo, ...word }: Word, ids: ReadonlyMap<string, string>): Word {
+  const name = ids.get(photo ?? '');
+  return name === undefined ? word : { ...word, photo: name };
 }
 
 /** Pages as the storyboard of a project, with numbers that tell nothing of how it came to be. */
