@@ -18,6 +18,7 @@ export function StyleBar() {
   return (
     <div class="style-bar">
       <StartFrom />
+      <ActionButton action={actions.imitation.open} />
       <input
         class="text style-name"
         type="text"
@@ -29,7 +30,6 @@ export function StyleBar() {
       <div class="style-tools">
         <ActionButton action={actions.designer.save} class="button" text />
         <ActionButton action={actions.designer.exportStyle} />
-        <ActionButton action={actions.imitation.open} />
         <IconButton icon="open" label={strings.importStyle} onClick={() => file.current?.click()} />
         <ActionButton action={actions.designer.copyLink} />
         <ActionButton action={actions.designer.duplicate} />
