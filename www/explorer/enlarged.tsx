@@ -1,6 +1,6 @@
 /** A style of the wall seen large on the person's photo; the arrows go to its neighbours. */
 
-import { useEffect, useRef } from 'preact/hooks';
+import { useEffect, useLayoutEffect, useRef } from 'preact/hooks';
 import { strings } from '../strings/strings.ts';
 import { screenPixels } from '../ui/bitmap.tsx';
 import { IconButton } from '../ui/button.tsx';
@@ -50,7 +50,8 @@ function View({
   const last = useRef(style.id);
   last.current = style.id;
 
-  useEffect(() => {
+  // Before anything else happens: a key that follows at once is the view's.
+  useLayoutEffect(() => {
     const dialog = ref.current;
     dialog?.showModal();
     dialog?.focus();
@@ -64,7 +65,7 @@ function View({
 
   // A button that has the focus loses it at the end of the wall, where nothing is before or behind: keys would then reach the
   // explorer under the view, and Escape would close both.
-  useEffect(() => {
+  useLayoutEffect(() => {
     if (!ref.current?.contains(document.activeElement)) ref.current?.focus();
   }, [at]);
   useEffect(() => {
