@@ -3,7 +3,7 @@
  * A press adds one there, at the end unless a place was named; dragging puts it anywhere.
  */
 
-import { useEffect, useMemo, useRef, useState } from 'preact/hooks';
+import { useLayoutEffect, useMemo, useRef, useState } from 'preact/hooks';
 import { MOST } from '../document/limits.ts';
 import { LAYERS } from './designer.ts';
 import { strings } from '../strings/strings.ts';
@@ -47,7 +47,8 @@ export function Palette({ drag, onClose, onAdded }: { drag: CardDrag; onClose: (
     () => new Map(blocks.map((block) => [block.id, facts && styleWith(facts, layer, block)])),
     [facts, layer, blocks],
   );
-  useEffect(() => field.current?.focus(), []);
+  // What is typed next is searched for.
+  useLayoutEffect(() => field.current?.focus(), []);
 
   function add(block: Block) {
     const place = designer.insert(block.id, { layer, at: to });

@@ -1,4 +1,4 @@
-import { useEffect, useRef } from 'preact/hooks';
+import { useLayoutEffect, useRef } from 'preact/hooks';
 import { strings } from '../strings/strings.ts';
 import { IconButton } from './button.tsx';
 import type { ComponentChildren } from 'preact';
@@ -16,7 +16,7 @@ export function Dialog({
   class?: string;
 }) {
   const ref = useRef(null as HTMLDialogElement | null);
-  useEffect(() => {
+  useLayoutEffect(() => {
     const dialog = ref.current;
     dialog?.showModal();
     return () => dialog?.close();
