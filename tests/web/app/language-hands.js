@@ -1,7 +1,7 @@
 // @ts-check
 /** Every screen in every language: the way there by the words of the language, and what is wrong with the words there. */
 
-import { readFileSync, readdirSync } from 'node:fs';
+import { readdirSync, readFileSync } from 'node:fs';
 import { compose } from '../../../www/strings/compose.ts';
 import * as de from '../../../www/strings/de/index.ts';
 import * as en from '../../../www/strings/en/index.ts';
@@ -202,7 +202,13 @@ export function cutWords(page) {
       const texts =
         field instanceof HTMLSelectElement
           ? [...field.options].slice(0, field.options[0]?.disabled ? 1 : undefined).map(({ text }) => text)
-          : [/** @type {HTMLInputElement} */ (field).placeholder, /** @type {HTMLInputElement} */ (field).value];
+          : // A name of a person's own may have any length where its title tells it in full.
+            [
+              /** @type {HTMLInputElement} */ (field).placeholder,
+              ...[/** @type {HTMLInputElement} */ (field).value].filter(
+                (value) => value !== field.getAttribute('title'),
+              ),
+            ];
       pen.font = font;
       const room = field.clientWidth - Number.parseFloat(paddingLeft) - Number.parseFloat(paddingRight);
       // The browser keeps some for its marks.

@@ -27,7 +27,7 @@ export const pageStrings = {
     'manga-b5': 'Manga B5',
     tankobon: 'Tankobon',
     'spread-a4': 'Doppelseite, A4',
-    'spread-square': 'Doppelseite, quadratisch',
+    'spread-square': 'Doppelseite, Quadrat',
     custom: 'Eigenes',
   },
 
