@@ -12,7 +12,7 @@ export const exportStrings = {
     html: 'Cómic en HTML',
     epub: 'Libro EPUB',
     zip: 'ZIP, una imagen por página',
-    cbz: 'CBZ, para lectores de cómic',
+    cbz: 'CBZ, lectores de cómic',
   },
   bookHelp: {
     html: 'Un archivo que se abre en cualquier navegador, sin conexión: viñeta a viñeta, por páginas enteras o como texto.',

@@ -27,7 +27,7 @@ export const pageStrings = {
     'manga-b5': 'Manga B5',
     tankobon: 'Tankobon',
     'spread-a4': 'Fotolibro, doble página A4',
-    'spread-square': 'Fotolibro, doble página cuadrada',
+    'spread-square': 'Doble página cuadrada',
     custom: 'A medida',
   },
 

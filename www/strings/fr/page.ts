@@ -27,7 +27,7 @@ export const pageStrings = {
     'manga-b5': 'Manga B5',
     tankobon: 'Tankobon',
     'spread-a4': 'Livre photo, double page A4',
-    'spread-square': 'Livre photo, double page carrée',
+    'spread-square': 'Double page carrée',
     custom: 'Sur mesure',
   },
 

@@ -27,7 +27,7 @@ export const pageStrings = {
     'manga-b5': 'Mangá B5',
     tankobon: 'Tankobon',
     'spread-a4': 'Fotolivro, página dupla A4',
-    'spread-square': 'Fotolivro, página dupla quadrada',
+    'spread-square': 'Página dupla quadrada',
     custom: 'Sob medida',
   },
 
