@@ -26,7 +26,7 @@ export const pageStrings = {
     'us-comic': 'Cómic de EE. UU.',
     'manga-b5': 'Manga B5',
     tankobon: 'Tankobon',
-    'spread-a4': 'Fotolibro, doble página A4',
+    'spread-a4': 'Doble página A4',
     'spread-square': 'Doble página cuadrada',
     custom: 'A medida',
   },

@@ -26,7 +26,7 @@ export const pageStrings = {
     'us-comic': 'Comics américain',
     'manga-b5': 'Manga B5',
     tankobon: 'Tankobon',
-    'spread-a4': 'Livre photo, double page A4',
+    'spread-a4': 'Double page A4',
     'spread-square': 'Double page carrée',
     custom: 'Sur mesure',
   },

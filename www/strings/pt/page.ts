@@ -26,7 +26,7 @@ export const pageStrings = {
     'us-comic': 'HQ americana',
     'manga-b5': 'Mangá B5',
     tankobon: 'Tankobon',
-    'spread-a4': 'Fotolivro, página dupla A4',
+    'spread-a4': 'Página dupla A4',
     'spread-square': 'Página dupla quadrada',
     custom: 'Sob medida',
   },
