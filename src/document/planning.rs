@@ -8,6 +8,7 @@ use crate::error::Result;
 use crate::framing::PhotoMeta;
 use crate::layout::PageSettings;
 use crate::page::Document;
+use crate::page::carrying::photo_of;
 use crate::page::document::template_of;
 use crate::page::request::{Keep, Request, Taste};
 use crate::page::shuffle;
@@ -244,9 +245,17 @@ impl<'p> Planning<'p> {
 /// Those of [`shuffle::plan`].
 #[inline(never)]
 pub fn planned_of(mut request: Request, photos: &[Known]) -> Result<Document> {
-    request.photos = photos.iter().map(|photo| photo.meta.clone()).collect();
+    // What words belong to is to be there with them.
+    let spoken = request.current.as_ref().map(spoken_on).unwrap_or_default();
+    let meta = |photo: &Known| PhotoMeta { spoken: spoken.contains(photo.id()), ..photo.meta.clone() };
+    request.photos = photos.iter().map(meta).collect();
     let shelf = Shelf::of(photos.iter().map(|photo| photo.place.cloned().unwrap_or_default()).collect());
     shuffle::planned(&request, &shelf).map(|planned| planned.document)
+}
+
+/// The photos that words of a page belong to.
+fn spoken_on(page: &Document) -> HashSet<String> {
+    page.words.iter().filter_map(|word| photo_of(word, &page.panels)).map(str::to_owned).collect()
 }
 
 /// Whether the layout of a page is as good on other paper as it is on its own.

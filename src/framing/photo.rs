@@ -46,6 +46,10 @@ pub struct PhotoMeta {
     #[serde(default, skip_serializing_if = "std::ops::Not::not")]
     #[cfg_attr(all(test, feature = "cli"), ts(as = "Option<_>", optional))]
     pub starred: bool,
+    /// Whether words on the page belong to it: they stay where it stays. Of one plan only.
+    #[serde(skip)]
+    #[cfg_attr(all(test, feature = "cli"), ts(skip))]
+    pub spoken: bool,
 }
 
 impl PhotoMeta {
@@ -64,6 +68,7 @@ impl PhotoMeta {
             focus: None,
             facts: None,
             starred: false,
+            spoken: false,
         }
     }
 

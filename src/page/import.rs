@@ -140,6 +140,7 @@ fn described(id: &str, work: Image, facts: Facts) -> Imported {
         focus: None,
         facts: Some(framing::Facts::of(&small)),
         starred: false,
+        spoken: false,
     };
     Imported { meta, measures, format: facts.format, work, small }
 }

@@ -19,6 +19,8 @@ const NOISE: f64 = 0.12;
 const HERO: f64 = 1.1;
 /// What a starred photo gains in the largest panel.
 const STAR: f64 = 6.0;
+/// What a photo that words belong to gains in any panel: whoever wrote them wants to see them on the next page, too.
+const SPOKEN: f64 = 6.0;
 /// A pair that must not be.
 const NEVER: f64 = -1e6;
 
@@ -45,7 +47,7 @@ pub struct Photos<'a> {
 }
 
 impl<'a> Photos<'a> {
-    /// Draws from a large album, the strong ones and those that are starred rather than others, and `always`.
+    /// Draws from a large album, the strong ones and those that are starred rather than others, those with words, and `always`.
     #[must_use]
     pub fn new(all: &'a [PhotoMeta], always: &[usize], shelf: &'a Shelf, random: &mut Rand64) -> Self {
         let sharpest =
@@ -72,6 +74,7 @@ impl<'a> Photos<'a> {
                 .collect();
             some.extend(always);
             some.extend((0..all.len()).filter(|&i| all[i].starred).take(8));
+            some.extend((0..all.len()).filter(|&i| all[i].spoken));
             drawn.retain(|i| some.contains(i));
         }
         let mut quality = vec![0.0; all.len()];
@@ -202,7 +205,8 @@ pub(super) fn presence(size: f64, largest: f64, photo: usize, photos: &Photos) -
     let hero = if leads { HERO * ((photos.rank[photo] - 0.5) / 0.5).clamp(-1.0, 1.0) } else { 0.0 };
     let star =
         if photos.all[photo].starred { STAR * if leads { 1.0 } else { 0.4 * size / largest } } else { 0.0 };
-    1.2 * (size - 0.5) * photos.quality[photo] + hero + star
+    let spoken = if photos.all[photo].spoken { SPOKEN } else { 0.0 };
+    1.2 * (size - 0.5) * photos.quality[photo] + hero + star + spoken
 }
 
 /// Gives every panel a photo and a crop; empty when there are no photos. The answer depends on the arguments
@@ -478,6 +482,18 @@ mod tests {
                 let mut used = photos(&assign(&photos_given, &slots, order, 1));
                 assert_eq!(used.remove(hero), starred, "{starred}: {used:?}");
                 assert!(order == Order::Free || used.is_sorted(), "the others keep their order: {used:?}");
+            }
+        }
+    }
+
+    #[test]
+    fn a_photo_with_words_is_on_the_page() {
+        for order in [Order::Kept, Order::Free] {
+            for (seed, spoken) in (0..9).enumerate() {
+                let mut photos_given = album(9);
+                photos_given[spoken].spoken = true;
+                let used = photos(&assign(&photos_given, &page("hero-top-3"), order, seed as u64));
+                assert!(used.contains(&spoken), "{spoken}: {used:?}");
             }
         }
     }
