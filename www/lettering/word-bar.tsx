@@ -4,14 +4,18 @@
  */
 
 import { useLayoutEffect, useRef } from 'preact/hooks';
+import type { Word, WordBox } from '../engine/types.ts';
 import { strings } from '../strings/strings.ts';
 import { IconButton } from '../ui/button.tsx';
 import { useApp } from '../ui/context.ts';
-import { USUAL_OUTLINE, capitals } from './word-fields.tsx';
-import type { Word, WordBox } from '../engine/types.ts';
+import { capitals, USUAL_OUTLINE } from './word-fields.tsx';
+import type { Place } from './word-places.ts';
+import { knobOf } from './word-places.ts';
 
 /** Pixels between the word and the bar: the handles have room. */
 const AIR = 18;
+/** Half of a handle, which the bar never covers. */
+const HANDLE = 12;
 /** Each press makes the letters so much larger or smaller. */
 const GROWTH = 1.12;
 const [LEAST_SIZE, MOST_SIZE] = [0.005, 0.4];
@@ -31,7 +35,8 @@ export function WordBar({ index, box }: { index: number; box: WordBox }) {
   const hidden = !ui.wide.value && ui.sheet.value !== null;
 
   useLayoutEffect(() => {
-    if (bar.current) place(bar.current, box, height);
+    const knob = word?.kind === 'effect' ? knobOf(lettering.pageAt(index), box, word.angle) : undefined;
+    if (bar.current) place(bar.current, box, height, knob);
   });
   if (!word || hidden) return null;
 
@@ -152,16 +157,17 @@ function EffectTools({ word, set }: { word: Word; set: (news: Partial<Word>) => 
   );
 }
 
-/** Puts the bar above the word and its tail, else below them, in the middle over it as far as the window lets it. */
-function place(bar: HTMLElement, box: WordBox, height: number) {
+/** Puts the bar above the word and its handles, else below them, in the middle over it as far as the window lets it. */
+function place(bar: HTMLElement, box: WordBox, height: number, knob?: Place) {
   const page = bar.closest('.page') as HTMLElement;
   const [width, tall] = [page.clientWidth, page.clientHeight];
   const room = (bar.closest('.stage-area') ?? page).getBoundingClientRect();
   const { left, top } = page.getBoundingClientRect();
   bar.style.maxWidth = `${Math.max(160, room.width - 8)}px`;
-  const tip = box.tip?.[1] ?? box.y;
-  const above = (Math.min(box.y, tip) / height) * tall - AIR - bar.offsetHeight;
-  const below = (Math.max(box.y + box.height, tip) / height) * tall + AIR;
+  const pixels = (y: number) => (y / height) * tall;
+  const handles = [box.tip, knob].flatMap((handle) => (handle ? pixels(handle[1]) : []));
+  const above = Math.min(pixels(box.y), ...handles.map((y) => y - HANDLE + AIR / 2)) - AIR - bar.offsetHeight;
+  const below = Math.max(pixels(box.y + box.height), ...handles.map((y) => y + HANDLE - AIR / 2)) + AIR;
   const ceiling = room.top - top + 4;
   const floor = room.bottom - top - bar.offsetHeight - 4;
   // A word as high as the page leaves the side on which more is free.

@@ -1,9 +1,10 @@
 /** What mouse, touch and keys do with a word and with its tail. A drag, or a key that is held, is one step of the undo. */
 
 import { useRef } from 'preact/hooks';
-import { useApp } from '../ui/context.ts';
-import { WAYS } from '../page/panels/panel-shape.ts';
 import type { Bounds } from '../engine/types.ts';
+import { WAYS } from '../page/panels/panel-shape.ts';
+import { useApp } from '../ui/context.ts';
+import { knobOf } from './word-places.ts';
 
 /** What an arrow moves by, in page widths, and with Shift. */
 const STEP = 0.005;
@@ -68,13 +69,8 @@ export function useWordHands(index: number) {
     return lettering.words.peek()[index]?.width ?? lettering.boxes.peek()[index]?.width ?? 0;
   }
 
-  /** Where an effect is held to be turned: above it, as it stands. */
   function knob(): Place {
-    const box = lettering.boxes.peek()[index];
-    const angle = ((lettering.words.peek()[index]?.angle ?? 0) * Math.PI) / 180;
-    const reach = (box?.height ?? 0) / 2 + 0.04;
-    const [x, y] = middle();
-    return [x + Math.sin(angle) * reach, y - Math.cos(angle) * reach];
+    return knobOf(middle(), lettering.boxes.peek()[index], lettering.words.peek()[index]?.angle);
   }
 
   function press(event: KeyboardEvent) {

@@ -1,9 +1,10 @@
 /** Places of words: fractions of a panel, or of the page, and back to page widths. */
 
 import { MOST } from '../document/limits.ts';
-import type { Bounds, Geometry, Word } from '../engine/types.ts';
+import type { Bounds, Geometry, Word, WordBox } from '../engine/types.ts';
 
-type Place = [number, number];
+/** In page widths, or fractions of what is told. */
+export type Place = [number, number];
 
 /**
  * What the places of a word are fractions of.
@@ -43,4 +44,16 @@ function contains({ x, y, width, height }: Bounds, [px, py]: Place) {
 /** @returns one that the core takes: of a narrow panel the page is many widths */
 function within(part: number): number {
   return Math.min(MOST.away, Math.max(-MOST.away, Math.round(part * 1e5) / 1e5));
+}
+
+/**
+ * @param middle of the effect, in page widths
+ * @param box where it is, none while that is not known
+ * @param angle in degrees
+ * @returns where an effect is held to be turned: above it, as it stands
+ */
+export function knobOf([x, y]: Place, box: Pick<WordBox, 'height'> | undefined, angle?: number | null): Place {
+  const turned = ((angle ?? 0) * Math.PI) / 180;
+  const reach = (box?.height ?? 0) / 2 + 0.04;
+  return [x + Math.sin(turned) * reach, y - Math.cos(turned) * reach];
 }
