@@ -149,7 +149,7 @@ test('one panel is saved at its print size', async ({ page }) => {
   await openBoard(page);
   await panel(page, 1).click();
   const { bytes, name } = await saved(page, () => page.getByRole('button', { name: 'Save this panel' }).click());
-  expect(name).toMatch(/-panel-1\.png$/);
+  expect(name).toMatch(/ \d{4} - panel 1\.png$/);
   const box = /** @type {{ width: number, height: number }} */ (await panel(page, 1).boundingBox());
   const sheet = /** @type {{ width: number }} */ (await page.locator('.page-canvas').boundingBox());
   const { width, height } = PNG.sync.read(bytes);
