@@ -68,16 +68,6 @@ export function PageSettingsForm() {
         </select>
       </label>
       {size === 'custom' && <CustomSize />}
-      <label class="choice" title={strings.print.safeHelp}>
-        <input
-          type="checkbox"
-          checked={ui.safeArea.value}
-          onChange={(event) => {
-            ui.safeArea.value = event.currentTarget.checked;
-          }}
-        />
-        {strings.print.showSafe}
-      </label>
       {LENGTHS.map(({ name, most, step }) => (
         <label class="field length" key={name}>
           <span>{strings[name]}</span>
@@ -106,6 +96,16 @@ export function PageSettingsForm() {
         </label>
       ))}
       <PageDescription />
+      <label class="choice" title={strings.print.safeHelp}>
+        <input
+          type="checkbox"
+          checked={ui.safeArea.value}
+          onChange={(event) => {
+            ui.safeArea.value = event.currentTarget.checked;
+          }}
+        />
+        {strings.print.showSafe}
+      </label>
     </section>
   );
 }

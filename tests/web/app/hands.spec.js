@@ -19,6 +19,9 @@ const missed = (page) =>
       // What is scrolled away, and what is for the eyes of a screen reader.
       const hit = document.elementFromPoint(x, y);
       if (box.width < 2 || !hit || !(element.contains(hit) || hit.contains(element))) continue;
+      // What a scroll cuts is whole after the next one.
+      const cut = element.closest('.sheet-body')?.getBoundingClientRect();
+      if (cut && (box.bottom > cut.bottom || box.top < cut.top)) continue;
       // A check box is hit by its label.
       const target = element.closest('label') ?? element;
       const owns = (/** @type {number} */ dx, /** @type {number} */ dy) => {
