@@ -1,5 +1,5 @@
-//! Embeds the data folders: every file of `layouts/` and `styles/` becomes a (name, text) pair of a table in
-//! `OUT_DIR`, which `layout` and `style` include. The fonts of `fonts/` become the table of letters, but for the
+//! Embeds the layouts: every file of `layouts/` becomes a (name, text) pair of a table in `OUT_DIR`, which `layout` includes, as
+//! those of `styles/` do in `pixels/build.rs`. The styles give the colours of their words. The fonts of `fonts/` become the table of letters, but for the
 //! modules of the browser that draw no words.
 
 #[path = "fonts/pack.rs"]
@@ -16,8 +16,7 @@ use std::path::Path;
 use std::{env, fs, io};
 
 fn main() -> io::Result<()> {
-    embed("layouts", "LAYOUT_FILES")?;
-    embed("styles", "STYLE_FILES")?;
+    layouts()?;
     palettes()?;
     reader()?;
     letters()
@@ -26,6 +25,7 @@ fn main() -> io::Result<()> {
 /// Writes `OUT_DIR/palettes.rs`, the colours of words on pages of each style, sorted by its id.
 fn palettes() -> io::Result<()> {
     println!("cargo:rerun-if-changed=src/page/words/palette.rs");
+    println!("cargo:rerun-if-changed=styles");
     let root = env::var("CARGO_MANIFEST_DIR").map_err(io::Error::other)?;
     let mut rows = Vec::new();
     for entry in fs::read_dir(Path::new(&root).join("styles"))? {
@@ -33,6 +33,7 @@ fn palettes() -> io::Result<()> {
         if path.extension().is_none_or(|extension| extension != "json") {
             continue;
         }
+        println!("cargo:rerun-if-changed={}", path.display());
         let style: serde_json::Value = serde_json::from_str(&fs::read_to_string(&path)?)?;
         let stem = path.file_stem().unwrap_or_default().to_string_lossy().into_owned();
         let id = style["id"].as_str().map_or(stem, str::to_owned);
@@ -70,18 +71,17 @@ fn letters() -> io::Result<()> {
     fs::write(Path::new(&out?).join("letters.bin"), table)
 }
 
-/// Writes `OUT_DIR/<folder>.rs` with `static <table>: &[(&str, &str)]`, sorted by file name.
-fn embed(folder: &str, table: &str) -> io::Result<()> {
-    println!("cargo:rerun-if-changed={folder}");
+/// Writes `OUT_DIR/layouts.rs` with `static LAYOUT_FILES: &[(&str, &str)]`, sorted by file name.
+fn layouts() -> io::Result<()> {
+    println!("cargo:rerun-if-changed=layouts");
     let root = env::var("CARGO_MANIFEST_DIR").map_err(io::Error::other)?;
-    let folder_path = Path::new(&root).join(folder);
-    let mut files: Vec<_> = fs::read_dir(&folder_path)?
+    let mut files: Vec<_> = fs::read_dir(Path::new(&root).join("layouts"))?
         .filter_map(Result::ok)
         .map(|entry| entry.path())
         .filter(|path| path.extension().is_some_and(|extension| extension == "json"))
         .collect();
     files.sort();
-    let mut source = format!("static {table}: &[(&str, &str)] = &[\n");
+    let mut source = "static LAYOUT_FILES: &[(&str, &str)] = &[\n".to_owned();
     for path in &files {
         let name = path.file_name().unwrap_or_default().to_string_lossy();
         println!("cargo:rerun-if-changed={}", path.display());
@@ -90,7 +90,7 @@ fn embed(folder: &str, table: &str) -> io::Result<()> {
     }
     source.push_str("];\n");
     let out = env::var("OUT_DIR").map_err(io::Error::other)?;
-    fs::write(Path::new(&out).join(format!("{folder}.rs")), source)
+    fs::write(Path::new(&out).join("layouts.rs"), source)
 }
 
 /// JSON without what stands between its tokens: every visitor loads these texts.

@@ -17,6 +17,9 @@
 //! | [`output`] | pages as comics that are read: HTML with a reader in it, EPUB, comic archives |
 //! | [`document`] | the project that a person edits and saves: its pages, photos, styles and layouts |
 //!
+//! `error`, `raster`, `simd` and `style` are a crate of their own, `inkpanel-pixels`: what runs over pixels is compiled for
+//! speed, the rest of the core to be small.
+//!
 //! Under everything beside `raster`: [`error`], and [`json`], which reads JSON of strangers.
 //!
 //! On top, without algorithms of their own: `wasm`, `wasm_detect`, `wasm_decoders` and `wasm_words` with `wasm_files` and `wasm_comics` (the web
@@ -56,7 +59,6 @@
 pub mod detect;
 #[cfg(feature = "pages")]
 pub mod document;
-pub mod error;
 #[cfg(feature = "pages")]
 pub mod framing;
 #[cfg(feature = "pages")]
@@ -64,19 +66,13 @@ pub mod json;
 #[cfg(feature = "pages")]
 pub mod layout;
 #[cfg(feature = "pages")]
-mod order;
-#[cfg(feature = "pages")]
 pub mod output;
 #[cfg(feature = "pages")]
 pub mod page;
 #[cfg(feature = "pages")]
 pub mod plan;
-pub mod raster;
 #[cfg(feature = "pages")]
 pub mod select;
-pub mod simd;
-#[cfg(feature = "pages")]
-pub mod style;
 
 #[cfg(all(test, feature = "cli"))]
 mod typescript;
@@ -101,3 +97,8 @@ pub mod wasm_files;
 pub mod wasm_words;
 
 pub use error::{Error, Result};
+#[cfg(feature = "pages")]
+use inkpanel_pixels::order;
+#[cfg(feature = "pages")]
+pub use inkpanel_pixels::style;
+pub use inkpanel_pixels::{error, raster, simd};

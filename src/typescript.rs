@@ -419,7 +419,7 @@ fn types() -> String {
 
 /// The type of the codes of errors, out of the function that gives them.
 fn error_codes() -> String {
-    let (_, code) = include_str!("error.rs").split_once("pub fn code(").unwrap();
+    let (_, code) = include_str!("../pixels/src/error.rs").split_once("pub fn code(").unwrap();
     let arms = code.split("    }\n\n").next().unwrap().lines();
     let codes = arms.filter_map(|arm| arm.split_once("=> \"")?.1.split('"').next());
     let codes: Vec<_> = codes.map(|code| format!("  | '{code}'")).collect();

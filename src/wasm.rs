@@ -8,7 +8,7 @@
 
 pub mod album;
 #[cfg(feature = "bench")]
-mod bench;
+pub mod bench;
 pub mod document_reading;
 pub mod drafting;
 pub mod editing;

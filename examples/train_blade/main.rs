@@ -1,5 +1,5 @@
 //! Fits a bank of filters to an image operator, measures it on photos that it was not fitted to, and writes it to
-//! `src/style/banks/`. `cargo xtask train OPERATOR` runs it; `src/style/banks/README.md` tells more.
+//! `pixels/src/style/banks/`. `cargo xtask train OPERATOR` runs it; `pixels/src/style/banks/README.md` tells more.
 //!
 //!     cargo run --release --example train_blade -- OPERATOR BANK.blade HELD_OUT_FOLDER PHOTO_FOLDER...
 

@@ -118,7 +118,6 @@ mod tests {
         assert_eq!(profile[131], 9);
     }
 
-    #[cfg(feature = "rare")]
     #[test]
     fn another_library_takes_it_for_srgb() {
         use qcms::{DataType, Intent, Profile, Transform};

@@ -215,9 +215,16 @@ fn biome(project: &Project) -> Command {
 /// Clippy for this machine and, as it is compiled nowhere else, the web boundaries for wasm; Biome for the page.
 fn lint(project: &Project) -> Result<Outcome> {
     let strict = ["--", "-D", "warnings"];
-    for choice in
-        [&["--workspace"][..], &["--package", "inkpanel", "--no-default-features", "--features", "pages"]]
-    {
+    let pages = [
+        "--package",
+        "inkpanel",
+        "--package",
+        "inkpanel-pixels",
+        "--no-default-features",
+        "--features",
+        "pages",
+    ];
+    for choice in [&["--workspace"][..], &pages] {
         tools::run(project.cargo().arg("clippy").args(choice).arg("--all-targets").args(strict))?;
     }
     crate::wasm::install_target()?;

@@ -1,4 +1,4 @@
-//! Fits a filter bank again from photos, as it was fitted when it was put into `src/style/banks/`.
+//! Fits a filter bank again from photos, as it was fitted when it was put into `pixels/src/style/banks/`.
 
 use anyhow::Result;
 
@@ -12,7 +12,7 @@ const HELD_OUT: &str = "tests/photos";
 /// Fits the bank of an operator to the sample album and to the photos in further folders, writes it, and prints how
 /// near it comes to the operator on the photos of the tests, which it never saw.
 pub(crate) fn run(project: &Project, operator: &str, folders: &[String]) -> Result<()> {
-    let bank = format!("src/style/banks/{operator}.blade");
+    let bank = format!("pixels/src/style/banks/{operator}.blade");
     let mut cargo = project.cargo();
     cargo.args(["run", "--release", "--example", "train_blade", "--", operator, &bank, HELD_OUT, PHOTOS]);
     tools::run(cargo.args(folders))

@@ -17,7 +17,7 @@ use crate::{clamps, lane, npm, tools};
 pub(crate) const TARGET: &str = "wasm32-unknown-unknown";
 
 /// What the modules are made of, in the top folder.
-const SOURCES: [&str; 9] = [
+const SOURCES: [&str; 10] = [
     ".cargo/config.toml",
     "Cargo.lock",
     "Cargo.toml",
@@ -25,6 +25,7 @@ const SOURCES: [&str; 9] = [
     "fonts",
     "layouts",
     "modules",
+    "pixels",
     "src",
     "styles",
 ];

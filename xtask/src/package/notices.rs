@@ -29,7 +29,7 @@ pub(crate) fn text(project: &Project, target: &str, features: &[&str]) -> Result
     let mut texts: BTreeMap<String, Vec<String>> = BTreeMap::new();
     for package in metadata["packages"].as_array().into_iter().flatten() {
         let field = |name: &str| package[name].as_str().unwrap_or_default();
-        if field("id") == root || !needed.contains(field("id")) {
+        if package["source"].is_null() || !needed.contains(field("id")) {
             continue;
         }
         let title = format!("{} {} ({})", field("name"), field("version"), field("license"));

@@ -199,7 +199,7 @@ mod tests {
     /// Before the rules of [`STRETCH`], [`DARK`] and [`STRONG`] it was every sixth.
     #[test]
     fn few_of_them_show_nothing() {
-        let photo = include_bytes!("../../tests/photos/raccoon.jpg");
+        let photo = include_bytes!("../../../tests/photos/raccoon.jpg");
         let photo = decode_fit(photo, &Limits::default(), 160).unwrap().image;
         let faulty = (0..200).filter(|&seed| {
             let drawn = stylize(&photo, &invent(seed), &mut Context::for_image(&photo)).unwrap();

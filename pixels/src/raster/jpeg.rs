@@ -209,7 +209,7 @@ mod tests {
 
     #[test]
     fn records_are_left_out_and_the_image_is_not() {
-        let file = include_bytes!("../../tests/oracles/data/files/jpeg-icc-exif-6.jpg");
+        let file = include_bytes!("../../../tests/oracles/data/files/jpeg-icc-exif-6.jpg");
         let image = Markers::of(file).without_records(file);
         assert!(image.len() < file.len() - 500);
         let with_tail = [&file[..], &[7; 99]].concat();
@@ -223,7 +223,7 @@ mod tests {
             |bytes: &[u8]| Decoder::new(bytes, &Markers::of(bytes), "JPEG").unwrap().samples().unwrap();
         assert_eq!(pixels(&image), pixels(file));
         // Adobe's marker is no record: it says that these are four inks.
-        let inks = include_bytes!("../../tests/oracles/data/files/jpeg-ycck.jpg");
+        let inks = include_bytes!("../../../tests/oracles/data/files/jpeg-ycck.jpg");
         let kept = Markers::of(inks).without_records(inks);
         assert!(kept.windows(5).any(|window| window == b"Adobe"));
         for length in 0..file.len() {

@@ -16,7 +16,7 @@ pub const MOST_BLOCKS: usize = 32;
 
 /// A style: a background layer and, where there is one, a foreground layer of lines.
 #[derive(Debug, Clone)]
-#[cfg_attr(all(test, feature = "cli"), derive(ts_rs::TS), ts(optional_fields))]
+#[cfg_attr(feature = "typescript", derive(ts_rs::TS), ts(optional_fields))]
 pub struct Style {
     /// Name for programs.
     pub id: String,
@@ -29,10 +29,10 @@ pub struct Style {
     /// The line layer; its luma is the alpha of the background over the ink.
     pub foreground: Option<Vec<Step>>,
     /// Colour of the lines.
-    #[cfg_attr(all(test, feature = "cli"), ts(as = "Option<String>"))]
+    #[cfg_attr(feature = "typescript", ts(as = "Option<String>"))]
     pub ink: [u8; 3],
     /// Whether it takes care of faces, as a style does that does not say otherwise.
-    #[cfg_attr(all(test, feature = "cli"), ts(as = "Option<bool>"))]
+    #[cfg_attr(feature = "typescript", ts(as = "Option<bool>"))]
     pub faces: bool,
     /// Score from 0 to 1 of a generated style.
     pub score: Option<f64>,
@@ -41,7 +41,7 @@ pub struct Style {
 /// One block of a layer with its values.
 #[derive(Debug, Clone)]
 #[cfg_attr(
-    all(test, feature = "cli"),
+    feature = "typescript",
     derive(ts_rs::TS),
     ts(rename = "StyleStep", type = "{ block: string; bypass?: boolean } & Record<string, ParamValue>")
 )]
@@ -161,7 +161,9 @@ impl Step {
 }
 
 impl Param {
-    pub(crate) fn value_to_json(&self, value: f32) -> Value {
+    /// A value as style files and the page have it.
+    #[must_use]
+    pub fn value_to_json(&self, value: f32) -> Value {
         match self.kind {
             // Through the shortest decimal, so that 1.2 is not written as 1.2000000476837158.
             Kind::Number { .. } => {
@@ -178,8 +180,11 @@ impl Param {
         }
     }
 
-    /// A value as it is written: 2 and 2.0 are the same. Says what would be right where it is not.
-    pub(crate) fn normalized(&self, value: &Value) -> std::result::Result<Value, String> {
+    /// A value as it is written: 2 and 2.0 are the same.
+    ///
+    /// # Errors
+    /// What would be right where it is not.
+    pub fn normalized(&self, value: &Value) -> std::result::Result<Value, String> {
         match self.kind {
             Kind::Texture => texture(value).map(|texture| json!(texture.map_or("", |(url, _)| url))),
             _ => self.value_from_json(value).map(|value| self.value_to_json(value)),

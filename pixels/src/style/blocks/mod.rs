@@ -101,7 +101,7 @@ pub struct Block {
 /// Which images a block takes or gives.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "lowercase")]
-#[cfg_attr(all(test, feature = "cli"), derive(ts_rs::TS))]
+#[cfg_attr(feature = "typescript", derive(ts_rs::TS))]
 pub enum Channels {
     /// One luma plane.
     Luma,

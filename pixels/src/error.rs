@@ -184,7 +184,7 @@ impl Error {
 
     #[cfg(feature = "pages")]
     /// A damaged file of the given format, with the decoder's own words.
-    pub(crate) fn damaged(format: &'static str, reason: impl std::fmt::Display) -> Self {
+    pub fn damaged(format: &'static str, reason: impl std::fmt::Display) -> Self {
         Self::Damaged { format, reason: reason.to_string() }
     }
 }

@@ -206,7 +206,7 @@ mod tests {
     #[test]
     fn a_photo_comes_close_to_the_exact_minimum() {
         for name in ["camera", "stream"] {
-            let file = format!("{}/tests/photos/{name}.jpg", env!("CARGO_MANIFEST_DIR"));
+            let file = format!("{}/../tests/photos/{name}.jpg", env!("CARGO_MANIFEST_DIR"));
             let image = crate::raster::decode::decode(
                 &std::fs::read(file).unwrap(),
                 &crate::raster::decode::Limits::default(),

@@ -352,11 +352,11 @@ mod tests {
     }
 
     fn display_p3() -> Vec<u8> {
-        embedded(include_bytes!("../../tests/oracles/data/files/jpeg-icc-p3.jpg"))
+        embedded(include_bytes!("../../../tests/oracles/data/files/jpeg-icc-p3.jpg"))
     }
 
     fn press() -> Vec<u8> {
-        embedded(include_bytes!("../../tests/oracles/data/files/jpeg-icc-tables-press.jpg"))
+        embedded(include_bytes!("../../../tests/oracles/data/files/jpeg-icc-tables-press.jpg"))
     }
 
     fn corrected(profile: &[u8], samples: &[u8]) -> Option<[u8; 3]> {

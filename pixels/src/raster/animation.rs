@@ -192,7 +192,7 @@ mod tests {
     use std::path::{Path, PathBuf};
 
     fn folder() -> PathBuf {
-        Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/oracles/data/animations")
+        Path::new(env!("CARGO_MANIFEST_DIR")).join("../tests/oracles/data/animations")
     }
 
     fn open(bytes: Vec<u8>) -> Result<Animation> {

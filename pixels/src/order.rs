@@ -4,7 +4,7 @@
 use std::cmp::Ordering;
 
 /// Sorts like [`slice::sort_by`]: what is equal keeps its order.
-pub(crate) fn sort_by<T>(items: &mut [T], mut compare: impl FnMut(&T, &T) -> Ordering) {
+pub fn sort_by<T>(items: &mut [T], mut compare: impl FnMut(&T, &T) -> Ordering) {
     let mut from = places(items.len(), &mut |a, b| compare(&items[a], &items[b]));
     // Each item goes where it belongs, along the cycles of the permutation.
     for start in 0..items.len() {
@@ -20,7 +20,7 @@ pub(crate) fn sort_by<T>(items: &mut [T], mut compare: impl FnMut(&T, &T) -> Ord
 }
 
 /// Sorts like [`slice::sort_by_key`].
-pub(crate) fn sort_by_key<T, K: Ord>(items: &mut [T], mut key: impl FnMut(&T) -> K) {
+pub fn sort_by_key<T, K: Ord>(items: &mut [T], mut key: impl FnMut(&T) -> K) {
     sort_by(items, |a, b| key(a).cmp(&key(b)));
 }
 

@@ -271,7 +271,9 @@ mod tests {
     use crate::style::{Context, catalogue, stylize};
 
     fn photo() -> Image {
-        decode_fit(include_bytes!("../../tests/photos/raccoon.jpg"), &Limits::default(), 200).unwrap().image
+        decode_fit(include_bytes!("../../../tests/photos/raccoon.jpg"), &Limits::default(), 200)
+            .unwrap()
+            .image
     }
 
     #[test]

@@ -1,0 +1,48 @@
+//! Embeds the designed styles: every file of `styles/` becomes a (name, text) pair of a table in `OUT_DIR`, which
+//! `style/catalogue.rs` includes.
+
+use std::fmt::Write as _;
+use std::path::{Path, PathBuf};
+use std::{env, fs, io};
+
+/// Writes `OUT_DIR/styles.rs` with `static STYLE_FILES: &[(&str, &str)]`, sorted by file name.
+fn main() -> io::Result<()> {
+    let root = env::var("CARGO_MANIFEST_DIR").map_err(io::Error::other)?;
+    let folder = styles(Path::new(&root));
+    println!("cargo:rerun-if-changed={}", folder.display());
+    let mut files: Vec<_> = fs::read_dir(&folder)?
+        .filter_map(Result::ok)
+        .map(|entry| entry.path())
+        .filter(|path| path.extension().is_some_and(|extension| extension == "json"))
+        .collect();
+    files.sort();
+    let mut source = "static STYLE_FILES: &[(&str, &str)] = &[\n".to_owned();
+    for path in &files {
+        let name = path.file_name().unwrap_or_default().to_string_lossy();
+        println!("cargo:rerun-if-changed={}", path.display());
+        let text = without_space(&fs::read_to_string(path)?);
+        writeln!(source, "    ({name:?}, {text:?}),").map_err(io::Error::other)?;
+    }
+    source.push_str("];\n");
+    let out = env::var("OUT_DIR").map_err(io::Error::other)?;
+    fs::write(Path::new(&out).join("styles.rs"), source)
+}
+
+/// The folder at the top of the repository; in what is published a folder of the crate, where the link to it stands.
+fn styles(root: &Path) -> PathBuf {
+    let top = root.join("../styles");
+    if top.is_dir() { top } else { root.join("styles") }
+}
+
+/// JSON without what stands between its tokens: every visitor loads these texts.
+fn without_space(json: &str) -> String {
+    let (mut inside, mut escaped) = (false, false);
+    let mut kept = json.to_owned();
+    kept.retain(|letter| {
+        let keep = inside || !letter.is_ascii_whitespace();
+        inside ^= letter == '"' && !escaped;
+        escaped = inside && letter == '\\' && !escaped;
+        keep
+    });
+    kept
+}
