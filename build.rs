@@ -1,6 +1,6 @@
 //! Embeds the layouts: every file of `layouts/` becomes a (name, text) pair of a table in `OUT_DIR`, which `layout` includes, as
-//! those of `styles/` do in `pixels/build.rs`. The styles give the colours of their words. The fonts of `fonts/` become the table of letters, but for the
-//! modules of the browser that draw no words.
+//! those of `styles/` do in `pixels/build.rs`. The styles give the colours of their words. The fonts of `fonts/` become the
+//! table of letters, but for the browser, whose modules are given it.
 
 #[path = "fonts/pack.rs"]
 mod pack;
@@ -62,8 +62,8 @@ fn reader() -> io::Result<()> {
 /// Writes `OUT_DIR/letters.bin`.
 fn letters() -> io::Result<()> {
     println!("cargo:rerun-if-changed=fonts");
-    let wasm = env::var("CARGO_CFG_TARGET_ARCH").is_ok_and(|target| target == "wasm32");
-    if wasm && env::var_os("CARGO_FEATURE_WORDS").is_none() {
+    // `cargo xtask` writes that of the page.
+    if env::var("CARGO_CFG_TARGET_ARCH").is_ok_and(|target| target == "wasm32") {
         return Ok(());
     }
     let [root, out] = ["CARGO_MANIFEST_DIR", "OUT_DIR"].map(|name| env::var(name).map_err(io::Error::other));

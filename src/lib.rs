@@ -22,8 +22,8 @@
 //!
 //! Under everything beside `raster`: [`error`], and [`json`], which reads JSON of strangers.
 //!
-//! On top, without algorithms of their own: `wasm`, `wasm_detect`, `wasm_decoders` and `wasm_words` with `wasm_files` and `wasm_comics` (the web
-//! boundary, in four modules) and `main.rs` (the command line).
+//! On top, without algorithms of their own: `wasm`, `wasm_detect`, `wasm_decoders`, `wasm_words`, and `wasm_files` with `wasm_comics` (the
+//! web boundary, in five modules; `wasm_letters` is in two of them) and `main.rs` (the command line).
 //!
 //! Each stage has an example that runs: `examples/stage_raster.rs` and so on to `stage_page.rs`. Through some of them:
 //!
@@ -80,10 +80,10 @@ mod typescript;
 #[cfg(all(
     target_arch = "wasm32",
     feature = "pages",
-    not(any(feature = "detect", feature = "words", feature = "decoders"))
+    not(any(feature = "detect", feature = "words", feature = "exports", feature = "decoders"))
 ))]
 pub mod wasm;
-#[cfg(all(target_arch = "wasm32", feature = "words"))]
+#[cfg(all(target_arch = "wasm32", feature = "exports"))]
 pub mod wasm_comics;
 #[cfg(all(target_arch = "wasm32", feature = "decoders"))]
 pub mod wasm_decoders;
@@ -91,8 +91,10 @@ pub mod wasm_decoders;
 pub mod wasm_detect;
 #[cfg(all(target_arch = "wasm32", any(feature = "pages", feature = "detect")))]
 mod wasm_error;
-#[cfg(all(target_arch = "wasm32", feature = "words"))]
+#[cfg(all(target_arch = "wasm32", feature = "exports"))]
 pub mod wasm_files;
+#[cfg(all(target_arch = "wasm32", any(feature = "words", feature = "exports")))]
+pub mod wasm_letters;
 #[cfg(all(target_arch = "wasm32", feature = "words"))]
 pub mod wasm_words;
 

@@ -1,4 +1,4 @@
-//! The web boundary of comics that are read, a part of the module of words: their text. The page has their pictures as Blobs and
+//! The web boundary of comics that are read, a part of the module of other files: their text. The page has their pictures as Blobs and
 //! puts them in.
 //!
 //! Errors are as in the module of words.
@@ -6,7 +6,7 @@
 use crate::error::{Error, Result};
 use crate::output::{Comic, cbz, epub, html};
 use crate::wasm_error::thrown;
-use crate::wasm_words::Lettering;
+use crate::wasm_letters::Lettering;
 use serde::Serialize;
 use wasm_bindgen::prelude::*;
 

@@ -1,4 +1,4 @@
-//! The web boundary of files, a part of the module of words: pages as JPEG, WebP and PDF.
+//! The web boundary of the module of files other than PNG: pages as JPEG, WebP and PDF.
 //! The core makes the pixels; they come from there as patches.
 //!
 //! Errors are as in the module of words.
@@ -13,7 +13,7 @@ use crate::page::pdf::{self, Leaf, Options, Picture, picture};
 use crate::page::plates::Separation;
 use crate::page::{Document, jpeg, webp};
 use crate::wasm_error::thrown;
-use crate::wasm_words::Lettering;
+use crate::wasm_letters::Lettering;
 use wasm_bindgen::prelude::*;
 
 /// A page on which patches are laid.

@@ -1,5 +1,5 @@
-//! The web boundary of the module of words: where they go, how large they are, and their pixels. It holds the fonts, so
-//! it is loaded when a page first has words. Files other than PNG are made in it too (`wasm_files`).
+//! The web boundary of the module of words: where they go, how large they are, and their pixels. It is loaded when a page
+//! first has words, and given their letters (`wasm_letters`).
 //!
 //! Structured data crosses as JSON text, pixels as byte arrays. Every error is a JavaScript `Error` with a `code` beside
 //! its `message`.
@@ -13,32 +13,15 @@ use crate::document::subtitles::{self, Frame};
 use crate::error::{Error, Result};
 use crate::framing::Subject;
 use crate::page::Document;
-use crate::page::words::learning::Drawing;
-use crate::page::words::{Letters, draw, layout, place};
+use crate::page::words::{draw, layout, place};
 use crate::wasm_error::thrown;
+use crate::wasm_letters::Lettering;
 use serde_json::Value;
 use std::collections::HashMap;
 use wasm_bindgen::prelude::*;
 
-#[wasm_bindgen(start)]
-fn start() {
-    console_error_panic_hook::set_once();
-}
-
-/// The letters of the page.
-#[wasm_bindgen]
-pub struct Lettering {
-    letters: Letters,
-}
-
 #[wasm_bindgen]
 impl Lettering {
-    /// Unpacks the fonts.
-    #[wasm_bindgen(constructor)]
-    pub fn new() -> std::result::Result<Lettering, JsValue> {
-        Letters::bundled().map(|letters| Self { letters }).map_err(thrown)
-    }
-
     /// The words of a document, those that are placed by themselves where they hide no face. `subjects`: what is in the
     /// photos, lists by photo id.
     pub fn settle(&self, document: &str, subjects: &str) -> std::result::Result<String, JsValue> {
@@ -48,7 +31,7 @@ impl Lettering {
                 Error::InvalidDocument { location: "subjects".into(), reason: error.to_string() }
             })?;
             let find = |id: &str| known.get(id).map_or(&[][..], Vec::as_slice);
-            place::settle(&mut document, find, &self.letters)?;
+            place::settle(&mut document, find, self.letters())?;
             Ok(Value::Array(document.words).to_string())
         };
         settle().map_err(thrown)
@@ -57,38 +40,16 @@ impl Lettering {
     /// Where the words of a document are; see `page::words::layout::measured`.
     pub fn measure(&self, document: &str) -> std::result::Result<String, JsValue> {
         let measure = || {
-            let boxes = layout::measured(&Document::parse(document)?, &self.letters)?;
+            let boxes = layout::measured(&Document::parse(document)?, self.letters())?;
             serde_json::to_string(&boxes).map_err(|error| Error::Encode(error.to_string()))
         };
         measure().map_err(thrown)
     }
 
-    /// Makes a run of text a letter of all fonts; see `page::words::learning`. Returns whether it is one now.
-    #[allow(clippy::too_many_arguments, reason = "a picture, as plain numbers")]
-    pub fn learn(
-        &mut self,
-        run: &str,
-        leftward: bool,
-        width: usize,
-        ink: &[u8],
-        em: f64,
-        baseline: f64,
-        left: f64,
-        advance: f64,
-    ) -> bool {
-        self.letters.learn(run, leftward, Drawing { width, ink, em, baseline, left, advance })
-    }
-
     /// Whether some letters of a text were learnt.
     #[must_use]
     pub fn foreign(&self, text: &str) -> bool {
-        self.letters.foreign(text)
-    }
-
-    /// The letters of a text that no font of that id has, each once.
-    #[must_use]
-    pub fn missing(&self, text: &str, font: &str) -> String {
-        self.letters.font(font).map(|font| self.letters.missing(text, font)).into_iter().flatten().collect()
+        self.letters().foreign(text)
     }
 
     /// One word of a page that is `width` pixels wide.
@@ -98,7 +59,7 @@ impl Lettering {
         index: usize,
         width: usize,
     ) -> std::result::Result<Picture, JsValue> {
-        let render = || draw::render(&Document::parse(document)?, index, width, &self.letters);
+        let render = || draw::render(&Document::parse(document)?, index, width, self.letters());
         let picture = |patch: crate::page::Patch| Picture {
             x: patch.area.x as i32,
             y: patch.area.y as i32,
@@ -107,12 +68,6 @@ impl Lettering {
             rgba: patch.rgba,
         };
         render().map(picture).map_err(thrown)
-    }
-}
-
-impl Lettering {
-    pub(crate) fn letters(&self) -> &Letters {
-        &self.letters
     }
 }
 

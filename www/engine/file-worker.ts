@@ -1,9 +1,11 @@
 /**
- * The worker that makes files: the module of words, loaded with the first job, and the browser's own encoder of WebP where it has one.
+ * The worker that makes files: their wasm module, loaded with the first job, the letters for those that have text, and the browser's
+ * own encoder of WebP where it has one.
  */
 
-import initWords, { Book, Cut, Lettering, Plate, Print, comicFile } from '../pkg-words/inkpanel.js';
+import initFiles, { Book, Cut, Lettering, Plate, Print, comicFile } from '../pkg-exports/inkpanel.js';
 import { blobOf } from './blobs.ts';
+import { loadLetters } from './letters.ts';
 import { fileMs } from './measured.ts';
 import { moduleBytes } from './module-bytes.ts';
 import { failure } from './protocol.ts';
@@ -13,7 +15,13 @@ import { withDpi } from './webp.ts';
 import type { Making, Picture, PixelPatch } from './protocol.ts';
 import type { Tell, Work } from './serving.ts';
 
-const MODULE = new URL('../pkg-words/inkpanel_bg.wasm', import.meta.url);
+/** What is said where the module or the letters could not be loaded. */
+const MISSING = [
+  'files-missing',
+  'The part of the program that makes this kind of file could not be loaded. Try again, or save a PNG.',
+] as const;
+
+const MODULE = new URL('../pkg-exports/inkpanel_bg.wasm', import.meta.url);
 
 /** Milliseconds for a page of a PDF file, whose pictures are made by then. */
 const PAGE = 500;
@@ -21,6 +29,7 @@ const PAGE = 500;
 type Args<Op extends keyof Making> = Making[Op]['args'];
 
 let started: Promise<WebAssembly.Memory> | undefined;
+let table: Uint8Array | undefined;
 
 const OPERATIONS: Work<Making> = { jpeg, webp, losslessWebp, pictures, pdf, comic };
 
@@ -33,14 +42,22 @@ serveJobs<Making>(async (op, args, tell) => {
   return { ...answer, memory: memory?.buffer.byteLength ?? 0 };
 });
 
+/** The next job tries again where it failed. */
 async function start() {
-  const bytes = await moduleBytes(
-    MODULE,
-    'words-missing',
-    'The part of the program that makes this kind of file could not be loaded. Try again, or save a PNG.',
-  );
-  const { memory } = await initWords({ module_or_path: bytes });
-  return memory;
+  try {
+    const { memory } = await initFiles({ module_or_path: await moduleBytes(MODULE, ...MISSING) });
+    return memory;
+  } catch (error) {
+    started = undefined;
+    throw error;
+  }
+}
+
+/** The letters of one file, which learns others of its own. */
+async function lettering(tell: Tell) {
+  tell.waits(LOADING);
+  table ??= await loadLetters(MISSING);
+  return new Lettering(table);
 }
 
 async function jpeg({ document, size, patches, quality }: Args<'jpeg'>, tell: Tell) {
@@ -110,8 +127,8 @@ async function pictures({ document, patches, quality, inks }: Args<'pictures'>, 
 }
 
 async function pdf({ pages, options }: Args<'pdf'>, tell: Tell) {
+  const letters = await lettering(tell);
   const book = new Book();
-  const letters = new Lettering();
   const shape = createShaping(letters);
   try {
     for (const page of pages) {
@@ -133,8 +150,8 @@ async function pdf({ pages, options }: Args<'pdf'>, tell: Tell) {
 
 /** The text of a comic; its pictures are put in where they are. */
 async function comic({ kind, comic: told }: Args<'comic'>, tell: Tell) {
+  const letters = await lettering(tell);
   tell.expects(PAGE);
-  const letters = new Lettering();
   try {
     return { ok: comicFile(kind, told, letters), transfer: [] };
   } finally {

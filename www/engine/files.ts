@@ -1,6 +1,6 @@
 /**
- * Files that the core does not make: JPEG, WebP and PDF. A worker of its own with the module of words, loaded when the
- * first is asked for, so that words on the screen do not wait for a file.
+ * Files that the core does not make: JPEG, WebP and PDF. A worker of its own with a module of its own, loaded when
+ * the first is asked for, so that words on the screen do not wait for a file.
  */
 
 import { createPool } from './pool.ts';

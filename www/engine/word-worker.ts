@@ -1,8 +1,9 @@
 /**
- * The worker that draws words: their wasm module, loaded with the first job.
+ * The worker that draws words: their wasm module and the letters, loaded with the first job.
  */
 
 import initWords, { Lettering } from '../pkg-words/inkpanel.js';
+import { WORDS_MISSING, loadLetters } from './letters.ts';
 import { wordMs } from './measured.ts';
 import { moduleBytes } from './module-bytes.ts';
 import { LOADING, serveJobs } from './serving.ts';
@@ -15,17 +16,22 @@ const MODULE = new URL('../pkg-words/inkpanel_bg.wasm', import.meta.url);
 
 type Args<Op extends keyof Wording> = Wording[Op]['args'];
 
+/** The next job tries again where it failed. */
 let started: Promise<Work<Wording>> | undefined;
 
 serveJobs<Wording>(async (op, args, tell) => {
   tell.waits(LOADING);
-  started ??= start();
+  started ??= start().catch((error) => {
+    started = undefined;
+    throw error;
+  });
   return (await started)[op](args, tell);
 });
 
 async function start(): Promise<Work<Wording>> {
-  await initWords({ module_or_path: await moduleBytes(MODULE, 'words-missing', 'The letters could not be loaded.') });
-  const letters = new Lettering();
+  const [bytes, table] = await Promise.all([moduleBytes(MODULE, ...WORDS_MISSING), loadLetters(WORDS_MISSING)]);
+  await initWords({ module_or_path: bytes });
+  const letters = new Lettering(table);
   const shape = createShaping(letters);
   const shaped = <Of extends { document: string }>(args: Of): Of => {
     shape(JSON.parse(args.document));

@@ -1,8 +1,10 @@
 /**
- * Words on pages: a wasm module of its own with the fonts, loaded when a page first has words. One worker draws them; on
- * the main thread the same module says where they are, while a page is planned.
+ * Words on pages: a wasm module of its own and the letters, loaded when a page first has words. One worker draws them; on
+ * the main thread the same module says where they are, while a page is planned. What writes other files than PNG is another
+ * module, which the worker of files alone loads (`files.ts`).
  */
 
+import { WORDS_MISSING, loadLetters } from './letters.ts';
 import { createPool } from './pool.ts';
 import { moduleBytes } from './module-bytes.ts';
 import { Priority } from './queue.ts';
@@ -46,7 +48,7 @@ export function createWords() {
 
   return { lettering, draw, patches, over, lay, dispose: () => pool?.dispose() };
 
-  /** What plans with words: pure functions of a millisecond. The next call tries again where it failed. */
+  /** What plans with words: pure functions of a millisecond. Rejects with `words-missing`; the next call tries again. */
   function lettering() {
     opened ??= open().catch((error) => {
       opened = null;
@@ -108,12 +110,13 @@ export function layPixels(page: PixelPatch, patch: PixelPatch) {
 }
 
 async function open() {
-  const [{ default: init, Lettering, subtitles, script }, bytes] = await Promise.all([
+  const [{ default: init, Lettering, subtitles, script }, bytes, table] = await Promise.all([
     import('../pkg-words/inkpanel.js'),
-    loadWords(),
+    moduleBytes(MODULE, ...WORDS_MISSING),
+    loadLetters(WORDS_MISSING),
   ]);
   await init({ module_or_path: bytes });
-  const letters = new Lettering();
+  const letters = new Lettering(table);
   const shape = createShaping(letters);
   return {
     /**
@@ -151,11 +154,6 @@ async function open() {
     script: (bytes: Uint8Array, panels: number, { kind, sounds }: Taking): { words: Spoken[]; lines: number } | null =>
       JSON.parse(script(bytes, panels, kind, sounds)),
   };
-}
-
-/** @returns rejects with `words-missing` */
-export async function loadWords(): Promise<ArrayBuffer> {
-  return moduleBytes(MODULE, 'words-missing', 'The letters could not be loaded.');
 }
 
 function spawn() {

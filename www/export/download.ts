@@ -183,9 +183,10 @@ export function createDownload({
       return stop.aborted ? null : made;
     } catch (error) {
       const { code, message, photo } = error as { code?: string; message: string; photo?: string };
-      // The loss of a worker says itself what it was busy with.
-      const why =
-        photo && code !== 'worker-lost' ? strings.fileFailed(photo, strings.reasons[code ?? ''] ?? message) : message;
+      const reason = strings.reasons[code ?? ''] ?? message;
+      // The loss of a worker says itself what it was busy with; other reasons are those of photos.
+      const whole = code?.endsWith('-missing') ? reason : message;
+      const why = photo && code !== 'worker-lost' ? strings.fileFailed(photo, reason) : whole;
       if (code !== 'cancelled') messages.alert(failed(why));
       return null;
     } finally {

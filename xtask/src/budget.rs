@@ -1,4 +1,4 @@
-//! The size of what a visitor downloads: the core before the first page, the detectors after it.
+//! The size of what a visitor downloads: the core before the first page, the detectors after it, the rest when it is asked for.
 
 use std::fs;
 use std::io::Write;
@@ -7,25 +7,38 @@ use std::path::Path;
 use anyhow::{Context, Result, bail};
 use flate2::{Compression, write::GzEncoder};
 
+use crate::letters;
 use crate::project::Project;
 
 /// The most that a module and its script may take, gzipped, in bytes.
-const BUDGETS: [(&str, &str, usize); 4] = [
+const BUDGETS: [(&str, &str, usize); 5] = [
     ("core", "pkg", 800_000),
     ("decoders", "pkg-decoders", 330_000),
     ("words", "pkg-words", 300_000),
+    ("exports", "pkg-exports", 300_000),
     ("detectors", "pkg-detector", 2_500_000),
 ];
 
-/// Fails when a module has outgrown its budget.
+/// The most that the letters may take, which are packed: the modules of words and of exports both ask for them.
+const LETTERS: usize = 130_000;
+
+/// Fails when a module has outgrown its budget, or the letters theirs.
 pub(crate) fn check(project: &Project) -> Result<()> {
     for (name, folder, budget) in BUDGETS {
         let folder = project.www().join(folder);
         let size = gzipped(&folder.join("inkpanel_bg.wasm"))? + gzipped(&folder.join("inkpanel.js"))?;
         println!("{name}, module and its script: {size} bytes gzipped, {budget} allowed");
-        if size > budget {
-            bail!("{name}: {} bytes above the budget", size - budget);
-        }
+        hold(name, size, budget)?;
+    }
+    let letters = letters::folder(project).join("letters.bin");
+    let size = fs::metadata(&letters).with_context(|| format!("cannot read {}", letters.display()))?.len();
+    println!("letters: {size} bytes, {LETTERS} allowed");
+    hold("letters", usize::try_from(size)?, LETTERS)
+}
+
+fn hold(name: &str, size: usize, budget: usize) -> Result<()> {
+    if size > budget {
+        bail!("{name}: {} bytes above the budget", size - budget);
     }
     Ok(())
 }

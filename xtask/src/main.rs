@@ -13,6 +13,7 @@ mod duplicates;
 mod engines;
 mod faces;
 mod lane;
+mod letters;
 mod licences;
 mod models;
 mod native;
@@ -52,7 +53,7 @@ struct Arguments {
 enum Task {
     /// Build the wasm core and the site into www/dist
     Build,
-    /// Build one wasm module into its folder of www: core, decoders, words or detectors
+    /// Build one wasm module into its folder of www: core, decoders, words, exports or detectors
     Module {
         /// Which one
         name: String,

@@ -12,7 +12,7 @@ use anyhow::{Context, Result, bail, ensure};
 use crate::project::Project;
 use crate::stamp::{Inputs, Stamp};
 use crate::wasm::Purpose;
-use crate::{models, npm, tools, wasm};
+use crate::{letters, models, npm, tools, wasm};
 
 /// Builds everything that the page needs, as it is published; each step is skipped when nothing it reads has changed.
 pub(crate) fn build(project: &Project) -> Result<()> {
@@ -42,10 +42,11 @@ fn fetch(project: &Project) -> Result<()> {
 
 /// Builds one module and nothing else.
 pub(crate) fn build_module(project: &Project, name: &str) -> Result<()> {
+    letters::make(project)?;
     let modules = wasm::all(project);
     match modules.iter().find(|module| module.name == name) {
         Some(module) => wasm::build(project, module, Purpose::Publish),
-        None => bail!("there is no module {name}: it is one of core, decoders, words, detectors"),
+        None => bail!("there is no module {name}: it is one of core, decoders, words, exports, detectors"),
     }
 }
 
@@ -53,7 +54,8 @@ pub(crate) fn build_module(project: &Project, name: &str) -> Result<()> {
 pub(crate) fn serve(project: &Project, port: u16) -> Result<()> {
     let start = Instant::now();
     wasm::install_target()?;
-    let needed = [wasm::core(project), wasm::decoders(project), wasm::words(project)];
+    letters::make(project)?;
+    let needed = [wasm::core(project), wasm::decoders(project), wasm::words(project), wasm::exports(project)];
     let detectors = wasm::detectors(project);
     let stale: Vec<_> =
         needed.iter().filter(|module| !module.is_current(project, SERVE).unwrap_or(false)).collect();

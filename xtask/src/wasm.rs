@@ -11,7 +11,7 @@ use wasm_bindgen_cli_support::Bindgen;
 
 use crate::project::Project;
 use crate::stamp::{Inputs, Stamp};
-use crate::{clamps, lane, npm, tools};
+use crate::{clamps, lane, letters, npm, tools};
 
 /// What rustc calls the browser.
 pub(crate) const TARGET: &str = "wasm32-unknown-unknown";
@@ -80,10 +80,15 @@ pub(crate) fn detectors(project: &Project) -> Module {
     Module { name: "detectors", package: "inkpanel-detectors", folder, ..small() }
 }
 
-/// The module of words and files, which a page loads when it first has words or becomes another file than PNG: small, as
-/// nobody waits for what it does.
+/// The module of words, which a page loads when it first has some: small, as nobody waits for what it does.
 pub(crate) fn words(project: &Project) -> Module {
     Module { name: "words", package: "inkpanel-words", folder: project.www().join("pkg-words"), ..small() }
+}
+
+/// What makes other files than PNG, which the page loads with the first of them.
+pub(crate) fn exports(project: &Project) -> Module {
+    let folder = project.www().join("pkg-exports");
+    Module { name: "exports", package: "inkpanel-exports", folder, ..small() }
 }
 
 /// The decoders of what few photos are, which the page loads with the first of them.
@@ -93,8 +98,8 @@ pub(crate) fn decoders(project: &Project) -> Module {
 }
 
 /// All modules of the page.
-pub(crate) fn all(project: &Project) -> [Module; 4] {
-    [core(project), decoders(project), words(project), detectors(project)]
+pub(crate) fn all(project: &Project) -> [Module; 5] {
+    [core(project), decoders(project), words(project), exports(project), detectors(project)]
 }
 
 /// The core with the benchmark's entry point.
@@ -111,7 +116,7 @@ fn small() -> Module {
     Module { profile: "wasm-detect", level: "-Oz", ..fast() }
 }
 
-/// Builds modules unless they are there for this purpose. The npm packages must be installed.
+/// Builds modules unless they are there for this purpose, and the letters that they are given. The npm packages must be installed.
 ///
 /// # Errors
 /// When one does not compile; the others are built all the same.
@@ -125,6 +130,7 @@ pub(crate) fn build_all(project: &Project, modules: &[Module], purpose: Purpose)
         }
     }
     install_target()?;
+    letters::make(project)?;
     let lane = lane::name();
     let build = |group: &Vec<&Module>| {
         let all = || group.iter().try_for_each(|module| build(project, module, purpose));

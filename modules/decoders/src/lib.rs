@@ -1,4 +1,4 @@
-//! The module of lettering and of files: all that `inkpanel::wasm_decoders` and `inkpanel::wasm_files` export. A crate of its own, so that
+//! The module of what few photos are: all that `inkpanel::wasm_decoders` exports. A crate of its own, so that
 //! each module has its own name among what cargo makes, and none is compiled again because another was.
 
 #[cfg(target_arch = "wasm32")]

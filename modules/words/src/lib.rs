@@ -1,4 +1,4 @@
-//! The module of lettering and of files: all that `inkpanel::wasm_words` and `inkpanel::wasm_files` export. A crate of its own, so that
+//! The module of lettering: all that `inkpanel::wasm_words` and `inkpanel::wasm_letters` export. A crate of its own, so that
 //! each module has its own name among what cargo makes, and none is compiled again because another was.
 
 #[cfg(target_arch = "wasm32")]

@@ -64,7 +64,7 @@ impl Letters {
     ///
     /// # Errors
     /// None but a broken build.
-    #[cfg(any(not(target_arch = "wasm32"), feature = "words"))]
+    #[cfg(not(target_arch = "wasm32"))]
     pub fn bundled() -> Result<Self> {
         Self::parse(include_bytes!(concat!(env!("OUT_DIR"), "/letters.bin")))
     }

@@ -24,6 +24,8 @@ export const faultStrings = {
     'video-memory': 'Der Speicher reicht nicht für ein Einzelbild.',
     'video-worker': 'Der Leser des Videos ist ausgefallen.',
     'words-missing': 'Die Schriften konnten nicht geladen werden.',
+    'files-missing':
+      'Was solche Dateien schreibt, konnte nicht geladen werden. Versuche es noch einmal oder speichere ein PNG.',
     'decoders-missing': 'Was diese Fotos liest, konnte nicht geladen werden. Versuche es mit Verbindung noch einmal.',
     'core-missing': 'Das Programm konnte nicht geladen werden.',
   } as Record<string, string>,

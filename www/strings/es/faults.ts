@@ -24,6 +24,7 @@ export const faultStrings = {
     'video-memory': 'no hay memoria suficiente para un fotograma.',
     'video-worker': 'el lector del vídeo se detuvo.',
     'words-missing': 'no se pudieron cargar las letras.',
+    'files-missing': 'no se pudo cargar lo que crea este tipo de archivo. Inténtalo de nuevo o guarda un PNG.',
     'decoders-missing': 'no se pudo cargar lo que lee estas fotos. Inténtalo de nuevo con conexión.',
     'core-missing': 'no se pudo cargar el programa.',
   } as Record<string, string>,

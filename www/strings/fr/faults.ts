@@ -24,6 +24,7 @@ export const faultStrings = {
     'video-memory': 'il n’y a pas assez de mémoire pour une image.',
     'video-worker': 'le lecteur de la vidéo s’est arrêté.',
     'words-missing': 'les lettres n’ont pas pu être chargées.',
+    'files-missing': 'ce qui crée ce genre de fichier n’a pas pu être chargé. Réessayez, ou enregistrez un PNG.',
     'decoders-missing': 'ce qui lit ces photos n’a pas pu être chargé. Réessayez avec une connexion.',
     'core-missing': 'le programme n’a pas pu être chargé.',
   } as Record<string, string>,

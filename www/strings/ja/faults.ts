@@ -24,6 +24,8 @@ export const faultStrings = {
     'video-memory': 'フレームのためのメモリーが足りません。',
     'video-worker': '動画の読み込みが止まりました。',
     'words-missing': '文字を読み込めませんでした。',
+    'files-missing':
+      'この種類のファイルを作るプログラムを取得できませんでした。もう一度試すか、PNG で保存してください。',
     'decoders-missing': 'この写真を読むためのプログラムを取得できませんでした。接続を確認してもう一度お試しください。',
     'core-missing': 'プログラムを読み込めませんでした。',
   } as Record<string, string>,

@@ -24,6 +24,7 @@ export const faultStrings = {
     'video-memory': 'não há memória suficiente para um quadro do vídeo.',
     'video-worker': 'o leitor do vídeo parou.',
     'words-missing': 'não foi possível carregar as letras.',
+    'files-missing': 'não foi possível carregar o que cria este tipo de arquivo. Tente de novo ou salve um PNG.',
     'decoders-missing': 'não foi possível carregar o que lê estas fotos. Tente de novo com conexão.',
     'core-missing': 'não foi possível carregar o programa.',
   } as Record<string, string>,

@@ -1,4 +1,4 @@
-//! The npm package: the engine of `www/engine`, its wasm modules and nets, their types, as files that a static server can
+//! The npm package: the engine of `www/engine`, its wasm modules, letters and nets, their types, as files that a static server can
 //! serve as they are. `www/package` has what is there for the package alone.
 
 mod notices;
@@ -12,7 +12,7 @@ use serde_json::{Value, json};
 
 use crate::project::Project;
 use crate::tally::{self, Tally};
-use crate::{chromium, models, npm, tools, wasm};
+use crate::{chromium, letters, models, npm, tools, wasm};
 
 const NAME: &str = "inkpanel";
 /// The way in, without its extension: a module and its types.
@@ -20,8 +20,18 @@ const ENTRY: &str = "engine/index";
 /// Films are read by this library, which comes as one module; under MPL 2.0, so it stays a file of its own, unchanged.
 const FILM_LIBRARY: (&str, &str) = ("mediabunny", "dist/bundles/mediabunny.min.mjs");
 /// The folders that are published.
-const FOLDERS: [&str; 8] =
-    ["engine", "pkg", "pkg-decoders", "pkg-words", "pkg-detector", "models", "vendor", "licences"];
+const FOLDERS: [&str; 10] = [
+    "engine",
+    "pkg",
+    "pkg-decoders",
+    "pkg-words",
+    "pkg-exports",
+    "pkg-detector",
+    "letters",
+    "models",
+    "vendor",
+    "licences",
+];
 
 /// Builds the package and says where it is.
 ///
@@ -51,6 +61,7 @@ fn build(project: &Project) -> Result<PathBuf> {
         copy_all(&module.folder, &folder.join(name), |_| true)?;
         without_disposal(&folder.join(name).join("inkpanel.d.ts"))?;
     }
+    copy_all(&letters::folder(project), &folder.join("letters"), |_| true)?;
     engine(project, &folder)?;
     papers(project, &folder)?;
     fs::write(folder.join("package.json"), format!("{:#}\n", manifest(project)?))?;
@@ -112,7 +123,10 @@ fn papers(project: &Project, folder: &Path) -> Result<()> {
         copy(&project.root.join(file), &folder.join(file))?;
     }
     copy_all(&project.root.join("fonts"), &folder.join("licences"), |name| name.ends_with("-OFL.txt"))?;
-    fs::write(folder.join("THIRD-PARTY.txt"), notices::text(project, wasm::TARGET, &["detect", "words"])?)?;
+    fs::write(
+        folder.join("THIRD-PARTY.txt"),
+        notices::text(project, wasm::TARGET, &["decoders", "detect", "exports", "words"])?,
+    )?;
     Ok(())
 }
 

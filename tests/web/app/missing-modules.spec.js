@@ -1,0 +1,60 @@
+// @ts-check
+/** Parts of the program that are loaded when they are asked for, and do not come. */
+
+import { test as plain } from '../../../www/testing.ts';
+import { openExport, saved } from './export-hands.js';
+import { expect, idle, openBoard } from './support.js';
+import { openWords, word, write } from './word-hands.js';
+
+const LETTERS = /letters-[^/]*\.bin$/;
+
+// What the page loads and does not get, the browser tells on its console.
+plain.use({ serviceWorkers: 'block' });
+plain.beforeEach(({ page }) => page.addInitScript(() => localStorage.setItem('inkpanel.detect', 'off')));
+
+plain('words whose letters do not come, or come broken, are not there, and a new try has them', async ({ page }) => {
+  await openBoard(page);
+  await openWords(page);
+  const add = page.getByRole('button', { name: 'Add caption', exact: true });
+  for (const broken of [{ status: 404, body: 'none' }, { body: 'no letters' }]) {
+    await page.route(LETTERS, (route) => route.fulfill(broken));
+    await add.click();
+    await expect(page.getByRole('alert')).toContainText('The letters could not be loaded.');
+    await page.unroute(LETTERS);
+    await page.getByRole('button', { name: 'Dismiss' }).first().click();
+  }
+  await write(page, 'caption', 'THERE AFTER ALL');
+  await expect(word(page, 'Caption: THERE AFTER ALL')).toBeVisible();
+  await expect(page.getByRole('alert')).toHaveText('');
+});
+
+plain('a file asks for its own module alone, and one that did not get it can be made again', async ({ page }) => {
+  /** @type {string[]} */
+  const asked = [];
+  page.on('request', (request) => asked.push(new URL(request.url()).pathname));
+  await openBoard(page);
+  const before = asked.length;
+  const format = async (/** @type {string} */ name) => {
+    const dialog = await openExport(page);
+    await dialog.getByRole('combobox', { name: 'Quality' }).selectOption('0.5');
+    await dialog.getByRole('combobox', { name: 'Format' }).selectOption(name);
+    return dialog.getByRole('button', { name: 'Save the file' });
+  };
+  const modules = /inkpanel_bg-[^/]*\.wasm$/;
+  await page.route(modules, (route) => route.abort());
+  await (await format('jpeg')).click();
+  await expect(page.getByRole('alert')).toContainText('this kind of file could not be loaded');
+  await page.unroute(modules);
+  const jpeg = await format('jpeg');
+  expect((await saved(page, () => jpeg.click())).name).toMatch(/\.jpg$/);
+  const first = asked.slice(before);
+  expect(new Set(first.filter((path) => modules.test(path))).size).toBe(1);
+  expect(first.filter((path) => LETTERS.test(path))).toEqual([]);
+  await page.route(LETTERS, (route) => route.abort());
+  await (await format('pdf')).click();
+  await expect(page.getByRole('alert')).toContainText('this kind of file could not be loaded');
+  await page.unroute(LETTERS);
+  const pdf = await format('pdf');
+  expect((await saved(page, () => pdf.click())).name).toMatch(/\.pdf$/);
+  await idle(page);
+});

@@ -1,0 +1,26 @@
+/**
+ * The letters of the fonts: a file beside the modules of words and of other files, which both are given. It is packed, as hosts
+ * pack no file whose kind they do not know.
+ */
+
+import { moduleBytes } from './module-bytes.ts';
+import { failure } from './protocol.ts';
+
+const LETTERS = new URL('../letters/letters.bin', import.meta.url);
+
+/** What is said where the letters, or the module that draws them, could not be loaded. */
+export const WORDS_MISSING = ['words-missing', 'The letters could not be loaded.'] as const;
+
+/**
+ * The table that a `Lettering` is made of.
+ * @param told the code of the error where it cannot be loaded or is broken, and its sentence
+ */
+export async function loadLetters([code, sentence]: readonly [string, string]): Promise<Uint8Array<ArrayBuffer>> {
+  const packed = await moduleBytes(LETTERS, code, sentence);
+  try {
+    const table = new Blob([packed]).stream().pipeThrough(new DecompressionStream('deflate'));
+    return new Uint8Array(await new Response(table).arrayBuffer());
+  } catch (cause) {
+    throw Object.assign(failure(code, sentence), { cause });
+  }
+}

@@ -1,0 +1,37 @@
+//! The letters of the page: the table of `fonts/pack.rs` as a file of its own, which the modules of words and of other files are
+//! given. Packed, as hosts pack no file whose kind they do not know; its checksum tells the page of bytes that are broken.
+
+#[path = "../../fonts/pack.rs"]
+mod pack;
+
+use std::fs;
+use std::io::Write;
+use std::path::PathBuf;
+
+use anyhow::{Context, Result, anyhow};
+use flate2::{Compression, write::ZlibEncoder};
+
+use crate::project::Project;
+use crate::stamp::{Inputs, Stamp};
+
+/// The folder of `letters.bin`.
+pub(crate) fn folder(project: &Project) -> PathBuf {
+    project.www().join("letters")
+}
+
+/// Writes the letters unless they are there.
+pub(crate) fn make(project: &Project) -> Result<()> {
+    let (fonts, file) = (project.root.join("fonts"), folder(project).join("letters.bin"));
+    let mut inputs = Inputs::default();
+    inputs.path(&fonts, &[])?.value(include_str!("letters.rs"));
+    let stamp = Stamp::new(project, "letters", &inputs);
+    if stamp.is_current(&file) {
+        return Ok(());
+    }
+    let table = pack::pack(&fonts).map_err(|error| anyhow!("fonts: {error}"))?;
+    let mut encoder = ZlibEncoder::new(Vec::new(), Compression::best());
+    encoder.write_all(&table)?;
+    fs::create_dir_all(folder(project))?;
+    fs::write(&file, encoder.finish()?).with_context(|| format!("cannot write {}", file.display()))?;
+    stamp.keep()
+}
