@@ -9,7 +9,6 @@ import { openWords, word, write } from './word-hands.js';
 const LETTERS = /letters-[^/]*\.bin$/;
 
 // What the page loads and does not get, the browser tells on its console.
-plain.use({ serviceWorkers: 'block' });
 plain.beforeEach(({ page }) => page.addInitScript(() => localStorage.setItem('inkpanel.detect', 'off')));
 
 plain('words whose letters do not come, or come broken, are not there, and a new try has them', async ({ page }) => {
