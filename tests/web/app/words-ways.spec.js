@@ -41,11 +41,14 @@ test('every drag has a click and a field', async ({ page }) => {
 
 test('words stay through shuffles, are on the alternatives and in the PNG', async ({ page }) => {
   await openBoard(page);
-  // A style in gray: no photo has the caption's yellow.
+  // A style in gray: no photo has the yellow that the caption gets.
   await tab(page, 'Styles');
   await page.getByRole('listbox', { name: 'Styles' }).getByRole('option', { name: 'Noir', exact: true }).click();
   await page.getByRole('button', { name: 'Lock style' }).click();
   await write(page, 'caption', 'ONCE UPON A TIME');
+  // A colour that nothing else on the page has: of itself a caption has the inks of the style.
+  await page.getByLabel('Fill', { exact: true }).fill('#fff6d6');
+  await idle(page);
   await press(page, 'Shuffle');
   await expect(word(page, 'Caption: ONCE UPON A TIME')).toBeVisible();
   const at = await inked(page);
@@ -53,7 +56,7 @@ test('words stay through shuffles, are on the alternatives and in the PNG', asyn
   const waiting = page.waitForEvent('download', { timeout: 60_000 });
   await page.getByRole('button', { name: 'Download PNG' }).click();
   const png = PNG.sync.read(await readFile(await (await waiting).path()));
-  // The caption's own yellow, at the same place as in the preview.
+  // The caption's yellow, at the same place as in the preview.
   /** @type {number[][]} */
   const pixels = [];
   for (let i = 0; i < png.width * png.height; i += 1) {
