@@ -7,7 +7,7 @@ use std::path::{Component, Path, PathBuf};
 
 /// The rooms of `src`, from the lowest on. Containers and the kernels on their rows are one: each is written in terms of the
 /// other.
-const ROOMS: [&[&str]; 13] = [
+const ROOMS: [&[&str]; 14] = [
     &["error"],
     &["order"],
     &["raster", "simd"],
@@ -21,6 +21,7 @@ const ROOMS: [&[&str]; 13] = [
     &["page"],
     &["output"],
     &["document"],
+    &["native"],
 ];
 
 fn root() -> &'static Path {
