@@ -54,6 +54,7 @@ pub(crate) fn cannot_start(command: &Command, error: &std::io::Error) -> anyhow:
     }
     match &*program {
         "node" | "npm" | "npm.cmd" => anyhow!("Node is missing: install Node 20.19 or newer, with npm"),
+        "python" | "python3" => anyhow!("Python is missing: install Python 3 with pip and venv"),
         "rustup" => anyhow!("rustup is missing: install it from https://rustup.rs"),
         _ => anyhow!("`{program}` is missing: install it and try again"),
     }
