@@ -32,12 +32,13 @@ class Draw:
 
     def __call__(self, batch):
         rows = [row for folder in batch["folder"] for row in self.album(Path(str(folder)))]
-        return {key: [row.get(key, "") for row in rows] for key in ("album", "file", "code", "message", "seconds", "pid", "peak_mb")}
+        return {key: [row[key] for row in rows] for key in rows[0]}
 
     def album(self, folder):
         """The rows that tell of an album: one without a code for its page, and one for each thing that went wrong."""
-        start, rows = time.time(), []
-        about = {"album": folder.name, "pid": os.getpid(), "seconds": 0.0, "peak_mb": 0.0}
+        start, cpu, rows = time.time(), time.process_time(), []
+        about = {"album": folder.name, "file": "", "code": "", "message": "", "pid": os.getpid()}
+        about.update(began=start, ended=start, cpu=0.0, peak_mb=0.0)
         try:
             photos = sorted(file for file in folder.iterdir() if file.suffix.lower() in PICTURES)
             while True:
@@ -53,7 +54,8 @@ class Draw:
             written(self.pages / f"{folder.name}{self.ending}", file)
             # `ru_maxrss` is in kilobytes on Linux.
             peak = resource.getrusage(resource.RUSAGE_SELF).ru_maxrss / 1024
-            rows.append({**about, "seconds": time.time() - start, "peak_mb": peak})
+            cpu = time.process_time() - cpu
+            rows.append({**about, "ended": time.time(), "cpu": cpu, "peak_mb": peak})
         except self.inkpanel.Error as error:
             rows.append({**about, "file": error.file or "", "code": error.code, "message": str(error)})
         except Exception as error:  # Whatever it is, the other albums go on.
@@ -96,7 +98,7 @@ def arguments():
     parser.add_argument("albums", type=Path, help="the folder of albums")
     parser.add_argument("pages", type=Path, help="where pages and errors.jsonl go")
     parser.add_argument("--workers", type=int, default=2, help="processes, each on a core of its own")
-    parser.add_argument("--batch", type=int, default=8, help="albums that a worker is given at once")
+    parser.add_argument("--batch", type=int, default=4, help="albums that a worker is given at once")
     parser.add_argument("--retries", type=int, default=2, help="of what failed by disk, network or a worker that died")
     parser.add_argument("--format", choices=["pdf", "png"], default="pdf")
     parser.add_argument("--leave-out", action="store_true", help="make pages without the photos that cannot be read")
@@ -147,11 +149,7 @@ def main():
     albums = sorted(folder for folder in given.albums.iterdir() if folder.is_dir())
     there = {file.stem for file in given.pages.glob(f"*.{given.format}")}
     folders = [folder for folder in albums if folder.name not in there]
-    start, rows, first = time.time(), [], None
-    for row in drawn(folders, given) if folders else ():
-        rows.append(row)
-        # The start of the cluster and of its workers is told apart.
-        first = first or time.time() - row["seconds"]
+    start, rows = time.time(), list(drawn(folders, given)) if folders else []
     made = [row for row in rows if not row["code"]]
     errors = [row for row in rows if row["code"]]
     told = {row["album"] for row in rows}
@@ -159,12 +157,14 @@ def main():
     errors += [{"album": name, "file": "", "code": "lost", "message": "its worker died"} for name in lost]
     table = "".join(json.dumps({key: row[key] for key in ("album", "file", "code", "message")}) + "\n" for row in errors)
     written(given.pages / "errors.jsonl", table.encode())
-    seconds = time.time() - (first or start)
+    # The start of the cluster and of its workers is told apart.
+    first, last = min((row["began"] for row in rows), default=start), max((row["ended"] for row in rows), default=start)
+    seconds = last - first
     report = {
         "albums": len(albums), "skipped": len(albums) - len(folders), "pages": len(made), "errors": len(errors),
-        "workers": given.workers, "seconds": seconds, "start_seconds": (first or start) - start,
+        "workers": given.workers, "seconds": seconds, "start_seconds": first - start,
         "pages_an_hour": len(made) / seconds * 3600 if made else 0,
-        "seconds_a_page": sum(row["seconds"] for row in made) / len(made) if made else 0,
+        "cpu_seconds_a_page": sum(row["cpu"] for row in made) / len(made) if made else 0,
         "workers_seen": len({row["pid"] for row in made}),
         "peak_mb_a_worker": max((row["peak_mb"] for row in made), default=0),
     }  # fmt: skip

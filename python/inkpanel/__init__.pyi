@@ -1,6 +1,6 @@
 import os
 from collections.abc import Iterable, Sequence
-from typing import Any, Union, overload
+from typing import Any, Union, final, overload
 
 import numpy as np
 from numpy.typing import NDArray
@@ -15,6 +15,7 @@ class Error(ValueError):
     code: str
     file: str | None
 
+@final
 class Page:
     @property
     def width(self) -> int: ...

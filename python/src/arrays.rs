@@ -39,13 +39,11 @@ pub(crate) fn image(what: &str, array: &Bound<'_, PyAny>) -> PyResult<(Image, bo
     }
     let array: PyReadonlyArray3<'_, u8> = array.cast::<PyArray3<u8>>()?.try_readonly()?;
     let pixels = array.as_array();
-    let image = match pixels.as_slice() {
-        Some(rgb) => Image::from_interleaved_rgb(width, height, rgb),
-        None => {
-            let planes = [0, 1, 2].map(|channel| plane(pixels.index_axis(Axis(2), channel)));
-            let [r, g, b] = planes;
-            Image::from_rgb([r?, g?, b?])
-        }
+    let image = if let Some(rgb) = pixels.as_slice() {
+        Image::from_interleaved_rgb(width, height, rgb)
+    } else {
+        let [r, g, b] = [0, 1, 2].map(|channel| plane(pixels.index_axis(Axis(2), channel)));
+        Image::from_rgb([r?, g?, b?])
     };
     Ok((image.map_err(Failure::from)?, false))
 }

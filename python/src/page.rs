@@ -4,7 +4,7 @@ use crate::failure::{Done, Failure, detached};
 use crate::photos::{Photo, id, shown};
 use crate::{arrays, python_of};
 use inkpanel::framing::Subject;
-use inkpanel::native::{self, QUALITY};
+use inkpanel::native;
 use inkpanel::page::pdf::{self as book, Options};
 use inkpanel::page::words::Letters;
 use inkpanel::page::{Document, jpeg, png};
@@ -105,19 +105,15 @@ impl Page {
     /// `photo 3` by its place in the list.
     #[getter]
     fn plan(&self, py: Python<'_>) -> PyResult<Py<PyAny>> {
-        let names: HashMap<String, &str> = self
-            .album
-            .photos
-            .iter()
-            .enumerate()
-            .map(|(place, photo)| (id(place), photo.name.as_str()))
-            .collect();
-        let named = |id: &String| names.get(id).map_or_else(|| id.clone(), |name| (*name).to_owned());
+        let photos = self.album.photos.iter().enumerate();
+        let names: HashMap<String, &str> =
+            photos.map(|(place, photo)| (id(place), photo.name.as_str())).collect();
+        let name_of = |id: &String| names.get(id).map_or_else(|| id.clone(), |name| (*name).to_owned());
         let mut told = self.document.clone();
         for panel in &mut told.panels {
-            panel.photo = panel.photo.as_ref().map(named);
+            panel.photo = panel.photo.as_ref().map(name_of);
         }
-        told.order = told.order.iter().map(named).collect();
+        told.order = told.order.iter().map(name_of).collect();
         python_of(py, &told.to_json())
     }
 
@@ -134,7 +130,8 @@ impl Page {
     }
 
     /// A JPEG file of the page, of a quality from 1 to 100.
-    #[pyo3(signature = (quality = QUALITY))]
+    // As `native::QUALITY`; a number, so that help tells it.
+    #[pyo3(signature = (quality = 90))]
     fn jpeg<'py>(&self, py: Python<'py>, quality: u8) -> PyResult<Bound<'py, PyBytes>> {
         if !(1..=100).contains(&quality) {
             return Err(Failure::argument("quality", "must be from 1 to 100").into());

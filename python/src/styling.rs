@@ -2,6 +2,7 @@
 
 use crate::arrays;
 use crate::failure::{Done, Failure, detached};
+use inkpanel::style::params::Kind;
 use inkpanel::style::{Context, Style, blocks, catalogue};
 use pyo3::prelude::*;
 use serde_json::Value;
@@ -63,7 +64,7 @@ fn seeded(style: Style, seed: Option<u32>) -> Done<Style> {
             let most = block.and_then(|block| {
                 let own = block.params.iter().find(|param| param.id == SEED)?;
                 match own.kind {
-                    inkpanel::style::params::Kind::Integer { max, .. } => Some(max as u32),
+                    Kind::Integer { max, .. } => u32::try_from(max).ok(),
                     _ => None,
                 }
             });

@@ -71,6 +71,12 @@ mod tests {
     }
 
     #[test]
+    fn python_that_is_missing_is_told_as_what_to_install() {
+        let error = cannot_start(&Command::new("python3"), &ErrorKind::NotFound.into()).to_string();
+        assert!(error.starts_with("Python is missing: install Python 3"), "{error}");
+    }
+
+    #[test]
     fn a_failure_names_the_command_line() {
         let error =
             run(Command::new("cargo").arg("no-such-task").stderr(Stdio::null())).unwrap_err().to_string();

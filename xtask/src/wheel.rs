@@ -6,7 +6,7 @@ use std::path::{Path, PathBuf};
 use anyhow::{Context, Result, bail};
 
 use crate::project::Project;
-use crate::{models, python, tools};
+use crate::{models, python, test::ENGINE, tools};
 
 /// What the wheel has of `www/models`.
 const MODELS: [&str; 3] = ["faces.onnx", "objects.onnx", "README.md"];
@@ -24,6 +24,15 @@ pub(crate) fn run(project: &Project, with_ray: bool) -> Result<()> {
     let wheel = build(project, &package)?;
     println!("made {}", wheel.display());
     test(project, &package, (&wheel, with_ray))
+}
+
+/// The program that the wheel has to draw the same pixels as, as the suite `rust` builds it: an example has cargo choose the
+/// features that tests have, too.
+fn command_line(project: &Project) -> Result<PathBuf> {
+    let mut cargo = project.cargo();
+    cargo.arg("build").args(ENGINE).args(["--quiet", "--bin", "inkpanel", "--example", "stage_raster"]);
+    tools::run(&mut cargo)?;
+    Ok(project.target.join("debug").join(format!("inkpanel{}", std::env::consts::EXE_SUFFIX)))
 }
 
 /// Cargo's target folder for the package, which is a workspace of its own, and its environments.
@@ -83,6 +92,7 @@ fn test(project: &Project, package: &Path, (wheel, with_ray): (&Path, bool)) -> 
     let interpreter = python::environment(&clean, &needs)?;
     python::install(&interpreter, |pip| pip.args(["--no-index", "--no-deps"]).arg(wheel))?;
     let mut pytest = std::process::Command::new(&interpreter);
+    pytest.env("INKPANEL", command_line(project)?);
     // From the top folder: in its own the package would be found as it stands there.
     pytest.args(["-m", "pytest", "--quiet", "-p", "no:cacheprovider", "--config-file"]);
     pytest.arg(package.join("pyproject.toml")).arg(package.join("tests"));
