@@ -2,20 +2,18 @@
 
 use crate::album::is_standard;
 use crate::destination::{Output, write};
-use crate::{Complaint, paper, reading};
+use crate::{Complaint, reading};
 use inkpanel::Error;
 use inkpanel::framing::Subject;
-use inkpanel::layout::{self, PagePreset};
-use inkpanel::output::describing::described;
+use inkpanel::layout::{self, PagePreset, PaperSize};
+use inkpanel::native::{self, QUALITY, alts};
 use inkpanel::page::import::Imported;
-use inkpanel::page::pdf::{self, Imposition, Options, picture};
+use inkpanel::page::pdf::{self, Imposition, Options};
 use inkpanel::page::plates::{self, Separation};
-use inkpanel::page::words::{Letters, draw as word_drawing, place};
-use inkpanel::page::{Document, Scene, compose, jpeg, png, webp};
+use inkpanel::page::words::{Letters, place};
+use inkpanel::page::{Document, jpeg, png, webp};
 use inkpanel::raster::Image;
-use inkpanel::style::Context;
 use rayon::prelude::*;
-use std::collections::{HashMap, HashSet};
 use std::path::{Path, PathBuf};
 
 /// Puts the words of a file on a page; those without a place go where they hide no face.
@@ -26,34 +24,17 @@ pub(crate) fn add_words(
 ) -> Result<(), Complaint> {
     let complain = |reason: String| format!("{}: {reason}", file.display());
     let json = std::fs::read_to_string(file).map_err(|error| complain(error.to_string()))?;
-    document.words = serde_json::from_str(&json).map_err(|error| complain(error.to_string()))?;
-    // Words that have no place yet are new: they are set as letterers do.
-    for word in document.words.iter_mut().filter_map(serde_json::Value::as_object_mut) {
-        if !["x", "y", "craft"].iter().any(|field| word.contains_key(*field)) {
-            word.insert("craft".to_owned(), 2.into());
-        }
-    }
+    let words = serde_json::from_str(&json).map_err(|error| complain(error.to_string()))?;
     let subjects = |id: &str| {
         let photo = photos.iter().find(|(_, photo)| photo.meta.id == id);
         photo.map_or(&[][..], |(_, photo)| &photo.meta.subjects)
     };
-    let settle = |letters: Letters| place::settle(document, subjects, &letters);
-    Letters::bundled().and_then(settle).map_err(|error| complain(error.to_string()))
+    let add = |letters: Letters| place::add(document, words, subjects, &letters);
+    Letters::bundled().and_then(add).map_err(|error| complain(error.to_string()))
 }
 
 /// What was found in a photo, by its id.
 pub(crate) type Subjects<'a> = dyn Fn(&str) -> &'a [Subject] + 'a;
-
-/// What each panel of a page shows, as far as it was found: `Panel 2 of 6: a person and a dog`.
-fn alts(document: &Document, subjects: &Subjects<'_>) -> Vec<String> {
-    let shows = described(document, subjects);
-    let count = document.panels.len();
-    let alt = |i: usize| {
-        let what = shows.get(i).filter(|what| !what.is_empty()).map_or("a photo", String::as_str);
-        format!("Panel {} of {count}: {what}", i + 1)
-    };
-    (0..count).map(alt).collect()
-}
 
 /// A kind of file.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -94,12 +75,7 @@ pub(crate) type Photos<'p> = dyn Fn(&str) -> Result<Option<Image>, Complaint> + 
 /// Renders a document from its photos, decoded at their full size, as the kind of picture that `output` names.
 pub(crate) fn draw(document: &Document, photos: &Photos<'_>, output: &Path) -> Result<Vec<u8>, Complaint> {
     let kind = Kind::of(output)?;
-    let mut sheet = compose::Sheet::new(&scene_of(document)?);
-    for patch in patches(document, photos)? {
-        sheet.lay(patch.area, &patch.rgba).map_err(|error| error.to_string())?;
-    }
-    let lay = |letters: Letters| word_drawing::lay_words(&mut sheet, document, &letters);
-    Letters::bundled().and_then(lay).map_err(|error| error.to_string())?;
+    let sheet = native::sheet(document, &decoded(document, photos)?).map_err(|error| error.to_string())?;
     encoded(kind, (sheet.width(), sheet.height()), sheet.rgb(), document.page.dpi)
 }
 
@@ -124,9 +100,6 @@ pub(crate) fn encoded(
 pub(crate) fn jpeg_of(document: &Document, photos: &Photos<'_>) -> Result<Vec<u8>, Complaint> {
     draw(document, photos, Path::new("page.jpg"))
 }
-
-/// Of JPEG files and of the pictures in PDF files.
-const QUALITY: u8 = 90;
 
 /// What is asked of a file beside its pages, on the command line.
 #[derive(clap::Args, Default, PartialEq, Clone)]
@@ -181,7 +154,7 @@ fn sheet(text: &str) -> Result<[f64; 2], Complaint> {
         Some(&[width, height]) if [width, height].iter().all(|side| (20.0..=5000.0).contains(side)) => {
             Ok([width, height])
         }
-        _ => Err(format!("a sheet is such as 210x297 in millimetres, or one of {}", paper::names())),
+        _ => Err(format!("a sheet is such as 210x297 in millimetres, or one of {}", PaperSize::names())),
     }
 }
 
@@ -310,37 +283,11 @@ fn leaf(
     photos: &Photos<'_>,
     (plate, alts): (Option<(&Separation, usize)>, Vec<String>),
 ) -> Result<pdf::Leaf, Complaint> {
-    let scene = scene_of(document)?;
-    let patches = patches(&picture::bare(document), photos)?;
-    let pictures = patches
-        .par_iter()
-        .enumerate()
-        .filter(|(index, _)| scene.panels[*index].photo.is_some())
-        .map(|(index, patch)| picture::cut(document, (index, patch.area, &patch.rgba), QUALITY, plate))
-        .collect::<Result<Vec<_>, Error>>()
-        .map_err(|error| error.to_string())?;
-    Ok(pdf::Leaf { document: document.clone(), pictures, alts })
+    native::leaf(document, &decoded(document, photos)?, alts, plate).map_err(|error| error.to_string())
 }
 
-fn scene_of(document: &Document) -> Result<Scene, Complaint> {
-    Scene::new(document, document.page.width as usize).map_err(|error| error.to_string())
-}
-
-/// The panels of a document in their order.
-fn patches(document: &Document, photos: &Photos<'_>) -> Result<Vec<compose::Patch>, Complaint> {
-    let scene = scene_of(document)?;
-    let wanted: HashSet<&str> = scene.panels.iter().filter_map(|panel| panel.photo.as_deref()).collect();
-    let images: HashMap<&str, Image> = wanted
-        .into_par_iter()
-        .filter_map(|id| photos(id).transpose().map(|image| Ok((id, image?))))
-        .collect::<Result<_, Complaint>>()?;
-    let render = |index: usize| -> inkpanel::Result<compose::Patch> {
-        let photo = scene.panels[index].photo.as_deref().and_then(|id| images.get(id));
-        compose::render_panel(&scene, index, photo, &mut Context::default())
-    };
-    (0..scene.panels.len())
-        .into_par_iter()
-        .map(render)
-        .collect::<Result<_, Error>>()
-        .map_err(|error| error.to_string())
+/// The photos that a page shows, as far as they are there, decoded side by side.
+fn decoded(document: &Document, photos: &Photos<'_>) -> Result<native::Photos, Complaint> {
+    let wanted = native::photos_of(document).map_err(|error| error.to_string())?;
+    wanted.into_par_iter().filter_map(|id| photos(&id).transpose().map(|image| Ok((id, image?)))).collect()
 }

@@ -16,6 +16,7 @@
 //! | [`page`] | panels, borders and paper composed into one page; PNG, JPEG, PDF |
 //! | [`output`] | pages as comics that are read: HTML with a reader in it, EPUB, comic archives |
 //! | [`document`] | the project that a person edits and saves: its pages, photos, styles and layouts |
+//! | `native` | pages drawn by all cores of a machine (feature `cli`) |
 //!
 //! `error`, `raster`, `simd` and `style` are a crate of their own, `inkpanel-pixels`: what runs over pixels is compiled for
 //! speed, the rest of the core to be small.
@@ -65,6 +66,8 @@ pub mod framing;
 pub mod json;
 #[cfg(feature = "pages")]
 pub mod layout;
+#[cfg(feature = "cli")]
+pub mod native;
 #[cfg(feature = "pages")]
 pub mod output;
 #[cfg(feature = "pages")]

@@ -24,6 +24,7 @@ use inkpanel::framing::PhotoMeta;
 use inkpanel::layout::Template;
 use inkpanel::page::import::{Imported, import};
 use inkpanel::page::request::Request;
+use inkpanel::page::storyboard::{self, Choice};
 use inkpanel::page::{Document, catalogue};
 use inkpanel::raster::Image;
 use inkpanel::raster::decode::{Limits, decode_fit};
@@ -417,7 +418,8 @@ fn plan_page(
         merge: Some(render.merge),
         ..Request::default()
     };
-    let mut pages = plans::pages(&request, render.pages.map(|pages| pages as usize))?;
+    let mut pages = storyboard::pages(&request, render.pages.map(|pages| pages as usize))
+        .map_err(|error| error.to_string())?;
     if let (Some(file), Some(first)) = (&render.words, pages.first_mut()) {
         drawing::add_words(&mut first.document, file, &photos)?;
     }
@@ -502,16 +504,14 @@ fn star(photos: &mut [(PathBuf, Imported)], names: &[PathBuf]) {
 fn used_photos(render: &Planned, photos: &[(PathBuf, Imported)]) -> Vec<PhotoMeta> {
     /// Beyond so many they are not told one by one.
     const FEW: usize = 10;
-    let measures: Vec<Measures> = photos.iter().map(|(_, photo)| photo.measures.clone()).collect();
     let names: Vec<&str> = photos.iter().map(|(path, _)| name(path)).collect();
-    let usual = select::Settings::default().threshold;
-    let settings = select::Settings { threshold: render.alike.unwrap_or(usual) };
-    let verdicts = select::choose(&names, &measures, &settings);
-    let keeps = |verdict: &select::Verdict| verdict.kept || render.keep_all;
+    let imported: Vec<&Imported> = photos.iter().map(|(_, photo)| photo).collect();
+    let choice = Choice { alike: render.alike, keep_all: render.keep_all, as_given: render.as_given };
+    let (used, verdicts) = storyboard::chosen(&names, &imported, choice);
     let left: Vec<(&str, &str)> = names
         .iter()
         .zip(&verdicts)
-        .filter(|(_, verdict)| !keeps(verdict))
+        .filter(|(_, verdict)| !verdict.kept)
         .map(|(name, verdict)| (*name, verdict.why.as_str()))
         .collect();
     if left.len() > FEW {
@@ -522,15 +522,6 @@ fn used_photos(render: &Planned, photos: &[(PathBuf, Imported)]) -> Vec<PhotoMet
         for (name, why) in &left {
             telling::note(Some(name), &format!("left out: {why}"));
         }
-    }
-    let mut used: Vec<PhotoMeta> = photos
-        .iter()
-        .zip(&verdicts)
-        .filter(|(_, verdict)| keeps(verdict))
-        .map(|(p, _)| p.1.meta.clone())
-        .collect();
-    if !render.as_given && used.iter().all(|meta| meta.taken.is_some()) {
-        used.sort_by(|a, b| a.taken.cmp(&b.taken));
     }
     used
 }

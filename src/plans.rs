@@ -7,11 +7,10 @@ use inkpanel::framing::{Crop, PhotoMeta};
 use inkpanel::layout::{self, Bounds, Point, ResolvedPanel, ResolvedShape, polygon};
 use inkpanel::page::Document;
 use inkpanel::page::import::Imported;
-use inkpanel::page::request::{Avoid, Request};
-use inkpanel::page::shuffle::{Planned, planned};
+use inkpanel::page::shuffle::Planned;
 use inkpanel::plan::composer::{gallery, judge};
 use inkpanel::plan::slots::slot;
-use inkpanel::plan::{Assignment, Candidate, Score, Shelf, layouts, spread};
+use inkpanel::plan::{Assignment, Candidate, Score, Shelf, layouts};
 use serde_json::{Map, Value, json};
 use std::collections::HashSet;
 use std::path::{Path, PathBuf};
@@ -21,35 +20,6 @@ const CORNERS: usize = 64;
 /// Most panels and pages that a plan may have.
 const MOST_PANELS: usize = 200;
 const MOST_PAGES: usize = 1000;
-/// Photos beyond which a page of a storyboard does not show all of its own.
-const MOST_OF_A_PAGE: usize = 9;
-
-/// Pages of an album: one from all photos, or several from their stretches, cut where time or scene changes, in one style.
-pub(crate) fn pages(request: &Request, count: Option<usize>) -> Result<Vec<Planned>, Complaint> {
-    let Some(count) = count else {
-        return planned(request, &Shelf::new(request.photos.len()))
-            .map(|page| vec![page])
-            .map_err(|error| error.to_string());
-    };
-    let mut made: Vec<Planned> = Vec::new();
-    let mut rest = &request.photos[..];
-    for (number, size) in spread::into_pages(&request.photos, count).into_iter().enumerate() {
-        let (own, later) = rest.split_at(size.min(rest.len()));
-        rest = later;
-        let shown = made.iter().rev().take(2).filter_map(|page| page.document.layout.as_str());
-        let wanted = Request {
-            seed: request.seed.wrapping_add(number as u32),
-            photos: own.to_vec(),
-            // Each photo once, as far as a page can hold them.
-            panels: request.panels.or(Some(size).filter(|size| *size <= MOST_OF_A_PAGE)),
-            style: made.first().map(|page| page.document.style.clone()).or_else(|| request.style.clone()),
-            avoid: Avoid { layouts: shown.map(str::to_owned).collect(), styles: Vec::new() },
-            ..request.clone()
-        };
-        made.push(planned(&wanted, &Shelf::new(size)).map_err(|error| error.to_string())?);
-    }
-    Ok(made)
-}
 
 /// The plan as JSON, see the contract in the README.
 pub(crate) fn told(pages: &[Planned], photos: &[(PathBuf, Imported)]) -> Result<Value, Complaint> {

@@ -9,7 +9,7 @@ use std::path::{Component, Path, PathBuf};
 const TOPS: [&str; 2] = ["pixels/src", "src"];
 
 /// The rooms, from the lowest on. Containers and the kernels on their rows are one: each is written in terms of the other.
-const ROOMS: [&[&str]; 13] = [
+const ROOMS: [&[&str]; 14] = [
     &["error"],
     &["order"],
     &["raster", "simd"],
@@ -23,6 +23,7 @@ const ROOMS: [&[&str]; 13] = [
     &["page"],
     &["output"],
     &["document"],
+    &["native"],
 ];
 
 fn root() -> &'static Path {

@@ -11,6 +11,7 @@ mod generate;
 pub mod join;
 mod json;
 pub mod merge;
+mod paper;
 mod parse;
 pub mod polygon;
 mod resolve;
@@ -22,6 +23,7 @@ mod write;
 pub use aesthetics::score;
 pub use catalogue::{catalogue, find, good_for};
 pub use generate::generate;
+pub use paper::PaperSize;
 pub use polygon::{Bounds, Point};
 pub use resolve::{ResolvedPanel, ResolvedShape, resolve};
 pub use settings::{

@@ -237,6 +237,12 @@ impl Sheet {
         &self.rgb
     }
 
+    /// The same, without the sheet.
+    #[must_use]
+    pub fn into_rgb(self) -> Vec<u8> {
+        self.rgb
+    }
+
     /// Interleaved RGBA with an alpha of 255.
     #[must_use]
     pub fn to_rgba(&self) -> Vec<u8> {

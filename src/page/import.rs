@@ -84,6 +84,18 @@ pub fn import(id: &str, bytes: &[u8], limits: &Limits) -> Result<Imported> {
     Ok(described(id, decoded.image, facts))
 }
 
+/// Reduces and measures pixels that come from no file, upright and in sRGB.
+///
+/// # Errors
+/// `too-large` beyond `limits`.
+pub fn import_image(id: &str, image: &Image, limits: &Limits) -> Result<Imported> {
+    let size = (image.width() as u32, image.height() as u32);
+    limits.check(size.0, size.1, "image")?;
+    let longest = image.width().max(image.height());
+    let work = if longest > WORK_SIDE { reduced(image, WORK_SIDE) } else { image.clone() };
+    Ok(described(id, work, Facts { size, format: "pixels", taken: None }))
+}
+
 /// A frame of a video as a decoder gives it.
 #[derive(Debug, Clone, Copy)]
 pub struct Frame<'a> {

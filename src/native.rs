@@ -1,0 +1,85 @@
+//! Pages drawn outside of the browser, by all cores of a machine: what the command line and the Python package share.
+
+use crate::error::Result;
+use crate::framing::Subject;
+use crate::output::describing::described;
+use crate::page::pdf::{Leaf, picture};
+use crate::page::plates::Separation;
+use crate::page::words::{Letters, draw as word_drawing};
+use crate::page::{Document, Patch, Scene, compose};
+use crate::raster::Image;
+use crate::style::Context;
+use rayon::prelude::*;
+use std::collections::{BTreeSet, HashMap};
+
+/// Of JPEG files and of the pictures in PDF files.
+pub const QUALITY: u8 = 90;
+
+/// Photos at their full size, by their ids.
+pub type Photos = HashMap<String, Image>;
+
+/// The ids of the photos that a page shows.
+///
+/// # Errors
+/// As [`Scene::new`].
+pub fn photos_of(document: &Document) -> Result<BTreeSet<String>> {
+    let scene = Scene::new(document, document.page.width as usize)?;
+    Ok(scene.panels.into_iter().filter_map(|panel| panel.photo).collect())
+}
+
+/// The whole page at its own size with its words. A panel whose photo is not there stays empty.
+///
+/// # Errors
+/// As [`Scene::new`]; those of a style that does not fit; `invalid-document` for words that break their shape.
+pub fn sheet(document: &Document, photos: &Photos) -> Result<compose::Sheet> {
+    let mut sheet = compose::Sheet::new(&Scene::new(document, document.page.width as usize)?);
+    for patch in patches(document, photos)? {
+        sheet.lay(patch.area, &patch.rgba)?;
+    }
+    word_drawing::lay_words(&mut sheet, document, &Letters::bundled()?)?;
+    Ok(sheet)
+}
+
+/// The page as a PDF file holds it, with what its panels show told for who does not see them; `plate` is the ink that it is
+/// printed with.
+///
+/// # Errors
+/// As [`sheet`]; `encode`.
+pub fn leaf(
+    document: &Document,
+    photos: &Photos,
+    alts: Vec<String>,
+    plate: Option<(&Separation, usize)>,
+) -> Result<Leaf> {
+    let scene = Scene::new(document, document.page.width as usize)?;
+    let patches = patches(&picture::bare(document), photos)?;
+    let pictures = patches
+        .par_iter()
+        .enumerate()
+        .filter(|(index, _)| scene.panels[*index].photo.is_some())
+        .map(|(index, patch)| picture::cut(document, (index, patch.area, &patch.rgba), QUALITY, plate))
+        .collect::<Result<Vec<_>>>()?;
+    Ok(Leaf { document: document.clone(), pictures, alts })
+}
+
+/// What each panel of a page shows, as far as it was found: `Panel 2 of 6: a person and a dog`. `subjects` knows what is in a
+/// photo.
+pub fn alts<'s>(document: &Document, subjects: &dyn Fn(&str) -> &'s [Subject]) -> Vec<String> {
+    let shows = described(document, subjects);
+    let count = document.panels.len();
+    let alt = |i: usize| {
+        let what = shows.get(i).filter(|what| !what.is_empty()).map_or("a photo", String::as_str);
+        format!("Panel {} of {count}: {what}", i + 1)
+    };
+    (0..count).map(alt).collect()
+}
+
+/// The panels of a document in their order.
+fn patches(document: &Document, photos: &Photos) -> Result<Vec<Patch>> {
+    let scene = Scene::new(document, document.page.width as usize)?;
+    let render = |index: usize| {
+        let photo = scene.panels[index].photo.as_deref().and_then(|id| photos.get(id));
+        compose::render_panel(&scene, index, photo, &mut Context::default())
+    };
+    (0..scene.panels.len()).into_par_iter().map(render).collect()
+}

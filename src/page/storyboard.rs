@@ -1,0 +1,70 @@
+//! Pages of an album: which of its photos are worth a page, and how many pages they become.
+
+use super::import::Imported;
+use super::request::{Avoid, Request};
+use super::shuffle::{Planned, planned};
+use crate::error::Result;
+use crate::framing::PhotoMeta;
+use crate::plan::{Shelf, spread};
+use crate::select::{self, Measures, Verdict};
+
+/// Photos beyond which a page of a storyboard does not show all of its own.
+const MOST_OF_A_PAGE: usize = 9;
+
+/// Which photos are taken, and in which order.
+#[derive(Debug, Clone, Copy, Default)]
+pub struct Choice {
+    /// Photos whose fingerprints differ in at most so many of 64 bits show the same picture; as usual where nothing is said.
+    pub alike: Option<u32>,
+    /// Whether those that look alike and those that are blurred are taken, too.
+    pub keep_all: bool,
+    /// Whether the order stays that in which they are given, whatever they say of when they were taken.
+    pub as_given: bool,
+}
+
+/// The photos that pages are made of, in their order, and the verdict on each that was given. `names` are what the verdicts
+/// call them.
+#[must_use]
+pub fn chosen(names: &[&str], photos: &[&Imported], choice: Choice) -> (Vec<PhotoMeta>, Vec<Verdict>) {
+    let measures: Vec<Measures> = photos.iter().map(|photo| photo.measures.clone()).collect();
+    let usual = select::Settings::default().threshold;
+    let settings = select::Settings { threshold: choice.alike.unwrap_or(usual) };
+    let mut verdicts = select::choose(names, &measures, &settings);
+    for verdict in &mut verdicts {
+        verdict.kept |= choice.keep_all;
+    }
+    let kept = photos.iter().zip(&verdicts).filter(|(_, verdict)| verdict.kept);
+    let mut used: Vec<PhotoMeta> = kept.map(|(photo, _)| photo.meta.clone()).collect();
+    if !choice.as_given && used.iter().all(|meta| meta.taken.is_some()) {
+        used.sort_by(|a, b| a.taken.cmp(&b.taken));
+    }
+    (used, verdicts)
+}
+
+/// Pages of an album: one from all photos, or several from their stretches, cut where time or scene changes, in one style.
+///
+/// # Errors
+/// As [`planned`].
+pub fn pages(request: &Request, count: Option<usize>) -> Result<Vec<Planned>> {
+    let Some(count) = count else {
+        return planned(request, &Shelf::new(request.photos.len())).map(|page| vec![page]);
+    };
+    let mut made: Vec<Planned> = Vec::new();
+    let mut rest = &request.photos[..];
+    for (number, size) in spread::into_pages(&request.photos, count).into_iter().enumerate() {
+        let (own, later) = rest.split_at(size.min(rest.len()));
+        rest = later;
+        let shown = made.iter().rev().take(2).filter_map(|page| page.document.layout.as_str());
+        let wanted = Request {
+            seed: request.seed.wrapping_add(number as u32),
+            photos: own.to_vec(),
+            // Each photo once, as far as a page can hold them.
+            panels: request.panels.or(Some(size).filter(|size| *size <= MOST_OF_A_PAGE)),
+            style: made.first().map(|page| page.document.style.clone()).or_else(|| request.style.clone()),
+            avoid: Avoid { layouts: shown.map(str::to_owned).collect(), styles: Vec::new() },
+            ..request.clone()
+        };
+        made.push(planned(&wanted, &Shelf::new(size))?);
+    }
+    Ok(made)
+}

@@ -1,0 +1,103 @@
+//! `cargo xtask wheel`: the Python package, built by maturin and tested where nothing else is installed.
+
+use std::fs;
+use std::path::{Path, PathBuf};
+
+use anyhow::{Context, Result, bail};
+
+use crate::project::Project;
+use crate::{models, python, test::ENGINE, tools};
+
+/// What the wheel has of `www/models`.
+const MODELS: [&str; 3] = ["faces.onnx", "objects.onnx", "README.md"];
+
+/// Builds the wheel into `target/wheels` and tests it; `with_ray` also on a cluster of this machine.
+///
+/// # Errors
+/// When Python is missing or too old, something cannot be fetched or built, or a test fails.
+pub(crate) fn run(project: &Project, with_ray: bool) -> Result<()> {
+    python::check()?;
+    models::make(project)?;
+    let package = project.root.join("python");
+    copy_models(project, &package)?;
+    lint(project, &package)?;
+    let wheel = build(project, &package)?;
+    println!("made {}", wheel.display());
+    test(project, &package, (&wheel, with_ray))
+}
+
+/// The program that the wheel has to draw the same pixels as, as the suite `rust` builds it: an example has cargo choose the
+/// features that tests have, too.
+fn command_line(project: &Project) -> Result<PathBuf> {
+    let mut cargo = project.cargo();
+    cargo.arg("build").args(ENGINE).args(["--quiet", "--bin", "inkpanel", "--example", "stage_raster"]);
+    tools::run(&mut cargo)?;
+    Ok(project.target.join("debug").join(format!("inkpanel{}", std::env::consts::EXE_SUFFIX)))
+}
+
+/// Cargo's target folder for the package, which is a workspace of its own, and its environments.
+fn folder(project: &Project) -> PathBuf {
+    project.target.join("wheel")
+}
+
+fn copy_models(project: &Project, package: &Path) -> Result<()> {
+    let folder = package.join("inkpanel/models");
+    fs::create_dir_all(&folder)?;
+    for file in MODELS {
+        let from = project.www().join("models").join(file);
+        fs::copy(&from, folder.join(file)).with_context(|| format!("cannot copy {}", from.display()))?;
+    }
+    Ok(())
+}
+
+/// What the suites `format` and `lint` do for the others, with the profile of the wheel: libraries are built once.
+fn lint(project: &Project, package: &Path) -> Result<()> {
+    let manifest = package.join("Cargo.toml");
+    tools::run(project.cargo().arg("fmt").arg("--manifest-path").arg(&manifest).arg("--check"))?;
+    let mut clippy = project.cargo();
+    clippy.args(["clippy", "--release", "--locked", "--manifest-path"]).arg(&manifest);
+    tools::run(clippy.arg("--target-dir").arg(folder(project)).args(["--", "-D", "warnings"]))
+}
+
+fn build(project: &Project, package: &Path) -> Result<PathBuf> {
+    let wheels = project.target.join("wheels");
+    if wheels.exists() {
+        fs::remove_dir_all(&wheels)?;
+    }
+    let needs = package.join("requirements/build.txt");
+    let interpreter = python::environment(&folder(project).join("build"), &[&needs])?;
+    let mut maturin = std::process::Command::new(&interpreter);
+    maturin.args(["-m", "maturin", "build", "--release", "--locked", "--out"]).arg(&wheels);
+    maturin.arg("--target-dir").arg(folder(project)).arg("--interpreter").arg(&interpreter);
+    tools::run(maturin.current_dir(package))?;
+    let mut made = fs::read_dir(&wheels)?.map(|entry| Ok(entry?.path())).collect::<Result<Vec<_>>>()?;
+    made.retain(|file| file.extension().is_some_and(|ending| ending == "whl"));
+    match (made.pop(), made.is_empty()) {
+        (Some(wheel), true) => Ok(wheel),
+        _ => bail!("maturin made no wheel in {}, or several", wheels.display()),
+    }
+}
+
+fn test(project: &Project, package: &Path, (wheel, with_ray): (&Path, bool)) -> Result<()> {
+    // Nothing of an earlier wheel may be there.
+    let clean = folder(project).join("clean");
+    if clean.exists() {
+        fs::remove_dir_all(&clean)?;
+    }
+    let mut needs = vec![package.join("requirements/test.txt")];
+    if with_ray {
+        needs.push(package.join("requirements/ray.txt"));
+    }
+    let needs: Vec<&Path> = needs.iter().map(PathBuf::as_path).collect();
+    let interpreter = python::environment(&clean, &needs)?;
+    python::install(&interpreter, |pip| pip.args(["--no-index", "--no-deps"]).arg(wheel))?;
+    let mut pytest = std::process::Command::new(&interpreter);
+    pytest.env("INKPANEL", command_line(project)?);
+    // From the top folder: in its own the package would be found as it stands there.
+    pytest.args(["-m", "pytest", "--quiet", "-p", "no:cacheprovider", "--config-file"]);
+    pytest.arg(package.join("pyproject.toml")).arg(package.join("tests"));
+    if !with_ray {
+        pytest.args(["-m", "not ray"]);
+    }
+    tools::run(pytest.current_dir(&project.root).env("PYTHONDONTWRITEBYTECODE", "1"))
+}
