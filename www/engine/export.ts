@@ -131,7 +131,11 @@ export function createExports({ run, photos, words, files }: Parts) {
   /** The panels of a page as a PDF file has them: borders are lines of the file, so they are drawn without. */
   function pictures(
     document: PageDocument,
-    { signal, step, ...wish }: { quality: number; inks: readonly Rgb[]; signal: AbortSignal; step: (count: number) => void },
+    {
+      signal,
+      step,
+      ...wish
+    }: { quality: number; inks: readonly Rgb[]; signal: AbortSignal; step: (count: number) => void },
   ): Promise<Picture[]> {
     const bare = { ...document, page: { ...document.page, border: 0 } };
     return byPhoto(bare, withPhoto(bare), signal, async (patches) => {
