@@ -1173,8 +1173,10 @@ export type PdfOptions = {
    * what is on them.
    */
   paper?: [number, number] | null,
-  /** The ink whose plate this is, by its place among those of the style; none is for all colours. */
+  /** The ink whose plate this is, by its place in `inks`; none is for all colours. */
   plate?: number | null,
+  /** The colours on white paper of the inks of plates, the strongest last. */
+  inks?: ReadonlyArray<[number, number, number]>,
 };
 
 /** How pages share sheets. */
