@@ -77,6 +77,9 @@ batch_ray.main()
 def batch(albums, pages, *more, script=SCRIPT):
     """Runs the script, and gives its figures."""
     options = ["--style", "comic", "--page-size", "a6", "--dpi", "150", "--workers", "2", "--no-detect", *more]
+    # Ray has a word of its own on standard output.
+    report = pages.parent / "report.json"
+    options += ["--report", str(report)]
     done = subprocess.run(
         [sys.executable, script, albums, pages, *options],
         capture_output=True,
@@ -86,7 +89,7 @@ def batch(albums, pages, *more, script=SCRIPT):
         env={**os.environ, "PYTHONPATH": str(SCRIPT.parent)},
     )
     assert done.returncode == 0, done.stderr[-4000:]
-    return json.loads(done.stdout[done.stdout.index("{") :])
+    return json.loads(report.read_text())
 
 
 def errors(pages):
