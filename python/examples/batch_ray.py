@@ -110,8 +110,8 @@ def arguments():
     return parser.parse_args()
 
 
-def drawn(folders, given):
-    """The rows of all albums as they come. No more than two batches wait for a worker, and no pixel travels."""
+def joined(workers):
+    """Joins the cluster, or starts one on this machine."""
     import ray
 
     # One thread a worker: as many workers as cores share nothing, and none waits for another.
@@ -119,7 +119,14 @@ def drawn(folders, given):
     if os.environ.get("RAY_ADDRESS"):
         ray.init(runtime_env=environment)
     else:
-        ray.init(num_cpus=given.workers, runtime_env=environment, include_dashboard=False, log_to_driver=False)
+        ray.init(num_cpus=workers, runtime_env=environment, include_dashboard=False, log_to_driver=False)
+
+
+def drawn(folders, given, batch, waiting):
+    """The rows of all albums as they come. A worker is given so many albums in a batch, and so many batches at once; no pixel
+    travels."""
+    import ray
+
     context = ray.data.DataContext.get_current()
     # A batch whose worker died again and again is told as lost, and the rest goes on.
     context.max_errored_blocks = -1
@@ -128,18 +135,18 @@ def drawn(folders, given):
         "style": given.style, "layout": given.layout, "page_size": given.page_size, "dpi": given.dpi,
         "seed": given.seed, "detect": not given.no_detect,
     }  # fmt: skip
-    blocks = -(-len(folders) // given.batch)
+    blocks = -(-len(folders) // batch)
     table = ray.data.from_items([{"folder": str(folder)} for folder in folders], override_num_blocks=blocks)
     done = table.map_batches(
         Draw,
         fn_constructor_args=(settings, f".{given.format}", str(given.pages), given.leave_out, given.retries),
-        batch_size=given.batch,
+        batch_size=batch,
         num_cpus=1,
-        compute=ray.data.ActorPoolStrategy(size=given.workers, max_tasks_in_flight_per_actor=2),
-        max_restarts=-1,
+        compute=ray.data.ActorPoolStrategy(size=given.workers, max_tasks_in_flight_per_actor=waiting),
+        # Without it an album that kills its worker would kill the next one for ever.
         max_task_retries=given.retries,
     )
-    yield from done.iter_rows()
+    return list(done.iter_rows())
 
 
 def main():
@@ -149,12 +156,22 @@ def main():
     albums = sorted(folder for folder in given.albums.iterdir() if folder.is_dir())
     there = {file.stem for file in given.pages.glob(f"*.{given.format}")}
     folders = [folder for folder in albums if folder.name not in there]
-    start, rows = time.time(), list(drawn(folders, given)) if folders else []
+    start, rows = time.time(), []
+
+    def missing():
+        told = {row["album"] for row in rows}
+        return [folder for folder in folders if folder.name not in told]
+
+    if folders:
+        joined(given.workers)
+        rows += drawn(folders, given, given.batch, waiting=2)
+    # A worker that dies takes albums with it that are innocent: those have another chance, each by itself.
+    if missing():
+        rows += drawn(missing(), given, 1, waiting=1)
     made = [row for row in rows if not row["code"]]
     errors = [row for row in rows if row["code"]]
-    told = {row["album"] for row in rows}
-    lost = [folder.name for folder in folders if folder.name not in told]
-    errors += [{"album": name, "file": "", "code": "lost", "message": "its worker died"} for name in lost]
+    for folder in missing():
+        errors.append({"album": folder.name, "file": "", "code": "lost", "message": "its worker died"})
     table = "".join(json.dumps({key: row[key] for key in ("album", "file", "code", "message")}) + "\n" for row in errors)
     written(given.pages / "errors.jsonl", table.encode())
     # The start of the cluster and of its workers is told apart.

@@ -55,14 +55,41 @@ def albums(tmp_path_factory):
     return top
 
 
-def batch(albums, pages, *more):
+# The example with an album that ends the process as a fault of a decoder would.
+POISONED = """
+import os
+
+import batch_ray
+
+
+class Poisoned(batch_ray.Draw):
+    def page(self, folder, photos):
+        if folder.name == "album-003":
+            os._exit(1)
+        return super().page(folder, photos)
+
+
+batch_ray.Draw = Poisoned
+batch_ray.main()
+"""
+
+
+def batch(albums, pages, *more, script=SCRIPT):
     """Runs the script, and gives its figures."""
     options = ["--style", "comic", "--page-size", "a6", "--dpi", "150", "--workers", "2", "--no-detect", *more]
+    # Ray has a word of its own on standard output.
+    report = pages.parent / "report.json"
+    options += ["--report", str(report)]
     done = subprocess.run(
-        [sys.executable, SCRIPT, albums, pages, *options], capture_output=True, text=True, timeout=900, cwd=pages.parent
+        [sys.executable, script, albums, pages, *options],
+        capture_output=True,
+        text=True,
+        timeout=900,
+        cwd=pages.parent,
+        env={**os.environ, "PYTHONPATH": str(SCRIPT.parent)},
     )
     assert done.returncode == 0, done.stderr[-4000:]
-    return json.loads(done.stdout[done.stdout.index("{") :])
+    return json.loads(report.read_text())
 
 
 def errors(pages):
@@ -103,6 +130,17 @@ def test_photos_that_are_broken_can_be_left_out(albums, tmp_path):
     assert {row["code"] for row in errors(pages)} == {"damaged", "unknown-format", "too-large", "no-photos"}
     with Image.open(pages / "album-003.png") as page:
         assert page.size == (620, 874)
+
+
+def test_an_album_that_kills_its_worker_is_lost_alone(albums, tmp_path):
+    some, pages, script = tmp_path / "some", tmp_path / "pages", tmp_path / "poisoned.py"
+    some.mkdir()
+    for number in range(6):
+        (some / f"album-{number:03}").symlink_to(albums / f"album-{number:03}")
+    script.write_text(POISONED)
+    report = batch(some, pages, "--batch", "2", "--retries", "1", script=script)
+    assert (report["pages"], report["errors"]) == (5, 1)
+    assert [(row["album"], row["code"]) for row in errors(pages)] == [("album-003", "lost")]
 
 
 def test_ten_lines_of_dask_do_the_same(albums, tmp_path):
