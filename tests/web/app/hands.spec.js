@@ -97,6 +97,13 @@ test.describe('a finger on a slider', () => {
     const before = await slider.inputValue();
     /** @returns {Promise<[number, number]>} a place on it that is not where it stands */
     const place = async () => {
+      // The drawer slides in, and a scroll runs out by itself: until the slider stands still.
+      let [y, last] = [0, -1];
+      while (y !== last) {
+        last = y;
+        await page.waitForTimeout(150);
+        y = (await slider.boundingBox())?.y ?? 0;
+      }
       const box = await slider.boundingBox();
       return box ? [box.x + box.width * 0.8, box.y + box.height / 2] : [0, 0];
     };
