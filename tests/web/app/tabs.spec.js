@@ -67,6 +67,7 @@ test('a word that is chosen on the page brings its fields', async ({ page }) => 
   await openBoard(page);
   await tab(page, 'Words');
   await page.getByRole('button', { name: 'Add caption' }).click();
+  await expect(page.getByRole('textbox', { name: /^Text of/ })).toBeFocused();
   await page.keyboard.type('MORNING');
   await page.keyboard.press('Enter');
   await page.keyboard.press('Escape');
