@@ -9,7 +9,7 @@ import type { BitmapPatch } from '../engine/protocol.ts';
 
 type Sheet = { document: PageDocument; width: number; keys: string[] };
 
-/** Pictures kept: those of a few pages. */
+/** Pictures kept: those of a few pages, and all of the one that is shown. */
 const MOST = 80;
 
 export function createWordPainter(
@@ -62,7 +62,7 @@ export function createWordPainter(
       .then(
         (patch) => {
           kept.set(key, patch);
-          for (const old of [...kept.keys()].slice(0, Math.max(0, kept.size - MOST))) kept.delete(old);
+          forget();
         },
         (error) => {
           failed.add(key);
@@ -74,6 +74,15 @@ export function createWordPainter(
         request(index);
         paint();
       });
+  }
+
+  /** The oldest pictures go, but none of the page that is shown: nobody would ask for it again. */
+  function forget() {
+    const own = new Set(sheet?.keys);
+    for (const old of [...kept.keys()]) {
+      if (kept.size <= MOST) return;
+      if (!own.has(old)) kept.delete(old);
+    }
   }
 
   function paint() {
