@@ -1,5 +1,6 @@
 //! Embeds the designed styles: every file of `styles/` becomes a (name, text) pair of a table in `OUT_DIR`, which
-//! `style/catalogue.rs` includes.
+//! `style/catalogue.rs` includes. As `build.rs` at the top does with the layouts: a file that both scripts include would be in the
+//! package of neither.
 
 use std::fmt::Write as _;
 use std::path::{Path, PathBuf};

@@ -334,15 +334,10 @@ fn solve(columns: usize, rows: usize, across: &[f32], down: &[f32]) -> Vec<f32> 
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::style::blocks::tried;
 
     fn engraved(plane: Plane, change: &[(usize, f32)]) -> Plane {
-        let mut context = Context::default();
-        context.set_scale(1.0);
-        let mut values: Vec<f32> = BLOCK.params.iter().map(|param| param.kind.default()).collect();
-        for &(i, value) in change {
-            values[i] = value;
-        }
-        run(Args::new(&values, 1.0), plane, &mut context).unwrap()
+        tried(&BLOCK, change, |args, context| run(args, plane, context))
     }
 
     #[test]

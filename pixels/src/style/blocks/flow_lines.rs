@@ -229,6 +229,7 @@ fn long_pieces(plane: &Plane, (width, height): (usize, usize), shortest: usize) 
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::style::blocks::tried;
 
     #[test]
     fn short_pieces_go_whole_and_long_ones_stay_as_they_were() {
@@ -258,10 +259,7 @@ mod tests {
             let dashed = (58..61).contains(&y) && x % 12 < 9;
             if dashed { 60 } else { (190 + random.rand_range(0..30)) as u8 }
         });
-        let mut context = Context::default();
-        context.set_scale(1.0);
-        let values: Vec<f32> = BLOCK.params.iter().map(|param| param.kind.default()).collect();
-        let out = run(Args::new(&values, 1.0), plane, &mut context).unwrap();
+        let out = tried(&BLOCK, &[], |args, context| run(args, plane, context));
         let dark = |x: usize| (55..64).any(|y| out.at(x, y) < 128);
         assert!((20..180).all(dark));
         assert!((0..200).all(|x| (0..40).all(|y| out.at(x, y) > 200)));

@@ -158,12 +158,10 @@ fn spread_of(luma: &Plane, sigma: f32, margin: usize, spreads: &[i16], context: 
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::style::blocks::tried;
 
     fn painted(image: Image) -> Image {
-        let mut context = Context::default();
-        context.set_scale(1.0);
-        let values: Vec<f32> = BLOCK.params.iter().map(|param| param.kind.default()).collect();
-        run(Args::new(&values, 1.0), image, &mut context).unwrap()
+        tried(&BLOCK, &[], |args, context| run(args, image, context))
     }
 
     #[test]

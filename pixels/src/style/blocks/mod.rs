@@ -173,3 +173,21 @@ impl ColorOp {
         }
     }
 }
+
+/// What a block makes in a test, at the scale of a 1920 x 1080 picture: its parameters at their defaults but for those of `change`, each
+/// by its place and value.
+#[cfg(test)]
+pub(in crate::style) fn tried<T>(
+    block: &Block,
+    change: &[(usize, f32)],
+    run: impl FnOnce(Args, &mut Context) -> Result<T>,
+) -> T {
+    let mut context = Context::default();
+    context.set_scale(1.0);
+    let mut values: Vec<f32> = block.params.iter().map(|param| param.kind.default()).collect();
+    for &(i, value) in change {
+        values[i] = value;
+    }
+    #[allow(clippy::unwrap_used, reason = "a test may stop at the first thing that is not as expected")]
+    run(Args::new(&values, 1.0), &mut context).unwrap()
+}

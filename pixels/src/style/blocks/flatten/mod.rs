@@ -139,17 +139,12 @@ fn halved(image: &Image) -> Image {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::style::blocks::tried;
     use crate::style::params::colour_value;
     use std::collections::BTreeSet;
 
     fn flattened(image: Image, change: &[(usize, f32)]) -> Image {
-        let mut context = Context::default();
-        context.set_scale(1.0);
-        let mut values: Vec<f32> = BLOCK.params.iter().map(|param| param.kind.default()).collect();
-        for &(i, value) in change {
-            values[i] = value;
-        }
-        run(Args::new(&values, 1.0), image, &mut context).unwrap()
+        tried(&BLOCK, change, |args, context| run(args, image, context))
     }
 
     #[test]
