@@ -13,7 +13,6 @@ pub mod document_reading;
 pub mod drafting;
 pub mod editing;
 mod frames;
-pub mod imitate;
 pub mod layouts;
 pub mod planning;
 pub mod style;
@@ -153,8 +152,6 @@ pub struct Studio {
     sheet: Option<(Sheet, u32)>,
     file: Vec<u8>,
     designs: style::Designs,
-    /// The photo of the last trial, as trials see it.
-    seen: Option<(String, crate::style::imitate::Seen)>,
 }
 
 #[wasm_bindgen]
@@ -186,7 +183,7 @@ impl Studio {
         height: usize,
         planes: &[u8],
     ) -> std::result::Result<(), JsValue> {
-        let image = image_of_planes(width, height, planes).map_err(thrown)?;
+        let image = Image::from_rgb_planes(width, height, planes).map_err(thrown)?;
         self.photos.insert(key.to_owned(), image);
         Ok(())
     }
@@ -206,7 +203,6 @@ impl Studio {
 
     /// Lets a photo go.
     pub fn drop_photo(&mut self, key: &str) {
-        self.seen = None;
         self.photos.remove(key);
     }
 
@@ -348,16 +344,6 @@ fn find<'p>(photos: &'p HashMap<String, Image>, id: &str, tier: &str) -> Result<
 #[inline(never)]
 fn style_of(json: &str) -> Result<Style> {
     Ok(document::style_of(&parse(json, "style")?)?.into_owned())
-}
-
-fn image_of_planes(width: usize, height: usize, planes: &[u8]) -> Result<Image> {
-    let count = width.saturating_mul(height);
-    let expected = count.saturating_mul(3);
-    if count == 0 || planes.len() != expected {
-        return Err(Error::BufferSize { width, height, expected, actual: planes.len() });
-    }
-    let plane = |i: usize| Plane::from_samples(width, height, planes[i * count..(i + 1) * count].to_vec());
-    Image::from_rgb([plane(0)?, plane(1)?, plane(2)?])
 }
 
 fn parse<T: for<'a> Deserialize<'a>>(json: &str, location: &str) -> Result<T> {

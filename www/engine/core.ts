@@ -5,7 +5,7 @@
 import initCore, * as core from '../pkg/inkpanel.js';
 import { expanded, interned } from './interned.ts';
 import { failure } from './protocol.ts';
-import type { Program, Trial } from './protocol.ts';
+import type { Program } from './protocol.ts';
 import type {
   Block,
   BreedRequest,
@@ -136,23 +136,6 @@ export function createPlanner() {
      * @returns a child of both
      */
     breedStyle: (request: BreedRequest): Style => JSON.parse(core.breed_style(JSON.stringify(request))),
-    /**
-     * A search for styles that look like a picture; to be freed.
-     * @param look of the picture, as a worker read it
-     */
-    imitation: (look: string, seed: number) => {
-      const search = new core.Imitation(look, seed);
-      return {
-        /** @returns the next trials; none when it is done */
-        ask: (): Trial[] => JSON.parse(search.ask()),
-        /** @param trials what came of them, in their order */
-        tell: (trials: readonly (string | null)[]) => search.tell(`[${trials.map((one) => one ?? 'null').join()}]`),
-        /** How far it is, 0 to 1. */
-        progress: () => search.progress(),
-        proposals: (): Style[] => JSON.parse(search.proposals()),
-        free: () => search.free(),
-      };
-    },
     /** @returns a draft that has no block */
     emptyDraft: (id: string, name: string): Draft => JSON.parse(core.empty_draft(id, name)),
     draftOf: (style: Style): Draft => JSON.parse(core.draft_of(JSON.stringify(style))),

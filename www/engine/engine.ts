@@ -95,7 +95,7 @@ export function createEngine({
     photos,
     lettering: words.lettering,
     ...renders,
-    ...createImitating({ run, photos, ready }),
+    ...createImitating({ run, photos }),
     judges: aesthetics.judges,
     judgeStyle: aesthetics.judgeStyle,
     drawDesign: design.draw,

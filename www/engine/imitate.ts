@@ -4,8 +4,8 @@
  */
 
 import { Priority } from './queue.ts';
+import { beginSearch } from './imitation-module.ts';
 import { failure } from './protocol.ts';
-import type { Planner } from './core.ts';
 import type { Call } from './engine.ts';
 import type { createPhotos } from './photos.ts';
 import type { Run } from './pool.ts';
@@ -14,15 +14,7 @@ import type { Style } from './types.ts';
 /** Trials in a call of a worker, some tens of milliseconds: it is soon free for what is waited for, and stops as soon. */
 const PARCEL = 4;
 
-export function createImitating({
-  run,
-  photos,
-  ready,
-}: {
-  run: Run;
-  photos: ReturnType<typeof createPhotos>;
-  ready: Promise<Planner>;
-}) {
+export function createImitating({ run, photos }: { run: Run; photos: ReturnType<typeof createPhotos> }) {
   return { readLook, imitate };
 
   /**
@@ -47,7 +39,7 @@ export function createImitating({
     { seed, onProgress, signal, ...call }: Call & { seed: number; onProgress: (done: number) => void },
   ): Promise<Style[]> {
     const [photo] = photos.handles([id], 'work');
-    const search = (await ready).imitation(look, seed);
+    const search = await beginSearch(look, seed);
     const job = { photo: photos.names([id]), holds: [photo.key], priority: Priority.VIEW, signal, ...call };
     try {
       for (;;) {

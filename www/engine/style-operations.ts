@@ -1,7 +1,10 @@
 /** What a worker does with styles in the making: draws a design step by step, and tries out many at once. */
 
 import { FOREGROUND } from './design.ts';
+import { imitating } from './imitation-module.ts';
 import { blocksMs, styleMs } from './measured.ts';
+import { LOADING } from './serving.ts';
+import type { Sitter } from '../pkg-imitation/inkpanel.js';
 import type { Patch, Studio } from '../pkg/inkpanel.js';
 import type { Designed } from './design.ts';
 import type { BitmapPatch, Explored, Operations, PhotoHandle } from './protocol.ts';
@@ -19,6 +22,7 @@ export function createStyleOperations({
 }) {
   /** How long each block took when it ran last, by photo and size. */
   const clocks: Map<string, Map<number, number>> = new Map();
+  let sitting: { key: string; sitter: Sitter } | null = null;
 
   return { design, explore, readLook, tryLooks };
 
@@ -63,11 +67,28 @@ export function createStyleOperations({
     }
   }
 
-  /** What a picture looks like, as text that only the core reads. */
+  /** What a picture looks like, as text that only the search reads. */
   async function readLook({ photo, anyway }: Operations['readLook']['args'], tell: Tell): Promise<Answer<string>> {
+    tell.waits(LOADING);
+    const { picture_look } = await imitating();
     await fetchPhotos([photo], tell);
-    tell.expects(blocksMs(photo.width * photo.height, 4));
-    return { ok: studio.picture_look(photo.key, anyway), transfer: [] };
+    const { key, width, height } = photo;
+    tell.expects(blocksMs(width * height, 4));
+    return { ok: picture_look(width, height, studio.photo_planes(key), anyway), transfer: [] };
+  }
+
+  /** The photo on which looks are tried; one at a time. */
+  async function sitterOf(photo: PhotoHandle, tell: Tell): Promise<Sitter> {
+    const { key, width, height } = photo;
+    if (sitting?.key !== key) {
+      tell.waits(LOADING);
+      const { Sitter } = await imitating();
+      await fetchPhotos([photo], tell);
+      sitting?.sitter.free();
+      sitting = null;
+      sitting = { key, sitter: new Sitter(width, height, studio.photo_planes(key)) };
+    }
+    return sitting.sitter;
   }
 
   /** What a photo looks like in some styles. One that cannot be drawn is no candidate. */
@@ -75,12 +96,12 @@ export function createStyleOperations({
     { photo, asks }: Operations['tryLooks']['args'],
     tell: Tell,
   ): Promise<Answer<(string | null)[]>> {
-    await fetchPhotos([photo], tell);
+    const sitter = await sitterOf(photo, tell);
     const ok = asks.map((ask) => {
       // The photo is reduced, drawn, and measured.
       tell.expects(styleMs(JSON.stringify(ask.style), ask.area) + blocksMs(photo.width * photo.height, 2));
       try {
-        return studio.try_look(photo.key, JSON.stringify(ask));
+        return sitter.try_look(JSON.stringify(ask));
       } catch (error) {
         // A trap is the end of this worker; what the core refuses is told by a code.
         if ((error as { code?: string }).code === undefined) throw error;

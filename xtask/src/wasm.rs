@@ -97,9 +97,23 @@ pub(crate) fn decoders(project: &Project) -> Module {
     Module { name: "decoders", package: "inkpanel-decoders", folder, ..small() }
 }
 
+/// The search for styles from a picture, which the page loads with the first such picture: as fast as the core, whose styles it
+/// tries by the hundred.
+pub(crate) fn imitation(project: &Project) -> Module {
+    let folder = project.www().join("pkg-imitation");
+    Module { name: "imitation", package: "inkpanel-imitation", folder, ..fast() }
+}
+
 /// All modules of the page.
-pub(crate) fn all(project: &Project) -> [Module; 5] {
-    [core(project), decoders(project), words(project), exports(project), detectors(project)]
+pub(crate) fn all(project: &Project) -> [Module; 6] {
+    [
+        core(project),
+        decoders(project),
+        words(project),
+        exports(project),
+        imitation(project),
+        detectors(project),
+    ]
 }
 
 /// The core with the benchmark's entry point.

@@ -45,6 +45,21 @@ impl Image {
         Ok(Self { planes: planes.into(), chroma: None })
     }
 
+    /// A colour image of its red, green and blue samples, one plane after the other.
+    ///
+    /// # Errors
+    /// `buffer-size` when there are not three times `width * height` of them, or none.
+    pub fn from_rgb_planes(width: usize, height: usize, samples: &[u8]) -> Result<Self> {
+        let count = width.saturating_mul(height);
+        let expected = count.saturating_mul(3);
+        if count == 0 || samples.len() != expected {
+            return Err(Error::BufferSize { width, height, expected, actual: samples.len() });
+        }
+        let plane =
+            |i: usize| Plane::from_samples(width, height, samples[i * count..(i + 1) * count].to_vec());
+        Self::from_rgb([plane(0)?, plane(1)?, plane(2)?])
+    }
+
     #[cfg(feature = "pages")]
     /// A colour image of three planes, or of one that stands for all three.
     pub(super) fn from_planes(planes: Vec<Plane>) -> Result<Self> {

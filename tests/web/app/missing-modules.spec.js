@@ -1,7 +1,9 @@
 // @ts-check
 /** Parts of the program that are loaded when they are asked for, and do not come. */
 
+import { fileURLToPath } from 'node:url';
 import { test as plain } from '../../../www/testing.ts';
+import { FOUR } from './designer-hands.js';
 import { openExport, saved } from './export-hands.js';
 import { expect, idle, openBoard } from './support.js';
 import { openWords, word, write } from './word-hands.js';
@@ -56,4 +58,20 @@ plain('a file asks for its own module alone, and one that did not get it can be 
   const pdf = await format('pdf');
   expect((await saved(page, () => pdf.click())).name).toMatch(/\.pdf$/);
   await idle(page);
+});
+
+plain('a style from a picture whose search did not come is looked for at a new try', async ({ page }) => {
+  plain.setTimeout(90_000);
+  await openBoard(page, FOUR);
+  const modules = /inkpanel_bg-[^/]*\.wasm$/;
+  await page.route(modules, (route) => route.abort());
+  await page.getByRole('button', { name: 'Style from a picture', exact: true }).click();
+  const region = page.getByRole('region', { name: 'Style from a picture' });
+  const print = fileURLToPath(new URL('../../../docs/pages/noir.png', import.meta.url));
+  await region.getByLabel('Picture whose style is wanted').setInputFiles(print);
+  await expect(region.getByText('What finds styles in pictures could not be loaded.', { exact: false })).toBeVisible();
+  await page.unroute(modules);
+  await region.getByRole('button', { name: 'Search again' }).click();
+  const found = region.getByRole('list', { name: 'Styles found' }).getByRole('button');
+  await expect(found.first()).toBeVisible({ timeout: 60_000 });
 });

@@ -30,6 +30,8 @@ export const imitationStrings = {
     'blank-picture': 'Dieses Bild ist leer: Es steckt kein Stil darin.',
     'plain-photo':
       'Das sieht nach einem gewöhnlichen Foto aus: Es hat keine Linien, Druckfarben oder Malerei zum Übernehmen. Wähle eine Zeichnung, einen Druck oder ein Gemälde.',
+    'imitation-missing':
+      'Was Stile in Bildern findet, konnte nicht geladen werden. Versuche es mit Verbindung noch einmal.',
     'worker-lost': 'Beim Lesen dieses Bildes blieb das Programm stehen. Versuch es mit einem anderen.',
     'unreadable-file': 'Die Datei wurde verschoben, verändert oder gelöscht, seit du sie gewählt hast.',
     'unknown-format':

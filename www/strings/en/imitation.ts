@@ -29,6 +29,7 @@ export const imitationStrings = {
     'blank-picture': 'This picture is blank: there is no style in it.',
     'plain-photo':
       'This looks like a plain photo: there are no lines, inks or paints to take over. Choose a drawing, a print or a painting.',
+    'imitation-missing': 'What finds styles in pictures could not be loaded. Try again with a connection.',
     'worker-lost': 'Reading this picture stopped the program. Try another one.',
     'unreadable-file': 'The file was moved, changed or deleted since you chose it.',
     'unknown-format': 'This is no picture that can be read. Choose a JPEG, PNG, WebP, AVIF, GIF, BMP or TIFF file.',

@@ -29,6 +29,7 @@ export const imitationStrings = {
     'blank-picture': 'Esta imagen está vacía: no hay ningún estilo en ella.',
     'plain-photo':
       'Parece una foto corriente: no hay líneas, tintas ni pintura que tomar. Elige un dibujo, un grabado o una pintura.',
+    'imitation-missing': 'No se pudo cargar lo que busca estilos en imágenes. Inténtalo de nuevo con conexión.',
     'worker-lost': 'Al leer esta imagen el programa se detuvo. Prueba con otra.',
     'unreadable-file': 'El archivo se movió, cambió o borró desde que lo elegiste.',
     'unknown-format': 'No es una imagen que se pueda leer. Elige un archivo JPEG, PNG, WebP, AVIF, GIF, BMP o TIFF.',

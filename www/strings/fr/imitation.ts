@@ -29,6 +29,8 @@ export const imitationStrings = {
     'blank-picture': 'Cette image est vide : elle ne contient aucun style.',
     'plain-photo':
       'Cela ressemble à une simple photo : il n’y a ni traits, ni encres, ni peinture à reprendre. Choisissez un dessin, une estampe ou une peinture.',
+    'imitation-missing':
+      'Ce qui trouve des styles dans les images n’a pas pu être chargé. Réessayez avec une connexion.',
     'worker-lost': 'La lecture de cette image a arrêté le programme. Essayez-en une autre.',
     'unreadable-file': 'Le fichier a été déplacé, modifié ou supprimé depuis que vous l’avez choisi.',
     'unknown-format': 'Ce n’est pas une image lisible. Choisissez un fichier JPEG, PNG, WebP, AVIF, GIF, BMP ou TIFF.',

@@ -28,6 +28,8 @@ export const imitationStrings = {
     'small-picture': 'この絵は小さすぎてスタイルを読み取れません。各辺に64ピクセルが必要です。',
     'blank-picture': 'この絵は空白で、スタイルがありません。',
     'plain-photo': 'これは普通の写真のようで、移せる線やインク、絵の具がありません。線画、版画、絵画を選んでください。',
+    'imitation-missing':
+      '画像からスタイルを見つけるためのプログラムを取得できませんでした。接続を確認してもう一度お試しください。',
     'worker-lost': 'この絵を読み込むとプログラムが止まりました。別の絵で試してください。',
     'unreadable-file': '選んだ後にファイルが移動、変更、または削除されました。',
     'unknown-format': '読み込める画像ではありません。JPEG、PNG、WebP、AVIF、GIF、BMP、TIFFのファイルを選んでください。',

@@ -30,6 +30,7 @@ export const imitationStrings = {
     'blank-picture': 'Esta imagem está em branco: não há estilo nela.',
     'plain-photo':
       'Parece uma foto comum: não há linhas, tintas ou pintura para aproveitar. Escolha um desenho, uma gravura ou uma pintura.',
+    'imitation-missing': 'Não foi possível carregar o que encontra estilos em imagens. Tente de novo com conexão.',
     'worker-lost': 'A leitura desta imagem parou o programa. Tente outra.',
     'unreadable-file': 'O arquivo foi movido, alterado ou apagado desde que você o escolheu.',
     'unknown-format':

@@ -1,0 +1,52 @@
+/**
+ * Styles from a picture: what measures pictures, tries looks and leads the search is a module of its own, which is loaded
+ * with the first such picture, by each worker that tries some and by the page.
+ */
+
+import { moduleBytes } from './module-bytes.ts';
+import type { Trial } from './protocol.ts';
+import type { Style } from './types.ts';
+
+const MODULE = new URL('../pkg-imitation/inkpanel_bg.wasm', import.meta.url);
+
+type Imitating = typeof import('../pkg-imitation/inkpanel.js');
+
+let loaded: Promise<Imitating> | undefined;
+
+/** The module; loaded once, and tried again where it did not come. Rejects with `imitation-missing`. */
+export function imitating(): Promise<Imitating> {
+  loaded ??= load().catch((error) => {
+    loaded = undefined;
+    throw error;
+  });
+  return loaded;
+}
+
+async function load(): Promise<Imitating> {
+  const bytes = await moduleBytes(
+    MODULE,
+    'imitation-missing',
+    'What finds styles in pictures could not be loaded. Try again with a connection.',
+  );
+  const module = await import('../pkg-imitation/inkpanel.js');
+  await module.default({ module_or_path: bytes });
+  return module;
+}
+
+/**
+ * A search for styles that look like a picture; to be freed.
+ * @param look of the picture, as a worker read it
+ */
+export async function beginSearch(look: string, seed: number) {
+  const search = new (await imitating()).Imitation(look, seed);
+  return {
+    /** @returns the next trials; none when it is done */
+    ask: (): Trial[] => JSON.parse(search.ask()),
+    /** @param trials what came of them, in their order */
+    tell: (trials: readonly (string | null)[]) => search.tell(`[${trials.map((one) => one ?? 'null').join()}]`),
+    /** How far it is, 0 to 1. */
+    progress: () => search.progress(),
+    proposals: (): Style[] => JSON.parse(search.proposals()),
+    free: () => search.free(),
+  };
+}
