@@ -13,6 +13,7 @@ use inkpanel::plan::slots::slot;
 use inkpanel::plan::{Assignment, Candidate, Score, Shelf, layouts};
 use serde_json::{Map, Value, json};
 use std::collections::HashSet;
+use std::ops::Range;
 use std::path::{Path, PathBuf};
 
 /// Corners of the polygon that a circle is told as.
@@ -272,15 +273,25 @@ pub(crate) fn draw_all(
     Ok(files)
 }
 
+/// Where a file's name has a number's place, `%d` or `%02d`: its bytes, and the digits that the number has at least.
+fn number_place(text: &str) -> Option<(Range<usize>, usize)> {
+    let from = text.find('%')?;
+    let digits: String = text[from + 1..].chars().take_while(char::is_ascii_digit).take(2).collect();
+    let to = from + 1 + digits.len();
+    text[to..].starts_with('d').then(|| (from..to + 1, digits.parse().unwrap_or(0).min(9)))
+}
+
+/// Whether a name asks for one file a page.
+pub(crate) fn has_number(output: &Path) -> bool {
+    number_place(name(output)).is_some()
+}
+
 /// The name of a page's file: the number at `%d` or `%02d`, else before the ending.
-fn numbered(output: &Path, number: usize) -> PathBuf {
+pub(crate) fn numbered(output: &Path, number: usize) -> PathBuf {
     let file = name(output);
     let place = |text: &str| {
-        let from = text.find('%')?;
-        let digits: String = text[from + 1..].chars().take_while(char::is_ascii_digit).take(2).collect();
-        let to = from + 1 + digits.len();
-        let width = digits.parse().unwrap_or(0).min(9);
-        text[to..].starts_with('d').then(|| format!("{}{number:0width$}{}", &text[..from], &text[to + 1..]))
+        let (at, width) = number_place(text)?;
+        Some(format!("{}{number:0width$}{}", &text[..at.start], &text[at.end..]))
     };
     let ending = output.extension().map(|e| e.to_string_lossy().into_owned()).unwrap_or_default();
     let stem = output.file_stem().map(|stem| stem.to_string_lossy().into_owned()).unwrap_or_default();

@@ -3,7 +3,7 @@
 use crate::album::{self, told};
 use crate::destination::Output;
 use crate::drawing::{self, Kind, Printing};
-use crate::{Complaint, reading, survived};
+use crate::{Complaint, plans, reading, survived};
 use inkpanel::document::file::FilePhoto;
 use inkpanel::document::saved::Saved;
 use inkpanel::document::sheets::photos_on;
@@ -57,7 +57,9 @@ fn drawn(
     (output, printing): (&Output, &Printing),
 ) -> Result<Vec<PathBuf>, Complaint> {
     let kind = Kind::of(&output.named)?;
-    let wanted = wanted(&saved, number, printing.binds() || matches!(kind, Kind::Comic(_)))?;
+    // A name with a number's place asks for a picture of each page.
+    let each = number.is_none() && plans::has_number(&output.named);
+    let wanted = wanted(&saved, number, each || printing.binds() || matches!(kind, Kind::Comic(_)))?;
     let files = files(&mut saved, &wanted)?;
     let photos = |id: &str| {
         let Some(bytes) = files.get(id) else { return Ok(None) };
@@ -77,6 +79,16 @@ fn drawn(
             reading::write((comic, told), &wanted, &found, &photos, output)
         }
         Kind::Pdf => drawing::write_book(&wanted, &photos, output, (printing, &found)),
+        _ if each => {
+            let mut files = Vec::new();
+            for (i, document) in wanted.iter().enumerate() {
+                let [path, named] = [&output.path, &output.named].map(|name| plans::numbered(name, i + 1));
+                let own = Output { path, named };
+                own.write(&drawing::draw(document, &photos, &own.named)?)?;
+                files.push(own.path);
+            }
+            Ok(files)
+        }
         _ => {
             output.write(&drawing::draw(&wanted[0], &photos, &output.named)?)?;
             Ok(vec![output.path.clone()])

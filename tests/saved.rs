@@ -90,6 +90,25 @@ fn every_page_of_a_project_is_drawn_with_the_pixels_of_its_export() {
     expect_same(&[&project], &format!("version-1/storyboard-{}.png", present + 1));
 }
 
+#[test]
+fn a_name_with_the_place_of_a_number_gets_a_picture_of_each_page() {
+    let folder = tempfile::tempdir().unwrap();
+    let done = render(&[&path("version-1/storyboard.inkpanel")], &folder.path().join("page-%02d.png"));
+    assert!(done.status.success(), "{}", String::from_utf8_lossy(&done.stderr));
+    let mut names: Vec<String> = fs::read_dir(folder.path())
+        .unwrap()
+        .map(|entry| entry.unwrap().file_name().into_string().unwrap())
+        .collect();
+    names.sort();
+    let pages = read("version-1/storyboard.inkpanel").pages().0.len();
+    assert_eq!(names, (1..=pages).map(|page| format!("page-{page:02}.png")).collect::<Vec<_>>());
+    for (i, name) in names.iter().enumerate() {
+        let drawn = picture(&fs::read(folder.path().join(name)).unwrap());
+        let exported = picture(&file(&format!("version-1/storyboard-{}.png", i + 1)));
+        assert!(difference(&drawn, &exported) <= 1, "{name}");
+    }
+}
+
 /// What a file holds, without what was told as missing: fields that were added since have their defaults.
 fn holds(is: &Value, was: &Value, place: &str) {
     match (is, was) {
