@@ -3,10 +3,4 @@
  * one (`src/document/`).
  */
 
-import { failure } from '../engine/protocol.ts';
-
 export const VERSION = 1;
-
-export function damaged(what: string) {
-  return failure('damaged-project', what);
-}

@@ -160,6 +160,11 @@ export function failure(
   return Object.assign(new Error(message), { code, ...about });
 }
 
+/** Of a project file, a page file or an archive that is not what it says. */
+export function damaged(what: string) {
+  return failure('damaged-project', what);
+}
+
 /**
  * What a call rejects with when it was cancelled or overtaken. Named as a fetch names it; a `DOMException`
  * would not do, as its `code` is a number that cannot be set.

@@ -6,7 +6,7 @@
 import { language, strings } from '../strings/strings.ts';
 import { FORMATS, pictureIn } from './formats.ts';
 import { describePanel } from '../page/describing.ts';
-import { archiveOf } from '../storage/files/archive.ts';
+import { archiveOf } from '../engine/archive.ts';
 import type { Store } from '../document/store.ts';
 import type { Comic, PageDocument, PictureKind } from '../engine/types.ts';
 import type { Engine } from '../engine/engine.ts';

@@ -1,7 +1,7 @@
 import { beforeEach, expect, test, vi } from 'vitest';
 import { createDownload } from './download.ts';
 import * as files from '../ui/files.ts';
-import { readArchive } from '../storage/files/archive.ts';
+import { readArchive } from '../engine/archive.ts';
 import { createMessages } from '../ui/messages.ts';
 import { createStore } from '../document/store.ts';
 

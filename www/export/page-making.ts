@@ -3,7 +3,7 @@
 import { strings } from '../strings/strings.ts';
 import { createComics } from './comics.ts';
 import { FORMATS, isArchive, isBook, pageName } from './formats.ts';
-import { archiveOf } from '../storage/files/archive.ts';
+import { archiveOf } from '../engine/archive.ts';
 import { describePanel } from '../page/describing.ts';
 import { currentLanguage } from '../strings/language.ts';
 import { bled, NO_PRINT, pdfOptions } from './print.ts';

@@ -1,6 +1,6 @@
 import { beforeEach, describe, expect, it, vi } from 'vitest';
 import { save as saveFile } from '../ui/files.ts';
-import { readArchive } from './files/archive.ts';
+import { readArchive } from '../engine/archive.ts';
 import { openDatabase } from './database.ts';
 import { documentOf, fakeBrowser } from './testing.ts';
 import type { Database } from './database.ts';

@@ -4,7 +4,7 @@
  */
 
 import { inBlobs } from './database.ts';
-import { archiveOf } from './files/archive.ts';
+import { archiveOf } from '../engine/archive.ts';
 import { strippedOf } from '../photos/identity.ts';
 import { projectFileName, packedProject, videoKey } from './files/project-file.ts';
 import { nameOf } from './restoring.ts';

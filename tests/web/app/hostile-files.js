@@ -5,7 +5,7 @@
  */
 
 import { pngOf, chunkOf, textChunk, withChunks } from '../../../www/engine/png-chunks.ts';
-import { archiveOf } from '../../../www/storage/files/archive.ts';
+import { archiveOf } from '../../../www/engine/archive.ts';
 import { withProject } from '../../../www/storage/files/page-file.ts';
 
 /** @typedef {{ name: string, blob: Blob }} Entry */

@@ -4,7 +4,7 @@
 import { readFileSync } from 'node:fs';
 import { readFile } from 'node:fs/promises';
 import { chunksOf, dataOf, textHead, textOf } from '../../../www/engine/png-chunks.ts';
-import { readArchive } from '../../../www/storage/files/archive.ts';
+import { readArchive } from '../../../www/engine/archive.ts';
 import { savedAs } from './export-hands.js';
 import { PNG, expect } from './support.js';
 

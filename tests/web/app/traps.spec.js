@@ -4,7 +4,7 @@
 import { readFile, writeFile } from 'node:fs/promises';
 import { crc32 } from 'node:zlib';
 import { chunkOf, textChunk, withChunks } from '../../../www/engine/png-chunks.ts';
-import { packedNothing, zipOf } from '../../../www/storage/files/testing-archives.ts';
+import { packedNothing, zipOf } from '../../../www/engine/testing-archives.ts';
 import { saved } from './export-hands.js';
 import { contents, expect, idle, openBoard, photos, picture, press, test } from './support.js';
 
@@ -63,7 +63,7 @@ const wordy = (count) => ({
   words: Array(count).fill({ kind: 'caption', text: 'Meanwhile' }),
 });
 
-/** @param {Buffer} json @param {readonly import('../../../www/storage/files/testing-archives.ts').Made[]} files */
+/** @param {Buffer} json @param {readonly import('../../../www/engine/testing-archives.ts').Made[]} files */
 const project = (json, files) => zipOf([{ name: 'project.json', content: json, packed: true }, ...files]);
 
 /** The processes of the page, and the most that each has held. @param {import('../../../www/testing.ts').Browser} browser */

@@ -12,7 +12,7 @@ import { strings } from '../../strings/strings.ts';
 import { freshPlace } from '../../document/place.ts';
 import { takenBy } from './project-json.ts';
 import { UNLIKE, placeholderOf } from '../../photos/placeholder.ts';
-import { damaged } from '../../document/versions.ts';
+import { damaged } from '../../engine/protocol.ts';
 import type { Messages, Way } from '../../ui/messages.ts';
 import type { Fact } from '../../document/album.ts';
 import type { Planner } from '../../document/store.ts';
@@ -21,7 +21,7 @@ import type { Watch } from '../../engine/inflate.ts';
 import type { Imported } from '../../engine/protocol.ts';
 import type { Opening } from '../opening.ts';
 import type { Content } from '../restoring.ts';
-import type { readArchive } from './archive.ts';
+import type { readArchive } from '../../engine/archive.ts';
 import type { FilePhoto } from './project-json.ts';
 import type { Signal } from '@preact/signals';
 

@@ -2,13 +2,13 @@ import { crc32 } from 'node:zlib';
 import { beforeEach, afterEach, describe, expect, it, vi } from 'vitest';
 import { chunkOf, textChunk, withChunks } from '../../engine/png-chunks.ts';
 import { ARCHIVE, PHOTOS_AT_ONCE, SILENCE, TEXT } from '../../engine/limits.ts';
-import { archiveOf, readArchive } from './archive.ts';
+import { archiveOf, readArchive } from '../../engine/archive.ts';
 import { photosOn } from '../../document/sheets.ts';
 import { documentOf } from '../testing.ts';
-import { packedNothing, zipOf } from './testing-archives.ts';
+import { packedNothing, zipOf } from '../../engine/testing-archives.ts';
 import { alerts, bare, downloaded, dropped, textIn, tripTab } from './testing-pages.ts';
 import { save as saveFile } from '../../ui/files.ts';
-import type { Made } from './testing-archives.ts';
+import type { Made } from '../../engine/testing-archives.ts';
 import type { Tab } from './testing-pages.ts';
 
 vi.mock('../../ui/files.ts', () => ({ save: vi.fn() }));

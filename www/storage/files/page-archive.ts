@@ -6,14 +6,14 @@
 import { ARCHIVE, TEXT } from '../../engine/limits.ts';
 import { isVideo } from '../../engine/video.ts';
 import { MOST } from '../../document/limits.ts';
-import { damaged } from '../../document/versions.ts';
+import { damaged } from '../../engine/protocol.ts';
 import { noteFolders } from '../../photos/folders.ts';
-import { archiveOf, readArchive } from './archive.ts';
+import { archiveOf, readArchive } from '../../engine/archive.ts';
 import { withPage } from './page-file.ts';
 import type { Watch } from '../../engine/inflate.ts';
 import type { Archive } from './file-opening.ts';
 import type { PageFile } from './page-file.ts';
-import type { Work } from './archive.ts';
+import type { Work } from '../../engine/archive.ts';
 
 /** Its name in an archive; whoever takes it out has a project file. */
 const PROJECT = 'project.inkpanel';

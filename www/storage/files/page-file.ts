@@ -5,14 +5,14 @@
 
 import { chunkOf, chunksOf, dataOf, isPng, textChunk, textHead, textOf, withChunks } from '../../engine/png-chunks.ts';
 import { PNG, TEXT } from '../../engine/limits.ts';
-import { archiveOf, readArchive } from './archive.ts';
+import { archiveOf, readArchive } from '../../engine/archive.ts';
 import { readProjectJson } from './project-json.ts';
-import { damaged } from '../../document/versions.ts';
+import { damaged } from '../../engine/protocol.ts';
 import { failure } from '../../engine/protocol.ts';
 import { strings } from '../../strings/strings.ts';
 import type { Planner } from '../../document/store.ts';
 import type { Watch } from '../../engine/inflate.ts';
-import type { Work } from './archive.ts';
+import type { Work } from '../../engine/archive.ts';
 import type { Chunk } from '../../engine/png-chunks.ts';
 import type { Archive } from './file-opening.ts';
 import type { FileProject } from './project-json.ts';

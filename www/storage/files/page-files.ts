@@ -24,7 +24,7 @@ import type { Opening } from '../opening.ts';
 import type { Projects } from '../projects.ts';
 import type { Content } from '../restoring.ts';
 import type { AbsentPhotos } from './absent-photos.ts';
-import type { Work } from './archive.ts';
+import type { Work } from '../../engine/archive.ts';
 import type { Archive, FileOpening, Hands } from './file-opening.ts';
 import type { PageFile } from './page-file.ts';
 import type { FileProject } from './project-json.ts';

@@ -10,7 +10,7 @@ import type { PageDocument, Project } from '../../document/project.ts';
 import { photosOn, sheetsOf } from '../../document/sheets.ts';
 import type { Word } from '../../engine/types.ts';
 import { hashOf, strippedOf } from '../../photos/identity.ts';
-import type { Work } from './archive.ts';
+import type { Work } from '../../engine/archive.ts';
 import { projectJson } from './project-json.ts';
 
 /**

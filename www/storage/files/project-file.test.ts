@@ -1,6 +1,6 @@
 import { beforeEach, describe, expect, it, vi } from 'vitest';
 import { save as saveFile } from '../../ui/files.ts';
-import { archiveOf, readArchive } from './archive.ts';
+import { archiveOf, readArchive } from '../../engine/archive.ts';
 import { documentOf, fakeBrowser } from '../testing.ts';
 
 vi.mock('../../ui/files.ts', () => ({ save: vi.fn() }));

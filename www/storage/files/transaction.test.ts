@@ -1,7 +1,7 @@
 import { effect } from '@preact/signals';
 import { beforeEach, describe, expect, it, vi } from 'vitest';
 import { save as saveFile } from '../../ui/files.ts';
-import { archiveOf, readArchive } from './archive.ts';
+import { archiveOf, readArchive } from '../../engine/archive.ts';
 import { openDatabase } from '../database.ts';
 import { documentOf, fakeBrowser } from '../testing.ts';
 

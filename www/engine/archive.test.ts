@@ -1,7 +1,7 @@
 import { deflateRawSync } from 'node:zlib';
 import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';
-import { ARCHIVE } from '../../engine/limits.ts';
+import { ARCHIVE } from './limits.ts';
 import { archiveOf, readArchive } from './archive.ts';
 import { packedNothing, zipOf } from './testing-archives.ts';
 

@@ -6,12 +6,11 @@
  * more memory to write them, 20 MB here), and fflate (6 kB) takes whole arrays and reads without the list of files.
  */
 
-import { damaged } from '../../document/versions.ts';
-import { crcOf } from '../../engine/crc.ts';
-import { inflated, roomFor } from '../../engine/inflate.ts';
-import { ARCHIVE } from '../../engine/limits.ts';
-import { failure } from '../../engine/protocol.ts';
-import type { Watch } from '../../engine/inflate.ts';
+import { crcOf } from './crc.ts';
+import { inflated, roomFor } from './inflate.ts';
+import { ARCHIVE } from './limits.ts';
+import { damaged, failure } from './protocol.ts';
+import type { Watch } from './inflate.ts';
 
 type Entry = { name: string; blob: Blob };
 /** How long work is followed and stopped. */
