@@ -3,6 +3,7 @@
  */
 
 import initCore, * as core from '../pkg/inkpanel.js';
+import { fetchAsset } from './assets.ts';
 import { expanded, interned } from './interned.ts';
 import { failure } from './protocol.ts';
 import type { Program } from './protocol.ts';
@@ -65,7 +66,7 @@ function painted(): Promise<void> {
 
 async function load(): Promise<Program> {
   await painted();
-  const response = await fetch(ADDRESS);
+  const response = await fetchAsset(ADDRESS);
   if (!response.ok) throw failure('core-missing', `The program could not be loaded (${response.status}).`);
   // A static host may serve wasm under any content type, which streaming would refuse.
   const streams = response.headers.get('content-type')?.startsWith('application/wasm');

@@ -39,7 +39,7 @@ const SPARING = { workers: 4, photos: 64 * MB, least: 16 * MB, rest: 64 * MB };
 
 /** @param options `workers`: as many as the device has cores unless told, 8 at most; `sparing`: for devices with little memory */
 export function createEngine({
-  workers = navigator.hardwareConcurrency || 2,
+  workers = globalThis.navigator?.hardwareConcurrency || 2,
   sparing = false,
 }: {
   workers?: number;

@@ -3,6 +3,9 @@
  * there without a connection. Here and not in a service worker, which a first visit does not have yet.
  */
 
+import { fetchAsset } from './assets.ts';
+import type { AssetReader } from './assets.ts';
+
 /** The service worker throws away what no build of the site names any more (`offline/worker/versions.ts`). */
 const STORE = 'inkpanel-nets';
 /** Milliseconds until what was loaded is kept: it was loaded to be used now, and keeping it would take a core from that. */
@@ -15,9 +18,9 @@ export async function fetchKept(
   address: string,
   {
     caches = globalThis.caches,
-    fetch = globalThis.fetch,
+    fetch = fetchAsset,
     later = LATER,
-  }: { caches?: CacheStorage; fetch?: typeof globalThis.fetch; later?: number } = {},
+  }: { caches?: CacheStorage; fetch?: AssetReader; later?: number } = {},
 ): Promise<Response> {
   // Refused without https, and in some private windows.
   const store = HASHED.test(address) ? await caches?.open(STORE).catch(() => undefined) : undefined;

@@ -1,5 +1,6 @@
 /** The wasm modules that are not there from the start. */
 
+import { fetchAsset } from './assets.ts';
 import { isPage } from './kept.ts';
 import { failure } from './protocol.ts';
 
@@ -8,7 +9,7 @@ import { failure } from './protocol.ts';
  * @param code of the error where it cannot be loaded, and its sentence
  */
 export async function moduleBytes(address: URL, code: string, sentence: string): Promise<ArrayBuffer> {
-  const response = await fetch(address).catch(() => null);
+  const response = await fetchAsset(address).catch(() => null);
   if (!response?.ok || isPage(response)) throw failure(code, sentence);
   return response.arrayBuffer();
 }

@@ -4,10 +4,11 @@ import { copyFileSync, readFileSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { fileURLToPath } from 'node:url';
 import { PNG, expect, test } from '../../../www/testing.ts';
-import { picture, stylizeNatively } from '../wasm/native.js';
+import { inkpanel, picture, stylizeNatively } from '../wasm/native.js';
 import { emptyProject, serve } from './project.js';
 
 const PHOTOS = fileURLToPath(new URL('../../../www/public/samples/', import.meta.url));
+const VITE = fileURLToPath(new URL('../../../www/node_modules/vite/bin/vite.js', import.meta.url));
 const TSC = fileURLToPath(new URL('../../../www/node_modules/typescript/bin/tsc', import.meta.url));
 
 /** @type {ReturnType<typeof emptyProject>} */
@@ -76,6 +77,72 @@ test('all that is promised works, and asks for nothing but files of the package'
   expect(seen.codes).toEqual(['unknown-style', 'cancelled', 'disposed']);
   expect(strangers).toEqual([]);
   expect(server.missing.filter((path) => path !== '/favicon.ico')).toEqual([]);
+});
+
+test('the element shows pages of a saved project, for the width that they have, and says what is wrong', async ({
+  page,
+}) => {
+  const photos = ['07-red-panda', '19-astronaut'].map((name) => join(PHOTOS, `${name}.jpg`));
+  const at = (/** @type {string} */ name) => join(project.folder, name);
+  inkpanel('render', '--pages', '2', '--page-size', '800x1000', '-o', at('album.inkpanel'), ...photos);
+  inkpanel('render', at('album.inkpanel'), '-o', at('leaf-%02d.png'));
+  const element =
+    "<inkpanel-page src='album.inkpanel' page='2' alt='Two animals' style='width: 400px'></inkpanel-page>";
+  const script = "<script type='module' src='/node_modules/inkpanel/engine/page-element.js'></script>";
+  const icon = "<link rel='icon' href='data:,'>";
+  writeFileSync(
+    at('element.html'),
+    `<!doctype html>${icon}<script>addEventListener('error', (event) => {
+    document.title = event.error.code;
+  }, true)</script>${element}${script}`,
+  );
+  await page.goto(`${server.address}element.html`);
+  const shown = page.getByRole('img', { name: 'Two animals' });
+  await expect(shown).toBeVisible({ timeout: 60_000 });
+  const host = page.locator('inkpanel-page');
+  expect(await host.evaluate((node) => /** @type {any} */ (node).pages)).toBe(2);
+  expect(await shown.evaluate((canvas) => /** @type {HTMLCanvasElement} */ (canvas).width)).toBe(400);
+  const drawn = () => shown.evaluate((canvas) => /** @type {HTMLCanvasElement} */ (canvas).toDataURL());
+  const second = await drawn();
+  await host.evaluate((node) => node.setAttribute('page', '1'));
+  await expect.poll(drawn).not.toBe(second);
+  await host.evaluate((node) => Object.assign(node, { style: 'width: 600px' }));
+  await expect
+    .poll(() => shown.evaluate((canvas) => /** @type {HTMLCanvasElement} */ (canvas).width), { timeout: 30_000 })
+    .toBe(600);
+  await host.evaluate((node) => node.setAttribute('src', 'leaf-01.png'));
+  await expect(host.locator('img')).toBeVisible();
+  await host.evaluate((node) => node.setAttribute('src', 'element.html'));
+  await expect(page).toHaveTitle('damaged-project');
+});
+
+test('a project of Vite and strict TypeScript is built, and draws', async ({ page }) => {
+  const vite = emptyProject();
+  try {
+    const at = (/** @type {string} */ name) => join(vite.folder, name);
+    copyFileSync(join(PHOTOS, '07-red-panda.jpg'), at('photo.jpg'));
+    writeFileSync(
+      at('index.html'),
+      "<!doctype html><link rel='icon' href='data:,'><script type='module' src='main.ts'></script>",
+    );
+    copyFileSync(new URL('vite-main.ts', import.meta.url), at('main.ts'));
+    const options = ['--noEmit', '--strict', '--target', 'es2022', '--lib', 'es2023,dom', '--types', ''];
+    const resolution = ['--module', 'esnext', '--moduleResolution', 'bundler'];
+    execFileSync(process.execPath, [TSC, ...options, ...resolution, 'main.ts'], { cwd: vite.folder, stdio: 'inherit' });
+    writeFileSync(at('vite.config.mjs'), "export default { worker: { format: 'es' }, build: { target: 'esnext' } };");
+    execFileSync(process.execPath, [VITE, 'build', '--logLevel', 'error'], { cwd: vite.folder, stdio: 'inherit' });
+    copyFileSync(at('photo.jpg'), at('dist/photo.jpg'));
+    const built = await serve(at('dist'));
+    try {
+      await page.goto(`${built.address}index.html`);
+      await expect(page).toHaveTitle('840 x 1188, undone', { timeout: 60_000 });
+      expect(built.missing).toEqual([]);
+    } finally {
+      built.close();
+    }
+  } finally {
+    vite.remove();
+  }
 });
 
 /** Runs in the page. @param {string[]} names of two photos */

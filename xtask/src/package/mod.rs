@@ -149,10 +149,22 @@ fn manifest(project: &Project) -> Result<Value> {
         "license": package["license"],
         "type": "module",
         // The types lie beside the module, where TypeScript looks for them.
-        "exports": { ".": format!("./{ENTRY}.js"), "./package.json": "./package.json" },
+        "exports": {
+            ".": {
+                "types": format!("./{ENTRY}.d.ts"),
+                "node": "./engine/node.js",
+                "default": format!("./{ENTRY}.js"),
+            },
+            // Defines the element `inkpanel-page`.
+            "./element": {
+                "types": "./engine/page-element.d.ts",
+                "default": "./engine/page-element.js",
+            },
+            "./package.json": "./package.json",
+        },
         "types": format!("./{ENTRY}.d.ts"),
         // A worker begins by listening; all other modules only export.
-        "sideEffects": ["./engine/worker.js", "./engine/*-worker.js"],
+        "sideEffects": ["./engine/worker.js", "./engine/*-worker.js", "./engine/node*.js", "./engine/page-element.js"],
         "files": files,
     }))
 }

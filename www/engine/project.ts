@@ -1,0 +1,64 @@
+/** A project that is edited, for pages of other people: the editor of the core with its history as plain data. */
+
+import type { Draw, Planner, Wish } from './core.ts';
+import type { Edit, History, How, PageDocument, PhotoMeta, Project } from './types.ts';
+
+/** What `history()` gives, to be written down; `readProject` reads it with its version. */
+const VERSION = 1;
+
+export type ProjectEditor = ReturnType<typeof createProject>;
+
+/**
+ * An empty project, or one that was saved.
+ * @param planner `await engine.ready`
+ * @param history as `history()` gave it; throws `damaged-project` or `newer-project`
+ */
+export function createProject(planner: Planner, history?: History) {
+  const editor = planner.createEditor();
+  let { pageId } = history ? editor.load({ version: VERSION, history }) : { pageId: 0 };
+  let now = editor.save();
+  let photos: PhotoMeta[] = [];
+
+  return {
+    /** The project as it is: its photos, pages, settings. */
+    project: (): Project => now.present,
+    /** All of it with what can be undone and redone, plain data to be saved. */
+    history: (): History => now,
+    edit,
+    undo: () => edit({ type: 'undo' }),
+    redo: () => edit({ type: 'redo' }),
+    /**
+     * Takes photos in.
+     * @param fresh as `importPhoto` tells them
+     */
+    addPhotos: (fresh: readonly PhotoMeta[]) => {
+      photos = [...photos, ...fresh];
+      return edit({ type: 'add-photos', ids: fresh.map(({ id }) => id) });
+    },
+    /**
+     * Plans a page of the photos in use and shows it, as one step of undo.
+     * @param wish a seed, and what stays: the layout, the style, the photos; all else by chance
+     * @returns null where there is no photo
+     */
+    shuffle: ({
+      keep = { layout: false, style: false, photos: false },
+      ...wish
+    }: Omit<Wish, 'keep'> & Partial<Pick<Wish, 'keep'>> & Pick<Draw, 'seed'>): PageDocument | null => {
+      const used = new Set(now.present.tray.flatMap(({ id, use }) => (use === false ? [] : [id])));
+      const page = editor.plans(photos.filter(({ id }) => used.has(id))).page({ ...wish, keep });
+      if (page) edit({ type: 'show-page', page, pageId });
+      return page;
+    },
+  };
+
+  /**
+   * Does something; throws `invalid-document`, and then nothing changed.
+   * @param change `silent`: without a step of undo; `gesture`: one step with those before of the same name
+   * @returns the project after it
+   */
+  function edit(change: Edit & How): Project {
+    ({ pageId } = editor.apply(JSON.stringify(change)));
+    now = editor.save();
+    return now.present;
+  }
+}
