@@ -229,7 +229,9 @@ impl Writer {
             f64::midpoint(f64::from(low.unwrap_or(0)), f64::from(high.unwrap_or(0)))
         };
         let off = (middle.0 - reach(|place| place.0), middle.1 - reach(|place| place.1));
-        mark.contours.iter_mut().for_each(|contour| contour.shift((off.0.round() as i32, off.1.round() as i32)));
+        mark.contours
+            .iter_mut()
+            .for_each(|contour| contour.shift((off.0.round() as i32, off.1.round() as i32)));
         contours.append(&mut mark.contours);
         self.unsigned(0);
         self.unsigned((2.0 * middle.0).round() as u32);

@@ -209,9 +209,10 @@ impl Printing {
             Some((flag, _)) if kind != Kind::Pdf => {
                 Err(format!("{flag} is for PDF files: give the output a name that ends in .pdf"))
             }
-            _ if self.quality.is_some() && matches!(kind, Kind::Png | Kind::Webp | Kind::Project) => {
-                Err("--quality is of JPEG: give the output a name that ends in .jpg, .pdf, .html, .epub or .cbz".into())
-            }
+            _ if self.quality.is_some() && matches!(kind, Kind::Png | Kind::Webp | Kind::Project) => Err(
+                "--quality is of JPEG: give the output a name that ends in .jpg, .pdf, .html, .epub or .cbz"
+                    .into(),
+            ),
             _ => Ok(()),
         }
     }

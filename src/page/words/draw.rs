@@ -228,7 +228,8 @@ fn columns<'a>(laid: &Laid, width: f64, (letters, font): (&'a Letters, &'a Font)
         let mut down = -if setting.flush { longest } else { *length } * width / 2.0;
         for cell in vertical::cells(letters, font, run) {
             let part = &run[cell.start..cell.end];
-            let strong = setting.strong.get(i).and_then(|marks| marks.get(cell.start)).copied().unwrap_or(false);
+            let strong =
+                setting.strong.get(i).and_then(|marks| marks.get(cell.start)).copied().unwrap_or(false);
             let font = if strong { bold } else { font };
             let mut pen = if cell.turned {
                 down
@@ -236,7 +237,7 @@ fn columns<'a>(laid: &Laid, width: f64, (letters, font): (&'a Letters, &'a Font)
                 across - letters.width(font, part) * size / 2.0 + cell.off.0 * size
             };
             let baseline = if cell.turned {
-                across - font.capitals * size / 2.0
+                across - cell.middle * size
             } else {
                 down + (vertical::BASELINE - cell.off.1) * size
             };
@@ -295,7 +296,11 @@ impl Bend {
         let (sin, cos) = if effect { laid.word.angle.to_radians().sin_cos() } else { (0.0, 1.0) };
         // The whole line covers a third of the circle at most.
         let turn = laid.word.arc * std::f64::consts::FRAC_PI_3;
-        let radius = if effect && turn.abs() > 0.02 && !laid.word.vertical { laid.setting.half.0 * width / turn } else { 0.0 };
+        let radius = if effect && turn.abs() > 0.02 && !laid.word.vertical {
+            laid.setting.half.0 * width / turn
+        } else {
+            0.0
+        };
         let slant = if effect { laid.word.slant.to_radians().tan() } else { 0.0 };
         Self { middle: (laid.middle.x * width, laid.middle.y * width), radius, sin, cos, slant }
     }

@@ -63,9 +63,12 @@ impl GivenFonts {
         if fonts_in_collection(&file) == Some(0) {
             return Err("it is a collection without a font");
         }
-        match guarded(|| face(&file).map(|face| face.tables().glyf.is_some() || face.tables().cff.is_some())) {
+        match guarded(|| face(&file).map(|face| face.tables().glyf.is_some() || face.tables().cff.is_some()))
+        {
             Some(true) => {}
-            Some(false) => return Err("its letters are pictures, or it has none: a font with outlines is needed"),
+            Some(false) => {
+                return Err("its letters are pictures, or it has none: a font with outlines is needed");
+            }
             None => return Err("it is no TrueType or OpenType font, or it is broken"),
         }
         self.files.push(file);
@@ -167,9 +170,10 @@ fn learn(letters: &mut Letters, faces: &mut [Option<Face<'_>>], stretch: &str) {
             match guarded(|| Some(shaped(face, &text))) {
                 Some(runs) => {
                     for (run, outline) in runs {
-                        let learnt = outline.is_some_and(|Outline { contours, advance, leftward, .. }| {
-                            letters.learn_outline(run, leftward, advance, &contours)
-                        });
+                        let learnt =
+                            outline.is_some_and(|Outline { contours, advance, leftward, .. }| {
+                                letters.learn_outline(run, leftward, advance, &contours)
+                            });
                         if !learnt {
                             still.push(run.to_owned());
                         }
@@ -306,7 +310,8 @@ impl OutlineBuilder for Outline {
             let out = start.toward(ahead, if from < 1.0 { (to - from) / (1.0 - from) } else { 0.0 });
             let back = end.toward(behind, (to - from) / to);
             let mean = |s: f64, p: f64, q: f64, e: f64| (3.0 * (p + q) - s - e) / 4.0;
-            let control = Point::new(mean(start.x, out.x, back.x, end.x), mean(start.y, out.y, back.y, end.y));
+            let control =
+                Point::new(mean(start.x, out.x, back.x, end.x), mean(start.y, out.y, back.y, end.y));
             self.add(Some(control), end);
         }
     }

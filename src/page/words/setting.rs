@@ -127,13 +127,8 @@ pub fn set(letters: &Letters, font: &Font, text: &[Mark], wish: &Wish) -> Settin
     }
     // Columns are lines that lie on their side.
     let aside = |(across, down): (f64, f64)| (down, across);
-    let mut own = Wish {
-        width: None,
-        room: aside(wish.room),
-        most: aside(wish.most),
-        page: aside(wish.page),
-        ..*wish
-    };
+    let mut own =
+        Wish { width: None, room: aside(wish.room), most: aside(wish.most), page: aside(wish.page), ..*wish };
     let mut aspect = manner.aspect;
     if let Some(width) = wish.width {
         (own.room.1, own.most.1) = (width, width);

@@ -43,6 +43,8 @@ pub(super) struct Cell {
     pub(super) turned: bool,
     /// How far they are moved to the right and up, in ems.
     pub(super) off: (f64, f64),
+    /// Of letters that are turned, how high over their baseline the middle of the column is, in ems.
+    pub(super) middle: f64,
     /// Their part of the column, in ems.
     pub(super) length: f64,
 }
@@ -56,8 +58,7 @@ pub(super) fn is_ideographic(letter: char) -> bool {
 
 /// Whether no line begins with a letter: closing marks, small kana, signs that repeat or lengthen.
 pub(super) fn begins_no_line(letter: char) -> bool {
-    small(letter)
-        || "、。，．・：；！？)）」』】〉》〕］｝〟’”ー〜～…‥々ゝゞヽヾ!?.,:;".contains(letter)
+    small(letter) || "、。，．・：；！？)）」』】〉》〕］｝〟’”ー〜～…‥々ゝゞヽヾ!?.,:;".contains(letter)
 }
 
 /// Whether no line ends with a letter: opening marks.
@@ -73,7 +74,9 @@ fn small(letter: char) -> bool {
 fn stand(letter: char) -> Stand {
     match letter {
         '、' | '。' | '，' | '．' => Stand::Corner,
-        'ー' | '〜' | '～' | '…' | '‥' | '—' | '–' | '―' | '＝' | '｜' | '＿' | '：' | '゠' => Stand::Turned,
+        'ー' | '〜' | '～' | '…' | '‥' | '—' | '–' | '―' | '＝' | '｜' | '＿' | '：' | '゠' => {
+            Stand::Turned
+        }
         '\u{3008}'..='\u{3011}' | '\u{3014}'..='\u{301b}' | '（' | '）' | '［' | '］' | '｛' | '｝' => {
             Stand::Turned
         }
@@ -103,10 +106,12 @@ pub(super) fn cells(letters: &Letters, font: &Font, column: &[char]) -> Vec<Cell
             end,
             turned: false,
             off,
+            middle: 0.0,
             length: SQUARE,
         };
         // Two that are narrow are one; a number of more digits is a word of another script.
-        let before = at.checked_sub(1).map(seen).is_some_and(|before| before.is_alphanumeric() && !upright(before));
+        let before =
+            at.checked_sub(1).map(seen).is_some_and(|before| before.is_alphanumeric() && !upright(before));
         let after = (at + run < column.len()).then(|| seen(at + run));
         let within = before || after.is_some_and(|after| after.is_alphanumeric() && !upright(after));
         let wide = |i: usize| font.step(column[i]) > 0.8;
@@ -129,10 +134,24 @@ pub(super) fn cells(letters: &Letters, font: &Font, column: &[char]) -> Vec<Cell
         }
         let end = (at + 1..column.len()).find(|&i| stand(seen(i)) != Stand::Turned).unwrap_or(column.len());
         let length = letters.width(font, &column[at..end]);
-        cells.push(Cell { start: at, end, turned: true, off: (0.0, 0.0), length });
+        let middle = middle(letters, font, &column[at..end]);
+        cells.push(Cell { start: at, end, turned: true, off: (0.0, 0.0), middle, length });
         at = end;
     }
     cells
+}
+
+/// What of turned letters is in the middle of their column: that of their square, of capitals, or of a sign.
+fn middle(letters: &Letters, font: &Font, run: &[char]) -> f64 {
+    if run.iter().any(|&letter| letters.learnt(letter).is_some()) {
+        return BASELINE - SQUARE / 2.0;
+    }
+    if run.iter().any(|letter| letter.is_alphanumeric()) {
+        return font.capitals / 2.0;
+    }
+    let heights = || run.iter().flat_map(|&letter| font.outline(letter, 0.02)).flatten().map(|point| point.y);
+    let (low, high) = (heights().fold(f64::MAX, f64::min), heights().fold(f64::MIN, f64::max));
+    if low > high { 0.0 } else { f64::midpoint(low, high) }
 }
 
 /// How far a full stop moves from its corner of the square to the other; those of Chinese stay in the middle.
@@ -202,7 +221,9 @@ mod tests {
     fn letters_stand_and_other_words_are_turned() {
         let told = |text: &str| -> String {
             let cells = cells_of(text).into_iter();
-            cells.map(|(said, turned)| if turned { format!("<{said}>") } else { format!("[{said}]") }).collect()
+            cells
+                .map(|(said, turned)| if turned { format!("<{said}>") } else { format!("[{said}]") })
+                .collect()
         };
         assert_eq!(told("何だっけ。"), "[何][だ][っ][け][。]");
         assert_eq!(told("「漢ー字」"), "<「>[漢]<ー>[字]<」>");
