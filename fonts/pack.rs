@@ -173,7 +173,7 @@ impl Writer {
         let glyphs: BTreeMap<char, (usize, GlyphId)> =
             charset().into_iter().filter_map(|letter| Some((letter, first(letter)?))).collect();
         self.count(glyphs.len() + 1);
-        self.missing(i32::from(capitals));
+        self.missing(face, i32::from(capitals));
         let mut before = 0;
         for (&letter, &(source, glyph)) in &glyphs {
             let Source { face, scale, lean } = &sources[source];
@@ -213,20 +213,29 @@ impl Writer {
         }
     }
 
-    /// An empty box as high as a capital.
-    fn missing(&mut self, height: i32) {
-        let (width, line) = (height * 3 / 5, height / 12);
-        let (left, right) = (line * 2, line * 2 + width);
-        let ring = |a: i32, b: i32, c: i32, d: i32| vec![(a, b), (a, d), (c, d), (c, b)];
-        let mut inner = ring(left + line, line, right - line, height - line);
-        inner.reverse();
-        let contours = [ring(left, 0, right, height), inner].map(|corners| Contour {
-            start: corners[0],
-            segments: corners[1..].iter().map(|&end| (None, end)).collect(),
-        });
+    /// A question mark in a ring, as high as a capital: an empty box tells nobody that something is missing.
+    fn missing(&mut self, face: &Face, height: i32) {
+        let radius = f64::from(height) * 0.56;
+        let line = f64::from(height) / 14.0;
+        let middle = (radius + line * 1.5, f64::from(height) / 2.0);
+        let mut contours = vec![circle(middle, radius, true), circle(middle, radius - line, false)];
+        let mut mark = Outline { scale: 0.62, ..Outline::default() };
+        if let Some(glyph) = face.glyph_index('?') {
+            let _ = face.outline_glyph(glyph, &mut mark);
+        }
+        let places = || mark.contours.iter().flat_map(Contour::places);
+        let reach = |axis: fn(Place) -> i32| {
+            let (low, high) = (places().map(axis).min(), places().map(axis).max());
+            f64::midpoint(f64::from(low.unwrap_or(0)), f64::from(high.unwrap_or(0)))
+        };
+        let off = (middle.0 - reach(|place| place.0), middle.1 - reach(|place| place.1));
+        mark.contours
+            .iter_mut()
+            .for_each(|contour| contour.shift((off.0.round() as i32, off.1.round() as i32)));
+        contours.append(&mut mark.contours);
         self.unsigned(0);
-        self.unsigned((right + line * 2) as u32);
-        self.outline(Outline { contours: contours.into(), ..Outline::default() });
+        self.unsigned((2.0 * middle.0).round() as u32);
+        self.outline(Outline { contours, ..Outline::default() });
     }
 
     fn outline(&mut self, Outline { contours, .. }: Outline) {
@@ -273,6 +282,20 @@ impl Contour {
             .sum()
     }
 
+    /// All its points.
+    fn places(&self) -> impl Iterator<Item = Place> + '_ {
+        let ends = self.segments.iter().flat_map(|(control, end)| control.iter().chain([end]).copied());
+        [self.start].into_iter().chain(ends)
+    }
+
+    fn shift(&mut self, by: Place) {
+        let moved = |(x, y): Place| (x + by.0, y + by.1);
+        self.start = moved(self.start);
+        for (control, end) in &mut self.segments {
+            (*control, *end) = (control.map(moved), moved(*end));
+        }
+    }
+
     fn reverse(&mut self) {
         let mut end = self.start;
         for (_, point) in &mut self.segments {
@@ -281,6 +304,20 @@ impl Contour {
         self.start = end;
         self.segments.reverse();
     }
+}
+
+/// A circle of eight curves.
+fn circle((x, y): (f64, f64), radius: f64, clockwise: bool) -> Contour {
+    let eighth = std::f64::consts::FRAC_PI_4;
+    let place = |turn: f64, radius: f64| {
+        let (sin, cos) = if clockwise { (-turn).sin_cos() } else { turn.sin_cos() };
+        ((x + radius * cos).round() as i32, (y + radius * sin).round() as i32)
+    };
+    let curve = |i: u32| {
+        let turn = f64::from(i) * eighth;
+        (Some(place(turn + eighth / 2.0, radius / (eighth / 2.0).cos())), place(turn + eighth, radius))
+    };
+    Contour { start: place(0.0, radius), segments: (0..8).map(curve).collect() }
 }
 
 struct Outline {

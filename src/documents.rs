@@ -1,7 +1,7 @@
 //! Pages as plain data on the command line: written with the names of their photos, and drawn again.
 
 use crate::destination::{Output, write};
-use crate::{Complaint, How, decode_file, done, drawing, name, plans, reading};
+use crate::{Complaint, How, check_strict, decode_file, done, drawing, name, plans, reading};
 use inkpanel::document::sheets::photos_on;
 use inkpanel::page::Document;
 use serde_json::Value;
@@ -60,19 +60,23 @@ pub(crate) fn draw(file: &Path, files: &[PathBuf], output: &Output, how: &How) -
         paths.insert(photo.to_owned(), path);
     }
     let full = |id: &str| paths.get(id).map(|path| decode_file(path)).transpose();
+    let fonts = how.printing.fonts()?;
+    let means = drawing::Means { photos: &full, fonts: &fonts, quality: how.printing.quality() };
+    drawing::tell_missing(&pages, &fonts)?;
+    check_strict(how)?;
     let printed: drawing::Printed<'_> = (&how.printing, &|_| &[]);
     if let drawing::Kind::Comic(kind) = drawing::Kind::of(&output.named)? {
         let title = output.named.file_stem().map(|stem| stem.to_string_lossy()).unwrap_or_default();
         let told = reading::Telling { title: &title, language: how.printing.language() };
-        return done(&reading::write((kind, told), &pages, &|_| &[], &full, output)?);
+        return done(&reading::write((kind, told), &pages, &|_| &[], &means, output)?);
     }
     if let [page] = &pages[..]
         && drawing::Kind::of(&output.named)? != drawing::Kind::Pdf
     {
-        output.write(&drawing::draw(page, &full, &output.named)?)?;
+        output.write(&drawing::draw(page, &means, &output.named)?)?;
         return done(std::slice::from_ref(&output.path));
     }
-    done(&plans::draw_all(&pages, &full, output, (how.skip_existing, &|_, file| Ok(file), printed))?)
+    done(&plans::draw_all(&pages, &means, output, (how.skip_existing, &|_, file| Ok(file), printed))?)
 }
 
 fn read(file: &Path) -> Result<Vec<Document>, Complaint> {

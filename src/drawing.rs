@@ -1,8 +1,8 @@
 //! Pages of the command line as files: rendered from the photos at their full size, with their words.
 
-use crate::album::is_standard;
+use crate::album::{self, is_standard};
 use crate::destination::{Output, write};
-use crate::{Complaint, reading};
+use crate::{Complaint, reading, telling};
 use inkpanel::Error;
 use inkpanel::framing::Subject;
 use inkpanel::layout::{self, PagePreset, PaperSize};
@@ -10,10 +10,12 @@ use inkpanel::native::{self, QUALITY, alts};
 use inkpanel::page::import::Imported;
 use inkpanel::page::pdf::{self, Imposition, Options};
 use inkpanel::page::plates::{self, Separation};
-use inkpanel::page::words::{Letters, place};
+use inkpanel::page::words::given::{self, GivenFonts};
+use inkpanel::page::words::place;
 use inkpanel::page::{Document, jpeg, png, webp};
 use inkpanel::raster::Image;
 use rayon::prelude::*;
+use serde_json::Value;
 use std::path::{Path, PathBuf};
 
 /// Puts the words of a file on a page; those without a place go where they hide no face.
@@ -21,16 +23,34 @@ pub(crate) fn add_words(
     document: &mut Document,
     file: &Path,
     photos: &[(PathBuf, Imported)],
+    fonts: &GivenFonts,
 ) -> Result<(), Complaint> {
     let complain = |reason: String| format!("{}: {reason}", file.display());
     let json = std::fs::read_to_string(file).map_err(|error| complain(error.to_string()))?;
-    let words = serde_json::from_str(&json).map_err(|error| complain(error.to_string()))?;
+    let words: Vec<Value> = serde_json::from_str(&json).map_err(|error| complain(error.to_string()))?;
     let subjects = |id: &str| {
         let photo = photos.iter().find(|(_, photo)| photo.meta.id == id);
         photo.map_or(&[][..], |(_, photo)| &photo.meta.subjects)
     };
-    let add = |letters: Letters| place::add(document, words, subjects, &letters);
-    Letters::bundled().and_then(add).map_err(|error| complain(error.to_string()))
+    let letters = fonts.letters(&words).map_err(|error| complain(error.to_string()))?;
+    place::add(document, words, subjects, &letters).map_err(|error| complain(error.to_string()))
+}
+
+/// Says which letters of the words of pages no font has.
+pub(crate) fn tell_missing(pages: &[Document], fonts: &GivenFonts) -> Result<(), Complaint> {
+    let words = || pages.iter().flat_map(|page| &page.words);
+    let letters = fonts.letters(words()).map_err(|error| error.to_string())?;
+    let missing = given::missing(&letters, words());
+    if !missing.is_empty() {
+        telling::note(
+            None,
+            &format!(
+                "no font has these letters, so a question mark stands for each: {} (--font gives one)",
+                missing.join(" ")
+            ),
+        );
+    }
+    Ok(())
 }
 
 /// What was found in a photo, by its id.
@@ -72,11 +92,21 @@ impl Kind {
 /// Decodes a photo at its full size by its id; gives nothing for one that is not there.
 pub(crate) type Photos<'p> = dyn Fn(&str) -> Result<Option<Image>, Complaint> + Sync + 'p;
 
+/// What pages are drawn with.
+#[derive(Clone, Copy)]
+pub(crate) struct Means<'p> {
+    pub(crate) photos: &'p Photos<'p>,
+    pub(crate) fonts: &'p GivenFonts,
+    /// Of JPEG, from 1 to 100.
+    pub(crate) quality: u8,
+}
+
 /// Renders a document from its photos, decoded at their full size, as the kind of picture that `output` names.
-pub(crate) fn draw(document: &Document, photos: &Photos<'_>, output: &Path) -> Result<Vec<u8>, Complaint> {
+pub(crate) fn draw(document: &Document, means: &Means<'_>, output: &Path) -> Result<Vec<u8>, Complaint> {
     let kind = Kind::of(output)?;
-    let sheet = native::sheet(document, &decoded(document, photos)?).map_err(|error| error.to_string())?;
-    encoded(kind, (sheet.width(), sheet.height()), sheet.rgb(), document.page.dpi)
+    let photos = decoded(document, means.photos)?;
+    let sheet = native::sheet(document, &photos, means.fonts).map_err(|error| error.to_string())?;
+    encoded(kind, (sheet.width(), sheet.height()), sheet.rgb(), (document.page.dpi, means.quality))
 }
 
 /// Pixels as a file of a kind that holds a single picture.
@@ -84,11 +114,11 @@ pub(crate) fn encoded(
     kind: Kind,
     (width, height): (usize, usize),
     rgb: &[u8],
-    dpi: u32,
+    (dpi, quality): (u32, u8),
 ) -> Result<Vec<u8>, Complaint> {
     let file = match kind {
         Kind::Png => png::encode_rgb(width, height, rgb, dpi),
-        Kind::Jpeg => jpeg::encode_rgb(width, height, rgb, dpi, QUALITY),
+        Kind::Jpeg => jpeg::encode_rgb(width, height, rgb, dpi, quality),
         Kind::Webp => webp::encode_rgb(width, height, rgb),
         Kind::Pdf => return Err("a photo becomes a .png, .jpg or .webp file".into()),
         Kind::Project | Kind::Comic(_) => return Err("that is made of photos, by render".into()),
@@ -97,8 +127,8 @@ pub(crate) fn encoded(
 }
 
 /// Renders a document as JPEG, whatever it goes into.
-pub(crate) fn jpeg_of(document: &Document, photos: &Photos<'_>) -> Result<Vec<u8>, Complaint> {
-    draw(document, photos, Path::new("page.jpg"))
+pub(crate) fn jpeg_of(document: &Document, means: &Means<'_>) -> Result<Vec<u8>, Complaint> {
+    draw(document, means, Path::new("page.jpg"))
 }
 
 /// What is asked of a file beside its pages, on the command line.
@@ -124,6 +154,13 @@ pub(crate) struct Printing {
     /// comic's reader speaks it itself.
     #[arg(long, value_name = "TAG", value_parser = reading::language)]
     language: Option<String>,
+    /// A TrueType or OpenType font for letters of words that the program's own lack, such as Arabic or Japanese; may be said
+    /// again: the first that has a letter is taken.
+    #[arg(long, value_name = "FILE")]
+    font: Vec<PathBuf>,
+    /// Quality of JPEG files, and of the pictures in PDF files and comics, from 1 to 100; 90 unless told.
+    #[arg(long, value_name = "1-100", value_parser = clap::value_parser!(u8).range(1..=100))]
+    quality: Option<u8>,
 }
 
 /// Width and height of A4 in millimetres.
@@ -172,8 +209,31 @@ impl Printing {
             Some((flag, _)) if kind != Kind::Pdf => {
                 Err(format!("{flag} is for PDF files: give the output a name that ends in .pdf"))
             }
+            _ if self.quality.is_some() && matches!(kind, Kind::Png | Kind::Webp | Kind::Project) => Err(
+                "--quality is of JPEG: give the output a name that ends in .jpg, .pdf, .html, .epub or .cbz"
+                    .into(),
+            ),
             _ => Ok(()),
         }
+    }
+
+    /// The fonts that are given.
+    ///
+    /// # Errors
+    /// A sentence with the name of a file that is no font, or too large.
+    pub(crate) fn fonts(&self) -> Result<GivenFonts, Complaint> {
+        let mut fonts = GivenFonts::default();
+        for path in &self.font {
+            let complain = |reason: String| format!("{}: {reason}", path.display());
+            let file = album::read(path).map_err(complain)?;
+            fonts.add(file).map_err(|reason| complain(reason.to_owned()))?;
+        }
+        Ok(fonts)
+    }
+
+    /// The quality that is asked for.
+    pub(crate) fn quality(&self) -> u8 {
+        self.quality.unwrap_or(QUALITY)
     }
 
     /// The language that is asked for.
@@ -216,7 +276,7 @@ pub(crate) type Printed<'a> = (&'a Printing, &'a Subjects<'a>);
 /// Returns the files.
 pub(crate) fn write_book(
     documents: &[Document],
-    photos: &Photos<'_>,
+    means: &Means<'_>,
     output: &Output,
     (printing, subjects): Printed<'_>,
 ) -> Result<Vec<PathBuf>, Complaint> {
@@ -225,7 +285,7 @@ pub(crate) fn write_book(
     }
     let name = if printing.plates { &output.path } else { &output.named };
     let mut written = Vec::new();
-    for (path, file) in draw_book(documents, photos, name, (printing, subjects))? {
+    for (path, file) in draw_book(documents, means, name, (printing, subjects))? {
         let path = if printing.plates { path } else { output.path.clone() };
         write(&path, &file)?;
         written.push(path);
@@ -236,15 +296,15 @@ pub(crate) fn write_book(
 /// Pages as PDF files whose title is the file's name: one, or one for each ink. Gives each with where it goes.
 fn draw_book(
     documents: &[Document],
-    photos: &Photos<'_>,
+    means: &Means<'_>,
     output: &Path,
     (printing, subjects): Printed<'_>,
 ) -> Result<Vec<(PathBuf, Vec<u8>)>, Complaint> {
     let told = |error: Error| error.to_string();
-    let letters = Letters::bundled().map_err(told)?;
+    let letters = means.fonts.letters(documents.iter().flat_map(|page| &page.words)).map_err(told)?;
     let documents: Vec<Document> = documents.iter().map(|document| printing.bled(document)).collect();
     if !printing.plates {
-        let leaf = |document| leaf(document, photos, (None, alts(document, subjects)));
+        let leaf = |document| leaf(document, means, (None, alts(document, subjects)));
         let leaves = documents.iter().map(leaf).collect::<Result<Vec<_>, _>>()?;
         let file = pdf::write(&leaves, &printing.options(output, None), &letters).map_err(told)?;
         return Ok(vec![(output.to_owned(), file)]);
@@ -267,7 +327,7 @@ fn draw_book(
     let exact = documents.iter().map(plates::exact).collect::<Result<Vec<_>, _>>().map_err(told)?;
     let mut files = Vec::new();
     for (plate, ink) in inks.iter().enumerate() {
-        let leaf = |document| leaf(document, photos, (Some((&separation, plate)), alts(document, subjects)));
+        let leaf = |document| leaf(document, means, (Some((&separation, plate)), alts(document, subjects)));
         let leaves = exact.iter().map(leaf).collect::<Result<Vec<_>, _>>()?;
         let stem = output.file_stem().map(|stem| stem.to_string_lossy()).unwrap_or_default();
         let path = output.with_file_name(format!("{stem}-{}.pdf", ink.name));
@@ -280,10 +340,11 @@ fn draw_book(
 
 fn leaf(
     document: &Document,
-    photos: &Photos<'_>,
+    means: &Means<'_>,
     (plate, alts): (Option<(&Separation, usize)>, Vec<String>),
 ) -> Result<pdf::Leaf, Complaint> {
-    native::leaf(document, &decoded(document, photos)?, alts, plate).map_err(|error| error.to_string())
+    let photos = decoded(document, means.photos)?;
+    native::leaf(document, &photos, alts, (plate, means.quality)).map_err(|error| error.to_string())
 }
 
 /// The photos that a page shows, as far as they are there, decoded side by side.

@@ -22,6 +22,7 @@ use clap::error::ErrorKind;
 use clap::{CommandFactory, Parser, Subcommand};
 use inkpanel::framing::PhotoMeta;
 use inkpanel::layout::Template;
+use inkpanel::native::QUALITY;
 use inkpanel::page::import::{Imported, import};
 use inkpanel::page::request::Request;
 use inkpanel::page::storyboard::{self, Choice};
@@ -330,7 +331,7 @@ fn render_page(render: &Render) -> Result<(), Complaint> {
             .error(ErrorKind::MissingRequiredArgument, "say which photos, or which saved project")
             .exit();
     }
-    if let Some(output) = output.as_ref().filter(|output| how.skip_existing && output.exists()) {
+    if let Some(output) = output.as_ref().filter(|output| how.skip_existing && is_made(output, planned)) {
         let event = json!({ "event": "skipped", "file": output.path.display().to_string() });
         telling::step(&event, Some(format!("{}: is there already", output.path.display())));
         return Ok(());
@@ -355,6 +356,15 @@ fn render_page(render: &Render) -> Result<(), Complaint> {
         return Err("--page is of a saved project, and there is none".into());
     }
     plan_page(planned, how, output.as_ref(), (&files, &projects::called(given, output_name(output.as_ref()))))
+}
+
+/// Whether all that is asked for is there already; then no photo is read for it.
+fn is_made(output: &Output, planned: &Planned) -> bool {
+    let one = matches!(Kind::of(&output.named), Ok(Kind::Pdf | Kind::Comic(_) | Kind::Project));
+    match planned.pages {
+        Some(pages) if !one => plans::all_exist(output, pages as usize),
+        _ => output.exists(),
+    }
 }
 
 /// The file that a project is called after.
@@ -404,6 +414,7 @@ fn plan_page(
     let layout = render.layout.as_deref().map(layout_value).transpose()?;
     let style = render.style.as_deref().map(style_value).transpose()?;
     let page = render.paper.settings()?;
+    let fonts = how.printing.fonts()?;
     let mut photos = import_all(files);
     let looked = !render.no_detect && add_subjects(&mut photos, render.models.as_deref());
     star(&mut photos, &render.star);
@@ -421,17 +432,19 @@ fn plan_page(
     let mut pages = storyboard::pages(&request, render.pages.map(|pages| pages as usize))
         .map_err(|error| error.to_string())?;
     if let (Some(file), Some(first)) = (&render.words, pages.first_mut()) {
-        drawing::add_words(&mut first.document, file, &photos)?;
+        drawing::add_words(&mut first.document, file, &photos, &fonts)?;
     }
     if let Some(wanted) = render.pages.filter(|wanted| *wanted as usize != pages.len()) {
         telling::note(None, &format!("there are {} pages, not {wanted}", pages.len()));
     }
     plans::tell_differences(&pages, render.panels, &request.photos, &photos);
+    let drawn: Vec<Document> = pages.iter().map(|page| page.document.clone()).collect();
+    drawing::tell_missing(&drawn, &fonts)?;
     check_strict(how)?;
     let paths: HashMap<&str, &Path> =
         photos.iter().map(|(path, photo)| (photo.meta.id.as_str(), path.as_path())).collect();
     let full = |id: &str| paths.get(id).map(|path| decode_file(path)).transpose();
-    let drawn: Vec<Document> = pages.iter().map(|page| page.document.clone()).collect();
+    let means = drawing::Means { photos: &full, fonts: &fonts, quality: how.printing.quality() };
     let album = projects::Album {
         name: album_name.to_owned(),
         pages: &drawn,
@@ -440,7 +453,7 @@ fn plan_page(
         looked,
     };
     let mut written = match output {
-        Some(output) => write_pages(&album, &full, output, (how, render.pages.is_some()))?,
+        Some(output) => write_pages(&album, &means, output, (how, render.pages.is_some()))?,
         None => Vec::new(),
     };
     if let Some(file) = &how.save_document {
@@ -458,7 +471,7 @@ fn plan_page(
 /// Returns the files.
 fn write_pages(
     album: &projects::Album<'_>,
-    photos: &drawing::Photos<'_>,
+    means: &drawing::Means<'_>,
     output: &Output,
     (how, several): (&How, bool),
 ) -> Result<Vec<PathBuf>, Complaint> {
@@ -480,13 +493,13 @@ fn write_pages(
     };
     if let Kind::Comic(comic) = kind {
         let told = reading::Telling { title: &album.name, language: how.printing.language() };
-        return reading::write((comic, told), album.pages, &subjects, photos, output);
+        return reading::write((comic, told), album.pages, &subjects, means, output);
     }
     if several || kind == Kind::Pdf {
         let printed: drawing::Printed<'_> = (&how.printing, &subjects);
-        return plans::draw_all(album.pages, photos, output, (how.skip_existing, &finish, printed));
+        return plans::draw_all(album.pages, means, output, (how.skip_existing, &finish, printed));
     }
-    output.write(&finish(0, drawing::draw(&album.pages[0], photos, &output.named)?)?)?;
+    output.write(&finish(0, drawing::draw(&album.pages[0], means, &output.named)?)?)?;
     Ok(vec![output.path.clone()])
 }
 
@@ -537,7 +550,7 @@ fn stylize_photo(style: &str, input: &Path, output: &Path, format: Option<&str>)
     let mut context = Context::for_image(&image);
     let drawn = stylize(&image, &style, &mut context).map_err(|error| error.to_string())?;
     let size = (drawn.width(), drawn.height());
-    output.write(&drawing::encoded(kind, size, &drawn.to_rgb(), 96)?)
+    output.write(&drawing::encoded(kind, size, &drawn.to_rgb(), (96, QUALITY))?)
 }
 
 fn select_photos(files: &[PathBuf], as_json: bool, threshold: u32) -> Result<(), Complaint> {

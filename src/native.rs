@@ -5,14 +5,15 @@ use crate::framing::Subject;
 use crate::output::describing::described;
 use crate::page::pdf::{Leaf, picture};
 use crate::page::plates::Separation;
-use crate::page::words::{Letters, draw as word_drawing};
+use crate::page::words::draw as word_drawing;
+use crate::page::words::given::GivenFonts;
 use crate::page::{Document, Patch, Scene, compose};
 use crate::raster::Image;
 use crate::style::Context;
 use rayon::prelude::*;
 use std::collections::{BTreeSet, HashMap};
 
-/// Of JPEG files and of the pictures in PDF files.
+/// Of JPEG files and of the pictures in PDF files, unless told.
 pub const QUALITY: u8 = 90;
 
 /// Photos at their full size, by their ids.
@@ -27,21 +28,22 @@ pub fn photos_of(document: &Document) -> Result<BTreeSet<String>> {
     Ok(scene.panels.into_iter().filter_map(|panel| panel.photo).collect())
 }
 
-/// The whole page at its own size with its words. A panel whose photo is not there stays empty.
+/// The whole page at its own size with its words, whose letters the program has or `fonts`. A panel whose photo is not there
+/// stays empty.
 ///
 /// # Errors
 /// As [`Scene::new`]; those of a style that does not fit; `invalid-document` for words that break their shape.
-pub fn sheet(document: &Document, photos: &Photos) -> Result<compose::Sheet> {
+pub fn sheet(document: &Document, photos: &Photos, fonts: &GivenFonts) -> Result<compose::Sheet> {
     let mut sheet = compose::Sheet::new(&Scene::new(document, document.page.width as usize)?);
     for patch in patches(document, photos)? {
         sheet.lay(patch.area, &patch.rgba)?;
     }
-    word_drawing::lay_words(&mut sheet, document, &Letters::bundled()?)?;
+    word_drawing::lay_words(&mut sheet, document, &fonts.letters(&document.words)?)?;
     Ok(sheet)
 }
 
 /// The page as a PDF file holds it, with what its panels show told for who does not see them; `plate` is the ink that it is
-/// printed with.
+/// printed with, `quality` that of its pictures, from 1 to 100.
 ///
 /// # Errors
 /// As [`sheet`]; `encode`.
@@ -49,7 +51,7 @@ pub fn leaf(
     document: &Document,
     photos: &Photos,
     alts: Vec<String>,
-    plate: Option<(&Separation, usize)>,
+    (plate, quality): (Option<(&Separation, usize)>, u8),
 ) -> Result<Leaf> {
     let scene = Scene::new(document, document.page.width as usize)?;
     let patches = patches(&picture::bare(document), photos)?;
@@ -57,7 +59,7 @@ pub fn leaf(
         .par_iter()
         .enumerate()
         .filter(|(index, _)| scene.panels[*index].photo.is_some())
-        .map(|(index, patch)| picture::cut(document, (index, patch.area, &patch.rgba), QUALITY, plate))
+        .map(|(index, patch)| picture::cut(document, (index, patch.area, &patch.rgba), quality, plate))
         .collect::<Result<Vec<_>>>()?;
     Ok(Leaf { document: document.clone(), pictures, alts })
 }

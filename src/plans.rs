@@ -240,7 +240,7 @@ pub(crate) type Finish<'f> = &'f dyn Fn(usize, Vec<u8>) -> Result<Vec<u8>, Compl
 /// Returns the files.
 pub(crate) fn draw_all(
     documents: &[Document],
-    photos: &drawing::Photos<'_>,
+    means: &drawing::Means<'_>,
     output: &Output,
     (skips, finish, printed): (bool, Finish<'_>, drawing::Printed<'_>),
 ) -> Result<Vec<PathBuf>, Complaint> {
@@ -249,7 +249,7 @@ pub(crate) fn draw_all(
         return Err("a project is made of photos; these pages are planned already".into());
     }
     if kind == drawing::Kind::Pdf {
-        return drawing::write_book(documents, photos, output, printed);
+        return drawing::write_book(documents, means, output, printed);
     }
     if is_standard(&output.path) {
         return Err("several pages go to standard output as one PDF file: add --format pdf".into());
@@ -259,7 +259,7 @@ pub(crate) fn draw_all(
         let own = Output { path: numbered(&output.path, i + 1), named: numbered(&output.named, i + 1) };
         let there = skips && own.exists();
         if !there {
-            own.write(&finish(i, drawing::draw(document, photos, &own.named)?)?)?;
+            own.write(&finish(i, drawing::draw(document, means, &own.named)?)?)?;
         }
         let file = name(&own.path);
         let event = json!({
@@ -284,6 +284,12 @@ fn number_place(text: &str) -> Option<(Range<usize>, usize)> {
 /// Whether a name asks for one file a page.
 pub(crate) fn has_number(output: &Path) -> bool {
     number_place(name(output)).is_some()
+}
+
+/// Whether all files of so many pages are there.
+pub(crate) fn all_exist(output: &Output, pages: usize) -> bool {
+    let own = |number| Output { path: numbered(&output.path, number), named: output.named.clone() };
+    (1..=pages).all(|number| own(number).exists())
 }
 
 /// The name of a page's file: the number at `%d` or `%02d`, else before the ending.

@@ -1,7 +1,7 @@
 //! Comics that are read, on the command line: HTML with a reader in it, EPUB, comic archives. Their pages are JPEG.
 
 use crate::destination::Output;
-use crate::drawing::Photos;
+use crate::drawing::Means;
 use crate::{Complaint, drawing, telling};
 use base64::Engine as _;
 use base64::prelude::BASE64_STANDARD;
@@ -64,11 +64,13 @@ pub(crate) fn write<'s>(
     (kind, told_of): (Kind, Telling<'_>),
     pages: &[Document],
     subjects: &dyn Fn(&str) -> &'s [Subject],
-    photos: &Photos<'_>,
+    means: &Means<'_>,
     output: &Output,
 ) -> Result<Vec<PathBuf>, Complaint> {
-    let mut picture = |page: &Document| drawing::jpeg_of(page, photos);
-    output.write(&made(kind, told_of, pages, subjects, &mut picture)?)?;
+    let mut picture = |page: &Document| drawing::jpeg_of(page, means);
+    let words = pages.iter().flat_map(|page| &page.words);
+    let letters = means.fonts.letters(words).map_err(|error| error.to_string())?;
+    output.write(&made(kind, told_of, pages, (subjects, &letters), &mut picture)?)?;
     Ok(vec![output.path.clone()])
 }
 
@@ -77,7 +79,7 @@ fn made<'s, D: Borrow<Document>>(
     kind: Kind,
     told_of: Telling<'_>,
     pages: &[D],
-    subjects: &dyn Fn(&str) -> &'s [Subject],
+    (subjects, letters): (&dyn Fn(&str) -> &'s [Subject], &Letters),
     picture: &mut dyn FnMut(&Document) -> Result<Vec<u8>, Complaint>,
 ) -> Result<Vec<u8>, Complaint> {
     // What a panel shows is told in English alone; to others it is a photo.
@@ -94,12 +96,11 @@ fn made<'s, D: Borrow<Document>>(
         pages: pages.iter().map(page).collect(),
     };
     let text = |error: inkpanel::Error| error.to_string();
-    let letters = Letters::bundled().map_err(text)?;
     // What cannot be told is known before anything is drawn.
     let told = match kind {
-        Kind::Html => Told::Pieces(html::write(&comic, &letters).map_err(text)?),
-        Kind::Epub => Told::Files(epub::write(&comic, &letters).map_err(text)?),
-        Kind::Cbz => Told::Files(cbz::write(&comic, &letters).map_err(text)?),
+        Kind::Html => Told::Pieces(html::write(&comic, letters).map_err(text)?),
+        Kind::Epub => Told::Files(epub::write(&comic, letters).map_err(text)?),
+        Kind::Cbz => Told::Files(cbz::write(&comic, letters).map_err(text)?),
     };
     let mut pictures = Vec::new();
     for (i, page) in pages.iter().enumerate() {

@@ -70,27 +70,30 @@ fn drawn(
     let known: HashMap<&str, Vec<Subject>> =
         saved.project().photos.iter().map(|photo| (photo.id.as_str(), subjects(photo))).collect();
     let found = |id: &str| known.get(id).map_or(&[][..], Vec::as_slice);
+    let fonts = printing.fonts()?;
+    let means = drawing::Means { photos: &photos, fonts: &fonts, quality: printing.quality() };
+    drawing::tell_missing(&wanted, &fonts)?;
     match kind {
         Kind::Comic(comic) => {
             let named = saved.project().history.present.name.trim();
             let stem = output.named.file_stem().map(|stem| stem.to_string_lossy()).unwrap_or_default();
             let title = if named.is_empty() { &*stem } else { named };
             let told = reading::Telling { title, language: printing.language() };
-            reading::write((comic, told), &wanted, &found, &photos, output)
+            reading::write((comic, told), &wanted, &found, &means, output)
         }
-        Kind::Pdf => drawing::write_book(&wanted, &photos, output, (printing, &found)),
+        Kind::Pdf => drawing::write_book(&wanted, &means, output, (printing, &found)),
         _ if each => {
             let mut files = Vec::new();
             for (i, document) in wanted.iter().enumerate() {
                 let [path, named] = [&output.path, &output.named].map(|name| plans::numbered(name, i + 1));
                 let own = Output { path, named };
-                own.write(&drawing::draw(document, &photos, &own.named)?)?;
+                own.write(&drawing::draw(document, &means, &own.named)?)?;
                 files.push(own.path);
             }
             Ok(files)
         }
         _ => {
-            output.write(&drawing::draw(&wanted[0], &photos, &output.named)?)?;
+            output.write(&drawing::draw(&wanted[0], &means, &output.named)?)?;
             Ok(vec![output.path.clone()])
         }
     }

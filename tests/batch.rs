@@ -110,6 +110,54 @@ fn fed(folder: &Path, arguments: &[&str], input: &[u8]) -> Output {
     output
 }
 
+#[test]
+fn a_font_gives_letters_and_what_none_has_is_named() {
+    let folder = album();
+    let fonts = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/oracles/data/fonts");
+    let font = |name: &str| fonts.join(name).display().to_string();
+    let words = r#"[{ "kind": "balloon", "text": "مرحبا 漢字 😀" }]"#;
+    fs::write(folder.path().join("words.json"), words).unwrap();
+    let drawn = |more: &[&str], page: &str| {
+        render(folder.path(), &[&["--words", "words.json", "-o", page], more, &["album"]].concat())
+    };
+    let bare = drawn(&[], "bare.png");
+    assert_eq!(bare.status.code(), Some(0));
+    assert!(text(&bare.stderr).contains("no font has these letters"), "{}", text(&bare.stderr));
+    let (arabic, japanese) = (font("arabic.ttf"), font("japanese.ttf"));
+    for page in ["page.png", "page.pdf", "page.html"] {
+        let output = drawn(&["--font", &arabic, "--font", &japanese], page);
+        let said = text(&output.stderr);
+        assert!(output.status.success() && said.contains("😀") && !said.contains('漢'), "{said}");
+    }
+    let page = |name: &str| fs::read(folder.path().join(name)).unwrap();
+    assert_ne!(page("page.png"), page("bare.png"));
+    // What is not as it was asked for stops strict work; what is no font stops all.
+    assert_eq!(drawn(&["--strict"], "strict.png").status.code(), Some(1));
+    let output = drawn(&["--font", "words.json"], "wrong.png");
+    let said = text(&output.stderr);
+    assert_eq!((output.status.code(), said.lines().count()), (Some(1), 1), "{said}");
+    assert!(said.contains("words.json: it is no TrueType or OpenType font"), "{said}");
+    assert!(!folder.path().join("wrong.png").exists() && !folder.path().join("strict.png").exists());
+}
+
+#[test]
+fn the_quality_of_jpeg_is_told_and_what_is_there_is_not_planned_again() {
+    let folder = album();
+    let size = |name: &str| fs::metadata(folder.path().join(name)).unwrap().len();
+    for (page, quality) in [("low.jpg", "20"), ("high.jpg", "97"), ("low.pdf", "20"), ("high.pdf", "97")] {
+        assert!(render(folder.path(), &["--quality", quality, "-o", page, "album"]).status.success());
+    }
+    assert!(2 * size("low.jpg") < size("high.jpg") && size("low.pdf") < size("high.pdf"));
+    let wrong = render(folder.path(), &["--quality", "20", "-o", "page.png", "album"]);
+    assert!(wrong.status.code() == Some(1) && text(&wrong.stderr).contains("--quality is of JPEG"));
+    assert_eq!(render(folder.path(), &["--quality", "0", "-o", "page.jpg", "album"]).status.code(), Some(2));
+    let pages = ["--pages", "2", "-o", "page-%02d.png", "--skip-existing", "--progress", "json", "album"];
+    let first = text(&render(folder.path(), &pages).stderr);
+    assert!(first.contains(r#""event":"photo""#), "{first}");
+    let again = text(&render(folder.path(), &pages).stderr);
+    assert!(again.contains(r#""event":"skipped""#) && !again.contains(r#""event":"photo""#), "{again}");
+}
+
 const SMALL: [&str; 6] = ["--no-detect", "--style", "noir", "--page-size", "200x280", "--seed=5"];
 
 fn render(folder: &Path, arguments: &[&str]) -> Output {

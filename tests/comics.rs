@@ -332,3 +332,25 @@ fn epubcheck_finds_nothing_wrong() {
         "{said}\n{table}"
     );
 }
+
+#[test]
+fn ace_finds_nothing_serious() {
+    let folder = tempfile::tempdir().unwrap();
+    rendered(folder.path(), "comic.epub");
+    let ace = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/ace");
+    let browser = std::env::var_os("CHROMIUM").unwrap_or_else(|| "/usr/bin/chromium".into());
+    if !ace.join("node_modules").is_dir() || !Path::new(&browser).exists() {
+        eprintln!(
+            "\n*** SKIPPED: EPUB files were not looked at by Ace. `npm ci` in tests/ace and Chromium are needed. ***\n"
+        );
+        return;
+    }
+    let look = |book: &str| {
+        let mut node = Command::new("node");
+        node.arg(ace.join("check.js")).arg(book).env("PUPPETEER_EXECUTABLE_PATH", &browser);
+        node.current_dir(folder.path()).output().unwrap()
+    };
+    let looked = look("comic.epub");
+    let said = String::from_utf8_lossy(&[looked.stdout, looked.stderr].concat()).into_owned();
+    assert!(looked.status.success() && said.contains("checked\tpass"), "{said}");
+}

@@ -9,6 +9,8 @@ use std::path::{Path, PathBuf};
 
 use golden::Goldens;
 use inkpanel::framing::Subject;
+use inkpanel::layout::Point;
+use inkpanel::page::words::given::{GivenFonts, missing};
 use inkpanel::page::words::{Letters, Word, draw, layout, place};
 use inkpanel::page::{Document, Scene, compose, png};
 use inkpanel::raster::decode::{Limits, decode};
@@ -55,9 +57,13 @@ fn every_kind() -> Document {
 }
 
 fn drawn(document: &Document, width: usize) -> Image {
+    drawn_with(document, width, &letters())
+}
+
+fn drawn_with(document: &Document, width: usize, letters: &Letters) -> Image {
     let scene = Scene::new(document, width).unwrap();
     let mut sheet = compose::compose(&scene, |_| None, &mut Context::default()).unwrap();
-    draw::lay_words(&mut sheet, document, &letters()).unwrap();
+    draw::lay_words(&mut sheet, document, letters).unwrap();
     let bytes = png::encode(&sheet, 96).unwrap();
     decode(&bytes, &Limits::default()).unwrap().image
 }
@@ -67,7 +73,160 @@ fn a_page_of_words_looks_as_it_did() {
     // Letters and shapes are lines: no style is in the way, and no pixel may differ.
     let mut goldens = Goldens::of("words", 0.0);
     goldens.hold("every-kind", &drawn(&every_kind(), 620));
+    let columns = in_columns();
+    let letters = fonts(&["japanese.ttf"]).letters(&columns.words).unwrap();
+    goldens.hold("columns", &drawn_with(&columns, 620, &letters));
     goldens.finish();
+}
+
+/// A folder of fonts, see `tests/oracles/fonts.py`.
+fn font_file(name: &str) -> Vec<u8> {
+    fs::read(root("tests/oracles/data/fonts").join(name)).unwrap()
+}
+
+fn fonts(files: &[&str]) -> GivenFonts {
+    let mut fonts = GivenFonts::default();
+    files.iter().for_each(|name| fonts.add(font_file(name)).unwrap());
+    fonts
+}
+
+fn said(text: &str) -> Value {
+    json!({ "kind": "balloon", "craft": 2, "text": text, "panel": 1, "x": 0.5, "y": 0.5 })
+}
+
+#[test]
+fn given_fonts_are_shaped_as_harfbuzz_does() {
+    let rows: Value = serde_json::from_slice(&font_file("shaped.json")).unwrap();
+    for row in rows.as_array().unwrap() {
+        let word = row["word"].as_str().unwrap();
+        let letters = fonts(&[row["file"].as_str().unwrap()]).letters([&said(word)]).unwrap();
+        let font = letters.font("comic-neue").unwrap();
+        let run = letters.cleaned(word);
+        assert_eq!(run.len(), 1, "{word} is one letter by now");
+        assert_eq!((letters.learnt(run[0]), letters.missing(word, font)), (Some(word), vec![]));
+        assert!((letters.width(font, &run) - row["advance"].as_f64().unwrap()).abs() < 1e-4, "{word}");
+        let points = font.outline(run[0], 0.001).concat();
+        let sides: [fn(&Point) -> f64; 4] = [|p| p.x, |p| p.y, |p| -p.x, |p| -p.y];
+        for (side, expected) in sides.iter().zip(row["bounds"].as_array().unwrap()) {
+            let least = points.iter().map(side).fold(f64::MAX, f64::min).abs();
+            assert!((least - expected.as_f64().unwrap().abs()).abs() < 0.002, "{word}: {least} {expected}");
+        }
+    }
+}
+
+#[test]
+fn cubic_outlines_are_those_of_quadratic_ones() {
+    let ink = |file: &str| {
+        let letters = fonts(&[file]).letters([&said("漢字")]).unwrap();
+        let font = letters.font("comic-neue").unwrap();
+        let area = |line: &[Point]| {
+            line.iter().zip(line.iter().cycle().skip(1)).map(|(a, b)| a.x * b.y - b.x * a.y).sum::<f64>()
+        };
+        let run = letters.cleaned("漢字");
+        assert!(run.iter().all(|&letter| letters.learnt(letter).is_some()), "{file}");
+        run.iter()
+            .map(|&l| font.outline(l, 0.001).iter().map(|line| area(line)).sum::<f64>())
+            .collect::<Vec<_>>()
+    };
+    for (one, other) in ink("cubic.otf").iter().zip(ink("japanese.ttf")) {
+        assert!(*one < -0.1 && (one - other).abs() < 0.01 * other.abs(), "{one} {other}");
+    }
+}
+
+#[test]
+fn the_first_font_that_has_a_letter_gives_it_and_what_none_has_is_named() {
+    let word = said("مرحبا 漢字 ок 😀 \u{e000}");
+    let both = fonts(&["arabic.ttf", "cubic.otf", "japanese.ttf"]);
+    let letters = both.letters([&word]).unwrap();
+    assert_eq!(missing(&letters, [&word]), ["😀", "U+E000"]);
+    let none = GivenFonts::default().letters([&word]).unwrap();
+    assert_eq!(missing(&none, [&word]).len(), 9);
+}
+
+#[test]
+fn fonts_that_are_broken_are_refused_or_read_as_far_as_they_are_whole() {
+    let mut fonts = GivenFonts::default();
+    assert!(fonts.add(Vec::new()).unwrap_err().contains("no TrueType"));
+    assert!(fonts.add(b"no font at all".to_vec()).unwrap_err().contains("no TrueType"));
+    assert!(fonts.add(vec![0; (64 << 20) + 1]).unwrap_err().contains("64 MB"));
+    for name in ["arabic.ttf", "japanese.ttf", "cubic.otf"] {
+        let whole = font_file(name);
+        let mut state = 7u32;
+        for _ in 0..120 {
+            let mut file = whole.clone();
+            for _ in 0..12 {
+                state = state.wrapping_mul(1_664_525).wrapping_add(1_013_904_223);
+                let at = state as usize % file.len();
+                file[at] = (state >> 16) as u8;
+            }
+            file.truncate(file.len() - (state >> 8) as usize % 300);
+            let mut fonts = GivenFonts::default();
+            if fonts.add(file).is_ok() {
+                let document = document(&json!([said("漢字 何だ 「夜」 مرحبا بالعالم")]));
+                let letters = fonts.letters(&document.words).unwrap();
+                assert!(draw::render(&document, 0, 300, &letters).is_ok());
+            }
+        }
+    }
+}
+
+fn columns(text: &str, more: &Value) -> Value {
+    let mut word = said(text);
+    word["vertical"] = json!(true);
+    for (name, value) in more.as_object().unwrap() {
+        word[name] = value.clone();
+    }
+    word
+}
+
+const NIGHT: &str = "「夜の灯台、見た？」そうか…だって！漢字でも縦書き。";
+
+/// Columns in balloons, a caption and an effect.
+fn in_columns() -> Document {
+    document(&json!([
+        columns(NIGHT, &json!({ "panel": 0, "tail": { "x": 0.2, "y": 0.95 } })),
+        columns("何だって！？", &json!({ "panel": 1, "kind": "effect", "angle": 8 })),
+        columns("漢字でも縦書き 24台、OK!? 2026", &json!({ "panel": 2, "kind": "caption" })),
+        columns(NIGHT, &json!({ "panel": 3, "width": 0.3 })),
+        columns(NIGHT, &json!({ "panel": 4, "shape": "thought", "size": 0.012 })),
+        columns("見*た*ってー", &json!({ "panel": 5, "shape": "shout" })),
+    ]))
+}
+
+#[test]
+fn columns_run_from_right_to_left_inside_of_their_shapes() {
+    let page = in_columns();
+    let letters = fonts(&["japanese.ttf"]).letters(&page.words).unwrap();
+    let all = layout::lay_all(&page, &letters).unwrap();
+    let text = |line: &[char]| line.iter().map(|&letter| letters.text_of(letter)).collect::<String>();
+    for (index, laid) in all.iter().enumerate() {
+        let setting = &laid.setting;
+        assert!(!setting.cut && setting.size > 0.009, "word {index}");
+        let (a, b) = setting.half;
+        let count = setting.lines.len() as f64;
+        let longest = setting.lines.iter().map(|line| line.1).fold(0.0, f64::max);
+        assert!((count - 1.0) * setting.pitch + setting.size < 2.0 * a + 1e-9, "word {index}");
+        assert!(longest < 2.0 * b, "word {index}");
+        for (line, _) in &setting.lines {
+            let line = text(line);
+            assert!(!line.starts_with(['、', '。', '？', '！', '」', 'っ', 'ー', '…']), "{line}");
+            assert!(!line.ends_with('「'), "{line}");
+        }
+    }
+    let spoken = &all[0].setting;
+    assert!(spoken.lines.len() > 1 && spoken.half.1 > spoken.half.0, "columns are high");
+    assert!((all[3].setting.half.0 - 0.15).abs() < 1e-9 && all[3].setting.lines.len() > spoken.lines.len());
+    // The first column stands to the right: without the others' letters there is ink on the right alone.
+    let one = document(&json!([columns("漢\n…", &json!({ "kind": "caption", "size": 0.04 }))]));
+    let letters = fonts(&["japanese.ttf"]).letters(&one.words).unwrap();
+    let patch = draw::render(&one, 0, 900, &letters).unwrap();
+    let dark = |part: std::ops::Range<usize>| {
+        let pixel = |i: &usize| patch.rgba[i * 4 + 3] == 255 && patch.rgba[i * 4] < 90;
+        let at = |i: &usize| part.contains(&(i % patch.area.width));
+        (0..patch.area.width * patch.area.height).filter(|i| at(i) && pixel(i)).count()
+    };
+    let half = patch.area.width / 2;
+    assert!(dark(half..patch.area.width) > dark(0..half) + 100);
 }
 
 /// Mean structural similarity of blocks of 8 x 8 pixels.

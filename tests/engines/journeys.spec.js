@@ -1,6 +1,7 @@
 // @ts-check
 /** What most people do, from photos to files, in every engine. */
 
+import { pathToFileURL } from 'node:url';
 import { PNG, SIX, becomes, expect, given, photos, test } from './hands.js';
 
 const animations = (/** @type {string} */ name) => given(`oracles/data/animations/${name}`);
@@ -135,4 +136,49 @@ test('the pictures of animations lie on the table', async ({ person }) => {
   await person.begin([animations('kept.gif'), animations('lossless.webp'), SIX[0]]);
   for (const name of [/^Use kept\.gif, 0:0/, /^Use lossless\.webp, 0:0/])
     await expect.poll(async () => (await person.all('checkbox', name)).length, String(name)).toBe(4);
+});
+
+test('an HTML comic is read from its file, panel by panel', async ({ person }) => {
+  await person.begin();
+  await person.say('READ ME');
+  const { path } = await person.savedAs('html');
+  await person.driver.get(pathToFileURL(path).href);
+  await person.click('button', 'Panels');
+  const panels = (await person.all('region', /^Page 1, panel \d: /)).length;
+  expect(panels).toBeGreaterThan(1);
+  const said = () => person.inPage(() => document.querySelector('[role=status]')?.textContent ?? '');
+  /** How much of the screen the panel takes along the side that it fills, and whether all of it is seen. */
+  const filled = (/** @type {number} */ panel) =>
+    person.inPage((panel) => {
+      const stage = /** @type {Element} */ (document.querySelector('main')).getBoundingClientRect();
+      const shape = /** @type {Element} */ (
+        document.querySelector(`.current .shape[data-panel="${panel}"] polygon`)
+      ).getBoundingClientRect();
+      const inside =
+        shape.left > stage.left - 2 &&
+        shape.right < stage.right + 2 &&
+        shape.top > stage.top - 2 &&
+        shape.bottom < stage.bottom + 2;
+      return inside && Math.max(shape.width / stage.width, shape.height / stage.height) > 0.8;
+    }, panel);
+  for (let panel = 0; panel < panels; panel += 1) {
+    await expect.poll(said).toContain(`Page 1, panel ${panel + 1}: `);
+    await expect.poll(() => filled(panel), `panel ${panel + 1} fills the screen`).toBe(true);
+    if (panel + 1 < panels) await person.click('button', 'Next');
+  }
+  await person.click('button', 'Text');
+  await expect
+    .poll(() => person.inPage(() => /** @type {HTMLElement} */ (document.body).innerText))
+    .toContain('READ ME');
+});
+
+test('letters that no font has are named, and no empty box stands for them', async ({ person }) => {
+  await person.begin();
+  await person.say('GO \ue123 ON');
+  const notes = async () => {
+    const found = await person.all('note');
+    return (await Promise.all(found.map((note) => note.getText()))).join(' ');
+  };
+  await expect.poll(notes).toContain('in no font');
+  expect(await notes()).toContain('U+E123');
 });

@@ -23,10 +23,13 @@ const JOINED =
   /[\p{Script=Arabic}\p{Script=Hebrew}\p{Script=Syriac}\p{Script=Thaana}\p{Script=Nko}\p{Script=Devanagari}\p{Script=Bengali}\p{Script=Gurmukhi}\p{Script=Gujarati}\p{Script=Oriya}\p{Script=Tamil}\p{Script=Telugu}\p{Script=Kannada}\p{Script=Malayalam}\p{Script=Sinhala}\p{Script=Thai}\p{Script=Lao}\p{Script=Tibetan}\p{Script=Myanmar}\p{Script=Khmer}\p{Script=Mongolian}]/u;
 const LEFTWARD = /[\p{Script=Arabic}\p{Script=Hebrew}\p{Script=Syriac}\p{Script=Thaana}\p{Script=Nko}]/u;
 const EMOJI = /\p{Extended_Pictographic}/u;
-/** What has a shape of its own, other than marks and joiners. */
-const SEEN = /[\p{L}\p{N}\p{Extended_Pictographic}]/u;
-/** No font has a letter for it: what is drawn for it is drawn for all that are missing. */
-const NOBODY = '\u{10fffd}';
+/** What has a shape of its own: all but marks, joiners, controls and spaces. */
+const SEEN = /[^\p{M}\p{Cf}\p{Cc}\p{Z}]/u;
+/**
+ * No font has letters for these: what is drawn for them is drawn for all that are missing, but for the number of the letter that
+ * Firefox writes into its box, of four digits or of six.
+ */
+const NOBODY = ['\u{10fffd}', '\uf8fd'];
 /** The font of which all that is missing is missing in the others. */
 const FONT = 'comic-neue';
 
@@ -85,7 +88,7 @@ function createPen(): ((run: string) => Drawn | null) | null {
   const canvas = new OffscreenCanvas(8, 8);
   const context = canvas.getContext('2d', { willReadFrequently: true }) as OffscreenCanvasRenderingContext2D | null;
   if (!context || !isHonest(context)) return null;
-  const nothing = drawn(context, NOBODY);
+  const nothing = NOBODY.flatMap((letter) => drawn(context, letter) ?? []);
 
   return (run) => {
     const emoji = EMOJI.test(run);
@@ -96,9 +99,9 @@ function createPen(): ((run: string) => Drawn | null) | null {
 
   /** Whether the system has a sign for what it has no letter for, and draws that. */
   function isUnknown(letter: string) {
-    if (!nothing || !SEEN.test(letter)) return false;
+    if (!SEEN.test(letter)) return false;
     const picture = drawn(context as OffscreenCanvasRenderingContext2D, letter);
-    return picture !== null && isSame(picture, nothing);
+    return picture !== null && nothing.some((other) => isSame(picture, other) || isSameBox(picture, other));
   }
 }
 
@@ -161,6 +164,24 @@ function line(ink: Uint8Array, data: Uint8ClampedArray, width: number) {
     ].some(([dx, dy]) => !inside(x + dx, y + dy));
     ink[i] = alpha[i] > 128 && (dark || edge) ? alpha[i] : 0;
   }
+}
+
+/** Whether both are boxes alike, whatever is in them. */
+function isSameBox(one: Drawn, box: Drawn): boolean {
+  if (one.width !== box.width || one.ink.length !== box.ink.length) return false;
+  const height = box.ink.length / box.width;
+  const columns = Array.from({ length: box.width }, (_, x) => x);
+  const rows = Array.from({ length: height }, (_, y) => y);
+  const inked = (x: number, y: number) => box.ink[y * box.width + x] > 128;
+  const across = columns.filter((x) => rows.some((y) => inked(x, y)));
+  const down = rows.filter((y) => columns.some((x) => inked(x, y)));
+  const [left, right, top, bottom] = [across[0], across.at(-1) ?? 0, down[0], down.at(-1) ?? 0];
+  /** The outermost line of ink. */
+  const frame = [
+    ...across.flatMap((x) => [top * box.width + x, bottom * box.width + x]),
+    ...down.flatMap((y) => [y * box.width + left, y * box.width + right]),
+  ];
+  return frame.every((i) => box.ink[i] > 128 && one.ink[i] > 128);
 }
 
 function isSame(one: Drawn, other: Drawn): boolean {

@@ -530,6 +530,8 @@ export type Word = { kind: 'caption' | 'balloon' | 'effect',
   joined?: string | null,
   /** The language of its text: long words part by its rules. */
   language?: string | null,
+  /** Its lines are columns, read from the top down and from right to left. */
+  vertical?: boolean,
   /** Width and height in page widths that it keeps to, found when it was placed. */
   room?: readonly [width: number, height: number] | null,
 };

@@ -24,6 +24,9 @@ const ARC = 0.6;
 const SLANT = 15;
 const THICK = 0.14;
 
+/** Letters of scripts that are set in columns, too. */
+const IN_COLUMNS = /[\p{Script=Han}\p{Script=Hiragana}\p{Script=Katakana}\p{Script=Hangul}\p{Script=Bopomofo}]/u;
+
 const SHAPES = ['oval', 'thought', 'shout', 'whisper', 'radio'] as const;
 
 export function WordBar({ index, box }: { index: number; box: WordBox }) {
@@ -104,6 +107,14 @@ export function WordBar({ index, box }: { index: number; box: WordBox }) {
         pressed={capitals(word)}
         onClick={() => set({ capitals: !capitals(word) })}
       />
+      {(word.vertical || IN_COLUMNS.test(word.text)) && (
+        <IconButton
+          icon="vertical"
+          label={strings.barVertical}
+          pressed={word.vertical ?? false}
+          onClick={() => set({ vertical: !word.vertical })}
+        />
+      )}
       {word.kind === 'effect' && <EffectTools word={word} set={set} />}
       <span class="word-bar-line" />
       {(['color', 'fill'] as const).map((name) => (

@@ -24,6 +24,12 @@ export function capitals({ capitals, craft, kind }: Word): boolean {
   return capitals ?? (craft === 2 && kind !== 'effect');
 }
 
+/** A letter as it is told; one for private use, which nothing shows, by its number. */
+function named(letter: string): string {
+  if (!/\p{Co}/u.test(letter)) return letter;
+  return `U+${(letter.codePointAt(0) ?? 0).toString(16).toUpperCase().padStart(4, '0')}`;
+}
+
 export function WordFields({ index }: { index: number }) {
   const { store, ui, lettering } = useApp();
   const word = lettering.words.value[index];
@@ -37,7 +43,7 @@ export function WordFields({ index }: { index: number }) {
   const set = (news: Partial<Word>) => lettering.edit(index, news, gesture.current);
   const [x, y] = [box.x + box.width / 2, box.y + box.height / 2];
 
-  const missing = lettering.missing(word.text, box.font);
+  const missing = [...lettering.missing(word.text, box.font)].map(named).join(' ');
 
   function aim(mode: Mode) {
     lettering.mode.value = lettering.mode.peek() === mode ? null : mode;
@@ -180,6 +186,7 @@ export function WordFields({ index }: { index: number }) {
       </div>
       <div class="word-switches">
         <Switch label={strings.wordCapitals} on={capitals(word)} onChange={(on) => set({ capitals: on })} />
+        <Switch label={strings.wordVertical} on={word.vertical ?? false} onChange={(vertical) => set({ vertical })} />
         {word.kind === 'caption' && (
           <Switch label={strings.wordBoxless} on={word.boxless ?? false} onChange={(boxless) => set({ boxless })} />
         )}

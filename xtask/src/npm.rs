@@ -27,6 +27,27 @@ pub(crate) fn install(project: &Project) -> Result<()> {
     stamp.keep()
 }
 
+/// Installs Ace, which looks at EPUB files, unless it is there as its lock file wants it. The browser that it runs in is the
+/// one of the other tests: it downloads none.
+pub(crate) fn install_ace(project: &Project) -> Result<()> {
+    check_node()?;
+    let folder = project.root.join("tests/ace");
+    let mut inputs = Inputs::default();
+    inputs.path(&folder.join("package-lock.json"), &[])?;
+    let stamp = Stamp::new(project, "ace", &inputs);
+    if stamp.is_current(&folder.join("node_modules")) {
+        return Ok(());
+    }
+    println!("npm ci in tests/ace");
+    tools::run(
+        Command::new(program())
+            .args(["ci", "--ignore-scripts", "--no-audit", "--no-fund", "--loglevel=error"])
+            .env("PUPPETEER_SKIP_DOWNLOAD", "1")
+            .current_dir(folder),
+    )?;
+    stamp.keep()
+}
+
 /// `npm ci` in a folder.
 pub(crate) fn clean_install(folder: &Path) -> Result<()> {
     // npm's progress and advice is noise here; its errors are not.

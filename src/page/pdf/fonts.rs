@@ -5,7 +5,7 @@ use super::packed;
 use crate::page::words::Letters;
 use crate::page::words::draw::rows;
 use crate::page::words::layout::Laid;
-use crate::page::words::letters::{Font, spoken};
+use crate::page::words::letters::Font;
 use crate::page::words::truetype::subset;
 use pdf_writer::types::{CidFontType, FontFlags, SystemInfo, UnicodeCmap};
 use pdf_writer::{Dict, Filter, Finish, Name, Pdf, Rect, Ref, Str};
@@ -22,6 +22,8 @@ pub(super) struct Fonts<'a>(Vec<Face<'a>>);
 /// A font with the letters that are used of it, in ascending order; the code of a letter is its place and one.
 pub(super) struct Face<'a> {
     font: &'a Font,
+    /// What its letters are as text.
+    words: &'a Letters,
     letters: Vec<char>,
     id: Ref,
     place: usize,
@@ -41,6 +43,7 @@ impl<'a> Fonts<'a> {
         }
         let face = |(place, (font, used)): (usize, (&'a Font, BTreeSet<char>))| Face {
             font,
+            words: letters,
             letters: used.into_iter().collect(),
             id: next(),
             place,
@@ -104,7 +107,7 @@ impl Face<'_> {
         stream.finish();
         let mut map = UnicodeCmap::<u16>::new(Name(b"Inkpanel"), IDENTITY);
         for (at, &letter) in self.letters.iter().enumerate() {
-            map.pair(at as u16 + 1, spoken(letter));
+            map.pair_with_multiple(at as u16 + 1, self.words.text_of(letter).chars());
         }
         pdf.cmap(unicode, &packed(&map.finish())).filter(Filter::FlateDecode);
     }

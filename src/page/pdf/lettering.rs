@@ -12,7 +12,6 @@ use crate::page::document::Document;
 use crate::page::words::Letters;
 use crate::page::words::draw::{Bend, LEAN, Lines, Row, lines, rows};
 use crate::page::words::layout::{self, Laid};
-use crate::page::words::letters::spoken;
 use crate::page::words::model::Kind;
 use crate::page::words::wording::read;
 use pdf_writer::types::{LineCapStyle, LineJoinStyle, TextRenderingMode};
@@ -123,7 +122,8 @@ impl Lettering<'_> {
             // Programs that look for words take a line that is not level for many: they are told what it says.
             let level = laid.word.kind != Kind::Effect;
             if !level {
-                let says: String = row.letters.iter().map(|&(letter, _)| spoken(letter)).collect();
+                let says: String =
+                    row.letters.iter().map(|&(letter, _)| self.letters.text_of(letter)).collect();
                 let mut mark = content.begin_marked_content_with_properties(Name(b"Span"));
                 mark.properties().actual_text(TextStr(&says));
             }
@@ -161,7 +161,7 @@ fn stroke(content: &mut Content, shapes: &[Vec<Point>], (colours, with): (&Colou
 /// A line of text with the distances that its letters have on the page.
 fn show(content: &mut Content, row: &Row, face: &Face, bend: &Bend, size: f64) {
     let Some(&(_, start)) = row.letters.first() else { return };
-    stand(content, bend, (start, row.baseline), size, if row.strong { LEAN } else { 0.0 });
+    stand(content, bend, (row, start), size);
     let mut showing = content.show_positioned();
     let mut items = showing.items();
     for (at, &(letter, pen)) in row.letters.iter().enumerate() {
@@ -176,15 +176,20 @@ fn show(content: &mut Content, row: &Row, face: &Face, bend: &Bend, size: f64) {
     }
 }
 
-/// Puts the pen at a place of the word, along the line that the word has there, its letters leaning by a part of their
+/// Puts the pen at the start of a row, along the line that the word has there, its letters leaning by a part of their
 /// height. Text stands upwards, the page downwards.
-fn stand(content: &mut Content, bend: &Bend, (x, y): (f64, f64), size: f64, lean: f64) {
-    let from = bend.moved(x, y);
-    let side = |x: f64, y: f64| {
-        let to = bend.moved(x, y);
+fn stand(content: &mut Content, bend: &Bend, (row, start): (&Row, f64), size: f64) {
+    let lean = if row.strong { LEAN } else { 0.0 };
+    let place = |along: f64, up: f64| {
+        let (x, y) = row.at(start + along * size, up * size);
+        bend.moved(x, y)
+    };
+    let from = place(0.0, 0.0);
+    let side = |along: f64, up: f64| {
+        let to = place(along, up);
         ((to.x - from.x) * 100.0, (to.y - from.y) * 100.0)
     };
-    let (along, up) = (side(x + 0.01 * size, y), side(x + 0.01 * lean * size, y - 0.01 * size));
+    let (along, up) = (side(0.01, 0.0), side(0.01 * lean, 0.01));
     let exact = |value: f64| ((value * 1e4).round() / 1e4) as f32;
     let [a, b, c, d] = [along.0, along.1, up.0, up.1].map(exact);
     content.set_text_matrix([a, b, c, d, short(from.x), short(from.y)]);

@@ -5,6 +5,7 @@ use super::layout::{Body, Chain, Ground, Laid, lay_all};
 use super::letters::{Font, Letters};
 use super::model::{Craft, Kind, Shape, Word};
 use super::shapes;
+use super::vertical;
 use crate::error::{Error, Result};
 use crate::layout::{Bounds, Point};
 use crate::page::Document;
@@ -152,8 +153,10 @@ pub fn draw(laid: &Laid, width: f64, letters: &Letters) -> Patch {
 
 /// Letters of a line that stand alike, before they are bent and turned, in pixels from the middle of their word.
 pub(in crate::page) struct Row<'a> {
-    /// Height of the baseline below the middle.
+    /// Height of the baseline below the middle; of one that is turned, how far it is to the right.
     pub(in crate::page) baseline: f64,
+    /// It runs down, its letters turned by a quarter.
+    pub(in crate::page) turned: bool,
     /// The letters, each with the place of the pen.
     pub(in crate::page) letters: Vec<(char, f64)>,
     /// The font of them all.
@@ -164,9 +167,19 @@ pub(in crate::page) struct Row<'a> {
     pub(in crate::page) heavy: bool,
 }
 
+impl Row<'_> {
+    /// The place of what is so far along the row and so high over its baseline, from the middle of the word.
+    pub(in crate::page) fn at(&self, along: f64, up: f64) -> (f64, f64) {
+        if self.turned { (self.baseline + up, along) } else { (along, self.baseline - up) }
+    }
+}
+
 /// The lines of a word on a page of `width` pixels.
 pub(in crate::page) fn rows<'a>(laid: &Laid, width: f64, letters: &'a Letters) -> Vec<Row<'a>> {
     let Some(font) = letters.font(&laid.word.font) else { return Vec::new() };
+    if laid.word.vertical {
+        return columns(laid, width, (letters, font));
+    }
     let setting = &laid.setting;
     let size = setting.size * width;
     let last = setting.lines.len().saturating_sub(1) as f64;
@@ -184,6 +197,7 @@ pub(in crate::page) fn rows<'a>(laid: &Laid, width: f64, letters: &'a Letters) -
             let font = if strong(at) { bold } else { font };
             let mut row = Row {
                 baseline,
+                turned: false,
                 letters: Vec::with_capacity(alike),
                 font,
                 strong: strong(at),
@@ -200,6 +214,47 @@ pub(in crate::page) fn rows<'a>(laid: &Laid, width: f64, letters: &'a Letters) -
     rows
 }
 
+/// The cells of the columns of a word on a page of `width` pixels, from right to left. What is emphasised is heavier, and does
+/// not lean.
+fn columns<'a>(laid: &Laid, width: f64, (letters, font): (&'a Letters, &'a Font)) -> Vec<Row<'a>> {
+    let setting = &laid.setting;
+    let size = setting.size * width;
+    let last = setting.lines.len().saturating_sub(1) as f64;
+    let longest = setting.lines.iter().map(|line| line.1).fold(0.0, f64::max);
+    let bold = letters.strong(font);
+    let mut rows = Vec::new();
+    for (i, (run, length)) in setting.lines.iter().enumerate() {
+        let across = (last / 2.0 - i as f64) * setting.pitch * width;
+        let mut down = -if setting.flush { longest } else { *length } * width / 2.0;
+        for cell in vertical::cells(letters, font, run) {
+            let part = &run[cell.start..cell.end];
+            let strong =
+                setting.strong.get(i).and_then(|marks| marks.get(cell.start)).copied().unwrap_or(false);
+            let font = if strong { bold } else { font };
+            let mut pen = if cell.turned {
+                down
+            } else {
+                across - letters.width(font, part) * size / 2.0 + cell.off.0 * size
+            };
+            let baseline = if cell.turned {
+                across - cell.middle * size
+            } else {
+                down + (vertical::BASELINE - cell.off.1) * size
+            };
+            let heavy = strong && font.id() == laid.word.font;
+            let mut row =
+                Row { baseline, turned: cell.turned, letters: Vec::new(), font, strong: false, heavy };
+            for (at, &letter) in part.iter().enumerate() {
+                row.letters.push((letter, pen));
+                pen += letters.advance(font, letter, part.get(at + 1).copied()) * size;
+            }
+            down += cell.length * size;
+            rows.push(row);
+        }
+    }
+    rows
+}
+
 /// The outlines of the letters in pixels, and once more of those that are drawn heavier.
 fn contours(laid: &Laid, width: f64, letters: &Letters) -> (Vec<Vec<Point>>, Vec<Vec<Point>>) {
     let size = laid.setting.size * width;
@@ -207,11 +262,11 @@ fn contours(laid: &Laid, width: f64, letters: &Letters) -> (Vec<Vec<Point>>, Vec
     let (mut out, mut heavy) = (Vec::new(), Vec::new());
     for row in rows(laid, width, letters) {
         let lean = if row.strong { LEAN } else { 0.0 };
-        for (letter, pen) in row.letters {
+        for &(letter, pen) in &row.letters {
             for mut points in row.font.outline(letter, 0.08 / size.max(1.0)) {
                 for point in &mut points {
-                    let x = pen + (point.x + lean * point.y) * size;
-                    *point = bend.moved(x, row.baseline - point.y * size);
+                    let (x, y) = row.at(pen + (point.x + lean * point.y) * size, point.y * size);
+                    *point = bend.moved(x, y);
                 }
                 if row.heavy {
                     heavy.push(points.clone());
@@ -241,7 +296,11 @@ impl Bend {
         let (sin, cos) = if effect { laid.word.angle.to_radians().sin_cos() } else { (0.0, 1.0) };
         // The whole line covers a third of the circle at most.
         let turn = laid.word.arc * std::f64::consts::FRAC_PI_3;
-        let radius = if effect && turn.abs() > 0.02 { laid.setting.half.0 * width / turn } else { 0.0 };
+        let radius = if effect && turn.abs() > 0.02 && !laid.word.vertical {
+            laid.setting.half.0 * width / turn
+        } else {
+            0.0
+        };
         let slant = if effect { laid.word.slant.to_radians().tan() } else { 0.0 };
         Self { middle: (laid.middle.x * width, laid.middle.y * width), radius, sin, cos, slant }
     }

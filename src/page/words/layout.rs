@@ -140,6 +140,7 @@ impl Ground {
         let share = match (word.panel.is_some(), word.craft) {
             (false, _) => (0.5, 0.3),
             (true, Craft::First) => (0.84, 0.62),
+            (true, Craft::Letterer) if word.vertical => (0.5, 0.62),
             (true, Craft::Letterer) => (0.66, 0.4),
         };
         let part = |(across, down): (f64, f64)| (across * frame.width / reach, down * frame.height / reach);
@@ -147,6 +148,7 @@ impl Ground {
         let wish = Wish {
             kind: word.kind,
             craft: word.craft,
+            vertical: word.vertical,
             width: word.width,
             size: word.size,
             room: own.unwrap_or_else(|| part(share)),
@@ -164,6 +166,7 @@ impl Ground {
                 pitch: 0.0,
                 lines: Vec::new(),
                 strong: Vec::new(),
+                flush: false,
                 half: (0.0, 0.0),
                 cut: true,
             },

@@ -1,4 +1,4 @@
-//! Letters that the fonts do not have, learnt from pictures of them: the browser shapes and draws a word of Arabic, a Chinese
+//! Letters that the fonts do not have, learnt from pictures of them (or, natively, from the font files of a person, `given`): the browser shapes and draws a word of Arabic, a Chinese
 //! letter or an emoji with the fonts of the system, and its outline becomes a letter like any other. So it is the same in the
 //! preview, in pictures and in PDF files, at any size.
 //!
@@ -55,6 +55,20 @@ pub(super) fn letter(number: usize) -> Option<char> {
 /// The number of the run that a letter stands for.
 pub(super) fn number(letter: char) -> Option<usize> {
     u32::from(letter).checked_sub(FIRST).map(|number| number as usize).filter(|number| *number < MOST_LEARNT)
+}
+
+/// How far letters for private use are moved that a text has, so that none is taken for one that was learnt.
+const APART: u32 = 0xf_0000 - FIRST;
+
+/// A letter of a text, apart from those that are learnt.
+pub(super) fn private(letter: char) -> char {
+    number(letter).and_then(|_| char::from_u32(u32::from(letter) + APART)).unwrap_or(letter)
+}
+
+/// The letter as the text has it.
+pub(super) fn private_again(letter: char) -> char {
+    let before = u32::from(letter).checked_sub(APART).and_then(char::from_u32);
+    before.filter(|&before| number(before).is_some()).unwrap_or(letter)
 }
 
 impl Drawing<'_> {

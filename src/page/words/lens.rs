@@ -5,7 +5,7 @@
 //! and Plass, "Breaking Paragraphs into Lines", 1981), against lines that are as long as a lens has them. Around the lines
 //! goes the smallest shape that keeps its distance from their corners.
 
-use super::setting::{FULLNESS, PITCH, Setter, Setting};
+use super::setting::{FULLNESS, Setter, Setting};
 use super::wording::Part;
 
 /// A text of more pieces than this is no speech: it is filled line by line.
@@ -93,7 +93,7 @@ impl<'a> Lens<'a> {
     /// Adds the pieces of one word.
     fn add_word(&mut self, start: usize, end: usize, fresh: bool) {
         let text = self.setter.text;
-        let space = self.setter.letters.advance(self.setter.font, ' ', None);
+        let space = self.setter.space();
         // Nobody reads a word of more letters: it is torn where the line ends.
         let longest = 24;
         let mut from = start;
@@ -124,7 +124,7 @@ impl<'a> Lens<'a> {
         let most = self.pieces.len().clamp(1, MOST_LINES);
         let mut best: Option<(f64, Broken, (f64, f64))> = None;
         for count in 1..=most {
-            let block = f64::midpoint((count - 1) as f64 * PITCH, self.setter.font.capitals);
+            let block = f64::midpoint((count - 1) as f64 * self.setter.pitch(), self.setter.thickness());
             if block + pad_y > high {
                 break;
             }
@@ -140,7 +140,7 @@ impl<'a> Lens<'a> {
             };
             let off = (a / b / manner.aspect).ln();
             // Of shapes around the same lines the smallest lies closest; of a chosen width the lowest is best.
-            let waste = (4.0 * a * b / (self.total + 1.0) / PITCH).max(0.1).ln();
+            let waste = (4.0 * a * b / (self.total + 1.0) / self.setter.pitch()).max(0.1).ln();
             let cost =
                 broken.cost + if width.is_some() { 4.0 * waste } else { 2.0 * off * off + 1.5 * waste };
             if best.as_ref().is_none_or(|(least, ..)| cost < *least) {
@@ -163,7 +163,13 @@ impl<'a> Lens<'a> {
             lines.push((run, width * size));
             strong.push(marks);
         }
-        Setting { size, pitch: PITCH * size, lines, strong, half: (a * size, b * size), cut: false }
+        let (pitch, flush) = (self.setter.pitch() * size, self.setter.wish.vertical);
+        Setting { size, pitch, lines, strong, flush, half: (a * size, b * size), cut: false }
+    }
+
+    /// Whether lines are longest in the middle. Columns begin at the same height, whatever is around them.
+    fn is_lens(&self) -> bool {
+        self.setter.manner.round && !self.setter.wish.vertical
     }
 
     /// How long each of `count` lines should be, as a part of the longest.
@@ -172,7 +178,7 @@ impl<'a> Lens<'a> {
         let reach = count as f64 / 2.0 + 0.35;
         let part = |i: usize| {
             let off = (i as f64 - middle) / reach;
-            if self.setter.manner.round { (1.0 - off * off).sqrt() } else { 1.0 }
+            if self.is_lens() { (1.0 - off * off).sqrt() } else { 1.0 }
         };
         (0..count).map(part).collect()
     }
@@ -237,7 +243,7 @@ impl<'a> Lens<'a> {
                 let own = self.line_cost(whole, goal, piece.after);
                 for fell in [false, true] {
                     let from = before[at..at + same].iter().enumerate().filter_map(|(i, state)| {
-                        let (cost, falls) = goal.follow(state, whole, self.setter.manner.round);
+                        let (cost, falls) = goal.follow(state, whole, self.is_lens());
                         (falls == fell).then_some((state.cost + cost + own, at + i))
                     });
                     if let Some((cost, from)) = from.min_by(|a, b| a.0.total_cmp(&b.0)) {
@@ -259,7 +265,7 @@ impl<'a> Lens<'a> {
             After::Torn => TORN,
         };
         // The last line of a box may be short, but for one word that is lost there.
-        let short = goal.last && !self.setter.manner.round && off < 0.0 && off > -0.6;
+        let short = goal.last && !self.is_lens() && off < 0.0 && off > -0.6;
         parted + if short { 2.0 * off * off } else { 10.0 * off * off }
     }
 
@@ -268,13 +274,15 @@ impl<'a> Lens<'a> {
     fn around(&self, widths: &[f64], fixed: Option<f64>, most: (f64, f64)) -> Option<(f64, f64)> {
         let (pad_x, pad_y) = self.setter.manner.pad;
         let middle = (widths.len() as f64 - 1.0) / 2.0;
+        let longest = widths.iter().copied().fold(0.0, f64::max);
         let corner = |(i, width): (usize, &f64)| {
-            let y = (i as f64 - middle).abs() * PITCH + self.setter.font.capitals / 2.0 + pad_y;
-            (width / 2.0 + pad_x, y)
+            let y = (i as f64 - middle).abs() * self.setter.pitch() + self.setter.thickness() / 2.0 + pad_y;
+            // Each column begins where the longest does.
+            (if self.is_lens() { *width } else { longest } / 2.0 + pad_x, y)
         };
         let mut corners: Vec<(f64, f64)> = widths.iter().enumerate().map(corner).collect();
         if corners.is_empty() {
-            corners.push((pad_x, pad_y + self.setter.font.capitals / 2.0));
+            corners.push((pad_x, pad_y + self.setter.thickness() / 2.0));
         }
         let other = |own: f64, half: f64| (1.0 - (own / half).powf(FULLNESS)).powf(1.0 / FULLNESS);
         if let Some(a) = fixed {
@@ -349,7 +357,9 @@ mod tests {
         let word = Word::parse(&word, 0).unwrap();
         let font = letters.font(&word.font).unwrap();
         let (craft, room) = (Craft::Letterer, (0.3, 0.22));
-        let wish = Wish { kind, craft, width, size: None, room, most: (0.44, 0.4), page: (0.94, 1.3) };
+        let vertical = false;
+        let wish =
+            Wish { kind, craft, vertical, width, size: None, room, most: (0.44, 0.4), page: (0.94, 1.3) };
         set(&letters, font, &marks(&word, &letters, font), &wish)
     }
 

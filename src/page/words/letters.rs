@@ -46,6 +46,7 @@ pub(super) struct Glyph {
 }
 
 /// A closed line: where it starts, and its segments with the control point where they are curves.
+#[derive(Clone)]
 pub(super) struct Contour {
     pub(super) start: Point,
     pub(super) segments: Vec<(Option<Point>, Point)>,
@@ -111,7 +112,7 @@ impl Letters {
                 | '\u{ad}'
                 | '\u{e0000}'..='\u{e0fff}' => {}
                 _ if letter.is_control() => {}
-                _ => out.push(letter),
+                _ => out.push(learning::private(letter)),
             }
         }
         out
@@ -121,6 +122,18 @@ impl Letters {
     ///
     /// Returns whether it is one now.
     pub fn learn(&mut self, run: &str, leftward: bool, drawing: Drawing) -> bool {
+        let Some(contours) = drawing.contours() else { return false };
+        self.learn_outline(run, leftward, drawing.advance / drawing.em, &contours)
+    }
+
+    /// The same from its outline and the way of the pen over it, in ems.
+    pub(super) fn learn_outline(
+        &mut self,
+        run: &str,
+        leftward: bool,
+        advance: f64,
+        contours: &[Contour],
+    ) -> bool {
         let Some(letter) = learning::letter(self.learnt.len()).filter(|_| !run.is_empty()) else {
             return false;
         };
@@ -128,13 +141,24 @@ impl Letters {
             return true;
         }
         for font in &mut self.fonts {
-            let Some(contours) = drawing.contours() else { return false };
-            let glyph = Glyph { letter: u32::from(letter), advance: drawing.advance / drawing.em, contours };
+            let glyph = Glyph { letter: u32::from(letter), advance, contours: contours.to_vec() };
             let at = font.glyphs.partition_point(|other| other.letter < glyph.letter);
             font.glyphs.insert(at, glyph);
         }
         self.learnt.push(Learnt { run: run.to_owned(), leftward });
         true
+    }
+
+    /// The text that a letter stands for, where it was learnt.
+    #[must_use]
+    pub fn learnt(&self, letter: char) -> Option<&str> {
+        self.learnt.get(learning::number(letter)?).map(|learnt| learnt.run.as_str())
+    }
+
+    /// What a letter is as text.
+    #[must_use]
+    pub fn text_of(&self, letter: char) -> String {
+        self.learnt(letter).map_or_else(|| spoken(letter).to_string(), str::to_owned)
     }
 
     /// Whether some letters of a text were learnt.
@@ -161,12 +185,13 @@ impl Letters {
         })
     }
 
-    /// The letters of a text that a font does not have, each once: they are drawn as boxes.
+    /// The letters of a text that a font does not have, each once: a question mark in a ring stands for each.
     #[must_use]
     pub fn missing(&self, text: &str, font: &Font) -> Vec<char> {
         let mut missing: Vec<char> = Vec::new();
         for letter in self.cleaned(text) {
             let drawn = matches!(letter, '\n' | '\u{a0}' | '\u{202f}' | '\u{2011}') || font.has(letter);
+            let letter = learning::private_again(letter);
             if !drawn && !missing.contains(&letter) {
                 missing.push(letter);
             }
@@ -205,7 +230,7 @@ impl Letters {
 }
 
 impl Font {
-    /// The glyph of a letter, or the box for what is missing.
+    /// The glyph of a letter, or the sign for what is missing.
     pub(super) fn glyph(&self, letter: char) -> Option<&Glyph> {
         let code = match letter {
             '\u{a0}' | '\u{202f}' => 32,
@@ -477,11 +502,27 @@ mod tests {
     }
 
     #[test]
-    fn what_is_missing_is_a_box() {
+    fn letters_for_private_use_are_none_that_were_learnt() {
+        let mut letters = Letters::bundled().unwrap();
+        let dot = Contour { start: Point::new(0.0, 0.0), segments: vec![(None, Point::new(0.0, 1.0))] };
+        assert!(letters.learn_outline("漢", false, 1.0, &[dot]));
+        let learnt = letters.cleaned("漢")[0];
+        let font = letters.font("comic-neue").unwrap();
+        let typed = letters.cleaned(&learnt.to_string());
+        assert_ne!(typed, [learnt]);
+        assert_eq!(letters.missing(&format!("a{learnt}"), font), [learnt]);
+        assert_eq!((letters.learnt(learnt), letters.text_of('a').as_str()), (Some("漢"), "a"));
+    }
+
+    #[test]
+    fn what_is_missing_is_a_question_mark_in_a_ring() {
         let letters = Letters::bundled().unwrap();
+        for id in ["comic-neue", "comic-neue-bold", "bangers"] {
+            let font = letters.font(id).unwrap();
+            assert_eq!(font.outline('😀', 0.01), font.outline('א', 0.01));
+            assert_eq!(font.outline('😀', 0.01).len(), 2 + font.outline('?', 0.01).len());
+        }
         let font = letters.font("bangers").unwrap();
-        assert_eq!(font.outline('😀', 0.01), font.outline('א', 0.01));
-        assert_eq!(font.outline('😀', 0.01).len(), 2);
         assert!(font.outline(' ', 0.01).is_empty());
     }
 

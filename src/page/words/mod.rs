@@ -5,6 +5,8 @@
 //! |---|---|
 //! | [`letters`] | outlines, advances and kerning of the fonts |
 //! | [`learning`] | letters that the fonts do not have, from pictures of them |
+//! | `given` | the same from font files of a person, natively |
+//! | `vertical` | how letters stand in columns |
 //! | [`model`] | a word as plain data, checked |
 //! | [`wording`] | text as letterers write it: capitals, quotes, emphasis, hyphens |
 //! | [`setting`] | text broken into lines and fitted into a shape |
@@ -19,11 +21,14 @@
 //!
 //! What text may hold: everything in Unicode. The fonts have Latin with its extensions and accents, also where these come as
 //! characters of their own, Greek, Cyrillic, and some signs; other letters (emoji, Hebrew, Chinese) are learnt from
-//! pictures, where a browser draws these, or are drawn as one box each; [`Letters::missing`] names them. Characters without width (joiners, marks of direction, variation selectors) and marks that no letter takes are
-//! left out. Text that does not fit the page at the smallest size ends in an ellipsis.
+//! pictures, where a browser draws these, or from the font files of a person; for what is in none a question mark in a ring
+//! stands, and [`Letters::missing`] names it. Characters without width (joiners, marks of direction, variation selectors) and
+//! marks that no letter takes are left out. Text that does not fit the page at the smallest size ends in an ellipsis.
 
 mod balloons;
 pub mod draw;
+#[cfg(feature = "cli")]
+pub mod given;
 pub mod layout;
 pub mod learning;
 mod lens;
@@ -34,6 +39,7 @@ pub mod place;
 pub mod setting;
 mod shapes;
 pub mod truetype;
+mod vertical;
 pub mod wording;
 
 pub use letters::Letters;

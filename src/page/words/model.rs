@@ -1,6 +1,6 @@
 //! A word of the page as plain data. In JSON, with what may be left out in brackets:
 //! `{kind, text, [shape], [panel], [x], [y], [width], [size], [tail], [font], [color], [fill], [angle], [arc], [auto],
-//! [craft], [boxless], [capitals], [slant], [outline], [behind], [id], [joined], [language], [room]}`.
+//! [craft], [boxless], [capitals], [slant], [outline], [behind], [id], [joined], [language], [room], [vertical]}`.
 
 use crate::error::{Error, Result};
 use serde_json::Value;
@@ -101,6 +101,8 @@ pub struct Word {
     pub joined: Option<String>,
     /// The language of its text, such as `en` or `pt-BR`: long words part by its rules. None: they part nowhere.
     pub language: Option<String>,
+    /// Its lines are columns, read from the top down and from right to left.
+    pub vertical: bool,
     /// Width and height in page widths that a word without a width of its own keeps to, found when it was placed.
     pub room: Option<(f64, f64)>,
     /// The colours that a person or a file has chosen, of the letters and inside; the others may follow the style.
@@ -185,6 +187,7 @@ impl Word {
             id: field.name("id")?,
             joined: field.name("joined")?.filter(|_| matches!(kind, Kind::Balloon(_))),
             language: field.name("language")?,
+            vertical: field.truth("vertical")?.unwrap_or(false),
             room: field.pair("room", 0.02, FARTHEST)?,
             chosen: (!value["color"].is_null(), !value["fill"].is_null()),
         })
@@ -321,6 +324,7 @@ mod tests {
             (json!({ "kind": "effect", "slant": 60 }), "words[3].slant"),
             (json!({ "kind": "effect", "outline": -1 }), "words[3].outline"),
             (json!({ "kind": "effect", "behind": 0 }), "words[3].behind"),
+            (json!({ "kind": "balloon", "vertical": "yes" }), "words[3].vertical"),
             (json!({ "kind": "balloon", "joined": 1 }), "words[3].joined"),
             (json!({ "kind": "balloon", "id": "x".repeat(65) }), "words[3].id"),
             (json!({ "kind": "balloon", "room": [0.5] }), "words[3].room"),

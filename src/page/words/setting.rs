@@ -7,6 +7,7 @@
 use super::lens;
 use super::letters::{Font, Letters};
 use super::model::{Craft, Kind, Shape};
+use super::vertical;
 use super::wording::Mark;
 
 /// Exponent of the superellipse that balloons are: a little fuller than an ellipse, as drawn ones are.
@@ -22,6 +23,8 @@ pub struct Wish {
     pub kind: Kind,
     /// By which conventions.
     pub craft: Craft,
+    /// Its lines are columns, from right to left.
+    pub vertical: bool,
     /// Width of the shape in page widths, where a person chose it.
     pub width: Option<f64>,
     /// Height of an em in page widths, where a person chose it.
@@ -39,12 +42,14 @@ pub struct Wish {
 pub struct Setting {
     /// Height of an em.
     pub size: f64,
-    /// Distance of two baselines.
+    /// Distance of two baselines, or of the middles of two columns.
     pub pitch: f64,
-    /// The lines, each with its width.
+    /// The lines, each with its width; the columns, each with its height.
     pub lines: Vec<(Vec<char>, f64)>,
     /// Of each line, which of its letters are emphasised.
     pub strong: Vec<Vec<bool>>,
+    /// Columns begin at the same height; else all lines have their middles in one line.
+    pub flush: bool,
     /// Half the width and height of the shape around.
     pub half: (f64, f64),
     /// The text did not fit even at the smallest size: its end is missing.
@@ -117,9 +122,34 @@ const MOST_LINES: usize = 60;
 #[must_use]
 pub fn set(letters: &Letters, font: &Font, text: &[Mark], wish: &Wish) -> Setting {
     let manner = manner(wish.kind, wish.craft, wish.width);
+    if !wish.vertical {
+        return lines(letters, font, text, (wish, &manner));
+    }
+    // Columns are lines that lie on their side.
+    let aside = |(across, down): (f64, f64)| (down, across);
+    let mut own =
+        Wish { width: None, room: aside(wish.room), most: aside(wish.most), page: aside(wish.page), ..*wish };
+    let mut aspect = manner.aspect;
+    if let Some(width) = wish.width {
+        (own.room.1, own.most.1) = (width, width);
+        // As high as the text is in a shape of that width, about.
+        let size = wish.size.unwrap_or(manner.largest);
+        let area = text.len() as f64 * vertical::PITCH * size * size * if manner.round { 2.0 } else { 1.3 };
+        aspect = (area / (width * width)).clamp(0.3, 8.0);
+    }
+    let mut setting = lines(letters, font, text, (&own, &Manner { aspect, ..manner }));
+    setting.half = aside(setting.half);
+    setting.half.0 = setting.half.0.max(wish.width.unwrap_or(0.0) / 2.0);
+    setting
+}
+
+/// Sets a text in lines, or in columns as if they were lines.
+fn lines(letters: &Letters, font: &Font, text: &[Mark], (wish, manner): (&Wish, &Manner)) -> Setting {
     let smallest = wish.size.unwrap_or(manner.smallest);
     let strong = letters.strong(font);
-    let setter = Setter { letters, font, strong, text, wish, manner: &manner };
+    let column: Vec<char> = text.iter().map(|mark| mark.letter).collect();
+    let steps = if wish.vertical { vertical::steps(letters, font, &column) } else { Vec::new() };
+    let setter = Setter { letters, font, strong, text, wish, manner, steps: &steps };
     let lens = (wish.craft == Craft::Letterer && wish.kind != Kind::Effect).then(|| lens::Lens::new(&setter));
     let lens = lens.filter(lens::Lens::is_short);
     let at = |setter: &Setter, size: f64, room: (f64, f64)| match &lens {
@@ -152,6 +182,7 @@ pub fn set(letters: &Letters, font: &Font, text: &[Mark], wish: &Wish) -> Settin
         pitch: smallest,
         lines: Vec::new(),
         strong: Vec::new(),
+        flush: false,
         half: (smallest, smallest),
         cut: true,
     })
@@ -167,6 +198,8 @@ pub(super) struct Setter<'a> {
     pub(super) text: &'a [Mark],
     pub(super) wish: &'a Wish,
     pub(super) manner: &'a Manner,
+    /// How far each letter goes on in a column; empty where there are lines.
+    pub(super) steps: &'a [f64],
 }
 
 /// How badly a shape looks, the first token of each line and the one after its last, and half the shape's sizes in ems.
@@ -186,8 +219,30 @@ struct Token {
 impl Setter<'_> {
     /// How far the pen moves over a letter of the text, in ems.
     pub(super) fn advance(&self, at: usize, next: Option<char>) -> f64 {
+        if let Some(step) = self.steps.get(at) {
+            return *step;
+        }
         let mark = self.text[at];
         self.letters.advance(if mark.strong { self.strong } else { self.font }, mark.letter, next)
+    }
+
+    /// Room between two words of a line in ems.
+    pub(super) fn space(&self) -> f64 {
+        self.letters.advance(self.font, ' ', None)
+    }
+
+    /// Distance of two lines in ems.
+    pub(super) fn pitch(&self) -> f64 {
+        match (self.wish.vertical, self.wish.kind) {
+            (true, _) => vertical::PITCH,
+            (false, Kind::Effect) => 0.95,
+            (false, _) => PITCH,
+        }
+    }
+
+    /// Height of the letters of a line in ems.
+    pub(super) fn thickness(&self) -> f64 {
+        if self.wish.vertical { 1.0 } else { self.font.capitals }
     }
 
     /// Width of a part of the text in ems, as it stands in one line.
@@ -210,8 +265,7 @@ impl Setter<'_> {
 
     /// The text at a size, if it fits the room; `cut` takes what fits.
     fn at(&self, size: f64, room: (f64, f64), cut: bool) -> Option<Setting> {
-        let pitch = if matches!(self.wish.kind, Kind::Effect) { 0.95 } else { PITCH };
-        let capitals = self.font.capitals;
+        let (pitch, capitals) = (self.pitch(), self.thickness());
         let (pad_x, pad_y) = self.manner.pad;
         let wide = self.wish.width.unwrap_or(room.0) / size / 2.0;
         let high = room.1 / size / 2.0;
@@ -278,12 +332,12 @@ impl Setter<'_> {
         });
         let lines = runs.collect();
         let half = (half.0 * size, half.1 * size);
-        Some(Setting { size, pitch: pitch * size, lines, strong, half, cut: missing })
+        Some(Setting { size, pitch: pitch * size, lines, strong, flush: false, half, cut: missing })
     }
 
     /// The text in tokens no wider than `most` ems. In a sound effect only line ends part words.
     fn tokens(&self, most: f64) -> Vec<Token> {
-        let space = self.letters.advance(self.font, ' ', None);
+        let space = self.space();
         let whole = matches!(self.wish.kind, Kind::Effect) && self.wish.size.is_none();
         let mut tokens: Vec<Token> = Vec::new();
         let (mut open, mut fresh) = (false, false);
@@ -351,7 +405,7 @@ mod tests {
 
     fn wish(kind: Kind) -> Wish {
         let (craft, room) = (Craft::First, (0.42, 0.3));
-        Wish { kind, craft, width: None, size: None, room, most: room, page: (0.94, 1.3) }
+        Wish { kind, craft, vertical: false, width: None, size: None, room, most: room, page: (0.94, 1.3) }
     }
 
     fn setting(text: &str, wish: &Wish) -> Setting {

@@ -5,6 +5,7 @@
 
 use super::letters::{Font, Letters, STEM};
 use super::model::{Craft, Word};
+use super::vertical;
 use hypher::Lang;
 
 /// How many letters of a word stand at least before and after its hyphen.
@@ -55,6 +56,7 @@ pub fn marks(word: &Word, letters: &Letters, font: &Font) -> Vec<Mark> {
     let mut marks = emphasised(&letters.cleaned(&text));
     quotes(&mut marks, &language);
     parts(&mut marks, &language);
+    beside(&mut marks, letters);
     if word.capitals {
         marks = capitals(&marks, &language, font);
     }
@@ -180,6 +182,22 @@ fn parts(marks: &mut [Mark], language: &str) {
             }
         }
         at += length.max(1);
+    }
+}
+
+/// Marks where lines may end beside letters of scripts that have no spaces (JLREQ, 3.1.7 and 3.1.8).
+fn beside(marks: &mut [Mark], letters: &Letters) {
+    let ends = |letter: char| {
+        let text = letters.learnt(letter).map_or(letter.to_string(), str::to_owned);
+        (text.chars().next().unwrap_or(letter), text.chars().next_back().unwrap_or(letter))
+    };
+    for at in 1..marks.len() {
+        let (before, here) = (ends(marks[at - 1].letter).1, ends(marks[at].letter).0);
+        let spaced = before.is_whitespace() || here.is_whitespace();
+        let own = vertical::is_ideographic(before) || vertical::is_ideographic(here);
+        if own && !spaced && !vertical::begins_no_line(here) && !vertical::ends_no_line(before) {
+            marks[at].part = Part::Free;
+        }
     }
 }
 

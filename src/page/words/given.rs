@@ -1,0 +1,346 @@
+//! Letters that the fonts of the program do not have, from the font files of a person: what the fonts of the system are to the
+//! page (`www/engine/shaping.ts`), these are to the command line and to Python.
+//!
+//! A stretch of text that the fonts lack is shaped by the first file that has all of it: words of scripts whose letters join or
+//! turn as a whole, by the rules of their script, all others a letter at a time, each by the first file that has it. The outlines
+//! become letters like those that are learnt from pictures, so that pictures and PDF files show the same.
+//!
+//! Nothing of this is in a module of the browser.
+
+use super::learning::number;
+use super::letters::{Contour, Letters};
+use crate::error::Result;
+use crate::layout::Point;
+use rustybuzz::ttf_parser::{GlyphId, OutlineBuilder, fonts_in_collection};
+use rustybuzz::{Direction, Face, GlyphBuffer, UnicodeBuffer};
+use serde_json::Value;
+use std::panic::{AssertUnwindSafe, catch_unwind};
+
+/// Bytes of a font file: the largest of Chinese and Japanese have some 20 MB.
+const MOST_BYTES: usize = 64 << 20;
+/// Font files.
+const MOST_FONTS: usize = 16;
+/// Corners of the outlines of a run; what has more is no letter.
+const MOST_CORNERS: usize = 40_000;
+/// A word is longer than so many letters only in jest.
+const LONGEST: usize = 60;
+/// The font of the program of which all that is missing is missing in the others.
+const OWN: &str = "comic-neue";
+
+/// Scripts that are shaped a word at a time, by their blocks: from Hebrew to Myanmar, from Tagalog to Mongolian, those of
+/// South and Southeast Asia beyond, forms of Hebrew and Arabic letters, and the same of the supplementary planes.
+const JOINED: [(u32, u32); 10] = [
+    (0x0590, 0x109f),
+    (0x1700, 0x18af),
+    (0x1a00, 0x1cff),
+    (0xa840, 0xa8ff),
+    (0xa980, 0xaaff),
+    (0xabc0, 0xabff),
+    (0xfb1d, 0xfdff),
+    (0xfe70, 0xfefe),
+    (0x1_0800, 0x1_1fff),
+    (0x1_e800, 0x1_efff),
+];
+
+/// The font files of a person, in the order in which they are asked for letters.
+#[derive(Default)]
+pub struct GivenFonts {
+    files: Vec<Vec<u8>>,
+}
+
+impl GivenFonts {
+    /// Adds a file: TrueType or OpenType, or the first font of a collection.
+    ///
+    /// # Errors
+    /// A sentence for what is no font, is broken, has no outlines, or is too large.
+    pub fn add(&mut self, file: Vec<u8>) -> std::result::Result<(), &'static str> {
+        if self.files.len() == MOST_FONTS {
+            return Err("there are more than 16 fonts");
+        }
+        if file.len() > MOST_BYTES {
+            return Err("it is larger than 64 MB");
+        }
+        if fonts_in_collection(&file) == Some(0) {
+            return Err("it is a collection without a font");
+        }
+        match guarded(|| face(&file).map(|face| face.tables().glyf.is_some() || face.tables().cff.is_some()))
+        {
+            Some(true) => {}
+            Some(false) => {
+                return Err("its letters are pictures, or it has none: a font with outlines is needed");
+            }
+            None => return Err("it is no TrueType or OpenType font, or it is broken"),
+        }
+        self.files.push(file);
+        Ok(())
+    }
+
+    /// The letters that words are set in: those of the program, and what these lack of the words from the files.
+    ///
+    /// # Errors
+    /// None but a broken build.
+    pub fn letters<'w>(&self, words: impl IntoIterator<Item = &'w Value>) -> Result<Letters> {
+        let mut letters = Letters::bundled()?;
+        if self.files.is_empty() {
+            return Ok(letters);
+        }
+        let mut faces: Vec<Option<Face<'_>>> = self.files.iter().map(|file| face(file)).collect();
+        for text in words.into_iter().filter_map(|word| word["text"].as_str()) {
+            for said in text.split_whitespace() {
+                for stretch in stretches(&letters, said) {
+                    learn(&mut letters, &mut faces, &stretch);
+                }
+            }
+        }
+        Ok(letters)
+    }
+}
+
+/// The letters of words that none of the fonts has, each once, as they are told to people.
+#[must_use]
+pub fn missing<'w>(letters: &Letters, words: impl IntoIterator<Item = &'w Value>) -> Vec<String> {
+    let Some(font) = letters.font(OWN) else { return Vec::new() };
+    let mut all: Vec<char> = Vec::new();
+    for text in words.into_iter().filter_map(|word| word["text"].as_str()) {
+        for letter in letters.missing(text, font) {
+            if !all.contains(&letter) {
+                all.push(letter);
+            }
+        }
+    }
+    let private = |letter: char| matches!(u32::from(letter), 0xe000..=0xf8ff | 0xf_0000..=0x10_ffff);
+    let named = |letter: char| {
+        if private(letter) { format!("U+{:04X}", u32::from(letter)) } else { letter.to_string() }
+    };
+    all.into_iter().map(named).collect()
+}
+
+fn face(file: &[u8]) -> Option<Face<'_>> {
+    Face::from_slice(file, 0)
+}
+
+/// What `work` on a file of strangers gives; nothing where it panics, which is a fault of the reader.
+fn guarded<T>(work: impl FnOnce() -> Option<T>) -> Option<T> {
+    // Nothing that the work may have left half done is looked at again.
+    catch_unwind(AssertUnwindSafe(work)).ok().flatten()
+}
+
+/// The parts of a word that the fonts lack, those of scripts that join apart from others.
+fn stretches(letters: &Letters, word: &str) -> Vec<String> {
+    let Some(font) = letters.font(OWN) else { return Vec::new() };
+    let mut out: Vec<(bool, String)> = Vec::new();
+    let mut open = false;
+    for letter in word.chars() {
+        // What has no width by itself belongs to the letter before it.
+        let bound = letters.cleaned(letter.encode_utf8(&mut [0; 4])).is_empty();
+        let lacks = !bound && !font.has(letter) || number(letter).is_some();
+        if bound && open {
+            if let Some((_, stretch)) = out.last_mut() {
+                stretch.push(letter);
+            }
+            continue;
+        }
+        if !lacks {
+            open = false;
+            continue;
+        }
+        let joined = is_joined(letter);
+        match out.last_mut() {
+            Some((other, stretch)) if open && *other == joined && stretch.chars().count() < LONGEST => {
+                stretch.push(letter);
+            }
+            _ => out.push((joined, letter.to_string())),
+        }
+        open = true;
+    }
+    out.into_iter().map(|(_, stretch)| stretch).collect()
+}
+
+fn is_joined(letter: char) -> bool {
+    JOINED.iter().any(|(first, last)| (*first..=*last).contains(&u32::from(letter)))
+}
+
+/// Learns a stretch as a whole where its script joins, else each of its letters. A font that cannot be read on is given up.
+fn learn(letters: &mut Letters, faces: &mut [Option<Face<'_>>], stretch: &str) {
+    let mut left = vec![stretch.to_owned()];
+    for slot in faces.iter_mut() {
+        let Some(face) = slot.as_ref() else { continue };
+        let mut still = Vec::new();
+        for text in std::mem::take(&mut left) {
+            match guarded(|| Some(shaped(face, &text))) {
+                Some(runs) => {
+                    for (run, outline) in runs {
+                        let learnt =
+                            outline.is_some_and(|Outline { contours, advance, leftward, .. }| {
+                                letters.learn_outline(run, leftward, advance, &contours)
+                            });
+                        if !learnt {
+                            still.push(run.to_owned());
+                        }
+                    }
+                }
+                None => {
+                    *slot = None;
+                    still.push(text);
+                    break;
+                }
+            }
+        }
+        left = still;
+    }
+}
+
+/// The runs of a text, each with its outline where the font has all of it.
+fn shaped<'t>(face: &Face<'_>, text: &'t str) -> Vec<(&'t str, Option<Outline>)> {
+    let mut buffer = UnicodeBuffer::new();
+    buffer.push_str(text);
+    buffer.guess_segment_properties();
+    let leftward = buffer.direction() == Direction::RightToLeft;
+    let glyphs = rustybuzz::shape(face, &[], buffer);
+    if text.chars().any(is_joined) {
+        let all = 0..glyphs.len();
+        return vec![(text, outline(face, &glyphs, all, leftward))];
+    }
+    let mut starts: Vec<usize> = glyphs.glyph_infos().iter().map(|info| info.cluster as usize).collect();
+    starts.sort_unstable();
+    starts.dedup();
+    let run = |(i, &start): (usize, &usize)| {
+        let end = starts.get(i + 1).copied().unwrap_or(text.len());
+        let run = text.get(start..end)?;
+        let infos = glyphs.glyph_infos();
+        let first = infos.iter().position(|info| info.cluster as usize == start)?;
+        let count = infos[first..].iter().take_while(|info| info.cluster as usize == start).count();
+        Some((run, outline(face, &glyphs, first..first + count, leftward)))
+    };
+    starts.iter().enumerate().filter_map(run).collect()
+}
+
+/// The outline of some glyphs in ems; nothing where the font lacks one of them or nothing of them is seen.
+fn outline(
+    face: &Face<'_>,
+    glyphs: &GlyphBuffer,
+    which: std::ops::Range<usize>,
+    leftward: bool,
+) -> Option<Outline> {
+    let em = f64::from(face.units_per_em()).max(1.0);
+    let mut out = Outline { em, contours: Vec::new(), advance: 0.0, pen: (0.0, 0.0), corners: 0, leftward };
+    for i in which {
+        let (info, place) = (glyphs.glyph_infos().get(i)?, glyphs.glyph_positions().get(i)?);
+        if info.glyph_id == 0 {
+            return None;
+        }
+        out.pen = (out.advance * em + f64::from(place.x_offset), f64::from(place.y_offset));
+        let from = out.contours.len();
+        face.outline_glyph(GlyphId(u16::try_from(info.glyph_id).ok()?), &mut out);
+        turn_clockwise(&mut out.contours[from..]);
+        out.advance += f64::from(place.x_advance) / em;
+    }
+    let sound = out.corners <= MOST_CORNERS && (0.0..100.0).contains(&out.advance);
+    (sound && !out.contours.is_empty()).then_some(out)
+}
+
+/// Builds contours in ems, y up.
+struct Outline {
+    em: f64,
+    contours: Vec<Contour>,
+    /// How far the pen has moved, in ems.
+    advance: f64,
+    /// Where the glyph at hand stands, in units of the font.
+    pen: (f64, f64),
+    corners: usize,
+    leftward: bool,
+}
+
+impl Outline {
+    fn place(&self, x: f32, y: f32) -> Point {
+        // What is far beyond any letter would be drawn across the page, and hardly be a number of other programs.
+        let part = |at: f32, pen: f64| ((f64::from(at) + pen) / self.em).clamp(-30.0, 30.0);
+        Point::new(part(x, self.pen.0), part(y, self.pen.1))
+    }
+
+    fn add(&mut self, control: Option<Point>, end: Point) {
+        self.corners += 1;
+        if self.corners > MOST_CORNERS {
+            return;
+        }
+        if let Some(contour) = self.contours.last_mut() {
+            contour.segments.push((control, end));
+        }
+    }
+
+    fn end(&self) -> Option<Point> {
+        let contour = self.contours.last()?;
+        Some(contour.segments.last().map_or(contour.start, |(_, end)| *end))
+    }
+}
+
+impl OutlineBuilder for Outline {
+    fn move_to(&mut self, x: f32, y: f32) {
+        self.corners += 1;
+        if self.corners <= MOST_CORNERS {
+            let start = self.place(x, y);
+            self.contours.push(Contour { start, segments: Vec::new() });
+        }
+    }
+
+    fn line_to(&mut self, x: f32, y: f32) {
+        self.add(None, self.place(x, y));
+    }
+
+    fn quad_to(&mut self, x1: f32, y1: f32, x: f32, y: f32) {
+        self.add(Some(self.place(x1, y1)), self.place(x, y));
+    }
+
+    /// A cubic curve is cut into four, each of which the nearest quadratic one stands for: letters are off by less than a
+    /// thousandth of an em.
+    fn curve_to(&mut self, x1: f32, y1: f32, x2: f32, y2: f32, x: f32, y: f32) {
+        const PARTS: i32 = 4;
+        let Some(a) = self.end() else { return };
+        let (b, c, d) = (self.place(x1, y1), self.place(x2, y2), self.place(x, y));
+        let at = |t: f64| {
+            let [ab, bc, cd] = [a.toward(b, t), b.toward(c, t), c.toward(d, t)];
+            let (left, right) = (ab.toward(bc, t), bc.toward(cd, t));
+            (left.toward(right, t), left, right)
+        };
+        for part in 0..PARTS {
+            let [from, to] = [part, part + 1].map(|i| f64::from(i) / f64::from(PARTS));
+            let (start, _, ahead) = at(from);
+            let (end, behind, _) = at(to);
+            // The handles of the part are as long as the way that is left of it.
+            let out = start.toward(ahead, if from < 1.0 { (to - from) / (1.0 - from) } else { 0.0 });
+            let back = end.toward(behind, (to - from) / to);
+            let mean = |s: f64, p: f64, q: f64, e: f64| (3.0 * (p + q) - s - e) / 4.0;
+            let control =
+                Point::new(mean(start.x, out.x, back.x, end.x), mean(start.y, out.y, back.y, end.y));
+            self.add(Some(control), end);
+        }
+    }
+
+    fn close(&mut self) {}
+}
+
+/// Outer lines run clockwise, as those of the program's own letters: some fonts draw them the other way round.
+fn turn_clockwise(contours: &mut [Contour]) {
+    let area = |contour: &Contour| {
+        let ends: Vec<Point> =
+            std::iter::once(contour.start).chain(contour.segments.iter().map(|(_, end)| *end)).collect();
+        let next = ends.iter().cycle().skip(1);
+        ends.iter().zip(next).map(|(a, b)| a.x * b.y - b.x * a.y).sum::<f64>()
+    };
+    let areas = contours.iter().map(area);
+    if areas.max_by(|a, b| a.abs().total_cmp(&b.abs())).is_some_and(|area| area > 0.0) {
+        contours.iter_mut().for_each(reverse);
+    }
+}
+
+fn reverse(contour: &mut Contour) {
+    let mut end = contour.start;
+    let mut segments: Vec<(Option<Point>, Point)> = Vec::with_capacity(contour.segments.len());
+    for (control, to) in &contour.segments {
+        segments.push((*control, end));
+        end = *to;
+    }
+    segments.reverse();
+    contour.start = end;
+    contour.segments = segments;
+}
