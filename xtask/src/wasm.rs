@@ -97,9 +97,14 @@ pub(crate) fn decoders(project: &Project) -> Module {
     Module { name: "decoders", package: "inkpanel-decoders", folder, ..small() }
 }
 
+/// What finds the shots of a film, which the page loads with the first of them.
+pub(crate) fn films(project: &Project) -> Module {
+    Module { name: "films", package: "inkpanel-films", folder: project.www().join("pkg-films"), ..fast() }
+}
+
 /// All modules of the page.
-pub(crate) fn all(project: &Project) -> [Module; 5] {
-    [core(project), decoders(project), words(project), exports(project), detectors(project)]
+pub(crate) fn all(project: &Project) -> [Module; 6] {
+    [core(project), decoders(project), words(project), exports(project), films(project), detectors(project)]
 }
 
 /// The core with the benchmark's entry point.
