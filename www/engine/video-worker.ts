@@ -19,6 +19,8 @@ import type { InputVideoTrack, VideoSample } from 'mediabunny';
 /** Frames of a long film that are taken before it was looked through: those of a first page, and some that may be better. */
 const FIRST = 8;
 
+/** Frames of a film at most where nobody says how many. */
+const MOST = 120;
 /** Frames by the clock, where shots cannot be found. */
 const WITHOUT = 24;
 
@@ -77,13 +79,7 @@ async function byShots(track: InputVideoTrack, sender: Sender, wish: Spread) {
     postMessage({ about: { duration, looked: Math.min(1, now) } });
   };
   const take = async (wanted: number) => {
-    const chosen = looking.choose(to, wanted, Float64Array.from(taken), asked);
-    const fresh: Place[] = [];
-    const before = new Set(taken);
-    for (let i = 0; i < chosen.length; i += 2) {
-      if (before.has(chosen[i])) continue;
-      fresh.push({ index: taken.length + fresh.length, time: chosen[i], shot: chosen[i + 1] });
-    }
+    const fresh = freshOf(looking.choose(to, wanted, Float64Array.from(taken), asked), taken, wanted || MOST);
     taken.push(...fresh.map(({ time }) => time));
     postMessage({ about: { duration, frames: wanted === FIRST ? undefined : taken.length } });
     await sender.send(fresh);
@@ -102,6 +98,24 @@ async function byShots(track: InputVideoTrack, sender: Sender, wish: Spread) {
   if (taken.length > 0) return undefined;
   // All of it is dark, or one colour: then that is what it shows.
   return atTimes(sender, { ...wish, count: Math.min(count || FIRST, FIRST), times: undefined });
+}
+
+/**
+ * @param chosen seconds and shots by turns
+ * @param taken those that are there already, and count; where there are too many, shots that have one go without another
+ */
+function freshOf(chosen: Float64Array, taken: readonly number[], most: number): Place[] {
+  const all = Array.from({ length: chosen.length / 2 }, (_, i) => ({ time: chosen[2 * i], shot: chosen[2 * i + 1] }));
+  const before = new Set(taken);
+  const having = new Set(all.filter(({ time }) => before.has(time)).map(({ shot }) => shot));
+  const fresh = all.filter(({ time }) => !before.has(time));
+  let over = fresh.length + taken.length - most;
+  const kept = fresh.filter(({ shot }) => {
+    if (over <= 0 || !having.has(shot)) return true;
+    over -= 1;
+    return false;
+  });
+  return kept.slice(0, Math.max(0, most - taken.length)).map((place, i) => ({ ...place, index: taken.length + i }));
 }
 
 /** @returns `reaches`: seconds that the file has; less than it says where it breaks off */
