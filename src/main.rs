@@ -9,6 +9,7 @@ mod destination;
 mod detectors;
 mod documents;
 mod drawing;
+mod films;
 mod imitator;
 mod inventor;
 mod paper;
@@ -148,6 +149,17 @@ enum Command {
         /// Another seed tries other styles.
         #[arg(long, default_value_t = 1)]
         seed: u32,
+    },
+    /// Find the shots of a film, and the frames that stand for them. It takes ffmpeg.
+    Shots {
+        /// The film.
+        film: PathBuf,
+        /// How many frames; as many as suit the film unless told.
+        #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..=1000))]
+        frames: Option<u32>,
+        /// Answer as JSON.
+        #[arg(long)]
+        json: bool,
     },
     /// List the filter blocks.
     Blocks(Listing),
@@ -301,6 +313,7 @@ fn main() -> ExitCode {
         Command::Imitate { picture, photo, json, anyway, seed } => {
             imitator::imitate(&picture, &photo, seed, anyway).and_then(|styles| list(&styles, json))
         }
+        Command::Shots { film, frames, json } => shots_of(&film, frames, json),
         Command::Blocks(listing) => list(&catalogue::blocks(), listing.json),
         Command::Layouts(listing) => list(&catalogue::layouts(), listing.json),
         Command::Styles(listing) => list(&catalogue::styles(), listing.json),
@@ -560,7 +573,7 @@ fn select_photos(files: &[PathBuf], as_json: bool, threshold: u32) -> Result<(),
     }
     let names: Vec<&str> = photos.iter().map(|(path, _)| name(path)).collect();
     let measures: Vec<Measures> = photos.iter().map(|(_, photo)| photo.measures.clone()).collect();
-    let settings = select::Settings { threshold };
+    let settings = select::Settings { threshold, ..select::Settings::default() };
     let verdicts = select::choose(&names, &measures, &settings);
     let rows: Vec<Value> = photos
         .iter()
@@ -625,6 +638,21 @@ fn add_subjects(photos: &mut [(PathBuf, Imported)], models: Option<&Path>) -> bo
         photo.meta.find(found.into_iter().map(Into::into));
     }
     true
+}
+
+fn shots_of(film: &Path, frames: Option<u32>, as_json: bool) -> Result<(), Complaint> {
+    let shots = films::shots(film, frames.map(|frames| frames as usize))?;
+    if as_json {
+        return print(&shots);
+    }
+    for shot in shots.as_array().into_iter().flatten() {
+        let frames: Vec<String> =
+            shot["frames"].as_array().into_iter().flatten().map(Value::to_string).collect();
+        let told =
+            format!("{}\t{}\t{}\t", shot["start"], shot["end"], shot["kind"].as_str().unwrap_or_default());
+        println!("{}\t{told}{}", shot["shot"], frames.join(" "));
+    }
+    Ok(())
 }
 
 /// Prints JSON; a reader that has gone away is no failure.

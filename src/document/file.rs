@@ -57,6 +57,9 @@ pub struct FilePhoto {
     /// Seconds from the beginning of the video.
     #[cfg_attr(all(test, feature = "cli"), ts(optional))]
     pub time: Option<f64>,
+    /// The number of its shot in the video, from 1.
+    #[cfg_attr(all(test, feature = "cli"), ts(optional))]
+    pub shot: Option<u64>,
     /// Whether it is compared with other photos.
     pub measured: bool,
     /// What was found in it; none when it was not searched.
@@ -259,6 +262,7 @@ impl FilePhoto {
         let (id, name) = (fields.name("id", LONGEST_ID)?, fields.name("name", LONGEST_NAME)?);
         let path = fields.name("path", LONGEST_PATH)?;
         let time = fields.take("time").and_then(|time| time.as_f64());
+        let shot = fields.whole("shot", 1, u64::from(u32::MAX)).unwrap_or_default();
         let measured = !matches!(fields.take("measured"), Some(Value::Bool(false)));
         let absent = matches!(fields.take("absent"), Some(Value::Bool(true)));
         let subjects = fields.take("subjects").and_then(|all| items(all, MOST_SUBJECTS).ok());
@@ -271,6 +275,7 @@ impl FilePhoto {
             credit: text("credit", LONGEST_NAME),
             video: text("video", LONGEST_ID),
             time,
+            shot,
             measured,
             subjects: subjects.filter(|subjects| subjects.iter().all(is_subject)),
             rank: fields.whole("rank", 0, u64::from(u32::MAX)).unwrap_or_default(),
@@ -292,6 +297,9 @@ impl FilePhoto {
         }
         if let Some(time) = self.time {
             out.key("time").number(time);
+        }
+        if let Some(shot) = self.shot {
+            out.key("shot").whole(shot);
         }
         out.key("measured").flag(self.measured);
         match &self.subjects {

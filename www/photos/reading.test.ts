@@ -12,8 +12,8 @@ describe('the first photos', () => {
   test('are laid out before any is read, in the order of their names', async () => {
     const app = fakeApp();
     const done = app.reading.addFiles(app.files('p10.jpg', 'p2.jpg', 'p1.jpg'));
-    await Promise.resolve();
-    expect(app.store.reading.value).toEqual({ done: 0, total: 3 });
+    // What is in the files is looked at first.
+    await vi.waitFor(() => expect(app.store.reading.value).toEqual({ done: 0, total: 3 }), { interval: 0 });
     expect(names(app)).toEqual(['p1.jpg', 'p2.jpg', 'p10.jpg']);
     await done;
     expect(app.store.reading.value).toBe(null);
