@@ -23,6 +23,8 @@ const NEAR: f64 = 1.8;
 /// Height of the head, and of its letters, in millimetres.
 const HEAD: f64 = 11.0;
 const TITLE: f64 = 4.9;
+/// Width of which sheet it is.
+const NUMBER: f64 = 25.0;
 /// The part of the height of a cell that belongs to the text under a frame, at least; of its width to a frame with text beside it, at most.
 const UNDER: f64 = 0.27;
 const BESIDE: f64 = 0.56;
@@ -184,10 +186,11 @@ impl Request {
                 word
             })
         };
+        let right = 1.0 - NUMBER / wide;
         let parts = [
             word(&self.list.title, 0.0, 0.52, TITLE, BOLD),
-            word(&about, 0.54, 0.84, 3.4, PLAIN),
-            word(&number, 0.86, 1.0, 3.4, PLAIN),
+            word(&about, 0.54, right - 0.02, 3.4, PLAIN),
+            word(&number, right, 1.0, 3.4, PLAIN),
         ];
         parts.into_iter().flatten().collect()
     }
