@@ -94,6 +94,8 @@ mod typescript;
 ))]
 pub mod wasm;
 #[cfg(all(target_arch = "wasm32", feature = "exports"))]
+pub mod wasm_boards;
+#[cfg(all(target_arch = "wasm32", feature = "exports"))]
 pub mod wasm_comics;
 #[cfg(all(target_arch = "wasm32", feature = "decoders"))]
 pub mod wasm_decoders;

@@ -4,6 +4,7 @@
 //! 2 wrong usage (from the argument parser).
 
 mod album;
+mod boards;
 mod config;
 mod destination;
 mod detectors;
@@ -21,6 +22,7 @@ mod telling;
 
 use clap::error::ErrorKind;
 use clap::{CommandFactory, Parser, Subcommand};
+use inkpanel::document::shots::FRAMES;
 use inkpanel::framing::PhotoMeta;
 use inkpanel::layout::Template;
 use inkpanel::native::QUALITY;
@@ -185,12 +187,15 @@ struct Render {
     /// Of a saved project: which of its pages, from 1; the one that was edited last unless told.
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..))]
     page: Option<u32>,
+    /// Of a saved project: sheets of a board with so many frames each, in the place of its pages.
+    #[arg(long, value_name = "FRAMES", value_parser = board_frames)]
+    board: Option<u32>,
     /// Draw a page that is planned already, as --save-document writes it; the photos are those that it names, found beside it
     /// or among the photos given.
     #[arg(long, value_name = "FILE")]
     document: Option<PathBuf>,
     /// Where the page goes: a file that ends in .png, .jpg, .webp or .pdf; a comic (.html, .epub, .cbz), of a saved project with
-    /// all its pages; one that ends in .inkpanel, which is a project with
+    /// all its pages; of a saved project the list of its shots (.csv, .edl, .otio, .xml); one that ends in .inkpanel, which is a project with
     /// the photos as they are, whatever cameras wrote into them, or - for standard output.
     #[arg(short, long, required_unless_present_any = ["json", "save_document"])]
     output: Option<PathBuf>,
@@ -328,7 +333,7 @@ fn main() -> ExitCode {
 }
 
 fn render_page(render: &Render) -> Result<(), Complaint> {
-    let Render { planned, how, page, document, output, files } = render;
+    let Render { planned, how, page, board, document, output, files } = render;
     if how.progress == "json" {
         telling::as_json();
     }
@@ -360,10 +365,21 @@ fn render_page(render: &Render) -> Result<(), Complaint> {
     {
         planned_already(planned, file)?;
         let output = output.as_ref().ok_or(NO_OUTPUT)?;
-        return done(&reopening::draw(saved?, file, *page, (output, &how.printing))?);
+        return done(&reopening::draw(saved?, file, (*page, *board), (output, how))?);
     }
     if let Some(project) = files.iter().find(|file| reopening::is_project(file)) {
         return Err(format!("{}: a project is drawn alone", project.display()));
+    }
+    if let Some(output) =
+        output.as_ref().filter(|output| matches!(Kind::of(&output.named), Ok(Kind::Shots(_))))
+    {
+        return Err(format!(
+            "{}: a list of shots is of a saved project, and there is none",
+            output.path.display()
+        ));
+    }
+    if board.is_some() {
+        return Err("--board is of a saved project, and there is none".into());
     }
     if page.is_some() {
         return Err("--page is of a saved project, and there is none".into());
@@ -378,6 +394,14 @@ fn is_made(output: &Output, planned: &Planned) -> bool {
         Some(pages) if !one => plans::all_exist(output, pages as usize),
         _ => output.exists(),
     }
+}
+
+/// Frames that fit on a sheet.
+fn board_frames(text: &str) -> Result<u32, String> {
+    let known = text.parse().ok().filter(|count| FRAMES.contains(count));
+    known.ok_or_else(|| {
+        format!("a sheet has one of {} frames", FRAMES.map(|count| count.to_string()).join(", "))
+    })
 }
 
 /// The file that a project is called after.
@@ -555,7 +579,7 @@ fn used_photos(render: &Planned, photos: &[(PathBuf, Imported)]) -> Vec<PhotoMet
 fn stylize_photo(style: &str, input: &Path, output: &Path, format: Option<&str>) -> Result<(), Complaint> {
     let output = Output::new(output, format)?;
     let kind = Kind::of(&output.named)?;
-    if matches!(kind, Kind::Pdf | Kind::Project) {
+    if matches!(kind, Kind::Pdf | Kind::Project | Kind::Comic(_) | Kind::Shots(_)) {
         return Err(format!("{}: a photo becomes a .png, .jpg or .webp file", output.path.display()));
     }
     let style = read_style(style)?;

@@ -192,6 +192,8 @@ impl ProjectFile {
             names.of_word(Arc::make_mut(word));
         }
         present.waiting = waiting.into();
+        let board = Arc::make_mut(&mut present.board);
+        board.order = board.order.iter().map(|id| names.of(id)).collect();
         let mut tray = present.tray.to_vec();
         for item in &mut tray {
             let item = Arc::make_mut(item);

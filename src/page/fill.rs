@@ -2,7 +2,8 @@
 
 use super::document::{Document, MOST_FACES, PanelContent};
 use super::request::Request;
-use crate::framing::{Crop, FACE, PhotoMeta};
+use crate::framing::{Crop, FACE, PhotoMeta, Target, frame};
+use crate::json::Writer;
 use crate::layout::{FAMILIES, ResolvedPanel, Template, resolve};
 use crate::order::sort_by;
 use crate::plan::slots::slot;
@@ -91,6 +92,24 @@ pub(super) fn contents(
         })
         .collect();
     (order_of(&panels, current, photos), panels)
+}
+
+/// What frames of an aspect show of photos, in JSON: of each `{photo, crop, faces}`.
+#[must_use]
+pub fn framed_json<'p>(photos: impl Iterator<Item = &'p PhotoMeta>, aspect: f64) -> String {
+    let target = Target::of_aspect(aspect.clamp(0.05, 20.0));
+    let mut out = Writer::default();
+    out.open(b'[');
+    for photo in photos {
+        out.item();
+        out.open(b'{');
+        out.key("photo").text(&photo.id);
+        out.key("crop").put(&frame(photo, &target, 0));
+        out.key("faces").list(&faces_of(photo), &|out, face| out.put(face));
+        out.close(b'}');
+    }
+    out.close(b']');
+    out.finish()
 }
 
 /// The faces of a photo, the largest first.

@@ -31,7 +31,7 @@ pub mod catalogue;
 pub mod compose;
 pub mod coverage;
 pub mod document;
-mod fill;
+pub mod fill;
 pub mod import;
 pub mod jpeg;
 pub mod layouts;

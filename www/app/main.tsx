@@ -2,6 +2,7 @@
  * The wiring: makes the parts, joins them, and keeps `document.body.dataset.idle` true to its word.
  */
 
+import { createBoards, isComic } from '../boards/boards.ts';
 import './framed.ts';
 import { effect, untracked } from '@preact/signals';
 import { render } from 'preact';
@@ -123,13 +124,16 @@ const subjects = createSubjects({
   wanted: ui.detects,
   window,
 });
+const boards = createBoards({ store, engine, chooseStyle: pages.chooseStyle });
 const download = createDownload({
   store,
   pages,
   engine,
   messages,
   pageFiles: keeping.pageFiles,
-  onSaved: (saved) => saved.forEach(taste.learn),
+  shotList: boards.shotList,
+  // Sheets of a board say nothing of the layouts that a person likes.
+  onSaved: (saved) => saved.filter(isComic).forEach(taste.learn),
 });
 const alternatives = createAlternatives({ store, pages });
 const ahead = createAhead({ store, pages, ui });
@@ -184,6 +188,7 @@ const parts: Parts = {
   store,
   pages,
   crops,
+  boards,
   book,
   selection,
   lettering,

@@ -19,8 +19,7 @@ import { readVideo } from './video.ts';
 import { givesWebp } from './webp.ts';
 import { createWarming } from './warming.ts';
 import { createWords } from './words.ts';
-import type { Detection } from './types.ts';
-import type { Block, Layout, PageDocument, Style } from './types.ts';
+import type { Block, Detection, Layout, PageDocument, Style } from './types.ts';
 import type { Job, Pool } from './pool.ts';
 import type { Imported, Operations, PixelPatch, Program, Start } from './protocol.ts';
 import type { About, Frame } from './video.ts';
@@ -104,6 +103,8 @@ export function createEngine({
     givesWebp,
     comicPieces: files.comicPieces,
     comicFiles: files.comicFiles,
+    boardSheets: files.boardSheets,
+    shotFile: files.shotFile,
   };
 
   function run<Op extends keyof Operations>(job: Job<Operations, Op>): Promise<Operations[Op]['ok']> {

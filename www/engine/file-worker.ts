@@ -3,7 +3,16 @@
  * own encoder of WebP where it has one.
  */
 
-import initFiles, { Book, Cut, Lettering, Plate, Print, comicFile } from '../pkg-exports/inkpanel.js';
+import initFiles, {
+  Book,
+  boardSheets,
+  Cut,
+  comicFile,
+  Lettering,
+  Plate,
+  Print,
+  shotFile,
+} from '../pkg-exports/inkpanel.js';
 import { blobOf } from './blobs.ts';
 import { loadLetters } from './letters.ts';
 import { fileMs } from './measured.ts';
@@ -31,7 +40,7 @@ type Args<Op extends keyof Making> = Making[Op]['args'];
 let started: Promise<WebAssembly.Memory> | undefined;
 let table: Uint8Array | undefined;
 
-const OPERATIONS: Work<Making> = { jpeg, webp, losslessWebp, pictures, pdf, comic };
+const OPERATIONS: Work<Making> = { jpeg, webp, losslessWebp, pictures, pdf, comic, board, shots };
 
 serveJobs<Making>(async (op, args, tell) => {
   tell.waits(LOADING);
@@ -157,6 +166,16 @@ async function comic({ kind, comic: told }: Args<'comic'>, tell: Tell) {
   } finally {
     letters.free();
   }
+}
+
+async function board({ request }: Args<'board'>, tell: Tell) {
+  tell.expects(PAGE);
+  return { ok: boardSheets(request), transfer: [] };
+}
+
+async function shots({ ending, list }: Args<'shots'>, tell: Tell) {
+  tell.expects(PAGE);
+  return { ok: shotFile(ending, list), transfer: [] };
 }
 
 function bytesOf(data: Uint8ClampedArray<ArrayBuffer>) {

@@ -108,7 +108,13 @@ export type Making = {
   };
   pdf: { args: { pages: PdfPage[]; options: PdfOptions }; ok: Blob };
   comic: { args: { kind: ComicKind; comic: string }; ok: string };
+  /** the pages of a board, and a list of its shots */
+  board: { args: { request: string }; ok: string };
+  shots: { args: { ending: ListKind; list: string }; ok: string };
 };
+
+/** A list of shots, by the ending of its file. */
+export type ListKind = 'csv' | 'edl' | 'otio' | 'xml';
 
 /** A comic that is read. */
 export type ComicKind = 'html' | 'epub' | 'cbz';

@@ -7,13 +7,13 @@ import { signal } from '@preact/signals';
 import { strings } from '../strings/strings.ts';
 import { save } from '../ui/files.ts';
 import { fileName, panelName } from './export-name.ts';
-import { FORMATS, isArchive } from './formats.ts';
+import { FORMATS, isArchive, isList } from './formats.ts';
 import { createMaking } from './page-making.ts';
 import { sized } from '../page/paper.ts';
 import type { Messages } from '../ui/messages.ts';
 import type { Pages } from '../document/pages.ts';
 import type { Progress, Store } from '../document/store.ts';
-import type { PageDocument, PageSettings } from '../engine/types.ts';
+import type { PageDocument, PageSettings, ShotList } from '../engine/types.ts';
 import type { Engine } from '../engine/engine.ts';
 import type { PageFiles } from '../storage/files/page-files.ts';
 import type { Cargo, Wish, Work } from './page-making.ts';
@@ -28,6 +28,7 @@ export function createDownload({
   engine,
   messages,
   pageFiles,
+  shotList,
   onSaved = () => {},
 }: {
   store: Store;
@@ -44,14 +45,16 @@ export function createDownload({
     | 'givesWebp'
     | 'comicPieces'
     | 'comicFiles'
+    | 'shotFile'
   >;
   pageFiles: Pick<PageFiles, 'take' | 'carrying' | 'packed'>;
+  shotList: () => ShotList;
   onSaved?: (pages: readonly PageDocument[]) => void;
 }) {
   /** `packing`: the pages are drawn, and what goes with them is put in. */
   const progress: Signal<(Progress & { packing?: boolean }) | null> = signal(null);
   let running: AbortController | null = null;
-  const make = createMaking({ store, engine });
+  const make = createMaking({ store, engine, shotList });
 
   return { progress, start, saveAs, copy, share, savePanel, cancel, preview, sheets, scaledSheets };
 
@@ -91,7 +94,7 @@ export function createDownload({
     if (!file) return;
     save(file, nameOf(wish));
     onSaved(wish.pages);
-    const saved = strings.pagesSaved(wish.pages.length);
+    const saved = isList(wish.format) ? strings.boards.listSaved : strings.pagesSaved(wish.pages.length);
     messages.note(cargo.unclean > 0 ? `${saved} ${strings.photosUnclean(cargo.unclean)}` : saved);
   }
 

@@ -4,6 +4,7 @@
 
 import { createContext } from 'preact';
 import { useContext } from 'preact/hooks';
+import type { Boards } from '../boards/boards.ts';
 import type { Book } from '../book/book.ts';
 import type { ShownPages } from '../book/shown-pages.ts';
 import type { Designer } from '../designer/designer.ts';
@@ -44,6 +45,7 @@ export type Parts = {
   pages: Pages;
   crops: BetterCrops;
   book: Book;
+  boards: Boards;
   subjects: Subjects;
   reading: Reading;
   scrubbing: Scrubbing;
