@@ -46,7 +46,12 @@ export async function filmsAmong(files: readonly (Blob & { name?: string })[]): 
   const asked = files.filter((file) => files.length <= FEW || !file.type.startsWith('image/'));
   const films = await Promise.all(
     asked.map(async (file) => {
-      const start = new Uint8Array(await file.slice(0, 4096).arrayBuffer().catch(() => new ArrayBuffer(0)));
+      const start = new Uint8Array(
+        await file
+          .slice(0, 4096)
+          .arrayBuffer()
+          .catch(() => new ArrayBuffer(0)),
+      );
       return isFilmStart(start) || (isVideo(file) && !isPhotoStart(start)) ? [file] : [];
     }),
   );
