@@ -176,7 +176,7 @@ fn is_joined(letter: char) -> bool {
 /// Learns a stretch as a whole where its script joins, else each of its letters. A font that cannot be read on is given up.
 fn learn(letters: &mut Letters, faces: &mut [Option<Face<'_>>], stretch: &str) {
     let mut left = vec![stretch.to_owned()];
-    for slot in faces.iter_mut() {
+    for slot in faces {
         let Some(face) = slot.as_ref() else { continue };
         let mut still = Vec::new();
         for text in std::mem::take(&mut left) {
