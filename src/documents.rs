@@ -61,7 +61,7 @@ pub(crate) fn draw(file: &Path, files: &[PathBuf], output: &Output, how: &How) -
     }
     let full = |id: &str| paths.get(id).map(|path| decode_file(path)).transpose();
     let fonts = how.printing.fonts()?;
-    let means = drawing::Means { photos: &full, fonts: &fonts, quality: how.printing.quality() };
+    let means = how.printing.means(&full, &fonts);
     drawing::tell_missing(&pages, &fonts)?;
     check_strict(how)?;
     let printed: drawing::Printed<'_> = (&how.printing, &|_| &[]);

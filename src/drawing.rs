@@ -16,7 +16,7 @@ use inkpanel::page::words::place;
 use inkpanel::page::{Document, jpeg, png, webp};
 use inkpanel::raster::Image;
 use rayon::prelude::*;
-use serde_json::Value;
+use serde_json::{Value, json};
 use std::path::{Path, PathBuf};
 
 /// Puts the words of a file on a page; those without a place go where they hide no face.
@@ -105,13 +105,30 @@ pub(crate) struct Means<'p> {
     pub(crate) fonts: &'p GivenFonts,
     /// Of JPEG, from 1 to 100.
     pub(crate) quality: u8,
+    /// Whether coarse photos are enlarged well.
+    pub(crate) enlarges: bool,
+}
+
+/// A page as it is drawn, with its photos. Each panel whose photo is enlarged is told.
+fn prepared(document: &Document, means: &Means<'_>) -> Result<(Document, native::Photos), Complaint> {
+    let photos = decoded(document, means.photos)?;
+    let mut page = document.clone();
+    if means.enlarges {
+        page.page.enlarge = true;
+        let size = |id: &str| photos.get(id).map(|photo| (photo.width() as u32, photo.height() as u32));
+        for (panel, dpi) in native::coarse(&page, &size).map_err(|error| error.to_string())? {
+            let event = json!({ "event": "enlarged", "panel": panel + 1, "dpi": dpi });
+            telling::step(&event, Some(format!("panel {}: enlarged from {dpi} dpi", panel + 1)));
+        }
+    }
+    Ok((page, photos))
 }
 
 /// Renders a document from its photos, decoded at their full size, as the kind of picture that `output` names.
 pub(crate) fn draw(document: &Document, means: &Means<'_>, output: &Path) -> Result<Vec<u8>, Complaint> {
     let kind = Kind::of(output)?;
-    let photos = decoded(document, means.photos)?;
-    let sheet = native::sheet(document, &photos, means.fonts).map_err(|error| error.to_string())?;
+    let (document, photos) = &prepared(document, means)?;
+    let sheet = native::sheet(document, photos, means.fonts).map_err(|error| error.to_string())?;
     encoded(kind, (sheet.width(), sheet.height()), sheet.rgb(), (document.page.dpi, means.quality))
 }
 
@@ -166,6 +183,9 @@ pub(crate) struct Printing {
     /// again: the first that has a letter is taken.
     #[arg(long, value_name = "FILE")]
     font: Vec<PathBuf>,
+    /// Enlarge photos well that have fewer than 200 pixels an inch at this size; which ones is told.
+    #[arg(long)]
+    enlarge: bool,
     /// Quality of JPEG files, and of the pictures in PDF files and comics, from 1 to 100; 90 unless told.
     #[arg(long, value_name = "1-100", value_parser = clap::value_parser!(u8).range(1..=100))]
     quality: Option<u8>,
@@ -239,8 +259,13 @@ impl Printing {
         Ok(fonts)
     }
 
+    /// What pages are drawn with.
+    pub(crate) fn means<'m>(&self, photos: &'m Photos<'m>, fonts: &'m GivenFonts) -> Means<'m> {
+        Means { photos, fonts, quality: self.quality(), enlarges: self.enlarge }
+    }
+
     /// The quality that is asked for.
-    pub(crate) fn quality(&self) -> u8 {
+    fn quality(&self) -> u8 {
         self.quality.unwrap_or(QUALITY)
     }
 
@@ -351,8 +376,8 @@ fn leaf(
     means: &Means<'_>,
     (plate, alts): (Option<(&Separation, usize)>, Vec<String>),
 ) -> Result<pdf::Leaf, Complaint> {
-    let photos = decoded(document, means.photos)?;
-    native::leaf(document, &photos, alts, (plate, means.quality)).map_err(|error| error.to_string())
+    let (document, photos) = &prepared(document, means)?;
+    native::leaf(document, photos, alts, (plate, means.quality)).map_err(|error| error.to_string())
 }
 
 /// The photos that a page shows, as far as they are there, decoded side by side.

@@ -481,7 +481,7 @@ fn plan_page(
     let paths: HashMap<&str, &Path> =
         photos.iter().map(|(path, photo)| (photo.meta.id.as_str(), path.as_path())).collect();
     let full = |id: &str| paths.get(id).map(|path| decode_file(path)).transpose();
-    let means = drawing::Means { photos: &full, fonts: &fonts, quality: how.printing.quality() };
+    let means = how.printing.means(&full, &fonts);
     let album = projects::Album {
         name: album_name.to_owned(),
         pages: &drawn,

@@ -2,6 +2,7 @@
 
 use crate::error::Result;
 use crate::framing::Subject;
+use crate::layout::COARSE;
 use crate::output::describing::described;
 use crate::page::pdf::{Leaf, picture};
 use crate::page::plates::Separation;
@@ -74,6 +75,24 @@ pub fn alts<'s>(document: &Document, subjects: &dyn Fn(&str) -> &'s [Subject]) -
         format!("Panel {} of {count}: {what}", i + 1)
     };
     (0..count).map(alt).collect()
+}
+
+/// The panels whose photos have fewer pixels an inch than [`COARSE`] on the page at its own size, with how many they have.
+/// `size` knows width and height of a photo in pixels.
+///
+/// # Errors
+/// As [`Scene::new`].
+pub fn coarse(document: &Document, size: &dyn Fn(&str) -> Option<(u32, u32)>) -> Result<Vec<(usize, u32)>> {
+    let scene = Scene::new(document, document.page.width as usize)?;
+    let leads = |i: usize| document.merge_of(i).is_none_or(|group| group.first() == Some(&i));
+    let found = scene.panels.iter().enumerate().filter(|(i, _)| leads(*i)).filter_map(|(i, panel)| {
+        let (width, height) = size(panel.photo.as_deref()?)?;
+        let across = panel.crop.width * f64::from(width) / panel.image_bounds.width;
+        let down = panel.crop.height * f64::from(height) / panel.image_bounds.height;
+        let dpi = across.min(down) * f64::from(document.page.dpi);
+        (dpi < COARSE).then_some((i, dpi.round() as u32))
+    });
+    Ok(found.collect())
 }
 
 /// The panels of a document in their order.

@@ -83,7 +83,7 @@ fn drawn(
     };
     let found = |id: &str| known.get(id).map_or(&[][..], Vec::as_slice);
     let fonts = printing.fonts()?;
-    let means = drawing::Means { photos: &photos, fonts: &fonts, quality: printing.quality() };
+    let means = printing.means(&photos, &fonts);
     drawing::tell_missing(&wanted, &fonts)?;
     match kind {
         Kind::Comic(comic) => {

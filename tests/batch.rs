@@ -158,6 +158,25 @@ fn the_quality_of_jpeg_is_told_and_what_is_there_is_not_planned_again() {
     assert!(again.contains(r#""event":"skipped""#) && !again.contains(r#""event":"photo""#), "{again}");
 }
 
+#[test]
+fn coarse_photos_are_enlarged_where_that_is_asked_for_and_each_is_told() {
+    let folder = album();
+    let large = ["--no-detect", "--page-size", "a4", "--style", "noir", "--panels", "2"];
+    let drawn = |more: &[&str], page: &str| {
+        let arguments =
+            [&["render"][..], &large, more, &["-o", page, "album/bee.jpg", "album/cat.jpg"]].concat();
+        let output = inkpanel(folder.path(), &arguments);
+        assert!(output.status.success(), "{}", text(&output.stderr));
+        (text(&output.stderr), fs::read(folder.path().join(page)).unwrap())
+    };
+    let (quiet, plain) = drawn(&[], "plain.png");
+    let (said, well) = drawn(&["--enlarge"], "well.png");
+    assert!(!quiet.contains("enlarged") && said.matches("enlarged from").count() == 2, "{said}");
+    assert_ne!(plain, well);
+    let (said, _) = drawn(&["--enlarge", "--progress", "json"], "well.pdf");
+    assert_eq!(said.matches(r#""event":"enlarged""#).count(), 2, "{said}");
+}
+
 const SMALL: [&str; 6] = ["--no-detect", "--style", "noir", "--page-size", "200x280", "--seed=5"];
 
 fn render(folder: &Path, arguments: &[&str]) -> Output {

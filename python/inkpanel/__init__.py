@@ -66,6 +66,7 @@ def render(
     detect=True,
     models=None,
     words=None,
+    fonts=(),
     star=(),
     alike=None,
     keep_all=False,
@@ -93,6 +94,8 @@ def render(
     models: the folder of faces.onnx and objects.onnx; those in the wheel where nothing is told.
     words: captions, balloons and sound effects of the first page, as a list of dicts such as
         {"kind": "balloon", "text": "Look out!", "panel": 0}; those without a place go where they hide no face.
+    fonts: paths of TrueType or OpenType files for letters of words that the program's own fonts lack, such as Arabic or Japanese;
+        the first that has a letter is taken, and `Page.notes` tells what none has.
     star: places in `photos`, from 0, of those that get a large panel.
     alike: photos whose fingerprints differ in at most so many of 64 bits show the same picture; 10 where nothing is told.
     keep_all: use all photos, those that look alike and those that are blurred, too.
@@ -125,6 +128,7 @@ def render(
         "merge": merge,
         "models": (_os.fspath(models) if models else str(_MODELS)) if detect else None,
         "words": words,
+        "fonts": [_os.fspath(font) for font in fonts],
         "star": list(star),
         "alike": alike,
         "keep_all": keep_all,

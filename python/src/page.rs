@@ -4,9 +4,9 @@ use crate::failure::{Done, Failure, detached};
 use crate::photos::{Photo, id, shown};
 use crate::{arrays, python_of};
 use inkpanel::framing::Subject;
-use inkpanel::native;
+use inkpanel::native::{self, QUALITY};
 use inkpanel::page::pdf::{self as book, Options};
-use inkpanel::page::words::Letters;
+use inkpanel::page::words::given::GivenFonts;
 use inkpanel::page::{Document, jpeg, png};
 use numpy::{PyArray3, PyArrayMethods};
 use pyo3::prelude::*;
@@ -20,6 +20,8 @@ pub(crate) struct Album {
     pub(crate) photos: Vec<Photo>,
     /// What was found in photos, by their ids.
     pub(crate) subjects: HashMap<String, Vec<Subject>>,
+    /// What letters come from that the program lacks.
+    pub(crate) fonts: GivenFonts,
     /// What is not as it was asked for.
     pub(crate) notes: Vec<String>,
 }
@@ -44,7 +46,11 @@ impl Page {
     fn pixels<'py>(&self, py: Python<'py>) -> PyResult<&Bound<'py, PyArray3<u8>>> {
         let drawn = self.drawn.get_or_try_init(py, || {
             let (size, rgb) = detached(py, || {
-                let sheet = native::sheet(&self.document, &shown(&self.document, &self.album.photos)?)?;
+                let sheet = native::sheet(
+                    &self.document,
+                    &shown(&self.document, &self.album.photos)?,
+                    &self.album.fonts,
+                )?;
                 Ok(((sheet.width(), sheet.height()), sheet.into_rgb()))
             })?;
             let array = arrays::colour(py, size, rgb)?;
@@ -71,7 +77,7 @@ impl Page {
     fn leaf(&self) -> Done<book::Leaf> {
         let subjects = |id: &str| self.album.subjects.get(id).map_or(&[][..], Vec::as_slice);
         let alts = native::alts(&self.document, &subjects);
-        Ok(native::leaf(&self.document, &shown(&self.document, &self.album.photos)?, alts, None)?)
+        Ok(native::leaf(&self.document, &shown(&self.document, &self.album.photos)?, alts, (None, QUALITY))?)
     }
 }
 
@@ -181,7 +187,10 @@ fn bound<'py>(
             return Err(Failure::argument("pages", "there is no page"));
         }
         let leaves = pages.iter().map(|page| page.leaf()).collect::<Done<Vec<_>>>()?;
-        Ok(book::write(&leaves, &options, &Letters::bundled()?)?)
+        // The pages of several albums may have letters of the fonts of each.
+        let fonts = GivenFonts::joined(pages.iter().map(|page| &page.album.fonts));
+        let letters = fonts.letters(pages.iter().flat_map(|page| &page.document.words))?;
+        Ok(book::write(&leaves, &options, &letters)?)
     })?;
     Ok(PyBytes::new(py, &file))
 }

@@ -9,7 +9,8 @@ use inkpanel::framing::Subject;
 use inkpanel::page::import::Imported;
 use inkpanel::page::request::Request;
 use inkpanel::page::storyboard;
-use inkpanel::page::words::{Letters, place};
+use inkpanel::page::words::given::{GivenFonts, missing};
+use inkpanel::page::words::place;
 use pyo3::prelude::*;
 use rayon::prelude::*;
 use std::collections::HashMap;
@@ -29,6 +30,7 @@ pub(crate) fn render(py: Python<'_>, photos: Vec<Bound<'_, PyAny>>, settings: &s
 
 fn planned(photos: Vec<Photo>, settings: &Settings) -> Done<Vec<Page>> {
     let mut notes = Vec::new();
+    let fonts = given_fonts(&settings.fonts)?;
     let mut read: Vec<(usize, Imported)> = Vec::new();
     for (place, imported) in import_all(&photos).into_iter().enumerate() {
         match imported {
@@ -66,10 +68,27 @@ fn planned(photos: Vec<Photo>, settings: &Settings) -> Done<Vec<Page>> {
         read.iter().map(|(place, imported)| (id(*place), imported.meta.subjects.clone())).collect();
     if let (Some(first), false) = (documents.first_mut(), settings.words.is_empty()) {
         let of = |id: &str| subjects.get(id).map_or(&[][..], Vec::as_slice);
-        place::add(first, settings.words.clone(), of, &Letters::bundled()?)?;
+        let letters = fonts.letters(&settings.words)?;
+        place::add(first, settings.words.clone(), of, &letters)?;
+        let missing = missing(&letters, &settings.words);
+        if !missing.is_empty() {
+            let letters = missing.join(" ");
+            notes.push(format!("no font has these letters, so a question mark stands for each: {letters}"));
+        }
     }
-    let album = Arc::new(Album { photos, subjects, notes });
+    let album = Arc::new(Album { photos, subjects, fonts, notes });
     Ok(documents.into_iter().map(|document| Page::new(album.clone(), document)).collect())
+}
+
+/// The fonts of some files.
+fn given_fonts(files: &[String]) -> Done<GivenFonts> {
+    let mut fonts = GivenFonts::default();
+    for file in files {
+        let wrong = |reason: &str| Failure::argument("fonts", &format!("{file}: {reason}"));
+        let bytes = std::fs::read(file).map_err(|error| wrong(&error.to_string()))?;
+        fonts.add(bytes).map_err(wrong)?;
+    }
+    Ok(fonts)
 }
 
 /// Tells framing what is in the photos. What fails in one photo is told and counts as nothing found.

@@ -25,6 +25,8 @@ pub(crate) struct Settings {
     pub(crate) star: Vec<usize>,
     pub(crate) choice: Choice,
     pub(crate) words: Vec<Value>,
+    /// Files of fonts, for letters of words that the program lacks.
+    pub(crate) fonts: Vec<String>,
     /// The folder of the nets; none where nothing is looked for.
     pub(crate) models: Option<String>,
     /// Whether photos that cannot be read are left out, rather than an error.
@@ -62,6 +64,7 @@ impl Settings {
                 as_given: told.flag("as_given")?,
             },
             words: told.take("words")?.unwrap_or_default(),
+            fonts: told.take("fonts")?.unwrap_or_default(),
             models: told.take("models")?,
             skip_broken: told.flag("skip_broken")?,
         };

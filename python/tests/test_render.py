@@ -112,6 +112,18 @@ def test_gray_files_and_arrays(tmp_path):
     np.testing.assert_array_equal(pages[0].image, pages[1].image)
 
 
+def test_fonts_give_letters_that_the_program_lacks(album):
+    said = [{"kind": "balloon", "text": "漢字 مرحبا", "panel": 0}]
+    fonts = [ROOT / "tests/oracles/data/fonts" / name for name in ("japanese.ttf", "arabic.ttf")]
+    how = {"layout": "cinema-4", "style": "comic", "width": 500, "detect": False, "words": said}
+    bare, given = inkpanel.render(album, **how), inkpanel.render(album, **how, fonts=fonts)
+    assert any("no font has these letters" in note and "漢" in note for note in bare.notes)
+    assert not given.notes and (given.image != bare.image).any() and given.pdf() != bare.pdf()
+    with pytest.raises(inkpanel.Error, match="no TrueType") as raised:
+        inkpanel.render(album, fonts=[__file__])
+    assert raised.value.code == "invalid-argument"
+
+
 def test_words_stars_and_sizes(album):
     plain = inkpanel.render(album, layout="cinema-4", style="comic", width=500, detect=False)
     said = [{"kind": "balloon", "text": "Look out!", "panel": 0}]

@@ -27,7 +27,7 @@ pub use paper::PaperSize;
 pub use polygon::{Bounds, Point};
 pub use resolve::{ResolvedPanel, ResolvedShape, resolve};
 pub use settings::{
-    DEFAULT_GUTTER, DPI, MOST_PIXELS, PRESETS, PagePreset, PageSettings, Purpose, SIDES, preset,
+    COARSE, DEFAULT_GUTTER, DPI, MOST_PIXELS, PRESETS, PagePreset, PageSettings, Purpose, SIDES, preset,
 };
 pub use template::{Body, LEAST_THICKNESS, Panel, Shape, Template};
 pub use write::{Circle, Descriptor, LayoutPanel, Outline, PlacedPanel};

@@ -9,6 +9,9 @@ use crate::json::{Fields, Read};
 /// Gutter of a page that says nothing else, in page widths.
 pub const DEFAULT_GUTTER: f64 = 0.018;
 
+/// Pixels of a photo an inch below which a print looks soft at arm's length.
+pub const COARSE: f64 = 200.0;
+
 /// The settings of one page. Lengths are fractions of the page's width unless a unit is given.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 #[serde(rename_all = "camelCase")]
@@ -36,6 +39,10 @@ pub struct PageSettings {
     #[serde(skip_serializing_if = "is_none")]
     #[cfg_attr(all(test, feature = "cli"), ts(as = "Option<f64>", optional))]
     pub bleed: f64,
+    /// Photos that have fewer than [`COARSE`] pixels an inch are enlarged well: for a file that is printed, never saved.
+    #[serde(skip_serializing_if = "std::ops::Not::not")]
+    #[cfg_attr(all(test, feature = "cli"), ts(as = "Option<bool>", optional))]
+    pub enlarge: bool,
 }
 
 #[allow(clippy::trivially_copy_pass_by_ref, reason = "serde asks by reference")]
@@ -57,6 +64,7 @@ impl Default for PageSettings {
             paper: "#ffffff".into(),
             border_color: "#111111".into(),
             bleed: 0.0,
+            enlarge: false,
         }
     }
 }
@@ -196,6 +204,7 @@ impl PageSettings {
                 *color = told;
             }
         }
+        page.enlarge = fields.flag("enlarge")?;
         fields.done()?;
         Ok(page)
     }

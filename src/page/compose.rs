@@ -10,6 +10,7 @@ use crate::error::{Error, Result};
 use crate::framing::Crop;
 use crate::layout::Bounds;
 use crate::raster::Image;
+use crate::raster::enlarge::enlarged;
 use crate::raster::resize::{Region, resample_image};
 use crate::style::faces::FaceBox;
 use crate::style::{Context, stylize};
@@ -104,7 +105,13 @@ fn panel_image(
     let (left, region_width) = span(crop.x * photo_width, step_x, x, inner.x, inner.width, photo_width);
     let (top, region_height) = span(crop.y * photo_height, step_y, y, inner.y, inner.height, photo_height);
     let region = Region { x: left, y: top, width: region_width, height: region_height };
-    let image = resample_image(photo, region, inner.width, inner.height);
+    // So many pixels of the photo there are for one of the page.
+    let share = (region.width / inner.width as f64).min(region.height / inner.height as f64);
+    let image = if share < scene.enlarge_below {
+        enlarged(photo, region, inner.width, inner.height)
+    } else {
+        resample_image(photo, region, inner.width, inner.height)
+    };
     let image = if inner == at { image } else { bleed::mirrored(&image, (before, above), at) };
     context.check_cancelled()?;
     context.show_faces(faces_in(panel, (photo_width, photo_height), region, at));

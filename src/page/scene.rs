@@ -6,7 +6,7 @@ use super::document::Document;
 use super::mask::PixelRect;
 use crate::error::{Error, Result};
 use crate::framing::Crop;
-use crate::layout::{self, Bounds, Point, ResolvedPanel, ResolvedShape, Template};
+use crate::layout::{self, Bounds, COARSE, Point, ResolvedPanel, ResolvedShape, Template};
 use crate::style::Style;
 use crate::style::context::scale_of;
 use std::borrow::Cow;
@@ -38,6 +38,8 @@ pub struct Scene {
     pub border: f64,
     /// Radius of rounded corners in pixels.
     pub corner_radius: f64,
+    /// Where a photo has fewer pixels for each of the page, it is enlarged well; 0 where none is.
+    pub enlarge_below: f64,
 }
 
 /// One panel in pixels.
@@ -80,6 +82,12 @@ impl Scene {
             border_color: page.border_rgb(),
             border: page.border * width as f64,
             corner_radius: page.corner_radius * width as f64,
+            enlarge_below: if page.enlarge {
+                let dpi = f64::from(page.dpi) * width as f64 / f64::from(page.width.max(1));
+                (COARSE / dpi).min(1.0)
+            } else {
+                0.0
+            },
         })
     }
 }

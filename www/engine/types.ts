@@ -608,6 +608,8 @@ export type PageSettings = {
   borderColor: string,
   /** How far what ends at the edge goes on beyond it, 0..=0.1: for a file that is printed and cut, never saved. */
   bleed?: number,
+  /** Photos that have fewer than `COARSE` pixels an inch are enlarged well: for a file that is printed, never saved. */
+  enlarge?: boolean,
 };
 
 /** The part of a photo that a panel shows, in fractions of the oriented photo. It lies inside the photo. */

@@ -15,7 +15,7 @@ import { ExportActions } from './export-actions.tsx';
 import { ExportProject } from './export-project.tsx';
 import { FileSize } from './file-size.tsx';
 import { FormatChoice } from './format-choice.tsx';
-import { hasPlates, NO_PRINT } from './print.ts';
+import { enlarged, hasPlates, NO_PRINT } from './print.ts';
 import { PrintCheck } from './print-check.tsx';
 import { PrintOptions } from './print-options.tsx';
 import type { PageDocument } from '../engine/types.ts';
@@ -43,6 +43,7 @@ export function ExportDialog() {
   const [inside, setInside] = useState('png' as Inside);
   const [quality, setQuality] = useState(USUAL_QUALITY);
   const [print, setPrint] = useState(NO_PRINT);
+  const [enlarge, setEnlarge] = useState(false);
   const base = all ? page.page : (PAGE_SIZES.find(({ id }) => id === size) ?? page.page);
   const { width, height, dpi } = scaled(base, factor);
   const document = useMemo(() => download.preview({ width, height, dpi }), [page, width, height, dpi]);
@@ -60,8 +61,8 @@ export function ExportDialog() {
     [print, plates, sheets],
   );
   const wish = useMemo(
-    () => ({ pages: sheets, format, inside, quality, print: asked }),
-    [sheets, format, inside, quality, asked],
+    () => ({ pages: enlarged(sheets, enlarge && dpi >= COARSE_FROM), format, inside, quality, print: asked }),
+    [sheets, enlarge, dpi, format, inside, quality, asked],
   );
   const close = () => {
     ui.dialog.value = null;
@@ -98,7 +99,15 @@ export function ExportDialog() {
               <option value={0.5}>{strings.half}</option>
             </select>
           </label>
-          {dpi >= COARSE_FROM && <PrintCheck pages={sheets} only={all ? null : book.at.value} close={close} />}
+          {dpi >= COARSE_FROM && (
+            <PrintCheck
+              pages={sheets}
+              only={all ? null : book.at.value}
+              enlarge={enlarge}
+              change={setEnlarge}
+              close={close}
+            />
+          )}
           <FormatChoice
             formats={all ? OF_MANY : OF_ONE}
             format={format}

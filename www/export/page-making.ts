@@ -6,7 +6,7 @@ import { FORMATS, isArchive, isBook, isList, pageName } from './formats.ts';
 import { archiveOf } from '../engine/archive.ts';
 import { describePanel } from '../page/describing.ts';
 import { currentLanguage } from '../strings/language.ts';
-import { bled, NO_PRINT, pdfOptions } from './print.ts';
+import { bled, kept, NO_PRINT, pdfOptions } from './print.ts';
 import type { Store } from '../document/store.ts';
 import type { PageDocument, ShotList } from '../engine/types.ts';
 import type { Engine } from '../engine/engine.ts';
@@ -110,7 +110,7 @@ export function createMaking({
   ) {
     if (format === 'jpeg') return engine.exportJpeg(document, { ...how, quality });
     if (format === 'webp') return engine.exportWebp(document, { ...how, quality });
-    return carry(await engine.exportPng(document, how), document, how);
+    return carry(await engine.exportPng(document, how), kept(document), how);
   }
 }
 

@@ -12,14 +12,21 @@ const NAMED = 4;
 
 type Found = Coarse & { page: number };
 
-/** @param pages as they are saved; `only` is the place of a page in the storyboard where it is saved alone */
+/**
+ * @param pages as they are saved; `only` is the place of a page in the storyboard where it is saved alone; `enlarge` whether the
+ * photos of these panels are enlarged well
+ */
 export function PrintCheck({
   pages,
   only,
+  enlarge,
+  change,
   close,
 }: {
   pages: readonly PageDocument[];
   only: number | null;
+  enlarge: boolean;
+  change: (enlarge: boolean) => void;
   close: () => void;
 }) {
   const { store, book, selection, ui } = useApp();
@@ -58,7 +65,11 @@ export function PrintCheck({
         ))}
         {found.length > NAMED && <li class="quiet">{strings.print.coarseMore(found.length - NAMED)}</li>}
       </ul>
-      <p class="quiet">{strings.print.coarseHelp}</p>
+      <label class="check">
+        <input type="checkbox" checked={enlarge} onChange={({ currentTarget }) => change(currentTarget.checked)} />
+        <span>{strings.print.enlarge}</span>
+      </label>
+      <p class="quiet">{enlarge ? strings.print.enlargeHelp(found.length) : strings.print.coarseHelp}</p>
     </section>
   );
 }

@@ -1,5 +1,5 @@
 import { expect, test } from 'vitest';
-import { blanks, bled, COARSE, coarsePanels, hasPlates, NO_PRINT, pdfOptions } from './print.ts';
+import { blanks, bled, COARSE, coarsePanels, enlarged, hasPlates, kept, NO_PRINT, pdfOptions } from './print.ts';
 
 const page = (more: object = {}): any => ({
   layout: 'grid-2',
@@ -32,6 +32,14 @@ test('merged panels are one picture, and a photo that is not there is none', () 
   expect(coarsePanels(merged, geometry, album, 8)).toEqual([{ panel: 0, dpi: 63 }]);
   const absent: any = new Map([['small', { meta: { width: 9, height: 9 }, absent: {} }]]);
   expect(coarsePanels(page(), geometry, absent, 8)).toEqual([]);
+});
+
+test('pages are enlarged where that is wanted, and kept without it', () => {
+  const pages = [page()];
+  expect(enlarged(pages, false)).toBe(pages);
+  const [large] = enlarged(pages, true);
+  expect(large.page).toEqual({ ...page().page, enlarge: true });
+  expect(kept(large)).toEqual(page());
 });
 
 test('bleed is told in page widths, and never beyond what the core takes', () => {

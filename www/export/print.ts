@@ -45,6 +45,18 @@ export function bled(document: PageDocument, bleed: Bleed): PageDocument {
   return by > 0 ? { ...document, page: { ...document.page, bleed: by } } : document;
 }
 
+/** @returns pages whose coarse photos are enlarged well, where that is wanted */
+export function enlarged(documents: readonly PageDocument[], enlarge: boolean): readonly PageDocument[] {
+  if (!enlarge) return documents;
+  return documents.map((document) => ({ ...document, page: { ...document.page, enlarge } }));
+}
+
+/** @returns the page as it is kept: how it was printed is no part of it */
+export function kept(document: PageDocument): PageDocument {
+  const { enlarge: _, ...page } = document.page;
+  return { ...document, page };
+}
+
 /** What of it the file is told. */
 export function pdfOptions({ marks, sheets, paper }: Print): PdfOptions {
   return { marks, imposition: IMPOSITIONS[sheets], paper: sheets === 'none' ? null : PAPERS[paper] };

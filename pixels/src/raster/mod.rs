@@ -7,6 +7,8 @@ pub mod color;
 #[cfg(feature = "pages")]
 pub mod decode;
 #[cfg(feature = "pages")]
+pub mod enlarge;
+#[cfg(feature = "pages")]
 mod exif;
 #[cfg(feature = "rare")]
 mod gif;

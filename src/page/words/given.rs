@@ -15,6 +15,7 @@ use rustybuzz::ttf_parser::{GlyphId, OutlineBuilder, fonts_in_collection};
 use rustybuzz::{Direction, Face, GlyphBuffer, UnicodeBuffer};
 use serde_json::Value;
 use std::panic::{AssertUnwindSafe, catch_unwind};
+use std::sync::Arc;
 
 /// Bytes of a font file: the largest of Chinese and Japanese have some 20 MB.
 const MOST_BYTES: usize = 64 << 20;
@@ -45,7 +46,7 @@ const JOINED: [(u32, u32); 10] = [
 /// The font files of a person, in the order in which they are asked for letters.
 #[derive(Default)]
 pub struct GivenFonts {
-    files: Vec<Vec<u8>>,
+    files: Vec<Arc<[u8]>>,
 }
 
 impl GivenFonts {
@@ -71,8 +72,20 @@ impl GivenFonts {
             }
             None => return Err("it is no TrueType or OpenType font, or it is broken"),
         }
-        self.files.push(file);
+        self.files.push(file.into());
         Ok(())
+    }
+
+    /// Those of several, each file once.
+    #[must_use]
+    pub fn joined<'f>(all: impl IntoIterator<Item = &'f Self>) -> Self {
+        let mut files: Vec<Arc<[u8]>> = Vec::new();
+        for file in all.into_iter().flat_map(|fonts| &fonts.files) {
+            if !files.iter().any(|known| Arc::ptr_eq(known, file)) {
+                files.push(Arc::clone(file));
+            }
+        }
+        Self { files }
     }
 
     /// The letters that words are set in: those of the program, and what these lack of the words from the files.
@@ -163,7 +176,7 @@ fn is_joined(letter: char) -> bool {
 /// Learns a stretch as a whole where its script joins, else each of its letters. A font that cannot be read on is given up.
 fn learn(letters: &mut Letters, faces: &mut [Option<Face<'_>>], stretch: &str) {
     let mut left = vec![stretch.to_owned()];
-    for slot in faces.iter_mut() {
+    for slot in faces {
         let Some(face) = slot.as_ref() else { continue };
         let mut still = Vec::new();
         for text in std::mem::take(&mut left) {

@@ -72,24 +72,20 @@ fn small(letter: char) -> bool {
 }
 
 fn stand(letter: char) -> Stand {
-    match letter {
-        '、' | '。' | '，' | '．' => Stand::Corner,
-        'ー' | '〜' | '～' | '…' | '‥' | '—' | '–' | '―' | '＝' | '｜' | '＿' | '：' | '゠' => {
-            Stand::Turned
-        }
-        '\u{3008}'..='\u{3011}' | '\u{3014}'..='\u{301b}' | '（' | '）' | '［' | '］' | '｛' | '｝' => {
-            Stand::Turned
-        }
-        _ if small(letter) => Stand::Small,
-        _ if is_ideographic(letter) => Stand::Upright,
-        // Hangul, symbols and emoji.
-        _ => match u32::from(letter) {
-            0x1100..=0x11ff | 0x3130..=0x318f | 0xa960..=0xa97f | 0xac00..=0xd7ff | 0xffe0..=0xffe7 => {
-                Stand::Upright
-            }
-            0x2600..=0x27bf | 0x1_f000..=0x1_faff => Stand::Upright,
-            _ => Stand::Turned,
-        },
+    let turned = "ー〜～…‥—–―＝｜＿：゠（）［］｛｝".contains(letter)
+        || matches!(letter, '\u{3008}'..='\u{3011}' | '\u{3014}'..='\u{301b}');
+    // Hangul, symbols and emoji.
+    let others = matches!(u32::from(letter),
+        0x1100..=0x11ff | 0x3130..=0x318f | 0xa960..=0xa97f | 0xac00..=0xd7ff | 0xffe0..=0xffe7
+        | 0x2600..=0x27bf | 0x1_f000..=0x1_faff);
+    if "、。，．".contains(letter) {
+        Stand::Corner
+    } else if small(letter) {
+        Stand::Small
+    } else if !turned && (others || is_ideographic(letter)) {
+        Stand::Upright
+    } else {
+        Stand::Turned
     }
 }
 

@@ -63,6 +63,11 @@ export const printStrings = {
     coarsePanel: (n: number, dpi: number) => `Bild ${n}: ${dpi} dpi`,
     coarseOn: (page: number, n: number, dpi: number) => `Seite ${page}, Bild ${n}: ${dpi} dpi`,
     coarseMore: (n: number) => `und ${n} weitere`,
+    enlarge: 'Gut vergrößern',
+    enlargeHelp: (n: number) =>
+      n === 1
+        ? 'Das Foto dieses Bildes wird mit schärferen Kanten vergrößert. Einzelheiten, die es nicht hat, kommen nicht dazu.'
+        : `Die Fotos dieser ${n} Bilder werden mit schärferen Kanten vergrößert. Einzelheiten, die sie nicht haben, kommen nicht dazu.`,
     coarseMark: (dpi: number) => `${dpi} dpi`,
     coarseHelp: 'Zeige das Foto kleiner oder weniger beschnitten, oder nimm ein größeres.',
     coarseHide: 'Markierungen ausblenden',

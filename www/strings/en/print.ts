@@ -63,6 +63,11 @@ export const printStrings = {
     coarsePanel: (n: number, dpi: number) => `Panel ${n}: ${dpi} dpi`,
     coarseOn: (page: number, n: number, dpi: number) => `Page ${page}, panel ${n}: ${dpi} dpi`,
     coarseMore: (n: number) => `and ${n} more`,
+    enlarge: 'Enlarge well',
+    enlargeHelp: (n: number) =>
+      n === 1
+        ? 'The photo of this panel is enlarged with sharper edges. It gains no detail that it does not have.'
+        : `The photos of these ${n} panels are enlarged with sharper edges. They gain no detail that they do not have.`,
     coarseMark: (dpi: number) => `${dpi} dpi`,
     coarseHelp: 'Show the photo smaller or with less cropped off, or take a larger one.',
     coarseHide: 'Hide the marks',

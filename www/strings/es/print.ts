@@ -63,6 +63,11 @@ export const printStrings = {
     coarsePanel: (n: number, dpi: number) => `Viñeta ${n}: ${dpi} ppp`,
     coarseOn: (page: number, n: number, dpi: number) => `Página ${page}, viñeta ${n}: ${dpi} ppp`,
     coarseMore: (n: number) => `y ${n} más`,
+    enlarge: 'Ampliar bien',
+    enlargeHelp: (n: number) =>
+      n === 1
+        ? 'La foto de esta viñeta se amplía con bordes más nítidos. No gana detalles que no tenga.'
+        : `Las fotos de estas ${n} viñetas se amplían con bordes más nítidos. No ganan detalles que no tengan.`,
     coarseMark: (dpi: number) => `${dpi} ppp`,
     coarseHelp: 'Muestra la foto más pequeña o menos recortada, o usa una más grande.',
     coarseHide: 'Ocultar las marcas',

@@ -63,6 +63,11 @@ export const printStrings = {
     coarsePanel: (n: number, dpi: number) => `Case ${n} : ${dpi} ppp`,
     coarseOn: (page: number, n: number, dpi: number) => `Page ${page}, case ${n} : ${dpi} ppp`,
     coarseMore: (n: number) => `et ${n} de plus`,
+    enlarge: 'Bien agrandir',
+    enlargeHelp: (n: number) =>
+      n === 1
+        ? 'La photo de cette case est agrandie avec des contours plus nets. Elle ne gagne aucun détail qu’elle n’a pas.'
+        : `Les photos de ces ${n} cases sont agrandies avec des contours plus nets. Elles ne gagnent aucun détail qu’elles n’ont pas.`,
     coarseMark: (dpi: number) => `${dpi} ppp`,
     coarseHelp: 'Montrez la photo plus petite ou moins rognée, ou prenez-en une plus grande.',
     coarseHide: 'Masquer les repères',

@@ -62,6 +62,11 @@ export const printStrings = {
     coarsePanel: (n: number, dpi: number) => `コマ${n}:${dpi} dpi`,
     coarseOn: (page: number, n: number, dpi: number) => `${page}ページ、コマ${n}:${dpi} dpi`,
     coarseMore: (n: number) => `ほか${n}個`,
+    enlarge: 'きれいに拡大',
+    enlargeHelp: (n: number) =>
+      n === 1
+        ? 'このコマの写真は輪郭を保って拡大されます。元の写真にない細部は増えません。'
+        : `これらの${n}コマの写真は輪郭を保って拡大されます。元の写真にない細部は増えません。`,
     coarseMark: (dpi: number) => `${dpi} dpi`,
     coarseHelp: '写真を小さく見せるか、切り抜きを広げるか、大きな写真を使ってください。',
     coarseHide: '印を隠す',

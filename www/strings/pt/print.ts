@@ -63,6 +63,11 @@ export const printStrings = {
     coarsePanel: (n: number, dpi: number) => `Quadro ${n}: ${dpi} dpi`,
     coarseOn: (page: number, n: number, dpi: number) => `Página ${page}, quadro ${n}: ${dpi} dpi`,
     coarseMore: (n: number) => `e mais ${n}`,
+    enlarge: 'Ampliar bem',
+    enlargeHelp: (n: number) =>
+      n === 1
+        ? 'A foto deste quadro é ampliada com contornos mais nítidos. Não ganha detalhes que não tem.'
+        : `As fotos destes ${n} quadros são ampliadas com contornos mais nítidos. Não ganham detalhes que não têm.`,
     coarseMark: (dpi: number) => `${dpi} dpi`,
     coarseHelp: 'Mostre a foto menor ou menos cortada, ou use uma maior.',
     coarseHide: 'Esconder as marcas',
