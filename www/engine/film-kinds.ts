@@ -1,6 +1,6 @@
 /** What kind of film a file is, by its content: that its name ends in .mp4 says nothing. */
 
-import { isVideo } from './video.ts';
+import { isVideo } from './is-video.ts';
 
 /** Containers that no reader here knows; the words are their names. */
 const FOREIGN: readonly [name: string, at: number, bytes: readonly number[]][] = [
@@ -13,7 +13,7 @@ const FOREIGN: readonly [name: string, at: number, bytes: readonly number[]][] =
 /** Codes of codecs as AVI, MP4 and MOV files write them, and what people call them. */
 const CODECS: readonly [name: string, codes: RegExp][] = [
   ['HEVC (H.265)', /hvc1|hev1|hevc|dvh1|dvhe/i],
-  ['ProRes', /ap(?:cn|ch|cs|co|4h|4x)/],
+  ['ProRes', /prores|ap(?:cn|ch|cs|co|4h|4x)/i],
   ['MPEG-4 Part 2', /mp4v|xvid|divx|dx50|fmp4|mp4s/i],
   ['Motion JPEG', /mjp[ab2g]|jpeg/i],
   ['DV', /dv[cs5h]|dvsd|dvpp/i],
@@ -35,6 +35,8 @@ export function isFilmStart(bytes: Uint8Array): boolean {
   if (/^....ftyp/s.test(text)) return !/^....ftyp(?:hei[cfsx]|mif1|msf1|avi[fs]|jxl |crx )/s.test(text);
   if (/^....(?:moov|mdat|wide)/s.test(text)) return true;
   if (bytes[0] === 0x1a && bytes[1] === 0x45 && bytes[2] === 0xdf && bytes[3] === 0xa3) return true;
+  // Packets of a transport stream are 188 bytes long.
+  if ([0, 188, 376].every((at) => bytes[at] === 0x47)) return true;
   return containerOf(bytes) !== null;
 }
 

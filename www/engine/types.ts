@@ -1134,6 +1134,8 @@ export type Candidate = {
   paper: number,
   /** See `MeasuresEntry`. */
   laplacian: number,
+  /** The film that it is a frame of. */
+  film?: string | null,
 };
 
 /** What selection compares, as JSON has it. */
@@ -1264,6 +1266,8 @@ export type FilePhoto = {
   video?: string,
   /** Seconds from the beginning of the video. */
   time?: number,
+  /** The number of its shot in the video, from 1. */
+  shot?: number,
   /** Whether it is compared with other photos. */
   measured: boolean,
   /** What was found in it; none when it was not searched. */

@@ -121,7 +121,11 @@ function freshOf(chosen: Float64Array, taken: readonly number[], most: number): 
 /** @returns `reaches`: seconds that the file has; less than it says where it breaks off */
 async function lengthOf(track: InputVideoTrack): Promise<{ duration: number; reaches: number }> {
   const packets = new EncodedPacketSink(track);
-  const duration = await track.computeDuration();
+  const told = (await track.getDurationFromMetadata().catch(() => null)) ?? 0;
+  const found = await track.computeDuration();
+  // WebM and Matroska are as long as what is there of them, whatever they say.
+  if (found > 0 && found < told - 0.5) return { duration: told, reaches: found };
+  const duration = found;
   const whole = async (time: number) => {
     try {
       const packet = await packets.getPacket(time);

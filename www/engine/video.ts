@@ -9,6 +9,8 @@ import { patience } from './patience.ts';
 import { cancelled, failure } from './protocol.ts';
 import { readByElement } from './video-element.ts';
 
+export { isVideo } from './is-video.ts';
+
 /**
  * `count` frames between `start` and `end`, in seconds; the whole video unless told. `leading` are the numbers of those
  * that are wanted first. `times`: at these and no others. `shots`: those that stand for the shots of the film, as many as suit
@@ -51,11 +53,8 @@ export type Listener = {
 /** Milliseconds without a word of the reader: a slow device may decode hundreds of frames between two of the times. */
 const SILENCE = 60_000;
 
-export function isVideo(file: Blob & { name?: string }): boolean {
-  return (
-    file.type.startsWith('video/') || /\.(mp4|m4v|mov|webm|mkv|avi|mpe?g|m2?ts|wmv|flv|ogv|3gp)$/i.test(file.name ?? '')
-  );
-}
+/** What the browser's own player may read all the same. */
+const BY_ELEMENT = ['film-codec', 'film-empty', 'film-cut'];
 
 /** @returns when all frames were dealt with */
 export async function readVideo(file: Blob, wish: Wish, listener: Listener): Promise<void> {
@@ -74,12 +73,11 @@ export async function readVideo(file: Blob, wish: Wish, listener: Listener): Pro
     await readByWorker(worker, { file, ...wish }, listener);
   } catch (error) {
     const { code, message } = error as { code?: string; message: string };
-    if (code !== 'video-decoder' && code !== 'film-codec') throw error;
-    const slow = readByElement(file, wish, listener, message);
-    // What the browser's player cannot read either is named by its codec.
-    await (code === 'film-codec'
-      ? slow.catch((worse) => Promise.reject(worse.code === 'video-codec' ? error : worse))
-      : slow);
+    if (code !== 'video-decoder' && !BY_ELEMENT.includes(String(code))) throw error;
+    await readByElement(file, wish, listener, message).catch((worse) => {
+      // What the browser's own player cannot read either is named by what is wrong with the film.
+      throw code !== 'video-decoder' && worse.code === 'video-codec' ? error : worse;
+    });
   }
 }
 

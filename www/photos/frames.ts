@@ -4,6 +4,7 @@
  */
 
 import { batch } from '@preact/signals';
+import { pictureEnds } from '../engine/animation-times.ts';
 import { strings } from '../strings/strings.ts';
 import { MOST } from '../document/limits.ts';
 import type { Video } from '../document/album.ts';
@@ -52,7 +53,7 @@ export function createFrames({
       await engine.importVideo(file, {
         ids: [...video.ids],
         leading: video.ids.filter(intake.isShown),
-        ...wishOf(video, how),
+        ...(await wishOf(video, how)),
         start,
         end: end ?? undefined,
         signal: how.signal,
@@ -81,13 +82,14 @@ export function createFrames({
   }
 
   /** What is asked of the film: frames that were there before are the same again, all else is chosen by its shots. */
-  function wishOf({ ids, duration, start, end, file }: Video, { count, moments }: How & { count?: number }) {
+  async function wishOf({ ids, duration, start, end, file }: Video, { count, moments }: How & { count?: number }) {
     const times = ids.map((id) => store.album.peek().get(id)?.time);
     if (duration !== null && times.some((time) => time !== undefined)) {
       const length = (end ?? duration) - start;
       return { times: times.map((time, i) => time ?? start + ((i + 0.5) / ids.length) * length) };
     }
-    return isMoving(file) ? {} : { shots: true, count: count ?? 0, moments };
+    // A picture that moves has no shots.
+    return (await pictureEnds(file)).length > 0 ? {} : { shots: true, count: count ?? 0, moments };
   }
 
   /** A place for one frame more. */
@@ -147,9 +149,4 @@ export function createFrames({
   function forget(key: string) {
     store.videos.value = new Map([...store.videos.peek()].filter(([other]) => other !== key));
   }
-}
-
-/** Whether it is a picture that moves, whose frames are taken by the clock. */
-function isMoving({ type, name }: File): boolean {
-  return type.startsWith('image/') || /\.(gif|webp|png|apng)$/i.test(name);
 }

@@ -51,6 +51,8 @@ export function createReading({
   let gesture = null as string | null;
   /** The message that there is no page, which the next page takes away. */
   let complaint = 0;
+  /** Files of what is being read. */
+  let files = 0;
 
   /** Stops what is being read. */
   let stop: AbortController | null = null;
@@ -126,6 +128,7 @@ export function createReading({
       messages.alert(strings.tooManyPhotos(given.length - sources.length, strings.decimal(MOST.photos)));
     if (sources.length === 0) return null;
     const ids = sources.flatMap((source) => source.ids);
+    files = (store.reading.peek() ? files : 0) + given.length;
     naming.begin(sources);
     intake.count(0, ids.length);
     if (first) {
@@ -227,7 +230,8 @@ export function createReading({
     naming.settle(step);
     if (store.photos.peek().length === 0) {
       store.change({ type: 'no-page', silent: true });
-      complaint = messages.alert(strings.noUsablePhoto);
+      // Of a single file the reason says it all.
+      if (files > 1) complaint = messages.alert(strings.noUsablePhoto);
     } else if (step === null) {
       if (!firstPage.compose()) keepShown();
     } else if (planned !== inUse()) {
