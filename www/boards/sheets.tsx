@@ -40,7 +40,8 @@ export function Sheets() {
 
   const width = () => screenPixels(list.current?.clientWidth ?? 480);
   return (
-    <ul class="board-sheets" ref={list} aria-busy={busy}>
+    // biome-ignore lint/a11y/noNoninteractiveTabindex: it is scrolled by keys, and nothing in it takes the focus.
+    <ul class="board-sheets" ref={list} aria-label={strings.boards.sheets} aria-busy={busy} tabIndex={0}>
       {sheets.map((sheet, i) => (
         <li key={i} style={{ aspectRatio: `${sheet.page.width} / ${sheet.page.height}` }}>
           <div role="img" aria-label={strings.boards.sheet(i + 1, sheets.length)}>

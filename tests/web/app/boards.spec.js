@@ -22,6 +22,7 @@ async function openShots(page) {
 async function drawn(page) {
   const sheets = page.getByRole('region', { name: 'Board sheets' });
   await expect(sheets.getByRole('list')).toHaveAttribute('aria-busy', 'false');
+  await sheets.getByRole('img').first().scrollIntoViewIfNeeded();
   await expect(sheets.locator('canvas[data-drawn=true]').first()).toBeVisible();
   return sheets;
 }
