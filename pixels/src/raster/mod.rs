@@ -10,11 +10,13 @@ pub mod decode;
 mod exif;
 #[cfg(feature = "rare")]
 mod gif;
+pub mod guided;
 #[cfg(feature = "pages")]
 mod icc;
 pub mod image;
 #[cfg(feature = "pages")]
 mod jpeg;
+pub mod matte;
 #[cfg(feature = "pages")]
 pub mod orient;
 pub mod plane;
@@ -29,4 +31,5 @@ pub mod sets;
 mod tiff;
 
 pub use image::Image;
+pub use matte::Matte;
 pub use plane::Plane;
