@@ -5,6 +5,7 @@ use serde::{Deserialize, Deserializer, Serialize, Serializer};
 use super::energy::EnergyMap;
 use super::facts::Facts;
 use super::lettering::LETTERING;
+use crate::raster::Matte;
 
 /// The label of a face among the subjects.
 pub const FACE: &str = "face";
@@ -42,6 +43,10 @@ pub struct PhotoMeta {
     #[serde(default, skip_serializing_if = "Option::is_none")]
     #[cfg_attr(all(test, feature = "cli"), ts(type = "string", optional))]
     pub facts: Option<Facts>,
+    /// Which part of it is its subject, once that was looked for.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    #[cfg_attr(all(test, feature = "cli"), ts(type = "string", optional))]
+    pub mask: Option<Matte>,
     /// Marked by a person as one that matters: it gets the large panel.
     #[serde(default, skip_serializing_if = "std::ops::Not::not")]
     #[cfg_attr(all(test, feature = "cli"), ts(as = "Option<_>", optional))]
@@ -67,6 +72,7 @@ impl PhotoMeta {
             subjects: Vec::new(),
             focus: None,
             facts: None,
+            mask: None,
             starred: false,
             spoken: false,
         }

@@ -83,6 +83,10 @@ pub(super) fn contents(
                 photo: assigned.map(|a| photos[a.photo].id.clone()),
                 crop: assigned.map(|a| a.crop),
                 faces: assigned.map_or_else(Vec::new, |a| faces_of(&photos[a.photo])),
+                figure: before(i).and_then(|before| {
+                    let same = assigned.is_some_and(|a| before.photo.as_ref() == Some(&photos[a.photo].id));
+                    before.figure.clone().filter(|_| same && (request.keep.photos || before.locked))
+                }),
                 // An empty panel may be locked too.
                 locked: head.is_some_and(|head| locked[head]) || before(i).is_some_and(|panel| panel.locked),
                 edited: assigned.is_some_and(|a| edited(leader_of(merges, i), &photos[a.photo].id)),

@@ -15,6 +15,7 @@
 //! | [`scene`] | a document resolved to pixels of one size |
 //! | [`mask`] | the inside of a panel and its border |
 //! | `bleed` | panels that go on beyond the edge of a page that is cut |
+//! | [`breaking`] | figures that step out of their panels |
 //! | [`coverage`] | exact area coverage of pixels |
 //! | [`compose`] | panels rendered to patches, patches laid on paper |
 //! | [`words`] | captions, balloons and sound effects, laid on the panels |
@@ -26,6 +27,7 @@
 //! | [`pdf`] | pages as lines, text and pictures |
 
 mod bleed;
+pub mod breaking;
 pub mod carrying;
 pub mod catalogue;
 pub mod compose;
