@@ -11,6 +11,7 @@ use crate::raster::Image;
 use crate::style::Context;
 use rayon::prelude::*;
 use std::collections::{BTreeSet, HashMap};
+use std::ops::Range;
 
 /// Of JPEG files and of the pictures in PDF files.
 pub const QUALITY: u8 = 90;
@@ -32,8 +33,9 @@ pub fn photos_of(document: &Document) -> Result<BTreeSet<String>> {
 /// # Errors
 /// As [`Scene::new`]; those of a style that does not fit; `invalid-document` for words that break their shape.
 pub fn sheet(document: &Document, photos: &Photos) -> Result<compose::Sheet> {
-    let mut sheet = compose::Sheet::new(&Scene::new(document, document.page.width as usize)?);
-    for patch in patches(document, photos)? {
+    let scene = Scene::new(document, document.page.width as usize)?;
+    let mut sheet = compose::Sheet::new(&scene);
+    for patch in render(document, photos, 0..scene.panels.len())? {
         sheet.lay(patch.area, &patch.rgba)?;
     }
     word_drawing::lay_words(&mut sheet, document, &Letters::bundled()?)?;
@@ -52,7 +54,10 @@ pub fn leaf(
     plate: Option<(&Separation, usize)>,
 ) -> Result<Leaf> {
     let scene = Scene::new(document, document.page.width as usize)?;
-    let patches = patches(&picture::bare(document), photos)?;
+    let count = document.panels.len();
+    let mut patches = render(&picture::bare(document), photos, 0..count)?;
+    // A figure leaves the border alone where it may not cross it, so it has to know of it.
+    patches.extend(render(document, photos, count..scene.panels.len())?);
     let pictures = patches
         .par_iter()
         .enumerate()
@@ -74,12 +79,12 @@ pub fn alts<'s>(document: &Document, subjects: &dyn Fn(&str) -> &'s [Subject]) -
     (0..count).map(alt).collect()
 }
 
-/// The panels of a document in their order.
-fn patches(document: &Document, photos: &Photos) -> Result<Vec<Patch>> {
+/// Some of the panels of a document in their order, behind which are its figures.
+fn render(document: &Document, photos: &Photos, which: Range<usize>) -> Result<Vec<Patch>> {
     let scene = Scene::new(document, document.page.width as usize)?;
     let render = |index: usize| {
         let photo = scene.panels[index].photo.as_deref().and_then(|id| photos.get(id));
         compose::render_panel(&scene, index, photo, &mut Context::default())
     };
-    (0..scene.panels.len()).into_par_iter().map(render).collect()
+    (which.start..which.end.min(scene.panels.len())).into_par_iter().map(render).collect()
 }

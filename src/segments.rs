@@ -4,12 +4,9 @@ use std::collections::HashSet;
 use std::path::{Path, PathBuf};
 
 use inkpanel::detect::Segmenter;
+use inkpanel::page::cutout::full_mask;
 use inkpanel::page::import::Imported;
 use inkpanel::page::png;
-use inkpanel::raster::guided::refined;
-use inkpanel::raster::resize::{Region, resample};
-use inkpanel::raster::{Image, Matte, Plane};
-use inkpanel::style::context::scale_of;
 use rayon::prelude::*;
 use serde_json::{Value, json};
 
@@ -79,7 +76,7 @@ fn cut_out(net: &Segmenter, path: &Path, photo: &Imported, file: &Path) -> Resul
     let matte = net.look(&photo.work).map_err(|error| error.to_string())?;
     let facts = matte.facts();
     let (width, height) = (photo.meta.width, photo.meta.height);
-    let plane = full(&matte, &photo.work, (width as usize, height as usize));
+    let plane = full_mask(&matte, &photo.work, (width as usize, height as usize));
     let png = png::encode_gray(&plane).map_err(|error| error.to_string())?;
     std::fs::write(file, png).map_err(|error| format!("{}: {error}", file.display()))?;
     let digits = |share: f64| (share * 1e4).round() / 1e4;
@@ -95,12 +92,4 @@ fn cut_out(net: &Segmenter, path: &Path, photo: &Imported, file: &Path) -> Resul
         "box": if w > 0.0 { bounds } else { Value::Null },
         "confidence": digits(facts.confidence),
     }))
-}
-
-/// The mask at the size of the oriented photo, its border along the photo's edges.
-fn full(matte: &Matte, work: &Image, (width, height): (usize, usize)) -> Plane {
-    let mask = matte.plane();
-    let whole = Region::whole(mask.width(), mask.height());
-    let refined = refined(&mask, whole, work, scale_of((work.width() * work.height()) as f64));
-    resample(&refined, Region::whole(refined.width(), refined.height()), width, height)
 }

@@ -44,7 +44,7 @@ pub struct PhotoMeta {
     #[cfg_attr(all(test, feature = "cli"), ts(type = "string", optional))]
     pub facts: Option<Facts>,
     /// Which part of it is its subject, once that was looked for.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
+    #[serde(default, skip_serializing_if = "Option::is_none", deserialize_with = "mask")]
     #[cfg_attr(all(test, feature = "cli"), ts(type = "string", optional))]
     pub mask: Option<Matte>,
     /// Marked by a person as one that matters: it gets the large panel.
@@ -91,6 +91,12 @@ impl PhotoMeta {
     }
 }
 
+/// A mask that is none counts as one that was not made.
+fn mask<'de, D: Deserializer<'de>>(deserializer: D) -> Result<Option<Matte>, D::Error> {
+    let text = Option::<String>::deserialize(deserializer)?;
+    Ok(text.and_then(|text| Matte::try_from(text).ok()))
+}
+
 /// A detected face or object.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 #[cfg_attr(all(test, feature = "cli"), derive(ts_rs::TS))]
@@ -118,8 +124,13 @@ impl Subject {
     /// than what is seen, so that no crop has to hold it whole.
     #[must_use]
     pub fn is_scenery(&self) -> bool {
-        let alive = self.label == FACE || self.label == "person" || ANIMALS.contains(&self.label.as_str());
-        !alive && (self.width * self.height > 0.5 || self.width > 0.9 || self.height > 0.9)
+        !self.is_alive() && (self.width * self.height > 0.5 || self.width > 0.9 || self.height > 0.9)
+    }
+
+    /// Whether it is a face, a person or an animal.
+    #[must_use]
+    pub fn is_alive(&self) -> bool {
+        self.label == FACE || self.label == "person" || ANIMALS.contains(&self.label.as_str())
     }
 
     /// Whether the middle of the other lies in it.

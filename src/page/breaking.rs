@@ -19,11 +19,11 @@ use oorandom::Rand64;
 /// From this share on a pixel is seen.
 const SEEN: u8 = 40;
 /// How far a figure goes beyond an edge at most, in parts of the panel's shorter side.
-const MOST_REACH: f64 = 0.4;
+const MOST_REACH: f64 = 0.3;
 /// What it has to show outside for anybody to notice, in parts of the panel's area.
 const LEAST_OUTSIDE: f64 = 0.008;
 /// The least sure border of a figure that is cut out without anybody asking.
-const SURE: f64 = 0.55;
+const SURE: f64 = 0.68;
 /// What is kept free about the faces of others, in parts of their size.
 const ABOUT_FACES: f64 = 0.15;
 
@@ -239,7 +239,7 @@ pub(super) fn by_chance(document: &mut Document, photos: &[PhotoMeta], wanted: O
     let mut best: Option<(usize, Matte, Crop, f64)> = None;
     for _ in 0..TRIED.min(free.len()) {
         let (panel, mask) = free.swap_remove(random.rand_range(0..free.len() as u64) as usize);
-        if let Some((crop, good)) = way_out(document, panel, &mask)?
+        if let Some((crop, good)) = way_out(document, panel, &mask, photos)?
             && good >= best.as_ref().map_or(GOOD, |best| best.3)
         {
             best = Some((panel, mask, crop, good));
@@ -263,7 +263,7 @@ pub fn broken(document: &Document, panel: usize, mask: &Matte) -> Result<Option<
     {
         return Ok(None);
     }
-    let Some((crop, _)) = way_out(document, panel, mask)? else { return Ok(None) };
+    let Some((crop, _)) = way_out(document, panel, mask, &[])? else { return Ok(None) };
     let mut document = document.clone();
     let content = &mut document.panels[panel];
     (content.figure, content.crop, content.edited) = (Some(mask.clone()), Some(crop), true);
@@ -287,9 +287,25 @@ pub fn breaks(document: &Document) -> Result<Vec<bool>> {
     Ok(breaks)
 }
 
-fn way_out(document: &Document, panel: usize, mask: &Matte) -> Result<Option<(Crop, f64)>> {
+/// `photos`: what is known of those on the page. Of their living things the upper halves are left alone, too.
+fn way_out(
+    document: &Document,
+    panel: usize,
+    mask: &Matte,
+    photos: &[PhotoMeta],
+) -> Result<Option<(Crop, f64)>> {
     let size = scene::size(document, document.page.width as usize)?;
-    let panels = scene::panels(document, &*document.template()?, size)?;
+    let mut panels = scene::panels(document, &*document.template()?, size)?;
+    for other in &mut panels {
+        let photo = photos.iter().find(|photo| Some(&photo.id) == other.photo.as_ref());
+        let alive = photo.into_iter().flat_map(|photo| &photo.subjects).filter(|subject| subject.is_alive());
+        other.faces.extend(alive.map(|subject| Crop {
+            x: subject.x,
+            y: subject.y,
+            width: subject.width,
+            height: subject.height / 2.0,
+        }));
+    }
     let around = around(document, &panels, size);
     Ok(stepping_out(&panels[panel], &document.panels[panel], mask, &around[panel]))
 }
@@ -331,7 +347,9 @@ fn stepping_out(
         let good = (figure.share / 0.06).min(1.0) * 0.6 + 0.4 * size.min(1.0) - 0.03 * crossed;
         (!cut).then_some((crop, good.clamp(0.0, 1.0)))
     };
-    if let Some(now) = judged(panel.crop) {
+    // What is good in the coarse has to be so in the fine, too.
+    let holds = |crop: Crop| figure(&ScenePanel { crop, ..panel.clone() }, plane.clone(), around).is_some();
+    if let Some(now) = judged(panel.crop).filter(|(crop, _)| holds(*crop)) {
         return Some((now.0, now.1.max(0.5)));
     }
     if content.edited {
@@ -361,7 +379,7 @@ fn stepping_out(
             }
         }
     }
-    best
+    best.filter(|(crop, _)| holds(*crop))
 }
 
 /// The panel with room for what steps out of it: more of the photo at the same scale.

@@ -18,6 +18,7 @@
 //! | [`breaking`] | figures that step out of their panels |
 //! | [`coverage`] | exact area coverage of pixels |
 //! | [`compose`] | panels rendered to patches, patches laid on paper |
+//! | [`cutout`] | the subject of a photo alone |
 //! | [`words`] | captions, balloons and sound effects, laid on the panels |
 //! | [`png`] | the file that people download |
 //! | [`jpeg`] | the smaller one |
@@ -32,6 +33,7 @@ pub mod carrying;
 pub mod catalogue;
 pub mod compose;
 pub mod coverage;
+pub mod cutout;
 pub mod document;
 mod fill;
 pub mod import;

@@ -45,6 +45,7 @@ import { createInventions } from '../explorer/inventions.ts';
 import { createStyling } from '../styles/styling.ts';
 import { createRecentStyles } from '../styles/recent-styles.ts';
 import { createTaste } from '../styles/taste.ts';
+import { createMasks } from '../photos/masks.ts';
 import { createSubjects } from '../photos/subjects.ts';
 import { isHandheld } from '../ui/media.ts';
 import { createUi } from './ui.ts';
@@ -122,6 +123,13 @@ const subjects = createSubjects({
   onFound: crops.found,
   wanted: ui.detects,
   window,
+});
+const masks = createMasks({
+  store,
+  engine,
+  ready: () =>
+    store.reading.value === null && ui.painted.value === store.page.value && subjects.settled.value && !taking.value,
+  wanted: ui.detects,
 });
 const download = createDownload({
   store,
@@ -206,6 +214,7 @@ const parts: Parts = {
   keeping,
   shownPages,
   subjects,
+  masks,
   reading,
   ahead,
   choosing,
@@ -257,6 +266,7 @@ effect(() => {
   // Detection refines what is there already, so it is told apart.
   document.body.dataset.searched = String(idle && subjects.searched.value);
   document.body.dataset.detected = String(idle && subjects.settled.value);
+  document.body.dataset.masked = String(idle && subjects.settled.value && masks.settled.value);
 });
 
 effect(() => {
