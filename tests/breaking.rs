@@ -96,8 +96,11 @@ fn faces(scene: &Scene, count: usize, but: usize) -> Vec<Bounds> {
 #[test]
 fn on_five_hundred_pages_no_figure_covers_a_face_or_leaves_the_margin() {
     let mut stepped = 0;
+    let mut photos = Vec::new();
     for seed in 0..500 {
-        let photos = album(u64::from(seed) / 10, 7);
+        if seed % 25 == 0 {
+            photos = album(u64::from(seed) / 25, 7);
+        }
         let page = page(&photos, seed);
         let told = breaks(&page).unwrap();
         let count = page.panels.len();
