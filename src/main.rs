@@ -18,6 +18,7 @@ mod plans;
 mod projects;
 mod reading;
 mod reopening;
+mod segments;
 mod telling;
 
 use clap::error::ErrorKind;
@@ -116,6 +117,21 @@ enum Command {
         #[arg(long)]
         json: bool,
         /// Folder of faces.onnx and objects.onnx.
+        #[arg(long, value_name = "DIR")]
+        models: Option<PathBuf>,
+    },
+    /// Cut out what photos show: a mask a photo, white where its subject is.
+    Segment {
+        /// The photos, or folders of them.
+        #[arg(required = true)]
+        files: Vec<PathBuf>,
+        /// Folder of the masks, NAME.png for each photo.
+        #[arg(short, long, value_name = "DIR")]
+        output: PathBuf,
+        /// Answer as JSON.
+        #[arg(long)]
+        json: bool,
+        /// Folder of subject.onnx.
         #[arg(long, value_name = "DIR")]
         models: Option<PathBuf>,
     },
@@ -261,6 +277,9 @@ struct Planned {
     /// Number of panels.
     #[arg(long)]
     panels: Option<usize>,
+    /// Let a figure step out of its panel on each page where one can; needs subject.onnx.
+    #[arg(long)]
+    figures: bool,
     /// Let two panels share one image.
     #[arg(long)]
     merge: bool,
@@ -311,6 +330,9 @@ fn main() -> ExitCode {
         }
         Command::Select { files, json, threshold } => select_photos(&files, json, threshold),
         Command::Detect { files, json, models } => detect_photos(&files, json, models.as_deref()),
+        Command::Segment { files, output, json, models } => {
+            segments::segment(&files, &output, models.as_deref(), json)
+        }
         Command::Generate { seed, count, json, models, photo } => {
             inventor::invent(seed, count, photo.as_deref(), models.as_deref())
                 .and_then(|styles| list(&styles, json))
@@ -455,6 +477,9 @@ fn plan_page(
     let mut photos = import_all(files);
     let looked = !render.no_detect && add_subjects(&mut photos, render.models.as_deref());
     star(&mut photos, &render.star);
+    if render.figures {
+        segments::add_masks(&mut photos, render.models.as_deref())?;
+    }
     let used = used_photos(render, &photos);
     let request = Request {
         seed: render.seed.unwrap_or(1),
@@ -464,6 +489,7 @@ fn plan_page(
         style,
         panels: render.panels,
         merge: Some(render.merge),
+        figures: Some(render.figures),
         ..Request::default()
     };
     let mut pages = storyboard::pages(&request, render.pages.map(|pages| pages as usize))

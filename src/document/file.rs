@@ -15,6 +15,8 @@ use crate::error::Result;
 use crate::json::{self, Fields, Read, Writer, Wrong, each, items, text_of};
 use crate::layout::PageSettings;
 use crate::page::Document;
+use crate::raster::Matte;
+use crate::raster::matte::MOST_TEXT as LONGEST_MASK;
 use serde_json::Value;
 use std::collections::{HashMap, HashSet};
 use std::sync::Arc;
@@ -65,6 +67,9 @@ pub struct FilePhoto {
     /// What was found in it; none when it was not searched.
     #[cfg_attr(all(test, feature = "cli"), ts(as = "Option<Vec<crate::framing::Subject>>"))]
     pub subjects: Option<Vec<Value>>,
+    /// Which part of it is its subject.
+    #[cfg_attr(all(test, feature = "cli"), ts(type = "string", optional))]
+    pub mask: Option<Matte>,
     /// Its place in time among the photos.
     pub rank: Option<u64>,
     /// How it is recognised where its file is not at hand.
@@ -268,6 +273,7 @@ impl FilePhoto {
         let measured = !matches!(fields.take("measured"), Some(Value::Bool(false)));
         let absent = matches!(fields.take("absent"), Some(Value::Bool(true)));
         let subjects = fields.take("subjects").and_then(|all| items(all, MOST_SUBJECTS).ok());
+        let mask = fields.take("mask").and_then(|mask| text_of(mask, LONGEST_MASK).ok());
         let mut text = |name: &str, most| fields.take(name).and_then(|value| text_of(value, most).ok());
         Ok(Self {
             id,
@@ -280,6 +286,7 @@ impl FilePhoto {
             shot,
             measured,
             subjects: subjects.filter(|subjects| subjects.iter().all(is_subject)),
+            mask: mask.and_then(|mask| Matte::try_from(mask).ok()),
             rank: fields.whole("rank", 0, u64::from(u32::MAX)).unwrap_or_default(),
             like: fields.take("like").and_then(|like| Likeness::read(like).ok()),
             absent,
@@ -307,6 +314,9 @@ impl FilePhoto {
         match &self.subjects {
             Some(subjects) => out.key("subjects").list(subjects, &|out, subject| out.value(subject)),
             None => out.key("subjects").null(),
+        }
+        if let Some(mask) = &self.mask {
+            out.key("mask").text(mask.text());
         }
         match self.rank {
             Some(rank) => out.key("rank").whole(rank),

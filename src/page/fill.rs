@@ -76,6 +76,9 @@ pub(super) fn contents(
         let stays = |panel: &&PanelContent| request.keep.photos || panel.locked;
         before(i).filter(stays).is_some_and(|p| p.edited && p.photo.as_deref() == Some(photo))
     };
+    let stays_broken = |i: usize| {
+        before(i).is_some_and(|panel| panel.figure.is_some() && (request.keep.photos || panel.locked))
+    };
     let panels: Vec<PanelContent> = (0..stage.panels)
         .map(|i| {
             let head = heads.iter().position(|&head| head == leader_of(merges, i));
@@ -84,6 +87,8 @@ pub(super) fn contents(
                 photo: assigned.map(|a| photos[a.photo].id.clone()),
                 crop: assigned.map(|a| a.crop),
                 faces: assigned.map_or_else(Vec::new, |a| faces_of(&photos[a.photo])),
+                // Whatever photo is here now, the mask is its own.
+                figure: assigned.filter(|_| stays_broken(i)).and_then(|a| photos[a.photo].mask.clone()),
                 // An empty panel may be locked too.
                 locked: head.is_some_and(|head| locked[head]) || before(i).is_some_and(|panel| panel.locked),
                 edited: assigned.is_some_and(|a| edited(leader_of(merges, i), &photos[a.photo].id)),

@@ -46,6 +46,7 @@ import { createInventions } from '../explorer/inventions.ts';
 import { createStyling } from '../styles/styling.ts';
 import { createRecentStyles } from '../styles/recent-styles.ts';
 import { createTaste } from '../styles/taste.ts';
+import { createMasks } from '../photos/masks.ts';
 import { createSubjects } from '../photos/subjects.ts';
 import { isHandheld } from '../ui/media.ts';
 import { createUi } from './ui.ts';
@@ -125,6 +126,13 @@ const subjects = createSubjects({
   window,
 });
 const boards = createBoards({ store, engine, chooseStyle: pages.chooseStyle });
+const masks = createMasks({
+  store,
+  engine,
+  ready: () =>
+    store.reading.value === null && ui.painted.value === store.page.value && subjects.settled.value && !taking.value,
+  wanted: ui.detects,
+});
 const download = createDownload({
   store,
   pages,
@@ -211,6 +219,7 @@ const parts: Parts = {
   keeping,
   shownPages,
   subjects,
+  masks,
   reading,
   ahead,
   choosing,
@@ -262,6 +271,7 @@ effect(() => {
   // Detection refines what is there already, so it is told apart.
   document.body.dataset.searched = String(idle && subjects.searched.value);
   document.body.dataset.detected = String(idle && subjects.settled.value);
+  document.body.dataset.masked = String(idle && subjects.settled.value && masks.settled.value);
 });
 
 effect(() => {

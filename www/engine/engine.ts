@@ -10,6 +10,7 @@ import { createDetector } from './detector.ts';
 import { createExports } from './export.ts';
 import { createFiles } from './files.ts';
 import { createImitating } from './imitate.ts';
+import { createMasking } from './masking.ts';
 import { createMeasures } from './measures.ts';
 import { createPhotos } from './photos.ts';
 import { createPool } from './pool.ts';
@@ -66,6 +67,7 @@ export function createEngine({
   const warming = createWarming(ask);
   const renders = createRenders({ run, photos, words });
   const aesthetics = createAesthetics({ run, photos });
+  const masking = createMasking(photos);
 
   return {
     /** Resolves to the planner, whose functions are synchronous. */
@@ -86,6 +88,9 @@ export function createEngine({
     findFaces: detector.findFaces,
     findMoreFaces: detector.findMoreFaces,
     findObjects: detector.findObjects,
+    /** Whether the subjects of photos can be found, and that of one. */
+    masks: masking.masks,
+    findMask: masking.findMask,
     forgetPhoto: photos.forget,
     warm: warming.warm,
     /** While `on`, nothing is begun that the page on the screen does not wait for. */
@@ -254,7 +259,7 @@ export function createEngine({
   }
 
   function dispose() {
-    for (const part of [detector, design, aesthetics, words, files]) part.dispose();
+    for (const part of [detector, design, aesthetics, masking, words, files]) part.dispose();
     ready.then(
       () => pool?.dispose(),
       () => {},

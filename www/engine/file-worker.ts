@@ -124,15 +124,16 @@ async function pictures({ document, patches, quality, inks }: Args<'pictures'>, 
           ? plate.cut(document, index, x, y, width, height, rgba, quality)
           : new Cut(document, index, x, y, width, height, rgba, quality);
         const made = cut.take() as Uint8Array<ArrayBuffer>;
+        const alpha = cut.take_alpha() as Uint8Array<ArrayBuffer> | undefined;
         const place = { x: cut.x, y: cut.y, width: cut.width, height: cut.height };
         cut.free();
-        ok.push({ index, ...place, jpeg: made, ...(plate && { plate: ink }) });
+        ok.push({ index, ...place, jpeg: made, ...(alpha && { alpha }), ...(plate && { plate: ink }) });
       }
     } finally {
       plate?.free();
     }
   }
-  return { ok, transfer: ok.map((picture) => picture.jpeg.buffer) };
+  return { ok, transfer: ok.flatMap(({ jpeg: file, alpha }) => (alpha ? [file.buffer, alpha.buffer] : [file.buffer])) };
 }
 
 async function pdf({ pages, options }: Args<'pdf'>, tell: Tell) {
@@ -144,8 +145,8 @@ async function pdf({ pages, options }: Args<'pdf'>, tell: Tell) {
       shape(JSON.parse(page.document));
       tell.expects(PAGE);
       book.add_page(page.document, JSON.stringify(page.alts));
-      for (const { index, x, y, width, height, jpeg: bytes } of page.pictures)
-        book.add_picture(index, x, y, width, height, bytes);
+      for (const { index, x, y, width, height, jpeg: bytes, alpha } of page.pictures)
+        book.add_picture(index, x, y, width, height, bytes, alpha);
     }
     tell.expects(PAGE * pages.length);
     const bytes = book.finish(letters, JSON.stringify(options)) as Uint8Array<ArrayBuffer>;

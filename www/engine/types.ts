@@ -574,6 +574,8 @@ export type PanelUse = {
   crop: Crop | null,
   /** Faces of the photo, in fractions of it, which the style takes care of. Pages of before have none, and look as they did. */
   faces?: ReadonlyArray<Crop>,
+  /** The subject of the photo, which steps out of the panel where there is room; none, and nothing does. */
+  figure?: string,
   /** Kept by every shuffle. */
   locked?: boolean,
   /** The crop was made by hand: it stays while the photo stays in this panel. */
@@ -765,6 +767,11 @@ export type Request = {
   merge?: boolean | null,
   /** Exactly these groups of panels share one image each. */
   merges?: ReadonlyArray<ReadonlyArray<number>> | null,
+  /**
+   * Whether a figure steps out of its panel, where the masks of the photos are there and one can: always, never, or, where nothing
+   * is said, by chance.
+   */
+  figures?: boolean | null,
   /** What the person liked so far. */
   taste?: Taste,
   /** What was shown just now and is not to come again at once, beside what the current page has. */
@@ -841,6 +848,8 @@ export type PhotoMeta = {
   focus: Focus | null,
   /** Tones, texture and colour; none where the photo was never measured, as in projects of before. */
   facts?: string,
+  /** Which part of it is its subject, once that was looked for. */
+  mask?: string,
   /** Marked by a person as one that matters: it gets the large panel. */
   starred?: boolean,
 };
@@ -1272,6 +1281,8 @@ export type FilePhoto = {
   measured: boolean,
   /** What was found in it; none when it was not searched. */
   subjects: ReadonlyArray<Subject> | null,
+  /** Which part of it is its subject. */
+  mask?: string,
   /** Its place in time among the photos. */
   rank: number | null,
   /** How it is recognised where its file is not at hand. */

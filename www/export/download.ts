@@ -42,6 +42,7 @@ export function createDownload({
     | 'exportPdf'
     | 'exportPlates'
     | 'exportPanel'
+    | 'exportSubject'
     | 'givesWebp'
     | 'comicPieces'
     | 'comicFiles'
@@ -56,7 +57,7 @@ export function createDownload({
   let running: AbortController | null = null;
   const make = createMaking({ store, engine, shotList });
 
-  return { progress, start, saveAs, copy, share, savePanel, cancel, preview, sheets, scaledSheets };
+  return { progress, start, saveAs, copy, share, savePanel, saveSubject, cancel, preview, sheets, scaledSheets };
 
   /** @returns the pages of the storyboard, in their order */
   function sheets(): readonly PageDocument[] {
@@ -135,6 +136,17 @@ export function createDownload({
     if (!file) return;
     save(file, panelName(store.project.peek(), index));
     messages.note(strings.panelSaved);
+  }
+
+  /** @param id of a photo whose subject is known */
+  async function saveSubject(id: string) {
+    const { name, meta } = store.album.peek().get(id) ?? {};
+    const mask = meta?.mask;
+    if (!mask) return;
+    const file = await work((how) => engine.exportSubject(id, mask, how), strings.exportFailed);
+    if (!file) return;
+    save(file, `${(name ?? id).replace(/\.[^.]+$/, '')}-subject.png`);
+    messages.note(strings.subjectSaved);
   }
 
   /** The browser is handed the promise of a picture, as some allow the clipboard only in the moment of the click. */

@@ -31,6 +31,7 @@ import type { BetterCrops } from '../page/better-crops.ts';
 import type { Choosing } from '../photos/choosing.ts';
 import type { Reading } from '../photos/reading.ts';
 import type { Scrubbing } from '../page/panels/scrubbing.ts';
+import type { Masks } from '../photos/masks.ts';
 import type { Subjects } from '../photos/subjects.ts';
 import type { Keeping } from '../storage/storage.ts';
 import type { OwnStyles } from '../styles/own-styles.ts';
@@ -47,6 +48,7 @@ export type Parts = {
   book: Book;
   boards: Boards;
   subjects: Subjects;
+  masks: Masks;
   reading: Reading;
   scrubbing: Scrubbing;
   ahead: Ahead;

@@ -52,6 +52,7 @@ export function projectJson(
     type,
     measured: measures !== null,
     subjects: absent ? absent.subjects : looked && meta ? meta.subjects : null,
+    mask: meta?.mask,
     rank: meta?.taken ? times.indexOf(meta.taken) : undefined,
     like: absent ? likenessOf(absent) : like && likenessOf(like),
     absent: absent ? true : undefined,
