@@ -171,14 +171,3 @@ test('an HTML comic is read from its file, panel by panel', async ({ person }) =
     .poll(() => person.inPage(() => /** @type {HTMLElement} */ (document.body).innerText))
     .toContain('READ ME');
 });
-
-test('letters that no font has are named, and no empty box stands for them', async ({ person }) => {
-  await person.begin();
-  await person.say('GO \ue123 ON');
-  const notes = async () => {
-    const found = await person.all('note');
-    return (await Promise.all(found.map((note) => note.getText()))).join(' ');
-  };
-  await expect.poll(notes).toContain('in no font');
-  expect(await notes()).toContain('U+E123');
-});

@@ -170,7 +170,7 @@ test('a word stands in columns, higher than it is wide, and comes back by undo',
   await idle(page);
   await expect(columns).toBeChecked();
   const high = await box(word(page, /^Balloon: 夜/));
-  expect(high.height).toBeGreaterThan(high.width + 10);
+  expect(high.height).toBeGreaterThan(high.width + 4);
   expect(lines.height).toBeLessThan(high.height);
   await accessible(page);
   await press(page, 'Undo');
