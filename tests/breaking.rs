@@ -97,8 +97,8 @@ fn faces(scene: &Scene, count: usize, but: usize) -> Vec<Bounds> {
 fn on_five_hundred_pages_no_figure_covers_a_face_or_leaves_the_margin() {
     let mut stepped = 0;
     let mut photos = Vec::new();
-    for seed in 0..500 {
-        if seed % 25 == 0 {
+    for seed in 0u32..500 {
+        if seed.is_multiple_of(25) {
             photos = album(u64::from(seed) / 25, 7);
         }
         let page = page(&photos, seed);
