@@ -246,8 +246,8 @@ pub fn choose(json: &str) -> Result<String> {
         .collect::<Result<_>>()?;
     let films: Vec<Option<&str>> = wanted.photos.iter().map(|photo| photo.film.as_deref()).collect();
     // A film has the number of its first frame.
-    let first = |film: &Option<&str>| film.and_then(|_| films.iter().position(|other| other == film));
-    settings.films = films.iter().map(first).collect();
+    let first = |film: Option<&str>| film.and_then(|_| films.iter().position(|other| *other == film));
+    settings.films = films.iter().copied().map(first).collect();
     let verdicts = select::choose(&names, &measures, &settings);
     let entry = |(photo, verdict)| {
         let select::Verdict { group, kept, why } = verdict;

@@ -91,13 +91,13 @@ pub fn choose(names: &[&str], measures: &[Measures], settings: &Settings) -> Vec
         };
         Verdict { group, kept, why }
     };
-    let mut verdicts = groups.iter().enumerate().map(|(i, &group)| verdict(i, group)).collect();
+    let mut verdicts: Vec<Verdict> = groups.iter().enumerate().map(|(i, &group)| verdict(i, group)).collect();
     keep_some_of_films(&mut verdicts, measures, settings);
     verdicts
 }
 
 /// Frames of a film of which hardly any is kept are used all the same, those first that differ most from what is kept.
-fn keep_some_of_films(verdicts: &mut Vec<Verdict>, measures: &[Measures], settings: &Settings) {
+fn keep_some_of_films(verdicts: &mut [Verdict], measures: &[Measures], settings: &Settings) {
     let floor = blur_floor(measures);
     let count = settings.films.iter().flatten().max().map_or(0, |most| most + 1);
     for film in 0..count {

@@ -180,22 +180,17 @@ fn learn(letters: &mut Letters, faces: &mut [Option<Face<'_>>], stretch: &str) {
         let Some(face) = slot.as_ref() else { continue };
         let mut still = Vec::new();
         for text in std::mem::take(&mut left) {
-            match guarded(|| Some(shaped(face, &text))) {
-                Some(runs) => {
-                    for (run, outline) in runs {
-                        let learnt =
-                            outline.is_some_and(|Outline { contours, advance, leftward, .. }| {
-                                letters.learn_outline(run, leftward, advance, &contours)
-                            });
-                        if !learnt {
-                            still.push(run.to_owned());
-                        }
-                    }
-                }
-                None => {
-                    *slot = None;
-                    still.push(text);
-                    break;
+            let Some(runs) = guarded(|| Some(shaped(face, &text))) else {
+                *slot = None;
+                still.push(text);
+                break;
+            };
+            for (run, outline) in runs {
+                let learnt = outline.is_some_and(|Outline { contours, advance, leftward, .. }| {
+                    letters.learn_outline(run, leftward, advance, &contours)
+                });
+                if !learnt {
+                    still.push(run.to_owned());
                 }
             }
         }
