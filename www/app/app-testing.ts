@@ -46,6 +46,7 @@ export async function fakeParts(): Promise<Parts> {
     designer,
     ownStyles,
     crops: { offered: signal(null), accept: () => {} },
+    masks: { there: signal(false), progress: signal(null), settled: signal(true) },
     book: createBook({ store, pages, messages }),
     shownPages: createShownPages({ store, pages }),
     merging: createMerging({ store, pages, selection }),

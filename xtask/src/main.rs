@@ -108,7 +108,7 @@ enum Task {
     Duplicates,
     /// Store what is drawn and written now as what it should be, list what changed, and fail if anything did
     Bless {
-        /// Only these: goldens, tables, bounds
+        /// Only these: goldens, tables, bounds, shots, types
         topics: Vec<String>,
     },
 }

@@ -1,7 +1,9 @@
 //! Photos made larger than they are with more of their edges than interpolation leaves.
 //!
-//!     large = interpolated(small)
-//!     three times: large += interpolated(small - reduced(large)), no further than what is around reaches
+//! ```text
+//! large = interpolated(small)
+//! three times: large += interpolated(small - reduced(large)), no further than what is around reaches
+//! ```
 //!
 //! An enlarged photo that is reduced again should be the photo; what it lacks of that is laid on it. So edges become as steep as
 //! those of the photo were before its pixels were counted, and flat parts stay as they are. No sample leaves the values of the

@@ -41,7 +41,7 @@ export const faultStrings = {
       `ses images sont en ${what}, que ce navigateur ne décode pas. Convertissez-le en MP4 avec une vidéo H.264, avec HandBrake ou ffmpeg par exemple.`,
   } as Record<string, (what: string) => string>,
   filmReaches: (name: string, till: string, whole: string) =>
-    `${name} est interrompu : seulement jusqu’à ${till} sur ${whole}. Les images viennent de cette partie.`,
+    `${name} est interrompu : seulement jusqu’à ${till} sur ${whole}. Les images viennent de cette partie.`,
   noUsablePhoto:
     'Aucun de ces fichiers n’a pu servir. Choisissez des photos JPEG, PNG, WebP, AVIF, GIF, BMP ou TIFF, ou une vidéo.',
   noSamples: 'L’album d’exemple n’a pas pu être chargé. Vérifiez la connexion et réessayez.',

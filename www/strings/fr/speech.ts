@@ -6,7 +6,7 @@ export const speechStrings = {
   wordTurn: 'Tourner le texte',
   turnKeys: 'Les flèches le tournent d’un degré, avec Maj de 15',
   wordMissing: (letters: string) =>
-    `Aucune police du programme ni de cet appareil n’a ces caractères, un point d’interrogation remplace chacun d’eux : ${letters}`,
+    `Aucune police du programme ni de cet appareil n’a ces caractères, un point d’interrogation remplace chacun d’eux : ${letters}`,
   wordForeign: 'Certains de ces caractères sont dessinés avec une police de cet appareil.',
   wordSlant: 'Inclinaison',
   wordOutline: 'Contour',
