@@ -1,4 +1,4 @@
-//! The net that finds what a photo shows: an ONNX file that was written by PyTorch, with shapes that are worked out while it
+//! The net that finds what a photo shows: an ONNX file that was written by `PyTorch`, with shapes that are worked out while it
 //! runs. Here they are worked out once, only the finest of its seven masks is kept, and the weights are halved in size.
 
 use std::collections::HashMap;
