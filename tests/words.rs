@@ -86,7 +86,9 @@ fn font_file(name: &str) -> Vec<u8> {
 
 fn fonts(files: &[&str]) -> GivenFonts {
     let mut fonts = GivenFonts::default();
-    files.iter().for_each(|name| fonts.add(font_file(name)).unwrap());
+    for name in files {
+        fonts.add(font_file(name)).unwrap();
+    }
     fonts
 }
 
