@@ -8,7 +8,7 @@ import type { Coarse } from './print.ts';
 import { COARSE, coarsePanels } from './print.ts';
 
 /** So many are named; the marks on the page show them all. */
-const NAMED = 4;
+const NAMED = 3;
 
 type Found = Coarse & { page: number };
 
