@@ -1,11 +1,10 @@
 //! Comics that are read, on the command line: HTML with a reader in it, EPUB, comic archives. Their pages are JPEG.
 
 use crate::destination::Output;
-use crate::drawing::Means;
+use crate::drawing::{Means, Subjects};
 use crate::{Complaint, drawing, telling};
 use base64::Engine as _;
 use base64::prelude::BASE64_STANDARD;
-use inkpanel::framing::Subject;
 use inkpanel::output::describing::described;
 use inkpanel::output::{Comic, ComicPage, File, PictureKind, Piece, cbz, epub, html};
 use inkpanel::page::Document;
@@ -60,10 +59,10 @@ pub(crate) fn language(tag: &str) -> Result<String, Complaint> {
 /// Draws pages, and puts the comic of them in its place.
 ///
 /// Returns the file.
-pub(crate) fn write<'s>(
+pub(crate) fn write(
     (kind, told_of): (Kind, Telling<'_>),
     pages: &[Document],
-    subjects: &dyn Fn(&str) -> &'s [Subject],
+    subjects: &Subjects<'_>,
     means: &Means<'_>,
     output: &Output,
 ) -> Result<Vec<PathBuf>, Complaint> {
@@ -75,11 +74,11 @@ pub(crate) fn write<'s>(
 }
 
 /// Makes a comic of pages. `subjects`: what was found in a photo, by its id; `picture` draws a page as JPEG.
-fn made<'s, D: Borrow<Document>>(
+fn made<D: Borrow<Document>>(
     kind: Kind,
     told_of: Telling<'_>,
     pages: &[D],
-    (subjects, letters): (&dyn Fn(&str) -> &'s [Subject], &Letters),
+    (subjects, letters): (&Subjects<'_>, &Letters),
     picture: &mut dyn FnMut(&Document) -> Result<Vec<u8>, Complaint>,
 ) -> Result<Vec<u8>, Complaint> {
     // What a panel shows is told in English alone; to others it is a photo.
