@@ -13,7 +13,6 @@ use crate::raster::Image;
 use crate::style::Context;
 use rayon::prelude::*;
 use std::collections::{BTreeSet, HashMap};
-use std::ops::Range;
 
 /// Of JPEG files and of the pictures in PDF files, unless told.
 pub const QUALITY: u8 = 90;
@@ -36,9 +35,8 @@ pub fn photos_of(document: &Document) -> Result<BTreeSet<String>> {
 /// # Errors
 /// As [`Scene::new`]; those of a style that does not fit; `invalid-document` for words that break their shape.
 pub fn sheet(document: &Document, photos: &Photos, fonts: &GivenFonts) -> Result<compose::Sheet> {
-    let scene = Scene::new(document, document.page.width as usize)?;
-    let mut sheet = compose::Sheet::new(&scene);
-    for patch in render(document, photos, 0..scene.panels.len())? {
+    let mut sheet = compose::Sheet::new(&Scene::new(document, document.page.width as usize)?);
+    for patch in patches(document, photos)? {
         sheet.lay(patch.area, &patch.rgba)?;
     }
     word_drawing::lay_words(&mut sheet, document, &fonts.letters(&document.words)?)?;
@@ -57,10 +55,7 @@ pub fn leaf(
     (plate, quality): (Option<(&Separation, usize)>, u8),
 ) -> Result<Leaf> {
     let scene = Scene::new(document, document.page.width as usize)?;
-    let count = document.panels.len();
-    let mut patches = render(&picture::bare(document), photos, 0..count)?;
-    // A figure leaves the border alone where it may not cross it, so it has to know of it.
-    patches.extend(render(document, photos, count..scene.panels.len())?);
+    let patches = patches(&picture::bare(document), photos)?;
     let pictures = patches
         .par_iter()
         .enumerate()
@@ -100,12 +95,12 @@ pub fn coarse(document: &Document, size: &dyn Fn(&str) -> Option<(u32, u32)>) ->
     Ok(found.collect())
 }
 
-/// Some of the panels of a document in their order, behind which are its figures.
-fn render(document: &Document, photos: &Photos, which: Range<usize>) -> Result<Vec<Patch>> {
+/// The panels of a document in their order.
+fn patches(document: &Document, photos: &Photos) -> Result<Vec<Patch>> {
     let scene = Scene::new(document, document.page.width as usize)?;
     let render = |index: usize| {
         let photo = scene.panels[index].photo.as_deref().and_then(|id| photos.get(id));
         compose::render_panel(&scene, index, photo, &mut Context::default())
     };
-    (which.start..which.end.min(scene.panels.len())).into_par_iter().map(render).collect()
+    (0..scene.panels.len()).into_par_iter().map(render).collect()
 }

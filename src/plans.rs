@@ -5,9 +5,9 @@ use crate::destination::Output;
 use crate::{Complaint, drawing, import_all, name, telling};
 use inkpanel::framing::{Crop, PhotoMeta};
 use inkpanel::layout::{self, Bounds, Point, ResolvedPanel, ResolvedShape, polygon};
+use inkpanel::page::Document;
 use inkpanel::page::import::Imported;
 use inkpanel::page::shuffle::Planned;
-use inkpanel::page::{Document, breaking};
 use inkpanel::plan::composer::{gallery, judge};
 use inkpanel::plan::slots::slot;
 use inkpanel::plan::{Assignment, Candidate, Score, Shelf, layouts};
@@ -37,7 +37,6 @@ fn told_page(page: &Planned, photos: &[(PathBuf, Imported)]) -> Result<Value, Co
         let found = photos.iter().find(|(_, photo)| &photo.meta.id == id);
         found.map(|(path, _)| path.display().to_string())
     };
-    let breaks = breaking::breaks(document).map_err(|error| error.to_string())?;
     let panels: Vec<Value> = resolved
         .iter()
         .zip(&document.panels)
@@ -48,7 +47,7 @@ fn told_page(page: &Planned, photos: &[(PathBuf, Imported)]) -> Result<Value, Co
                 "crop": content.crop,
                 "shape": outline(&panel.shape, aspect),
                 "group": document.merges.iter().position(|group| group.contains(&i)),
-                "breaks_frame": breaks[i],
+                "breaks_frame": false,
                 "halo": rounded(panel.halo),
             })
         })
@@ -294,7 +293,7 @@ pub(crate) fn all_exist(output: &Output, pages: usize) -> bool {
 }
 
 /// The name of a page's file: the number at `%d` or `%02d`, else before the ending.
-fn numbered(output: &Path, number: usize) -> PathBuf {
+pub(crate) fn numbered(output: &Path, number: usize) -> PathBuf {
     let file = name(output);
     let place = |text: &str| {
         let (at, width) = number_place(text)?;

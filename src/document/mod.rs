@@ -23,8 +23,6 @@
 //! | [`subtitles`] | subtitles, and the frames that they go to |
 //! | [`script`] | scripts as people write them |
 //! | [`following`] | words that stay with their photos |
-//! | [`listing`] | the shots of a project file in their order |
-//! | [`shots`] | what is told of photos as shots, and how they are laid out as a board |
 //!
 //! # Fields that are added, and versions
 //!
@@ -48,7 +46,6 @@ pub mod following;
 pub mod history;
 pub mod kept;
 pub mod limits;
-pub mod listing;
 pub mod own;
 pub mod pages;
 pub mod planning;
@@ -57,7 +54,6 @@ pub mod project;
 pub mod saved;
 pub mod script;
 pub mod sheets;
-pub mod shots;
 pub mod speech;
 pub mod spreading;
 pub mod subtitles;

@@ -1,4 +1,3 @@
-import { LazyBoards } from '../boards/board-switch.tsx';
 import { strings } from '../strings/strings.ts';
 import { Board } from './board.tsx';
 import { useApp } from '../ui/context.ts';
@@ -69,7 +68,6 @@ function Everything() {
       {!empty && ui.work.value === 'explorer' && <Explorer />}
       {!empty && ui.work.value === 'imitation' && <ImitationScreen />}
       {!empty && ui.work.value === 'pages' && <PagesWall />}
-      {!empty && ui.work.value === 'boards' && <LazyBoards />}
       {projects && <Projects />}
       <Toasts />
       {dialog === 'help' && <HelpDialog />}

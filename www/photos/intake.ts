@@ -158,8 +158,7 @@ export function createIntake({
 
   function failed(file: File, error: unknown) {
     const { code, message } = error as { code: string; message: string };
-    const why = strings.reasons[code] ?? strings.reasonsOf[code]?.(message) ?? message;
-    if (code !== 'cancelled') messages.fileFailed(file.name, why);
+    if (code !== 'cancelled') messages.fileFailed(file.name, strings.reasons[code] ?? message);
   }
 
   /**

@@ -55,14 +55,15 @@ function Trim({ video }: { video: Video }) {
         <label class="field">
           <span>{strings.frames}</span>
           <input
-            type="range"
+            type="number"
             min="1"
             max={MOST_FRAMES}
             value={wish.frames}
-            aria-valuetext={strings.videoFrames(wish.frames)}
-            onInput={({ currentTarget }) => set({ frames: currentTarget.valueAsNumber })}
+            onInput={({ currentTarget }) => {
+              const frames = Math.round(currentTarget.valueAsNumber);
+              if (frames >= 1) set({ frames: Math.min(MOST_FRAMES, frames) });
+            }}
           />
-          <output aria-hidden="true">{wish.frames}</output>
         </label>
         <button
           type="button"

@@ -12,13 +12,11 @@ pub mod enlarge;
 mod exif;
 #[cfg(feature = "rare")]
 mod gif;
-pub mod guided;
 #[cfg(feature = "pages")]
 mod icc;
 pub mod image;
 #[cfg(feature = "pages")]
 mod jpeg;
-pub mod matte;
 #[cfg(feature = "pages")]
 pub mod orient;
 pub mod plane;
@@ -33,5 +31,4 @@ pub mod sets;
 mod tiff;
 
 pub use image::Image;
-pub use matte::Matte;
 pub use plane::Plane;

@@ -155,8 +155,7 @@ impl Book<'_> {
         resources.finish();
         page.finish();
         for (picture, _, image) in pictures {
-            let mask = if picture.alpha.is_some() { next() } else { image };
-            picture.write(pdf, image, mask);
+            picture.write(pdf, image);
         }
         pdf.stream(drawn, &packed(&content.finish())).filter(Filter::FlateDecode);
         Ok(())

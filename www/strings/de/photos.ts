@@ -47,8 +47,7 @@ export const photoStrings = {
   videoFrames: (count: number) => (count === 1 ? '1 Einzelbild' : `${count} Einzelbilder`),
   trimStart: 'Anfang',
   trimEnd: 'Ende',
-  frames: 'Einzelbilder aus dem Film',
-  lookingThrough: (name: string, percent: string) => `${name} wird durchgesehen, ${percent}`,
+  frames: 'Einzelbilder',
   takeFrames: 'Diese Einzelbilder nehmen',
 
   showSubjects: 'Gefundenes zeigen',

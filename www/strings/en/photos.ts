@@ -48,8 +48,7 @@ export const photoStrings = {
   videoFrames: (count: number) => (count === 1 ? '1 frame' : `${count} frames`),
   trimStart: 'Start',
   trimEnd: 'End',
-  frames: 'Frames from the film',
-  lookingThrough: (name: string, percent: string) => `Looking through ${name}, ${percent}`,
+  frames: 'Frames',
   takeFrames: 'Take these frames',
 
   showSubjects: 'Show subjects',

@@ -46,8 +46,7 @@ export const photoStrings = {
   videoFrames: (count: number) => (count === 1 ? '1 fotograma' : `${count} fotogramas`),
   trimStart: 'Inicio',
   trimEnd: 'Fin',
-  frames: 'Fotogramas de la película',
-  lookingThrough: (name: string, percent: string) => `Recorriendo ${name}, ${percent}`,
+  frames: 'Fotogramas',
   takeFrames: 'Tomar estos fotogramas',
 
   showSubjects: 'Mostrar lo detectado',

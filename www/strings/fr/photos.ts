@@ -47,8 +47,7 @@ export const photoStrings = {
   videoFrames: (count: number) => (count < 2 ? `${count} image` : `${count} images`),
   trimStart: 'Début',
   trimEnd: 'Fin',
-  frames: 'Images du film',
-  lookingThrough: (name: string, percent: string) => `Parcours de ${name}, ${percent}`,
+  frames: 'Images',
   takeFrames: 'Prendre ces images',
 
   showSubjects: 'Montrer les sujets',

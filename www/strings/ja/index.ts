@@ -1,7 +1,6 @@
 /** The page in Japanese, of the shape of the English. */
 
 import { boardStrings } from './board.ts';
-import { boardsStrings } from './boards.ts';
 import { bookStrings } from './book.ts';
 import { describingStrings } from './describing.ts';
 import { designerStrings } from './designer.ts';
@@ -29,7 +28,6 @@ export { names } from './names.ts';
 export const words: Words = {
   ...startStrings,
   ...boardStrings,
-  ...boardsStrings,
   ...bookStrings,
   ...sideStrings,
   ...panelStrings,

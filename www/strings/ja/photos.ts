@@ -45,8 +45,7 @@ export const photoStrings = {
   videoFrames: (count: number) => `${count}フレーム`,
   trimStart: '開始',
   trimEnd: '終了',
-  frames: '動画から取るフレーム',
-  lookingThrough: (name: string, percent: string) => `${name}を調べています：${percent}`,
+  frames: 'フレーム',
   takeFrames: 'このフレームを使う',
 
   showSubjects: '見つけたものを表示',

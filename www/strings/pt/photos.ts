@@ -46,8 +46,7 @@ export const photoStrings = {
   videoFrames: (count: number) => (count < 2 ? `${count} imagem` : `${count} imagens`),
   trimStart: 'Início',
   trimEnd: 'Fim',
-  frames: 'Imagens do filme',
-  lookingThrough: (name: string, percent: string) => `Percorrendo ${name}, ${percent}`,
+  frames: 'Imagens',
   takeFrames: 'Tirar estas imagens',
 
   showSubjects: 'Mostrar o que foi encontrado',
