@@ -6,7 +6,6 @@ use std::process::Command;
 use anyhow::Result;
 
 use crate::project::Project;
-use crate::stamp::{Inputs, Stamp};
 use crate::{chromium, native, npm, site, tools, wasm};
 
 /// Builds everything, then measures. With words in `filter` only rows whose name has one of them are timed, and
@@ -19,7 +18,7 @@ pub(crate) fn run(project: &Project, filter: &[String], alone: bool) -> Result<(
     let browser = chromium::find()?;
     if filter == ["lighthouse"] {
         site::build(project)?;
-        install_peers(project)?;
+        npm::install_peers(project)?;
         let mut lighthouse = Command::new("node");
         lighthouse.arg("bench/lighthouse.js").current_dir(&project.root).env("CHROMIUM", browser);
         return tools::run(&mut lighthouse);
@@ -31,24 +30,9 @@ pub(crate) fn run(project: &Project, filter: &[String], alone: bool) -> Result<(
         npm::install(project)?;
     }
     wasm::build(project, &wasm::bench(project), wasm::Purpose::Publish)?;
-    install_peers(project)?;
+    npm::install_peers(project)?;
     let mut bench = Command::new("node");
     bench.arg("bench/run.js").current_dir(&project.root).env("CHROMIUM", browser);
     bench.arg("--target").arg(&project.target).args(alone.then_some("--alone"));
     tools::run(bench.arg("--").args(filter))
-}
-
-/// The libraries to compare with. They have a lock file of their own, so that building the site does not
-/// download them.
-fn install_peers(project: &Project) -> Result<()> {
-    let folder = project.root.join("bench");
-    let mut inputs = Inputs::default();
-    inputs.path(&folder.join("package-lock.json"), &[])?;
-    let stamp = Stamp::new(project, "peers", &inputs);
-    if stamp.is_current(&folder.join("node_modules")) {
-        return Ok(());
-    }
-    println!("npm ci in bench");
-    npm::clean_install(&folder)?;
-    stamp.keep()
 }

@@ -14,48 +14,46 @@ const NODE: (u32, u32) = (20, 19);
 
 /// Installs the packages of www unless they are there as the lock file wants them.
 pub(crate) fn install(project: &Project) -> Result<()> {
-    check_node()?;
     let www = project.www();
-    let mut inputs = Inputs::default();
-    inputs.path(&www.join("package.json"), &[])?.path(&www.join("package-lock.json"), &[])?;
-    let stamp = Stamp::new(project, "npm", &inputs);
-    if stamp.is_current(&www.join("node_modules")) {
-        return Ok(());
-    }
-    println!("npm ci in www");
-    clean_install(&www)?;
-    stamp.keep()
+    install_in(project, "npm", &www, clean_install(&www))
+}
+
+/// Installs the libraries to compare with, which have a lock file of their own, so that building the site does not download
+/// them.
+pub(crate) fn install_peers(project: &Project) -> Result<()> {
+    let folder = project.root.join("bench");
+    install_in(project, "peers", &folder, clean_install(&folder))
 }
 
 /// Installs Ace, which looks at EPUB files, unless it is there as its lock file wants it. The browser that it runs in is the
 /// one of the other tests: it downloads none.
 pub(crate) fn install_ace(project: &Project) -> Result<()> {
-    check_node()?;
     let folder = project.root.join("tests/ace");
+    let mut install = clean_install(&folder);
+    install.arg("--ignore-scripts").env("PUPPETEER_SKIP_DOWNLOAD", "1");
+    install_in(project, "ace", &folder, install)
+}
+
+/// Runs `install` unless the packages of a folder are there as its files want them.
+fn install_in(project: &Project, name: &'static str, folder: &Path, mut install: Command) -> Result<()> {
+    check_node()?;
     let mut inputs = Inputs::default();
-    inputs.path(&folder.join("package-lock.json"), &[])?;
-    let stamp = Stamp::new(project, "ace", &inputs);
+    inputs.path(&folder.join("package.json"), &[])?.path(&folder.join("package-lock.json"), &[])?;
+    let stamp = Stamp::new(project, name, &inputs);
     if stamp.is_current(&folder.join("node_modules")) {
         return Ok(());
     }
-    println!("npm ci in tests/ace");
-    tools::run(
-        Command::new(program())
-            .args(["ci", "--ignore-scripts", "--no-audit", "--no-fund", "--loglevel=error"])
-            .env("PUPPETEER_SKIP_DOWNLOAD", "1")
-            .current_dir(folder),
-    )?;
+    println!("npm ci in {}", folder.strip_prefix(&project.root).unwrap_or(folder).display());
+    tools::run(&mut install)?;
     stamp.keep()
 }
 
 /// `npm ci` in a folder.
-pub(crate) fn clean_install(folder: &Path) -> Result<()> {
+fn clean_install(folder: &Path) -> Command {
+    let mut install = Command::new(program());
     // npm's progress and advice is noise here; its errors are not.
-    tools::run(
-        Command::new(program())
-            .args(["ci", "--no-audit", "--no-fund", "--loglevel=error"])
-            .current_dir(folder),
-    )
+    install.args(["ci", "--no-audit", "--no-fund", "--loglevel=error"]).current_dir(folder);
+    install
 }
 
 /// What npm is called here.
