@@ -293,7 +293,7 @@ pub(crate) fn all_exist(output: &Output, pages: usize) -> bool {
 }
 
 /// The name of a page's file: the number at `%d` or `%02d`, else before the ending.
-pub(crate) fn numbered(output: &Path, number: usize) -> PathBuf {
+fn numbered(output: &Path, number: usize) -> PathBuf {
     let file = name(output);
     let place = |text: &str| {
         let (at, width) = number_place(text)?;

@@ -83,14 +83,7 @@ fn drawn(
         }
         Kind::Pdf => drawing::write_book(&wanted, &means, output, (printing, &found)),
         _ if each => {
-            let mut files = Vec::new();
-            for (i, document) in wanted.iter().enumerate() {
-                let [path, named] = [&output.path, &output.named].map(|name| plans::numbered(name, i + 1));
-                let own = Output { path, named };
-                own.write(&drawing::draw(document, &means, &own.named)?)?;
-                files.push(own.path);
-            }
-            Ok(files)
+            plans::draw_all(&wanted, &means, output, (false, &|_, file| Ok(file), (printing, &found)))
         }
         _ => {
             output.write(&drawing::draw(&wanted[0], &means, &output.named)?)?;

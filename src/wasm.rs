@@ -19,6 +19,7 @@ pub mod style;
 
 use crate::error::{Error, Result};
 use crate::framing::Crop;
+use crate::json::plain as parse;
 use crate::layout::Template;
 use crate::page::compose::{Sheet, compose, render_panel};
 use crate::page::document::{self, Document};
@@ -30,7 +31,7 @@ use crate::raster::resize::{Region, resample_image};
 use crate::raster::{Image, Plane};
 use crate::style::{Context, Style, earlier, stylize};
 use crate::wasm_error::thrown;
-use serde::{Deserialize, Serialize};
+use serde::Serialize;
 use serde_json::Value;
 use std::collections::HashMap;
 use wasm_bindgen::prelude::*;
@@ -344,11 +345,6 @@ fn find<'p>(photos: &'p HashMap<String, Image>, id: &str, tier: &str) -> Result<
 #[inline(never)]
 fn style_of(json: &str) -> Result<Style> {
     Ok(document::style_of(&parse(json, "style")?)?.into_owned())
-}
-
-fn parse<T: for<'a> Deserialize<'a>>(json: &str, location: &str) -> Result<T> {
-    serde_json::from_str(json)
-        .map_err(|error| Error::InvalidDocument { location: location.into(), reason: error.to_string() })
 }
 
 fn not_begun() -> Error {

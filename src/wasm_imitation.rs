@@ -5,12 +5,12 @@
 // Every function that returns a Result throws as the module's documentation says.
 #![allow(clippy::missing_errors_doc)]
 
-use crate::error::{Error, Result};
+use crate::error::Result;
+use crate::json::plain as parse;
 use crate::raster::Image;
 use crate::style::imitate::{self, Ask, Features, Search, Seen, Trial};
 use crate::style::{Context, Style};
 use crate::wasm_error::thrown;
-use serde::Deserialize;
 use serde_json::{Value, json};
 use wasm_bindgen::prelude::*;
 
@@ -76,11 +76,6 @@ impl Sitter {
 
 fn told(value: &impl serde::Serialize) -> String {
     serde_json::to_string(value).unwrap_or_default()
-}
-
-fn parse<T: for<'a> Deserialize<'a>>(json: &str, location: &str) -> Result<T> {
-    serde_json::from_str(json)
-        .map_err(|error| Error::InvalidDocument { location: location.into(), reason: error.to_string() })
 }
 
 /// A search for styles that look like a picture.

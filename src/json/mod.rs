@@ -20,7 +20,17 @@ pub use parse::{Bounds, parse};
 pub use writer::Writer;
 
 use crate::error::Error;
+use serde::Deserialize;
 use std::fmt;
+
+/// What the page itself has written, as `serde` reads it.
+///
+/// # Errors
+/// `invalid-document`, which names `location`.
+pub fn plain<T: for<'a> Deserialize<'a>>(json: &str, location: &str) -> crate::Result<T> {
+    serde_json::from_str(json)
+        .map_err(|error| Error::InvalidDocument { location: location.into(), reason: error.to_string() })
+}
 
 /// What a reader of a part gives.
 pub type Read<T> = std::result::Result<T, Wrong>;
