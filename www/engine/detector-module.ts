@@ -2,6 +2,7 @@
 
 import { fetchKept, isPage } from './kept.ts';
 import { MODULE, SCRIPT } from './nets-files.ts';
+import { onceMore } from './once-more.ts';
 import { failure } from './protocol.ts';
 
 type Nets = typeof import('../pkg-detector/inkpanel.js');
@@ -23,22 +24,6 @@ export function net<T>(
     return net;
   });
   return { load: files.get, ready: made.get };
-}
-
-/** A promise that is made when it is first asked for, and anew after it failed. */
-function onceMore<T>(begin: () => Promise<T>) {
-  let begun: Promise<T> | undefined;
-  const forget = () => {
-    begun = undefined;
-  };
-  const get = () => {
-    begun ??= begin().catch((error) => {
-      forget();
-      throw error;
-    });
-    return begun;
-  };
-  return { get, forget };
 }
 
 /** @returns the script of the module */

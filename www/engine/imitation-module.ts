@@ -4,6 +4,7 @@
  */
 
 import { moduleBytes } from './module-bytes.ts';
+import { onceMore } from './once-more.ts';
 import type { Trial } from './protocol.ts';
 import type { Style } from './types.ts';
 
@@ -11,16 +12,8 @@ const MODULE = new URL('../pkg-imitation/inkpanel_bg.wasm', import.meta.url);
 
 type Imitating = typeof import('../pkg-imitation/inkpanel.js');
 
-let loaded: Promise<Imitating> | undefined;
-
 /** The module; loaded once, and tried again where it did not come. Rejects with `imitation-missing`. */
-export function imitating(): Promise<Imitating> {
-  loaded ??= load().catch((error) => {
-    loaded = undefined;
-    throw error;
-  });
-  return loaded;
-}
+export const { get: imitating } = onceMore(load);
 
 async function load(): Promise<Imitating> {
   const bytes = await moduleBytes(

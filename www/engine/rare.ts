@@ -4,6 +4,7 @@
  */
 
 import { moduleBytes } from './module-bytes.ts';
+import { onceMore } from './once-more.ts';
 
 const MODULE = new URL('../pkg-decoders/inkpanel_bg.wasm', import.meta.url);
 
@@ -14,8 +15,6 @@ export type Converted = { file: Uint8Array<ArrayBuffer>; format: string; taken: 
 
 /** What a RIFF file says at its ninth byte. */
 const WEBP = [0x57, 0x45, 0x42, 0x50];
-
-let loaded: Promise<Decoders> | undefined;
 
 /**
  * @param bytes of a file
@@ -43,13 +42,7 @@ export async function converted(bytes: Uint8Array<ArrayBuffer>): Promise<Convert
 }
 
 /** @throws `decoders-missing` */
-export function decoders(): Promise<Decoders> {
-  loaded ??= load().catch((error) => {
-    loaded = undefined;
-    throw error;
-  });
-  return loaded;
-}
+export const { get: decoders } = onceMore(load);
 
 async function load(): Promise<Decoders> {
   const bytes = await moduleBytes(

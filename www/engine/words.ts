@@ -7,6 +7,7 @@
 import { WORDS_MISSING, loadLetters } from './letters.ts';
 import { createPool } from './pool.ts';
 import { moduleBytes } from './module-bytes.ts';
+import { onceMore } from './once-more.ts';
 import { Priority } from './queue.ts';
 import { createShaping } from './shaping.ts';
 import type { Pool } from './pool.ts';
@@ -44,18 +45,11 @@ export type Lettering = Awaited<ReturnType<ReturnType<typeof createWords>['lette
 const MODULE = new URL('../pkg-words/inkpanel_bg.wasm', import.meta.url);
 export function createWords() {
   let pool: Pool<Wording> | undefined;
-  let opened: ReturnType<typeof open> | null = null;
-
-  return { lettering, draw, patches, over, lay, dispose: () => pool?.dispose() };
 
   /** What plans with words: pure functions of a millisecond. Rejects with `words-missing`; the next call tries again. */
-  function lettering() {
-    opened ??= open().catch((error) => {
-      opened = null;
-      throw error;
-    });
-    return opened;
-  }
+  const { get: lettering } = onceMore(open);
+
+  return { lettering, draw, patches, over, lay, dispose: () => pool?.dispose() };
 
   function run<Op extends keyof Wording>(
     op: Op,
