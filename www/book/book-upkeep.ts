@@ -5,7 +5,7 @@
  */
 
 import { effect, untracked } from '@preact/signals';
-import { photosOn, sheetsOf } from '../document/sheets.ts';
+import { photosOn, sheetsOf } from '../engine/sheets.ts';
 import type { Pages } from '../document/pages.ts';
 import type { Store } from '../document/store.ts';
 import type { PageDocument } from '../engine/types.ts';

@@ -5,11 +5,11 @@
 
 import { computed } from '@preact/signals';
 import { strings } from '../strings/strings.ts';
-import { photosOn, sheetsOf } from '../document/sheets.ts';
+import { photosOn, sheetsOf } from '../engine/sheets.ts';
 import type { PageDocument } from '../engine/types.ts';
 import type { Messages } from '../ui/messages.ts';
 import type { Pages } from '../document/pages.ts';
-import type { Sheet } from '../document/sheets.ts';
+import type { Sheet } from '../engine/sheets.ts';
 import type { Store } from '../document/store.ts';
 
 export type Book = ReturnType<typeof createBook>;

@@ -4,7 +4,7 @@
  */
 
 import { useState } from 'preact/hooks';
-import { sheetsOf } from '../document/sheets.ts';
+import { sheetsOf } from '../engine/sheets.ts';
 import { strings } from '../strings/strings.ts';
 import { IconButton } from '../ui/button.tsx';
 import { useApp } from '../ui/context.ts';

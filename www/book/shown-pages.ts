@@ -1,7 +1,7 @@
 /** The pages shown so far, as a person looks through them: which came from which, and which are favourites. */
 
 import { computed } from '@preact/signals';
-import { sheetsOf } from '../document/sheets.ts';
+import { sheetsOf } from '../engine/sheets.ts';
 import type { Pages } from '../document/pages.ts';
 import type { PageDocument } from '../document/project.ts';
 import type { Store } from '../document/store.ts';

@@ -4,10 +4,10 @@
  */
 
 import { joinedWith } from '../engine/interned.ts';
-import { VERSION } from './versions.ts';
+import { VERSION } from '../engine/versions.ts';
 import { EMPTY_HISTORY } from './history.ts';
 import { wellFormed } from './limits.ts';
-import { sheetsOf } from './sheets.ts';
+import { sheetsOf } from '../engine/sheets.ts';
 import type { Editor } from '../engine/core.ts';
 import type { Known } from '../engine/interned.ts';
 import type { Difference, Runs } from '../engine/types.ts';

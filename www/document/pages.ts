@@ -3,12 +3,12 @@
  */
 
 import { position, versions } from './history.ts';
-import { photosOn, sheetsOf } from './sheets.ts';
+import { photosOn, sheetsOf } from '../engine/sheets.ts';
 import type { Draw, Wish } from '../engine/core.ts';
 import type { LayoutChoice, PageDocument, PageSettings, StyleChoice } from '../engine/types.ts';
 import type { Shown } from './history.ts';
 import type { Part, Project } from './project.ts';
-import type { Sheet } from './sheets.ts';
+import type { Sheet } from '../engine/sheets.ts';
 import type { Store } from './store.ts';
 
 const KEEP_ALL = Object.freeze({ layout: true, style: true, photos: true });

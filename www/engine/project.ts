@@ -1,10 +1,8 @@
 /** A project that is edited, for pages of other people: the editor of the core with its history as plain data. */
 
+import { VERSION } from './versions.ts';
 import type { Draw, Planner, Wish } from './core.ts';
 import type { Edit, History, How, PageDocument, PhotoMeta, Project } from './types.ts';
-
-/** What `history()` gives, to be written down; `readProject` reads it with its version. */
-const VERSION = 1;
 
 export type ProjectEditor = ReturnType<typeof createProject>;
 

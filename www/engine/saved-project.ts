@@ -3,6 +3,7 @@
 import { readArchive } from './archive.ts';
 import { TEXT } from './limits.ts';
 import { damaged } from './protocol.ts';
+import { photosOn, sheetsOf } from './sheets.ts';
 import type { Engine } from './engine.ts';
 import type { PageDocument } from './types.ts';
 
@@ -27,11 +28,9 @@ export async function openProject(
   // Ids that no other project in this engine has.
   const prefix = `saved-${(opened += 1)}-`;
   const { history, photos } = (await engine.ready).readProject(await text.text(), { prefix });
-  const { name, page, others, at } = history.present;
-  const pages = page
-    ? [...others.slice(0, at).map((one) => one.page), page, ...others.slice(at).map((one) => one.page)]
-    : [];
-  const shown = new Set(pages.flatMap(({ panels }) => panels.flatMap(({ photo }) => photo ?? [])));
+  const { present } = history;
+  const pages = sheetsOf(present).map(({ page }) => page);
+  const shown = photosOn(pages);
   const known: string[] = [];
   const close = () => known.splice(0).forEach(engine.forgetPhoto);
   const paths = new Map(photos.map(({ id, path }) => [id, path]));
@@ -55,7 +54,7 @@ export async function openProject(
   }
   const here = new Set(known);
   const lost = [...shown].filter((id) => !here.has(id));
-  return { name, pages: pages.map((one) => without(one, here)), lost, close };
+  return { name: present.name, pages: pages.map((one) => without(one, here)), lost, close };
 }
 
 function without(page: PageDocument, here: ReadonlySet<string>): PageDocument {

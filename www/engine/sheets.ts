@@ -3,8 +3,7 @@
  * the page need not know of them; here they are one list, in the order in which they are read.
  */
 
-import type { PageDocument, Sheet } from '../engine/types.ts';
-import type { Project } from './project.ts';
+import type { PageDocument, Project, Sheet } from './types.ts';
 
 export type { Sheet };
 

@@ -8,7 +8,7 @@ import { signal } from '@preact/signals';
 import { strings } from '../strings/strings.ts';
 import { MOST } from '../document/limits.ts';
 import { isUsed } from '../document/album.ts';
-import { sheetsOf } from '../document/sheets.ts';
+import { sheetsOf } from '../engine/sheets.ts';
 import type { Messages } from '../ui/messages.ts';
 import type { Store } from '../document/store.ts';
 import type { Spoken, SubtitleFlaw } from '../engine/words.ts';

@@ -5,7 +5,7 @@
 
 import { computed, effect, signal, untracked } from '@preact/signals';
 import { strings } from '../strings/strings.ts';
-import { sheetsOf } from '../document/sheets.ts';
+import { sheetsOf } from '../engine/sheets.ts';
 import type { Messages } from '../ui/messages.ts';
 import type { Store } from '../document/store.ts';
 import type { PageDocument, Word } from '../engine/types.ts';

@@ -13,7 +13,7 @@ import { createFirstPage } from './first-page.ts';
 import { FRAMES, createFrames } from './frames.ts';
 import { createIntake } from './intake.ts';
 import { MOST } from '../document/limits.ts';
-import { photosOn } from '../document/sheets.ts';
+import { photosOn } from '../engine/sheets.ts';
 import { fetchSamples } from './samples.ts';
 import type { Messages } from '../ui/messages.ts';
 import type { Video } from '../document/album.ts';

@@ -6,7 +6,7 @@
 
 import { computed, effect, signal } from '@preact/signals';
 import { strings } from '../strings/strings.ts';
-import { photosOn } from '../document/sheets.ts';
+import { photosOn } from '../engine/sheets.ts';
 import type { Messages } from '../ui/messages.ts';
 import type { Progress, Store } from '../document/store.ts';
 import type { Detection } from '../engine/types.ts';

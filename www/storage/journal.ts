@@ -7,7 +7,7 @@
  * What is found is trusted as little as a file: what does not fit, or makes no history, is passed over.
  */
 
-import { VERSION as DOCUMENT } from '../document/versions.ts';
+import { VERSION as DOCUMENT } from '../engine/versions.ts';
 import type { Project } from '../document/project.ts';
 import type { History, Shown } from '../document/history.ts';
 

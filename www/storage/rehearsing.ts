@@ -5,7 +5,7 @@
 
 import { Priority } from '../engine/queue.ts';
 import { unreadMeta } from '../document/album.ts';
-import { sheetsOf } from '../document/sheets.ts';
+import { sheetsOf } from '../engine/sheets.ts';
 import { createEditing } from '../document/editing.ts';
 import { createStore } from '../document/store.ts';
 import type { Editing } from '../document/editing.ts';

@@ -6,7 +6,7 @@
 import { inBlobs } from './database.ts';
 import { failure } from '../engine/protocol.ts';
 import { strings } from '../strings/strings.ts';
-import { sheetsOf } from '../document/sheets.ts';
+import { sheetsOf } from '../engine/sheets.ts';
 import { drawnId } from './drawn-states.ts';
 import { emptyFrames } from '../photos/placeholder.ts';
 import { photosOf } from './snapshot.ts';

@@ -18,7 +18,7 @@ import { drawnId } from './drawn-states.ts';
 import { PHOTOS_LOCK } from './locks.ts';
 import { adopt } from './orphans.ts';
 import { snapshotOf } from './snapshot.ts';
-import { VERSION } from '../document/versions.ts';
+import { VERSION } from '../engine/versions.ts';
 import type { Fact } from '../document/album.ts';
 import type { Store } from '../document/store.ts';
 import type { History } from '../document/history.ts';

@@ -3,7 +3,7 @@ import { beforeEach, afterEach, describe, expect, it, vi } from 'vitest';
 import { chunkOf, textChunk, withChunks } from '../../engine/png-chunks.ts';
 import { ARCHIVE, PHOTOS_AT_ONCE, SILENCE, TEXT } from '../../engine/limits.ts';
 import { archiveOf, readArchive } from '../../engine/archive.ts';
-import { photosOn } from '../../document/sheets.ts';
+import { photosOn } from '../../engine/sheets.ts';
 import { documentOf } from '../testing.ts';
 import { packedNothing, zipOf } from '../../engine/testing-archives.ts';
 import { alerts, bare, downloaded, dropped, textIn, tripTab } from './testing-pages.ts';

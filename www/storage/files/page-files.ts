@@ -7,7 +7,7 @@ import { signal } from '@preact/signals';
 import { strings } from '../../strings/strings.ts';
 import { EMPTY_PROJECT } from '../../document/empty.ts';
 import { MOST } from '../../document/limits.ts';
-import { photosOn, sheetsOf } from '../../document/sheets.ts';
+import { photosOn, sheetsOf } from '../../engine/sheets.ts';
 import { foundPhotos } from './found-photos.ts';
 import { isArchiveFile, projectEntry, readInside } from './page-archive.ts';
 import { pageFileOf, withProject } from './page-file.ts';

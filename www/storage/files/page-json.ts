@@ -7,7 +7,7 @@
 import type { Album } from '../../document/album.ts';
 import { EMPTY_PROJECT } from '../../document/empty.ts';
 import type { PageDocument, Project } from '../../document/project.ts';
-import { photosOn, sheetsOf } from '../../document/sheets.ts';
+import { photosOn, sheetsOf } from '../../engine/sheets.ts';
 import type { Word } from '../../engine/types.ts';
 import { hashOf, strippedOf } from '../../photos/identity.ts';
 import type { Work } from '../../engine/archive.ts';

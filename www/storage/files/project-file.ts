@@ -7,7 +7,7 @@ import { signal } from '@preact/signals';
 import { PLACES_FOR_LOST, TEXT } from '../../engine/limits.ts';
 import { strings } from '../../strings/strings.ts';
 import { createEditing } from '../../document/editing.ts';
-import { sheetsOf } from '../../document/sheets.ts';
+import { sheetsOf } from '../../engine/sheets.ts';
 import { fileNameOf } from '../../ui/file-name.ts';
 import { save as saveFile } from '../../ui/files.ts';
 import { archiveOf, readArchive } from '../../engine/archive.ts';

@@ -4,7 +4,7 @@
  */
 
 import { freshId } from '../../document/fresh-id.ts';
-import { VERSION } from '../../document/versions.ts';
+import { VERSION } from '../../engine/versions.ts';
 import type { Fact, Video } from '../../document/album.ts';
 import type { Planner } from '../../document/store.ts';
 import type { History } from '../../document/history.ts';
