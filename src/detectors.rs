@@ -2,7 +2,7 @@
 
 use std::path::{Path, PathBuf};
 
-use inkpanel::detect::{Aesthetics, Detection, Detectors};
+use inkpanel::detect::{Aesthetics, Detection, Detectors, Segmenter};
 use inkpanel::page::import::Imported;
 use rayon::prelude::*;
 use serde_json::{Value, json};
@@ -32,6 +32,16 @@ pub(crate) fn load_aesthetics(folder: Option<&Path>) -> Result<Aesthetics, Compl
             .to_owned()
     })?;
     Aesthetics::new(&onnx).map_err(|error| format!("aesthetics.onnx: {error}"))
+}
+
+/// Reads the net that finds what a photo shows, from `folder` or from where it usually is.
+pub(crate) fn load_segmenter(folder: Option<&Path>) -> Result<Segmenter, Complaint> {
+    let file = folder.map(Path::to_path_buf).or_else(find).map(|folder| folder.join("subject.onnx"));
+    let onnx = file.and_then(|file| std::fs::read(file).ok()).ok_or_else(|| {
+        "subject.onnx is missing: make it with `cargo xtask models`, or name its folder with --models"
+            .to_owned()
+    })?;
+    Segmenter::new(&onnx).map_err(|error| format!("subject.onnx: {error}"))
 }
 
 /// `models` beside the program, `www/models` above the working folder, then that of the checkout which the program

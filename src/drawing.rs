@@ -7,6 +7,7 @@ use inkpanel::Error;
 use inkpanel::framing::Subject;
 use inkpanel::layout::{self, PagePreset, PaperSize};
 use inkpanel::native::{self, QUALITY, alts};
+use inkpanel::output::shots;
 use inkpanel::page::import::Imported;
 use inkpanel::page::pdf::{self, Imposition, Options};
 use inkpanel::page::plates::{self, Separation};
@@ -66,6 +67,8 @@ pub(crate) enum Kind {
     /// A project, which the page opens.
     Project,
     Comic(reading::Kind),
+    /// The shots of a project as a list.
+    Shots(shots::Kind),
 }
 
 impl Kind {
@@ -75,6 +78,9 @@ impl Kind {
             return Ok(Self::Comic(kind));
         }
         let ending = output.extension().map(|ending| ending.to_string_lossy().to_lowercase());
+        if let Some(kind) = ending.as_deref().and_then(shots::Kind::of) {
+            return Ok(Self::Shots(kind));
+        }
         match ending.as_deref() {
             Some("png") => Ok(Self::Png),
             Some("jpg" | "jpeg") => Ok(Self::Jpeg),
@@ -138,7 +144,9 @@ pub(crate) fn encoded(
         Kind::Jpeg => jpeg::encode_rgb(width, height, rgb, dpi, quality),
         Kind::Webp => webp::encode_rgb(width, height, rgb),
         Kind::Pdf => return Err("a photo becomes a .png, .jpg or .webp file".into()),
-        Kind::Project | Kind::Comic(_) => return Err("that is made of photos, by render".into()),
+        Kind::Project | Kind::Comic(_) | Kind::Shots(_) => {
+            return Err("that is made of photos, by render".into());
+        }
     };
     file.map_err(|error| error.to_string())
 }

@@ -7,7 +7,7 @@
 //! |---|---|
 //! | [`raster`] | pixels: planar u8 images, decoding, resampling (under everything) |
 //! | [`simd`] | row kernels on lanes (under `style`) |
-//! | [`select`] | fingerprints, near-duplicate groups, the sharpest of each |
+//! | [`select`] | fingerprints, near-duplicate groups, the sharpest of each; the shots of films |
 //! | `detect` | faces and objects, by two nets (feature `detect`) |
 //! | [`layout`] | page templates: split trees, polygons, gutters, merges |
 //! | [`framing`] | the crop of a photo that fits a panel |
@@ -23,8 +23,8 @@
 //!
 //! Under everything beside `raster`: [`error`], and [`json`], which reads JSON of strangers.
 //!
-//! On top, without algorithms of their own: `wasm`, `wasm_detect`, `wasm_decoders`, `wasm_imitation`, `wasm_words`, and `wasm_files` with `wasm_comics` (the
-//! web boundary, in six modules; `wasm_letters` is in two of them) and `main.rs` (the command line).
+//! On top, without algorithms of their own: `wasm`, `wasm_detect`, `wasm_decoders`, `wasm_films`, `wasm_imitation`, `wasm_words`, and `wasm_files` with `wasm_comics` (the
+//! web boundary, in seven modules; `wasm_letters` is in two of them) and `main.rs` (the command line).
 //!
 //! Each stage has an example that runs: `examples/stage_raster.rs` and so on to `stage_page.rs`. Through some of them:
 //!
@@ -88,10 +88,13 @@ mod typescript;
         feature = "words",
         feature = "exports",
         feature = "decoders",
+        feature = "films",
         feature = "imitation"
     ))
 ))]
 pub mod wasm;
+#[cfg(all(target_arch = "wasm32", feature = "exports"))]
+pub mod wasm_boards;
 #[cfg(all(target_arch = "wasm32", feature = "exports"))]
 pub mod wasm_comics;
 #[cfg(all(target_arch = "wasm32", feature = "decoders"))]
@@ -102,6 +105,8 @@ pub mod wasm_detect;
 mod wasm_error;
 #[cfg(all(target_arch = "wasm32", feature = "exports"))]
 pub mod wasm_files;
+#[cfg(all(target_arch = "wasm32", feature = "films"))]
+pub mod wasm_films;
 #[cfg(all(target_arch = "wasm32", feature = "imitation"))]
 pub mod wasm_imitation;
 #[cfg(all(target_arch = "wasm32", any(feature = "words", feature = "exports")))]

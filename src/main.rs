@@ -4,11 +4,13 @@
 //! 2 wrong usage (from the argument parser).
 
 mod album;
+mod boards;
 mod config;
 mod destination;
 mod detectors;
 mod documents;
 mod drawing;
+mod films;
 mod imitator;
 mod inventor;
 mod paper;
@@ -16,10 +18,12 @@ mod plans;
 mod projects;
 mod reading;
 mod reopening;
+mod segments;
 mod telling;
 
 use clap::error::ErrorKind;
 use clap::{CommandFactory, Parser, Subcommand};
+use inkpanel::document::shots::FRAMES;
 use inkpanel::framing::PhotoMeta;
 use inkpanel::layout::Template;
 use inkpanel::native::QUALITY;
@@ -116,6 +120,21 @@ enum Command {
         #[arg(long, value_name = "DIR")]
         models: Option<PathBuf>,
     },
+    /// Cut out what photos show: a mask a photo, white where its subject is.
+    Segment {
+        /// The photos, or folders of them.
+        #[arg(required = true)]
+        files: Vec<PathBuf>,
+        /// Folder of the masks, NAME.png for each photo.
+        #[arg(short, long, value_name = "DIR")]
+        output: PathBuf,
+        /// Answer as JSON.
+        #[arg(long)]
+        json: bool,
+        /// Folder of subject.onnx.
+        #[arg(long, value_name = "DIR")]
+        models: Option<PathBuf>,
+    },
     /// Invent styles: chains of blocks at random, the same for the same seed.
     Generate {
         /// Seed of the first; the others have the seeds that follow.
@@ -149,6 +168,17 @@ enum Command {
         #[arg(long, default_value_t = 1)]
         seed: u32,
     },
+    /// Find the shots of a film, and the frames that stand for them. It takes ffmpeg.
+    Shots {
+        /// The film.
+        film: PathBuf,
+        /// How many frames; as many as suit the film unless told.
+        #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..=1000))]
+        frames: Option<u32>,
+        /// Answer as JSON.
+        #[arg(long)]
+        json: bool,
+    },
     /// List the filter blocks.
     Blocks(Listing),
     /// List the page templates.
@@ -173,12 +203,15 @@ struct Render {
     /// Of a saved project: which of its pages, from 1; the one that was edited last unless told.
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..))]
     page: Option<u32>,
+    /// Of a saved project: sheets of a board with so many frames each, in the place of its pages.
+    #[arg(long, value_name = "FRAMES", value_parser = board_frames)]
+    board: Option<u32>,
     /// Draw a page that is planned already, as --save-document writes it; the photos are those that it names, found beside it
     /// or among the photos given.
     #[arg(long, value_name = "FILE")]
     document: Option<PathBuf>,
     /// Where the page goes: a file that ends in .png, .jpg, .webp or .pdf; a comic (.html, .epub, .cbz), of a saved project with
-    /// all its pages; one that ends in .inkpanel, which is a project with
+    /// all its pages; of a saved project the list of its shots (.csv, .edl, .otio, .xml); one that ends in .inkpanel, which is a project with
     /// the photos as they are, whatever cameras wrote into them, or - for standard output.
     #[arg(short, long, required_unless_present_any = ["json", "save_document"])]
     output: Option<PathBuf>,
@@ -244,6 +277,9 @@ struct Planned {
     /// Number of panels.
     #[arg(long)]
     panels: Option<usize>,
+    /// Let a figure step out of its panel on each page where one can; needs subject.onnx.
+    #[arg(long)]
+    figures: bool,
     /// Let two panels share one image.
     #[arg(long)]
     merge: bool,
@@ -294,6 +330,9 @@ fn main() -> ExitCode {
         }
         Command::Select { files, json, threshold } => select_photos(&files, json, threshold),
         Command::Detect { files, json, models } => detect_photos(&files, json, models.as_deref()),
+        Command::Segment { files, output, json, models } => {
+            segments::segment(&files, &output, models.as_deref(), json)
+        }
         Command::Generate { seed, count, json, models, photo } => {
             inventor::invent(seed, count, photo.as_deref(), models.as_deref())
                 .and_then(|styles| list(&styles, json))
@@ -301,6 +340,7 @@ fn main() -> ExitCode {
         Command::Imitate { picture, photo, json, anyway, seed } => {
             imitator::imitate(&picture, &photo, seed, anyway).and_then(|styles| list(&styles, json))
         }
+        Command::Shots { film, frames, json } => shots_of(&film, frames, json),
         Command::Blocks(listing) => list(&catalogue::blocks(), listing.json),
         Command::Layouts(listing) => list(&catalogue::layouts(), listing.json),
         Command::Styles(listing) => list(&catalogue::styles(), listing.json),
@@ -315,7 +355,7 @@ fn main() -> ExitCode {
 }
 
 fn render_page(render: &Render) -> Result<(), Complaint> {
-    let Render { planned, how, page, document, output, files } = render;
+    let Render { planned, how, page, board, document, output, files } = render;
     if how.progress == "json" {
         telling::as_json();
     }
@@ -347,10 +387,21 @@ fn render_page(render: &Render) -> Result<(), Complaint> {
     {
         planned_already(planned, file)?;
         let output = output.as_ref().ok_or(NO_OUTPUT)?;
-        return done(&reopening::draw(saved?, file, *page, (output, &how.printing))?);
+        return done(&reopening::draw(saved?, file, (*page, *board), (output, how))?);
     }
     if let Some(project) = files.iter().find(|file| reopening::is_project(file)) {
         return Err(format!("{}: a project is drawn alone", project.display()));
+    }
+    if let Some(output) =
+        output.as_ref().filter(|output| matches!(Kind::of(&output.named), Ok(Kind::Shots(_))))
+    {
+        return Err(format!(
+            "{}: a list of shots is of a saved project, and there is none",
+            output.path.display()
+        ));
+    }
+    if board.is_some() {
+        return Err("--board is of a saved project, and there is none".into());
     }
     if page.is_some() {
         return Err("--page is of a saved project, and there is none".into());
@@ -365,6 +416,14 @@ fn is_made(output: &Output, planned: &Planned) -> bool {
         Some(pages) if !one => plans::all_exist(output, pages as usize),
         _ => output.exists(),
     }
+}
+
+/// Frames that fit on a sheet.
+fn board_frames(text: &str) -> Result<u32, String> {
+    let known = text.parse().ok().filter(|count| FRAMES.contains(count));
+    known.ok_or_else(|| {
+        format!("a sheet has one of {} frames", FRAMES.map(|count| count.to_string()).join(", "))
+    })
 }
 
 /// The file that a project is called after.
@@ -418,6 +477,9 @@ fn plan_page(
     let mut photos = import_all(files);
     let looked = !render.no_detect && add_subjects(&mut photos, render.models.as_deref());
     star(&mut photos, &render.star);
+    if render.figures {
+        segments::add_masks(&mut photos, render.models.as_deref())?;
+    }
     let used = used_photos(render, &photos);
     let request = Request {
         seed: render.seed.unwrap_or(1),
@@ -427,6 +489,7 @@ fn plan_page(
         style,
         panels: render.panels,
         merge: Some(render.merge),
+        figures: Some(render.figures),
         ..Request::default()
     };
     let mut pages = storyboard::pages(&request, render.pages.map(|pages| pages as usize))
@@ -542,7 +605,7 @@ fn used_photos(render: &Planned, photos: &[(PathBuf, Imported)]) -> Vec<PhotoMet
 fn stylize_photo(style: &str, input: &Path, output: &Path, format: Option<&str>) -> Result<(), Complaint> {
     let output = Output::new(output, format)?;
     let kind = Kind::of(&output.named)?;
-    if matches!(kind, Kind::Pdf | Kind::Project) {
+    if matches!(kind, Kind::Pdf | Kind::Project | Kind::Comic(_) | Kind::Shots(_)) {
         return Err(format!("{}: a photo becomes a .png, .jpg or .webp file", output.path.display()));
     }
     let style = read_style(style)?;
@@ -560,7 +623,7 @@ fn select_photos(files: &[PathBuf], as_json: bool, threshold: u32) -> Result<(),
     }
     let names: Vec<&str> = photos.iter().map(|(path, _)| name(path)).collect();
     let measures: Vec<Measures> = photos.iter().map(|(_, photo)| photo.measures.clone()).collect();
-    let settings = select::Settings { threshold };
+    let settings = select::Settings { threshold, ..select::Settings::default() };
     let verdicts = select::choose(&names, &measures, &settings);
     let rows: Vec<Value> = photos
         .iter()
@@ -625,6 +688,21 @@ fn add_subjects(photos: &mut [(PathBuf, Imported)], models: Option<&Path>) -> bo
         photo.meta.find(found.into_iter().map(Into::into));
     }
     true
+}
+
+fn shots_of(film: &Path, frames: Option<u32>, as_json: bool) -> Result<(), Complaint> {
+    let shots = films::shots(film, frames.map(|frames| frames as usize))?;
+    if as_json {
+        return print(&shots);
+    }
+    for shot in shots.as_array().into_iter().flatten() {
+        let frames: Vec<String> =
+            shot["frames"].as_array().into_iter().flatten().map(Value::to_string).collect();
+        let told =
+            format!("{}\t{}\t{}\t", shot["start"], shot["end"], shot["kind"].as_str().unwrap_or_default());
+        println!("{}\t{told}{}", shot["shot"], frames.join(" "));
+    }
+    Ok(())
 }
 
 /// Prints JSON; a reader that has gone away is no failure.

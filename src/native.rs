@@ -13,6 +13,7 @@ use crate::raster::Image;
 use crate::style::Context;
 use rayon::prelude::*;
 use std::collections::{BTreeSet, HashMap};
+use std::ops::Range;
 
 /// Of JPEG files and of the pictures in PDF files, unless told.
 pub const QUALITY: u8 = 90;
@@ -35,8 +36,9 @@ pub fn photos_of(document: &Document) -> Result<BTreeSet<String>> {
 /// # Errors
 /// As [`Scene::new`]; those of a style that does not fit; `invalid-document` for words that break their shape.
 pub fn sheet(document: &Document, photos: &Photos, fonts: &GivenFonts) -> Result<compose::Sheet> {
-    let mut sheet = compose::Sheet::new(&Scene::new(document, document.page.width as usize)?);
-    for patch in patches(document, photos)? {
+    let scene = Scene::new(document, document.page.width as usize)?;
+    let mut sheet = compose::Sheet::new(&scene);
+    for patch in render(document, photos, 0..scene.panels.len())? {
         sheet.lay(patch.area, &patch.rgba)?;
     }
     word_drawing::lay_words(&mut sheet, document, &fonts.letters(&document.words)?)?;
@@ -55,7 +57,10 @@ pub fn leaf(
     (plate, quality): (Option<(&Separation, usize)>, u8),
 ) -> Result<Leaf> {
     let scene = Scene::new(document, document.page.width as usize)?;
-    let patches = patches(&picture::bare(document), photos)?;
+    let count = document.panels.len();
+    let mut patches = render(&picture::bare(document), photos, 0..count)?;
+    // A figure leaves the border alone where it may not cross it, so it has to know of it.
+    patches.extend(render(document, photos, count..scene.panels.len())?);
     let pictures = patches
         .par_iter()
         .enumerate()
@@ -95,12 +100,12 @@ pub fn coarse(document: &Document, size: &dyn Fn(&str) -> Option<(u32, u32)>) ->
     Ok(found.collect())
 }
 
-/// The panels of a document in their order.
-fn patches(document: &Document, photos: &Photos) -> Result<Vec<Patch>> {
+/// Some of the panels of a document in their order, behind which are its figures.
+fn render(document: &Document, photos: &Photos, which: Range<usize>) -> Result<Vec<Patch>> {
     let scene = Scene::new(document, document.page.width as usize)?;
     let render = |index: usize| {
         let photo = scene.panels[index].photo.as_deref().and_then(|id| photos.get(id));
         compose::render_panel(&scene, index, photo, &mut Context::default())
     };
-    (0..scene.panels.len()).into_par_iter().map(render).collect()
+    (which.start..which.end.min(scene.panels.len())).into_par_iter().map(render).collect()
 }

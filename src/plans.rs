@@ -5,9 +5,9 @@ use crate::destination::Output;
 use crate::{Complaint, drawing, import_all, name, telling};
 use inkpanel::framing::{Crop, PhotoMeta};
 use inkpanel::layout::{self, Bounds, Point, ResolvedPanel, ResolvedShape, polygon};
-use inkpanel::page::Document;
 use inkpanel::page::import::Imported;
 use inkpanel::page::shuffle::Planned;
+use inkpanel::page::{Document, breaking};
 use inkpanel::plan::composer::{gallery, judge};
 use inkpanel::plan::slots::slot;
 use inkpanel::plan::{Assignment, Candidate, Score, Shelf, layouts};
@@ -37,6 +37,7 @@ fn told_page(page: &Planned, photos: &[(PathBuf, Imported)]) -> Result<Value, Co
         let found = photos.iter().find(|(_, photo)| &photo.meta.id == id);
         found.map(|(path, _)| path.display().to_string())
     };
+    let breaks = breaking::breaks(document).map_err(|error| error.to_string())?;
     let panels: Vec<Value> = resolved
         .iter()
         .zip(&document.panels)
@@ -47,7 +48,7 @@ fn told_page(page: &Planned, photos: &[(PathBuf, Imported)]) -> Result<Value, Co
                 "crop": content.crop,
                 "shape": outline(&panel.shape, aspect),
                 "group": document.merges.iter().position(|group| group.contains(&i)),
-                "breaks_frame": false,
+                "breaks_frame": breaks[i],
                 "halo": rounded(panel.halo),
             })
         })

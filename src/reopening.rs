@@ -2,8 +2,8 @@
 
 use crate::album::{self, told};
 use crate::destination::Output;
-use crate::drawing::{self, Kind, Printing};
-use crate::{Complaint, plans, reading, survived};
+use crate::drawing::{self, Kind};
+use crate::{Complaint, How, boards, plans, reading, survived};
 use inkpanel::document::file::FilePhoto;
 use inkpanel::document::saved::Saved;
 use inkpanel::document::sheets::photos_on;
@@ -34,16 +34,17 @@ pub(crate) fn open(input: &Path) -> Option<Result<Saved, Complaint>> {
     }
 }
 
-/// Draws the present page, or the one of that number, from 1; what is bound or read has all pages unless one is told.
+/// Draws the present page, or the one of that number, from 1; what is bound or read has all pages unless one is told. `board`:
+/// frames on the sheets of a board, which are drawn in their place.
 ///
 /// Returns the files.
 pub(crate) fn draw(
     saved: Saved,
     input: &Path,
-    number: Option<u32>,
-    (output, printing): (&Output, &Printing),
+    (number, board): (Option<u32>, Option<u32>),
+    (output, how): (&Output, &How),
 ) -> Result<Vec<PathBuf>, Complaint> {
-    drawn(saved, number, (output, printing)).map_err(|reason| format!("{}: {reason}", told(input)))
+    drawn(saved, (number, board), (output, how)).map_err(|reason| format!("{}: {reason}", told(input)))
 }
 
 /// Whether its name says that a file is a project.
@@ -53,13 +54,26 @@ pub(crate) fn is_project(file: &Path) -> bool {
 
 fn drawn(
     mut saved: Saved,
-    number: Option<u32>,
-    (output, printing): (&Output, &Printing),
+    (number, board): (Option<u32>, Option<u32>),
+    (output, how): (&Output, &How),
 ) -> Result<Vec<PathBuf>, Complaint> {
-    let kind = Kind::of(&output.named)?;
+    let (kind, printing) = (Kind::of(&output.named)?, &how.printing);
+    if let Kind::Shots(kind) = kind {
+        output.write(saved.project().shot_list().written(kind).as_bytes())?;
+        return Ok(vec![output.path.clone()]);
+    }
+    let known: HashMap<String, Vec<Subject>> =
+        saved.project().photos.iter().map(|photo| (photo.id.clone(), subjects(photo))).collect();
+    let stem = output.named.file_stem().map(|stem| stem.to_string_lossy().into_owned()).unwrap_or_default();
     // A name with a number's place asks for a picture of each page.
     let each = number.is_none() && plans::has_number(&output.named);
-    let wanted = wanted(&saved, number, each || printing.binds() || matches!(kind, Kind::Comic(_)))?;
+    let wanted = match board {
+        Some(_) if matches!(kind, Kind::Comic(_)) => {
+            return Err("a board is no comic: give the output a name that ends in .pdf or .png".into());
+        }
+        Some(frames) => boards::sheets(&mut saved, frames, (&stem, &known))?,
+        None => wanted(&saved, number, each || printing.binds() || matches!(kind, Kind::Comic(_)))?,
+    };
     let files = files(&mut saved, &wanted)?;
     let photos = |id: &str| {
         let Some(bytes) = files.get(id) else { return Ok(None) };
@@ -67,8 +81,6 @@ fn drawn(
         let decoded = survived(|| decode(bytes, &Limits::default()));
         decoded.map(|decoded| Some(decoded.image)).map_err(|reason| format!("the photo {name}: {reason}"))
     };
-    let known: HashMap<&str, Vec<Subject>> =
-        saved.project().photos.iter().map(|photo| (photo.id.as_str(), subjects(photo))).collect();
     let found = |id: &str| known.get(id).map_or(&[][..], Vec::as_slice);
     let fonts = printing.fonts()?;
     let means = printing.means(&photos, &fonts);
@@ -76,15 +88,17 @@ fn drawn(
     match kind {
         Kind::Comic(comic) => {
             let named = saved.project().history.present.name.trim();
-            let stem = output.named.file_stem().map(|stem| stem.to_string_lossy()).unwrap_or_default();
             let title = if named.is_empty() { &*stem } else { named };
             let told = reading::Telling { title, language: printing.language() };
             reading::write((comic, told), &wanted, &found, &means, output)
         }
         Kind::Pdf => drawing::write_book(&wanted, &means, output, (printing, &found)),
-        _ if each => {
-            plans::draw_all(&wanted, &means, output, (false, &|_, file| Ok(file), (printing, &found)))
-        }
+        _ if each || wanted.len() > 1 => plans::draw_all(
+            &wanted,
+            &means,
+            output,
+            (how.skip_existing, &|_, file| Ok(file), (printing, &found)),
+        ),
         _ => {
             output.write(&drawing::draw(&wanted[0], &means, &output.named)?)?;
             Ok(vec![output.path.clone()])

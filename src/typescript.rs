@@ -16,6 +16,7 @@ use crate::document::history::{History, Shown};
 use crate::document::kept;
 use crate::document::planning::{Planning, Seeds};
 use crate::document::project::{Draft, DraftStep, Focus, Locks, Order, Project, Sheet, Styling, TrayItem};
+use crate::document::shots::{Board, Shot};
 use crate::document::upkeep::Groups;
 use crate::framing::{Crop, PhotoMeta, Subject};
 use crate::layout::edit::Cut;
@@ -23,6 +24,8 @@ use crate::layout::tree::Axis;
 use crate::layout::{
     Bounds, Circle, Descriptor, LayoutPanel, Outline, PageSettings, PlacedPanel, Point, Template,
 };
+use crate::output::board::{self, Labels, PictureOf};
+use crate::output::shots::{Film, ListedShot, ShotList};
 use crate::output::{self, Comic, ComicPage, PictureKind, Piece};
 use crate::page::catalogue::{BlockEntry, ChoiceRequest, MeasuresEntry, ParamEntry, ParamKind, VerdictEntry};
 use crate::page::document::{LayoutChoice, PanelContent, StyleChoice};
@@ -328,6 +331,14 @@ fn types() -> String {
     tell!(
         Project,
         TrayItem,
+        Shot,
+        Board,
+        ShotList,
+        ListedShot,
+        Film,
+        board::Request,
+        PictureOf,
+        Labels,
         Focus,
         Order,
         Locks,
@@ -499,6 +510,8 @@ fn edits(page: &Value) -> Vec<Value> {
         { "type": "love-page", "pageId": 1, "on": true },
         { "type": "rename", "name": "One" },
         { "type": "styling", "styling": styling },
+        { "type": "describe-shots", "shots": { "p": { "scene": "1", "number": "4A", "action": "She enters.", "dialogue": "Hi", "notes": "dusk", "frames": 36, "more": { "Lens": "35" } } } },
+        { "type": "set-board", "board": { "fps": 25, "columns": ["Lens"], "frames": 4, "aspect": "1.85", "beside": true, "ruled": false, "author": "me", "date": "today", "order": ["p"] } },
         { "type": "share", "lists": { "mine": [style] } },
         { "type": "join", "lists": { "ownLayouts": [layout] } },
         { "type": "undo" },

@@ -12,6 +12,7 @@ pub mod bench;
 pub mod document_reading;
 pub mod drafting;
 pub mod editing;
+pub mod figures;
 mod frames;
 pub mod layouts;
 pub mod planning;
@@ -22,13 +23,14 @@ use crate::framing::Crop;
 use crate::json::plain as parse;
 use crate::layout::Template;
 use crate::page::compose::{Sheet, compose, render_panel};
+use crate::page::cutout::cut_out;
 use crate::page::document::{self, Document};
 use crate::page::import::{Imported, import};
 use crate::page::mask::PixelRect;
 use crate::page::{Scene, catalogue, png};
 use crate::raster::decode::{Limits, decode};
 use crate::raster::resize::{Region, resample_image};
-use crate::raster::{Image, Plane};
+use crate::raster::{Image, Matte, Plane};
 use crate::style::{Context, Style, earlier, stylize};
 use crate::wasm_error::thrown;
 use serde::Serialize;
@@ -194,6 +196,13 @@ impl Studio {
         let decoded = decode(bytes, &Limits::default()).map_err(thrown)?;
         self.photos.insert(format!("{id}/full"), decoded.image);
         Ok(())
+    }
+
+    /// The subject of a photo alone, a PNG with alpha; none for a mask that is none.
+    pub fn cut_out(&self, key: &str, mask: String) -> std::result::Result<Option<Vec<u8>>, JsValue> {
+        let photo = self.photo(key).map_err(thrown)?;
+        let cut = Matte::try_from(mask).ok().map(|mask| cut_out(photo, &mask));
+        cut.transpose().map_err(thrown)
     }
 
     /// Whether a photo is here.

@@ -7,7 +7,7 @@
 // Every function that returns a Result throws as the module's documentation says.
 #![allow(clippy::missing_errors_doc)]
 
-use crate::detect::{Aesthetics, Detection, Faces, FirstLook, Objects, worth_a_closer_look};
+use crate::detect::{Aesthetics, Detection, Faces, FirstLook, Objects, Segmenter, worth_a_closer_look};
 use crate::error::{Error, Result};
 use crate::raster::{Image, Plane};
 use crate::wasm_error::thrown;
@@ -76,6 +76,27 @@ impl ObjectDetector {
     /// Objects of a photo, an array of boxes.
     pub fn look(&self, width: usize, height: usize, planes: &[u8]) -> std::result::Result<String, JsValue> {
         let look = || json(&self.net.look(&image(width, height, planes)?)?);
+        look().map_err(thrown)
+    }
+}
+
+/// The net that finds which part of a photo is its subject; photos as those of [`FaceDetector`].
+#[wasm_bindgen]
+pub struct SubjectNet {
+    net: Segmenter,
+}
+
+#[wasm_bindgen]
+impl SubjectNet {
+    /// Reads the net.
+    #[wasm_bindgen(constructor)]
+    pub fn new(onnx: &[u8]) -> std::result::Result<Self, JsValue> {
+        Ok(Self { net: Segmenter::new(onnx).map_err(thrown)? })
+    }
+
+    /// The subject of a photo as text, which `raster::Matte` reads.
+    pub fn look(&self, width: usize, height: usize, planes: &[u8]) -> std::result::Result<String, JsValue> {
+        let look = || Ok(self.net.look(&image(width, height, planes)?)?.into());
         look().map_err(thrown)
     }
 }

@@ -70,6 +70,7 @@ pub struct Cut {
     /// Height.
     pub height: u32,
     jpeg: Vec<u8>,
+    alpha: Option<Vec<u8>>,
 }
 
 /// The plate of an ink, which the panels of pages in one style share.
@@ -137,6 +138,12 @@ impl Cut {
     pub fn take(&mut self) -> Vec<u8> {
         std::mem::take(&mut self.jpeg)
     }
+
+    /// Moves out how much of each pixel of a figure is seen, packed.
+    #[must_use]
+    pub fn take_alpha(&mut self) -> Option<Vec<u8>> {
+        self.alpha.take()
+    }
 }
 
 impl Cut {
@@ -147,9 +154,9 @@ impl Cut {
         plate: Option<(&Separation, usize)>,
     ) -> std::result::Result<Cut, JsValue> {
         let cut = || -> Result<Picture> { picture::cut(&Document::parse(document)?, patch, quality, plate) };
-        let Picture { area, jpeg, .. } = cut().map_err(thrown)?;
+        let Picture { area, jpeg, alpha, .. } = cut().map_err(thrown)?;
         let (width, height) = (area.width as u32, area.height as u32);
-        Ok(Self { x: area.x as i32, y: area.y as i32, width, height, jpeg })
+        Ok(Self { x: area.x as i32, y: area.y as i32, width, height, jpeg, alpha })
     }
 }
 
@@ -178,10 +185,20 @@ impl Book {
     }
 
     /// Adds a picture to the page that was added last.
-    pub fn add_picture(&mut self, index: usize, x: i32, y: i32, width: usize, height: usize, jpeg: Vec<u8>) {
+    #[allow(clippy::too_many_arguments)] // The fields of a picture, which cross one by one.
+    pub fn add_picture(
+        &mut self,
+        index: usize,
+        x: i32,
+        y: i32,
+        width: usize,
+        height: usize,
+        jpeg: Vec<u8>,
+        alpha: Option<Vec<u8>>,
+    ) {
         let area = PixelRect { x: i64::from(x), y: i64::from(y), width, height };
         if let Some(leaf) = self.leaves.last_mut() {
-            leaf.pictures.push(Picture { index, area, jpeg });
+            leaf.pictures.push(Picture { index, area, jpeg, alpha });
         }
     }
 

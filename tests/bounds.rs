@@ -23,6 +23,14 @@ fn bounds() -> String {
         ("A place of a word, in widths and heights of its panel to either side.", "away", FARTHEST as usize),
         ("Bytes of the text of a project.", "text", limits::PROJECT.bytes),
         ("Bytes of a file of subtitles.", "subtitles", subtitles::MOST_BYTES),
+        ("Characters of a field of a shot.", "field", limits::LONGEST_FIELD),
+        (
+            "Characters of the number or scene of a shot, and of the name of a column.",
+            "label",
+            limits::LONGEST_LABEL,
+        ),
+        ("Columns of one's own.", "columns", limits::MOST_COLUMNS),
+        ("Frames of a shot.", "shotFrames", limits::MOST_SHOT_FRAMES as usize),
         ("Characters of a script.", "script", script::MOST_SCRIPT),
     ];
     let head = "/**\n * What a project holds at most. Written out of `src/document/limits.rs` by `cargo xtask bless`, not by hand: the core reads\n * no project beyond it, so none is made here.\n */\n\nexport const MOST = Object.freeze({\n";

@@ -8,6 +8,7 @@ use inkpanel::document::history::History;
 use inkpanel::document::planning::{Planning, Seeds};
 use inkpanel::document::project::{Draft, Focus, List, Order, Project, Sheet, Styling};
 use inkpanel::document::sheets::photos_on;
+use inkpanel::document::shots::{Board, RATES, Shot};
 use inkpanel::document::spreading::balanced;
 use inkpanel::document::upkeep::Groups;
 use inkpanel::document::{kept, limits, own};
@@ -203,6 +204,33 @@ fn what_another_project_does_to_shared_lists_no_undo_takes_back() {
     assert!(std::ptr::eq(past[2].mine.as_ptr(), present.mine.as_ptr()));
 }
 
+#[test]
+fn what_is_told_of_a_shot_goes_with_its_photo_and_is_undone() {
+    let told = Shot { frames: Some(48), ..shot(1, true) };
+    let describe =
+        Edit::DescribeShots { shots: vec![("a".into(), told.clone()), ("gone".into(), told.clone())] };
+    let mut editor =
+        played([Edit::AddPhotos { ids: texts(&["a", "b"]) }, describe.clone(), show(1), show(2)]);
+    assert_eq!(editor.project().tray[0].shot, told);
+    // Told again it is no step.
+    assert!(!editor.apply(&describe, &How::default()));
+    let columns = Edit::SetBoard { board: Arc::new(board(1, true)) };
+    assert!(editor.apply(&columns, &How::default()));
+    assert_eq!(editor.project().tray[0].shot.frames, Some(50));
+    editor.apply(&Edit::ExchangePhoto { id: "a".into(), by: "d".into() }, &How::default());
+    assert_eq!(editor.project().board.order, ["c", "d", "f"]);
+    assert_eq!(
+        (editor.project().tray[0].id.as_str(), &editor.project().tray[0].shot.scene),
+        ("d", &told.scene)
+    );
+    let (again, dropped) = kept::parse(&kept::write(editor.history(), &Vec::new())).unwrap();
+    assert!(dropped.is_empty() && again == *editor.history());
+    for _ in 0..2 {
+        editor.apply(&Edit::Undo, &How::default());
+    }
+    assert_eq!((&editor.project().tray[0].shot, &*editor.project().board), (&told, &Board::default()));
+}
+
 /// Pages that shuffles gave, some of which show photos.
 fn pages() -> &'static [Arc<Document>] {
     static PAGES: OnceLock<Vec<Arc<Document>>> = OnceLock::new();
@@ -235,7 +263,7 @@ fn edit(random: &mut Rand64) -> (Edit, How) {
     let on = random.rand_float() < 0.5;
     let photo = (*some(random, &PHOTOS)).to_owned();
     let page = some(random, pages()).clone();
-    let edit = match random.rand_range(0..29) {
+    let edit = match random.rand_range(0..31) {
         0 | 1 => Edit::AddPhotos { ids: some_photos(random) },
         2 => Edit::RemovePhotos { ids: some_photos(random) },
         3 => Edit::UsePhotos { uses: vec![(photo, on)] },
@@ -270,11 +298,30 @@ fn edit(random: &mut Rand64) -> (Edit, How) {
         23 => Edit::Styling { styling: Styling { invented: 0.5, keep_lines: on, ..Styling::default() } },
         24 => Edit::Undo,
         27 => Edit::AddWords { words: vec![word_of(&photo, &format!("{id}"))] },
+        29 => Edit::DescribeShots { shots: vec![(photo, shot(id, on))] },
+        30 => Edit::SetBoard { board: Arc::new(board(id, on)) },
         28 => Edit::DropWaiting { words: vec![0] },
         _ => Edit::Redo,
     };
     let gesture = [None, None, Some("drag"), Some("other")];
     (edit, How { silent: false, gesture: some(random, &gesture).map(str::to_owned) })
+}
+
+/// What is told of a shot.
+fn shot(id: u64, on: bool) -> Shot {
+    let more = on.then(|| ("Lens".to_owned(), json!("35")));
+    Shot {
+        scene: if on { "2".into() } else { String::new() },
+        action: format!("Somebody enters, {id}"),
+        frames: Some(id as u32 * 12),
+        more: more.into_iter().collect(),
+        ..Shot::default()
+    }
+}
+
+fn board(id: u64, on: bool) -> Board {
+    let columns = if on { texts(&["Lens", "Sound"]) } else { texts(&["Optics"]) };
+    Board { fps: RATES[id as usize % 3], columns, order: texts(&["c", "a", "f"]), ..Board::default() }
 }
 
 /// Something said about a photo, made of a subtitle.

@@ -62,7 +62,7 @@ fn whole() -> Value {
     let second = page(2, own_layout(), own_style(), json!([]));
     let present = json!({
         "name": "Trip", "alike": 12, "order": "name", "panels": 4, "pageId": 3, "sheet": 0, "at": 1,
-        "tray": [{ "id": "p0", "use": null }, { "id": "p1", "use": true, "focus": { "x": 0.2, "y": 0.7 } }, { "id": "p2", "use": false }],
+        "tray": [{ "id": "p0", "use": null }, { "id": "p1", "use": true, "focus": { "x": 0.2, "y": 0.7 } }, { "id": "p2", "use": false, "shot": { "scene": "1", "number": "4A", "action": "She turns.", "dialogue": "Oh!", "notes": "dusk", "frames": 36, "more": { "Lens": "35" } } }],
         "locks": { "layout": true, "style": false, "photos": false },
         "settings": first["page"], "page": first,
         "others": [{ "page": second, "pageId": 2, "sheet": 4 }],
@@ -72,6 +72,7 @@ fn whole() -> Value {
         },
         "mine": [own_style()], "favourites": [own_style()], "ownLayouts": [own_layout()], "loved": [1, 3],
         "styling": { "invented": 0.5, "keepLines": true, "keepColours": false },
+        "board": { "fps": 25, "columns": ["Lens"], "frames": 8, "aspect": "2.39", "beside": true, "ruled": true, "author": "Ann", "date": "May", "order": ["p2", "p0"] },
     });
     let shown = json!([
         { "id": 1, "page": page(3, json!("cinema-3"), json!("noir"), json!([])) },
@@ -179,6 +180,8 @@ fn fields_of_another_program_are_kept() {
         "/tray/0",
         "/locks",
         "/styling",
+        "/tray/2/shot",
+        "/board",
         "/others/0",
         "/draft",
         "/draft/background/0",
@@ -187,7 +190,7 @@ fn fields_of_another_program_are_kept() {
     }
     mark(&mut value["history"]["shown"][0]);
     let text = read(&value).unwrap().write();
-    assert_eq!(text.matches(r#""fresh":{"a":[1,2]}"#).count(), 11);
+    assert_eq!(text.matches(r#""fresh":{"a":[1,2]}"#).count(), 13);
     // Where it would change what is drawn it is not passed over.
     assert!(
         refused(|v| mark(&mut v["history"]["present"]["settings"])).starts_with("present.settings.fresh: ")
@@ -259,6 +262,16 @@ fn what_is_wrong_is_refused_with_its_place() {
         ("/history/present/order", json!("size"), "present.order: is none of"),
         ("/history/present/locks/style", json!(1), "present.locks.style: "),
         ("/history/present/styling/invented", json!(2), "present.styling.invented: "),
+        ("/history/present/tray/2/shot", json!([]), "present.tray[2].shot: is no object"),
+        ("/history/present/tray/2/shot/frames", json!(1.5), "present.tray[2].shot.frames: "),
+        (
+            "/history/present/tray/2/shot/more",
+            json!({ "Lens": 35 }),
+            "present.tray[2].shot.more.Lens: is no text",
+        ),
+        ("/history/present/board/fps", json!(23), "present.board.fps: "),
+        ("/history/present/board/columns", json!(["a", "a"]), "present.board.columns: "),
+        ("/history/present/board/aspect", json!("3:2"), "present.board.aspect: "),
         ("/history/present/loved", json!([-1]), "present.loved[0]: "),
         (
             "/history/present/draft/background/0/values/levels",

@@ -65,7 +65,10 @@ fn main() -> Result<(), Box<dyn Error>> {
 fn groups(album: &[&Picture], threshold: u32) -> Vec<usize> {
     let measures: Vec<Measures> = album.iter().map(|copy| copy.measures.clone()).collect();
     let names = vec!["x"; album.len()];
-    choose(&names, &measures, &Settings { threshold }).into_iter().map(|verdict| verdict.group).collect()
+    choose(&names, &measures, &Settings { threshold, ..Settings::default() })
+        .into_iter()
+        .map(|verdict| verdict.group)
+        .collect()
 }
 
 /// Copies of a kind in the group of their photo, and copies of that kind.

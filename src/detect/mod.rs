@@ -1,5 +1,5 @@
 //! Detection: faces and objects in a photo, by two single-shot detectors that run on this device. And what a third
-//! net says of how good a picture looks.
+//! net says of how good a picture looks, and a fourth of which pixels are a photo's subject.
 //!
 //! Stands beside `select`: it looks at a photo's pixels once and gives boxes, which framing works with. The nets
 //! are files (`www/models/`, made by `cargo xtask models`); whoever calls reads them. Everything is in fractions
@@ -11,6 +11,7 @@ mod letterbox;
 mod model;
 mod objects;
 mod operators;
+mod segment;
 mod ssd;
 mod weights;
 
@@ -21,6 +22,7 @@ use crate::raster::Image;
 pub use aesthetics::Aesthetics;
 pub use faces::{Faces, worth_a_closer_look};
 pub use objects::Objects;
+pub use segment::{SIDE as SEGMENT_SIDE, Segmenter};
 
 /// Something that was found in a photo. Its box lies inside the photo.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]

@@ -5,6 +5,7 @@ use super::limits::{
     MOST_WAITING, MOST_WANTED,
 };
 use super::project::{self, Draft, Focus, List, Order, Project, Sheet, Styling, TrayItem};
+use super::shots::{self, Board, Shot};
 use super::{following, own, pages, sheets};
 use crate::json::fields::whole_of;
 use crate::json::{Fields, Read, Wrong, each, items, text_of};
@@ -12,7 +13,7 @@ use crate::layout::PageSettings;
 use crate::page::Document;
 use crate::page::words::Word;
 use serde_json::Value;
-use std::collections::HashSet;
+use std::collections::{HashMap, HashSet};
 use std::sync::Arc;
 
 /// What is done. In JSON an object with the edit's name as its `type`, beside its fields.
@@ -73,6 +74,18 @@ pub enum Edit {
         id: String,
         /// Whether it is starred.
         on: bool,
+    },
+    /// What is told of photos as shots.
+    DescribeShots {
+        /// All that is told of each, by the ids of the photos.
+        #[cfg_attr(all(test, feature = "cli"), ts(type = "Record<string, Shot>"))]
+        shots: Vec<(String, Shot)>,
+    },
+    /// How the shots are counted, ordered and laid out.
+    SetBoard {
+        /// All that is told of that.
+        #[cfg_attr(all(test, feature = "cli"), ts(as = "Board"))]
+        board: Arc<Board>,
     },
     /// A part of the page is locked, or no longer.
     Lock {
@@ -286,6 +299,14 @@ impl Project {
                     (item.id == *id).then(|| TrayItem { starred: *on, ..item.clone() })
                 });
             }
+            Edit::DescribeShots { shots } => next.tray = self.with_shots(shots)?,
+            Edit::SetBoard { board } => {
+                if self.board == *board {
+                    return None;
+                }
+                next.tray = mapped(&self.tray, |item| board.taken(&self.board, item));
+                next.board = board.clone();
+            }
             Edit::Lock { part, on } => {
                 let lock = match part {
                     Part::Layout => &mut next.locks.layout,
@@ -379,6 +400,15 @@ impl Project {
         (tray.len() > self.tray.len()).then(|| tray.into())
     }
 
+    /// The tray with what is told of photos as shots; none where it is as it was.
+    fn with_shots(&self, shots: &[(String, Shot)]) -> Option<List<TrayItem>> {
+        let told: HashMap<&str, &Shot> = shots.iter().map(|(id, shot)| (id.as_str(), shot)).collect();
+        let fresh = |item: &TrayItem| told.get(item.id.as_str()).copied().filter(|shot| **shot != item.shot);
+        self.tray.iter().any(|item| fresh(item).is_some()).then(|| {
+            mapped(&self.tray, |item| fresh(item).map(|shot| TrayItem { shot: shot.clone(), ..item.clone() }))
+        })
+    }
+
     /// Puts a photo in the place of another. One that is on the table already comes into the place of the other.
     fn exchange(&mut self, id: &str, by: &str) {
         let others: Vec<_> = self.tray.iter().filter(|item| item.id != by || id == by).cloned().collect();
@@ -388,6 +418,11 @@ impl Project {
             });
             self.each_page(&mut |page| sheets::exchanged(page, id, by).map(Arc::new));
             self.words_exchanged(id, by);
+            if self.board.order.iter().any(|other| other == id) {
+                let board = Arc::make_mut(&mut self.board);
+                board.order.retain(|other| other != by || id == by);
+                board.order.iter_mut().filter(|other| *other == id).for_each(|other| by.clone_into(other));
+            }
         }
     }
 
@@ -495,6 +530,12 @@ impl Edit {
                 focus: fields.nullable("focus").part("focus", &mut project::focus)?,
             },
             "star-photo" => Self::StarPhoto { id: fields.name("id", LONGEST_ID)?, on: fields.flag("on")? },
+            "describe-shots" => Self::DescribeShots {
+                shots: fields.part("shots", &mut shots::described)?.unwrap_or_default(),
+            },
+            "set-board" => Self::SetBoard {
+                board: Arc::new(fields.part("board", &mut Board::read)?.unwrap_or_default()),
+            },
             "lock" => Self::Lock {
                 part: fields.part("part", &mut part)?.unwrap_or(Part::Layout),
                 on: fields.flag("on")?,

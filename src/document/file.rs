@@ -15,6 +15,8 @@ use crate::error::Result;
 use crate::json::{self, Fields, Read, Writer, Wrong, each, items, text_of};
 use crate::layout::PageSettings;
 use crate::page::Document;
+use crate::raster::Matte;
+use crate::raster::matte::MOST_TEXT as LONGEST_MASK;
 use serde_json::Value;
 use std::collections::{HashMap, HashSet};
 use std::sync::Arc;
@@ -57,11 +59,17 @@ pub struct FilePhoto {
     /// Seconds from the beginning of the video.
     #[cfg_attr(all(test, feature = "cli"), ts(optional))]
     pub time: Option<f64>,
+    /// The number of its shot in the video, from 1.
+    #[cfg_attr(all(test, feature = "cli"), ts(optional))]
+    pub shot: Option<u64>,
     /// Whether it is compared with other photos.
     pub measured: bool,
     /// What was found in it; none when it was not searched.
     #[cfg_attr(all(test, feature = "cli"), ts(as = "Option<Vec<crate::framing::Subject>>"))]
     pub subjects: Option<Vec<Value>>,
+    /// Which part of it is its subject.
+    #[cfg_attr(all(test, feature = "cli"), ts(type = "string", optional))]
+    pub mask: Option<Matte>,
     /// Its place in time among the photos.
     pub rank: Option<u64>,
     /// How it is recognised where its file is not at hand.
@@ -189,6 +197,8 @@ impl ProjectFile {
             names.of_word(Arc::make_mut(word));
         }
         present.waiting = waiting.into();
+        let board = Arc::make_mut(&mut present.board);
+        board.order = board.order.iter().map(|id| names.of(id)).collect();
         let mut tray = present.tray.to_vec();
         for item in &mut tray {
             let item = Arc::make_mut(item);
@@ -259,9 +269,11 @@ impl FilePhoto {
         let (id, name) = (fields.name("id", LONGEST_ID)?, fields.name("name", LONGEST_NAME)?);
         let path = fields.name("path", LONGEST_PATH)?;
         let time = fields.take("time").and_then(|time| time.as_f64());
+        let shot = fields.whole("shot", 1, u64::from(u32::MAX)).unwrap_or_default();
         let measured = !matches!(fields.take("measured"), Some(Value::Bool(false)));
         let absent = matches!(fields.take("absent"), Some(Value::Bool(true)));
         let subjects = fields.take("subjects").and_then(|all| items(all, MOST_SUBJECTS).ok());
+        let mask = fields.take("mask").and_then(|mask| text_of(mask, LONGEST_MASK).ok());
         let mut text = |name: &str, most| fields.take(name).and_then(|value| text_of(value, most).ok());
         Ok(Self {
             id,
@@ -271,8 +283,10 @@ impl FilePhoto {
             credit: text("credit", LONGEST_NAME),
             video: text("video", LONGEST_ID),
             time,
+            shot,
             measured,
             subjects: subjects.filter(|subjects| subjects.iter().all(is_subject)),
+            mask: mask.and_then(|mask| Matte::try_from(mask).ok()),
             rank: fields.whole("rank", 0, u64::from(u32::MAX)).unwrap_or_default(),
             like: fields.take("like").and_then(|like| Likeness::read(like).ok()),
             absent,
@@ -293,10 +307,16 @@ impl FilePhoto {
         if let Some(time) = self.time {
             out.key("time").number(time);
         }
+        if let Some(shot) = self.shot {
+            out.key("shot").whole(shot);
+        }
         out.key("measured").flag(self.measured);
         match &self.subjects {
             Some(subjects) => out.key("subjects").list(subjects, &|out, subject| out.value(subject)),
             None => out.key("subjects").null(),
+        }
+        if let Some(mask) = &self.mask {
+            out.key("mask").text(mask.text());
         }
         match self.rank {
             Some(rank) => out.key("rank").whole(rank),

@@ -21,6 +21,7 @@ use super::limits::{
     HISTORY, MOST_LAYOUTS, MOST_PHOTOS, MOST_SHEETS, MOST_SHOWN, MOST_STEPS, MOST_STYLES, MOST_WAITING,
 };
 use super::project::{self, Draft, List, Order, Parts, Project, Sheet, TrayItem};
+use super::shots::Board;
 use super::{Dropped, VERSION, leave_out, own, pages, refusal, version};
 use crate::error::Result;
 use crate::json::{self, Fields, Read, Writer, Wrong, items};
@@ -471,6 +472,12 @@ impl Interner {
         }
         if fresh(&|was| was.styling == state.styling) {
             state.styling.write(out.key("styling"));
+        }
+        // Nothing is told of a board that nobody made.
+        let none = was.is_none_or(|was| *was.board == Board::default()) && *state.board == Board::default();
+        if !none && fresh(&|was| same(&was.board, &state.board)) {
+            let board = out.key("board");
+            if *state.board == Board::default() { board.null() } else { state.board.write(board) }
         }
         if fresh(&|was| was.rest == state.rest) {
             out.rest(&state.rest);

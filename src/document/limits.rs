@@ -53,5 +53,13 @@ pub const MOST_TAGS: usize = 20;
 pub const GREATEST_ID: u64 = 1 << 40;
 /// Pixels of a side of a photo.
 pub const LONGEST_SIDE: u64 = 1_000_000;
+/// Characters of what is told of a shot in one field.
+pub const LONGEST_FIELD: usize = 10_000;
+/// Characters of the number or the scene of a shot, and of the name of a column.
+pub const LONGEST_LABEL: usize = 200;
+/// Columns of one's own.
+pub const MOST_COLUMNS: usize = 12;
+/// Frames of a shot: a day of thirty a second.
+pub const MOST_SHOT_FRAMES: u32 = 24 * 60 * 60 * 30;
 /// Things that were left out and are told.
 pub const MOST_TOLD: usize = 20;

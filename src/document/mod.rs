@@ -23,6 +23,8 @@
 //! | [`subtitles`] | subtitles, and the frames that they go to |
 //! | [`script`] | scripts as people write them |
 //! | [`following`] | words that stay with their photos |
+//! | [`listing`] | the shots of a project file in their order |
+//! | [`shots`] | what is told of photos as shots, and how they are laid out as a board |
 //!
 //! # Fields that are added, and versions
 //!
@@ -46,6 +48,7 @@ pub mod following;
 pub mod history;
 pub mod kept;
 pub mod limits;
+pub mod listing;
 pub mod own;
 pub mod pages;
 pub mod planning;
@@ -54,6 +57,7 @@ pub mod project;
 pub mod saved;
 pub mod script;
 pub mod sheets;
+pub mod shots;
 pub mod speech;
 pub mod spreading;
 pub mod subtitles;

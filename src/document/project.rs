@@ -3,6 +3,7 @@
 //! not undo what was read meanwhile. States of a history share what they have in common.
 
 use super::limits::{GREATEST_ID, LONGEST_ID, LONGEST_NAME, MOST_BLOCKS, MOST_LOVED, MOST_TAGS, MOST_WANTED};
+use super::shots::{Board, Shot};
 use crate::json::{Fields, Read, Writer, Wrong, fields};
 use crate::layout::{PageSettings, Template};
 use crate::page::Document;
@@ -65,6 +66,9 @@ pub struct Project {
     pub loved: Arc<[u64]>,
     /// How a shuffle draws styles.
     pub styling: Styling,
+    /// How the shots are counted, ordered and laid out; not told where it is as in an empty project.
+    #[cfg_attr(all(test, feature = "cli"), ts(as = "Option<Board>", optional = nullable))]
+    pub board: Arc<Board>,
     /// Fields that this program does not know, kept for one that does.
     #[cfg_attr(all(test, feature = "cli"), ts(skip))]
     pub rest: Map<String, Value>,
@@ -85,6 +89,9 @@ pub struct TrayItem {
     /// A person wants to see it large.
     #[cfg_attr(all(test, feature = "cli"), ts(as = "Option<_>", optional))]
     pub starred: bool,
+    /// What is told of it as a shot.
+    #[cfg_attr(all(test, feature = "cli"), ts(as = "Option<_>", optional))]
+    pub shot: Shot,
     /// Fields that this program does not know.
     #[cfg_attr(all(test, feature = "cli"), ts(skip))]
     pub rest: Map<String, Value>,
@@ -227,6 +234,7 @@ impl Default for Project {
             own_layouts: Arc::new([]),
             loved: Arc::new([]),
             styling: Styling::default(),
+            board: Arc::default(),
             rest: Map::new(),
         }
     }
@@ -296,6 +304,9 @@ impl Project {
         if let Some(styling) = fields.part("styling", &mut styling)? {
             state.styling = styling;
         }
+        if let Some(board) = fields.nullable("board").part("board", &mut Board::read)? {
+            state.board = Arc::new(board);
+        }
         state.page = fields.nullable("page").part("page", &mut |value| parts.page(value))?;
         state.draft = fields.nullable("draft").part("draft", &mut |value| parts.draft(value))?;
         state.rest = fields.rest();
@@ -357,7 +368,7 @@ impl TrayItem {
     /// A photo of which nothing was said.
     #[must_use]
     pub fn new(id: String) -> Self {
-        Self { id, used: None, focus: None, starred: false, rest: Map::new() }
+        Self { id, used: None, focus: None, starred: false, shot: Shot::default(), rest: Map::new() }
     }
 
     pub(super) fn read(value: Value) -> Read<Arc<Self>> {
@@ -370,7 +381,8 @@ impl TrayItem {
         };
         let focus = fields.nullable("focus").part("focus", &mut focus)?;
         let starred = fields.flag("starred")?;
-        Ok(Arc::new(Self { id, used, focus, starred, rest: fields.rest() }))
+        let shot = fields.nullable("shot").part("shot", &mut Shot::read)?.unwrap_or_default();
+        Ok(Arc::new(Self { id, used, focus, starred, shot, rest: fields.rest() }))
     }
 
     pub(super) fn write(&self, out: &mut Writer) {
@@ -388,6 +400,9 @@ impl TrayItem {
         }
         if self.starred {
             out.key("starred").flag(true);
+        }
+        if !self.shot.is_empty() {
+            self.shot.write(out.key("shot"));
         }
         out.rest(&self.rest);
         out.close(b'}');

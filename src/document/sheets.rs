@@ -113,6 +113,7 @@ pub(super) fn exchanged(page: &Document, id: &str, by: &str) -> Option<Document>
         if panel.photo.as_deref() == Some(id) {
             panel.photo = Some(by.to_owned());
             panel.faces.clear();
+            panel.figure = None;
         }
     }
     Some(page)
@@ -130,6 +131,7 @@ pub(super) fn without(page: &Document, gone: &dyn Fn(&str) -> bool) -> Option<Do
         if panel.photo.as_deref().is_some_and(gone) {
             (panel.photo, panel.crop, panel.edited) = (None, None, false);
             panel.faces.clear();
+            panel.figure = None;
         }
     }
     Some(page)

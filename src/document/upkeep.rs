@@ -102,6 +102,7 @@ impl Planning<'_> {
                 panel.photo = Some(swap(photo));
                 (panel.crop, panel.edited, panel.locked) = (None, false, false);
                 panel.faces.clear();
+                panel.figure = None;
             }
         }
         // What is said of a photo is said of the one that looks like it, too.

@@ -5,6 +5,7 @@ use serde::{Deserialize, Deserializer, Serialize, Serializer};
 use super::energy::EnergyMap;
 use super::facts::Facts;
 use super::lettering::LETTERING;
+use crate::raster::Matte;
 
 /// The label of a face among the subjects.
 pub const FACE: &str = "face";
@@ -42,6 +43,10 @@ pub struct PhotoMeta {
     #[serde(default, skip_serializing_if = "Option::is_none")]
     #[cfg_attr(all(test, feature = "cli"), ts(type = "string", optional))]
     pub facts: Option<Facts>,
+    /// Which part of it is its subject, once that was looked for.
+    #[serde(default, skip_serializing_if = "Option::is_none", deserialize_with = "mask")]
+    #[cfg_attr(all(test, feature = "cli"), ts(type = "string", optional))]
+    pub mask: Option<Matte>,
     /// Marked by a person as one that matters: it gets the large panel.
     #[serde(default, skip_serializing_if = "std::ops::Not::not")]
     #[cfg_attr(all(test, feature = "cli"), ts(as = "Option<_>", optional))]
@@ -67,6 +72,7 @@ impl PhotoMeta {
             subjects: Vec::new(),
             focus: None,
             facts: None,
+            mask: None,
             starred: false,
             spoken: false,
         }
@@ -83,6 +89,12 @@ impl PhotoMeta {
     pub fn aspect(&self) -> f64 {
         f64::from(self.width.max(1)) / f64::from(self.height.max(1))
     }
+}
+
+/// A mask that is none counts as one that was not made.
+fn mask<'de, D: Deserializer<'de>>(deserializer: D) -> Result<Option<Matte>, D::Error> {
+    let text = Option::<String>::deserialize(deserializer)?;
+    Ok(text.and_then(|text| Matte::try_from(text).ok()))
 }
 
 /// A detected face or object.
@@ -112,8 +124,13 @@ impl Subject {
     /// than what is seen, so that no crop has to hold it whole.
     #[must_use]
     pub fn is_scenery(&self) -> bool {
-        let alive = self.label == FACE || self.label == "person" || ANIMALS.contains(&self.label.as_str());
-        !alive && (self.width * self.height > 0.5 || self.width > 0.9 || self.height > 0.9)
+        !self.is_alive() && (self.width * self.height > 0.5 || self.width > 0.9 || self.height > 0.9)
+    }
+
+    /// Whether it is a face, a person or an animal.
+    #[must_use]
+    pub fn is_alive(&self) -> bool {
+        self.label == FACE || self.label == "person" || ANIMALS.contains(&self.label.as_str())
     }
 
     /// Whether the middle of the other lies in it.

@@ -21,6 +21,8 @@ const DEEPEST: usize = 10;
 const LEAST_STEP: f64 = 0.02;
 /// How much of the page's area base panels may miss or cover twice.
 const TILING: f64 = 1e-6;
+/// The family of sheets of a board, which the program makes: frames in a page that is theirs in part only.
+pub(super) const BOARD: &str = "board";
 const SHARE: RangeInclusive<f64> = 0.01..=100.0;
 const WEIGHT: RangeInclusive<f64> = 0.01..=100.0;
 const ASPECT: RangeInclusive<f64> = 0.1..=10.0;
@@ -35,7 +37,7 @@ pub(super) fn template(file: &str, value: &Value) -> Result<Template> {
     let name = root.required("name")?.text(60)?.to_owned();
     let family = family(&root.required("family")?)?;
     let aspect = root.required("aspect")?.number(ASPECT)?;
-    let body = body(&root)?;
+    let body = body(&root, family == BOARD)?;
     let cells = base_cells(&body);
     let order = match root.get("order") {
         Some(field) => permutation(&field, cells.len())?,
@@ -70,13 +72,13 @@ fn identifier(field: &Field) -> Result<String> {
 
 fn family(field: &Field) -> Result<String> {
     let family = field.text(40)?;
-    if FAMILIES.contains(&family) {
+    if FAMILIES.contains(&family) || family == BOARD {
         return Ok(family.to_owned());
     }
     Err(field.error(format!("must be one of {}", FAMILIES.join(", "))))
 }
 
-fn body(root: &Field) -> Result<Body> {
+fn body(root: &Field, loose: bool) -> Result<Body> {
     match (root.get("tree"), root.get("polygons")) {
         (Some(tree), None) => {
             let node = node(&tree, 0)?;
@@ -85,7 +87,7 @@ fn body(root: &Field) -> Result<Body> {
             }
             Ok(Body::Tree(node))
         }
-        (None, Some(polygons)) => Ok(Body::Polygons(tiling(&polygons)?)),
+        (None, Some(polygons)) => Ok(Body::Polygons(tiling(&polygons, loose)?)),
         (Some(_), Some(polygons)) => {
             Err(polygons.error("cannot stand beside tree; a layout has one of them"))
         }
@@ -138,7 +140,8 @@ fn check_cuts(field: &Field, split: &Split) -> Result<()> {
     Ok(())
 }
 
-fn tiling(field: &Field) -> Result<Vec<Vec<Point>>> {
+/// `loose`: they need not cover the page.
+fn tiling(field: &Field, loose: bool) -> Result<Vec<Vec<Point>>> {
     let fields = field.list(1..=MOST_PANELS)?;
     let polygons = fields.iter().map(convex_polygon).collect::<Result<Vec<_>>>()?;
     for (i, second) in polygons.iter().enumerate() {
@@ -150,7 +153,7 @@ fn tiling(field: &Field) -> Result<Vec<Vec<Point>>> {
         }
     }
     let total: f64 = polygons.iter().map(|polygon| area(polygon)).sum();
-    if (total - 1.0).abs() > TILING {
+    if !loose && (total - 1.0).abs() > TILING {
         return Err(field.error(format!("must tile the page: their areas add up to {total:.7}, not 1")));
     }
     Ok(polygons)

@@ -10,11 +10,14 @@
 //! | [`html`] | one page of HTML that opens anywhere, with a reader in it |
 //! | [`epub`] | an EPUB 3 book of fixed layout |
 //! | [`cbz`] | a comic archive with `ComicInfo.xml` and ACBF |
+//! | [`board`] | sheets of a board, as pages |
+//! | [`shots`] | the shots of a board as lists that spreadsheets and cutting rooms read |
 //! | `markup` | text in XML and HTML |
 //!
 //! No picture passes through here: a page at print size has megabytes, which the browser keeps as Blobs. What is written names
 //! the picture that belongs in a place, and whoever asked puts it there.
 
+pub mod board;
 pub mod cbz;
 pub mod comic;
 pub mod describing;
@@ -22,6 +25,7 @@ pub mod epub;
 pub mod html;
 mod markup;
 pub mod phrases;
+pub mod shots;
 pub mod telling;
 
 pub use comic::{Comic, ComicPage, File, PictureKind, Piece};

@@ -4,14 +4,16 @@
 //! over the paper colour gives the page; the browser does that on a canvas, [`Sheet`] does it for files.
 
 use super::bleed;
+use super::breaking::{self, Around, Edges};
 use super::mask::{self, PixelRect};
 use super::scene::{Scene, ScenePanel};
 use crate::error::{Error, Result};
 use crate::framing::Crop;
-use crate::layout::Bounds;
-use crate::raster::Image;
+use crate::layout::{Bounds, Point};
 use crate::raster::enlarge::enlarged;
+use crate::raster::guided::{refined, softened};
 use crate::raster::resize::{Region, resample_image};
+use crate::raster::{Image, Matte};
 use crate::style::faces::FaceBox;
 use crate::style::{Context, stylize};
 
@@ -38,6 +40,9 @@ pub fn render_panel(
         location: format!("panels[{index}]"),
         reason: "there is no such panel".into(),
     })?;
+    if let Some((matte, around)) = &panel.figure {
+        return render_figure(scene, panel, photo, (matte, around), context);
+    }
     let area = panel.area;
     let mut rgba = vec![0; area.width * area.height * 4];
     let inside = mask::inside(&panel.shape, scene.corner_radius, area);
@@ -45,7 +50,8 @@ pub fn render_panel(
     match photo {
         Some(photo) => {
             context.set_scale(scene.scale);
-            let (image, at) = panel_image(panel, photo, scene, context)?;
+            let (image, region, at) = panel_photo(scene, panel, photo);
+            let image = drawn(&image, (panel, photo, region, at), scene, context)?;
             fill_image(&mut rgba, area, &image, at);
         }
         None => rgba.chunks_exact_mut(4).for_each(|pixel| pixel[..3].copy_from_slice(&EMPTY)),
@@ -67,14 +73,69 @@ pub fn render_panel(
 /// Gray of a panel that has no photo yet.
 pub(super) const EMPTY: [u8; 3] = [226, 226, 228];
 
-/// The stylised image of a panel and the place of its first pixel. The image of a merged group is stylised as
-/// a whole, so that tones agree across the gutter, and then cut.
-fn panel_image(
-    panel: &ScenePanel,
-    photo: &Image,
+/// The figure of a panel that steps out of it, in the panel's style, with a thin line of paper about it outside of the panel. It
+/// is cut off at the edges that it may not cross.
+fn render_figure(
     scene: &Scene,
+    panel: &ScenePanel,
+    photo: Option<&Image>,
+    (matte, around): (&Matte, &Around),
     context: &mut Context<'_>,
-) -> Result<(Image, PixelRect)> {
+) -> Result<Patch> {
+    let figure = breaking::figure(panel, matte.plane(), around);
+    let (Some(figure), Some(photo)) = (figure, photo) else {
+        let area = PixelRect { x: panel.area.x, y: panel.area.y, width: 1, height: 1 };
+        return Ok(Patch { area, rgba: vec![0; 4] });
+    };
+    context.set_scale(scene.scale);
+    let line = scene.border.max(OUTLINE * scene.width as f64);
+    let wide = breaking::widened_panel(panel, figure.outside, 2.0 * line + 2.0);
+    let (image, region, area) = panel_photo(scene, &wide, photo);
+    let of_mask = |at: f64, photo: usize, mask: usize| at / photo as f64 * mask as f64;
+    let shares = &figure.shares;
+    let region_of_mask = Region {
+        x: of_mask(region.x, photo.width(), shares.width()),
+        y: of_mask(region.y, photo.height(), shares.height()),
+        width: of_mask(region.width, photo.width(), shares.width()),
+        height: of_mask(region.height, photo.height(), shares.height()),
+    };
+    let mut alpha = refined(shares, region_of_mask, &image, scene.scale);
+    let edges = Edges::of(&panel.shape);
+    let closed: Vec<usize> = (0..figure.closed.len()).filter(|edge| figure.closed[*edge]).collect();
+    for y in 0..area.height {
+        for (x, share) in alpha.row_mut(y).iter_mut().enumerate() {
+            let point = Point::new(area.x as f64 + x as f64 + 0.5, area.y as f64 + y as f64 + 0.5);
+            for &edge in &closed {
+                // On this side of the border, of which nothing is covered.
+                let open = 0.5 - scene.border / 2.0 - edges.beyond(edge, point);
+                *share = (f64::from(*share) * open.clamp(0.0, 1.0)) as u8;
+            }
+        }
+    }
+    let inside = mask::inside(&panel.shape, scene.corner_radius, area);
+    let ring = softened(&alpha, line.ceil() as usize);
+    let image = drawn(&image, (&wide, photo, region, area), scene, context)?;
+    let mut rgba = vec![0; area.width * area.height * 4];
+    fill_image(&mut rgba, area, &image, area);
+    let shares = alpha.samples().iter().zip(ring.samples()).zip(&inside);
+    for (pixel, ((&alpha, &ring), &inside)) in rgba.chunks_exact_mut(4).zip(shares) {
+        pixel[3] = alpha;
+        // Most of the line is as thick as it is, and its rim soft.
+        let paper = (u32::from(ring) * RING).min(255) * u32::from(255 - inside) / 255;
+        if paper > 0 && alpha < 255 {
+            lay_under(pixel, &[paper as u8], scene.paper);
+        }
+    }
+    Ok(Patch { area, rgba })
+}
+
+/// The line of paper about a figure is as wide as the border, and at least this in page widths.
+const OUTLINE: f64 = 0.002;
+/// The mean share of a figure within the line's width is half at its edge, and falls to nothing.
+const RING: u32 = 5;
+
+/// The part of a photo that a panel shows, at the page's size; its place on the photo, and the place of its pixels.
+fn panel_photo(scene: &Scene, panel: &ScenePanel, photo: &Image) -> (Image, Region, PixelRect) {
     let at = PixelRect::around(panel.image_bounds, 0.0);
     let Bounds { x, y, width, height } = panel.image_bounds;
     let (photo_width, photo_height) = (photo.width() as f64, photo.height() as f64);
@@ -113,9 +174,20 @@ fn panel_image(
         resample_image(photo, region, inner.width, inner.height)
     };
     let image = if inner == at { image } else { bleed::mirrored(&image, (before, above), at) };
+    (image, region, at)
+}
+
+/// The stylised image of a panel. That of a merged group is stylised as a whole, so that tones agree across the gutter, and
+/// then cut.
+fn drawn(
+    image: &Image,
+    (panel, photo, region, at): (&ScenePanel, &Image, Region, PixelRect),
+    scene: &Scene,
+    context: &mut Context<'_>,
+) -> Result<Image> {
     context.check_cancelled()?;
-    context.show_faces(faces_in(panel, (photo_width, photo_height), region, at));
-    Ok((stylize(&image, &scene.style, context)?, at))
+    context.show_faces(faces_in(panel, (photo.width() as f64, photo.height() as f64), region, at));
+    stylize(image, &scene.style, context)
 }
 
 /// The faces of a panel's photo in pixels of its image.

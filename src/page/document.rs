@@ -6,6 +6,8 @@ use crate::error::{Error, Result};
 use crate::framing::Crop;
 use crate::json::{Fields, Read, Writer, Wrong, each, fields, items};
 use crate::layout::{self, PageSettings, Template};
+use crate::raster::Matte;
+use crate::raster::matte::MOST_TEXT as LONGEST_MASK;
 use crate::style::{Style, catalogue, earlier};
 use serde::{Deserialize, Deserializer};
 use serde_json::{Map, Value};
@@ -85,6 +87,9 @@ pub struct PanelContent {
     /// Faces of the photo, in fractions of it, which the style takes care of. Pages of before have none, and look as they did.
     #[cfg_attr(all(test, feature = "cli"), ts(as = "Option<Vec<Crop>>", optional))]
     pub faces: Vec<Crop>,
+    /// The subject of the photo, which steps out of the panel where there is room; none, and nothing does.
+    #[cfg_attr(all(test, feature = "cli"), ts(type = "string", optional))]
+    pub figure: Option<Matte>,
     /// Kept by every shuffle.
     #[cfg_attr(all(test, feature = "cli"), ts(as = "Option<_>", optional))]
     pub locked: bool,
@@ -206,6 +211,13 @@ impl Document {
         style_of(&self.style)
     }
 
+    /// Whether the figure of a panel is to step out of it.
+    #[must_use]
+    pub fn breaks_frame(&self, index: usize) -> bool {
+        self.panels.get(index).is_some_and(|panel| panel.figure.is_some() && panel.photo.is_some())
+            && self.merge_of(index).is_none()
+    }
+
     /// The group of panels that panel `index` is merged into, itself among them.
     #[must_use]
     pub fn merge_of(&self, index: usize) -> Option<&[usize]> {
@@ -218,7 +230,9 @@ impl PanelContent {
         let mut fields = Fields::of(value)?;
         let crop = fields.nullable("crop").part("crop", &mut read_crop)?;
         let faces = fields.each("faces", MOST_FACES, &read_face)?;
+        let figure = fields.text("figure", LONGEST_MASK)?.map(Matte::try_from).transpose();
         Ok(Self {
+            figure: figure.map_err(|reason| Wrong::new(reason).at("figure"))?,
             photo: fields.nullable("photo").text("photo", LONGEST_ID)?,
             crop,
             faces,
@@ -237,6 +251,9 @@ impl PanelContent {
         out.key("crop").put(&self.crop);
         if !self.faces.is_empty() {
             out.key("faces").list(&self.faces, &|out, face| out.put(face));
+        }
+        if let Some(figure) = &self.figure {
+            out.key("figure").text(figure.text());
         }
         out.key("locked").flag(self.locked);
         out.key("edited").flag(self.edited);

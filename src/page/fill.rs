@@ -2,7 +2,8 @@
 
 use super::document::{Document, MOST_FACES, PanelContent};
 use super::request::Request;
-use crate::framing::{Crop, FACE, PhotoMeta};
+use crate::framing::{Crop, FACE, PhotoMeta, Target, frame};
+use crate::json::Writer;
 use crate::layout::{FAMILIES, ResolvedPanel, Template, resolve};
 use crate::order::sort_by;
 use crate::plan::slots::slot;
@@ -75,6 +76,9 @@ pub(super) fn contents(
         let stays = |panel: &&PanelContent| request.keep.photos || panel.locked;
         before(i).filter(stays).is_some_and(|p| p.edited && p.photo.as_deref() == Some(photo))
     };
+    let stays_broken = |i: usize| {
+        before(i).is_some_and(|panel| panel.figure.is_some() && (request.keep.photos || panel.locked))
+    };
     let panels: Vec<PanelContent> = (0..stage.panels)
         .map(|i| {
             let head = heads.iter().position(|&head| head == leader_of(merges, i));
@@ -83,6 +87,8 @@ pub(super) fn contents(
                 photo: assigned.map(|a| photos[a.photo].id.clone()),
                 crop: assigned.map(|a| a.crop),
                 faces: assigned.map_or_else(Vec::new, |a| faces_of(&photos[a.photo])),
+                // Whatever photo is here now, the mask is its own.
+                figure: assigned.filter(|_| stays_broken(i)).and_then(|a| photos[a.photo].mask.clone()),
                 // An empty panel may be locked too.
                 locked: head.is_some_and(|head| locked[head]) || before(i).is_some_and(|panel| panel.locked),
                 edited: assigned.is_some_and(|a| edited(leader_of(merges, i), &photos[a.photo].id)),
@@ -91,6 +97,24 @@ pub(super) fn contents(
         })
         .collect();
     (order_of(&panels, current, photos), panels)
+}
+
+/// What frames of an aspect show of photos, in JSON: of each `{photo, crop, faces}`.
+#[must_use]
+pub fn framed_json<'p>(photos: impl Iterator<Item = &'p PhotoMeta>, aspect: f64) -> String {
+    let target = Target::of_aspect(aspect.clamp(0.05, 20.0));
+    let mut out = Writer::default();
+    out.open(b'[');
+    for photo in photos {
+        out.item();
+        out.open(b'{');
+        out.key("photo").text(&photo.id);
+        out.key("crop").put(&frame(photo, &target, 0));
+        out.key("faces").list(&faces_of(photo), &|out, face| out.put(face));
+        out.close(b'}');
+    }
+    out.close(b']');
+    out.finish()
 }
 
 /// The faces of a photo, the largest first.

@@ -151,6 +151,7 @@ fn described(id: &str, work: Image, facts: Facts) -> Imported {
         subjects: framing::lettering(&small),
         focus: None,
         facts: Some(framing::Facts::of(&small)),
+        mask: None,
         starred: false,
         spoken: false,
     };

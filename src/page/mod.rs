@@ -15,8 +15,10 @@
 //! | [`scene`] | a document resolved to pixels of one size |
 //! | [`mask`] | the inside of a panel and its border |
 //! | `bleed` | panels that go on beyond the edge of a page that is cut |
+//! | [`breaking`] | figures that step out of their panels |
 //! | [`coverage`] | exact area coverage of pixels |
 //! | [`compose`] | panels rendered to patches, patches laid on paper |
+//! | [`cutout`] | the subject of a photo alone |
 //! | [`words`] | captions, balloons and sound effects, laid on the panels |
 //! | [`png`] | the file that people download |
 //! | [`jpeg`] | the smaller one |
@@ -26,12 +28,14 @@
 //! | [`pdf`] | pages as lines, text and pictures |
 
 mod bleed;
+pub mod breaking;
 pub mod carrying;
 pub mod catalogue;
 pub mod compose;
 pub mod coverage;
+pub mod cutout;
 pub mod document;
-mod fill;
+pub mod fill;
 pub mod import;
 pub mod jpeg;
 pub mod layouts;

@@ -2,6 +2,7 @@
 
 use super::compose::Sheet;
 use crate::error::{Error, Result};
+use crate::raster::Plane;
 use png::{BitDepth, ColorType, Compression, Encoder, PixelDimensions, SrgbRenderingIntent, Unit};
 
 /// Encodes a page as an 8-bit RGB PNG that says its resolution and that its colours are sRGB.
@@ -17,10 +18,30 @@ pub fn encode(sheet: &Sheet, dpi: u32) -> Result<Vec<u8>> {
 /// # Errors
 /// `encode` when `rgb` does not hold `3 * width * height` bytes.
 pub fn encode_rgb(width: usize, height: usize, rgb: &[u8], dpi: u32) -> Result<Vec<u8>> {
+    encoded((width, height), ColorType::Rgb, rgb, dpi)
+}
+
+/// Encodes a plane as a gray PNG.
+///
+/// # Errors
+/// As [`encode_rgb`].
+pub fn encode_gray(plane: &Plane) -> Result<Vec<u8>> {
+    encoded((plane.width(), plane.height()), ColorType::Grayscale, plane.samples(), 72)
+}
+
+/// Encodes interleaved RGBA with straight alpha.
+///
+/// # Errors
+/// As [`encode_rgb`].
+pub fn encode_rgba(width: usize, height: usize, rgba: &[u8]) -> Result<Vec<u8>> {
+    encoded((width, height), ColorType::Rgba, rgba, 72)
+}
+
+fn encoded((width, height): (usize, usize), color: ColorType, samples: &[u8], dpi: u32) -> Result<Vec<u8>> {
     let failed = |error: png::EncodingError| Error::Encode(error.to_string());
     let mut bytes = Vec::new();
     let mut encoder = Encoder::new(&mut bytes, width as u32, height as u32);
-    encoder.set_color(ColorType::Rgb);
+    encoder.set_color(color);
     encoder.set_depth(BitDepth::Eight);
     encoder.set_source_srgb(SrgbRenderingIntent::Perceptual);
     // A person waits for it: a few per cent of size are not worth ten times the time.
@@ -28,7 +49,7 @@ pub fn encode_rgb(width: usize, height: usize, rgb: &[u8], dpi: u32) -> Result<V
     let per_metre = (f64::from(dpi) / 0.0254).round() as u32;
     encoder.set_pixel_dims(Some(PixelDimensions { xppu: per_metre, yppu: per_metre, unit: Unit::Meter }));
     let mut writer = encoder.write_header().map_err(failed)?;
-    writer.write_image_data(rgb).map_err(failed)?;
+    writer.write_image_data(samples).map_err(failed)?;
     writer.finish().map_err(failed)?;
     Ok(bytes)
 }

@@ -56,6 +56,10 @@ pub struct Request {
     /// Exactly these groups of panels share one image each.
     #[serde(default)]
     pub merges: Option<Vec<Vec<usize>>>,
+    /// Whether a figure steps out of its panel, where the masks of the photos are there and one can: always, never, or, where nothing
+    /// is said, by chance.
+    #[serde(default)]
+    pub figures: Option<bool>,
     /// What the person liked so far.
     #[serde(default)]
     #[cfg_attr(all(test, feature = "cli"), ts(as = "Option<_>", optional))]

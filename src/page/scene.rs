@@ -2,11 +2,13 @@
 //! about.
 
 use super::bleed;
+use super::breaking::{self, Around};
 use super::document::Document;
 use super::mask::PixelRect;
 use crate::error::{Error, Result};
 use crate::framing::Crop;
 use crate::layout::{self, Bounds, COARSE, Point, ResolvedPanel, ResolvedShape, Template};
+use crate::raster::Matte;
 use crate::style::Style;
 use crate::style::context::scale_of;
 use std::borrow::Cow;
@@ -23,7 +25,7 @@ pub struct Scene {
     pub width: usize,
     /// Height of the page in pixels.
     pub height: usize,
-    /// Panels in paint order.
+    /// Panels in paint order; behind them a second time those whose figure steps out, for the figure alone.
     pub panels: Vec<ScenePanel>,
     /// The style of all panels.
     pub style: Cow<'static, Style>,
@@ -43,6 +45,7 @@ pub struct Scene {
 }
 
 /// One panel in pixels.
+#[derive(Clone)]
 pub struct ScenePanel {
     /// Its shape in page pixels.
     pub shape: ResolvedShape,
@@ -58,6 +61,8 @@ pub struct ScenePanel {
     pub crop: Crop,
     /// Faces of the photo, in fractions of it.
     pub faces: Vec<Crop>,
+    /// Of a figure that steps out of the panel, which is all that is drawn then: the subject, and what it has to leave alone.
+    pub figure: Option<(Matte, Around)>,
 }
 
 impl Scene {
@@ -70,7 +75,8 @@ impl Scene {
         let page = &document.page;
         let template = document.template()?;
         let (width, height) = size(document, width)?;
-        let panels = panels(document, &template, (width, height))?;
+        let mut panels = panels(document, &template, (width, height))?;
+        panels.extend(figures(document, &panels, (width, height)));
         let base = template.base_count().max(1);
         Ok(Self {
             width,
@@ -147,9 +153,24 @@ pub(super) fn panels(
             photo: document.panels[leader].photo.clone(),
             crop: if image_bounds == shown { crop } else { bleed::widened(crop, shown, image_bounds) },
             faces: document.panels[leader].faces.clone(),
+            figure: None,
         }
     };
     Ok(resolved.into_iter().enumerate().zip(further).map(panel).collect())
+}
+
+/// The panels whose figures step out, in their order. Panels that share an image have none.
+fn figures(document: &Document, panels: &[ScenePanel], size: (usize, usize)) -> Vec<ScenePanel> {
+    let broken: Vec<usize> = (0..panels.len()).filter(|&i| document.breaks_frame(i)).collect();
+    if broken.is_empty() {
+        return Vec::new();
+    }
+    let around = breaking::around(document, panels, size);
+    let figure = |i: usize| {
+        let matte = document.panels[i].figure.clone()?;
+        Some(ScenePanel { figure: Some((matte, around[i].clone())), ..panels[i].clone() })
+    };
+    broken.into_iter().filter_map(figure).collect()
 }
 
 /// The shapes of panels that end at the edge of a page with bleed: they go on beyond it.

@@ -1,5 +1,6 @@
 //! A new document from photos, locks and a seed: the pure function behind every shuffle, choice and refinement.
 
+use super::breaking;
 use super::carrying::{carried, tied};
 use super::document::{Document, VERSION, style_of, template_of};
 use super::fill::{Stage, contents};
@@ -67,7 +68,7 @@ pub fn planned(request: &Request, shelf: &Shelf) -> Result<Planned> {
     let known =
         |current: &Document| current.words.iter().map(|word| tied(word, &current.panels)).collect::<Vec<_>>();
     let (words, _) = carried(&current.map(known).unwrap_or_default(), &panels);
-    let document = Document {
+    let mut document = Document {
         version: VERSION,
         seed: request.seed,
         layout: stage.layout.clone(),
@@ -79,6 +80,10 @@ pub fn planned(request: &Request, shelf: &Shelf) -> Result<Planned> {
         words,
         rest: current.map(|current| current.rest.clone()).unwrap_or_default(),
     };
+    // What stays on the page stays as it is.
+    if !request.keep.photos {
+        breaking::by_chance(&mut document, &request.photos, request.figures)?;
+    }
     Ok(Planned { document, score: plan.score })
 }
 

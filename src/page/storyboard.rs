@@ -28,7 +28,8 @@ pub struct Choice {
 pub fn chosen(names: &[&str], photos: &[&Imported], choice: Choice) -> (Vec<PhotoMeta>, Vec<Verdict>) {
     let measures: Vec<Measures> = photos.iter().map(|photo| photo.measures.clone()).collect();
     let usual = select::Settings::default().threshold;
-    let settings = select::Settings { threshold: choice.alike.unwrap_or(usual) };
+    let settings =
+        select::Settings { threshold: choice.alike.unwrap_or(usual), ..select::Settings::default() };
     let mut verdicts = select::choose(names, &measures, &settings);
     for verdict in &mut verdicts {
         verdict.kept |= choice.keep_all;

@@ -9,14 +9,21 @@ use super::fingerprint::distance;
 /// comes back later in a video or an album is found too.
 #[must_use]
 pub fn leaders(fingerprints: &[u64], threshold: u32) -> Vec<usize> {
-    let mut leaders: Vec<u64> = Vec::new();
+    leaders_by(fingerprints, &|_, _| threshold)
+}
+
+/// The same where each pair, by their places, has a threshold of its own.
+#[must_use]
+pub fn leaders_by(fingerprints: &[u64], threshold: &dyn Fn(usize, usize) -> u32) -> Vec<usize> {
+    let mut leaders: Vec<usize> = Vec::new();
     let mut groups = Vec::with_capacity(fingerprints.len());
-    for &fingerprint in fingerprints {
-        let nearest = (0..leaders.len()).min_by_key(|&group| distance(leaders[group], fingerprint));
-        let group = nearest.filter(|&group| distance(leaders[group], fingerprint) <= threshold);
+    for (i, &fingerprint) in fingerprints.iter().enumerate() {
+        let far = |group: usize| distance(fingerprints[leaders[group]], fingerprint);
+        let near = (0..leaders.len()).filter(|&group| far(group) <= threshold(leaders[group], i));
+        let group = near.min_by_key(|&group| far(group));
         groups.push(group.unwrap_or(leaders.len()));
         if group.is_none() {
-            leaders.push(fingerprint);
+            leaders.push(i);
         }
     }
     groups

@@ -1,13 +1,15 @@
 //! Selection: which of many photos are worth a panel.
 //!
 //! Photos that show the same are found by their [`fingerprint`] and put into [`groups`]; of each group the
-//! one with the best [`sharpness`] is kept, unless it is blurred; the [`verdict`] says why. Frames of a video
-//! are photos like others, taken by uniform [`sampling`].
+//! one with the best [`sharpness`] is kept, unless it is blurred; the [`verdict`] says why. Frames of a film
+//! are photos, too: a [`look`] at many of them finds its [`shots`], and of these the [`stills`] that stand for it.
 
 pub mod fingerprint;
 pub mod groups;
-pub mod sampling;
+pub mod look;
 pub mod sharpness;
+pub mod shots;
+pub mod stills;
 pub mod verdict;
 
 pub use verdict::{Settings, THRESHOLD, THRESHOLDS, Verdict, choose};

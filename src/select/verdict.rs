@@ -1,7 +1,8 @@
 //! Which photos are kept, and why.
 
 use super::Measures;
-use super::groups::leaders;
+use super::fingerprint::distance;
+use super::groups::leaders_by;
 use crate::order::sort_by;
 
 /// Below this part of the album's median [`laplacian`](super::sharpness::laplacian) a photo counts as blurred.
@@ -17,16 +18,30 @@ pub const THRESHOLD: u32 = 10;
 /// The strictest and the loosest that make sense.
 pub const THRESHOLDS: [u32; 2] = [4, 16];
 
+/// Frames of one film look alike within this part of the threshold: they were chosen for what is different in them, and what
+/// moves in a film is often small.
+const OF_A_FILM: u32 = 4;
+/// Frames of a film that are kept at least, as long as no two are the same: a page has so many panels.
+const FEWEST_OF_FILM: usize = 8;
+
 /// How photos are chosen.
 #[derive(Debug, Clone)]
 pub struct Settings {
     /// Largest distance of two fingerprints of the same picture; see [`THRESHOLDS`].
     pub threshold: u32,
+    /// For each photo the number of the film that it is a frame of; empty where there is no film.
+    pub films: Vec<Option<usize>>,
 }
 
 impl Default for Settings {
     fn default() -> Self {
-        Self { threshold: THRESHOLD }
+        Self { threshold: THRESHOLD, films: Vec::new() }
+    }
+}
+
+impl Settings {
+    fn film(&self, photo: usize) -> Option<usize> {
+        self.films.get(photo).copied().flatten()
     }
 }
 
@@ -46,7 +61,11 @@ pub struct Verdict {
 #[must_use]
 pub fn choose(names: &[&str], measures: &[Measures], settings: &Settings) -> Vec<Verdict> {
     let fingerprints: Vec<u64> = measures.iter().map(|measure| measure.fingerprint).collect();
-    let groups = leaders(&fingerprints, settings.threshold);
+    let threshold = |a: usize, b: usize| {
+        let same = settings.film(a).is_some_and(|film| settings.film(b) == Some(film));
+        if same { settings.threshold / OF_A_FILM } else { settings.threshold }
+    };
+    let groups = leaders_by(&fingerprints, &threshold);
     let count = groups.iter().max().map_or(0, |most| most + 1);
     let floor = blur_floor(measures);
     // What is not blurred goes before what is, whatever the gradient of noise says.
@@ -72,7 +91,31 @@ pub fn choose(names: &[&str], measures: &[Measures], settings: &Settings) -> Vec
         };
         Verdict { group, kept, why }
     };
-    groups.iter().enumerate().map(|(i, &group)| verdict(i, group)).collect()
+    let mut verdicts: Vec<Verdict> = groups.iter().enumerate().map(|(i, &group)| verdict(i, group)).collect();
+    keep_some_of_films(&mut verdicts, measures, settings);
+    verdicts
+}
+
+/// Frames of a film of which hardly any is kept are used all the same, those first that differ most from what is kept.
+fn keep_some_of_films(verdicts: &mut [Verdict], measures: &[Measures], settings: &Settings) {
+    let floor = blur_floor(measures);
+    let count = settings.films.iter().flatten().max().map_or(0, |most| most + 1);
+    for film in 0..count {
+        let frames = || (0..measures.len()).filter(|&i| settings.film(i) == Some(film));
+        loop {
+            let kept: Vec<usize> = frames().filter(|&i| verdicts[i].kept).collect();
+            let apart = |i: usize| {
+                let from = |&other: &usize| distance(measures[other].fingerprint, measures[i].fingerprint);
+                kept.iter().map(from).min().unwrap_or(64)
+            };
+            let other = |i: &usize| kept.iter().all(|&other| measures[other] != measures[*i]);
+            let sharp = |i: &usize| measures[*i].laplacian >= floor && !verdicts[*i].kept;
+            let next = frames().filter(sharp).filter(other).max_by_key(|&i| (apart(i), usize::MAX - i));
+            let Some(next) = next.filter(|_| kept.len() < FEWEST_OF_FILM) else { break };
+            verdicts[next].kept = true;
+            "one of the film".clone_into(&mut verdicts[next].why);
+        }
+    }
 }
 
 /// The Laplacian below which a photo of this album counts as blurred.
@@ -124,6 +167,25 @@ mod tests {
         assert!(choose(&[""; 4], &flat, &Settings::default()).iter().all(|verdict| verdict.kept));
     }
 
+    #[test]
+    fn frames_of_a_film_are_judged_apart_and_some_are_always_kept() {
+        let far = |bits: u64, sharp: f32| photo(bits, sharp, 900.0);
+        // Four frames of two films and a photo, five bits apart or less.
+        let measures = [far(0, 1.0), far(0b11111, 2.0), far(0b1, 3.0), far(0b111, 4.0), far(0b1111, 5.0)];
+        let films = vec![Some(0), Some(0), Some(1), Some(1), None];
+        let kept = |films: Vec<Option<usize>>| -> Vec<bool> {
+            let settings = Settings { films, ..Settings::default() };
+            choose(&[""; 5], &measures, &settings).iter().map(|verdict| verdict.kept).collect()
+        };
+        assert_eq!(kept(Vec::new()), [false, false, false, false, true], "photos are the same picture");
+        assert!(kept(films)[..2].iter().all(|&kept| kept), "five bits are another picture of a film");
+        // A film of one picture that hardly moves: all that differ at all are kept, up to a page of them.
+        let still: Vec<Measures> = (0..12).map(|i| far(0, 1.0 + (i / 2) as f32)).collect();
+        let settings = Settings { films: vec![Some(0); 12], ..Settings::default() };
+        let verdicts = choose(&[""; 12], &still, &settings);
+        assert_eq!(verdicts.iter().filter(|verdict| verdict.kept).count(), 6, "no two are the same");
+    }
+
     proptest! {
         #[test]
         fn every_group_keeps_one_or_is_blurred_and_something_is_always_kept(
@@ -131,7 +193,7 @@ mod tests {
         ) {
             let measures: Vec<_> = photos.into_iter().map(|(f, g, l)| photo(f, g, l)).collect();
             let names = vec!["x"; measures.len()];
-            let verdicts = choose(&names, &measures, &Settings { threshold });
+            let verdicts = choose(&names, &measures, &Settings { threshold, ..Settings::default() });
             prop_assert_eq!(verdicts.len(), measures.len());
             prop_assert!(verdicts.iter().any(|verdict| verdict.kept));
             for group in 0..=verdicts.iter().map(|verdict| verdict.group).max().unwrap() {

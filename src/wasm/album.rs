@@ -6,6 +6,7 @@ use super::{parse, thrown};
 use crate::document::planning::{Known, planned_of};
 use crate::error::{Error, Result};
 use crate::framing::PhotoMeta;
+use crate::page::fill::framed_json;
 use crate::plan::prepared::Place;
 use std::collections::{HashMap, HashSet};
 use wasm_bindgen::prelude::*;
@@ -61,6 +62,18 @@ impl Album {
             Ok(planned_of(parse_request(request)?, &self.known(&ids)?)?.to_json())
         };
         plan().map_err(thrown)
+    }
+}
+
+#[wasm_bindgen]
+impl Album {
+    /// What frames of an aspect show of photos, `ids` as JSON: of each `{photo, crop, faces}`.
+    pub fn frames(&self, ids: &str, aspect: f64) -> std::result::Result<String, JsValue> {
+        let framed = || -> Result<String> {
+            let ids: Vec<String> = parse(ids, "photos")?;
+            Ok(framed_json(self.known(&ids)?.iter().map(|known| known.meta), aspect))
+        };
+        framed().map_err(thrown)
     }
 }
 

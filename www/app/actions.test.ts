@@ -76,9 +76,9 @@ test('the list of keys has the keys that people know, in their order', async () 
   expect(lines.filter((line) => known.has(String(line)))).toEqual(HELP);
 });
 
-/** What needs a browser, a film, the letters or the real core. */
+/** What needs a browser, a film, the letters, the nets or the real core. */
 const ELSEWHERE =
-  /^(page\.acceptCrops|photos\.add|layouts\.(save|forget)|panels\.(save|earlier|later|zoom|fit|reset|cut|slant)|words|designer|explorer|imitation\.edit|styles|download\.download)/;
+  /^(page\.acceptCrops|photos\.add|layouts\.(save|forget)|panels\.(save|breakFrame|earlier|later|zoom|fit|reset|cut|slant)|words|designer|explorer|imitation\.edit|styles|download\.download)/;
 /** They are the undo itself. */
 const WALKS = ['page.undo', 'page.redo'];
 

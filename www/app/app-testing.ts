@@ -46,6 +46,7 @@ export async function fakeParts(): Promise<Parts> {
     designer,
     ownStyles,
     crops: { offered: signal(null), accept: () => {} },
+    masks: { there: signal(false), progress: signal(null), settled: signal(true) },
     book: createBook({ store, pages, messages }),
     shownPages: createShownPages({ store, pages }),
     merging: createMerging({ store, pages, selection }),
@@ -57,7 +58,7 @@ export async function fakeParts(): Promise<Parts> {
     ownLayouts: createOwnLayouts({ store, pages, messages }),
     explorer: createExplorer({ store, engine, messages, ownStyles, seed: () => 1, judged: false }),
     imitation: createImitation({ store, engine, messages, ui, seed: () => 1, freshId: () => 'mine' }),
-    download: createDownload({ store, pages, engine, messages, pageFiles: {} as any }),
+    download: createDownload({ store, pages, engine, messages, pageFiles: {} as any, shotList: () => ({}) as any }),
   };
   await reading.addFiles(files(...PHOTOS));
   return parts as any;

@@ -1,3 +1,4 @@
+import { LazyBoards } from '../boards/board-switch.tsx';
 import { strings } from '../strings/strings.ts';
 import { Board } from './board.tsx';
 import { useApp } from '../ui/context.ts';
@@ -68,6 +69,7 @@ function Everything() {
       {!empty && ui.work.value === 'explorer' && <Explorer />}
       {!empty && ui.work.value === 'imitation' && <ImitationScreen />}
       {!empty && ui.work.value === 'pages' && <PagesWall />}
+      {!empty && ui.work.value === 'boards' && <LazyBoards />}
       {projects && <Projects />}
       <Toasts />
       {dialog === 'help' && <HelpDialog />}

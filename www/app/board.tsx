@@ -3,6 +3,7 @@
  * sheets that open below the page and leave it in view.
  */
 
+import { BoardSwitch } from '../boards/board-switch.tsx';
 import { strings } from '../strings/strings.ts';
 import { ActionButton } from '../ui/action-button.tsx';
 import { Alternatives } from '../page/alternatives-strip.tsx';
@@ -105,6 +106,7 @@ function NarrowBoard() {
           title={strings.pageSettings}
           tools={<ActionButton action={actions.window.help} class="button sheet-tool" text />}
         >
+          <BoardSwitch />
           <PageSettingsForm />
           <div class="sheet-choices">
             <ThemeChoice />

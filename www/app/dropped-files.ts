@@ -12,11 +12,13 @@ import { isArchiveFile } from '../storage/files/page-archive.ts';
 import { isNamedPng } from '../storage/files/page-files.ts';
 import { isProjectFile } from '../storage/files/project-file.ts';
 import { openPlans } from './plans.ts';
+import { momentsOf } from '../lettering/cue-times.ts';
 import { speechAmong } from '../lettering/subtitling.ts';
 import type { Store } from '../document/store.ts';
 import type { OwnLayouts } from '../layouts/own-layouts.ts';
 import type { Subtitling } from '../lettering/subtitling.ts';
 import type { Reading } from '../photos/reading.ts';
+import type { Moments } from '../lettering/cue-times.ts';
 import type { Keeping } from '../storage/storage.ts';
 import type { OwnStyles } from '../styles/own-styles.ts';
 import type { Messages } from '../ui/messages.ts';
@@ -76,7 +78,7 @@ export function createDroppedFiles({
     );
     before = turn.catch(() => {});
     const { photos, shown } = await turn;
-    await add(photos, shown);
+    await add(photos, shown, await momentsOf(photos, await speech));
     // Their video may have come with them.
     await subtitling.open(await speech);
   }
@@ -148,9 +150,9 @@ export function createDroppedFiles({
   }
 
   /** @param shown the project that they came with: whoever opened it may not expect them there */
-  async function add(photos: readonly File[], shown?: Opened) {
+  async function add(photos: readonly File[], shown: Opened | undefined, moments: Moments) {
     const count = store.tray.peek().length;
-    await reading.addFiles(photos);
+    await reading.addFiles(photos, undefined, moments);
     const added = store.tray.peek().length - count;
     if (shown && added > 0 && keeping.current.peek() === shown.id)
       messages.offer(strings.photosWithProject(added, shown.name));

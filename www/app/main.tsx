@@ -2,6 +2,7 @@
  * The wiring: makes the parts, joins them, and keeps `document.body.dataset.idle` true to its word.
  */
 
+import { createBoards, isComic } from '../boards/boards.ts';
 import './framed.ts';
 import { effect, untracked } from '@preact/signals';
 import { render } from 'preact';
@@ -45,6 +46,7 @@ import { createInventions } from '../explorer/inventions.ts';
 import { createStyling } from '../styles/styling.ts';
 import { createRecentStyles } from '../styles/recent-styles.ts';
 import { createTaste } from '../styles/taste.ts';
+import { createMasks } from '../photos/masks.ts';
 import { createSubjects } from '../photos/subjects.ts';
 import { isHandheld } from '../ui/media.ts';
 import { createUi } from './ui.ts';
@@ -123,13 +125,23 @@ const subjects = createSubjects({
   wanted: ui.detects,
   window,
 });
+const boards = createBoards({ store, engine, chooseStyle: pages.chooseStyle });
+const masks = createMasks({
+  store,
+  engine,
+  ready: () =>
+    store.reading.value === null && ui.painted.value === store.page.value && subjects.settled.value && !taking.value,
+  wanted: ui.detects,
+});
 const download = createDownload({
   store,
   pages,
   engine,
   messages,
   pageFiles: keeping.pageFiles,
-  onSaved: (saved) => saved.forEach(taste.learn),
+  shotList: boards.shotList,
+  // Sheets of a board say nothing of the layouts that a person likes.
+  onSaved: (saved) => saved.filter(isComic).forEach(taste.learn),
 });
 const alternatives = createAlternatives({ store, pages });
 const ahead = createAhead({ store, pages, ui });
@@ -184,6 +196,7 @@ const parts: Parts = {
   store,
   pages,
   crops,
+  boards,
   book,
   selection,
   lettering,
@@ -206,6 +219,7 @@ const parts: Parts = {
   keeping,
   shownPages,
   subjects,
+  masks,
   reading,
   ahead,
   choosing,
@@ -257,6 +271,7 @@ effect(() => {
   // Detection refines what is there already, so it is told apart.
   document.body.dataset.searched = String(idle && subjects.searched.value);
   document.body.dataset.detected = String(idle && subjects.settled.value);
+  document.body.dataset.masked = String(idle && subjects.settled.value && masks.settled.value);
 });
 
 effect(() => {

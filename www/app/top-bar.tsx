@@ -1,3 +1,4 @@
+import { BoardSwitch } from '../boards/board-switch.tsx';
 import { position, versions } from '../document/history.ts';
 import { strings } from '../strings/strings.ts';
 import { useApp } from '../ui/context.ts';
@@ -25,6 +26,7 @@ export function TopBar() {
       <FileInput />
       <div class="top-middle">{page && <Steps />}</div>
       <div class="top-end">
+        {page && !compact && <BoardSwitch />}
         {page && !compact && <Workspaces />}
         {/* On a small screen it is among the page's settings: the bar has room for eight fingers. */}
         {(!compact || !page) && <LanguageAndTheme />}

@@ -20,7 +20,7 @@ const LETTERS_KEY = 'inkpanel.letters';
 const DETECT_KEY = 'inkpanel.detect';
 const IDEAS_KEY = 'inkpanel.ideas';
 
-export type Work = 'designer' | 'explorer' | 'imitation' | 'projects' | 'pages';
+export type Work = 'designer' | 'explorer' | 'imitation' | 'projects' | 'pages' | 'boards';
 
 export function createUi(window: Window) {
   const wide = mediaSignal(window, '(min-width: 1000px)');

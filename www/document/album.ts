@@ -9,7 +9,7 @@ export type Absent = Likeness & { subjects: readonly Subject[] | null; measured:
 
 /**
  * `meta` and `measures` are null until the photo was read; `credit` names the author of a sample; a frame of a video
- * knows the video's key and its time in seconds; `looked`: it was searched for subjects; `absent`: the photo that this one
+ * knows the video's key, its time in seconds and the number of its shot, from 1; `looked`: it was searched for subjects; `absent`: the photo that this one
  * keeps a place for, and what is known of it.
  */
 export type Fact = {
@@ -20,6 +20,7 @@ export type Fact = {
   measures: Measures | null;
   video?: string;
   time?: number;
+  shot?: number;
   looked?: boolean;
   absent?: Absent;
 };
@@ -70,6 +71,27 @@ export function chronological(facts: readonly Fact[]): Fact[] {
   const when = (fact: Fact) => fact.meta?.taken ?? '';
   if (!facts.every((fact) => when(fact) !== '')) return [...facts];
   return [...facts].sort((a, b) => (when(a) < when(b) ? -1 : when(a) > when(b) ? 1 : 0));
+}
+
+/** Frames of a film in the order of their times, in the places that they have together; all else stays where it is. */
+export function inFilmOrder<Item extends { id: string }>(items: readonly Item[], album: Album): readonly Item[] {
+  const films = new Map<string, { at: number; time: number }[]>();
+  items.forEach(({ id }, at) => {
+    const { video, time } = album.get(id) ?? {};
+    if (video !== undefined && time !== undefined) {
+      const frames = films.get(video) ?? [];
+      frames.push({ at, time });
+      films.set(video, frames);
+    }
+  });
+  const ordered = [...items];
+  for (const frames of films.values()) {
+    const sorted = [...frames].sort((a, b) => a.time - b.time);
+    frames.forEach(({ at }, i) => {
+      ordered[at] = items[sorted[i].at];
+    });
+  }
+  return ordered.every((item, i) => item === items[i]) ? items : ordered;
 }
 
 export type { Verdict };

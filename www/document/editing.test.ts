@@ -125,6 +125,19 @@ const actions: Record<Action['type'], fc.Arbitrary<any>> = {
   favourites: items.map((favourites) => ({ favourites })),
   'own-layouts': fc.subarray(['x', 'y', 'z']).map((ids) => ({ ownLayouts: ids.map((id) => ({ ...LAYOUT, id })) })),
   'love-page': fc.record({ pageId: anId, on: fc.boolean() }),
+  'describe-shots': fc.record({
+    shots: fc.dictionary(
+      fc.constantFrom('a', 'b', 'c'),
+      fc.record({ scene: fc.constantFrom('1', '2'), frames: fc.nat(99).map((frames) => frames + 1) }),
+    ),
+  }),
+  'set-board': fc.record({
+    board: fc.record({
+      fps: fc.constantFrom(24, 25),
+      columns: fc.subarray(['Lens', 'Sound']),
+      order: fc.subarray(['b', 'a']),
+    }),
+  }),
   rename: fc.record({ name: fc.constantFrom('', 'One', 'Two') }),
   styling: fc.record({
     styling: fc.record({ invented: fc.constantFrom(0, 0.5), keepLines: fc.boolean(), keepColours: fc.boolean() }),

@@ -91,11 +91,11 @@ function laidOver(was: History, told: Difference, given: readonly PageDocument[]
   return Object.entries(now).every(([part, value]) => was[part as keyof History] === value) ? was : now;
 }
 
-/** Where no word waits nothing is told of them. */
+/** Where no word waits nothing is told of them, nor of a board that nobody made. */
 function bare(project: Project): Project {
-  if (project.waiting?.length !== 0) return project;
-  const { waiting: _, ...rest } = project;
-  return rest;
+  const { waiting, board, ...rest } = project;
+  if (waiting?.length !== 0 && board !== null) return project;
+  return { ...rest, ...(waiting?.length ? { waiting } : {}), ...(board ? { board } : {}) };
 }
 
 function withGiven(parts: Difference['parts'], given: readonly PageDocument[]): Difference['parts'] {

@@ -4,7 +4,7 @@
  */
 
 import { batch, computed, effect, signal, untracked } from '@preact/signals';
-import { chronological, isUsed, unreadMeta } from './album.ts';
+import { chronological, inFilmOrder, isUsed, unreadMeta } from './album.ts';
 import { failure } from '../engine/protocol.ts';
 import { createEditing } from './editing.ts';
 import { EMPTY_HISTORY } from './history.ts';
@@ -15,6 +15,7 @@ import type { Place } from './place.ts';
 import type { Album, Fact, Verdict, Video } from './album.ts';
 import type { Editing } from './editing.ts';
 import type { Change, History } from './history.ts';
+import type { TrayItem } from './project.ts';
 import type { ReadonlySignal, Signal } from '@preact/signals';
 
 export type { Planner };
@@ -34,6 +35,7 @@ export function createStore({ onRefused = () => {} }: { onRefused?: (error: Erro
   const planner: Signal<Planner | null> = signal(null);
   /** The photos being read; null when all are. */
   const reading: Signal<Progress | null> = signal(null);
+  const looking: Signal<ReadonlyMap<string, { name: string; part: number }>> = signal(new Map());
 
   /** The videos that photos in the tray were taken from. */
   const videos: Signal<ReadonlyMap<string, Video>> = signal(new Map());
@@ -60,13 +62,20 @@ export function createStore({ onRefused = () => {} }: { onRefused?: (error: Erro
   const sheets = computed(() =>
     page.value ? others.value.map((sheet) => sheet.page).toSpliced(at.value, 0, page.value) : [],
   );
-  const tray = computed(() => project.value.tray);
+  let arranged: readonly TrayItem[] = [];
+  /** What lies on the table. A film's frames come in no order, those of its first page before the others. */
+  const tray = computed(() => {
+    const items = inFilmOrder(project.value.tray, album.value);
+    // An album that tells nothing new of their order leaves them the very same.
+    if (items.length !== arranged.length || items.some((item, i) => item !== arranged[i])) arranged = items;
+    return arranged;
+  });
   /** Facts of the tray, in its order. */
   const facts = computed(() => tray.value.flatMap(({ id }) => album.value.get(id) ?? []));
 
   /** What the selection compares of the photos that were read. */
   const measured = computed(() =>
-    facts.value.flatMap(({ id, name, measures }) => (measures ? [{ id, name, ...measures }] : [])),
+    facts.value.flatMap(({ id, name, measures, video }) => (measures ? [{ id, name, film: video, ...measures }] : [])),
   );
 
   let judged: ReadonlyMap<string, Verdict> = new Map();
@@ -141,6 +150,8 @@ export function createStore({ onRefused = () => {} }: { onRefused?: (error: Erro
     facts,
     measured,
     verdicts,
+    /** Films that are looked through for their shots, by key: how far, 0 to 1. */
+    looking,
     photos,
     own,
     layouts,

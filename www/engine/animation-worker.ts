@@ -19,13 +19,13 @@ type Picture = { width: number; height: number; data: Uint8Array<ArrayBuffer> };
 
 serveFrames(read);
 
-async function read({ file, count, start, end, leading }: FileWish) {
+async function read({ file, count, start, end, leading, times: told }: FileWish) {
   const bytes = new Uint8Array(await file.arrayBuffer());
   const ends = endsOf(bytes);
   const duration = ends[ends.length - 1] ?? 0;
   const { Animation } = await decoders();
   postMessage({ about: { duration } });
-  const times = sampleTimes({ first: 0, duration, count, start, end });
+  const times = told ?? sampleTimes({ first: 0, duration, count, start, end });
   /** The picture of each time. A slow animation may show one at two of them, and gives it once. */
   const shown = times.map((time) => {
     const later = ends.findIndex((till) => time < till);

@@ -26,6 +26,14 @@ export const MOST = Object.freeze({
   text: 33_554_432,
   /** Bytes of a file of subtitles. */
   subtitles: 5_000_000,
+  /** Characters of a field of a shot. */
+  field: 10_000,
+  /** Characters of the number or scene of a shot, and of the name of a column. */
+  label: 200,
+  /** Columns of one's own. */
+  columns: 12,
+  /** Frames of a shot. */
+  shotFrames: 2_592_000,
   /** Characters of a script. */
   script: 200_000,
 });

@@ -9,6 +9,7 @@ import { failure } from './protocol.ts';
 import type { Program } from './protocol.ts';
 import type {
   Block,
+  BoardPicture,
   BreedRequest,
   ChoiceRequest,
   Difference,
@@ -130,6 +131,17 @@ export function createPlanner() {
       JSON.parse(core.change_layout(JSON.stringify({ layout, change }))),
     plan: ({ photos, ...rest }: PlanRequest): PageDocument =>
       JSON.parse(album.of(photos).plan(JSON.stringify(rest), idsOf(photos))),
+    /** What frames of an aspect show of photos, in the order of their ids. */
+    frames: (photos: readonly PhotoMeta[], ids: readonly string[], aspect: number): BoardPicture[] =>
+      JSON.parse(album.of(photos).frames(JSON.stringify(ids), aspect)),
+    /**
+     * @param mask the subject of the panel's photo
+     * @returns the page with that stepping out of the panel; null where it cannot
+     */
+    breakFrame: (page: PageDocument, panel: number, mask: string): PageDocument | null => {
+      const broken = core.break_frame(JSON.stringify(page), panel, mask);
+      return broken === '' ? null : JSON.parse(broken);
+    },
     /** @returns invented */
     inventStyle: (seed: number): Style => JSON.parse(core.invent_style(seed)),
     /**

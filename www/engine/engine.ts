@@ -10,6 +10,7 @@ import { createDetector } from './detector.ts';
 import { createExports } from './export.ts';
 import { createFiles } from './files.ts';
 import { createImitating } from './imitate.ts';
+import { createMasking } from './masking.ts';
 import { createMeasures } from './measures.ts';
 import { createPhotos } from './photos.ts';
 import { createPool } from './pool.ts';
@@ -19,11 +20,10 @@ import { readVideo } from './video.ts';
 import { givesWebp } from './webp.ts';
 import { createWarming } from './warming.ts';
 import { createWords } from './words.ts';
-import type { Detection } from './types.ts';
-import type { Block, Layout, PageDocument, Style } from './types.ts';
+import type { Block, Detection, Layout, PageDocument, Style } from './types.ts';
 import type { Job, Pool } from './pool.ts';
 import type { Imported, Operations, PixelPatch, Program, Start } from './protocol.ts';
-import type { Frame } from './video.ts';
+import type { About, Frame } from './video.ts';
 
 export type Call = { signal?: AbortSignal; priority?: number; key?: string };
 export type Engine = ReturnType<typeof createEngine>;
@@ -67,6 +67,7 @@ export function createEngine({
   const warming = createWarming(ask);
   const renders = createRenders({ run, photos, words });
   const aesthetics = createAesthetics({ run, photos });
+  const masking = createMasking(photos);
 
   return {
     /** Resolves to the planner, whose functions are synchronous. */
@@ -87,6 +88,9 @@ export function createEngine({
     findFaces: detector.findFaces,
     findMoreFaces: detector.findMoreFaces,
     findObjects: detector.findObjects,
+    /** Whether the subjects of photos can be found, and that of one. */
+    masks: masking.masks,
+    findMask: masking.findMask,
     forgetPhoto: photos.forget,
     warm: warming.warm,
     /** While `on`, nothing is begun that the page on the screen does not wait for. */
@@ -104,6 +108,8 @@ export function createEngine({
     givesWebp,
     comicPieces: files.comicPieces,
     comicFiles: files.comicFiles,
+    boardSheets: files.boardSheets,
+    shotFile: files.shotFile,
   };
 
   function run<Op extends keyof Operations>(job: Job<Operations, Op>): Promise<Operations[Op]['ok']> {
@@ -192,38 +198,48 @@ export function createEngine({
 
   /**
    * Takes frames out of a video; each becomes a photo, kept under the id given for its place.
-   * @param wish one frame an id, between `start` and `end` in seconds, those `leading` first; `time` is where in the video the frame is
+   * @param wish one frame an id, between `start` and `end` in seconds, those `leading` first, or at these `times`; with `shots`
+   * `count` frames that stand for the shots of the film, or as many as suit it: then `more` gives ids beyond those told, or
+   * none. `time` is where in the video the frame is, `shot` the number of its shot
    */
   async function importVideo(
     file: Blob,
     {
       ids,
       leading = [],
-      start,
-      end,
+      more = () => undefined,
+      shots = false,
+      count = shots ? 0 : ids.length,
       signal,
       onAbout = () => {},
       onPhoto,
+      ...wish
     }: {
       ids: string[];
       leading?: string[];
+      more?: (index: number) => string | undefined;
+      shots?: boolean;
+      count?: number;
+      times?: readonly number[];
+      moments?: readonly number[];
       start?: number;
       end?: number;
       signal?: AbortSignal;
-      onAbout?: (about: { duration: number }) => void;
-      onPhoto: (id: string, meta: Imported['meta'], time: number) => void;
+      onAbout?: (about: About) => void;
+      onPhoto: (id: string, meta: Imported['meta'], time: number, shot?: number) => void;
     },
   ) {
     await ready;
     const name = nameOf(file, 'video');
     await readVideo(
       file,
-      { count: ids.length, start, end, leading: leading.map((id) => ids.indexOf(id)) },
+      { ...wish, shots, count, leading: leading.map((id) => ids.indexOf(id)) },
       { signal, onAbout, onFrame },
     );
 
-    async function onFrame({ index, time, ...frame }: Frame) {
-      const id = ids[index];
+    async function onFrame({ index, time, shot, ...frame }: Frame) {
+      const id = ids[index] ?? more(index);
+      if (id === undefined) return;
       const job = {
         op: 'importFrame' as const,
         args: { id, frame },
@@ -238,12 +254,12 @@ export function createEngine({
         file: still,
       } = await run({ ...job, priority: leading.includes(id) ? Priority.PAGE : Priority.REST, signal });
       photos.add(id, { name, file: still, work, small });
-      onPhoto(id, meta, time);
+      onPhoto(id, meta, time, shot);
     }
   }
 
   function dispose() {
-    for (const part of [detector, design, aesthetics, words, files]) part.dispose();
+    for (const part of [detector, design, aesthetics, masking, words, files]) part.dispose();
     ready.then(
       () => pool?.dispose(),
       () => {},

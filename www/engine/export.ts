@@ -3,6 +3,7 @@
  * are; one worker puts the panels together and encodes. Many pages are made one after the other: one of A4 takes 35 MB.
  */
 
+import { panelOf, picturesOf } from './figures.ts';
 import { Priority } from './queue.ts';
 import { givesWebp } from './webp.ts';
 import { failure } from './protocol.ts';
@@ -39,7 +40,7 @@ const ALONE = {
 };
 
 export function createExports({ run, photos, words, files }: Parts) {
-  return { exportPng, exportJpeg, exportWebp, exportPdf, exportPlates, exportPanel };
+  return { exportPng, exportJpeg, exportWebp, exportPdf, exportPlates, exportPanel, exportSubject };
 
   async function exportPng(document: PageDocument, call?: Call): Promise<Blob> {
     return whole(document, call, (patches, signal) => encode(document, patches, signal));
@@ -138,12 +139,18 @@ export function createExports({ run, photos, words, files }: Parts) {
     }: { quality: number; inks: readonly Rgb[]; signal: AbortSignal; step: (count: number) => void },
   ): Promise<Picture[]> {
     const bare = { ...document, page: { ...document.page, border: 0 } };
-    return byPhoto(bare, withPhoto(bare), signal, async (patches) => {
+    const made = async (patches: PanelPatch[]) => {
       const count = patches.length;
-      const made = await files.pictures(document, patches, wish, { signal });
+      const cut = await files.pictures(document, patches, wish, { signal });
       step(count);
-      return made;
-    });
+      return cut;
+    };
+    // A figure leaves the border alone where it may not cross it, so it has to know of it.
+    const framed = withPhoto(document).filter((index) => index < document.panels.length);
+    const figures = withPhoto(document).filter((index) => index >= document.panels.length);
+    return Promise.all([byPhoto(bare, framed, signal, made), byPhoto(document, figures, signal, made)]).then((parts) =>
+      parts.flat(),
+    );
   }
 
   /**
@@ -167,6 +174,19 @@ export function createExports({ run, photos, words, files }: Parts) {
     });
   }
 
+  /**
+   * The subject of a photo alone, at the photo's own size.
+   * @param mask which part of it that is
+   * @returns a PNG with alpha
+   */
+  async function exportSubject(id: string, mask: string, { signal, onProgress }: Call = {}): Promise<Blob> {
+    const step = steps(1, onProgress);
+    const { file, name } = photos.get(id);
+    const png = await run({ op: 'cutOut', args: { id, file, mask }, photo: name, priority: Priority.PAGE, signal });
+    step(1);
+    return png;
+  }
+
   /** @param encode of the panels and the words, in their order */
   async function whole(
     document: PageDocument,
@@ -174,7 +194,7 @@ export function createExports({ run, photos, words, files }: Parts) {
     encode: (patches: PixelPatch[], signal: AbortSignal) => Promise<Blob>,
   ) {
     // Encoding counts as one step.
-    const all = document.panels.map((_, index) => index);
+    const all = picturesOf(document);
     const step = steps(all.length + 1, onProgress);
     return stoppable(stop, async (signal) => {
       // Panels without a photo, too: empty frames, as a PDF file has them.
@@ -241,18 +261,20 @@ function stepsOf(documents: readonly PageDocument[], { onProgress }: Call) {
   );
 }
 
-/** @returns the photo that a panel shows; panels that share an image show that of the first */
-function photoOf({ panels, merges }: PageDocument, index: number): string {
+/** @returns the photo of a panel's picture; panels that share an image show that of the first */
+function photoOf(document: PageDocument, picture: number): string {
+  const { panels, merges } = document;
+  const index = panelOf(document, picture);
   const leader = merges.find((group) => group.includes(index))?.[0] ?? index;
   return panels[leader]?.photo ?? EMPTY;
 }
 
-/** @returns the panels that show one */
+/** @returns the pictures that show one */
 function withPhoto(document: PageDocument): number[] {
-  return document.panels.flatMap((_, index) => (photoOf(document, index) === EMPTY ? [] : index));
+  return picturesOf(document).filter((index) => photoOf(document, index) !== EMPTY);
 }
 
-/** @returns panels by the id of their photo */
+/** @returns pictures by the id of their photo */
 function panelsByPhoto(document: PageDocument, wanted: readonly number[]): Map<string, number[]> {
   const groups: Map<string, number[]> = new Map();
   for (const index of wanted) {

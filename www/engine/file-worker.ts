@@ -3,7 +3,16 @@
  * own encoder of WebP where it has one.
  */
 
-import initFiles, { Book, Cut, Lettering, Plate, Print, comicFile } from '../pkg-exports/inkpanel.js';
+import initFiles, {
+  Book,
+  boardSheets,
+  Cut,
+  comicFile,
+  Lettering,
+  Plate,
+  Print,
+  shotFile,
+} from '../pkg-exports/inkpanel.js';
 import { blobOf } from './blobs.ts';
 import { loadLetters } from './letters.ts';
 import { fileMs } from './measured.ts';
@@ -31,7 +40,7 @@ type Args<Op extends keyof Making> = Making[Op]['args'];
 let started: Promise<WebAssembly.Memory> | undefined;
 let table: Uint8Array | undefined;
 
-const OPERATIONS: Work<Making> = { jpeg, webp, losslessWebp, pictures, pdf, comic };
+const OPERATIONS: Work<Making> = { jpeg, webp, losslessWebp, pictures, pdf, comic, board, shots };
 
 serveJobs<Making>(async (op, args, tell) => {
   tell.waits(LOADING);
@@ -115,15 +124,16 @@ async function pictures({ document, patches, quality, inks }: Args<'pictures'>, 
           ? plate.cut(document, index, x, y, width, height, rgba, quality)
           : new Cut(document, index, x, y, width, height, rgba, quality);
         const made = cut.take() as Uint8Array<ArrayBuffer>;
+        const alpha = cut.take_alpha() as Uint8Array<ArrayBuffer> | undefined;
         const place = { x: cut.x, y: cut.y, width: cut.width, height: cut.height };
         cut.free();
-        ok.push({ index, ...place, jpeg: made, ...(plate && { plate: ink }) });
+        ok.push({ index, ...place, jpeg: made, ...(alpha && { alpha }), ...(plate && { plate: ink }) });
       }
     } finally {
       plate?.free();
     }
   }
-  return { ok, transfer: ok.map((picture) => picture.jpeg.buffer) };
+  return { ok, transfer: ok.flatMap(({ jpeg: file, alpha }) => (alpha ? [file.buffer, alpha.buffer] : [file.buffer])) };
 }
 
 async function pdf({ pages, options }: Args<'pdf'>, tell: Tell) {
@@ -135,8 +145,8 @@ async function pdf({ pages, options }: Args<'pdf'>, tell: Tell) {
       shape(JSON.parse(page.document));
       tell.expects(PAGE);
       book.add_page(page.document, JSON.stringify(page.alts));
-      for (const { index, x, y, width, height, jpeg: bytes } of page.pictures)
-        book.add_picture(index, x, y, width, height, bytes);
+      for (const { index, x, y, width, height, jpeg: bytes, alpha } of page.pictures)
+        book.add_picture(index, x, y, width, height, bytes, alpha);
     }
     tell.expects(PAGE * pages.length);
     const bytes = book.finish(letters, JSON.stringify(options)) as Uint8Array<ArrayBuffer>;
@@ -157,6 +167,16 @@ async function comic({ kind, comic: told }: Args<'comic'>, tell: Tell) {
   } finally {
     letters.free();
   }
+}
+
+async function board({ request }: Args<'board'>, tell: Tell) {
+  tell.expects(PAGE);
+  return { ok: boardSheets(request), transfer: [] };
+}
+
+async function shots({ ending, list }: Args<'shots'>, tell: Tell) {
+  tell.expects(PAGE);
+  return { ok: shotFile(ending, list), transfer: [] };
 }
 
 function bytesOf(data: Uint8ClampedArray<ArrayBuffer>) {

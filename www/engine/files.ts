@@ -5,9 +5,9 @@
 
 import { createPool } from './pool.ts';
 import { Priority } from './queue.ts';
-import type { Comic, ComicFile, PageDocument, PdfOptions, Piece } from './types.ts';
+import type { BoardRequest, Comic, ComicFile, PageDocument, PdfOptions, Piece, ShotList } from './types.ts';
 import type { Pool } from './pool.ts';
-import type { ComicKind, Making, Picture, PixelPatch, Rgb } from './protocol.ts';
+import type { ComicKind, ListKind, Making, Picture, PixelPatch, Rgb } from './protocol.ts';
 
 type Call = { signal?: AbortSignal };
 
@@ -24,6 +24,8 @@ export function createFiles() {
     pdf,
     comicPieces,
     comicFiles,
+    boardSheets,
+    shotFile,
     dispose: () => pool?.dispose(),
   };
 
@@ -118,6 +120,16 @@ export function createFiles() {
   /** @returns the files of an EPUB book or a comic archive, in their order */
   async function comicFiles(kind: Exclude<ComicKind, 'html'>, comic: Comic, call?: Call): Promise<ComicFile[]> {
     return JSON.parse(await comicText(kind, comic, call));
+  }
+
+  /** @returns the sheets of a board */
+  async function boardSheets(request: BoardRequest, call?: Call): Promise<PageDocument[]> {
+    return JSON.parse(await run('board', { request: JSON.stringify(request) }, [], call));
+  }
+
+  /** @returns the text of a list of shots */
+  async function shotFile(ending: ListKind, list: ShotList, call?: Call): Promise<string> {
+    return run('shots', { ending, list: JSON.stringify(list) }, [], call);
   }
 
   function comicText(kind: ComicKind, comic: Comic, call?: Call) {

@@ -2,7 +2,7 @@
  * What the workers that take frames out of a file have in common: one wish, then frames no faster than they are dealt
  * with.
  *
- * In: `{ file, count, start, end, leading }`, then one `{ next: true }` for each frame that was dealt with.
+ * In: `{ file }` and the wish, then one `{ next: true }` for each frame that was dealt with.
  * Out: `{ about }`, then `{ frame }` for each, then `{ done: true }`; or `{ error: { code, message } }`.
  */
 

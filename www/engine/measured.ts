@@ -24,7 +24,7 @@ const WORD = 20;
 const CALL = 20;
 
 /** A look of a net, and a look at parts of a photo. */
-export const LOOKS = { faces: 40, closer: 600, objects: 160, judge: 110 };
+export const LOOKS = { faces: 40, closer: 600, objects: 160, judge: 110, mask: 2500 };
 
 const millions = (pixels: number) => pixels / 1e6;
 

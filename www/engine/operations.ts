@@ -33,6 +33,7 @@ export function createOperations(studio: Studio, held: ReturnType<typeof createL
     stylePixels,
     stylize,
     fullPanels,
+    cutOut,
     encode,
     plates,
     warm: createWarmUp(studio),
@@ -145,6 +146,22 @@ export function createOperations(studio: Studio, held: ReturnType<typeof createL
       return { ok, transfer: ok.map((patch) => patch.data.buffer) };
     } finally {
       if (file) studio.drop_photo(`${id}/full`);
+    }
+  }
+
+  /** The subject of a photo, from its original file at full size. */
+  async function cutOut({ id, file, mask }: Operations['cutOut']['args'], tell: Tell) {
+    tell.waits(readingOf(file));
+    const bytes = await bytesOf(file);
+    tell.expects(2 * photoMs(bytes, foreignKind(bytes)));
+    await reading(bytes, (original) => studio.import_full(id, original));
+    try {
+      const png = studio.cut_out(`${id}/full`, mask) as Uint8Array<ArrayBuffer> | undefined;
+      if (!png) throw failure('no-mask', 'The subject of the photo is not known.');
+      tell.waits(STORING);
+      return { ok: await blobOf(png, { type: 'image/png' }), transfer: [] };
+    } finally {
+      studio.drop_photo(`${id}/full`);
     }
   }
 

@@ -56,6 +56,7 @@ export type Operations = {
     args: { id: string; file: Blob | null; document: string; indexes: number[]; width: number };
     ok: (PixelPatch & { index: number })[];
   };
+  cutOut: { args: { id: string; file: Blob; mask: string }; ok: Blob };
   encode: { args: { document: string; width: number; patches: (PixelPatch & { index: number })[] }; ok: Blob };
   warm: { args: { document: string }; ok: null };
 };
@@ -64,6 +65,9 @@ export type Operations = {
 export type Judging = {
   judge: { args: { width: number; height: number; data: Uint8ClampedArray<ArrayBuffer>; net: string }; ok: number };
 };
+
+/** Those of the worker that finds subjects; `net` is the address of its net. */
+export type Masking = { mask: { args: { photo: PhotoHandle; net: string }; ok: string } };
 
 type Looked<Ok> = { args: { photo: PhotoHandle; boxes?: readonly Detection[] }; ok: Ok };
 
@@ -83,8 +87,13 @@ export type Wording = {
   over: { args: { document: string; width: number; bitmap: ImageBitmap }; ok: ImageBitmap };
 };
 
-/** A panel in a PDF file, or on the plate of an ink. */
-export type Picture = Bounds & { index: number; jpeg: Uint8Array<ArrayBuffer>; plate?: number };
+/** A panel in a PDF file, or on the plate of an ink; `alpha` of a figure that steps out of one. */
+export type Picture = Bounds & {
+  index: number;
+  jpeg: Uint8Array<ArrayBuffer>;
+  alpha?: Uint8Array<ArrayBuffer>;
+  plate?: number;
+};
 /** A page of a PDF file as JSON, what its panels show, and their pictures. */
 export type PdfPage = { document: string; alts: readonly string[]; pictures: Picture[] };
 /** The inks of a page, the strongest last, and the page as it is drawn for their plates. */
@@ -108,7 +117,13 @@ export type Making = {
   };
   pdf: { args: { pages: PdfPage[]; options: PdfOptions }; ok: Blob };
   comic: { args: { kind: ComicKind; comic: string }; ok: string };
+  /** the pages of a board, and a list of its shots */
+  board: { args: { request: string }; ok: string };
+  shots: { args: { ending: ListKind; list: string }; ok: string };
 };
+
+/** A list of shots, by the ending of its file. */
+export type ListKind = 'csv' | 'edl' | 'otio' | 'xml';
 
 /** A comic that is read. */
 export type ComicKind = 'html' | 'epub' | 'cbz';

@@ -2,6 +2,7 @@
  * The calls that draw with photos of the album: panels, whole pages, thumbnails of styles.
  */
 
+import { panelOf } from './figures.ts';
 import { Priority } from './queue.ts';
 import type { PageDocument } from './types.ts';
 import type { Call } from './engine.ts';
@@ -31,9 +32,10 @@ export function createRenders({
     width: number,
     { tier = 'work', ...call }: Call & { tier?: 'small' | 'work' } = {},
   ): Promise<BitmapPatch> {
-    const needed = photos.handles([document.panels[index].photo], tier);
+    const shows = document.panels[panelOf(document, index)].photo;
+    const needed = photos.handles([shows], tier);
     const args = { document: JSON.stringify(document), index, width, tier, photos: needed };
-    const photo = photos.names([document.panels[index].photo]);
+    const photo = photos.names([shows]);
     return run({ op: 'panel', args, photo, holds: keys(needed), priority: Priority.PANEL, ...call });
   }
 

@@ -40,6 +40,8 @@ export type Project = {
   loved: ReadonlyArray<number>,
   /** How a shuffle draws styles. */
   styling: Styling,
+  /** How the shots are counted, ordered and laid out; not told where it is as in an empty project. */
+  board?: Board | null,
 };
 
 /** A photo in the tray. */
@@ -52,6 +54,142 @@ export type TrayItem = {
   focus?: Focus | null,
   /** A person wants to see it large. */
   starred?: boolean,
+  /** What is told of it as a shot. */
+  shot?: Shot,
+};
+
+/** What is told of a photo as a shot. What is empty was not told. */
+export type Shot = {
+  /** The scene that it belongs to. */
+  scene?: string,
+  /** A number of its own, such as 4A; without one it is counted. */
+  number?: string,
+  /** What happens. */
+  action?: string,
+  /** What is said. */
+  dialogue?: string,
+  /** What else is to be known. */
+  notes?: string,
+  /** How long it is, in frames of the board's rate. */
+  frames?: number,
+  /** What stands in columns of one's own, by their names. */
+  more?: { [key in string]: string },
+};
+
+/** How the shots of a project are counted, ordered and laid out. */
+export type Board = {
+  /** Frames a second, one of `RATES`. */
+  fps: number,
+  /** Columns of one's own, each name once. */
+  columns: ReadonlyArray<string>,
+  /** Frames on a sheet, one of `FRAMES`. */
+  frames: number,
+  /** The name of the frames' aspect, one of `ASPECTS`. */
+  aspect: string,
+  /** The fields stand beside the frames, else under them. */
+  beside: boolean,
+  /** Ruled lines in the place of the fields, to be written on by hand. */
+  ruled: boolean,
+  /** Who made it, for the head of the sheets. */
+  author: string,
+  /** When, as it stands there. */
+  date: string,
+  /** Photos in the order in which a person put them; the others follow where they belong by themselves. */
+  order: ReadonlyArray<string>,
+};
+
+/** Shots in their order. In JSON what is empty may be missing. */
+export type ShotList = {
+  /** What the album is called. */
+  title: string,
+  /** Frames a second, from 1 to 60; 24 where nothing is told. */
+  fps: number,
+  /** Columns of one's own. */
+  columns: ReadonlyArray<string>,
+  /** What the columns of a table are called, in the order of `HEADINGS`; English where there are not as many. */
+  headings: ReadonlyArray<string>,
+  /** The shots. */
+  shots: ReadonlyArray<ListedShot>,
+};
+
+/** One of them. */
+export type ListedShot = {
+  /** Its number, counted or its own. */
+  number: string,
+  /** The scene that it belongs to. */
+  scene: string,
+  /** What happens. */
+  action: string,
+  /** What is said. */
+  dialogue: string,
+  /** What else is to be known. */
+  notes: string,
+  /** How long it is, in frames; what says nothing is two seconds long. */
+  frames?: number,
+  /** What stands in columns of one's own. */
+  more: { [key in string]: string },
+  /** The name of its picture. */
+  name: string,
+  /** The film that it is a frame of. */
+  film?: Film,
+};
+
+/** A place in a film. */
+export type Film = {
+  /** The name of its file. */
+  name: string,
+  /** Seconds from its beginning. */
+  time: number,
+  /** How long it is, in seconds, where that is known. */
+  length?: number,
+};
+
+/** What is asked for. In JSON the fields of a `ShotList` beside these. */
+export type BoardRequest = {
+  /** The shots, and what they are called together. */
+  list: ShotList,
+  /** Of each shot its picture. */
+  pictures: ReadonlyArray<BoardPicture>,
+  /** Frames on a sheet, 1 to 12; six where nothing is told. */
+  frames: number,
+  /** Width over height of the frames, 0.2 to 5; 16:9 where nothing is told. */
+  aspect: number,
+  /** The text stands beside the frames, else under them. */
+  beside: boolean,
+  /** Lines to write on in the place of what is told. */
+  ruled: boolean,
+  /** Who made it. */
+  author: string,
+  /** When. */
+  date: string,
+  /** Paper as in North America, else A4. */
+  letter: boolean,
+  /** The style of the frames: an id, or a style in full. */
+  style?: StyleChoice,
+  /** What is written before what is told, in the language of the reader. */
+  labels: BoardLabels,
+};
+
+/** The picture of a shot. */
+export type BoardPicture = {
+  /** Id of the photo. */
+  photo: string,
+  /** The part of it that the frame shows. */
+  crop: Crop,
+  /** Faces of it, which the style takes care of. */
+  faces: ReadonlyArray<Crop>,
+};
+
+/** What is written before what is told. `{page}` and `{count}` stand for numbers. */
+export type BoardLabels = {
+  /** Before the scene. */
+  scene: string,
+  /** Before what is said. */
+  dialogue: string,
+  /** Before the notes. */
+  notes: string,
+  /** Which sheet it is of how many. */
+  page: string,
 };
 
 /** A point of a photo, in parts of it. */
@@ -299,6 +437,14 @@ export type Edit = { "type": "add-photos",
   /** Whether it is starred. */
   on: boolean,
 }
+| { "type": "describe-shots",
+  /** All that is told of each, by the ids of the photos. */
+  shots: Record<string, Shot>,
+}
+| { "type": "set-board",
+  /** All that is told of that. */
+  board: Board,
+}
 | { "type": "lock",
   /** Which. */
   part: Part,
@@ -428,6 +574,8 @@ export type PanelUse = {
   crop: Crop | null,
   /** Faces of the photo, in fractions of it, which the style takes care of. Pages of before have none, and look as they did. */
   faces?: ReadonlyArray<Crop>,
+  /** The subject of the photo, which steps out of the panel where there is room; none, and nothing does. */
+  figure?: string,
   /** Kept by every shuffle. */
   locked?: boolean,
   /** The crop was made by hand: it stays while the photo stays in this panel. */
@@ -619,6 +767,11 @@ export type Request = {
   merge?: boolean | null,
   /** Exactly these groups of panels share one image each. */
   merges?: ReadonlyArray<ReadonlyArray<number>> | null,
+  /**
+   * Whether a figure steps out of its panel, where the masks of the photos are there and one can: always, never, or, where nothing
+   * is said, by chance.
+   */
+  figures?: boolean | null,
   /** What the person liked so far. */
   taste?: Taste,
   /** What was shown just now and is not to come again at once, beside what the current page has. */
@@ -695,6 +848,8 @@ export type PhotoMeta = {
   focus: Focus | null,
   /** Tones, texture and colour; none where the photo was never measured, as in projects of before. */
   facts?: string,
+  /** Which part of it is its subject, once that was looked for. */
+  mask?: string,
   /** Marked by a person as one that matters: it gets the large panel. */
   starred?: boolean,
 };
@@ -988,6 +1143,8 @@ export type Candidate = {
   paper: number,
   /** See `MeasuresEntry`. */
   laplacian: number,
+  /** The film that it is a frame of. */
+  film?: string | null,
 };
 
 /** What selection compares, as JSON has it. */
@@ -1118,10 +1275,14 @@ export type FilePhoto = {
   video?: string,
   /** Seconds from the beginning of the video. */
   time?: number,
+  /** The number of its shot in the video, from 1. */
+  shot?: number,
   /** Whether it is compared with other photos. */
   measured: boolean,
   /** What was found in it; none when it was not searched. */
   subjects: ReadonlyArray<Subject> | null,
+  /** Which part of it is its subject. */
+  mask?: string,
   /** Its place in time among the photos. */
   rank: number | null,
   /** How it is recognised where its file is not at hand. */

@@ -9,13 +9,15 @@ import type { Listener, Wish } from './video.ts';
 
 /** A frame that does not come within this time, in ms, is taken as it is. */
 const PATIENCE = 1500;
+/** Frames where nobody says how many. */
+const USUAL = 24;
 /** A video that does not open within this time, in ms, is given up. */
 const OPENING = 10_000;
 
 /** @param why the fast way failed */
 export async function readByElement(
   file: Blob,
-  { count, start, end, leading }: Wish,
+  { count, start, end, leading, times: told }: Wish,
   { signal, onAbout, onFrame }: Listener,
   why: string,
 ) {
@@ -31,7 +33,7 @@ export async function readByElement(
     if (!opened || video.videoWidth === 0) throw failure('video-codec', why);
     const duration = await lengthOf(video);
     onAbout({ duration });
-    const times = sampleTimes({ first: 0, duration, count, start, end });
+    const times = told ?? sampleTimes({ first: 0, duration, count: count || USUAL, start, end });
     for (const index of runs(times.length, leading).flat()) {
       const time = times[index];
       if (signal?.aborted) throw cancelled();

@@ -1,71 +1,198 @@
 /**
- * Takes frames out of one video and ends with it: mediabunny finds the packets, the browser's WebCodecs decodes
+ * Takes frames out of one film and ends with it: mediabunny finds the packets, the browser's WebCodecs decodes
  * them from the nearest key frame. The file is read in pieces, and a frame is closed as soon as it is copied, so a
- * long video takes no more memory than a short one. A worker of its own, so that it can be stopped at any moment; the
- * protocol is that of `frame-sender.ts`.
+ * long film takes no more memory than a short one. A worker of its own, so that it can be stopped at any moment; the
+ * protocol is that of `frame-sender.ts`. Frames are taken at times that are told, or chosen by the shots of the film.
  */
 
-import { ALL_FORMATS, BlobSource, Input, VideoSampleSink } from 'mediabunny';
+import { ALL_FORMATS, BlobSource, EncodedPacketSink, Input, VideoSampleSink } from 'mediabunny';
+import { codecName, filmKind } from './film-kinds.ts';
+import { createLooks } from './film-looks.ts';
+import { filmModule } from './film-module.ts';
 import { rgbaOf } from './frame-pixels.ts';
 import { mayGoOn, sendFrame, serveFrames } from './frame-sender.ts';
 import { describe, failure } from './protocol.ts';
 import { runs, sampleTimes } from './sample-times.ts';
 import type { FileWish } from './frame-sender.ts';
-import type { VideoSample } from 'mediabunny';
+import type { InputVideoTrack, VideoSample } from 'mediabunny';
+
+/** Frames of a long film that are taken before it was looked through: those of a first page, and some that may be better. */
+const FIRST = 8;
+
+/** Frames of a film at most where nobody says how many. */
+const MOST = 120;
+/** Frames by the clock, where shots cannot be found. */
+const WITHOUT = 24;
+
+type Place = { index: number; time: number; shot?: number };
 
 serveFrames(read);
 
-async function read({ file, count, start, end, leading }: FileWish) {
+async function read(wish: FileWish) {
   if (typeof VideoDecoder === 'undefined') throw failure('video-decoder', 'This browser has no WebCodecs.');
-  const input = new Input({ source: new BlobSource(file), formats: ALL_FORMATS });
+  const input = new Input({ source: new BlobSource(wish.file), formats: ALL_FORMATS });
   try {
-    const track = await open(input);
+    const track = await open(input, wish.file);
     const first = Math.max(0, await track.getFirstTimestamp());
-    const duration = await track.computeDuration();
-    const times = sampleTimes({ first, duration, count, start, end });
-    postMessage({ about: { duration } });
-    // A slow film may show one frame at two of the times.
-    const sent = new Set();
-    let delivered = false;
+    const { duration, reaches } = await lengthOf(track);
+    if (!(reaches > 0)) throw failure('film-empty', 'There is no frame in it.');
+    postMessage({ about: { duration: reaches, whole: reaches < duration - 0.5 ? duration : undefined } });
+    const sender = createSender(track);
     try {
-      for (const run of runs(times.length, leading)) {
-        let next = 0;
-        for await (const sample of new VideoSampleSink(track).samplesAtTimestamps(run.map((index) => times[index]))) {
-          const index = run[next];
-          next += 1;
-          if (!sample || sent.has(sample.timestamp)) {
-            sample?.close();
-            continue;
-          }
-          sent.add(sample.timestamp);
-          await mayGoOn();
-          await send(sample, index, times[index]);
-          delivered = true;
-        }
-      }
+      if (wish.shots) await byShots(track, sender, { ...wish, first, duration: reaches });
+      else await atTimes(sender, { ...wish, first, duration: reaches });
     } catch (error) {
       // Where not even one frame comes out of what it says it decodes, the browser's own player may do better.
-      throw delivered ? error : failure('video-decoder', describe(error).message);
+      const { code, message } = describe(error);
+      if (!sender.delivered()) throw code.startsWith('film-') ? error : failure('video-decoder', message);
+      // What came of a film that is broken is worth a page.
+      if (!wish.shots) throw error;
     }
   } finally {
     input.dispose();
   }
 }
 
-async function open(input: Input) {
+type Sender = ReturnType<typeof createSender>;
+type Spread = FileWish & { first: number; duration: number };
+
+async function atTimes(sender: Sender, { count, start, end, leading, times: told, first, duration }: Spread) {
+  const times = told ? [...told] : sampleTimes({ first, duration, count, start, end });
+  for (const run of runs(times.length, leading)) await sender.send(run.map((index) => ({ index, time: times[index] })));
+}
+
+async function byShots(track: InputVideoTrack, sender: Sender, wish: Spread) {
+  const { count, start = 0, end = Infinity, first, duration, moments = [] } = wish;
+  const [from, to] = [Math.max(first, start), Math.min(duration, end)];
+  const films = await filmModule().catch(() => null);
+  // Nobody should be left without a page because a file of the program is missing.
+  if (!films) return atTimes(sender, { ...wish, count: count || WITHOUT });
+  const looking = new films.Looking();
+  const looks = createLooks(track, looking, { from, to });
+  const asked = Float64Array.from(moments);
+  const taken: number[] = [];
+  let last = 0;
+  const tell = (base: number, share: number) => (part: number) => {
+    const now = base + share * part;
+    if (now - last < 0.01) return;
+    last = now;
+    postMessage({ about: { duration, looked: Math.min(1, now) } });
+  };
+  const take = async (wanted: number) => {
+    const fresh = freshOf(looking.choose(to, wanted, Float64Array.from(taken), asked), taken, wanted || MOST);
+    taken.push(...fresh.map(({ time }) => time));
+    postMessage({ about: { duration, frames: wanted === FIRST ? undefined : taken.length } });
+    await sender.send(fresh);
+  };
+  if (await looks.isShort()) {
+    await looks.whole(tell(0, 1));
+  } else {
+    await looks.glance();
+    if (count === 0 || count > FIRST) await take(FIRST);
+    const keys = await looks.keys(tell(0, 0.4));
+    await looks.between(keys, tell(0.4, 0.6));
+  }
+  postMessage({ about: { duration, looked: 1 } });
+  if (looking.looks === 0) throw failure('film-empty', 'There is no frame in it.');
+  await take(count);
+  if (taken.length > 0) return undefined;
+  // All of it is dark, or one colour: then that is what it shows.
+  return atTimes(sender, { ...wish, count: Math.min(count || FIRST, FIRST), times: undefined });
+}
+
+/**
+ * @param chosen seconds and shots by turns
+ * @param taken those that are there already, and count; where there are too many, shots that have one go without another
+ */
+function freshOf(chosen: Float64Array, taken: readonly number[], most: number): Place[] {
+  const all = Array.from({ length: chosen.length / 2 }, (_, i) => ({ time: chosen[2 * i], shot: chosen[2 * i + 1] }));
+  const before = new Set(taken);
+  const having = new Set(all.filter(({ time }) => before.has(time)).map(({ shot }) => shot));
+  const fresh = all.filter(({ time }) => !before.has(time));
+  let over = fresh.length + taken.length - most;
+  const kept = fresh.filter(({ shot }) => {
+    if (over <= 0 || !having.has(shot)) return true;
+    over -= 1;
+    return false;
+  });
+  return kept.slice(0, Math.max(0, most - taken.length)).map((place, i) => ({ ...place, index: taken.length + i }));
+}
+
+/** @returns `reaches`: seconds that the file has; less than it says where it breaks off */
+async function lengthOf(track: InputVideoTrack): Promise<{ duration: number; reaches: number }> {
+  const packets = new EncodedPacketSink(track);
+  const told = (await track.getDurationFromMetadata().catch(() => null)) ?? 0;
+  const found = await track.computeDuration();
+  // WebM and Matroska are as long as what is there of them, whatever they say.
+  if (found > 0 && found < told - 0.5) return { duration: told, reaches: found };
+  const duration = found;
+  const whole = async (time: number) => {
+    try {
+      const packet = await packets.getPacket(time);
+      return packet && packet.data.byteLength > 0 ? packet : null;
+    } catch {
+      return null;
+    }
+  };
+  if (await whole(duration)) return { duration, reaches: duration };
+  let [good, bad] = [0, duration];
+  while (bad - good > 0.04) {
+    const middle = (good + bad) / 2;
+    if (await whole(middle)) good = middle;
+    else bad = middle;
+  }
+  return { duration, reaches: good };
+}
+
+async function open(input: Input, file: Blob) {
+  if (file.size === 0) throw failure('film-empty', 'The file is empty.');
+  const { container, codec } = await filmKind(file);
+  if (container !== null) throw failure('film-container', codec === null ? container : `${container}, ${codec}`);
   if (!(await input.canRead())) throw failure('video-format', 'It is not an MP4, MOV, WebM or Matroska video.');
-  const track = await input.getPrimaryVideoTrack();
+  const track = await trackOf(input);
   if (!track) throw failure('video-empty', 'There is no picture in it, only sound.');
-  if (!(await track.canDecode()))
-    throw failure('video-decoder', `This browser cannot decode ${track.codec ?? 'its format'}.`);
+  if (!(await track.canDecode())) {
+    const told = track.codec === null ? (codec ?? '?') : codecName(track.codec);
+    throw failure(told === 'H.264' ? 'video-decoder' : 'film-codec', told);
+  }
   return track;
 }
 
-async function send(sample: VideoSample, index: number, time: number) {
+/** A file that breaks off before the list of its frames has none of them. */
+async function trackOf(input: Input) {
+  const tracks = await input.getTracks().catch(() => []);
+  if (tracks.length === 0) throw failure('film-cut', 'It breaks off before the list of its frames.');
+  return input.getPrimaryVideoTrack();
+}
+
+function createSender(track: InputVideoTrack) {
+  const sink = new VideoSampleSink(track);
+  // A slow film may show one frame at two of the times.
+  const sent = new Set<number>();
+  return { send, delivered: () => sent.size > 0 };
+
+  async function send(wanted: readonly Place[]) {
+    const places = [...wanted].sort((a, b) => a.time - b.time);
+    let next = 0;
+    for await (const sample of sink.samplesAtTimestamps(places.map(({ time }) => time + 1e-4))) {
+      const place = places[next];
+      next += 1;
+      if (!sample || sent.has(sample.timestamp)) {
+        sample?.close();
+        continue;
+      }
+      sent.add(sample.timestamp);
+      await mayGoOn();
+      await handOver(sample, place);
+    }
+  }
+}
+
+async function handOver(sample: VideoSample, place: Place) {
   try {
     const { width, height, data } = await rgbaOf(sample.toVideoFrame());
     const { rotation, squarePixelWidth: squareWidth, squarePixelHeight: squareHeight } = sample;
-    sendFrame({ index, time, width, height, squareWidth, squareHeight, rotation, data });
+    sendFrame({ ...place, width, height, squareWidth, squareHeight, rotation, data });
   } finally {
     sample.close();
   }

@@ -9,15 +9,33 @@ import { patience } from './patience.ts';
 import { cancelled, failure } from './protocol.ts';
 import { readByElement } from './video-element.ts';
 
+export { isVideo } from './is-video.ts';
+
 /**
  * `count` frames between `start` and `end`, in seconds; the whole video unless told. `leading` are the numbers of those
- * that are wanted first.
+ * that are wanted first. `times`: at these and no others. `shots`: those that stand for the shots of the film, as many as suit
+ * it where `count` is 0; `moments`, in seconds, should have one near.
  */
-export type Wish = { count: number; start?: number; end?: number; leading?: readonly number[] };
+export type Wish = {
+  count: number;
+  start?: number;
+  end?: number;
+  leading?: readonly number[];
+  times?: readonly number[];
+  shots?: boolean;
+  moments?: readonly number[];
+};
+/**
+ * What is known of the film by now: its seconds; `whole`: those that it should have, where it breaks off; `looked`: how much
+ * of it was looked through, 0 to 1; `frames`: how many come.
+ */
+export type About = { duration: number; whole?: number; looked?: number; frames?: number };
 /** RGBA of `width` x `height` pixels, to be stretched to the square size and turned clockwise by `rotation` */
 export type Frame = {
   index: number;
   time: number;
+  /** from 1 */
+  shot?: number;
   width: number;
   height: number;
   squareWidth: number;
@@ -28,16 +46,15 @@ export type Frame = {
 /** the next frame is asked for when the promise of `onFrame` settles */
 export type Listener = {
   signal?: AbortSignal;
-  onAbout: (about: { duration: number }) => void;
+  onAbout: (about: About) => void;
   onFrame: (frame: Frame) => Promise<void>;
 };
 
 /** Milliseconds without a word of the reader: a slow device may decode hundreds of frames between two of the times. */
 const SILENCE = 60_000;
 
-export function isVideo(file: Blob & { name?: string }): boolean {
-  return file.type.startsWith('video/') || /\.(mp4|m4v|mov|webm|mkv)$/i.test(file.name ?? '');
-}
+/** What the browser's own player may read all the same. */
+const BY_ELEMENT = ['film-codec', 'film-empty', 'film-cut'];
 
 /** @returns when all frames were dealt with */
 export async function readVideo(file: Blob, wish: Wish, listener: Listener): Promise<void> {
@@ -55,8 +72,12 @@ export async function readVideo(file: Blob, wish: Wish, listener: Listener): Pro
     });
     await readByWorker(worker, { file, ...wish }, listener);
   } catch (error) {
-    if ((error as { code?: string }).code !== 'video-decoder') throw error;
-    await readByElement(file, wish, listener, (error as Error).message);
+    const { code, message } = error as { code?: string; message: string };
+    if (code !== 'video-decoder' && !BY_ELEMENT.includes(String(code))) throw error;
+    await readByElement(file, wish, listener, message).catch((worse) => {
+      // What the browser's own player cannot read either is named by what is wrong with the film.
+      throw code !== 'video-decoder' && worse.code === 'video-codec' ? error : worse;
+    });
   }
 }
 

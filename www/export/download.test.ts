@@ -28,6 +28,7 @@ function app(engine: Record<string, any> = {}) {
     messages,
     pages: {} as any,
     engine: { exportPng: made, exportJpeg: made, ...engine } as any,
+    shotList: () => ({}) as any,
     pageFiles: {
       take: () => 'project',
       carrying: async (png) => ({ png, unclean: 0 }),

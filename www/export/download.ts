@@ -7,13 +7,13 @@ import { signal } from '@preact/signals';
 import { strings } from '../strings/strings.ts';
 import { save } from '../ui/files.ts';
 import { fileName, panelName } from './export-name.ts';
-import { FORMATS, isArchive } from './formats.ts';
+import { FORMATS, isArchive, isList } from './formats.ts';
 import { createMaking } from './page-making.ts';
 import { sized } from '../page/paper.ts';
 import type { Messages } from '../ui/messages.ts';
 import type { Pages } from '../document/pages.ts';
 import type { Progress, Store } from '../document/store.ts';
-import type { PageDocument, PageSettings } from '../engine/types.ts';
+import type { PageDocument, PageSettings, ShotList } from '../engine/types.ts';
 import type { Engine } from '../engine/engine.ts';
 import type { PageFiles } from '../storage/files/page-files.ts';
 import type { Cargo, Wish, Work } from './page-making.ts';
@@ -28,6 +28,7 @@ export function createDownload({
   engine,
   messages,
   pageFiles,
+  shotList,
   onSaved = () => {},
 }: {
   store: Store;
@@ -41,19 +42,22 @@ export function createDownload({
     | 'exportPdf'
     | 'exportPlates'
     | 'exportPanel'
+    | 'exportSubject'
     | 'givesWebp'
     | 'comicPieces'
     | 'comicFiles'
+    | 'shotFile'
   >;
   pageFiles: Pick<PageFiles, 'take' | 'carrying' | 'packed'>;
+  shotList: () => ShotList;
   onSaved?: (pages: readonly PageDocument[]) => void;
 }) {
   /** `packing`: the pages are drawn, and what goes with them is put in. */
   const progress: Signal<(Progress & { packing?: boolean }) | null> = signal(null);
   let running: AbortController | null = null;
-  const make = createMaking({ store, engine });
+  const make = createMaking({ store, engine, shotList });
 
-  return { progress, start, saveAs, copy, share, savePanel, cancel, preview, sheets, scaledSheets };
+  return { progress, start, saveAs, copy, share, savePanel, saveSubject, cancel, preview, sheets, scaledSheets };
 
   /** @returns the pages of the storyboard, in their order */
   function sheets(): readonly PageDocument[] {
@@ -91,7 +95,7 @@ export function createDownload({
     if (!file) return;
     save(file, nameOf(wish));
     onSaved(wish.pages);
-    const saved = strings.pagesSaved(wish.pages.length);
+    const saved = isList(wish.format) ? strings.boards.listSaved : strings.pagesSaved(wish.pages.length);
     messages.note(cargo.unclean > 0 ? `${saved} ${strings.photosUnclean(cargo.unclean)}` : saved);
   }
 
@@ -132,6 +136,17 @@ export function createDownload({
     if (!file) return;
     save(file, panelName(store.project.peek(), index));
     messages.note(strings.panelSaved);
+  }
+
+  /** @param id of a photo whose subject is known */
+  async function saveSubject(id: string) {
+    const { name, meta } = store.album.peek().get(id) ?? {};
+    const mask = meta?.mask;
+    if (!mask) return;
+    const file = await work((how) => engine.exportSubject(id, mask, how), strings.exportFailed);
+    if (!file) return;
+    save(file, `${(name ?? id).replace(/\.[^.]+$/, '')}-subject.png`);
+    messages.note(strings.subjectSaved);
   }
 
   /** The browser is handed the promise of a picture, as some allow the clipboard only in the moment of the click. */

@@ -4,7 +4,7 @@
  */
 
 import { useEffect, useMemo, useState } from 'preact/hooks';
-import { FORMATS, OF_MANY, OF_ONE, isArchive, pictureIn } from './formats.ts';
+import { FORMATS, isArchive, isList, OF_MANY, OF_ONE, pictureIn } from './formats.ts';
 import { USUAL_QUALITY } from './page-making.ts';
 import { PAGE_SIZES, scaled, sizeId } from '../page/paper.ts';
 import { strings } from '../strings/strings.ts';
@@ -137,10 +137,14 @@ export function ExportDialog() {
               <output aria-hidden="true">{quality}</output>
             </label>
           )}
-          <p class="quiet export-facts">
-            <span>{strings.pixels(width, height)}</span>
-            <FileSize wish={wish} />
-          </p>
+          {isList(format) ? (
+            <p class="quiet">{strings.boards.listHelp}</p>
+          ) : (
+            <p class="quiet export-facts">
+              <span>{strings.pixels(width, height)}</span>
+              <FileSize wish={wish} />
+            </p>
+          )}
           {(format === 'png' || isArchive(format)) && <ExportProject archive={isArchive(format)} />}
           <ExportActions wish={wish} page={document} close={close} />
         </div>

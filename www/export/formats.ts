@@ -1,8 +1,13 @@
 /** The kinds of files that pages become. */
 
-export type Format = 'png' | 'jpeg' | 'webp' | 'pdf' | 'html' | 'epub' | 'zip' | 'cbz';
+import type { ListKind } from '../engine/protocol.ts';
+
+export type Format = 'png' | 'jpeg' | 'webp' | 'pdf' | 'html' | 'epub' | 'zip' | 'cbz' | ListKind;
 /** the pictures of a ZIP or CBZ file */
 export type Inside = 'png' | 'jpeg';
+
+/** Lists of the shots of the album, which hold no pictures. */
+export const LISTS: readonly ListKind[] = ['csv', 'edl', 'otio', 'xml'];
 
 export const FORMATS: Record<Format, { ending: string; type: string; lossy: boolean }> = {
   png: { ending: 'png', type: 'image/png', lossy: false },
@@ -13,13 +18,21 @@ export const FORMATS: Record<Format, { ending: string; type: string; lossy: bool
   epub: { ending: 'epub', type: 'application/epub+zip', lossy: true },
   zip: { ending: 'zip', type: 'application/zip', lossy: false },
   cbz: { ending: 'cbz', type: 'application/vnd.comicbook+zip', lossy: false },
+  csv: { ending: 'csv', type: 'text/csv', lossy: false },
+  edl: { ending: 'edl', type: 'text/plain', lossy: false },
+  otio: { ending: 'otio', type: 'application/json', lossy: false },
+  xml: { ending: 'xml', type: 'application/xml', lossy: false },
 };
 
-export const OF_ONE: readonly Format[] = ['png', 'jpeg', 'webp', 'pdf', 'html', 'epub', 'cbz'];
-export const OF_MANY: readonly Format[] = ['pdf', 'html', 'epub', 'cbz', 'zip'];
+export const OF_ONE: readonly Format[] = ['png', 'jpeg', 'webp', 'pdf', 'html', 'epub', 'cbz', ...LISTS];
+export const OF_MANY: readonly Format[] = ['pdf', 'html', 'epub', 'cbz', 'zip', ...LISTS];
 
 export function isArchive(format: Format): format is 'zip' | 'cbz' {
   return format === 'zip' || format === 'cbz';
+}
+
+export function isList(format: Format): format is ListKind {
+  return (LISTS as readonly Format[]).includes(format);
 }
 
 /** Comics that hold all their pages; what is said of them beside their name has a string. */
@@ -34,6 +47,7 @@ export function isBook(format: Format): format is 'html' | 'epub' {
  */
 export function pictureIn(format: Format, inside: Inside, webp: boolean): 'png' | 'jpeg' | 'webp' {
   if (isArchive(format)) return inside;
+  if (isList(format)) return 'png';
   if (format === 'html') return webp ? 'webp' : 'jpeg';
   return format === 'pdf' || format === 'epub' ? 'jpeg' : format;
 }

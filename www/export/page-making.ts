@@ -2,13 +2,13 @@
 
 import { strings } from '../strings/strings.ts';
 import { createComics } from './comics.ts';
-import { FORMATS, isArchive, isBook, pageName } from './formats.ts';
+import { FORMATS, isArchive, isBook, isList, pageName } from './formats.ts';
 import { archiveOf } from '../engine/archive.ts';
 import { describePanel } from '../page/describing.ts';
 import { currentLanguage } from '../strings/language.ts';
 import { bled, kept, NO_PRINT, pdfOptions } from './print.ts';
 import type { Store } from '../document/store.ts';
-import type { PageDocument } from '../engine/types.ts';
+import type { PageDocument, ShotList } from '../engine/types.ts';
 import type { Engine } from '../engine/engine.ts';
 import type { Format, Inside } from './formats.ts';
 import type { Print } from './print.ts';
@@ -37,8 +37,10 @@ export const USUAL_QUALITY = 88;
 export function createMaking({
   store,
   engine,
+  shotList,
 }: {
   store: Store;
+  shotList: () => ShotList;
   engine: Pick<
     Engine,
     | 'exportPng'
@@ -49,6 +51,7 @@ export function createMaking({
     | 'givesWebp'
     | 'comicPieces'
     | 'comicFiles'
+    | 'shotFile'
   >;
 }) {
   const comics = createComics({ store, engine });
@@ -60,6 +63,10 @@ export function createMaking({
     how: Work,
     { carry, beside }: Cargo,
   ): Promise<Blob> {
+    if (isList(format)) {
+      const text = await engine.shotFile(format, shotList(), { signal: how.signal });
+      return new Blob([text], { type: FORMATS[format].type });
+    }
     if (format === 'pdf') return printed(documents, print, quality, how);
     if (isBook(format)) return comics.book(format, documents, quality, how);
     if (!isArchive(format)) return picture(documents[0], format as 'png' | 'jpeg' | 'webp', quality, how, carry);

@@ -28,6 +28,7 @@ function drawPanel(context: CanvasRenderingContext2D, sheet: Sheet, { patch, coa
     context.drawImage(ready.bitmap, ready.x * scale, ready.y * scale, ready.width * scale, ready.height * scale);
     return;
   }
+  // A figure that is not there yet is not missed.
   const panel = geometry.panels[index];
   if (!panel) return;
   context.save();

@@ -5,6 +5,7 @@
  */
 
 import { drawPage, sheetSize } from './drawing.ts';
+import { panelOf, picturesOf } from '../engine/figures.ts';
 import { onlyMoved, sameLook, sameShape } from './likeness.ts';
 import { createPatches } from './patches.ts';
 import type { Geometry, PageDocument } from '../engine/types.ts';
@@ -57,7 +58,7 @@ export function createPainter(
     const old = sheet;
     sheet = { document, geometry, width, slots: [] };
     const near = old !== null && (sameShape(old.document, document) || (follow && onlyMoved(old, geometry)));
-    sheet.slots = document.panels.map((_, i) => slotOf(sheet as Sheet, i, near ? old : null));
+    sheet.slots = picturesOf(document).map((i) => slotOf(sheet as Sheet, i, near ? old : null));
     const moving = near && sameLook((old as Sheet).document, document);
     const wanted = sheet.slots.map(({ signature }) => signature);
     if (!moving) running.clear();
@@ -74,12 +75,13 @@ export function createPainter(
 
   /** Draws the panels of a page that may be shown next, after all else; the next page that is shown cancels it. */
   function prepare(document: PageDocument, geometry: Geometry, width: number) {
-    document.panels.forEach(({ photo }, index) => {
+    for (const index of picturesOf(document)) {
+      const { photo } = document.panels[panelOf(document, index)];
       const signature = patches.signature(document, geometry, index, width);
-      if (photo === null || !engine.hasPhoto(photo) || patches.cached(signature)) return;
+      if (photo === null || !engine.hasPhoto(photo) || patches.cached(signature)) continue;
       // What goes wrong is said when the page is shown.
       patches.get(signature, document, geometry, index, width, true).catch(() => {});
-    });
+    }
   }
 
   /** @param near the sheet before where its panels are the same ones */
@@ -92,7 +94,7 @@ export function createPainter(
   }
 
   function request(from: Sheet, slot: Slot, index: number, slow: boolean) {
-    const { photo } = from.document.panels[index];
+    const { photo } = from.document.panels[panelOf(from.document, index)];
     if (slot.patch || photo === null || !engine.hasPhoto(photo)) return;
     const before = running.get(index);
     if (before !== undefined && before !== slot.signature) return;
@@ -145,7 +147,7 @@ export function createPainter(
   /** @returns whether nothing more is to come */
   function complete(of: Sheet): boolean {
     return of.slots.every((slot, i) => {
-      const { photo } = of.document.panels[i];
+      const { photo } = of.document.panels[panelOf(of.document, i)];
       return slot.patch || slot.failed || photo === null || !engine.hasPhoto(photo);
     });
   }

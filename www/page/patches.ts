@@ -2,6 +2,7 @@
  * The pictures of panels: asked for once, shared, and kept for a while, so that the previous page is there at once.
  */
 
+import { panelOf } from '../engine/figures.ts';
 import { Priority } from '../engine/queue.ts';
 import type { Bounds, Geometry, PageDocument } from '../engine/types.ts';
 import type { Engine } from '../engine/engine.ts';
@@ -38,12 +39,9 @@ export function createPatches(render: Engine['renderPanel']) {
    * and of those that it shares an image with, and how many panels there are, which says how wide lines are.
    * @returns all that the picture depends on
    */
-  function signature(
-    { style, page, merges, panels }: PageDocument,
-    geometry: Geometry,
-    index: number,
-    width: number,
-  ): string {
+  function signature(document: PageDocument, geometry: Geometry, picture: number, width: number): string {
+    const { style, page, merges, panels } = document;
+    const index = panelOf(document, picture);
     const group = merges.find((other) => other.includes(index)) ?? [index];
     const { photo, crop, faces } = panels[group[0]];
     const shapes = group.map((i) => geometry.panels[i]);
@@ -57,6 +55,10 @@ export function createPatches(render: Engine['renderPanel']) {
       shapes,
       geometry.panels.filter(({ overlay }) => !overlay).length,
       width,
+      // A figure leaves the faces of all others alone.
+      picture === index
+        ? null
+        : [panels[index].figure, panels.map((panel) => [panel.crop, panel.faces]), geometry.panels],
     ]);
   }
 
@@ -150,10 +152,12 @@ function size({ bitmap }: { bitmap: ImageBitmap }) {
 
 /** The part of the photo that a panel's image shows, and where that image is: its own, or that of its group. */
 export function shown(
-  { panels, merges }: PageDocument,
+  document: PageDocument,
   geometry: Geometry,
-  index: number,
+  picture: number,
 ): { crop: Bounds | null; bounds: Bounds } {
+  const { panels, merges } = document;
+  const index = panelOf(document, picture);
   const group = merges.find((other) => other.includes(index)) ?? [index];
   const boxes = group.map((i) => geometry.panels[i].bounds);
   const [x, y] = [Math.min(...boxes.map((box) => box.x)), Math.min(...boxes.map((box) => box.y))];

@@ -1,28 +1,41 @@
 /**
- * Videos in: each becomes a number of frames, spread evenly over it or over a stretch of it. A frame is a photo from
- * then on; the video stays known, so that other frames can be taken.
+ * Films in: each becomes a number of frames that stand for its shots, of the whole of it or of a stretch. A frame is a photo
+ * from then on; the film stays known, so that other frames can be taken.
  */
 
+import { batch } from '@preact/signals';
+import { pictureEnds } from '../engine/animation-times.ts';
 import { strings } from '../strings/strings.ts';
+import { MOST } from '../document/limits.ts';
 import type { Video } from '../document/album.ts';
 import type { Store } from '../document/store.ts';
 import type { Engine } from '../engine/engine.ts';
+import type { About } from '../engine/video.ts';
+import type { Messages } from '../ui/messages.ts';
 import type { Intake } from './intake.ts';
 
-/** Frames taken of a video unless told: four times as many as the first page shows, for some are alike or blurred. */
+/** Frames that a film is given places for until it was looked through; it then has as many as its shots ask for. */
 export const FRAMES = 24;
+
+/** How a change is entered: silently with a first page, else as a part of a step of the undo. */
+type Step = { silent: true } | { gesture: string };
+/** `moments`: seconds at which somebody speaks; `step` of what comes beyond the first places */
+type How = { signal: AbortSignal; step?: () => Step; moments?: readonly number[] };
 
 export function createFrames({
   store,
   engine,
   intake,
+  messages,
 }: {
   store: Store;
   engine: Pick<Engine, 'importVideo'>;
   intake: Intake;
+  messages: Pick<Messages, 'alert'>;
 }) {
   return { open, read, resample };
 
+  /** @param wish `frames`: how many places it is given */
   function open(file: File, { frames = FRAMES, ...wish }: Partial<Video> & { frames?: number } = {}): Video {
     const ids = intake.freshIds(frames);
     const video = { key: ids[0], name: file.name, file, ids, duration: null, start: 0, end: null, ...wish };
@@ -31,31 +44,80 @@ export function createFrames({
     return video;
   }
 
-  /** @returns the frames that came: a short video has fewer than were asked for */
-  async function read({ key, file, ids, start, end }: Video, signal: AbortSignal): Promise<string[]> {
-    let got = 0;
+  /** @returns the frames that came: a short film has fewer than were asked for */
+  async function read(video: Video, how: How & { count?: number }): Promise<string[]> {
+    const { key, file, start, end } = video;
+    const all = [...video.ids];
+    let [got, expected] = [0, all.length];
     try {
       await engine.importVideo(file, {
-        ids: [...ids],
-        leading: ids.filter(intake.isShown),
+        ids: [...video.ids],
+        leading: video.ids.filter(intake.isShown),
+        ...(await wishOf(video, how)),
         start,
         end: end ?? undefined,
-        signal,
-        onAbout: ({ duration }) => know(key, { duration, end: end ?? duration }),
-        onPhoto: (id, meta, time) => {
+        signal: how.signal,
+        more: () => another(key, file, how.step, all),
+        onAbout: (about) => {
+          told(key, file, about);
+          if (about.frames === undefined) return;
+          intake.count(0, about.frames - expected);
+          expected = about.frames;
+        },
+        onPhoto: (id, meta, time, shot) => {
           got += 1;
-          intake.arrived(id, meta, { name: strings.frameName(file.name, time), video: key, time });
+          intake.arrived(id, meta, { name: strings.frameName(file.name, time), video: key, time, shot });
           intake.count(1, 0);
         },
       });
     } catch (error) {
       intake.failed(file, error);
     }
-    const came = intake.leaveOut(ids);
+    looked(key, undefined);
+    const came = intake.leaveOut(all);
     if (came.length > 0) know(key, { ids: came });
     else forget(key);
-    intake.count(ids.length - got, 0);
+    intake.count(expected - got, 0);
     return came;
+  }
+
+  /** What is asked of the film: frames that were there before are the same again, all else is chosen by its shots. */
+  async function wishOf({ ids, duration, start, end, file }: Video, { count, moments }: How & { count?: number }) {
+    const times = ids.map((id) => store.album.peek().get(id)?.time);
+    if (duration !== null && times.some((time) => time !== undefined)) {
+      const length = (end ?? duration) - start;
+      return { times: times.map((time, i) => time ?? start + ((i + 0.5) / ids.length) * length) };
+    }
+    // A picture that moves has no shots.
+    return (await pictureEnds(file)).length > 0 ? {} : { shots: true, count: count ?? 0, moments };
+  }
+
+  /** A place for one frame more. */
+  function another(key: string, file: File, step: How['step'] = () => ({ silent: true }), all: string[]) {
+    if (store.tray.peek().length >= MOST.photos) return undefined;
+    const [id] = intake.freshIds(1);
+    all.push(id);
+    batch(() => {
+      store.know({ id, name: file.name, meta: null, measures: null });
+      store.change({ type: 'add-photos', ids: [id], ...step() });
+      know(key, { ids: [...all] });
+    });
+    return id;
+  }
+
+  function told(key: string, file: File, { duration, whole, looked: part }: About) {
+    const video = store.videos.peek().get(key);
+    if (video && video.duration !== duration) know(key, { duration, end: video.end ?? duration });
+    if (whole !== undefined)
+      messages.alert(strings.filmReaches(file.name, strings.clock(duration), strings.clock(whole)));
+    if (part !== undefined) looked(key, part < 1 ? { name: file.name, part } : undefined);
+  }
+
+  function looked(key: string, news: { name: string; part: number } | undefined) {
+    const all = new Map(store.looking.peek());
+    if (news) all.set(key, news);
+    else if (!all.delete(key)) return;
+    store.looking.value = all;
   }
 
   /**
@@ -73,8 +135,9 @@ export function createFrames({
     const video = open(old.file, { frames, duration: old.duration, start, end });
     intake.count(0, frames);
     store.change({ type: 'add-photos', ids: [...video.ids], gesture });
-    if ((await read(video, signal)).length === 0) return;
-    // The video before stays known: undo brings its frames back.
+    const came = await read(video, { signal, count: frames, step: () => ({ gesture }) });
+    if (came.length === 0) return;
+    // The film before stays known: undo brings its frames back.
     store.change({ type: 'remove-photos', ids: old.ids, gesture });
   }
 

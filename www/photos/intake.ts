@@ -158,7 +158,8 @@ export function createIntake({
 
   function failed(file: File, error: unknown) {
     const { code, message } = error as { code: string; message: string };
-    if (code !== 'cancelled') messages.fileFailed(file.name, strings.reasons[code] ?? message);
+    const why = strings.reasons[code] ?? strings.reasonsOf[code]?.(message) ?? message;
+    if (code !== 'cancelled') messages.fileFailed(file.name, why);
   }
 
   /**

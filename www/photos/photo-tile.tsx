@@ -81,6 +81,11 @@ export function PhotoTile({
           <span class="bitmap" />
         )}
         {ui.subjects.value && <PhotoSubjects id={id} />}
+        {fact?.time !== undefined && (
+          <span class="photo-time" aria-hidden="true">
+            {strings.clock(fact.time)}
+          </span>
+        )}
         {short && (
           <span class="photo-places" aria-hidden="true">
             {short}

@@ -5,7 +5,7 @@
 
 import { batch } from '@preact/signals';
 import { mayMove, pictureEnds } from '../engine/animation-times.ts';
-import { isVideo } from '../engine/video.ts';
+import { filmsAmong } from '../engine/film-kinds.ts';
 import { strings } from '../strings/strings.ts';
 import { byName } from '../ui/by-name.ts';
 import { createAlbumNaming } from './album-naming.ts';
@@ -51,12 +51,14 @@ export function createReading({
   let gesture = null as string | null;
   /** The message that there is no page, which the next page takes away. */
   let complaint = 0;
+  /** Files of what is being read. */
+  let files = 0;
 
   /** Stops what is being read. */
   let stop: AbortController | null = null;
 
   const intake = createIntake({ store, pages, engine, messages, prefix });
-  const frames = createFrames({ store, engine, intake });
+  const frames = createFrames({ store, engine, intake, messages });
   const naming = createAlbumNaming({ store });
   const firstPage = createFirstPage({ store, pages, facesReady: () => engine.facesReady() });
 
@@ -78,14 +80,21 @@ export function createReading({
     near: firstPage.near,
   };
 
-  /** @param credits the authors to name, by file name */
-  async function addFiles(given: readonly File[], credits?: ReadonlyMap<string, string>) {
+  /**
+   * @param credits the authors to name, by file name
+   * @param moments seconds at which somebody speaks in a film
+   */
+  async function addFiles(
+    given: readonly File[],
+    credits?: ReadonlyMap<string, string>,
+    moments: ReadonlyMap<File, readonly number[]> = new Map(),
+  ) {
     if (given.length === 0) return;
     store.arriving.value += given.length;
     const sources = await onTable(given, credits).finally(() => {
       store.arriving.value -= given.length;
     });
-    if (sources) await readAll(sources);
+    if (sources) await readAll(sources, moments);
   }
 
   /** @returns what is in the tray from now on; null where there is no planner */
@@ -103,12 +112,13 @@ export function createReading({
           )
         : [],
     );
+    const films = await filmsAmong(given);
     const first = store.tray.peek().length === 0;
     // As one change: hundreds one by one would each be looked at by all that depends on the album.
     let room = MOST.photos - store.tray.peek().length;
     const sources = batch(() =>
       byName(given).flatMap((file) => {
-        const frames = framesOf(file, moving.get(file) ?? 0);
+        const frames = framesOf(moving.get(file) ?? 0, films.has(file));
         if (Math.max(1, frames) > room) return [];
         room -= Math.max(1, frames);
         return [sourceOf(file, credits?.get(file.name), frames)];
@@ -118,6 +128,7 @@ export function createReading({
       messages.alert(strings.tooManyPhotos(given.length - sources.length, strings.decimal(MOST.photos)));
     if (sources.length === 0) return null;
     const ids = sources.flatMap((source) => source.ids);
+    files = (store.reading.peek() ? files : 0) + given.length;
     naming.begin(sources);
     intake.count(0, ids.length);
     if (first) {
@@ -134,10 +145,10 @@ export function createReading({
 
   /**
    * @param pictures of an animation
-   * @returns the frames to take of it, none of a photo
+   * @returns the frames to take of it at first, none of a photo
    */
-  function framesOf(file: File, pictures: number): number {
-    return isVideo(file) || pictures > 0 ? Math.min(FRAMES, pictures || FRAMES) : 0;
+  function framesOf(pictures: number, film: boolean): number {
+    return film || pictures > 0 ? Math.min(FRAMES, pictures || FRAMES) : 0;
   }
 
   /** @param count of its frames */
@@ -148,11 +159,18 @@ export function createReading({
     return { file, ids, video };
   }
 
-  async function readAll(sources: Source[]) {
+  /** How what comes later joins what is being read. */
+  function stepOf() {
+    return gesture === null ? { silent: true as const } : { gesture };
+  }
+
+  async function readAll(sources: Source[], moments: ReadonlyMap<File, readonly number[]>) {
     const signal = stopSignal();
     await Promise.all(
       sources.map((source) =>
-        source.video ? frames.read(source.video, signal) : intake.readPhoto(source.ids[0], source.file, signal),
+        source.video
+          ? frames.read(source.video, { signal, step: stepOf, moments: moments.get(source.file) })
+          : intake.readPhoto(source.ids[0], source.file, signal),
       ),
     );
     if (!store.reading.peek()) settle();
@@ -172,7 +190,7 @@ export function createReading({
     const { signal } = new AbortController();
     await Promise.all([
       ...photos.map(({ id, file }) => intake.readPhoto(id, file, signal)),
-      ...videos.map((video) => frames.read(video, signal)),
+      ...videos.map((video) => frames.read(video, { signal })),
     ]);
     if (!store.reading.peek()) settle();
   }
@@ -212,7 +230,8 @@ export function createReading({
     naming.settle(step);
     if (store.photos.peek().length === 0) {
       store.change({ type: 'no-page', silent: true });
-      complaint = messages.alert(strings.noUsablePhoto);
+      // Of a single file the reason says it all.
+      if (files > 1) complaint = messages.alert(strings.noUsablePhoto);
     } else if (step === null) {
       if (!firstPage.compose()) keepShown();
     } else if (planned !== inUse()) {

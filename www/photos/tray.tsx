@@ -42,6 +42,9 @@ export function Tray() {
         <ActionButton action={actions.photos.add} />
       </header>
       {reading && <Reading done={reading.done} total={reading.total} />}
+      {[...store.looking.value].map(([key, { name, part }]) => (
+        <Looking key={key} name={name} part={part} />
+      ))}
       {finding && <Finding done={finding.done} total={finding.total} />}
       <Videos />
       {tray.length > 1 && <ChoiceOfPhotos />}
@@ -83,6 +86,17 @@ function useTiles(): (item: TrayItem, used: boolean, stack: number) => VNode {
     known.current.set(item.id, { of, item, tile });
     return tile;
   };
+}
+
+/** A film that is looked through: its frames come when that is done, those of the first page before. */
+function Looking({ name, part }: { name: string; part: number }) {
+  const label = strings.lookingThrough(name, strings.percent(part));
+  return (
+    <label class="looking">
+      <span>{label}</span>
+      <progress class="progress" aria-label={label} value={part} max={1} />
+    </label>
+  );
 }
 
 /** A line alone: faces refine what is there already, and nobody waits for them. */

@@ -55,15 +55,14 @@ function Trim({ video }: { video: Video }) {
         <label class="field">
           <span>{strings.frames}</span>
           <input
-            type="number"
+            type="range"
             min="1"
             max={MOST_FRAMES}
             value={wish.frames}
-            onInput={({ currentTarget }) => {
-              const frames = Math.round(currentTarget.valueAsNumber);
-              if (frames >= 1) set({ frames: Math.min(MOST_FRAMES, frames) });
-            }}
+            aria-valuetext={strings.videoFrames(wish.frames)}
+            onInput={({ currentTarget }) => set({ frames: currentTarget.valueAsNumber })}
           />
+          <output aria-hidden="true">{wish.frames}</output>
         </label>
         <button
           type="button"

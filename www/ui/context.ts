@@ -4,6 +4,7 @@
 
 import { createContext } from 'preact';
 import { useContext } from 'preact/hooks';
+import type { Boards } from '../boards/boards.ts';
 import type { Book } from '../book/book.ts';
 import type { ShownPages } from '../book/shown-pages.ts';
 import type { Designer } from '../designer/designer.ts';
@@ -30,6 +31,7 @@ import type { BetterCrops } from '../page/better-crops.ts';
 import type { Choosing } from '../photos/choosing.ts';
 import type { Reading } from '../photos/reading.ts';
 import type { Scrubbing } from '../page/panels/scrubbing.ts';
+import type { Masks } from '../photos/masks.ts';
 import type { Subjects } from '../photos/subjects.ts';
 import type { Keeping } from '../storage/storage.ts';
 import type { OwnStyles } from '../styles/own-styles.ts';
@@ -44,7 +46,9 @@ export type Parts = {
   pages: Pages;
   crops: BetterCrops;
   book: Book;
+  boards: Boards;
   subjects: Subjects;
+  masks: Masks;
   reading: Reading;
   scrubbing: Scrubbing;
   ahead: Ahead;

@@ -50,6 +50,11 @@ const TOPICS: &[Topic] = &[
         stored: &["www/engine/bounds.ts", "www/document/empty.ts"],
     },
     Topic {
+        name: "shots",
+        tests: &[("shots", "lists_are_those_that_were_read")],
+        stored: &["tests/oracles/data/shots"],
+    },
+    Topic {
         name: "types",
         tests: &[
             (LIBRARY, "typescript::the_page_has_the_types_of_the_core"),

@@ -54,7 +54,7 @@ struct Arguments {
 enum Task {
     /// Build the wasm core and the site into www/dist
     Build,
-    /// Build one wasm module into its folder of www: core, decoders, words, exports, imitation or detectors
+    /// Build one wasm module into its folder of www: core, decoders, words, exports, films, imitation or detectors
     Module {
         /// Which one
         name: String,
@@ -108,7 +108,7 @@ enum Task {
     Duplicates,
     /// Store what is drawn and written now as what it should be, list what changed, and fail if anything did
     Bless {
-        /// Only these: goldens, tables, bounds
+        /// Only these: goldens, tables, bounds, shots, types
         topics: Vec<String>,
     },
 }

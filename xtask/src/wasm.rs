@@ -97,6 +97,11 @@ pub(crate) fn decoders(project: &Project) -> Module {
     Module { name: "decoders", package: "inkpanel-decoders", folder, ..small() }
 }
 
+/// What finds the shots of a film, which the page loads with the first of them.
+pub(crate) fn films(project: &Project) -> Module {
+    Module { name: "films", package: "inkpanel-films", folder: project.www().join("pkg-films"), ..fast() }
+}
+
 /// The search for styles from a picture, which the page loads with the first such picture: as fast as the core, whose styles it
 /// tries by the hundred.
 pub(crate) fn imitation(project: &Project) -> Module {
@@ -105,12 +110,13 @@ pub(crate) fn imitation(project: &Project) -> Module {
 }
 
 /// All modules of the page.
-pub(crate) fn all(project: &Project) -> [Module; 6] {
+pub(crate) fn all(project: &Project) -> [Module; 7] {
     [
         core(project),
         decoders(project),
         words(project),
         exports(project),
+        films(project),
         imitation(project),
         detectors(project),
     ]

@@ -12,11 +12,13 @@ pub mod enlarge;
 mod exif;
 #[cfg(feature = "rare")]
 mod gif;
+pub mod guided;
 #[cfg(feature = "pages")]
 mod icc;
 pub mod image;
 #[cfg(feature = "pages")]
 mod jpeg;
+pub mod matte;
 #[cfg(feature = "pages")]
 pub mod orient;
 pub mod plane;
@@ -31,4 +33,5 @@ pub mod sets;
 mod tiff;
 
 pub use image::Image;
+pub use matte::Matte;
 pub use plane::Plane;

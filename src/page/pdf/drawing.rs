@@ -3,7 +3,7 @@
 
 use super::color::Colours;
 use super::tags::{Tags, artifact, end};
-use super::{Leaf, short};
+use super::{Leaf, Picture, short};
 use crate::error::Result;
 use crate::layout::Point;
 use crate::page::compose::EMPTY;
@@ -54,6 +54,14 @@ pub(super) fn draw(
         draw_panel(content, ground, i, panel);
         end(content);
     }
+    // Figures that step out lie over all panels; what they are is told with their panel.
+    for picture in pictures.iter().filter(|picture| picture.index >= document.panels.len()) {
+        artifact(content);
+        content.save_state();
+        place(content, ground, picture);
+        content.restore_state();
+        end(content);
+    }
     Ok(())
 }
 
@@ -71,11 +79,8 @@ fn draw_panel(content: &mut Content, ground: &Ground, index: usize, panel: &Scen
         content.save_state();
         path(content, &line(0.0));
         content.clip_nonzero().end_path();
-        // Pictures stand upright on their lower edge.
-        let area = picture.area;
-        let (w, h) = (area.width as f32, area.height as f32);
-        content.transform([w, 0.0, 0.0, -h, area.x as f32, area.y as f32 + h]);
-        content.x_object(Name(picture.name(ground.number).as_bytes())).restore_state();
+        place(content, ground, picture);
+        content.restore_state();
     } else {
         ground.colours.fill(content, EMPTY);
         path(content, &line(0.0));
@@ -87,6 +92,15 @@ fn draw_panel(content: &mut Content, ground: &Ground, index: usize, panel: &Scen
         path(content, &line(-border / 2.0));
         content.fill_even_odd();
     }
+}
+
+/// Shows a picture in its place.
+fn place(content: &mut Content, ground: &Ground, picture: &Picture) {
+    // Pictures stand upright on their lower edge.
+    let area = picture.area;
+    let (w, h) = (area.width as f32, area.height as f32);
+    content.transform([w, 0.0, 0.0, -h, area.x as f32, area.y as f32 + h]);
+    content.x_object(Name(picture.name(ground.number).as_bytes()));
 }
 
 /// Adds a closed line to the path.

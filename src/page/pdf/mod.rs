@@ -155,7 +155,8 @@ impl Book<'_> {
         resources.finish();
         page.finish();
         for (picture, _, image) in pictures {
-            picture.write(pdf, image);
+            let mask = if picture.alpha.is_some() { next() } else { image };
+            picture.write(pdf, image, mask);
         }
         pdf.stream(drawn, &packed(&content.finish())).filter(Filter::FlateDecode);
         Ok(())

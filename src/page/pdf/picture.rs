@@ -6,16 +6,19 @@ use crate::page::jpeg;
 use crate::page::mask::PixelRect;
 use crate::page::plates::Separation;
 use crate::page::scene;
+use miniz_oxide::deflate::compress_to_vec_zlib;
 use pdf_writer::{Filter, Pdf, Ref};
 
 /// A picture in its place.
 pub struct Picture {
-    /// The panel that shows it.
+    /// The panel that shows it; from the number of panels on, a figure that steps out of one.
     pub index: usize,
     /// Pixels of the page that it covers; the panel shows what is inside of its shape.
     pub area: PixelRect,
     /// The file.
     pub jpeg: Vec<u8>,
+    /// Of a figure, how much of each pixel is seen: packed bytes, row by row.
+    pub alpha: Option<Vec<u8>>,
 }
 
 /// The document to render panels of for [`cut`]: no border is drawn on their pictures.
@@ -46,11 +49,15 @@ pub fn cut(
     }
     let size = scene::size(document, document.page.width as usize)?;
     let panels = scene::panels(document, &*document.template()?, size)?;
-    let panel = panels.get(index).ok_or_else(|| Error::InvalidDocument {
-        location: format!("panels[{index}]"),
-        reason: "there is no such panel".into(),
-    })?;
-    let image = PixelRect::around(panel.image_bounds, 0.0);
+    let figures = (0..panels.len()).filter(|&i| document.breaks_frame(i)).count();
+    if index >= panels.len() + figures {
+        let reason = "there is no such panel".into();
+        return Err(Error::InvalidDocument { location: format!("panels[{index}]"), reason });
+    }
+    let image = match panels.get(index) {
+        Some(panel) => PixelRect::around(panel.image_bounds, 0.0),
+        None => seen(area, rgba),
+    };
     let (left, top) = (area.x.max(image.x), area.y.max(image.y));
     let right = (area.x + area.width as i64).min(image.x + image.width as i64);
     let bottom = (area.y + area.height as i64).min(image.y + image.height as i64);
@@ -67,7 +74,27 @@ pub fn cut(
         None => pixels().flatten().collect(),
     };
     let jpeg = jpeg::encode_part(width, height, &samples, document.page.dpi, quality)?;
-    Ok(Picture { index, area: PixelRect { x: left, y: top, width, height }, jpeg })
+    let alpha =
+        || rows.clone().flat_map(|row| row.chunks_exact(4)).map(|pixel| pixel[3]).collect::<Vec<u8>>();
+    let alpha = (index >= panels.len()).then(|| compress_to_vec_zlib(&alpha(), 6));
+    Ok(Picture { index, area: PixelRect { x: left, y: top, width, height }, jpeg, alpha })
+}
+
+/// The part of a patch of which anything is seen.
+fn seen(area: PixelRect, rgba: &[u8]) -> PixelRect {
+    let (mut left, mut top, mut right, mut bottom) = (area.width, area.height, 0, 0);
+    for (i, _) in rgba.chunks_exact(4).enumerate().filter(|(_, pixel)| pixel[3] > 0) {
+        let (x, y) = (i % area.width, i / area.width);
+        (left, top) = (left.min(x), top.min(y));
+        (right, bottom) = (right.max(x + 1), bottom.max(y + 1));
+    }
+    let (left, top) = (left.min(right), top.min(bottom));
+    PixelRect {
+        x: area.x + left as i64,
+        y: area.y + top as i64,
+        width: (right - left).max(1),
+        height: (bottom - top).max(1),
+    }
 }
 
 impl Picture {
@@ -76,10 +103,21 @@ impl Picture {
         format!("L{leaf}P{}", self.index)
     }
 
-    pub(super) fn write(&self, pdf: &mut Pdf, id: Ref) {
+    /// `mask` is what its alpha is called.
+    pub(super) fn write(&self, pdf: &mut Pdf, id: Ref, mask: Ref) {
+        let (width, height) = (self.area.width as i32, self.area.height as i32);
+        if let Some(alpha) = &self.alpha {
+            let mut image = pdf.image_xobject(mask, alpha);
+            image.filter(Filter::FlateDecode);
+            image.width(width).height(height).bits_per_component(8);
+            image.color_space().device_gray();
+        }
         let mut image = pdf.image_xobject(id, &self.jpeg);
         image.filter(Filter::DctDecode);
-        image.width(self.area.width as i32).height(self.area.height as i32).bits_per_component(8);
+        image.width(width).height(height).bits_per_component(8);
+        if self.alpha.is_some() {
+            image.s_mask(mask);
+        }
         if is_gray(&self.jpeg) {
             image.color_space().device_gray();
         } else {

@@ -26,6 +26,10 @@ pub(in crate::page) const LEAN: f64 = 0.21;
 const HEAVIER: f64 = 0.016;
 /// Lengths of a whisper's dashes and of the gaps between, in page widths.
 const DASH: (f64, f64) = (0.0085, 0.007);
+/// The distance of lines to write on, in ems: a hand needs more room than a press.
+const RULES: f64 = 2.1;
+/// Half their width, in page widths.
+const RULE: f64 = 0.0003;
 /// The line around the letters of an effect, in ems.
 const RING: f64 = 0.075;
 
@@ -96,6 +100,9 @@ pub(in crate::page) fn lines(laid: &Laid, width: f64, letters: &Letters) -> Line
         let Laid { middle, tip, setting, .. } = laid;
         outline(&Body { kind: word.kind, craft: word.craft, middle: *middle, half: setting.half, tip: *tip })
     };
+    if word.plain {
+        return plain(laid, width, letters);
+    }
     let mut body = if ringed || laid.chain == Chain::Later { Vec::new() } else { own() };
     let united = matches!(laid.chain, Chain::First { .. });
     if let Chain::First { bodies, necks } = &laid.chain {
@@ -114,6 +121,21 @@ pub(in crate::page) fn lines(laid: &Laid, width: f64, letters: &Letters) -> Line
     let (text, heavy) = contours(laid, width, letters);
     let heavy = (heavy, HEAVIER * size * width);
     Lines { body, united, text, heavy, ringed, half: half * width, dash }
+}
+
+/// A plain word: its letters alone, or lines to write on.
+fn plain(laid: &Laid, width: f64, letters: &Letters) -> Lines {
+    let Laid { middle, setting, .. } = laid;
+    let count =
+        if laid.word.ruled { (2.0 * setting.half.1 / (RULES * setting.size)).floor() as usize } else { 0 };
+    let rule = |i: usize| {
+        let y = (middle.y - setting.half.1 + (i as f64 + 1.0) * RULES * setting.size) * width;
+        [-1.0, 1.0].map(|side| Point::new((middle.x + side * setting.half.0) * width, y)).to_vec()
+    };
+    let body = (0..count).map(rule).collect();
+    let (text, heavy) = contours(laid, width, letters);
+    let heavy = (heavy, HEAVIER * setting.size * width);
+    Lines { body, united: false, text, heavy, ringed: false, half: RULE * width, dash: None }
 }
 
 /// Draws a word on a page of `width` pixels.
@@ -188,8 +210,12 @@ pub(in crate::page) fn rows<'a>(laid: &Laid, width: f64, letters: &'a Letters) -
     for (i, (run, length)) in setting.lines.iter().enumerate() {
         let run = &letters.ordered(run);
         let marks = setting.strong.get(i).map_or(&[][..], Vec::as_slice);
-        let mut pen = -length * width / 2.0;
-        let baseline = (i as f64 - last / 2.0) * setting.pitch * width + font.capitals * size / 2.0;
+        let (mut pen, first) = if laid.word.plain {
+            (-setting.half.0 * width, font.capitals * size - setting.half.1 * width)
+        } else {
+            (-length * width / 2.0, (font.capitals * size - last * setting.pitch * width) / 2.0)
+        };
+        let baseline = first + i as f64 * setting.pitch * width;
         let mut at = 0;
         while at < run.len() {
             let strong = |at: usize| marks.get(at).copied().unwrap_or(false);

@@ -149,15 +149,17 @@ impl Ground {
             kind: word.kind,
             craft: word.craft,
             vertical: word.vertical,
-            width: word.width,
+            plain: word.plain,
+            width: if word.plain { own.map(|room| room.0) } else { word.width },
             size: word.size,
             room: own.unwrap_or_else(|| part(share)),
             most: own.unwrap_or_else(|| part((0.94, 0.8))),
             page: (0.96 / reach, 0.96 * self.height / reach),
         };
         // A person's width may be more than the panel's.
-        let room = word.width.map_or(wish.room, |_| (wish.page.0, wish.room.1));
-        let most = word.width.map_or(wish.most, |_| (wish.page.0, wish.most.1));
+        let width = word.width.filter(|_| !word.plain);
+        let room = width.map_or(wish.room, |_| (wish.page.0, wish.room.1));
+        let most = width.map_or(wish.most, |_| (wish.page.0, wish.most.1));
         let wish = Wish { room, most, ..wish };
         let setting = match letters.font(&word.font) {
             Some(font) => set(letters, font, &marks(&word, letters, font), &wish),
@@ -174,6 +176,7 @@ impl Ground {
         let half = extent(&word, &setting);
         let inside = |at: f64, half: f64, length: f64| at.max(half).min((length - half).max(length / 2.0));
         let middle = point(word.at);
+        let middle = if word.plain { Point::new(middle.x + half.0, middle.y + half.1) } else { middle };
         let middle = Point::new(inside(middle.x, half.0, 1.0), inside(middle.y, half.1, self.height));
         let tip = word
             .tail

@@ -358,8 +358,17 @@ mod tests {
         let font = letters.font(&word.font).unwrap();
         let (craft, room) = (Craft::Letterer, (0.3, 0.22));
         let vertical = false;
-        let wish =
-            Wish { kind, craft, vertical, width, size: None, room, most: (0.44, 0.4), page: (0.94, 1.3) };
+        let wish = Wish {
+            kind,
+            craft,
+            vertical,
+            plain: false,
+            width,
+            size: None,
+            room,
+            most: (0.44, 0.4),
+            page: (0.94, 1.3),
+        };
         set(&letters, font, &marks(&word, &letters, font), &wish)
     }
 

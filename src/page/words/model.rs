@@ -1,6 +1,8 @@
 //! A word of the page as plain data. In JSON, with what may be left out in brackets:
 //! `{kind, text, [shape], [panel], [x], [y], [width], [size], [tail], [font], [color], [fill], [angle], [arc], [auto],
-//! [craft], [boxless], [capitals], [slant], [outline], [behind], [id], [joined], [language], [room], [vertical]}`.
+//! [craft], [boxless], [capitals], [slant], [outline], [behind], [id], [joined], [language], [room], [vertical]}`. Sheets of
+//! boards have captions that are `plain`, or `ruled` where people write by hand: `x` and `y` are then
+//! their upper left corner, `room` their size.
 
 use crate::error::{Error, Result};
 use serde_json::Value;
@@ -87,6 +89,10 @@ pub struct Word {
     pub craft: Craft,
     /// A caption without a box: its letters lie on the picture, with a line around them.
     pub boxless: bool,
+    /// A caption of nothing but letters in lines that begin at the left, from the top of its room down.
+    pub plain: bool,
+    /// Lines to write on in the place of a text.
+    pub ruled: bool,
     /// Whether it is set in capitals.
     pub capitals: bool,
     /// Degrees that the letters of an effect lean to the right, up to [`STEEPEST`].
@@ -142,6 +148,7 @@ impl Word {
             Kind::Effect => ("bangers", "#ffd21f", "#111111"),
         };
         let capitals = field.truth("capitals")?;
+        let ruled = field.truth("ruled")?.unwrap_or(false) && kind == Kind::Caption;
         let text = field.text("text", "")?;
         if text.chars().nth(MOST_LETTERS).is_some() {
             return Err(field.wrong("text", "is longer than 10000 characters"));
@@ -179,6 +186,8 @@ impl Word {
             auto: value["auto"].as_bool().unwrap_or(value["x"].is_null() && value["y"].is_null()),
             craft,
             boxless: field.truth("boxless")?.unwrap_or(false) && kind == Kind::Caption,
+            plain: (field.truth("plain")?.unwrap_or(false) || ruled) && kind == Kind::Caption,
+            ruled,
             // Letterers write all in capitals, but for sounds, that are written as they sound.
             capitals: capitals.unwrap_or(craft == Craft::Letterer && kind != Kind::Effect),
             slant: field.number("slant", -STEEPEST, STEEPEST)?.unwrap_or(0.0),

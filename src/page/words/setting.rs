@@ -25,6 +25,8 @@ pub struct Wish {
     pub craft: Craft,
     /// Its lines are columns, from right to left.
     pub vertical: bool,
+    /// Whether it is nothing but lines that begin at the left.
+    pub plain: bool,
     /// Width of the shape in page widths, where a person chose it.
     pub width: Option<f64>,
     /// Height of an em in page widths, where a person chose it.
@@ -121,7 +123,10 @@ const MOST_LINES: usize = 60;
 /// Sets a text whose letters are [`marks`](super::wording::marks).
 #[must_use]
 pub fn set(letters: &Letters, font: &Font, text: &[Mark], wish: &Wish) -> Setting {
-    let manner = manner(wish.kind, wish.craft, wish.width);
+    let mut manner = manner(wish.kind, wish.craft, wish.width);
+    if wish.plain {
+        manner.pad = (0.0, 0.0);
+    }
     if !wish.vertical {
         return lines(letters, font, text, (wish, &manner));
     }
@@ -150,6 +155,9 @@ fn lines(letters: &Letters, font: &Font, text: &[Mark], (wish, manner): (&Wish, 
     let column: Vec<char> = text.iter().map(|mark| mark.letter).collect();
     let steps = if wish.vertical { vertical::steps(letters, font, &column) } else { Vec::new() };
     let setter = Setter { letters, font, strong, text, wish, manner, steps: &steps };
+    if wish.plain {
+        return plain(&setter);
+    }
     let lens = (wish.craft == Craft::Letterer && wish.kind != Kind::Effect).then(|| lens::Lens::new(&setter));
     let lens = lens.filter(lens::Lens::is_short);
     let at = |setter: &Setter, size: f64, room: (f64, f64)| match &lens {
@@ -186,6 +194,25 @@ fn lines(letters: &Letters, font: &Font, text: &[Mark], (wish, manner): (&Wish, 
         half: (smallest, smallest),
         cut: true,
     })
+}
+
+/// Lines that begin at the left: as large as was wished, or a little smaller where it does not fit its room else; of more
+/// the end is missing.
+fn plain(setter: &Setter) -> Setting {
+    let (room, wished) = (setter.wish.room, setter.wish.size.unwrap_or(setter.manner.largest));
+    let whole = [1.0, STEP, STEP * STEP].into_iter().find_map(|by| setter.at(wished * by, room, false));
+    let set = whole.or_else(|| setter.at(wished * STEP * STEP, room, true));
+    let half = (room.0 / 2.0, room.1 / 2.0);
+    let empty = Setting {
+        size: wished,
+        pitch: wished * PITCH,
+        lines: Vec::new(),
+        strong: Vec::new(),
+        flush: false,
+        half,
+        cut: true,
+    };
+    Setting { half, ..set.unwrap_or(empty) }
 }
 
 /// A text with all that it is set by.
@@ -405,7 +432,17 @@ mod tests {
 
     fn wish(kind: Kind) -> Wish {
         let (craft, room) = (Craft::First, (0.42, 0.3));
-        Wish { kind, craft, vertical: false, width: None, size: None, room, most: room, page: (0.94, 1.3) }
+        Wish {
+            kind,
+            craft,
+            vertical: false,
+            plain: false,
+            width: None,
+            size: None,
+            room,
+            most: room,
+            page: (0.94, 1.3),
+        }
     }
 
     fn setting(text: &str, wish: &Wish) -> Setting {

@@ -50,6 +50,7 @@ export function createFraming({ store, pages }: { store: Store; pages: Pages }) 
     replace,
     lock,
     focus,
+    breakFrame,
   };
 
   /** @returns the name of a new gesture: all that bears it is one step of the undo */
@@ -179,6 +180,21 @@ export function createFraming({ store, pages }: { store: Store; pages: Pages }) 
     pages.amend({ ...page, panels }, { gesture });
   }
 
+  /**
+   * Lets the subject of a panel's photo step out of it, for which the crop may change, or no longer.
+   * @returns whether it could be done
+   */
+  function breakFrame(panel: number, on: boolean): boolean {
+    const page = store.page.peek();
+    const use = page?.panels[panel];
+    if (!page || !use || isLocked(panel)) return false;
+    const mask = store.album.peek().get(use.photo ?? '')?.meta?.mask;
+    const without = { ...page, panels: page.panels.map((other, i) => (i === panel ? framed(other) : other)) };
+    const next = on ? mask && store.planner.peek()?.breakFrame(page, panel, mask) : without;
+    if (next) store.change({ type: 'change-page', page: next, gesture: step() });
+    return !!next;
+  }
+
   function setCrop(panel: number, crop: Crop, gesture: string) {
     const page = store.page.peek();
     if (!page || isLocked(panel)) return;
@@ -206,6 +222,11 @@ export function createFraming({ store, pages }: { store: Store; pages: Pages }) 
 /** @returns the panels that share its image, the first of them first */
 function groupOf(page: PageDocument, panel: number): number[] {
   return grown([panel], page);
+}
+
+/** @returns without a figure that steps out */
+function framed({ figure: _figure, ...use }: PanelUse): PanelUse {
+  return use;
 }
 
 function union(a: Bounds, b: Bounds): Bounds {

@@ -32,7 +32,21 @@ export function createPanelActions({
   reshaping,
   download,
   choosing,
-}: Pick<Parts, 'store' | 'selection' | 'merging' | 'framing' | 'scrubbing' | 'reshaping' | 'download' | 'choosing'>) {
+  masks,
+  messages,
+}: Pick<
+  Parts,
+  | 'store'
+  | 'selection'
+  | 'merging'
+  | 'framing'
+  | 'scrubbing'
+  | 'reshaping'
+  | 'download'
+  | 'choosing'
+  | 'masks'
+  | 'messages'
+>) {
   const chosen = selection.panels;
   const panel = () => chosen.peek()[0];
   const whyNotOne = computed(() => (chosen.value.length === 1 ? '' : strings.selectOne));
@@ -52,6 +66,20 @@ export function createPanelActions({
     if (whyNotOne.value || !facts.value) return whyNotOne.value;
     const { base, editable } = facts.value;
     return chosen.value[0] < base && (!editable || base === 1) ? strings.notRemoved(editable) : '';
+  });
+
+  const broken = computed(() => use.value?.figure !== undefined);
+  const merged = computed(() => !!store.page.value?.merges.some((group) => group.includes(chosen.value[0])));
+  const whyNoMask = computed(() => {
+    if (whyNotOne.value) return whyNotOne.value;
+    const photo = use.value?.photo;
+    if (!photo) return strings.noPhotoHere;
+    if (store.album.value.get(photo)?.meta?.mask) return '';
+    return masks.there.value ? strings.figureSought : strings.noFigureNet;
+  });
+  const whyNotBroken = computed(() => {
+    if (whyNotFramed.value || broken.value) return whyNotFramed.value;
+    return merged.value ? strings.sharedImage : whyNoMask.value;
   });
 
   const zoomed = (way: 1 | -1) =>
@@ -190,6 +218,18 @@ export function createPanelActions({
       on: computed(() => framing.mode.value?.kind === 'focus'),
       run: () => framing.toggle('focus', panel()),
     },
+    breakFrame: {
+      label: strings.breakFrame,
+      short: strings.short.breakFrame,
+      help: strings.breakFrameLong,
+      icon: 'breakFrame',
+      why: whyNotBroken,
+      on: broken,
+      run() {
+        if (!framing.breakFrame(panel(), !broken.peek())) messages.note(strings.noWayOut);
+      },
+      undo: 'step',
+    },
     lock: {
       label: strings.lockPanel,
       short: strings.short.lock,
@@ -205,6 +245,13 @@ export function createPanelActions({
       icon: 'save',
       why: computed(() => whyNotOne.value || (use.value?.photo ? '' : strings.noPhotoHere)),
       run: () => void download.savePanel(panel()),
+    },
+    saveSubject: {
+      label: strings.saveSubject,
+      short: strings.short.subject,
+      icon: 'subjects',
+      why: whyNoMask,
+      run: () => void download.saveSubject(use.peek()?.photo ?? ''),
     },
     splitRows: { label: strings.splitRows, ...splitInto('rows') },
     splitColumns: { label: strings.splitColumns, ...splitInto('columns') },

@@ -177,12 +177,13 @@ export function createFileOpening({
     const packed = photos.some(({ path }) => archive.get(path)?.packed);
     // What has to be unpacked is held as a whole while it is read.
     const facts = await inTurns(photos, packed ? 1 : PHOTOS_AT_ONCE, async (photo) => {
-      const { path, type, subjects, measured, rank: _rank, like, absent, ...fact } = photo;
+      const { path, type, subjects, mask, measured, rank: _rank, like, absent, ...fact } = photo;
       try {
         const found = archive.get(path);
         if (!found) throw damaged(`${path} is missing`);
         const meta = await take(fact.id, new File([await found.read(watch)], fact.name, { type }));
-        const known = { ...fact, meta: { ...meta, taken: takenBy(photo, meta.taken), subjects: subjects ?? [] } };
+        const facts = { taken: takenBy(photo, meta.taken), subjects: subjects ?? [], ...(mask && { mask }) };
+        const known = { ...fact, meta: { ...meta, ...facts } };
         if (absent && like) return keepsPlace(known, photo);
         return { ...known, measures: measured ? meta.measures : null, looked: subjects !== null };
       } catch (error) {

@@ -41,16 +41,18 @@ export function projectJson(
   };
   // When a photo was taken is nobody's business; which came first is enough for their order.
   const times = [...new Set(facts.flatMap(({ meta }) => meta?.taken ?? []))].sort();
-  const photos = facts.map(({ id, name, credit, video, time, meta, measures, looked, type, absent, like }) => ({
+  const photos = facts.map(({ id, name, credit, video, time, shot, meta, measures, looked, type, absent, like }) => ({
     id,
     name,
     credit,
     video,
     time,
+    shot,
     path: place(id, 'photos', name),
     type,
     measured: measures !== null,
     subjects: absent ? absent.subjects : looked && meta ? meta.subjects : null,
+    mask: meta?.mask,
     rank: meta?.taken ? times.indexOf(meta.taken) : undefined,
     like: absent ? likenessOf(absent) : like && likenessOf(like),
     absent: absent ? true : undefined,

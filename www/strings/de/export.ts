@@ -13,6 +13,10 @@ export const exportStrings = {
     epub: 'EPUB-Buch',
     zip: 'ZIP, ein Bild je Seite',
     cbz: 'CBZ, für Comic-Reader',
+    csv: 'Einstellungsliste',
+    edl: 'EDL',
+    otio: 'OTIO',
+    xml: 'XML für Final Cut',
   },
   bookHelp: {
     html: 'Eine Datei, die jeder Browser öffnet, auch ohne Verbindung: Panel für Panel, als ganze Seiten oder als Text.',

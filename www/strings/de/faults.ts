@@ -5,6 +5,10 @@ export const faultStrings = {
   moreFiles: (n: number) => `und ${n} weitere`,
   /** The core's own sentences are English, so all its codes are here. */
   reasons: {
+    'film-cut':
+      'Er bricht vor dem Verzeichnis seiner Bilder ab, daher ist nichts davon lesbar. Kopiere ihn noch einmal.',
+    'film-empty': 'Er enthält kein Bild.',
+    'films-missing': 'Was Filme liest, konnte nicht geladen werden. Versuche es mit Verbindung noch einmal.',
     'worker-lost': 'Beim Lesen brach das Programm zweimal ab, daher wurde sie ausgelassen.',
     'unreadable-file': 'Die Datei wurde verschoben, geändert oder gelöscht, nachdem du sie gewählt hast.',
     'unknown-format': 'Das ist kein Bild, das Inkpanel lesen kann (JPEG, PNG, WebP, GIF, BMP oder TIFF).',
@@ -31,6 +35,15 @@ export const faultStrings = {
   } as Record<string, string>,
   tooManyPhotos: (n: number, most: string) =>
     `${n === 1 ? '1 Datei wurde' : `${n} Dateien wurden`} ausgelassen: Ein Projekt fasst ${most} Fotos.`,
+  /** The same where the reason is what the file is. */
+  reasonsOf: {
+    'film-container': (what: string) =>
+      `Das ist ein Film in ${what}, der hier nicht gelesen werden kann. Wandle ihn in MP4 mit H.264-Video um, zum Beispiel mit HandBrake oder ffmpeg.`,
+    'film-codec': (what: string) =>
+      `Seine Bilder sind ${what}, was dieser Browser nicht dekodiert. Wandle ihn in MP4 mit H.264-Video um, zum Beispiel mit HandBrake oder ffmpeg.`,
+  } as Record<string, (what: string) => string>,
+  filmReaches: (name: string, till: string, whole: string) =>
+    `${name} bricht ab: nur bis ${till} von ${whole}. Die Einzelbilder sind von dort.`,
   noUsablePhoto:
     'Keine dieser Dateien ließ sich verwenden. Wähle Fotos in JPEG, PNG, WebP, AVIF, GIF, BMP oder TIFF, oder ein Video.',
   noSamples: 'Das Beispielalbum konnte nicht geladen werden. Prüfe die Verbindung und versuche es noch einmal.',

@@ -47,7 +47,8 @@ export const photoStrings = {
   videoFrames: (count: number) => (count === 1 ? '1 Einzelbild' : `${count} Einzelbilder`),
   trimStart: 'Anfang',
   trimEnd: 'Ende',
-  frames: 'Einzelbilder',
+  frames: 'Einzelbilder aus dem Film',
+  lookingThrough: (name: string, percent: string) => `${name} wird durchgesehen, ${percent}`,
   takeFrames: 'Diese Einzelbilder nehmen',
 
   showSubjects: 'Gefundenes zeigen',

@@ -15,6 +15,10 @@ export const exportStrings = {
     epub: 'EPUB',
     zip: 'ZIP, a picture a page',
     cbz: 'CBZ, for comic readers',
+    csv: 'Shot list',
+    edl: 'EDL',
+    otio: 'OTIO',
+    xml: 'Final Cut XML',
   },
   bookHelp: {
     html: 'One file that opens in any browser, without a connection: panel by panel, by whole pages, or as text.',

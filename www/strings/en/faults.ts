@@ -7,11 +7,24 @@ export const faultStrings = {
   moreFiles: (n: number) => `and ${n} more`,
   /** Reasons in the page's words where it knows better than the core, by error code. */
   reasons: {
+    'film-cut':
+      'it breaks off before the list of its frames, so that nothing of it can be read. Copy or record it again.',
+    'film-empty': 'there is no frame in it.',
+    'films-missing': 'what reads films could not be loaded. Try again with a connection.',
     'worker-lost': 'reading it stopped the program twice, so it was left out.',
     'unreadable-file': 'the file was moved, changed or deleted since you chose it.',
   } as Record<string, string>,
   tooManyPhotos: (n: number, most: string) =>
     `${n === 1 ? '1 file was' : `${n} files were`} left out: a project holds ${most} photos.`,
+  /** The same where the reason is what the file is. */
+  reasonsOf: {
+    'film-container': (what: string) =>
+      `it is a film in ${what}, which cannot be read here. Convert it to MP4 with H.264 video, with HandBrake or ffmpeg for example.`,
+    'film-codec': (what: string) =>
+      `its pictures are ${what}, which this browser cannot decode. Convert it to MP4 with H.264 video, with HandBrake or ffmpeg for example.`,
+  } as Record<string, (what: string) => string>,
+  filmReaches: (name: string, till: string, whole: string) =>
+    `${name} is broken off: only to ${till} of ${whole}. The frames are from there.`,
   noUsablePhoto:
     'None of these files could be used. Choose JPEG, PNG, WebP, AVIF, GIF, BMP or TIFF photos, or a video.',
   noSamples: 'The sample album could not be loaded. Check the connection and try again.',

@@ -1,6 +1,7 @@
 /** The page in English: the language that the others are checked against and fall back to. */
 
 import { boardStrings } from './board.ts';
+import { boardsStrings } from './boards.ts';
 import { bookStrings } from './book.ts';
 import { describingStrings } from './describing.ts';
 import { designerStrings } from './designer.ts';
@@ -27,6 +28,7 @@ export { names } from './names.ts';
 export const words = {
   ...startStrings,
   ...boardStrings,
+  ...boardsStrings,
   ...bookStrings,
   ...sideStrings,
   ...panelStrings,

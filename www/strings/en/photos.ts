@@ -48,7 +48,8 @@ export const photoStrings = {
   videoFrames: (count: number) => (count === 1 ? '1 frame' : `${count} frames`),
   trimStart: 'Start',
   trimEnd: 'End',
-  frames: 'Frames',
+  frames: 'Frames from the film',
+  lookingThrough: (name: string, percent: string) => `Looking through ${name}, ${percent}`,
   takeFrames: 'Take these frames',
 
   showSubjects: 'Show subjects',

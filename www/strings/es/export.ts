@@ -13,6 +13,10 @@ export const exportStrings = {
     epub: 'Libro EPUB',
     zip: 'ZIP, una imagen por página',
     cbz: 'CBZ, lectores de cómic',
+    csv: 'Lista de planos',
+    edl: 'EDL',
+    otio: 'OTIO',
+    xml: 'XML de Final Cut',
   },
   bookHelp: {
     html: 'Un archivo que se abre en cualquier navegador, sin conexión: viñeta a viñeta, por páginas enteras o como texto.',

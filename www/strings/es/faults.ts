@@ -5,6 +5,9 @@ export const faultStrings = {
   moreFiles: (n: number) => `y ${n} más`,
   /** The core's own sentences are English, so all its codes are here. */
   reasons: {
+    'film-cut': 'se corta antes de la lista de sus fotogramas, así que no se puede leer nada. Cópialo de nuevo.',
+    'film-empty': 'no tiene ningún fotograma.',
+    'films-missing': 'no se pudo cargar lo que lee películas. Inténtalo otra vez con conexión.',
     'worker-lost': 'al leerlo se detuvo el programa dos veces, así que se ha dejado fuera.',
     'unreadable-file': 'el archivo se movió, cambió o borró después de elegirlo.',
     'unknown-format': 'no es una imagen que Inkpanel sepa leer (JPEG, PNG, WebP, GIF, BMP o TIFF).',
@@ -30,6 +33,15 @@ export const faultStrings = {
   } as Record<string, string>,
   tooManyPhotos: (n: number, most: string) =>
     `${n === 1 ? '1 archivo no se añadió' : `${n} archivos no se añadieron`}: en un proyecto caben ${most} fotos.`,
+  /** The same where the reason is what the file is. */
+  reasonsOf: {
+    'film-container': (what: string) =>
+      `es una película en ${what}, que aquí no se puede leer. Conviértela a MP4 con vídeo H.264, por ejemplo con HandBrake o ffmpeg.`,
+    'film-codec': (what: string) =>
+      `sus imágenes son ${what}, que este navegador no descodifica. Conviértela a MP4 con vídeo H.264, por ejemplo con HandBrake o ffmpeg.`,
+  } as Record<string, (what: string) => string>,
+  filmReaches: (name: string, till: string, whole: string) =>
+    `${name} está cortado: solo hasta ${till} de ${whole}. Los fotogramas son de esa parte.`,
   noUsablePhoto:
     'No se pudo usar ninguno de estos archivos. Elige fotos JPEG, PNG, WebP, AVIF, GIF, BMP o TIFF, o un vídeo.',
   noSamples: 'No se pudo cargar el álbum de muestra. Comprueba la conexión e inténtalo otra vez.',

@@ -1,6 +1,7 @@
 /** The page in Spanish, of the shape of the English. */
 
 import { boardStrings } from './board.ts';
+import { boardsStrings } from './boards.ts';
 import { bookStrings } from './book.ts';
 import { describingStrings } from './describing.ts';
 import { designerStrings } from './designer.ts';
@@ -28,6 +29,7 @@ export { names } from './names.ts';
 export const words: Words = {
   ...startStrings,
   ...boardStrings,
+  ...boardsStrings,
   ...bookStrings,
   ...sideStrings,
   ...panelStrings,

@@ -46,7 +46,8 @@ export const photoStrings = {
   videoFrames: (count: number) => (count === 1 ? '1 fotograma' : `${count} fotogramas`),
   trimStart: 'Inicio',
   trimEnd: 'Fin',
-  frames: 'Fotogramas',
+  frames: 'Fotogramas de la película',
+  lookingThrough: (name: string, percent: string) => `Recorriendo ${name}, ${percent}`,
   takeFrames: 'Tomar estos fotogramas',
 
   showSubjects: 'Mostrar lo detectado',

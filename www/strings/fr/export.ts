@@ -13,6 +13,10 @@ export const exportStrings = {
     epub: 'Livre EPUB',
     zip: 'ZIP, une image par page',
     cbz: 'CBZ, pour lecteurs de BD',
+    csv: 'Liste des plans',
+    edl: 'EDL',
+    otio: 'OTIO',
+    xml: 'XML pour Final Cut',
   },
   bookHelp: {
     html: 'Un fichier qui s’ouvre dans tout navigateur, sans connexion : case par case, par pages entières ou en texte.',

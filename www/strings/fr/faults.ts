@@ -5,6 +5,9 @@ export const faultStrings = {
   moreFiles: (n: number) => (n < 2 ? `et ${n} autre` : `et ${n} autres`),
   /** The core's own sentences are English, so all its codes are here. */
   reasons: {
+    'film-cut': 'il s’arrête avant la liste de ses images, rien n’en est donc lisible. Copiez-le à nouveau.',
+    'film-empty': 'il ne contient aucune image.',
+    'films-missing': 'ce qui lit les films n’a pas pu être chargé. Réessayez avec une connexion.',
     'worker-lost': 'sa lecture a arrêté le programme deux fois, il a donc été laissé de côté.',
     'unreadable-file': 'le fichier a été déplacé, modifié ou supprimé depuis que vous l’avez choisi.',
     'unknown-format': 'ce n’est pas une image qu’Inkpanel sait lire (JPEG, PNG, WebP, GIF, BMP ou TIFF).',
@@ -30,6 +33,15 @@ export const faultStrings = {
   } as Record<string, string>,
   tooManyPhotos: (n: number, most: string) =>
     `${n === 1 ? '1 fichier a été laissé' : `${n} fichiers ont été laissés`} de côté : un projet contient ${most} photos.`,
+  /** The same where the reason is what the file is. */
+  reasonsOf: {
+    'film-container': (what: string) =>
+      `c’est un film en ${what}, qui ne peut pas être lu ici. Convertissez-le en MP4 avec une vidéo H.264, avec HandBrake ou ffmpeg par exemple.`,
+    'film-codec': (what: string) =>
+      `ses images sont en ${what}, que ce navigateur ne décode pas. Convertissez-le en MP4 avec une vidéo H.264, avec HandBrake ou ffmpeg par exemple.`,
+  } as Record<string, (what: string) => string>,
+  filmReaches: (name: string, till: string, whole: string) =>
+    `${name} est interrompu : seulement jusqu’à ${till} sur ${whole}. Les images viennent de cette partie.`,
   noUsablePhoto:
     'Aucun de ces fichiers n’a pu servir. Choisissez des photos JPEG, PNG, WebP, AVIF, GIF, BMP ou TIFF, ou une vidéo.',
   noSamples: 'L’album d’exemple n’a pas pu être chargé. Vérifiez la connexion et réessayez.',

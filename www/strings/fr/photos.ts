@@ -47,7 +47,8 @@ export const photoStrings = {
   videoFrames: (count: number) => (count < 2 ? `${count} image` : `${count} images`),
   trimStart: 'Début',
   trimEnd: 'Fin',
-  frames: 'Images',
+  frames: 'Images du film',
+  lookingThrough: (name: string, percent: string) => `Parcours de ${name}, ${percent}`,
   takeFrames: 'Prendre ces images',
 
   showSubjects: 'Montrer les sujets',

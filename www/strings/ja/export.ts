@@ -13,6 +13,10 @@ export const exportStrings = {
     epub: 'EPUBの本',
     zip: 'ZIP、ページごとに画像',
     cbz: 'CBZ、コミックリーダー用',
+    csv: 'ショットリスト',
+    edl: 'EDL',
+    otio: 'OTIO',
+    xml: 'Final Cut 用 XML',
   },
   bookHelp: {
     html: 'どのブラウザーでも、接続なしで開ける1つのファイルです。コマごと、ページごと、またはテキストで読めます。',

@@ -5,6 +5,9 @@ export const faultStrings = {
   moreFiles: (n: number) => `ほか${n}個`,
   /** The core's own sentences are English, so all its codes are here. */
   reasons: {
+    'film-cut': 'フレームの一覧の前で途切れているため、何も読めません。もう一度コピーしてください。',
+    'film-empty': 'フレームがありません。',
+    'films-missing': '動画を読むプログラムを読み込めませんでした。接続してもう一度お試しください。',
     'worker-lost': '読み込み中にプログラムが2回止まったため、除外しました。',
     'unreadable-file': '選んだあとでファイルが移動、変更、または削除されました。',
     'unknown-format': 'Inkpanelが読める画像（JPEG、PNG、WebP、GIF、BMP、TIFF）ではありません。',
@@ -31,6 +34,15 @@ export const faultStrings = {
   } as Record<string, string>,
   tooManyPhotos: (n: number, most: string) =>
     `${n}個のファイルを除外しました：1つのプロジェクトに入る写真は${most}枚までです。`,
+  /** The same where the reason is what the file is. */
+  reasonsOf: {
+    'film-container': (what: string) =>
+      `${what}の動画で、ここでは読めません。HandBrakeやffmpegなどで、H.264のMP4に変換してください。`,
+    'film-codec': (what: string) =>
+      `映像が${what}で、このブラウザーではデコードできません。HandBrakeやffmpegなどで、H.264のMP4に変換してください。`,
+  } as Record<string, (what: string) => string>,
+  filmReaches: (name: string, till: string, whole: string) =>
+    `${name}は途切れています：${whole}のうち${till}までだけです。フレームはそこまでのものです。`,
   noUsablePhoto:
     '使えるファイルがありませんでした。JPEG、PNG、WebP、AVIF、GIF、BMP、TIFFの写真、または動画を選んでください。',
   noSamples: 'サンプルアルバムを読み込めませんでした。接続を確認してもう一度お試しください。',

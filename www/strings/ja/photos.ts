@@ -45,7 +45,8 @@ export const photoStrings = {
   videoFrames: (count: number) => `${count}フレーム`,
   trimStart: '開始',
   trimEnd: '終了',
-  frames: 'フレーム',
+  frames: '動画から取るフレーム',
+  lookingThrough: (name: string, percent: string) => `${name}を調べています：${percent}`,
   takeFrames: 'このフレームを使う',
 
   showSubjects: '見つけたものを表示',

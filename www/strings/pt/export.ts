@@ -13,6 +13,10 @@ export const exportStrings = {
     epub: 'Livro EPUB',
     zip: 'ZIP, uma imagem por página',
     cbz: 'CBZ, para leitores de HQ',
+    csv: 'Lista de planos',
+    edl: 'EDL',
+    otio: 'OTIO',
+    xml: 'XML do Final Cut',
   },
   bookHelp: {
     html: 'Um arquivo que abre em qualquer navegador, sem conexão: quadro a quadro, por páginas inteiras ou como texto.',

@@ -5,6 +5,9 @@ export const faultStrings = {
   moreFiles: (n: number) => `e mais ${n}`,
   /** The core's own sentences are English, so all its codes are here. */
   reasons: {
+    'film-cut': 'termina antes da lista de suas imagens, então nada dele pode ser lido. Copie-o de novo.',
+    'film-empty': 'não há nenhuma imagem nele.',
+    'films-missing': 'não foi possível carregar o que lê filmes. Tente de novo com conexão.',
     'worker-lost': 'a leitura dele parou o programa duas vezes, então ficou de fora.',
     'unreadable-file': 'o arquivo foi movido, alterado ou apagado depois que você o escolheu.',
     'unknown-format': 'não é uma imagem que o Inkpanel saiba ler (JPEG, PNG, WebP, GIF, BMP ou TIFF).',
@@ -30,6 +33,15 @@ export const faultStrings = {
   } as Record<string, string>,
   tooManyPhotos: (n: number, most: string) =>
     `${n === 1 ? '1 arquivo ficou' : `${n} arquivos ficaram`} de fora: um projeto aceita ${most} fotos.`,
+  /** The same where the reason is what the file is. */
+  reasonsOf: {
+    'film-container': (what: string) =>
+      `é um filme em ${what}, que não pode ser lido aqui. Converta-o para MP4 com vídeo H.264, por exemplo com HandBrake ou ffmpeg.`,
+    'film-codec': (what: string) =>
+      `as imagens são ${what}, que este navegador não decodifica. Converta-o para MP4 com vídeo H.264, por exemplo com HandBrake ou ffmpeg.`,
+  } as Record<string, (what: string) => string>,
+  filmReaches: (name: string, till: string, whole: string) =>
+    `${name} está interrompido: só até ${till} de ${whole}. As imagens são dessa parte.`,
   noUsablePhoto:
     'Nenhum destes arquivos pôde ser usado. Escolha fotos JPEG, PNG, WebP, AVIF, GIF, BMP ou TIFF, ou um vídeo.',
   noSamples: 'Não foi possível carregar o álbum de exemplo. Verifique a conexão e tente de novo.',

@@ -46,7 +46,8 @@ export const photoStrings = {
   videoFrames: (count: number) => (count < 2 ? `${count} imagem` : `${count} imagens`),
   trimStart: 'Início',
   trimEnd: 'Fim',
-  frames: 'Imagens',
+  frames: 'Imagens do filme',
+  lookingThrough: (name: string, percent: string) => `Percorrendo ${name}, ${percent}`,
   takeFrames: 'Tirar estas imagens',
 
   showSubjects: 'Mostrar o que foi encontrado',

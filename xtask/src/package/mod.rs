@@ -20,12 +20,13 @@ const ENTRY: &str = "engine/index";
 /// Films are read by this library, which comes as one module; under MPL 2.0, so it stays a file of its own, unchanged.
 const FILM_LIBRARY: (&str, &str) = ("mediabunny", "dist/bundles/mediabunny.min.mjs");
 /// The folders that are published.
-const FOLDERS: [&str; 11] = [
+const FOLDERS: [&str; 12] = [
     "engine",
     "pkg",
     "pkg-decoders",
     "pkg-words",
     "pkg-exports",
+    "pkg-films",
     "pkg-imitation",
     "pkg-detector",
     "letters",
@@ -126,7 +127,11 @@ fn papers(project: &Project, folder: &Path) -> Result<()> {
     copy_all(&project.root.join("fonts"), &folder.join("licences"), |name| name.ends_with("-OFL.txt"))?;
     fs::write(
         folder.join("THIRD-PARTY.txt"),
-        notices::text(project, wasm::TARGET, &["decoders", "detect", "exports", "imitation", "words"])?,
+        notices::text(
+            project,
+            wasm::TARGET,
+            &["decoders", "detect", "exports", "films", "imitation", "words"],
+        )?,
     )?;
     Ok(())
 }

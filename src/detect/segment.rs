@@ -1,0 +1,80 @@
+//! Which pixels of a photo are its subject, whatever that is: `U²-Net` in its small size, at 320 x 320 pixels.
+//!
+//! X. Qin et al., "U²-Net: Going Deeper with Nested U-Structure for Salient Object Detection" (2020). It was trained on
+//! stretched photos.
+
+use super::model::Net;
+use super::ssd::sigmoid;
+use crate::error::{Error, Result};
+use crate::raster::resize::{Region, resample_image};
+use crate::raster::{Image, Matte, Plane};
+
+/// Side of the net's input and output in pixels.
+pub const SIDE: usize = 320;
+/// Means and standard deviations of the photos that it was trained on, by channel.
+const MEANS: [f32; 3] = [0.485, 0.456, 0.406];
+const DEVIATIONS: [f32; 3] = [0.229, 0.224, 0.225];
+
+/// The net of subjects, ready to run.
+pub struct Segmenter(Net<1>);
+
+impl Segmenter {
+    /// Reads the net (an ONNX file).
+    ///
+    /// # Errors
+    /// `detector` when the file is not the net that it should be.
+    pub fn new(onnx: &[u8]) -> Result<Self> {
+        Net::new(onnx, SIDE).map(Self)
+    }
+
+    /// What a photo shows, at most 320 pixels a side; a copy of 600 pixels or more a side is enough.
+    ///
+    /// # Errors
+    /// `detector` when the net fails.
+    pub fn look(&self, photo: &Image) -> Result<Matte> {
+        let shares = self.shares(photo)?;
+        let samples = shares.iter().map(|share| (share * 255.0).round() as u8).collect();
+        Ok(Matte::new(&Plane::from_samples(SIDE, SIDE, samples)?, (photo.width(), photo.height())))
+    }
+
+    /// The net's own answer for the photo stretched to 320 x 320: for each pixel, row by row, the share 0..=1 by which it is the
+    /// subject.
+    ///
+    /// # Errors
+    /// As [`look`](Self::look).
+    pub fn shares(&self, photo: &Image) -> Result<Vec<f64>> {
+        let [logits] = self.0.run(&normalized(photo))?;
+        if logits.len() != SIDE * SIDE {
+            return Err(Error::Detector("the file holds another net than that of subjects".into()));
+        }
+        Ok(logits.into_iter().map(sigmoid).collect())
+    }
+}
+
+/// Three planes of 320 x 320 values.
+fn normalized(photo: &Image) -> Vec<f32> {
+    let reduced = resample_image(photo, Region::whole(photo.width(), photo.height()), SIDE, SIDE);
+    let last = reduced.planes().len() - 1;
+    let mut input = Vec::with_capacity(3 * SIDE * SIDE);
+    for (channel, (mean, deviation)) in MEANS.into_iter().zip(DEVIATIONS).enumerate() {
+        let samples = reduced.planes()[channel.min(last)].samples();
+        input.extend(samples.iter().map(|sample| (f32::from(*sample) / 255.0 - mean) / deviation));
+    }
+    input
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_photo_is_stretched_and_gray_is_all_three_channels() {
+        let gray = Image::from_luma(Plane::from_fn(640, 10, |x, _| (x / 3) as u8));
+        let input = normalized(&gray);
+        assert_eq!(input.len(), 3 * SIDE * SIDE);
+        for (channel, (mean, deviation)) in MEANS.into_iter().zip(DEVIATIONS).enumerate() {
+            let value = input[(channel * SIDE + 200) * SIDE + 150] * deviation + mean;
+            assert!((value * 255.0 - 100.0).abs() <= 1.0, "{value}");
+        }
+    }
+}

@@ -1,0 +1,359 @@
+//! What film crews write beside a picture, and how an album is laid out as a board. The fields of a shot stand with its photo
+//! in the tray: they go wherever that goes, through every shuffle, and are undone and saved with it. The order of the
+//! shots, their rate and the columns of one's own are of the whole project.
+
+use super::limits::{
+    LONGEST_FIELD, LONGEST_ID, LONGEST_LABEL, LONGEST_NAME, MOST_COLUMNS, MOST_PHOTOS, MOST_SHOT_FRAMES,
+};
+use super::project::TrayItem;
+use crate::json::{Fields, Read, Writer, Wrong, text_of};
+use serde_json::{Map, Value};
+use std::collections::HashSet;
+
+/// Frames a second that durations are counted in.
+pub const RATES: [u32; 3] = [24, 25, 30];
+/// Frames that fit on a sheet of a board.
+pub const FRAMES: [u32; 8] = [1, 2, 3, 4, 6, 8, 9, 12];
+/// Width over height of the frames of a board, by what film people call it.
+pub const ASPECTS: [(&str, f64); 6] = [
+    ("2.39", 2.39),
+    ("1.85", 1.85),
+    ("16:9", 16.0 / 9.0),
+    ("4:3", 4.0 / 3.0),
+    ("1:1", 1.0),
+    ("9:16", 9.0 / 16.0),
+];
+/// How long a shot is that says nothing, in seconds.
+pub const USUAL_SECONDS: u32 = 2;
+
+/// What is told of a photo as a shot. What is empty was not told.
+#[derive(Debug, Clone, PartialEq, Default)]
+#[cfg_attr(all(test, feature = "cli"), derive(ts_rs::TS))]
+pub struct Shot {
+    /// The scene that it belongs to.
+    #[cfg_attr(all(test, feature = "cli"), ts(as = "Option<_>", optional))]
+    pub scene: String,
+    /// A number of its own, such as 4A; without one it is counted.
+    #[cfg_attr(all(test, feature = "cli"), ts(as = "Option<_>", optional))]
+    pub number: String,
+    /// What happens.
+    #[cfg_attr(all(test, feature = "cli"), ts(as = "Option<_>", optional))]
+    pub action: String,
+    /// What is said.
+    #[cfg_attr(all(test, feature = "cli"), ts(as = "Option<_>", optional))]
+    pub dialogue: String,
+    /// What else is to be known.
+    #[cfg_attr(all(test, feature = "cli"), ts(as = "Option<_>", optional))]
+    pub notes: String,
+    /// How long it is, in frames of the board's rate.
+    #[cfg_attr(all(test, feature = "cli"), ts(optional))]
+    pub frames: Option<u32>,
+    /// What stands in columns of one's own, by their names.
+    #[cfg_attr(
+        all(test, feature = "cli"),
+        ts(as = "Option<std::collections::BTreeMap<String, String>>", optional)
+    )]
+    pub more: Map<String, Value>,
+    /// Fields that this program does not know.
+    #[cfg_attr(all(test, feature = "cli"), ts(skip))]
+    pub rest: Map<String, Value>,
+}
+
+/// How the shots of a project are counted, ordered and laid out.
+#[derive(Debug, Clone, PartialEq)]
+#[cfg_attr(all(test, feature = "cli"), derive(ts_rs::TS))]
+pub struct Board {
+    /// Frames a second, one of [`RATES`].
+    pub fps: u32,
+    /// Columns of one's own, each name once.
+    pub columns: Vec<String>,
+    /// Frames on a sheet, one of [`FRAMES`].
+    pub frames: u32,
+    /// The name of the frames' aspect, one of [`ASPECTS`].
+    pub aspect: String,
+    /// The fields stand beside the frames, else under them.
+    pub beside: bool,
+    /// Ruled lines in the place of the fields, to be written on by hand.
+    pub ruled: bool,
+    /// Who made it, for the head of the sheets.
+    pub author: String,
+    /// When, as it stands there.
+    pub date: String,
+    /// Photos in the order in which a person put them; the others follow where they belong by themselves.
+    pub order: Vec<String>,
+    /// Fields that this program does not know.
+    #[cfg_attr(all(test, feature = "cli"), ts(skip))]
+    pub rest: Map<String, Value>,
+}
+
+impl Default for Board {
+    fn default() -> Self {
+        Self {
+            fps: RATES[0],
+            columns: Vec::new(),
+            frames: 6,
+            aspect: "16:9".into(),
+            beside: false,
+            ruled: false,
+            author: String::new(),
+            date: String::new(),
+            order: Vec::new(),
+            rest: Map::new(),
+        }
+    }
+}
+
+impl Shot {
+    /// Whether nothing is told.
+    #[must_use]
+    pub fn is_empty(&self) -> bool {
+        *self == Self::default()
+    }
+
+    pub(super) fn read(value: Value) -> Read<Self> {
+        let mut fields = Fields::of(value)?;
+        let mut shot = Self::default();
+        for (name, most, field) in [
+            ("scene", LONGEST_LABEL, &mut shot.scene),
+            ("number", LONGEST_LABEL, &mut shot.number),
+            ("action", LONGEST_FIELD, &mut shot.action),
+            ("dialogue", LONGEST_FIELD, &mut shot.dialogue),
+            ("notes", LONGEST_FIELD, &mut shot.notes),
+        ] {
+            *field = fields.nullable(name).text(name, most)?.unwrap_or_default();
+        }
+        let frames = fields.nullable("frames").whole("frames", 1, u64::from(MOST_SHOT_FRAMES))?;
+        shot.frames = frames.map(|frames| frames as u32);
+        shot.more = fields.nullable("more").part("more", &mut more)?.unwrap_or_default();
+        shot.rest = fields.rest();
+        Ok(shot)
+    }
+
+    pub(super) fn write(&self, out: &mut Writer) {
+        out.open(b'{');
+        for (name, field) in [
+            ("scene", &self.scene),
+            ("number", &self.number),
+            ("action", &self.action),
+            ("dialogue", &self.dialogue),
+            ("notes", &self.notes),
+        ] {
+            if !field.is_empty() {
+                out.key(name).text(field);
+            }
+        }
+        if let Some(frames) = self.frames {
+            out.key("frames").whole(u64::from(frames));
+        }
+        if !self.more.is_empty() {
+            out.key("more").open(b'{');
+            out.rest(&self.more);
+            out.close(b'}');
+        }
+        out.rest(&self.rest);
+        out.close(b'}');
+    }
+}
+
+/// What stands in columns of one's own; an empty text is as if it were not told.
+fn more(value: Value) -> Read<Map<String, Value>> {
+    let told = Fields::of(value)?.rest();
+    if told.len() > MOST_COLUMNS {
+        return Err(Wrong::beyond("has more columns than a board"));
+    }
+    let mut more = Map::new();
+    for (name, value) in told {
+        text_of(name.clone().into(), LONGEST_LABEL)?;
+        let text = text_of(value, LONGEST_FIELD).map_err(|wrong| wrong.at(&name))?;
+        if !text.is_empty() {
+            more.insert(name, text.into());
+        }
+    }
+    Ok(more)
+}
+
+impl Board {
+    pub(super) fn read(value: Value) -> Read<Self> {
+        let mut fields = Fields::of(value)?;
+        let mut board = Self::default();
+        if let Some(fps) = one_of(&mut fields, "fps", &RATES)? {
+            board.fps = fps;
+        }
+        if let Some(frames) = one_of(&mut fields, "frames", &FRAMES)? {
+            board.frames = frames;
+        }
+        if let Some(aspect) = fields.text("aspect", LONGEST_LABEL)? {
+            if !ASPECTS.iter().any(|(name, _)| *name == aspect) {
+                return Err(Wrong::new("is no aspect of a board").at("aspect"));
+            }
+            board.aspect = aspect;
+        }
+        board.columns = fields.each("columns", MOST_COLUMNS, &|name| text_of(name, LONGEST_LABEL))?;
+        let mut seen = HashSet::new();
+        if !board.columns.iter().all(|name| !name.is_empty() && seen.insert(name)) {
+            return Err(Wrong::new("are no names that differ").at("columns"));
+        }
+        (board.beside, board.ruled) = (fields.flag("beside")?, fields.flag("ruled")?);
+        board.author = fields.text("author", LONGEST_NAME)?.unwrap_or_default();
+        board.date = fields.text("date", LONGEST_NAME)?.unwrap_or_default();
+        board.order = fields.each("order", MOST_PHOTOS, &|id| text_of(id, LONGEST_ID))?;
+        board.rest = fields.rest();
+        Ok(board)
+    }
+
+    pub(super) fn write(&self, out: &mut Writer) {
+        out.open(b'{');
+        out.key("fps").whole(u64::from(self.fps));
+        out.key("columns").texts(&self.columns);
+        out.key("frames").whole(u64::from(self.frames));
+        out.key("aspect").text(&self.aspect);
+        out.key("beside").flag(self.beside);
+        out.key("ruled").flag(self.ruled);
+        out.key("author").text(&self.author);
+        out.key("date").text(&self.date);
+        out.key("order").texts(&self.order);
+        out.rest(&self.rest);
+        out.close(b'}');
+    }
+
+    /// What becomes of a photo when this board takes the place of another: a shot is as many seconds long as it was, and
+    /// what stood in a column goes with its name. Nothing where it stays as it is.
+    pub(super) fn taken(&self, before: &Self, item: &TrayItem) -> Option<TrayItem> {
+        let mut shot = item.shot.clone();
+        if let Some(frames) = shot.frames {
+            let same = u64::from(frames) * u64::from(self.fps) * 2 / u64::from(before.fps.max(1));
+            shot.frames = Some((same.div_ceil(2).max(1) as u32).min(MOST_SHOT_FRAMES));
+        }
+        if self.columns != before.columns {
+            shot.more = shot
+                .more
+                .into_iter()
+                .filter_map(|(name, text)| Some((self.column(before, name)?, text)))
+                .collect();
+        }
+        (shot != item.shot).then(|| TrayItem { shot, ..item.clone() })
+    }
+
+    /// The name of a column that was called otherwise; none where it is gone.
+    fn column(&self, before: &Self, name: String) -> Option<String> {
+        if self.columns.contains(&name) {
+            return Some(name);
+        }
+        // Of as many columns the one in its place has another name.
+        let place = before.columns.iter().position(|known| *known == name)?;
+        let same = self.columns.len() == before.columns.len();
+        self.columns.get(place).filter(|now| same && !before.columns.contains(now)).cloned()
+    }
+}
+
+fn one_of(fields: &mut Fields, name: &str, known: &[u32]) -> Read<Option<u32>> {
+    let Some(told) = fields.whole(name, 0, u64::from(u32::MAX))? else { return Ok(None) };
+    let told = told as u32;
+    if known.contains(&told) { Ok(Some(told)) } else { Err(Wrong::new("is no choice of a board").at(name)) }
+}
+
+/// The shots that an edit describes: an object of shots by the ids of their photos.
+pub(super) fn described(value: Value) -> Read<Vec<(String, Shot)>> {
+    let all = Fields::of(value)?.rest();
+    if all.len() > MOST_PHOTOS {
+        return Err(Wrong::beyond("are more shots than photos"));
+    }
+    let shot = |(id, shot): (String, Value)| {
+        let shot = Shot::read(shot).map_err(|wrong| wrong.at(&id))?;
+        Ok((id, shot))
+    };
+    all.into_iter().map(shot).collect()
+}
+
+/// Photos in the order of a board: those that a person put somewhere, each of the others behind the one that it follows by
+/// itself. `photos`: all of them, in their own order.
+#[must_use]
+pub fn ordered<'p>(order: &[String], photos: &[&'p str]) -> Vec<&'p str> {
+    let there: HashSet<&str> = photos.iter().copied().collect();
+    let told: HashSet<&str> = order.iter().map(String::as_str).collect();
+    let known = order.iter().filter(|id| there.contains(id.as_str()));
+    let mut seen = HashSet::new();
+    let mut all: Vec<&str> = known
+        .filter_map(|id| photos.iter().copied().find(|photo| photo == id))
+        .filter(|id| seen.insert(*id))
+        .collect();
+    let mut before = None;
+    for &photo in photos {
+        if !told.contains(photo) {
+            let at = before.and_then(|before| all.iter().position(|id| *id == before)).map_or(0, |at| at + 1);
+            all.insert(at, photo);
+        }
+        before = Some(photo);
+    }
+    all
+}
+
+/// The numbers of shots in their order: a shot's own, else what is counted of those without.
+#[must_use]
+pub fn numbers<'n>(own: impl IntoIterator<Item = &'n str>) -> Vec<String> {
+    let mut counted = 0_u32;
+    let number = |own: &str| {
+        if !own.trim().is_empty() {
+            return own.trim().to_owned();
+        }
+        counted += 1;
+        counted.to_string()
+    };
+    own.into_iter().map(number).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn numbers_are_counted_past_those_of_ones_own() {
+        assert_eq!(numbers(["", "", "2A", " ", "9"]), ["1", "2", "2A", "3", "9"]);
+    }
+
+    #[test]
+    fn photos_that_nobody_put_anywhere_follow_the_one_before_them() {
+        let order = ["c", "a", "gone", "c"].map(str::to_owned);
+        assert_eq!(ordered(&order, &["a", "b", "c", "d"]), ["c", "d", "a", "b"]);
+        assert_eq!(ordered(&order, &["x", "a", "c"]), ["x", "c", "a"]);
+        assert_eq!(ordered(&[], &["b", "a"]), ["b", "a"]);
+    }
+
+    #[test]
+    fn another_rate_keeps_seconds_and_a_column_its_name() {
+        let before = Board { columns: vec!["Lens".into(), "Sound".into()], ..Board::default() };
+        let mut item = TrayItem::new("a".into());
+        item.shot.frames = Some(49);
+        item.shot.more =
+            [("Lens".to_owned(), "35".into()), ("Sound".to_owned(), "wind".into())].into_iter().collect();
+        let now = Board { fps: 30, columns: vec!["Optics".into(), "Sound".into()], ..Board::default() };
+        let taken = now.taken(&before, &item).unwrap().shot;
+        assert_eq!(
+            (taken.frames, &taken.more["Optics"], &taken.more["Sound"]),
+            (Some(61), &"35".into(), &"wind".into())
+        );
+        let fewer = Board { columns: vec!["Sound".into()], ..Board::default() };
+        assert_eq!(fewer.taken(&before, &item).unwrap().shot.more.len(), 1);
+        assert!(before.taken(&before, &item).is_none());
+    }
+
+    #[test]
+    fn what_is_no_board_is_refused() {
+        let board = |json: &str| Board::read(serde_json::from_str(json).unwrap());
+        for wrong in [
+            r#"{"fps":23}"#,
+            r#"{"frames":5}"#,
+            r#"{"aspect":"3:2"}"#,
+            r#"{"columns":["a","a"]}"#,
+            r#"{"columns":[""]}"#,
+        ] {
+            assert!(board(wrong).is_err(), "{wrong}");
+        }
+        assert_eq!(board("{}").unwrap(), Board::default());
+        let shot = |json: &str| Shot::read(serde_json::from_str(json).unwrap());
+        for wrong in [r#"{"frames":0}"#, r#"{"scene":1}"#, r#"{"more":{"a":2}}"#, "[]"] {
+            assert!(shot(wrong).is_err(), "{wrong}");
+        }
+        assert!(shot(r#"{"scene":"","frames":null,"more":{"a":""}}"#).unwrap().is_empty());
+    }
+}

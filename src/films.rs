@@ -1,0 +1,120 @@
+//! The shots of a film, for the command line. There is no decoder of films here: that of `ffmpeg` is used where it is
+//! installed, by two of its programs and over a pipe.
+
+use std::io::Read;
+use std::path::Path;
+use std::process::{Command, Stdio};
+
+use inkpanel::select::look::{Look, Samples};
+use inkpanel::select::shots::{Film, Shot};
+use inkpanel::select::stills::{self, Still, Wish};
+use serde_json::{Value, json};
+
+use crate::Complaint;
+
+/// Frames are asked for in this width at most, in pixels.
+const ACROSS: usize = 640;
+/// A film of more frames is looked at less often.
+const MOST_LOOKS: f64 = 20_000.0;
+
+/// The shots of a film, each with its seconds and those of the frames that stand for it, `count` of them, or as many as suit
+/// it.
+///
+/// # Errors
+/// A sentence: without ffmpeg, and for a file that it does not read.
+pub(crate) fn shots(film: &Path, count: Option<usize>) -> Result<Value, Complaint> {
+    let about = About::of(film)?;
+    let seen = look_at(film, &about)?;
+    let end = about.duration.max(seen.times().last().copied().unwrap_or_default());
+    let shots = seen.shots(end);
+    let chosen = stills::choose(&seen, &shots, &Wish { count, ..Wish::default() });
+    Ok(shots.iter().enumerate().map(|(i, shot)| told(i, shot, &chosen)).collect())
+}
+
+fn told(number: usize, shot: &Shot, chosen: &[Still]) -> Value {
+    let round = |seconds: f64| (seconds * 1000.0).round() / 1000.0;
+    let frames: Vec<f64> =
+        chosen.iter().filter(|still| still.shot == number).map(|still| round(still.time)).collect();
+    let kind = if shot.usable.is_empty() {
+        "empty"
+    } else if shot.title {
+        "title"
+    } else {
+        "picture"
+    };
+    json!({ "shot": number + 1, "start": round(shot.start), "end": round(shot.end), "kind": kind, "frames": frames })
+}
+
+/// What a film says of itself.
+struct About {
+    width: usize,
+    height: usize,
+    /// Frames a second that are looked at.
+    rate: f64,
+    duration: f64,
+}
+
+impl About {
+    fn of(film: &Path) -> Result<Self, Complaint> {
+        let mut probe = Command::new("ffprobe");
+        probe.args(["-v", "error", "-select_streams", "V:0", "-of", "json", "-show_entries"]);
+        probe.arg("stream=width,height,avg_frame_rate:format=duration").arg(film).stdin(Stdio::null());
+        let answer = probe.output().map_err(|_| "films need ffmpeg, which is not installed".to_owned())?;
+        let name = film.display();
+        let told: Value = serde_json::from_slice(&answer.stdout).unwrap_or_default();
+        let stream = &told["streams"][0];
+        let size = |field: &str| stream[field].as_u64().filter(|&size| size > 0 && size <= 16_384);
+        let (Some(width), Some(height)) = (size("width"), size("height")) else {
+            let why = String::from_utf8_lossy(&answer.stderr).lines().next().unwrap_or_default().to_owned();
+            return Err(format!("{name}: it is no film that ffmpeg reads {why}").trim_end().to_owned());
+        };
+        let duration = told["format"]["duration"].as_str().and_then(|text| text.parse().ok()).unwrap_or(0.0);
+        let rate = stream["avg_frame_rate"].as_str().and_then(|rate| {
+            let (frames, seconds) = rate.split_once('/')?;
+            Some(frames.parse::<f64>().ok()? / seconds.parse::<f64>().ok()?)
+        });
+        let rate = rate.filter(|rate| rate.is_finite() && *rate > 0.0).unwrap_or(25.0).min(60.0);
+        // Two even numbers, as half of them are chroma's.
+        let across = (width as usize).min(ACROSS) / 2 * 2;
+        let down = (height as usize * across / width as usize).max(2) / 2 * 2;
+        let rate = if duration * rate > MOST_LOOKS { MOST_LOOKS / duration } else { rate };
+        Ok(Self { width: across.max(2), height: down, rate, duration })
+    }
+}
+
+fn look_at(film: &Path, about: &About) -> Result<Film, Complaint> {
+    let mut ffmpeg = Command::new("ffmpeg");
+    ffmpeg.args(["-v", "error", "-nostdin", "-noautorotate", "-i"]).arg(film).args(["-map", "0:V:0", "-vf"]);
+    ffmpeg.arg(format!("fps={},scale={}:{}", about.rate, about.width, about.height));
+    ffmpeg.args(["-pix_fmt", "yuv420p", "-f", "rawvideo", "-"]).stdin(Stdio::null()).stdout(Stdio::piped());
+    let failed = |error: std::io::Error| format!("ffmpeg: {error}");
+    let mut running = ffmpeg.spawn().map_err(failed)?;
+    let mut out = running.stdout.take().ok_or("ffmpeg gives no answer")?;
+    let (width, height) = (about.width, about.height);
+    let mut frame = vec![0; width * height * 3 / 2];
+    let mut seen = Film::new();
+    let mut number = 0;
+    while out.read_exact(&mut frame).is_ok() {
+        seen.add(
+            f64::from(number) / about.rate,
+            look(&frame, width, height).map_err(|error| error.to_string())?,
+        );
+        number += 1;
+    }
+    // A film that breaks off gives what it has.
+    running.wait().map_err(failed)?;
+    if number == 0 {
+        return Err(format!("{}: ffmpeg reads no frame of it", film.display()));
+    }
+    Ok(seen)
+}
+
+/// Looks at a frame in I420.
+fn look(frame: &[u8], width: usize, height: usize) -> inkpanel::Result<Look> {
+    let (luma, chroma) = frame.split_at(width * height);
+    let (blue, red) = chroma.split_at(chroma.len() / 2);
+    let half = [width / 2, height / 2];
+    let luma = Samples::new(luma, [width, 1], [width, height])?;
+    let chroma = [Samples::new(blue, [half[0], 1], half)?, Samples::new(red, [half[0], 1], half)?];
+    Ok(Look::of(&luma, [&chroma[0], &chroma[1]]))
+}

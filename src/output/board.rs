@@ -1,0 +1,419 @@
+//! Sheets of a board: the shots of an album as frames of one aspect with what is told of them beside or under each, a head on
+//! every sheet. A sheet is a page like any other ([`Document`]), so it is drawn, exported and printed like one: its frames are
+//! panels, what is told are plain captions whose letters stay text in a PDF file.
+
+use super::shots::timecode::timecode;
+use super::shots::{ListedShot, ShotList};
+use crate::error::{Error, Result};
+use crate::page::Document;
+use serde::Deserialize;
+use serde_json::{Value, json};
+
+/// Most frames of a sheet.
+const MOST_FRAMES: usize = 12;
+/// Widths and heights of upright paper in millimetres.
+const A4: (f64, f64) = (210.0, 297.0);
+const LETTER: (f64, f64) = (215.9, 279.4);
+/// Dots an inch.
+const DPI: u32 = 300;
+/// Around a sheet, between frames, and between a frame and its text, in millimetres.
+const MARGIN: f64 = 11.0;
+const GAP: f64 = 6.0;
+const NEAR: f64 = 1.8;
+/// Height of the head, and of its letters, in millimetres.
+const HEAD: f64 = 11.0;
+const TITLE: f64 = 4.9;
+/// Width of which sheet it is.
+const NUMBER: f64 = 25.0;
+/// The part of the height of a cell that belongs to the text under a frame, at least; of its width to a frame with text beside it, at most.
+const UNDER: f64 = 0.27;
+const BESIDE: f64 = 0.56;
+/// Frames on a sheet up to which letters are so many millimetres high, from the largest on.
+const LETTERS: [(usize, f64); 4] = [(2, 4.0), (4, 3.6), (6, 3.2), (MOST_FRAMES, 2.75)];
+/// Half the width of the line around a frame, in millimetres.
+const LINE: f64 = 0.35;
+const INK: &str = "#111111";
+const RULES: &str = "#a4a4a8";
+
+/// What is asked for. In JSON the fields of a [`ShotList`] beside these.
+#[derive(Debug, Clone, Default, Deserialize)]
+#[serde(default)]
+#[cfg_attr(all(test, feature = "cli"), derive(ts_rs::TS), ts(rename = "BoardRequest", optional_fields))]
+pub struct Request {
+    /// The shots, and what they are called together.
+    pub list: ShotList,
+    /// Of each shot its picture.
+    pub pictures: Vec<PictureOf>,
+    /// Frames on a sheet, 1 to 12; six where nothing is told.
+    pub frames: usize,
+    /// Width over height of the frames, 0.2 to 5; 16:9 where nothing is told.
+    pub aspect: f64,
+    /// The text stands beside the frames, else under them.
+    pub beside: bool,
+    /// Lines to write on in the place of what is told.
+    pub ruled: bool,
+    /// Who made it.
+    pub author: String,
+    /// When.
+    pub date: String,
+    /// Paper as in North America, else A4.
+    pub letter: bool,
+    /// The style of the frames: an id, or a style in full.
+    #[cfg_attr(all(test, feature = "cli"), ts(as = "Option<crate::page::document::StyleChoice>"))]
+    pub style: Value,
+    /// What is written before what is told, in the language of the reader.
+    pub labels: Labels,
+}
+
+/// The picture of a shot.
+#[derive(Debug, Clone, Default, Deserialize)]
+#[serde(default)]
+#[cfg_attr(all(test, feature = "cli"), derive(ts_rs::TS), ts(rename = "BoardPicture"))]
+pub struct PictureOf {
+    /// Id of the photo.
+    pub photo: String,
+    /// The part of it that the frame shows.
+    #[cfg_attr(all(test, feature = "cli"), ts(as = "crate::framing::Crop"))]
+    pub crop: Value,
+    /// Faces of it, which the style takes care of.
+    #[cfg_attr(all(test, feature = "cli"), ts(as = "Vec<crate::framing::Crop>"))]
+    pub faces: Value,
+}
+
+/// What is written before what is told. `{page}` and `{count}` stand for numbers.
+#[derive(Debug, Clone, Deserialize)]
+#[serde(default)]
+#[cfg_attr(all(test, feature = "cli"), derive(ts_rs::TS), ts(rename = "BoardLabels", optional_fields))]
+pub struct Labels {
+    /// Before the scene.
+    pub scene: String,
+    /// Before what is said.
+    pub dialogue: String,
+    /// Before the notes.
+    pub notes: String,
+    /// Which sheet it is of how many.
+    pub page: String,
+}
+
+impl Default for Labels {
+    fn default() -> Self {
+        let [scene, dialogue, notes, page] =
+            ["Scene", "Dialogue", "Notes", "Page {page} of {count}"].map(str::to_owned);
+        Self { scene, dialogue, notes, page }
+    }
+}
+
+impl Request {
+    /// Reads a request.
+    ///
+    /// # Errors
+    /// `invalid-document` for what is none.
+    pub fn parse(json: &str) -> Result<Self> {
+        serde_json::from_str(json).map_err(|error| invalid("board", &error.to_string()))
+    }
+
+    /// The sheets as pages; none where there are no shots.
+    ///
+    /// # Errors
+    /// `invalid-document` for pictures that are none, or not as many as there are shots; those of the style.
+    pub fn sheets(&self) -> Result<Vec<Document>> {
+        if self.pictures.len() != self.list.shots.len() {
+            return Err(invalid("pictures", "are not as many as there are shots"));
+        }
+        let per_sheet = if self.frames == 0 { 6 } else { self.frames.min(MOST_FRAMES) };
+        let grid = Grid::best(self, per_sheet);
+        let count = self.list.shots.len().div_ceil(per_sheet);
+        let shots = self.list.shots.chunks(per_sheet).zip(self.pictures.chunks(per_sheet));
+        shots.enumerate().map(|(i, shots)| self.sheet(&grid, shots, (i + 1, count))).collect()
+    }
+
+    fn aspect(&self) -> f64 {
+        if self.aspect.is_finite() && self.aspect > 0.0 { self.aspect.clamp(0.2, 5.0) } else { 16.0 / 9.0 }
+    }
+
+    fn sheet(
+        &self,
+        grid: &Grid,
+        (shots, pictures): (&[ListedShot], &[PictureOf]),
+        number: (usize, usize),
+    ) -> Result<Document> {
+        let mut words = self.head(grid, number);
+        let mut polygons = Vec::new();
+        let mut panels = Vec::new();
+        for (i, (shot, picture)) in shots.iter().zip(pictures).enumerate() {
+            let Cell { frame, text } = grid.cell(i);
+            let corner = |x: f64, y: f64| json!([x / grid.width, y / grid.height]);
+            let (right, bottom) = (frame.x + frame.width, frame.y + frame.height);
+            polygons.push(json!([
+                corner(frame.x, frame.y),
+                corner(right, frame.y),
+                corner(right, bottom),
+                corner(frame.x, bottom)
+            ]));
+            panels.push(json!({ "photo": picture.photo, "crop": picture.crop, "faces": picture.faces }));
+            words.extend(self.told(grid, shot, (i, &frame, &text)));
+        }
+        let pixels = |millimetres: f64| (millimetres / 25.4 * f64::from(DPI)).round();
+        let document = json!({
+            "version": 1, "seed": 0, "style": self.style, "panels": panels, "merges": [], "words": words,
+            "order": pictures.iter().map(|picture| &picture.photo).collect::<Vec<_>>(),
+            "layout": { "id": "board", "name": "Board", "family": "board", "aspect": grid.width / grid.height, "polygons": polygons },
+            "page": {
+                "width": pixels(grid.width), "height": pixels(grid.height), "dpi": DPI, "gutter": 0, "margin": 0,
+                "border": LINE / grid.width, "cornerRadius": 0, "paper": "#ffffff", "borderColor": INK,
+            },
+        });
+        Document::parse(&document.to_string())
+    }
+
+    /// The title, who made it and when, and which sheet it is.
+    fn head(&self, grid: &Grid, (page, count): (usize, usize)) -> Vec<Value> {
+        let wide = grid.width - 2.0 * MARGIN;
+        let about = [&self.author, &self.date].into_iter().filter(|text| !text.is_empty());
+        let about = about.cloned().collect::<Vec<_>>().join(" · ");
+        let number =
+            self.labels.page.replace("{page}", &page.to_string()).replace("{count}", &count.to_string());
+        let word = |text: &str, from: f64, to: f64, size: f64, font: &str| {
+            let area = Area {
+                x: MARGIN + from * wide,
+                y: MARGIN + TITLE - size,
+                width: (to - from) * wide,
+                height: 1.6 * size,
+            };
+            (!text.is_empty()).then(|| {
+                let mut word = grid.word(text, (&area, size), font);
+                (word["x"], word["y"]) = (json!(area.x / grid.width), json!(area.y / grid.height));
+                word
+            })
+        };
+        let right = 1.0 - NUMBER / wide;
+        let parts = [
+            word(&self.list.title, 0.0, 0.52, TITLE, BOLD),
+            word(&about, 0.54, right - 0.02, 3.4, PLAIN),
+            word(&number, right, 1.0, 3.4, PLAIN),
+        ];
+        parts.into_iter().flatten().collect()
+    }
+
+    /// What stands with a frame: its number, scene and length in one line, below that what is told.
+    fn told(
+        &self,
+        grid: &Grid,
+        shot: &ListedShot,
+        (panel, frame, text): (usize, &Area, &Area),
+    ) -> Vec<Value> {
+        let size = grid.letters;
+        let rate = if self.list.fps == 0 { 24 } else { self.list.fps };
+        let scene = (!shot.scene.is_empty()).then(|| format!("{} {}", self.labels.scene, shot.scene));
+        let length = shot.frames.map(|frames| timecode(u64::from(frames), rate)[3..].to_owned());
+        let head =
+            [Some(shot.number.clone()), scene, length].into_iter().flatten().collect::<Vec<_>>().join("   ");
+        let labelled = |label: &str, text: &str| format!("{label}: {text}");
+        let known = [
+            Some(shot.action.clone()),
+            Some(&shot.dialogue)
+                .filter(|text| !text.is_empty())
+                .map(|text| labelled(&self.labels.dialogue, text)),
+            Some(&shot.notes).filter(|text| !text.is_empty()).map(|text| labelled(&self.labels.notes, text)),
+        ];
+        let own = self.list.columns.iter().filter_map(|name| Some(labelled(name, shot.more.get(name)?)));
+        let fields: Vec<String> =
+            known.into_iter().flatten().chain(own).filter(|text| !text.is_empty()).collect();
+        let heading = Area { height: 1.3 * size, ..*text };
+        let rest = Area { y: text.y + 1.5 * size, height: text.height - 1.5 * size, ..*text };
+        let mut words = vec![grid.word(&head, (&heading, size), BOLD)];
+        if self.ruled {
+            let mut rules = grid.word("", (&rest, size), PLAIN);
+            rules["ruled"] = true.into();
+            rules["color"] = RULES.into();
+            words.push(rules);
+        } else if !fields.is_empty() {
+            words.push(grid.word(&fields.join("\n"), (&rest, size), PLAIN));
+        }
+        // They are read with their frame.
+        for word in &mut words {
+            let at = |name: &str| word[name].as_f64().unwrap_or_default();
+            let (x, y) = ((at("x") - frame.x) / frame.width, (at("y") - frame.y) / frame.height);
+            (word["x"], word["y"], word["panel"]) = (json!(x), json!(y), json!(panel));
+        }
+        words
+    }
+}
+
+const BOLD: &str = "comic-neue-bold";
+const PLAIN: &str = "comic-neue";
+
+/// A rectangle in millimetres of the paper.
+#[derive(Debug, Clone, Copy)]
+struct Area {
+    x: f64,
+    y: f64,
+    width: f64,
+    height: f64,
+}
+
+/// A frame and the place of its text.
+struct Cell {
+    frame: Area,
+    text: Area,
+}
+
+/// The places of frames on paper, in millimetres.
+#[derive(Debug, Clone, Copy)]
+struct Grid {
+    width: f64,
+    height: f64,
+    columns: usize,
+    cell: (f64, f64),
+    frame: (f64, f64),
+    beside: bool,
+    /// Height of letters.
+    letters: f64,
+}
+
+impl Grid {
+    /// The paper, and the columns and rows on it, that make the frames largest.
+    fn best(request: &Request, frames: usize) -> Self {
+        let paper = if request.letter { LETTER } else { A4 };
+        let all = [(paper.1, paper.0), paper].into_iter().flat_map(|(width, height)| {
+            let columns = (1..=frames).filter(move |columns| frames.is_multiple_of(*columns));
+            columns.map(move |columns| Self::new(request, frames, (width, height), columns))
+        });
+        let area = |grid: &Self| grid.frame.0 * grid.frame.1;
+        // Of two alike the first: paper on its side, as screens are.
+        let better = |best: Self, grid: Self| if area(&grid) > 1.02 * area(&best) { grid } else { best };
+        let first = Self::new(request, frames, (paper.1, paper.0), frames);
+        all.fold(first, better)
+    }
+
+    fn new(request: &Request, frames: usize, (width, height): (f64, f64), columns: usize) -> Self {
+        let rows = frames.div_ceil(columns);
+        let part = |length: f64, count: usize| (length - GAP * (count as f64 - 1.0)) / count as f64;
+        let cell = (part(width - 2.0 * MARGIN, columns), part(height - 2.0 * MARGIN - HEAD, rows));
+        let letters =
+            LETTERS.iter().find(|(most, _)| frames <= *most).map_or(LETTERS[3].1, |(_, size)| *size);
+        let room = if request.beside {
+            (cell.0 * BESIDE, cell.1)
+        } else {
+            (cell.0, cell.1 - NEAR - (cell.1 * UNDER).max(5.0 * letters))
+        };
+        let across = room.0.min(room.1 * request.aspect()).max(1.0);
+        let frame = (across, across / request.aspect());
+        Self { width, height, columns, cell, frame, beside: request.beside, letters }
+    }
+
+    fn cell(&self, index: usize) -> Cell {
+        let (column, row) = ((index % self.columns) as f64, (index / self.columns) as f64);
+        let (x, y) = (MARGIN + column * (self.cell.0 + GAP), MARGIN + HEAD + row * (self.cell.1 + GAP));
+        let frame = Area { x, y, width: self.frame.0, height: self.frame.1 };
+        let text = if self.beside {
+            let off = self.frame.0 + 2.0 * NEAR;
+            Area { x: x + off, y, width: self.cell.0 - off, height: self.cell.1 }
+        } else {
+            let off = self.frame.1 + NEAR;
+            Area { x, y: y + off, width: self.cell.0, height: self.cell.1 - off }
+        };
+        Cell { frame, text }
+    }
+
+    /// A plain caption; its place is still in millimetres.
+    fn word(&self, text: &str, (area, size): (&Area, f64), font: &str) -> Value {
+        json!({
+            "kind": "caption", "plain": true, "text": text, "x": area.x, "y": area.y, "auto": false, "font": font,
+            "color": INK, "fill": "#ffffff", "size": size / self.width,
+            "room": [(area.width / self.width).max(0.02), (area.height / self.width).max(0.02)],
+        })
+    }
+}
+
+fn invalid(location: &str, reason: &str) -> Error {
+    Error::InvalidDocument { location: location.into(), reason: reason.into() }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::page::scene::Scene;
+    use crate::page::words::Letters;
+    use crate::page::words::layout::measured;
+
+    fn request(frames: usize, aspect: f64, shots: usize) -> Request {
+        let shot = |i: usize| ListedShot {
+            number: format!("{}", i + 1),
+            scene: "2".into(),
+            action: "She opens the door, looks along the corridor, and steps out. ".repeat(1 + i % 4),
+            dialogue: "Is anybody there?".into(),
+            frames: Some(48),
+            ..ListedShot::default()
+        };
+        let crop = json!({ "x": 0.0, "y": 0.0, "width": 1.0, "height": 1.0 });
+        let picture = |i: usize| PictureOf { photo: format!("p{i}"), crop: crop.clone(), faces: json!([]) };
+        Request {
+            list: ShotList {
+                title: "Night".into(),
+                shots: (0..shots).map(shot).collect(),
+                ..ShotList::default()
+            },
+            pictures: (0..shots).map(picture).collect(),
+            frames,
+            aspect,
+            style: json!("storyboard"),
+            author: "Ann".into(),
+            ..Request::default()
+        }
+    }
+
+    #[test]
+    fn frames_have_their_aspect_and_texts_stay_on_the_sheet_and_off_the_frames() {
+        let letters = Letters::bundled().unwrap();
+        for frames in [1, 2, 3, 4, 6, 8, 9, 12] {
+            for aspect in [2.39, 1.85, 16.0 / 9.0, 4.0 / 3.0, 1.0, 9.0 / 16.0] {
+                for beside in [false, true] {
+                    let request = Request { beside, ..request(frames, aspect, frames + 1) };
+                    let sheets = request.sheets().unwrap();
+                    assert_eq!((sheets.len(), sheets[1].panels.len()), (2, 1));
+                    let scene = Scene::new(&sheets[0], 3000).unwrap();
+                    let (width, height) = (1.0, scene.height as f64 / scene.width as f64);
+                    let bounds: Vec<_> = scene.panels.iter().map(|panel| panel.image_bounds).collect();
+                    for panel in &bounds {
+                        assert!(
+                            (panel.width / panel.height / aspect - 1.0).abs() < 0.01,
+                            "{frames} {aspect}"
+                        );
+                    }
+                    for word in measured(&sheets[0], &letters).unwrap() {
+                        assert!(
+                            word.x > 0.0
+                                && word.y > 0.0
+                                && word.x + word.width < width
+                                && word.y + word.height < height,
+                            "{frames} {aspect} {beside}: {word:?}"
+                        );
+                        let over = |panel: &crate::layout::Bounds| {
+                            let shared = |a: f64, al: f64, b: f64, bl: f64| (a + al).min(b + bl) - a.max(b);
+                            shared(word.x * 3000.0, word.width * 3000.0, panel.x, panel.width) > 1.0
+                                && shared(word.y * 3000.0, word.height * 3000.0, panel.y, panel.height) > 1.0
+                        };
+                        assert!(!bounds.iter().any(over), "{frames} {aspect} {beside}: {word:?}");
+                    }
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn a_worksheet_has_lines_in_the_place_of_what_is_told() {
+        let sheets = Request { ruled: true, ..request(4, 1.85, 4) }.sheets().unwrap();
+        let ruled = |word: &&Value| word["ruled"] == true;
+        assert_eq!(sheets[0].words.iter().filter(ruled).count(), 4);
+        assert!(!sheets[0].to_json().contains("corridor"));
+        assert!(sheets[0].to_json().contains("Page 1 of 1"));
+    }
+
+    #[test]
+    fn what_is_no_board_is_refused() {
+        assert!(Request::parse("{\"frames\":-1}").is_err());
+        assert!(Request { pictures: Vec::new(), ..request(1, 1.0, 1) }.sheets().is_err());
+        assert!(request(6, f64::NAN, 0).sheets().unwrap().is_empty());
+    }
+}

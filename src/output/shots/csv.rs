@@ -1,0 +1,71 @@
+//! A shot list as a table of values apart by commas, RFC 4180. It begins with a byte order mark, by which spreadsheets know
+//! UTF-8; a cell that a spreadsheet would take for a formula begins with an apostrophe.
+
+use super::timecode::timecode;
+use super::{Cut, HEADINGS, ShotList};
+
+/// What begins a formula. Source: OWASP, CSV Injection.
+const FORMULA: [char; 6] = ['=', '+', '-', '@', '\t', '\r'];
+
+pub(super) fn write(list: &ShotList) -> String {
+    let mut out = String::from("\u{feff}");
+    let told = list.headings.len() == HEADINGS.len();
+    let heading = |i: usize, name: &str| if told { list.headings[i].clone() } else { name.to_owned() };
+    let names = HEADINGS.iter().enumerate().map(|(i, name)| heading(i, name));
+    row(&mut out, names.chain(list.columns.iter().cloned()));
+    for cut in list.cuts() {
+        let Cut { shot, start, frames, .. } = &cut;
+        let of_film = |text: &str| if shot.film.is_some() { text.to_owned() } else { String::new() };
+        let known = [
+            shot.scene.clone(),
+            shot.number.clone(),
+            shot.name.clone(),
+            of_film(cut.file()),
+            of_film(&timecode(*start, list.rate())),
+            timecode(*frames, list.rate()),
+            frames.to_string(),
+            shot.action.clone(),
+            shot.dialogue.clone(),
+            shot.notes.clone(),
+        ];
+        let own = list.columns.iter().map(|column| shot.more.get(column).cloned().unwrap_or_default());
+        row(&mut out, known.into_iter().chain(own));
+    }
+    out
+}
+
+fn row(out: &mut String, cells: impl Iterator<Item = String>) {
+    for (i, cell) in cells.enumerate() {
+        if i > 0 {
+            out.push(',');
+        }
+        let guarded = if cell.starts_with(FORMULA) { format!("'{cell}") } else { cell };
+        if guarded.contains(['"', ',', '\r', '\n']) {
+            out.push('"');
+            out.push_str(&guarded.replace('"', "\"\""));
+            out.push('"');
+        } else {
+            out.push_str(&guarded);
+        }
+    }
+    out.push_str("\r\n");
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::tests::list;
+    use super::*;
+
+    #[test]
+    fn cells_are_quoted_and_no_cell_is_a_formula() {
+        let mut list = list(24);
+        list.shots.truncate(2);
+        list.shots[1].notes = "=HYPERLINK(\"x\")".into();
+        list.shots[1].more.insert("Lens".into(), "35".into());
+        let text = write(&list);
+        let head = "\u{feff}Scene,Shot,Picture,Film,Time code,Duration,Frames,Action,Dialogue,Notes,Lens\r\n";
+        let first = "1,1,1 ä.jpg,,,00:00:01:12,36,\"She opens \"\"1\"\",\nthe door.\",,,\r\n";
+        let second = "1,4A,4A ä.jpg,night.mp4,00:00:12:12,00:00:02:00,48,\"She opens \"\"4A\"\",\nthe door.\",,\"'=HYPERLINK(\"\"x\"\")\",35\r\n";
+        assert_eq!(text, [head, first, second].concat());
+    }
+}

@@ -1,0 +1,68 @@
+//! An `OpenTimelineIO` timeline of one picture track, its fields in the metadata of the clips. Source: the schema of
+//! `OpenTimelineIO` 0.15 (`Timeline.1`, `Clip.2`, `ExternalReference.1`).
+
+use super::timecode::{PROGRAMME, frame_at};
+use super::{Cut, ShotList};
+use serde_json::{Value, json};
+use std::fmt::Write as _;
+
+/// The name under which its media is known.
+const MEDIA: &str = "DEFAULT_MEDIA";
+
+pub(super) fn write(list: &ShotList) -> String {
+    let rate = list.rate();
+    let clips: Vec<Value> = list.cuts().map(|cut| clip(&cut, rate)).collect();
+    let track = json!({
+        "OTIO_SCHEMA": "Track.1", "metadata": {}, "name": "V1", "source_range": null, "effects": [], "markers": [],
+        "enabled": true, "children": clips, "kind": "Video",
+    });
+    let timeline = json!({
+        "OTIO_SCHEMA": "Timeline.1", "metadata": {}, "name": list.title,
+        "global_start_time": time(PROGRAMME * u64::from(rate), rate),
+        "tracks": {
+            "OTIO_SCHEMA": "Stack.1", "metadata": {}, "name": "tracks", "source_range": null, "effects": [],
+            "markers": [], "enabled": true, "children": [track],
+        },
+    });
+    format!("{timeline:#}\n")
+}
+
+fn clip(cut: &Cut, rate: u32) -> Value {
+    let Cut { shot, start, frames, .. } = cut;
+    let length =
+        shot.film.as_ref().map_or(Some(*frames), |film| film.length.map(|length| frame_at(length, rate)));
+    let available = length.map(|length| range(0, length.max(start + frames), rate));
+    let media = json!({
+        "OTIO_SCHEMA": "ExternalReference.1", "metadata": {}, "name": cut.file(), "available_range": available,
+        "available_image_bounds": null, "target_url": url(cut.file()),
+    });
+    json!({
+        "OTIO_SCHEMA": "Clip.2", "name": cut.title(), "source_range": range(*start, *frames, rate), "effects": [],
+        "markers": [], "enabled": true, "media_references": { MEDIA: media }, "active_media_reference_key": MEDIA,
+        "metadata": { "inkpanel": {
+            "scene": shot.scene, "shot": shot.number, "action": shot.action, "dialogue": shot.dialogue,
+            "notes": shot.notes, "picture": shot.name, "columns": shot.more,
+        } },
+    })
+}
+
+fn range(start: u64, frames: u64, rate: u32) -> Value {
+    json!({ "OTIO_SCHEMA": "TimeRange.1", "start_time": time(start, rate), "duration": time(frames, rate) })
+}
+
+fn time(frames: u64, rate: u32) -> Value {
+    json!({ "OTIO_SCHEMA": "RationalTime.1", "rate": f64::from(rate), "value": frames as f64 })
+}
+
+/// The name of a file as a URL that is looked for beside the list.
+pub(super) fn url(name: &str) -> String {
+    let mut out = String::new();
+    for byte in name.bytes() {
+        if byte.is_ascii_alphanumeric() || b"-._~".contains(&byte) {
+            out.push(char::from(byte));
+        } else {
+            let _ = write!(out, "%{byte:02X}");
+        }
+    }
+    out
+}

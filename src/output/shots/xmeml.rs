@@ -1,0 +1,94 @@
+//! XML of Final Cut Pro 7: a sequence of one picture track. Source: Apple, Final Cut Pro XML Interchange Format, version 5.
+
+use super::otio::url;
+use super::timecode::{PROGRAMME, frame_at, timecode};
+use super::{Cut, ShotList};
+use crate::output::markup::escaped;
+use std::collections::HashMap;
+use std::fmt::Write as _;
+
+pub(super) fn write(list: &ShotList) -> String {
+    let rate = list.rate();
+    let pace = pace(rate);
+    let mut items = String::new();
+    let mut files = HashMap::new();
+    let mut end = 0;
+    for (i, cut) in list.cuts().enumerate() {
+        end = cut.at + cut.frames;
+        item(&mut items, (i + 1, &cut), (&mut files, list), &pace);
+    }
+    let begin = PROGRAMME * u64::from(rate);
+    format!(
+        "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<!DOCTYPE xmeml>\n<xmeml version=\"5\">\n<sequence id=\"sequence-1\">\n<name>{}</name>\n<duration>{end}</duration>\n{pace}\n<timecode>{pace}<string>{}</string><frame>{begin}</frame><displayformat>NDF</displayformat></timecode>\n<media>\n<video>\n<track>\n{items}<enabled>TRUE</enabled>\n<locked>FALSE</locked>\n</track>\n</video>\n</media>\n</sequence>\n</xmeml>\n",
+        escaped(&list.title),
+        timecode(begin, rate),
+    )
+}
+
+fn pace(rate: u32) -> String {
+    format!("<rate><timebase>{rate}</timebase><ntsc>FALSE</ntsc></rate>")
+}
+
+/// A clip. `files`: the numbers of films that were told already, and how far each is known to reach.
+fn item(
+    out: &mut String,
+    (number, cut): (usize, &Cut),
+    (files, list): (&mut HashMap<String, usize>, &ShotList),
+    pace: &str,
+) {
+    let Cut { shot, start, frames, at } = cut;
+    let still = if shot.film.is_some() { "" } else { "<stillframe>TRUE</stillframe>\n" };
+    let length = length_of(list, cut);
+    let known = shot.film.as_ref().and_then(|film| files.get(&film.name));
+    let file = if let Some(known) = known {
+        format!("<file id=\"file-{known}\"/>")
+    } else {
+        files.insert(cut.file().to_owned(), number);
+        format!(
+            "<file id=\"file-{number}\">\n<name>{}</name>\n<pathurl>{}</pathurl>\n{pace}\n<duration>{length}</duration>\n<timecode>{pace}<string>00:00:00:00</string><frame>0</frame><displayformat>NDF</displayformat></timecode>\n<media><video/></media>\n</file>",
+            escaped(cut.file()),
+            url(cut.file()),
+        )
+    };
+    // Writing into text never fails.
+    let _ = write!(
+        out,
+        "<clipitem id=\"clipitem-{number}\">\n<name>{}</name>\n<enabled>TRUE</enabled>\n<duration>{length}</duration>\n{pace}\n{still}<start>{at}</start>\n<end>{}</end>\n<in>{start}</in>\n<out>{}</out>\n{file}\n<logginginfo><scene>{}</scene><shottake>{}</shottake><description>{}</description><lognote>{}</lognote></logginginfo>\n<comments><mastercomment1>{}</mastercomment1></comments>\n</clipitem>\n",
+        escaped(&cut.title()),
+        at + frames,
+        start + frames,
+        escaped(&shot.scene),
+        escaped(&shot.number),
+        escaped(&shot.action),
+        escaped(&shot.notes),
+        escaped(&shot.dialogue),
+    );
+}
+
+/// Frames of the file of a shot: as long as its film is, and as far as any shot of it reaches.
+fn length_of(list: &ShotList, cut: &Cut) -> u64 {
+    let Some(film) = &cut.shot.film else { return cut.frames };
+    let own = film.length.map_or(0, |length| frame_at(length, list.rate()));
+    let same =
+        list.cuts().filter(|other| other.shot.film.as_ref().is_some_and(|other| other.name == film.name));
+    same.map(|other| other.start + other.frames).fold(own, u64::max)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::tests::list;
+    use super::*;
+
+    #[test]
+    fn a_film_is_told_once_and_its_shots_name_it() {
+        let mut list = list(24);
+        list.shots.push(list.shots[1].clone());
+        let text = write(&list);
+        assert!(
+            text.contains("<file id=\"file-2\">\n<name>night.mp4</name>\n<pathurl>night.mp4</pathurl>")
+                && text.contains("<file id=\"file-2\"/>")
+        );
+        assert!(text.contains("<start>36</start>\n<end>84</end>\n<in>300</in>\n<out>348</out>"), "{text}");
+        assert!(text.contains("<name>One &amp; two</name>\n<duration>133</duration>"), "{text}");
+    }
+}

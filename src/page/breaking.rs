@@ -1,0 +1,436 @@
+//! Figures that step out of their panels: which part of a photo's subject stands over the edges, and how a panel is to show its
+//! photo so that it does.
+//!
+//! An edge that a figure may not cross is closed: where the photo or the room on the page ends in the figure, where it would
+//! lie on another panel's face, or far from its panel. What hangs together with the figure in the panel and crosses open edges
+//! alone steps out.
+
+use super::bleed::widened;
+use super::document::{Document, PanelContent};
+use super::scene::{self, Scene, ScenePanel};
+use crate::error::Result;
+use crate::framing::{Crop, PhotoMeta};
+use crate::layout::polygon::edges;
+use crate::layout::{Bounds, Point, ResolvedShape};
+use crate::raster::resize::{Region, resample};
+use crate::raster::{Matte, Plane};
+use oorandom::Rand64;
+
+/// From this share on a pixel is seen.
+const SEEN: u8 = 40;
+/// How far a figure goes beyond an edge at most, in parts of the panel's shorter side.
+const MOST_REACH: f64 = 0.3;
+/// What it has to show outside for anybody to notice, in parts of the panel's area.
+const LEAST_OUTSIDE: f64 = 0.008;
+/// The least sure border of a figure that is cut out without anybody asking.
+const SURE: f64 = 0.68;
+/// What is kept free about the faces of others, in parts of their size.
+const ABOUT_FACES: f64 = 0.15;
+
+/// What a figure has to leave alone: pixels of the page.
+#[derive(Clone)]
+pub struct Around {
+    /// What is inside of the page's margin.
+    pub room: Bounds,
+    /// Faces that other panels show.
+    pub faces: Vec<Bounds>,
+}
+
+/// A figure that stands over the edges of its panel.
+pub(super) struct Figure {
+    /// What hangs together with it and may be seen, over the whole photo.
+    pub(super) shares: Plane,
+    /// The edges of the panel, and whether they are closed to it.
+    pub(super) closed: Vec<bool>,
+    /// Where it is outside of the panel, in pixels of the page.
+    pub(super) outside: Bounds,
+    /// The area of that, in parts of the panel's.
+    pub(super) share: f64,
+}
+
+/// The edges of a panel's outline, clockwise; a circle is one edge.
+pub(super) struct Edges(Vec<Edge>);
+
+enum Edge {
+    /// A point of it, and the way outward.
+    Line(Point, [f64; 2]),
+    Circle(Point, f64),
+}
+
+impl Edges {
+    pub(super) fn of(shape: &ResolvedShape) -> Self {
+        match shape {
+            ResolvedShape::Polygon(points) => {
+                let line = |(from, to): (Point, Point)| {
+                    let (dx, dy) = (to.x - from.x, to.y - from.y);
+                    let length = dx.hypot(dy).max(1e-9);
+                    Edge::Line(from, [dy / length, -dx / length])
+                };
+                Self(edges(points).map(line).collect())
+            }
+            ResolvedShape::Circle { center, radius } => Self(vec![Edge::Circle(*center, *radius)]),
+        }
+    }
+
+    /// How far a point is beyond an edge; less than 0 on the panel's side.
+    pub(super) fn beyond(&self, edge: usize, point: Point) -> f64 {
+        match &self.0[edge] {
+            Edge::Line(from, [x, y]) => (point.x - from.x) * x + (point.y - from.y) * y,
+            Edge::Circle(center, radius) => point.distance(*center) - radius,
+        }
+    }
+}
+
+/// The figure of a panel; none where nothing of it steps out, or nothing may.
+pub(super) fn figure(panel: &ScenePanel, shares: Plane, around: &Around) -> Option<Figure> {
+    let (crop, bounds) = (panel.crop, panel.image_bounds);
+    // Beyond a photo's end its mirror image goes on, of which no figure is known.
+    if crop.x < -1e-6
+        || crop.y < -1e-6
+        || crop.x + crop.width > 1.0 + 1e-6
+        || crop.y + crop.height > 1.0 + 1e-6
+    {
+        return None;
+    }
+    let (width, height) = (shares.width(), shares.height());
+    let place = |x: usize, y: usize| {
+        let part =
+            |at: usize, of: usize, start: f64, length: f64| ((at as f64 + 0.5) / of as f64 - start) / length;
+        Point::new(
+            bounds.x + part(x, width, crop.x, crop.width) * bounds.width,
+            bounds.y + part(y, height, crop.y, crop.height) * bounds.height,
+        )
+    };
+    let cells = Cells { shares, edges: Edges::of(&panel.shape), place: &place };
+    let mut closed = vec![false; cells.edges.0.len()];
+    let mut kept = cells.connected(&closed);
+    cells.close(&kept, &mut closed, around, MOST_REACH * bounds.width.min(bounds.height));
+    if closed.contains(&true) {
+        kept = cells.connected(&closed);
+    }
+    let cell = (bounds.width / crop.width / width as f64, bounds.height / crop.height / height as f64);
+    let (mut outside, mut sum) = (None::<Bounds>, 0.0);
+    for (i, _) in kept.iter().enumerate().filter(|(_, kept)| **kept) {
+        let point = place(i % width, i / width);
+        if (0..closed.len()).any(|edge| cells.edges.beyond(edge, point) > 0.0) {
+            sum += f64::from(cells.shares.samples()[i]) / 255.0 * cell.0 * cell.1;
+            let own = Bounds {
+                x: point.x - cell.0,
+                y: point.y - cell.1,
+                width: 2.0 * cell.0,
+                height: 2.0 * cell.1,
+            };
+            outside = Some(outside.map_or(own, |before| before.union(own)));
+        }
+    }
+    let share = sum / (bounds.width * bounds.height);
+    let mut shares = cells.shares;
+    for (share, kept) in shares.samples_mut().iter_mut().zip(kept) {
+        // The soft border belongs to the figure beside it.
+        *share *= u8::from(kept || *share < SEEN);
+    }
+    outside.filter(|_| share >= LEAST_OUTSIDE).map(|outside| Figure { shares, closed, outside, share })
+}
+
+/// The pixels of a mask on the page.
+struct Cells<'a> {
+    shares: Plane,
+    edges: Edges,
+    place: &'a dyn Fn(usize, usize) -> Point,
+}
+
+impl Cells<'_> {
+    /// Those that hang together with the figure inside of the panel, over open edges.
+    fn connected(&self, closed: &[bool]) -> Vec<bool> {
+        let (width, height) = (self.shares.width(), self.shares.height());
+        let allowed = |i: usize, inside: bool| {
+            let point = (self.place)(i % width, i / width);
+            self.shares.samples()[i] >= SEEN
+                && (0..closed.len())
+                    .filter(|edge| inside || closed[*edge])
+                    .all(|edge| self.edges.beyond(edge, point) <= 0.0)
+        };
+        let mut kept: Vec<bool> = (0..width * height).map(|i| allowed(i, true)).collect();
+        let mut open: Vec<usize> = (0..kept.len()).filter(|i| kept[*i]).collect();
+        while let Some(at) = open.pop() {
+            let (x, y) = (at % width, at / width);
+            let beside = [
+                (x > 0).then(|| at - 1),
+                (x + 1 < width).then_some(at + 1),
+                (y > 0).then(|| at - width),
+                (y + 1 < height).then_some(at + width),
+            ];
+            for next in beside.into_iter().flatten() {
+                if !kept[next] && allowed(next, false) {
+                    kept[next] = true;
+                    open.push(next);
+                }
+            }
+        }
+        kept
+    }
+
+    /// Closes the edges over which a figure goes where it may not.
+    fn close(&self, kept: &[bool], closed: &mut [bool], around: &Around, reach: f64) {
+        let (width, height) = (self.shares.width(), self.shares.height());
+        let Bounds { x: left, y: top, width: across, height: down } = around.room;
+        for i in (0..kept.len()).filter(|i| kept[*i]) {
+            let (x, y) = (i % width, i / width);
+            let point = (self.place)(x, y);
+            let within = |bounds: &Bounds| {
+                let (more, higher) = (ABOUT_FACES * bounds.width, ABOUT_FACES * bounds.height);
+                (bounds.x - more..bounds.x + bounds.width + more).contains(&point.x)
+                    && (bounds.y - higher..bounds.y + bounds.height + higher).contains(&point.y)
+            };
+            let off = x == 0
+                || y == 0
+                || x + 1 == width
+                || y + 1 == height
+                || !(left..left + across).contains(&point.x)
+                || !(top..top + down).contains(&point.y)
+                || around.faces.iter().any(within);
+            for (edge, closed) in closed.iter_mut().enumerate() {
+                let far = self.edges.beyond(edge, point);
+                *closed |= far > 0.0 && (off || far > reach);
+            }
+        }
+    }
+}
+
+/// Pixels along the longer side of a mask that is good enough to look for a crop by.
+const COARSE: usize = 40;
+/// Crops that are tried are so much of the largest, on each side.
+const ZOOMS: [f64; 4] = [0.92, 0.8, 0.68, 0.55];
+/// How much of a crop's height or width the figure is to stand over an edge.
+const STEPS: [f64; 3] = [0.08, 0.14, 0.2];
+
+/// Share of new pages on which a figure steps out where one can.
+const CHANCE: f64 = 0.35;
+/// Panels that are tried for that.
+const TRIED: usize = 2;
+/// The share of its photo that such a figure covers.
+const COVERAGE: std::ops::Range<f64> = 0.03..0.65;
+/// How good it is at least.
+const GOOD: f64 = 0.5;
+
+/// Lets a figure of a new page step out of its panel, where one can well: by chance, or, where it is `wanted`, in any case; never
+/// where it is not. No panel that a person locked or cropped is touched.
+pub(super) fn by_chance(document: &mut Document, photos: &[PhotoMeta], wanted: Option<bool>) -> Result<()> {
+    // A draw of its own, so that all else of a page is as without figures.
+    let mut random = Rand64::new(u128::from(document.seed) ^ 0x6672_616d_6573);
+    let drawn = random.rand_float() < CHANCE;
+    let has = |document: &Document| document.panels.iter().any(|panel| panel.figure.is_some());
+    if !wanted.unwrap_or(drawn) || has(document) {
+        return Ok(());
+    }
+    let mask = |content: &PanelContent| {
+        let photo = content.photo.as_ref().and_then(|id| photos.iter().find(|photo| photo.id == *id));
+        photo.and_then(|photo| photo.mask.clone()).filter(|mask| {
+            let facts = mask.facts();
+            facts.confidence >= SURE && COVERAGE.contains(&facts.coverage)
+        })
+    };
+    let mut free: Vec<(usize, Matte)> = (0..document.panels.len())
+        .filter(|&i| {
+            !document.panels[i].edited && !document.panels[i].locked && document.merge_of(i).is_none()
+        })
+        .filter_map(|i| Some((i, mask(&document.panels[i])?)))
+        .collect();
+    let mut best: Option<(usize, Matte, Crop, f64)> = None;
+    for _ in 0..TRIED.min(free.len()) {
+        let (panel, mask) = free.swap_remove(random.rand_range(0..free.len() as u64) as usize);
+        if let Some((crop, good)) = way_out(document, panel, &mask, photos)?
+            && good >= best.as_ref().map_or(GOOD, |best| best.3)
+        {
+            best = Some((panel, mask, crop, good));
+        }
+    }
+    if let Some((panel, mask, crop, _)) = best {
+        let content = &mut document.panels[panel];
+        (content.figure, content.crop) = (Some(mask), Some(crop));
+    }
+    Ok(())
+}
+
+/// The page with the figure of a panel stepping out of it; none where it cannot. Where the crop has to change for it, it is as if a
+/// person had made it.
+///
+/// # Errors
+/// Those of the layout; `invalid-document` for a panel that the page does not have.
+pub fn broken(document: &Document, panel: usize, mask: &Matte) -> Result<Option<Document>> {
+    if document.merge_of(panel).is_some()
+        || document.panels.get(panel).is_none_or(|panel| panel.photo.is_none())
+    {
+        return Ok(None);
+    }
+    let Some((crop, _)) = way_out(document, panel, mask, &[])? else { return Ok(None) };
+    let mut document = document.clone();
+    let content = &mut document.panels[panel];
+    (content.figure, content.crop, content.edited) = (Some(mask.clone()), Some(crop), true);
+    Ok(Some(document))
+}
+
+/// Whether the figure of each panel steps out of it, as the page is drawn.
+///
+/// # Errors
+/// Those of the layout.
+pub fn breaks(document: &Document) -> Result<Vec<bool>> {
+    let scene = Scene::new(document, document.page.width as usize)?;
+    let (own, figures) = scene.panels.split_at(document.panels.len());
+    let mut breaks = vec![false; own.len()];
+    let broken = (0..own.len()).filter(|&i| document.breaks_frame(i));
+    for (i, panel) in broken.zip(figures) {
+        if let Some((matte, around)) = &panel.figure {
+            breaks[i] = figure(panel, matte.plane(), around).is_some();
+        }
+    }
+    Ok(breaks)
+}
+
+/// `photos`: what is known of those on the page. Of their living things the upper halves are left alone, too.
+fn way_out(
+    document: &Document,
+    panel: usize,
+    mask: &Matte,
+    photos: &[PhotoMeta],
+) -> Result<Option<(Crop, f64)>> {
+    let size = scene::size(document, document.page.width as usize)?;
+    let mut panels = scene::panels(document, &*document.template()?, size)?;
+    for other in &mut panels {
+        let photo = photos.iter().find(|photo| Some(&photo.id) == other.photo.as_ref());
+        let alive = photo.into_iter().flat_map(|photo| &photo.subjects).filter(|subject| subject.is_alive());
+        other.faces.extend(alive.map(|subject| Crop {
+            x: subject.x,
+            y: subject.y,
+            width: subject.width,
+            height: subject.height / 2.0,
+        }));
+    }
+    let around = around(document, &panels, size);
+    Ok(stepping_out(&panels[panel], &document.panels[panel], mask, &around[panel]))
+}
+
+/// How a panel shows its photo so that the figure steps out, as the panel does now where it does; none where there is no such
+/// way. A crop that was made by hand stays. The score says how good it is, 0 to 1.
+fn stepping_out(
+    panel: &ScenePanel,
+    content: &PanelContent,
+    matte: &Matte,
+    around: &Around,
+) -> Option<(Crop, f64)> {
+    let plane = matte.plane();
+    let longer = plane.width().max(plane.height());
+    let side = |side: usize| (side * COARSE.min(longer) / longer).max(1);
+    let (width, height) = (side(plane.width()), side(plane.height()));
+    let coarse = resample(&plane, Region::whole(plane.width(), plane.height()), width, height);
+    let faces = &content.faces;
+    let judged = |crop: Crop| -> Option<(Crop, f64)> {
+        let shown = ScenePanel { crop, ..panel.clone() };
+        let figure = figure(&shown, coarse.clone(), around)?;
+        // Faces that edges cut where nothing steps over them.
+        let edges = Edges::of(&panel.shape);
+        let cut = faces.iter().any(|face| {
+            let middle = |at: f64, length: f64, start: f64, whole: f64| (at + length / 2.0 - start) / whole;
+            let bounds = panel.image_bounds;
+            let half = face.height / 2.0 / crop.height * bounds.height;
+            let point = Point::new(
+                bounds.x + middle(face.x, face.width, crop.x, crop.width) * bounds.width,
+                bounds.y + middle(face.y, face.height, crop.y, crop.height) * bounds.height,
+            );
+            (0..figure.closed.len()).any(|edge| {
+                let far = edges.beyond(edge, point);
+                far > half || (figure.closed[edge] && far > -half)
+            })
+        });
+        let crossed = figure.closed.iter().filter(|closed| **closed).count() as f64;
+        let size = crop.width / panel.crop.width;
+        let good = (figure.share / 0.06).min(1.0) * 0.6 + 0.4 * size.min(1.0) - 0.03 * crossed;
+        (!cut).then_some((crop, good.clamp(0.0, 1.0)))
+    };
+    // What is good in the coarse has to be so in the fine, too.
+    let holds = |crop: Crop| figure(&ScenePanel { crop, ..panel.clone() }, plane.clone(), around).is_some();
+    if let Some(now) = judged(panel.crop).filter(|(crop, _)| holds(*crop)) {
+        return Some((now.0, now.1.max(0.5)));
+    }
+    if content.edited {
+        return None;
+    }
+    let [left, top, across, down] = matte.facts().bounds;
+    let mut best: Option<(Crop, f64)> = None;
+    for zoom in ZOOMS {
+        let (w, h) = (panel.crop.width * zoom, panel.crop.height * zoom);
+        let middle =
+            |start: f64, length: f64, side: f64| (start + length / 2.0 - side / 2.0).clamp(0.0, 1.0 - side);
+        let (x, y) = (middle(left, across, w), middle(top, down, h));
+        for step in STEPS {
+            let over = [
+                (x, top + step * h),
+                (left + step * w, y),
+                (left + across - (1.0 + step) * w, y),
+                (x, top + down - (1.0 + step) * h),
+            ];
+            for (x, y) in
+                over.into_iter().filter(|(x, y)| *x >= 0.0 && *y >= 0.0 && x + w <= 1.0 && y + h <= 1.0)
+            {
+                let found = judged(Crop { x, y, width: w, height: h });
+                if found.is_some_and(|(_, good)| best.is_none_or(|(_, least)| good > least)) {
+                    best = found;
+                }
+            }
+        }
+    }
+    best.filter(|(crop, _)| holds(*crop))
+}
+
+/// The panel with room for what steps out of it: more of the photo at the same scale.
+pub(super) fn widened_panel(panel: &ScenePanel, outside: Bounds, room: f64) -> ScenePanel {
+    let Bounds { x, y, width, height } = outside;
+    let (crop, bounds) = (panel.crop, panel.image_bounds);
+    // No further than the photo goes.
+    let (across, down) = (bounds.width / crop.width, bounds.height / crop.height);
+    let (start, end) = ((bounds.x - crop.x * across, bounds.y - crop.y * down), (across, down));
+    let low = |at: f64, least: f64| (at - room).max(least);
+    let high = |at: f64, most: f64| (at + room).min(most);
+    let (left, top) = (low(x, start.0), low(y, start.1));
+    let (right, bottom) = (high(x + width, start.0 + end.0), high(y + height, start.1 + end.1));
+    let outside = Bounds { x: left, y: top, width: (right - left).max(1.0), height: (bottom - top).max(1.0) };
+    let image_bounds = bounds.union(outside);
+    ScenePanel { crop: widened(crop, bounds, image_bounds), image_bounds, ..panel.clone() }
+}
+
+/// What the figures of each panel have to leave alone. `width` is that of the page in pixels.
+pub(super) fn around(document: &Document, panels: &[ScenePanel], size: (usize, usize)) -> Vec<Around> {
+    let (width, height) = (size.0 as f64, size.1 as f64);
+    let margin = document.page.margin * width;
+    let room = Bounds {
+        x: margin,
+        y: margin,
+        width: (width - 2.0 * margin).max(0.0),
+        height: (height - 2.0 * margin).max(0.0),
+    };
+    let faces: Vec<Vec<Bounds>> = panels.iter().map(faces_of).collect();
+    let others = |own: usize| {
+        let others = faces.iter().enumerate().filter(|(other, _)| *other != own);
+        others.flat_map(|(_, faces)| faces.iter().copied()).collect()
+    };
+    (0..panels.len()).map(|own| Around { room, faces: others(own) }).collect()
+}
+
+/// The faces that a panel shows, in pixels of the page.
+fn faces_of(panel: &ScenePanel) -> Vec<Bounds> {
+    let (crop, bounds) = (panel.crop, panel.image_bounds);
+    let place = |at: f64, start: f64, length: f64, from: f64, side: f64| from + (at - start) / length * side;
+    let face = |face: &Crop| {
+        let x = place(face.x, crop.x, crop.width, bounds.x, bounds.width);
+        let y = place(face.y, crop.y, crop.height, bounds.y, bounds.height);
+        let (width, height) =
+            (face.width / crop.width * bounds.width, face.height / crop.height * bounds.height);
+        Bounds { x, y, width, height }
+    };
+    let seen = |face: &Bounds| {
+        let apart = |at: f64, length: f64, from: f64, side: f64| at + length <= from || at >= from + side;
+        !apart(face.x, face.width, bounds.x, bounds.width)
+            && !apart(face.y, face.height, bounds.y, bounds.height)
+    };
+    panel.faces.iter().map(face).filter(seen).collect()
+}

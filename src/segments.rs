@@ -1,0 +1,95 @@
+//! Subjects cut out for the command line: a mask a photo, as large as the photo.
+
+use std::collections::HashSet;
+use std::path::{Path, PathBuf};
+
+use inkpanel::detect::Segmenter;
+use inkpanel::page::cutout::full_mask;
+use inkpanel::page::import::Imported;
+use inkpanel::page::png;
+use rayon::prelude::*;
+use serde_json::{Value, json};
+
+use crate::{Complaint, album, detectors, telling};
+
+/// Writes a mask for each photo into `folder`, which is made where it is not there.
+pub(crate) fn segment(
+    files: &[PathBuf],
+    folder: &Path,
+    models: Option<&Path>,
+    as_json: bool,
+) -> Result<(), Complaint> {
+    let net = detectors::load_segmenter(models)?;
+    let photos = crate::import_all(&album::files(files)?);
+    if photos.is_empty() {
+        return Err(inkpanel::Error::NoPhotos.to_string());
+    }
+    std::fs::create_dir_all(folder).map_err(|error| format!("{}: {error}", folder.display()))?;
+    let masks = names(&photos, folder);
+    let made: Vec<Result<Value, Complaint>> =
+        photos.par_iter().zip(&masks).map(|((path, photo), mask)| cut_out(&net, path, photo, mask)).collect();
+    let mut rows = Vec::new();
+    for ((path, _), made) in photos.iter().zip(made) {
+        match made {
+            Ok(row) => rows.push(row),
+            Err(complaint) => telling::note(Some(&album::told(path)), &format!("{complaint}; left out")),
+        }
+    }
+    if rows.is_empty() {
+        return Err("no mask could be made".into());
+    }
+    if as_json {
+        return crate::print(&Value::Array(rows));
+    }
+    for row in &rows {
+        let text = |key: &str| row[key].as_str().unwrap_or_default().to_owned();
+        let share = |key: &str| row[key].as_f64().unwrap_or_default() * 100.0;
+        println!("{}  {:.0} % of {}", text("mask"), share("coverage"), text("file"));
+    }
+    Ok(())
+}
+
+/// Tells of each photo which part of it is its subject; where that fails, it is told and the photo has none.
+pub(crate) fn add_masks(photos: &mut [(PathBuf, Imported)], models: Option<&Path>) -> Result<(), Complaint> {
+    let net = detectors::load_segmenter(models)?;
+    photos.par_iter_mut().for_each(|(path, photo)| match net.look(&photo.work) {
+        Ok(mask) => photo.meta.mask = Some(mask),
+        Err(error) => telling::note(Some(&album::told(path)), &error.to_string()),
+    });
+    Ok(())
+}
+
+/// `DIR/NAME.png` for each photo; where two have one name, the later has a number.
+fn names(photos: &[(PathBuf, Imported)], folder: &Path) -> Vec<PathBuf> {
+    let mut taken = HashSet::new();
+    let name = |(path, _): &(PathBuf, Imported)| {
+        let stem = path.file_stem().map_or_else(|| "photo".into(), |stem| stem.to_string_lossy());
+        let numbered = |n: usize| if n < 2 { stem.to_string() } else { format!("{stem}-{n}") };
+        let free = (1..).map(numbered).find(|name| taken.insert(name.clone())).unwrap_or_default();
+        folder.join(format!("{free}.png"))
+    };
+    photos.iter().map(name).collect()
+}
+
+/// Makes one mask, and tells of it.
+fn cut_out(net: &Segmenter, path: &Path, photo: &Imported, file: &Path) -> Result<Value, Complaint> {
+    let matte = net.look(&photo.work).map_err(|error| error.to_string())?;
+    let facts = matte.facts();
+    let (width, height) = (photo.meta.width, photo.meta.height);
+    let plane = full_mask(&matte, &photo.work, (width as usize, height as usize));
+    let png = png::encode_gray(&plane).map_err(|error| error.to_string())?;
+    std::fs::write(file, png).map_err(|error| format!("{}: {error}", file.display()))?;
+    let digits = |share: f64| (share * 1e4).round() / 1e4;
+    let pixels = |share: f64, side: u32| (share * f64::from(side) * 10.0).round() / 10.0;
+    let [x, y, w, h] = facts.bounds;
+    let bounds = json!({
+        "x": pixels(x, width), "y": pixels(y, height), "width": pixels(w, width), "height": pixels(h, height),
+    });
+    Ok(json!({
+        "file": path.display().to_string(),
+        "mask": file.display().to_string(),
+        "coverage": digits(facts.coverage),
+        "box": if w > 0.0 { bounds } else { Value::Null },
+        "confidence": digits(facts.confidence),
+    }))
+}

@@ -1,0 +1,245 @@
+//! The shots of a film: where it cuts, fades and shows nothing.
+//!
+//! Frames that stand close are judged as `PySceneDetect`'s `AdaptiveDetector` judges them: a cut is where two of them differ
+//! by far more than those about them do, so that a moving camera is none. Frames that stand far apart, such as key frames of a
+//! long film, have nothing about them: there a cut is where the picture and its tones are other ones.
+
+use super::look::Look;
+
+/// Seconds between two frames that count as close.
+const CLOSE: f64 = 0.5;
+/// How many pairs on either side a close pair is compared with.
+const WINDOW: usize = 2;
+/// How many times as far as those about it a close pair lies apart where a film cuts,
+const RATIO: f32 = 3.0;
+/// and how far at least.
+const LEAST: f32 = 10.0;
+/// How far a pair lies apart that is not close, where a film cuts,
+const FAR: f32 = 22.0;
+/// or this far, where its tones are other ones, too.
+const FARTHER: f32 = 14.0;
+const OTHER_TONES: f32 = 0.3;
+/// Seconds that a shot takes at least: what comes sooner is a flash.
+const SHORTEST: f64 = 0.5;
+/// A frame after a flash lies no farther from the one before than this part of the flash.
+const BACK: f32 = 0.4;
+/// Part of the deviation of its shot below which a frame is fading.
+const FADED: f32 = 0.5;
+
+/// The film as far as it was looked at.
+#[derive(Debug, Default)]
+pub struct Film {
+    times: Vec<f64>,
+    looks: Vec<Look>,
+}
+
+/// A shot.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Shot {
+    /// Seconds at which it begins.
+    pub start: f64,
+    /// Seconds at which it ends.
+    pub end: f64,
+    /// The frames that were looked at which may stand for it, by number: none that is black or fading.
+    pub usable: Vec<usize>,
+    /// It shows letters on an even ground.
+    pub title: bool,
+}
+
+impl Film {
+    /// A film that nobody looked at.
+    #[must_use]
+    pub fn new() -> Self {
+        Self::default()
+    }
+
+    /// Takes the frame at `time`, in seconds, in whatever order; one that is there already, or has no time, is passed over.
+    pub fn add(&mut self, time: f64, look: Look) {
+        let at = self.times.partition_point(|&other| other < time);
+        if time.is_finite() && self.times.get(at) != Some(&time) {
+            self.times.insert(at, time);
+            self.looks.insert(at, look);
+        }
+    }
+
+    /// Seconds of the frames that were looked at, rising.
+    #[must_use]
+    pub fn times(&self) -> &[f64] {
+        &self.times
+    }
+
+    /// What was seen of them.
+    #[must_use]
+    pub fn looks(&self) -> &[Look] {
+        &self.looks
+    }
+
+    /// How much the frames on both sides of a moment differ; 0 at the ends.
+    #[must_use]
+    pub fn change(&self, time: f64) -> f32 {
+        let at = self.times.partition_point(|&other| other <= time);
+        match (at.checked_sub(1).and_then(|before| self.looks.get(before)), self.looks.get(at)) {
+            (Some(before), Some(after)) => before.distance(after),
+            _ => 0.0,
+        }
+    }
+
+    /// The shots, in the order of time, the last of them ending at `end`.
+    #[must_use]
+    pub fn shots(&self, end: f64) -> Vec<Shot> {
+        let count = self.times.len();
+        let mut shots = Vec::new();
+        let mut first = 0;
+        for cut in self.cuts().into_iter().chain([count]) {
+            if cut > first {
+                let until = self.times.get(cut).copied().unwrap_or_else(|| end.max(self.times[count - 1]));
+                shots.push(self.shot(first..cut, until));
+            }
+            first = cut;
+        }
+        shots
+    }
+
+    fn shot(&self, range: std::ops::Range<usize>, end: f64) -> Shot {
+        let start = self.times[range.start];
+        let most = range.clone().map(|i| self.looks[i].deviation).fold(0.0, f32::max);
+        let seen: Vec<usize> =
+            range.filter(|&i| !self.looks[i].flat && self.looks[i].deviation >= FADED * most).collect();
+        let titles = seen.iter().filter(|&&i| self.looks[i].title).count();
+        Shot { start, end, title: 2 * titles > seen.len(), usable: seen }
+    }
+
+    /// The numbers of the first frames of all shots but the first.
+    fn cuts(&self) -> Vec<usize> {
+        let count = self.times.len();
+        // Between each frame and the one before.
+        let apart: Vec<f32> = (0..count)
+            .map(|i| if i == 0 { 0.0 } else { self.looks[i - 1].distance(&self.looks[i]) })
+            .collect();
+        let mut cuts: Vec<usize> = Vec::new();
+        let mut i = 1;
+        while i < count {
+            let lit = self.looks[i - 1].flat && !self.looks[i].flat;
+            let last = cuts.last().map_or(self.times[0], |&cut| self.times[cut]);
+            if lit {
+                // What lay in the dark before is a shot of its own, of nothing.
+                cuts.push(i);
+            } else if self.is_cut(&apart, i) {
+                if let Some(after) = self.flash(apart[i], i) {
+                    i = after;
+                } else if self.gap(i) > CLOSE || self.times[i] - last >= SHORTEST || cuts.is_empty() {
+                    cuts.push(i);
+                }
+            }
+            i += 1;
+        }
+        cuts
+    }
+
+    /// Seconds between a frame and the one before.
+    fn gap(&self, i: usize) -> f64 {
+        self.times[i] - self.times[i - 1]
+    }
+
+    fn is_cut(&self, apart: &[f32], i: usize) -> bool {
+        let distance = apart[i];
+        let around: Vec<f32> = (i.saturating_sub(WINDOW)..=i + WINDOW)
+            .filter(|&j| j != i && j >= 1 && j < apart.len() && self.gap(j) <= CLOSE)
+            .map(|j| apart[j])
+            .collect();
+        if self.gap(i) > CLOSE || around.is_empty() {
+            let tones = self.looks[i - 1].tones(&self.looks[i]);
+            return distance >= FAR || distance >= FARTHER && tones >= OTHER_TONES;
+        }
+        let mean = around.iter().sum::<f32>() / around.len() as f32;
+        distance >= LEAST && distance >= RATIO * mean
+    }
+
+    /// The first frame after a flash that began at `i`, where the picture is as it was.
+    fn flash(&self, distance: f32, i: usize) -> Option<usize> {
+        let before = &self.looks[i - 1];
+        let soon = |&j: &usize| self.times[j] - self.times[i] < SHORTEST;
+        (i + 1..self.times.len())
+            .take_while(soon)
+            .find(|&j| before.distance(&self.looks[j]) < BACK * distance)
+    }
+}
+
+#[cfg(test)]
+pub(super) mod tests {
+    use super::*;
+    use crate::select::look::Samples;
+
+    /// A made-up picture, `moved` pixels on and so bright; `seed` 0 is black.
+    pub(in crate::select) fn look(seed: u64, moved: usize, light: f32) -> Look {
+        let mut random = oorandom::Rand32::new(seed);
+        let blobs: Vec<[f32; 3]> = (0..9).map(|_| std::array::from_fn(|_| random.rand_float())).collect();
+        let mut pixels = Vec::with_capacity(128 * 72);
+        for y in 0..72 {
+            for x in 0..128 {
+                let (x, y) = ((x + moved) as f32 / 128.0, y as f32 / 72.0);
+                let light_of =
+                    |b: &[f32; 3]| b[2] * (-((x - b[0]).powi(2) + (y - b[1]).powi(2)) / 0.02).exp();
+                let sum: f32 = blobs.iter().map(light_of).sum();
+                pixels.push(if seed == 0 { 16 } else { ((30.0 + 200.0 * sum) * light).min(250.0) as u8 });
+            }
+        }
+        let chroma = vec![128; 64 * 36];
+        let luma = Samples::new(&pixels, [128, 1], [128, 72]).unwrap();
+        let grey = Samples::new(&chroma, [64, 1], [64, 36]).unwrap();
+        Look::of(&luma, [&grey, &grey])
+    }
+
+    pub(in crate::select) fn film(looks: impl IntoIterator<Item = Look>, rate: f64) -> Film {
+        let mut film = Film::new();
+        for (i, look) in looks.into_iter().enumerate() {
+            film.add(i as f64 / rate, look);
+        }
+        film
+    }
+
+    fn starts(film: &Film) -> Vec<f64> {
+        film.shots(99.0).iter().map(|shot| shot.start).collect()
+    }
+
+    #[test]
+    fn a_cut_is_told_from_a_moving_camera() {
+        let shot = |seed: u64, speed: usize| (0..24).map(move |i| look(seed, i * speed, 1.0));
+        let cut = film(shot(1, 1).chain(shot(2, 3)).chain(shot(3, 0)), 12.0);
+        assert_eq!(starts(&cut), [0.0, 2.0, 4.0]);
+        assert_eq!(starts(&film(shot(1, 4), 12.0)), [0.0], "a pan is one shot");
+    }
+
+    #[test]
+    fn a_flash_is_no_cut_and_the_dark_parts_shots() {
+        let flash = (0..24).map(|i| look(if i == 12 { 7 } else { 1 }, i, 1.0));
+        assert_eq!(starts(&film(flash, 12.0)), [0.0]);
+        // Out into the dark and in again, slowly.
+        let light = |i: usize| ((i as f32 - 18.0).abs() / 18.0 * 1.2 - 0.2).clamp(0.0, 1.0);
+        let faded = film((0..36).map(|i| look(1, i / 3, light(i))), 12.0);
+        let shots = faded.shots(3.0);
+        assert_eq!(shots.len(), 2, "{:?}", starts(&faded));
+        for shot in &shots {
+            assert!(shot.usable.iter().all(|&i| light(i) > 0.4), "no frame that fades: {:?}", shot.usable);
+        }
+    }
+
+    #[test]
+    fn frames_far_apart_are_judged_by_what_they_show() {
+        let keys = film([1, 1, 2, 2, 2, 3].map(|seed| look(seed, 0, 1.0)), 0.2);
+        assert_eq!(starts(&keys), [0.0, 10.0, 25.0]);
+    }
+
+    #[test]
+    fn nothing_comes_of_nothing() {
+        assert!(Film::new().shots(5.0).is_empty());
+        let mut film = Film::new();
+        film.add(f64::NAN, look(1, 0, 1.0));
+        film.add(1.0, look(1, 0, 1.0));
+        film.add(1.0, look(2, 0, 1.0));
+        assert_eq!(film.times(), [1.0], "a frame is looked at once");
+        assert_eq!(film.shots(0.0).len(), 1);
+        let black = super::tests::film((0..9).map(|_| look(0, 0, 1.0)), 3.0);
+        assert!(black.shots(3.0).iter().all(|shot| shot.usable.is_empty()));
+    }
+}

@@ -1,0 +1,39 @@
+//! The web boundary of boards, a part of the module of other files: their sheets as pages, and the lists of their shots.
+//!
+//! Errors are as in the module of words.
+
+use crate::error::{Error, Result};
+use crate::output::board::Request;
+use crate::output::shots::{Kind, ShotList};
+use crate::wasm_error::thrown;
+use wasm_bindgen::prelude::*;
+
+/// The text of a list of shots (a `ShotList` as JSON) as a file of that ending: csv, edl, otio or xml.
+///
+/// # Errors
+/// `invalid-document` for a list that is none, and for another ending.
+#[wasm_bindgen(js_name = shotFile)]
+pub fn shot_file(ending: &str, list: &str) -> std::result::Result<String, JsValue> {
+    let made = || -> Result<String> {
+        let kind = Kind::of(ending).ok_or_else(|| Error::InvalidDocument {
+            location: "kind".into(),
+            reason: format!("{ending} is none of csv, edl, otio, xml"),
+        })?;
+        Ok(ShotList::parse(list)?.written(kind))
+    };
+    made().map_err(thrown)
+}
+
+/// The sheets of a board (a `Request` of `output::board` as JSON): a list of pages.
+///
+/// # Errors
+/// `invalid-document` for a request that is none; those of the style.
+#[wasm_bindgen(js_name = boardSheets)]
+pub fn board_sheets(request: &str) -> std::result::Result<String, JsValue> {
+    let made = || -> Result<String> {
+        let sheets = Request::parse(request)?.sheets()?;
+        let pages: Vec<String> = sheets.iter().map(crate::page::Document::to_json).collect();
+        Ok(format!("[{}]", pages.join(",")))
+    };
+    made().map_err(thrown)
+}

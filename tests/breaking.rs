@@ -1,0 +1,219 @@
+//! Figures that step out of their panels: where they may be seen, and in which files.
+#![allow(clippy::unwrap_used, reason = "a test may stop at the first thing that is not as expected")]
+
+use inkpanel::framing::{PhotoMeta, Subject};
+use inkpanel::layout::Bounds;
+use inkpanel::native;
+use inkpanel::page::breaking::{breaks, broken};
+use inkpanel::page::request::Request;
+use inkpanel::page::shuffle::plan;
+use inkpanel::page::words::Letters;
+use inkpanel::page::{Document, Scene, compose, mask, pdf};
+use inkpanel::raster::{Image, Matte, Plane};
+use inkpanel::style::Context;
+use oorandom::Rand64;
+use serde_json::{Value, json};
+
+const WIDTH: usize = 420;
+
+fn style() -> Value {
+    json!({ "id": "plain", "name": "Plain", "tags": [], "background": [] })
+}
+
+/// A figure with a round head on an oval body, its face known; some stand in the middle, some end at the photo's edge.
+fn photo(i: u64, random: &mut Rand64) -> (PhotoMeta, Image) {
+    let (width, height) = if i.is_multiple_of(3) { (600, 800) } else { (900, 600) };
+    let mut between = |low: f64, high: f64| low + random.rand_float() * (high - low);
+    let (x, head) = (between(0.2, 0.8), between(0.05, 0.14));
+    let top = between(0.02, 0.35);
+    let (bottom, half) = (between(top + 0.4, 1.1), between(0.06, 0.2));
+    let aspect = f64::from(width) / f64::from(height);
+    let within = |px: f64, py: f64| {
+        let face = ((px - x) * aspect).hypot(py - top - head) < head;
+        let middle = f64::midpoint(top + 2.0 * head, bottom);
+        face || ((px - x) / half).hypot((py - middle) / (bottom - middle)) < 1.0
+    };
+    let at = |px: usize, py: usize| {
+        within((px as f64 + 0.5) / f64::from(width), (py as f64 + 0.5) / f64::from(height))
+    };
+    let shares = Plane::from_fn(width as usize, height as usize, |x, y| if at(x, y) { 255 } else { 0 });
+    let plane = |within: u8, beside: u8| {
+        Plane::from_fn(width as usize, height as usize, |x, y| if at(x, y) { within } else { beside })
+    };
+    let image = Image::from_rgb([plane(220, 40), plane(40, 120), plane(60, 200)]).unwrap();
+    let face = Subject {
+        x: x - head / aspect,
+        y: top,
+        width: 2.0 * head / aspect,
+        height: 2.0 * head,
+        label: "face".into(),
+        score: 0.9,
+    };
+    let meta = PhotoMeta {
+        mask: Some(Matte::new(&shares, (width as usize, height as usize))),
+        subjects: vec![face],
+        fingerprint: i.wrapping_mul(0x9e37_79b9_7f4a_7c15),
+        ..PhotoMeta::unmeasured(&format!("p{i}"), width, height)
+    };
+    (meta, image)
+}
+
+fn album(seed: u64, count: u64) -> Vec<(PhotoMeta, Image)> {
+    let mut random = Rand64::new(u128::from(seed));
+    (0..count).map(|i| photo(i + 10 * seed, &mut random)).collect()
+}
+
+fn page(photos: &[(PhotoMeta, Image)], seed: u32) -> Document {
+    plan(&Request {
+        seed,
+        photos: photos.iter().map(|(meta, _)| meta.clone()).collect(),
+        style: Some(style()),
+        figures: Some(true),
+        ..Request::default()
+    })
+    .unwrap()
+}
+
+fn image<'a>(photos: &'a [(PhotoMeta, Image)], id: &str) -> Option<&'a Image> {
+    photos.iter().find(|(meta, _)| meta.id == id).map(|(_, image)| image)
+}
+
+/// The faces that panels other than one show, in pixels of the page.
+fn faces(scene: &Scene, count: usize, but: usize) -> Vec<Bounds> {
+    let mut faces = Vec::new();
+    for (_, panel) in scene.panels[..count].iter().enumerate().filter(|(i, _)| *i != but) {
+        let Bounds { x, y, width, height } = panel.image_bounds;
+        faces.extend(panel.faces.iter().map(|face| Bounds {
+            x: x + (face.x - panel.crop.x) / panel.crop.width * width,
+            y: y + (face.y - panel.crop.y) / panel.crop.height * height,
+            width: face.width / panel.crop.width * width,
+            height: face.height / panel.crop.height * height,
+        }));
+    }
+    faces
+}
+
+#[test]
+fn on_five_hundred_pages_no_figure_covers_a_face_or_leaves_the_margin() {
+    let mut stepped = 0;
+    let mut photos = Vec::new();
+    for seed in 0u32..500 {
+        if seed.is_multiple_of(25) {
+            photos = album(u64::from(seed) / 25, 7);
+        }
+        let page = page(&photos, seed);
+        let told = breaks(&page).unwrap();
+        let count = page.panels.len();
+        assert!(page.panels.iter().filter(|panel| panel.figure.is_some()).count() <= 1, "seed {seed}");
+        let scene = Scene::new(&page, WIDTH).unwrap();
+        assert_eq!(scene.panels.len() - count, usize::from(told.contains(&true)), "seed {seed}");
+        let Some(own) = told.iter().position(|breaks| *breaks) else { continue };
+        stepped += 1;
+        let photo = image(&photos, page.panels[own].photo.as_deref().unwrap());
+        let patch = compose::render_panel(&scene, count, photo, &mut Context::default()).unwrap();
+        let inside = mask::inside(&scene.panels[own].shape, scene.corner_radius, patch.area);
+        let margin = page.page.margin * WIDTH as f64;
+        let faces = faces(&scene, count, own);
+        for (i, pixel) in patch.rgba.chunks_exact(4).enumerate() {
+            // The figure itself; the line of paper about it is not one.
+            let figure = pixel[3] > 128 && i16::from(pixel[0]) - i16::from(pixel[1]) > 90 && pixel[2] < 120;
+            if !figure || inside[i] > 0 {
+                continue;
+            }
+            let x = (patch.area.x + (i % patch.area.width) as i64) as f64 + 0.5;
+            let y = (patch.area.y + (i / patch.area.width) as i64) as f64 + 0.5;
+            let room = margin - 1.5..WIDTH as f64 - margin + 1.5;
+            let down = margin - 1.5..scene.height as f64 - margin + 1.5;
+            assert!(room.contains(&x) && down.contains(&y), "seed {seed}: {x}, {y} is in the margin");
+            let covered = faces.iter().any(|face| {
+                (face.x..face.x + face.width).contains(&x) && (face.y..face.y + face.height).contains(&y)
+            });
+            assert!(!covered, "seed {seed}: a face at {x}, {y} is covered");
+        }
+    }
+    println!("{stepped} of 500 pages have a figure that steps out");
+    assert!(stepped > 100, "{stepped}");
+}
+
+/// A page on which a figure steps out, its panel, and its photos.
+fn example() -> (Document, usize, Vec<(PhotoMeta, Image)>) {
+    let found = (0..50).find_map(|seed| {
+        let photos = album(3, 7);
+        let page = page(&photos, seed);
+        let own = breaks(&page).unwrap().iter().position(|breaks| *breaks)?;
+        Some((page, own, photos))
+    });
+    let (mut page, own, photos) = found.unwrap();
+    (page.page.width, page.page.height) = (620, 877);
+    (page, own, photos)
+}
+
+#[test]
+fn without_its_figure_a_page_differs_outside_of_the_panel_alone() {
+    let (page, own, photos) = example();
+    let drawn = |page: &Document| {
+        let scene = Scene::new(page, 620).unwrap();
+        compose::compose(&scene, |id| image(&photos, id), &mut Context::default()).unwrap()
+    };
+    let mut plain = page.clone();
+    plain.panels[own].figure = None;
+    assert!(!breaks(&plain).unwrap().contains(&true));
+    let (with, without) = (drawn(&page), drawn(&plain));
+    let scene = Scene::new(&page, 620).unwrap();
+    let area = mask::PixelRect { x: 0, y: 0, width: 620, height: scene.height };
+    let inside = mask::inside(&scene.panels[own].shape, 0.0, area);
+    let pixels = with.rgb().chunks_exact(3).zip(without.rgb().chunks_exact(3)).zip(&inside);
+    let (mut outside, mut within) = (0, 0);
+    for ((with, without), inside) in pixels {
+        let differs = with.iter().zip(without).any(|(a, b)| a.abs_diff(*b) > 40);
+        outside += usize::from(differs && *inside == 0);
+        within += usize::from(differs && *inside == 255);
+    }
+    let panel = inside.iter().filter(|inside| **inside == 255).count();
+    assert!(outside * 200 > panel, "{outside} of {panel}");
+    // Where the border was, and at the figure's own edge.
+    assert!(within * 20 < panel, "{within} of {panel}");
+}
+
+#[test]
+fn a_pdf_file_has_the_figure_with_its_own_mask() {
+    let (page, own, photos) = example();
+    let images: native::Photos =
+        photos.iter().map(|(meta, image)| (meta.id.clone(), image.clone())).collect();
+    let file = |page: &Document| {
+        let leaf = native::leaf(page, &images, Vec::new(), (None, native::QUALITY)).unwrap();
+        pdf::write(&[leaf], &pdf::Options::default(), &Letters::bundled().unwrap()).unwrap()
+    };
+    let has = |file: &[u8]| file.windows(6).any(|text| text == b"/SMask");
+    let mut plain = page.clone();
+    plain.panels[own].figure = None;
+    assert!(has(&file(&page)) && !has(&file(&plain)));
+}
+
+#[test]
+fn a_figure_is_kept_with_its_panel_and_a_broken_one_is_refused() {
+    let (page, own, _) = example();
+    let json = page.to_json();
+    assert_eq!(Document::parse(&json).unwrap(), page);
+    let mut value: Value = serde_json::from_str(&json).unwrap();
+    value["panels"][own]["figure"] = "3x3:a8".into();
+    let error = Document::parse(&value.to_string()).unwrap_err().to_string();
+    assert!(error.contains(&format!("panels[{own}].figure")), "{error}");
+}
+
+#[test]
+fn a_person_may_break_a_frame_and_a_shared_image_has_none() {
+    let (mut page, own, photos) = example();
+    let mask = page.panels[own].figure.take().unwrap();
+    let out = broken(&page, own, &mask).unwrap().unwrap();
+    assert!(breaks(&out).unwrap()[own] && out.panels[own].edited);
+    let id = page.panels[own].photo.clone().unwrap();
+    let nothing = Matte::new(&Plane::filled(30, 20, 0), (30, 20));
+    assert_eq!(broken(&page, own, &nothing).unwrap(), None);
+    page.panels[own].photo = None;
+    assert_eq!(broken(&page, own, &mask).unwrap(), None);
+    page.panels[own].photo = Some(id);
+    page.merges = vec![vec![own, usize::from(own == 0)]];
+    assert_eq!(broken(&page, own, &mask).unwrap(), None);
+    assert_eq!(photos.len(), 7);
+}

@@ -1,0 +1,201 @@
+// @ts-check
+/** The album as a board: its shots typed, pasted and read from files, its sheets, and the lists of its shots. */
+
+import { execFile } from 'node:child_process';
+import { readFile } from 'node:fs/promises';
+import { promisify } from 'node:util';
+import { accessible, expect, idle, openBoard, photos, SIX, test } from './support.js';
+
+/** @typedef {import('./support.js').Page} Page */
+
+const run = promisify(execFile);
+
+/** @param {Page} page */
+async function openShots(page) {
+  await page.getByRole('button', { name: 'Board', exact: true }).click();
+  const shots = page.getByRole('region', { name: 'Shots' });
+  await expect(shots.getByRole('textbox', { name: 'Action, shot 1' })).toBeVisible();
+  return shots;
+}
+
+/** @param {Page} page */
+async function drawn(page) {
+  const sheets = page.getByRole('region', { name: 'Board sheets' });
+  await expect(sheets.getByRole('list')).toHaveAttribute('aria-busy', 'false');
+  await sheets.getByRole('img').first().scrollIntoViewIfNeeded();
+  await expect(sheets.locator('canvas[data-drawn=true]').first()).toBeVisible();
+  return sheets;
+}
+
+/**
+ * @param {Page} page
+ * @param {() => Promise<void>} act
+ */
+async function savedBy(page, act) {
+  const coming = page.waitForEvent('download');
+  await act();
+  const download = await coming;
+  return { path: await download.path(), name: download.suggestedFilename() };
+}
+
+test('the whole way by keyboard alone: photos in, fields typed, board and shot list out', async ({ page }) => {
+  await page.goto('./');
+  const chooser = page.waitForEvent('filechooser');
+  await page.getByRole('button', { name: 'Choose photos or a video' }).press('Enter');
+  await (await chooser).setFiles(await photos(...SIX));
+  await expect(page.getByRole('region', { name: 'Storyboard page' })).toBeVisible();
+  await idle(page);
+  await page.getByRole('button', { name: 'Board', exact: true }).press('Enter');
+
+  const shots = page.getByRole('region', { name: 'Shots' });
+  await shots.getByRole('textbox', { name: 'Scene, shot 1' }).focus();
+  const { keyboard } = page;
+  // Tab changes the field, Enter goes on to the next shot.
+  await keyboard.type('1');
+  await keyboard.press('Tab');
+  await keyboard.press('Tab');
+  await keyboard.type('1:12');
+  await keyboard.press('Tab');
+  await keyboard.type('She opens the door.');
+  await keyboard.press('Enter');
+  await expect(shots.getByRole('textbox', { name: 'Action, shot 2' })).toBeFocused();
+  await keyboard.type('The cat watches.');
+  await keyboard.press('Tab');
+  await keyboard.type('Is anybody there?');
+  await keyboard.press('Shift+Tab');
+  await keyboard.press('Shift+Tab');
+  await keyboard.press('Shift+Tab');
+  await keyboard.type('1A');
+  await keyboard.press('Enter');
+  // Those without a number of their own are counted past it.
+  await expect(shots.getByRole('textbox', { name: 'Action, shot 1A' })).toHaveValue('The cat watches.');
+  await expect(shots.getByRole('textbox', { name: 'Shot, shot 2' })).toBeFocused();
+  // Escape gives up what was typed.
+  await keyboard.type('99');
+  await keyboard.press('Escape');
+  await expect(shots.getByRole('textbox', { name: 'Shot, shot 2' })).toHaveValue('');
+  await expect(shots).toContainText('0:11:12');
+
+  const ways = page.getByRole('combobox', { name: 'Save as' });
+  const board = await savedBy(page, () => page.getByRole('button', { name: 'Save board' }).press('Enter'));
+  expect(board.name).toMatch(/\.pdf$/);
+  const text = (await run('pdftotext', ['-raw', board.path, '-'])).stdout.replace(/\s+/g, ' ');
+  for (const said of ['She opens the door.', 'Dialogue: Is anybody there?', '1A', 'Page 1 of 1'])
+    expect(text).toContain(said);
+  await ways.focus();
+  await keyboard.press('ArrowDown');
+  await keyboard.press('ArrowDown');
+  await expect(ways).toHaveValue('csv');
+  const list = await savedBy(page, () => page.getByRole('button', { name: 'Save board' }).press('Enter'));
+  const lines = (await readFile(list.path, 'utf8')).split('\r\n');
+  expect(lines[0]).toBe('\ufeffScene,Shot,Picture,Film,Time code,Duration,Frames,Action,Dialogue,Notes');
+  expect(lines[1]).toMatch(/^1,1,[^,]+\.jpg,,,00:00:01:12,36,She opens the door\.,,$/);
+  expect(lines[2]).toMatch(/^,1A,[^,]+\.jpg,,,00:00:02:00,48,The cat watches\.,Is anybody there\?,$/);
+  expect(lines).toHaveLength(8);
+  // Back to the pages, where Shuffle leaves the fields with their photos; one undo takes it back.
+  await page.getByRole('button', { name: 'Comic', exact: true }).press('Enter');
+  await page.getByRole('button', { name: 'Shuffle', exact: true }).press('Enter');
+  await idle(page);
+  await page.getByRole('button', { name: 'Board', exact: true }).press('Enter');
+  await expect(shots.getByRole('textbox', { name: 'Action, shot 1A' })).toHaveValue('The cat watches.');
+});
+
+test('cells of a spreadsheet are pasted, shots are moved, and an own column comes and goes', async ({ page }) => {
+  await openBoard(page);
+  const shots = await openShots(page);
+  const cell = (/** @type {string} */ name) => shots.getByRole('textbox', { name, exact: true });
+  await shots.getByRole('textbox', { name: 'New column' }).fill('Lens');
+  await shots.getByRole('textbox', { name: 'New column' }).press('Enter');
+  await expect(cell('Lens, shot 1')).toBeVisible();
+  await cell('Notes, shot 2').focus();
+  await page.evaluate(() => {
+    const data = new DataTransfer();
+    data.setData('text/plain', 'dusk\t35\ndawn\t50\t!\n');
+    document.activeElement?.dispatchEvent(
+      new ClipboardEvent('paste', { clipboardData: data, bubbles: true, cancelable: true }),
+    );
+  });
+  await expect(cell('Notes, shot 3')).toHaveValue('dawn');
+  await expect(cell('Lens, shot 2')).toHaveValue('35');
+  await expect(page.getByRole('alert')).toContainText('1 pasted cell found no place.');
+  // Numbers follow a move, and what is told goes with the photo.
+  await cell('Notes, shot 3').press('Alt+ArrowUp');
+  await expect(cell('Notes, shot 2')).toHaveValue('dawn');
+  await expect(cell('Notes, shot 2')).toBeFocused();
+  await shots.getByRole('button', { name: 'Move shot 2 up' }).click();
+  await expect(cell('Lens, shot 1')).toHaveValue('50');
+  await cell('Length, shot 1').fill('soon');
+  await cell('Length, shot 1').press('Enter');
+  await expect(page.getByRole('alert').filter({ hasText: 'soon' })).toBeVisible();
+  await shots.getByRole('button', { name: 'Remove column Lens' }).click();
+  await expect(cell('Lens, shot 1')).toHaveCount(0);
+  await page.getByRole('button', { name: 'Undo', exact: true }).click();
+  await expect(cell('Lens, shot 1')).toHaveValue('50');
+});
+
+test('a screenplay fills scenes, action and dialogue as one step, and says what found no shot', async ({ page }) => {
+  await openBoard(page);
+  const shots = await openShots(page);
+  const more = Array.from({ length: 6 }, (_, i) => `Action number ${i + 1}.`).join('\n\n');
+  const script = `INT. CORRIDOR - NIGHT\n\nShe opens the door.\n\nANNA\nIs anybody there?\n\n${more}\n`;
+  await page
+    .locator('input[aria-label="Import script or table"]')
+    .setInputFiles({ name: 'night.fountain', mimeType: 'text/plain', buffer: Buffer.from(script) });
+  const cell = (/** @type {string} */ name) => shots.getByRole('textbox', { name, exact: true });
+  await expect(cell('Scene, shot 6')).toHaveValue('INT. CORRIDOR - NIGHT');
+  await expect(cell('Dialogue, shot 1')).toHaveValue('ANNA: Is anybody there?');
+  await expect(page.getByRole('status').filter({ hasText: '1 line found no shot: “Action number 6.”' })).toBeVisible();
+  await page.getByRole('button', { name: 'Undo', exact: true }).click();
+  await expect(cell('Scene, shot 6')).toHaveValue('');
+  await expect(cell('Dialogue, shot 1')).toHaveValue('');
+});
+
+test('sheets are laid out as they are asked for', async ({ page }) => {
+  await openBoard(page);
+  await openShots(page);
+  const sheets = await drawn(page);
+  await expect(sheets.getByRole('img', { name: 'Sheet 1 of 1' })).toBeVisible();
+  await sheets.getByRole('combobox', { name: 'Frames a sheet' }).selectOption('4');
+  await expect(sheets.getByRole('img', { name: 'Sheet 2 of 2' })).toBeAttached();
+  await sheets.getByRole('button', { name: 'Film board' }).click();
+  await expect(sheets.getByRole('img', { name: 'Sheet 1 of 1' })).toBeVisible();
+  await expect(sheets.getByRole('combobox', { name: 'Frames a sheet' })).toHaveValue('6');
+});
+
+test('lists of the shots are among the formats of Export', async ({ page }) => {
+  await openBoard(page);
+  await page.getByRole('button', { name: 'Export', exact: true }).click();
+  const dialog = page.getByRole('dialog');
+  for (const [name, start] of [
+    ['Shot list', '\ufeffScene,'],
+    ['EDL', 'TITLE: '],
+    ['OTIO', '{'],
+    ['Final Cut XML', '<?xml'],
+  ]) {
+    if (!(await dialog.isVisible())) await page.getByRole('button', { name: 'Export', exact: true }).click();
+    await dialog.getByRole('combobox', { name: 'Format' }).selectOption({ label: name });
+    const { path } = await savedBy(page, () => dialog.getByRole('button', { name: 'Save the file' }).click());
+    expect((await readFile(path, 'utf8')).startsWith(start), name).toBe(true);
+  }
+});
+
+for (const colorScheme of /** @type {const} */ (['light', 'dark'])) {
+  for (const size of [
+    { width: 1366, height: 768 },
+    { width: 360, height: 740 },
+  ]) {
+    test.describe(`in ${colorScheme} at ${size.width} pixels`, () => {
+      test.use({ colorScheme });
+
+      test('axe finds nothing on the list of shots and the sheets', async ({ page }) => {
+        await page.setViewportSize(size);
+        await openBoard(page);
+        if (size.width < 1000) await page.getByRole('button', { name: 'Page settings', exact: true }).click();
+        await openShots(page);
+        await drawn(page);
+        await accessible(page);
+        expect(await page.evaluate(() => document.documentElement.scrollWidth - innerWidth)).toBeLessThanOrEqual(0);
+      });
+    });
+  }
+}

@@ -1,0 +1,136 @@
+/**
+ * The album as a board: the list of its shots, and the sheets that come of it. Loaded when it is first opened.
+ */
+
+import { useEffect, useRef, useState } from 'preact/hooks';
+import { isList, LISTS } from '../export/formats.ts';
+import { USUAL_QUALITY } from '../export/page-making.ts';
+import { NO_PRINT } from '../export/print.ts';
+import { strings } from '../strings/strings.ts';
+import { useApp } from '../ui/context.ts';
+import { Icon } from '../ui/icon.tsx';
+import { Workspace } from '../ui/workspace.tsx';
+import { BoardSettings } from './board-settings.tsx';
+import { HEADINGS } from './headings.ts';
+import { Sheets } from './sheets.tsx';
+import { ShotsTable } from './shots-table.tsx';
+import './boards.css';
+import type { Format } from '../export/formats.ts';
+
+/** What a board is saved as, in the order of the list. */
+const WAYS: readonly Format[] = ['pdf', 'zip', ...LISTS];
+
+export function BoardsScreen() {
+  const { ui } = useApp();
+  return (
+    <Workspace
+      title={strings.boards.board}
+      class="boards"
+      tools={<Tools />}
+      onClose={() => {
+        ui.work.value = null;
+      }}
+    >
+      <div class="boards-body">
+        <ShotsTable />
+        <section class="boards-sheets" aria-label={strings.boards.sheets}>
+          <BoardSettings />
+          <Sheets />
+        </section>
+      </div>
+    </Workspace>
+  );
+}
+
+function Tools() {
+  const { boards, download, messages } = useApp();
+  const [format, setFormat] = useState('pdf' as Format);
+  const busy = download.progress.value !== null;
+  const none = boards.rows.value.length === 0;
+
+  async function save() {
+    try {
+      const pages = isList(format) ? [] : await boards.sheets();
+      await download.saveAs({ pages, format, inside: 'png', quality: USUAL_QUALITY, print: NO_PRINT });
+    } catch (error) {
+      messages.alert(strings.exportFailed((error as Error).message));
+    }
+  }
+
+  return (
+    <div class="boards-tools">
+      <ImportFile />
+      <select
+        class="select"
+        aria-label={strings.boards.saveAs}
+        value={format}
+        onChange={(event) => setFormat(event.currentTarget.value as Format)}
+      >
+        {WAYS.map((way) => (
+          <option key={way} value={way}>
+            {way === 'pdf' || way === 'zip' ? strings.boards.ways[way] : strings.formats[way]}
+          </option>
+        ))}
+      </select>
+      <button type="button" class="button strong" disabled={busy || none} onClick={() => void save()}>
+        <Icon name="download" />
+        {strings.boards.saveBoard}
+      </button>
+    </div>
+  );
+}
+
+/** Screenplays and tables: what they tell goes to the shots, as one step. */
+function ImportFile() {
+  const { boards, store, messages } = useApp();
+  const input = useRef(null as HTMLInputElement | null);
+
+  async function take(file: File) {
+    const { fits, fromFountain, fromTable } = await import('./imports.ts');
+    if (!fits(file)) {
+      messages.alert(strings.boards.tooLarge(file.name));
+      return;
+    }
+    const text = await file.text();
+    const rows = boards.rows.peek();
+    const names = new Map([...store.album.peek().values()].map(({ id, name }) => [id, name]));
+    const told = /\.(fountain|spmd)$/i.test(file.name)
+      ? fromFountain(text, rows)
+      : fromTable(text, { rows, board: boards.board.peek(), headings: HEADINGS, names });
+    const count = Object.keys(told.shots).length;
+    if (count === 0) {
+      messages.alert(strings.boards.nothingIn(file.name));
+      return;
+    }
+    // Columns and what stands in them are one step.
+    const gesture = `import ${performance.now()}`;
+    if (told.columns.length > 0) boards.change({ columns: [...boards.board.peek().columns, ...told.columns] }, gesture);
+    boards.describe(told.shots, gesture);
+    const taken = strings.boards.taken(count, file.name);
+    messages.note(told.left > 0 ? `${taken} ${strings.boards.left(told.left, told.first.slice(0, 60))}` : taken);
+  }
+
+  useEffect(() => {
+    if (input.current) input.current.value = '';
+  });
+  return (
+    <>
+      <button type="button" class="button" onClick={() => input.current?.click()}>
+        <Icon name="open" />
+        {strings.boards.importFile}
+      </button>
+      <input
+        ref={input}
+        type="file"
+        hidden
+        aria-label={strings.boards.importFile}
+        accept=".fountain,.spmd,.csv,.tsv,.txt,text/csv,text/tab-separated-values"
+        onChange={(event) => {
+          const [file] = event.currentTarget.files ?? [];
+          if (file) void take(file);
+          event.currentTarget.value = '';
+        }}
+      />
+    </>
+  );
+}

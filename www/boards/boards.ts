@@ -1,0 +1,187 @@
+/**
+ * The album as a board: its shots in order, the edits that change them, its sheets as pages, and its lists as files. All that
+ * is told of a shot stands with its photo in the document.
+ */
+
+import { computed } from '@preact/signals';
+import type { Store } from '../document/store.ts';
+import { MOST } from '../engine/bounds.ts';
+import type { Engine } from '../engine/engine.ts';
+import type { Board, ListedShot, PageDocument, Shot, ShotList } from '../engine/types.ts';
+import { sizeId } from '../page/paper.ts';
+import { strings } from '../strings/strings.ts';
+import type { ShotRow } from './shots.ts';
+import {
+  ASPECTS,
+  lengthOf,
+  lengthText,
+  NO_BOARD,
+  numbered,
+  ordered,
+  USUAL_SECONDS,
+  withColumn,
+  withField,
+} from './shots.ts';
+
+export type Boards = ReturnType<typeof createBoards>;
+/** A column of the list: a field that every board has, the length, or one of one's own. */
+export type Column = { kind: 'field' | 'length' | 'own'; id: string };
+
+const UNTOLD = { scene: '', action: '', dialogue: '', notes: '', more: {} };
+
+/** The look of markers, and six frames of a screen on a sheet. */
+const FILM_BOARD = { style: 'storyboard', frames: 6, aspect: '16:9', beside: false } as const;
+const AMERICAN = /letter|legal|tabloid|^us-/;
+
+/** Whether a page is one of a comic, and no sheet of a board. */
+export function isComic({ layout }: PageDocument): boolean {
+  return typeof layout === 'string' || layout.family !== 'board';
+}
+
+export function createBoards({
+  store,
+  engine,
+  chooseStyle,
+}: {
+  store: Store;
+  engine: Pick<Engine, 'boardSheets'>;
+  chooseStyle: (style: string) => void;
+}) {
+  const board = computed(() => store.project.value.board ?? NO_BOARD);
+  const rows = computed((): readonly ShotRow[] => {
+    const items = new Map(store.tray.value.map((item) => [item.id, item]));
+    const ids = ordered(
+      board.value.order,
+      store.photos.value.map(({ id }) => id),
+    );
+    return numbered(ids.map((id) => ({ id, shot: items.get(id)?.shot ?? {} })));
+  });
+  const columns = computed((): readonly Column[] => [
+    ...(['scene', 'number'] as const).map((id) => ({ kind: 'field' as const, id })),
+    { kind: 'length', id: 'length' },
+    ...(['action', 'dialogue', 'notes'] as const).map((id) => ({ kind: 'field' as const, id })),
+    ...board.value.columns.map((id) => ({ kind: 'own' as const, id })),
+  ]);
+  /** Frames of all shots together. */
+  const total = computed(() => rows.value.reduce((sum, { shot }) => sum + framesOf(shot), 0));
+
+  return { board, rows, columns, total, textOf, put, describe, change, move, addColumn, shotList, sheets, filmBoard };
+
+  function framesOf(shot: Shot) {
+    return shot.frames ?? USUAL_SECONDS * board.value.fps;
+  }
+
+  /** What stands in a cell. */
+  function textOf(shot: Shot, { kind, id }: Column): string {
+    if (kind === 'own') return shot.more?.[id] ?? '';
+    if (kind === 'length') return shot.frames === undefined ? '' : lengthText(shot.frames, board.value.fps);
+    return shot[id as 'action'] ?? '';
+  }
+
+  /** @returns the shot with another text in a cell; null for a length that is none */
+  function withCell(shot: Shot, { kind, id }: Column, typed: string): Shot | null {
+    const text = typed.trim().slice(0, id === 'scene' || id === 'number' ? MOST.label : MOST.field);
+    if (kind === 'own') return withColumn(shot, id, text);
+    if (kind === 'field') return withField(shot, id, text);
+    const frames = lengthOf(text, board.peek().fps, MOST.shotFrames);
+    if (frames === undefined) return null;
+    const { frames: _, ...rest } = shot;
+    return frames === null ? rest : { ...rest, frames };
+  }
+
+  /**
+   * Puts texts into cells, from one on to the right and down, as one step.
+   * @returns how many found no place: beyond the list, or no length
+   */
+  function put(from: { row: number; column: number }, texts: readonly (readonly string[])[]): number {
+    const changed: Record<string, Shot> = {};
+    let lost = 0;
+    texts.forEach((line, down) => {
+      const row = rows.peek()[from.row + down];
+      line.forEach((text, across) => {
+        const column = columns.peek()[from.column + across];
+        const shot = row && column ? withCell(changed[row.id] ?? row.shot, column, text) : null;
+        if (shot) changed[row.id] = shot;
+        else if (text.trim() !== '') lost += 1;
+      });
+    });
+    describe(changed);
+    return lost;
+  }
+
+  /** @param shots by the ids of their photos */
+  function describe(shots: Record<string, Shot>, gesture?: string) {
+    if (Object.keys(shots).length > 0) store.change({ type: 'describe-shots', shots, ...(gesture && { gesture }) });
+  }
+
+  function change(part: Partial<Board>, gesture?: string) {
+    store.change({ type: 'set-board', board: { ...board.peek(), ...part }, ...(gesture && { gesture }) });
+  }
+
+  /** Carries a shot to another place in the order. */
+  function move(from: number, to: number) {
+    const ids = rows.peek().map(({ id }) => id);
+    if (from === to || to < 0 || to >= ids.length) return;
+    const [id] = ids.splice(from, 1);
+    ids.splice(to, 0, id);
+    change({ order: ids });
+  }
+
+  /** @returns whether there is such a column now */
+  function addColumn(name: string): boolean {
+    const plain = name.trim().slice(0, MOST.label);
+    const own = board.peek().columns;
+    if (plain === '' || own.includes(plain) || own.length >= MOST.columns) return false;
+    change({ columns: [...own, plain] });
+    return true;
+  }
+
+  /** The shots as lists of them tell it, with headings in the language of this visit. */
+  function shotList(): ShotList {
+    const { fps, columns: own } = board.peek();
+    const album = store.album.peek();
+    const videos = store.videos.peek();
+    const shots = rows.peek().map(({ id, number, shot }): ListedShot => {
+      const fact = album.get(id);
+      const video = fact?.video === undefined ? undefined : videos.get(fact.video);
+      const { number: _, ...told } = shot;
+      const film = video && { name: video.name, time: fact?.time ?? 0, length: video.duration ?? undefined };
+      return { ...UNTOLD, ...told, number, name: fact?.name ?? id, ...(film && { film }) };
+    });
+    const { heading } = strings.boards;
+    return { title: store.project.peek().name, fps, columns: [...own], headings: [...heading], shots };
+  }
+
+  /** The sheets of the board as pages, in the style of the page. */
+  async function sheets(): Promise<PageDocument[]> {
+    const { frames, aspect, beside, ruled, author, date } = board.peek();
+    const ratio = ASPECTS[aspect] ?? 16 / 9;
+    const page = store.page.peek();
+    const pictures =
+      store.planner.peek()?.frames(
+        store.photos.peek(),
+        rows.peek().map(({ id }) => id),
+        ratio,
+      ) ?? [];
+    return engine.boardSheets({
+      list: shotList(),
+      pictures,
+      frames,
+      aspect: ratio,
+      beside,
+      ruled,
+      author,
+      date,
+      letter: page !== null && AMERICAN.test(sizeId(page.page)),
+      style: page?.style ?? FILM_BOARD.style,
+      labels: strings.boards.labels,
+    });
+  }
+
+  /** The look of a board of film people. */
+  function filmBoard() {
+    const { style, ...part } = FILM_BOARD;
+    chooseStyle(style);
+    change({ ...part, ruled: false });
+  }
+}

@@ -1,0 +1,61 @@
+/** The sheets of the board, as they will be printed. */
+
+import { useEffect, useRef, useState } from 'preact/hooks';
+import { Priority } from '../engine/queue.ts';
+import type { PageDocument } from '../engine/types.ts';
+import { strings } from '../strings/strings.ts';
+import { Bitmap, screenPixels } from '../ui/bitmap.tsx';
+import { useApp } from '../ui/context.ts';
+
+/** Sheets are laid out anew when typing rests. */
+const REST_MS = 200;
+
+export function Sheets() {
+  const { boards, store, engine, messages } = useApp();
+  const [sheets, setSheets] = useState([] as readonly PageDocument[]);
+  const [busy, setBusy] = useState(true);
+  const list = useRef(null as HTMLUListElement | null);
+  const rows = boards.rows.value;
+  const board = boards.board.value;
+  const style = store.page.value?.style;
+  const { name } = store.project.value;
+
+  useEffect(() => {
+    let gone = false;
+    setBusy(true);
+    const later = setTimeout(async () => {
+      try {
+        const made = await boards.sheets();
+        if (!gone) setSheets((before) => made.map((sheet, i) => (same(before[i], sheet) ? before[i] : sheet)));
+      } catch (error) {
+        if (!gone) messages.alert(strings.boards.noSheets((error as Error).message));
+      }
+      if (!gone) setBusy(false);
+    }, REST_MS);
+    return () => {
+      gone = true;
+      clearTimeout(later);
+    };
+  }, [rows, board, style, name]);
+
+  const width = () => screenPixels(list.current?.clientWidth ?? 480);
+  return (
+    // biome-ignore lint/a11y/noNoninteractiveTabindex: it is scrolled by keys, and nothing in it takes the focus.
+    <ul class="board-sheets" ref={list} aria-label={strings.boards.sheets} aria-busy={busy} tabIndex={0}>
+      {sheets.map((sheet, i) => (
+        <li key={i} style={{ aspectRatio: `${sheet.page.width} / ${sheet.page.height}` }}>
+          <div role="img" aria-label={strings.boards.sheet(i + 1, sheets.length)}>
+            <Bitmap
+              of={sheet}
+              draw={(call) => engine.renderPage(sheet, width(), { ...call, priority: Priority.VIEW })}
+            />
+          </div>
+        </li>
+      ))}
+    </ul>
+  );
+}
+
+function same(a: PageDocument | undefined, b: PageDocument): boolean {
+  return a !== undefined && JSON.stringify(a) === JSON.stringify(b);
+}

@@ -1,0 +1,267 @@
+/**
+ * The list of shots: a table that is typed into like a spreadsheet. Enter goes on to the next shot, Tab to the next field,
+ * Escape gives up what was typed; Alt with the arrows carries a shot; what spreadsheets copy is pasted over several cells.
+ */
+
+import { useEffect, useRef, useState } from 'preact/hooks';
+import { strings } from '../strings/strings.ts';
+import { IconButton } from '../ui/button.tsx';
+import { useApp } from '../ui/context.ts';
+import { Icon } from '../ui/icon.tsx';
+import type { Column } from './boards.ts';
+import { Frame } from './frame.tsx';
+import type { ShotRow } from './shots.ts';
+import { lengthText, USUAL_SECONDS } from './shots.ts';
+
+export function ShotsTable() {
+  const { boards, messages } = useApp();
+  const table = useRef(null as HTMLTableElement | null);
+  const rows = boards.rows.value;
+  const columns = boards.columns.value;
+  const { fps } = boards.board.value;
+
+  /** @returns whether there is such a cell */
+  function focus(row: number, column: number): boolean {
+    const cell = table.current?.querySelector<HTMLElement>(`[data-cell="${row} ${column}"]`);
+    cell?.focus();
+    return cell !== null && cell !== undefined;
+  }
+
+  async function copy() {
+    const lines = rows.map((row) => columns.map((column) => tabless(boards.textOf(row.shot, column))).join('\t'));
+    try {
+      await navigator.clipboard.writeText([columns.map(headingOf).join('\t'), ...lines].join('\n'));
+      messages.note(strings.boards.copied);
+    } catch (error) {
+      messages.alert(strings.exportFailed((error as Error).message));
+    }
+  }
+
+  return (
+    <section class="shots" aria-label={strings.boards.shots}>
+      <div class="shots-head">
+        <p>
+          {strings.boards.count(rows.length)} · <b>{lengthText(boards.total.value, fps)}</b>
+        </p>
+        <NewColumn />
+        <button type="button" class="button" onClick={() => void copy()}>
+          <Icon name="duplicate" />
+          {strings.boards.copy}
+        </button>
+      </div>
+      <div class="shots-scroll" tabIndex={-1}>
+        <table ref={table}>
+          <caption class="visually-hidden">{strings.boards.help}</caption>
+          <thead>
+            <tr>
+              <th scope="col">{strings.boards.picture}</th>
+              {columns.map((column) => (
+                <th
+                  key={`${column.kind} ${column.id}`}
+                  scope="col"
+                  data-column={column.kind === 'own' ? 'own' : column.id}
+                >
+                  <Heading column={column} />
+                </th>
+              ))}
+              <th scope="col">
+                <span class="visually-hidden">{strings.boards.order}</span>
+              </th>
+            </tr>
+          </thead>
+          <tbody>
+            {rows.map((row, at) => (
+              <Row key={row.id} row={row} at={at} focus={focus} last={at === rows.length - 1} />
+            ))}
+          </tbody>
+        </table>
+        <p class="quiet shots-help">{strings.boards.help}</p>
+      </div>
+    </section>
+  );
+}
+
+function headingOf({ kind, id }: Column): string {
+  return kind === 'own' ? id : strings.boards.columns[id as 'scene'];
+}
+
+function tabless(text: string): string {
+  return text.replace(/\s+/g, ' ');
+}
+
+function Heading({ column }: { column: Column }) {
+  const { boards } = useApp();
+  const name = headingOf(column);
+  if (column.kind !== 'own') return <>{name}</>;
+  return (
+    <span class="shots-own">
+      {name}
+      <IconButton
+        icon="close"
+        label={strings.boards.removeColumn(name)}
+        onClick={() => boards.change({ columns: boards.board.peek().columns.filter((own) => own !== column.id) })}
+      />
+    </span>
+  );
+}
+
+function NewColumn() {
+  const { boards } = useApp();
+  const [name, setName] = useState('');
+  return (
+    <form
+      class="shots-column"
+      onSubmit={(event) => {
+        event.preventDefault();
+        if (boards.addColumn(name)) setName('');
+      }}
+    >
+      <input
+        class="text"
+        value={name}
+        aria-label={strings.boards.newColumn}
+        placeholder={strings.boards.newColumn}
+        onInput={(event) => setName(event.currentTarget.value)}
+      />
+      <button type="submit" class="icon-button" aria-label={strings.boards.addColumn} title={strings.boards.addColumn}>
+        <Icon name="add" />
+      </button>
+    </form>
+  );
+}
+
+function Row({
+  row,
+  at,
+  last,
+  focus,
+}: {
+  row: ShotRow;
+  at: number;
+  last: boolean;
+  focus: (row: number, column: number) => boolean;
+}) {
+  const { boards, store } = useApp();
+  const name = store.album.value.get(row.id)?.name ?? row.id;
+
+  function carry(by: number, column?: number) {
+    boards.move(at, at + by);
+    if (column !== undefined) requestAnimationFrame(() => focus(at + by, column));
+  }
+
+  return (
+    <tr aria-label={strings.boards.shot(row.number)}>
+      <th scope="row">
+        <span class="shot-picture" title={name}>
+          <Frame id={row.id} />
+          <b>{row.number}</b>
+        </span>
+      </th>
+      {boards.columns.value.map((column, i) => (
+        <td key={`${column.kind} ${column.id}`}>
+          <Cell row={row} column={column} place={{ row: at, column: i }} focus={focus} carry={(by) => carry(by, i)} />
+        </td>
+      ))}
+      <td class="shot-order">
+        <IconButton icon="unfold" label={strings.boards.up(row.number)} disabled={at === 0} onClick={() => carry(-1)} />
+        <IconButton icon="fold" label={strings.boards.down(row.number)} disabled={last} onClick={() => carry(1)} />
+      </td>
+    </tr>
+  );
+}
+
+function Cell({
+  row,
+  column,
+  place,
+  focus,
+  carry,
+}: {
+  row: ShotRow;
+  column: Column;
+  place: { row: number; column: number };
+  focus: (row: number, column: number) => boolean;
+  carry: (by: number) => void;
+}) {
+  const { boards, messages } = useApp();
+  const ref = useRef(null as HTMLTextAreaElement | null);
+  const told = boards.textOf(row.shot, column);
+  const [typed, setTyped] = useState(null as string | null);
+  const text = typed ?? told;
+  const name = `${headingOf(column)}, ${strings.boards.shot(row.number)}`;
+  /** What is given up is not taken when the cell loses the focus. */
+  const given = useRef(false);
+
+  useEffect(() => {
+    const cell = ref.current;
+    if (!cell) return;
+    // As high as what stands in it.
+    cell.style.height = 'auto';
+    cell.style.height = `${cell.scrollHeight + 2}px`;
+  }, [text]);
+
+  function take(now: string) {
+    setTyped(null);
+    if (given.current || now.trim() === told) return;
+    if (boards.put(place, [[now]]) > 0) messages.alert(strings.boards.noLength(now.trim()));
+  }
+
+  function onKeyDown(event: KeyboardEvent & { currentTarget: HTMLTextAreaElement }) {
+    const { key, altKey, shiftKey, currentTarget } = event;
+    const by = { ArrowUp: -1, ArrowDown: 1 }[key];
+    if (altKey && by !== undefined) {
+      event.preventDefault();
+      take(currentTarget.value);
+      carry(by);
+    } else if (key === 'Enter' && !shiftKey && !event.isComposing) {
+      event.preventDefault();
+      take(currentTarget.value);
+      focus(place.row + 1, place.column);
+    } else if (key === 'Escape') {
+      event.preventDefault();
+      event.stopPropagation();
+      given.current = true;
+      setTyped(null);
+      currentTarget.closest<HTMLElement>('.shots-scroll')?.focus();
+      given.current = false;
+    }
+  }
+
+  async function paste(event: ClipboardEvent) {
+    const pasted = event.clipboardData?.getData('text/plain').replace(/\r\n?/g, '\n').replace(/\n$/, '') ?? '';
+    if (!/[\t\n]/.test(pasted) || (!pasted.includes('\t') && column.kind === 'field' && isProse(pasted))) return;
+    event.preventDefault();
+    setTyped(null);
+    const { cells } = await import('./imports.ts');
+    const lost = boards.put(place, cells(pasted, '\t'));
+    if (lost > 0) messages.alert(strings.boards.pasteLost(lost));
+  }
+
+  return (
+    <textarea
+      ref={ref}
+      rows={1}
+      class="shot-cell"
+      data-cell={`${place.row} ${place.column}`}
+      data-column={column.kind === 'own' ? 'own' : column.id}
+      aria-label={name}
+      placeholder={placeholderOf(row, column, boards.board.value.fps)}
+      value={text}
+      onInput={(event) => setTyped(event.currentTarget.value)}
+      onBlur={(event) => take(event.currentTarget.value)}
+      onKeyDown={onKeyDown}
+      onPaste={(event) => void paste(event)}
+    />
+  );
+}
+
+/** Several lines of a text are no column of a spreadsheet. */
+function isProse(text: string): boolean {
+  return text.includes('\n\n');
+}
+
+/** What holds where nothing is told. */
+function placeholderOf({ number }: ShotRow, { id, kind }: Column, fps: number): string | undefined {
+  if (kind === 'length') return lengthText(USUAL_SECONDS * fps, fps);
+  return kind === 'field' && id === 'number' ? number : undefined;
+}

@@ -1,0 +1,100 @@
+/** What kind of film a file is, by its content: that its name ends in .mp4 says nothing. */
+
+import { isVideo } from './is-video.ts';
+
+/** Containers that no reader here knows; the words are their names. */
+const FOREIGN: readonly [name: string, at: number, bytes: readonly number[]][] = [
+  ['Flash Video', 0, [0x46, 0x4c, 0x56, 0x01]],
+  ['Windows Media', 0, [0x30, 0x26, 0xb2, 0x75, 0x8e, 0x66, 0xcf, 0x11]],
+  ['RealMedia', 0, [0x2e, 0x52, 0x4d, 0x46]],
+  ['MPEG-PS', 0, [0x00, 0x00, 0x01, 0xba]],
+  ['MPEG-2', 0, [0x00, 0x00, 0x01, 0xb3]],
+];
+/** Codes of codecs as AVI, MP4 and MOV files write them, and what people call them. */
+const CODECS: readonly [name: string, codes: RegExp][] = [
+  ['HEVC (H.265)', /hvc1|hev1|hevc|dvh1|dvhe/i],
+  ['ProRes', /prores|ap(?:cn|ch|cs|co|4h|4x)/i],
+  ['MPEG-4 Part 2', /mp4v|xvid|divx|dx50|fmp4|mp4s/i],
+  ['Motion JPEG', /mjp[ab2g]|jpeg/i],
+  ['DV', /dv[cs5h]|dvsd|dvpp/i],
+  ['Cinepak', /cvid/i],
+  ['MPEG-2', /mx[35]|m2v1|mpg2|hdv\d/i],
+  ['DNxHD', /avd[nh]/i],
+  ['H.264', /avc1|avc3|h264|x264/i],
+];
+/** Bytes of the beginning that are asked, and of the end, where some cameras write what is in a file. */
+const ASKED = 64 << 10;
+const ENDING = 1 << 20;
+
+/** What can be told of a film that the reader does not take; `codec` is its name for people. */
+export type FilmKind = { container: string | null; codec: string | null };
+
+export function isFilmStart(bytes: Uint8Array): boolean {
+  const text = latin(bytes.subarray(0, 16));
+  // HEIF photos are such boxes, too.
+  if (/^....ftyp/s.test(text)) return !/^....ftyp(?:hei[cfsx]|mif1|msf1|avi[fs]|jxl |crx )/s.test(text);
+  if (/^....(?:moov|mdat|wide)/s.test(text)) return true;
+  if (bytes[0] === 0x1a && bytes[1] === 0x45 && bytes[2] === 0xdf && bytes[3] === 0xa3) return true;
+  // Packets of a transport stream are 188 bytes long.
+  if ([0, 188, 376].every((at) => bytes[at] === 0x47)) return true;
+  return containerOf(bytes) !== null;
+}
+
+/** Of so many files each is opened; of more those alone that do not say that they are photos. */
+const FEW = 24;
+
+/** @returns the films among files, by what is in them; those that only their names call so, too, to be named with a reason */
+export async function filmsAmong(files: readonly (Blob & { name?: string })[]): Promise<Set<Blob>> {
+  const asked = files.filter((file) => files.length <= FEW || !file.type.startsWith('image/'));
+  const films = await Promise.all(
+    asked.map(async (file) => {
+      const start = new Uint8Array(
+        await file
+          .slice(0, 4096)
+          .arrayBuffer()
+          .catch(() => new ArrayBuffer(0)),
+      );
+      return isFilmStart(start) || (isVideo(file) && !isPhotoStart(start)) ? [file] : [];
+    }),
+  );
+  return new Set(films.flat());
+}
+
+/** JPEG, PNG, GIF and WebP. */
+function isPhotoStart(bytes: Uint8Array): boolean {
+  return /^(?:\xff\xd8\xff|\x89PNG|GIF8|RIFF....WEBP)/s.test(latin(bytes.subarray(0, 12)));
+}
+
+/** @returns of a file that ends in whatever; nulls where it is none of them */
+export async function filmKind(file: Blob): Promise<FilmKind> {
+  const start = new Uint8Array(await file.slice(0, ASKED).arrayBuffer());
+  const end = new Uint8Array(await file.slice(Math.max(0, file.size - ENDING)).arrayBuffer());
+  const container = containerOf(start);
+  return { container, codec: codecOf(start) ?? codecOf(end) };
+}
+
+/** @param codec as the library or a file calls it @returns as people do */
+export function codecName(codec: string): string {
+  return CODECS.find(([, codes]) => codes.test(codec))?.[0] ?? codec.toUpperCase();
+}
+
+function containerOf(bytes: Uint8Array): string | null {
+  const text = latin(bytes.subarray(0, 16));
+  if (/^RIFF....AVI /s.test(text)) return 'AVI';
+  if (text.startsWith('OggS')) return latin(bytes.subarray(0, 4096)).includes('\x80theora') ? 'Theora' : null;
+  return FOREIGN.find(([, at, wanted]) => wanted.every((byte, i) => bytes[at + i] === byte))?.[0] ?? null;
+}
+
+/** What a sample description or a stream header says. */
+function codecOf(bytes: Uint8Array): string | null {
+  const text = latin(bytes);
+  const [, code] = /(?:stsd.{12}|vids)(\w{4})/s.exec(text) ?? [];
+  return code === undefined ? null : (CODECS.find(([, codes]) => codes.test(code))?.[0] ?? null);
+}
+
+function latin(bytes: Uint8Array): string {
+  let text = '';
+  // What is called latin1 is windows-1252, which has other letters at 0x80 to 0x9f.
+  for (const byte of bytes) text += String.fromCharCode(byte);
+  return text;
+}

@@ -1,0 +1,72 @@
+import { signal } from '@preact/signals';
+import { describe, expect, it } from 'vitest';
+import { createMasks } from './masks.ts';
+import { fakeApp } from '../document/testing.ts';
+import { failure } from '../engine/protocol.ts';
+
+/** @param find what the net answers for a photo */
+function app(find: (id: string) => Promise<string>, masks = true) {
+  const made = fakeApp();
+  const asked: string[] = [];
+  const rested = signal(false);
+  const engine = {
+    masks,
+    hasPhoto: () => true,
+    findMask: (id: string) => {
+      asked.push(id);
+      return find(id);
+    },
+  };
+  return { ...made, asked, rested, masks: createMasks({ ...made, engine, ready: () => rested.value }) };
+}
+
+const settle = () =>
+  new Promise((done) => {
+    setTimeout(done, 10);
+  });
+
+describe('masks', () => {
+  it('are made when all else is at rest, and kept with the photo', async () => {
+    const { reading, files, masks, asked, rested, store } = app(async () => '2x2:ap3');
+    await reading.addFiles(files('1.jpg', '2.jpg'));
+    await settle();
+    expect(asked).toEqual([]);
+    expect(masks.settled.value).toBe(false);
+    rested.value = true;
+    await settle();
+    expect(asked).toEqual(['p1', 'p2']);
+    expect(store.album.value.get('p2')?.meta?.mask).toBe('2x2:ap3');
+    expect(masks.settled.value).toBe(true);
+    expect(masks.progress.value).toBeNull();
+  });
+
+  it('stop where somebody waits for something else, and go on', async () => {
+    const found = app(async () => {
+      found.rested.value = false;
+      return '1x1:a';
+    });
+    await found.reading.addFiles(found.files('1.jpg', '2.jpg'));
+    found.rested.value = true;
+    await settle();
+    expect(found.asked).toEqual(['p1']);
+    found.rested.value = true;
+    await settle();
+    expect(found.asked).toEqual(['p1', 'p2']);
+  });
+
+  it('go on after a photo that cannot be looked at, not without the net', async () => {
+    const one = app((id) => (id === 'p1' ? Promise.reject(failure('detector', 'broken')) : Promise.resolve('1x1:a')));
+    await one.reading.addFiles(one.files('1.jpg', '2.jpg'));
+    one.rested.value = true;
+    await settle();
+    expect(one.asked).toEqual(['p1', 'p2']);
+    expect([one.masks.settled.value, one.masks.there.value]).toEqual([true, true]);
+    const none = app(() => Promise.reject(failure('detector-missing', 'not here')));
+    await none.reading.addFiles(none.files('1.jpg', '2.jpg'));
+    none.rested.value = true;
+    await settle();
+    expect(none.asked).toEqual(['p1']);
+    expect([none.masks.settled.value, none.masks.there.value]).toEqual([true, false]);
+    expect(app(async () => '', false).masks.there.value).toBe(false);
+  });
+});

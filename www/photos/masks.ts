@@ -1,0 +1,80 @@
+/**
+ * Which part of each photo is its subject, so that it may step out of its panel: looked for when the page is there and all else
+ * was found, one photo after the other, those on pages first. Nobody waits for it.
+ */
+
+import { computed, effect, signal } from '@preact/signals';
+import { photosOn } from '../engine/sheets.ts';
+import type { Progress, Store } from '../document/store.ts';
+import type { Engine } from '../engine/engine.ts';
+import type { ReadonlySignal, Signal } from '@preact/signals';
+
+export type Masks = ReturnType<typeof createMasks>;
+
+/** Photos beside those of pages that are looked at, too: the next shuffle may bring them. */
+const BESIDE = 24;
+
+/** @param app `ready`: whether nobody waits for anything else; not `wanted`, nothing is looked at */
+export function createMasks({
+  store,
+  engine,
+  ready,
+  wanted = true,
+}: {
+  store: Store;
+  engine: Pick<Engine, 'masks' | 'findMask' | 'hasPhoto'>;
+  ready: () => boolean;
+  wanted?: boolean;
+}) {
+  /** Photos that could not be looked at. */
+  const failed: Signal<ReadonlySet<string>> = signal(new Set());
+  const off = signal(!wanted || !engine.masks);
+  const running = signal(false);
+  const progress: Signal<Progress | null> = signal(null);
+
+  const due: ReadonlySignal<readonly string[]> = computed(() => {
+    if (off.value) return [];
+    const [shown, beside] = [photosOn(store.page.value ? [store.page.value] : []), photosOn(store.sheets.value)];
+    const rank = (id: string) => (shown.has(id) ? 0 : beside.has(id) ? 1 : 2);
+    const all = store.facts.value.filter(({ id, meta, absent }) => meta && !absent && engine.hasPhoto(id));
+    const spare = BESIDE - all.filter(({ id, meta }) => rank(id) === 2 && meta?.mask).length;
+    const open = all.filter(({ id, meta }) => !meta?.mask && !failed.value.has(id)).map(({ id }) => id);
+    const ofPages = open.filter((id) => rank(id) < 2).sort((a, b) => rank(a) - rank(b));
+    return [...ofPages, ...open.filter((id) => rank(id) === 2).slice(0, Math.max(0, spare))];
+  });
+
+  effect(() => {
+    if (!running.value && due.value.length > 0 && ready()) void run();
+  });
+
+  return { there: computed(() => !off.value), progress, settled: computed(() => due.value.length === 0) };
+
+  async function run() {
+    running.value = true;
+    let done = 0;
+    try {
+      while (due.peek().length > 0 && ready()) {
+        const [id] = due.peek();
+        progress.value = { done, total: done + due.peek().length };
+        await look(id);
+        done += 1;
+      }
+    } finally {
+      progress.value = null;
+      running.value = false;
+    }
+  }
+
+  async function look(id: string) {
+    try {
+      const mask = await engine.findMask(id);
+      const fact = store.album.peek().get(id);
+      if (fact?.meta) store.know({ ...fact, meta: { ...fact.meta, mask } });
+    } catch (error) {
+      const { code } = error as { code?: string };
+      // Without the net nothing can be looked at; one photo that fails is one.
+      if (code === 'detector-missing' || code === 'net-missing') off.value = true;
+      failed.value = new Set([...failed.peek(), id]);
+    }
+  }
+}

@@ -1,0 +1,64 @@
+/** Words of boards: the list of shots, the sheets, the ways out and in. */
+
+export const boardsStrings = {
+  boards: {
+    seen: 'Wie das Album gezeigt wird',
+    comic: 'Comic',
+    board: 'Storyboard',
+    sheets: 'Storyboard-Blätter',
+    shots: 'Einstellungen',
+    picture: 'Bild',
+    order: 'Reihenfolge',
+    columns: {
+      scene: 'Szene',
+      number: 'Einstellung',
+      length: 'Länge',
+      action: 'Handlung',
+      dialogue: 'Dialog',
+      notes: 'Notizen',
+    },
+    /** the columns of a list that is saved */
+    heading: ['Szene', 'Einstellung', 'Bild', 'Film', 'Timecode', 'Dauer', 'Bilder', 'Handlung', 'Dialog', 'Notizen'],
+    /** on the sheets; `{page}` and `{count}` become numbers */
+    labels: { scene: 'Szene', dialogue: 'Dialog', notes: 'Notizen', page: 'Blatt {page} von {count}' },
+    count: (count: number) => (count === 1 ? '1 Einstellung' : `${count} Einstellungen`),
+    shot: (number: string) => `Einstellung ${number}`,
+    up: (number: string) => `Einstellung ${number} nach oben`,
+    down: (number: string) => `Einstellung ${number} nach unten`,
+    help: 'Eingabe geht zur nächsten Einstellung, Tab zum nächsten Feld, Escape verwirft das Getippte. Alt mit den Pfeiltasten verschiebt eine Einstellung. Längen sind Sekunden (2), Sekunden und Bilder (2:12) oder Bilder (36f). Zellen einer Tabelle lassen sich einfügen.',
+    copy: 'Liste kopieren',
+    copied: 'Die Liste liegt in der Zwischenablage, für eine Tabelle.',
+    newColumn: 'Neue Spalte',
+    addColumn: 'Spalte hinzufügen',
+    removeColumn: (name: string) => `Spalte ${name} entfernen`,
+    noLength: (text: string) =>
+      `„${text}“ ist keine Länge: Schreib Sekunden (2), Sekunden und Bilder (2:12) oder Bilder (36f).`,
+    pasteLost: (count: number) =>
+      count === 1 ? '1 eingefügte Zelle fand keinen Platz.' : `${count} eingefügte Zellen fanden keinen Platz.`,
+    filmBoard: 'Film-Storyboard',
+    perSheet: 'Bilder je Blatt',
+    aspect: 'Seitenverhältnis',
+    rate: 'Bilder je Sekunde',
+    beside: 'Text neben den Bildern',
+    ruled: 'Arbeitsblatt: Linien zum Schreiben',
+    author: 'Von',
+    date: 'Datum',
+    saveAs: 'Speichern als',
+    saveBoard: 'Storyboard speichern',
+    ways: { pdf: 'Storyboard, PDF', zip: 'Storyboard, PNG-Dateien in einem ZIP' },
+    importFile: 'Drehbuch oder Tabelle laden',
+    tooLarge: (name: string) => `${name} ist zu groß für ein Drehbuch oder eine Tabelle.`,
+    nothingIn: (name: string) => `Nichts in ${name} passt zu den Einstellungen.`,
+    taken: (count: number, name: string) =>
+      count === 1 ? `${name}: 1 Einstellung wurde ausgefüllt.` : `${name}: ${count} Einstellungen wurden ausgefüllt.`,
+    left: (count: number, first: string) =>
+      count === 1
+        ? `1 Zeile fand keine Einstellung: „${first}“`
+        : `${count} Zeilen fanden keine Einstellung, ab „${first}“.`,
+    noSheets: (why: string) => `Das Storyboard konnte nicht angelegt werden: ${why}`,
+    missing: 'Der Teil des Programms, der Storyboards zeigt, konnte nicht geladen werden. Versuch es noch einmal.',
+    sheet: (n: number, of: number) => `Blatt ${n} von ${of}`,
+    listSaved: 'Die Liste der Einstellungen wurde gespeichert.',
+    listHelp: 'Alle Einstellungen des Albums mit dem, was dazu geschrieben ist, in der Reihenfolge des Storyboards.',
+  },
+};

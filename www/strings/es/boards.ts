@@ -1,0 +1,73 @@
+/** Words of boards: the list of shots, the sheets, the ways out and in. */
+
+export const boardsStrings = {
+  boards: {
+    seen: 'Cómo se ve el álbum',
+    comic: 'Cómic',
+    board: 'Storyboard',
+    sheets: 'Hojas del storyboard',
+    shots: 'Planos',
+    picture: 'Imagen',
+    order: 'Orden',
+    columns: {
+      scene: 'Escena',
+      number: 'Plano',
+      length: 'Duración',
+      action: 'Acción',
+      dialogue: 'Diálogo',
+      notes: 'Notas',
+    },
+    /** the columns of a list that is saved */
+    heading: [
+      'Escena',
+      'Plano',
+      'Imagen',
+      'Película',
+      'Código de tiempo',
+      'Duración',
+      'Fotogramas',
+      'Acción',
+      'Diálogo',
+      'Notas',
+    ],
+    /** on the sheets; `{page}` and `{count}` become numbers */
+    labels: { scene: 'Escena', dialogue: 'Diálogo', notes: 'Notas', page: 'Página {page} de {count}' },
+    count: (count: number) => (count === 1 ? '1 plano' : `${count} planos`),
+    shot: (number: string) => `plano ${number}`,
+    up: (number: string) => `Subir el plano ${number}`,
+    down: (number: string) => `Bajar el plano ${number}`,
+    help: 'Intro pasa al plano siguiente, Tab al campo siguiente y Escape descarta lo escrito. Alt con las flechas mueve un plano. Las duraciones son segundos (2), segundos y fotogramas (2:12) o fotogramas (36f). Se pueden pegar celdas de una hoja de cálculo.',
+    copy: 'Copiar la lista',
+    copied: 'La lista está en el portapapeles, para una hoja de cálculo.',
+    newColumn: 'Columna nueva',
+    addColumn: 'Añadir columna',
+    removeColumn: (name: string) => `Quitar la columna ${name}`,
+    noLength: (text: string) =>
+      `«${text}» no es una duración: escribe segundos (2), segundos y fotogramas (2:12) o fotogramas (36f).`,
+    pasteLost: (count: number) =>
+      count === 1 ? '1 celda pegada no encontró sitio.' : `${count} celdas pegadas no encontraron sitio.`,
+    filmBoard: 'Storyboard de cine',
+    perSheet: 'Viñetas por hoja',
+    aspect: 'Proporción',
+    rate: 'Fotogramas por segundo',
+    beside: 'Texto junto a las viñetas',
+    ruled: 'Ficha: líneas para escribir',
+    author: 'Autoría',
+    date: 'Fecha',
+    saveAs: 'Guardar como',
+    saveBoard: 'Guardar el storyboard',
+    ways: { pdf: 'Storyboard, PDF', zip: 'Storyboard, archivos PNG en un ZIP' },
+    importFile: 'Importar guion o tabla',
+    tooLarge: (name: string) => `${name} es demasiado grande para un guion o una tabla.`,
+    nothingIn: (name: string) => `Nada de ${name} encaja con los planos.`,
+    taken: (count: number, name: string) =>
+      count === 1 ? `${name}: se rellenó 1 plano.` : `${name}: se rellenaron ${count} planos.`,
+    left: (count: number, first: string) =>
+      count === 1 ? `1 línea no encontró plano: «${first}»` : `${count} líneas no encontraron plano, desde «${first}».`,
+    noSheets: (why: string) => `No se pudo componer el storyboard: ${why}`,
+    missing: 'No se pudo cargar la parte del programa que muestra storyboards. Inténtalo de nuevo.',
+    sheet: (n: number, of: number) => `Hoja ${n} de ${of}`,
+    listSaved: 'La lista de planos se guardó.',
+    listHelp: 'Todos los planos del álbum con lo que se dice de ellos, en el orden del storyboard.',
+  },
+};

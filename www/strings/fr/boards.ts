@@ -1,0 +1,66 @@
+/** Words of boards: the list of shots, the sheets, the ways out and in. */
+
+export const boardsStrings = {
+  boards: {
+    seen: 'Comment l’album est montré',
+    comic: 'BD',
+    board: 'Storyboard',
+    sheets: 'Feuilles du storyboard',
+    shots: 'Plans',
+    picture: 'Image',
+    order: 'Ordre',
+    columns: {
+      scene: 'Scène',
+      number: 'Plan',
+      length: 'Durée',
+      action: 'Action',
+      dialogue: 'Dialogue',
+      notes: 'Notes',
+    },
+    /** the columns of a list that is saved */
+    heading: ['Scène', 'Plan', 'Image', 'Film', 'Timecode', 'Durée', 'Images', 'Action', 'Dialogue', 'Notes'],
+    /** on the sheets; `{page}` and `{count}` become numbers */
+    labels: { scene: 'Scène', dialogue: 'Dialogue', notes: 'Notes', page: 'Page {page} sur {count}' },
+    count: (count: number) => (count === 1 ? '1 plan' : `${count} plans`),
+    shot: (number: string) => `plan ${number}`,
+    up: (number: string) => `Monter le plan ${number}`,
+    down: (number: string) => `Descendre le plan ${number}`,
+    help: 'Entrée passe au plan suivant, Tab au champ suivant, Échap abandonne la saisie. Alt avec les flèches déplace un plan. Les durées sont en secondes (2), en secondes et images (2:12) ou en images (36f). On peut coller les cellules d’un tableur.',
+    copy: 'Copier la liste',
+    copied: 'La liste est dans le presse-papiers, pour un tableur.',
+    newColumn: 'Nouvelle colonne',
+    addColumn: 'Ajouter la colonne',
+    removeColumn: (name: string) => `Retirer la colonne ${name}`,
+    noLength: (text: string) =>
+      `« ${text} » n’est pas une durée : écrivez des secondes (2), des secondes et images (2:12) ou des images (36f).`,
+    pasteLost: (count: number) =>
+      count === 1
+        ? '1 cellule collée n’a pas trouvé de place.'
+        : `${count} cellules collées n’ont pas trouvé de place.`,
+    filmBoard: 'Storyboard de film',
+    perSheet: 'Vignettes par feuille',
+    aspect: 'Format',
+    rate: 'Images par seconde',
+    beside: 'Texte à côté des vignettes',
+    ruled: 'Fiche : lignes à remplir',
+    author: 'Par',
+    date: 'Date',
+    saveAs: 'Enregistrer en',
+    saveBoard: 'Enregistrer le storyboard',
+    ways: { pdf: 'Storyboard, PDF', zip: 'Storyboard, fichiers PNG dans un ZIP' },
+    importFile: 'Importer un scénario ou un tableau',
+    tooLarge: (name: string) => `${name} est trop gros pour un scénario ou un tableau.`,
+    nothingIn: (name: string) => `Rien dans ${name} ne correspond aux plans.`,
+    taken: (count: number, name: string) =>
+      count === 1 ? `${name} : 1 plan a été rempli.` : `${name} : ${count} plans ont été remplis.`,
+    left: (count: number, first: string) =>
+      count === 1
+        ? `1 ligne n’a pas trouvé de plan : « ${first} »`
+        : `${count} lignes n’ont pas trouvé de plan, à partir de « ${first} ».`,
+    noSheets: (why: string) => `Le storyboard n’a pas pu être composé : ${why}`,
+    missing: 'La partie du programme qui montre les storyboards n’a pas pu être chargée. Réessayez.',
+    sheet: (n: number, of: number) => `Feuille ${n} sur ${of}`,
+    listSaved: 'La liste des plans a été enregistrée.',
+    listHelp: 'Tous les plans de l’album avec ce qui en est dit, dans l’ordre du storyboard.',
+  },
+};

@@ -1,0 +1,57 @@
+/** Words of boards: the list of shots, the sheets, the ways out and in. */
+
+export const boardsStrings = {
+  boards: {
+    seen: 'Como o álbum é visto',
+    comic: 'Quadrinhos',
+    board: 'Storyboard',
+    sheets: 'Folhas do storyboard',
+    shots: 'Planos',
+    picture: 'Imagem',
+    order: 'Ordem',
+    columns: { scene: 'Cena', number: 'Plano', length: 'Duração', action: 'Ação', dialogue: 'Diálogo', notes: 'Notas' },
+    /** the columns of a list that is saved */
+    heading: ['Cena', 'Plano', 'Imagem', 'Filme', 'Código de tempo', 'Duração', 'Quadros', 'Ação', 'Diálogo', 'Notas'],
+    /** on the sheets; `{page}` and `{count}` become numbers */
+    labels: { scene: 'Cena', dialogue: 'Diálogo', notes: 'Notas', page: 'Página {page} de {count}' },
+    count: (count: number) => (count === 1 ? '1 plano' : `${count} planos`),
+    shot: (number: string) => `plano ${number}`,
+    up: (number: string) => `Subir o plano ${number}`,
+    down: (number: string) => `Descer o plano ${number}`,
+    help: 'Enter vai ao próximo plano, Tab ao próximo campo, Escape desiste do que foi digitado. Alt com as setas move um plano. As durações são segundos (2), segundos e quadros (2:12) ou quadros (36f). Células de uma planilha podem ser coladas.',
+    copy: 'Copiar a lista',
+    copied: 'A lista está na área de transferência, para uma planilha.',
+    newColumn: 'Nova coluna',
+    addColumn: 'Adicionar coluna',
+    removeColumn: (name: string) => `Remover a coluna ${name}`,
+    noLength: (text: string) =>
+      `“${text}” não é uma duração: escreva segundos (2), segundos e quadros (2:12) ou quadros (36f).`,
+    pasteLost: (count: number) =>
+      count === 1 ? '1 célula colada não achou lugar.' : `${count} células coladas não acharam lugar.`,
+    filmBoard: 'Storyboard de filme',
+    perSheet: 'Quadros por folha',
+    aspect: 'Proporção',
+    rate: 'Quadros por segundo',
+    beside: 'Texto ao lado dos quadros',
+    ruled: 'Folha de exercício: linhas para escrever',
+    author: 'Autoria',
+    date: 'Data',
+    saveAs: 'Salvar como',
+    saveBoard: 'Salvar o storyboard',
+    ways: { pdf: 'Storyboard, PDF', zip: 'Storyboard, arquivos PNG em um ZIP' },
+    importFile: 'Importar roteiro ou tabela',
+    tooLarge: (name: string) => `${name} é grande demais para um roteiro ou uma tabela.`,
+    nothingIn: (name: string) => `Nada em ${name} serve para os planos.`,
+    taken: (count: number, name: string) =>
+      count === 1 ? `${name}: 1 plano foi preenchido.` : `${name}: ${count} planos foram preenchidos.`,
+    left: (count: number, first: string) =>
+      count === 1
+        ? `1 linha não achou plano: “${first}”`
+        : `${count} linhas não acharam plano, a partir de “${first}”.`,
+    noSheets: (why: string) => `O storyboard não pôde ser montado: ${why}`,
+    missing: 'A parte do programa que mostra storyboards não pôde ser carregada. Tente de novo.',
+    sheet: (n: number, of: number) => `Folha ${n} de ${of}`,
+    listSaved: 'A lista de planos foi salva.',
+    listHelp: 'Todos os planos do álbum com o que é dito deles, na ordem do storyboard.',
+  },
+};
