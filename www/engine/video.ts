@@ -58,6 +58,7 @@ const BY_ELEMENT = ['film-codec', 'film-empty', 'film-cut'];
 
 /** @returns when all frames were dealt with */
 export async function readVideo(file: Blob, wish: Wish, listener: Listener): Promise<void> {
+  if (file.size === 0) throw failure('film-empty', 'The file is empty.');
   if ((await pictureEnds(file)).length > 0) {
     const worker = new Worker(new URL('./animation-worker.ts', import.meta.url), {
       type: 'module',

@@ -30,7 +30,8 @@ export function ActionButton({
   const help = now(action.help) ?? label;
   const why = action.why?.value;
   const told = shortcut ? `${help} (${keyNames(shortcut).join('+')})` : help;
-  const title = why ? `${told}: ${why}` : told;
+  // The end of a sentence makes no way for a reason.
+  const title = why ? `${told.replace(/[.。]$/u, '')}: ${why}` : told;
   return (
     <button
       type="button"

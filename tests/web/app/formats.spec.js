@@ -61,7 +61,7 @@ test('other pictures are taken of an animation, and one undo brings the old ones
   const before = await names();
   expect(before.length).toBe(4);
   await page.getByText(/^\d+ frames$/).click();
-  await page.getByRole('spinbutton', { name: 'Frames' }).fill('2');
+  await page.getByRole('slider', { name: 'Frames from the film' }).fill('2');
   await page.getByRole('button', { name: 'Take these frames' }).click();
   await expect(taken).toHaveCount(2);
   await idle(page);
