@@ -21,14 +21,15 @@ mod reopening;
 mod segments;
 mod telling;
 
+use clap::builder::PossibleValuesParser;
 use clap::error::ErrorKind;
 use clap::{CommandFactory, Parser, Subcommand};
 use inkpanel::document::shots::FRAMES;
 use inkpanel::framing::PhotoMeta;
-use inkpanel::layout::Template;
+use inkpanel::layout::{self, Template};
 use inkpanel::native::QUALITY;
 use inkpanel::page::import::{Imported, import};
-use inkpanel::page::request::Request;
+use inkpanel::page::request::{Families, Request};
 use inkpanel::page::storyboard::{self, Choice};
 use inkpanel::page::{Document, catalogue};
 use inkpanel::raster::Image;
@@ -259,9 +260,15 @@ struct Planned {
     /// Id of a page template, or a layout file.
     #[arg(long, value_name = "ID|FILE")]
     layout: Option<String>,
+    /// Family of layouts that chance keeps to, as `inkpanel layouts` names them; may be said again.
+    #[arg(long, value_name = "FAMILY", value_parser = layout_families(), conflicts_with = "layout")]
+    layout_family: Vec<String>,
     /// Id of a designed style, or a style file.
     #[arg(long, value_name = "ID|FILE")]
     style: Option<String>,
+    /// Family of styles that chance keeps to, such as ink or halftone; may be said again.
+    #[arg(long, value_name = "FAMILY", value_parser = PossibleValuesParser::new(inkpanel::style::catalogue::FAMILIES), conflicts_with = "style")]
+    style_family: Vec<String>,
     /// Seed of what is left to chance; 1 unless told.
     #[arg(long)]
     seed: Option<u32>,
@@ -302,6 +309,12 @@ struct Planned {
     /// Name of a photo that gets the large panel; may be said again.
     #[arg(long, value_name = "FILE")]
     star: Vec<PathBuf>,
+}
+
+/// The families that layouts are in; what people make and what is generated is no family to draw from.
+fn layout_families() -> PossibleValuesParser {
+    let has_layouts = |family: &&str| layout::catalogue().iter().any(|template| template.family() == *family);
+    layout::FAMILIES.into_iter().filter(has_layouts).collect::<Vec<_>>().into()
 }
 
 /// A sentence about what went wrong, for people.
@@ -490,6 +503,7 @@ fn plan_page(
         panels: render.panels,
         merge: Some(render.merge),
         figures: Some(render.figures),
+        within: Families { layouts: render.layout_family.clone(), styles: render.style_family.clone() },
         ..Request::default()
     };
     let mut pages = storyboard::pages(&request, render.pages.map(|pages| pages as usize))

@@ -34,7 +34,7 @@ use crate::page::layouts::{
     GenerateRequest, Geometry, LayoutChange, LayoutEntry, LayoutFacts, LayoutsRequest,
 };
 use crate::page::pdf::{Imposition, Options};
-use crate::page::request::{Avoid, Keep, Mode, Request, Taste};
+use crate::page::request::{Avoid, Families, Keep, Mode, Request, Taste};
 use crate::page::words::layout::WordBox;
 use crate::page::{Document, catalogue, layouts, request, shuffle};
 use crate::style::Style;
@@ -374,6 +374,7 @@ fn types() -> String {
         Mode,
         Taste,
         Avoid,
+        Families,
         request::Styling,
         PhotoMeta,
         crate::framing::energy::Hexadecimal,
@@ -543,7 +544,7 @@ fn written() -> String {
     let settings = serde_json::to_value(PageSettings::default()).unwrap();
     let photo = PhotoMeta { starred: true, ..PhotoMeta::unmeasured("p", 1600, 1200) };
     let photo = serde_json::to_value(photo).unwrap();
-    let wanted = json!({ "seed": 7, "photos": [photo], "page": settings, "current": null, "keep": { "layout": false }, "panels": 4, "mode": "photos", "merge": false, "taste": { "families": { "grid": 0.5 } }, "avoid": { "layouts": ["grid-4"] }, "styling": { "extra": [], "invented": 0.5 }, "surprise": 1 });
+    let wanted = json!({ "seed": 7, "photos": [photo], "page": settings, "current": null, "keep": { "layout": false }, "panels": 4, "mode": "photos", "merge": false, "taste": { "families": { "grid": 0.5 } }, "avoid": { "layouts": ["grid-4"] }, "within": { "layouts": ["grid"], "styles": ["ink"] }, "styling": { "extra": [], "invented": 0.5 }, "surprise": 1 });
     let planned = shuffle::plan(&serde_json::from_value(wanted.clone()).unwrap()).unwrap();
     let mut page: Value = serde_json::from_str(&planned.to_json()).unwrap();
     page["words"] = json!([{ "kind": "balloon", "text": "Hi", "shape": "shout", "panel": 0, "x": 0.5, "y": 0.25, "width": 0.25, "size": "auto", "tail": { "x": 0.5, "y": 0.5 }, "font": "bangers", "color": "#111111", "fill": "#ffffff", "angle": 5, "arc": 0.5, "auto": true, "craft": 2, "boxless": false, "capitals": true, "slant": 5, "outline": 0.1, "behind": false, "id": "b", "joined": "a", "language": "en", "vertical": false, "room": [0.5, 0.25], "photo": "a", "cue": "1.000/0" }]);

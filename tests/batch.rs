@@ -413,3 +413,42 @@ fn a_project_and_a_page_with_its_project_open_again_as_they_were() {
     let wrong = render(folder.path(), &["-o", "x.jpg", "--embed", "project", "album"]);
     assert!(text(&wrong.stderr).contains("only a PNG carries its project"));
 }
+
+#[test]
+fn families_of_layouts_and_styles_are_kept_to() {
+    let folder = folder();
+    for seed in ["1", "2", "3"] {
+        let asked = [
+            "render",
+            "--layout-family",
+            "slanted",
+            "--style-family",
+            "woodcut",
+            "--style-family",
+            "ink",
+            "--seed",
+            seed,
+            "--no-detect",
+            "--keep-all",
+            "--json",
+            "good.jpg",
+            "tiles.tif",
+        ];
+        let output = inkpanel(folder.path(), &asked);
+        assert_eq!(output.status.code(), Some(0), "{}", text(&output.stderr));
+        let plan: serde_json::Value = serde_json::from_slice(&output.stdout).unwrap();
+        let id =
+            |value: &serde_json::Value| value.as_str().or_else(|| value["id"].as_str()).unwrap().to_owned();
+        let page = &plan["pages"][0];
+        let layout = inkpanel::layout::find(&id(&page["layout"])).unwrap();
+        assert_eq!(layout.family(), "slanted");
+        let style = inkpanel::style::catalogue::find(&id(&page["style"])).unwrap();
+        assert!(["woodcut", "ink"].contains(&&*style.tags[0]), "{}", style.tags[0]);
+    }
+    for wrong in [&["--layout-family", "spiral"][..], &["--style-family", "ink", "--style", "noir"]] {
+        let output =
+            inkpanel(folder.path(), &[&["render", "-o", "page.png", "good.jpg"][..], wrong].concat());
+        assert_eq!(output.status.code(), Some(2), "{}", text(&output.stderr));
+        assert!(!folder.path().join("page.png").exists());
+    }
+}

@@ -64,6 +64,10 @@ pub struct Request {
     #[serde(default)]
     #[cfg_attr(all(test, feature = "cli"), ts(as = "Option<_>", optional))]
     pub taste: Taste,
+    /// Families that chance keeps to.
+    #[serde(default)]
+    #[cfg_attr(all(test, feature = "cli"), ts(as = "Option<_>", optional))]
+    pub within: Families,
     /// What was shown just now and is not to come again at once, beside what the current page has.
     #[serde(default)]
     #[cfg_attr(all(test, feature = "cli"), ts(as = "Option<_>", optional))]
@@ -71,6 +75,20 @@ pub struct Request {
     /// How bold the draw is: 1 as usual, more to be surprised more, 0 for the best that was found.
     #[serde(default)]
     pub surprise: Option<f64>,
+}
+
+/// Families that chance keeps to, any where a list is empty: of layouts, [`FAMILIES`](crate::layout::FAMILIES), and of styles,
+/// [`FAMILIES`](crate::style::catalogue::FAMILIES). What is asked for by id is not held to them.
+#[derive(Debug, Clone, Default, PartialEq, Deserialize)]
+#[serde(default)]
+#[cfg_attr(all(test, feature = "cli"), derive(ts_rs::TS))]
+pub struct Families {
+    /// Of layouts.
+    #[cfg_attr(all(test, feature = "cli"), ts(as = "Option<_>", optional))]
+    pub layouts: Vec<String>,
+    /// Of styles.
+    #[cfg_attr(all(test, feature = "cli"), ts(as = "Option<_>", optional))]
+    pub styles: Vec<String>,
 }
 
 /// Layouts and styles that were shown just now, by id.

@@ -117,6 +117,7 @@ fn stages(request: &Request, random: &mut Rand64) -> Result<Vec<Stage>> {
         panels: request.panels,
         photos: request.photos.len(),
         shown: &shown,
+        families: &request.within.layouts,
         taste: &request.taste,
     };
     let mut stages = Vec::new();

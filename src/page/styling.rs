@@ -94,15 +94,22 @@ fn draw(request: &Request, current: Option<&Value>, page: &Shown, random: &mut R
     }
     // The first page of a visit is to be liked at once.
     let first = current.is_none();
-    let designed = catalogue::catalogue()
-        .iter()
-        .filter(|style| !lines_only || style.foreground.is_some())
-        .filter(|style| !first || tones::is_among_best(&style.id))
-        .map(|style| {
-            let weight =
-                tones::weight(style, page, &request.taste) * if shown(&style.id) { 0.0 } else { 1.0 };
-            (weight, Value::String(style.id.clone()))
-        });
+    let families = &request.within.styles;
+    let within = |style: &Style| {
+        families.is_empty() || style.tags.first().is_some_and(|family| families.contains(family))
+    };
+    let designed =
+        catalogue::catalogue()
+            .iter()
+            .filter(|style| !lines_only || style.foreground.is_some())
+            .filter(|style| {
+                if families.is_empty() { !first || tones::is_among_best(&style.id) } else { within(style) }
+            })
+            .map(|style| {
+                let weight =
+                    tones::weight(style, page, &request.taste) * if shown(&style.id) { 0.0 } else { 1.0 };
+                (weight, Value::String(style.id.clone()))
+            });
     let extra =
         wish.extra.iter().filter(|style| !lines_only || style.get("foreground").is_some()).map(|style| {
             let id = style["id"].as_str().unwrap_or_default();
@@ -176,6 +183,21 @@ mod tests {
         let invented = drawn(0.5).iter().filter(|style| style.is_object() && **style != own).count();
         assert!((150..250).contains(&invented), "{invented} of 400");
         assert!(drawn(1.0).iter().all(Value::is_object));
+    }
+
+    #[test]
+    fn families_that_are_asked_for_are_kept_to() {
+        for family in ["ink", "watercolour"] {
+            for seed in 0..40 {
+                let mut asked = request(seed, Styling::default());
+                asked.within.styles = vec![family.to_owned()];
+                let style = plan(&asked).unwrap().style;
+                assert_eq!(style_of(&style).unwrap().tags[0], family);
+            }
+        }
+        let mut none = request(1, Styling::default());
+        none.within.styles = vec!["nothing of the kind".to_owned()];
+        assert!(plan(&none).is_err());
     }
 
     #[test]

@@ -69,6 +69,8 @@ pub struct Wanted<'a> {
     pub photos: usize,
     /// Layouts that were shown just now.
     pub shown: &'a [&'a str],
+    /// Families to keep to; any where there is none.
+    pub families: &'a [String],
     /// What the person liked.
     pub taste: &'a Taste,
 }
@@ -86,9 +88,15 @@ pub struct Drawn {
 /// back). Each family's weight is shared by its templates, or families with many would take all.
 #[must_use]
 pub fn draw(wanted: &Wanted, random: &mut Rand64) -> Vec<Drawn> {
-    let good = layout::good_for(wanted.aspect);
+    let within = |template: &&'static Template| {
+        wanted.families.is_empty() || wanted.families.iter().any(|family| family == template.family())
+    };
+    let mut good = layout::good_for(wanted.aspect);
+    good.retain(within);
     // Every page has at least one template; where none is good the whole list is still better than nothing.
-    let good = if good.is_empty() { layout::catalogue().iter().collect() } else { good };
+    if good.is_empty() {
+        good = layout::catalogue().iter().filter(within).collect();
+    }
     let mut fitting: Vec<&'static Template> = match wanted.panels {
         Some(panels) => nearest(&good, panels),
         None => usual(&good, wanted.photos),
@@ -149,7 +157,7 @@ mod tests {
     use super::*;
 
     fn wanted(taste: &Taste) -> Wanted<'_> {
-        Wanted { aspect: 0.707, panels: None, photos: 12, shown: &[], taste }
+        Wanted { aspect: 0.707, panels: None, photos: 12, shown: &[], families: &[], taste }
     }
 
     fn times(taste: &Taste, family: &str) -> usize {
@@ -182,6 +190,17 @@ mod tests {
         liking.families[0].1 = f64::NAN;
         assert_eq!(times(&liking, "columns"), before);
         assert!(times(&Taste::default(), "grid") > 0);
+    }
+
+    #[test]
+    fn families_that_are_asked_for_are_kept_to() {
+        let (taste, families) = (Taste::default(), ["manga".to_owned(), "strip".to_owned()]);
+        for aspect in [0.707, 1.0, 1.414] {
+            let wanted = Wanted { aspect, families: &families, ..wanted(&taste) };
+            let drawn = draw(&wanted, &mut Rand64::new(5));
+            assert!(!drawn.is_empty());
+            assert!(drawn.iter().all(|drawn| ["manga", "strip"].contains(&drawn.template.family())));
+        }
     }
 
     #[test]

@@ -774,6 +774,8 @@ export type Request = {
   figures?: boolean | null,
   /** What the person liked so far. */
   taste?: Taste,
+  /** Families that chance keeps to. */
+  within?: Families,
   /** What was shown just now and is not to come again at once, beside what the current page has. */
   avoid?: Avoid,
   /** How bold the draw is: 1 as usual, more to be surprised more, 0 for the best that was found. */
@@ -809,6 +811,17 @@ export type Avoid = {
   /** Layouts. */
   layouts?: ReadonlyArray<string>,
   /** Styles. */
+  styles?: ReadonlyArray<string>,
+};
+
+/**
+ * Families that chance keeps to, any where a list is empty: of layouts, `FAMILIES`(crate::layout::FAMILIES), and of styles,
+ * `FAMILIES`(crate::style::catalogue::FAMILIES). What is asked for by id is not held to them.
+ */
+export type Families = {
+  /** Of layouts. */
+  layouts?: ReadonlyArray<string>,
+  /** Of styles. */
   styles?: ReadonlyArray<string>,
 };
 
