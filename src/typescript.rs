@@ -533,7 +533,7 @@ fn draft_edits() -> Vec<Value> {
         { "type": "remove", "layer": "foreground", "at": 0 },
         { "type": "set", "layer": "foreground", "at": 0, "param": "levels", "value": 3 },
         { "type": "where", "layer": "foreground", "at": 0, "part": "subject" },
-        { "type": "layer-where", "layer": "background", "part": null },
+        { "type": "layer-where", "layer": "background", "part": "background" },
         { "type": "reset", "layer": "foreground", "at": 0 },
         { "type": "bypass", "layer": "foreground", "at": 0, "on": true },
         { "type": "name", "name": "One" },
