@@ -564,6 +564,29 @@ mod tests {
     }
 
     #[test]
+    fn a_block_and_a_layer_are_for_a_part_of_the_picture() {
+        let subject = Some(Part::Subject);
+        let draft = made(&["to_gray", "saturation"]);
+        assert_eq!(misfits(&draft.background)[1], Some(Misfit::Color));
+        // Gray in one part leaves colours in the other.
+        let parted = draft.after(&DraftEdit::Where { place: back(0), part: subject }).unwrap();
+        assert_eq!(misfits(&parted.background), [None, None]);
+        assert_eq!(parted.after(&DraftEdit::Where { place: back(0), part: subject }), None);
+        let lines = DraftEdit::LayerWhere { layer: Layer::Foreground, part: Some(Part::Background) };
+        let parted = parted.after(&lines).unwrap();
+        assert_eq!(parted.after(&lines), None);
+        let file = parted.style(false);
+        assert_eq!(file["background"][0]["where"], "subject");
+        assert_eq!(file["where"], json!({ "foreground": "background" }));
+        let style = Style::from_value("x", &file).unwrap();
+        assert_eq!(Draft::of(&style).style(false), file);
+        let kept = json::parse(&written(&parted), PROJECT).and_then(Draft::read).unwrap();
+        assert_eq!(*kept, parted);
+        let undone = parted.after(&DraftEdit::LayerWhere { layer: Layer::Foreground, part: None }).unwrap();
+        assert!(undone.style(false).get("where").is_none());
+    }
+
+    #[test]
     fn it_is_built_ordered_and_taken_apart_and_its_cards_keep_their_keys() {
         let draft = made(&["gaussian", "to_gray", "pattern"]);
         let keys: Vec<_> = draft.background.iter().map(|step| step.key).collect();

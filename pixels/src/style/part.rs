@@ -183,11 +183,11 @@ mod tests {
 
     #[test]
     fn a_block_changes_its_part_alone() {
-        let inverted = r#"{"block":"posterize","levels":2"#;
-        let whole = drawn(&format!(r#"{{"background":[{inverted}}}]}}"#), None);
+        let two = r#"{"block":"posterize","levels":2"#;
+        let whole = drawn(&format!(r#"{{"background":[{two}}}]}}"#), None);
         let plain = photo().to_rgb();
         for (part, right) in [("subject", false), ("background", true)] {
-            let json = format!(r#"{{"background":[{inverted},"where":"{part}"}}]}}"#);
+            let json = format!(r#"{{"background":[{two},"where":"{part}"}}]}}"#);
             let rgb = drawn(&json, Some(half()));
             assert_eq!(side(&rgb, right), side(&whole, right), "{part}");
             assert_eq!(side(&rgb, !right), side(&plain, !right), "{part}");
