@@ -90,7 +90,7 @@ fn layered(
     let mut lines = chain::run(foreground, image, context)?;
     context.check_cancelled()?;
     if let Some(part) = style.parts.foreground {
-        lines = part::lines_in(lines, part, context);
+        lines = part::lines_in(&lines, part, context);
     }
     Ok(chain::lay_ink(background, &lines, style.ink))
 }

@@ -119,9 +119,9 @@ pub(in crate::style) fn mixed(before: Image, after: Image, part: Part, context: 
 }
 
 /// Lines that are white outside of their part.
-pub(in crate::style) fn lines_in(lines: Image, part: Part, context: &Context<'_>) -> Image {
+pub(in crate::style) fn lines_in(lines: &Image, part: Part, context: &Context<'_>) -> Image {
     let none = Image::from_luma(Plane::filled(lines.width(), lines.height(), 255));
-    mixed(none, Image::from_luma(luma_plane(&lines)), part, context)
+    mixed(none, Image::from_luma(luma_plane(lines)), part, context)
 }
 
 /// Gray as three equal channels.

@@ -126,7 +126,7 @@ impl Stages {
         }
         let mut lines = whole(Layer::Foreground);
         if let Some(part) = style.parts.foreground {
-            lines = part::lines_in(lines, part, &context);
+            lines = part::lines_in(&lines, part, &context);
         }
         lay_ink(background, &lines, style.ink)
     }
