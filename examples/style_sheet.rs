@@ -7,6 +7,9 @@
 //!     cargo run --release --example style_sheet -- -o try.png --cell 400 --across 4 --styles try.json,noir
 //!
 //! A style is drawn on a panel of 400 pixels, as on a page on the screen; `--panel 1920` draws as for print.
+//! Styles with something for the subject alone take it from `--masks DIR`, a folder that `inkpanel segment` filled; without it all
+//! of a photo is the subject.
+//!
 //! Photos may be named too; `photo.jpg@dark` shows one as if taken in that light, see [`LIGHTS`].
 
 #[path = "sheets/file.rs"]
@@ -21,10 +24,11 @@ use std::fs;
 use std::path::Path;
 
 use file::save;
-use inkpanel::raster::Image;
 use inkpanel::raster::decode::{Limits, decode};
 use inkpanel::raster::resize::{Region, resample_image};
+use inkpanel::raster::{Image, Matte};
 use inkpanel::style::catalogue::{by_family, find};
+use inkpanel::style::part::subject_in;
 use inkpanel::style::{Context, Style, stylize};
 use picture::paste;
 use tiny_skia::{Color, Pixmap};
@@ -61,6 +65,8 @@ fn main() -> Outcome<()> {
     let options = Options::read(std::env::args().skip(1))?;
     let photos: Vec<Image> =
         options.photos.iter().map(|name| photo(name, options.panel)).collect::<Outcome<_>>()?;
+    let subjects: Vec<Option<Matte>> =
+        options.photos.iter().map(|name| mask(&options, name)).collect::<Outcome<_>>()?;
     let (width, height) = (options.cell, options.cell * 3 / 4);
     let across = options.across.min(photos.len() as u32).max(1);
     let strip = (photos.len() as u32).div_ceil(across) * height + LINE;
@@ -71,7 +77,12 @@ fn main() -> Outcome<()> {
         let top = row as u32 * strip;
         font::write(&mut sheet, &format!("{} - {}", style.tags.join(" "), style.id), 4, top + 3);
         for (i, photo) in photos.iter().enumerate() {
-            let drawn = stylize(photo, style, &mut Context::for_image(photo))?;
+            let mut context = Context::for_image(photo);
+            let size = (photo.width(), photo.height());
+            context.show_subject(subjects[i].as_ref().and_then(|matte| {
+                subject_in(matte, Region::whole(size.0, size.1), size, (photo, context.scale()))
+            }));
+            let drawn = stylize(photo, style, &mut context)?;
             let whole = Region::whole(drawn.width(), drawn.height());
             let cell = resample_image(&drawn, whole, width as usize, height as usize);
             let (column, line) = (i as u32 % across, i as u32 / across);
@@ -81,12 +92,24 @@ fn main() -> Outcome<()> {
     save(&sheet, Path::new(&options.out), QUALITY)
 }
 
+/// Which part of a photo is its subject, cut as the photo is.
+fn mask(options: &Options, name: &str) -> Outcome<Option<Matte>> {
+    let Some(folder) = &options.masks else { return Ok(None) };
+    let path = Path::new(name.split('@').next().unwrap_or(name));
+    let file =
+        Path::new(folder).join(path.with_extension("png").file_name().ok_or("a photo without a name")?);
+    let shares = photo(&file.to_string_lossy(), options.panel)?.into_parts().0.swap_remove(0);
+    let size = (shares.width(), shares.height());
+    Ok(Some(Matte::new(&shares, size)))
+}
+
 struct Options {
     out: String,
     /// Pixels across in which styles are drawn; cells of the sheet are made from these.
     panel: usize,
     cell: u32,
     across: u32,
+    masks: Option<String>,
     styles: Vec<Style>,
     photos: Vec<String>,
 }
@@ -98,6 +121,7 @@ impl Options {
             panel: 400,
             cell: 80,
             across: PHOTOS.len() as u32,
+            masks: None,
             styles: by_family().into_iter().cloned().collect(),
             photos: Vec::new(),
         };
@@ -108,6 +132,7 @@ impl Options {
                 "--panel" => options.panel = value()?.parse()?,
                 "--cell" => options.cell = value()?.parse()?,
                 "--across" => options.across = value()?.parse()?,
+                "--masks" => options.masks = Some(value()?),
                 "--styles" => options.styles = value()?.split(',').map(style).collect::<Outcome<_>>()?,
                 _ => options.photos.push(word),
             }

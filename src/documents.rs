@@ -1,6 +1,7 @@
 //! Pages as plain data on the command line: written with the names of their photos, and drawn again.
 
 use crate::destination::{Output, write};
+use crate::segments::Masks;
 use crate::{Complaint, How, check_strict, decode_file, done, drawing, name, plans, reading};
 use inkpanel::document::sheets::photos_on;
 use inkpanel::page::Document;
@@ -61,7 +62,8 @@ pub(crate) fn draw(file: &Path, files: &[PathBuf], output: &Output, how: &How) -
     }
     let full = |id: &str| paths.get(id).map(|path| decode_file(path)).transpose();
     let fonts = how.printing.fonts()?;
-    let means = how.printing.means(&full, &fonts);
+    let masks = Masks::default();
+    let means = how.printing.means(&full, &fonts, &masks);
     drawing::tell_missing(&pages, &fonts)?;
     check_strict(how)?;
     let printed: drawing::Printed<'_> = (&how.printing, &|_| &[]);

@@ -2,6 +2,7 @@
 
 use crate::album::{self, is_standard};
 use crate::destination::{Output, write};
+use crate::segments::Masks;
 use crate::{Complaint, reading, telling};
 use inkpanel::Error;
 use inkpanel::framing::Subject;
@@ -103,6 +104,7 @@ pub(crate) type Photos<'p> = dyn Fn(&str) -> Result<Option<Image>, Complaint> + 
 pub(crate) struct Means<'p> {
     pub(crate) photos: &'p Photos<'p>,
     pub(crate) fonts: &'p GivenFonts,
+    pub(crate) masks: &'p Masks,
     /// Of JPEG, from 1 to 100.
     pub(crate) quality: u8,
     /// Whether coarse photos are enlarged well.
@@ -111,11 +113,12 @@ pub(crate) struct Means<'p> {
 
 /// A page as it is drawn, with its photos. Each panel whose photo is enlarged is told.
 fn prepared(document: &Document, means: &Means<'_>) -> Result<(Document, native::Photos), Complaint> {
-    let photos = decoded(document, means.photos)?;
+    let photos = decoded(document, means)?;
     let mut page = document.clone();
     if means.enlarges {
         page.page.enlarge = true;
-        let size = |id: &str| photos.get(id).map(|photo| (photo.width() as u32, photo.height() as u32));
+        let size =
+            |id: &str| photos.get(id).map(|photo| (photo.image.width() as u32, photo.image.height() as u32));
         for (panel, dpi) in native::coarse(&page, &size).map_err(|error| error.to_string())? {
             let event = json!({ "event": "enlarged", "panel": panel + 1, "dpi": dpi });
             telling::step(&event, Some(format!("panel {}: enlarged from {dpi} dpi", panel + 1)));
@@ -260,8 +263,13 @@ impl Printing {
     }
 
     /// What pages are drawn with.
-    pub(crate) fn means<'m>(&self, photos: &'m Photos<'m>, fonts: &'m GivenFonts) -> Means<'m> {
-        Means { photos, fonts, quality: self.quality(), enlarges: self.enlarge }
+    pub(crate) fn means<'m>(
+        &self,
+        photos: &'m Photos<'m>,
+        fonts: &'m GivenFonts,
+        masks: &'m Masks,
+    ) -> Means<'m> {
+        Means { photos, fonts, masks, quality: self.quality(), enlarges: self.enlarge }
     }
 
     /// The quality that is asked for.
@@ -381,7 +389,15 @@ fn leaf(
 }
 
 /// The photos that a page shows, as far as they are there, decoded side by side.
-fn decoded(document: &Document, photos: &Photos<'_>) -> Result<native::Photos, Complaint> {
+fn decoded(document: &Document, means: &Means<'_>) -> Result<native::Photos, Complaint> {
     let wanted = native::photos_of(document).map_err(|error| error.to_string())?;
-    wanted.into_par_iter().filter_map(|id| photos(&id).transpose().map(|image| Ok((id, image?)))).collect()
+    let has_parts = document.style().map_err(|error| error.to_string())?.has_parts();
+    let read = |id: String| {
+        let image = (means.photos)(&id).transpose()?;
+        Some(image.map(|image| {
+            let subject = if has_parts { means.masks.of(&id, &image) } else { None };
+            (id, native::Photo { image, subject })
+        }))
+    };
+    wanted.into_par_iter().filter_map(read).collect()
 }

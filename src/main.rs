@@ -34,7 +34,9 @@ use inkpanel::page::storyboard::{self, Choice};
 use inkpanel::page::{Document, catalogue};
 use inkpanel::raster::Image;
 use inkpanel::raster::decode::{Limits, decode_fit};
+use inkpanel::raster::resize::Region;
 use inkpanel::select::{self, Measures};
+use inkpanel::style::part::subject_in;
 use inkpanel::style::{Context, Style, stylize};
 use inkpanel::{Error, style};
 use rayon::prelude::*;
@@ -521,7 +523,10 @@ fn plan_page(
     let paths: HashMap<&str, &Path> =
         photos.iter().map(|(path, photo)| (photo.meta.id.as_str(), path.as_path())).collect();
     let full = |id: &str| paths.get(id).map(|path| decode_file(path)).transpose();
-    let means = how.printing.means(&full, &fonts);
+    let masks =
+        photos.iter().filter_map(|(_, photo)| Some((photo.meta.id.clone(), photo.meta.mask.clone()?)));
+    let masks = segments::Masks::new(masks.collect(), render.models.as_deref());
+    let means = how.printing.means(&full, &fonts, &masks);
     let album = projects::Album {
         name: album_name.to_owned(),
         pages: &drawn,
@@ -625,6 +630,17 @@ fn stylize_photo(style: &str, input: &Path, output: &Path, format: Option<&str>)
     let style = read_style(style)?;
     let image = decode_file(input)?;
     let mut context = Context::for_image(&image);
+    if style.has_parts()
+        && let Some(matte) = segments::Masks::default().of("", &image)
+    {
+        let size = (image.width(), image.height());
+        context.show_subject(subject_in(
+            &matte,
+            Region::whole(size.0, size.1),
+            size,
+            (&image, context.scale()),
+        ));
+    }
     let drawn = stylize(&image, &style, &mut context).map_err(|error| error.to_string())?;
     let size = (drawn.width(), drawn.height());
     output.write(&drawing::encoded(kind, size, &drawn.to_rgb(), (96, QUALITY))?)

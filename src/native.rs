@@ -9,7 +9,7 @@ use crate::page::plates::Separation;
 use crate::page::words::draw as word_drawing;
 use crate::page::words::given::GivenFonts;
 use crate::page::{Document, Patch, Scene, compose};
-use crate::raster::Image;
+use crate::raster::{Image, Matte};
 use crate::style::Context;
 use rayon::prelude::*;
 use std::collections::{BTreeSet, HashMap};
@@ -18,8 +18,22 @@ use std::ops::Range;
 /// Of JPEG files and of the pictures in PDF files, unless told.
 pub const QUALITY: u8 = 90;
 
-/// Photos at their full size, by their ids.
-pub type Photos = HashMap<String, Image>;
+/// A photo as pages are drawn with it.
+pub struct Photo {
+    /// At its full size.
+    pub image: Image,
+    /// Which part of it is its subject, where that is known.
+    pub subject: Option<Matte>,
+}
+
+/// Photos by their ids.
+pub type Photos = HashMap<String, Photo>;
+
+impl From<Image> for Photo {
+    fn from(image: Image) -> Self {
+        Self { image, subject: None }
+    }
+}
 
 /// The ids of the photos that a page shows.
 ///
@@ -102,10 +116,11 @@ pub fn coarse(document: &Document, size: &dyn Fn(&str) -> Option<(u32, u32)>) ->
 
 /// Some of the panels of a document in their order, behind which are its figures.
 fn render(document: &Document, photos: &Photos, which: Range<usize>) -> Result<Vec<Patch>> {
-    let scene = Scene::new(document, document.page.width as usize)?;
+    let mut scene = Scene::new(document, document.page.width as usize)?;
+    scene.show_subjects(&|id| photos.get(id)?.subject.clone());
     let render = |index: usize| {
         let photo = scene.panels[index].photo.as_deref().and_then(|id| photos.get(id));
-        compose::render_panel(&scene, index, photo, &mut Context::default())
+        compose::render_panel(&scene, index, photo.map(|photo| &photo.image), &mut Context::default())
     };
     (which.start..which.end.min(scene.panels.len())).into_par_iter().map(render).collect()
 }

@@ -3,6 +3,7 @@
 use crate::album::{self, told};
 use crate::destination::Output;
 use crate::drawing::{self, Kind};
+use crate::segments::Masks;
 use crate::{Complaint, How, boards, plans, reading, survived};
 use inkpanel::document::file::FilePhoto;
 use inkpanel::document::saved::Saved;
@@ -83,7 +84,10 @@ fn drawn(
     };
     let found = |id: &str| known.get(id).map_or(&[][..], Vec::as_slice);
     let fonts = printing.fonts()?;
-    let means = printing.means(&photos, &fonts);
+    let masks =
+        saved.project().photos.iter().filter_map(|photo| Some((photo.id.clone(), photo.mask.clone()?)));
+    let masks = Masks::new(masks.collect(), None);
+    let means = printing.means(&photos, &fonts, &masks);
     drawing::tell_missing(&wanted, &fonts)?;
     match kind {
         Kind::Comic(comic) => {

@@ -1,12 +1,14 @@
 //! Subjects cut out for the command line: a mask a photo, as large as the photo.
 
-use std::collections::HashSet;
+use std::collections::{HashMap, HashSet};
 use std::path::{Path, PathBuf};
+use std::sync::OnceLock;
 
 use inkpanel::detect::Segmenter;
 use inkpanel::page::cutout::full_mask;
 use inkpanel::page::import::Imported;
 use inkpanel::page::png;
+use inkpanel::raster::{Image, Matte};
 use rayon::prelude::*;
 use serde_json::{Value, json};
 
@@ -57,6 +59,38 @@ pub(crate) fn add_masks(photos: &mut [(PathBuf, Imported)], models: Option<&Path
         Err(error) => telling::note(Some(&album::told(path)), &error.to_string()),
     });
     Ok(())
+}
+
+/// The subjects of photos that are drawn in a style which asks for them: as far as they are known, by their ids; others are
+/// found by the net, which is loaded with the first. Without the net all of a photo is its subject, which is told once.
+#[derive(Default)]
+pub(crate) struct Masks {
+    pub(crate) known: HashMap<String, Matte>,
+    pub(crate) models: Option<PathBuf>,
+    net: OnceLock<Option<Segmenter>>,
+}
+
+impl Masks {
+    /// Looks for the net in a folder, where one is told.
+    pub(crate) fn new(known: HashMap<String, Matte>, models: Option<&Path>) -> Self {
+        Self { known, models: models.map(Path::to_path_buf), net: OnceLock::new() }
+    }
+
+    /// The subject of a photo, at any size of at least 320 pixels.
+    pub(crate) fn of(&self, id: &str, photo: &Image) -> Option<Matte> {
+        if let Some(known) = self.known.get(id) {
+            return Some(known.clone());
+        }
+        let load = || match detectors::load_segmenter(self.models.as_deref()) {
+            Ok(net) => Some(net),
+            Err(why) => {
+                telling::note(None, &format!("{why}; all of a photo counts as its subject"));
+                None
+            }
+        };
+        let looked = self.net.get_or_init(load).as_ref()?.look(photo);
+        looked.map_err(|error| telling::note(None, &error.to_string())).ok()
+    }
 }
 
 /// `DIR/NAME.png` for each photo; where two have one name, the later has a number.

@@ -40,6 +40,7 @@ use crate::page::{Document, catalogue, layouts, request, shuffle};
 use crate::style::Style;
 use crate::style::blocks::Channels;
 use crate::style::file::Step;
+use crate::style::part::{Part as StylePart, Parts as LayerParts};
 use serde::Deserialize;
 use serde_json::{Value, json};
 use std::collections::HashMap;
@@ -383,6 +384,8 @@ fn types() -> String {
         ParamEntry,
         ParamKind,
         Channels,
+        StylePart,
+        LayerParts,
         Descriptor<'static>,
         LayoutPanel<'static>,
         Outline<'static>,
@@ -530,6 +533,8 @@ fn draft_edits() -> Vec<Value> {
         { "type": "duplicate", "layer": "foreground", "at": 0 },
         { "type": "remove", "layer": "foreground", "at": 0 },
         { "type": "set", "layer": "foreground", "at": 0, "param": "levels", "value": 3 },
+        { "type": "where", "layer": "foreground", "at": 0, "part": "subject" },
+        { "type": "layer-where", "layer": "background", "part": "background" },
         { "type": "reset", "layer": "foreground", "at": 0 },
         { "type": "bypass", "layer": "foreground", "at": 0, "on": true },
         { "type": "name", "name": "One" },

@@ -31,6 +31,8 @@ use crate::page::{Scene, catalogue, png};
 use crate::raster::decode::{Limits, decode};
 use crate::raster::resize::{Region, resample_image};
 use crate::raster::{Image, Matte, Plane};
+use crate::style::context::scale_of;
+use crate::style::part::subject_in;
 use crate::style::{Context, Style, earlier, stylize};
 use crate::wasm_error::thrown;
 use serde::Serialize;
@@ -151,6 +153,7 @@ impl Patch {
 #[derive(Default)]
 pub struct Studio {
     photos: HashMap<String, Image>,
+    subjects: HashMap<String, Matte>,
     context: Context<'static>,
     sheet: Option<(Sheet, u32)>,
     file: Vec<u8>,
@@ -205,6 +208,20 @@ impl Studio {
         cut.transpose().map_err(thrown)
     }
 
+    /// Tells which part of a photo is its subject: a mask as text, or nothing where that is not known. Styles that are for a
+    /// part of the picture ask for it.
+    pub fn know_subject(&mut self, key: &str, mask: Option<String>) {
+        let mask = mask.and_then(|mask| Matte::try_from(mask).ok());
+        if self.subjects.get(key) == mask.as_ref() {
+            return;
+        }
+        self.designs.forget(key);
+        match mask {
+            Some(mask) => drop(self.subjects.insert(key.to_owned(), mask)),
+            None => drop(self.subjects.remove(key)),
+        }
+    }
+
     /// Whether a photo is here.
     #[must_use]
     pub fn has_photo(&self, key: &str) -> bool {
@@ -214,6 +231,7 @@ impl Studio {
     /// Lets a photo go.
     pub fn drop_photo(&mut self, key: &str) {
         self.photos.remove(key);
+        self.subjects.remove(key);
     }
 
     /// Bytes of all photos here.
@@ -231,7 +249,7 @@ impl Studio {
         tier: &str,
     ) -> std::result::Result<Patch, JsValue> {
         let mut render = || -> Result<Patch> {
-            let scene = Scene::new(&Document::parse(document)?, width)?;
+            let scene = self.scene(document, width, tier)?;
             let id = scene.panels.get(index).and_then(|panel| panel.photo.as_ref());
             let photo = id.map(|id| find(&self.photos, id, tier)).transpose()?;
             let patch = render_panel(&scene, index, photo, &mut self.context)?;
@@ -248,7 +266,7 @@ impl Studio {
         tier: &str,
     ) -> std::result::Result<Patch, JsValue> {
         let mut render = || -> Result<Patch> {
-            let scene = Scene::new(&Document::parse(document)?, width)?;
+            let scene = self.scene(document, width, tier)?;
             let sheet = compose(&scene, |id| find(&self.photos, id, tier).ok(), &mut self.context)?;
             Ok(Patch::whole(sheet.width(), sheet.height(), sheet.to_rgba()))
         };
@@ -275,7 +293,10 @@ impl Studio {
             }
             let image = resample_image(photo, region, width.max(1), height.max(1));
             self.context.fit_scale(&image);
-            let rgba = stylize(&image, &style_of(style)?, &mut self.context)?.to_rgba();
+            let style = style_of(style)?;
+            let subject = self.subject_in(key, region, &image, &style);
+            self.context.show_subject(subject);
+            let rgba = stylize(&image, &style, &mut self.context)?.to_rgba();
             Ok(Patch::whole(image.width(), image.height(), rgba))
         };
         render().map_err(thrown)
@@ -340,6 +361,20 @@ impl Studio {
         self.photos.insert(format!("{}/work", photo.meta.id), photo.work);
         self.photos.insert(format!("{}/small", photo.meta.id), photo.small);
         Ok(facts)
+    }
+
+    /// A page with the subjects of its photos.
+    fn scene(&self, document: &str, width: usize, tier: &str) -> Result<Scene> {
+        let mut scene = Scene::new(&Document::parse(document)?, width)?;
+        scene.show_subjects(&|id| self.subjects.get(&format!("{id}/{tier}")).cloned());
+        Ok(scene)
+    }
+
+    /// The subject of a photo in a picture of a region of it, where it is known and the style asks for it.
+    fn subject_in(&self, key: &str, region: Region, picture: &Image, style: &Style) -> Option<Plane> {
+        let (photo, matte) = (self.photos.get(key)?, self.subjects.get(key).filter(|_| style.has_parts())?);
+        let scale = scale_of(picture.width() as f64 * picture.height() as f64);
+        subject_in(matte, region, (photo.width(), photo.height()), (picture, scale))
     }
 
     fn photo(&self, key: &str) -> Result<&Image> {

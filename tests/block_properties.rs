@@ -54,7 +54,7 @@ fn settings(block: &Block) -> Vec<Vec<f32>> {
 }
 
 fn run(block: &'static Block, values: &[f32], image: &Image, context: &mut Context<'_>) -> Image {
-    let step = Step { block, values: values.to_vec(), texture: None, bypass: false };
+    let step = Step { block, values: values.to_vec(), texture: None, bypass: false, part: None };
     chain::run_owned(&[step], image.clone(), context).unwrap()
 }
 

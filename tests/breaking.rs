@@ -179,7 +179,7 @@ fn without_its_figure_a_page_differs_outside_of_the_panel_alone() {
 fn a_pdf_file_has_the_figure_with_its_own_mask() {
     let (page, own, photos) = example();
     let images: native::Photos =
-        photos.iter().map(|(meta, image)| (meta.id.clone(), image.clone())).collect();
+        photos.iter().map(|(meta, image)| (meta.id.clone(), image.clone().into())).collect();
     let file = |page: &Document| {
         let leaf = native::leaf(page, &images, Vec::new(), (None, native::QUALITY)).unwrap();
         pdf::write(&[leaf], &pdf::Options::default(), &Letters::bundled().unwrap()).unwrap()

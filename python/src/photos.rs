@@ -96,5 +96,5 @@ pub(crate) fn import_all(photos: &[Photo]) -> Vec<Done<Imported>> {
 pub(crate) fn shown(document: &Document, photos: &[Photo]) -> Done<native::Photos> {
     let wanted = native::photos_of(document)?;
     let places: Vec<usize> = (0..photos.len()).filter(|place| wanted.contains(&id(*place))).collect();
-    places.into_par_iter().map(|place| Ok((id(place), photos[place].full()?))).collect()
+    places.into_par_iter().map(|place| Ok((id(place), photos[place].full()?.into()))).collect()
 }

@@ -13,6 +13,7 @@ use crate::style::blocks::{self, Block, Channels};
 use crate::style::earlier;
 use crate::style::file::Step;
 use crate::style::params::Kind;
+use crate::style::part::{Part, Parts};
 use serde_json::{Map, Value, json};
 
 /// A layer of a style.
@@ -92,6 +93,21 @@ pub enum DraftEdit {
         #[cfg_attr(all(test, feature = "cli"), ts(type = "ParamValue"))]
         value: Value,
     },
+    /// A block is for a part of the picture.
+    Where {
+        /// Which block.
+        #[cfg_attr(all(test, feature = "cli"), ts(flatten))]
+        place: Place,
+        /// For all of it where it is null.
+        part: Option<Part>,
+    },
+    /// A layer is for a part of the picture.
+    LayerWhere {
+        /// Which layer.
+        layer: Layer,
+        /// For all of it where it is null.
+        part: Option<Part>,
+    },
     /// All values are usual again.
     Reset {
         /// Of which block.
@@ -164,6 +180,7 @@ impl Draft {
             foreground: Vec::new(),
             ink: BLACK.into(),
             careless: false,
+            parts: Parts::default(),
             rest: Map::new(),
         }
     }
@@ -183,7 +200,14 @@ impl Draft {
                     (param.id.to_owned(), value)
                 });
                 let values = values.collect();
-                DraftStep { key, block: step.block.id.into(), values, bypass: step.bypass, rest: Map::new() }
+                DraftStep {
+                    key,
+                    block: step.block.id.into(),
+                    values,
+                    bypass: step.bypass,
+                    part: step.part,
+                    rest: Map::new(),
+                }
             };
             steps.iter().map(step).collect()
         };
@@ -200,6 +224,7 @@ impl Draft {
             foreground,
             ink: format!("#{r:02x}{g:02x}{b:02x}"),
             careless: !style.faces,
+            parts: style.parts,
             rest: Map::new(),
         }
     }
@@ -220,6 +245,9 @@ impl Draft {
                 if step.bypass || wrong.is_some() {
                     file.insert("bypass".into(), json!(true));
                 }
+                if let Some(part) = step.part {
+                    file.insert("where".into(), json!(part.id()));
+                }
                 Value::Object(file)
             };
             steps.iter().zip(wrong).map(step).collect()
@@ -230,6 +258,12 @@ impl Draft {
         });
         if !self.foreground.is_empty() {
             file["foreground"] = json!(layer(&self.foreground));
+        }
+        let parts = part_of_layers(self.parts);
+        let told: Map<String, Value> =
+            parts.into_iter().filter_map(|(layer, part)| Some((layer.into(), json!(part?.id())))).collect();
+        if !told.is_empty() {
+            file["where"] = told.into();
         }
         if self.ink != BLACK {
             file["ink"] = json!(self.ink);
@@ -264,6 +298,7 @@ impl Draft {
                     block: id.clone(),
                     values: defaults(id),
                     bypass: false,
+                    part: None,
                     rest: Map::new(),
                 });
                 let at = place.at.min(steps.len());
@@ -288,6 +323,23 @@ impl Draft {
                 steps.insert(place.at + 1, copy);
             }
             DraftEdit::Bypass { place, on } => next.step_mut(*place)?.bypass = *on,
+            DraftEdit::Where { place, part } => {
+                let step = next.step_mut(*place)?;
+                if step.part == *part {
+                    return None;
+                }
+                step.part = *part;
+            }
+            DraftEdit::LayerWhere { layer, part } => {
+                let now = match layer {
+                    Layer::Background => &mut next.parts.background,
+                    Layer::Foreground => &mut next.parts.foreground,
+                };
+                if now == part {
+                    return None;
+                }
+                *now = *part;
+            }
             DraftEdit::Set { place, param, value } => {
                 let step = next.step_mut(*place)?;
                 let known = blocks::find(&step.block)?.params.iter().find(|known| known.id == *param)?;
@@ -399,9 +451,7 @@ pub fn misfits(steps: &[DraftStep]) -> Vec<Option<Misfit>> {
         if block.input != Channels::Any && block.input != channels {
             return Some(if block.input == Channels::Luma { Misfit::Luma } else { Misfit::Color });
         }
-        if block.output != Channels::Any {
-            channels = block.output;
-        }
+        channels = block.given(channels, step.part);
         None
     };
     steps.iter().map(one).collect()
@@ -409,9 +459,22 @@ pub fn misfits(steps: &[DraftStep]) -> Vec<Option<Misfit>> {
 
 /// What a block would lack at the end of some steps.
 fn misfit_at_end(steps: &[DraftStep], block: &str) -> Option<Misfit> {
-    let end = DraftStep { key: 0, block: block.into(), values: Map::new(), bypass: false, rest: Map::new() };
+    let (values, rest) = (Map::new(), Map::new());
+    let end = DraftStep { key: 0, block: block.into(), values, bypass: false, part: None, rest };
     let all: Vec<_> = steps.iter().cloned().chain([end]).collect();
     misfits(&all).pop().flatten()
+}
+
+/// The layers by their names, with the part that each is for.
+pub(super) fn part_of_layers(parts: Parts) -> [(&'static str, Option<Part>); 2] {
+    [("background", parts.background), ("foreground", parts.foreground)]
+}
+
+/// A part by its name; none where it is missing or null.
+pub(super) fn read_part(fields: &mut Fields, name: &str) -> Read<Option<Part>> {
+    let Some(told) = fields.nullable(name).text(name, LONGEST_ID)? else { return Ok(None) };
+    let part = Part::of(&told).ok_or_else(|| Wrong::new("is neither subject nor background").at(name))?;
+    Ok(Some(part))
 }
 
 /// The usual values of a block.
@@ -450,6 +513,8 @@ impl DraftEdit {
                 let (param, value) = (fields.name("param", LONGEST_ID)?, fields.required("value")?);
                 Self::Set { place, param, value }
             }
+            "where" => Self::Where { place, part: read_part(&mut fields, "part")? },
+            "layer-where" => Self::LayerWhere { layer, part: read_part(&mut fields, "part")? },
             "reset" => Self::Reset { place },
             "name" => {
                 // A name has an end, wherever it is written.
@@ -496,6 +561,29 @@ mod tests {
 
     fn names(steps: &[DraftStep]) -> Vec<&str> {
         steps.iter().map(|step| step.block.as_str()).collect()
+    }
+
+    #[test]
+    fn a_block_and_a_layer_are_for_a_part_of_the_picture() {
+        let subject = Some(Part::Subject);
+        let draft = made(&["to_gray", "saturation"]);
+        assert_eq!(misfits(&draft.background)[1], Some(Misfit::Color));
+        // Gray in one part leaves colours in the other.
+        let parted = draft.after(&DraftEdit::Where { place: back(0), part: subject }).unwrap();
+        assert_eq!(misfits(&parted.background), [None, None]);
+        assert_eq!(parted.after(&DraftEdit::Where { place: back(0), part: subject }), None);
+        let lines = DraftEdit::LayerWhere { layer: Layer::Foreground, part: Some(Part::Background) };
+        let parted = parted.after(&lines).unwrap();
+        assert_eq!(parted.after(&lines), None);
+        let file = parted.style(false);
+        assert_eq!(file["background"][0]["where"], "subject");
+        assert_eq!(file["where"], json!({ "foreground": "background" }));
+        let style = Style::from_value("x", &file).unwrap();
+        assert_eq!(Draft::of(&style).style(false), file);
+        let kept = json::parse(&written(&parted), PROJECT).and_then(Draft::read).unwrap();
+        assert_eq!(*kept, parted);
+        let undone = parted.after(&DraftEdit::LayerWhere { layer: Layer::Foreground, part: None }).unwrap();
+        assert!(undone.style(false).get("where").is_none());
     }
 
     #[test]

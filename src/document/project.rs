@@ -2,6 +2,7 @@
 //! What is known of a photo (its name, size, measures) never changes and lives in the album, so that undoing an edit does
 //! not undo what was read meanwhile. States of a history share what they have in common.
 
+use super::draft;
 use super::limits::{GREATEST_ID, LONGEST_ID, LONGEST_NAME, MOST_BLOCKS, MOST_LOVED, MOST_TAGS, MOST_WANTED};
 use super::shots::{Board, Shot};
 use crate::json::{Fields, Read, Writer, Wrong, fields};
@@ -9,6 +10,7 @@ use crate::layout::{PageSettings, Template};
 use crate::page::Document;
 use crate::raster::color::parse_hex;
 use crate::select::THRESHOLD;
+use crate::style::part::{Part, Parts as LayerParts};
 use crate::style::{Style, blocks, earlier};
 use serde_json::{Map, Value};
 use std::collections::HashSet;
@@ -189,6 +191,9 @@ pub struct Draft {
     /// Whether it takes no care of faces.
     #[cfg_attr(all(test, feature = "cli"), ts(as = "Option<_>", optional))]
     pub careless: bool,
+    /// The parts of the picture that the layers are for.
+    #[cfg_attr(all(test, feature = "cli"), ts(rename = "where", as = "Option<LayerParts>", optional))]
+    pub parts: LayerParts,
     /// Fields that this program does not know.
     #[cfg_attr(all(test, feature = "cli"), ts(skip))]
     pub rest: Map<String, Value>,
@@ -207,6 +212,9 @@ pub struct DraftStep {
     pub values: Map<String, Value>,
     /// Left out of the chain.
     pub bypass: bool,
+    /// The part of the picture that it is for; all of it where none is told.
+    #[cfg_attr(all(test, feature = "cli"), ts(rename = "where", optional))]
+    pub part: Option<Part>,
     /// Fields that this program does not know.
     #[cfg_attr(all(test, feature = "cli"), ts(skip))]
     pub rest: Map<String, Value>,
@@ -479,6 +487,7 @@ impl Draft {
             foreground: fields.each("foreground", MOST_BLOCKS, &DraftStep::read)?,
             ink,
             careless: fields.flag("careless")?,
+            parts: fields.part("where", &mut read_parts)?.unwrap_or_default(),
             rest: fields.rest(),
         }))
     }
@@ -495,9 +504,26 @@ impl Draft {
         if self.careless {
             out.key("careless").flag(true);
         }
+        if self.parts != LayerParts::default() {
+            out.key("where").open(b'{');
+            for (layer, part) in draft::part_of_layers(self.parts) {
+                if let Some(part) = part {
+                    out.key(layer).text(part.id());
+                }
+            }
+            out.close(b'}');
+        }
         out.rest(&self.rest);
         out.close(b'}');
     }
+}
+
+fn read_parts(value: Value) -> Read<LayerParts> {
+    let mut fields = Fields::of(value)?;
+    let background = draft::read_part(&mut fields, "background")?;
+    let foreground = draft::read_part(&mut fields, "foreground")?;
+    fields.done()?;
+    Ok(LayerParts { background, foreground })
 }
 
 impl DraftStep {
@@ -519,7 +545,8 @@ impl DraftStep {
             *value = param.normalized(value).map_err(|reason| wrong(&reason))?;
         }
         let (key, bypass) = (fields.count("key", 0, GREATEST_ID)?, fields.flag("bypass")?);
-        Ok(Self { key, block: id, values, bypass, rest: fields.rest() })
+        let part = draft::read_part(&mut fields, "where")?;
+        Ok(Self { key, block: id, values, bypass, part, rest: fields.rest() })
     }
 
     fn write(&self, out: &mut Writer) {
@@ -530,6 +557,9 @@ impl DraftStep {
         out.rest(&self.values);
         out.close(b'}');
         out.key("bypass").flag(self.bypass);
+        if let Some(part) = self.part {
+            out.key("where").text(part.id());
+        }
         out.rest(&self.rest);
         out.close(b'}');
     }

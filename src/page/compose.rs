@@ -13,8 +13,9 @@ use crate::layout::{Bounds, Point};
 use crate::raster::enlarge::enlarged;
 use crate::raster::guided::{refined, softened};
 use crate::raster::resize::{Region, resample_image};
-use crate::raster::{Image, Matte};
+use crate::raster::{Image, Matte, Plane};
 use crate::style::faces::FaceBox;
+use crate::style::part::subject_in;
 use crate::style::{Context, stylize};
 
 /// A rectangle of straight-alpha RGBA pixels at a place of the page.
@@ -50,9 +51,9 @@ pub fn render_panel(
     match photo {
         Some(photo) => {
             context.set_scale(scene.scale);
-            let (image, region, at) = panel_photo(scene, panel, photo);
-            let image = drawn(&image, (panel, photo, region, at), scene, context)?;
-            fill_image(&mut rgba, area, &image, at);
+            let shown = panel_photo(scene, panel, photo);
+            let image = drawn(&shown, (panel, photo), scene, context)?;
+            fill_image(&mut rgba, area, &image, shown.at);
         }
         None => rgba.chunks_exact_mut(4).for_each(|pixel| pixel[..3].copy_from_slice(&EMPTY)),
     }
@@ -90,7 +91,8 @@ fn render_figure(
     context.set_scale(scene.scale);
     let line = scene.border.max(OUTLINE * scene.width as f64);
     let wide = breaking::widened_panel(panel, figure.outside, 2.0 * line + 2.0);
-    let (image, region, area) = panel_photo(scene, &wide, photo);
+    let shown = panel_photo(scene, &wide, photo);
+    let (region, area) = (shown.region, shown.at);
     let of_mask = |at: f64, photo: usize, mask: usize| at / photo as f64 * mask as f64;
     let shares = &figure.shares;
     let region_of_mask = Region {
@@ -99,7 +101,7 @@ fn render_figure(
         width: of_mask(region.width, photo.width(), shares.width()),
         height: of_mask(region.height, photo.height(), shares.height()),
     };
-    let mut alpha = refined(shares, region_of_mask, &image, scene.scale);
+    let mut alpha = refined(shares, region_of_mask, &shown.image, scene.scale);
     let edges = Edges::of(&panel.shape);
     let closed: Vec<usize> = (0..figure.closed.len()).filter(|edge| figure.closed[*edge]).collect();
     for y in 0..area.height {
@@ -114,7 +116,7 @@ fn render_figure(
     }
     let inside = mask::inside(&panel.shape, scene.corner_radius, area);
     let ring = softened(&alpha, line.ceil() as usize);
-    let image = drawn(&image, (&wide, photo, region, area), scene, context)?;
+    let image = drawn(&shown, (&wide, photo), scene, context)?;
     let mut rgba = vec![0; area.width * area.height * 4];
     fill_image(&mut rgba, area, &image, area);
     let shares = alpha.samples().iter().zip(ring.samples()).zip(&inside);
@@ -134,8 +136,19 @@ const OUTLINE: f64 = 0.002;
 /// The mean share of a figure within the line's width is half at its edge, and falls to nothing.
 const RING: u32 = 5;
 
-/// The part of a photo that a panel shows, at the page's size; its place on the photo, and the place of its pixels.
-fn panel_photo(scene: &Scene, panel: &ScenePanel, photo: &Image) -> (Image, Region, PixelRect) {
+/// The part of a photo that a panel shows.
+struct Shown {
+    /// At the page's size.
+    image: Image,
+    /// Its subject, where it is known and asked for.
+    subject: Option<Plane>,
+    /// Its place on the photo,
+    region: Region,
+    /// and on the page.
+    at: PixelRect,
+}
+
+fn panel_photo(scene: &Scene, panel: &ScenePanel, photo: &Image) -> Shown {
     let at = PixelRect::around(panel.image_bounds, 0.0);
     let Bounds { x, y, width, height } = panel.image_bounds;
     let (photo_width, photo_height) = (photo.width() as f64, photo.height() as f64);
@@ -173,21 +186,30 @@ fn panel_photo(scene: &Scene, panel: &ScenePanel, photo: &Image) -> (Image, Regi
     } else {
         resample_image(photo, region, inner.width, inner.height)
     };
-    let image = if inner == at { image } else { bleed::mirrored(&image, (before, above), at) };
-    (image, region, at)
+    let size = (photo.width(), photo.height());
+    let known = panel.subject.as_ref();
+    let subject = known.and_then(|matte| subject_in(matte, region, size, (&image, scene.scale)));
+    if inner == at {
+        return Shown { image, subject, region, at };
+    }
+    let mirrored = |image: &Image| bleed::mirrored(image, (before, above), at);
+    let subject = subject.map(|plane| mirrored(&Image::from_luma(plane)).into_parts().0.swap_remove(0));
+    Shown { image: mirrored(&image), subject, region, at }
 }
 
 /// The stylised image of a panel. That of a merged group is stylised as a whole, so that tones agree across the gutter, and
 /// then cut.
 fn drawn(
-    image: &Image,
-    (panel, photo, region, at): (&ScenePanel, &Image, Region, PixelRect),
+    shown: &Shown,
+    (panel, photo): (&ScenePanel, &Image),
     scene: &Scene,
     context: &mut Context<'_>,
 ) -> Result<Image> {
     context.check_cancelled()?;
-    context.show_faces(faces_in(panel, (photo.width() as f64, photo.height() as f64), region, at));
-    stylize(image, &scene.style, context)
+    let size = (photo.width() as f64, photo.height() as f64);
+    context.show_faces(faces_in(panel, size, shown.region, shown.at));
+    context.show_subject(shown.subject.clone());
+    stylize(&shown.image, &scene.style, context)
 }
 
 /// The faces of a panel's photo in pixels of its image.

@@ -58,11 +58,15 @@ impl Separation {
     }
 }
 
-/// The inks of the last block of plates of a style.
+/// The inks of the last block of plates of a style; none where it prints a part of the picture alone.
 #[must_use]
 pub fn inks(style: &Style) -> Option<Vec<Ink>> {
-    let steps = style.background.iter().chain(style.foreground.iter().flatten());
-    steps.filter_map(plates::inks_of).next_back()
+    let mut steps = style.background.iter().chain(style.foreground.iter().flatten());
+    let last = steps.rfind(|step| plates::inks_of(step).is_some())?;
+    if last.part.is_some() || style.parts.background.is_some() {
+        return None;
+    }
+    plates::inks_of(last)
 }
 
 /// The colours of inks.

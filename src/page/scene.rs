@@ -61,6 +61,8 @@ pub struct ScenePanel {
     pub crop: Crop,
     /// Faces of the photo, in fractions of it.
     pub faces: Vec<Crop>,
+    /// Which part of the photo is its subject, where that is known and the style asks for it.
+    pub subject: Option<Matte>,
     /// Of a figure that steps out of the panel, which is all that is drawn then: the subject, and what it has to leave alone.
     pub figure: Option<(Matte, Around)>,
 }
@@ -95,6 +97,17 @@ impl Scene {
                 0.0
             },
         })
+    }
+}
+
+impl Scene {
+    /// Tells the subjects of photos, by their ids, where the style has something that is for a part of the picture.
+    pub fn show_subjects(&mut self, subject: &dyn Fn(&str) -> Option<Matte>) {
+        if self.style.has_parts() {
+            for panel in &mut self.panels {
+                panel.subject = panel.photo.as_deref().and_then(subject);
+            }
+        }
     }
 }
 
@@ -153,6 +166,7 @@ pub(super) fn panels(
             photo: document.panels[leader].photo.clone(),
             crop: if image_bounds == shown { crop } else { bleed::widened(crop, shown, image_bounds) },
             faces: document.panels[leader].faces.clone(),
+            subject: None,
             figure: None,
         }
     };

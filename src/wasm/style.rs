@@ -3,9 +3,11 @@
 use super::{Patch, Studio, parse, style_of, thrown};
 use crate::error::{Error, Result};
 use crate::page::{Document, document, plates};
-use crate::raster::Image;
 use crate::raster::resize::{Region, fit, resample_image};
+use crate::raster::{Image, Plane};
 use crate::style::aesthetic::{Fault, Judgement, judge};
+use crate::style::context::scale_of;
+use crate::style::part::subject_in;
 use crate::style::stages::{Layer, Stages};
 use crate::style::{Style, breeding, look, procedural, stylize};
 use serde_json::{Value, json};
@@ -17,6 +19,13 @@ const MOST_DESIGNS: usize = 5;
 /// The designs whose stages are kept, the last used first.
 #[derive(Default)]
 pub(super) struct Designs(Vec<(String, Stages)>);
+
+impl Designs {
+    /// Lets those of a photo go: its subject is another now.
+    pub(super) fn forget(&mut self, key: &str) {
+        self.0.retain(|(name, _)| !name.strip_prefix(key).is_some_and(|rest| rest.starts_with(' ')));
+    }
+}
 
 /// The style of a seed, as JSON.
 #[wasm_bindgen]
@@ -120,7 +129,7 @@ impl Studio {
             let at = self.designs.0.iter().position(|(known, _)| *known == name);
             let (_, mut stages) = match at {
                 Some(at) => self.designs.0.remove(at),
-                None => (String::new(), Stages::new(sized(self.photo(key)?, width, height))),
+                None => (String::new(), self.staged(key, (width, height))?),
             };
             stages.set(style);
             self.designs.0.truncate(MOST_DESIGNS - 1);
@@ -163,6 +172,8 @@ impl Studio {
             let photo = sized(self.photo(key)?, width, height);
             self.context.fit_scale(&photo);
             let style: Style = style_of(style)?;
+            let subject = self.whole_subject(key, &photo, &style);
+            self.context.show_subject(subject);
             let picture = stylize(&photo, &style, &mut self.context)?;
             Ok(Explored {
                 judgement: judge(&photo, &picture),
@@ -176,6 +187,22 @@ impl Studio {
 }
 
 impl Studio {
+    /// A photo at a size, of which nothing is run yet, with its subject: blocks for a part of it may come later.
+    fn staged(&self, key: &str, (width, height): (usize, usize)) -> Result<Stages> {
+        let photo = self.photo(key)?;
+        let (picture, size) = (sized(photo, width, height), (photo.width(), photo.height()));
+        let scale = scale_of(picture.width() as f64 * picture.height() as f64);
+        let subject = self.subjects.get(key);
+        let subject = subject
+            .and_then(|matte| subject_in(matte, Region::whole(size.0, size.1), size, (&picture, scale)));
+        Ok(Stages::new(picture, subject))
+    }
+
+    fn whole_subject(&self, key: &str, picture: &Image, style: &Style) -> Option<Plane> {
+        let photo = self.photos.get(key)?;
+        self.subject_in(key, Region::whole(photo.width(), photo.height()), picture, style)
+    }
+
     fn stages(&self) -> Result<&Stages> {
         let first = self.designs.0.first().map(|(_, stages)| stages);
         first.ok_or_else(|| Error::Encode("no design was begun".into()))

@@ -16,11 +16,19 @@ import { useSwipe } from '../page/swipe.ts';
 import { isEnabled } from '../ui/action.ts';
 import { ActionButton } from '../ui/action-button.tsx';
 import { WordLayer } from '../lettering/word-layer.tsx';
+import { hasParts } from '../styles/parts.ts';
 import { styleOfPage } from '../styles/style-actions.ts';
 import { CoarseHide, CoarseMarks } from '../export/print-check.tsx';
 import { SafeArea } from '../page/safe-area.tsx';
 import type { App } from '../ui/context.ts';
+import type { Album } from '../document/album.ts';
 import type { Store } from '../document/store.ts';
+import type { PageDocument } from '../engine/types.ts';
+
+/** Tells pages apart by what is known of the subjects of their photos. */
+function subjectsOn({ panels }: PageDocument, album: Album) {
+  return panels.map(({ photo }) => (photo === null ? '' : (album.get(photo)?.meta?.mask ?? ''))).join(' ');
+}
 
 /** The widest that the page is painted, in pixels: larger, it takes longer than anyone would wait, and hundreds of megabytes. */
 const SHARPEST = 2800;
@@ -28,6 +36,8 @@ const SHARPEST = 2800;
 export function Stage() {
   const app = useApp();
   const { store, pages, engine, messages, ui, selection, reshaping, ahead } = app;
+  const styleOf = ({ style }: PageDocument) =>
+    typeof style === 'string' ? store.styles.peek().find(({ id }) => id === style) : style;
   const canvas = useRef(null as HTMLCanvasElement | null);
   const sheet = useRef(null as HTMLDivElement | null);
   const painter = useRef(null as ReturnType<typeof createPainter> | null);
@@ -49,6 +59,8 @@ export function Stage() {
     const made = createPainter(canvas.current as HTMLCanvasElement, {
       engine: {
         renderPanel: engine.renderPanel,
+        subjectOf: (document, photo) =>
+          hasParts(styleOf(document)) ? store.album.peek().get(photo)?.meta?.mask : undefined,
         hasPhoto: (id) => !store.sketch.peek() && engine.hasPhoto(id),
       },
       onPainted: (document) => {
@@ -74,15 +86,17 @@ export function Stage() {
   // The number of photos read is part of what the page shows: panels fill as they come.
   const read = store.reading.value?.done;
   const sketch = store.sketch.value;
+  // So are the subjects of photos, where the style asks for them.
+  const subjects = page && hasParts(styleOf(page)) ? subjectsOn(page, store.album.value) : '';
   useLayoutEffect(() => {
     if (page && geometry && width > 0) painter.current?.show(page, geometry, pixels, reshaping.editing.peek());
-  }, [page, geometry, pixels, read, sketch]);
+  }, [page, geometry, pixels, read, sketch, subjects]);
 
   const next = ahead.page.value;
   useEffect(() => {
     const planner = store.planner.peek();
     if (next && planner && width > 0) painter.current?.prepare(next, planner.geometry(next.layout, next.page), pixels);
-  }, [next, pixels]);
+  }, [next, pixels, subjects]);
 
   return (
     <section

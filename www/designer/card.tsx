@@ -10,6 +10,7 @@ import { useApp } from '../ui/context.ts';
 import { Icon } from '../ui/icon.tsx';
 import { BlockName } from './block-name.tsx';
 import { Parameter } from './parameter.tsx';
+import { WhereChoice } from './where-choice.tsx';
 import type { BlockParam, DraftStep, Layer, Misfit } from '../engine/types.ts';
 
 /** The choice of colours of one's own. */
@@ -149,6 +150,11 @@ export function Card({
         />
         <IconButton icon="bin" label={strings.remove} onClick={remove} />
       </div>
+      <WhereChoice
+        label={strings.where}
+        part={step.where ?? null}
+        onSet={(part) => designer.change({ type: 'where', layer, at, part })}
+      />
       {misfit && (
         <p class="card-lacks">
           <span>{strings.lacks[misfit.lacks]}</span>

@@ -9,6 +9,7 @@ import { strings } from '../strings/strings.ts';
 import { useApp } from '../ui/context.ts';
 import { Icon } from '../ui/icon.tsx';
 import { Card } from './card.tsx';
+import { WhereChoice } from './where-choice.tsx';
 import type { CardDrag } from './card-drag.ts';
 import type { Draft, Layer } from '../engine/types.ts';
 
@@ -61,6 +62,11 @@ export function Lane({
           />
         )}
       </header>
+      <WhereChoice
+        label={strings.whereLayer[layer]}
+        part={draft.where?.[layer] ?? null}
+        onSet={(part) => designer.change({ type: 'layer-where', layer, part })}
+      />
       <ol class="cards" aria-label={strings.layerName[layer]}>
         {steps.map((step, at) => (
           <Card

@@ -40,7 +40,8 @@ type Drawing = Pick<Engine, 'drawDesign' | 'stylePhoto' | 'renderPage' | 'compos
 /** @param small one of several */
 export function photoSubject(engine: Drawing, { id, name, meta }: Shown, small: boolean): Subject {
   return {
-    of: id,
+    // Also when its subject was found.
+    of: `${id} ${meta.mask ?? ''}`,
     name: strings.previewOf(name),
     size: liveSize(meta, small),
     most: Math.round((WORK / Math.max(WORK, meta.width, meta.height)) * meta.width),

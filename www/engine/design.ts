@@ -44,7 +44,8 @@ export function createDesign(photos: ReturnType<typeof createPhotos>) {
     { width, height, stages = 0 }: { width: number; height: number; stages?: number },
     call?: Call,
   ): Promise<Designed> {
-    const { name, work } = photos.get(id);
+    const { name } = photos.get(id);
+    const work = photos.handle(id, 'work');
     pool ??= createPool({ size: 1, spawn: spawn as () => Worker });
     const args = { photo: work, style: JSON.stringify(style), width, height, stages };
     return pool.run({ op: 'design', args, photo: name, holds: [work.key], priority: Priority.PANEL, ...call });

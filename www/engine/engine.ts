@@ -91,6 +91,8 @@ export function createEngine({
     /** Whether the subjects of photos can be found, and that of one. */
     masks: masking.masks,
     findMask: masking.findMask,
+    /** Tells which part of a photo is its subject, for styles that are for a part. */
+    knowMask: photos.know,
     forgetPhoto: photos.forget,
     warm: warming.warm,
     /** While `on`, nothing is begun that the page on the screen does not wait for. */

@@ -225,7 +225,7 @@ export function createExports({ run, photos, words, files }: Parts) {
     const parts = await Promise.all(
       [...panelsByPhoto(document, wanted)].map(async ([id, indexes]) => {
         const { file, name } = id === EMPTY ? { file: null, name: '' } : photos.get(id);
-        const args = { id, file, document: json, indexes, width };
+        const args = { id, file, mask: photos.maskOf(id), document: json, indexes, width };
         return use(await run({ op: 'fullPanels', args, photo: name, priority: Priority.PAGE, signal }));
       }),
     );

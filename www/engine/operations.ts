@@ -130,12 +130,16 @@ export function createOperations(studio: Studio, held: ReturnType<typeof createL
   }
 
   /** The panels that show one photo, from its original file at full size, so that it is decoded once for all. */
-  async function fullPanels({ id, file, document, indexes, width }: Operations['fullPanels']['args'], tell: Tell) {
+  async function fullPanels(
+    { id, file, mask, document, indexes, width }: Operations['fullPanels']['args'],
+    tell: Tell,
+  ) {
     if (file) {
       tell.waits(readingOf(file));
       const bytes = await bytesOf(file);
       tell.expects(photoMs(bytes, foreignKind(bytes)));
       await reading(bytes, (file) => studio.import_full(id, file));
+      studio.know_subject(`${id}/full`, mask);
     }
     try {
       const ok = [];
@@ -189,8 +193,9 @@ export function createOperations(studio: Studio, held: ReturnType<typeof createL
   async function fetchPhotos(photos: PhotoHandle[], tell: Tell) {
     if (photos.some(({ key }) => !studio.has_photo(key))) tell.waits(STORING);
     await Promise.all(
-      photos.map(async ({ key, width, height, planes }) => {
+      photos.map(async ({ key, width, height, planes, mask }) => {
         if (!studio.has_photo(key)) studio.put_photo(key, width, height, await bytesOf(planes));
+        studio.know_subject(key, mask);
         held.touch(key, planes.size);
       }),
     );

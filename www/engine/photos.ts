@@ -1,6 +1,7 @@
 /**
  * The photos of an album as the main thread holds them: the original file and two Blobs of planes each. The
- * browser keeps Blobs outside this page's memory; workers read what a job needs.
+ * browser keeps Blobs outside this page's memory; workers read what a job needs. Beside them the masks, as far as they are
+ * made: styles may be for the subject of a photo alone.
  */
 
 import { failure } from './protocol.ts';
@@ -10,11 +11,22 @@ type Entry = { name: string; file: Blob; work: PhotoHandle; small: PhotoHandle }
 
 export function createPhotos() {
   const entries: Map<string, Entry> = new Map();
+  const masks: Map<string, string> = new Map();
 
   return {
     add: (id: string, entry: Entry) => void entries.set(id, entry),
     has: (id: string) => entries.has(id),
-    forget: (id: string) => void entries.delete(id),
+    forget: (id: string) => {
+      entries.delete(id);
+      masks.delete(id);
+    },
+    /** @param mask which part of the photo is its subject */
+    know: (id: string, mask: string | undefined) => {
+      if (mask) masks.set(id, mask);
+      else masks.delete(id);
+    },
+    maskOf: (id: string) => masks.get(id),
+    handle,
     get,
     handles,
     names,
@@ -28,7 +40,12 @@ export function createPhotos() {
 
   /** @returns one a photo, however often it is used */
   function handles(ids: (string | null)[], tier: 'small' | 'work'): PhotoHandle[] {
-    return [...new Set(ids)].flatMap((id) => (id === null ? [] : get(id)[tier]));
+    return [...new Set(ids)].flatMap((id) => (id === null ? [] : handle(id, tier)));
+  }
+
+  function handle(id: string, tier: 'small' | 'work'): PhotoHandle {
+    const mask = masks.get(id);
+    return mask ? { ...get(id)[tier], mask } : get(id)[tier];
   }
 
   /** @returns the names of the photos, for messages */

@@ -12,9 +12,10 @@ import type { Frame } from './video.ts';
 
 /**
  * What a worker needs of a photo before it can draw with it. `key` is `ID/work` or `ID/small`; `planes` holds
- * the red, green and blue planes one after the other, `width * height` bytes each.
+ * the red, green and blue planes one after the other, `width * height` bytes each; `mask` says which part is its subject, as
+ * text, where that is known.
  */
-export type PhotoHandle = { key: string; width: number; height: number; planes: Blob };
+export type PhotoHandle = { key: string; width: number; height: number; planes: Blob; mask?: string };
 
 /** A rendered rectangle of a page, in page pixels. */
 export type BitmapPatch = Bounds & { bitmap: ImageBitmap };
@@ -53,7 +54,7 @@ export type Operations = {
   stylize: { args: { style: string; width: number; height: number; data: Uint8Array }; ok: PixelPatch };
   fullPanels: {
     /** Without a file: of panels that have no photo. */
-    args: { id: string; file: Blob | null; document: string; indexes: number[]; width: number };
+    args: { id: string; file: Blob | null; mask?: string; document: string; indexes: number[]; width: number };
     ok: (PixelPatch & { index: number })[];
   };
   cutOut: { args: { id: string; file: Blob; mask: string }; ok: Blob };

@@ -252,6 +252,8 @@ export type Draft = {
   ink: string,
   /** Whether it takes no care of faces. */
   careless?: boolean,
+  /** The parts of the picture that the layers are for. */
+  where?: LayerParts,
 };
 
 /** A block of a draft. */
@@ -264,6 +266,8 @@ export type DraftStep = {
   values: Record<string, ParamValue>,
   /** Left out of the chain. */
   bypass: boolean,
+  /** The part of the picture that it is for; all of it where none is told. */
+  where?: StylePart,
 };
 
 /** A layer of a style. */
@@ -325,6 +329,20 @@ export type DraftEdit = { "type": "add",
   layer: Layer,
   /** and a position in it. */
   at: number,
+}
+| { "type": "where",
+  /** For all of it where it is null. */
+  part: StylePart | null,
+  /** The layer, */
+  layer: Layer,
+  /** and a position in it. */
+  at: number,
+}
+| { "type": "layer-where",
+  /** Which layer. */
+  layer: Layer,
+  /** For all of it where it is null. */
+  part: StylePart | null,
 }
 | { "type": "reset",
   /** The layer, */
@@ -727,6 +745,8 @@ export type Style = {
   background: ReadonlyArray<StyleStep>,
   /** The line layer; its luma is the alpha of the background over the ink. */
   foreground?: ReadonlyArray<StyleStep>,
+  /** The parts of the picture that the layers are for. */
+  where?: LayerParts,
   /** Colour of the lines. */
   ink?: string,
   /** Whether it takes care of faces, as a style does that does not say otherwise. */
@@ -736,7 +756,7 @@ export type Style = {
 };
 
 /** One block of a layer with its values. */
-export type StyleStep = { block: string; bypass?: boolean } & Record<string, ParamValue>;
+export type StyleStep = { block: string; bypass?: boolean; where?: StylePart } & Record<string, ParamValue>;
 
 /** What is asked for. The answer depends on nothing else. */
 export type Request = {
@@ -932,6 +952,17 @@ export type ParamKind = "number" | "integer" | "boolean" | "choice" | "texture" 
 
 /** Which images a block takes or gives. */
 export type Channels = "luma" | "color" | "any";
+
+/** A part of a picture. */
+export type StylePart = "subject" | "background";
+
+/** The parts that the layers of a style are for; all of the picture where none is told. */
+export type LayerParts = {
+  /** That of the colours: the photo stays as it is elsewhere. */
+  background?: StylePart,
+  /** That of the lines: there are none elsewhere. */
+  foreground?: StylePart,
+};
 
 /** What the list of layouts shows of a template, in unit coordinates. */
 export type Layout = {

@@ -75,7 +75,7 @@ export function hasPlates(pages: readonly PageDocument[], styles: readonly Style
   const [first] = pages;
   const found = typeof first.style === 'string' ? styles.find(({ id }) => id === first.style) : first.style;
   const steps = [...(found?.background ?? []), ...(found?.foreground ?? [])];
-  return steps.some(({ block, bypass }) => block === 'plates' && !bypass);
+  return !found?.where?.background && steps.some(({ block, bypass, where }) => block === 'plates' && !bypass && !where);
 }
 
 /**

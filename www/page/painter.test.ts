@@ -33,7 +33,7 @@ const panel = (name: string) => ({
 /** Each layout has shapes of its own. */
 const geometry = (layout: string): any => ({ width: 1, height: 1, panels: [panel(layout), panel(layout)] });
 
-function painter(readable = ['a', 'b']) {
+function painter(readable = ['a', 'b'], subjectOf?: (document: any, photo: string) => string | undefined) {
   const context = new Proxy(
     {},
     {
@@ -65,7 +65,7 @@ function painter(readable = ['a', 'b']) {
   const painted = vi.fn();
   const errors = vi.fn();
   const hasPhoto = (id: string) => readable.includes(id);
-  const made = createPainter(canvas, { engine: { renderPanel, hasPhoto } as any, onPainted: painted, onError: errors });
+  const made = createPainter(canvas, { engine: { renderPanel, hasPhoto, subjectOf } as any, onPainted: painted, onError: errors });
   return { ...made, painted, errors };
 }
 
@@ -88,6 +88,17 @@ test('another layout appears at once when all of its panels are there', async ()
   await finish('Bs1');
   expect(drawn).toEqual(['Bs0', 'Bs1']);
   expect(painted).toHaveBeenLastCalledWith(other);
+});
+
+test('a panel is drawn again when the subject of its photo is known', async () => {
+  const masks: Record<string, string> = {};
+  const { show } = painter(['a', 'b'], (_, photo) => masks[photo]);
+  show(page('A'), geometry('A'), 10);
+  await finish('As0');
+  await finish('As1');
+  masks.b = '1x1:p';
+  show(page('A'), geometry('A'), 10);
+  expect(jobs.map(({ name }) => name)).toEqual(['As0', 'As1', 'As1']);
 });
 
 test('a slow page is shown with what there is, and filled', async () => {

@@ -24,7 +24,11 @@ type Flight = { promise: Promise<Patch>; stop: AbortController; ahead: boolean }
 /** Pictures kept, in bytes: a dozen pages on a large screen. */
 const BUDGET = 96 * 2 ** 20;
 
-export function createPatches(render: Engine['renderPanel']) {
+/** @param subjectOf what is known of the subject of a photo, where the style of the page asks for it */
+export function createPatches(
+  render: Engine['renderPanel'],
+  subjectOf: (document: PageDocument, photo: string) => string | undefined = () => undefined,
+) {
   /** Oldest first. */
   const kept: Map<string, Patch> = new Map();
   const flights: Map<string, Flight> = new Map();
@@ -51,6 +55,7 @@ export function createPatches(render: Engine['renderPanel']) {
       photo,
       crop,
       faces,
+      photo === null ? null : subjectOf(document, photo),
       geometry.panels[index],
       shapes,
       geometry.panels.filter(({ overlay }) => !overlay).length,

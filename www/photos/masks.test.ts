@@ -8,16 +8,18 @@ import { failure } from '../engine/protocol.ts';
 function app(find: (id: string) => Promise<string>, masks = true) {
   const made = fakeApp();
   const asked: string[] = [];
+  const known: Map<string, string | undefined> = new Map();
   const rested = signal(false);
   const engine = {
     masks,
     hasPhoto: () => true,
+    knowMask: (id: string, mask: string | undefined) => void known.set(id, mask),
     findMask: (id: string) => {
       asked.push(id);
       return find(id);
     },
   };
-  return { ...made, asked, rested, masks: createMasks({ ...made, engine, ready: () => rested.value }) };
+  return { ...made, asked, known, rested, masks: createMasks({ ...made, engine, ready: () => rested.value }) };
 }
 
 const settle = () =>
@@ -27,7 +29,7 @@ const settle = () =>
 
 describe('masks', () => {
   it('are made when all else is at rest, and kept with the photo', async () => {
-    const { reading, files, masks, asked, rested, store } = app(async () => '2x2:ap3');
+    const { reading, files, masks, asked, known, rested, store } = app(async () => '2x2:ap3');
     await reading.addFiles(files('1.jpg', '2.jpg'));
     await settle();
     expect(asked).toEqual([]);
@@ -36,6 +38,8 @@ describe('masks', () => {
     await settle();
     expect(asked).toEqual(['p1', 'p2']);
     expect(store.album.value.get('p2')?.meta?.mask).toBe('2x2:ap3');
+    // What is drawn from now on knows it.
+    expect(known.get('p2')).toBe('2x2:ap3');
     expect(masks.settled.value).toBe(true);
     expect(masks.progress.value).toBeNull();
   });

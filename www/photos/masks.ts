@@ -5,6 +5,7 @@
 
 import { computed, effect, signal } from '@preact/signals';
 import { photosOn } from '../engine/sheets.ts';
+import type { Album } from '../document/album.ts';
 import type { Progress, Store } from '../document/store.ts';
 import type { Engine } from '../engine/engine.ts';
 import type { ReadonlySignal, Signal } from '@preact/signals';
@@ -22,7 +23,7 @@ export function createMasks({
   wanted = true,
 }: {
   store: Store;
-  engine: Pick<Engine, 'masks' | 'findMask' | 'hasPhoto'>;
+  engine: Pick<Engine, 'masks' | 'findMask' | 'hasPhoto' | 'knowMask'>;
   ready: () => boolean;
   wanted?: boolean;
 }) {
@@ -41,6 +42,18 @@ export function createMasks({
     const open = all.filter(({ id, meta }) => !meta?.mask && !failed.value.has(id)).map(({ id }) => id);
     const ofPages = open.filter((id) => rank(id) < 2).sort((a, b) => rank(a) - rank(b));
     return [...ofPages, ...open.filter((id) => rank(id) === 2).slice(0, Math.max(0, spare))];
+  });
+
+  /** The facts of which the engine was told. */
+  let told: Album = new Map();
+
+  // Whatever is drawn from now on knows the subjects, also those that came with a project.
+  effect(() => {
+    const album = store.album.value;
+    for (const [id, { meta }] of album) {
+      if (meta?.mask !== told.get(id)?.meta?.mask) engine.knowMask(id, meta?.mask);
+    }
+    told = album;
   });
 
   effect(() => {

@@ -8,6 +8,7 @@ import { useEffect, useMemo, useState } from 'preact/hooks';
 import { strings } from '../strings/strings.ts';
 import { Bitmap } from '../ui/bitmap.tsx';
 import { useApp } from '../ui/context.ts';
+import { hasParts } from './parts.ts';
 import { thumbnail } from '../photos/cover.ts';
 import { useHero } from '../photos/hero.ts';
 import { Listbox } from '../ui/listbox.tsx';
@@ -96,7 +97,7 @@ export function StylesList() {
             <span class="bitmap" />
           ) : (
             <Bitmap
-              of={designed.has(option) ? hero : `${hero} ${JSON.stringify(option)}`}
+              of={`${designed.has(option) ? hero : `${hero} ${JSON.stringify(option)}`} ${hasParts(option) ? (meta?.mask ?? '') : ''}`}
               draw={(call) => engine.stylePhoto(hero, option, size, call)}
             />
           )

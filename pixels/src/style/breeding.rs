@@ -4,6 +4,7 @@
 use super::blocks::{Block, Channels};
 use super::file::{Step, Style};
 use super::params::Kind;
+use super::part::Parts;
 use super::procedural;
 use oorandom::Rand64;
 
@@ -39,6 +40,7 @@ pub fn breed(a: &Style, b: &Style, seed: u32, surprise: f64) -> Style {
         tags: vec!["invented".to_owned()],
         background,
         foreground,
+        parts: Parts { background: first.parts.background, foreground: lines.parts.foreground },
         ink: lines.ink,
         faces: a.faces && b.faces,
         score: None,
@@ -106,9 +108,7 @@ fn repair(layer: &mut Vec<Step>) {
             return false;
         }
         sized |= step.block.id == "size";
-        if step.block.output != Channels::Any {
-            channels = step.block.output;
-        }
+        channels = step.block.given(channels, step.part);
         true
     });
     layer.truncate(MOST);

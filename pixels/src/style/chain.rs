@@ -8,6 +8,7 @@ use super::blocks::{Channels, Kernel, PointOp};
 use super::context::Context;
 use super::file::Step;
 use super::params::Args;
+use super::part::{self, widened};
 use crate::error::Result;
 use crate::raster::resize::{Region, resample};
 use crate::raster::{Image, Plane};
@@ -64,8 +65,9 @@ pub fn run_until(steps: &[Step], end: usize, mut image: Image, context: &mut Con
             image = run_points(&ops, image, chroma_wanted, context)?;
         }
         if let Some(step) = steps[..end].get(i) {
-            image = run_block(step, image, context)?;
             i += 1;
+            let chroma_wanted = steps[i..].iter().any(|step| step.block.id == "to_color");
+            image = run_block(step, chroma_wanted, image, context)?;
         }
     }
     Ok(image)
@@ -89,7 +91,7 @@ pub(in crate::style) fn run_last(
     }
     match steps.last() {
         _ if !ops.is_empty() => run_points(&ops, image, chroma_wanted, context),
-        Some(step) => run_block(step, image, context),
+        Some(step) => run_block(step, chroma_wanted, image, context),
         None => Ok(image),
     }
 }
@@ -113,18 +115,10 @@ fn copy(photo: &Image, context: &mut Context<'_>) -> Result<Image> {
     Image::from_rgb([0, 1, 2].map(|i| context.copy_plane(&photo.planes()[i.min(last)])))
 }
 
-fn widened(image: Image) -> Image {
-    if !image.is_luma() {
-        return image;
-    }
-    let y = &image.planes()[0];
-    // The three copies have one size, so this cannot fail; the luma image stands in where it would.
-    Image::from_rgb([y.clone(), y.clone(), y.clone()]).unwrap_or(image)
-}
-
 fn point_op(step: &Step, scale: f32) -> Option<PointOp> {
     match step.block.kernel {
-        Kernel::Point(op) => Some(op(Args::of(step, scale))),
+        // What is for a part is mixed with what was before it, so it is no part of a longer pass.
+        Kernel::Point(op) if step.part.is_none() => Some(op(Args::of(step, scale))),
         _ => None,
     }
 }
@@ -137,12 +131,25 @@ fn push_fused(ops: &mut Vec<PointOp>, op: PointOp) {
     }
 }
 
+/// Runs a block, in its part alone where it is for one.
+fn run_block(step: &Step, chroma_wanted: bool, image: Image, context: &mut Context<'_>) -> Result<Image> {
+    let Some(part) = step.part else { return run_everywhere(step, chroma_wanted, image, context) };
+    let before = image.clone();
+    let after = run_everywhere(step, chroma_wanted, image, context)?;
+    Ok(part::mixed(before, after, part, context))
+}
+
 // Called from several places: a copy in each would only make the module larger.
 #[inline(never)]
-fn run_block(step: &Step, image: Image, context: &mut Context<'_>) -> Result<Image> {
+fn run_everywhere(
+    step: &Step,
+    chroma_wanted: bool,
+    image: Image,
+    context: &mut Context<'_>,
+) -> Result<Image> {
     let args = Args::of(step, context.scale());
     match step.block.kernel {
-        Kernel::Point(op) => run_points(&[op(args)], image, false, context),
+        Kernel::Point(op) => run_points(&[op(args)], image, chroma_wanted, context),
         Kernel::Tones(make) => {
             let op = if let [r, g, b] = image.planes() {
                 let mut y = context.take_plane(image.width(), image.height());

@@ -28,6 +28,7 @@ pub struct Context<'a> {
     /// The last person's own texture at the size at which it was drawn.
     pub(in crate::style) texture: Option<super::blocks::DrawnTexture>,
     faces: Vec<FaceBox>,
+    subject: Option<Plane>,
     planes: Vec<Vec<u8>>,
     cancelled: Option<&'a dyn Fn() -> bool>,
 }
@@ -66,6 +67,16 @@ impl<'a> Context<'a> {
     pub(in crate::style) fn shown_faces(&mut self, cared: bool) -> Vec<FaceBox> {
         let faces = std::mem::take(&mut self.faces);
         if cared { faces } else { Vec::new() }
+    }
+
+    /// Tells the subject of the image that is stylised next, at its size: 255 within, 0 beside it; none where it is not known.
+    pub fn show_subject(&mut self, subject: Option<Plane>) {
+        self.subject = subject;
+    }
+
+    /// The subject of this image, as far as it is known.
+    pub(in crate::style) fn subject(&self) -> Option<&Plane> {
+        self.subject.as_ref()
     }
 
     /// Asks `cancelled` between blocks.

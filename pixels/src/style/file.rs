@@ -6,6 +6,7 @@
 use super::blocks::{self, Block, Channels};
 use super::earlier;
 use super::params::{Kind, Param, colour_of, colour_value};
+use super::part::{Part, Parts};
 use super::texture::Texture;
 use crate::error::{Error, Result};
 use serde_json::{Map, Value, json};
@@ -28,6 +29,9 @@ pub struct Style {
     pub background: Vec<Step>,
     /// The line layer; its luma is the alpha of the background over the ink.
     pub foreground: Option<Vec<Step>>,
+    /// The parts of the picture that the layers are for.
+    #[cfg_attr(feature = "typescript", ts(rename = "where", as = "Option<Parts>"))]
+    pub parts: Parts,
     /// Colour of the lines.
     #[cfg_attr(feature = "typescript", ts(as = "Option<String>"))]
     pub ink: [u8; 3],
@@ -43,7 +47,10 @@ pub struct Style {
 #[cfg_attr(
     feature = "typescript",
     derive(ts_rs::TS),
-    ts(rename = "StyleStep", type = "{ block: string; bypass?: boolean } & Record<string, ParamValue>")
+    ts(
+        rename = "StyleStep",
+        type = "{ block: string; bypass?: boolean; where?: StylePart } & Record<string, ParamValue>"
+    )
 )]
 pub struct Step {
     /// What runs.
@@ -54,6 +61,8 @@ pub struct Step {
     pub texture: Option<Arc<Texture>>,
     /// Kept in the file but left out of the chain.
     pub bypass: bool,
+    /// The part of the picture that it is for; all of it where none is told.
+    pub part: Option<Part>,
 }
 
 impl Style {
@@ -76,7 +85,7 @@ impl Style {
             return Err(invalid(file, "file", "must be an object with a \"background\" list"));
         };
         for key in map.keys() {
-            if !["id", "name", "tags", "background", "foreground", "ink", "faces", "score"]
+            if !["id", "name", "tags", "background", "foreground", "where", "ink", "faces", "score"]
                 .contains(&key.as_str())
             {
                 return Err(invalid(file, key, "is no field of a style"));
@@ -92,6 +101,7 @@ impl Style {
             tags: tags(file, map)?,
             background,
             foreground: layer(file, map, "foreground")?,
+            parts: parts(file, map)?,
             ink: ink(file, map)?,
             faces: match map.get("faces") {
                 None => true,
@@ -119,6 +129,12 @@ impl Style {
         if let Some(foreground) = &self.foreground {
             map.insert("foreground".into(), foreground.iter().map(Step::to_value).collect());
         }
+        let parts = [("background", self.parts.background), ("foreground", self.parts.foreground)];
+        let told = parts.into_iter().filter_map(|(layer, part)| Some((layer.to_owned(), json!(part?.id()))));
+        let told: Map<String, Value> = told.collect();
+        if !told.is_empty() {
+            map.insert("where".into(), told.into());
+        }
         if self.ink != [0; 3] {
             let [r, g, b] = self.ink;
             map.insert("ink".into(), json!(format!("#{r:02x}{g:02x}{b:02x}")));
@@ -131,6 +147,13 @@ impl Style {
         }
         Value::Object(map)
     }
+
+    /// Whether a layer or a block that runs is for a part of the picture, so that the subject has to be known.
+    #[must_use]
+    pub fn has_parts(&self) -> bool {
+        let steps = self.background.iter().chain(self.foreground.iter().flatten());
+        self.parts != Parts::default() || steps.filter(|step| !step.bypass).any(|step| step.part.is_some())
+    }
 }
 
 impl Step {
@@ -138,7 +161,7 @@ impl Step {
     #[must_use]
     pub fn new(block: &'static Block) -> Self {
         let values = block.params.iter().map(|param| param.kind.default()).collect();
-        Self { block, values, texture: None, bypass: false }
+        Self { block, values, texture: None, bypass: false, part: None }
     }
 
     fn to_value(&self) -> Value {
@@ -155,6 +178,9 @@ impl Step {
         }
         if self.bypass {
             map.insert("bypass".into(), json!(true));
+        }
+        if let Some(part) = self.part {
+            map.insert("where".into(), json!(part.id()));
         }
         Value::Object(map)
     }
@@ -269,6 +295,29 @@ fn ink(file: &str, map: &Map<String, Value>) -> Result<[u8; 3]> {
         .ok_or_else(|| invalid(file, "ink", format!("is {value}, it must be a colour like \"#101014\"")))
 }
 
+fn parts(file: &str, map: &Map<String, Value>) -> Result<Parts> {
+    let mut parts = Parts::default();
+    let Some(value) = map.get("where") else { return Ok(parts) };
+    let Value::Object(told) = value else {
+        return Err(invalid(file, "where", "must be an object like { \"foreground\": \"subject\" }"));
+    };
+    for (layer, value) in told {
+        let place = format!("where, {layer}");
+        let part = match layer.as_str() {
+            "background" => &mut parts.background,
+            "foreground" => &mut parts.foreground,
+            _ => return Err(invalid(file, &place, "is no layer: background or foreground")),
+        };
+        *part = Some(part_of(value).map_err(|reason| invalid(file, &place, reason))?);
+    }
+    Ok(parts)
+}
+
+fn part_of(value: &Value) -> std::result::Result<Part, String> {
+    let part = value.as_str().and_then(Part::of);
+    part.ok_or_else(|| format!("is {value}, it must be \"subject\" or \"background\""))
+}
+
 fn layer(file: &str, map: &Map<String, Value>, key: &str) -> Result<Option<Vec<Step>>> {
     let Some(value) = map.get(key) else { return Ok(None) };
     let Value::Array(items) = value else {
@@ -286,7 +335,7 @@ fn layer(file: &str, map: &Map<String, Value>, key: &str) -> Result<Option<Vec<S
     for (i, item) in items.iter().enumerate() {
         let step = step(file, &format!("{key}[{i}]"), item)?;
         if !step.bypass {
-            channels = check_channels(file, &format!("{key}[{i}]"), step.block, channels)?;
+            channels = check_channels(file, &format!("{key}[{i}]"), &step, channels)?;
         }
         steps.push(step);
     }
@@ -312,6 +361,10 @@ fn step(file: &str, place: &str, value: &Value) -> Result<Step> {
             step.bypass = value.as_bool().ok_or_else(|| invalid(file, &place, "must be true or false"))?;
             continue;
         }
+        if key == "where" {
+            step.part = Some(part_of(value).map_err(|reason| invalid(file, &place, reason))?);
+            continue;
+        }
         // A pattern that is a picture is a person's own.
         let is_picture = value.as_str().is_some_and(|text| text.starts_with("data:"));
         let key = if key == "pattern" && is_picture { "texture" } else { key.as_str() };
@@ -332,7 +385,8 @@ fn step(file: &str, place: &str, value: &Value) -> Result<Step> {
 }
 
 /// What comes out of a block that is given `channels`, or why it cannot take them.
-fn check_channels(file: &str, place: &str, block: &Block, channels: Channels) -> Result<Channels> {
+fn check_channels(file: &str, place: &str, step: &Step, channels: Channels) -> Result<Channels> {
+    let block = step.block;
     let place = format!("{place} ({})", block.id);
     match (block.input, channels) {
         (Channels::Luma, Channels::Color) => {
@@ -341,8 +395,7 @@ fn check_channels(file: &str, place: &str, block: &Block, channels: Channels) ->
         (Channels::Color, Channels::Luma) => {
             Err(invalid(file, &place, "needs colour: put To Color (to_color) or Colorize before it"))
         }
-        _ if block.output == Channels::Any => Ok(channels),
-        _ => Ok(block.output),
+        _ => Ok(step.block.given(channels, step.part)),
     }
 }
 
@@ -380,8 +433,8 @@ mod tests {
     #[test]
     fn what_is_written_reads_back_the_same() {
         let json = r##"{"id":"a","name":"A","tags":["ink"],"background":[{"block":"posterize","levels":5,
-            "bypass":true},{"block":"gaussian","sigma":1.2}],"foreground":[{"block":"sobel","invert":true}],
-            "ink":"#101014"}"##;
+            "bypass":true},{"block":"gaussian","sigma":1.2,"where":"background"}],
+            "foreground":[{"block":"sobel","invert":true}],"where":{"foreground":"subject"},"ink":"#101014"}"##;
         let value = Style::parse("a.json", json).unwrap().to_value();
         assert_eq!(value, serde_json::from_str::<Value>(json).unwrap());
     }
@@ -406,6 +459,15 @@ mod tests {
             (r#"{"background":[{"block":"gaussian","sigma":1e9}]}"#, "must be from 0.3 to 50"),
             (r#"{"background":[{"block":"sobel","invert":1}]}"#, "must be true or false"),
             (r#"{"background":[{"block":"sobel","bypass":1}]}"#, "bypass: must be true or false"),
+            (r#"{"background":[{"block":"sobel","where":"left"}]}"#, "must be \"subject\" or \"background\""),
+            (r#"{"background":[{"block":"sobel","where":null}]}"#, "background[0] (sobel), where: is null"),
+            (r#"{"background":[],"where":"subject"}"#, "where: must be an object"),
+            (r#"{"background":[],"where":{"middle":"subject"}}"#, "where, middle: is no layer"),
+            (r#"{"background":[],"where":{"foreground":1}}"#, "where, foreground: is 1, it must be"),
+            (
+                r#"{"background":[{"block":"to_gray","where":"subject"},{"block":"pattern"}]}"#,
+                "background[1] (pattern): needs gray",
+            ),
             (r#"{"background":[],"ink":"red"}"#, "ink: is \"red\", it must be a colour"),
             (r#"{"background":[],"id":""}"#, "id: must be a text"),
             (r#"{"background":[],"tags":[1]}"#, "tags: must be a list"),

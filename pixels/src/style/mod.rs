@@ -2,6 +2,7 @@
 //!
 //! | module | for |
 //! |---|---|
+//! | [`part`] | layers and blocks that are for the subject of a photo, or for what is behind it |
 //! | [`params`] | what a parameter is: kind, default, range, step, unit |
 //! | [`blocks`] | the registry and one file a block |
 //! | [`blade`] | operators learned from photos, as banks of small filters |
@@ -35,6 +36,7 @@ pub mod grain;
 pub mod imitate;
 pub mod look;
 pub mod params;
+pub mod part;
 pub mod procedural;
 pub mod stages;
 pub mod tangents;
@@ -49,12 +51,20 @@ use crate::raster::Image;
 /// Runs a style on an image: the background layer, and the foreground layer laid over it as ink.
 ///
 /// The result has the size of `image`; it is luma when nothing in it has colour. Where the context knows of faces in the
-/// image, the style takes care of them, unless it says that it does not.
+/// image, the style takes care of them, unless it says that it does not. Where it knows of the subject, layers and blocks that
+/// are for a part are in that part alone.
 ///
 /// # Errors
 /// `cancelled` when the context says so.
 #[inline(never)]
 pub fn stylize(image: &Image, style: &Style, context: &mut Context<'_>) -> Result<Image> {
+    let drawn = cared(image, style, context);
+    // The next image has another.
+    context.show_subject(None);
+    drawn
+}
+
+fn cared(image: &Image, style: &Style, context: &mut Context<'_>) -> Result<Image> {
     let faces = context.shown_faces(style.faces);
     let Some(care) = faces::Care::of(&faces, image.width(), image.height()) else {
         return layered(style, image, context, None);
@@ -73,8 +83,14 @@ fn layered(
     if let Some(care) = care {
         background = care.held(image, background, &style.background);
     }
+    if let Some(part) = style.parts.background {
+        background = part::mixed(image.clone(), background, part, context);
+    }
     let Some(foreground) = &style.foreground else { return Ok(background) };
-    let lines = chain::run(foreground, image, context)?;
+    let mut lines = chain::run(foreground, image, context)?;
     context.check_cancelled()?;
+    if let Some(part) = style.parts.foreground {
+        lines = part::lines_in(&lines, part, context);
+    }
     Ok(chain::lay_ink(background, &lines, style.ink))
 }

@@ -6,6 +6,7 @@
 
 use super::blocks::{self, Block, Channels};
 use super::file::{Step, Style};
+use super::part::Parts;
 use oorandom::Rand64;
 
 /// Blocks of a chain, fewest and most.
@@ -106,6 +107,7 @@ pub fn invent(seed: u32) -> Style {
         tags: vec!["invented".to_owned()],
         background: chain,
         foreground: None,
+        parts: Parts::default(),
         ink: [0; 3],
         faces: true,
         score: None,

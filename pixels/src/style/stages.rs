@@ -5,9 +5,10 @@ use super::blocks::Kernel;
 use super::chain::{lay_ink, run_last};
 use super::context::Context;
 use super::file::{Step, Style};
+use super::part;
 use crate::error::Result;
-use crate::raster::Image;
 use crate::raster::resize::{Region, resample_image};
+use crate::raster::{Image, Plane};
 
 /// One of the two layers.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -23,6 +24,7 @@ const LAYERS: [Layer; 2] = [Layer::Background, Layer::Foreground];
 /// A photo and, per layer, the pictures after the blocks that were run.
 pub struct Stages {
     photo: Image,
+    subject: Option<Plane>,
     style: Option<Style>,
     lanes: [Vec<Stage>; 2],
 }
@@ -37,15 +39,16 @@ struct Stage {
 }
 
 impl Stages {
-    /// Nothing run yet. A gray photo becomes R, G, B, as every chain begins with colour.
+    /// Nothing run yet. A gray photo becomes R, G, B, as every chain begins with colour. `subject` is that of the photo, at its
+    /// size, as far as it is known.
     #[must_use]
-    pub fn new(photo: Image) -> Self {
+    pub fn new(photo: Image, subject: Option<Plane>) -> Self {
         let photo = match photo.planes() {
             // Three planes of one size are always an image; the photo stands in where they would not be.
             [y] => Image::from_rgb([y.clone(), y.clone(), y.clone()]).unwrap_or(photo),
             _ => photo,
         };
-        Self { photo, style: None, lanes: [Vec::new(), Vec::new()] }
+        Self { photo, subject, style: None, lanes: [Vec::new(), Vec::new()] }
     }
 
     /// Takes a style and forgets the pictures that it changes.
@@ -83,7 +86,10 @@ impl Stages {
                 // Blocks of single pixels run as one pass, whose tables round once: the same pass gives the same pixels.
                 let first = if is_point(step) { run_start(steps, done) } else { done };
                 let before = self.before(layer, first).clone();
-                Some(run_last(&steps[first..=done], chroma, before, context)?)
+                context.show_subject(step.part.and_then(|_| self.subject.clone()));
+                let picture = run_last(&steps[first..=done], chroma, before, context);
+                context.show_subject(None);
+                Some(picture?)
             };
             self.lanes[layer as usize].push(Stage { step: step.clone(), chroma, picture });
             return Ok(Some((layer, done)));
@@ -108,13 +114,21 @@ impl Stages {
             let region = Region::whole(image.width(), image.height());
             resample_image(image, region, self.photo.width(), self.photo.height())
         };
-        let background = whole(Layer::Background);
-        match &self.style {
-            Some(style) if style.foreground.is_some() => {
-                lay_ink(background, &whole(Layer::Foreground), style.ink)
-            }
-            _ => background,
+        let mut background = whole(Layer::Background);
+        let Some(style) = &self.style else { return background };
+        let mut context = Context::default();
+        context.show_subject(self.subject.clone());
+        if let Some(part) = style.parts.background {
+            background = part::mixed(self.photo.clone(), background, part, &context);
         }
+        if style.foreground.is_none() {
+            return background;
+        }
+        let mut lines = whole(Layer::Foreground);
+        if let Some(part) = style.parts.foreground {
+            lines = part::lines_in(&lines, part, &context);
+        }
+        lay_ink(background, &lines, style.ink)
     }
 
     fn before(&self, layer: Layer, index: usize) -> &Image {
@@ -133,11 +147,15 @@ fn steps_of(style: &Style, layer: Layer) -> &[Step] {
 
 fn same_step(a: &Step, b: &Step) -> bool {
     let bits = |step: &Step| step.values.iter().map(|value| value.to_bits()).collect::<Vec<_>>();
-    a.block.id == b.block.id && a.bypass == b.bypass && bits(a) == bits(b) && a.texture == b.texture
+    a.block.id == b.block.id
+        && a.bypass == b.bypass
+        && a.part == b.part
+        && bits(a) == bits(b)
+        && a.texture == b.texture
 }
 
 fn is_point(step: &Step) -> bool {
-    matches!(step.block.kernel, Kernel::Point(_))
+    step.part.is_none() && matches!(step.block.kernel, Kernel::Point(_))
 }
 
 /// Where the pass of blocks of single pixels begins that ends at `index`.
@@ -153,7 +171,6 @@ fn chroma_wanted(steps: &[Step], index: usize) -> bool {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::raster::Plane;
     use crate::style::{catalogue, procedural, stylize};
 
     fn photo() -> Image {
@@ -175,7 +192,7 @@ mod tests {
         let photo = photo();
         let invented = (0..60).map(procedural::invent);
         for style in catalogue::catalogue().iter().cloned().chain(invented) {
-            let mut stages = Stages::new(photo.clone());
+            let mut stages = Stages::new(photo.clone(), None);
             run(&mut stages, &style);
             let whole = stylize(&photo, &style, &mut Context::for_image(&photo)).unwrap();
             assert!(stages.result().to_rgba() == whole.to_rgba(), "{}", style.id);
@@ -190,7 +207,7 @@ mod tests {
                 "foreground":[{{"block":"to_gray"}},{{"block":"xdog","sigma":{sigma}}}]}}"#
             ))
         };
-        let mut stages = Stages::new(photo());
+        let mut stages = Stages::new(photo(), None);
         assert_eq!(run(&mut stages, &style(4, 1.0)), 5);
         assert_eq!(run(&mut stages, &style(4, 1.0)), 0);
         assert_eq!(run(&mut stages, &style(6, 1.0)), 2);
@@ -204,7 +221,7 @@ mod tests {
     fn a_to_color_that_is_added_gets_its_colours_back() {
         let gray = parse(r#"{"background":[{"block":"to_gray"},{"block":"luma_posterize"}]}"#);
         let both = r#"{"background":[{"block":"to_gray"},{"block":"luma_posterize"},{"block":"to_color"}]}"#;
-        let mut stages = Stages::new(photo());
+        let mut stages = Stages::new(photo(), None);
         run(&mut stages, &gray);
         assert_eq!(run(&mut stages, &parse(both)), 3);
         assert!(!stages.result().is_luma());
@@ -215,7 +232,7 @@ mod tests {
     #[test]
     fn a_bypassed_block_shows_the_picture_before_it() {
         let json = r#"{"background":[{"block":"posterize"},{"block":"sobel","bypass":true}]}"#;
-        let mut stages = Stages::new(photo());
+        let mut stages = Stages::new(photo(), None);
         run(&mut stages, &parse(json));
         assert!(stages.picture(Layer::Background, 1) == stages.picture(Layer::Background, 0));
         assert!(stages.picture(Layer::Background, 0) != &photo());

@@ -41,6 +41,12 @@ export const designerStrings = {
   ink: 'Couleur de l’encre',
   careForFaces: 'Ménage les visages',
   careForFacesHelp: 'Des traits et des points à la mesure des visages, et leurs couleurs près de la photo.',
+  where: 'Où',
+  whereLayer: { background: 'Où sont les couleurs', foreground: 'Où sont les traits' },
+  whereHelp:
+    'Ce que montre une photo, ou ce qui est derrière. Quand le sujet n’est pas connu, toute la photo compte comme sujet.',
+  everywhere: 'Partout',
+  wherePart: { subject: 'Sujet', background: 'Arrière-plan' },
   addBlock: 'Ajouter un bloc',
   addToLayer: { background: 'Aux couleurs', foreground: 'Aux lignes' },
   palette: 'Blocs à ajouter',

@@ -38,6 +38,12 @@ export const designerStrings = {
   ink: 'Cor da tinta',
   careForFaces: 'Cuida dos rostos',
   careForFacesHelp: 'Linhas e pontos não maiores do que os rostos suportam, e suas cores perto da foto.',
+  where: 'Onde',
+  whereLayer: { background: 'Onde ficam as cores', foreground: 'Onde ficam as linhas' },
+  whereHelp:
+    'O que uma foto mostra, ou o que está atrás. Quando o assunto não é conhecido, a foto toda conta como assunto.',
+  everywhere: 'Em toda parte',
+  wherePart: { subject: 'Assunto', background: 'Fundo' },
   addBlock: 'Adicionar bloco',
   addToLayer: { background: 'Pôr nas cores', foreground: 'Pôr nas linhas' },
   palette: 'Blocos para adicionar',

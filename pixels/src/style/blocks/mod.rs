@@ -31,6 +31,7 @@ mod xdog;
 
 use super::context::Context;
 use super::params::{Args, Param};
+use super::part::Part;
 use crate::error::Result;
 use crate::raster::{Image, Plane};
 use crate::simd::table::Table;
@@ -96,6 +97,19 @@ pub struct Block {
     pub params: &'static [Param],
     /// How it runs.
     pub kernel: Kernel,
+}
+
+impl Block {
+    /// What it gives where it is given `channels`. One that is for a part of the picture leaves the other as it was: where either has
+    /// colour, so has the result.
+    #[must_use]
+    pub fn given(&self, channels: Channels, part: Option<Part>) -> Channels {
+        match self.output {
+            Channels::Any => channels,
+            Channels::Luma if part.is_some() => channels,
+            output => output,
+        }
+    }
 }
 
 /// Which images a block takes or gives.
