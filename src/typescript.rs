@@ -24,6 +24,7 @@ use crate::layout::tree::Axis;
 use crate::layout::{
     Bounds, Circle, Descriptor, LayoutPanel, Outline, PageSettings, PlacedPanel, Point, Template,
 };
+use crate::output::animatic;
 use crate::output::board::{self, Labels, PictureOf};
 use crate::output::shots::{Film, ListedShot, ShotList};
 use crate::output::{self, Comic, ComicPage, PictureKind, Piece};
@@ -337,6 +338,10 @@ fn types() -> String {
         ListedShot,
         Film,
         board::Request,
+        animatic::Request,
+        animatic::Picture,
+        animatic::Animatic,
+        animatic::Clip,
         PictureOf,
         Labels,
         Focus,
