@@ -24,7 +24,6 @@ use crate::layout::tree::Axis;
 use crate::layout::{
     Bounds, Circle, Descriptor, LayoutPanel, Outline, PageSettings, PlacedPanel, Point, Template,
 };
-use crate::output::animatic;
 use crate::output::board::{self, Labels, PictureOf};
 use crate::output::shots::{Film, ListedShot, ShotList};
 use crate::output::{self, Comic, ComicPage, PictureKind, Piece};
@@ -338,10 +337,6 @@ fn types() -> String {
         ListedShot,
         Film,
         board::Request,
-        animatic::Request,
-        animatic::Picture,
-        animatic::Animatic,
-        animatic::Clip,
         PictureOf,
         Labels,
         Focus,

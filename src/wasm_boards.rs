@@ -1,10 +1,8 @@
-//! The web boundary of boards, a part of the module of other files: their sheets as pages, the lists of their shots, and the
-//! plan of an animatic.
+//! The web boundary of boards, a part of the module of other files: their sheets as pages, and the lists of their shots.
 //!
 //! Errors are as in the module of words.
 
 use crate::error::{Error, Result};
-use crate::output::animatic;
 use crate::output::board::Request;
 use crate::output::shots::{Kind, ShotList};
 use crate::wasm_error::thrown;
@@ -36,22 +34,6 @@ pub fn board_sheets(request: &str) -> std::result::Result<String, JsValue> {
         let sheets = Request::parse(request)?.sheets()?;
         let pages: Vec<String> = sheets.iter().map(crate::page::Document::to_json).collect();
         Ok(format!("[{}]", pages.join(",")))
-    };
-    made().map_err(thrown)
-}
-
-/// The plan of an animatic (an `animatic::Request` as JSON): an `Animatic`.
-///
-/// # Errors
-/// `invalid-document` for a request that is none or out of bounds; those of the style.
-#[wasm_bindgen(js_name = animaticPlan)]
-pub fn animatic_plan(request: &str) -> std::result::Result<String, JsValue> {
-    let made = || -> Result<String> {
-        let plan = animatic::Request::parse(request)?.planned()?;
-        serde_json::to_string(&plan).map_err(|error| Error::InvalidDocument {
-            location: "animatic".into(),
-            reason: error.to_string(),
-        })
     };
     made().map_err(thrown)
 }

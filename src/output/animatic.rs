@@ -1,7 +1,7 @@
 //! Animatics: the shots of an album one after the other, each for its time, with cuts or dissolves between them and a slow move
 //! of the camera inside of each. All of it is told here as plain data; [`Animatic::at`] says what a frame shows. A shot is drawn
 //! once, as a page of one panel, and the camera moves over that picture: its lines stand still, and a shot without a move is the
-//! same in every frame. `www/animatic/timeline.ts` reads the same plan in the same way.
+//! same in every frame.
 
 use super::shots::ShotList;
 use crate::error::{Error, Result};
@@ -32,7 +32,6 @@ const LETTERS: f64 = 0.045;
 /// What is asked for.
 #[derive(Debug, Clone, Default, Deserialize)]
 #[serde(default, rename_all = "camelCase")]
-#[cfg_attr(all(test, feature = "cli"), derive(ts_rs::TS), ts(rename = "AnimaticRequest", optional_fields))]
 pub struct Request {
     /// The shots, and how many frames a second they are counted in.
     pub list: ShotList,
@@ -51,13 +50,11 @@ pub struct Request {
     /// Whether what is said, else what happens, stands below.
     pub captions: bool,
     /// The style of the pictures: an id, or a style in full.
-    #[cfg_attr(all(test, feature = "cli"), ts(as = "Option<crate::page::document::StyleChoice>"))]
     pub style: Value,
 }
 
 /// The picture of a shot.
 #[derive(Debug, Clone, Deserialize)]
-#[cfg_attr(all(test, feature = "cli"), derive(ts_rs::TS), ts(rename = "AnimaticPicture"))]
 pub struct Picture {
     /// Id of the photo.
     pub photo: String,
@@ -73,7 +70,6 @@ pub struct Picture {
 
 /// Shots in their times.
 #[derive(Debug, Clone, PartialEq, Serialize)]
-#[cfg_attr(all(test, feature = "cli"), derive(ts_rs::TS))]
 pub struct Animatic {
     /// Frames a second.
     pub fps: u32,
@@ -87,7 +83,6 @@ pub struct Animatic {
 
 /// A shot in its time.
 #[derive(Debug, Clone, PartialEq, Serialize)]
-#[cfg_attr(all(test, feature = "cli"), derive(ts_rs::TS), ts(rename = "AnimaticClip"))]
 pub struct Clip {
     /// Id of its photo.
     pub photo: String,
@@ -106,11 +101,9 @@ pub struct Clip {
     /// What it sees at its end.
     pub last: Crop,
     /// The picture as a page of one panel, as large as the narrowest view wants it.
-    #[cfg_attr(all(test, feature = "cli"), ts(type = "PageDocument"))]
     pub picture: Value,
     /// An empty page of the size of the frames with the one word that stands below, if there is one. It goes to the middle, its
     /// lower edge [`Animatic::FOOT`] above that of the frame.
-    #[cfg_attr(all(test, feature = "cli"), ts(type = "PageDocument | null"))]
     pub caption: Value,
 }
 
@@ -414,151 +407,4 @@ fn written(document: &Value) -> Result<Value> {
 
 fn invalid(location: &str, reason: &str) -> Error {
     Error::InvalidDocument { location: location.into(), reason: reason.into() }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::super::shots::ListedShot;
-    use super::*;
-    use proptest::prelude::*;
-
-    fn subject(label: &str, x: f64, y: f64, side: f64) -> Subject {
-        Subject { x, y, width: side, height: side, label: label.into(), score: 0.9 }
-    }
-
-    fn request(lengths: &[Option<u32>]) -> Request {
-        let shot = |(i, &frames): (usize, &Option<u32>)| ListedShot {
-            number: (i + 1).to_string(),
-            frames,
-            dialogue: "Who is there?".into(),
-            ..ListedShot::default()
-        };
-        let picture = |i: usize| Picture {
-            photo: format!("p{i}"),
-            crop: Crop { x: 0.0, y: 0.1, width: 1.0, height: 0.75 },
-            faces: Vec::new(),
-            subjects: Vec::new(),
-        };
-        Request {
-            list: ShotList {
-                fps: 24,
-                shots: lengths.iter().enumerate().map(shot).collect(),
-                ..ShotList::default()
-            },
-            pictures: (0..lengths.len()).map(picture).collect(),
-            size: [1920, 1080],
-            style: json!("storyboard"),
-            ..Request::default()
-        }
-    }
-
-    #[test]
-    fn it_is_as_long_as_its_shots_whatever_the_rate() {
-        let lengths = [Some(36), None, Some(1), Some(49), Some(24)];
-        for (fps, frames) in [(0, 158), (24, 158), (25, 165), (30, 198)] {
-            let plan = Request { fps, dissolve: 0.5, ..request(&lengths) }.planned().unwrap();
-            assert_eq!(plan.frames, frames, "{fps}");
-            assert_eq!(plan.clips.iter().map(|clip| clip.frames).sum::<u32>(), frames);
-            assert!(plan.at(frames - 1).is_some() && plan.at(frames).is_none());
-        }
-    }
-
-    #[test]
-    fn a_cut_shows_one_shot_and_a_dissolve_goes_over_evenly() {
-        let plan = request(&[Some(24), Some(24)]).planned().unwrap();
-        let clips: Vec<usize> = (0..48).map(|frame| plan.at(frame).unwrap().0.clip).collect();
-        assert_eq!(clips, [[0; 24], [1; 24]].concat());
-        assert!((0..48).all(|frame| plan.at(frame).unwrap().1.is_none()));
-        let plan = Request { dissolve: 0.5, ..request(&[Some(24), Some(24)]) }.planned().unwrap();
-        let shares: Vec<f64> =
-            (0..48).filter_map(|frame| plan.at(frame).unwrap().1).map(|over| over.share).collect();
-        assert_eq!((shares.len(), plan.clips[1].from, plan.clips[0].to), (12, 18, 30));
-        assert!((0..12).all(|i| (shares[i] - (i as f64 + 1.0) / 13.0).abs() < 1e-12), "{shares:?}");
-    }
-
-    #[test]
-    fn the_camera_keeps_faces_and_stays_inside_of_the_crop() {
-        let mut request = Request { moves: true, ..request(&[Some(96), Some(96), Some(96)]) };
-        request.pictures[0].subjects = vec![subject(FACE, 0.75, 0.15, 0.1), subject("car", 0.1, 0.2, 0.2)];
-        request.pictures[1].subjects = vec![subject(FACE, 0.02, 0.5, 0.2), subject(FACE, 0.8, 0.2, 0.15)];
-        let plan = request.planned().unwrap();
-        for (clip, picture) in plan.clips.iter().zip(&request.pictures) {
-            let page = &clip.picture["panels"][0]["crop"];
-            let seen: Crop = serde_json::from_value(page.clone()).unwrap();
-            for frame in clip.from..clip.to {
-                let view = clip.view(frame);
-                let of = |part: f64, from: f64, length: f64| from + part * length;
-                let (left, top) = (of(view.x, seen.x, seen.width), of(view.y, seen.y, seen.height));
-                let (right, bottom) = (left + view.width * seen.width, top + view.height * seen.height);
-                assert!(left > -1e-6 && right < 1.0 + 1e-6 && top > 0.1 - 1e-6 && bottom < 0.85 + 1e-6);
-                for face in picture.subjects.iter().filter(|subject| subject.label == FACE) {
-                    assert!(left <= face.x + 1e-6 && right >= face.x + face.width - 1e-6, "{frame}");
-                    assert!(top <= face.y + 1e-6 && bottom >= face.y + face.height - 1e-6, "{frame}");
-                }
-                assert!((right - left) / (bottom - top) > 1.32 && (right - left) / (bottom - top) < 1.35);
-            }
-        }
-        // In, out, and along where there is nobody.
-        let [first, second, third] = &plan.clips[..] else { panic!() };
-        assert!(first.last.width < first.first.width && third.first.x < third.last.x);
-        assert!(second.first.width <= second.last.width);
-        assert!((third.first.width - third.last.width).abs() < 1e-12);
-    }
-
-    #[test]
-    fn without_a_move_a_picture_is_a_frame() {
-        let plan = request(&[None, None]).planned().unwrap();
-        let whole = Crop { x: 0.0, y: 0.0, width: 1.0, height: 1.0 };
-        for clip in &plan.clips {
-            assert_eq!((clip.first, clip.last), (whole, whole));
-            assert_eq!(
-                (&clip.picture["page"]["width"], &clip.picture["page"]["height"]),
-                (&json!(1920), &json!(1080))
-            );
-            assert!(clip.caption.is_null());
-        }
-        let plan = Request { captions: true, ..request(&[None]) }.planned().unwrap();
-        assert_eq!(plan.clips[0].caption["words"][0]["text"], "Who is there?");
-    }
-
-    #[test]
-    fn what_cannot_be_is_refused() {
-        let refused = |request: Request| request.planned().is_err();
-        assert!(refused(request(&[])));
-        assert!(refused(Request { pictures: Vec::new(), ..request(&[None]) }));
-        assert!(refused(Request { size: [0, 1080], ..request(&[None]) }));
-        assert!(refused(Request { size: [1920, 5000], ..request(&[None]) }));
-        assert!(refused(Request { fps: 61, ..request(&[None]) }));
-        assert!(refused(request(&[Some(u32::MAX)])));
-        assert!(Request::parse("{\"fps\":-1}").is_err());
-    }
-
-    proptest! {
-        #[test]
-        fn every_frame_has_its_shot(
-            lengths in prop::collection::vec(prop::option::of(1u32..60), 1..12),
-            (fps, dissolve, moves) in (prop::sample::select(vec![24u32, 25, 30, 60, 1]), 0.0f64..3.0, any::<bool>()),
-        ) {
-            let plan = Request { fps, dissolve, moves, ..request(&lengths) }.planned().unwrap();
-            let mut end = 0;
-            for clip in &plan.clips {
-                prop_assert_eq!(clip.start, end);
-                prop_assert!(clip.frames > 0 && clip.from <= clip.start && clip.to >= clip.start + clip.frames);
-                end = clip.start + clip.frames;
-            }
-            prop_assert_eq!(plan.frames, end);
-            for frame in 0..plan.frames {
-                let (under, over) = plan.at(frame).unwrap();
-                for shown in [Some(under), over].into_iter().flatten() {
-                    let (clip, view) = (&plan.clips[shown.clip], shown.view);
-                    prop_assert!((clip.from..clip.to).contains(&frame));
-                    prop_assert!(shown.share > 0.0 && shown.share <= 1.0);
-                    prop_assert!(view.x > -1e-9 && view.x + view.width < 1.0 + 1e-9);
-                }
-                if let Some(over) = over {
-                    prop_assert!(over.clip == under.clip + 1 && over.share < 1.0);
-                }
-            }
-        }
-    }
 }
