@@ -144,9 +144,9 @@ fn captions(plan: &Animatic, fonts: &GivenFonts) -> Result<Vec<Option<Patch>>, C
         }
         let document = Document::parse(&clip.caption.to_string()).map_err(told)?;
         let mut patch = draw::render(&document, 0, width, &letters).map_err(told)?;
-        let foot = (Animatic::FOOT * height as f64).round() as i32;
-        patch.area.x = (width as i32 - patch.area.width as i32) / 2;
-        patch.area.y = (height as i32 - foot - patch.area.height as i32).max(0);
+        let foot = (Animatic::FOOT * height as f64).round() as i64;
+        patch.area.x = (width as i64 - patch.area.width as i64) / 2;
+        patch.area.y = (height as i64 - foot - patch.area.height as i64).max(0);
         Ok(Some(patch))
     };
     plan.clips.iter().map(caption).collect()
@@ -278,7 +278,7 @@ fn lay(rgb: &mut [u8], width: usize, patch: &Patch) {
     let area = patch.area;
     for (y, row) in patch.rgba.chunks_exact(4 * area.width).enumerate() {
         for (x, pixel) in row.chunks_exact(4).enumerate() {
-            let (x, y) = (i64::from(area.x) + x as i64, i64::from(area.y) + y as i64);
+            let (x, y) = (area.x + x as i64, area.y + y as i64);
             if x < 0 || y < 0 || x >= width as i64 {
                 continue;
             }
