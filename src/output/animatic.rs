@@ -307,7 +307,7 @@ fn journey(picture: &Picture, seconds: f64, index: usize) -> (Crop, Crop) {
         };
         (end(false), end(true))
     };
-    if index % 2 == 0 { (first, last) } else { (last, first) }
+    if index.is_multiple_of(2) { (first, last) } else { (last, first) }
 }
 
 /// The box about what must stay in view, as far as the crop shows it.
@@ -321,7 +321,7 @@ fn kept(subjects: &[Subject], crop: &Crop) -> Option<Crop> {
             let (left, top) = (grown.x.max(crop.x), grown.y.max(crop.y));
             let right = (grown.x + grown.width).min(crop.x + crop.width);
             let bottom = (grown.y + grown.height).min(crop.y + crop.height);
-            (right > left && bottom > top).then(|| Crop {
+            (right > left && bottom > top).then_some(Crop {
                 x: left,
                 y: top,
                 width: right - left,
