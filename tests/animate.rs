@@ -22,7 +22,7 @@ fn animate(project: &Path, folder: &Path, more: &[&str]) -> Output {
     command.arg("animate").arg(project).args(more).arg("-o").arg(folder).output().unwrap()
 }
 
-fn done(output: Output) -> Value {
+fn done(output: &Output) -> Value {
     let said = String::from_utf8_lossy(&output.stderr).into_owned();
     assert!(output.status.success(), "{said}");
     for line in said.lines() {
@@ -46,7 +46,7 @@ const SMALL: [&str; 5] = ["--size", "160x90", "--seconds", "0.25", "--json"];
 fn there_are_as_many_frames_as_the_shots_are_long_and_still_ones_are_one_picture() {
     let shots = Saved::read(fs::read(project()).unwrap()).unwrap().unwrap().project().shots().len();
     let folder = tempfile::tempdir().unwrap();
-    let made = done(animate(&project(), folder.path(), &[&SMALL[..], &["--still", "--fps", "24"]].concat()));
+    let made = done(&animate(&project(), folder.path(), &[&SMALL[..], &["--still", "--fps", "24"]].concat()));
     let files = frames(folder.path());
     assert_eq!((files.len(), &made["frames"], &made["fps"]), (6 * shots, &(6 * shots).into(), &24.into()));
     for (i, file) in files.iter().enumerate() {
@@ -61,8 +61,8 @@ fn there_are_as_many_frames_as_the_shots_are_long_and_still_ones_are_one_picture
 fn moves_dissolves_and_captions_change_the_frames_the_same_way_each_time() {
     let (one, other) = (tempfile::tempdir().unwrap(), tempfile::tempdir().unwrap());
     let how = [&SMALL[..], &["--dissolve", "0.1", "--captions", "--fps", "30"]].concat();
-    let made = done(animate(&project(), one.path(), &how));
-    done(animate(&project(), other.path(), &how));
+    let made = done(&animate(&project(), one.path(), &how));
+    done(&animate(&project(), other.path(), &how));
     let files = frames(one.path());
     assert_eq!(files, frames(other.path()));
     assert_eq!(made["frames"], files.len());
@@ -77,11 +77,11 @@ fn moves_dissolves_and_captions_change_the_frames_the_same_way_each_time() {
 fn what_is_there_stays_when_it_goes_on() {
     let folder = tempfile::tempdir().unwrap();
     let how = [&SMALL[..], &["--still", "--skip-existing"]].concat();
-    done(animate(&project(), folder.path(), &how));
+    done(&animate(&project(), folder.path(), &how));
     let files = frames(folder.path());
     fs::remove_file(folder.path().join("frame-00008.png")).unwrap();
     fs::write(folder.path().join("frame-00001.png"), b"mine").unwrap();
-    done(animate(&project(), folder.path(), &how));
+    done(&animate(&project(), folder.path(), &how));
     let again = frames(folder.path());
     assert_eq!(again[0], b"mine");
     assert_eq!(again[1..], files[1..]);
