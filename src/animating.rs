@@ -19,6 +19,7 @@ use inkpanel::raster::resize::{Region, resample_image};
 use rayon::prelude::*;
 use serde_json::{Value, json};
 use std::collections::HashMap;
+use std::collections::hash_map::Entry;
 use std::path::{Path, PathBuf};
 use std::sync::OnceLock;
 
@@ -27,6 +28,7 @@ const DPI: u32 = 96;
 
 /// What `inkpanel animate` is told.
 #[derive(clap::Args)]
+#[allow(clippy::struct_excessive_bools, reason = "each is an option of its own")]
 pub(crate) struct Animate {
     /// The saved project (.inkpanel, or a PNG of a page that carries its project and photos).
     project: PathBuf,
@@ -172,8 +174,8 @@ impl Reel<'_> {
             pictures.retain(|&clip, _| clip + 1 >= i);
             let shown = |frame: &u32| self.plan.at(*frame).into_iter().flat_map(|(a, b)| [Some(a), b]);
             for Shown { clip, .. } in wanted.iter().flat_map(shown).flatten() {
-                if !pictures.contains_key(&clip) {
-                    pictures.insert(clip, self.picture(clip)?);
+                if let Entry::Vacant(place) = pictures.entry(clip) {
+                    place.insert(self.picture(clip)?);
                 }
             }
             // Frames that are the same picture are made once.
