@@ -14,7 +14,7 @@ use serde_json::{Value, json};
 use std::collections::HashMap;
 
 /// The style of a project without a page.
-const STYLE: &str = "storyboard";
+pub(crate) const STYLE: &str = "storyboard";
 
 /// The sheets of a project's board, in the style of its page. `title`: what it is called where it has no name; `found`: what is
 /// known to be in a photo.
@@ -27,36 +27,11 @@ pub(crate) fn sheets(
     (title, found): (&str, &HashMap<String, Vec<Subject>>),
 ) -> Result<Vec<Document>, Complaint> {
     let project = saved.project().clone();
-    let ids = project.shots();
-    if ids.is_empty() {
-        return Err("there is no shot in it".into());
-    }
-    let mut files = Vec::new();
-    for id in &ids {
-        let file = saved.photo_file(id).map_err(|error| error.to_string())?;
-        let name = project.photos.iter().find(|photo| photo.id == *id).map_or(*id, |photo| &photo.name);
-        files.push((
-            *id,
-            name,
-            file.ok_or_else(|| format!("the photo {name} is not in it; save it again with the photos"))?,
-        ));
-    }
-    let board = &project.history.present.board;
+    let present = &project.history.present;
+    let board = &present.board;
     let aspect =
         ASPECTS.iter().find(|(name, _)| *name == board.aspect).map_or(16.0 / 9.0, |(_, aspect)| *aspect);
-    let pictures: Vec<PictureOf> = files
-        .par_iter()
-        .map(|(id, name, file)| {
-            let complain = |reason: String| format!("the photo {name}: {reason}");
-            let mut meta = survived(|| import(id, file, &Limits::default())).map_err(complain)?.meta;
-            let subjects = found.get(*id).cloned().unwrap_or_default();
-            meta.find(subjects);
-            let framed: Value = serde_json::from_str(&framed_json([&meta].into_iter(), aspect))
-                .map_err(|error| complain(error.to_string()))?;
-            serde_json::from_value(framed[0].clone()).map_err(|error| complain(error.to_string()))
-        })
-        .collect::<Result<_, Complaint>>()?;
-    let present = &project.history.present;
+    let pictures = framed(&shown(saved)?, aspect, found)?;
     let mut list = project.shot_list();
     if list.title.trim().is_empty() {
         title.clone_into(&mut list.title);
@@ -75,4 +50,53 @@ pub(crate) fn sheets(
         ..Request::default()
     };
     request.sheets().map_err(|error| error.to_string())
+}
+
+/// The photo of a shot.
+pub(crate) struct ShotPhoto {
+    /// Its id.
+    pub(crate) id: String,
+    /// What its file was called.
+    pub(crate) name: String,
+    /// The file.
+    pub(crate) file: Vec<u8>,
+}
+
+/// The photos of a project's shots, in their order.
+///
+/// # Errors
+/// A sentence for a photo that is not in the project, and for a project without shots.
+pub(crate) fn shown(saved: &mut Saved) -> Result<Vec<ShotPhoto>, Complaint> {
+    let ids: Vec<String> = saved.project().shots().into_iter().map(str::to_owned).collect();
+    if ids.is_empty() {
+        return Err("there is no shot in it".into());
+    }
+    let photo = |id: String| {
+        let file = saved.photo_file(&id).map_err(|error| error.to_string())?;
+        let name = saved.photo(&id).map_or(id.as_str(), |photo| &photo.name).to_owned();
+        let file =
+            file.ok_or_else(|| format!("the photo {name} is not in it; save it again with the photos"))?;
+        Ok(ShotPhoto { id, name, file })
+    };
+    ids.into_iter().map(photo).collect()
+}
+
+/// What frames of an aspect show of photos.
+///
+/// # Errors
+/// A sentence for a photo that cannot be read.
+pub(crate) fn framed(
+    photos: &[ShotPhoto],
+    aspect: f64,
+    found: &HashMap<String, Vec<Subject>>,
+) -> Result<Vec<PictureOf>, Complaint> {
+    let picture = |ShotPhoto { id, name, file }: &ShotPhoto| {
+        let complain = |reason: String| format!("the photo {name}: {reason}");
+        let mut meta = survived(|| import(id, file, &Limits::default())).map_err(complain)?.meta;
+        meta.find(found.get(id).cloned().unwrap_or_default());
+        let framed: Value = serde_json::from_str(&framed_json([&meta].into_iter(), aspect))
+            .map_err(|error| complain(error.to_string()))?;
+        serde_json::from_value(framed[0].clone()).map_err(|error| complain(error.to_string()))
+    };
+    photos.par_iter().map(picture).collect()
 }

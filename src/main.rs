@@ -4,6 +4,7 @@
 //! 2 wrong usage (from the argument parser).
 
 mod album;
+mod animating;
 mod boards;
 mod config;
 mod destination;
@@ -182,6 +183,9 @@ enum Command {
         #[arg(long)]
         json: bool,
     },
+    /// Make an animatic of a saved project: its shots one after the other, as numbered PNG files that ffmpeg reads.
+    #[command(after_help = EXIT_CODES)]
+    Animate(Box<animating::Animate>),
     /// List the filter blocks.
     Blocks(Listing),
     /// List the page templates.
@@ -355,6 +359,7 @@ fn main() -> ExitCode {
         Command::Imitate { picture, photo, json, anyway, seed } => {
             imitator::imitate(&picture, &photo, seed, anyway).and_then(|styles| list(&styles, json))
         }
+        Command::Animate(animate) => animating::animate(&animate),
         Command::Shots { film, frames, json } => shots_of(&film, frames, json),
         Command::Blocks(listing) => list(&catalogue::blocks(), listing.json),
         Command::Layouts(listing) => list(&catalogue::layouts(), listing.json),

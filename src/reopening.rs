@@ -63,8 +63,7 @@ fn drawn(
         output.write(saved.project().shot_list().written(kind).as_bytes())?;
         return Ok(vec![output.path.clone()]);
     }
-    let known: HashMap<String, Vec<Subject>> =
-        saved.project().photos.iter().map(|photo| (photo.id.clone(), subjects(photo))).collect();
+    let known = known(&saved);
     let stem = output.named.file_stem().map(|stem| stem.to_string_lossy().into_owned()).unwrap_or_default();
     // A name with a number's place asks for a picture of each page.
     let each = number.is_none() && plans::has_number(&output.named);
@@ -123,6 +122,11 @@ fn wanted(saved: &Saved, number: Option<u32>, all: bool) -> Result<Vec<Document>
         count => format!("there is no page {} in it, only {count}", at + 1),
     })?;
     Ok(vec![Document::clone(page)])
+}
+
+/// What the file says was found in its photos, by their ids.
+pub(crate) fn known(saved: &Saved) -> HashMap<String, Vec<Subject>> {
+    saved.project().photos.iter().map(|photo| (photo.id.clone(), subjects(photo))).collect()
 }
 
 /// What the file says was found in a photo, as far as it can be read.

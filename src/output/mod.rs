@@ -11,12 +11,14 @@
 //! | [`epub`] | an EPUB 3 book of fixed layout |
 //! | [`cbz`] | a comic archive with `ComicInfo.xml` and ACBF |
 //! | [`board`] | sheets of a board, as pages |
+//! | [`animatic`] | the shots of a board in their times: which is seen in a frame, and how the camera moves |
 //! | [`shots`] | the shots of a board as lists that spreadsheets and cutting rooms read |
 //! | `markup` | text in XML and HTML |
 //!
 //! No picture passes through here: a page at print size has megabytes, which the browser keeps as Blobs. What is written names
 //! the picture that belongs in a place, and whoever asked puts it there.
 
+pub mod animatic;
 pub mod board;
 pub mod cbz;
 pub mod comic;

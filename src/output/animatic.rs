@@ -1,0 +1,410 @@
+//! Animatics: the shots of an album one after the other, each for its time, with cuts or dissolves between them and a slow move
+//! of the camera inside of each. All of it is told here as plain data; [`Animatic::at`] says what a frame shows. A shot is drawn
+//! once, as a page of one panel, and the camera moves over that picture: its lines stand still, and a shot without a move is the
+//! same in every frame.
+
+use super::shots::ShotList;
+use crate::error::{Error, Result};
+use crate::framing::{Crop, FACE, Subject};
+use crate::page::Document;
+use serde::{Deserialize, Serialize};
+use serde_json::{Value, json};
+
+/// Sides of a frame in pixels, from the smallest to the largest.
+pub const SIDES: [u32; 2] = [64, 3840];
+/// Sizes by what people call them.
+pub const SIZES: [(&str, [u32; 2]); 4] =
+    [("1080p", [1920, 1080]), ("720p", [1280, 720]), ("square", [1080, 1080]), ("upright", [1080, 1920])];
+/// Frames of an animatic at most: four hours of thirty a second.
+pub const MOST_FRAMES: u64 = 4 * 3600 * 30;
+/// How long a shot is that says nothing, in seconds.
+const USUAL_SECONDS: f64 = 2.0;
+/// What is shown at the narrow end of a move, as a part of the wide end: so much less a second, and so much at least.
+const CLOSER: f64 = 0.035;
+const NARROWEST: f64 = 0.84;
+/// A thing that was found with less confidence leads no camera.
+const SURE: f64 = 0.5;
+/// The width of captions, in widths of the frame.
+const CAPTION: f64 = 0.86;
+/// Height of their letters, in the shorter sides of the frame.
+const LETTERS: f64 = 0.045;
+
+/// What is asked for.
+#[derive(Debug, Clone, Default, Deserialize)]
+#[serde(default, rename_all = "camelCase")]
+pub struct Request {
+    /// The shots, and how many frames a second they are counted in.
+    pub list: ShotList,
+    /// Of each shot its picture.
+    pub pictures: Vec<Picture>,
+    /// Width and height of the frames in pixels, 64 to 3840, made even as encoders want them.
+    pub size: [u32; 2],
+    /// Frames a second, 1 to 60; those of the list where nothing is told.
+    pub fps: u32,
+    /// How long a shot is that says nothing, in seconds; two where nothing is told.
+    pub seconds: f64,
+    /// How long two shots are seen together where one goes over into the other, in seconds; 0 cuts.
+    pub dissolve: f64,
+    /// Whether the camera moves.
+    pub moves: bool,
+    /// Whether what is said, else what happens, stands below.
+    pub captions: bool,
+    /// The style of the pictures: an id, or a style in full.
+    pub style: Value,
+}
+
+/// The picture of a shot.
+#[derive(Debug, Clone, Deserialize)]
+pub struct Picture {
+    /// Id of the photo.
+    pub photo: String,
+    /// The part of it that a frame shows, of the aspect of the frames.
+    pub crop: Crop,
+    /// Faces of it, which the style takes care of.
+    #[serde(default)]
+    pub faces: Vec<Crop>,
+    /// What was found in it: the camera keeps faces in view, else people and animals, else things.
+    #[serde(default)]
+    pub subjects: Vec<Subject>,
+}
+
+/// Shots in their times.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct Animatic {
+    /// Frames a second.
+    pub fps: u32,
+    /// Width and height of the frames in pixels.
+    pub size: [u32; 2],
+    /// How many frames there are.
+    pub frames: u32,
+    /// The shots, without gaps between them.
+    pub clips: Vec<Clip>,
+}
+
+/// A shot in its time.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct Clip {
+    /// Id of its photo.
+    pub photo: String,
+    /// The number of the shot.
+    pub number: String,
+    /// Its first frame.
+    pub start: u32,
+    /// How long it is, in frames.
+    pub frames: u32,
+    /// Its first frame with that of a dissolve, in which the shot before still shows.
+    pub from: u32,
+    /// The frame behind its last, a dissolve into the next one counted.
+    pub to: u32,
+    /// What the camera sees at `from`, in fractions of the picture. The same as `last` where it stands still.
+    pub first: Crop,
+    /// What it sees at its end.
+    pub last: Crop,
+    /// The picture as a page of one panel, as large as the narrowest view wants it.
+    pub picture: Value,
+    /// An empty page of the size of the frames with the one word that stands below, if there is one. It goes to the middle, its
+    /// lower edge [`Animatic::FOOT`] above that of the frame.
+    pub caption: Value,
+}
+
+/// A clip as one frame shows it.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Shown {
+    /// Which clip.
+    pub clip: usize,
+    /// The part of its picture that fills the frame.
+    pub view: Crop,
+    /// How much of it is seen over what lies below, 0 to 1.
+    pub share: f64,
+}
+
+impl Request {
+    /// Reads a request.
+    ///
+    /// # Errors
+    /// `invalid-document` for what is none.
+    pub fn parse(json: &str) -> Result<Self> {
+        let request: Self =
+            serde_json::from_str(json).map_err(|error| invalid("animatic", &error.to_string()))?;
+        if request.list.fps > 60 {
+            return Err(invalid("shots", "have more than 60 frames a second"));
+        }
+        Ok(request)
+    }
+
+    /// The shots in their times.
+    ///
+    /// # Errors
+    /// `invalid-document` for no shots, pictures that are not as many, sizes, rates and lengths out of bounds.
+    pub fn planned(&self) -> Result<Animatic> {
+        let (size, fps) = self.checked()?;
+        let lengths = self.lengths(fps)?;
+        let most = (self.dissolve.clamp(0.0, 10.0) * f64::from(fps)).round() as u32;
+        // In a dissolve each of the two keeps a frame of its own.
+        let dissolves: Vec<u32> = lengths.windows(2).map(|pair| most.min(pair[0].min(pair[1]) - 1)).collect();
+        let dissolve = |cut: Option<usize>| cut.and_then(|cut| dissolves.get(cut)).copied().unwrap_or(0);
+        let mut start = 0;
+        let mut clips = Vec::with_capacity(lengths.len());
+        for (i, ((shot, picture), &frames)) in
+            self.list.shots.iter().zip(&self.pictures).zip(&lengths).enumerate()
+        {
+            let into = dissolve(i.checked_sub(1));
+            let out_of = dissolve(Some(i));
+            let (from, to) = (start - into / 2, start + frames + out_of.div_ceil(2));
+            let seconds = f64::from(to - from) / f64::from(fps);
+            let (first, last) =
+                if self.moves { journey(picture, seconds, i) } else { [picture.crop; 2].into() };
+            let seen = around(&first, &last);
+            let caption = if shot.dialogue.trim().is_empty() { &shot.action } else { &shot.dialogue };
+            clips.push(Clip {
+                photo: picture.photo.clone(),
+                number: shot.number.clone(),
+                start,
+                frames,
+                from,
+                to,
+                first: within(&first, &seen),
+                last: within(&last, &seen),
+                picture: self.page(picture, &seen, &first, &last, size)?,
+                caption: if self.captions { caption_page(caption.trim(), size) } else { Value::Null },
+            });
+            start += frames;
+        }
+        Ok(Animatic { fps, size, frames: start, clips })
+    }
+
+    /// Size and rate.
+    fn checked(&self) -> Result<([u32; 2], u32)> {
+        if self.list.shots.is_empty() {
+            return Err(invalid("shots", "are none"));
+        }
+        if self.pictures.len() != self.list.shots.len() {
+            return Err(invalid("pictures", "are not as many as there are shots"));
+        }
+        let [least, most] = SIDES;
+        if !self.size.iter().all(|side| (least..=most).contains(side)) {
+            return Err(invalid("size", &format!("is not from {least} to {most} pixels a side")));
+        }
+        let fps = match (self.fps, self.list.fps) {
+            (0, 0) => 24,
+            (0, fps) | (fps, _) => fps,
+        };
+        if fps > 60 {
+            return Err(invalid("fps", "is more than 60 frames a second"));
+        }
+        Ok((self.size.map(|side| side & !1), fps))
+    }
+
+    /// How many frames each shot has. At another rate than that of the list it is the ends that are rounded, so that the whole is
+    /// as long as it was.
+    fn lengths(&self, fps: u32) -> Result<Vec<u32>> {
+        let rate = u64::from(if self.list.fps == 0 { 24 } else { self.list.fps });
+        let seconds = if self.seconds > 0.0 { self.seconds.min(3600.0) } else { USUAL_SECONDS };
+        let usual = ((seconds * rate as f64).round() as u64).max(1);
+        let (mut counted, mut end) = (0_u64, 0_u64);
+        let mut lengths = Vec::with_capacity(self.list.shots.len());
+        for shot in &self.list.shots {
+            counted += shot.frames.map_or(usual, u64::from).max(1);
+            let next = ((2 * counted * u64::from(fps) + rate) / (2 * rate)).max(end + 1);
+            if next > MOST_FRAMES {
+                return Err(invalid("shots", "are longer than four hours"));
+            }
+            lengths.push((next - end) as u32);
+            end = next;
+        }
+        Ok(lengths)
+    }
+
+    /// The part of a photo that a shot shows, as a page of one panel.
+    fn page(
+        &self,
+        picture: &Picture,
+        seen: &Crop,
+        first: &Crop,
+        last: &Crop,
+        size: [u32; 2],
+    ) -> Result<Value> {
+        let side = |seen: f64, a: f64, b: f64, pixels: u32| {
+            (seen / a.min(b).max(1e-6) * f64::from(pixels)).round().clamp(f64::from(pixels), 8000.0) as u32
+        };
+        let width = side(seen.width, first.width, last.width, size[0]);
+        let height = side(seen.height, first.height, last.height, size[1]);
+        let document = json!({
+            "version": 1, "seed": 0, "style": self.style, "merges": [], "words": [], "order": [picture.photo],
+            "panels": [{ "photo": picture.photo, "crop": inside(seen), "faces": picture.faces }],
+            "layout": full(f64::from(width) / f64::from(height)), "page": plain([width, height]),
+        });
+        written(&document)
+    }
+}
+
+impl Animatic {
+    /// How far above the lower edge a caption ends, in heights of the frame.
+    pub const FOOT: f64 = 0.05;
+
+    /// What a frame shows: one clip, or two in a dissolve, the one that comes over the one that goes. None beyond the end.
+    #[must_use]
+    pub fn at(&self, frame: u32) -> Option<(Shown, Option<Shown>)> {
+        if frame >= self.frames {
+            return None;
+        }
+        let own = self.clips.partition_point(|clip| clip.start + clip.frames <= frame);
+        let before = own.checked_sub(1).filter(|&i| frame < self.clips[i].to);
+        let behind = (own + 1 < self.clips.len()).then_some(own + 1).filter(|&i| frame >= self.clips[i].from);
+        let (under, over) = match (before, behind) {
+            (Some(before), _) => (before, Some(own)),
+            (None, behind) => (own, behind),
+        };
+        let shown = |clip: usize, share: f64| Shown { clip, view: self.clips[clip].view(frame), share };
+        let over = over.map(|over| {
+            let (from, to) = (self.clips[over].from, self.clips[under].to);
+            shown(over, f64::from(frame - from + 1) / f64::from(to - from + 1))
+        });
+        Some((shown(under, 1.0), over))
+    }
+}
+
+impl Clip {
+    /// What the camera sees in a frame from `from` to `to`: it sets out and arrives slowly, as a cubic curve.
+    #[must_use]
+    pub fn view(&self, frame: u32) -> Crop {
+        if self.first == self.last {
+            return self.first;
+        }
+        let t = f64::from(frame.saturating_sub(self.from)) / f64::from((self.to - self.from).max(2) - 1);
+        let part = t * t * (3.0 - 2.0 * t);
+        let between = |a: f64, b: f64| a + (b - a) * part;
+        Crop {
+            x: between(self.first.x, self.last.x),
+            y: between(self.first.y, self.last.y),
+            width: between(self.first.width, self.last.width),
+            height: between(self.first.height, self.last.height),
+        }
+    }
+}
+
+/// Where the camera begins and ends. Where there is somebody or something it goes nearer, or back, and keeps them in view;
+/// else it glides along the longer side. Which of the two ways follows from the number of the shot.
+fn journey(picture: &Picture, seconds: f64, index: usize) -> (Crop, Crop) {
+    let wide = picture.crop;
+    let narrow = (1.0 - CLOSER * seconds).clamp(NARROWEST, 1.0);
+    let kept = kept(&picture.subjects, &wide);
+    let (first, last) = if let Some(kept) = kept {
+        // As narrow as holds them.
+        let part = narrow.max(kept.width / wide.width).max(kept.height / wide.height).min(1.0);
+        (wide, placed(&wide, part, &kept))
+    } else {
+        let across = wide.width > wide.height * 0.8;
+        let end = |far: bool| {
+            let at = if far { 1.0 } else { 0.0 };
+            let (x, y) = if across { (at, 0.5) } else { (0.5, at) };
+            Crop {
+                x: wide.x + (1.0 - narrow) * wide.width * x,
+                y: wide.y + (1.0 - narrow) * wide.height * y,
+                width: wide.width * narrow,
+                height: wide.height * narrow,
+            }
+        };
+        (end(false), end(true))
+    };
+    if index.is_multiple_of(2) { (first, last) } else { (last, first) }
+}
+
+/// The box about what must stay in view, as far as the crop shows it.
+fn kept(subjects: &[Subject], crop: &Crop) -> Option<Crop> {
+    let sure = |subject: &&Subject| subject.score >= SURE && !subject.is_scenery();
+    let classes: [&dyn Fn(&&Subject) -> bool; 3] =
+        [&|subject| subject.label == FACE, &|subject| subject.is_alive() && sure(subject), &sure];
+    classes.iter().find_map(|class| {
+        let shown = subjects.iter().filter(class).filter_map(|subject| {
+            let grown = subject.grown();
+            let (left, top) = (grown.x.max(crop.x), grown.y.max(crop.y));
+            let right = (grown.x + grown.width).min(crop.x + crop.width);
+            let bottom = (grown.y + grown.height).min(crop.y + crop.height);
+            (right > left && bottom > top).then_some(Crop {
+                x: left,
+                y: top,
+                width: right - left,
+                height: bottom - top,
+            })
+        });
+        shown.reduce(|all, one| around(&all, &one))
+    })
+}
+
+/// A part of a crop, of its aspect, about the middle of a box that it can hold.
+fn placed(wide: &Crop, part: f64, kept: &Crop) -> Crop {
+    let (width, height) = (wide.width * part, wide.height * part);
+    let along = |kept: (f64, f64), wide: (f64, f64), length: f64| {
+        (kept.0 + kept.1 / 2.0 - length / 2.0).clamp(wide.0, (wide.0 + wide.1 - length).max(wide.0))
+    };
+    Crop {
+        x: along((kept.x, kept.width), (wide.x, wide.width), width),
+        y: along((kept.y, kept.height), (wide.y, wide.height), height),
+        width,
+        height,
+    }
+}
+
+/// The smallest box about two.
+fn around(a: &Crop, b: &Crop) -> Crop {
+    let (x, y) = (a.x.min(b.x), a.y.min(b.y));
+    let right = (a.x + a.width).max(b.x + b.width);
+    let bottom = (a.y + a.height).max(b.y + b.height);
+    Crop { x, y, width: right - x, height: bottom - y }
+}
+
+/// A view in fractions of what is seen.
+fn within(view: &Crop, seen: &Crop) -> Crop {
+    let (x, y) = ((view.x - seen.x) / seen.width, (view.y - seen.y) / seen.height);
+    let (width, height) = (view.width / seen.width, view.height / seen.height);
+    inside(&Crop { x, y, width, height })
+}
+
+/// The crop without what rounding put beyond the photo.
+fn inside(crop: &Crop) -> Crop {
+    let (width, height) = (crop.width.clamp(0.0, 1.0), crop.height.clamp(0.0, 1.0));
+    Crop { x: crop.x.clamp(0.0, 1.0 - width), y: crop.y.clamp(0.0, 1.0 - height), width, height }
+}
+
+/// A layout of one panel that is the page.
+fn full(aspect: f64) -> Value {
+    let polygons = [[[0.0, 0.0], [1.0, 0.0], [1.0, 1.0], [0.0, 1.0]]];
+    json!({ "id": "frame", "name": "Frame", "family": "board", "aspect": aspect, "polygons": polygons })
+}
+
+fn plain([width, height]: [u32; 2]) -> Value {
+    json!({
+        "width": width, "height": height, "dpi": 96, "gutter": 0, "margin": 0, "border": 0, "cornerRadius": 0,
+        "paper": "#000000", "borderColor": "#000000",
+    })
+}
+
+/// An empty page with a caption; nothing for no text.
+fn caption_page(text: &str, [width, height]: [u32; 2]) -> Value {
+    if text.is_empty() {
+        return Value::Null;
+    }
+    let short: String = text.chars().take(280).collect();
+    let size = LETTERS * f64::from(width.min(height)) / f64::from(width);
+    let document = json!({
+        "version": 1, "seed": 0, "style": "storyboard", "merges": [], "order": [],
+        "panels": [{ "photo": null, "crop": null }],
+        "layout": full(f64::from(width) / f64::from(height)), "page": plain([width, height]),
+        "words": [{
+            "kind": "caption", "text": short, "x": 0.5, "y": 0.7, "auto": false, "font": "comic-neue-bold",
+            "color": "#111111", "fill": "#ffffff", "size": size, "room": [CAPTION, 0.4 * f64::from(height) / f64::from(width)],
+        }],
+    });
+    written(&document).unwrap_or(Value::Null)
+}
+
+/// The page as the page itself writes it.
+fn written(document: &Value) -> Result<Value> {
+    let page = Document::parse(&document.to_string())?;
+    serde_json::from_str(&page.to_json()).map_err(|error| invalid("animatic", &error.to_string()))
+}
+
+fn invalid(location: &str, reason: &str) -> Error {
+    Error::InvalidDocument { location: location.into(), reason: reason.into() }
+}
