@@ -3,6 +3,7 @@
 
 use crate::boards::{self, STYLE, ShotPhoto};
 use crate::destination::Output;
+use crate::segments::Masks;
 use crate::{Complaint, album, read_style, reopening, survived, telling};
 use inkpanel::Error;
 use inkpanel::document::saved::Saved;
@@ -83,11 +84,12 @@ pub(crate) fn animate(asked: &Animate) -> Result<(), Complaint> {
         let complain = |reason: String| format!("{}: {reason}", path.display());
         fonts.add(album::read(path).map_err(complain)?).map_err(|reason| complain(reason.to_owned()))?;
     }
+    let masks = reopening::masks(&saved);
     let (plan, photos) = planned(saved, asked).map_err(complain)?;
     std::fs::create_dir_all(&asked.output).map_err(|error| format!("{}: {error}", asked.output.display()))?;
     let captions = captions(&plan, &fonts)?;
-    Reel { plan: &plan, photos: &photos, captions, folder: &asked.output, skips: asked.skip_existing }
-        .write()?;
+    let (folder, skips) = (&*asked.output, asked.skip_existing);
+    Reel { plan: &plan, photos: &photos, masks, captions, folder, skips }.write()?;
     let beyond = frame_file(&asked.output, plan.frames);
     if beyond.exists() {
         let why =
@@ -158,6 +160,7 @@ fn captions(plan: &Animatic, fonts: &GivenFonts) -> Result<Vec<Option<Patch>>, C
 struct Reel<'a> {
     plan: &'a Animatic,
     photos: &'a [ShotPhoto],
+    masks: Masks,
     captions: Vec<Option<Patch>>,
     folder: &'a Path,
     skips: bool,
@@ -212,7 +215,9 @@ impl Reel<'_> {
         let ShotPhoto { id, name, file } = &self.photos[clip];
         let photo = survived(|| decode(file, &Limits::default()))
             .map_err(|reason| format!("the photo {name}: {reason}"))?;
-        let photos = HashMap::from([(id.clone(), photo.image)]);
+        let has_parts = document.style().map_err(told)?.has_parts();
+        let subject = if has_parts { self.masks.of(id, &photo.image) } else { None };
+        let photos = HashMap::from([(id.clone(), native::Photo { image: photo.image, subject })]);
         let sheet = native::sheet(&document, &photos, &GivenFonts::default()).map_err(told)?;
         Image::from_interleaved_rgb(sheet.width(), sheet.height(), sheet.rgb()).map_err(told)
     }

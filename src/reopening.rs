@@ -83,9 +83,7 @@ fn drawn(
     };
     let found = |id: &str| known.get(id).map_or(&[][..], Vec::as_slice);
     let fonts = printing.fonts()?;
-    let masks =
-        saved.project().photos.iter().filter_map(|photo| Some((photo.id.clone(), photo.mask.clone()?)));
-    let masks = Masks::new(masks.collect(), None);
+    let masks = masks(&saved);
     let means = printing.means(&photos, &fonts, &masks);
     drawing::tell_missing(&wanted, &fonts)?;
     match kind {
@@ -127,6 +125,12 @@ fn wanted(saved: &Saved, number: Option<u32>, all: bool) -> Result<Vec<Document>
 /// What the file says was found in its photos, by their ids.
 pub(crate) fn known(saved: &Saved) -> HashMap<String, Vec<Subject>> {
     saved.project().photos.iter().map(|photo| (photo.id.clone(), subjects(photo))).collect()
+}
+
+/// The masks of its photos, by their ids; others are looked for where a style asks for them.
+pub(crate) fn masks(saved: &Saved) -> Masks {
+    let known = saved.project().photos.iter();
+    Masks::new(known.filter_map(|photo| Some((photo.id.clone(), photo.mask.clone()?))).collect(), None)
 }
 
 /// What the file says was found in a photo, as far as it can be read.

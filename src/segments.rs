@@ -99,7 +99,8 @@ fn names(photos: &[(PathBuf, Imported)], folder: &Path) -> Vec<PathBuf> {
     let name = |(path, _): &(PathBuf, Imported)| {
         let stem = path.file_stem().map_or_else(|| "photo".into(), |stem| stem.to_string_lossy());
         let numbered = |n: usize| if n < 2 { stem.to_string() } else { format!("{stem}-{n}") };
-        let free = (1..).map(numbered).find(|name| taken.insert(name.clone())).unwrap_or_default();
+        let free =
+            (1..=photos.len() + 1).map(numbered).find(|name| taken.insert(name.clone())).unwrap_or_default();
         folder.join(format!("{free}.png"))
     };
     photos.iter().map(name).collect()

@@ -169,7 +169,7 @@ fn without_its_figure_a_page_differs_outside_of_the_panel_alone() {
         outside += usize::from(differs && *inside == 0);
         within += usize::from(differs && *inside == 255);
     }
-    let panel = inside.iter().filter(|inside| **inside == 255).count();
+    let panel: usize = inside.iter().map(|inside| usize::from(*inside == 255)).sum();
     assert!(outside * 200 > panel, "{outside} of {panel}");
     // Where the border was, and at the figure's own edge.
     assert!(within * 20 < panel, "{within} of {panel}");
