@@ -65,7 +65,11 @@ function painter(readable = ['a', 'b'], subjectOf?: (document: any, photo: strin
   const painted = vi.fn();
   const errors = vi.fn();
   const hasPhoto = (id: string) => readable.includes(id);
-  const made = createPainter(canvas, { engine: { renderPanel, hasPhoto, subjectOf } as any, onPainted: painted, onError: errors });
+  const made = createPainter(canvas, {
+    engine: { renderPanel, hasPhoto, subjectOf } as any,
+    onPainted: painted,
+    onError: errors,
+  });
   return { ...made, painted, errors };
 }
 
