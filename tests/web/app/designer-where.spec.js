@@ -1,0 +1,43 @@
+// @ts-check
+/** Layers and blocks that are for the subject or for the background: chosen in the designer, told by the file, drawn on the page. */
+
+import { addBlock, button, cards, drawn, preview, region } from './designer-hands.js';
+import { accessible, add, expect, idle, photos, picture, detectingTest as test } from './support.js';
+
+const MASKED = { timeout: 120_000 };
+
+test('a block is for the background alone, and one undo has it everywhere again', async ({ page }) => {
+  test.setTimeout(240_000);
+  await page.goto('./');
+  await add(page, await photos('macaw.jpg', 'camera.jpg', 'dahlia.jpg'));
+  await expect(page.locator('body')).toHaveAttribute('data-masked', 'true', MASKED);
+  await idle(page);
+  await page.getByRole('button', { name: 'Designer', exact: true }).click();
+  await drawn(page);
+  await addBlock(page, 'Grayscale');
+  const everywhere = await preview(page);
+  const where = cards(page).first().getByRole('combobox', { name: 'Where', exact: true });
+  await expect(where).toHaveValue('');
+  await where.selectOption('Background');
+  const behind = await preview(page);
+  expect(behind).not.toBe(everywhere);
+  await where.selectOption('Subject');
+  expect([everywhere, behind]).not.toContain(await preview(page));
+  await accessible(page);
+  await button(page, 'Undo').click();
+  expect(await preview(page)).toBe(behind);
+  await button(page, 'Undo').click();
+  expect(await preview(page)).toBe(everywhere);
+  // The lines of a layer, by the keyboard.
+  await addBlock(page, 'XDoG', 'Foreground layer');
+  const lines = await preview(page);
+  const layer = region(page).getByRole('combobox', { name: 'Where the lines are' });
+  await layer.focus();
+  await page.keyboard.press('ArrowDown');
+  await expect(layer).toHaveValue('subject');
+  expect(await preview(page)).not.toBe(lines);
+  const before = await picture(page);
+  await button(page, 'Use').click();
+  await idle(page);
+  expect(await picture(page)).not.toBe(before);
+});
