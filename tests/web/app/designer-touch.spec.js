@@ -28,9 +28,11 @@ test('a card is carried by its handle, also to the other layer, and a finger els
   });
   const before = await preview(page);
 
-  // Down by one.
-  const [, second] = await Promise.all([head(page, 0), head(page, 1)].map(middle));
-  await touch(page, [way(await middle(handle(page, 0)), [second[0], second[1] + 60])]);
+  // Down by one: past the middle of the next.
+  const next = await cards(page).nth(1).boundingBox();
+  if (!next) throw new Error('it is not shown');
+  const past = next.y + 0.55 * next.height;
+  await touch(page, [way(await middle(handle(page, 0)), [next.x + next.width / 2, past])]);
   await expect.poll(() => names(page)).toEqual(['Posterization', 'Gaussian Smoothing', 'Saturation', 'XDoG']);
   expect(await preview(page)).not.toBe(before);
   expect(await lanes.evaluate((element) => element.scrollTop)).toBe(0);
