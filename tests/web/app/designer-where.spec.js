@@ -24,9 +24,10 @@ test('a block is for the background alone, and one undo has it everywhere again'
   await where.selectOption('Subject');
   expect([everywhere, behind]).not.toContain(await preview(page));
   await accessible(page);
-  await button(page, 'Undo').click();
+  const undo = page.getByRole('button', { name: 'Undo', exact: true });
+  await undo.click();
   expect(await preview(page)).toBe(behind);
-  await button(page, 'Undo').click();
+  await undo.click();
   expect(await preview(page)).toBe(everywhere);
   // The lines of a layer, by the keyboard.
   await addBlock(page, 'XDoG', 'Foreground layer');
