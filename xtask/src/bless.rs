@@ -184,7 +184,7 @@ mod tests {
         assert_eq!(chosen.iter().map(|topic| topic.name).collect::<Vec<_>>(), ["bounds"]);
         assert_eq!(topics(&[]).unwrap().len(), TOPICS.len());
         let said = topics(&["pages".into()]).err().unwrap().to_string();
-        assert_eq!(said, "no topic is called pages; there are goldens, tables, bounds, types");
+        assert_eq!(said, "no topic is called pages; there are goldens, tables, bounds, shots, types");
     }
 
     #[test]
