@@ -99,6 +99,9 @@ enum Command {
         /// The kind of file, whatever its name: png, jpg or webp.
         #[arg(long, value_name = "KIND", value_parser = ["png", "jpg", "webp"])]
         format: Option<String>,
+        /// Do not look for the subject where the style asks for it: all of the photo counts as its subject.
+        #[arg(long)]
+        no_detect: bool,
     },
     /// Say which photos are worth a panel, and why.
     Select {
@@ -344,8 +347,8 @@ fn main() -> ExitCode {
         Command::Score { plan, json, models, no_detect } => {
             plans::score(&plan, json, !no_detect, models.as_deref())
         }
-        Command::Stylize { style, input, output, format } => {
-            stylize_photo(&style, &input, &output, format.as_deref())
+        Command::Stylize { style, input, output, format, no_detect } => {
+            stylize_photo(&style, (&input, !no_detect), &output, format.as_deref())
         }
         Command::Select { files, json, threshold } => select_photos(&files, json, threshold),
         Command::Detect { files, json, models } => detect_photos(&files, json, models.as_deref()),
@@ -530,7 +533,7 @@ fn plan_page(
     let full = |id: &str| paths.get(id).map(|path| decode_file(path)).transpose();
     let masks =
         photos.iter().filter_map(|(_, photo)| Some((photo.meta.id.clone(), photo.meta.mask.clone()?)));
-    let masks = segments::Masks::new(masks.collect(), render.models.as_deref());
+    let masks = segments::Masks::new(masks.collect(), render.models.as_deref()).detecting(!render.no_detect);
     let means = how.printing.means(&full, &fonts, &masks);
     let album = projects::Album {
         name: album_name.to_owned(),
@@ -626,7 +629,13 @@ fn used_photos(render: &Planned, photos: &[(PathBuf, Imported)]) -> Vec<PhotoMet
     used
 }
 
-fn stylize_photo(style: &str, input: &Path, output: &Path, format: Option<&str>) -> Result<(), Complaint> {
+/// Writes a photo in a style, in which its subject is looked for where it `detects` and the style asks for it.
+fn stylize_photo(
+    style: &str,
+    (input, detects): (&Path, bool),
+    output: &Path,
+    format: Option<&str>,
+) -> Result<(), Complaint> {
     let output = Output::new(output, format)?;
     let kind = Kind::of(&output.named)?;
     if matches!(kind, Kind::Pdf | Kind::Project | Kind::Comic(_) | Kind::Shots(_)) {
@@ -636,7 +645,7 @@ fn stylize_photo(style: &str, input: &Path, output: &Path, format: Option<&str>)
     let image = decode_file(input)?;
     let mut context = Context::for_image(&image);
     if style.has_parts()
-        && let Some(matte) = segments::Masks::default().of("", &image)
+        && let Some(matte) = segments::Masks::default().detecting(detects).of("", &image)
     {
         let size = (image.width(), image.height());
         context.show_subject(subject_in(

@@ -67,19 +67,29 @@ pub(crate) fn add_masks(photos: &mut [(PathBuf, Imported)], models: Option<&Path
 pub(crate) struct Masks {
     pub(crate) known: HashMap<String, Matte>,
     pub(crate) models: Option<PathBuf>,
+    /// Nothing is looked for.
+    blind: bool,
     net: OnceLock<Option<Segmenter>>,
 }
 
 impl Masks {
     /// Looks for the net in a folder, where one is told.
     pub(crate) fn new(known: HashMap<String, Matte>, models: Option<&Path>) -> Self {
-        Self { known, models: models.map(Path::to_path_buf), net: OnceLock::new() }
+        Self { known, models: models.map(Path::to_path_buf), ..Self::default() }
+    }
+
+    /// Looks for nothing where it shall not `detect`: all of a photo that is not known is its subject.
+    pub(crate) fn detecting(self, detect: bool) -> Self {
+        Self { blind: !detect, ..self }
     }
 
     /// The subject of a photo, at any size of at least 320 pixels.
     pub(crate) fn of(&self, id: &str, photo: &Image) -> Option<Matte> {
         if let Some(known) = self.known.get(id) {
             return Some(known.clone());
+        }
+        if self.blind {
+            return None;
         }
         let load = || match detectors::load_segmenter(self.models.as_deref()) {
             Ok(net) => Some(net),
