@@ -150,11 +150,6 @@ export function Card({
         />
         <IconButton icon="bin" label={strings.remove} onClick={remove} />
       </div>
-      <WhereChoice
-        label={strings.where}
-        part={step.where ?? null}
-        onSet={(part) => designer.change({ type: 'where', layer, at, part })}
-      />
       {misfit && (
         <p class="card-lacks">
           <span>{strings.lacks[misfit.lacks]}</span>
@@ -178,6 +173,11 @@ export function Card({
           onRest={designer.release}
         />
       ))}
+      <WhereChoice
+        label={strings.where}
+        part={step.where ?? null}
+        onSet={(part) => designer.change({ type: 'where', layer, at, part })}
+      />
     </li>
   );
 }

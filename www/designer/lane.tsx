@@ -62,11 +62,6 @@ export function Lane({
           />
         )}
       </header>
-      <WhereChoice
-        label={strings.whereLayer[layer]}
-        part={draft.where?.[layer] ?? null}
-        onSet={(part) => designer.change({ type: 'layer-where', layer, part })}
-      />
       <ol class="cards" aria-label={strings.layerName[layer]}>
         {steps.map((step, at) => (
           <Card
@@ -90,6 +85,11 @@ export function Lane({
           {strings.emptyLayer[layer]}
         </p>
       )}
+      <WhereChoice
+        label={strings.whereLayer[layer]}
+        part={draft.where?.[layer] ?? null}
+        onSet={(part) => designer.change({ type: 'layer-where', layer, part })}
+      />
       {!adding && (
         <button type="button" class="button small lane-add" onClick={() => onAdd(null)}>
           <Icon name="add" />
