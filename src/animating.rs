@@ -11,6 +11,7 @@ use inkpanel::framing::Crop;
 use inkpanel::native;
 use inkpanel::output::animatic::{Animatic, Clip, Picture, Request, SIDES, SIZES, Shown};
 use inkpanel::output::board::PictureOf;
+use inkpanel::page::compose::Sheet;
 use inkpanel::page::words::draw;
 use inkpanel::page::words::given::GivenFonts;
 use inkpanel::page::{Document, Patch, png};
@@ -215,8 +216,7 @@ impl Reel<'_> {
         let ShotPhoto { id, name, file } = &self.photos[clip];
         let photo = survived(|| decode(file, &Limits::default()))
             .map_err(|reason| format!("the photo {name}: {reason}"))?;
-        let has_parts = document.style().map_err(told)?.has_parts();
-        let subject = if has_parts { self.masks.of(id, &photo.image) } else { None };
+        let subject = self.masks.asked_by(&*document.style().map_err(told)?, id, &photo.image);
         let photos = HashMap::from([(id.clone(), native::Photo { image: photo.image, subject })]);
         let sheet = native::sheet(&document, &photos, &GivenFonts::default()).map_err(told)?;
         Image::from_interleaved_rgb(sheet.width(), sheet.height(), sheet.rgb()).map_err(told)
@@ -252,11 +252,11 @@ impl Reel<'_> {
     fn layer(&self, shown: &Shown, pictures: &HashMap<usize, Image>) -> Result<Vec<u8>, Complaint> {
         let picture = pictures.get(&shown.clip).ok_or("a picture is missing by a fault of Inkpanel")?;
         let [width, height] = self.plan.size.map(|side| side as usize);
-        let mut rgb = seen(picture, &shown.view, (width, height));
-        if let Some(patch) = &self.captions[shown.clip] {
-            lay(&mut rgb, width, patch);
-        }
-        Ok(rgb)
+        let rgb = seen(picture, &shown.view, (width, height));
+        let Some(patch) = &self.captions[shown.clip] else { return Ok(rgb) };
+        let mut sheet = Sheet::of(width, height, rgb);
+        sheet.lay(patch.area, &patch.rgba).map_err(|error| error.to_string())?;
+        Ok(sheet.into_rgb())
     }
 }
 
@@ -277,25 +277,6 @@ fn mix(under: &mut [u8], over: &[u8], share: f64) {
     let share = (share * 256.0).round().clamp(0.0, 256.0) as u32;
     for (under, over) in under.iter_mut().zip(over) {
         *under = ((u32::from(*under) * (256 - share) + u32::from(*over) * share + 128) >> 8) as u8;
-    }
-}
-
-/// Lays a caption on a frame of that width; what is beyond it is left out.
-fn lay(rgb: &mut [u8], width: usize, patch: &Patch) {
-    let area = patch.area;
-    for (y, row) in patch.rgba.chunks_exact(4 * area.width).enumerate() {
-        for (x, pixel) in row.chunks_exact(4).enumerate() {
-            let (x, y) = (area.x + x as i64, area.y + y as i64);
-            if x < 0 || y < 0 || x >= width as i64 {
-                continue;
-            }
-            let at = 3 * (y as usize * width + x as usize);
-            let Some(below) = rgb.get_mut(at..at + 3) else { continue };
-            let alpha = u32::from(pixel[3]);
-            for (below, above) in below.iter_mut().zip(pixel) {
-                *below = ((u32::from(*above) * alpha + u32::from(*below) * (255 - alpha) + 127) / 255) as u8;
-            }
-        }
     }
 }
 

@@ -391,11 +391,11 @@ fn leaf(
 /// The photos that a page shows, as far as they are there, decoded side by side.
 fn decoded(document: &Document, means: &Means<'_>) -> Result<native::Photos, Complaint> {
     let wanted = native::photos_of(document).map_err(|error| error.to_string())?;
-    let has_parts = document.style().map_err(|error| error.to_string())?.has_parts();
+    let style = document.style().map_err(|error| error.to_string())?;
     let read = |id: String| {
         let image = (means.photos)(&id).transpose()?;
         Some(image.map(|image| {
-            let subject = if has_parts { means.masks.of(&id, &image) } else { None };
+            let subject = means.masks.asked_by(&style, &id, &image);
             (id, native::Photo { image, subject })
         }))
     };

@@ -644,9 +644,7 @@ fn stylize_photo(
     let style = read_style(style)?;
     let image = decode_file(input)?;
     let mut context = Context::for_image(&image);
-    if style.has_parts()
-        && let Some(matte) = segments::Masks::default().detecting(detects).of("", &image)
-    {
+    if let Some(matte) = segments::Masks::default().detecting(detects).asked_by(&style, "", &image) {
         let size = (image.width(), image.height());
         context.show_subject(subject_in(
             &matte,

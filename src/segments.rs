@@ -9,6 +9,7 @@ use inkpanel::page::cutout::full_mask;
 use inkpanel::page::import::Imported;
 use inkpanel::page::png;
 use inkpanel::raster::{Image, Matte};
+use inkpanel::style::Style;
 use rayon::prelude::*;
 use serde_json::{Value, json};
 
@@ -83,8 +84,12 @@ impl Masks {
         Self { blind: !detect, ..self }
     }
 
-    /// The subject of a photo, at any size of at least 320 pixels.
-    pub(crate) fn of(&self, id: &str, photo: &Image) -> Option<Matte> {
+    /// The subject of a photo, at any size of at least 320 pixels; none for a style that does not ask for it.
+    pub(crate) fn asked_by(&self, style: &Style, id: &str, photo: &Image) -> Option<Matte> {
+        if style.has_parts() { self.of(id, photo) } else { None }
+    }
+
+    fn of(&self, id: &str, photo: &Image) -> Option<Matte> {
         if let Some(known) = self.known.get(id) {
             return Some(known.clone());
         }

@@ -296,6 +296,13 @@ impl Sheet {
         Self { width, height, rgb }
     }
 
+    /// A picture of a size as a sheet, of which `rgb` holds each pixel.
+    #[must_use]
+    pub fn of(width: usize, height: usize, rgb: Vec<u8>) -> Self {
+        debug_assert_eq!(rgb.len(), width * height * 3);
+        Self { width, height, rgb }
+    }
+
     /// Lays a patch on what is there. Pixels outside of the page are left out.
     ///
     /// # Errors
