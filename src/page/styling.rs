@@ -6,6 +6,7 @@ use super::fill::Stage;
 use super::request::Request;
 use crate::error::{Error, Result};
 use crate::plan::Plan;
+use crate::plan::layouts::is_within;
 use crate::plan::tones::{self, Shown};
 use crate::style::{Style, catalogue, procedural};
 use oorandom::Rand64;
@@ -95,21 +96,18 @@ fn draw(request: &Request, current: Option<&Value>, page: &Shown, random: &mut R
     // The first page of a visit is to be liked at once.
     let first = current.is_none();
     let families = &request.within.styles;
-    let within = |style: &Style| {
-        families.is_empty() || style.tags.first().is_some_and(|family| families.contains(family))
-    };
-    let designed =
-        catalogue::catalogue()
-            .iter()
-            .filter(|style| !lines_only || style.foreground.is_some())
-            .filter(|style| {
-                if families.is_empty() { !first || tones::is_among_best(&style.id) } else { within(style) }
-            })
-            .map(|style| {
-                let weight =
-                    tones::weight(style, page, &request.taste) * if shown(&style.id) { 0.0 } else { 1.0 };
-                (weight, Value::String(style.id.clone()))
-            });
+    // Who asks for families has chosen.
+    let best = first && families.is_empty();
+    let designed = catalogue::catalogue()
+        .iter()
+        .filter(|style| !lines_only || style.foreground.is_some())
+        .filter(|style| !best || tones::is_among_best(&style.id))
+        .filter(|style| is_within(families, style.tags.first().map_or("", String::as_str)))
+        .map(|style| {
+            let weight =
+                tones::weight(style, page, &request.taste) * if shown(&style.id) { 0.0 } else { 1.0 };
+            (weight, Value::String(style.id.clone()))
+        });
     let extra =
         wish.extra.iter().filter(|style| !lines_only || style.get("foreground").is_some()).map(|style| {
             let id = style["id"].as_str().unwrap_or_default();

@@ -88,9 +88,7 @@ pub struct Drawn {
 /// back). Each family's weight is shared by its templates, or families with many would take all.
 #[must_use]
 pub fn draw(wanted: &Wanted, random: &mut Rand64) -> Vec<Drawn> {
-    let within = |template: &&'static Template| {
-        wanted.families.is_empty() || wanted.families.iter().any(|family| family == template.family())
-    };
+    let within = |template: &&'static Template| is_within(wanted.families, template.family());
     let mut good = layout::good_for(wanted.aspect);
     good.retain(within);
     // Every page has at least one template; where none is good the whole list is still better than nothing.
@@ -118,6 +116,12 @@ pub fn draw(wanted: &Wanted, random: &mut Rand64) -> Vec<Drawn> {
         .collect();
     let ratings: Vec<f64> = drawn.iter().map(|(rating, _)| *rating).collect();
     best_first(&ratings).into_iter().take(DRAWN).map(|at| drawn[at].1).collect()
+}
+
+/// Whether a family is among those to keep to: any is where there are none.
+#[must_use]
+pub fn is_within(families: &[String], family: &str) -> bool {
+    families.is_empty() || families.iter().any(|other| other == family)
 }
 
 /// How much a family is liked, 0 to 1: by eye, over pages rated one by one.
