@@ -211,12 +211,12 @@ impl Studio {
     /// Tells which part of a photo is its subject: a mask as text, or nothing where that is not known. Styles that are for a
     /// part of the picture ask for it.
     pub fn know_subject(&mut self, key: &str, mask: Option<String>) {
-        let mask = mask.and_then(|mask| Matte::try_from(mask).ok());
-        if self.subjects.get(key) == mask.as_ref() {
+        // Each job tells it again: it is read when it is another.
+        if self.subjects.get(key).map(Matte::text) == mask.as_deref() {
             return;
         }
         self.designs.forget(key);
-        match mask {
+        match mask.and_then(|mask| Matte::try_from(mask).ok()) {
             Some(mask) => drop(self.subjects.insert(key.to_owned(), mask)),
             None => drop(self.subjects.remove(key)),
         }
@@ -294,8 +294,7 @@ impl Studio {
             let image = resample_image(photo, region, width.max(1), height.max(1));
             self.context.fit_scale(&image);
             let style = style_of(style)?;
-            let subject = self.subject_in(key, region, &image, &style);
-            self.context.show_subject(subject);
+            self.show_subject(key, region, &image, &style);
             let rgba = stylize(&image, &style, &mut self.context)?.to_rgba();
             Ok(Patch::whole(image.width(), image.height(), rgba))
         };
@@ -370,9 +369,15 @@ impl Studio {
         Ok(scene)
     }
 
-    /// The subject of a photo in a picture of a region of it, where it is known and the style asks for it.
-    fn subject_in(&self, key: &str, region: Region, picture: &Image, style: &Style) -> Option<Plane> {
-        let (photo, matte) = (self.photos.get(key)?, self.subjects.get(key).filter(|_| style.has_parts())?);
+    /// Tells the subject in a picture of a region of a photo, where it is known and the style asks for it.
+    fn show_subject(&mut self, key: &str, region: Region, picture: &Image, style: &Style) {
+        let subject = if style.has_parts() { self.subject_in(key, region, picture) } else { None };
+        self.context.show_subject(subject);
+    }
+
+    /// The subject in a picture of a region of a photo, where it is known.
+    fn subject_in(&self, key: &str, region: Region, picture: &Image) -> Option<Plane> {
+        let (photo, matte) = (self.photos.get(key)?, self.subjects.get(key)?);
         let scale = scale_of(picture.width() as f64 * picture.height() as f64);
         subject_in(matte, region, (photo.width(), photo.height()), (picture, scale))
     }

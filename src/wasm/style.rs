@@ -3,11 +3,9 @@
 use super::{Patch, Studio, parse, style_of, thrown};
 use crate::error::{Error, Result};
 use crate::page::{Document, document, plates};
+use crate::raster::Image;
 use crate::raster::resize::{Region, fit, resample_image};
-use crate::raster::{Image, Plane};
 use crate::style::aesthetic::{Fault, Judgement, judge};
-use crate::style::context::scale_of;
-use crate::style::part::subject_in;
 use crate::style::stages::{Layer, Stages};
 use crate::style::{Style, breeding, look, procedural, stylize};
 use serde_json::{Value, json};
@@ -169,11 +167,10 @@ impl Studio {
         height: usize,
     ) -> std::result::Result<Explored, JsValue> {
         let mut explore = || -> Result<Explored> {
-            let photo = sized(self.photo(key)?, width, height);
+            let (whole, photo) = self.whole(key, (width, height))?;
             self.context.fit_scale(&photo);
             let style: Style = style_of(style)?;
-            let subject = self.whole_subject(key, &photo, &style);
-            self.context.show_subject(subject);
+            self.show_subject(key, whole, &photo, &style);
             let picture = stylize(&photo, &style, &mut self.context)?;
             Ok(Explored {
                 judgement: judge(&photo, &picture),
@@ -188,19 +185,16 @@ impl Studio {
 
 impl Studio {
     /// A photo at a size, of which nothing is run yet, with its subject: blocks for a part of it may come later.
-    fn staged(&self, key: &str, (width, height): (usize, usize)) -> Result<Stages> {
-        let photo = self.photo(key)?;
-        let (picture, size) = (sized(photo, width, height), (photo.width(), photo.height()));
-        let scale = scale_of(picture.width() as f64 * picture.height() as f64);
-        let subject = self.subjects.get(key);
-        let subject = subject
-            .and_then(|matte| subject_in(matte, Region::whole(size.0, size.1), size, (&picture, scale)));
+    fn staged(&self, key: &str, size: (usize, usize)) -> Result<Stages> {
+        let (whole, picture) = self.whole(key, size)?;
+        let subject = self.subject_in(key, whole, &picture);
         Ok(Stages::new(picture, subject))
     }
 
-    fn whole_subject(&self, key: &str, picture: &Image, style: &Style) -> Option<Plane> {
-        let photo = self.photos.get(key)?;
-        self.subject_in(key, Region::whole(photo.width(), photo.height()), picture, style)
+    /// All of a photo, at its own size and at another.
+    fn whole(&self, key: &str, (width, height): (usize, usize)) -> Result<(Region, Image)> {
+        let photo = self.photo(key)?;
+        Ok((Region::whole(photo.width(), photo.height()), sized(photo, width, height)))
     }
 
     fn stages(&self) -> Result<&Stages> {
