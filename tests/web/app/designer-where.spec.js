@@ -13,6 +13,8 @@ test('a block is for the background alone, and one undo has it everywhere again'
   await expect(page.locator('body')).toHaveAttribute('data-masked', 'true', MASKED);
   await idle(page);
   await page.getByRole('button', { name: 'Designer', exact: true }).click();
+  // One in colour: another of them is gray by itself, and chance has a say in which is shown.
+  await region(page).getByRole('button', { name: 'Preview macaw.jpg' }).click();
   await drawn(page);
   await addBlock(page, 'Grayscale');
   const everywhere = await preview(page);
