@@ -4,7 +4,7 @@ import { fakeApp } from '../document/testing.ts';
 
 type Judge = (seed: number, photo: string) => { fault: string; score: number };
 
-async function app(judge: Judge, { judges = false, mean = (_: number): number => 9 } = {}) {
+async function app(judge: Judge, { judges = false, judged = true, mean = (_: number): number => 9 } = {}) {
   const made = fakeApp();
   const asked: { photo: string; width: number; height: number }[] = [];
   made.store.planner.value = {
@@ -24,7 +24,7 @@ async function app(judge: Judge, { judges = false, mean = (_: number): number =>
   };
   let seeds = 0;
   const seed = () => (seeds += 4) - 4;
-  const inventions = createInventions({ ...made, engine, seed, idle: () => true, calm: 1 } as any);
+  const inventions = createInventions({ ...made, engine, seed, idle: () => true, judged, calm: 1 } as any);
   await made.reading.addFiles(made.files('a', 'b', 'c', 'd'));
   const ids = () => inventions.ready.value.map(seedOf);
   return { ...made, asked, ids };
@@ -47,4 +47,11 @@ it('leaves out what the net gives little, and what one of the photos is lost in'
   const none = await app((_, photo) => ({ fault: photos.add(photo).size > 1 ? 'murky' : '', score: 0.9 }));
   await vi.waitFor(() => expect(none.asked.length).toBeGreaterThan(10));
   expect(none.ids()).toEqual([]);
+});
+
+it('does without the net where none is wanted', async () => {
+  const mean = vi.fn(() => 1);
+  const { ids } = await app(() => ({ fault: '', score: 0.9 }), { judges: true, judged: false, mean });
+  await vi.waitFor(() => expect(ids().length).toBeGreaterThanOrEqual(6));
+  expect(mean).not.toHaveBeenCalled();
 });

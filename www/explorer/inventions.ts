@@ -26,18 +26,20 @@ const LEAST_JUDGED = 4.5;
 /** Milliseconds after the last change for which nobody is going from page to page. */
 const CALM = 3000;
 
-/** @param app `idle`: whether nothing else is under way */
+/** @param app `idle`: whether nothing else is under way; not `judged`, the net is not asked, as by who wants no nets */
 export function createInventions({
   store,
   engine,
   seed,
   idle,
+  judged: wanted = true,
   calm = CALM,
 }: {
   store: Store;
   engine: Pick<Engine, 'exploreStyles' | 'judges' | 'judgeStyle' | 'hasPhoto'>;
   seed: () => number;
   idle: () => boolean;
+  judged?: boolean;
   calm?: number;
 }) {
   const ready = signal([] as readonly Style[]);
@@ -89,7 +91,7 @@ export function createInventions({
       styles = good.map(({ index }) => styles[index]);
       if (styles.length === 0) return [];
     }
-    if (!engine.judges) return styles;
+    if (!wanted || !engine.judges) return styles;
     const judged: Style[] = [];
     for (const style of styles) {
       let sum = 0;
