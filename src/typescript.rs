@@ -24,6 +24,7 @@ use crate::layout::tree::Axis;
 use crate::layout::{
     Bounds, Circle, Descriptor, LayoutPanel, Outline, PageSettings, PlacedPanel, Point, Template,
 };
+use crate::output::animatic::{self, Animatic, Clip};
 use crate::output::board::{self, Labels, PictureOf};
 use crate::output::shots::{Film, ListedShot, ShotList};
 use crate::output::{self, Comic, ComicPage, PictureKind, Piece};
@@ -339,6 +340,10 @@ fn types() -> String {
         Film,
         board::Request,
         PictureOf,
+        animatic::Request,
+        animatic::Picture,
+        Animatic,
+        Clip,
         Labels,
         Focus,
         Order,

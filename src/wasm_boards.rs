@@ -1,8 +1,10 @@
-//! The web boundary of boards, a part of the module of other files: their sheets as pages, and the lists of their shots.
+//! The web boundary of boards, a part of the module of other files: their sheets as pages, the lists of their shots, and the plan of
+//! their animatic.
 //!
 //! Errors are as in the module of words.
 
 use crate::error::{Error, Result};
+use crate::output::animatic;
 use crate::output::board::Request;
 use crate::output::shots::{Kind, ShotList};
 use crate::wasm_error::thrown;
@@ -35,5 +37,31 @@ pub fn board_sheets(request: &str) -> std::result::Result<String, JsValue> {
         let pages: Vec<String> = sheets.iter().map(crate::page::Document::to_json).collect();
         Ok(format!("[{}]", pages.join(",")))
     };
+    made().map_err(thrown)
+}
+
+/// The shots of an animatic in their times (a `Request` of `output::animatic` as JSON): an `Animatic` as JSON.
+///
+/// # Errors
+/// `invalid-document` for a request that is none, or whose shots cannot be shown; those of the style.
+#[wasm_bindgen(js_name = animaticPlan)]
+pub fn animatic_plan(request: &str) -> std::result::Result<String, JsValue> {
+    let made = || -> Result<String> {
+        let plan = animatic::Request::parse(request)?.planned()?;
+        serde_json::to_string(&plan).map_err(|error| Error::InvalidDocument {
+            location: "animatic".into(),
+            reason: error.to_string(),
+        })
+    };
+    made().map_err(thrown)
+}
+
+/// What each frame of the same animatic shows, as `Animatic::table` tells it.
+///
+/// # Errors
+/// As of the plan.
+#[wasm_bindgen(js_name = animaticFrames)]
+pub fn animatic_frames(request: &str) -> std::result::Result<Vec<f32>, JsValue> {
+    let made = || -> Result<Vec<f32>> { Ok(animatic::Request::parse(request)?.planned()?.table()) };
     made().map_err(thrown)
 }

@@ -4,7 +4,7 @@
 
 use inkpanel::document::saved::Saved;
 use inkpanel::framing::{Crop, FACE, Subject};
-use inkpanel::output::animatic::{Picture, Request};
+use inkpanel::output::animatic::{Animatic, Picture, Request};
 use inkpanel::output::shots::{ListedShot, ShotList};
 use inkpanel::raster::decode::{Limits, decode};
 use proptest::prelude::*;
@@ -103,6 +103,26 @@ fn what_is_no_project_or_no_size_is_told() {
     let place = animate(&project(), &file, &SMALL);
     assert_eq!(place.status.code(), Some(1));
     assert!(String::from_utf8_lossy(&place.stderr).contains("page.txt"));
+}
+
+#[test]
+fn the_table_of_all_frames_says_what_each_of_them_shows() {
+    let request = Request { dissolve: 0.5, moves: true, ..request(&[Some(24), None, Some(5)]) };
+    let plan = request.planned().unwrap();
+    let table = plan.table();
+    assert_eq!(table.len(), plan.frames as usize * Animatic::COLUMNS);
+    for (frame, row) in table.chunks(Animatic::COLUMNS).enumerate() {
+        let (under, over) = plan.at(frame as u32).unwrap();
+        assert_eq!(row[0] as usize, under.clip);
+        let near = |value: f32, expected: f64| (f64::from(value) - expected).abs() < 1e-6;
+        assert!(near(row[1], under.view.x) && near(row[4], under.view.height), "frame {frame}");
+        assert_eq!(row[5] < 0.0, over.is_none(), "frame {frame}");
+        if let Some(over) = over {
+            assert_eq!(row[5] as usize, over.clip);
+            assert!(near(row[6], over.view.x) && near(row[8], over.view.width) && near(row[10], over.share));
+        }
+    }
+    assert!(table.chunks(Animatic::COLUMNS).any(|row| row[5] >= 0.0));
 }
 
 fn subject(label: &str, x: f64, y: f64, side: f64) -> Subject {

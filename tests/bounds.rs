@@ -5,6 +5,7 @@
 use inkpanel::document::history::History;
 use inkpanel::document::{kept, limits, script, spreading, subtitles};
 use inkpanel::layout::{DPI, MOST_PIXELS, PRESETS, PagePreset, SIDES};
+use inkpanel::output::animatic::{self, Animatic};
 use inkpanel::page::words::model::FARTHEST;
 use inkpanel::select;
 use serde_json::Value;
@@ -35,7 +36,7 @@ fn bounds() -> String {
     ];
     let head = "/**\n * What a project holds at most. Written out of `src/document/limits.rs` by `cargo xtask bless`, not by hand: the core reads\n * no project beyond it, so none is made here.\n */\n\nexport const MOST = Object.freeze({\n";
     let lines = most.map(|(what, name, value)| format!("  /** {what} */\n  {name}: {},\n", grouped(value)));
-    format!("{head}{}}});\n\n{}\n{}", lines.concat(), ranges(), sizes())
+    format!("{head}{}}});\n\n{}\n{}\n{}", lines.concat(), ranges(), animatics(), sizes())
 }
 
 /// What numbers may be, from the least to the most.
@@ -56,6 +57,18 @@ fn ranges() -> String {
         format!("export const USUAL_PANELS = {};\n", spreading::USUAL),
     ]
     .join("\n")
+}
+
+/// What animatics are made of.
+fn animatics() -> String {
+    let sizes = animatic::SIZES
+        .map(|(id, [width, height])| format!("  {{ id: '{id}', width: {width}, height: {height} }},\n"));
+    format!(
+        "/** Of animatics: how far above the lower edge a caption ends, in heights of the frame, and numbers of a frame in their table. */\nexport const ANIMATIC = Object.freeze({{ foot: {}, columns: {} }});\n\n/** Sizes of animatics by what people call them, in pixels. */\nexport const ANIMATIC_SIZES = Object.freeze([\n{}] as const);\n",
+        Animatic::FOOT,
+        Animatic::COLUMNS,
+        sizes.concat()
+    )
 }
 
 /// Page sizes that people know, the default first.

@@ -32,6 +32,7 @@ const LETTERS: f64 = 0.045;
 /// What is asked for.
 #[derive(Debug, Clone, Default, Deserialize)]
 #[serde(default, rename_all = "camelCase")]
+#[cfg_attr(all(test, feature = "cli"), derive(ts_rs::TS), ts(rename = "AnimaticRequest", optional_fields))]
 pub struct Request {
     /// The shots, and how many frames a second they are counted in.
     pub list: ShotList,
@@ -50,11 +51,13 @@ pub struct Request {
     /// Whether what is said, else what happens, stands below.
     pub captions: bool,
     /// The style of the pictures: an id, or a style in full.
+    #[cfg_attr(all(test, feature = "cli"), ts(as = "Option<crate::page::document::StyleChoice>"))]
     pub style: Value,
 }
 
 /// The picture of a shot.
 #[derive(Debug, Clone, Deserialize)]
+#[cfg_attr(all(test, feature = "cli"), derive(ts_rs::TS), ts(rename = "AnimaticPicture"))]
 pub struct Picture {
     /// Id of the photo.
     pub photo: String,
@@ -70,6 +73,7 @@ pub struct Picture {
 
 /// Shots in their times.
 #[derive(Debug, Clone, PartialEq, Serialize)]
+#[cfg_attr(all(test, feature = "cli"), derive(ts_rs::TS))]
 pub struct Animatic {
     /// Frames a second.
     pub fps: u32,
@@ -83,6 +87,7 @@ pub struct Animatic {
 
 /// A shot in its time.
 #[derive(Debug, Clone, PartialEq, Serialize)]
+#[cfg_attr(all(test, feature = "cli"), derive(ts_rs::TS), ts(rename = "AnimaticClip"))]
 pub struct Clip {
     /// Id of its photo.
     pub photo: String,
@@ -101,9 +106,11 @@ pub struct Clip {
     /// What it sees at its end.
     pub last: Crop,
     /// The picture as a page of one panel, as large as the narrowest view wants it.
+    #[cfg_attr(all(test, feature = "cli"), ts(as = "Document"))]
     pub picture: Value,
     /// An empty page of the size of the frames with the one word that stands below, if there is one. It goes to the middle, its
     /// lower edge [`Animatic::FOOT`] above that of the frame.
+    #[cfg_attr(all(test, feature = "cli"), ts(as = "Option<Document>"))]
     pub caption: Value,
 }
 
@@ -241,6 +248,8 @@ impl Request {
 impl Animatic {
     /// How far above the lower edge a caption ends, in heights of the frame.
     pub const FOOT: f64 = 0.05;
+    /// Numbers of a frame in [`Animatic::table`].
+    pub const COLUMNS: usize = 11;
 
     /// What a frame shows: one clip, or two in a dissolve, the one that comes over the one that goes. None beyond the end.
     #[must_use]
@@ -261,6 +270,21 @@ impl Animatic {
             shown(over, f64::from(frame - from + 1) / f64::from(to - from + 1))
         });
         Some((shown(under, 1.0), over))
+    }
+
+    /// All frames for who draws them: of each [`Animatic::COLUMNS`] numbers, which are the clip below and its view (x, y, width,
+    /// height), the clip over it (-1 for none) and its view, and the share of that one. The same as [`Animatic::at`].
+    #[must_use]
+    pub fn table(&self) -> Vec<f32> {
+        let view = |view: Crop| [view.x, view.y, view.width, view.height];
+        let mut table = Vec::with_capacity(self.frames as usize * Self::COLUMNS);
+        for (under, over) in (0..self.frames).filter_map(|frame| self.at(frame)) {
+            let (clip, above, share) =
+                over.map_or((-1.0, [0.0; 4], 0.0), |over| (over.clip as f64, view(over.view), over.share));
+            let row = [&[under.clip as f64][..], &view(under.view), &[clip], &above, &[share]].concat();
+            table.extend(row.into_iter().map(|value| value as f32));
+        }
+        table
     }
 }
 

@@ -58,7 +58,15 @@ export async function fakeParts(): Promise<Parts> {
     ownLayouts: createOwnLayouts({ store, pages, messages }),
     explorer: createExplorer({ store, engine, messages, ownStyles, seed: () => 1, judged: false }),
     imitation: createImitation({ store, engine, messages, ui, seed: () => 1, freshId: () => 'mine' }),
-    download: createDownload({ store, pages, engine, messages, pageFiles: {} as any, shotList: () => ({}) as any }),
+    download: createDownload({
+      store,
+      pages,
+      engine,
+      messages,
+      pageFiles: {} as any,
+      shotList: () => ({}) as any,
+      animatics: {} as any,
+    }),
   };
   await reading.addFiles(files(...PHOTOS));
   return parts as any;

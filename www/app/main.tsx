@@ -3,6 +3,7 @@
  */
 
 import { createBoards, isComic } from '../boards/boards.ts';
+import { createAnimatics } from '../motion/animatics.ts';
 import './framed.ts';
 import { effect, untracked } from '@preact/signals';
 import { render } from 'preact';
@@ -112,6 +113,7 @@ const inventions = createInventions({
   store,
   engine,
   seed: freshSeed,
+  judged: ui.detects,
   idle: () => ui.painted.value === store.page.value && subjects.settled.value,
 });
 const styling = createStyling({ store, ownStyles, inventions: () => inventions.ready.peek() });
@@ -126,6 +128,7 @@ const subjects = createSubjects({
   window,
 });
 const boards = createBoards({ store, engine, chooseStyle: pages.chooseStyle });
+const animatics = createAnimatics({ store, engine, boards });
 const masks = createMasks({
   store,
   engine,
@@ -140,6 +143,7 @@ const download = createDownload({
   messages,
   pageFiles: keeping.pageFiles,
   shotList: boards.shotList,
+  animatics,
   // Sheets of a board say nothing of the layouts that a person likes.
   onSaved: (saved) => saved.filter(isComic).forEach(taste.learn),
 });
@@ -197,6 +201,7 @@ const parts: Parts = {
   pages,
   crops,
   boards,
+  animatics,
   book,
   selection,
   lettering,

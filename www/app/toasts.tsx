@@ -16,7 +16,13 @@ export function Toasts() {
   const running = download.progress.value;
   const saving = keeping.files.saving.value;
   const percent = running ? strings.percent(running.done / Math.max(1, running.total)) : '';
-  const exporting = running ? (running.packing ? strings.packingPhotos(percent) : strings.exporting(percent)) : '';
+  const exporting = running
+    ? running.packing
+      ? strings.packingPhotos(percent)
+      : running.filming
+        ? strings.animatic.making(percent)
+        : strings.exporting(percent)
+    : '';
   return (
     <>
       <div class="toasts">

@@ -5,6 +5,7 @@
 import { signal } from '@preact/signals';
 import { mediaSignal } from '../ui/media.ts';
 import { createTheme } from '../ui/theme.ts';
+import type { Way } from '../export/formats.ts';
 import type { PageDocument } from '../engine/types.ts';
 import type { Signal } from '@preact/signals';
 
@@ -56,6 +57,8 @@ export function createUi(window: Window) {
     sheet: signal(null) as Signal<Sheet | null>,
     /** The tab that is open beside the page on a large screen. */
     sideTab: signal('styles') as Signal<SideTab>,
+    /** What the dialog of export begins with, where a person came for that. */
+    exportWay: signal(null) as Signal<Way | null>,
     work,
     /** Opens a workspace, or closes it where it is open. */
     toggleWork(which: Work) {

@@ -15,10 +15,10 @@ import { HEADINGS } from './headings.ts';
 import { Sheets } from './sheets.tsx';
 import { ShotsTable } from './shots-table.tsx';
 import './boards.css';
-import type { Format } from '../export/formats.ts';
+import type { ListKind } from '../engine/protocol.ts';
 
 /** What a board is saved as, in the order of the list. */
-const WAYS: readonly Format[] = ['pdf', 'zip', ...LISTS];
+const WAYS: readonly (ListKind | 'pdf' | 'zip')[] = ['pdf', 'zip', ...LISTS];
 
 export function BoardsScreen() {
   const { ui } = useApp();
@@ -43,8 +43,8 @@ export function BoardsScreen() {
 }
 
 function Tools() {
-  const { boards, download, messages } = useApp();
-  const [format, setFormat] = useState('pdf' as Format);
+  const { boards, download, messages, store, ui } = useApp();
+  const [format, setFormat] = useState(WAYS[0]);
   const busy = download.progress.value !== null;
   const none = boards.rows.value.length === 0;
 
@@ -59,12 +59,24 @@ function Tools() {
 
   return (
     <div class="boards-tools">
+      <button
+        type="button"
+        class="button"
+        disabled={none || store.page.value === null}
+        onClick={() => {
+          ui.exportWay.value = 'animatic';
+          ui.dialog.value = 'export';
+        }}
+      >
+        <Icon name="film" />
+        {strings.formats.animatic}
+      </button>
       <ImportFile />
       <select
         class="select"
         aria-label={strings.boards.saveAs}
         value={format}
-        onChange={(event) => setFormat(event.currentTarget.value as Format)}
+        onChange={(event) => setFormat(event.currentTarget.value as (typeof WAYS)[number])}
       >
         {WAYS.map((way) => (
           <option key={way} value={way}>

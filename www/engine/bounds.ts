@@ -53,6 +53,17 @@ export const ALIKE = Object.freeze({ strict: 4, loose: 16 });
 /** Panels of a first page, and of a page among others where no number is wanted. */
 export const USUAL_PANELS = 6;
 
+/** Of animatics: how far above the lower edge a caption ends, in heights of the frame, and numbers of a frame in their table. */
+export const ANIMATIC = Object.freeze({ foot: 0.05, columns: 11 });
+
+/** Sizes of animatics by what people call them, in pixels. */
+export const ANIMATIC_SIZES = Object.freeze([
+  { id: '1080p', width: 1920, height: 1080 },
+  { id: '720p', width: 1280, height: 720 },
+  { id: 'square', width: 1080, height: 1080 },
+  { id: 'upright', width: 1080, height: 1920 },
+] as const);
+
 /** Page sizes that people know, the default first; `safe` and `fold`: pixels from the sides, and from the middle. */
 export const PAGE_SIZES = Object.freeze([
   {

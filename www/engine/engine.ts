@@ -112,6 +112,7 @@ export function createEngine({
     comicFiles: files.comicFiles,
     boardSheets: files.boardSheets,
     shotFile: files.shotFile,
+    animatic: files.animatic,
   };
 
   function run<Op extends keyof Operations>(job: Job<Operations, Op>): Promise<Operations[Op]['ok']> {

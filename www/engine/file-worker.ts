@@ -4,6 +4,8 @@
  */
 
 import initFiles, {
+  animaticFrames,
+  animaticPlan,
   Book,
   boardSheets,
   Cut,
@@ -40,7 +42,7 @@ type Args<Op extends keyof Making> = Making[Op]['args'];
 let started: Promise<WebAssembly.Memory> | undefined;
 let table: Uint8Array | undefined;
 
-const OPERATIONS: Work<Making> = { jpeg, webp, losslessWebp, pictures, pdf, comic, board, shots };
+const OPERATIONS: Work<Making> = { jpeg, webp, losslessWebp, pictures, pdf, comic, board, shots, animatic };
 
 serveJobs<Making>(async (op, args, tell) => {
   tell.waits(LOADING);
@@ -177,6 +179,12 @@ async function board({ request }: Args<'board'>, tell: Tell) {
 async function shots({ ending, list }: Args<'shots'>, tell: Tell) {
   tell.expects(PAGE);
   return { ok: shotFile(ending, list), transfer: [] };
+}
+
+async function animatic({ request }: Args<'animatic'>, tell: Tell) {
+  tell.expects(PAGE);
+  const table = animaticFrames(request);
+  return { ok: { plan: animaticPlan(request), table }, transfer: [table.buffer] };
 }
 
 function bytesOf(data: Uint8ClampedArray<ArrayBuffer>) {

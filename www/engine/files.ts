@@ -5,7 +5,17 @@
 
 import { createPool } from './pool.ts';
 import { Priority } from './queue.ts';
-import type { BoardRequest, Comic, ComicFile, PageDocument, PdfOptions, Piece, ShotList } from './types.ts';
+import type {
+  Animatic,
+  AnimaticRequest,
+  BoardRequest,
+  Comic,
+  ComicFile,
+  PageDocument,
+  PdfOptions,
+  Piece,
+  ShotList,
+} from './types.ts';
 import type { Pool } from './pool.ts';
 import type { ComicKind, ListKind, Making, Picture, PixelPatch, Rgb } from './protocol.ts';
 
@@ -26,6 +36,7 @@ export function createFiles() {
     comicFiles,
     boardSheets,
     shotFile,
+    animatic,
     dispose: () => pool?.dispose(),
   };
 
@@ -130,6 +141,12 @@ export function createFiles() {
   /** @returns the text of a list of shots */
   async function shotFile(ending: ListKind, list: ShotList, call?: Call): Promise<string> {
     return run('shots', { ending, list: JSON.stringify(list) }, [], call);
+  }
+
+  /** @returns the shots in their times, and of each frame what it shows (`Animatic::table` of the core) */
+  async function animatic(request: AnimaticRequest, call?: Call): Promise<{ plan: Animatic; table: Float32Array }> {
+    const { plan, table } = await run('animatic', { request: JSON.stringify(request) }, [], call);
+    return { plan: JSON.parse(plan), table };
   }
 
   function comicText(kind: ComicKind, comic: Comic, call?: Call) {

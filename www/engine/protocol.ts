@@ -121,6 +121,8 @@ export type Making = {
   /** the pages of a board, and a list of its shots */
   board: { args: { request: string }; ok: string };
   shots: { args: { ending: ListKind; list: string }; ok: string };
+  /** the plan of an animatic, and what each of its frames shows */
+  animatic: { args: { request: string }; ok: { plan: string; table: Float32Array } };
 };
 
 /** A list of shots, by the ending of its file. */

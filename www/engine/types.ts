@@ -180,6 +180,79 @@ export type BoardPicture = {
   faces: ReadonlyArray<Crop>,
 };
 
+/** What is asked for. */
+export type AnimaticRequest = {
+  /** The shots, and how many frames a second they are counted in. */
+  list: ShotList,
+  /** Of each shot its picture. */
+  pictures: ReadonlyArray<AnimaticPicture>,
+  /** Width and height of the frames in pixels, 64 to 3840, made even as encoders want them. */
+  size: [number, number],
+  /** Frames a second, 1 to 60; those of the list where nothing is told. */
+  fps: number,
+  /** How long a shot is that says nothing, in seconds; two where nothing is told. */
+  seconds: number,
+  /** How long two shots are seen together where one goes over into the other, in seconds; 0 cuts. */
+  dissolve: number,
+  /** Whether the camera moves. */
+  moves: boolean,
+  /** Whether what is said, else what happens, stands below. */
+  captions: boolean,
+  /** The style of the pictures: an id, or a style in full. */
+  style?: StyleChoice,
+};
+
+/** The picture of a shot. */
+export type AnimaticPicture = {
+  /** Id of the photo. */
+  photo: string,
+  /** The part of it that a frame shows, of the aspect of the frames. */
+  crop: Crop,
+  /** Faces of it, which the style takes care of. */
+  faces: ReadonlyArray<Crop>,
+  /** What was found in it: the camera keeps faces in view, else people and animals, else things. */
+  subjects: ReadonlyArray<Subject>,
+};
+
+/** Shots in their times. */
+export type Animatic = {
+  /** Frames a second. */
+  fps: number,
+  /** Width and height of the frames in pixels. */
+  size: [number, number],
+  /** How many frames there are. */
+  frames: number,
+  /** The shots, without gaps between them. */
+  clips: ReadonlyArray<AnimaticClip>,
+};
+
+/** A shot in its time. */
+export type AnimaticClip = {
+  /** Id of its photo. */
+  photo: string,
+  /** The number of the shot. */
+  number: string,
+  /** Its first frame. */
+  start: number,
+  /** How long it is, in frames. */
+  frames: number,
+  /** Its first frame with that of a dissolve, in which the shot before still shows. */
+  from: number,
+  /** The frame behind its last, a dissolve into the next one counted. */
+  to: number,
+  /** What the camera sees at `from`, in fractions of the picture. The same as `last` where it stands still. */
+  first: Crop,
+  /** What it sees at its end. */
+  last: Crop,
+  /** The picture as a page of one panel, as large as the narrowest view wants it. */
+  picture: PageDocument,
+  /**
+   * An empty page of the size of the frames with the one word that stands below, if there is one. It goes to the middle, its
+   * lower edge `Animatic::FOOT` above that of the frame.
+   */
+  caption: PageDocument | null,
+};
+
 /** What is written before what is told. `{page}` and `{count}` stand for numbers. */
 export type BoardLabels = {
   /** Before the scene. */

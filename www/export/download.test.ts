@@ -29,6 +29,7 @@ function app(engine: Record<string, any> = {}) {
     pages: {} as any,
     engine: { exportPng: made, exportJpeg: made, ...engine } as any,
     shotList: () => ({}) as any,
+    animatics: {} as any,
     pageFiles: {
       take: () => 'project',
       carrying: async (png) => ({ png, unclean: 0 }),

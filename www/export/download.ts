@@ -7,9 +7,10 @@ import { signal } from '@preact/signals';
 import { strings } from '../strings/strings.ts';
 import { save } from '../ui/files.ts';
 import { fileName, panelName } from './export-name.ts';
-import { FORMATS, isArchive, isList } from './formats.ts';
+import { FORMATS, isArchive, isFilm, isList } from './formats.ts';
 import { createMaking } from './page-making.ts';
 import { sized } from '../page/paper.ts';
+import type { Animatics } from '../motion/animatics.ts';
 import type { Messages } from '../ui/messages.ts';
 import type { Pages } from '../document/pages.ts';
 import type { Progress, Store } from '../document/store.ts';
@@ -29,6 +30,7 @@ export function createDownload({
   messages,
   pageFiles,
   shotList,
+  animatics,
   onSaved = () => {},
 }: {
   store: Store;
@@ -50,12 +52,13 @@ export function createDownload({
   >;
   pageFiles: Pick<PageFiles, 'take' | 'carrying' | 'packed'>;
   shotList: () => ShotList;
+  animatics: Pick<Animatics, 'film'>;
   onSaved?: (pages: readonly PageDocument[]) => void;
 }) {
-  /** `packing`: the pages are drawn, and what goes with them is put in. */
-  const progress: Signal<(Progress & { packing?: boolean }) | null> = signal(null);
+  /** `packing`: the pages are drawn, and what goes with them is put in; `filming`: frames are counted. */
+  const progress: Signal<(Progress & { packing?: boolean; filming?: boolean }) | null> = signal(null);
   let running: AbortController | null = null;
-  const make = createMaking({ store, engine, shotList });
+  const make = createMaking({ store, engine, shotList, animatics });
 
   return { progress, start, saveAs, copy, share, savePanel, saveSubject, cancel, preview, sheets, scaledSheets };
 
@@ -91,11 +94,15 @@ export function createDownload({
 
   async function saveAs(wish: Wish) {
     const cargo = loaded(wish);
-    const file = await work((how) => make(wish, how, cargo), strings.exportFailed);
+    const file = await work((how) => make(wish, how, cargo), strings.exportFailed, isFilm(wish.format));
     if (!file) return;
     save(file, nameOf(wish));
     onSaved(wish.pages);
-    const saved = isList(wish.format) ? strings.boards.listSaved : strings.pagesSaved(wish.pages.length);
+    const saved = isFilm(wish.format)
+      ? strings.animatic.saved
+      : isList(wish.format)
+        ? strings.boards.listSaved
+        : strings.pagesSaved(wish.pages.length);
     messages.note(cargo.unclean > 0 ? `${saved} ${strings.photosUnclean(cargo.unclean)}` : saved);
   }
 
@@ -164,7 +171,7 @@ export function createDownload({
 
   async function share(wish: Wish) {
     const goods = loaded(wish);
-    const made = await work((how) => make(wish, how, goods), strings.exportFailed);
+    const made = await work((how) => make(wish, how, goods), strings.exportFailed, isFilm(wish.format));
     if (made) await hand(new File([made], nameOf(wish), { type: FORMATS[fileFormat(wish)].type }));
   }
 
@@ -184,7 +191,11 @@ export function createDownload({
    * Runs one piece of work at a time, with progress; what goes wrong is said.
    * @returns null where it was cancelled or failed
    */
-  async function work(make: (how: Work) => Promise<Blob>, failed: (why: string) => string): Promise<Blob | null> {
+  async function work(
+    make: (how: Work) => Promise<Blob>,
+    failed: (why: string) => string,
+    filming = false,
+  ): Promise<Blob | null> {
     if (running) return null;
     running = new AbortController();
     const { signal: stop } = running;
@@ -192,7 +203,7 @@ export function createDownload({
       const made = await make({
         signal: stop,
         onProgress: (done, total) => {
-          progress.value = { done, total };
+          progress.value = { done, total, filming };
         },
       });
       return stop.aborted ? null : made;
@@ -200,7 +211,7 @@ export function createDownload({
       const { code, message, photo } = error as { code?: string; message: string; photo?: string };
       const reason = strings.reasons[code ?? ''] ?? message;
       // The loss of a worker says itself what it was busy with; other reasons are those of photos.
-      const whole = code?.endsWith('-missing') ? reason : message;
+      const whole = /-missing$|^animatic-|^sound-/.test(code ?? '') ? reason : message;
       const why = photo && code !== 'worker-lost' ? strings.fileFailed(photo, reason) : whole;
       if (code !== 'cancelled') messages.alert(failed(why));
       return null;

@@ -16,10 +16,11 @@ import { ExportProject } from './export-project.tsx';
 import { FileSize } from './file-size.tsx';
 import { FormatChoice } from './format-choice.tsx';
 import { enlarged, hasPlates, NO_PRINT } from './print.ts';
+import { LazyAnimatic } from '../motion/lazy-animatic.tsx';
 import { PrintCheck } from './print-check.tsx';
 import { PrintOptions } from './print-options.tsx';
 import type { PageDocument } from '../engine/types.ts';
-import type { Format, Inside } from './formats.ts';
+import type { Format, Inside, Way } from './formats.ts';
 import type { Print } from './print.ts';
 
 const PREVIEW = 220;
@@ -38,8 +39,8 @@ export function ExportDialog() {
   const all = every && count > 1;
   const [size, setSize] = useState(sizeId(page.page));
   const [factor, setFactor] = useState(1);
-  const [one, setOne] = useState('png' as Format);
-  const [many, setMany] = useState('pdf' as Format);
+  const [one, setOne] = useState(ui.exportWay.peek() ?? ('png' as Way));
+  const [many, setMany] = useState('pdf' as Way);
   const [inside, setInside] = useState('png' as Inside);
   const [quality, setQuality] = useState(USUAL_QUALITY);
   const [print, setPrint] = useState(NO_PRINT);
@@ -51,7 +52,9 @@ export function ExportDialog() {
     () => (all ? download.scaledSheets(factor) : document ? [document] : []),
     [all, factor, document],
   );
-  const format = all ? many : one;
+  const way = all ? many : one;
+  // An animatic has choices of its own, and what is below is not looked at.
+  const format: Format = way === 'animatic' ? 'png' : way;
   const webpHasQuality = useWebpQuality();
   const made = pictureIn(format, inside, webpHasQuality);
   const lossy = made === 'webp' ? webpHasQuality : FORMATS[made].lossy;
@@ -66,9 +69,25 @@ export function ExportDialog() {
   );
   const close = () => {
     ui.dialog.value = null;
+    ui.exportWay.value = null;
   };
   const drawnWidth = screenPixels(PREVIEW * Math.min(1, width / height));
 
+  const formatChoice = (
+    <FormatChoice
+      formats={all ? OF_MANY : OF_ONE}
+      format={way}
+      choose={all ? setMany : setOne}
+      inside={inside}
+      chooseInside={setInside}
+    />
+  );
+  if (way === 'animatic')
+    return (
+      <Dialog title={strings.exportPage} class="export-dialog" onClose={close}>
+        <LazyAnimatic close={close}>{formatChoice}</LazyAnimatic>
+      </Dialog>
+    );
   return (
     <Dialog title={strings.exportPage} class="export-dialog" onClose={close}>
       <div class="export">
@@ -108,13 +127,7 @@ export function ExportDialog() {
               close={close}
             />
           )}
-          <FormatChoice
-            formats={all ? OF_MANY : OF_ONE}
-            format={format}
-            choose={all ? setMany : setOne}
-            inside={inside}
-            chooseInside={setInside}
-          />
+          {formatChoice}
           {format === 'pdf' && (
             <PrintOptions
               print={print}

@@ -1,6 +1,6 @@
 import { isArchive, isBook } from './formats.ts';
 import { strings } from '../strings/strings.ts';
-import type { Format, Inside } from './formats.ts';
+import type { Inside, Way } from './formats.ts';
 
 /** The kind of file, and of the pictures in it where it is an archive. */
 export function FormatChoice({
@@ -10,9 +10,9 @@ export function FormatChoice({
   inside,
   chooseInside,
 }: {
-  formats: readonly Format[];
-  format: Format;
-  choose: (format: Format) => void;
+  formats: readonly Way[];
+  format: Way;
+  choose: (format: Way) => void;
   inside: Inside;
   chooseInside: (inside: Inside) => void;
 }) {
@@ -24,7 +24,7 @@ export function FormatChoice({
           class="select"
           value={format}
           aria-describedby={isBook(format) ? 'book-help' : undefined}
-          onChange={(event) => choose(event.currentTarget.value as Format)}
+          onChange={(event) => choose(event.currentTarget.value as Way)}
         >
           {formats.map((id) => (
             <option key={id} value={id}>

@@ -1,8 +1,12 @@
 /** The kinds of files that pages become. */
 
+import { KINDS } from '../motion/kinds.ts';
 import type { ListKind } from '../engine/protocol.ts';
+import type { Kind as FilmKind } from '../motion/kinds.ts';
 
-export type Format = 'png' | 'jpeg' | 'webp' | 'pdf' | 'html' | 'epub' | 'zip' | 'cbz' | ListKind;
+export type Format = 'png' | 'jpeg' | 'webp' | 'pdf' | 'html' | 'epub' | 'zip' | 'cbz' | ListKind | FilmKind;
+/** What is chosen in a list: films are one of them, and their kinds another choice. */
+export type Way = Exclude<Format, FilmKind> | 'animatic';
 /** the pictures of a ZIP or CBZ file */
 export type Inside = 'png' | 'jpeg';
 
@@ -22,21 +26,28 @@ export const FORMATS: Record<Format, { ending: string; type: string; lossy: bool
   edl: { ending: 'edl', type: 'text/plain', lossy: false },
   otio: { ending: 'otio', type: 'application/json', lossy: false },
   xml: { ending: 'xml', type: 'application/xml', lossy: false },
+  mp4: { ...KINDS.mp4, lossy: true },
+  webm: { ...KINDS.webm, lossy: true },
+  gif: { ...KINDS.gif, lossy: true },
 };
 
-export const OF_ONE: readonly Format[] = ['png', 'jpeg', 'webp', 'pdf', 'html', 'epub', 'cbz', ...LISTS];
-export const OF_MANY: readonly Format[] = ['pdf', 'html', 'epub', 'cbz', 'zip', ...LISTS];
+export const OF_ONE: readonly Way[] = ['png', 'jpeg', 'webp', 'pdf', 'html', 'epub', 'cbz', 'animatic', ...LISTS];
+export const OF_MANY: readonly Way[] = ['pdf', 'html', 'epub', 'cbz', 'zip', 'animatic', ...LISTS];
 
-export function isArchive(format: Format): format is 'zip' | 'cbz' {
+export function isArchive(format: Format | Way): format is 'zip' | 'cbz' {
   return format === 'zip' || format === 'cbz';
 }
 
-export function isList(format: Format): format is ListKind {
-  return (LISTS as readonly Format[]).includes(format);
+export function isFilm(format: Format | Way): format is FilmKind {
+  return format in KINDS;
+}
+
+export function isList(format: Format | Way): format is ListKind {
+  return (LISTS as readonly (Format | Way)[]).includes(format);
 }
 
 /** Comics that hold all their pages; what is said of them beside their name has a string. */
-export function isBook(format: Format): format is 'html' | 'epub' {
+export function isBook(format: Format | Way): format is 'html' | 'epub' {
   return format === 'html' || format === 'epub';
 }
 
@@ -47,7 +58,7 @@ export function isBook(format: Format): format is 'html' | 'epub' {
  */
 export function pictureIn(format: Format, inside: Inside, webp: boolean): 'png' | 'jpeg' | 'webp' {
   if (isArchive(format)) return inside;
-  if (isList(format)) return 'png';
+  if (isList(format) || isFilm(format)) return 'png';
   if (format === 'html') return webp ? 'webp' : 'jpeg';
   return format === 'pdf' || format === 'epub' ? 'jpeg' : format;
 }

@@ -2,11 +2,12 @@
 
 import { strings } from '../strings/strings.ts';
 import { createComics } from './comics.ts';
-import { FORMATS, isArchive, isBook, isList, pageName } from './formats.ts';
+import { FORMATS, isArchive, isBook, isFilm, isList, pageName } from './formats.ts';
 import { archiveOf } from '../engine/archive.ts';
 import { describePanel } from '../page/describing.ts';
 import { currentLanguage } from '../strings/language.ts';
 import { bled, kept, NO_PRINT, pdfOptions } from './print.ts';
+import type { Animatics, AnimaticWish } from '../motion/animatics.ts';
 import type { Store } from '../document/store.ts';
 import type { PageDocument, ShotList } from '../engine/types.ts';
 import type { Engine } from '../engine/engine.ts';
@@ -30,6 +31,8 @@ export type Wish = {
   quality?: number;
   /** of a PDF file */
   print?: Print;
+  /** of a film */
+  film?: AnimaticWish;
 };
 
 export const USUAL_QUALITY = 88;
@@ -38,9 +41,11 @@ export function createMaking({
   store,
   engine,
   shotList,
+  animatics,
 }: {
   store: Store;
   shotList: () => ShotList;
+  animatics: Pick<Animatics, 'film'>;
   engine: Pick<
     Engine,
     | 'exportPng'
@@ -59,7 +64,7 @@ export function createMaking({
   return make;
 
   async function make(
-    { pages: documents, format, inside = 'png', quality = USUAL_QUALITY, print = NO_PRINT }: Wish,
+    { pages: documents, format, inside = 'png', quality = USUAL_QUALITY, print = NO_PRINT, film }: Wish,
     how: Work,
     { carry, beside }: Cargo,
   ): Promise<Blob> {
@@ -67,6 +72,7 @@ export function createMaking({
       const text = await engine.shotFile(format, shotList(), { signal: how.signal });
       return new Blob([text], { type: FORMATS[format].type });
     }
+    if (film && isFilm(format)) return animatics.film({ ...film, kind: format }, how);
     if (format === 'pdf') return printed(documents, print, quality, how);
     if (isBook(format)) return comics.book(format, documents, quality, how);
     if (!isArchive(format)) return picture(documents[0], format as 'png' | 'jpeg' | 'webp', quality, how, carry);

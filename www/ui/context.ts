@@ -24,6 +24,7 @@ import type { Framing } from '../page/panels/framing.ts';
 import type { Merging } from '../page/panels/merging.ts';
 import type { Reshaping } from '../page/panels/reshaping.ts';
 import type { Selection } from '../page/panels/selection.ts';
+import type { Animatics } from '../motion/animatics.ts';
 import type { RecentStyles } from '../styles/recent-styles.ts';
 import type { Taste } from '../styles/taste.ts';
 import type { Ahead } from '../page/ahead.ts';
@@ -47,6 +48,7 @@ export type Parts = {
   crops: BetterCrops;
   book: Book;
   boards: Boards;
+  animatics: Animatics;
   subjects: Subjects;
   masks: Masks;
   reading: Reading;

@@ -13,6 +13,7 @@ export const exportStrings = {
     epub: 'EPUB-Buch',
     zip: 'ZIP, ein Bild je Seite',
     cbz: 'CBZ, für Comic-Reader',
+    animatic: 'Animatic',
     csv: 'Einstellungsliste',
     edl: 'EDL',
     otio: 'OTIO',

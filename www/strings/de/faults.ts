@@ -5,6 +5,11 @@ export const faultStrings = {
   moreFiles: (n: number) => `und ${n} weitere`,
   /** The core's own sentences are English, so all its codes are here. */
   reasons: {
+    'animatic-encoder':
+      'der Browser hat das Kodieren abgebrochen. Eine kleinere Größe oder eine andere Dateiart hilft.',
+    'animatic-long': 'eine GIF-Datei fasst höchstens eine Minute. MP4 oder WebM wählen, oder kürzere Einstellungen.',
+    'animatic-sound': 'dieser Browser kodiert für solche Dateien keinen Ton. WebM wählen oder den Ton weglassen.',
+    'sound-unread': 'der Browser kann den Ton nicht lesen. In MP3 oder WAV umwandeln.',
     'film-cut':
       'Er bricht vor dem Verzeichnis seiner Bilder ab, daher ist nichts davon lesbar. Kopiere ihn noch einmal.',
     'film-empty': 'Er enthält kein Bild.',

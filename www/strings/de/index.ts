@@ -1,5 +1,6 @@
 /** The page in German, of the shape of the English. */
 
+import { animaticStrings } from './animatic.ts';
 import { boardStrings } from './board.ts';
 import { boardsStrings } from './boards.ts';
 import { bookStrings } from './book.ts';
@@ -30,6 +31,7 @@ export const words: Words = {
   ...startStrings,
   ...boardStrings,
   ...boardsStrings,
+  ...animaticStrings,
   ...bookStrings,
   ...sideStrings,
   ...panelStrings,

@@ -15,6 +15,7 @@ export const exportStrings = {
     epub: 'EPUB',
     zip: 'ZIP, a picture a page',
     cbz: 'CBZ, for comic readers',
+    animatic: 'Animatic',
     csv: 'Shot list',
     edl: 'EDL',
     otio: 'OTIO',

@@ -7,6 +7,10 @@ export const faultStrings = {
   moreFiles: (n: number) => `and ${n} more`,
   /** Reasons in the page's words where it knows better than the core, by error code. */
   reasons: {
+    'animatic-encoder': 'the browser stopped encoding it. Choose a smaller size or another kind of file.',
+    'animatic-long': 'a GIF file is for up to a minute. Choose MP4 or WebM, or shorter shots.',
+    'animatic-sound': 'this browser encodes no sound for such a file. Choose WebM, or leave the sound out.',
+    'sound-unread': 'the browser cannot read the sound. Convert it to MP3 or WAV.',
     'film-cut':
       'it breaks off before the list of its frames, so that nothing of it can be read. Copy or record it again.',
     'film-empty': 'there is no frame in it.',

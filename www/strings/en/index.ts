@@ -1,5 +1,6 @@
 /** The page in English: the language that the others are checked against and fall back to. */
 
+import { animaticStrings } from './animatic.ts';
 import { boardStrings } from './board.ts';
 import { boardsStrings } from './boards.ts';
 import { bookStrings } from './book.ts';
@@ -29,6 +30,7 @@ export const words = {
   ...startStrings,
   ...boardStrings,
   ...boardsStrings,
+  ...animaticStrings,
   ...bookStrings,
   ...sideStrings,
   ...panelStrings,

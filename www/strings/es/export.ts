@@ -13,6 +13,7 @@ export const exportStrings = {
     epub: 'Libro EPUB',
     zip: 'ZIP, una imagen por página',
     cbz: 'CBZ, lectores de cómic',
+    animatic: 'Animática',
     csv: 'Lista de planos',
     edl: 'EDL',
     otio: 'OTIO',

@@ -5,6 +5,10 @@ export const faultStrings = {
   moreFiles: (n: number) => `y ${n} más`,
   /** The core's own sentences are English, so all its codes are here. */
   reasons: {
+    'animatic-encoder': 'el navegador dejó de codificarla. Elige un tamaño menor u otro tipo de archivo.',
+    'animatic-long': 'un archivo GIF dura un minuto como mucho. Elige MP4 o WebM, o planos más cortos.',
+    'animatic-sound': 'este navegador no codifica sonido para ese archivo. Elige WebM o quita el sonido.',
+    'sound-unread': 'el navegador no puede leer el sonido. Conviértelo a MP3 o WAV.',
     'film-cut': 'se corta antes de la lista de sus fotogramas, así que no se puede leer nada. Cópialo de nuevo.',
     'film-empty': 'no tiene ningún fotograma.',
     'films-missing': 'no se pudo cargar lo que lee películas. Inténtalo otra vez con conexión.',

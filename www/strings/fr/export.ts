@@ -13,6 +13,7 @@ export const exportStrings = {
     epub: 'Livre EPUB',
     zip: 'ZIP, une image par page',
     cbz: 'CBZ, pour lecteurs de BD',
+    animatic: 'Animatique',
     csv: 'Liste des plans',
     edl: 'EDL',
     otio: 'OTIO',

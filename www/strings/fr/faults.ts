@@ -5,6 +5,11 @@ export const faultStrings = {
   moreFiles: (n: number) => (n < 2 ? `et ${n} autre` : `et ${n} autres`),
   /** The core's own sentences are English, so all its codes are here. */
   reasons: {
+    'animatic-encoder':
+      'le navigateur a arrêté de l’encoder. Choisissez une taille plus petite ou un autre type de fichier.',
+    'animatic-long': 'un fichier GIF dure une minute au plus. Choisissez MP4 ou WebM, ou des plans plus courts.',
+    'animatic-sound': 'ce navigateur n’encode pas de son pour ce fichier. Choisissez WebM, ou retirez le son.',
+    'sound-unread': 'le navigateur ne peut pas lire le son. Convertissez-le en MP3 ou WAV.',
     'film-cut': 'il s’arrête avant la liste de ses images, rien n’en est donc lisible. Copiez-le à nouveau.',
     'film-empty': 'il ne contient aucune image.',
     'films-missing': 'ce qui lit les films n’a pas pu être chargé. Réessayez avec une connexion.',

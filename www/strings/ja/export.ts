@@ -13,6 +13,7 @@ export const exportStrings = {
     epub: 'EPUBの本',
     zip: 'ZIP、ページごとに画像',
     cbz: 'CBZ、コミックリーダー用',
+    animatic: 'アニマティック',
     csv: 'ショットリスト',
     edl: 'EDL',
     otio: 'OTIO',

@@ -5,6 +5,10 @@ export const faultStrings = {
   moreFiles: (n: number) => `ほか${n}個`,
   /** The core's own sentences are English, so all its codes are here. */
   reasons: {
+    'animatic-encoder': 'ブラウザーがエンコードを中断しました。小さいサイズか別の形式を選んでください。',
+    'animatic-long': 'GIF ファイルは 1 分までです。MP4 か WebM を選ぶか、ショットを短くしてください。',
+    'animatic-sound': 'このブラウザーはその形式に音を入れられません。WebM を選ぶか、音を外してください。',
+    'sound-unread': 'ブラウザーが音を読めません。MP3 か WAV に変換してください。',
     'film-cut': 'フレームの一覧の前で途切れているため、何も読めません。もう一度コピーしてください。',
     'film-empty': 'フレームがありません。',
     'films-missing': '動画を読むプログラムを読み込めませんでした。接続してもう一度お試しください。',

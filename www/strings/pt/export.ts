@@ -13,6 +13,7 @@ export const exportStrings = {
     epub: 'Livro EPUB',
     zip: 'ZIP, uma imagem por página',
     cbz: 'CBZ, para leitores de HQ',
+    animatic: 'Animática',
     csv: 'Lista de planos',
     edl: 'EDL',
     otio: 'OTIO',

@@ -5,6 +5,10 @@ export const faultStrings = {
   moreFiles: (n: number) => `e mais ${n}`,
   /** The core's own sentences are English, so all its codes are here. */
   reasons: {
+    'animatic-encoder': 'o navegador parou de codificá-la. Escolha um tamanho menor ou outro tipo de arquivo.',
+    'animatic-long': 'um arquivo GIF dura no máximo um minuto. Escolha MP4 ou WebM, ou planos mais curtos.',
+    'animatic-sound': 'este navegador não codifica som para esse arquivo. Escolha WebM ou retire o som.',
+    'sound-unread': 'o navegador não consegue ler o som. Converta para MP3 ou WAV.',
     'film-cut': 'termina antes da lista de suas imagens, então nada dele pode ser lido. Copie-o de novo.',
     'film-empty': 'não há nenhuma imagem nele.',
     'films-missing': 'não foi possível carregar o que lê filmes. Tente de novo com conexão.',

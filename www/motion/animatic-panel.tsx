@@ -1,0 +1,192 @@
+/** The choices of an animatic beside the film itself, which plays as it will be saved. Loaded when it is first asked for. */
+
+import { useEffect, useMemo, useState } from 'preact/hooks';
+import { ANIMATIC_SIZES } from '../engine/bounds.ts';
+import { strings } from '../strings/strings.ts';
+import { useApp } from '../ui/context.ts';
+import { FilePick } from './file-pick.tsx';
+import { Icon } from '../ui/icon.tsx';
+import { AnimaticPlayer } from './animatic-player.tsx';
+import { USUAL } from './animatics.ts';
+import { clock } from './clock.ts';
+import { bytesOf, GIF, KINDS, kindsHere } from './kinds.ts';
+import './animatic.css';
+import type { ComponentChildren } from 'preact';
+import type { AnimaticWish, Planned, SizeId } from './animatics.ts';
+import type { Kind } from './kinds.ts';
+
+/** Seconds of a dissolve. */
+const DISSOLVE = 0.5;
+/** While a slider is dragged nothing is planned. */
+const REST_MS = 150;
+
+/** @param props `children`: the choice of the format, which stands above the others */
+export function AnimaticPanel({ close, children }: { close: () => void; children: ComponentChildren }) {
+  const { animatics, boards, download, store } = useApp();
+  const [wish, setWish] = useState(USUAL);
+  const change = (part: Partial<AnimaticWish>) => setWish({ ...wish, ...part });
+  const { planned, failed } = usePlan(wish);
+  const kinds = useKinds(wish);
+  // What the browser cannot encode is not offered; the next best is taken.
+  const kind = kinds === null || kinds.includes(wish.kind) ? wish.kind : kinds[0];
+  const asked = useMemo(() => ({ ...wish, kind }), [wish, kind]);
+  const seconds = planned ? planned.plan.frames / planned.plan.fps : 0;
+  const long = kind === 'gif' && seconds > GIF.mostSeconds;
+  const off = !planned || planned.plan.frames === 0 || long || download.progress.value !== null;
+  const save = () => {
+    void download.saveAs({ pages: [], format: kind, film: asked });
+    close();
+  };
+  return (
+    <div class="export animatic">
+      <AnimaticPlayer planned={planned} />
+      <div class="export-choices">
+        {children}
+        <p class="quiet">{strings.animatic.help}</p>
+        <label class="field">
+          <span>{strings.animatic.kind}</span>
+          <select class="select" value={kind} onChange={(event) => change({ kind: event.currentTarget.value as Kind })}>
+            {(Object.keys(KINDS) as Kind[]).map((id) => (
+              <option key={id} value={id} disabled={kinds !== null && !kinds.includes(id)}>
+                {strings.animatic.kinds[id]}
+              </option>
+            ))}
+          </select>
+        </label>
+        {kinds !== null && kinds.length < Object.keys(KINDS).length && (
+          <p class="quiet">{strings.animatic.kindsMissing}</p>
+        )}
+        <label class="field">
+          <span>{strings.animatic.size}</span>
+          <select
+            class="select"
+            value={wish.size}
+            onChange={(event) => change({ size: event.currentTarget.value as SizeId })}
+          >
+            {ANIMATIC_SIZES.map(({ id }) => (
+              <option key={id} value={id}>
+                {strings.animatic.sizes[id]}
+              </option>
+            ))}
+          </select>
+        </label>
+        <label class="field">
+          <span>{strings.animatic.seconds}</span>
+          <input
+            type="range"
+            min="0.5"
+            max="10"
+            step="0.5"
+            value={wish.seconds}
+            onInput={(event) => change({ seconds: Number(event.currentTarget.value) })}
+          />
+          <output aria-hidden="true">{strings.animatic.secondsOf(wish.seconds)}</output>
+        </label>
+        <label class="field">
+          <span>{strings.animatic.change}</span>
+          <select
+            class="select"
+            value={wish.dissolve}
+            onChange={(event) => change({ dissolve: Number(event.currentTarget.value) })}
+          >
+            <option value={0}>{strings.animatic.cuts}</option>
+            <option value={DISSOLVE}>{strings.animatic.dissolves}</option>
+          </select>
+        </label>
+        <div class="animatic-checks">
+          <Check on={wish.moves} set={(moves) => change({ moves })} label={strings.animatic.moves} />
+          <Check on={wish.captions} set={(captions) => change({ captions })} label={strings.animatic.captions} />
+        </div>
+        <FilePick
+          label={strings.animatic.sound}
+          file={wish.sound}
+          accept="audio/*"
+          off={kind === 'gif'}
+          choose={(sound) => change({ sound })}
+        />
+        {kind === 'gif' && wish.sound && <p class="quiet">{strings.animatic.gifMute}</p>}
+        <p class="quiet export-facts" aria-live="polite">
+          {failed ? (
+            <span>{strings.animatic.failed(failed)}</span>
+          ) : planned ? (
+            <>
+              <span>{strings.animatic.facts(boards.rows.value.length, clock(seconds), planned.plan.fps)}</span>
+              <span>
+                {strings.aboutSize(
+                  strings.fileSize(
+                    bytesOf(kind, {
+                      ...animatics.sizeOf(asked),
+                      seconds,
+                      sound: wish.sound !== null && kind !== 'gif',
+                    }),
+                  ),
+                )}
+              </span>
+            </>
+          ) : (
+            <span>{store.tray.value.length === 0 ? strings.animatic.empty : strings.animatic.planning}</span>
+          )}
+        </p>
+        {long && <p class="quiet">{strings.reasons['animatic-long']}</p>}
+        <div class="export-actions">
+          <button type="button" class="button strong wide" disabled={off} onClick={save}>
+            <Icon name="download" />
+            {strings.save}
+          </button>
+        </div>
+      </div>
+    </div>
+  );
+}
+
+function Check({ on, set, label }: { on: boolean; set: (on: boolean) => void; label: string }) {
+  return (
+    <label class="choice">
+      <input type="checkbox" checked={on} onChange={(event) => set(event.currentTarget.checked)} />
+      {label}
+    </label>
+  );
+}
+
+/** The plan of what is asked for, anew when the choices or the shots change. The kind of file changes it for GIF alone. */
+function usePlan(wish: AnimaticWish): { planned: Planned | null; failed: string | null } {
+  const { animatics, boards, store } = useApp();
+  const [state, setState] = useState({ planned: null as Planned | null, failed: null as string | null });
+  const rows = boards.rows.value;
+  const board = boards.board.value;
+  const style = store.page.value?.style;
+  const { size, seconds, dissolve, moves, captions } = wish;
+  const gif = wish.kind === 'gif';
+  useEffect(() => {
+    const stop = new AbortController();
+    const later = setTimeout(() => {
+      animatics.planned(wish, { signal: stop.signal }).then(
+        (planned) => !stop.signal.aborted && setState({ planned, failed: null }),
+        ({ code, message }) =>
+          !stop.signal.aborted && setState({ planned: null, failed: strings.reasons[code ?? ''] ?? message }),
+      );
+    }, REST_MS);
+    return () => {
+      clearTimeout(later);
+      stop.abort();
+    };
+  }, [rows, board, style, size, seconds, dissolve, moves, captions, gif]);
+  return state;
+}
+
+/** The kinds that this browser makes of frames of that size; null until it is known. */
+function useKinds({ size }: AnimaticWish): readonly Kind[] | null {
+  const { animatics } = useApp();
+  const [kinds, setKinds] = useState(null as readonly Kind[] | null);
+  useEffect(() => {
+    let gone = false;
+    // Of a film: the size of a GIF file says nothing of what an encoder can do.
+    void kindsHere(animatics.sizeOf({ kind: 'mp4', size })).then((found) => {
+      if (!gone) setKinds(found);
+    });
+    return () => {
+      gone = true;
+    };
+  }, [size]);
+  return kinds;
+}

@@ -1,0 +1,193 @@
+/** The animatic, played in the page: its pictures are drawn from what is in memory of the photos, each when it is due. */
+
+import { useEffect, useRef, useState } from 'preact/hooks';
+import { strings } from '../strings/strings.ts';
+import { screenPixels } from '../ui/bitmap.tsx';
+import { useApp } from '../ui/context.ts';
+import { Icon } from '../ui/icon.tsx';
+import { clock } from './clock.ts';
+import { clipsOf, drawFrame, frameAt, framesIn } from './frames.ts';
+import type { Planned } from './animatics.ts';
+import type { Drawn } from './frames.ts';
+
+/** Pixels of the longer side of the preview at most. */
+const MOST = 1280;
+/** Films that are taller stand in a screen of this aspect, as a window is wider than tall. */
+const LEAST_ASPECT = 1.2;
+/** Clips whose pictures are kept at once: those of a dissolve, the next one, and some to go back to. */
+const KEPT = 6;
+
+export function AnimaticPlayer({ planned }: { planned: Planned | null }) {
+  const { animatics } = useApp();
+  const canvas = useRef(null as HTMLCanvasElement | null);
+  const [playing, setPlaying] = useState(false);
+  const [frame, setFrame] = useState(0);
+  const at = useRef(0);
+  const reel = useRef(null as ReturnType<typeof createReel> | null);
+  const count = planned ? framesIn(planned.table) : 0;
+  const last = Math.max(0, count - 1);
+  const fps = planned?.plan.fps ?? 24;
+  const [width, height] = planned?.plan.size ?? [16, 9];
+
+  /** @returns whether all of it was there to be drawn */
+  const show = (next: number): boolean => {
+    at.current = next;
+    setFrame(next);
+    return reel.current?.show(next) ?? false;
+  };
+
+  useEffect(() => {
+    const sheet = canvas.current;
+    if (!planned || !sheet) return undefined;
+    const shown = sheet.getBoundingClientRect();
+    const wide = Math.min(screenPixels(shown.width || 320), Math.round((MOST * width) / Math.max(width, height)));
+    sheet.width = wide;
+    sheet.height = Math.max(1, Math.round((wide * height) / width));
+    const made = createReel(planned, sheet, (clip, signal) => animatics.preview(planned, clip, wide, { signal }));
+    reel.current = made;
+    show(Math.min(at.current, framesIn(planned.table) - 1));
+    return () => {
+      reel.current = null;
+      made.dispose();
+    };
+  }, [planned]);
+
+  useEffect(() => {
+    if (!playing || count === 0) return undefined;
+    let asked = 0;
+    let shownAt = performance.now() - (at.current * 1000) / fps;
+    const tick = (now: number) => {
+      const next = Math.min(last, Math.floor(((now - shownAt) * fps) / 1000));
+      // The clock waits for a picture that is not there yet.
+      if (next !== at.current && !show(next)) shownAt = now - (at.current * 1000) / fps;
+      if (next >= last) setPlaying(false);
+      else asked = requestAnimationFrame(tick);
+    };
+    asked = requestAnimationFrame(tick);
+    return () => cancelAnimationFrame(asked);
+  }, [playing, planned]);
+
+  const toggle = () => {
+    if (!playing && at.current >= last) show(0);
+    setPlaying(!playing);
+  };
+  const shot =
+    planned && count > 0 ? planned.plan.clips[frameAt(planned.table, Math.min(frame, last)).under.clip] : null;
+  const place = strings.animatic.place(clock(frame / fps), clock(count / fps), shot?.number ?? '');
+  return (
+    <div
+      class="animatic-player"
+      role="group"
+      aria-label={strings.animatic.preview}
+      onKeyDown={(event: KeyboardEvent) => {
+        if (event.key !== ' ' || event.target instanceof HTMLButtonElement) return;
+        event.preventDefault();
+        toggle();
+      }}
+    >
+      <div
+        class="animatic-screen"
+        style={{ '--aspect': width / height, '--screen': Math.max(LEAST_ASPECT, width / height) }}
+      >
+        <canvas ref={canvas} role="img" aria-label={place} data-frame={frame} />
+      </div>
+      <div class="animatic-bar">
+        <button
+          type="button"
+          class="icon-button"
+          aria-label={playing ? strings.animatic.pause : strings.animatic.play}
+          title={playing ? strings.animatic.pause : strings.animatic.play}
+          disabled={count === 0}
+          onClick={toggle}
+        >
+          <Icon name={playing ? 'pause' : 'play'} />
+        </button>
+        <input
+          type="range"
+          aria-label={strings.animatic.position}
+          aria-valuetext={place}
+          min="0"
+          max={last}
+          step="1"
+          value={frame}
+          disabled={count === 0}
+          onInput={(event) => {
+            setPlaying(false);
+            show(Number(event.currentTarget.value));
+          }}
+        />
+        <output aria-hidden="true">
+          {clock(frame / fps)} / {clock(count / fps)}
+        </output>
+      </div>
+    </div>
+  );
+}
+
+/** Pictures of clips as they are needed, on a canvas. */
+function createReel(
+  { table }: Planned,
+  canvas: HTMLCanvasElement,
+  draw: (clip: number, signal: AbortSignal) => Promise<Drawn>,
+) {
+  const stop = new AbortController();
+  const context = canvas.getContext('2d', { alpha: false });
+  const drawn: Map<number, Drawn> = new Map();
+  const asked: Set<number> = new Set();
+  let current = -1;
+
+  return {
+    show,
+    dispose() {
+      stop.abort();
+      for (const one of drawn.values()) close(one);
+      drawn.clear();
+    },
+  };
+
+  /** @returns whether its pictures were there */
+  function show(frame: number): boolean {
+    current = frame;
+    const shown = frameAt(table, frame);
+    const clips = clipsOf(shown);
+    const there = clips.every((clip) => drawn.has(clip));
+    for (const clip of clips) ask(clip);
+    if (!there || !context) return false;
+    drawFrame(context, shown, { drawn: (clip) => drawn.get(clip), captionWidth: canvas.width });
+    // The next one is drawn while this one is seen.
+    ask(Math.max(...clips) + 1);
+    return true;
+  }
+
+  function ask(clip: number) {
+    const lastClip = frameAt(table, framesIn(table) - 1).under.clip;
+    if (drawn.has(clip) || asked.has(clip) || clip > lastClip) return;
+    asked.add(clip);
+    draw(clip, stop.signal).then(
+      (one) => {
+        asked.delete(clip);
+        if (stop.signal.aborted) return close(one);
+        drawn.set(clip, one);
+        forget();
+        if (clipsOf(frameAt(table, current)).includes(clip)) show(current);
+      },
+      // A photo that cannot be drawn leaves what was there; the file names it.
+      () => asked.delete(clip),
+    );
+  }
+
+  /** Of more than are kept, those farthest from what is shown. */
+  function forget() {
+    const [here] = clipsOf(frameAt(table, current));
+    const far = [...drawn.keys()].sort((a, b) => Math.abs(b - here) - Math.abs(a - here));
+    for (const clip of far.slice(0, Math.max(0, drawn.size - KEPT))) {
+      close(drawn.get(clip) as Drawn);
+      drawn.delete(clip);
+    }
+  }
+}
+
+function close({ picture, caption }: Drawn) {
+  picture.close();
+  caption?.close();
+}

@@ -1,0 +1,180 @@
+/**
+ * Makes the file of an animatic and ends with it: asks the page for the pictures that the next frames show, draws each frame,
+ * and hands it to the browser's encoder by mediabunny, or to gifenc.
+ */
+
+import {
+  AudioSample,
+  AudioSampleSource,
+  BufferTarget,
+  canEncodeAudio,
+  CanvasSource,
+  Mp4OutputFormat,
+  Output,
+  WebMOutputFormat,
+} from 'mediabunny';
+import { applyPalette, GIFEncoder, quantize } from 'gifenc';
+import { describe, failure } from '../engine/protocol.ts';
+import { clipsOf, drawFrame, frameAt, framesIn, same } from './frames.ts';
+import { AUDIO_BITRATE, bitrateOf, CODECS, KINDS } from './kinds.ts';
+import type { Drawn } from './frames.ts';
+import type { Kind } from './kinds.ts';
+import type { Sound } from './sound.ts';
+
+type Begin = {
+  kind: Kind;
+  width: number;
+  height: number;
+  fps: number;
+  table: Float32Array;
+  sound: Sound | null;
+};
+export type ToEncoder = Begin | { clip: number; picture: ImageBitmap; caption: ImageBitmap | null };
+/** The clip whose picture is wanted; frames that are done; the file; what went wrong. */
+export type FromEncoder =
+  | { wants: number }
+  | { done: number }
+  | { file: ArrayBuffer }
+  | { error: { code: string; message: string } };
+
+/** Seconds between two frames from which a film can be shown. */
+const KEY_FRAMES = 2;
+/** Frames between two words of how far it is. */
+const TOLD = 6;
+
+const pictures: Map<number, Drawn> = new Map();
+let arrived: () => void = () => {};
+
+globalThis.onmessage = async ({ data }: MessageEvent<ToEncoder>) => {
+  if ('clip' in data) {
+    pictures.set(data.clip, data);
+    arrived();
+    return;
+  }
+  try {
+    const file = data.kind === 'gif' ? await gif(data) : await film(data);
+    postMessage({ file } satisfies FromEncoder, { transfer: [file] });
+  } catch (error) {
+    postMessage({ error: describe(error) } satisfies FromEncoder);
+  }
+};
+
+/** Draws all frames one after the other. @param use what becomes of the frame on the canvas */
+async function eachFrame(
+  { table, width, height }: Begin,
+  use: (context: OffscreenCanvasRenderingContext2D, frame: number) => Promise<void> | void,
+  { canvas = new OffscreenCanvas(width, height), reads = false }: { canvas?: OffscreenCanvas; reads?: boolean } = {},
+) {
+  const context = canvas.getContext('2d', { alpha: false, willReadFrequently: reads });
+  if (!context) throw failure('animatic-encoder', 'The browser gives no canvas for the film.');
+  const count = framesIn(table);
+  for (let frame = 0; frame < count; frame += 1) {
+    // A picture stays on the canvas while nothing moves.
+    if (frame === 0 || !same(table, frame - 1, frame)) {
+      const shown = frameAt(table, frame);
+      await have(clipsOf(shown));
+      drawFrame(context, shown, { drawn: (clip) => pictures.get(clip), captionWidth: width });
+    }
+    await use(context, frame);
+    if ((frame + 1) % TOLD === 0 || frame + 1 === count) postMessage({ done: frame + 1 } satisfies FromEncoder);
+  }
+}
+
+/** Until the pictures of these clips are here; those of others are forgotten. */
+async function have(clips: number[]) {
+  for (const [clip, { picture, caption }] of pictures) {
+    if (clips.includes(clip)) continue;
+    picture.close();
+    caption?.close();
+    pictures.delete(clip);
+  }
+  for (const clip of clips) {
+    if (pictures.has(clip)) continue;
+    const here = new Promise<void>((resolve) => {
+      arrived = resolve;
+    });
+    postMessage({ wants: clip } satisfies FromEncoder);
+    await here;
+  }
+}
+
+async function film(begin: Begin): Promise<ArrayBuffer> {
+  const { kind, width, height, fps, table, sound } = begin;
+  const { codec } = KINDS[kind];
+  if (!codec) throw failure('animatic-encoder', `No film is a ${kind}.`);
+  const target = new BufferTarget();
+  const output = new Output({
+    format: kind === 'mp4' ? new Mp4OutputFormat({ fastStart: 'in-memory' }) : new WebMOutputFormat(),
+    target,
+  });
+  const canvas = new OffscreenCanvas(width, height);
+  const source = new CanvasSource(canvas, {
+    codec: codec.video,
+    fullCodecString: CODECS[codec.video],
+    bitrate: bitrateOf({ width, height }),
+    keyFrameInterval: KEY_FRAMES,
+  });
+  output.addVideoTrack(source, { frameRate: fps });
+  const voice = sound && (await voiceOf(sound, codec.audio));
+  if (voice) output.addAudioTrack(voice);
+  await output.start();
+  try {
+    if (voice && sound) await speak(voice, sound);
+    await eachFrame(begin, (_, frame) => source.add(frame / fps, 1 / fps), { canvas });
+    await output.finalize();
+  } catch (error) {
+    if (output.state !== 'finalized') await output.cancel().catch(() => {});
+    throw (error as { code?: string }).code ? error : failure('animatic-encoder', (error as Error).message);
+  }
+  if (!target.buffer || framesIn(table) === 0) throw failure('animatic-encoder', 'The encoder gave nothing.');
+  return target.buffer;
+}
+
+/** @throws `animatic-sound` where the browser encodes none of the kinds that go with the film */
+async function voiceOf({ channels, sampleRate }: Sound, codecs: readonly ('aac' | 'opus')[]) {
+  for (const codec of codecs)
+    if (await canEncodeAudio(codec, { numberOfChannels: channels.length, sampleRate, bitrate: AUDIO_BITRATE }))
+      return new AudioSampleSource({ codec, bitrate: AUDIO_BITRATE });
+  throw failure('animatic-sound', 'This browser encodes no sound for such a file.');
+}
+
+/** Hands a sound over second by second. */
+async function speak(voice: AudioSampleSource, { channels, sampleRate }: Sound) {
+  const [{ length }] = channels;
+  for (let from = 0; from < length; from += sampleRate) {
+    const count = Math.min(sampleRate, length - from);
+    const data = new Float32Array(count * channels.length);
+    channels.forEach((all, i) => data.set(all.subarray(from, from + count), i * count));
+    const sample = new AudioSample({
+      data,
+      format: 'f32-planar',
+      numberOfChannels: channels.length,
+      sampleRate,
+      timestamp: from / sampleRate,
+    });
+    await voice.add(sample);
+    sample.close();
+  }
+}
+
+/** A GIF file: frames that are the same are one that stays. */
+async function gif(begin: Begin): Promise<ArrayBuffer> {
+  const { fps, table, width, height } = begin;
+  const encoder = GIFEncoder();
+  const count = framesIn(table);
+  // Delays are hundredths of a second, so it is the ends that are rounded.
+  const end = (frame: number) => Math.round((frame * 100) / fps) * 10;
+  let first = 0;
+  const add = (context: OffscreenCanvasRenderingContext2D, frame: number) => {
+    const last = frame + 1 === count || !same(table, frame, frame + 1);
+    if (!last) return;
+    const { data } = context.getImageData(0, 0, width, height);
+    const palette = quantize(data, 256, { format: 'rgb565' });
+    const index = applyPalette(data, palette, 'rgb565');
+    encoder.writeFrame(index, width, height, { palette, delay: end(frame + 1) - end(first), repeat: 0 });
+    first = frame + 1;
+  };
+  await eachFrame(begin, add, { reads: true });
+  encoder.finish();
+  return encoder.bytes().slice().buffer;
+}

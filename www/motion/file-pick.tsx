@@ -1,0 +1,48 @@
+import { useRef } from 'preact/hooks';
+import { strings } from '../strings/strings.ts';
+import { IconButton } from '../ui/button.tsx';
+import { Icon } from '../ui/icon.tsx';
+
+/** A button that opens the choice of one file, and what was chosen, which can be taken away again. */
+export function FilePick({
+  label,
+  file,
+  accept,
+  off,
+  choose,
+}: {
+  label: string;
+  file: File | null;
+  accept: string;
+  off: boolean;
+  choose: (file: File | null) => void;
+}) {
+  const input = useRef(null as HTMLInputElement | null);
+  return (
+    <div class="file-pick">
+      <button type="button" class="button" disabled={off} onClick={() => input.current?.click()}>
+        <Icon name="add" />
+        {label}
+      </button>
+      <input
+        ref={input}
+        type="file"
+        hidden
+        aria-label={label}
+        accept={accept}
+        disabled={off}
+        onChange={(event) => {
+          const [chosen = null] = event.currentTarget.files ?? [];
+          if (chosen) choose(chosen);
+          event.currentTarget.value = '';
+        }}
+      />
+      {file && (
+        <>
+          <span class="file-pick-name">{file.name}</span>
+          <IconButton icon="close" label={strings.animatic.noSound(file.name)} onClick={() => choose(null)} />
+        </>
+      )}
+    </div>
+  );
+}

@@ -1,0 +1,39 @@
+/** A person's sound under an animatic: decoded by the browser, as long as the film. */
+
+import { failure } from '../engine/protocol.ts';
+
+/** Samples between -1 and 1 of each channel, at most two. */
+export type Sound = { channels: Float32Array<ArrayBuffer>[]; sampleRate: number };
+
+const RATE = 48_000;
+/** Seconds in which a sound that is longer than the film fades away. */
+const FADE = 1.5;
+
+/**
+ * @param seconds of the film: what is longer is cut, with a fade
+ * @throws `sound-unread`
+ */
+export async function soundOf(file: File, seconds: number): Promise<Sound> {
+  let decoded: AudioBuffer;
+  try {
+    decoded = await new OfflineAudioContext(2, 1, RATE).decodeAudioData(await file.arrayBuffer());
+  } catch {
+    throw failure('sound-unread', `${file.name} is no sound that this browser reads.`);
+  }
+  const channels = Array.from({ length: Math.min(2, decoded.numberOfChannels) }, (_, i) => decoded.getChannelData(i));
+  return fitted({ channels, sampleRate: decoded.sampleRate }, seconds);
+}
+
+/** @returns a copy, cut to a length; what is cut fades */
+export function fitted({ channels, sampleRate }: Sound, seconds: number): Sound {
+  const length = Math.round(seconds * sampleRate);
+  const fade = Math.min(length, Math.round(FADE * sampleRate));
+  return {
+    sampleRate,
+    channels: channels.map((all) => {
+      const cut = all.slice(0, length);
+      if (all.length > length) for (let i = 0; i < fade; i += 1) cut[length - 1 - i] *= i / fade;
+      return cut;
+    }),
+  };
+}

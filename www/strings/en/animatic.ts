@@ -1,0 +1,35 @@
+/** Words of animatics: the shots of the album as a film. */
+
+export const animaticStrings = {
+  animatic: {
+    help: 'The shots of the board one after the other, in the style of the page. How long each is, and what is said, stands in the list of the board.',
+    kind: 'File',
+    kinds: { mp4: 'MP4, plays everywhere', webm: 'WebM', gif: 'GIF, small and short' },
+    kindsMissing: 'This browser cannot make the others.',
+    size: 'Size',
+    sizes: { '1080p': '1080p, wide', '720p': '720p, wide', square: 'Square', upright: 'Upright, for phones' },
+    seconds: 'Seconds a shot',
+    secondsOf: (seconds: number) => `${seconds} s`,
+    change: 'From shot to shot',
+    cuts: 'Cuts',
+    dissolves: 'Dissolves',
+    moves: 'Camera moves',
+    captions: 'Captions: what is said, else what happens',
+    sound: 'Sound under it',
+    noSound: (name: string) => `Take ${name} away`,
+    gifMute: 'GIF files have no sound.',
+    preview: 'Animatic',
+    play: 'Play',
+    pause: 'Pause',
+    position: 'Position',
+    place: (time: string, of: string, shot: string) => `${time} of ${of}, shot ${shot}`,
+    facts: (shots: number, length: string, fps: number) =>
+      `${shots === 1 ? '1 shot' : `${shots} shots`}, ${length} at ${fps} frames a second`,
+    planning: 'laying the shots out…',
+    empty: 'There are no photos to show.',
+    failed: (why: string) => `The animatic cannot be laid out: ${why}`,
+    missing: 'The part of the program that makes animatics could not be loaded. Try again.',
+    making: (percent: string) => `Making the animatic, ${percent}`,
+    saved: 'The animatic was saved.',
+  },
+};
