@@ -8,7 +8,7 @@ use anyhow::{Result, bail};
 
 use crate::project::Project;
 use crate::tally::{self, Tally};
-use crate::{budget, chromium, corpora, engines, lane, licences, models, npm, package, poppler, site, tools};
+use crate::{budget, chromium, corpora, engines, lane, licences, models, npm, package, readers, site, tools};
 
 /// One kind of test.
 struct Suite {
@@ -307,7 +307,7 @@ fn wasm(project: &Project) -> Result<Outcome> {
 /// The built site in a browser.
 fn page(project: &Project) -> Result<Outcome> {
     let port = site::free_port(4187)?;
-    poppler::find()?;
+    readers::find()?;
     tally::count(playwright(project)?.env("INKPANEL_TEST_PORT", port.to_string()))
 }
 

@@ -1,0 +1,40 @@
+//! Programs that read the files which the browser tests save, as nobody here wrote them: Poppler's for PDF files, ffprobe for
+//! films. Those that are there, or Debian's.
+
+use std::env;
+
+use anyhow::{Result, bail};
+
+use crate::debian;
+
+/// What is run, and the package of Debian that has it.
+const PROGRAMS: [(&str, &str); 4] = [
+    ("pdfinfo", "poppler-utils"),
+    ("pdftotext", "poppler-utils"),
+    ("pdftoppm", "poppler-utils"),
+    ("ffprobe", "ffmpeg"),
+];
+
+/// Sees that the programs are in PATH, or installs them where that needs no questions.
+///
+/// # Errors
+/// When one is missing and cannot be installed; the message says what to do.
+pub(crate) fn find() -> Result<()> {
+    let mut packages = missing();
+    packages.dedup();
+    if packages.is_empty() || debian::install_all(&packages)? && missing().is_empty() {
+        return Ok(());
+    }
+    let all: Vec<&str> = PROGRAMS.iter().map(|(program, _)| *program).collect();
+    bail!("{} must be in PATH (Debian: apt install {})", all.join(", "), packages.join(" "));
+}
+
+/// The packages of those that are not there.
+fn missing() -> Vec<&'static str> {
+    let path = env::var_os("PATH").unwrap_or_default();
+    let there = |name: &str| {
+        let program = format!("{name}{}", env::consts::EXE_SUFFIX);
+        env::split_paths(&path).any(|folder| folder.join(&program).is_file())
+    };
+    PROGRAMS.into_iter().filter(|(program, _)| !there(program)).map(|(_, package)| package).collect()
+}
