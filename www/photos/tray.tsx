@@ -19,11 +19,12 @@ import type { VNode } from 'preact';
 
 export function Tray() {
   const tile = useTiles();
-  const { store, subjects, ui, actions } = useApp();
+  const { store, subjects, masks, ui, actions } = useApp();
   const tray = store.tray.value;
   const verdicts = store.verdicts.value;
   const reading = store.reading.value;
   const finding = subjects.progress.value;
+  const masking = masks.progress.value;
   const kept = tray.filter((item) => isUsed(item, verdicts));
   const all = stacks(tray, verdicts);
   const open = all.get(ui.stack.value ?? '') ?? [];
@@ -45,7 +46,8 @@ export function Tray() {
       {[...store.looking.value].map(([key, { name, part }]) => (
         <Looking key={key} name={name} part={part} />
       ))}
-      {finding && <Finding done={finding.done} total={finding.total} />}
+      {finding && <Finding label={strings.finding(finding.done, finding.total)} {...finding} />}
+      {!finding && masking && <Finding label={strings.masking(masking.done, masking.total)} {...masking} />}
       <Videos />
       {tray.length > 1 && <ChoiceOfPhotos />}
       <ul class="photos">
@@ -99,9 +101,8 @@ function Looking({ name, part }: { name: string; part: number }) {
   );
 }
 
-/** A line alone: faces refine what is there already, and nobody waits for them. */
-function Finding({ done, total }: Progress) {
-  const label = strings.finding(done, total);
+/** A line alone: faces and figures refine what is there already, and nobody waits for them. */
+function Finding({ label, done, total }: Progress & { label: string }) {
   return <progress class="progress finding" aria-label={label} title={label} value={done} max={total} />;
 }
 

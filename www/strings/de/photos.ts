@@ -53,5 +53,6 @@ export const photoStrings = {
 
   showSubjects: 'Gefundenes zeigen',
   finding: (done: number, total: number) => `Suche nach Gesichtern und Objekten: ${done} von ${total} Fotos`,
+  masking: (done: number, total: number) => `Figuren werden gesucht: ${done} von ${total} Fotos`,
   noDetector: 'Gesichter lassen sich hier nicht finden. Daher werden Fotos nach Kontrast zugeschnitten.',
 };

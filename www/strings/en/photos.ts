@@ -54,5 +54,6 @@ export const photoStrings = {
 
   showSubjects: 'Show subjects',
   finding: (done: number, total: number) => `Looking for faces and objects: ${done} of ${total} photos`,
+  masking: (done: number, total: number) => `Looking for figures: ${done} of ${total} photos`,
   noDetector: 'Faces cannot be found here, so photos are cropped by contrast.',
 };

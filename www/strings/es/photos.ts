@@ -52,5 +52,6 @@ export const photoStrings = {
 
   showSubjects: 'Mostrar lo detectado',
   finding: (done: number, total: number) => `Buscando caras y objetos: ${done} de ${total} fotos`,
+  masking: (done: number, total: number) => `Buscando figuras: ${done} de ${total} fotos`,
   noDetector: 'Aquí no se pueden buscar caras, así que las fotos se recortan por contraste.',
 };

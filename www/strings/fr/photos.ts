@@ -53,5 +53,6 @@ export const photoStrings = {
 
   showSubjects: 'Montrer les sujets',
   finding: (done: number, total: number) => `Recherche de visages et d’objets : ${done} photos sur ${total}`,
+  masking: (done: number, total: number) => `Recherche des figures : ${done} sur ${total} photos`,
   noDetector: 'Les visages ne peuvent pas être trouvés ici : les photos sont cadrées d’après le contraste.',
 };
