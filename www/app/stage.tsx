@@ -16,19 +16,14 @@ import { useSwipe } from '../page/swipe.ts';
 import { isEnabled } from '../ui/action.ts';
 import { ActionButton } from '../ui/action-button.tsx';
 import { WordLayer } from '../lettering/word-layer.tsx';
+import { useSubjectsOf } from '../page/subjects-of.ts';
 import { hasParts } from '../styles/parts.ts';
 import { styleOfPage } from '../styles/style-actions.ts';
 import { CoarseHide, CoarseMarks } from '../export/print-check.tsx';
 import { SafeArea } from '../page/safe-area.tsx';
 import type { App } from '../ui/context.ts';
-import type { Album } from '../document/album.ts';
 import type { Store } from '../document/store.ts';
 import type { PageDocument } from '../engine/types.ts';
-
-/** Tells pages apart by what is known of the subjects of their photos. */
-function subjectsOn({ panels }: PageDocument, album: Album) {
-  return panels.map(({ photo }) => (photo === null ? '' : (album.get(photo)?.meta?.mask ?? ''))).join(' ');
-}
 
 /** The widest that the page is painted, in pixels: larger, it takes longer than anyone would wait, and hundreds of megabytes. */
 const SHARPEST = 2800;
@@ -87,7 +82,7 @@ export function Stage() {
   const read = store.reading.value?.done;
   const sketch = store.sketch.value;
   // So are the subjects of photos, where the style asks for them.
-  const subjects = page && hasParts(styleOf(page)) ? subjectsOn(page, store.album.value) : '';
+  const subjects = useSubjectsOf(page);
   useLayoutEffect(() => {
     if (page && geometry && width > 0) painter.current?.show(page, geometry, pixels, reshaping.editing.peek());
   }, [page, geometry, pixels, read, sketch, subjects]);

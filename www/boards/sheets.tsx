@@ -3,6 +3,7 @@
 import { useEffect, useRef, useState } from 'preact/hooks';
 import { Priority } from '../engine/queue.ts';
 import type { PageDocument } from '../engine/types.ts';
+import { subjectsOf } from '../page/subjects-of.ts';
 import { strings } from '../strings/strings.ts';
 import { Bitmap, screenPixels } from '../ui/bitmap.tsx';
 import { useApp } from '../ui/context.ts';
@@ -47,6 +48,7 @@ export function Sheets() {
           <div role="img" aria-label={strings.boards.sheet(i + 1, sheets.length)}>
             <Bitmap
               of={sheet}
+              by={subjectsOf(store, sheet)}
               draw={(call) => engine.renderPage(sheet, width(), { ...call, priority: Priority.VIEW })}
             />
           </div>

@@ -1,5 +1,6 @@
 import { useEffect, useRef } from 'preact/hooks';
 import { Priority } from '../engine/queue.ts';
+import { useSubjectsOf } from '../page/subjects-of.ts';
 import { strings } from '../strings/strings.ts';
 import { Bitmap, screenPixels } from '../ui/bitmap.tsx';
 import { useApp } from '../ui/context.ts';
@@ -68,6 +69,7 @@ export function PageThumb({
       >
         <Bitmap
           of={drawn.current}
+          by={useSubjectsOf(drawn.current)}
           draw={(call) => engine.renderPage(drawn.current, width(), { ...call, priority: Priority.REST })}
         />
       </button>

@@ -1,6 +1,7 @@
 /** All pages shown so far, to be searched by eye: back to one, and on from there. */
 
 import { useEffect, useRef, useState } from 'preact/hooks';
+import { useSubjectsOf } from '../page/subjects-of.ts';
 import { strings } from '../strings/strings.ts';
 import { Bitmap, screenPixels } from '../ui/bitmap.tsx';
 import { IconButton } from '../ui/button.tsx';
@@ -62,7 +63,7 @@ function ShownPage({ entry: { id, number, page, from, place, loved, current } }:
           ui.work.value = null;
         }}
       >
-        <Bitmap of={page} draw={(call) => engine.renderPage(page, width(), call)} />
+        <Bitmap of={page} by={useSubjectsOf(page)} draw={(call) => engine.renderPage(page, width(), call)} />
       </button>
       <div class="shown-about">
         <span>

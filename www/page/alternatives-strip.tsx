@@ -9,6 +9,7 @@ import { pointing } from '../ui/pointing.ts';
 import { Icon } from '../ui/icon.tsx';
 import { Bitmap, screenPixels, useInView } from '../ui/bitmap.tsx';
 import { useApp } from '../ui/context.ts';
+import { useSubjectsOf } from './subjects-of.ts';
 import type { PageDocument } from '../engine/types.ts';
 import type { Point } from '../ui/pointing.ts';
 
@@ -97,7 +98,7 @@ function Alternative({ page, number, point }: { page: PageDocument; number: numb
         onBlur={() => point(null)}
         onClick={() => pages.show(lettering.on(page))}
       >
-        <Bitmap of={shown} draw={(call) => engine.renderPage(shown, width(), call)} />
+        <Bitmap of={shown} by={useSubjectsOf(shown)} draw={(call) => engine.renderPage(shown, width(), call)} />
       </button>
     </li>
   );

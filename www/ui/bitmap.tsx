@@ -10,13 +10,15 @@ import type { Call } from '../engine/engine.ts';
 /** Thumbnails are asked for a little before they scroll into view. */
 const MARGIN = '160px';
 
-/** @param props `of`: what is drawn; another value asks for another picture */
+/** @param props `of`: what is drawn, `by`: what else the picture depends on; another value asks for another picture */
 export function Bitmap({
   of,
+  by,
   draw,
   class: extra = '',
 }: {
   of: unknown;
+  by?: unknown;
   draw: (call: Call) => Promise<{ bitmap: ImageBitmap }>;
   class?: string;
 }) {
@@ -43,7 +45,7 @@ export function Bitmap({
       () => {},
     );
     return () => stop.abort();
-  }, [of, inView]);
+  }, [of, by, inView]);
 
   return <canvas ref={ref} class={`bitmap ${extra}`} data-drawn={drawn} aria-hidden="true" />;
 }
