@@ -17,6 +17,7 @@ import { REST } from './journey.js';
  *   aesthetics: { ms: number, load: number } | null,
  *   crowd: Awaited<ReturnType<typeof import('./crowd.js').crowd>> | null,
  *   making: { frames: number, width: number, height: number, styles: number } | null,
+ *   films: import('./animatic.js').Film[] | null,
  * }} Results `times` are milliseconds by contestant and row
  */
 
@@ -38,6 +39,7 @@ export function markdown({
   aesthetics,
   crowd,
   making,
+  films,
 }) {
   const peers = Object.entries(PEERS);
   const heads = peers.map(([id, name]) => (versions[id] ? `${name} ${versions[id]}` : name));
@@ -60,7 +62,7 @@ export function markdown({
     lines.push(`| ${row.label} | ${short(own)} | ${Math.round(share * 100)} % | ${cells.join(' | ')} |`);
   }
   for (const [id, reason] of Object.entries(failed)) lines.push('', `${PEERS[id] ?? id} failed: ${reason}`);
-  if (journey || facts || plans || masks || detect || aesthetics || crowd || making)
+  if (journey || facts || plans || masks || detect || aesthetics || crowd || making || films)
     lines.push('', '| In the page, all workers | |', '|---|--:|');
   if (journey) {
     lines.push(
@@ -116,6 +118,10 @@ export function markdown({
       `| Explorer: styles invented, drawn as thumbnails, scored and compared | ${Math.round(styles)} a second |`,
     );
   }
+  for (const { kind, frames, ms, bytes } of films ?? [])
+    lines.push(
+      `| An animatic of twelve shots at 1080p as ${kind.toUpperCase()}, from the click to the file of ${Math.round(bytes / 1e6)} MB | ${((frames / ms) * 1000).toFixed(1)} frames/s |`,
+    );
   return lines.join('\n');
 }
 

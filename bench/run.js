@@ -11,6 +11,7 @@ import { fileURLToPath } from 'node:url';
 import { parseArgs } from 'node:util';
 import { chromium } from 'playwright-core';
 import { CHROMIUM } from '../tests/web/launching.js';
+import { animatic } from './animatic.js';
 import { crowd } from './crowd.js';
 import { journey } from './journey.js';
 import { making } from './making.js';
@@ -58,6 +59,11 @@ try {
     console.log('timing styles in the making');
     const files = await photos(FEW);
     results.making = await site((address) => making(browser, address, files.slice(0, 4)));
+  }
+  if (asked('animatic')) {
+    console.log('timing animatics');
+    const files = await photos(FEW);
+    results.films = await site((address) => animatic(browser, address, files));
   }
   const table = markdown(results);
   console.log(`\n${table}`);
@@ -113,6 +119,7 @@ async function blocks() {
     journey: null,
     crowd: null,
     making: null,
+    films: null,
     detect: !asked('detect') ? null : await page.evaluate(() => /** @type {any} */ (globalThis).bench.detect()),
     aesthetics: !asked('detect') ? null : await page.evaluate(() => /** @type {any} */ (globalThis).bench.aesthetics()),
     facts: !asked('facts')

@@ -1,0 +1,43 @@
+// @ts-check
+/** Animatics in the real page: how many frames a second become a film at 1080p, from the click to the file. */
+
+import { statSync } from 'node:fs';
+
+/** @typedef {import('playwright-core').Browser} Browser */
+/** @typedef {{ kind: string, frames: number, ms: number, bytes: number }} Film */
+
+/**
+ * @param {Browser} browser
+ * @param {string} address of the site
+ * @param {string[]} photos paths, each of which becomes a shot of two seconds
+ * @returns {Promise<Film[]>}
+ */
+export async function animatic(browser, address, photos) {
+  const page = await browser.newPage({ viewport: { width: 1920, height: 1080 }, serviceWorkers: 'block' });
+  await page.addInitScript(() => localStorage.setItem('inkpanel.detect', 'off'));
+  await page.goto(address);
+  const input = page.getByLabel('Photos or video');
+  await input.waitFor({ state: 'attached' });
+  await input.setInputFiles(photos);
+  await page.waitForFunction(
+    () => document.body.dataset.idle === 'true' && document.querySelector('.page-canvas') !== null,
+  );
+  const films = [];
+  for (const kind of ['mp4', 'webm']) {
+    await page.getByRole('button', { name: 'Export', exact: true }).click();
+    const dialog = page.getByRole('dialog');
+    await dialog.getByRole('combobox', { name: 'Format' }).selectOption({ label: 'Animatic' });
+    await dialog.getByRole('combobox', { name: 'File' }).selectOption(kind);
+    const save = dialog.getByRole('button', { name: 'Save the file' });
+    await page.waitForFunction(() =>
+      document.querySelector('.animatic canvas')?.getAttribute('aria-label')?.includes('of 0:'),
+    );
+    const coming = page.waitForEvent('download', { timeout: 600_000 });
+    const start = Date.now();
+    await save.click();
+    const path = await (await coming).path();
+    films.push({ kind, frames: photos.length * 2 * 24, ms: Date.now() - start, bytes: statSync(path).size });
+  }
+  await page.close();
+  return films;
+}
