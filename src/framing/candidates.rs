@@ -5,6 +5,8 @@
 //! (Garcia-Dorado et al.): by a fixed amount, by 10 % or 50 %, or to the whole photo, in width and in height
 //! independently. Each is then brought to the panel's exact aspect.
 
+use std::borrow::Cow;
+
 use super::frame::Target;
 use super::photo::{Crop, FACE, PhotoMeta, Subject};
 use crate::layout::Bounds;
@@ -56,7 +58,7 @@ pub(super) struct View<'a> {
     pub(super) height: f64,
     pub(super) target: &'a Target,
     /// The largest subjects, faces first.
-    pub(super) subjects: Vec<(Area, &'a Subject)>,
+    pub(super) subjects: Vec<(Area, Cow<'a, Subject>)>,
     /// The same with what belongs to them, see [`Subject::grown`].
     pub(super) grown: Vec<Area>,
     pub(super) focus: Option<(f64, f64)>,
@@ -75,14 +77,13 @@ impl<'a> View<'a> {
             let ((x, w), (y, h)) = (inside(s.x, s.width), inside(s.y, s.height));
             Area { x: x * width, y: y * height, width: w * width, height: h * height }
         };
-        let mut subjects: Vec<(Area, &Subject)> = photo
-            .subjects
-            .iter()
+        let mut subjects: Vec<(Area, Cow<Subject>)> = photo
+            .marked()
             .filter(|s| [s.x, s.y, s.width, s.height, s.score].iter().all(|v| v.is_finite()))
-            .map(|s| (area(s), s))
+            .map(|s| (area(&s), s))
             .filter(|(area, _)| area.width > 0.0 && area.height > 0.0)
             .collect();
-        let rank = |(area, s): &(Area, &Subject)| {
+        let rank = |(area, s): &(Area, Cow<Subject>)| {
             let size = area.width * area.height * s.score.clamp(0.0, 1.0);
             if s.label == FACE { size + width * height } else { size }
         };

@@ -73,7 +73,8 @@ mod tests {
     use proptest::prelude::*;
 
     use super::*;
-    use crate::framing::{FACE, Focus, Subject};
+    use crate::framing::{FACE, FIGURE, Focus, Subject};
+    use crate::raster::{Matte, Plane};
 
     fn photo(width: u32, height: u32, subjects: Vec<Subject>) -> PhotoMeta {
         PhotoMeta { subjects, ..PhotoMeta::unmeasured("photo", width, height) }
@@ -102,6 +103,36 @@ mod tests {
             let crop = frame(&photo(4000, 3000, vec![face.clone()]), &Target::of_aspect(0.4), 0);
             assert!(keeps(&crop, &face), "{crop:?} cuts the face at {x}");
         }
+    }
+
+    /// A photo of which a disc is known, about a place across it.
+    fn masked(across: f64, subjects: Vec<Subject>) -> PhotoMeta {
+        let shares = Plane::from_fn(320, 240, |x, y| {
+            let far = (x as f64 - 320.0 * across).hypot(y as f64 - 120.0);
+            ((36.5 - far).clamp(0.0, 1.0) * 255.0) as u8
+        });
+        PhotoMeta { mask: Some(Matte::new(&shares, (320, 240))), ..photo(4000, 3000, subjects) }
+    }
+
+    #[test]
+    fn what_only_the_mask_shows_is_kept_whole() {
+        for across in [0.15, 0.5, 0.85] {
+            let figure = subject(FIGURE, across - 0.11, 0.36, 0.22, 0.28);
+            let crop = frame(&masked(across, Vec::new()), &Target::of_aspect(0.4), 0);
+            assert!(keeps(&crop, &figure), "{crop:?} cuts the figure at {across}");
+        }
+    }
+
+    #[test]
+    fn a_mask_leaves_the_crop_to_faces_and_counts_for_nothing_where_it_is_vague() {
+        let face = subject(FACE, 0.1, 0.1, 0.14, 0.2);
+        let target = Target::of_aspect(0.4);
+        let without = frame(&photo(4000, 3000, vec![face.clone()]), &target, 0);
+        assert_eq!(frame(&masked(0.85, vec![face]), &target, 0), without);
+        let haze = Plane::from_fn(320, 240, |x, _| (x * 255 / 319) as u8);
+        let mask = Some(Matte::new(&haze, (320, 240)));
+        let hazy = PhotoMeta { mask, ..photo(4000, 3000, Vec::new()) };
+        assert_eq!(frame(&hazy, &target, 0), frame(&photo(4000, 3000, Vec::new()), &target, 0));
     }
 
     #[test]

@@ -1,5 +1,7 @@
 //! What framing knows of a photo, and what it answers.
 
+use std::borrow::Cow;
+
 use serde::{Deserialize, Deserializer, Serialize, Serializer};
 
 use super::energy::EnergyMap;
@@ -9,6 +11,8 @@ use crate::raster::Matte;
 
 /// The label of a face among the subjects.
 pub const FACE: &str = "face";
+/// The label of a subject that is known by its mask alone.
+pub const FIGURE: &str = "figure";
 
 /// Facts about a photo, measured once at import. All positions are fractions of the oriented photo.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
@@ -82,6 +86,24 @@ impl PhotoMeta {
     pub fn find(&mut self, found: impl IntoIterator<Item = Subject>) {
         self.subjects.retain(|subject| subject.label == LETTERING);
         self.subjects.splice(0..0, found);
+    }
+
+    /// What crops are drawn round: what was found and, where that is nobody, the figure that the mask shows.
+    pub fn marked(&self) -> impl Iterator<Item = Cow<'_, Subject>> {
+        self.subjects.iter().map(Cow::Borrowed).chain(self.figure().map(Cow::Owned))
+    }
+
+    /// The box of the mask: of a photo without faces, persons and animals, as detectors know few things; none where
+    /// the mask is vague, or the figure fills so much that no crop could be drawn round it.
+    fn figure(&self) -> Option<Subject> {
+        if self.subjects.iter().any(Subject::is_alive) {
+            return None;
+        }
+        let facts = self.mask.as_ref()?.facts();
+        let [x, y, width, height] = facts.bounds;
+        let label = FIGURE.to_owned();
+        let figure = Subject { x, y, width, height, label, score: facts.confidence };
+        (!facts.is_vague() && !figure.is_scenery()).then_some(figure)
     }
 
     /// Width over height; sides of 0 count as 1.

@@ -5,6 +5,8 @@
 //! taken over the finished crop and all subjects together, not over the box that it was drawn round, so that
 //! crops of any origin can be compared.
 
+use std::borrow::Cow;
+
 use super::candidates::{Area, View, reach};
 use super::photo::{Crop, FACE, PhotoMeta};
 use super::sums::Sums;
@@ -34,7 +36,7 @@ pub(super) struct Judge<'a> {
 impl<'a> Judge<'a> {
     pub(super) fn new(photo: &PhotoMeta, view: &'a View<'a>) -> Self {
         let whole = view.width * view.height;
-        let weight = |(area, subject): &(Area, &super::photo::Subject)| {
+        let weight = |(area, subject): &(Area, Cow<super::photo::Subject>)| {
             let size = (area.width * area.height / whole).sqrt();
             let kind = match subject.label.as_str() {
                 FACE => 1.5,

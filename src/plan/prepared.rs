@@ -50,12 +50,12 @@ impl Prepared {
     pub fn of(photo: &PhotoMeta) -> Self {
         let aspect = |i: usize| WIDEST.powf(2.0 * i as f64 / (ASPECTS - 1) as f64 - 1.0);
         let sketches = (0..ASPECTS).map(|i| sketch(photo, &Target::of_aspect(aspect(i)))).collect();
-        let marks: Vec<Mark> = photo.subjects.iter().filter_map(|s| mark(s, photo)).collect();
+        let marks: Vec<Mark> = photo.marked().filter_map(|s| mark(&s, photo)).collect();
         let ratings: Vec<f64> =
             marks.iter().map(|mark| mark.weight + if mark.face { 1e3 } else { 0.0 }).collect();
         let marks: Vec<Mark> =
             best_first(&ratings).into_iter().take(MOST_MARKS).map(|at| marks[at]).collect();
-        let subject = photo.subjects.iter().map(|s| {
+        let subject = photo.marked().map(|s| {
             // A face of a fifth of the photo's side is a portrait; of a thing it takes more.
             let size = (s.width * s.height).max(0.0).sqrt();
             let full = if s.label == FACE { 0.2 } else { 0.45 };

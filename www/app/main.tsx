@@ -132,6 +132,7 @@ const animatics = createAnimatics({ store, engine, boards });
 const masks = createMasks({
   store,
   engine,
+  onFound: crops.found,
   ready: () =>
     store.reading.value === null && ui.painted.value === store.page.value && subjects.settled.value && !taking.value,
   wanted: ui.detects,

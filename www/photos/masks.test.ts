@@ -1,17 +1,17 @@
 import { signal } from '@preact/signals';
-import { describe, expect, it } from 'vitest';
+import { describe, expect, it, vi } from 'vitest';
 import { createMasks } from './masks.ts';
 import { fakeApp } from '../document/testing.ts';
 import { failure } from '../engine/protocol.ts';
 
 /** @param find what the net answers for a photo */
-function app(find: (id: string) => Promise<string>, masks = true) {
+function app(find: (id: string) => Promise<string>, has = true) {
   const made = fakeApp();
   const asked: string[] = [];
   const known: Map<string, string | undefined> = new Map();
   const rested = signal(false);
   const engine = {
-    masks,
+    masks: has,
     hasPhoto: () => true,
     knowMask: (id: string, mask: string | undefined) => void known.set(id, mask),
     findMask: (id: string) => {
@@ -19,7 +19,9 @@ function app(find: (id: string) => Promise<string>, masks = true) {
       return find(id);
     },
   };
-  return { ...made, asked, known, rested, masks: createMasks({ ...made, engine, ready: () => rested.value }) };
+  const found = vi.fn();
+  const masks = createMasks({ ...made, engine, ready: () => rested.value, onFound: found });
+  return { ...made, asked, known, rested, found, masks };
 }
 
 const settle = () =>
@@ -42,6 +44,16 @@ describe('masks', () => {
     expect(known.get('p2')).toBe('2x2:ap3');
     expect(masks.settled.value).toBe(true);
     expect(masks.progress.value).toBeNull();
+  });
+
+  it('say when the photos of the page were looked at, once, so that it may be cropped anew', async () => {
+    const { reading, files, found, rested, store } = app(async () => '2x2:ap3');
+    await reading.addFiles(files('1.jpg', '2.jpg', '3.jpg'));
+    const shown = store.page.value?.panels.flatMap(({ photo }) => photo ?? []) ?? [];
+    expect(shown.length).toBeGreaterThan(0);
+    rested.value = true;
+    await settle();
+    expect(found).toHaveBeenCalledTimes(1);
   });
 
   it('stop where somebody waits for something else, and go on', async () => {

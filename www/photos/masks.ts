@@ -7,6 +7,7 @@ import { computed, effect, signal } from '@preact/signals';
 import { photosOn } from '../engine/sheets.ts';
 import type { Album } from '../document/album.ts';
 import type { Progress, Store } from '../document/store.ts';
+import type { PageDocument } from '../engine/types.ts';
 import type { Engine } from '../engine/engine.ts';
 import type { ReadonlySignal, Signal } from '@preact/signals';
 
@@ -15,16 +16,21 @@ export type Masks = ReturnType<typeof createMasks>;
 /** Photos beside those of pages that are looked at, too: the next shuffle may bring them. */
 const BESIDE = 24;
 
-/** @param app `ready`: whether nobody waits for anything else; not `wanted`, nothing is looked at */
+/**
+ * @param app `ready`: whether nobody waits for anything else; not `wanted`, nothing is looked at; `onFound` hears when all photos
+ * of the page were looked at, so that it may be cropped by their figures
+ */
 export function createMasks({
   store,
   engine,
   ready,
+  onFound = () => {},
   wanted = true,
 }: {
   store: Store;
   engine: Pick<Engine, 'masks' | 'findMask' | 'hasPhoto' | 'knowMask'>;
   ready: () => boolean;
+  onFound?: () => void;
   wanted?: boolean;
 }) {
   /** Photos that could not be looked at. */
@@ -71,6 +77,8 @@ export function createMasks({
         progress.value = { done, total: done + due.peek().length };
         await look(id);
         done += 1;
+        const shown = photosOn(store.page.peek() ? [store.page.peek() as PageDocument] : []);
+        if (shown.has(id) && !due.peek().some((other) => shown.has(other))) onFound();
       }
     } finally {
       progress.value = null;

@@ -1,7 +1,7 @@
 //! Which part of a photo is its subject: a small picture of shares, as a net or a person made it, and as text, which is how a
 //! project keeps it.
 
-use std::sync::Arc;
+use std::sync::{Arc, OnceLock};
 
 use serde::{Deserialize, Serialize};
 
@@ -18,6 +18,10 @@ const STEP: u8 = 255 / (LEVELS - 1);
 pub const MOST_TEXT: usize = 65_536;
 /// From here on a pixel counts as the subject.
 const WITHIN: u8 = 128;
+/// A subject of less than this share of its photo is none.
+const LEAST_COVERAGE: f64 = 0.01;
+/// The least sure border of a subject that anything is made by: below it are crowds, landscapes and mist.
+const LEAST_CONFIDENCE: f64 = 0.35;
 /// A share of a border between these is unsure.
 const UNSURE: std::ops::Range<u8> = 26..230;
 
@@ -25,9 +29,24 @@ const UNSURE: std::ops::Range<u8> = 26..230;
 ///
 /// As text `320x213:a97bcp20...`: a letter for each pixel, row by row, `a` for none to `p` for all, with how often it comes
 /// where that is more than once. At most 64 KiB are read.
-#[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
+#[derive(Debug, Clone, Serialize, Deserialize)]
 #[serde(try_from = "String", into = "String")]
-pub struct Matte(Arc<str>);
+pub struct Matte(Arc<Kept>);
+
+/// The text, and what is known by it once somebody asked: whoever draws and plans asks again and again.
+#[derive(Debug)]
+struct Kept {
+    text: Box<str>,
+    facts: OnceLock<MatteFacts>,
+}
+
+impl PartialEq for Matte {
+    fn eq(&self, other: &Self) -> bool {
+        Arc::ptr_eq(&self.0, &other.0) || self.text() == other.text()
+    }
+}
+
+impl Eq for Matte {}
 
 /// What is known of a subject by its matte. Places and lengths are in fractions of the photo.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -40,6 +59,14 @@ pub struct MatteFacts {
     pub confidence: f64,
 }
 
+impl MatteFacts {
+    /// Whether it counts as none: hardly anything is covered, or nobody could say where the subject ends.
+    #[must_use]
+    pub fn is_vague(&self) -> bool {
+        self.coverage < LEAST_COVERAGE || self.confidence < LEAST_CONFIDENCE
+    }
+}
+
 impl Matte {
     /// Reduces shares of any size, for a photo of a size.
     #[must_use]
@@ -47,64 +74,71 @@ impl Matte {
         let (width, height) = fit(width.max(1), height.max(1), LONGEST);
         let mut plane = resample(shares, Region::whole(shares.width(), shares.height()), width, height);
         plane.samples_mut().iter_mut().for_each(|share| *share = level(*share) * STEP);
-        Self(write(&plane).into())
+        Self::of(write(&plane))
+    }
+
+    fn of(text: String) -> Self {
+        Self(Arc::new(Kept { text: text.into(), facts: OnceLock::new() }))
     }
 
     /// The shares.
     #[must_use]
     pub fn plane(&self) -> Plane {
         // It was read once.
-        read(&self.0).unwrap_or_else(|| Plane::filled(1, 1, 0))
+        read(self.text()).unwrap_or_else(|| Plane::filled(1, 1, 0))
     }
 
     /// As text.
     #[must_use]
     pub fn text(&self) -> &str {
-        &self.0
+        &self.0.text
     }
 
     /// What is known by it.
     #[must_use]
     pub fn facts(&self) -> MatteFacts {
-        let plane = self.plane();
-        let (width, height) = (plane.width(), plane.height());
-        let (mut left, mut top, mut right, mut bottom) = (width, height, 0, 0);
-        let (mut sum, mut rim, mut unsure) = (0u64, 0u64, 0u64);
-        for y in 0..height {
-            let row = plane.row(y);
-            for (x, &share) in row.iter().enumerate() {
-                sum += u64::from(share);
-                unsure += u64::from(UNSURE.contains(&share));
-                if share < WITHIN {
-                    continue;
-                }
-                (left, top) = (left.min(x), top.min(y));
-                (right, bottom) = (right.max(x + 1), bottom.max(y + 1));
-                let beside = |dx: usize, dy: usize| plane.at(dx.min(width - 1), dy.min(height - 1)) < WITHIN;
-                let at_rim = beside(x + 1, y)
-                    || beside(x, y + 1)
-                    || beside(x.saturating_sub(1), y)
-                    || beside(x, y.saturating_sub(1));
-                rim += u64::from(at_rim);
+        *self.0.facts.get_or_init(|| facts_of(&self.plane()))
+    }
+}
+
+fn facts_of(plane: &Plane) -> MatteFacts {
+    let (width, height) = (plane.width(), plane.height());
+    let (mut left, mut top, mut right, mut bottom) = (width, height, 0, 0);
+    let (mut sum, mut rim, mut unsure) = (0u64, 0u64, 0u64);
+    for y in 0..height {
+        let row = plane.row(y);
+        for (x, &share) in row.iter().enumerate() {
+            sum += u64::from(share);
+            unsure += u64::from(UNSURE.contains(&share));
+            if share < WITHIN {
+                continue;
             }
+            (left, top) = (left.min(x), top.min(y));
+            (right, bottom) = (right.max(x + 1), bottom.max(y + 1));
+            let beside = |dx: usize, dy: usize| plane.at(dx.min(width - 1), dy.min(height - 1)) < WITHIN;
+            let at_rim = beside(x + 1, y)
+                || beside(x, y + 1)
+                || beside(x.saturating_sub(1), y)
+                || beside(x, y.saturating_sub(1));
+            rim += u64::from(at_rim);
         }
-        let coverage = sum as f64 / (255 * width * height) as f64;
-        if right <= left {
-            return MatteFacts { coverage, bounds: [0.0; 4], confidence: 0.0 };
-        }
-        let share = |at: usize, of: usize| at as f64 / of as f64;
-        // A border drawn as finely as pixels allow has about two unsure ones for each of its own.
-        let width_of_doubt = unsure as f64 / rim.max(1) as f64;
-        MatteFacts {
-            coverage,
-            bounds: [
-                share(left, width),
-                share(top, height),
-                share(right - left, width),
-                share(bottom - top, height),
-            ],
-            confidence: (1.0 - (width_of_doubt - 2.0) / 10.0).clamp(0.0, 1.0),
-        }
+    }
+    let coverage = sum as f64 / (255 * width * height) as f64;
+    if right <= left {
+        return MatteFacts { coverage, bounds: [0.0; 4], confidence: 0.0 };
+    }
+    let share = |at: usize, of: usize| at as f64 / of as f64;
+    // A border drawn as finely as pixels allow has about two unsure ones for each of its own.
+    let width_of_doubt = unsure as f64 / rim.max(1) as f64;
+    MatteFacts {
+        coverage,
+        bounds: [
+            share(left, width),
+            share(top, height),
+            share(right - left, width),
+            share(bottom - top, height),
+        ],
+        confidence: (1.0 - (width_of_doubt - 2.0) / 10.0).clamp(0.0, 1.0),
     }
 }
 
@@ -130,7 +164,7 @@ fn write(plane: &Plane) -> String {
 
 impl From<Matte> for String {
     fn from(matte: Matte) -> Self {
-        matte.0.as_ref().to_owned()
+        matte.text().to_owned()
     }
 }
 
@@ -139,7 +173,7 @@ impl TryFrom<String> for Matte {
 
     fn try_from(text: String) -> Result<Self, Self::Error> {
         let wrong = "is no mask: its sides and a letter for each run of pixels";
-        if read(&text).is_some() { Ok(Self(text.into())) } else { Err(wrong) }
+        if read(&text).is_some() { Ok(Self::of(text)) } else { Err(wrong) }
     }
 }
 
