@@ -208,12 +208,18 @@ export async function personIn({ driver, downloads }, address) {
 
   /** Chooses files, as one does in the dialog of the browser. @param {string[]} files */
   async function choose(files) {
-    const input = /** @type {WebElement} */ (
-      await driver.executeScript(
-        `return [...document.querySelectorAll('input[type=file]')].find((input) => (input.getAttribute('aria-label') || input.labels[0] && input.labels[0].textContent || '').includes('Photos or video'))`,
-      )
+    // The page looks for the project of the last visit first, and has no place for files until then.
+    const input = await driver.wait(
+      async () =>
+        /** @type {WebElement | null} */ (
+          await driver.executeScript(
+            `return [...document.querySelectorAll('input[type=file]')].find((input) => (input.getAttribute('aria-label') || input.labels[0] && input.labels[0].textContent || '').includes('Photos or video'))`,
+          )
+        ),
+      60_000,
+      'a place for photos',
     );
-    await input.sendKeys(files.join('\n'));
+    await /** @type {WebElement} */ (input).sendKeys(files.join('\n'));
   }
 
   /**

@@ -103,9 +103,10 @@ test('the page becomes files of every kind, and goes to the clipboard', async ({
 
 test('films lie on the table', async ({ person }) => {
   await person.begin([given('videos/album.mp4'), given('videos/album.webm'), SIX[0]]);
-  // Six shots of a second each, and as many frames as any film has at least.
+  // Six shots of a second each, and as many frames as any film has at least. Where the browser's player reads the film no shots
+  // are found, and there are more, by the clock.
   for (const name of [/^Use album\.mp4, 0:0/, /^Use album\.webm, 0:0/])
-    await expect.poll(async () => (await person.all('checkbox', name)).length, String(name)).toBe(8);
+    await expect.poll(async () => (await person.all('checkbox', name)).length, String(name)).toBeGreaterThanOrEqual(8);
 });
 
 test('an AVIF photo has its colours', async ({ person }) => {
