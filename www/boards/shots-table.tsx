@@ -7,6 +7,8 @@ import { useEffect, useRef, useState } from 'preact/hooks';
 import { strings } from '../strings/strings.ts';
 import { IconButton } from '../ui/button.tsx';
 import { useApp } from '../ui/context.ts';
+import { useListDrag } from '../ui/list-drag.ts';
+import type { ListDrag } from '../ui/list-drag.ts';
 import { Icon } from '../ui/icon.tsx';
 import type { Column } from './boards.ts';
 import { Frame } from './frame.tsx';
@@ -19,6 +21,8 @@ export function ShotsTable() {
   const rows = boards.rows.value;
   const columns = boards.columns.value;
   const { fps } = boards.board.value;
+  const drag = useListDrag({ list: '.shots-scroll', item: 'tbody tr' }, boards.move);
+  const gap = drag.carried?.gap ?? -1;
 
   /** @returns whether there is such a cell */
   function focus(row: number, column: number): boolean {
@@ -71,7 +75,15 @@ export function ShotsTable() {
           </thead>
           <tbody>
             {rows.map((row, at) => (
-              <Row key={row.id} row={row} at={at} focus={focus} last={at === rows.length - 1} />
+              <Row
+                key={row.id}
+                row={row}
+                at={at}
+                focus={focus}
+                last={at === rows.length - 1}
+                marked={gap === at ? 'before' : gap === rows.length && at === rows.length - 1 ? 'behind' : ''}
+                drag={drag}
+              />
             ))}
           </tbody>
         </table>
@@ -135,11 +147,16 @@ function Row({
   at,
   last,
   focus,
+  marked,
+  drag,
 }: {
   row: ShotRow;
   at: number;
   last: boolean;
   focus: (row: number, column: number) => boolean;
+  /** a shot that is carried would land on that side of it */
+  marked: '' | 'before' | 'behind';
+  drag: ListDrag;
 }) {
   const { boards, store } = useApp();
   const name = store.album.value.get(row.id)?.name ?? row.id;
@@ -150,9 +167,17 @@ function Row({
   }
 
   return (
-    <tr aria-label={strings.boards.shot(row.number)}>
+    <tr
+      aria-label={strings.boards.shot(row.number)}
+      data-marked={marked || undefined}
+      data-carried={drag.carried?.from === at || undefined}
+    >
       <th scope="row">
-        <span class="shot-picture" title={name}>
+        <span
+          class="shot-picture"
+          title={`${name}\n${strings.boards.dragHelp}`}
+          onPointerDown={(event) => drag.take(event, at)}
+        >
           <Frame id={row.id} />
           <b>{row.number}</b>
         </span>

@@ -7,9 +7,9 @@ import { useState } from 'preact/hooks';
 import { sheetsOf } from '../engine/sheets.ts';
 import { strings } from '../strings/strings.ts';
 import { IconButton } from '../ui/button.tsx';
+import { useListDrag } from '../ui/list-drag.ts';
 import { useApp } from '../ui/context.ts';
 import { Icon } from '../ui/icon.tsx';
-import { usePageDrag } from './page-drag.ts';
 import { PageThumb } from './page-thumb.tsx';
 import { isEnabled } from '../ui/action.ts';
 import { ActionButton } from '../ui/action-button.tsx';
@@ -37,7 +37,7 @@ function Alone() {
 function Several() {
   const { store, book, ui } = useApp();
   const [open, setOpen] = useState(false);
-  const drag = usePageDrag(book.move);
+  const drag = useListDrag({ list: '.book-pages', item: '.book-page' }, book.move);
   const sheets = sheetsOf(store.project.value);
   const at = book.at.value;
   const gap = drag.carried?.gap ?? -1;

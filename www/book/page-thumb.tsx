@@ -5,7 +5,7 @@ import { strings } from '../strings/strings.ts';
 import { Bitmap, screenPixels } from '../ui/bitmap.tsx';
 import { useApp } from '../ui/context.ts';
 import type { PageDocument } from '../engine/types.ts';
-import type { PageDrag } from './page-drag.ts';
+import type { ListDrag } from '../ui/list-drag.ts';
 
 /**
  * A page of the storyboard, small: pressed it is turned to, and it is carried to another place by dragging, or by Alt
@@ -25,7 +25,7 @@ export function PageThumb({
   of: number;
   current: boolean;
   marked: '' | 'before' | 'behind';
-  drag: PageDrag;
+  drag: ListDrag;
 }) {
   const { book, engine, ui } = useApp();
   const ref = useRef(null as HTMLButtonElement | null);

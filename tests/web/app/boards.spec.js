@@ -133,6 +133,29 @@ test('cells of a spreadsheet are pasted, shots are moved, and an own column come
   await expect(cell('Lens, shot 1')).toHaveValue('50');
 });
 
+test('a shot is dragged to another place in the list by its picture, as one step', async ({ page }) => {
+  await openBoard(page);
+  const shots = await openShots(page);
+  const names = () =>
+    shots.locator('.shot-picture').evaluateAll((list) => list.map((one) => one.getAttribute('title')?.split('\n')[0]));
+  const [first, second, third, ...rest] = await names();
+  const middle = async (/** @type {number} */ n) => {
+    const box = await shots.locator('.shot-picture').nth(n).boundingBox();
+    if (!box) throw new Error(`no shot ${n}`);
+    return [box.x + box.width / 2, box.y + box.height / 2];
+  };
+  const [[x, from], [, to]] = [await middle(2), await middle(0)];
+  await page.mouse.move(x, from);
+  await page.mouse.down();
+  await page.mouse.move(x, (from + to) / 2, { steps: 3 });
+  await page.mouse.move(x, to - 12, { steps: 3 });
+  await expect(shots.locator('tr[data-marked=before]')).toHaveCount(1);
+  await page.mouse.up();
+  expect(await names()).toEqual([third, first, second, ...rest]);
+  await page.getByRole('button', { name: 'Undo' }).click();
+  expect(await names()).toEqual([first, second, third, ...rest]);
+});
+
 test('a screenplay fills scenes, action and dialogue as one step, and says what found no shot', async ({ page }) => {
   await openBoard(page);
   const shots = await openShots(page);

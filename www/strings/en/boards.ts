@@ -26,6 +26,7 @@ export const boardsStrings = {
     up: (number: string) => `Move shot ${number} up`,
     down: (number: string) => `Move shot ${number} down`,
     help: 'Enter goes to the next shot, Tab to the next field, Escape gives up what was typed. Alt with the arrow keys moves a shot. Lengths are seconds (2), seconds and frames (2:12) or frames (36f). Cells of a spreadsheet can be pasted.',
+    dragHelp: 'Drag to put it elsewhere.',
     copy: 'Copy the list',
     copied: 'The list is on the clipboard, for a spreadsheet.',
     newColumn: 'New column',

@@ -1,36 +1,38 @@
 /**
- * Pages of the storyboard that are carried to another place: with a mouse at once, with a finger or a pen after a long
- * press, since a touch that moves scrolls the strip. Near an end the strip scrolls by itself.
+ * Items of a list that are carried to another place, as pages in their strip and shots in their table: with a mouse at once, with
+ * a finger or a pen after a long press, since a touch that moves scrolls the list. Near an end the list scrolls by itself.
  */
 
 import { useRef, useState } from 'preact/hooks';
-import { onEscape } from '../ui/on-escape.ts';
+import { onEscape } from './on-escape.ts';
 
-/** a page, and before which one it would land */
+/** an item, and before which one it would land */
 type Carried = { from: number; gap: number | null };
-export type PageDrag = ReturnType<typeof usePageDrag>;
+/** Selectors: what scrolls, with all items in it, and each of them. */
+type Where = { list: string; item: string };
+export type ListDrag = ReturnType<typeof useListDrag>;
 
 /** What a shaking hand moves, in CSS pixels. */
 const SLACK = 5;
-/** A touch that rests for so long takes the page, in ms. */
+/** A touch that rests for so long takes the item, in ms. */
 const PRESS = 350;
-/** How near to an end the strip scrolls, and how fast at most, in CSS pixels a frame. */
+/** How near to an end the list scrolls, and how fast at most, in CSS pixels a frame. */
 const EDGE = 40;
 const SPEED = 10;
-/** How far beside the strip a page may be let go, in CSS pixels. */
+/** How far beside the list an item may be let go, in CSS pixels. */
 const BESIDE = 60;
 
 /** @param onDrop `to`: its place once it was taken out */
-export function usePageDrag(onDrop: (from: number, to: number) => void) {
+export function useListDrag({ list: listOf, item: itemOf }: Where, onDrop: (from: number, to: number) => void) {
   const [carried, setCarried] = useState(null as Carried | null);
   /** Whether the click that follows belongs to a drag. */
   const dragged = useRef(false);
 
-  /** @param event on a page */
+  /** @param event on an item, or a handle in it */
   function take(event: PointerEvent, from: number) {
     if (!event.isPrimary || event.button !== 0) return;
-    const page = event.currentTarget as HTMLElement;
-    const list = page.closest('.book-pages') as HTMLElement;
+    const held = event.currentTarget as HTMLElement;
+    const list = held.closest(listOf) as HTMLElement;
     const start = { x: event.clientX, y: event.clientY };
     const mouse = event.pointerType === 'mouse';
     let last = start;
@@ -42,7 +44,7 @@ export function usePageDrag(onDrop: (from: number, to: number) => void) {
     dragged.current = false;
 
     const point = () => {
-      gap = gapAt(list, last.x, last.y);
+      gap = gapAt(list, itemOf, last.x, last.y);
       setCarried({ from, gap });
     };
     const scroll = () => {
@@ -52,11 +54,11 @@ export function usePageDrag(onDrop: (from: number, to: number) => void) {
     const begin = () => {
       holds = true;
       dragged.current = true;
-      page.setPointerCapture(event.pointerId);
+      held.setPointerCapture(event.pointerId);
       frame = requestAnimationFrame(scroll);
       point();
     };
-    if (mouse) page.setPointerCapture(event.pointerId);
+    if (mouse) held.setPointerCapture(event.pointerId);
     const timer = mouse ? 0 : setTimeout(begin, PRESS);
     const end = () => {
       watch.abort();
@@ -65,7 +67,7 @@ export function usePageDrag(onDrop: (from: number, to: number) => void) {
       setCarried(null);
     };
 
-    page.addEventListener(
+    held.addEventListener(
       'pointermove',
       ({ clientX, clientY }) => {
         last = { x: clientX, y: clientY };
@@ -76,19 +78,19 @@ export function usePageDrag(onDrop: (from: number, to: number) => void) {
       },
       { signal },
     );
-    page.addEventListener(
+    held.addEventListener(
       'pointerup',
       () => {
         end();
         if (!holds || gap === null) return;
-        // Taking the page out moves those behind it up by one.
+        // Taking it out moves those behind it up by one.
         const to = from < gap ? gap - 1 : gap;
         if (to !== from) onDrop(from, to);
       },
       { signal },
     );
-    for (const type of ['pointercancel', 'lostpointercapture']) page.addEventListener(type, end, { signal });
-    // A page in hand neither scrolls the strip nor opens a menu.
+    for (const type of ['pointercancel', 'lostpointercapture']) held.addEventListener(type, end, { signal });
+    // What is in hand neither scrolls the list nor opens a menu.
     for (const type of ['touchmove', 'contextmenu'])
       list.addEventListener(type, (other) => holds && other.preventDefault(), { signal, passive: false });
     onEscape(end, signal);
@@ -97,22 +99,24 @@ export function usePageDrag(onDrop: (from: number, to: number) => void) {
   return { carried, take, dragged };
 }
 
+/** Whether its items lie below each other. */
 function isColumn(list: Element) {
-  return getComputedStyle(list).flexDirection === 'column';
+  const { display, flexDirection } = getComputedStyle(list);
+  return !display.includes('flex') || flexDirection === 'column';
 }
 
-/** @returns before which page one that is let go there belongs; nowhere far from the strip */
-function gapAt(list: HTMLElement, x: number, y: number): number | null {
+/** @returns before which item one that is let go there belongs; nowhere far from the list */
+function gapAt(list: HTMLElement, itemOf: string, x: number, y: number): number | null {
   const box = list.getBoundingClientRect();
   const column = isColumn(list);
   const beside = column ? Math.max(box.left - x, x - box.right) : Math.max(box.top - y, y - box.bottom);
   if (beside > BESIDE) return null;
-  const pages = [...list.querySelectorAll('.book-page')];
-  const before = pages.findIndex((page) => {
-    const { left, top, width, height } = page.getBoundingClientRect();
+  const items = [...list.querySelectorAll(itemOf)];
+  const before = items.findIndex((item) => {
+    const { left, top, width, height } = item.getBoundingClientRect();
     return column ? y < top + height / 2 : x < left + width / 2;
   });
-  return before < 0 ? pages.length : before;
+  return before < 0 ? items.length : before;
 }
 
 /** @returns whether it was scrolled */
