@@ -5,9 +5,9 @@ use std::path::Path;
 
 use anyhow::{Context, Result};
 use flate2::{Compression, GzBuilder};
-use sha2::{Digest, Sha256};
 
 use super::compare;
+use crate::models::digest;
 
 /// What a file of an archive is.
 #[derive(Clone, Copy, PartialEq, Eq)]
@@ -84,9 +84,11 @@ impl Archive {
 /// When a file cannot be read.
 pub(crate) fn sums(folder: &Path) -> Result<String> {
     let line = |file: String| -> Result<String> {
-        let digest = Sha256::digest(fs::read(folder.join(&file))?);
-        let hex: String = digest.iter().map(|byte| format!("{byte:02x}")).collect();
-        Ok(format!("{hex}  {file}\n"))
+        Ok(format!(
+            "{}  {file}
+",
+            digest(&fs::read(folder.join(&file))?)
+        ))
     };
     compare::files(folder)?.into_iter().map(line).collect()
 }

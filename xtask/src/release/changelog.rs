@@ -50,13 +50,14 @@ fn says_something(notes: &str) -> bool {
 /// The changelog whose heading `title` is that of an empty section, with the version's below it.
 fn renamed(text: &str, title: &str, version: &Version, today: Date) -> Result<String> {
     let day = written(today)?;
+    let section = format!("## [{UNRELEASED}]\n\n## [{version}] - {day}\n");
     let heading = |line: &str| line.strip_prefix("## ").is_some_and(|rest| rest.trim() == title);
     let mut out = String::with_capacity(text.len() + 64);
     let mut found = 0;
     for line in text.split_inclusive('\n') {
         if heading(line.trim_end()) {
             found += 1;
-            out += &format!("## [{UNRELEASED}]\n\n## [{version}] - {day}\n");
+            out += &section;
         } else {
             out += line;
         }
