@@ -51,6 +51,12 @@ function readOne(file) {
     if (before.get(name) !== text) writeFileSync(new URL(`${name}.ts`, folderOf(language)), text);
   }
   console.log(`${language}: ${changed} sentences changed`);
+  const index = files.get('index') ?? '';
+  for (const name of files.keys()) {
+    if (all.sources.has(name) && !/^(index|names|blocks)$/.test(name) && !index.includes(`'./${name}.ts'`)) {
+      console.log(`name ${name}.ts in www/strings/${language}/index.ts`);
+    }
+  }
   if (isNew && changed > 0) console.log(`a new language: docs/translating.md says where ${language} is named besides`);
   for (const why of refused) console.error(`not taken: ${why}`);
   if (refused.length > 0) process.exitCode = 1;
