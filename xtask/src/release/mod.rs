@@ -257,6 +257,37 @@ mod tests {
         assert_eq!(listed(&lines[..1]), "  0");
     }
 
+    #[cfg(unix)]
+    #[test]
+    fn a_copy_has_what_is_tracked_and_the_nets_alone() {
+        let folder = tempfile::tempdir().unwrap();
+        let root = folder.path();
+        let write = |path: &str| {
+            let path = root.join(path);
+            fs::create_dir_all(path.parent().unwrap()).unwrap();
+            fs::write(path, "x").unwrap();
+        };
+        for path in ["a/b.txt", ".gitignore", "left.txt"] {
+            write(path);
+        }
+        models::parts().iter().for_each(|net| write(&format!("www/models/{}", net.file)));
+        std::os::unix::fs::symlink("../a", root.join("a/link")).unwrap();
+        let git = |words: &[&str]| {
+            tools::output(Command::new("git").args(words).current_dir(root)).unwrap();
+        };
+        git(&["init", "--quiet"]);
+        git(&["add", "a", ".gitignore"]);
+        let (copy, kept) = copy(&Project { root: root.to_owned(), target: root.join("target") }).unwrap();
+        assert!(copy.root.join("a/link").is_symlink());
+        fs::remove_file(copy.root.join("a/link")).unwrap();
+        let nets = models::parts().into_iter().map(|net| format!("www/models/{}", net.file));
+        let expected = [".gitignore", "a/b.txt"].map(str::to_owned).into_iter().chain(nets);
+        assert_eq!(compare::files(&copy.root).unwrap(), expected.collect());
+        assert_eq!(copy.target, copy.root.join("target"));
+        drop(kept);
+        assert!(!copy.root.exists());
+    }
+
     #[test]
     fn what_is_not_committed_is_named() {
         let folder = tempfile::tempdir().unwrap();
