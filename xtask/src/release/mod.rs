@@ -270,7 +270,9 @@ mod tests {
         for path in ["a/b.txt", ".gitignore", "left.txt"] {
             write(path);
         }
-        models::parts().iter().for_each(|net| write(&format!("www/models/{}", net.file)));
+        for net in models::parts() {
+            write(&format!("www/models/{}", net.file));
+        }
         std::os::unix::fs::symlink("../a", root.join("a/link")).unwrap();
         let git = |words: &[&str]| {
             tools::output(Command::new("git").args(words).current_dir(root)).unwrap();
