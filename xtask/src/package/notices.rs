@@ -25,7 +25,7 @@ pub(crate) fn text(project: &Project, target: &str, features: &[&str]) -> Result
     cargo.args(["--features", &features.join(","), "--filter-platform", target]);
     let metadata: Value = serde_json::from_str(&tools::output(&mut cargo)?)?;
     let root = metadata["workspace_default_members"][0].as_str().context("cargo names no crate")?;
-    let needed = reached(&metadata, root);
+    let needed = reached(&metadata, root, &BTreeSet::new());
     let mut texts: BTreeMap<String, Vec<String>> = BTreeMap::new();
     for package in metadata["packages"].as_array().into_iter().flatten() {
         let field = |name: &str| package[name].as_str().unwrap_or_default();
@@ -44,7 +44,7 @@ pub(crate) fn text(project: &Project, target: &str, features: &[&str]) -> Result
             texts.entry(text).or_default().push(title.clone());
         }
     }
-    let mut written = "Libraries inside the modules of this package, and their licences.\n".to_owned();
+    let mut written = "Libraries that are compiled into this, and their licences.\n".to_owned();
     for (text, titles) in &texts {
         // Writing to a string cannot fail.
         let _ = write!(written, "\n{}\n{}\n\n{text}\n", "=".repeat(80), titles.join("\n"));
@@ -52,13 +52,18 @@ pub(crate) fn text(project: &Project, target: &str, features: &[&str]) -> Result
     Ok(written)
 }
 
-/// The ids of all packages that `root` needs when it runs, itself among them.
-fn reached<'a>(metadata: &'a Value, root: &'a str) -> BTreeSet<&'a str> {
+/// The ids of all packages that `root` needs when it is compiled, itself among them, without those of `left_out` and what they
+/// alone need.
+pub(crate) fn reached<'a>(
+    metadata: &'a Value,
+    root: &'a str,
+    left_out: &BTreeSet<&str>,
+) -> BTreeSet<&'a str> {
     let nodes = metadata["resolve"]["nodes"].as_array().map_or(&[][..], Vec::as_slice);
     let mut reached = BTreeSet::new();
     let mut open = vec![root];
     while let Some(id) = open.pop() {
-        if !reached.insert(id) {
+        if left_out.contains(id) || !reached.insert(id) {
             continue;
         }
         let node = nodes.iter().find(|node| node["id"] == id);
