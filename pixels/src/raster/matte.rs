@@ -18,6 +18,10 @@ const STEP: u8 = 255 / (LEVELS - 1);
 pub const MOST_TEXT: usize = 65_536;
 /// From here on a pixel counts as the subject.
 const WITHIN: u8 = 128;
+/// A subject of less than this share of its photo is none.
+const LEAST_COVERAGE: f64 = 0.01;
+/// The least sure border of a subject that anything is made by: below it are crowds, landscapes and mist.
+const LEAST_CONFIDENCE: f64 = 0.35;
 /// A share of a border between these is unsure.
 const UNSURE: std::ops::Range<u8> = 26..230;
 
@@ -40,6 +44,14 @@ pub struct MatteFacts {
     pub confidence: f64,
 }
 
+impl MatteFacts {
+    /// Whether it counts as none: hardly anything is covered, or nobody could say where the subject ends.
+    #[must_use]
+    pub fn is_vague(&self) -> bool {
+        self.coverage < LEAST_COVERAGE || self.confidence < LEAST_CONFIDENCE
+    }
+}
+
 impl Matte {
     /// Reduces shares of any size, for a photo of a size.
     #[must_use]
@@ -55,6 +67,13 @@ impl Matte {
     pub fn plane(&self) -> Plane {
         // It was read once.
         read(&self.0).unwrap_or_else(|| Plane::filled(1, 1, 0))
+    }
+
+    /// Which pixels are the subject: those of at least half a share, row by row, and how many are in a row.
+    #[must_use]
+    pub fn within(&self) -> (Vec<bool>, usize) {
+        let plane = self.plane();
+        (plane.samples().iter().map(|share| *share >= WITHIN).collect(), plane.width())
     }
 
     /// As text.
@@ -226,7 +245,9 @@ mod tests {
         assert!(facts.confidence > 0.95, "{facts:?}");
         let blurred = Matte::new(&Plane::from_fn(320, 200, |x, _| (x * 255 / 319) as u8), (320, 200));
         assert!(blurred.facts().confidence < 0.1, "{:?}", blurred.facts());
+        assert!(blurred.facts().is_vague() && !facts.is_vague());
         let nothing = Matte::new(&Plane::filled(320, 200, 0), (320, 200)).facts();
+        assert!(nothing.is_vague());
         assert_eq!((nothing.coverage, nothing.bounds), (0.0, [0.0; 4]));
     }
 }

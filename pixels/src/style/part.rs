@@ -55,10 +55,6 @@ impl Part {
     }
 }
 
-/// A subject of less than this share of its photo is none.
-const LEAST_COVERAGE: f64 = 0.01;
-/// The least sure border of a subject that is cut out: below it are crowds, landscapes and mist.
-const LEAST_CONFIDENCE: f64 = 0.35;
 /// How much steeper the border becomes: what is faint is beside the subject, what is nearly in it is in.
 const STEEPER: i32 = 2;
 
@@ -71,8 +67,7 @@ pub fn subject_in(
     size: (usize, usize),
     (picture, scale): (&Image, f32),
 ) -> Option<Plane> {
-    let facts = matte.facts();
-    if facts.coverage < LEAST_COVERAGE || facts.confidence < LEAST_CONFIDENCE {
+    if matte.facts().is_vague() {
         return None;
     }
     let shares = matte.plane();
