@@ -83,14 +83,6 @@ fn masked(photo: &PhotoMeta) -> PhotoMeta {
     PhotoMeta { mask, ..photo.clone() }
 }
 
-/// Places the words of a page anew, by what is known of the photos.
-fn place_again(page: &Document, photos: &[PhotoMeta], letters: &Letters) -> Document {
-    let mut page = page.clone();
-    let known = |id: &str| photos.iter().find(|photo| photo.id == id).map(Known::from).unwrap_or_default();
-    place::settle(&mut page, known, letters).unwrap();
-    page
-}
-
 #[test]
 fn masks_keep_balloons_off_bodies_better_than_boxes_do() {
     let root = Path::new(env!("CARGO_MANIFEST_DIR"));
@@ -99,7 +91,7 @@ fn masks_keep_balloons_off_bodies_better_than_boxes_do() {
     let (mut by_boxes, mut by_masks, mut moved) = (Figures::default(), Figures::default(), 0);
     for number in 0..pages::PAGES {
         let page = pages::page(&plain, number, &letters).unwrap();
-        let again = place_again(&page, &masked, &letters);
+        let again = pages::placed_again(&page, &masked, &letters).unwrap();
         moved += usize::from(again.words != page.words);
         by_boxes.add(measure(&page, &masked, &letters, &format!("page {number}")).unwrap());
         by_masks.add(measure(&again, &masked, &letters, &format!("page {number}")).unwrap());
@@ -128,8 +120,61 @@ fn a_mask_that_is_none_changes_no_place() {
     for number in 0..8 {
         let page = pages::page(&plain, number, &letters).unwrap();
         for photos in [&clouds, &specks] {
-            assert_eq!(place_again(&page, photos, &letters).words, page.words, "page {number}");
+            assert_eq!(
+                pages::placed_again(&page, photos, &letters).unwrap().words,
+                page.words,
+                "page {number}"
+            );
         }
+    }
+}
+
+/// The words of a page by their places, each panel of which shows a photo in which something is known.
+fn placed_by(words: &[Value], subjects: &[Subject], shares: Option<fn(f64, f64) -> bool>) -> Vec<Value> {
+    let mask = shares.map(|within| {
+        let pixel = |x: usize, y: usize| within((x as f64 + 0.5) / 120.0, (y as f64 + 0.5) / 100.0);
+        Matte::new(&Plane::from_fn(120, 100, |x, y| if pixel(x, y) { 255 } else { 0 }), (120, 100))
+    });
+    let mut page = page_of(words);
+    for panel in &mut page.panels {
+        panel.photo = Some("photo".into());
+    }
+    place::settle(&mut page, |_| Known { subjects, mask: mask.as_ref() }, &letters()).unwrap();
+    page.words
+}
+
+fn body(x: f64, y: f64, width: f64, height: f64) -> Subject {
+    Subject { x, y, width, height, label: "person".into(), score: 0.9 }
+}
+
+#[test]
+fn the_background_in_the_box_of_a_person_keeps_no_words_away() {
+    let word = [json!({ "kind": "balloon", "craft": 2, "text": "Look!", "panel": 1 })];
+    let usual = placed_by(&word, &[], None);
+    let left = |words: &[Value]| words[0]["x"].as_f64().unwrap() < 0.4;
+    let boxes = [body(0.0, 0.0, 0.6, 1.0)];
+    assert!(left(&usual) && !left(&placed_by(&word, &boxes, None)));
+    // The person sits in the lower half of the box.
+    let low: fn(f64, f64) -> bool = |x, y| x < 0.6 && y > 0.6;
+    let masked = placed_by(&word, &boxes, Some(low));
+    assert!(left(&masked) && masked[0]["y"].as_f64().unwrap() < 0.3, "{masked:?}");
+    // Somebody whom the mask does not show is as a box alone is.
+    let other: fn(f64, f64) -> bool = |x, y| x > 0.9 && y > 0.8;
+    assert!(!left(&placed_by(&word, &boxes, Some(other))));
+}
+
+#[test]
+fn of_places_otherwise_alike_the_one_with_least_of_the_figure_is_taken() {
+    // Nothing was found in the photo; its figure fills the upper left, where words would stand.
+    let corner: fn(f64, f64) -> bool = |x, y| x < 0.5 && y < 0.5;
+    for kind in ["balloon", "caption", "effect"] {
+        let word = [json!({ "kind": kind, "craft": 2, "text": "Look!", "panel": 1 })];
+        let at = |words: Vec<Value>| [&words[0]["x"], &words[0]["y"]].map(|part| part.as_f64().unwrap());
+        let [x, y] = at(placed_by(&word, &[], Some(corner)));
+        assert!(x > 0.5 || y > 0.5, "{kind}: {x}, {y}");
+        // Words of the first pages stand where they stood.
+        let word = [json!({ "kind": kind, "text": "Look!", "panel": 1 })];
+        assert_eq!(at(placed_by(&word, &[], Some(corner))), at(placed_by(&word, &[], None)), "{kind}");
     }
 }
 

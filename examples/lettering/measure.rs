@@ -311,6 +311,13 @@ fn wrong_tail(laid: &Laid, seen: &[Seen]) -> Option<String> {
     if nearer {
         return Some("ends nearer to another face".into());
     }
+    // Its line meets the middle of the face's lower third, a sixth of the height up or down.
+    let (dx, dy) = (tip.x - foot.x, tip.y - foot.y);
+    let low = Point::new(mouth.x, head.bounds.y + head.bounds.height * 5.0 / 6.0);
+    let aside = ((low.x - foot.x) * dy - (low.y - foot.y) * dx).abs() / dx.hypot(dy).max(1e-9);
+    if aside > head.bounds.height / 6.0 {
+        return Some("leads past the mouth".into());
+    }
     let way = foot.distance(tip) / foot.distance(mouth).max(1e-9);
     let until = first_hit(foot, mouth, head.bounds).unwrap_or(1.0);
     (way < until.min(0.5) - 0.05 || way > 0.65).then(|| format!("ends {:.0} % of the way", 100.0 * way))

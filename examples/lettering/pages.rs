@@ -110,3 +110,18 @@ pub(crate) fn page(photos: &[PhotoMeta], number: u32, letters: &Letters) -> inkp
     place::settle(&mut page, of, letters)?;
     Ok(page)
 }
+
+/// Places the words of a page anew, by what is known of the photos now.
+///
+/// # Errors
+/// Those of the layout.
+pub(crate) fn placed_again(
+    page: &Document,
+    photos: &[PhotoMeta],
+    letters: &Letters,
+) -> inkpanel::Result<Document> {
+    let mut page = page.clone();
+    let of = |id: &str| photos.iter().find(|photo| photo.id == id).map(Of::from).unwrap_or_default();
+    place::settle(&mut page, of, letters)?;
+    Ok(page)
+}
