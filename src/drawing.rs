@@ -13,14 +13,15 @@ use inkpanel::page::import::Imported;
 use inkpanel::page::pdf::{self, Imposition, Options};
 use inkpanel::page::plates::{self, Separation};
 use inkpanel::page::words::given::{self, GivenFonts};
-use inkpanel::page::words::place;
+use inkpanel::page::words::place::{self, Known};
 use inkpanel::page::{Document, jpeg, png, webp};
 use inkpanel::raster::Image;
 use rayon::prelude::*;
 use serde_json::{Value, json};
 use std::path::{Path, PathBuf};
 
-/// Puts the words of a file on a page; those without a place go where they hide no face.
+/// Puts the words of a file on a page; those without a place go where they hide no face, and no body of a photo whose mask
+/// is there.
 pub(crate) fn add_words(
     document: &mut Document,
     file: &Path,
@@ -30,12 +31,12 @@ pub(crate) fn add_words(
     let complain = |reason: String| format!("{}: {reason}", file.display());
     let json = std::fs::read_to_string(file).map_err(|error| complain(error.to_string()))?;
     let words: Vec<Value> = serde_json::from_str(&json).map_err(|error| complain(error.to_string()))?;
-    let subjects = |id: &str| {
+    let known = |id: &str| {
         let photo = photos.iter().find(|(_, photo)| photo.meta.id == id);
-        photo.map_or(&[][..], |(_, photo)| &photo.meta.subjects)
+        photo.map(|(_, photo)| Known::from(&photo.meta)).unwrap_or_default()
     };
     let letters = fonts.letters(&words).map_err(|error| complain(error.to_string()))?;
-    place::add(document, words, subjects, &letters).map_err(|error| complain(error.to_string()))
+    place::add(document, words, known, &letters).map_err(|error| complain(error.to_string()))
 }
 
 /// Says which letters of the words of pages no font has.

@@ -13,25 +13,28 @@ use crate::document::subtitles::{self, Frame};
 use crate::error::{Error, Result};
 use crate::framing::Subject;
 use crate::page::Document;
-use crate::page::words::{draw, layout, place};
+use crate::page::words::place::{self, Known};
+use crate::page::words::{draw, layout};
+use crate::raster::Matte;
 use crate::wasm_error::thrown;
 use crate::wasm_letters::Lettering;
+use serde::Deserialize;
 use serde_json::Value;
 use std::collections::HashMap;
 use wasm_bindgen::prelude::*;
 
 #[wasm_bindgen]
 impl Lettering {
-    /// The words of a document, those that are placed by themselves where they hide no face. `subjects`: what is in the
-    /// photos, lists by photo id.
-    pub fn settle(&self, document: &str, subjects: &str) -> std::result::Result<String, JsValue> {
+    /// The words of a document, those that are placed by themselves where they hide no face, and as little of bodies as they
+    /// can. `photos`: what is known of each by its id, `{subjects, mask?}` as in its facts.
+    pub fn settle(&self, document: &str, photos: &str) -> std::result::Result<String, JsValue> {
         let settle = || -> Result<String> {
             let mut document = Document::parse(document)?;
-            let known: HashMap<String, Vec<Subject>> = serde_json::from_str(subjects).map_err(|error| {
-                Error::InvalidDocument { location: "subjects".into(), reason: error.to_string() }
+            let told: HashMap<String, Told> = serde_json::from_str(photos).map_err(|error| {
+                Error::InvalidDocument { location: "photos".into(), reason: error.to_string() }
             })?;
-            let find = |id: &str| known.get(id).map_or(&[][..], Vec::as_slice);
-            place::settle(&mut document, find, self.letters())?;
+            let known = |id: &str| told.get(id).map(Told::known).unwrap_or_default();
+            place::settle(&mut document, known, self.letters())?;
             Ok(Value::Array(document.words).to_string())
         };
         settle().map_err(thrown)
@@ -68,6 +71,20 @@ impl Lettering {
             rgba: patch.rgba,
         };
         render().map(picture).map_err(thrown)
+    }
+}
+
+/// What is told of a photo.
+#[derive(Deserialize)]
+struct Told {
+    subjects: Vec<Subject>,
+    #[serde(default)]
+    mask: Option<Matte>,
+}
+
+impl Told {
+    fn known(&self) -> Known<'_> {
+        Known { subjects: &self.subjects, mask: self.mask.as_ref() }
     }
 }
 

@@ -11,10 +11,13 @@ mod pages;
 use std::path::Path;
 
 use golden::Goldens;
+use inkpanel::framing::{PhotoMeta, Subject};
 use inkpanel::page::words::layout::{Chain, lay_all, measured};
-use inkpanel::page::words::{Letters, draw, place};
+use inkpanel::page::words::place::{self, Known};
+use inkpanel::page::words::{Letters, draw};
 use inkpanel::page::{Document, Scene, compose, png};
 use inkpanel::raster::decode::{Limits, decode};
+use inkpanel::raster::{Matte, Plane};
 use inkpanel::style::Context;
 use measure::{Figures, measure};
 use serde_json::{Value, json};
@@ -56,6 +59,123 @@ fn balloons_on_forty_pages_cover_no_face_and_say_who_speaks() {
     assert!(all.covered_bodies() < 2.0, "{} % of bodies are covered", all.covered_bodies());
     assert!(all.right_tails() >= 95.0, "{}\n{told}", all.right_tails());
     assert!(all.points.unwrap().0 >= 6.0, "{:?}", all.points);
+}
+
+/// A body as one stands in its box: a head over shoulders that are as wide as the box, then legs. Places are in parts of the box.
+fn is_body(x: f64, y: f64) -> bool {
+    let head = ((x - 0.5) / 0.17).hypot((y - 0.13) / 0.13) < 1.0;
+    let trunk = (0.24..0.62).contains(&y) && (x - 0.5).abs() < 0.5 - 0.35 * (y - 0.24);
+    head || trunk || y >= 0.62 && (0.06..0.3).contains(&(x - 0.5).abs())
+}
+
+/// The photo with a mask of its persons and animals; none of those in which nobody is seen.
+fn masked(photo: &PhotoMeta) -> PhotoMeta {
+    let bodies: Vec<&Subject> =
+        photo.subjects.iter().filter(|subject| subject.is_alive() && subject.label != "face").collect();
+    let size = (photo.width as usize, photo.height as usize);
+    let (width, height) = (240, 240 * size.1 / size.0);
+    let shares = Plane::from_fn(width, height, |x, y| {
+        let (x, y) = ((x as f64 + 0.5) / width as f64, (y as f64 + 0.5) / height as f64);
+        let within = |body: &&&Subject| is_body((x - body.x) / body.width, (y - body.y) / body.height);
+        if bodies.iter().find(within).is_some() { 255 } else { 0 }
+    });
+    let mask = (!bodies.is_empty()).then(|| Matte::new(&shares, size));
+    PhotoMeta { mask, ..photo.clone() }
+}
+
+#[test]
+fn masks_keep_balloons_off_bodies_better_than_boxes_do() {
+    let root = Path::new(env!("CARGO_MANIFEST_DIR"));
+    let (plain, letters) = (pages::photos(&pages::known(root).unwrap()), letters());
+    let masked: Vec<PhotoMeta> = plain.iter().map(masked).collect();
+    let (mut by_boxes, mut by_masks, mut moved) = (Figures::default(), Figures::default(), 0);
+    for number in 0..pages::PAGES {
+        let page = pages::page(&plain, number, &letters).unwrap();
+        let again = pages::placed_again(&page, &masked, &letters).unwrap();
+        moved += usize::from(again.words != page.words);
+        by_boxes.add(measure(&page, &masked, &letters, &format!("page {number}")).unwrap());
+        by_masks.add(measure(&again, &masked, &letters, &format!("page {number}")).unwrap());
+    }
+    let told = by_masks.told.join("\n");
+    let shares = (by_boxes.covered_figures(), by_masks.covered_figures());
+    println!("bodies covered: {:.2} % by boxes, {:.2} % by masks; {moved} pages differ", shares.0, shares.1);
+    println!("tails right: {:.1} %, {:.1} %", by_boxes.right_tails(), by_masks.right_tails());
+    assert!(by_masks.figures.0 > 0.5 && shares.1 < 0.7 * shares.0, "{shares:?}");
+    let none = (by_masks.faces.1, by_masks.outside, by_masks.overlaps, by_masks.crossing, by_masks.disorder);
+    assert_eq!(none, (0, 0, 0, 0, 0), "{told}");
+    assert!(by_masks.right_tails() >= 95.0, "{}\n{told}", by_masks.right_tails());
+}
+
+#[test]
+fn a_mask_that_is_none_changes_no_place() {
+    let root = Path::new(env!("CARGO_MANIFEST_DIR"));
+    let (plain, letters) = (pages::photos(&pages::known(root).unwrap()), letters());
+    let vague = |photo: &PhotoMeta, shares: fn(usize, usize) -> u8| {
+        let size = (photo.width as usize, photo.height as usize);
+        PhotoMeta { mask: Some(Matte::new(&Plane::from_fn(200, 150, shares), size)), ..photo.clone() }
+    };
+    let clouds: Vec<PhotoMeta> = plain.iter().map(|photo| vague(photo, |x, y| (x + y / 2) as u8)).collect();
+    let specks: Vec<PhotoMeta> =
+        plain.iter().map(|photo| vague(photo, |x, y| if x / 9 + y / 9 == 0 { 255 } else { 0 })).collect();
+    for number in 0..8 {
+        let page = pages::page(&plain, number, &letters).unwrap();
+        for photos in [&clouds, &specks] {
+            assert_eq!(
+                pages::placed_again(&page, photos, &letters).unwrap().words,
+                page.words,
+                "page {number}"
+            );
+        }
+    }
+}
+
+/// The words of a page by their places, each panel of which shows a photo in which something is known.
+fn placed_by(words: &[Value], subjects: &[Subject], shares: Option<fn(f64, f64) -> bool>) -> Vec<Value> {
+    let mask = shares.map(|within| {
+        let pixel = |x: usize, y: usize| within((x as f64 + 0.5) / 120.0, (y as f64 + 0.5) / 100.0);
+        Matte::new(&Plane::from_fn(120, 100, |x, y| if pixel(x, y) { 255 } else { 0 }), (120, 100))
+    });
+    let mut page = page_of(words);
+    for panel in &mut page.panels {
+        panel.photo = Some("photo".into());
+    }
+    place::settle(&mut page, |_| Known { subjects, mask: mask.as_ref() }, &letters()).unwrap();
+    page.words
+}
+
+fn body(x: f64, y: f64, width: f64, height: f64) -> Subject {
+    Subject { x, y, width, height, label: "person".into(), score: 0.9 }
+}
+
+#[test]
+fn the_background_in_the_box_of_a_person_keeps_no_words_away() {
+    let word = [json!({ "kind": "balloon", "craft": 2, "text": "Look!", "panel": 1 })];
+    let usual = placed_by(&word, &[], None);
+    let left = |words: &[Value]| words[0]["x"].as_f64().unwrap() < 0.4;
+    let boxes = [body(0.0, 0.0, 0.6, 1.0)];
+    assert!(left(&usual) && !left(&placed_by(&word, &boxes, None)));
+    // The person sits in the lower half of the box.
+    let low: fn(f64, f64) -> bool = |x, y| x < 0.6 && y > 0.6;
+    let masked = placed_by(&word, &boxes, Some(low));
+    assert!(left(&masked) && masked[0]["y"].as_f64().unwrap() < 0.3, "{masked:?}");
+    // Somebody whom the mask does not show is as a box alone is.
+    let other: fn(f64, f64) -> bool = |x, y| x > 0.9 && y > 0.8;
+    assert!(!left(&placed_by(&word, &boxes, Some(other))));
+}
+
+#[test]
+fn of_places_otherwise_alike_the_one_with_least_of_the_figure_is_taken() {
+    // Nothing was found in the photo; its figure fills the upper left, where words would stand.
+    let corner: fn(f64, f64) -> bool = |x, y| x < 0.5 && y < 0.5;
+    for kind in ["balloon", "caption", "effect"] {
+        let word = [json!({ "kind": kind, "craft": 2, "text": "Look!", "panel": 1 })];
+        let at = |words: Vec<Value>| [&words[0]["x"], &words[0]["y"]].map(|part| part.as_f64().unwrap());
+        let [x, y] = at(placed_by(&word, &[], Some(corner)));
+        assert!(x > 0.5 || y > 0.5, "{kind}: {x}, {y}");
+        // Words of the first pages stand where they stood.
+        let word = [json!({ "kind": kind, "text": "Look!", "panel": 1 })];
+        assert_eq!(at(placed_by(&word, &[], Some(corner))), at(placed_by(&word, &[], None)), "{kind}");
+    }
 }
 
 #[test]
@@ -103,7 +223,7 @@ fn odd_text_gets_an_answer_and_nothing_of_it_is_lost() {
         for kind in ["caption", "balloon", "effect"] {
             let mut page =
                 page_of(&[json!({ "kind": kind, "craft": 2, "text": text, "panel": 1, "language": "en" })]);
-            place::settle(&mut page, |_| &[], &letters).unwrap();
+            place::settle(&mut page, |_| Known::default(), &letters).unwrap();
             assert_eq!(page.words[0]["text"], json!(text), "it is kept as it was written");
             let boxes = measured(&page, &letters).unwrap();
             assert!(boxes[0].width <= 1.0 && boxes[0].height <= 1754.0 / 1240.0, "{kind} {text:.20}");
@@ -117,7 +237,7 @@ fn two_hundred_words_of_a_page_are_placed_on_it() {
     let word =
         |i: usize| json!({ "kind": "balloon", "craft": 2, "text": format!("Number {i}"), "panel": i % 2 });
     let mut page = page_of(&(0..200).map(word).collect::<Vec<_>>());
-    place::settle(&mut page, |_| &[], &letters()).unwrap();
+    place::settle(&mut page, |_| Known::default(), &letters()).unwrap();
     let boxes = measured(&page, &letters()).unwrap();
     assert_eq!(boxes.len(), 200);
     assert!(boxes.iter().all(|area| area.x >= -1e-9 && area.x + area.width <= 1.0 + 1e-9));
@@ -128,8 +248,8 @@ fn words_go_on_to_stand_where_they_were_placed() {
     let word = |text: &str| json!({ "kind": "balloon", "craft": 2, "text": text, "panel": 0 });
     let mut page = page_of(&[word("Who goes there?"), word("Nobody, sir, but me and my dog.")]);
     let letters = letters();
-    place::settle(&mut page, |_| &[], &letters).unwrap();
+    place::settle(&mut page, |_| Known::default(), &letters).unwrap();
     let mut again = page.clone();
-    place::settle(&mut again, |_| &[], &letters).unwrap();
+    place::settle(&mut again, |_| Known::default(), &letters).unwrap();
     assert_eq!(page.words, again.words);
 }

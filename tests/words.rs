@@ -304,7 +304,7 @@ fn settled(words: &Value, faces: &[Subject]) -> Document {
         panel["photo"] = json!("p");
     }
     let mut document = Document::parse(&value.to_string()).unwrap();
-    place::settle(&mut document, |_| faces, &letters()).unwrap();
+    place::settle(&mut document, |_| faces.into(), &letters()).unwrap();
     document
 }
 

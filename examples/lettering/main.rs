@@ -3,6 +3,7 @@
 //!     cargo run --example lettering                       prints the figures of docs/lettering.md
 //!     cargo run --example lettering -- draw FOLDER [N]    draws the first N pages, in their styles
 //!     cargo run --example lettering -- kinds FILE.png     draws one of each kind of word
+//!     cargo run --example lettering -- masks              the same by boxes and by the masks of the net: docs/masks.md
 //!     cargo run --example lettering -- detect             looks at the photos again: tests/data/lettering.json
 
 mod measure;
@@ -13,14 +14,14 @@ use std::error::Error;
 use std::fs;
 use std::path::{Path, PathBuf};
 
-use inkpanel::detect::Detectors;
+use inkpanel::detect::{Detectors, Segmenter};
 use inkpanel::framing::Subject;
 use inkpanel::page::words::{Letters, draw};
 use inkpanel::page::{Document, Scene, compose, import, png};
 use inkpanel::raster::decode::{Limits, decode_fit};
 use inkpanel::style::Context;
 use measure::{Figures, measure};
-use pages::{Known, PAGES, known, page, photos};
+use pages::{Known, PAGES, known, page, photos, placed_again};
 
 fn main() -> Result<(), Box<dyn Error>> {
     let root = Path::new(env!("CARGO_MANIFEST_DIR"));
@@ -28,11 +29,12 @@ fn main() -> Result<(), Box<dyn Error>> {
     let arguments: Vec<&str> = arguments.iter().map(String::as_str).collect();
     match arguments.as_slice() {
         [] => figures(root),
+        ["masks"] => by_masks(root),
         ["detect"] => detect(root),
         ["kinds", file] => kinds(Path::new(file)),
         ["draw", folder] => draw_pages(root, Path::new(folder), PAGES),
         ["draw", folder, count] => draw_pages(root, Path::new(folder), count.parse()?),
-        _ => Err("usage: lettering [draw FOLDER [N] | kinds FILE.png | detect]".into()),
+        _ => Err("usage: lettering [draw FOLDER [N] | kinds FILE.png | masks | detect]".into()),
     }
 }
 
@@ -54,6 +56,37 @@ fn figures(root: &Path) -> Result<(), Box<dyn Error>> {
     println!("texts outside of their balloons {}", all.outside);
     println!("overlaps {}, borders crossed {}, out of order {}", all.overlaps, all.crossing, all.disorder);
     println!("letters on A4 from {least:.1} to {most:.1} points");
+    Ok(())
+}
+
+/// What of the figures words cover that are placed by boxes and by masks.
+fn by_masks(root: &Path) -> Result<(), Box<dyn Error>> {
+    let (known, letters) = (known(root)?, Letters::bundled()?);
+    let net = Segmenter::new(&fs::read(root.join("www/models/subject.onnx"))?)?;
+    let plain = photos(&known);
+    let mut masked = plain.clone();
+    for (photo, meta) in known.iter().zip(&mut masked) {
+        let bytes = fs::read(root.join(&photo.folder).join(&photo.id))?;
+        let mask = net.look(&decode_fit(&bytes, &Limits::default(), import::WORK_SIDE)?.image)?;
+        meta.mask = (!mask.facts().is_vague()).then_some(mask);
+    }
+    let (mut by_boxes, mut by_masks) = (Figures::default(), Figures::default());
+    for number in 0..PAGES {
+        let page = page(&plain, number, &letters)?;
+        let again = placed_again(&page, &masked, &letters)?;
+        by_boxes.add(measure(&page, &masked, &letters, &format!("page {number}"))?);
+        by_masks.add(measure(&again, &masked, &letters, &format!("page {number}"))?);
+    }
+    println!("masks {} of {}", masked.iter().filter(|photo| photo.mask.is_some()).count(), masked.len());
+    for (name, all) in [("boxes", by_boxes), ("masks", by_masks)] {
+        println!(
+            "by {name}: figures covered {:.2} %, boxes of persons {:.2} %, faces {}, tails right {:.1} %",
+            all.covered_figures(),
+            all.covered_bodies(),
+            all.faces.1,
+            all.right_tails()
+        );
+    }
     Ok(())
 }
 

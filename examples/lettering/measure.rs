@@ -19,6 +19,8 @@ pub(crate) struct Figures {
     pub(crate) faces: (usize, usize),
     /// Area of bodies in panels with words, and what of it is covered.
     pub(crate) bodies: (f64, f64),
+    /// Area of the figures that masks show in panels with words, and what of it is covered.
+    pub(crate) figures: (f64, f64),
     /// Tails, and those that lead to a mouth, or to what is largest where there is none.
     pub(crate) tails: (usize, usize),
     /// Words with a corner of a line outside of their shape, or a text that is not whole.
@@ -41,6 +43,7 @@ impl Figures {
         self.balloons += other.balloons;
         self.faces = (self.faces.0 + other.faces.0, self.faces.1 + other.faces.1);
         self.bodies = (self.bodies.0 + other.bodies.0, self.bodies.1 + other.bodies.1);
+        self.figures = (self.figures.0 + other.figures.0, self.figures.1 + other.figures.1);
         self.tails = (self.tails.0 + other.tails.0, self.tails.1 + other.tails.1);
         self.outside += other.outside;
         self.overlaps += other.overlaps;
@@ -56,6 +59,11 @@ impl Figures {
     /// Share of the bodies' area that is covered, in percent.
     pub(crate) fn covered_bodies(&self) -> f64 {
         100.0 * self.bodies.1 / self.bodies.0.max(1e-9)
+    }
+
+    /// Share of the figures' area that is covered, in percent.
+    pub(crate) fn covered_figures(&self) -> f64 {
+        100.0 * self.figures.1 / self.figures.0.max(1e-9)
     }
 
     /// Tails that are right, in percent.
@@ -89,6 +97,8 @@ pub(crate) fn measure(
     panels.dedup();
     for panel in panels {
         let frame = ground.panels[panel].bounds;
+        let (area, covered_part) = figure_in(page, panel, frame, photos, &patches);
+        figures.figures = (figures.figures.0 + area, figures.figures.1 + covered_part);
         for seen in seen_in(page, &ground, panel, photos) {
             let (area, covered) = covered(&patches, inside(seen.bounds, frame));
             match seen.label.as_str() {
@@ -213,6 +223,39 @@ fn covered(patches: &[Patch], bounds: Bounds) -> (f64, f64) {
     (bounds.width * bounds.height, count as f64 / scale / scale)
 }
 
+/// The area of the figure that a panel shows by its photo's mask, and what of it words cover: pixel by pixel of the mask.
+fn figure_in(
+    page: &Document,
+    panel: usize,
+    image: Bounds,
+    photos: &[PhotoMeta],
+    patches: &[Patch],
+) -> (f64, f64) {
+    let content = &page.panels[panel];
+    let photo = content.photo.as_ref().and_then(|id| photos.iter().find(|photo| photo.id == *id));
+    let Some(mask) = photo.and_then(|photo| photo.mask.as_ref()) else { return (0.0, 0.0) };
+    let crop = content.crop.unwrap_or(Crop { x: 0.0, y: 0.0, width: 1.0, height: 1.0 });
+    let plane = mask.plane();
+    let cell =
+        (image.width / crop.width / plane.width() as f64, image.height / crop.height / plane.height() as f64);
+    let (mut all, mut under) = (0, 0);
+    for y in 0..plane.height() {
+        for x in 0..plane.width() {
+            let part = |at: usize, of: usize| (at as f64 + 0.5) / of as f64;
+            let across = (part(x, plane.width()) - crop.x) / crop.width;
+            let down = (part(y, plane.height()) - crop.y) / crop.height;
+            if plane.at(x, y) < 128 || !(0.0..1.0).contains(&across) || !(0.0..1.0).contains(&down) {
+                continue;
+            }
+            let at = (image.x + across * image.width, image.y + down * image.height);
+            let (left, top) = ((at.0 * WIDTH as f64) as i64, (at.1 * WIDTH as f64) as i64);
+            all += 1;
+            under += usize::from(patches.iter().any(|patch| opaque(patch, left, top)));
+        }
+    }
+    (all as f64 * cell.0 * cell.1, under as f64 * cell.0 * cell.1)
+}
+
 fn touching(a: &Patch, b: &Patch) -> bool {
     (0..a.area.height as i64).any(|y| {
         (0..a.area.width as i64).any(|x| {
@@ -267,6 +310,13 @@ fn wrong_tail(laid: &Laid, seen: &[Seen]) -> Option<String> {
     });
     if nearer {
         return Some("ends nearer to another face".into());
+    }
+    // Its line meets the middle of the face's lower third, a sixth of the height up or down.
+    let (dx, dy) = (tip.x - foot.x, tip.y - foot.y);
+    let low = Point::new(mouth.x, head.bounds.y + head.bounds.height * 5.0 / 6.0);
+    let aside = ((low.x - foot.x) * dy - (low.y - foot.y) * dx).abs() / dx.hypot(dy).max(1e-9);
+    if aside > head.bounds.height / 6.0 {
+        return Some("leads past the mouth".into());
     }
     let way = foot.distance(tip) / foot.distance(mouth).max(1e-9);
     let until = first_hit(foot, mouth, head.bounds).unwrap_or(1.0);

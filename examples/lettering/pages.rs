@@ -2,7 +2,8 @@
 
 use inkpanel::framing::{PhotoMeta, Subject};
 use inkpanel::page::request::Request;
-use inkpanel::page::words::{Letters, place};
+use inkpanel::page::words::Letters;
+use inkpanel::page::words::place::{self, Known as Of};
 use inkpanel::page::{Document, shuffle};
 use serde::{Deserialize, Serialize};
 use serde_json::{Value, json};
@@ -93,11 +94,10 @@ pub(crate) fn page(photos: &[PhotoMeta], number: u32, letters: &Letters) -> inkp
         ..Request::default()
     };
     let mut page = shuffle::plan(&request)?;
-    let subjects =
-        |id: &str| photos.iter().find(|photo| photo.id == id).map_or(&[][..], |photo| &photo.subjects);
+    let of = |id: &str| photos.iter().find(|photo| photo.id == id).map(Of::from).unwrap_or_default();
     let faces = |panel: usize| {
         let photo = page.panels[panel].photo.as_deref().unwrap_or_default();
-        subjects(photo).iter().filter(|s| s.label == "face").count()
+        of(photo).subjects.iter().filter(|s| s.label == "face").count()
     };
     let mut panels: Vec<usize> = (0..page.panels.len()).collect();
     panels.sort_by_key(|&panel| (usize::MAX - faces(panel), panel));
@@ -107,6 +107,21 @@ pub(crate) fn page(photos: &[PhotoMeta], number: u32, letters: &Letters) -> inkp
         json!({ "kind": "balloon", "craft": 2, "text": text, "panel": panel, "language": "en" })
     });
     page.words = words.collect::<Vec<Value>>();
-    place::settle(&mut page, subjects, letters)?;
+    place::settle(&mut page, of, letters)?;
+    Ok(page)
+}
+
+/// Places the words of a page anew, by what is known of the photos now.
+///
+/// # Errors
+/// Those of the layout.
+pub(crate) fn placed_again(
+    page: &Document,
+    photos: &[PhotoMeta],
+    letters: &Letters,
+) -> inkpanel::Result<Document> {
+    let mut page = page.clone();
+    let of = |id: &str| photos.iter().find(|photo| photo.id == id).map(Of::from).unwrap_or_default();
+    place::settle(&mut page, of, letters)?;
     Ok(page)
 }

@@ -67,7 +67,7 @@ fn planned(photos: Vec<Photo>, settings: &Settings) -> Done<Vec<Page>> {
     let subjects: HashMap<String, Vec<Subject>> =
         read.iter().map(|(place, imported)| (id(*place), imported.meta.subjects.clone())).collect();
     if let (Some(first), false) = (documents.first_mut(), settings.words.is_empty()) {
-        let of = |id: &str| subjects.get(id).map_or(&[][..], Vec::as_slice);
+        let of = |id: &str| subjects.get(id).map_or(&[][..], Vec::as_slice).into();
         let letters = fonts.letters(&settings.words)?;
         place::add(first, settings.words.clone(), of, &letters)?;
         let missing = missing(&letters, &settings.words);

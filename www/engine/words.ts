@@ -11,7 +11,7 @@ import { onceMore } from './once-more.ts';
 import { Priority } from './queue.ts';
 import { createShaping } from './shaping.ts';
 import type { Pool } from './pool.ts';
-import type { PageDocument, Subject, Word, WordBox } from './types.ts';
+import type { PageDocument, PhotoMeta, Word, WordBox } from './types.ts';
 import type { Call } from './engine.ts';
 import type { BitmapPatch, PixelPatch, Wording } from './protocol.ts';
 
@@ -40,6 +40,8 @@ export type ReadSubtitles =
       guessed: boolean;
     }
   | { flaw: SubtitleFlaw };
+/** What of a photo words are placed around. */
+export type KnownPhoto = Pick<PhotoMeta, 'subjects' | 'mask'>;
 export type Lettering = Awaited<ReturnType<ReturnType<typeof createWords>['lettering']>>;
 
 const MODULE = new URL('../pkg-words/inkpanel_bg.wasm', import.meta.url);
@@ -114,12 +116,12 @@ async function open() {
   const shape = createShaping(letters);
   return {
     /**
-     * @param subjects what is in the photos, by their ids
-     * @returns the words of the document, those placed by themselves where they hide no face
+     * @param photos what is known of them, by their ids
+     * @returns the words of the document, those placed by themselves where they hide no face, and as little of bodies as they can
      */
-    settle: (document: PageDocument, subjects: Record<string, readonly Subject[]>): Word[] => {
+    settle: (document: PageDocument, photos: Record<string, KnownPhoto>): Word[] => {
       shape(document);
-      return JSON.parse(letters.settle(JSON.stringify(document), JSON.stringify(subjects)));
+      return JSON.parse(letters.settle(JSON.stringify(document), JSON.stringify(photos)));
     },
     measure: (document: PageDocument): WordBox[] => {
       shape(document);

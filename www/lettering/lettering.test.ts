@@ -3,14 +3,20 @@ import { createLettering } from './lettering.ts';
 import { createSelection } from '../page/panels/selection.ts';
 import { fakeApp } from '../document/testing.ts';
 import type { PageDocument, Word } from '../engine/types.ts';
+import type { KnownPhoto } from '../engine/words.ts';
 
 let lettering: ReturnType<typeof createLettering>;
 let store: ReturnType<typeof fakeApp>['store'];
 let pages: ReturnType<typeof fakeApp>['pages'];
+/** What was told of photos each time that words were placed. */
+let asked: Record<string, KnownPhoto>[] = [];
 
 /** As the core does in little: automatic words go to a quarter of their panel, and all are a tenth of the page wide. */
 const letters = {
-  settle: ({ words }: any) => words.map((word: Word) => (word.auto ? { ...word, x: 0.25, y: 0.25, tail: null } : word)),
+  settle: ({ words }: any, photos: Record<string, KnownPhoto>) => {
+    asked.push(photos);
+    return words.map((word: Word) => (word.auto ? { ...word, x: 0.25, y: 0.25, tail: null } : word));
+  },
   measure: ({ words }: any) =>
     words.map(({ x = 0.5, y = 0.5, tail }: Word) => ({
       x: x - 0.05,
@@ -24,6 +30,7 @@ const letters = {
 };
 
 beforeEach(async () => {
+  asked = [];
   const app = fakeApp({}, { settled: (page) => lettering.settled(page) });
   ({ store, pages } = app);
   const selection = createSelection({ store });
@@ -126,6 +133,34 @@ describe('words', () => {
     expect([lettering.words.value[0].width, past() - steps]).toEqual([0.96, 1]);
     lettering.turn(0, 270);
     expect(lettering.words.value[0].angle).toBe(-90);
+  });
+
+  test('words are placed by the masks of the photos, as far as these are there', async () => {
+    const [first, second] = (store.page.value as PageDocument).panels.map(({ photo }) => photo as string);
+    const fact = store.album.peek().get(first);
+    if (fact?.meta) store.know({ ...fact, meta: { ...fact.meta, mask: '2x1:ap' } });
+    await lettering.add('balloon');
+    const known = asked.at(-1) ?? {};
+    expect([known[first].mask, known[second].mask]).toEqual(['2x1:ap', undefined]);
+    expect(known[first].subjects).toEqual(fact?.meta?.subjects);
+  });
+
+  test('a page that comes with words keeps their places when the letters are there', async () => {
+    const page = store.page.value as PageDocument;
+    const words: Word[] = [{ kind: 'caption', text: 'Later', panel: 0, auto: true, craft: 2, x: 0.7, y: 0.8 }];
+    store.change({ type: 'change-page', page: { ...page, words } });
+    await lettering.ready();
+    await Promise.resolve();
+    expect([lettering.words.value[0].x, asked.length]).toEqual([0.7, 0]);
+  });
+
+  test('words of a page that was planned before the letters were there are placed when they are', async () => {
+    const page = store.page.value as PageDocument;
+    const words: Word[] = [{ kind: 'caption', text: 'Later', panel: 0, auto: true, craft: 2, x: 0.7, y: 0.8 }];
+    store.change({ type: 'change-page', page: lettering.settled({ ...page, words }) });
+    await lettering.ready();
+    await Promise.resolve();
+    expect([lettering.words.value[0].x, asked.length]).toEqual([0.25, 1]);
   });
 
   test('without letters the page stays, and the reason is said', async () => {

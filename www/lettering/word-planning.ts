@@ -30,6 +30,8 @@ export function createWordPlanning({
   const words = computed(() => store.page.value?.words ?? none);
   /** The words as they were when they last rested. */
   const rested = signal(none);
+  /** A page was planned while the letters were not there: its words stand where they stood on another. */
+  let owed = false;
 
   let timer: ReturnType<typeof setTimeout> | undefined;
   effect(() => {
@@ -40,9 +42,10 @@ export function createWordPlanning({
         rested.value = now;
       }, REST);
   });
-  // A page that comes with words, from a file or a session before, needs the letters too.
+  // A page that comes with words, from a file or a session before, needs the letters too. Its words stay where they are, though
+  // more may be known of its photos by now.
   effect(() => {
-    if (words.value.length > 0 && !letters.value) void ready().then((table) => table && settle(true));
+    if (words.value.length > 0 && !letters.value) void ready().then((table) => table && owed && settle(true));
   });
   // Words that came with their photo, or were laid over all pages, have no places yet. It is no step of its own.
   effect(() => {
@@ -77,23 +80,27 @@ export function createWordPlanning({
   }
 
   /**
-   * The page with its words where they hide no face.
+   * The page with its words where they hide no face, and as little of bodies as they can.
    * @param only the words that may move; all unless told
    */
   function settled(page: PageDocument, only?: readonly number[]): PageDocument {
     const table = letters.peek();
     const all = page.words ?? [];
     const stays = (i: number) => only !== undefined && !only.includes(i);
-    if (!table || !all.some(({ auto }, i) => auto !== false && !stays(i))) return page;
+    if (!all.some(({ auto }, i) => auto !== false && !stays(i))) return page;
+    if (!table) {
+      owed = true;
+      return page;
+    }
     const album = store.album.peek();
-    const subjects = Object.fromEntries(
+    const photos = Object.fromEntries(
       page.panels.flatMap(({ photo }) => {
         const meta = photo === null ? undefined : album.get(photo)?.meta;
-        return meta ? [[photo, meta.subjects]] : [];
+        return meta ? [[photo, { subjects: meta.subjects, mask: meta.mask }]] : [];
       }),
     );
     const fixed = all.map((word, i) => (stays(i) ? { ...word, auto: false } : word));
-    const placed = table.settle({ ...page, words: fixed }, subjects);
+    const placed = table.settle({ ...page, words: fixed }, photos);
     return { ...page, words: all.map((word, i) => (stays(i) ? word : placed[i])) };
   }
 
@@ -105,6 +112,7 @@ export function createWordPlanning({
   }
 
   function settle(silent: boolean) {
+    owed = false;
     const page = store.page.peek();
     const next = page && settled(page);
     if (next && JSON.stringify(next.words) !== JSON.stringify(page.words))

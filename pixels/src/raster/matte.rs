@@ -88,6 +88,13 @@ impl Matte {
         read(self.text()).unwrap_or_else(|| Plane::filled(1, 1, 0))
     }
 
+    /// Which pixels are the subject: those of at least half a share, row by row, and how many are in a row.
+    #[must_use]
+    pub fn within(&self) -> (Vec<bool>, usize) {
+        let plane = self.plane();
+        (plane.samples().iter().map(|share| *share >= WITHIN).collect(), plane.width())
+    }
+
     /// As text.
     #[must_use]
     pub fn text(&self) -> &str {
@@ -260,7 +267,9 @@ mod tests {
         assert!(facts.confidence > 0.95, "{facts:?}");
         let blurred = Matte::new(&Plane::from_fn(320, 200, |x, _| (x * 255 / 319) as u8), (320, 200));
         assert!(blurred.facts().confidence < 0.1, "{:?}", blurred.facts());
+        assert!(blurred.facts().is_vague() && !facts.is_vague());
         let nothing = Matte::new(&Plane::filled(320, 200, 0), (320, 200)).facts();
+        assert!(nothing.is_vague());
         assert_eq!((nothing.coverage, nothing.bounds), (0.0, [0.0; 4]));
     }
 }

@@ -16,7 +16,7 @@
 //! | [`layout`] | where a word of a document is, and how large |
 //! | [`draw`] | a word as pixels |
 //! | [`palette`] | colours of words from the style of their page |
-//! | [`place`] | where a word goes by itself: away from faces |
+//! | [`place`] | where a word goes by itself: away from faces, off the figures of photos |
 //! | [`truetype`] | letters of the table as a font for other programs |
 //!
 //! What text may hold: everything in Unicode. The fonts have Latin with its extensions and accents, also where these come as

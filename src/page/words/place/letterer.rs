@@ -10,7 +10,7 @@
 //! Source: Nate Piekos, "Comics Grammar & Tradition" (Blambot); Thawonmas and Shuda, "Comic layout for automatic comic
 //! generation from game log" (2008), for faces and order as constraints.
 
-use super::{INSET, Seen, center, contains, covered, gap, panel_of, shared};
+use super::{Figure, INSET, Scenery, Seen, center, contains, covered, gap, panel_of, shared};
 use crate::layout::{Bounds, Point, ResolvedPanel};
 use crate::page::words::layout::{Ground, Laid};
 use crate::page::words::letters::Letters;
@@ -32,6 +32,10 @@ const TAIL: (f64, f64) = (0.014, 0.034);
 const FORBIDDEN: f64 = 400.0;
 /// What it costs to cover a body.
 const BODY: f64 = 60.0;
+/// What it costs to cover a thing: one that was found, and one that is the figure of its photo.
+const THING: (f64, f64) = (3.0, 12.0);
+/// Where a mouth is, in heights of a face's box: in its lower third.
+const MOUTH: f64 = 0.78;
 /// The size of letters from which on they are read without effort, in page widths: 6 points on A4.
 const LEGIBLE: f64 = 0.0101;
 /// Faces that speak, of those in a panel.
@@ -77,7 +81,7 @@ pub(super) fn place(
     joins: &[Option<usize>],
     group: &[usize],
     ground: &Ground,
-    seen: &[Seen],
+    Scenery { seen, figures }: &Scenery,
     taken: &[Bounds],
     letters: &Letters,
 ) -> Vec<(usize, Place)> {
@@ -86,6 +90,7 @@ pub(super) fn place(
         frame: ground.frame(word),
         panel: panel_of(word, ground).and_then(|panel| ground.panels.get(panel)),
         seen,
+        figures,
         speakers: speakers(seen),
         taken,
         count: group.len(),
@@ -140,6 +145,7 @@ struct Room<'a> {
     frame: Bounds,
     panel: Option<&'a ResolvedPanel>,
     seen: &'a [Seen],
+    figures: &'a [Figure],
     /// Faces that may speak, and what it costs that they do.
     speakers: Vec<(usize, f64)>,
     taken: &'a [Bounds],
@@ -241,10 +247,15 @@ impl Room<'_> {
                     cost += FORBIDDEN + 4.0 * FORBIDDEN * part / own.min(body).max(1e-12);
                 }
                 nearest = nearest.min(gap(area, seen.bounds));
-            } else {
-                let weight = if seen.person { BODY } else { 3.0 };
+            } else if !seen.masked {
+                let weight = if seen.person { BODY } else { THING.0 };
                 cost += weight * (part / own + 4.0 * part / body.max(1e-12));
             }
+        }
+        for figure in self.figures {
+            let weight = if figure.alive { BODY } else { THING.1 };
+            let part = figure.under(area, round);
+            cost += weight * (part / own + 4.0 * part / figure.area);
         }
         cost + self.manners(laid.word.kind, area, rank, nearest / size)
     }
@@ -308,7 +319,7 @@ impl Room<'_> {
         let size = self.frame.width.hypot(self.frame.height);
         for &(face, unlikely) in &self.speakers {
             let head = self.seen[face].bounds;
-            let mouth = Point::new(head.x + head.width / 2.0, head.y + 0.78 * head.height);
+            let mouth = Point::new(head.x + head.width / 2.0, head.y + MOUTH * head.height);
             let foot = edge(area, mouth);
             let way = foot.distance(mouth);
             // Not into the face itself, however near the balloon is.

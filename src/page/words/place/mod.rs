@@ -1,8 +1,10 @@
 //! Where a word goes by itself.
 //!
 //! Words of the first pages keep to the rules that they were placed by (`first`); those of letterers are placed by theirs
-//! (`letterer`). Both answer with fractions of the panel's bounds, which the document keeps.
+//! (`letterer`), off the figures of the photos (`figure`) where these have masks. Both answer with fractions of the panel's
+//! bounds, which the document keeps.
 
+mod figure;
 mod first;
 mod letterer;
 
@@ -10,13 +12,39 @@ use super::layout::{Ground, Laid, extent, joined};
 use super::letters::Letters;
 use super::model::{Craft, Word};
 use crate::error::Result;
-use crate::framing::{Crop, FACE, Subject};
+use crate::framing::{Crop, FACE, LETTERING, PhotoMeta, Subject};
 use crate::layout::{Bounds, Point, ResolvedShape};
 use crate::page::Document;
+use crate::raster::Matte;
+use figure::Figure;
 use serde_json::{Value, json};
 
 /// Room between a word and the edge of its panel, in page widths.
 const INSET: f64 = 0.008;
+
+/// A box that holds more of a figure than this part of it is the box of that figure: the mask says better where it is.
+const SAME: f64 = 0.15;
+
+/// What is known of a photo to those who place words.
+#[derive(Debug, Clone, Copy, Default)]
+pub struct Known<'s> {
+    /// Lettering, faces and objects in it.
+    pub subjects: &'s [Subject],
+    /// Which part of it is its subject, where that was looked for.
+    pub mask: Option<&'s Matte>,
+}
+
+impl<'s> From<&'s [Subject]> for Known<'s> {
+    fn from(subjects: &'s [Subject]) -> Self {
+        Self { subjects, mask: None }
+    }
+}
+
+impl<'s> From<&'s PhotoMeta> for Known<'s> {
+    fn from(photo: &'s PhotoMeta) -> Self {
+        Self { subjects: &photo.subjects, mask: photo.mask.as_ref() }
+    }
+}
 
 /// Something in a photo, where it is on the page.
 #[derive(Debug, Clone, Copy)]
@@ -25,17 +53,27 @@ struct Seen {
     face: bool,
     person: bool,
     score: f64,
+    /// A mask shows it: its box says nothing more of what a word would cover.
+    masked: bool,
+}
+
+/// What words are placed around.
+#[derive(Debug, Default)]
+struct Scenery {
+    seen: Vec<Seen>,
+    /// The figures of photos that have masks.
+    figures: Vec<Figure>,
 }
 
 /// Puts words on a page that it does not have yet: those without a place are set as letterers do, and go where they hide no
-/// face. `subjects` knows what is in a photo.
+/// face. `known` knows what is in a photo.
 ///
 /// # Errors
 /// As [`settle`].
 pub fn add<'s>(
     document: &mut Document,
     words: Vec<Value>,
-    subjects: impl Fn(&str) -> &'s [Subject],
+    known: impl Fn(&str) -> Known<'s>,
     letters: &Letters,
 ) -> Result<()> {
     document.words = words;
@@ -44,16 +82,17 @@ pub fn add<'s>(
             word.insert("craft".to_owned(), 2.into());
         }
     }
-    settle(document, subjects, letters)
+    settle(document, known, letters)
 }
 
-/// Puts every word of a document that is placed by itself where it hides no face. `subjects` knows what is in a photo.
+/// Puts every word of a document that is placed by itself where it hides no face, and as little of bodies as it can. `known`
+/// knows what is in a photo. Words of the first pages know nothing of masks: they stand where they stood.
 ///
 /// # Errors
 /// `invalid-document` for a word that breaks its shape; those of the layout.
 pub fn settle<'s>(
     document: &mut Document,
-    subjects: impl Fn(&str) -> &'s [Subject],
+    known: impl Fn(&str) -> Known<'s>,
     letters: &Letters,
 ) -> Result<()> {
     let words = Word::parse_all(&document.words)?;
@@ -61,11 +100,16 @@ pub fn settle<'s>(
         return Ok(());
     }
     let ground = Ground::new(document)?;
-    let scenery = |word: &Word| match panel_of(word, &ground) {
-        Some(panel) => seen_in(document, &ground, panel, &subjects),
-        None => {
-            (0..ground.panels.len()).flat_map(|panel| seen_in(document, &ground, panel, &subjects)).collect()
+    let scenery = |word: &Word| {
+        let panels = match panel_of(word, &ground) {
+            Some(panel) => panel..panel + 1,
+            None => 0..ground.panels.len(),
+        };
+        let mut scenery = Scenery::default();
+        for panel in panels {
+            see(document, &ground, panel, &known, word.craft, &mut scenery);
         }
+        scenery
     };
     // What a person has placed is there first.
     let mut taken: Vec<Bounds> = words
@@ -76,7 +120,7 @@ pub fn settle<'s>(
     let mut spoken: Vec<Point> = Vec::new();
     let mut news: Vec<(usize, Value)> = Vec::new();
     for (i, word) in words.iter().enumerate().filter(|(_, word)| word.auto && word.craft == Craft::First) {
-        let (frame, seen) = (ground.frame(word), scenery(word));
+        let (frame, Scenery { seen, .. }) = (ground.frame(word), scenery(word));
         let shape =
             panel_of(word, &ground).and_then(|panel| ground.panels.get(panel)).map(|panel| &panel.shape);
         let laid = ground.lay(word.clone(), letters);
@@ -86,8 +130,8 @@ pub fn settle<'s>(
     }
     let joins = joined(&words.iter());
     for group in letterer::groups(&words, &ground) {
-        let seen = words.get(group[0]).map(&scenery).unwrap_or_default();
-        for (i, place) in letterer::place(&words, &joins, &group, &ground, &seen, &taken, letters) {
+        let scenery = words.get(group[0]).map(&scenery).unwrap_or_default();
+        for (i, place) in letterer::place(&words, &joins, &group, &ground, &scenery, &taken, letters) {
             let mut value = placed(ground.frame(&words[i]), center(place.area), place.tip);
             value["room"] = match place.room {
                 Some((width, height)) => json!([rounded(width), rounded(height)]),
@@ -144,35 +188,50 @@ fn covered(laid: &Laid) -> Bounds {
     Bounds { x: laid.middle.x - a, y: laid.middle.y - b, width: 2.0 * a, height: 2.0 * b }
 }
 
-/// What is seen of the subjects in a panel.
-fn seen_in<'s>(
+/// Adds what is seen of the subjects in a panel, and its figure for words of letterers.
+fn see<'s>(
     document: &Document,
     ground: &Ground,
     panel: usize,
-    subjects: &impl Fn(&str) -> &'s [Subject],
-) -> Vec<Seen> {
+    known: &impl Fn(&str) -> Known<'s>,
+    craft: Craft,
+    scenery: &mut Scenery,
+) {
     let group = document.merge_of(panel).unwrap_or(&[]);
     let leader = group.first().copied().unwrap_or(panel);
-    let Some(content) = document.panels.get(leader) else { return Vec::new() };
+    let Some(content) = document.panels.get(leader) else { return };
     let bounds = |panel: usize| ground.panels.get(panel).map(|panel| panel.bounds);
     let image = group.iter().filter_map(|&i| bounds(i)).reduce(Bounds::union).or_else(|| bounds(panel));
-    let (Some(photo), Some(image), Some(own)) = (&content.photo, image, bounds(panel)) else {
-        return Vec::new();
-    };
+    let (Some(photo), Some(image), Some(own)) = (&content.photo, image, bounds(panel)) else { return };
+    let Known { subjects, mask } = known(photo);
     let crop = content.crop.unwrap_or(Crop { x: 0.0, y: 0.0, width: 1.0, height: 1.0 });
     let (across, down) = (image.width / crop.width, image.height / crop.height);
-    let found = subjects(photo).iter().map(|subject| Seen {
-        bounds: Bounds {
-            x: image.x + (subject.x - crop.x) * across,
-            y: image.y + (subject.y - crop.y) * down,
-            width: subject.width * across,
-            height: subject.height * down,
-        },
-        face: subject.label == FACE,
-        person: subject.label == "person",
-        score: subject.score,
-    });
-    found.filter(|seen| shared(seen.bounds, own) > 0.3 * seen.bounds.width * seen.bounds.height).collect()
+    let place = |x: f64, y: f64, width: f64, height: f64| Bounds {
+        x: image.x + (x - crop.x) * across,
+        y: image.y + (y - crop.y) * down,
+        width: width * across,
+        height: height * down,
+    };
+    let mut figure = mask
+        .filter(|_| craft != Craft::First)
+        .and_then(|mask| Figure::of(mask, place(0.0, 0.0, 1.0, 1.0), own));
+    for subject in subjects {
+        let bounds = place(subject.x, subject.y, subject.width, subject.height);
+        let seen = shared(bounds, own);
+        if seen <= 0.3 * bounds.width * bounds.height {
+            continue;
+        }
+        let face = subject.label == FACE;
+        let held = figure.as_mut().filter(|figure| figure.inside(bounds) > SAME * seen);
+        // What is written in the photo is no body, wherever it stands.
+        let masked = held.is_some() && !face && subject.label != LETTERING;
+        if let Some(figure) = held {
+            figure.alive |= subject.is_alive();
+        }
+        let person = subject.label == "person";
+        scenery.seen.push(Seen { bounds, face, person, score: subject.score, masked });
+    }
+    scenery.figures.extend(figure);
 }
 
 /// The area that two boxes share.
