@@ -143,26 +143,6 @@ fn placed_by(words: &[Value], subjects: &[Subject], shares: Option<fn(f64, f64) 
     page.words
 }
 
-fn body(x: f64, y: f64, width: f64, height: f64) -> Subject {
-    Subject { x, y, width, height, label: "person".into(), score: 0.9 }
-}
-
-#[test]
-fn the_background_in_the_box_of_a_person_keeps_no_words_away() {
-    let word = [json!({ "kind": "balloon", "craft": 2, "text": "Look!", "panel": 1 })];
-    let usual = placed_by(&word, &[], None);
-    let left = |words: &[Value]| words[0]["x"].as_f64().unwrap() < 0.4;
-    let boxes = [body(0.0, 0.0, 0.6, 1.0)];
-    assert!(left(&usual) && !left(&placed_by(&word, &boxes, None)));
-    // The person sits in the lower half of the box.
-    let low: fn(f64, f64) -> bool = |x, y| x < 0.6 && y > 0.6;
-    let masked = placed_by(&word, &boxes, Some(low));
-    assert!(left(&masked) && masked[0]["y"].as_f64().unwrap() < 0.3, "{masked:?}");
-    // Somebody whom the mask does not show is as a box alone is.
-    let other: fn(f64, f64) -> bool = |x, y| x > 0.9 && y > 0.8;
-    assert!(!left(&placed_by(&word, &boxes, Some(other))));
-}
-
 #[test]
 fn of_places_otherwise_alike_the_one_with_least_of_the_figure_is_taken() {
     // Nothing was found in the photo; its figure fills the upper left, where words would stand.
