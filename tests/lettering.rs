@@ -103,8 +103,7 @@ fn masks_keep_balloons_off_bodies_better_than_boxes_do() {
     assert!(by_masks.figures.0 > 0.5 && shares.1 < 0.7 * shares.0, "{shares:?}");
     let none = (by_masks.faces.1, by_masks.outside, by_masks.overlaps, by_masks.crossing, by_masks.disorder);
     assert_eq!(none, (0, 0, 0, 0, 0), "{told}");
-    // Balloons come nearer to heads than by boxes: eight tails of 120 are shorter than the rule wants.
-    assert!(by_masks.right_tails() >= 92.0, "{}\n{told}", by_masks.right_tails());
+    assert!(by_masks.right_tails() >= 95.0, "{}\n{told}", by_masks.right_tails());
 }
 
 #[test]

@@ -28,6 +28,8 @@ const PLACES: usize = 160;
 const REACH: f64 = 0.56;
 /// The shortest tail that still points, and one that no mouth asks for, in page widths.
 const TAIL: (f64, f64) = (0.014, 0.034);
+/// How much dearer a tail that is too short is beside a figure, whose body would else push the balloon against its head.
+const STUBBY: f64 = 4.0;
 /// What breaks a rule of letterers.
 const FORBIDDEN: f64 = 400.0;
 /// What it costs to cover a body.
@@ -317,6 +319,7 @@ impl Room<'_> {
             return;
         }
         let size = self.frame.width.hypot(self.frame.height);
+        let stubby = if self.figures.is_empty() { 1.0 } else { STUBBY };
         for &(face, unlikely) in &self.speakers {
             let head = self.seen[face].bounds;
             let mouth = Point::new(head.x + head.width / 2.0, head.y + MOUTH * head.height);
@@ -326,7 +329,7 @@ impl Room<'_> {
             let until = entry(foot, mouth, grown(head, 0.003)) - 1e-3;
             let along = REACH.min(until).max(0.0);
             let length = along * way;
-            let short = if length < TAIL.0 { 14.0 * (1.0 - length / TAIL.0) + 2.0 } else { 0.0 };
+            let short = if length < TAIL.0 { stubby * (14.0 * (1.0 - length / TAIL.0) + 2.0) } else { 0.0 };
             let tip = foot.toward(mouth, along);
             let ideal = 0.1 * size;
             let far = (way - ideal).max(0.0) / size + 0.5 * (ideal - way).max(0.0) / size;
