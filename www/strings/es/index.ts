@@ -17,6 +17,7 @@ import { panelStrings } from './panels.ts';
 import { photoStrings } from './photos.ts';
 import { pngStrings } from './png.ts';
 import { sideStrings } from './side.ts';
+import { soundStrings } from './sounds.ts';
 import { speechStrings } from './speech.ts';
 import { startStrings } from './start.ts';
 import { storageStrings } from './storage.ts';
@@ -36,6 +37,7 @@ export const words: Words = {
   ...designerStrings,
   ...storageStrings,
   ...offlineStrings,
+  ...soundStrings,
   ...speechStrings,
   ...wordStrings,
   ...photoStrings,
