@@ -131,7 +131,7 @@ pub fn events(mut samples: Vec<f32>, rate: f32) -> Vec<Event> {
     }
     let frames = Frames::of(&samples, rate);
     let hearing =
-        Hearing { samples: &samples, rate, frames: &frames.frames, size: frames.size, step: frames.step };
+        Hearing { samples: &samples, rate, frames: &frames.all, size: frames.size, step: frames.step };
     let music = hearing.music();
     let mut all: Vec<Event> = hearing
         .sounds()

@@ -35,7 +35,7 @@ pub(super) struct Frame {
 /// The frames of a sound.
 #[derive(Debug, Default)]
 pub(super) struct Frames {
-    pub frames: Vec<Frame>,
+    pub all: Vec<Frame>,
     /// Samples of a frame, and from one to the next.
     pub size: usize,
     pub step: usize,
@@ -55,7 +55,7 @@ impl Frames {
         let mut ring = vec![vec![0f32; bins]; past];
         let mut pressed = vec![0f32; bins];
         let mut wave = [vec![0f32; size], vec![0f32; size]];
-        let mut frames = Vec::with_capacity(samples.len() / step);
+        let mut all = Vec::with_capacity(samples.len() / step);
         for (i, part) in samples.windows(size).step_by(step).enumerate() {
             let square = part.iter().map(|sample| sample * sample).sum::<f32>() / size as f32;
             transform.windowed(part, &mut wave);
@@ -84,7 +84,7 @@ impl Frames {
                 old[bin] = magnitude;
             }
             let count = (band[1] - band[0]).max(1) as f32;
-            frames.push(Frame {
+            all.push(Frame {
                 level: 10.0 * square.max(1e-12).log10(),
                 flux: flux / bins as f32,
                 centroid: if power > NOTHING { moment / power * hertz } else { 0.0 },
@@ -92,7 +92,7 @@ impl Frames {
                 steadiness: alike[0] / (alike[1] * alike[2]).sqrt().max(NOTHING),
             });
         }
-        Self { frames, size, step }
+        Self { all, size, step }
     }
 }
 
@@ -156,15 +156,15 @@ mod tests {
         let mut wave = [vec![0.0; size], vec![0.0; size]];
         transform.windowed(&samples, &mut wave);
         transform.run(&mut wave);
-        for bin in 0..size {
+        for (bin, (real, imaginary)) in wave[0].iter().zip(&wave[1]).enumerate() {
             let sum =
                 samples.iter().zip(&transform.window).enumerate().fold([0f64; 2], |[x, y], (i, (s, w))| {
                     let angle = std::f64::consts::TAU * (i * bin) as f64 / size as f64;
                     let value = f64::from(s * w);
                     [x + value * angle.cos(), y - value * angle.sin()]
                 });
-            assert!((f64::from(wave[0][bin]) - sum[0]).abs() < 1e-5, "{bin}");
-            assert!((f64::from(wave[1][bin]) - sum[1]).abs() < 1e-5, "{bin}");
+            assert!((f64::from(*real) - sum[0]).abs() < 1e-5, "{bin}");
+            assert!((f64::from(*imaginary) - sum[1]).abs() < 1e-5, "{bin}");
         }
     }
 
@@ -172,14 +172,14 @@ mod tests {
     fn a_tone_has_its_frequency_and_noise_is_flat() {
         let rate = 16_000.0;
         let tone: Vec<f32> = (0..8000).map(|i| (TAU * 1000.0 * i as f32 / rate).sin()).collect();
-        let Frames { frames, size, step } = Frames::of(&tone, rate);
+        let Frames { all: frames, size, step } = Frames::of(&tone, rate);
         assert_eq!((size, step), (512, 160));
         assert!((frames[20].centroid - 1000.0).abs() < 2.0, "{:?}", frames[20]);
         assert!((frames[20].level + 3.01).abs() < 0.1, "{:?}", frames[20]);
         assert!(frames[20].flatness < 1e-3 && frames[20].steadiness > 0.99, "{:?}", frames[20]);
         let mut random = oorandom::Rand32::new(5);
         let noise: Vec<f32> = (0..8000).map(|_| random.rand_float() - 0.5).collect();
-        let frames = Frames::of(&noise, rate).frames;
+        let frames = Frames::of(&noise, rate).all;
         let mean = frames.iter().map(|frame| frame.flatness).sum::<f32>() / frames.len() as f32;
         assert!((0.4..0.7).contains(&mean), "{mean}");
     }
