@@ -83,7 +83,7 @@ impl Looking {
 #[wasm_bindgen(js_name = soundEvents)]
 #[must_use]
 pub fn sound_events(samples: Vec<f32>, rate: f32) -> String {
-    serde_json::to_string(&hearing::events(samples, rate)).unwrap_or_default()
+    hearing::to_json(&hearing::events(samples, rate))
 }
 
 fn look(format: &str, size: [usize; 2], bytes: &[u8], planes: &[u32]) -> Result<Look> {

@@ -7,6 +7,7 @@
 mod spectrum;
 mod words;
 
+use crate::order::sort_by;
 use serde::Serialize;
 use spectrum::{Frame, Frames, STEP};
 use std::ops::Range;
@@ -103,6 +104,48 @@ pub enum Word {
     Zoom,
 }
 
+impl Kind {
+    fn name(self) -> &'static str {
+        match self {
+            Self::Hit => "hit",
+            Self::Sweep => "sweep",
+            Self::Music => "music",
+        }
+    }
+}
+
+impl Word {
+    fn name(self) -> &'static str {
+        match self {
+            Self::Bang => "bang",
+            Self::Boom => "boom",
+            Self::Clang => "clang",
+            Self::Clap => "clap",
+            Self::Click => "click",
+            Self::Clink => "clink",
+            Self::Crack => "crack",
+            Self::Crash => "crash",
+            Self::Ding => "ding",
+            Self::Knock => "knock",
+            Self::Note => "note",
+            Self::Notes => "notes",
+            Self::Rumble => "rumble",
+            Self::Slam => "slam",
+            Self::Snap => "snap",
+            Self::Swish => "swish",
+            Self::Tap => "tap",
+            Self::Thud => "thud",
+            Self::Thump => "thump",
+            Self::Tick => "tick",
+            Self::Tune => "tune",
+            Self::Vroom => "vroom",
+            Self::Whoosh => "whoosh",
+            Self::Zip => "zip",
+            Self::Zoom => "zoom",
+        }
+    }
+}
+
 /// A sound of a film.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 #[cfg_attr(all(test, feature = "cli"), derive(ts_rs::TS), ts(rename = "SoundEvent"))]
@@ -145,8 +188,28 @@ pub fn events(mut samples: Vec<f32>, rate: f32) -> Vec<Event> {
         })
         .chain(music.iter().cloned())
         .collect();
-    all.sort_by(|a, b| a.start.total_cmp(&b.start));
+    sort_by(&mut all, |a, b| a.start.total_cmp(&b.start));
     all
+}
+
+/// The sounds as JSON, as serde writes them but for its size: what writes any number at all is half as large as the module of films.
+#[must_use]
+pub fn to_json(events: &[Event]) -> String {
+    let time = |seconds: f64| {
+        let milliseconds = (seconds * 1000.0).round() as u64;
+        format!("{}.{:03}", milliseconds / 1000, milliseconds % 1000)
+    };
+    let mut parts = Vec::with_capacity(events.len());
+    for Event { start, end, kind, loudness, words } in events {
+        let [first, second, third] = words.map(Word::name);
+        parts.push(format!(
+            r#"{{"start":{},"end":{},"kind":"{}","loudness":{loudness},"words":["{first}","{second}","{third}"]}}"#,
+            time(*start),
+            time(*end),
+            kind.name(),
+        ));
+    }
+    format!("[{}]", parts.join(","))
 }
 
 struct Hearing<'a> {
@@ -223,9 +286,7 @@ impl Hearing<'_> {
 
     /// Frames that stand out of what is about them and have no sudden beginning.
     fn swells(&self, spans: &[Range<usize>]) -> Vec<Range<usize>> {
-        let mut levels: Vec<f32> = self.frames.iter().map(|frame| frame.level).collect();
-        levels.sort_by(f32::total_cmp);
-        let usual = levels.get(levels.len() / 2).copied().unwrap_or_default();
+        let usual = self.usual();
         let heard = |frame: &Frame| frame.level > FAINT.max((usual + 8.0).min(FAINT + 24.0));
         let mut found = Vec::new();
         let mut start = 0;
@@ -239,6 +300,20 @@ impl Hearing<'_> {
             start += length.max(1);
         }
         found
+    }
+
+    /// The median of the levels, to the decibel.
+    fn usual(&self) -> f32 {
+        let mut counts = [0usize; 128];
+        for frame in self.frames {
+            counts[(-frame.level).clamp(0.0, 127.0) as usize] += 1;
+        }
+        let mut louder = 0;
+        let half = |count: &usize| {
+            louder += count;
+            2 * louder > self.frames.len()
+        };
+        -(counts.iter().position(half).unwrap_or_default() as f32)
     }
 
     /// What the sound of these frames is, if it is none of a voice.
@@ -360,7 +435,7 @@ impl Hearing<'_> {
 /// How many octaves the centroid goes up, or down, where it goes straight; else 0.
 fn wandering(frames: &[&Frame]) -> f32 {
     let count = frames.len() as f32;
-    let pitch = |frame: &Frame| frame.centroid.max(20.0).log2();
+    let pitch = |frame: &Frame| frame.centroid.max(20.0).ln() / std::f32::consts::LN_2;
     let middle = (count - 1.0) / 2.0;
     let mean = frames.iter().map(|frame| pitch(frame)).sum::<f32>() / count;
     let [mut across, mut times, mut pitches] = [0f32; 3];

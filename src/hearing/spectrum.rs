@@ -69,7 +69,7 @@ impl Frames {
                 power += here;
                 moment += here * bin as f32;
                 let magnitude = here.sqrt();
-                let log = (PRESSED * magnitude).ln_1p();
+                let log = (1.0 + PRESSED * magnitude).ln();
                 if i > 0 {
                     flux += (log - pressed[bin]).max(0.0);
                 }
@@ -85,7 +85,7 @@ impl Frames {
             }
             let count = (band[1] - band[0]).max(1) as f32;
             all.push(Frame {
-                level: 10.0 * square.max(1e-12).log10(),
+                level: 10.0 / std::f32::consts::LN_10 * square.max(1e-12).ln(),
                 flux: flux / bins as f32,
                 centroid: if power > NOTHING { moment / power * hertz } else { 0.0 },
                 flatness: if mean > 0.0 { (logs / count).exp() / (mean / count) } else { 1.0 },

@@ -1,4 +1,5 @@
 //! Made-up sounds.
+#![allow(clippy::unwrap_used, reason = "a test may stop at the first thing that is not as expected")]
 
 use super::*;
 use proptest::prelude::*;
@@ -144,6 +145,32 @@ fn what_a_voice_says_is_left_out() {
         });
     }
     assert_eq!(events(samples, RATE), []);
+}
+
+#[test]
+fn json_is_as_serde_writes_it() {
+    use Word::{
+        Bang, Boom, Clang, Clap, Click, Clink, Crack, Crash, Ding, Knock, Note, Notes, Rumble, Slam, Snap,
+        Swish, Tap, Thud, Thump, Tick, Tune, Vroom, Whoosh, Zip, Zoom,
+    };
+    let event = |start: f64, kind, words| Event { start, end: start + 0.25, kind, loudness: -7, words };
+    let words = [
+        [Bang, Boom, Clang],
+        [Clap, Click, Clink],
+        [Crack, Crash, Ding],
+        [Knock, Note, Notes],
+        [Rumble, Slam, Snap],
+        [Swish, Tap, Thud],
+        [Thump, Tick, Tune],
+        [Vroom, Whoosh, Zip],
+        [Zoom, Zoom, Zoom],
+    ];
+    let kinds = [Kind::Hit, Kind::Sweep, Kind::Music].into_iter().cycle();
+    let events: Vec<Event> =
+        words.into_iter().zip(kinds).map(|(words, kind)| event(61.005, kind, words)).collect();
+    let value = |text: &str| serde_json::from_str::<serde_json::Value>(text).unwrap();
+    assert_eq!(value(&to_json(&events)), serde_json::to_value(&events).unwrap());
+    assert_eq!(to_json(&[]), "[]");
 }
 
 proptest! {
