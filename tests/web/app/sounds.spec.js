@@ -52,7 +52,8 @@ test('claps of a film are proposed, a click puts one on its frame, and one undo 
   await expect(clap).toBeFocused();
   await expect(first.getByText('on the page')).toBeVisible();
   // What is there does not come twice, by no other word either.
-  await first.getByRole('button').nth(1).click();
+  await first.getByRole('button').nth(1).focus();
+  await page.keyboard.press('Enter');
   await expect(page.locator('.words').getByRole('button', { name: /^Sound effect/ })).toHaveCount(1);
   await accessible(page);
 
