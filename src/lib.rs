@@ -8,6 +8,7 @@
 //! | [`raster`] | pixels: planar u8 images, decoding, resampling (under everything) |
 //! | [`simd`] | row kernels on lanes (under `style`) |
 //! | [`select`] | fingerprints, near-duplicate groups, the sharpest of each; the shots of films |
+//! | [`hearing`] | sounds of films that words may stand for, and where music runs |
 //! | `detect` | faces and objects, by two nets (feature `detect`) |
 //! | [`layout`] | page templates: split trees, polygons, gutters, merges |
 //! | [`framing`] | the crop of a photo that fits a panel |
@@ -62,6 +63,8 @@ pub mod detect;
 pub mod document;
 #[cfg(feature = "pages")]
 pub mod framing;
+#[cfg(feature = "pages")]
+pub mod hearing;
 #[cfg(feature = "pages")]
 pub mod json;
 #[cfg(feature = "pages")]

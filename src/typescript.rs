@@ -19,6 +19,7 @@ use crate::document::project::{Draft, DraftStep, Focus, Locks, Order, Project, S
 use crate::document::shots::{Board, Shot};
 use crate::document::upkeep::Groups;
 use crate::framing::{Crop, PhotoMeta, Subject};
+use crate::hearing;
 use crate::layout::edit::Cut;
 use crate::layout::tree::Axis;
 use crate::layout::{
@@ -414,6 +415,9 @@ fn types() -> String {
         PixelSize,
         Detection,
         FirstLook,
+        hearing::Event,
+        hearing::Kind,
+        hearing::Word,
         BreedRequest,
         Tables,
         Difference,

@@ -1,10 +1,11 @@
-//! The web boundary of the module of films: it looks at frames that the browser decodes, and says which stand for the film.
-//! It is loaded with the first film, into the worker that reads it.
+//! The web boundary of the module of films: it looks at frames that the browser decodes, and says which stand for the film, and
+//! hears its sound. It is loaded with the first film, into the worker that reads it.
 
 // Every function that returns a Result throws as the module's documentation says.
 #![allow(clippy::missing_errors_doc)]
 
 use crate::error::Result;
+use crate::hearing;
 use crate::select::look::{Look, Samples};
 use crate::select::shots::Film;
 use crate::select::stills::{self, Wish};
@@ -76,6 +77,13 @@ impl Looking {
     pub fn shots(&self, end: f64) -> Vec<f64> {
         self.film.shots(end).iter().map(|shot| shot.start).collect()
     }
+}
+
+/// The sounds in samples of one channel and full scale 1, at `rate` a second, as the JSON of `SoundEvent[]`.
+#[wasm_bindgen(js_name = soundEvents)]
+#[must_use]
+pub fn sound_events(samples: Vec<f32>, rate: f32) -> String {
+    hearing::to_json(&hearing::events(samples, rate))
 }
 
 fn look(format: &str, size: [usize; 2], bytes: &[u8], planes: &[u32]) -> Result<Look> {

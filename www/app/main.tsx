@@ -22,6 +22,7 @@ import { createDroppedFiles } from './dropped-files.ts';
 import { createExplorer } from '../explorer/explorer.ts';
 import { createKeeping } from '../storage/storage.ts';
 import { createShelves } from '../storage/shelves.ts';
+import { createFilmSounds } from '../lettering/film-sounds.ts';
 import { createFraming } from '../page/panels/framing.ts';
 import { createImitation } from '../imitation/imitation.ts';
 import { createHints } from '../help/hints.ts';
@@ -79,6 +80,7 @@ const scrubbing = createScrubbing({ store, pages, reading, engine, messages });
 const selection = createSelection({ store });
 const lettering = createLettering({ store, messages, selection, load: engine.lettering });
 const subtitling = createSubtitling({ store, lettering, messages });
+const filmSounds = createFilmSounds({ store, engine, lettering, messages });
 const merging = createMerging({ store, pages, selection });
 const framing = createFraming({ store, pages });
 const reshaping = createReshaping({ store, pages, seed: freshSeed });
@@ -207,6 +209,7 @@ const parts: Parts = {
   selection,
   lettering,
   subtitling,
+  filmSounds,
   intake,
   openProjects,
   installing,

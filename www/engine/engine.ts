@@ -16,6 +16,7 @@ import { createPhotos } from './photos.ts';
 import { createPool } from './pool.ts';
 import { Priority } from './queue.ts';
 import { createRenders, nameOf } from './renders.ts';
+import { hearFilm } from './sounds.ts';
 import { readVideo } from './video.ts';
 import { givesWebp } from './webp.ts';
 import { createWarming } from './warming.ts';
@@ -82,6 +83,8 @@ export function createEngine({
     dispose,
     importPhoto,
     importVideo,
+    /** The sounds of a film that may be drawn as words. */
+    hearFilm,
     prepareDetectors: detector.prepare,
     facesReady: detector.facesReady,
     /** Subjects of an imported photo, in fractions of it. */

@@ -1322,6 +1322,26 @@ export type FirstLook = {
   closer: boolean,
 };
 
+/** A sound of a film. */
+export type SoundEvent = {
+  /** Seconds at which it begins */
+  start: number,
+  /** and ends. */
+  end: number,
+  /** What it is like. */
+  kind: SoundKind,
+  /** Of its loudest frame, of music on average, in whole dB below full scale: -42 to about 0. */
+  loudness: number,
+  /** Words that it may be written with, the best first. */
+  words: [SoundWord, SoundWord, SoundWord],
+};
+
+/** What a sound is like. */
+export type SoundKind = "hit" | "sweep" | "music";
+
+/** Names of words of sound, which languages write as they do. */
+export type SoundWord = "bang" | "boom" | "clang" | "clap" | "click" | "clink" | "crack" | "crash" | "ding" | "knock" | "note" | "notes" | "rumble" | "slam" | "snap" | "swish" | "tap" | "thud" | "thump" | "tick" | "tune" | "vroom" | "whoosh" | "zip" | "zoom";
+
 /** What is asked for a child of two styles. */
 export type BreedRequest = { a: StyleChoice, b: StyleChoice, seed: number,
   /** 0 to 1. */

@@ -5,6 +5,7 @@
 import { useState } from 'preact/hooks';
 import { strings } from '../strings/strings.ts';
 import { useApp } from '../ui/context.ts';
+import { FilmSounds } from './film-sounds.tsx';
 import type { Video } from '../document/album.ts';
 
 const MOST_FRAMES = 120;
@@ -72,6 +73,7 @@ function Trim({ video }: { video: Video }) {
         >
           {strings.takeFrames}
         </button>
+        <FilmSounds video={video} />
       </details>
     </li>
   );

@@ -6,10 +6,13 @@ import { storageStrings as storage } from './storage.ts';
 import { offlineStrings } from './offline.ts';
 import { panelStrings as panels } from './panels.ts';
 import { photoStrings as photos } from './photos.ts';
+import { soundStrings } from './sounds.ts';
 import { pngStrings } from './png.ts';
 import { sideStrings as side } from './side.ts';
 import { startStrings } from './start.ts';
 import { wordStrings as words } from './words.ts';
+
+const { filmSounds: sounds } = soundStrings;
 
 const { book } = bookStrings;
 
@@ -38,7 +41,7 @@ export const helpStrings = {
     },
     films: {
       title: 'Einzelbilder eines Films',
-      text: `Aus einem Film nimmt Inkpanel einige Einzelbilder, die dann Fotos wie alle anderen sind. Drücke in der Liste der Fotos auf seinen Namen, um Anfang, Ende und Anzahl zu wählen; „${photos.takeFrames}“ übernimmt sie. Ein Panel mit einem Einzelbild kann auf ein früheres oder späteres wechseln.`,
+      text: `Aus einem Film nimmt Inkpanel einige Einzelbilder, die dann Fotos wie alle anderen sind. Drücke in der Liste der Fotos auf seinen Namen, um Anfang, Ende und Anzahl zu wählen; „${photos.takeFrames}“ übernimmt sie. Ein Panel mit einem Einzelbild kann auf ein früheres oder späteres wechseln. „${sounds.hear}“ schlägt Soundwörter für das vor, was bei den Einzelbildern auf deinen Seiten zu hören ist.`,
     },
     shuffle: {
       title: 'Mischen',

@@ -8,10 +8,13 @@ import { storageStrings as storage } from './storage.ts';
 import { offlineStrings } from './offline.ts';
 import { panelStrings as panels } from './panels.ts';
 import { photoStrings as photos } from './photos.ts';
+import { soundStrings } from './sounds.ts';
 import { pngStrings } from './png.ts';
 import { sideStrings as side } from './side.ts';
 import { startStrings } from './start.ts';
 import { wordStrings as words } from './words.ts';
+
+const { filmSounds: sounds } = soundStrings;
 
 const { book } = bookStrings;
 
@@ -39,7 +42,7 @@ export const helpStrings = {
     },
     films: {
       title: 'Frames of a film',
-      text: `Of a film Inkpanel takes some frames, which are then photos like any others. Press its name in the list of photos to say where it starts and ends and how many frames you want; “${photos.takeFrames}” takes them. A panel that shows a frame can go to an earlier or a later one.`,
+      text: `Of a film Inkpanel takes some frames, which are then photos like any others. Press its name in the list of photos to say where it starts and ends and how many frames you want; “${photos.takeFrames}” takes them. A panel that shows a frame can go to an earlier or a later one. “${sounds.hear}” proposes sound effects for what is heard near the frames on your pages.`,
     },
     shuffle: {
       title: 'Shuffling',

@@ -6,10 +6,13 @@ import { storageStrings as storage } from './storage.ts';
 import { offlineStrings } from './offline.ts';
 import { panelStrings as panels } from './panels.ts';
 import { photoStrings as photos } from './photos.ts';
+import { soundStrings } from './sounds.ts';
 import { pngStrings } from './png.ts';
 import { sideStrings as side } from './side.ts';
 import { startStrings } from './start.ts';
 import { wordStrings as words } from './words.ts';
+
+const { filmSounds: sounds } = soundStrings;
 
 const { book } = bookStrings;
 
@@ -37,7 +40,7 @@ export const helpStrings = {
     },
     films: {
       title: 'Fotogramas de una película',
-      text: `De una película Inkpanel toma algunos fotogramas, que son fotos como las demás. Pulsa su nombre en la lista de fotos para decir dónde empieza y acaba y cuántos fotogramas quieres; «${photos.takeFrames}» los toma. Una viñeta con un fotograma puede pasar a otro anterior o posterior.`,
+      text: `De una película Inkpanel toma algunos fotogramas, que son fotos como las demás. Pulsa su nombre en la lista de fotos para decir dónde empieza y acaba y cuántos fotogramas quieres; «${photos.takeFrames}» los toma. Una viñeta con un fotograma puede pasar a otro anterior o posterior. «${sounds.hear}» propone onomatopeyas para lo que se oye cerca de los fotogramas de tus páginas.`,
     },
     shuffle: {
       title: 'Barajar',

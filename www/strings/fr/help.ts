@@ -6,10 +6,13 @@ import { storageStrings as storage } from './storage.ts';
 import { offlineStrings } from './offline.ts';
 import { panelStrings as panels } from './panels.ts';
 import { photoStrings as photos } from './photos.ts';
+import { soundStrings } from './sounds.ts';
 import { pngStrings } from './png.ts';
 import { sideStrings as side } from './side.ts';
 import { startStrings } from './start.ts';
 import { wordStrings as words } from './words.ts';
+
+const { filmSounds: sounds } = soundStrings;
 
 const { book } = bookStrings;
 
@@ -37,7 +40,7 @@ export const helpStrings = {
     },
     films: {
       title: 'Images d’un film',
-      text: `D’un film, Inkpanel prend quelques images, qui sont alors des photos comme les autres. Appuyez sur son nom dans la liste des photos pour dire où il commence et finit et combien d’images vous voulez ; « ${photos.takeFrames} » les prend. Une case qui montre une image du film peut passer à une image précédente ou suivante.`,
+      text: `D’un film, Inkpanel prend quelques images, qui sont alors des photos comme les autres. Appuyez sur son nom dans la liste des photos pour dire où il commence et finit et combien d’images vous voulez ; « ${photos.takeFrames} » les prend. Une case qui montre une image du film peut passer à une image précédente ou suivante. « ${sounds.hear} » propose des onomatopées pour ce que l’on entend près des images de vos pages.`,
     },
     shuffle: {
       title: 'Mélanger',

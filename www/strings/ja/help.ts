@@ -6,10 +6,13 @@ import { storageStrings as storage } from './storage.ts';
 import { offlineStrings } from './offline.ts';
 import { panelStrings as panels } from './panels.ts';
 import { photoStrings as photos } from './photos.ts';
+import { soundStrings } from './sounds.ts';
 import { pngStrings } from './png.ts';
 import { sideStrings as side } from './side.ts';
 import { startStrings } from './start.ts';
 import { wordStrings as words } from './words.ts';
+
+const { filmSounds: sounds } = soundStrings;
 
 const { book } = bookStrings;
 
@@ -37,7 +40,7 @@ export const helpStrings = {
     },
     films: {
       title: '動画のフレーム',
-      text: `動画からはいくつかのフレームを取り出し、ほかの写真と同じように使います。写真の一覧で動画の名前を押すと、開始と終了、フレームの数を選べます。「${photos.takeFrames}」で取り出します。フレームを見せているコマは、前後のフレームに替えられます。`,
+      text: `動画からはいくつかのフレームを取り出し、ほかの写真と同じように使います。写真の一覧で動画の名前を押すと、開始と終了、フレームの数を選べます。「${photos.takeFrames}」で取り出します。フレームを見せているコマは、前後のフレームに替えられます。「${sounds.hear}」は、ページにあるフレームの近くで聞こえる音の描き文字を提案します。`,
     },
     shuffle: {
       title: 'シャッフルする',

@@ -6,10 +6,13 @@ import { storageStrings as storage } from './storage.ts';
 import { offlineStrings } from './offline.ts';
 import { panelStrings as panels } from './panels.ts';
 import { photoStrings as photos } from './photos.ts';
+import { soundStrings } from './sounds.ts';
 import { pngStrings } from './png.ts';
 import { sideStrings as side } from './side.ts';
 import { startStrings } from './start.ts';
 import { wordStrings as words } from './words.ts';
+
+const { filmSounds: sounds } = soundStrings;
 
 const { book } = bookStrings;
 
@@ -37,7 +40,7 @@ export const helpStrings = {
     },
     films: {
       title: 'Imagens de um filme',
-      text: `De um filme, o Inkpanel tira algumas imagens, que passam a ser fotos como as outras. Aperte o nome dele na lista de fotos para dizer onde começa e termina e quantas imagens você quer; “${photos.takeFrames}” as tira. Um quadro que mostra uma imagem do filme pode ir para uma anterior ou seguinte.`,
+      text: `De um filme, o Inkpanel tira algumas imagens, que passam a ser fotos como as outras. Aperte o nome dele na lista de fotos para dizer onde começa e termina e quantas imagens você quer; “${photos.takeFrames}” as tira. Um quadro que mostra uma imagem do filme pode ir para uma anterior ou seguinte. “${sounds.hear}” propõe onomatopeias para o que se ouve perto das imagens das suas páginas.`,
     },
     shuffle: {
       title: 'Embaralhar',

@@ -18,6 +18,7 @@ import { panelStrings } from './panels.ts';
 import { photoStrings } from './photos.ts';
 import { pngStrings } from './png.ts';
 import { sideStrings } from './side.ts';
+import { soundStrings } from './sounds.ts';
 import { speechStrings } from './speech.ts';
 import { startStrings } from './start.ts';
 import { storageStrings } from './storage.ts';
@@ -38,6 +39,7 @@ export const words: Words = {
   ...designerStrings,
   ...storageStrings,
   ...offlineStrings,
+  ...soundStrings,
   ...speechStrings,
   ...wordStrings,
   ...photoStrings,

@@ -1,0 +1,44 @@
+//! Which words a sound may be written with: a small table of its loudness, its length and its pitch.
+
+use super::{Kind, Word};
+use Word::{
+    Bang, Boom, Clang, Clap, Click, Clink, Crack, Crash, Ding, Knock, Note, Notes, Rumble, Slam, Snap, Swish,
+    Tap, Thud, Thump, Tick, Tune, Vroom, Whoosh, Zip, Zoom,
+};
+
+/// Loudness in dB below full scale from which on a sound is loud.
+const LOUD: f32 = -24.0;
+/// Seconds up to which a hit is short, and from which on it is long,
+const SHORT: f32 = 0.12;
+const LONG: f32 = 0.4;
+/// and the centroids in Hz between which it is neither low nor high.
+const LOW: f32 = 600.0;
+const HIGH: f32 = 2500.0;
+
+/// Hits that are loud and those that are not, by their length, then by their pitch; the word that fits best first.
+const HITS: [[[[Word; 3]; 3]; 3]; 2] = [
+    [
+        [[Thud, Bang, Boom], [Bang, Crack, Slam], [Clap, Crack, Snap]],
+        [[Boom, Thud, Bang], [Bang, Slam, Crash], [Crash, Clap, Clang]],
+        [[Boom, Rumble, Bang], [Crash, Boom, Bang], [Crash, Clang, Bang]],
+    ],
+    [
+        [[Thump, Thud, Knock], [Knock, Tap, Click], [Click, Tick, Snap]],
+        [[Thud, Thump, Knock], [Knock, Clap, Tap], [Clink, Tap, Snap]],
+        [[Thud, Rumble, Boom], [Clang, Clap, Knock], [Ding, Clink, Clang]],
+    ],
+];
+
+/// Sweeps by their pitch.
+const SWEEPS: [[Word; 3]; 3] = [[Vroom, Rumble, Whoosh], [Whoosh, Zoom, Swish], [Swish, Whoosh, Zip]];
+
+/// Three words for a sound of `level` dB that takes `length` seconds, whose centroid is at `centroid` Hz.
+pub(super) fn words(kind: Kind, level: f32, length: f32, centroid: f32) -> [Word; 3] {
+    let step = |value: f32, [low, high]: [f32; 2]| usize::from(value >= low) + usize::from(value > high);
+    let pitch = step(centroid, [LOW, HIGH]);
+    match kind {
+        Kind::Hit => HITS[usize::from(level < LOUD)][step(length, [SHORT, LONG])][pitch],
+        Kind::Sweep => SWEEPS[pitch],
+        Kind::Music => [Note, Notes, Tune],
+    }
+}

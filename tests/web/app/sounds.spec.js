@@ -1,0 +1,94 @@
+// @ts-check
+/** The sounds of a film, as words on its frames. */
+
+import { readFile } from 'node:fs/promises';
+import { word } from './word-hands.js';
+import { accessible, add, expect, idle, press, test } from './support.js';
+
+/** @typedef {import('../../../www/testing.ts').Page} Page */
+
+const VIDEOS = new URL('../../videos/', import.meta.url);
+/** Three claps, in seconds. */
+const CLAPS = [1.5, 3.2, 4.6];
+
+/** A film on the table, and what the tray says of it opened. @param {Page} page @param {string} name */
+async function open(page, name) {
+  await page.goto('./');
+  await add(page, [{ name, mimeType: 'video/webm', buffer: await readFile(new URL(name, VIDEOS)) }]);
+  await expect(page.getByRole('region', { name: 'Storyboard page' })).toBeVisible();
+  await idle(page);
+  await page.getByText('8 frames').click();
+}
+
+/** @param {Page} page */
+const list = (page) => page.getByRole('list', { name: 'Sounds of sounds.webm' });
+
+/** Seconds of the sounds that are proposed. @param {Page} page */
+async function times(page) {
+  const told = await list(page).getByRole('listitem').locator('.sound-time').allInnerTexts();
+  return told.map((text) => Number(text.split(':')[1]));
+}
+
+test('claps of a film are proposed, a click puts one on its frame, and one undo takes it away', async ({ page }) => {
+  await open(page, 'sounds.webm');
+  await page.getByRole('button', { name: 'Sounds of the film', exact: true }).click();
+  await expect(list(page)).toBeVisible();
+  const found = await times(page);
+  expect(found.length).toBeGreaterThan(0);
+  for (const time of found) expect(CLAPS.some((clap) => Math.abs(clap - time) < 0.1)).toBe(true);
+  await expect(page.getByRole('status').filter({ hasText: /sounds? near/ })).toBeVisible();
+  await accessible(page);
+
+  const first = list(page).getByRole('listitem').first();
+  await expect(first.getByRole('button')).toHaveCount(3);
+  const clap = first.getByRole('button').first();
+  const text = await clap.innerText();
+  await expect(clap).toHaveAccessibleName(new RegExp(`^Put ${text} on the page, 0:`));
+  await clap.focus();
+  await page.keyboard.press('Enter');
+  await expect(word(page, `Sound effect: ${text}`)).toHaveCount(1);
+  await idle(page);
+  await expect(clap).toHaveAttribute('aria-pressed', 'true');
+  await expect(clap).toBeFocused();
+  await expect(first.getByText('on the page')).toBeVisible();
+  // What is there does not come twice, by no other word either.
+  await first.getByRole('button').nth(1).focus();
+  await page.keyboard.press('Enter');
+  await expect(page.locator('.words').getByRole('button', { name: /^Sound effect/ })).toHaveCount(1);
+  await accessible(page);
+
+  await press(page, 'Undo');
+  await expect(page.locator('.words').getByRole('button', { name: /^Sound effect/ })).toHaveCount(0);
+  await expect(clap).toHaveAttribute('aria-pressed', 'false');
+  await expect(page.getByRole('button', { name: 'Undo', exact: true })).toBeDisabled();
+});
+
+test('a film without sound says so', async ({ page }) => {
+  await open(page, 'album.webm');
+  await page.getByRole('button', { name: 'Sounds of the film', exact: true }).click();
+  await expect(page.getByRole('status').filter({ hasText: 'This film has no sound.' })).toBeVisible();
+  await accessible(page);
+});
+
+test('a film that is being heard can be left alone, and heard after all', async ({ page }) => {
+  // The browser decodes for as long as the test holds it.
+  await page.addInitScript(() => {
+    const decode = OfflineAudioContext.prototype.decodeAudioData;
+    const go = new Promise((resolve) => Object.assign(globalThis, { go: resolve }));
+    OfflineAudioContext.prototype.decodeAudioData = async function (bytes) {
+      await go;
+      return decode.call(this, bytes);
+    };
+  });
+  await open(page, 'sounds.webm');
+  const button = page.getByRole('button', { name: 'Sounds of the film', exact: true });
+  await button.click();
+  await expect(page.getByRole('progressbar', { name: 'Reading its sound…' })).toBeVisible();
+  await accessible(page);
+  await page.getByRole('button', { name: 'Stop listening' }).click();
+  await expect(page.getByRole('progressbar', { name: 'Reading its sound…' })).toHaveCount(0);
+  await expect(list(page)).toHaveCount(0);
+  await page.evaluate(() => /** @type {any} */ (globalThis).go());
+  await button.click();
+  await expect(list(page)).toBeVisible();
+});

@@ -1,0 +1,86 @@
+/**
+ * The sounds of a film: decoded by the browser, on the device, and heard in a worker of their own. The browser decodes a file as a
+ * whole, so what is too large or too long for that is left alone.
+ */
+
+import { cancelled, failure } from './protocol.ts';
+import type { SoundQuestion, SoundTrack } from './sound-worker.ts';
+import type { SoundEvent } from './types.ts';
+
+/** Samples a second: what is above 8 kHz tells no sound from another. */
+const RATE = 16_000;
+
+/** Bytes of a film, and seconds of its sound, that are decoded at most: both lie in memory as a whole. */
+export const MOST_SOUND = { bytes: 256e6, seconds: 20 * 60 };
+
+/** What is being done. */
+export type SoundStage = 'decoding' | 'hearing';
+type Answer = {
+  sound?: SoundTrack | null;
+  events?: SoundEvent[];
+  error?: { code: string; message: string };
+};
+
+/**
+ * @returns the sounds, in the order of time
+ * @throws `sound-none`, `sound-long`, `sound-large`, `sound-undecodable`, or what is wrong with the film
+ */
+export async function hearFilm(
+  file: Blob,
+  { signal, onStage }: { signal: AbortSignal; onStage: (stage: SoundStage) => void },
+): Promise<SoundEvent[]> {
+  const worker = new Worker(new URL('./sound-worker.ts', import.meta.url), { type: 'module', name: 'inkpanel-sound' });
+  try {
+    onStage('decoding');
+    const { sound } = await asked(worker, { file }, signal);
+    if (!sound) throw failure('sound-none', 'There is no sound in it.');
+    if (sound.length > MOST_SOUND.seconds) throw failure('sound-long', 'It is too long.');
+    if (file.size > MOST_SOUND.bytes) throw failure('sound-large', 'It is too large.');
+    const samples = await orStopped(decoded(file), signal);
+    onStage('hearing');
+    const { events = [] } = await asked(worker, { samples, rate: RATE }, signal, [samples.buffer]);
+    const at = (seconds: number) => seconds + sound.begins;
+    return events.map((event) => ({ ...event, start: at(event.start), end: at(event.end) }));
+  } finally {
+    worker.terminate();
+  }
+}
+
+/** @returns samples of one channel: the mean of all that there are */
+async function decoded(file: Blob): Promise<Float32Array<ArrayBuffer>> {
+  const bytes = await file.arrayBuffer();
+  const context = new OfflineAudioContext(1, 1, RATE);
+  const audio = await context.decodeAudioData(bytes).catch((error: Error) => {
+    throw failure('sound-undecodable', error.message);
+  });
+  const samples = new Float32Array(audio.length);
+  for (let channel = 0; channel < audio.numberOfChannels; channel += 1) {
+    const part = audio.getChannelData(channel);
+    for (let i = 0; i < samples.length; i += 1) samples[i] += part[i] / audio.numberOfChannels;
+  }
+  return samples;
+}
+
+function asked(worker: Worker, question: SoundQuestion, signal: AbortSignal, transfer: Transferable[] = []) {
+  const answer = new Promise<Answer>((resolve, reject) => {
+    worker.onerror = (event) => {
+      event.preventDefault();
+      reject(failure('video-worker', 'Its reader stopped.'));
+    };
+    worker.onmessage = ({ data }: MessageEvent<Answer>) => {
+      if (data.error) reject(failure(data.error.code, data.error.message));
+      else resolve(data);
+    };
+    worker.postMessage(question, transfer);
+  });
+  return orStopped(answer, signal);
+}
+
+function orStopped<Result>(work: Promise<Result>, signal: AbortSignal): Promise<Result> {
+  return new Promise((resolve, reject) => {
+    const stop = () => reject(cancelled());
+    if (signal.aborted) stop();
+    signal.addEventListener('abort', stop, { once: true });
+    work.then(resolve, reject).finally(() => signal.removeEventListener('abort', stop));
+  });
+}

@@ -1,0 +1,140 @@
+/**
+ * Words of sound out of the sound itself: a film is heard when somebody asks for it, and what stands out near the frames that pages
+ * show is proposed as effects. Each that is taken belongs to the photo of its frame, as subtitles do, and is one step of the undo.
+ */
+
+import { signal } from '@preact/signals';
+import { MOST_SOUND } from '../engine/sounds.ts';
+import { strings } from '../strings/strings.ts';
+import type { Messages } from '../ui/messages.ts';
+import type { Video } from '../document/album.ts';
+import type { Store } from '../document/store.ts';
+import type { Engine } from '../engine/engine.ts';
+import type { SoundStage } from '../engine/sounds.ts';
+import type { SoundEvent, SoundWord } from '../engine/types.ts';
+import type { Lettering } from './lettering.ts';
+import type { Signal } from '@preact/signals';
+
+export type FilmSounds = ReturnType<typeof createFilmSounds>;
+/** How far a film was heard: `why` it was not, as a sentence. */
+export type Heard = { stage: SoundStage } | { why: string } | { events: readonly SoundEvent[] };
+/** A sound near a frame: `taken` is the word that stands for it, if one does. */
+export type Proposal = { event: SoundEvent; photo: string; cue: string; taken: string | undefined };
+
+/** Seconds that a sound may be away from the frame that it is drawn on. */
+const NEAR = 1.5;
+/** Sounds that are proposed for one frame: the loudest. */
+const EACH = 3;
+/** Degrees that an effect is turned, as one that is added by hand. */
+const TURNED = -8;
+
+export function createFilmSounds({
+  store,
+  engine,
+  lettering,
+  messages,
+}: {
+  store: Store;
+  engine: Pick<Engine, 'hearFilm'>;
+  lettering: Pick<Lettering, 'lay' | 'ready'>;
+  messages: Pick<Messages, 'note'>;
+}) {
+  /** By the file: other frames of a film are another video. */
+  const heard: Signal<ReadonlyMap<File, Heard>> = signal(new Map());
+  const stops = new Map<File, AbortController>();
+
+  return { of: ({ file }: Video) => heard.value.get(file), hear, stop, proposals, take };
+
+  async function hear({ file }: Video) {
+    if (stops.has(file)) return;
+    const stopping = new AbortController();
+    stops.set(file, stopping);
+    try {
+      const events = await engine.hearFilm(file, {
+        signal: stopping.signal,
+        onStage: (stage) => know(file, { stage }),
+      });
+      know(file, { events });
+    } catch (error) {
+      if ((error as Error).name === 'AbortError') know(file, undefined);
+      else know(file, { why: sentence(error as Error & { code?: string }) });
+    } finally {
+      stops.delete(file);
+    }
+  }
+
+  function stop({ file }: Video) {
+    stops.get(file)?.abort();
+  }
+
+  function know(file: File, news: Heard | undefined) {
+    const all = new Map(heard.peek());
+    if (news) all.set(file, news);
+    else all.delete(file);
+    heard.value = all;
+  }
+
+  /** @returns those near frames on pages, in the order of time, and how many are near none */
+  function proposals(video: Video, events: readonly SoundEvent[]): { near: Proposal[]; far: number } {
+    const album = store.album.value;
+    const shown = new Set(store.sheets.value.flatMap(({ panels }) => panels.map(({ photo }) => photo)));
+    const frames = [...shown].flatMap((id) => {
+      const fact = id === null ? undefined : album.get(id);
+      return fact?.video === video.key && fact.time !== undefined ? [{ id: fact.id, time: fact.time }] : [];
+    });
+    const words = [...store.sheets.value.flatMap(({ words }) => words ?? []), ...(store.project.value.waiting ?? [])];
+    const taken = new Map(words.flatMap(({ cue, text }) => (cue ? [[cue, text] as const] : [])));
+    const groups = new Map<string, Proposal[]>();
+    let far = 0;
+    for (const event of [...events].sort((a, b) => b.loudness - a.loudness)) {
+      const photo = nearest(event, frames);
+      if (photo === undefined) {
+        far += 1;
+        continue;
+      }
+      const cue = cueOf(video, event);
+      const group = groups.get(photo) ?? [];
+      if (group.length < EACH) groups.set(photo, [...group, { event, photo, cue, taken: taken.get(cue) }]);
+    }
+    const near = [...groups.values()].flat().sort((a, b) => a.event.start - b.event.start);
+    return { near, far };
+  }
+
+  async function take({ event, photo, cue }: Proposal, word: SoundWord) {
+    // Before there are letters a word has no place.
+    if (!(await lettering.ready())) return;
+    const text = strings.soundWords[word];
+    const turned = event.kind === 'music' ? {} : { angle: TURNED };
+    const { shown } = lettering.lay([{ kind: 'effect', text, photo, panel: 0, auto: true, cue, ...turned }]);
+    if (shown > 0) messages.note(strings.filmSounds.taken(text));
+  }
+}
+
+/** A film is known by its name: its key is another each time that a project is opened. */
+function cueOf({ name }: Video, { start }: SoundEvent): string {
+  return `${name} sound ${start.toFixed(3)}`;
+}
+
+/** @returns the frame that a sound is heard at, else the one that it is nearest to, if it is near */
+function nearest({ start, end }: SoundEvent, frames: readonly { id: string; time: number }[]): string | undefined {
+  const away = (time: number) => Math.max(start - time, time - end, 0);
+  const order = (time: number) => away(time) * 1e6 + Math.abs(time - start);
+  const [first] = frames.filter(({ time }) => away(time) <= NEAR).sort((a, b) => order(a.time) - order(b.time));
+  return first?.id;
+}
+
+function sentence({ code, message }: Error & { code?: string }): string {
+  const says = strings.filmSounds;
+  switch (code) {
+    case 'sound-none':
+      return says.mute;
+    case 'sound-long':
+      return says.long(strings.decimal(MOST_SOUND.seconds / 60));
+    case 'sound-large':
+      return says.large(strings.fileSize(MOST_SOUND.bytes));
+    case 'sound-undecodable':
+      return says.undecodable;
+    default:
+      return says.failed(strings.reasons[code ?? ''] ?? message);
+  }
+}

@@ -1,0 +1,84 @@
+/** The sounds of a film: a button that has them heard, and what they may be drawn as. */
+
+import { strings } from '../strings/strings.ts';
+import { IconButton } from '../ui/button.tsx';
+import { useApp } from '../ui/context.ts';
+import type { Video } from '../document/album.ts';
+import type { SoundEvent } from '../engine/types.ts';
+
+export function FilmSounds({ video }: { video: Video }) {
+  const { filmSounds } = useApp();
+  const says = strings.filmSounds;
+  const heard = filmSounds.of(video);
+  const stage = heard && 'stage' in heard ? heard.stage : undefined;
+  return (
+    <div class="film-sounds">
+      {/* It stays where it is while the film is heard: a hand on the keyboard stays with it. */}
+      <button
+        type="button"
+        class="button"
+        aria-disabled={stage !== undefined}
+        onClick={() => void filmSounds.hear(video)}
+      >
+        {says.hear}
+      </button>
+      {stage && (
+        <div class="reading">
+          <progress class="progress" aria-label={says[stage]} />
+          <IconButton icon="close" label={says.stop} onClick={() => filmSounds.stop(video)} />
+        </div>
+      )}
+      <p class="quiet" role="status">
+        {stage && says[stage]}
+        {heard && 'why' in heard && heard.why}
+        {heard && 'events' in heard && <Count video={video} events={heard.events} />}
+      </p>
+      {heard && 'events' in heard && <List video={video} events={heard.events} />}
+    </div>
+  );
+}
+
+function Count({ video, events }: { video: Video; events: readonly SoundEvent[] }) {
+  const { filmSounds } = useApp();
+  const says = strings.filmSounds;
+  const { near, far } = filmSounds.proposals(video, events);
+  if (events.length === 0) return says.silent;
+  return [near.length > 0 ? says.near(near.length) : says.none, ...(far > 0 ? [says.far(far)] : [])].join(' ');
+}
+
+function List({ video, events }: { video: Video; events: readonly SoundEvent[] }) {
+  const { filmSounds } = useApp();
+  const { near } = filmSounds.proposals(video, events);
+  if (near.length === 0) return null;
+  return (
+    <ul class="sound-list" aria-label={strings.filmSounds.of(video.name)}>
+      {near.map((proposal) => {
+        const time = strings.clock(proposal.event.start);
+        return (
+          <li key={proposal.cue}>
+            <span class="sound-time">{time}</span>
+            {proposal.event.words.map((word) => {
+              const text = strings.soundWords[word];
+              return (
+                <button
+                  key={word}
+                  type="button"
+                  class="button small"
+                  aria-label={strings.filmSounds.put(text, time)}
+                  aria-pressed={proposal.taken === text}
+                  aria-disabled={proposal.taken !== undefined}
+                  onClick={() => {
+                    if (proposal.taken === undefined) void filmSounds.take(proposal, word);
+                  }}
+                >
+                  {text}
+                </button>
+              );
+            })}
+            {proposal.taken !== undefined && <span class="sound-taken">{strings.filmSounds.there}</span>}
+          </li>
+        );
+      })}
+    </ul>
+  );
+}
