@@ -20,7 +20,7 @@ pub(crate) struct Figures {
     /// Area of bodies in panels with words, and what of it is covered.
     pub(crate) bodies: (f64, f64),
     /// Area of the figures that masks show in panels with words, and what of it is covered.
-    pub(crate) figures: (f64, f64),
+    pub(crate) silhouettes: (f64, f64),
     /// Tails, and those that lead to a mouth, or to what is largest where there is none.
     pub(crate) tails: (usize, usize),
     /// Words with a corner of a line outside of their shape, or a text that is not whole.
@@ -43,7 +43,8 @@ impl Figures {
         self.balloons += other.balloons;
         self.faces = (self.faces.0 + other.faces.0, self.faces.1 + other.faces.1);
         self.bodies = (self.bodies.0 + other.bodies.0, self.bodies.1 + other.bodies.1);
-        self.figures = (self.figures.0 + other.figures.0, self.figures.1 + other.figures.1);
+        self.silhouettes =
+            (self.silhouettes.0 + other.silhouettes.0, self.silhouettes.1 + other.silhouettes.1);
         self.tails = (self.tails.0 + other.tails.0, self.tails.1 + other.tails.1);
         self.outside += other.outside;
         self.overlaps += other.overlaps;
@@ -63,7 +64,7 @@ impl Figures {
 
     /// Share of the figures' area that is covered, in percent.
     pub(crate) fn covered_figures(&self) -> f64 {
-        100.0 * self.figures.1 / self.figures.0.max(1e-9)
+        100.0 * self.silhouettes.1 / self.silhouettes.0.max(1e-9)
     }
 
     /// Tails that are right, in percent.
@@ -98,7 +99,7 @@ pub(crate) fn measure(
     for panel in panels {
         let frame = ground.panels[panel].bounds;
         let (area, covered_part) = figure_in(page, panel, frame, photos, &patches);
-        figures.figures = (figures.figures.0 + area, figures.figures.1 + covered_part);
+        figures.silhouettes = (figures.silhouettes.0 + area, figures.silhouettes.1 + covered_part);
         for seen in seen_in(page, &ground, panel, photos) {
             let (area, covered) = covered(&patches, inside(seen.bounds, frame));
             match seen.label.as_str() {
@@ -253,7 +254,7 @@ fn figure_in(
             under += usize::from(patches.iter().any(|patch| opaque(patch, left, top)));
         }
     }
-    (all as f64 * cell.0 * cell.1, under as f64 * cell.0 * cell.1)
+    (f64::from(all) * cell.0 * cell.1, under as f64 * cell.0 * cell.1)
 }
 
 fn touching(a: &Patch, b: &Patch) -> bool {

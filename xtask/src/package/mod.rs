@@ -19,6 +19,8 @@ const NAME: &str = "inkpanel";
 const ENTRY: &str = "engine/index";
 /// Films are read by this library, which comes as one module; under MPL 2.0, so it stays a file of its own, unchanged.
 const FILM_LIBRARY: (&str, &str) = ("mediabunny", "dist/bundles/mediabunny.min.mjs");
+/// The modules that import it.
+const FILM_READERS: [&str; 3] = ["video-worker.js", "film-looks.js", "sound-worker.js"];
 /// The folders that are published.
 const FOLDERS: [&str; 12] = [
     "engine",
@@ -87,11 +89,13 @@ fn engine(project: &Project, folder: &Path) -> Result<()> {
     copy(&installed.join(bundle), &folder.join(format!("vendor/{library}.js")))?;
     copy(&installed.join("LICENSE"), &folder.join(format!("licences/{library}-MPL.txt")))?;
     // A browser knows no packages by name.
-    let reader = out.join("video-worker.js");
-    let text = fs::read_to_string(&reader)?;
-    let named = format!("from '{library}'");
-    ensure!(text.matches(&named).count() == 1, "video-worker.js imports {library} in another way");
-    fs::write(&reader, text.replace(&named, &format!("from '../vendor/{library}.js'")))?;
+    for reader in FILM_READERS.map(|file| out.join(file)) {
+        let text = fs::read_to_string(&reader)?;
+        let named = format!("from '{library}'");
+        let shown = reader.display();
+        ensure!(text.matches(&named).count() == 1, "{shown} imports {library} in another way");
+        fs::write(&reader, text.replace(&named, &format!("from '../vendor/{library}.js'")))?;
+    }
     for net in ["faces.onnx", "objects.onnx"] {
         copy(&models::folder(project).join(net), &folder.join("models").join(net))?;
     }

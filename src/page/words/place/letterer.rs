@@ -28,8 +28,10 @@ const PLACES: usize = 160;
 const REACH: f64 = 0.56;
 /// The shortest tail that still points, and one that no mouth asks for, in page widths.
 const TAIL: (f64, f64) = (0.014, 0.034);
-/// How much dearer a tail that is too short is beside a figure, whose body would else push the balloon against its head.
-const STUBBY: f64 = 4.0;
+/// The least part of the way to a mouth that a tail goes before the face begins: nearer, a balloon leans on the head.
+const HALF_WAY: f64 = 0.5;
+/// What that costs beside a figure, whose body would else push balloons against its head: at once, and for all of the way.
+const LEANING: (f64, f64) = (8.0, 24.0);
 /// What breaks a rule of letterers.
 const FORBIDDEN: f64 = 400.0;
 /// What it costs to cover a body.
@@ -319,7 +321,6 @@ impl Room<'_> {
             return;
         }
         let size = self.frame.width.hypot(self.frame.height);
-        let stubby = if self.figures.is_empty() { 1.0 } else { STUBBY };
         for &(face, unlikely) in &self.speakers {
             let head = self.seen[face].bounds;
             let mouth = Point::new(head.x + head.width / 2.0, head.y + MOUTH * head.height);
@@ -329,7 +330,10 @@ impl Room<'_> {
             let until = entry(foot, mouth, grown(head, 0.003)) - 1e-3;
             let along = REACH.min(until).max(0.0);
             let length = along * way;
-            let short = if length < TAIL.0 { stubby * (14.0 * (1.0 - length / TAIL.0) + 2.0) } else { 0.0 };
+            let mut short = if length < TAIL.0 { 14.0 * (1.0 - length / TAIL.0) + 2.0 } else { 0.0 };
+            if along < HALF_WAY && !self.figures.is_empty() {
+                short += LEANING.0 + LEANING.1 * (1.0 - along / HALF_WAY);
+            }
             let tip = foot.toward(mouth, along);
             let ideal = 0.1 * size;
             let far = (way - ideal).max(0.0) / size + 0.5 * (ideal - way).max(0.0) / size;
