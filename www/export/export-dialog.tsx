@@ -68,7 +68,8 @@ export function ExportDialog() {
     [sheets, enlarge, dpi, format, inside, quality, asked],
   );
   const close = () => {
-    ui.dialog.value = null;
+    // It tells that it was closed a moment later: another may be open by then.
+    if (ui.dialog.peek() === 'export') ui.dialog.value = null;
     ui.exportWay.value = null;
   };
   const drawnWidth = screenPixels(PREVIEW * Math.min(1, width / height));

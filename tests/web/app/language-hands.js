@@ -142,6 +142,8 @@ export async function lookInLanguage(page, strings, look) {
       await page.keyboard.press('Escape');
     }
     for (const dismiss of await button(page, strings.dismiss).all()) await dismiss.click();
+    // A dialog tells that it was closed a moment later, and no key is heard before that.
+    await expect(page.locator('dialog')).toHaveCount(0);
   }
 }
 
