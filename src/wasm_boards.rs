@@ -4,7 +4,7 @@
 //! Errors are as in the module of words.
 
 use crate::error::{Error, Result};
-use crate::output::animatic;
+use crate::output::animatic::{self, Animatic};
 use crate::output::board::Request;
 use crate::output::shots::{Kind, ShotList};
 use crate::wasm_error::thrown;
@@ -40,28 +40,39 @@ pub fn board_sheets(request: &str) -> std::result::Result<String, JsValue> {
     made().map_err(thrown)
 }
 
-/// The shots of an animatic in their times (a `Request` of `output::animatic` as JSON): an `Animatic` as JSON.
-///
-/// # Errors
-/// `invalid-document` for a request that is none, or whose shots cannot be shown; those of the style.
-#[wasm_bindgen(js_name = animaticPlan)]
-pub fn animatic_plan(request: &str) -> std::result::Result<String, JsValue> {
-    let made = || -> Result<String> {
-        let plan = animatic::Request::parse(request)?.planned()?;
-        serde_json::to_string(&plan).map_err(|error| Error::InvalidDocument {
-            location: "animatic".into(),
-            reason: error.to_string(),
-        })
-    };
-    made().map_err(thrown)
+/// An animatic: its shots in their times, and what each of its frames shows.
+#[wasm_bindgen]
+pub struct AnimaticPlan {
+    plan: Animatic,
 }
 
-/// What each frame of the same animatic shows, as `Animatic::table` tells it.
-///
-/// # Errors
-/// As of the plan.
-#[wasm_bindgen(js_name = animaticFrames)]
-pub fn animatic_frames(request: &str) -> std::result::Result<Vec<f32>, JsValue> {
-    let made = || -> Result<Vec<f32>> { Ok(animatic::Request::parse(request)?.planned()?.table()) };
-    made().map_err(thrown)
+#[wasm_bindgen]
+impl AnimaticPlan {
+    /// Lays out a `Request` of `output::animatic`, told as JSON.
+    ///
+    /// # Errors
+    /// `invalid-document` for a request that is none, or whose shots cannot be shown; those of the style.
+    #[wasm_bindgen(constructor)]
+    pub fn new(request: &str) -> std::result::Result<Self, JsValue> {
+        let planned = || animatic::Request::parse(request)?.planned();
+        planned().map(|plan| Self { plan }).map_err(thrown)
+    }
+
+    /// The `Animatic` as JSON.
+    ///
+    /// # Errors
+    /// `invalid-document` for what cannot be written.
+    pub fn json(&self) -> std::result::Result<String, JsValue> {
+        let written = |error: serde_json::Error| Error::InvalidDocument {
+            location: "animatic".into(),
+            reason: error.to_string(),
+        };
+        serde_json::to_string(&self.plan).map_err(written).map_err(thrown)
+    }
+
+    /// What each frame shows, as `Animatic::table` tells it.
+    #[must_use]
+    pub fn table(&self) -> Vec<f32> {
+        self.plan.table()
+    }
 }

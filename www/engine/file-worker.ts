@@ -4,8 +4,7 @@
  */
 
 import initFiles, {
-  animaticFrames,
-  animaticPlan,
+  AnimaticPlan,
   Book,
   boardSheets,
   Cut,
@@ -183,8 +182,13 @@ async function shots({ ending, list }: Args<'shots'>, tell: Tell) {
 
 async function animatic({ request }: Args<'animatic'>, tell: Tell) {
   tell.expects(PAGE);
-  const table = animaticFrames(request);
-  return { ok: { plan: animaticPlan(request), table }, transfer: [table.buffer] };
+  const animatic = new AnimaticPlan(request);
+  try {
+    const table = animatic.table();
+    return { ok: { plan: animatic.json(), table }, transfer: [table.buffer] };
+  } finally {
+    animatic.free();
+  }
 }
 
 function bytesOf(data: Uint8ClampedArray<ArrayBuffer>) {
