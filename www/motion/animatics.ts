@@ -4,6 +4,7 @@
  */
 
 import { ANIMATIC_SIZES } from '../engine/bounds.ts';
+import { patience } from '../engine/patience.ts';
 import { cancelled, failure } from '../engine/protocol.ts';
 import { soundOf } from './sound.ts';
 import { GIF, KINDS, gifSize } from './kinds.ts';
@@ -126,8 +127,7 @@ export function createAnimatics({
         const lost = () => reject(failure('animatic-encoder', 'What makes the film stopped.'));
         const listen = () => {
           relax();
-          const timer = setTimeout(lost, SILENCE);
-          relax = () => clearTimeout(timer);
+          relax = patience(SILENCE, lost);
         };
         signal.addEventListener('abort', () => reject(cancelled()), { once: true });
         worker.onerror = (event) => {
