@@ -1,9 +1,8 @@
 /** How the album is seen: as the pages of a comic, or as a board. */
 
-import { useEffect, useState } from 'preact/hooks';
 import { strings } from '../strings/strings.ts';
 import { useApp } from '../ui/context.ts';
-import type { ComponentType } from 'preact';
+import { useLoaded } from '../ui/loaded.ts';
 
 export function BoardSwitch() {
   const { ui } = useApp();
@@ -27,15 +26,12 @@ export function BoardSwitch() {
 /** The board itself comes when it is first asked for. */
 export function LazyBoards() {
   const { messages, ui } = useApp();
-  const [loaded, setLoaded] = useState(null as { Screen: ComponentType } | null);
-  useEffect(() => {
-    import('./boards-screen.tsx').then(
-      ({ BoardsScreen }) => setLoaded({ Screen: BoardsScreen }),
-      () => {
-        ui.work.value = null;
-        messages.alert(strings.boards.missing);
-      },
-    );
-  }, []);
-  return loaded ? <loaded.Screen /> : <main class="workspace" aria-busy="true" />;
+  const loaded = useLoaded(
+    () => import('./boards-screen.tsx'),
+    () => {
+      ui.work.value = null;
+      messages.alert(strings.boards.missing);
+    },
+  );
+  return loaded ? <loaded.BoardsScreen /> : <main class="workspace" aria-busy="true" />;
 }
