@@ -4,13 +4,15 @@ import { strings } from '../strings/strings.ts';
 import { IconButton } from '../ui/button.tsx';
 import { useApp } from '../ui/context.ts';
 import type { Video } from '../document/album.ts';
-import type { SoundEvent } from '../engine/types.ts';
+import type { Proposal } from '../lettering/film-sounds.ts';
 
 export function FilmSounds({ video }: { video: Video }) {
   const { filmSounds } = useApp();
   const says = strings.filmSounds;
   const heard = filmSounds.of(video);
   const stage = heard && 'stage' in heard ? heard.stage : undefined;
+  const events = heard && 'events' in heard ? heard.events : undefined;
+  const found = events && filmSounds.proposals(video, events);
   return (
     <div class="film-sounds">
       {/* It stays where it is while the film is heard: a hand on the keyboard stays with it. */}
@@ -31,25 +33,22 @@ export function FilmSounds({ video }: { video: Video }) {
       <p class="quiet" role="status">
         {stage && says[stage]}
         {heard && 'why' in heard && heard.why}
-        {heard && 'events' in heard && <Count video={video} events={heard.events} />}
+        {found && counted(found, events.length)}
       </p>
-      {heard && 'events' in heard && <List video={video} events={heard.events} />}
+      {found && found.near.length > 0 && <List video={video} near={found.near} />}
     </div>
   );
 }
 
-function Count({ video, events }: { video: Video; events: readonly SoundEvent[] }) {
-  const { filmSounds } = useApp();
+/** @param all how many sounds there are */
+function counted({ near, far }: { near: readonly Proposal[]; far: number }, all: number) {
   const says = strings.filmSounds;
-  const { near, far } = filmSounds.proposals(video, events);
-  if (events.length === 0) return says.silent;
+  if (all === 0) return says.silent;
   return [near.length > 0 ? says.near(near.length) : says.none, ...(far > 0 ? [says.far(far)] : [])].join(' ');
 }
 
-function List({ video, events }: { video: Video; events: readonly SoundEvent[] }) {
+function List({ video, near }: { video: Video; near: readonly Proposal[] }) {
   const { filmSounds } = useApp();
-  const { near } = filmSounds.proposals(video, events);
-  if (near.length === 0) return null;
   return (
     <ul class="sound-list" aria-label={strings.filmSounds.of(video.name)}>
       {near.map((proposal) => {
