@@ -16,14 +16,12 @@ import { useSwipe } from '../page/swipe.ts';
 import { isEnabled } from '../ui/action.ts';
 import { ActionButton } from '../ui/action-button.tsx';
 import { WordLayer } from '../lettering/word-layer.tsx';
-import { useSubjectsOf } from '../page/subjects-of.ts';
-import { hasParts } from '../styles/parts.ts';
+import { drawsParts, useSubjectsOf } from '../page/subjects-of.ts';
 import { styleOfPage } from '../styles/style-actions.ts';
 import { CoarseHide, CoarseMarks } from '../export/print-check.tsx';
 import { SafeArea } from '../page/safe-area.tsx';
 import type { App } from '../ui/context.ts';
 import type { Store } from '../document/store.ts';
-import type { PageDocument } from '../engine/types.ts';
 
 /** The widest that the page is painted, in pixels: larger, it takes longer than anyone would wait, and hundreds of megabytes. */
 const SHARPEST = 2800;
@@ -31,8 +29,6 @@ const SHARPEST = 2800;
 export function Stage() {
   const app = useApp();
   const { store, pages, engine, messages, ui, selection, reshaping, ahead } = app;
-  const styleOf = ({ style }: PageDocument) =>
-    typeof style === 'string' ? store.styles.peek().find(({ id }) => id === style) : style;
   const canvas = useRef(null as HTMLCanvasElement | null);
   const sheet = useRef(null as HTMLDivElement | null);
   const painter = useRef(null as ReturnType<typeof createPainter> | null);
@@ -55,7 +51,7 @@ export function Stage() {
       engine: {
         renderPanel: engine.renderPanel,
         subjectOf: (document, photo) =>
-          hasParts(styleOf(document)) ? store.album.peek().get(photo)?.meta?.mask : undefined,
+          drawsParts(store, document) ? store.album.peek().get(photo)?.meta?.mask : undefined,
         hasPhoto: (id) => !store.sketch.peek() && engine.hasPhoto(id),
       },
       onPainted: (document) => {

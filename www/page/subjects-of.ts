@@ -5,15 +5,18 @@ import { useApp } from '../ui/context.ts';
 import type { PageDocument } from '../engine/types.ts';
 import type { Store } from '../document/store.ts';
 
+/** @returns whether the style of a page draws the subjects of its photos apart */
+export function drawsParts({ styles }: Pick<Store, 'styles'>, { style }: PageDocument): boolean {
+  return hasParts(typeof style === 'string' ? styles.peek().find(({ id }) => id === style) : style);
+}
+
 /**
  * @returns a text that changes when the page is to be drawn anew for them; empty where its style draws no part apart. Read while
  * a view is rendered, it renders that again.
  */
-export function subjectsOf({ styles, album }: Pick<Store, 'styles' | 'album'>, page: PageDocument | null): string {
-  if (!page) return '';
-  const style = typeof page.style === 'string' ? styles.peek().find(({ id }) => id === page.style) : page.style;
-  if (!hasParts(style)) return '';
-  const facts = album.value;
+export function subjectsOf(store: Pick<Store, 'styles' | 'album'>, page: PageDocument | null): string {
+  if (!page || !drawsParts(store, page)) return '';
+  const facts = store.album.value;
   return page.panels.map(({ photo }) => (photo === null ? '' : (facts.get(photo)?.meta?.mask ?? ''))).join(' ');
 }
 
