@@ -3,6 +3,8 @@
 
 import { statSync } from 'node:fs';
 
+import { opened } from './opened.js';
+
 /** @typedef {import('playwright-core').Browser} Browser */
 /** @typedef {{ kind: string, frames: number, ms: number, bytes: number }} Film */
 
@@ -13,15 +15,7 @@ import { statSync } from 'node:fs';
  * @returns {Promise<Film[]>}
  */
 export async function animatic(browser, address, photos) {
-  const page = await browser.newPage({ viewport: { width: 1920, height: 1080 }, serviceWorkers: 'block' });
-  await page.addInitScript(() => localStorage.setItem('inkpanel.detect', 'off'));
-  await page.goto(address);
-  const input = page.getByLabel('Photos or video');
-  await input.waitFor({ state: 'attached' });
-  await input.setInputFiles(photos);
-  await page.waitForFunction(
-    () => document.body.dataset.idle === 'true' && document.querySelector('.page-canvas') !== null,
-  );
+  const page = await opened(browser, address, photos);
   const films = [];
   for (const kind of ['mp4', 'webm']) {
     await page.getByRole('button', { name: 'Export', exact: true }).click();

@@ -1,6 +1,8 @@
 // @ts-check
 /** Styles in the making, in the real page: how often the designer's preview follows a slider, and how fast the explorer invents. */
 
+import { opened } from './opened.js';
+
 /** @typedef {import('playwright-core').Browser} Browser */
 
 /** A chain of three blocks, the first of which is moved: all three are drawn anew for every picture. */
@@ -14,15 +16,7 @@ const DRAG_MS = 3000;
  * @returns {Promise<{ frames: number, width: number, height: number, styles: number }>} pictures a second, their size, and styles a second
  */
 export async function making(browser, address, photos) {
-  const page = await browser.newPage({ viewport: { width: 1920, height: 1080 }, serviceWorkers: 'block' });
-  await page.addInitScript(() => localStorage.setItem('inkpanel.detect', 'off'));
-  await page.goto(address);
-  const input = page.getByLabel('Photos or video');
-  await input.waitFor({ state: 'attached' });
-  await input.setInputFiles(photos);
-  await page.waitForFunction(
-    () => document.body.dataset.idle === 'true' && document.querySelector('.page-canvas') !== null,
-  );
+  const page = await opened(browser, address, photos);
   await page.getByRole('button', { name: 'Designer', exact: true }).click();
   // The same photo every time, whatever the page shows.
   await page.getByRole('list', { name: 'Photo of the preview' }).getByRole('button').first().click();
