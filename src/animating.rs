@@ -132,6 +132,7 @@ fn planned(mut saved: Saved, asked: &Animate) -> Result<(Animatic, Vec<ShotPhoto
         dissolve: asked.dissolve,
         moves: !asked.still,
         captions: asked.captions,
+        living: 0,
         style,
     };
     Ok((request.planned().map_err(|error| error.to_string())?, photos))

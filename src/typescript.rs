@@ -27,6 +27,7 @@ use crate::layout::{
 };
 use crate::output::animatic::{self, Animatic, Clip};
 use crate::output::board::{self, Labels, PictureOf};
+use crate::output::motion::{self, Reading, Said, Stop};
 use crate::output::shots::{Film, ListedShot, ShotList};
 use crate::output::{self, Comic, ComicPage, PictureKind, Piece};
 use crate::page::catalogue::{BlockEntry, ChoiceRequest, MeasuresEntry, ParamEntry, ParamKind, VerdictEntry};
@@ -345,6 +346,10 @@ fn types() -> String {
         animatic::Picture,
         Animatic,
         Clip,
+        motion::Request,
+        Reading,
+        Said,
+        Stop,
         Labels,
         Focus,
         Order,

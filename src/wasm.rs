@@ -157,6 +157,8 @@ pub struct Studio {
     context: Context<'static>,
     sheet: Option<(Sheet, u32)>,
     file: Vec<u8>,
+    /// Frames of a panel that moves, and its pictures, the first one last.
+    living: (Vec<Image>, Vec<crate::page::Patch>),
     designs: style::Designs,
 }
 

@@ -1,13 +1,15 @@
-//! The web boundary of boards, a part of the module of other files: their sheets as pages, the lists of their shots, and the plan of
-//! their animatic.
+//! The web boundary of boards, a part of the module of other files: their sheets as pages, the lists of their shots, and the plans of
+//! films, of shots and of pages.
 //!
 //! Errors are as in the module of words.
 
 use crate::error::{Error, Result};
 use crate::output::animatic::{self, Animatic};
 use crate::output::board::Request;
+use crate::output::motion;
 use crate::output::shots::{Kind, ShotList};
 use crate::wasm_error::thrown;
+use crate::wasm_letters::Lettering;
 use wasm_bindgen::prelude::*;
 
 /// The text of a list of shots (a `ShotList` as JSON) as a file of that ending: csv, edl, otio or xml.
@@ -55,6 +57,15 @@ impl AnimaticPlan {
     #[wasm_bindgen(constructor)]
     pub fn new(request: &str) -> std::result::Result<Self, JsValue> {
         let planned = || animatic::Request::parse(request)?.planned();
+        planned().map(|plan| Self { plan }).map_err(thrown)
+    }
+
+    /// Lays pages out that are read panel by panel: a `Request` of `output::motion`, told as JSON.
+    ///
+    /// # Errors
+    /// `invalid-document` for a request that is none, or whose pages cannot be read; those of layouts and of words.
+    pub fn pages(request: &str, letters: &Lettering) -> std::result::Result<AnimaticPlan, JsValue> {
+        let planned = || motion::Request::parse(request)?.planned(letters.letters());
         planned().map(|plan| Self { plan }).map_err(thrown)
     }
 

@@ -3,6 +3,7 @@
 //! once, as a page of one panel, and the camera moves over that picture: its lines stand still, and a shot without a move is the
 //! same in every frame.
 
+use super::motion::{Reading, Told};
 use super::shots::ShotList;
 use crate::error::{Error, Result};
 use crate::framing::{Crop, FACE, Subject};
@@ -50,6 +51,8 @@ pub struct Request {
     pub moves: bool,
     /// Whether what is said, else what happens, stands below.
     pub captions: bool,
+    /// Pictures a second of panels that come from a film, where they move; 0 where they do not.
+    pub living: u32,
     /// The style of the pictures: an id, or a style in full.
     #[cfg_attr(all(test, feature = "cli"), ts(as = "Option<crate::page::document::StyleChoice>"))]
     pub style: Value,
@@ -81,17 +84,19 @@ pub struct Animatic {
     pub size: [u32; 2],
     /// How many frames there are.
     pub frames: u32,
-    /// The shots, without gaps between them.
+    /// Pictures a second of panels that move, 0 where none does.
+    pub living: u32,
+    /// The shots, or the pages, without gaps between them.
     pub clips: Vec<Clip>,
 }
 
-/// A shot in its time.
+/// A shot in its time, or a page that is read.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 #[cfg_attr(all(test, feature = "cli"), derive(ts_rs::TS), ts(rename = "AnimaticClip"))]
 pub struct Clip {
-    /// Id of its photo.
+    /// Id of its photo; empty for a page.
     pub photo: String,
-    /// The number of the shot.
+    /// The number of the shot, or of the page.
     pub number: String,
     /// Its first frame.
     pub start: u32,
@@ -112,6 +117,8 @@ pub struct Clip {
     /// lower edge [`Animatic::FOOT`] above that of the frame.
     #[cfg_attr(all(test, feature = "cli"), ts(as = "Option<Document>"))]
     pub caption: Value,
+    /// How a page is read, panel by panel; none for a shot.
+    pub reading: Option<Reading>,
 }
 
 /// A clip as one frame shows it.
@@ -174,10 +181,11 @@ impl Request {
                 last: within(&last, &seen),
                 picture: self.page(picture, &seen, &first, &last, size)?,
                 caption: if self.captions { caption_page(caption.trim(), size) } else { Value::Null },
+                reading: None,
             });
             start += frames;
         }
-        Ok(Animatic { fps, size, frames: start, clips })
+        Ok(Animatic { fps, size, frames: start, living: self.living.min(fps), clips })
     }
 
     /// Size and rate.
@@ -188,18 +196,11 @@ impl Request {
         if self.pictures.len() != self.list.shots.len() {
             return Err(invalid("pictures", "are not as many as there are shots"));
         }
-        let [least, most] = SIDES;
-        if !self.size.iter().all(|side| (least..=most).contains(side)) {
-            return Err(invalid("size", &format!("is not from {least} to {most} pixels a side")));
-        }
         let fps = match (self.fps, self.list.fps) {
             (0, 0) => 24,
             (0, fps) | (fps, _) => fps,
         };
-        if fps > 60 {
-            return Err(invalid("fps", "is more than 60 frames a second"));
-        }
-        Ok((self.size.map(|side| side & !1), fps))
+        framed(self.size, fps)
     }
 
     /// How many frames each shot has. At another rate than that of the list it is the ends that are rounded, so that the whole is
@@ -249,7 +250,7 @@ impl Animatic {
     /// How far above the lower edge a caption ends, in heights of the frame.
     pub const FOOT: f64 = 0.05;
     /// Numbers of a frame in [`Animatic::table`].
-    pub const COLUMNS: usize = 11;
+    pub const COLUMNS: usize = 15;
 
     /// What a frame shows: one clip, or two in a dissolve, the one that comes over the one that goes. None beyond the end.
     #[must_use]
@@ -272,16 +273,35 @@ impl Animatic {
         Some((shown(under, 1.0), over))
     }
 
+    /// How far the page that lies below in a frame is read; nothing of a shot.
+    #[must_use]
+    pub fn told(&self, frame: u32) -> Told {
+        let under = self.at(frame).and_then(|(under, _)| self.clips.get(under.clip));
+        under.and_then(|clip| Some(clip.reading.as_ref()?.told(frame))).unwrap_or_default()
+    }
+
+    /// Which of the pictures of panels that move a frame shows, counted through all of the film.
+    #[must_use]
+    pub fn beat(&self, frame: u32) -> u32 {
+        (u64::from(frame) * u64::from(self.living) / u64::from(self.fps.max(1))) as u32
+    }
+
     /// All frames for who draws them: of each [`Animatic::COLUMNS`] numbers, which are the clip below and its view (x, y, width,
-    /// height), the clip over it (-1 for none) and its view, and the share of that one. The same as [`Animatic::at`].
+    /// height), the clip over it (-1 for none) and its view, and the share of that one, the same as [`Animatic::at`]; then of
+    /// the clip below how many of its words are there, the panel that is read (-1 for none) and how dark all else is, as
+    /// [`Animatic::told`]; and [`Animatic::beat`].
     #[must_use]
     pub fn table(&self) -> Vec<f32> {
         let view = |view: Crop| [view.x, view.y, view.width, view.height];
         let mut table = Vec::with_capacity(self.frames as usize * Self::COLUMNS);
-        for (under, over) in (0..self.frames).filter_map(|frame| self.at(frame)) {
+        for frame in 0..self.frames {
+            let Some((under, over)) = self.at(frame) else { break };
             let (clip, above, share) =
                 over.map_or((-1.0, [0.0; 4], 0.0), |over| (over.clip as f64, view(over.view), over.share));
-            let row = [&[under.clip as f64][..], &view(under.view), &[clip], &above, &[share]].concat();
+            let Told { words, panel, veil } = self.told(frame);
+            let panel = panel.map_or(-1.0, |panel| panel as f64);
+            let more = [share, words, panel, veil, f64::from(self.beat(frame))];
+            let row = [&[under.clip as f64][..], &view(under.view), &[clip], &above, &more].concat();
             table.extend(row.into_iter().map(|value| value as f32));
         }
         table
@@ -292,19 +312,39 @@ impl Clip {
     /// What the camera sees in a frame from `from` to `to`: it sets out and arrives slowly, as a cubic curve.
     #[must_use]
     pub fn view(&self, frame: u32) -> Crop {
-        if self.first == self.last {
-            return self.first;
+        if let Some(reading) = &self.reading {
+            return reading.view(frame);
         }
         let t = f64::from(frame.saturating_sub(self.from)) / f64::from((self.to - self.from).max(2) - 1);
-        let part = t * t * (3.0 - 2.0 * t);
-        let between = |a: f64, b: f64| a + (b - a) * part;
-        Crop {
-            x: between(self.first.x, self.last.x),
-            y: between(self.first.y, self.last.y),
-            width: between(self.first.width, self.last.width),
-            height: between(self.first.height, self.last.height),
-        }
+        between(&self.first, &self.last, t)
     }
+}
+
+/// The view at a part of the way from one to another, 0 to 1: it sets out and arrives slowly, as a cubic curve.
+pub(super) fn between(first: &Crop, last: &Crop, t: f64) -> Crop {
+    if first == last {
+        return *first;
+    }
+    let part = t * t * (3.0 - 2.0 * t);
+    let along = |a: f64, b: f64| a + (b - a) * part;
+    Crop {
+        x: along(first.x, last.x),
+        y: along(first.y, last.y),
+        width: along(first.width, last.width),
+        height: along(first.height, last.height),
+    }
+}
+
+/// Size and rate of frames, the size made even as encoders want it.
+pub(super) fn framed(size: [u32; 2], fps: u32) -> Result<([u32; 2], u32)> {
+    let [least, most] = SIDES;
+    if !size.iter().all(|side| (least..=most).contains(side)) {
+        return Err(invalid("size", &format!("is not from {least} to {most} pixels a side")));
+    }
+    if !(1..=60).contains(&fps) {
+        return Err(invalid("fps", "is not from 1 to 60 frames a second"));
+    }
+    Ok((size.map(|side| side & !1), fps))
 }
 
 /// Where the camera begins and ends. Where there is somebody or something it goes nearer, or back, and keeps them in view;
@@ -424,11 +464,11 @@ fn caption_page(text: &str, [width, height]: [u32; 2]) -> Value {
 }
 
 /// The page as the page itself writes it.
-fn written(document: &Value) -> Result<Value> {
+pub(super) fn written(document: &Value) -> Result<Value> {
     let page = Document::parse(&document.to_string())?;
     serde_json::from_str(&page.to_json()).map_err(|error| invalid("animatic", &error.to_string()))
 }
 
-fn invalid(location: &str, reason: &str) -> Error {
+pub(super) fn invalid(location: &str, reason: &str) -> Error {
     Error::InvalidDocument { location: location.into(), reason: reason.into() }
 }

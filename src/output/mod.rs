@@ -12,6 +12,7 @@
 //! | [`cbz`] | a comic archive with `ComicInfo.xml` and ACBF |
 //! | [`board`] | sheets of a board, as pages |
 //! | [`animatic`] | the shots of a board in their times: which is seen in a frame, and how the camera moves |
+//! | [`motion`] | pages in their times: which panel is read in a frame, and what of it is said |
 //! | [`shots`] | the shots of a board as lists that spreadsheets and cutting rooms read |
 //! | `markup` | text in XML and HTML |
 //!
@@ -26,6 +27,7 @@ pub mod describing;
 pub mod epub;
 pub mod html;
 mod markup;
+pub mod motion;
 pub mod phrases;
 pub mod shots;
 pub mod telling;

@@ -51,6 +51,8 @@ pub struct ToldWord {
     pub kind: WordKind,
     /// What it says, on one line.
     pub text: String,
+    /// Its place among the words of the document.
+    pub place: usize,
     /// What is around it, in pixels.
     pub bounds: Bounds,
     /// Height of an em in pixels.
@@ -118,11 +120,12 @@ fn told(page: &ComicPage, letters: &Letters, phrases: &Phrases) -> Result<ToldPa
             words: Vec::new(),
         });
     }
-    let mut laid = lay_all(document, letters)?;
-    laid.sort_by(|a, b| place(a).total_cmp(&place(b)));
-    for word in &laid {
-        let Some(at) = panel_of(word, &ground) else { continue };
-        panels[at].words.extend(told_word(word, scale));
+    let laid = lay_all(document, letters)?;
+    let mut order: Vec<usize> = (0..laid.len()).collect();
+    order.sort_by(|&a, &b| place(&laid[a]).total_cmp(&place(&laid[b])));
+    for word in order {
+        let Some(at) = panel_of(&laid[word], &ground) else { continue };
+        panels[at].words.extend(told_word(word, &laid[word], scale));
     }
     Ok(ToldPage { width, height, panels })
 }
@@ -148,7 +151,7 @@ fn panel_of(laid: &Laid, ground: &Ground) -> Option<usize> {
     (0..=last).rev().min_by(|&a, &b| away(a).total_cmp(&away(b)))
 }
 
-fn told_word(laid: &Laid, scale: f64) -> Option<ToldWord> {
+fn told_word(place: usize, laid: &Laid, scale: f64) -> Option<ToldWord> {
     let text = read(&laid.word);
     let text = text.split_whitespace().collect::<Vec<_>>().join(" ");
     let (a, b) = extent(&laid.word, &laid.setting);
@@ -159,7 +162,7 @@ fn told_word(laid: &Laid, scale: f64) -> Option<ToldWord> {
         Kind::Effect => WordKind::Effect,
         Kind::Balloon(_) => WordKind::Balloon,
     };
-    (!text.is_empty()).then_some(ToldWord { kind, text, bounds, size: laid.setting.size * scale })
+    (!text.is_empty()).then_some(ToldWord { kind, text, place, bounds, size: laid.setting.size * scale })
 }
 
 fn scaled(bounds: Bounds, by: f64) -> Bounds {

@@ -115,6 +115,24 @@ pub struct Frame<'a> {
 /// # Errors
 /// `buffer-size` for pixels that do not fit the size, `too-large` beyond `limits`.
 pub fn import_frame(id: &str, frame: &Frame, limits: &Limits) -> Result<(Imported, Vec<u8>)> {
+    let image = upright(frame, limits)?;
+    let file = png::encode_rgb(image.width(), image.height(), &image.to_rgb(), 72)?;
+    let (width, height) = (image.width(), image.height());
+    let facts = Facts { size: (width as u32, height as u32), format: "Video", taken: None };
+    let work = if width.max(height) > WORK_SIDE { reduced(&image, WORK_SIDE) } else { image };
+    Ok((described(id, work, facts), file))
+}
+
+/// A frame upright, in square pixels, its long side `longest` at most: one of many of a panel that moves.
+///
+/// # Errors
+/// As [`import_frame`].
+pub fn small_frame(frame: &Frame, longest: usize, limits: &Limits) -> Result<Image> {
+    let image = upright(frame, limits)?;
+    Ok(if image.width().max(image.height()) > longest { reduced(&image, longest) } else { image })
+}
+
+fn upright(frame: &Frame, limits: &Limits) -> Result<Image> {
     let (width, height) = frame.size;
     limits.check(width as u32, height as u32, "Video")?;
     let mut image = Image::from_rgba(width, height, frame.rgba, [255; 3])?;
@@ -122,12 +140,7 @@ pub fn import_frame(id: &str, frame: &Frame, limits: &Limits) -> Result<(Importe
         limits.check(frame.square.0 as u32, frame.square.1 as u32, "Video")?;
         image = resample_image(&image, Region::whole(width, height), frame.square.0, frame.square.1);
     }
-    let image = turned_clockwise(image, frame.rotation)?;
-    let file = png::encode_rgb(image.width(), image.height(), &image.to_rgb(), 72)?;
-    let (width, height) = (image.width(), image.height());
-    let facts = Facts { size: (width as u32, height as u32), format: "Video", taken: None };
-    let work = if width.max(height) > WORK_SIDE { reduced(&image, WORK_SIDE) } else { image };
-    Ok((described(id, work, facts), file))
+    turned_clockwise(image, frame.rotation)
 }
 
 /// What the file says, besides its pixels.

@@ -18,6 +18,7 @@
 //! | [`breaking`] | figures that step out of their panels |
 //! | [`coverage`] | exact area coverage of pixels |
 //! | [`compose`] | panels rendered to patches, patches laid on paper |
+//! | [`living`] | panels that move, of a few seconds of a film |
 //! | [`cutout`] | the subject of a photo alone |
 //! | [`words`] | captions, balloons and sound effects, laid on the panels |
 //! | [`png`] | the file that people download |
@@ -39,6 +40,7 @@ pub mod fill;
 pub mod import;
 pub mod jpeg;
 pub mod layouts;
+pub mod living;
 pub mod mask;
 pub mod pdf;
 pub mod plates;

@@ -1,7 +1,10 @@
 //! Frames of videos, which the browser decodes and hands over as pixels.
 
-use super::{Studio, thrown};
-use crate::page::import::{Frame, import_frame};
+use super::{Patch, Studio, thrown};
+use crate::error::{Error, Result};
+use crate::page::import::{Frame, import_frame, small_frame};
+use crate::page::living::living;
+use crate::raster::Image;
 use crate::raster::decode::Limits;
 use wasm_bindgen::prelude::*;
 
@@ -20,7 +23,7 @@ impl Studio {
         square_width: usize,
         square_height: usize,
         rotation: u32,
-    ) -> Result<String, JsValue> {
+    ) -> std::result::Result<String, JsValue> {
         let frame = Frame { size: (width, height), rgba, square: (square_width, square_height), rotation };
         let (photo, file) = import_frame(id, &frame, &Limits::default()).map_err(thrown)?;
         self.file = file;
@@ -31,5 +34,56 @@ impl Studio {
     #[must_use]
     pub fn take_file(&mut self) -> Vec<u8> {
         std::mem::take(&mut self.file)
+    }
+    /// A frame of a video as RGBA, as `import_frame` takes it, upright and with a long side of `longest` pixels at most.
+    #[allow(clippy::too_many_arguments, reason = "JavaScript passes numbers, not structs")]
+    pub fn small_frame(
+        &self,
+        width: usize,
+        height: usize,
+        rgba: &[u8],
+        square_width: usize,
+        square_height: usize,
+        rotation: u32,
+        longest: usize,
+    ) -> std::result::Result<Patch, JsValue> {
+        let frame = Frame { size: (width, height), rgba, square: (square_width, square_height), rotation };
+        let image = small_frame(&frame, longest, &Limits::default()).map_err(thrown)?;
+        Ok(Patch::whole(image.width(), image.height(), image.to_rgba()))
+    }
+
+    /// Gives one frame more of the film to the panel that is drawn next by `draw_living`.
+    pub fn add_living(
+        &mut self,
+        width: usize,
+        height: usize,
+        rgba: &[u8],
+    ) -> std::result::Result<(), JsValue> {
+        self.living.0.push(Image::from_rgba(width, height, rgba, [255; 3]).map_err(thrown)?);
+        Ok(())
+    }
+
+    /// Draws a panel of a page as a loop of the frames that were given, of which `still` is that of its photo; see `page::living`. Gives how many pictures wait for
+    /// `take_living`, none where the panel stays still.
+    pub fn draw_living(
+        &mut self,
+        document: &str,
+        index: usize,
+        width: usize,
+        still: usize,
+    ) -> std::result::Result<usize, JsValue> {
+        let frames = std::mem::take(&mut self.living.0);
+        let mut drawn = || -> Result<_> {
+            let scene = self.scene(document, width, "work")?;
+            living(&scene, index, (&frames, still), &mut self.context)
+        };
+        self.living.1 = drawn().map_err(thrown)?.into_iter().rev().collect();
+        Ok(self.living.1.len())
+    }
+
+    /// The next picture of the loop.
+    pub fn take_living(&mut self) -> std::result::Result<Patch, JsValue> {
+        let missing = || thrown(Error::MissingPhoto("living".into()));
+        self.living.1.pop().map(|patch| Patch { area: patch.area, rgba: patch.rgba }).ok_or_else(missing)
     }
 }

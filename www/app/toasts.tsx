@@ -20,7 +20,7 @@ export function Toasts() {
     ? running.packing
       ? strings.packingPhotos(percent)
       : running.filming
-        ? strings.animatic.making(percent)
+        ? (running.filming === 'pages' ? strings.motion : strings.animatic).making(percent)
         : strings.exporting(percent)
     : '';
   return (

@@ -54,7 +54,7 @@ export const ALIKE = Object.freeze({ strict: 4, loose: 16 });
 export const USUAL_PANELS = 6;
 
 /** Of animatics: how far above the lower edge a caption ends, in heights of the frame, and numbers of a frame in their table. */
-export const ANIMATIC = Object.freeze({ foot: 0.05, columns: 11 });
+export const ANIMATIC = Object.freeze({ foot: 0.05, columns: 15 });
 
 /** Sizes of animatics by what people call them, in pixels. */
 export const ANIMATIC_SIZES = Object.freeze([

@@ -10,6 +10,7 @@ import { createDetector } from './detector.ts';
 import { createExports } from './export.ts';
 import { createFiles } from './files.ts';
 import { createImitating } from './imitate.ts';
+import { createLiving } from './living.ts';
 import { createMasking } from './masking.ts';
 import { createMeasures } from './measures.ts';
 import { createPhotos } from './photos.ts';
@@ -104,6 +105,7 @@ export function createEngine({
     photos,
     lettering: words.lettering,
     ...renders,
+    ...createLiving({ run }),
     ...createImitating({ run, photos }),
     judges: aesthetics.judges,
     judgeStyle: aesthetics.judgeStyle,
@@ -116,6 +118,7 @@ export function createEngine({
     boardSheets: files.boardSheets,
     shotFile: files.shotFile,
     animatic: files.animatic,
+    motion: files.motion,
   };
 
   function run<Op extends keyof Operations>(job: Job<Operations, Op>): Promise<Operations[Op]['ok']> {

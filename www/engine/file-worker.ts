@@ -23,6 +23,7 @@ import { LOADING, STORING, serveJobs } from './serving.ts';
 import { createShaping } from './shaping.ts';
 import { withDpi } from './webp.ts';
 import type { Making, Picture, PixelPatch } from './protocol.ts';
+import type { MotionRequest } from './types.ts';
 import type { Tell, Work } from './serving.ts';
 
 /** What is said where the module or the letters could not be loaded. */
@@ -41,7 +42,7 @@ type Args<Op extends keyof Making> = Making[Op]['args'];
 let started: Promise<WebAssembly.Memory> | undefined;
 let table: Uint8Array | undefined;
 
-const OPERATIONS: Work<Making> = { jpeg, webp, losslessWebp, pictures, pdf, comic, board, shots, animatic };
+const OPERATIONS: Work<Making> = { jpeg, webp, losslessWebp, pictures, pdf, comic, board, shots, animatic, motion };
 
 serveJobs<Making>(async (op, args, tell) => {
   tell.waits(LOADING);
@@ -182,12 +183,28 @@ async function shots({ ending, list }: Args<'shots'>, tell: Tell) {
 
 async function animatic({ request }: Args<'animatic'>, tell: Tell) {
   tell.expects(PAGE);
-  const animatic = new AnimaticPlan(request);
+  return laidOut(new AnimaticPlan(request));
+}
+
+async function motion({ request }: Args<'motion'>, tell: Tell) {
+  const letters = await lettering(tell);
+  const { pages } = JSON.parse(request) as MotionRequest;
+  tell.expects(PAGE * pages.length);
+  const shape = createShaping(letters);
   try {
-    const table = animatic.table();
-    return { ok: { plan: animatic.json(), table }, transfer: [table.buffer] };
+    for (const page of pages) shape(page);
+    return laidOut(AnimaticPlan.pages(request, letters));
   } finally {
-    animatic.free();
+    letters.free();
+  }
+}
+
+function laidOut(plan: AnimaticPlan) {
+  try {
+    const table = plan.table() as Float32Array<ArrayBuffer>;
+    return { ok: { plan: plan.json(), table }, transfer: [table.buffer] };
+  } finally {
+    plan.free();
   }
 }
 

@@ -11,6 +11,7 @@ import type {
   BoardRequest,
   Comic,
   ComicFile,
+  MotionRequest,
   PageDocument,
   PdfOptions,
   Piece,
@@ -37,6 +38,7 @@ export function createFiles() {
     boardSheets,
     shotFile,
     animatic,
+    motion,
     dispose: () => pool?.dispose(),
   };
 
@@ -146,6 +148,12 @@ export function createFiles() {
   /** @returns the shots in their times, and of each frame what it shows (`Animatic::table` of the core) */
   async function animatic(request: AnimaticRequest, call?: Call): Promise<{ plan: Animatic; table: Float32Array }> {
     const { plan, table } = await run('animatic', { request: JSON.stringify(request) }, [], call);
+    return { plan: JSON.parse(plan), table };
+  }
+
+  /** @returns pages that are read panel by panel, as a film */
+  async function motion(request: MotionRequest, call?: Call): Promise<{ plan: Animatic; table: Float32Array }> {
+    const { plan, table } = await run('motion', { request: JSON.stringify(request) }, [], call);
     return { plan: JSON.parse(plan), table };
   }
 

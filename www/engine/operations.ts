@@ -26,6 +26,8 @@ export function createOperations(studio: Studio, held: ReturnType<typeof createL
   return {
     import: importPhoto,
     importFrame,
+    smallFrame,
+    living,
     panel,
     page,
     compose,
@@ -79,6 +81,23 @@ export function createOperations(studio: Studio, held: ReturnType<typeof createL
     const ok = { ...(await kept(entry)), file };
     evict([]);
     return { ok, transfer: [] };
+  }
+
+  async function smallFrame(
+    { frame: { width, height, data, squareWidth, squareHeight, rotation }, longest }: Operations['smallFrame']['args'],
+    tell: Tell,
+  ) {
+    tell.expects(frameMs(width * height + squareWidth * squareHeight));
+    return pixels(studio.small_frame(width, height, data, squareWidth, squareHeight, rotation, longest));
+  }
+
+  async function living({ document, index, width, frames, still }: Operations['living']['args'], tell: Tell) {
+    tell.expects(frames.length * pageMs(document, width, 1));
+    for (const frame of frames) studio.add_living(frame.width, frame.height, new Uint8Array(frame.data.buffer));
+    const count = studio.draw_living(document, index, width, still);
+    const drawn: BitmapPatch[] = [];
+    for (let i = 0; i < count; i += 1) drawn.push((await bitmap(studio.take_living())).ok);
+    return { ok: drawn, transfer: drawn.map((patch) => patch.bitmap) };
   }
 
   async function panel({ document, index, width, tier, photos }: Operations['panel']['args'], tell: Tell) {

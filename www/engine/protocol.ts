@@ -34,6 +34,13 @@ export type Start = { program: Program; budget: number };
 export type Operations = {
   import: { args: { id: string; file: Blob }; ok: Imported };
   importFrame: { args: { id: string; frame: Omit<Frame, 'index' | 'time'> }; ok: Imported & { file: Blob } };
+  /** a frame upright and small */
+  smallFrame: { args: { frame: Omit<Frame, 'index' | 'time'>; longest: number }; ok: PixelPatch };
+  /** the pictures of a panel that moves, out of small frames of which `still` is that of its photo; none where it stays still */
+  living: {
+    args: { document: string; index: number; width: number; frames: PixelPatch[]; still: number };
+    ok: BitmapPatch[];
+  };
   panel: {
     args: { document: string; index: number; width: number; tier: Tier; photos: PhotoHandle[] };
     ok: BitmapPatch;
@@ -121,8 +128,9 @@ export type Making = {
   /** the pages of a board, and a list of its shots */
   board: { args: { request: string }; ok: string };
   shots: { args: { ending: ListKind; list: string }; ok: string };
-  /** the plan of an animatic, and what each of its frames shows */
+  /** the plan of an animatic, and what each of its frames shows; the same of pages that are read */
   animatic: { args: { request: string }; ok: { plan: string; table: Float32Array } };
+  motion: { args: { request: string }; ok: { plan: string; table: Float32Array } };
 };
 
 /** A list of shots, by the ending of its file. */

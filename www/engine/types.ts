@@ -198,6 +198,8 @@ export type AnimaticRequest = {
   moves: boolean,
   /** Whether what is said, else what happens, stands below. */
   captions: boolean,
+  /** Pictures a second of panels that come from a film, where they move; 0 where they do not. */
+  living: number,
   /** The style of the pictures: an id, or a style in full. */
   style?: StyleChoice,
 };
@@ -222,15 +224,17 @@ export type Animatic = {
   size: [number, number],
   /** How many frames there are. */
   frames: number,
-  /** The shots, without gaps between them. */
+  /** Pictures a second of panels that move, 0 where none does. */
+  living: number,
+  /** The shots, or the pages, without gaps between them. */
   clips: ReadonlyArray<AnimaticClip>,
 };
 
-/** A shot in its time. */
+/** A shot in its time, or a page that is read. */
 export type AnimaticClip = {
-  /** Id of its photo. */
+  /** Id of its photo; empty for a page. */
   photo: string,
-  /** The number of the shot. */
+  /** The number of the shot, or of the page. */
   number: string,
   /** Its first frame. */
   start: number,
@@ -251,6 +255,64 @@ export type AnimaticClip = {
    * lower edge `Animatic::FOOT` above that of the frame.
    */
   caption: PageDocument | null,
+  /** How a page is read, panel by panel; none for a shot. */
+  reading: Reading | null,
+};
+
+/** What is asked for. */
+export type MotionRequest = {
+  /** The pages in their order. */
+  pages: ReadonlyArray<PageDocument>,
+  /** Width and height of the frames in pixels, 64 to 3840, made even as encoders want them. */
+  size: [number, number],
+  /** Frames a second, 1 to 60. */
+  fps: number,
+  /** How long a panel is seen at least, in seconds; two where it is 0. */
+  seconds: number,
+  /** How long two pages are seen together where one goes over into the other, in seconds; 0 cuts. */
+  dissolve: number,
+  /** Whether the camera moves; else it is at once where it goes. */
+  moves: boolean,
+  /** Pictures a second of panels that come from a film, where they move; 0 where they do not. */
+  living: number,
+};
+
+/** How a page is read. */
+export type Reading = {
+  /** The outline of each panel: corners, in fractions of the page's width and height. */
+  panels: ReadonlyArray<ReadonlyArray<[number, number]>>,
+  /** The page with its words, which are drawn one by one over its picture; none where it has no words. */
+  words: PageDocument | null,
+  /** Its words in the order in which they appear. */
+  said: ReadonlyArray<Said>,
+  /** Where the camera stays, in order. The first and the last time it sees all of the page. */
+  stops: ReadonlyArray<Stop>,
+  /** How many frames a word takes to appear. */
+  fade: number,
+};
+
+/** A word that appears. */
+export type Said = {
+  /** Its place among the words of the page. */
+  word: number,
+  /** The panel that it is read with. */
+  panel: number,
+  /** The first frame in which it is seen. */
+  from: number,
+};
+
+/** A place where the camera stays. */
+export type Stop = {
+  /** The panel that is read; none for the whole page. */
+  panel: number | null,
+  /** The first frame in which the camera is there. */
+  from: number,
+  /** The frame behind the last one. */
+  to: number,
+  /** What it sees at `from`, in fractions of the page's picture; it may reach beyond the page. */
+  first: Crop,
+  /** What it sees at its end. */
+  last: Crop,
 };
 
 /** What is written before what is told. `{page}` and `{count}` stand for numbers. */

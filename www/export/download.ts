@@ -10,7 +10,7 @@ import { fileName, panelName } from './export-name.ts';
 import { FORMATS, isArchive, isFilm, isList } from './formats.ts';
 import { createMaking } from './page-making.ts';
 import { sized } from '../page/paper.ts';
-import type { Animatics } from '../motion/animatics.ts';
+import type { Animatics, AnimaticWish } from '../motion/animatics.ts';
 import type { Messages } from '../ui/messages.ts';
 import type { Pages } from '../document/pages.ts';
 import type { Progress, Store } from '../document/store.ts';
@@ -56,7 +56,7 @@ export function createDownload({
   onSaved?: (pages: readonly PageDocument[]) => void;
 }) {
   /** `packing`: the pages are drawn, and what goes with them is put in; `filming`: frames are counted. */
-  const progress: Signal<(Progress & { packing?: boolean; filming?: boolean }) | null> = signal(null);
+  const progress: Signal<(Progress & { packing?: boolean; filming?: AnimaticWish['of'] }) | null> = signal(null);
   let running: AbortController | null = null;
   const make = createMaking({ store, engine, shotList, animatics });
 
@@ -94,12 +94,16 @@ export function createDownload({
 
   async function saveAs(wish: Wish) {
     const cargo = loaded(wish);
-    const file = await work((how) => make(wish, how, cargo), strings.exportFailed, isFilm(wish.format));
+    const file = await work(
+      (how) => make(wish, how, cargo),
+      strings.exportFailed,
+      isFilm(wish.format) ? wish.film?.of : undefined,
+    );
     if (!file) return;
     save(file, nameOf(wish));
     onSaved(wish.pages);
     const saved = isFilm(wish.format)
-      ? strings.animatic.saved
+      ? (wish.film?.of === 'pages' ? strings.motion : strings.animatic).saved
       : isList(wish.format)
         ? strings.boards.listSaved
         : strings.pagesSaved(wish.pages.length);
@@ -171,7 +175,11 @@ export function createDownload({
 
   async function share(wish: Wish) {
     const goods = loaded(wish);
-    const made = await work((how) => make(wish, how, goods), strings.exportFailed, isFilm(wish.format));
+    const made = await work(
+      (how) => make(wish, how, goods),
+      strings.exportFailed,
+      isFilm(wish.format) ? wish.film?.of : undefined,
+    );
     if (made) await hand(new File([made], nameOf(wish), { type: FORMATS[fileFormat(wish)].type }));
   }
 
@@ -194,7 +202,7 @@ export function createDownload({
   async function work(
     make: (how: Work) => Promise<Blob>,
     failed: (why: string) => string,
-    filming = false,
+    filming?: AnimaticWish['of'],
   ): Promise<Blob | null> {
     if (running) return null;
     running = new AbortController();

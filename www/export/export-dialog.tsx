@@ -53,8 +53,8 @@ export function ExportDialog() {
     [all, factor, document],
   );
   const way = all ? many : one;
-  // An animatic has choices of its own, and what is below is not looked at.
-  const format: Format = way === 'animatic' ? 'png' : way;
+  // A film has choices of its own, and what is below is not looked at.
+  const format: Format = way === 'animatic' || way === 'motion' ? 'png' : way;
   const webpHasQuality = useWebpQuality();
   const made = pictureIn(format, inside, webpHasQuality);
   const lossy = made === 'webp' ? webpHasQuality : FORMATS[made].lossy;
@@ -83,10 +83,12 @@ export function ExportDialog() {
       chooseInside={setInside}
     />
   );
-  if (way === 'animatic')
+  if (way === 'animatic' || way === 'motion')
     return (
       <Dialog title={strings.exportPage} class="export-dialog" onClose={close}>
-        <LazyAnimatic close={close}>{formatChoice}</LazyAnimatic>
+        <LazyAnimatic of={way === 'motion' ? 'pages' : 'shots'} close={close}>
+          {formatChoice}
+        </LazyAnimatic>
       </Dialog>
     );
   return (

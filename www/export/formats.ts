@@ -5,8 +5,8 @@ import type { ListKind } from '../engine/protocol.ts';
 import type { Kind as FilmKind } from '../motion/kinds.ts';
 
 export type Format = 'png' | 'jpeg' | 'webp' | 'pdf' | 'html' | 'epub' | 'zip' | 'cbz' | ListKind | FilmKind;
-/** What is chosen in a list: films are one of them, and their kinds another choice. */
-export type Way = Exclude<Format, FilmKind> | 'animatic';
+/** What is chosen in a list: films of shots and of pages are two of them, and their kinds another choice. */
+export type Way = Exclude<Format, FilmKind> | 'animatic' | 'motion';
 /** the pictures of a ZIP or CBZ file */
 export type Inside = 'png' | 'jpeg';
 
@@ -31,8 +31,19 @@ export const FORMATS: Record<Format, { ending: string; type: string; lossy: bool
   gif: { ...KINDS.gif, lossy: true },
 };
 
-export const OF_ONE: readonly Way[] = ['png', 'jpeg', 'webp', 'pdf', 'html', 'epub', 'cbz', 'animatic', ...LISTS];
-export const OF_MANY: readonly Way[] = ['pdf', 'html', 'epub', 'cbz', 'zip', 'animatic', ...LISTS];
+export const OF_ONE: readonly Way[] = [
+  'png',
+  'jpeg',
+  'webp',
+  'pdf',
+  'html',
+  'epub',
+  'cbz',
+  'animatic',
+  'motion',
+  ...LISTS,
+];
+export const OF_MANY: readonly Way[] = ['pdf', 'html', 'epub', 'cbz', 'zip', 'animatic', 'motion', ...LISTS];
 
 export function isArchive(format: Format | Way): format is 'zip' | 'cbz' {
   return format === 'zip' || format === 'cbz';

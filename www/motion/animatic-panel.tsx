@@ -1,4 +1,4 @@
-/** The choices of an animatic beside the film itself, which plays as it will be saved. Loaded when it is first asked for. */
+/** The choices of a film, of shots or of pages, beside the film itself, which plays as it will be saved. Loaded when it is first asked for. */
 
 import { useEffect, useMemo, useState } from 'preact/hooks';
 import { ANIMATIC_SIZES } from '../engine/bounds.ts';
@@ -20,11 +20,22 @@ const DISSOLVE = 0.5;
 /** While a slider is dragged nothing is planned. */
 const REST_MS = 150;
 
-/** @param props `children`: the choice of the format, which stands above the others */
-export function AnimaticPanel({ close, children }: { close: () => void; children: ComponentChildren }) {
+/** @param props `of`: what is filmed; `children`: the choice of the format, which stands above the others */
+export function AnimaticPanel({
+  of,
+  close,
+  children,
+}: {
+  of: AnimaticWish['of'];
+  close: () => void;
+  children: ComponentChildren;
+}) {
   const { animatics, boards, download, store } = useApp();
-  const [wish, setWish] = useState(USUAL);
-  const change = (part: Partial<AnimaticWish>) => setWish({ ...wish, ...part });
+  const [chosen, setWish] = useState(USUAL);
+  const wish = useMemo(() => ({ ...chosen, of }), [chosen, of]);
+  const pages = of === 'pages';
+  const says = pages ? strings.motion : strings.animatic;
+  const change = (part: Partial<AnimaticWish>) => setWish({ ...chosen, ...part });
   const { planned, failed } = usePlan(wish);
   const kinds = useKinds(wish);
   // What the browser cannot encode is not offered; the next best is taken.
@@ -42,7 +53,7 @@ export function AnimaticPanel({ close, children }: { close: () => void; children
       <AnimaticPlayer planned={planned} />
       <div class="export-choices">
         {children}
-        <p class="quiet">{strings.animatic.help}</p>
+        <p class="quiet">{says.help}</p>
         <label class="field">
           <span>{strings.animatic.kind}</span>
           <select class="select" value={kind} onChange={(event) => change({ kind: event.currentTarget.value as Kind })}>
@@ -71,7 +82,7 @@ export function AnimaticPanel({ close, children }: { close: () => void; children
           </select>
         </label>
         <label class="field">
-          <span>{strings.animatic.seconds}</span>
+          <span>{says.seconds}</span>
           <input
             type="range"
             min="0.5"
@@ -83,7 +94,7 @@ export function AnimaticPanel({ close, children }: { close: () => void; children
           <output aria-hidden="true">{strings.animatic.secondsOf(wish.seconds)}</output>
         </label>
         <label class="field">
-          <span>{strings.animatic.change}</span>
+          <span>{says.change}</span>
           <select
             class="select"
             value={wish.dissolve}
@@ -95,7 +106,12 @@ export function AnimaticPanel({ close, children }: { close: () => void; children
         </label>
         <div class="animatic-checks">
           <Check on={wish.moves} set={(moves) => change({ moves })} label={strings.animatic.moves} />
-          <Check on={wish.captions} set={(captions) => change({ captions })} label={strings.animatic.captions} />
+          {!pages && (
+            <Check on={wish.captions} set={(captions) => change({ captions })} label={strings.animatic.captions} />
+          )}
+          {animatics.hasLiving(of) && (
+            <Check on={wish.living} set={(living) => change({ living })} label={strings.motion.living} />
+          )}
         </div>
         <FilePick
           label={strings.animatic.sound}
@@ -107,10 +123,16 @@ export function AnimaticPanel({ close, children }: { close: () => void; children
         {kind === 'gif' && wish.sound && <p class="quiet">{strings.animatic.gifMute}</p>}
         <p class="quiet export-facts" aria-live="polite">
           {failed ? (
-            <span>{strings.animatic.failed(failed)}</span>
+            <span>{says.failed(failed)}</span>
           ) : planned ? (
             <>
-              <span>{strings.animatic.facts(boards.rows.value.length, clock(seconds), planned.plan.fps)}</span>
+              <span>
+                {says.facts(
+                  pages ? planned.plan.clips.length : boards.rows.value.length,
+                  clock(seconds),
+                  planned.plan.fps,
+                )}
+              </span>
               <span>
                 {strings.aboutSize(
                   strings.fileSize(
@@ -124,7 +146,7 @@ export function AnimaticPanel({ close, children }: { close: () => void; children
               </span>
             </>
           ) : (
-            <span>{store.tray.value.length === 0 ? strings.animatic.empty : strings.animatic.planning}</span>
+            <span>{store.tray.value.length === 0 ? strings.animatic.empty : says.planning}</span>
           )}
         </p>
         {long && <p class="quiet">{strings.reasons['animatic-long']}</p>}
@@ -155,7 +177,8 @@ function usePlan(wish: AnimaticWish): { planned: Planned | null; failed: string 
   const rows = boards.rows.value;
   const board = boards.board.value;
   const style = store.page.value?.style;
-  const { size, seconds, dissolve, moves, captions } = wish;
+  const sheets = wish.of === 'pages' ? store.sheets.value : null;
+  const { of, size, seconds, dissolve, moves, captions, living } = wish;
   const gif = wish.kind === 'gif';
   useEffect(() => {
     const stop = new AbortController();
@@ -170,7 +193,7 @@ function usePlan(wish: AnimaticWish): { planned: Planned | null; failed: string 
       clearTimeout(later);
       stop.abort();
     };
-  }, [rows, board, style, size, seconds, dissolve, moves, captions, gif]);
+  }, [rows, board, style, sheets, of, size, seconds, dissolve, moves, captions, living, gif]);
   return state;
 }
 

@@ -1,4 +1,4 @@
-/** The animatic, played in the page: its pictures are drawn from what is in memory of the photos, each when it is due. */
+/** The film, played in the page: its pictures are drawn from what is in memory of the photos, each when it is due. */
 
 import { useEffect, useRef, useState } from 'preact/hooks';
 import { strings } from '../strings/strings.ts';
@@ -6,16 +6,17 @@ import { screenPixels } from '../ui/bitmap.tsx';
 import { useApp } from '../ui/context.ts';
 import { Icon } from '../ui/icon.tsx';
 import { clock } from './clock.ts';
-import { clipsOf, drawFrame, frameAt, framesIn } from './frames.ts';
+import { clipsOf, closeDrawn, drawFrame, frameAt, framesIn } from './frames.ts';
 import type { Planned } from './animatics.ts';
-import type { Drawn } from './frames.ts';
+import type { Drawn, DrawnLoop } from './frames.ts';
 
 /** Pixels of the longer side of the preview at most. */
 const MOST = 1280;
 /** Films that are taller stand in a screen of this aspect, as a window is wider than tall. */
 const LEAST_ASPECT = 1.2;
-/** Clips whose pictures are kept at once: those of a dissolve, the next one, and some to go back to. */
+/** Clips whose pictures are kept at once: those of a dissolve, the next one, and some to go back to; fewer where panels move. */
 const KEPT = 6;
+const KEPT_LIVING = 2;
 
 export function AnimaticPlayer({ planned }: { planned: Planned | null }) {
   const { animatics } = useApp();
@@ -41,9 +42,13 @@ export function AnimaticPlayer({ planned }: { planned: Planned | null }) {
     if (!planned || !sheet) return undefined;
     const shown = sheet.getBoundingClientRect();
     const wide = Math.min(screenPixels(shown.width || 320), Math.round((MOST * width) / Math.max(width, height)));
-    sheet.width = wide;
-    sheet.height = Math.max(1, Math.round((wide * height) / width));
-    const made = createReel(planned, sheet, (clip, signal) => animatics.preview(planned, clip, wide, { signal }));
+    const high = Math.max(1, Math.round((wide * height) / width));
+    // A canvas of another size is empty: where only the plan is another, what it shows stays until the new picture is there.
+    if (sheet.width !== wide || sheet.height !== high) [sheet.width, sheet.height] = [wide, high];
+    const made = createReel(planned, sheet, {
+      draw: (clip, signal) => animatics.preview(planned, clip, wide, { signal }),
+      enliven: (clip, call) => animatics.previewLoops(planned, clip, call),
+    });
     reel.current = made;
     show(Math.min(at.current, framesIn(planned.table) - 1));
     return () => {
@@ -73,12 +78,16 @@ export function AnimaticPlayer({ planned }: { planned: Planned | null }) {
   };
   const shot =
     planned && count > 0 ? planned.plan.clips[frameAt(planned.table, Math.min(frame, last)).under.clip] : null;
-  const place = strings.animatic.place(clock(frame / fps), clock(count / fps), shot?.number ?? '');
+  const told = planned && count > 0 ? frameAt(planned.table, Math.min(frame, last)) : null;
+  const [time, of] = [clock(frame / fps), clock(count / fps)];
+  const place = shot?.reading
+    ? strings.motion.place(time, of, shot.number, (told?.panel ?? -1) + 1)
+    : strings.animatic.place(time, of, shot?.number ?? '');
   return (
     <div
       class="animatic-player"
       role="group"
-      aria-label={strings.animatic.preview}
+      aria-label={planned?.plan.clips[0]?.reading ? strings.motion.preview : strings.animatic.preview}
       onKeyDown={(event: KeyboardEvent) => {
         if (event.key !== ' ' || event.target instanceof HTMLButtonElement) return;
         event.preventDefault();
@@ -126,9 +135,15 @@ export function AnimaticPlayer({ planned }: { planned: Planned | null }) {
 
 /** Pictures of clips as they are needed, on a canvas. */
 function createReel(
-  { table }: Planned,
+  { plan, table }: Planned,
   canvas: HTMLCanvasElement,
-  draw: (clip: number, signal: AbortSignal) => Promise<Drawn>,
+  {
+    draw,
+    enliven,
+  }: {
+    draw: (clip: number, signal: AbortSignal) => Promise<Drawn>;
+    enliven: (clip: number, call: { signal: AbortSignal; onDrawn: (loops: DrawnLoop[]) => void }) => Promise<void>;
+  },
 ) {
   const stop = new AbortController();
   const context = canvas.getContext('2d', { alpha: false });
@@ -140,7 +155,7 @@ function createReel(
     show,
     dispose() {
       stop.abort();
-      for (const one of drawn.values()) close(one);
+      for (const one of drawn.values()) closeDrawn(one);
       drawn.clear();
     },
   };
@@ -166,28 +181,44 @@ function createReel(
     draw(clip, stop.signal).then(
       (one) => {
         asked.delete(clip);
-        if (stop.signal.aborted) return close(one);
+        if (stop.signal.aborted) return closeDrawn(one);
         drawn.set(clip, one);
         forget();
         if (clipsOf(frameAt(table, current)).includes(clip)) show(current);
+        if (plan.living > 0) void move(clip);
       },
       // A photo that cannot be drawn leaves what was there; the file names it.
       () => asked.delete(clip),
     );
   }
 
+  /** The panels that move come when the clip is there; one that was forgotten meanwhile needs them no more. */
+  async function move(clip: number) {
+    const forgotten = new AbortController();
+    const signal = AbortSignal.any([stop.signal, forgotten.signal]);
+    const onDrawn = (loops: DrawnLoop[]) => {
+      const one = drawn.get(clip);
+      if (!one || signal.aborted) {
+        forgotten.abort();
+        for (const { bitmaps } of loops) for (const bitmap of bitmaps) bitmap.close();
+        return;
+      }
+      one.loops = loops;
+      canvas.dataset.moving = String(loops.length);
+      if (clipsOf(frameAt(table, current)).includes(clip)) show(current);
+    };
+    // A photo that cannot be drawn stays as it is; the file names it.
+    await enliven(clip, { signal, onDrawn }).catch(() => {});
+  }
+
   /** Of more than are kept, those farthest from what is shown. */
   function forget() {
     const [here] = clipsOf(frameAt(table, current));
     const far = [...drawn.keys()].sort((a, b) => Math.abs(b - here) - Math.abs(a - here));
-    for (const clip of far.slice(0, Math.max(0, drawn.size - KEPT))) {
-      close(drawn.get(clip) as Drawn);
+    const kept = plan.living > 0 ? KEPT_LIVING : KEPT;
+    for (const clip of far.slice(0, Math.max(0, drawn.size - kept))) {
+      closeDrawn(drawn.get(clip) as Drawn);
       drawn.delete(clip);
     }
   }
-}
-
-function close({ picture, caption }: Drawn) {
-  picture.close();
-  caption?.close();
 }

@@ -1,46 +1,63 @@
 /**
- * The album as an animatic: the shots of the board one after the other. The core plans it; here its pictures are drawn by the
- * engine, and a worker of its own makes a file of them.
+ * The album as a film: the shots of the board one after the other (an animatic), or the pages read panel by panel (a motion page).
+ * The core plans it; here its pictures are drawn by the engine, and a worker of its own makes a file of them.
  */
 
 import { ANIMATIC_SIZES } from '../engine/bounds.ts';
+import { LIVING } from '../engine/living.ts';
 import { patience } from '../engine/patience.ts';
 import { cancelled, failure } from '../engine/protocol.ts';
+import { bitmapsOf } from './frames.ts';
+import { createLoops } from './loops.ts';
 import { soundOf } from './sound.ts';
 import { GIF, KINDS, gifSize } from './kinds.ts';
 import type { Boards } from '../boards/boards.ts';
 import type { Store } from '../document/store.ts';
 import type { Engine } from '../engine/engine.ts';
-import type { Animatic, AnimaticRequest, PageDocument, Subject } from '../engine/types.ts';
+import type { Animatic, AnimaticClip, AnimaticRequest, MotionRequest, PageDocument, Subject } from '../engine/types.ts';
 import type { Work } from '../export/page-making.ts';
 import type { FromEncoder, ToEncoder } from './encode-worker.ts';
-import type { Drawn } from './frames.ts';
+import type { Drawn, DrawnLoop, DrawnWord } from './frames.ts';
 import type { Kind } from './kinds.ts';
 
 export type SizeId = (typeof ANIMATIC_SIZES)[number]['id'];
-/** `seconds` of a shot that does not say how long it is; `dissolve` in seconds, 0 cuts. */
+/**
+ * `seconds` of a shot that does not say how long it is, or of a panel that says nothing; `dissolve` in seconds, 0 cuts; `living`:
+ * panels that come from a film move.
+ */
 export type AnimaticWish = {
+  of: 'shots' | 'pages';
   kind: Kind;
   size: SizeId;
   seconds: number;
   dissolve: number;
   moves: boolean;
   captions: boolean;
+  living: boolean;
   sound: File | null;
 };
 /** `table`: what each frame shows (`frames.ts`). */
 export type Planned = { plan: Animatic; table: Float32Array };
 export type Animatics = ReturnType<typeof createAnimatics>;
+type Call = { signal?: AbortSignal };
 
 export const USUAL: AnimaticWish = {
+  of: 'shots',
   kind: 'mp4',
   size: '1080p',
   seconds: 2,
   dissolve: 0,
   moves: true,
   captions: true,
+  living: true,
   sound: null,
 };
+
+/** Frames a second of pages; those of shots are counted as the board counts them. */
+const PAGES_FPS = 24;
+/** Pixels of all pictures of all panels of a clip that move, in the preview and in a file. */
+const PREVIEW_PIXELS = 16e6;
+const FILM_PIXELS = 48e6;
 
 /** Milliseconds between two signs of life of the encoder; one frame of a slow device is a fraction of it. */
 const SILENCE = 60_000;
@@ -51,10 +68,15 @@ export function createAnimatics({
   boards,
 }: {
   store: Store;
-  engine: Pick<Engine, 'animatic' | 'renderPanel' | 'renderWord' | 'exportPng'>;
+  engine: Pick<
+    Engine,
+    'animatic' | 'motion' | 'renderPanel' | 'renderWord' | 'composePixels' | 'exportPng' | 'drawLiving'
+  >;
   boards: Pick<Boards, 'rows' | 'shotList'>;
 }) {
-  return { sizeOf, planned, preview, film };
+  const loops = createLoops({ store, engine });
+
+  return { sizeOf, planned, preview, previewLoops, film, hasLiving };
 
   /** In pixels, of frames of a kind of file. */
   function sizeOf({ kind, size }: Pick<AnimaticWish, 'kind' | 'size'>) {
@@ -62,11 +84,35 @@ export function createAnimatics({
     return kind === 'gif' ? gifSize(found) : { width: found.width, height: found.height };
   }
 
-  async function planned(wish: AnimaticWish, call?: { signal?: AbortSignal }): Promise<Planned> {
-    return engine.animatic(request(wish), call);
+  async function planned(wish: AnimaticWish, call?: Call): Promise<Planned> {
+    return wish.of === 'pages' ? engine.motion(pagesOf(wish), call) : engine.animatic(shotsOf(wish), call);
   }
 
-  function request(wish: AnimaticWish): AnimaticRequest {
+  /** Whether there is something that may move: panels, or shots, whose photos are frames of a film that is at hand. */
+  function hasLiving(of: AnimaticWish['of']): boolean {
+    const shown = store.sheets.value.flatMap(({ panels }) => panels.map(({ photo }) => photo));
+    return (of === 'pages' ? shown : boards.rows.value.map(({ id }) => id)).some(loops.known);
+  }
+
+  function pagesOf(wish: AnimaticWish): MotionRequest {
+    const { width, height } = sizeOf(wish);
+    const { seconds, dissolve, moves } = wish;
+    return {
+      pages: [...store.sheets.peek()],
+      size: [width, height],
+      fps: wish.kind === 'gif' ? GIF.fps : PAGES_FPS,
+      seconds,
+      dissolve,
+      moves,
+      living: livingRate(wish),
+    };
+  }
+
+  function livingRate({ of, living }: AnimaticWish) {
+    return living && hasLiving(of) ? LIVING.rate : 0;
+  }
+
+  function shotsOf(wish: AnimaticWish): AnimaticRequest {
     const { width, height } = sizeOf(wish);
     const album = store.album.peek();
     const ids = boards.rows.peek().map(({ id }) => id);
@@ -81,19 +127,23 @@ export function createAnimatics({
       dissolve: wish.dissolve,
       moves: wish.moves,
       captions: wish.captions,
+      living: livingRate(wish),
       style: store.page.peek()?.style ?? 'storyboard',
     };
   }
 
-  /** A clip as the preview shows it, from what is in memory of its photo. @param width of the frames of the preview, in pixels */
-  async function preview(
-    { plan }: Planned,
-    clip: number,
-    width: number,
-    call?: { signal?: AbortSignal },
-  ): Promise<Drawn> {
-    const { picture, caption } = plan.clips[clip];
-    const wide = Math.round((picture.page.width * width) / plan.size[0]);
+  /** A clip as the preview shows it, from what is in memory of its photos. @param width of the frames of the preview, in pixels */
+  async function preview({ plan }: Planned, clip: number, width: number, call?: Call): Promise<Drawn> {
+    const { picture, caption, reading } = plan.clips[clip];
+    const wide = pictureWidth(plan, clip, width);
+    if (reading) {
+      const [page, words] = await Promise.all([
+        engine.composePixels(picture, wide, call),
+        wordsOf(plan.clips[clip], wide, call),
+      ]);
+      const bitmap = await createImageBitmap(new ImageData(page.data, page.width, page.height));
+      return { picture: bitmap, caption: null, page: { words, panels: reading.panels } };
+    }
     const [{ bitmap }, text] = await Promise.all([
       engine.renderPanel(picture, 0, wide, { tier: 'work', ...call }),
       captionOf(caption, width, call),
@@ -101,7 +151,34 @@ export function createAnimatics({
     return { picture: bitmap, caption: text };
   }
 
-  async function captionOf(caption: PageDocument | null | undefined, width: number, call?: { signal?: AbortSignal }) {
+  /** The panels of a clip that move, which take seconds to be drawn: `onDrawn` hears after each what there is. */
+  async function previewLoops(
+    { plan }: Planned,
+    clip: number,
+    call: Call & { onDrawn: (loops: DrawnLoop[]) => void },
+  ): Promise<void> {
+    if (plan.living > 0) await loops.of(plan.clips[clip].picture, PREVIEW_PIXELS, call);
+  }
+
+  function pictureWidth(plan: Animatic, clip: number, width: number) {
+    return Math.max(1, Math.round((plan.clips[clip].picture.page.width * width) / plan.size[0]));
+  }
+
+  /** The words of a page in the order in which they appear. @param width of the page, in pixels */
+  async function wordsOf({ reading }: AnimaticClip, width: number, call?: Call): Promise<DrawnWord[]> {
+    const words = reading?.words;
+    if (!reading || !words) return [];
+    const height = (width * words.page.height) / words.page.width;
+    const drawn: DrawnWord[] = [];
+    for (const { word, panel } of reading.said) {
+      const { bitmap, ...box } = await engine.renderWord(words, word, width, call);
+      const place = { x: box.x / width, y: box.y / height, width: box.width / width, height: box.height / height };
+      drawn.push({ bitmap, panel, place });
+    }
+    return drawn;
+  }
+
+  async function captionOf(caption: PageDocument | null | undefined, width: number, call?: Call) {
     return caption ? (await engine.renderWord(caption, 0, width, call)).bitmap : null;
   }
 
@@ -139,10 +216,10 @@ export function createAnimatics({
           if ('wants' in data) {
             // Drawing a picture from its photo takes as long as it takes.
             relax();
-            draw(plan, data.wants, drawing).then(({ picture, caption }) => {
+            draw(plan, data.wants, drawing).then((drawn) => {
               listen();
-              const message: ToEncoder = { clip: data.wants, picture, caption };
-              worker.postMessage(message, caption ? [picture, caption] : [picture]);
+              const message: ToEncoder = { ...drawn, clip: data.wants };
+              worker.postMessage(message, bitmapsOf(drawn));
             }, reject);
           } else if ('done' in data) onProgress(data.done, plan.frames);
           else if ('file' in data) resolve(new Blob([data.file], { type: KINDS[wish.kind].type }));
@@ -160,12 +237,15 @@ export function createAnimatics({
     }
   }
 
-  async function draw(plan: Animatic, clip: number, signal: AbortSignal) {
-    const { picture, caption } = plan.clips[clip];
-    const [png, text] = await Promise.all([
+  async function draw(plan: Animatic, clip: number, signal: AbortSignal): Promise<Drawn> {
+    const { picture, caption, reading } = plan.clips[clip];
+    const [png, text, words, moving] = await Promise.all([
       engine.exportPng(picture, { signal }),
       captionOf(caption, plan.size[0], { signal }),
+      wordsOf(plan.clips[clip], picture.page.width, { signal }),
+      plan.living > 0 ? loops.of(picture, FILM_PIXELS, { signal }) : [],
     ]);
-    return { picture: await createImageBitmap(png), caption: text };
+    const drawn = { picture: await createImageBitmap(png), caption: text, loops: moving };
+    return reading ? { ...drawn, page: { words, panels: reading.panels } } : drawn;
   }
 }

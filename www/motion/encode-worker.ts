@@ -15,7 +15,7 @@ import {
 } from 'mediabunny';
 import { applyPalette, GIFEncoder, quantize } from 'gifenc';
 import { describe, failure } from '../engine/protocol.ts';
-import { clipsOf, drawFrame, frameAt, framesIn, same } from './frames.ts';
+import { clipsOf, closeDrawn, drawFrame, frameAt, framesIn, same } from './frames.ts';
 import { AUDIO_BITRATE, bitrateOf, CODECS, KINDS } from './kinds.ts';
 import type { Drawn } from './frames.ts';
 import type { Kind } from './kinds.ts';
@@ -29,7 +29,7 @@ type Begin = {
   table: Float32Array;
   sound: Sound | null;
 };
-export type ToEncoder = Begin | { clip: number; picture: ImageBitmap; caption: ImageBitmap | null };
+export type ToEncoder = Begin | (Drawn & { clip: number });
 /** The clip whose picture is wanted; frames that are done; the file; what went wrong. */
 export type FromEncoder =
   | { wants: number }
@@ -82,10 +82,9 @@ async function eachFrame(
 
 /** Until the pictures of these clips are here; those of others are forgotten. */
 async function have(clips: number[]) {
-  for (const [clip, { picture, caption }] of pictures) {
+  for (const [clip, drawn] of pictures) {
     if (clips.includes(clip)) continue;
-    picture.close();
-    caption?.close();
+    closeDrawn(drawn);
     pictures.delete(clip);
   }
   for (const clip of clips) {

@@ -1,16 +1,43 @@
-/** What a frame of an animatic shows, out of the table that the core made, and how it is drawn. */
+/** What a frame of a film shows, out of the table that the core made, and how it is drawn. */
 
 import { ANIMATIC } from '../engine/bounds.ts';
+import type { Bounds } from '../engine/types.ts';
 
 /** The part of a picture that is seen, in fractions of it. */
-type View = { x: number; y: number; width: number; height: number };
+type View = Bounds;
 export type Shown = { clip: number; view: View };
-/** One clip, and in a dissolve another over it, of which so much is seen. */
-export type Frame = { under: Shown; over: (Shown & { share: number }) | null };
-/** The picture of a clip, and what stands below. */
-export type Drawn = { picture: ImageBitmap; caption: ImageBitmap | null };
+/**
+ * One clip, and in a dissolve another over it, of which so much is seen. Of the one below, a page that is read: how many of its
+ * words are there, the panel that is read (-1 for none) and how dark all else is. `beat` counts the pictures of panels that move.
+ */
+export type Frame = {
+  under: Shown;
+  over: (Shown & { share: number }) | null;
+  words: number;
+  panel: number;
+  veil: number;
+  beat: number;
+};
+/** A word of a page, with the panel that it is read with; the place in fractions of the page. */
+export type DrawnWord = { bitmap: ImageBitmap; panel: number; place: Bounds };
+/** The pictures of a panel that moves; the place in fractions of the picture. */
+export type DrawnLoop = { bitmaps: ImageBitmap[]; place: Bounds };
+/**
+ * The picture of a clip, what stands below it, and the panels that move in it. Of a page also its words in the order in which they
+ * appear, and the outlines of its panels, in fractions of it.
+ */
+export type Drawn = {
+  picture: ImageBitmap;
+  caption: ImageBitmap | null;
+  loops?: DrawnLoop[];
+  page?: { words: DrawnWord[]; panels: readonly (readonly [number, number][])[] };
+};
 
 type Context = CanvasRenderingContext2D | OffscreenCanvasRenderingContext2D;
+
+/** What is beside a page, and what veils it. */
+const GROUND = '#15151a';
+const VEIL = 0.8;
 
 /** @param table as `Animatic::table` of the core */
 export function frameAt(table: Float32Array, frame: number): Frame {
@@ -20,7 +47,8 @@ export function frameAt(table: Float32Array, frame: number): Frame {
     view: { x: table[from + 1], y: table[from + 2], width: table[from + 3], height: table[from + 4] },
   });
   const over = shown(at + 5);
-  return { under: shown(at), over: over.clip < 0 ? null : { ...over, share: table[at + 10] } };
+  const [share, words, panel, veil, beat] = table.subarray(at + 10, at + ANIMATIC.columns);
+  return { under: shown(at), over: over.clip < 0 ? null : { ...over, share }, words, panel, veil, beat };
 }
 
 /** @returns how many frames a table tells */
@@ -36,41 +64,79 @@ export function same(table: Float32Array, a: number, b: number): boolean {
 }
 
 /** @returns the clips that a frame shows */
-export function clipsOf({ under, over }: Frame): number[] {
+export function clipsOf({ under, over }: Pick<Frame, 'under' | 'over'>): number[] {
   return over ? [under.clip, over.clip] : [under.clip];
 }
 
+/** Lets go of all pictures. */
+export function closeDrawn({ picture, caption, loops = [], page }: Drawn) {
+  picture.close();
+  caption?.close();
+  for (const { bitmaps } of loops) for (const bitmap of bitmaps) bitmap.close();
+  for (const { bitmap } of page?.words ?? []) bitmap.close();
+}
+
+/** @returns all pictures, to be handed over */
+export function bitmapsOf({ picture, caption, loops = [], page }: Drawn): ImageBitmap[] {
+  const words = page?.words.map(({ bitmap }) => bitmap) ?? [];
+  return [picture, ...(caption ? [caption] : []), ...loops.flatMap(({ bitmaps }) => bitmaps), ...words];
+}
+
 /**
- * @param drawn a clip's picture and its caption; the caption was made for frames `captionWidth` wide
+ * @param drawn what is there of a clip; its caption was made for frames `captionWidth` wide
  */
 export function drawFrame(
   context: Context,
-  { under, over }: Frame,
+  { under, over, beat, ...told }: Frame,
   { drawn, captionWidth }: { drawn: (clip: number) => Drawn | undefined; captionWidth: number },
 ) {
-  layer(context, under, drawn(under.clip), captionWidth);
+  layer(context, { shown: under, drawn: drawn(under.clip), captionWidth, beat, told });
   if (!over) return;
   context.globalAlpha = over.share;
-  layer(context, over, drawn(over.clip), captionWidth);
+  const unread = { words: 0, panel: -1, veil: 0 };
+  layer(context, { shown: over, drawn: drawn(over.clip), captionWidth, beat, told: unread });
   context.globalAlpha = 1;
 }
 
-function layer(context: Context, { view }: Shown, drawn: Drawn | undefined, captionWidth: number) {
+type Layer = {
+  shown: Shown;
+  drawn: Drawn | undefined;
+  captionWidth: number;
+  beat: number;
+  told: Pick<Frame, 'words' | 'panel' | 'veil'>;
+};
+
+function layer(context: Context, { shown: { view }, drawn, captionWidth, beat, told }: Layer) {
   if (!drawn) return;
   const { width, height } = context.canvas;
-  const { picture, caption } = drawn;
+  const { picture, caption, loops = [], page } = drawn;
+  /** Where a part of the picture is in the frame, in pixels. */
+  const placed = ({ x, y, width: wide, height: high }: Bounds): [number, number, number, number] => [
+    ((x - view.x) / view.width) * width,
+    ((y - view.y) / view.height) * height,
+    (wide / view.width) * width,
+    (high / view.height) * height,
+  ];
   context.imageSmoothingQuality = 'high';
-  context.drawImage(
-    picture,
-    view.x * picture.width,
-    view.y * picture.height,
-    view.width * picture.width,
-    view.height * picture.height,
-    0,
-    0,
-    width,
-    height,
-  );
+  if (page) {
+    const sheet = placed({ x: 0, y: 0, width: 1, height: 1 });
+    beside(context, sheet);
+    context.drawImage(picture, ...sheet);
+  } else {
+    context.drawImage(
+      picture,
+      view.x * picture.width,
+      view.y * picture.height,
+      view.width * picture.width,
+      view.height * picture.height,
+      0,
+      0,
+      width,
+      height,
+    );
+  }
+  for (const { bitmaps, place } of loops) context.drawImage(bitmaps[beat % bitmaps.length], ...placed(place));
+  if (page) read(context, page, told, placed);
   if (!caption) return;
   const scale = width / captionWidth;
   const [wide, high] = [caption.width * scale, caption.height * scale];
@@ -81,4 +147,48 @@ function layer(context: Context, { view }: Shown, drawn: Drawn | undefined, capt
     wide,
     high,
   );
+}
+
+/** Paints what lies beside the page. */
+function beside(context: Context, [x, y, wide, high]: [number, number, number, number]) {
+  const { width, height } = context.canvas;
+  context.fillStyle = GROUND;
+  context.beginPath();
+  context.rect(0, 0, width, height);
+  context.rect(x, y, wide, high);
+  context.fill('evenodd');
+}
+
+/** The words that are there by now, and the veil over all but the panel that is read: its own words lie over the veil. */
+function read(
+  context: Context,
+  { words, panels }: NonNullable<Drawn['page']>,
+  { words: count, panel, veil }: Layer['told'],
+  placed: (place: Bounds) => [number, number, number, number],
+) {
+  const alpha = context.globalAlpha;
+  const say = (mine: boolean) => {
+    for (const [i, word] of words.entries()) {
+      if (i >= count || (word.panel === panel) !== mine) continue;
+      context.globalAlpha = alpha * Math.min(1, count - i);
+      context.drawImage(word.bitmap, ...placed(word.place));
+    }
+    context.globalAlpha = alpha;
+  };
+  say(false);
+  if (veil > 0) {
+    context.globalAlpha = alpha * veil * VEIL;
+    context.fillStyle = GROUND;
+    context.beginPath();
+    context.rect(0, 0, context.canvas.width, context.canvas.height);
+    for (const [i, [x, y]] of (panels[panel] ?? []).entries()) {
+      const [left, top] = placed({ x, y, width: 0, height: 0 });
+      if (i === 0) context.moveTo(left, top);
+      else context.lineTo(left, top);
+    }
+    context.closePath();
+    context.fill('evenodd');
+    context.globalAlpha = alpha;
+  }
+  say(true);
 }

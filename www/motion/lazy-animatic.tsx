@@ -2,9 +2,18 @@ import { strings } from '../strings/strings.ts';
 import { useApp } from '../ui/context.ts';
 import { useLoaded } from '../ui/loaded.ts';
 import type { ComponentChildren } from 'preact';
+import type { AnimaticWish } from './animatics.ts';
 
-/** The choices of an animatic, which come when they are first asked for. */
-export function LazyAnimatic({ close, children }: { close: () => void; children: ComponentChildren }) {
+/** The choices of a film, which come when they are first asked for. */
+export function LazyAnimatic({
+  of,
+  close,
+  children,
+}: {
+  of: AnimaticWish['of'];
+  close: () => void;
+  children: ComponentChildren;
+}) {
   const { messages } = useApp();
   const loaded = useLoaded(
     () => import('./animatic-panel.tsx'),
@@ -14,7 +23,9 @@ export function LazyAnimatic({ close, children }: { close: () => void; children:
     },
   );
   return loaded ? (
-    <loaded.AnimaticPanel close={close}>{children}</loaded.AnimaticPanel>
+    <loaded.AnimaticPanel of={of} close={close}>
+      {children}
+    </loaded.AnimaticPanel>
   ) : (
     <div class="export" aria-busy="true">
       <div class="export-preview" />

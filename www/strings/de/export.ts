@@ -14,6 +14,7 @@ export const exportStrings = {
     zip: 'ZIP, ein Bild je Seite',
     cbz: 'CBZ, für Comic-Reader',
     animatic: 'Animatic',
+    motion: 'Bewegte Seite',
     csv: 'Einstellungsliste',
     edl: 'EDL',
     otio: 'OTIO',

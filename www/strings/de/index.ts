@@ -12,6 +12,7 @@ import { fileStrings } from './files.ts';
 import { helpStrings } from './help.ts';
 import { imitationStrings } from './imitation.ts';
 import { keyStrings } from './keys.ts';
+import { motionStrings } from './motion.ts';
 import { offlineStrings } from './offline.ts';
 import { pageStrings } from './page.ts';
 import { panelStrings } from './panels.ts';
@@ -33,6 +34,7 @@ export const words: Words = {
   ...boardStrings,
   ...boardsStrings,
   ...animaticStrings,
+  ...motionStrings,
   ...bookStrings,
   ...sideStrings,
   ...panelStrings,

@@ -16,6 +16,7 @@ export const exportStrings = {
     zip: 'ZIP, a picture a page',
     cbz: 'CBZ, for comic readers',
     animatic: 'Animatic',
+    motion: 'Motion page',
     csv: 'Shot list',
     edl: 'EDL',
     otio: 'OTIO',

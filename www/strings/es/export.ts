@@ -14,6 +14,7 @@ export const exportStrings = {
     zip: 'ZIP, una imagen por página',
     cbz: 'CBZ, lectores de cómic',
     animatic: 'Animática',
+    motion: 'Página animada',
     csv: 'Lista de planos',
     edl: 'EDL',
     otio: 'OTIO',

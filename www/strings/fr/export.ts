@@ -14,6 +14,7 @@ export const exportStrings = {
     zip: 'ZIP, une image par page',
     cbz: 'CBZ, pour lecteurs de BD',
     animatic: 'Animatique',
+    motion: 'Page animée',
     csv: 'Liste des plans',
     edl: 'EDL',
     otio: 'OTIO',

@@ -14,6 +14,7 @@ export const exportStrings = {
     zip: 'ZIP、ページごとに画像',
     cbz: 'CBZ、コミックリーダー用',
     animatic: 'アニマティック',
+    motion: '動くページ',
     csv: 'ショットリスト',
     edl: 'EDL',
     otio: 'OTIO',

@@ -14,6 +14,7 @@ export const exportStrings = {
     zip: 'ZIP, uma imagem por página',
     cbz: 'CBZ, para leitores de HQ',
     animatic: 'Animática',
+    motion: 'Página animada',
     csv: 'Lista de planos',
     edl: 'EDL',
     otio: 'OTIO',

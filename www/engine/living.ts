@@ -1,0 +1,79 @@
+/**
+ * Panels that move: a few seconds of the film that a photo was taken from, drawn in the style of its panel. The film is decoded as
+ * for its frames; each is made small by the pool, and one of its workers draws all of them, one after the other, as what does not
+ * move is kept from one to the next.
+ */
+
+import { readVideo } from './video.ts';
+import { Priority } from './queue.ts';
+import type { Call } from './engine.ts';
+import type { Run } from './pool.ts';
+import type { BitmapPatch, PixelPatch } from './protocol.ts';
+import type { PageDocument } from './types.ts';
+import type { Frame } from './video.ts';
+
+/** Pictures a second, and how many seconds of the film. */
+export const LIVING = { rate: 12, seconds: 3 } as const;
+/** Long side of the frames in pixels, as they are drawn from: so many of what a panel shows, within bounds. */
+const FRAME = { shown: 960, least: 480, most: 1280 } as const;
+
+/** The film of a photo: seconds. */
+export type Moment = { file: File; time: number; duration: number };
+
+/** @returns where in the film frames are taken, rising, and which of them is nearest to the photo */
+export function livingTimes({ time, duration }: Pick<Moment, 'time' | 'duration'>): { times: number[]; still: number } {
+  const count = LIVING.rate * LIVING.seconds;
+  const step = 1 / LIVING.rate;
+  const first = Math.max(0, Math.min(time - LIVING.seconds / 2, duration - LIVING.seconds));
+  const times = Array.from({ length: count }, (_, i) => first + i * step).filter((at) => at < duration);
+  const away = times.map((at) => Math.abs(at - time));
+  return { times, still: Math.max(0, away.indexOf(Math.min(...away))) };
+}
+
+export function createLiving({ run }: { run: Run }) {
+  return { drawLiving };
+
+  /**
+   * A panel as a loop of `LIVING.rate` pictures a second.
+   * @param width of the page, in pixels
+   * @returns none where it stays still: its film has cuts all about, or its style draws the subject apart
+   * @throws as `importVideo`
+   */
+  async function drawLiving(
+    document: PageDocument,
+    index: number,
+    width: number,
+    { file, ...moment }: Moment,
+    { signal, ...call }: Call = {},
+  ): Promise<BitmapPatch[]> {
+    const { times, still } = livingTimes(moment);
+    const shown = document.panels[index].crop?.width ?? 1;
+    const longest = Math.round(Math.min(FRAME.most, Math.max(FRAME.least, FRAME.shown / shown)));
+    const frames = new Map<number, PixelPatch>();
+    await readVideo(
+      file,
+      { count: times.length, times },
+      {
+        signal,
+        onAbout: () => {},
+        onFrame: async ({ index: at, time: _, shot: __, ...frame }: Frame) => {
+          const args = { frame, longest };
+          const job = { op: 'smallFrame' as const, args, transfer: [frame.data.buffer], photo: file.name };
+          frames.set(at, await run({ ...job, priority: Priority.VIEW, ...call, signal }));
+        },
+      },
+    );
+    const order = [...frames.keys()].sort((a, b) => a - b);
+    const taken = order.map((at) => frames.get(at) as PixelPatch);
+    const nearest = Math.max(0, order.filter((at) => at <= still).length - 1);
+    return run({
+      op: 'living',
+      args: { document: JSON.stringify(document), index, width, frames: taken, still: nearest },
+      transfer: taken.map(({ data }) => data.buffer),
+      photo: file.name,
+      priority: Priority.VIEW,
+      ...call,
+      signal,
+    });
+  }
+}

@@ -1,0 +1,95 @@
+/** The panels of a picture that move: those whose photos are frames of a film that is at hand. */
+
+import { picturesOf } from '../engine/figures.ts';
+import { LIVING } from '../engine/living.ts';
+import type { Moment } from '../engine/living.ts';
+import type { Store } from '../document/store.ts';
+import type { Engine } from '../engine/engine.ts';
+import type { BitmapPatch } from '../engine/protocol.ts';
+import type { Bounds, PageDocument } from '../engine/types.ts';
+import type { DrawnLoop } from './frames.ts';
+
+/** Long side of the pictures of a panel, in pixels at most. */
+const MOST_SIDE = 960;
+
+export function createLoops({ store, engine }: { store: Store; engine: Pick<Engine, 'drawLiving' | 'renderPanel'> }) {
+  return { known, of };
+
+  /** Whether a photo is a frame of a film that can be read. */
+  function known(photo: string | null): boolean {
+    return momentOf(photo) !== null;
+  }
+
+  function momentOf(photo: string | null): Moment | null {
+    const fact = photo === null ? undefined : store.album.peek().get(photo);
+    if (fact?.video === undefined || fact.time === undefined) return null;
+    const video = store.videos.peek().get(fact.video);
+    return video && video.duration !== null ? { file: video.file, time: fact.time, duration: video.duration } : null;
+  }
+
+  /**
+   * @param pixels of all pictures of all panels, at most
+   * @param call `onDrawn` hears what there is after each panel
+   * @returns the panels that move and what lies over them, in paint order; one whose film cannot be read any more stays as it is
+   */
+  async function of(
+    document: PageDocument,
+    pixels: number,
+    { signal, onDrawn = () => {} }: { signal?: AbortSignal; onDrawn?: (loops: DrawnLoop[]) => void } = {},
+  ): Promise<DrawnLoop[]> {
+    const boxes = store.planner.peek()?.geometry(document.layout, document.page).panels ?? [];
+    const moving = new Map(
+      document.panels.flatMap(({ photo, figure }, index) => {
+        const moment = momentOf(photo);
+        // A figure that steps out of its panel would be there twice, and one picture across panels is cut for each of them.
+        const still = figure || document.merges.some((group) => group.includes(index));
+        return moment && !still && boxes[index] ? [[index, { moment, box: boxes[index].bounds }] as const] : [];
+      }),
+    );
+    if (moving.size === 0) return [];
+    const all = [...moving.values()].map(({ box }) => box);
+    const long = Math.max(...all.map((box) => Math.max(box.width, box.height)));
+    const area = all.reduce((sum, box) => sum + box.width * box.height, 0);
+    const each = pixels / (LIVING.rate * LIVING.seconds);
+    const width = Math.round(Math.min(MOST_SIDE / long, Math.sqrt(each / area), document.page.width));
+    const height = (width * document.page.height) / document.page.width;
+    const drawn = new Map<number, DrawnLoop>();
+    const inOrder = () => [...drawn].sort(([a], [b]) => a - b).map(([, loop]) => loop);
+
+    async function draw(index: number) {
+      const mine = moving.get(index);
+      const under = [...moving].some(([below, { box }]) => below < index && overlap(box, boxes[index]?.bounds));
+      if (!mine && !under) return;
+      const patches = mine
+        ? await engine.drawLiving(document, index, width, mine.moment, { signal }).catch(orNone(signal))
+        : // What lies over a panel that moves is laid over it again.
+          [await engine.renderPanel(document, index, width, { tier: 'work', signal })];
+      if (patches.length === 0) return;
+      const [{ x, y, width: wide, height: high }] = patches;
+      const place = { x: x / width, y: y / height, width: wide / width, height: high / height };
+      drawn.set(index, { place, bitmaps: patches.map(({ bitmap }) => bitmap) });
+      onDrawn(inOrder());
+    }
+
+    const waiting = [...picturesOf(document)];
+    const work = async () => {
+      for (let index = waiting.shift(); index !== undefined; index = waiting.shift()) await draw(index);
+    };
+    // While one film is decoded the panel of another is drawn.
+    await Promise.all([work(), work()]);
+    return inOrder();
+  }
+}
+
+/** A film that cannot be read any more leaves its panels as they are. */
+function orNone(signal: AbortSignal | undefined) {
+  return (error: unknown): BitmapPatch[] => {
+    if (signal?.aborted) throw error;
+    return [];
+  };
+}
+
+/** @param b of a figure nobody knows where it is: it may be anywhere */
+function overlap(a: Bounds, b: Bounds | undefined): boolean {
+  return !b || (a.x < b.x + b.width && b.x < a.x + a.width && a.y < b.y + b.height && b.y < a.y + a.height);
+}
