@@ -86,7 +86,7 @@ fn made<D: Borrow<Document>>(
     let page = |document: &D| {
         let document = document.borrow();
         let shows = if english { described(document, subjects) } else { Vec::new() };
-        ComicPage { document: document.clone(), shows }
+        ComicPage { document: document.clone(), shows, moving: Vec::new() }
     };
     let comic = Comic {
         title: told_of.title.to_owned(),

@@ -31,7 +31,7 @@ fn document(layout: &str, size: (u32, u32), words: &Value) -> Document {
 fn comic(pages: Vec<Document>) -> Comic {
     let page = |document: Document| {
         let shows = (0..document.panels.len()).map(|i| format!("thing {i}")).collect();
-        ComicPage { document, shows }
+        ComicPage { document, shows, moving: Vec::new() }
     };
     Comic {
         title: "Cats & <dogs>".into(),

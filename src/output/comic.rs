@@ -1,6 +1,7 @@
 //! What is asked for, and what comes of it.
 
 use crate::error::{Error, Result};
+use crate::framing::Crop;
 use crate::page::Document;
 use serde::{Deserialize, Serialize};
 
@@ -31,6 +32,10 @@ pub struct ComicPage {
     pub document: Document,
     /// What each panel shows, such as `two people and a dog`, in paint order; empty where nobody knows.
     pub shows: Vec<String>,
+    /// Where pictures that move lie over that of the page, in fractions of it, in paint order. HTML alone shows them.
+    #[serde(default)]
+    #[cfg_attr(all(test, feature = "cli"), ts(as = "Option<_>", optional))]
+    pub moving: Vec<Crop>,
 }
 
 /// A kind of picture.
@@ -68,7 +73,8 @@ impl PictureKind {
     }
 }
 
-/// A part of a file: text, or the picture of the page of that number, from 0.
+/// A part of a file: text, or the picture of the page of that number, from 0. Behind those of all pages come the pictures that
+/// move, page after page.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 #[serde(untagged)]
 #[cfg_attr(all(test, feature = "cli"), derive(ts_rs::TS))]

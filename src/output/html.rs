@@ -29,6 +29,7 @@ pub fn write(comic: &Comic, letters: &Letters) -> Result<Vec<Piece>> {
     let pages = tell(comic, letters, &phrases)?;
     let mut pieces = Vec::new();
     let mut text = head(comic);
+    let mut moving = pages.len();
     for (number, page) in pages.iter().enumerate() {
         let name = phrases.page_name(number);
         let ToldPage { width, height, panels } = page;
@@ -44,6 +45,25 @@ pub fn write(comic: &Comic, letters: &Letters) -> Result<Vec<Piece>> {
         pieces.push(Piece::Text(std::mem::take(&mut text)));
         pieces.push(Piece::Picture(number));
         text.push_str("\">\n");
+        open_shapes(&mut text, page);
+        for place in &comic.pages[number].moving {
+            let [x, y, wide, high] = [
+                place.x * f64::from(*width),
+                place.y * f64::from(*height),
+                place.width * f64::from(*width),
+                place.height * f64::from(*height),
+            ]
+            .map(short);
+            let _ = write!(
+                text,
+                "<image class=\"moving\" x=\"{x}\" y=\"{y}\" width=\"{wide}\" height=\"{high}\" \
+                 preserveAspectRatio=\"none\" href=\""
+            );
+            pieces.push(Piece::Text(std::mem::take(&mut text)));
+            pieces.push(Piece::Picture(moving));
+            text.push_str("\"/>\n");
+            moving += 1;
+        }
         shapes(&mut text, page, id);
         text.push_str("</div></div>\n<ol class=\"panels\">\n");
         for (at, panel) in panels.iter().enumerate() {
@@ -51,7 +71,7 @@ pub fn write(comic: &Comic, letters: &Letters) -> Result<Vec<Piece>> {
         }
         text.push_str("</ol>\n</section>\n");
     }
-    foot(&mut text, &phrases);
+    foot(&mut text, &phrases, moving > pages.len());
     pieces.push(Piece::Text(text));
     Ok(pieces)
 }
@@ -69,15 +89,22 @@ fn head(comic: &Comic) -> String {
     )
 }
 
-fn foot(text: &mut String, phrases: &Phrases) {
+/// `moves`: there are pictures that move, which whoever reads must be able to stop.
+fn foot(text: &mut String, phrases: &Phrases, moves: bool) {
     let say = |phrase: &str| escaped(phrase);
+    let motion = if moves {
+        let motion = say(&phrases.motion);
+        format!("<button type=\"button\" id=\"motion\" aria-pressed=\"true\">{motion}</button>\n")
+    } else {
+        String::new()
+    };
     let _ = write!(
         text,
         "</main>\n<footer class=\"bar\">\n\
          <div class=\"views\" role=\"group\" aria-label=\"{view}\">\n\
          <button type=\"button\" data-view=\"panels\" aria-pressed=\"false\">{panels}</button>\n\
          <button type=\"button\" data-view=\"pages\" aria-pressed=\"false\">{pages}</button>\n\
-         <button type=\"button\" data-view=\"text\" aria-pressed=\"false\">{words}</button>\n</div>\n\
+         <button type=\"button\" data-view=\"text\" aria-pressed=\"false\">{words}</button>\n</div>\n{motion}\
          <span id=\"place\" aria-hidden=\"true\"></span>\n\
          <div class=\"steps\">\n\
          <button type=\"button\" id=\"previous\" aria-label=\"{previous}\">{BACK}</button>\n\
@@ -98,13 +125,21 @@ fn foot(text: &mut String, phrases: &Phrases) {
 const BACK: &str = "<svg viewBox=\"0 0 24 24\" aria-hidden=\"true\"><path d=\"M15 5l-7 7 7 7\"/></svg>";
 const ON: &str = "<svg viewBox=\"0 0 24 24\" aria-hidden=\"true\"><path d=\"M9 5l7 7-7 7\"/></svg>";
 
+/// The layer of a page that pictures which move and shapes lie in.
+fn open_shapes(text: &mut String, ToldPage { width, height, .. }: &ToldPage) {
+    let _ = writeln!(
+        text,
+        "<svg viewBox=\"0 0 {width} {height}\" width=\"{width}\" height=\"{height}\" aria-hidden=\"true\" \
+         focusable=\"false\">"
+    );
+}
+
 /// What dims the page but for one panel, and the shapes of panels and of their words: those that are read are holes in it.
 fn shapes(text: &mut String, page: &ToldPage, id: usize) {
     let ToldPage { width, height, panels } = page;
     let _ = writeln!(
         text,
-        "<svg viewBox=\"0 0 {width} {height}\" width=\"{width}\" height=\"{height}\" aria-hidden=\"true\" \
-         focusable=\"false\"><mask id=\"mask-{id}\"><rect width=\"{width}\" height=\"{height}\" fill=\"#fff\"/>\
+        "<mask id=\"mask-{id}\"><rect width=\"{width}\" height=\"{height}\" fill=\"#fff\"/>\
          <g class=\"hole\"></g></mask>\
          <rect class=\"veil\" width=\"{width}\" height=\"{height}\" mask=\"url(#mask-{id})\"/>"
     );

@@ -171,7 +171,11 @@ impl Request {
 
     /// The pages as they are told. The language is of no account where only their order is asked for.
     fn comic(&self) -> Comic {
-        let page = |document: &Document| ComicPage { document: document.clone(), shows: Vec::new() };
+        let page = |document: &Document| ComicPage {
+            document: document.clone(),
+            shows: Vec::new(),
+            moving: Vec::new(),
+        };
         Comic {
             title: String::new(),
             language: "en".into(),
@@ -207,7 +211,8 @@ impl Pace {
             first,
             last,
         };
-        let mut stops = vec![stays(None, start, start + self.frames(WHOLE.0) + into.div_ceil(2), whole, whole)];
+        let mut stops =
+            vec![stays(None, start, start + self.frames(WHOLE.0) + into.div_ceil(2), whole, whole)];
         let mut said = Vec::new();
         let mut at = stops[0].to;
         for (i, panel) in page.panels.iter().enumerate() {
@@ -377,7 +382,10 @@ mod tests {
         ToldPage {
             width: 200,
             height: 300,
-            panels: vec![panel(10.0, 10.0, 180.0, 130.0, &["Hello there", "And you?"]), panel(10.0, 150.0, 80.0, 140.0, &[])],
+            panels: vec![
+                panel(10.0, 10.0, 180.0, 130.0, &["Hello there", "And you?"]),
+                panel(10.0, 150.0, 80.0, 140.0, &[]),
+            ],
         }
     }
 
@@ -388,7 +396,10 @@ mod tests {
     #[test]
     fn the_page_is_seen_whole_then_panel_by_panel_then_whole() {
         let reading = read(true);
-        assert_eq!(reading.stops.iter().map(|stop| stop.panel).collect::<Vec<_>>(), [None, Some(0), Some(1), None]);
+        assert_eq!(
+            reading.stops.iter().map(|stop| stop.panel).collect::<Vec<_>>(),
+            [None, Some(0), Some(1), None]
+        );
         assert_eq!(reading.stops[0].from, 100);
         for pair in reading.stops.windows(2) {
             assert_eq!(pair[1].from - pair[0].to, 17);

@@ -25,6 +25,8 @@ pub struct Phrases {
     pub pages: String,
     /// The one that shows all that is said and seen as text.
     pub text: String,
+    /// Whether pictures that move do so.
+    pub motion: String,
     /// What the three are called together.
     pub view: String,
     /// Back by a panel or a page.

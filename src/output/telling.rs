@@ -97,7 +97,7 @@ pub fn tell(comic: &Comic, letters: &Letters, phrases: &Phrases) -> Result<Vec<T
 }
 
 fn told(page: &ComicPage, letters: &Letters, phrases: &Phrases) -> Result<ToldPage> {
-    let ComicPage { document, shows } = page;
+    let ComicPage { document, shows, .. } = page;
     let ground = Ground::new(document)?;
     if ground.panels.len() != document.panels.len() {
         let (has, wants) = (document.panels.len(), ground.panels.len());

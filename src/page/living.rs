@@ -14,8 +14,13 @@ use std::ops::Range;
 
 /// Side of the blocks that move or do not, in pixels of the source.
 const BLOCK: usize = 8;
-/// Mean difference of a block up to which it is noise, and from which it moves, of 255.
-const MOVES: (f64, f64) = (2.0, 5.0);
+/// Mean difference of a block up to which it is what a coder makes of a picture that stands still, of 255 (2.6 at most for VP9 and
+/// H.264 as cameras and the web use them).
+const STILL: f64 = 4.0;
+/// Where a tenth of all blocks differ by more, as with the grain of a film or a sensor in the dark, so many times that.
+const GRAIN: (f64, f64) = (0.1, 1.5);
+/// A block that differs so many times more than what stands still moves in full; between the two it does in part.
+const MOVES: f64 = 2.25;
 /// Mean difference of two pictures, of 255, from which there may be a cut between them: where it is so many times the usual one.
 const CUT: (f64, f64) = (22.0, 3.5);
 /// Fewer pictures are no motion.
@@ -53,6 +58,7 @@ pub fn living(
         return Ok(Vec::new());
     }
     let mut steady = Steady::new(width, height);
+    steady.still = stillness(&sources[shot.clone()], width);
     let mut patches: Vec<Patch> = Vec::with_capacity(shot.len());
     for source in &sources[shot] {
         let moved = steady.follow(source);
@@ -120,7 +126,8 @@ fn differences(sources: &[Vec<u8>]) -> Vec<f64> {
     const STEP: usize = 3 * 17;
     let apart = |pair: &[Vec<u8>]| {
         let pairs = pair[0].iter().zip(&pair[1]).step_by(STEP);
-        let (sum, count) = pairs.fold((0_u64, 0_u64), |(sum, count), (&a, &b)| (sum + u64::from(a.abs_diff(b)), count + 1));
+        let (sum, count) =
+            pairs.fold((0_u64, 0_u64), |(sum, count), (&a, &b)| (sum + u64::from(a.abs_diff(b)), count + 1));
         sum as f64 / count.max(1) as f64
     };
     sources.windows(2).map(apart).collect()
@@ -144,11 +151,13 @@ struct Steady {
     height: usize,
     /// Interleaved RGB; empty before the first picture.
     rgb: Vec<u8>,
+    /// Mean difference up to which a block stands still, of 255.
+    still: f64,
 }
 
 impl Steady {
     fn new(width: usize, height: usize) -> Self {
-        Self { width, height, rgb: Vec::new() }
+        Self { width, height, rgb: Vec::new(), still: STILL }
     }
 
     fn picture(&self) -> Result<Image> {
@@ -170,33 +179,50 @@ impl Steady {
         let share = Spread::new(&moved, self.width, place, place);
         let row = 3 * self.width;
         for (y, (held, next)) in self.rgb.chunks_exact_mut(row).zip(next.chunks_exact(row)).enumerate() {
-            for ((held, next), share) in held.chunks_exact_mut(3).zip(next.chunks_exact(3)).zip(share.row(y)) {
+            for ((held, next), share) in held.chunks_exact_mut(3).zip(next.chunks_exact(3)).zip(share.row(y))
+            {
                 mix(held, next, share);
             }
         }
         Some(moved)
     }
 
-    /// How far each block is from what is held, 0 to 255.
+    /// How much each block moves, 0 to 255.
     fn moved(&self, next: &[u8]) -> Plane {
         let blocks = |side: usize| side.div_ceil(BLOCK);
-        let mut sums = vec![(0_u32, 0_u32); blocks(self.width) * blocks(self.height)];
-        let row = 3 * self.width;
-        for (y, (held, next)) in self.rgb.chunks_exact(row).zip(next.chunks_exact(row)).enumerate() {
-            let sums = &mut sums[y / BLOCK * blocks(self.width)..][..blocks(self.width)];
-            let parts = held.chunks(3 * BLOCK).zip(next.chunks(3 * BLOCK));
-            for ((sum, count), (held, next)) in sums.iter_mut().zip(parts) {
-                *sum += held.iter().zip(next).map(|(&a, &b)| u32::from(a.abs_diff(b))).sum::<u32>();
-                *count += held.len() as u32;
-            }
-        }
-        let share = |(sum, count): (u32, u32)| {
-            let mean = f64::from(sum) / f64::from(count.max(1));
-            (255.0 * ((mean - MOVES.0) / (MOVES.1 - MOVES.0)).clamp(0.0, 1.0)).round() as u8
-        };
+        let apart = block_differences(&self.rgb, next, self.width);
+        let share =
+            |mean: f64| (255.0 * (mean / self.still - 1.0) / (MOVES - 1.0)).round().clamp(0.0, 255.0) as u8;
         let across = blocks(self.width);
-        Plane::from_fn(across, blocks(self.height), |x, y| share(sums[y * across + x]))
+        Plane::from_fn(across, blocks(self.height), |x, y| share(apart[y * across + x]))
     }
+}
+
+/// The mean difference of each block of two pictures, row by row.
+fn block_differences(a: &[u8], b: &[u8], width: usize) -> Vec<f64> {
+    let (row, across) = (3 * width, width.div_ceil(BLOCK));
+    let mut sums = vec![(0_u32, 0_u32); across * (a.len() / row).div_ceil(BLOCK)];
+    for (y, (a, b)) in a.chunks_exact(row).zip(b.chunks_exact(row)).enumerate() {
+        let sums = &mut sums[y / BLOCK * across..][..across];
+        for ((sum, count), (a, b)) in sums.iter_mut().zip(a.chunks(3 * BLOCK).zip(b.chunks(3 * BLOCK))) {
+            *sum += a.iter().zip(b).map(|(&a, &b)| u32::from(a.abs_diff(b))).sum::<u32>();
+            *count += a.len() as u32;
+        }
+    }
+    sums.into_iter().map(|(sum, count)| f64::from(sum) / f64::from(count.max(1))).collect()
+}
+
+/// The mean difference up to which a block of these pictures stands still, of 255. Even where all of a picture moves, a tenth of it
+/// is so plain that it shows the grain alone.
+fn stillness(sources: &[Vec<u8>], width: usize) -> f64 {
+    let between = sources.windows(2).step_by(4).map(|pair| {
+        let mut apart = block_differences(&pair[0], &pair[1], width);
+        apart.sort_by(f64::total_cmp);
+        apart[(apart.len() as f64 * GRAIN.0) as usize]
+    });
+    let mut grain: Vec<f64> = between.collect();
+    grain.sort_by(f64::total_cmp);
+    STILL.max(GRAIN.1 * grain.get(grain.len() / 2).copied().unwrap_or(0.0))
 }
 
 /// Every block moves as much as the one beside it that moves most: lines reach beyond what they outline.
@@ -259,8 +285,10 @@ mod tests {
             let (px, py) = (at % SIZE.0, at / SIZE.0);
             let wall = 90 + 60 * ((px / 5 + py / 7) % 2);
             let square = (x..x + 24).contains(&px) && (30..60).contains(&py);
-            let jitter = (at as u32).wrapping_mul(2_654_435_761).wrapping_add(noise.wrapping_mul(40_503)) >> 16;
-            let value = if square { 240 } else { wall } as i32 + if noise == 0 { 0 } else { jitter as i32 % 3 - 1 };
+            let jitter =
+                (at as u32).wrapping_mul(2_654_435_761).wrapping_add(noise.wrapping_mul(40_503)) >> 16;
+            let value =
+                if square { 240 } else { wall } as i32 + if noise == 0 { 0 } else { jitter as i32 % 3 - 1 };
             rgb.extend([value.clamp(0, 255) as u8; 3]);
         }
         Image::from_interleaved_rgb(SIZE.0, SIZE.1, &rgb).unwrap()
@@ -309,12 +337,28 @@ mod tests {
     }
 
     #[test]
+    fn grain_is_no_motion() {
+        let grainy = |i: u32| {
+            let rgb = frame(40, 0).to_rgb().into_iter().enumerate().map(|(at, value)| {
+                let jitter =
+                    (at as u32 / 3).wrapping_mul(2_654_435_761).wrapping_add(i.wrapping_mul(98_317_213))
+                        >> 20;
+                value.saturating_add((jitter % 25) as u8)
+            });
+            Image::from_interleaved_rgb(SIZE.0, SIZE.1, &rgb.collect::<Vec<u8>>()).unwrap()
+        };
+        let drawn = drawn(&(0..20).map(grainy).collect::<Vec<Image>>());
+        assert!(drawn.iter().all(|patch| patch.rgba == drawn[0].rgba));
+    }
+
+    #[test]
     fn no_picture_of_another_shot_is_shown() {
         let other = |i: usize| {
             let rgb: Vec<u8> = (0..SIZE.0 * SIZE.1).flat_map(|at| [(at % 256) as u8, i as u8, 250]).collect();
             Image::from_interleaved_rgb(SIZE.0, SIZE.1, &rgb).unwrap()
         };
-        let frames: Vec<Image> = (0..20).map(|i| if i < 5 { other(i) } else { frame(40, i as u32) }).collect();
+        let frames: Vec<Image> =
+            (0..20).map(|i| if i < 5 { other(i) } else { frame(40, i as u32) }).collect();
         let drawn = drawn(&frames);
         assert_eq!(drawn.len(), 12);
         assert!(drawn.iter().all(|patch| patch.rgba == drawn[0].rgba));
@@ -328,7 +372,8 @@ mod tests {
     fn the_loop_has_no_seam() {
         let frames: Vec<Image> = (0..25).map(|i| frame(8 + 4 * i, 0)).collect();
         let drawn = drawn(&frames);
-        let steps: Vec<usize> = (0..drawn.len()).map(|i| apart(&drawn[i], &drawn[(i + 1) % drawn.len()], 0..160)).collect();
+        let steps: Vec<usize> =
+            (0..drawn.len()).map(|i| apart(&drawn[i], &drawn[(i + 1) % drawn.len()], 0..160)).collect();
         // The seam changes more than a step, for the square goes back, but by no means all at once.
         assert!(steps.iter().all(|&step| step < 24 * 30 * 4), "{steps:?}");
     }

@@ -1564,12 +1564,17 @@ export type ComicPage = {
   document: PageDocument,
   /** What each panel shows, such as `two people and a dog`, in paint order; empty where nobody knows. */
   shows: ReadonlyArray<string>,
+  /** Where pictures that move lie over that of the page, in fractions of it, in paint order. HTML alone shows them. */
+  moving?: ReadonlyArray<Crop>,
 };
 
 /** A kind of picture. */
 export type PictureKind = "png" | "jpeg" | "webp";
 
-/** A part of a file: text, or the picture of the page of that number, from 0. */
+/**
+ * A part of a file: text, or the picture of the page of that number, from 0. Behind those of all pages come the pictures that
+ * move, page after page.
+ */
 export type Piece = string | number;
 
 /** A file of an archive. */

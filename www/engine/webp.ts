@@ -35,6 +35,11 @@ export function withDpi(
     ...chunks.filter(({ name }) => name !== 'VP8X').map(({ name, data }) => chunk(name, data)),
     chunk('EXIF', exif(dpi)),
   ];
+  return fileOf(parts);
+}
+
+/** @returns a file of chunks */
+export function fileOf(parts: readonly Uint8Array<ArrayBuffer>[]): Blob {
   const riff = new Uint8Array(12);
   riff.set(letters('RIFF'));
   new DataView(riff.buffer).setUint32(4, 4 + parts.reduce((sum, part) => sum + part.length, 0), true);
@@ -69,7 +74,8 @@ function extended(chunks: { name: string; data: Uint8Array }[], width: number, h
   return data;
 }
 
-function chunk(name: string, data: Uint8Array) {
+/** @returns a chunk as it stands in a file */
+export function chunk(name: string, data: Uint8Array): Uint8Array<ArrayBuffer> {
   const bytes = new Uint8Array(8 + data.length + (data.length % 2));
   bytes.set(letters(name));
   new DataView(bytes.buffer).setUint32(4, data.length, true);

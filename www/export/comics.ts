@@ -11,13 +11,17 @@ import type { Store } from '../document/store.ts';
 import type { Comic, PageDocument, PictureKind } from '../engine/types.ts';
 import type { Engine } from '../engine/engine.ts';
 import type { Inside } from './formats.ts';
+import type { Animatics } from '../motion/animatics.ts';
+import type { MovingPicture } from '../motion/moving-pictures.ts';
 import type { Work } from './page-making.ts';
 
 export function createComics({
   store,
   engine,
+  movingPictures,
 }: {
   store: Pick<Store, 'project' | 'album'>;
+  movingPictures: Animatics['movingPictures'];
   engine: Pick<Engine, 'exportJpeg' | 'exportWebp' | 'givesWebp' | 'comicPieces' | 'comicFiles'>;
 }) {
   return { book, about };
@@ -28,23 +32,26 @@ export function createComics({
     documents: readonly PageDocument[],
     quality: number,
     how: Work,
+    living: boolean,
   ): Promise<Blob> {
     const kind = pictureIn(format, 'jpeg', await engine.givesWebp());
-    const comic = told(documents, kind);
     const { signal } = how;
     const { type } = FORMATS[format];
     if (format === 'html') {
       // What cannot be told is known before anything is drawn.
-      const pieces = await engine.comicPieces(comic, { signal });
+      await engine.comicPieces(told(documents, kind), { signal });
       const pictures = await drawn(documents, kind, quality, how);
+      const moving: MovingPicture[][] = [];
+      for (const document of documents) moving.push(living ? await movingPictures(document, { signal }) : []);
+      const pieces = await engine.comicPieces(told(documents, kind, moving), { signal });
       const urls: Blob[] = [];
-      for (const picture of pictures) urls.push(await dataUrl(picture));
+      for (const picture of [...pictures, ...moving.flat().map(({ file }) => file)]) urls.push(await dataUrl(picture));
       return new Blob(
         pieces.map((piece) => (typeof piece === 'number' ? urls[piece] : piece)),
         { type },
       );
     }
-    const files = await engine.comicFiles(format, comic, { signal });
+    const files = await engine.comicFiles(format, told(documents, kind), { signal });
     const pictures = await drawn(documents, kind, quality, how);
     const entries = files.map(({ name, content }) => ({
       name,
@@ -72,14 +79,19 @@ export function createComics({
     );
   }
 
-  function told(documents: readonly PageDocument[], picture: PictureKind): Comic {
+  function told(
+    documents: readonly PageDocument[],
+    picture: PictureKind,
+    moving: readonly (readonly MovingPicture[])[] = [],
+  ): Comic {
     const album = store.album.peek();
     return {
       title: store.project.peek().name || strings.name,
       language,
       picture,
-      pages: documents.map((document) => ({
+      pages: documents.map((document, page) => ({
         document,
+        moving: (moving[page] ?? []).map(({ place }) => place),
         shows: document.panels.map((_, panel) => describePanel(document, album, panel)),
       })),
     };

@@ -52,7 +52,7 @@ export function createDownload({
   >;
   pageFiles: Pick<PageFiles, 'take' | 'carrying' | 'packed'>;
   shotList: () => ShotList;
-  animatics: Pick<Animatics, 'film'>;
+  animatics: Pick<Animatics, 'film' | 'movingPictures'>;
   onSaved?: (pages: readonly PageDocument[]) => void;
 }) {
   /** `packing`: the pages are drawn, and what goes with them is put in; `filming`: frames are counted. */

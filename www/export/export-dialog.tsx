@@ -17,6 +17,7 @@ import { FileSize } from './file-size.tsx';
 import { FormatChoice } from './format-choice.tsx';
 import { enlarged, hasPlates, NO_PRINT } from './print.ts';
 import { LazyAnimatic } from '../motion/lazy-animatic.tsx';
+import { LivingChoice } from '../motion/living-choice.tsx';
 import { PrintCheck } from './print-check.tsx';
 import { PrintOptions } from './print-options.tsx';
 import type { PageDocument } from '../engine/types.ts';
@@ -45,6 +46,7 @@ export function ExportDialog() {
   const [quality, setQuality] = useState(USUAL_QUALITY);
   const [print, setPrint] = useState(NO_PRINT);
   const [enlarge, setEnlarge] = useState(false);
+  const [living, setLiving] = useState(true);
   const base = all ? page.page : (PAGE_SIZES.find(({ id }) => id === size) ?? page.page);
   const { width, height, dpi } = scaled(base, factor);
   const document = useMemo(() => download.preview({ width, height, dpi }), [page, width, height, dpi]);
@@ -64,8 +66,8 @@ export function ExportDialog() {
     [print, plates, sheets],
   );
   const wish = useMemo(
-    () => ({ pages: enlarged(sheets, enlarge && dpi >= COARSE_FROM), format, inside, quality, print: asked }),
-    [sheets, enlarge, dpi, format, inside, quality, asked],
+    () => ({ pages: enlarged(sheets, enlarge && dpi >= COARSE_FROM), format, inside, quality, print: asked, living }),
+    [sheets, enlarge, dpi, format, inside, quality, asked, living],
   );
   const close = () => {
     // It tells that it was closed a moment later: another may be open by then.
@@ -139,6 +141,9 @@ export function ExportDialog() {
               plates={plates}
               home={AMERICAN.test(sizeId(page.page)) ? 'letter' : 'a4'}
             />
+          )}
+          {format === 'html' && webpHasQuality && (
+            <LivingChoice of="pages" on={living} set={setLiving} note={strings.motion.larger} />
           )}
           {lossy && (
             <label class="field">

@@ -33,6 +33,8 @@ export type Wish = {
   print?: Print;
   /** of a film */
   film?: AnimaticWish;
+  /** of an HTML comic: panels that come from a film move */
+  living?: boolean;
 };
 
 export const USUAL_QUALITY = 88;
@@ -45,7 +47,7 @@ export function createMaking({
 }: {
   store: Store;
   shotList: () => ShotList;
-  animatics: Pick<Animatics, 'film'>;
+  animatics: Pick<Animatics, 'film' | 'movingPictures'>;
   engine: Pick<
     Engine,
     | 'exportPng'
@@ -59,12 +61,12 @@ export function createMaking({
     | 'shotFile'
   >;
 }) {
-  const comics = createComics({ store, engine });
+  const comics = createComics({ store, engine, movingPictures: animatics.movingPictures });
 
   return make;
 
   async function make(
-    { pages: documents, format, inside = 'png', quality = USUAL_QUALITY, print = NO_PRINT, film }: Wish,
+    { pages: documents, format, inside = 'png', quality = USUAL_QUALITY, print = NO_PRINT, film, living = false }: Wish,
     how: Work,
     { carry, beside }: Cargo,
   ): Promise<Blob> {
@@ -74,7 +76,7 @@ export function createMaking({
     }
     if (film && isFilm(format)) return animatics.film({ ...film, kind: format }, how);
     if (format === 'pdf') return printed(documents, print, quality, how);
-    if (isBook(format)) return comics.book(format, documents, quality, how);
+    if (isBook(format)) return comics.book(format, documents, quality, how, living);
     if (!isArchive(format)) return picture(documents[0], format as 'png' | 'jpeg' | 'webp', quality, how, carry);
     const entries = [];
     for (const [i, document] of documents.entries()) {

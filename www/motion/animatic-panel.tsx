@@ -5,6 +5,7 @@ import { ANIMATIC_SIZES } from '../engine/bounds.ts';
 import { strings } from '../strings/strings.ts';
 import { useApp } from '../ui/context.ts';
 import { FilePick } from './file-pick.tsx';
+import { LivingChoice } from './living-choice.tsx';
 import { Icon } from '../ui/icon.tsx';
 import { AnimaticPlayer } from './animatic-player.tsx';
 import { USUAL } from './animatics.ts';
@@ -109,9 +110,7 @@ export function AnimaticPanel({
           {!pages && (
             <Check on={wish.captions} set={(captions) => change({ captions })} label={strings.animatic.captions} />
           )}
-          {animatics.hasLiving(of) && (
-            <Check on={wish.living} set={(living) => change({ living })} label={strings.motion.living} />
-          )}
+          <LivingChoice of={of} on={wish.living} set={(living) => change({ living })} />
         </div>
         <FilePick
           label={strings.animatic.sound}

@@ -157,6 +157,8 @@ function createReel(
       stop.abort();
       for (const one of drawn.values()) closeDrawn(one);
       drawn.clear();
+      delete canvas.dataset.moving;
+      delete canvas.dataset.shown;
     },
   };
 
@@ -169,6 +171,7 @@ function createReel(
     for (const clip of clips) ask(clip);
     if (!there || !context) return false;
     drawFrame(context, shown, { drawn: (clip) => drawn.get(clip), captionWidth: canvas.width });
+    canvas.dataset.shown = String(frame);
     // The next one is drawn while this one is seen.
     ask(Math.max(...clips) + 1);
     return true;
@@ -204,11 +207,11 @@ function createReel(
         return;
       }
       one.loops = loops;
-      canvas.dataset.moving = String(loops.length);
       if (clipsOf(frameAt(table, current)).includes(clip)) show(current);
     };
     // A photo that cannot be drawn stays as it is; the file names it.
     await enliven(clip, { signal, onDrawn }).catch(() => {});
+    if (!signal.aborted) canvas.dataset.moving = String(drawn.get(clip)?.loops?.length ?? 0);
   }
 
   /** Of more than are kept, those farthest from what is shown. */

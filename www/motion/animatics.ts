@@ -7,8 +7,10 @@ import { ANIMATIC_SIZES } from '../engine/bounds.ts';
 import { LIVING } from '../engine/living.ts';
 import { patience } from '../engine/patience.ts';
 import { cancelled, failure } from '../engine/protocol.ts';
+import { drawsParts } from '../page/subjects-of.ts';
 import { bitmapsOf } from './frames.ts';
 import { createLoops } from './loops.ts';
+import { createMovingPictures } from './moving-pictures.ts';
 import { soundOf } from './sound.ts';
 import { GIF, KINDS, gifSize } from './kinds.ts';
 import type { Boards } from '../boards/boards.ts';
@@ -70,13 +72,16 @@ export function createAnimatics({
   store: Store;
   engine: Pick<
     Engine,
-    'animatic' | 'motion' | 'renderPanel' | 'renderWord' | 'composePixels' | 'exportPng' | 'drawLiving'
+    'animatic' | 'motion' | 'renderPanel' | 'renderWord' | 'composePixels' | 'exportPng' | 'drawLiving' | 'givesWebp'
   >;
   boards: Pick<Boards, 'rows' | 'shotList'>;
 }) {
   const loops = createLoops({ store, engine });
 
-  return { sizeOf, planned, preview, previewLoops, film, hasLiving };
+  /** The panels of a page that move, as pictures over it. */
+  const movingPictures = createMovingPictures({ engine, loops });
+
+  return { sizeOf, planned, preview, previewLoops, film, living, movingPictures };
 
   /** In pixels, of frames of a kind of file. */
   function sizeOf({ kind, size }: Pick<AnimaticWish, 'kind' | 'size'>) {
@@ -88,10 +93,21 @@ export function createAnimatics({
     return wish.of === 'pages' ? engine.motion(pagesOf(wish), call) : engine.animatic(shotsOf(wish), call);
   }
 
-  /** Whether there is something that may move: panels, or shots, whose photos are frames of a film that is at hand. */
-  function hasLiving(of: AnimaticWish['of']): boolean {
-    const shown = store.sheets.value.flatMap(({ panels }) => panels.map(({ photo }) => photo));
-    return (of === 'pages' ? shown : boards.rows.value.map(({ id }) => id)).some(loops.known);
+  /**
+   * What may move of pages, or of shots: those whose photos are frames of a film that is at hand.
+   * @returns `apart`: it would, but its style draws subjects apart, which are known of one picture alone
+   */
+  function living(of: AnimaticWish['of']): 'none' | 'apart' | 'some' {
+    const page = store.page.value;
+    const parts =
+      of === 'pages'
+        ? store.sheets.value.map((sheet) => ({ sheet, photos: sheet.panels.map(({ photo }) => photo) }))
+        : page
+          ? [{ sheet: page, photos: boards.rows.value.map(({ id }) => id) }]
+          : [];
+    const moving = parts.filter(({ photos }) => photos.some(loops.known));
+    if (moving.length === 0) return 'none';
+    return moving.some(({ sheet }) => !drawsParts(store, sheet)) ? 'some' : 'apart';
   }
 
   function pagesOf(wish: AnimaticWish): MotionRequest {
@@ -108,8 +124,8 @@ export function createAnimatics({
     };
   }
 
-  function livingRate({ of, living }: AnimaticWish) {
-    return living && hasLiving(of) ? LIVING.rate : 0;
+  function livingRate(wish: AnimaticWish) {
+    return wish.living && living(wish.of) === 'some' ? LIVING.rate : 0;
   }
 
   function shotsOf(wish: AnimaticWish): AnimaticRequest {

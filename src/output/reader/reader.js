@@ -199,6 +199,11 @@ function start(document) {
     button.addEventListener('click', () => look(/** @type {View} */ (button.getAttribute('data-view'))));
   previous.addEventListener('click', () => step(-1));
   next.addEventListener('click', () => step(1));
+  const motion = document.getElementById('motion');
+  motion?.addEventListener('click', () => {
+    const rests = main.classList.toggle('at-rest');
+    motion.setAttribute('aria-pressed', String(!rests));
+  });
 
   document.addEventListener('keydown', (event) => {
     if (event.ctrlKey || event.metaKey || event.altKey || view === 'text') return;

@@ -5,6 +5,8 @@ export const motionStrings = {
     change: 'Von Seite zu Seite',
     preview: 'Bewegte Seite',
     living: 'Bilder aus Filmen bewegen sich',
+    larger: 'Jedes Bild macht die Datei um bis zu zwei Megabyte größer.',
+    apart: 'Die Bilder stehen still: Der Stil zeichnet Figuren für sich.',
     place: (time: string, of: string, page: string, panel: number) =>
       panel > 0 ? `${time} von ${of}, Seite ${page}, Bild ${panel}` : `${time} von ${of}, Seite ${page}`,
     facts: (pages: number, length: string, fps: number) =>

@@ -7,6 +7,8 @@ export const motionStrings = {
     change: 'From page to page',
     preview: 'Motion page',
     living: 'Panels from films move',
+    larger: 'A panel makes the file larger by up to two megabytes.',
+    apart: 'Panels stay still: the style draws figures apart.',
     place: (time: string, of: string, page: string, panel: number) =>
       panel > 0 ? `${time} of ${of}, page ${page}, panel ${panel}` : `${time} of ${of}, page ${page}`,
     facts: (pages: number, length: string, fps: number) =>

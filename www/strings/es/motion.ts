@@ -5,6 +5,8 @@ export const motionStrings = {
     change: 'De página a página',
     preview: 'Página animada',
     living: 'Las viñetas de vídeos se mueven',
+    larger: 'Cada viñeta añade hasta dos megabytes al archivo.',
+    apart: 'Las viñetas no se mueven: el estilo dibuja las figuras aparte.',
     place: (time: string, of: string, page: string, panel: number) =>
       panel > 0 ? `${time} de ${of}, página ${page}, viñeta ${panel}` : `${time} de ${of}, página ${page}`,
     facts: (pages: number, length: string, fps: number) =>

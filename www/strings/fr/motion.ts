@@ -5,6 +5,8 @@ export const motionStrings = {
     change: 'D’une page à l’autre',
     preview: 'Page animée',
     living: 'Les cases tirées de films bougent',
+    larger: 'Chaque case ajoute jusqu’à deux mégaoctets au fichier.',
+    apart: 'Les cases restent fixes : le style dessine les figures à part.',
     place: (time: string, of: string, page: string, panel: number) =>
       panel > 0 ? `${time} sur ${of}, page ${page}, case ${panel}` : `${time} sur ${of}, page ${page}`,
     facts: (pages: number, length: string, fps: number) =>

@@ -5,6 +5,8 @@ export const motionStrings = {
     change: 'ページの切り替え',
     preview: '動くページ',
     living: '動画のコマを動かす',
+    larger: '1 コマごとにファイルが最大 2 MB 大きくなります。',
+    apart: 'このスタイルは人物を別に描くため、コマは動きません。',
     place: (time: string, of: string, page: string, panel: number) =>
       panel > 0 ? `${of} のうち ${time}、${page} ページ、コマ ${panel}` : `${of} のうち ${time}、${page} ページ`,
     facts: (pages: number, length: string, fps: number) => `${pages} ページ、${length}、毎秒 ${fps} フレーム`,

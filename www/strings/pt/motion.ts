@@ -5,6 +5,8 @@ export const motionStrings = {
     change: 'De página a página',
     preview: 'Página animada',
     living: 'Quadros de vídeos se movem',
+    larger: 'Cada quadro aumenta o arquivo em até dois megabytes.',
+    apart: 'Os quadros ficam parados: o estilo desenha as figuras à parte.',
     place: (time: string, of: string, page: string, panel: number) =>
       panel > 0 ? `${time} de ${of}, página ${page}, quadro ${panel}` : `${time} de ${of}, página ${page}`,
     facts: (pages: number, length: string, fps: number) =>
