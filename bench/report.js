@@ -18,6 +18,7 @@ import { REST } from './journey.js';
  *   crowd: Awaited<ReturnType<typeof import('./crowd.js').crowd>> | null,
  *   making: { frames: number, width: number, height: number, styles: number } | null,
  *   films: import('./animatic.js').Film[] | null,
+ *   loops: import('./living.js').Loop[] | null,
  * }} Results `times` are milliseconds by contestant and row
  */
 
@@ -40,6 +41,7 @@ export function markdown({
   crowd,
   making,
   films,
+  loops,
 }) {
   const peers = Object.entries(PEERS);
   const heads = peers.map(([id, name]) => (versions[id] ? `${name} ${versions[id]}` : name));
@@ -62,7 +64,7 @@ export function markdown({
     lines.push(`| ${row.label} | ${short(own)} | ${Math.round(share * 100)} % | ${cells.join(' | ')} |`);
   }
   for (const [id, reason] of Object.entries(failed)) lines.push('', `${PEERS[id] ?? id} failed: ${reason}`);
-  if (journey || facts || plans || masks || detect || aesthetics || crowd || making || films)
+  if (journey || facts || plans || masks || detect || aesthetics || crowd || making || films || loops)
     lines.push('', '| In the page, all workers | |', '|---|--:|');
   if (journey) {
     lines.push(
@@ -121,6 +123,10 @@ export function markdown({
   for (const { kind, frames, ms, bytes } of films ?? [])
     lines.push(
       `| An animatic of twelve shots at 1080p as ${kind.toUpperCase()}, from the click to the file of ${Math.round(bytes / 1e6)} MB | ${((frames / ms) * 1000).toFixed(1)} frames/s |`,
+    );
+  for (const { style, pictures, ms, width, height } of loops ?? [])
+    lines.push(
+      `| A panel that moves, about ${width} x ${height}, ${style}: frames decoded and drawn, one worker | ${((pictures / ms) * 1000).toFixed(1)} pictures/s |`,
     );
   return lines.join('\n');
 }

@@ -12,6 +12,7 @@ import { parseArgs } from 'node:util';
 import { chromium } from 'playwright-core';
 import { CHROMIUM } from '../tests/web/launching.js';
 import { animatic } from './animatic.js';
+import { living } from './living.js';
 import { crowd } from './crowd.js';
 import { journey } from './journey.js';
 import { making } from './making.js';
@@ -64,6 +65,11 @@ try {
     console.log('timing animatics');
     const files = await photos(FEW);
     results.films = await site((address) => animatic(browser, address, files));
+  }
+  if (asked('living')) {
+    console.log('timing panels that move');
+    const [photo] = await photos(FEW);
+    results.loops = await site((address) => living(browser, address, photo));
   }
   const table = markdown(results);
   console.log(`\n${table}`);
@@ -120,6 +126,7 @@ async function blocks() {
     crowd: null,
     making: null,
     films: null,
+    loops: null,
     detect: !asked('detect') ? null : await page.evaluate(() => /** @type {any} */ (globalThis).bench.detect()),
     aesthetics: !asked('detect') ? null : await page.evaluate(() => /** @type {any} */ (globalThis).bench.aesthetics()),
     facts: !asked('facts')

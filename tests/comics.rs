@@ -2,6 +2,7 @@
 //! people can read them is for the browser tests.
 #![allow(clippy::unwrap_used, reason = "a test may stop at the first thing that is not as expected")]
 
+use inkpanel::framing::Crop;
 use inkpanel::layout::{PageSettings, ResolvedShape, catalogue, find, resolve};
 use inkpanel::output::{Comic, ComicPage, File, PictureKind, Piece, cbz, epub, html};
 use inkpanel::page::words::Letters;
@@ -353,4 +354,44 @@ fn ace_finds_nothing_serious() {
     let looked = look("comic.epub");
     let said = String::from_utf8_lossy(&[looked.stdout, looked.stderr].concat()).into_owned();
     assert!(looked.status.success() && said.contains("checked\tpass"), "{said}");
+}
+
+#[test]
+fn a_picture_that_moves_lies_over_its_panel_and_can_be_stopped() {
+    let pages = || {
+        vec![
+            document("grid-4-golden", (800, 600), &json!([])),
+            document("grid-4-golden", (400, 600), &json!([])),
+        ]
+    };
+    let still = html::write(&comic(pages()), &letters()).unwrap();
+    let whole = |pieces: &[Piece]| -> String {
+        pieces
+            .iter()
+            .map(|piece| match piece {
+                Piece::Text(text) => text.clone(),
+                Piece::Picture(number) => format!("[{number}]"),
+            })
+            .collect()
+    };
+    assert!(!whole(&still).contains("class=\"moving\"") && !whole(&still).contains("id=\"motion\""));
+    let mut moving = comic(pages());
+    let place = |x: f64| Crop { x, y: 0.5, width: 0.25, height: 0.5 };
+    moving.pages[0].moving = vec![place(0.0), place(0.25)];
+    moving.pages[1].moving = vec![place(0.5)];
+    let pieces = html::write(&moving, &letters()).unwrap();
+    let numbers: Vec<usize> = pieces
+        .iter()
+        .filter_map(|piece| if let Piece::Picture(number) = piece { Some(*number) } else { None })
+        .collect();
+    // Behind the pages come the pictures that move, page after page.
+    assert_eq!(numbers, [0, 2, 3, 1, 4]);
+    let html = whole(&pieces);
+    let second =
+        html.find("<image class=\"moving\" x=\"200\" y=\"300\" width=\"200\" height=\"300\"").unwrap();
+    assert!(html[second..].contains("href=\"[3]\""));
+    assert!(html.contains("<image class=\"moving\" x=\"200\" y=\"300\" width=\"100\" height=\"300\""));
+    // What dims the page lies over them.
+    assert!(second < html.find("class=\"veil\"").unwrap());
+    assert!(html.contains("<button type=\"button\" id=\"motion\" aria-pressed=\"true\">Motion</button>"));
 }

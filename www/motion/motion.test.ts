@@ -5,7 +5,11 @@ import { clipsOf, frameAt, framesIn, same } from './frames.ts';
 import { bytesOf, gifSize } from './kinds.ts';
 import { fitted } from './sound.ts';
 
-const row = (under: number, over = -1, share = 0) => [under, 0.1, 0.2, 0.5, 0.25, over, 0, 0, 1, 1, share];
+const row = (under: number, over = -1, share = 0, read: number[] = [0, -1, 0, 0]) => [
+  ...[under, 0.1, 0.2, 0.5, 0.25],
+  ...[over, 0, 0, 1, 1, share],
+  ...read,
+];
 
 describe('the table of frames', () => {
   const table = new Float32Array([row(0), row(0), row(0, 1, 0.5), row(1)].flat());
@@ -23,6 +27,11 @@ describe('the table of frames', () => {
     expect(frameAt(table, 0).over).toBeNull();
     expect(frameAt(table, 2).over).toEqual({ clip: 1, view: { x: 0, y: 0, width: 1, height: 1 }, share: 0.5 });
     expect([0, 2, 3].map((frame) => clipsOf(frameAt(table, frame)))).toEqual([[0], [0, 1], [1]]);
+  });
+
+  it('says how far a page is read, and which picture of a panel that moves is seen', () => {
+    const read = new Float32Array(row(0, -1, 0, [2.5, 3, 0.5, 7]));
+    expect(frameAt(read, 0)).toMatchObject({ words: 2.5, panel: 3, veil: 0.5, beat: 7 });
   });
 
   it('tells frames that are the same', () => {

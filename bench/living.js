@@ -1,0 +1,51 @@
+// @ts-check
+/** Panels that move, in the real page: how many pictures a second are decoded and drawn in their style, of one panel. */
+
+import { execFileSync } from 'node:child_process';
+import { mkdtempSync } from 'node:fs';
+import { tmpdir } from 'node:os';
+import { join } from 'node:path';
+import { opened } from './opened.js';
+
+/** @typedef {{ style: string, pictures: number, ms: number, width: number, height: number }} Loop */
+
+/** A look of few blocks, one of dots and one of paint. */
+const STYLES = ['Adventure Album', 'Manga', 'Oil Study'];
+/** Pictures of a loop, those among them that go over from its end into its beginning. */
+const PICTURES = 36;
+
+/**
+ * @param {import('playwright-core').Browser} browser
+ * @param {string} address of the site
+ * @param {string} photo over which something moves
+ * @returns {Promise<Loop[]>}
+ */
+export async function living(browser, address, photo) {
+  const film = join(mkdtempSync(join(tmpdir(), 'living-')), 'film.mp4');
+  const graph =
+    '[0]scale=960:540:force_original_aspect_ratio=increase,crop=960:540,fps=24[a];' +
+    'color=orange:s=200x200:r=24:d=4[b];[a][b]overlay=x=60+150*t:y=120+60*t:shortest=1';
+  const input = ['-v', 'error', '-loop', '1', '-t', '4', '-i', photo, '-filter_complex', graph];
+  execFileSync('ffmpeg', [...input, '-c:v', 'libx264', '-pix_fmt', 'yuv420p', film]);
+  const page = await opened(browser, address, [film]);
+  /** @type {Loop[]} */
+  const loops = [];
+  for (const style of STYLES) {
+    await page.getByRole('listbox', { name: 'Styles' }).getByRole('option', { name: style, exact: true }).click();
+    await page.waitForFunction(() => document.body.dataset.idle === 'true');
+    await page.getByRole('button', { name: 'Export', exact: true }).click();
+    const dialog = page.getByRole('dialog');
+    await dialog.getByRole('combobox', { name: 'Format' }).selectOption({ label: 'Animatic' });
+    await page.waitForFunction(() => document.querySelector('.animatic canvas')?.hasAttribute('data-shown'));
+    const start = Date.now();
+    await page.waitForFunction(() => document.querySelector('.animatic canvas')?.hasAttribute('data-moving'));
+    const { width, height } = await page.evaluate(() => {
+      const canvas = /** @type {HTMLCanvasElement} */ (document.querySelector('.animatic canvas'));
+      return { width: canvas.width, height: canvas.height };
+    });
+    loops.push({ style, pictures: PICTURES, ms: Date.now() - start, width, height });
+    await page.keyboard.press('Escape');
+  }
+  await page.close();
+  return loops;
+}
