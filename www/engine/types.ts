@@ -776,6 +776,12 @@ export type Word = { kind: 'caption' | 'balloon' | 'effect',
   /** Width and height in page widths that it keeps to, found when it was placed. */
   room?: readonly [width: number, height: number] | null,
 };
+  /** The same, found when the balloon was placed by itself. */
+  linked?: string | null,
+  /** It is joined to no balloon by itself. */
+  apart?: boolean,
+  /** Who says it, where that is known. */
+  by?: string,
 
 /** Where a word is without its tail, in page widths. */
 export type WordBox = {

@@ -47,7 +47,7 @@ pub fn render(document: &Document, index: usize, width: usize, letters: &Letters
     let value = document.words.get(index).ok_or_else(missing)?;
     let word = Word::parse(value, index)?;
     // What is joined is drawn by the first of the balloons, which must know them all.
-    if word.id.is_some() || word.joined.is_some() {
+    if word.id.is_some() || word.hangs_on().is_some() {
         let all = lay_all(document, letters)?;
         return all.get(index).map(|laid| draw(laid, width as f64, letters)).ok_or_else(missing);
     }

@@ -224,7 +224,7 @@ pub(super) fn joined<'w>(words: &(impl Iterator<Item = &'w Word> + Clone)) -> Ve
             words.clone().enumerate().filter(|(_, word)| matches!(word.kind, Kind::Balloon(_)));
         balloons.find(|(_, word)| word.id.as_ref() == Some(name)).map(|(place, _)| place)
     };
-    let of = |(i, word): (usize, &Word)| word.joined.as_ref().and_then(place).filter(|place| *place != i);
+    let of = |(i, word): (usize, &Word)| word.hangs_on().and_then(place).filter(|place| *place != i);
     words.clone().enumerate().map(of).collect()
 }
 
