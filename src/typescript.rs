@@ -27,6 +27,7 @@ use crate::layout::{
 };
 use crate::output::animatic::{self, Animatic, Clip};
 use crate::output::board::{self, Labels, PictureOf};
+use crate::output::shots::timecode::Pace;
 use crate::output::shots::{Film, ListedShot, ShotList};
 use crate::output::{self, Comic, ComicPage, PictureKind, Piece};
 use crate::page::catalogue::{BlockEntry, ChoiceRequest, MeasuresEntry, ParamEntry, ParamKind, VerdictEntry};
@@ -115,7 +116,6 @@ pub(crate) struct Word {
     /// The name of the balloon that this one is joined to.
     #[ts(optional = nullable)]
     joined: Option<String>,
-    /// The language of its text: long words part by its rules.
     /// The same, found when the balloon was placed by itself.
     #[ts(optional = nullable)]
     linked: Option<String>,
@@ -123,6 +123,7 @@ pub(crate) struct Word {
     apart: Option<bool>,
     /// Who says it, where that is known.
     by: Option<String>,
+    /// The language of its text: long words part by its rules.
     #[ts(optional = nullable)]
     language: Option<String>,
     /// Its lines are columns, read from the top down and from right to left.
@@ -346,6 +347,7 @@ fn types() -> String {
         ShotList,
         ListedShot,
         Film,
+        Pace,
         board::Request,
         PictureOf,
         animatic::Request,
@@ -531,7 +533,7 @@ fn edits(page: &Value) -> Vec<Value> {
         { "type": "rename", "name": "One" },
         { "type": "styling", "styling": styling },
         { "type": "describe-shots", "shots": { "p": { "scene": "1", "number": "4A", "action": "She enters.", "dialogue": "Hi", "notes": "dusk", "frames": 36, "more": { "Lens": "35" } } } },
-        { "type": "set-board", "board": { "fps": 25, "columns": ["Lens"], "frames": 4, "aspect": "1.85", "beside": true, "ruled": false, "author": "me", "date": "today", "order": ["p"] } },
+        { "type": "set-board", "board": { "fps": 30, "pace": "drop", "columns": ["Lens"], "frames": 4, "aspect": "1.85", "beside": true, "ruled": false, "author": "me", "date": "today", "order": ["p"] } },
         { "type": "share", "lists": { "mine": [style] } },
         { "type": "join", "lists": { "ownLayouts": [layout] } },
         { "type": "undo" },
