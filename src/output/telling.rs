@@ -7,7 +7,7 @@ use crate::layout::{Bounds, Point, ResolvedShape};
 use crate::page::words::Letters;
 use crate::page::words::layout::{Ground, Laid, extent, lay_all};
 use crate::page::words::model::Kind;
-use crate::page::words::wording::read;
+use crate::page::words::wording::{read, said_apart};
 use std::f64::consts::{PI, TAU};
 
 /// How far the polygon of a circle may be from it, in pixels.
@@ -51,6 +51,8 @@ pub struct ToldWord {
     pub kind: WordKind,
     /// What it says, on one line.
     pub text: String,
+    /// The same in stretches, each with its reading where it has one.
+    pub pieces: Vec<(String, Option<String>)>,
     /// What is around it, in pixels.
     pub bounds: Bounds,
     /// Height of an em in pixels.
@@ -159,7 +161,13 @@ fn told_word(laid: &Laid, scale: f64) -> Option<ToldWord> {
         Kind::Effect => WordKind::Effect,
         Kind::Balloon(_) => WordKind::Balloon,
     };
-    (!text.is_empty()).then_some(ToldWord { kind, text, bounds, size: laid.setting.size * scale })
+    (!text.is_empty()).then(|| ToldWord {
+        kind,
+        text,
+        pieces: said_apart(&laid.word),
+        bounds,
+        size: laid.setting.size * scale,
+    })
 }
 
 fn scaled(bounds: Bounds, by: f64) -> Bounds {
