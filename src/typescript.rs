@@ -28,6 +28,7 @@ use crate::layout::{
 use crate::output::animatic::{self, Animatic, Clip};
 use crate::output::board::{self, Labels, PictureOf};
 use crate::output::motion::{self, Reading, Said, Stop};
+use crate::output::shots::timecode::Pace;
 use crate::output::shots::{Film, ListedShot, ShotList};
 use crate::output::{self, Comic, ComicPage, PictureKind, Piece};
 use crate::page::catalogue::{BlockEntry, ChoiceRequest, MeasuresEntry, ParamEntry, ParamKind, VerdictEntry};
@@ -116,6 +117,13 @@ pub(crate) struct Word {
     /// The name of the balloon that this one is joined to.
     #[ts(optional = nullable)]
     joined: Option<String>,
+    /// The same, found when the balloon was placed by itself.
+    #[ts(optional = nullable)]
+    linked: Option<String>,
+    /// It is joined to no balloon by itself.
+    apart: Option<bool>,
+    /// Who says it, where that is known.
+    by: Option<String>,
     /// The language of its text: long words part by its rules.
     #[ts(optional = nullable)]
     language: Option<String>,
@@ -340,6 +348,7 @@ fn types() -> String {
         ShotList,
         ListedShot,
         Film,
+        Pace,
         board::Request,
         PictureOf,
         animatic::Request,
@@ -529,7 +538,7 @@ fn edits(page: &Value) -> Vec<Value> {
         { "type": "rename", "name": "One" },
         { "type": "styling", "styling": styling },
         { "type": "describe-shots", "shots": { "p": { "scene": "1", "number": "4A", "action": "She enters.", "dialogue": "Hi", "notes": "dusk", "frames": 36, "more": { "Lens": "35" } } } },
-        { "type": "set-board", "board": { "fps": 25, "columns": ["Lens"], "frames": 4, "aspect": "1.85", "beside": true, "ruled": false, "author": "me", "date": "today", "order": ["p"] } },
+        { "type": "set-board", "board": { "fps": 30, "pace": "drop", "columns": ["Lens"], "frames": 4, "aspect": "1.85", "beside": true, "ruled": false, "author": "me", "date": "today", "order": ["p"] } },
         { "type": "share", "lists": { "mine": [style] } },
         { "type": "join", "lists": { "ownLayouts": [layout] } },
         { "type": "undo" },
@@ -566,7 +575,7 @@ fn written() -> String {
     let wanted = json!({ "seed": 7, "photos": [photo], "page": settings, "current": null, "keep": { "layout": false }, "panels": 4, "mode": "photos", "merge": false, "taste": { "families": { "grid": 0.5 } }, "avoid": { "layouts": ["grid-4"] }, "within": { "layouts": ["grid"], "styles": ["ink"] }, "styling": { "extra": [], "invented": 0.5 }, "surprise": 1 });
     let planned = shuffle::plan(&serde_json::from_value(wanted.clone()).unwrap()).unwrap();
     let mut page: Value = serde_json::from_str(&planned.to_json()).unwrap();
-    page["words"] = json!([{ "kind": "balloon", "text": "Hi", "shape": "shout", "panel": 0, "x": 0.5, "y": 0.25, "width": 0.25, "size": "auto", "tail": { "x": 0.5, "y": 0.5 }, "font": "bangers", "color": "#111111", "fill": "#ffffff", "angle": 5, "arc": 0.5, "auto": true, "craft": 2, "boxless": false, "capitals": true, "slant": 5, "outline": 0.1, "behind": false, "id": "b", "joined": "a", "language": "en", "vertical": false, "room": [0.5, 0.25], "photo": "a", "cue": "1.000/0" }]);
+    page["words"] = json!([{ "kind": "balloon", "text": "Hi", "shape": "shout", "panel": 0, "x": 0.5, "y": 0.25, "width": 0.25, "size": "auto", "tail": { "x": 0.5, "y": 0.5 }, "font": "bangers", "color": "#111111", "fill": "#ffffff", "angle": 5, "arc": 0.5, "auto": true, "craft": 2, "boxless": false, "capitals": true, "slant": 5, "outline": 0.1, "behind": false, "id": "b", "joined": "a", "linked": "a", "apart": false, "by": "Anna", "language": "en", "vertical": false, "room": [0.5, 0.25], "photo": "a", "cue": "1.000/0" }]);
     let mut editor = Editor::default();
     let differences: Vec<_> =
         edits(&page).iter().map(|edit| editor.apply_json(&edit.to_string()).unwrap()).collect();

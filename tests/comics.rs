@@ -193,6 +193,19 @@ fn html_tells_every_panel_in_order_and_is_small() {
 }
 
 #[test]
+fn readings_are_ruby_where_there_is_ruby_and_in_brackets_elsewhere() {
+    let words = json!([{ "kind": "balloon", "craft": 2, "text": "*漢字*《かんじ》だ", "panel": 0, "x": 0.5, "y": 0.5 }]);
+    let comic = comic(vec![document("grid-6", (1240, 1754), &words)]);
+    let ruby = "<ruby>漢字<rp>（</rp><rt>かんじ</rt><rp>）</rp></ruby>だ";
+    assert!(page_of(&comic).contains(ruby));
+    let book = epub::write(&comic, &letters()).unwrap();
+    let pages = book.iter().filter(|file| matches!(&file.content, Piece::Text(text) if text.contains(ruby)));
+    assert_eq!(pages.count(), 1);
+    let archive = cbz::write(&comic, &letters()).unwrap();
+    assert!(text(&archive, "comic.acbf").contains("漢字（かんじ）だ"));
+}
+
+#[test]
 fn a_reader_speaks_the_language_of_its_comic() {
     let mut comic = comic(vec![document("grid-6", (1240, 1754), &json!([]))]);
     comic.language = "de-AT".into();

@@ -805,12 +805,19 @@ fn a_word_that_was_removed_by_hand_stays_away_and_one_moved_to_another_photo_is_
     // One photo takes the place of another, and what was said of it.
     editor.apply(&Edit::ExchangePhoto { id: two, by: "new".into() }, &How::default());
     assert_eq!(homes(editor.project()), [("b".to_owned(), Some("new".into()))]);
-    // Long speech is parted, and hangs together.
-    let mut parts = vec![word_of(&one, "c"), word_of(&one, "d")];
+    // Long speech is parted, and of one mouth; what another says is not.
+    let mut parts = vec![word_of(&one, "c"), word_of(&one, "d"), word_of(&one, "e"), word_of(&one, "f")];
     parts[1]["joins"] = json!(true);
+    parts[3]["by"] = json!("anna");
     editor.apply(&Edit::AddWords { words: parts }, &How::default());
     let words = page(&editor).words;
-    assert_eq!(words[words.len() - 1]["joined"], words[words.len() - 2]["id"]);
+    let said = &words[words.len() - 4..];
+    assert!(said[0]["by"].is_string() && said[0]["by"] == said[1]["by"], "{said:?}");
+    assert_eq!((&said[2]["by"], &said[3]["by"]), (&Value::Null, &json!("anna")));
+    assert!(
+        said.iter().all(|word| word["joined"].is_null()),
+        "where they hang is found when they are placed"
+    );
 }
 
 #[test]

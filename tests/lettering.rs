@@ -234,3 +234,102 @@ fn words_go_on_to_stand_where_they_were_placed() {
     place::settle(&mut again, |_| Known::default(), &letters).unwrap();
     assert_eq!(page.words, again.words);
 }
+
+fn face(x: f64, y: f64) -> Subject {
+    Subject { x, y, width: 0.12, height: 0.16, label: "face".into(), score: 0.9 }
+}
+
+/// Balloons on one panel by what they say and who says it, placed around faces.
+fn said(lines: &[(&str, Option<&str>)], faces: &[Subject]) -> Vec<Value> {
+    let word = |(text, by): &(&str, Option<&str>)| json!({ "kind": "balloon", "craft": 2, "text": text, "panel": 0, "by": by });
+    placed_by(&lines.iter().map(word).collect::<Vec<_>>(), faces, None)
+}
+
+/// Of each word the number of the one that it was found to hang on.
+fn links(words: &[Value]) -> Vec<Option<usize>> {
+    let of =
+        |word: &Value| words.iter().position(|other| other["id"] == word["linked"] && !other["id"].is_null());
+    words.iter().map(of).collect()
+}
+
+#[test]
+fn balloons_of_one_mouth_hang_together_by_themselves_and_the_first_has_the_tail() {
+    let words = said(&[("Did you hear that?", None), ("It came from below.", None)], &[face(0.3, 0.6)]);
+    assert_eq!(links(&words), [None, Some(0)]);
+    assert!(!words[0]["tail"].is_null() && words[1]["tail"].is_null(), "{words:?}");
+    let all = lay_all(&page_of(&words), &letters()).unwrap();
+    assert!(matches!(&all[0].chain, Chain::First { bodies, necks } if bodies.len() == 1 && necks.len() == 1));
+    // Down, and aside.
+    let (dx, dy) = (all[1].middle.x - all[0].middle.x, all[1].middle.y - all[0].middle.y);
+    assert!(dy > 0.0 && dx.abs() > 0.005, "{dx} {dy}");
+    // Placed again they stand where they stood.
+    assert_eq!(placed_by(&words, &[face(0.3, 0.6)], None), words);
+}
+
+#[test]
+fn balloons_of_others_stay_apart() {
+    let faces = [face(0.3, 0.6)];
+    let names = |one, other| links(&said(&[("Who is it?", one), ("Me.", other)], &faces));
+    assert_eq!(names(Some("anna"), Some("anna")), [None, Some(0)]);
+    assert_eq!(names(Some("anna"), Some("ben")), [None, None]);
+    // A person may part them, and what looks different is said in another voice.
+    let word = |more: Value| {
+        let mut word = json!({ "kind": "balloon", "craft": 2, "text": "Me.", "panel": 0 });
+        word.as_object_mut().unwrap().extend(more.as_object().unwrap().clone());
+        word
+    };
+    for second in [json!({ "apart": true }), json!({ "shape": "shout" }), json!({ "fill": "#ffcccc" })] {
+        let words = placed_by(&[word(json!({})), word(second.clone())], &faces, None);
+        assert_eq!(links(&words), [None, None], "{second}");
+    }
+    // Two people who are far from each other take turns.
+    let two = [face(0.05, 0.7), face(0.83, 0.7)];
+    assert_eq!(links(&said(&[("Who is it?", Some("anna")), ("Me.", Some("ben"))], &two)), [None, None]);
+}
+
+#[test]
+fn no_more_than_three_balloons_hang_together() {
+    let lines = ["One.", "Two.", "Three.", "Four.", "Five."].map(|text| (text, Some("anna")));
+    let mut longest = 0;
+    for (x, y) in [(0.1, 0.8), (0.4, 0.8), (0.8, 0.8), (0.1, 0.4), (0.8, 0.4), (0.8, 0.1)] {
+        let words = said(&lines, &[face(x, y)]);
+        let links = links(&words);
+        let mut length = 1;
+        for (i, link) in links.iter().enumerate() {
+            assert!(link.is_none_or(|before| before + 1 == i), "{links:?}");
+            length = if link.is_some() { length + 1 } else { 1 };
+            longest = longest.max(length);
+            // The first of a chain alone has a tail.
+            assert_eq!(words[i]["tail"].is_null(), link.is_some(), "{words:?}");
+        }
+    }
+    assert_eq!(longest, 3);
+}
+
+#[test]
+fn a_balloon_that_hangs_on_one_that_stays_comes_beside_it() {
+    let mut words = said(&[("Did you hear that?", None), ("It came from below.", None)], &[face(0.3, 0.6)]);
+    let stands = words[0].clone();
+    words[0]["auto"] = json!(false);
+    words[1]["text"] = json!("It came from down there.");
+    let again = placed_by(&words, &[face(0.3, 0.6)], None);
+    assert_eq!((&again[0]["x"], &again[0]["y"]), (&stands["x"], &stands["y"]));
+    assert_eq!(links(&again), [None, Some(0)]);
+    let boxes = measured(&page_of(&again), &letters()).unwrap();
+    let gap = boxes[1].y - boxes[0].y - boxes[0].height;
+    assert!(gap < 0.02, "{gap}");
+    // Where the other is gone it has a tail of its own.
+    let alone = placed_by(&words[1..], &[face(0.3, 0.6)], None);
+    assert!(alone[0]["linked"].is_null() && !alone[0]["tail"].is_null(), "{alone:?}");
+}
+
+#[test]
+fn names_of_balloons_are_found_anew_where_two_have_the_same() {
+    let other = json!({ "kind": "balloon", "craft": 2, "text": "Far.", "panel": 1, "id": "b1" });
+    let mut words = vec![other];
+    for text in ["Did you hear that?", "It came from below."] {
+        words.push(json!({ "kind": "balloon", "craft": 2, "text": text, "panel": 0, "id": "b1" }));
+    }
+    let words = placed_by(&words, &[face(0.3, 0.6)], None);
+    assert_eq!(links(&words), [None, None, Some(1)], "{words:?}");
+}

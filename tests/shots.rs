@@ -3,21 +3,29 @@
 #![allow(clippy::unwrap_used, reason = "a test may stop at the first thing that is not as expected")]
 
 use inkpanel::document::file::ProjectFile;
-use inkpanel::output::shots::timecode::frame_at;
+use inkpanel::output::shots::timecode::{Pace, Rate};
 use inkpanel::output::shots::{Film, Kind, ListedShot, ShotList};
 use serde_json::{Value, json};
 use std::collections::BTreeMap;
 use std::fs;
 use std::path::{Path, PathBuf};
 
-const RATES: [u32; 3] = [24, 25, 30];
+/// Rates of boards, each with the name of its files.
+const RATES: [(&str, u32, Pace); 6] = [
+    ("24", 24, Pace::Clock),
+    ("25", 25, Pace::Clock),
+    ("30", 30, Pace::Clock),
+    ("23.976", 24, Pace::Ntsc),
+    ("29.97", 30, Pace::Ntsc),
+    ("29.97drop", 30, Pace::Drop),
+];
 
 fn folder() -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/oracles/data/shots")
 }
 
 /// Pictures and places in two films, of lengths that end on no second.
-fn list(fps: u32) -> ShotList {
+fn list((fps, pace): (u32, Pace)) -> ShotList {
     let film = |name: &str, time| Some(Film { name: name.into(), time, length: Some(7_261.44) });
     let shot = |i: usize, film: Option<Film>| ListedShot {
         number: format!("{}{}", i / 2 + 1, if i % 2 == 1 { "A" } else { "" }),
@@ -40,13 +48,15 @@ fn list(fps: u32) -> ShotList {
         film("Nacht & Tag.mp4", 7_200.04),
     ];
     let shots = films.into_iter().enumerate().map(|(i, film)| shot(i, film)).collect();
-    ShotList { title: "Abend".into(), fps, columns: vec!["Lens".into()], headings: Vec::new(), shots }
+    ShotList { title: "Abend".into(), fps, pace, columns: vec!["Lens".into()], headings: Vec::new(), shots }
 }
 
 /// Its files by their names.
-fn files() -> impl Iterator<Item = (String, u32, String)> {
+fn files() -> impl Iterator<Item = (String, (u32, Pace), String)> {
     let all = RATES.into_iter().flat_map(|rate| Kind::ALL.map(|(ending, kind)| (rate, ending, kind)));
-    all.map(|(rate, ending, kind)| (format!("list-{rate}.{ending}"), rate, list(rate).written(kind)))
+    all.map(|((name, fps, pace), ending, kind)| {
+        (format!("list-{name}.{ending}"), (fps, pace), list((fps, pace)).written(kind))
+    })
 }
 
 /// `cargo xtask bless shots` writes them anew; then `tests/oracles/shots.py` reads them.
@@ -78,8 +88,9 @@ fn other_programs_read_every_length_and_place_to_the_frame() {
         let read = &told[&name];
         assert_eq!(read.len(), list.shots.len(), "{name}");
         for (shot, read) in list.shots.iter().zip(read) {
-            let frames = u64::from(shot.frames.unwrap_or(2 * rate));
-            let start = shot.film.as_ref().map_or(0, |film| frame_at(film.time, rate));
+            let frames = u64::from(shot.frames.unwrap_or(2 * rate.0));
+            let counted = Rate { base: rate.0, pace: rate.1 };
+            let start = shot.film.as_ref().map_or(0, |film| counted.frame_at(film.time));
             let file = shot.film.as_ref().map_or(&shot.name, |film| &film.name);
             let expected = json!({ "start": start, "frames": frames, "at": at, "media": file });
             assert_eq!(*read, expected, "{name}");
@@ -87,7 +98,22 @@ fn other_programs_read_every_length_and_place_to_the_frame() {
             compared += 1;
         }
     }
-    assert_eq!(compared, 3 * 3 * 7);
+    assert_eq!(compared, 6 * 3 * 7);
+}
+
+/// The codes that `OpenTimelineIO` gives frames, and the frames that it reads in them (`tests/oracles/shots.py`).
+#[test]
+fn time_codes_are_those_of_another_program() {
+    let told = fs::read_to_string(folder().with_file_name("timecodes.json")).unwrap();
+    let told: BTreeMap<String, Vec<(u64, String)>> = serde_json::from_str(&told).unwrap();
+    assert_eq!(told.len(), RATES.len());
+    for (name, base, pace) in RATES {
+        let rate = Rate { base, pace };
+        assert!(told[name].len() > 400, "{name}");
+        for (frame, code) in &told[name] {
+            assert_eq!(rate.timecode(*frame), *code, "{name}, frame {frame}");
+        }
+    }
 }
 
 #[test]

@@ -11,6 +11,7 @@ use golden::Goldens;
 use inkpanel::framing::Subject;
 use inkpanel::layout::Point;
 use inkpanel::page::words::given::{GivenFonts, missing};
+use inkpanel::page::words::wording;
 use inkpanel::page::words::{Letters, Word, draw, layout, place};
 use inkpanel::page::{Document, Scene, compose, png};
 use inkpanel::raster::decode::{Limits, decode};
@@ -112,6 +113,155 @@ fn given_fonts_are_shaped_as_harfbuzz_does() {
         for (side, expected) in sides.iter().zip(row["bounds"].as_array().unwrap()) {
             let least = points.iter().map(side).fold(f64::MAX, f64::min).abs();
             assert!((least - expected.as_f64().unwrap().abs()).abs() < 0.002, "{word}: {least} {expected}");
+        }
+    }
+}
+
+/// Bounds of what a letter of a column is drawn as, in pixels of a page that is 1000 wide, from the middle of the column's top.
+fn standing_bounds(letter: &str, letters: &Letters) -> [f64; 4] {
+    let page =
+        document(&json!([columns(letter, &json!({ "kind": "caption", "boxless": true, "size": 0.1 }))]));
+    let laid = &layout::lay_all(&page, letters).unwrap()[0];
+    let patch = draw::render(&page, 0, 1000, letters).unwrap();
+    // A caption without a box has a line around its letters, in another colour than they.
+    let (mut low, mut high) = ((f64::MAX, f64::MAX), (f64::MIN, f64::MIN));
+    for i in 0..patch.area.width * patch.area.height {
+        if patch.rgba[i * 4 + 3] == 255 && patch.rgba[i * 4] < 100 {
+            let x = (i % patch.area.width) as f64 + patch.area.x as f64 + 0.5;
+            let y = (i / patch.area.width) as f64 + patch.area.y as f64 + 0.5;
+            low = (low.0.min(x), low.1.min(y));
+            high = (high.0.max(x), high.1.max(y));
+        }
+    }
+    let (x, y) = (laid.middle.x * 1000.0, (laid.middle.y - laid.setting.lines[0].1 / 2.0) * 1000.0);
+    [low.0 - x, low.1 - y, high.0 - x, high.1 - y]
+}
+
+#[test]
+fn letters_of_columns_have_the_forms_that_their_font_has_for_them() {
+    let rows: Vec<Value> = serde_json::from_slice(&font_file("columns.json")).unwrap();
+    let told: String = rows.iter().filter_map(|row| row["letter"].as_str()).collect();
+    for letter in "「」、。っー…".chars() {
+        assert!(told.contains(letter), "the font has a form of its own for {letter}");
+    }
+    for row in &rows {
+        let letter = row["letter"].as_str().unwrap();
+        let letters = fonts(&["japanese.ttf"]).letters([&columns(letter, &json!({}))]).unwrap();
+        let font = letters.font("comic-neue").unwrap();
+        if letters.cleaned(letter).iter().all(|&own| letters.learnt(own).is_none()) {
+            continue;
+        }
+        assert_eq!(letters.missing(letter, font), [], "{letter}");
+        let bounds = standing_bounds(letter, &letters);
+        let expected: Vec<f64> =
+            row["bounds"].as_array().unwrap().iter().map(|side| side.as_f64().unwrap() * 100.0).collect();
+        let expected = [expected[0], -expected[3], expected[2], -expected[1]];
+        for (found, side) in bounds.iter().zip(expected) {
+            assert!((found - side).abs() < 2.0, "{letter}: {bounds:?} {expected:?}");
+        }
+    }
+}
+
+#[test]
+fn forms_for_columns_are_for_columns_alone() {
+    let text = "「っ」";
+    let lying = fonts(&["japanese.ttf"]).letters([&said(text)]).unwrap();
+    let both = fonts(&["japanese.ttf"]).letters([&columns(text, &json!({}))]).unwrap();
+    let word = document(&json!([said(text)]));
+    let [one, other] = [&lying, &both].map(|letters| draw::render(&word, 0, 600, letters).unwrap().rgba);
+    assert_eq!(one, other);
+    // What has no such form in its font is turned and moved as before.
+    let columned = document(&json!([columns("漢字", &json!({}))]));
+    let [one, other] = [said("漢字"), columns("漢字", &json!({}))].map(|word| {
+        draw::render(&columned, 0, 600, &fonts(&["japanese.ttf"]).letters([&word]).unwrap()).unwrap().rgba
+    });
+    assert_eq!(one, other);
+}
+
+/// Places of the rows of a word, on a page that is as wide as high is told: the letters, their scale, and where they are.
+fn ruby_page(text: &str, more: &Value) -> (layout::Laid, Letters) {
+    let mut word = said(text);
+    for (name, value) in more.as_object().unwrap() {
+        word[name] = value.clone();
+    }
+    let page = document(&json!([word]));
+    let letters = fonts(&["japanese.ttf"]).letters(&page.words).unwrap();
+    let laid = layout::lay_all(&page, &letters).unwrap().remove(0);
+    (laid, letters)
+}
+
+#[test]
+fn readings_make_their_balloon_larger_and_are_read_behind_their_letters() {
+    for vertical in [false, true] {
+        let more = json!({ "vertical": vertical, "size": 0.02 });
+        let (with, letters) = ruby_page("漢字《そうか》でも縦書き", &more);
+        let (without, _) = ruby_page("漢字でも縦書き", &more);
+        let text = |laid: &layout::Laid| -> String {
+            laid.setting
+                .lines
+                .iter()
+                .flat_map(|(line, _)| line)
+                .map(|&letter| letters.text_of(letter))
+                .collect()
+        };
+        // The notation is no text, and the reading is none of the line.
+        assert_eq!(text(&with), "漢字でも縦書き");
+        let area = |laid: &layout::Laid| laid.setting.half.0 * laid.setting.half.1;
+        assert!(area(&with) > 1.1 * area(&without), "{} {}", area(&with), area(&without));
+        assert_eq!(wording::read(&with.word), "漢字（そうか）でも縦書き");
+    }
+    // Words of the first pages, and what is no reading, stay as they are.
+    let (first, letters) = ruby_page("漢字《そうか》", &json!({ "craft": 1 }));
+    let line: String = first.setting.lines[0].0.iter().map(|&letter| letters.text_of(letter)).collect();
+    assert!(line.contains('《'), "{line}");
+}
+
+#[test]
+fn letters_and_their_reading_stay_in_one_line() {
+    let text = "だって漢字《そうかそうか》でも漢字《そうか》見た漢字《そう》だって書《か》き";
+    for vertical in [false, true] {
+        for width in [0.1, 0.14, 0.2, 0.3] {
+            let (laid, _) = ruby_page(text, &json!({ "vertical": vertical, "width": width, "size": 0.018 }));
+            let mut seen = Vec::new();
+            for under in &laid.setting.under {
+                let mut numbers: Vec<u16> =
+                    under.iter().map(|under| under.reading).filter(|n| *n > 0).collect();
+                numbers.dedup();
+                assert!(numbers.iter().all(|number| !seen.contains(number)), "{width}: {numbers:?} {seen:?}");
+                seen.extend(numbers);
+            }
+            assert_eq!(seen, [1, 2, 3, 4], "{vertical} {width}");
+        }
+    }
+}
+
+#[test]
+fn readings_touch_neither_each_other_nor_their_letters_nor_the_next_line() {
+    // Long readings over single letters, beside each other and in several lines.
+    let text = "漢《そうかそうか》字《だってだって》でも見《だってだ》た縦《そうか》書《か》き";
+    for vertical in [false, true] {
+        for width in [0.14, 0.24] {
+            let (laid, letters) =
+                ruby_page(text, &json!({ "vertical": vertical, "width": width, "size": 0.02 }));
+            let boxes = draw::boxes(&laid, 2000.0, &letters);
+            assert!(boxes.iter().filter(|(scale, _)| *scale < 1.0).count() >= 20, "{}", boxes.len());
+            for (i, (scale, a)) in boxes.iter().enumerate() {
+                for (other, b) in boxes.iter().skip(i + 1) {
+                    if scale.min(*other) > 0.99 {
+                        continue;
+                    }
+                    let shared = |low: f64, high: f64, from: f64, to: f64| high.min(to) - low.max(from);
+                    let (x, y) = (shared(a.0, a.2, b.0, b.2), shared(a.1, a.3, b.1, b.3));
+                    assert!(x < 0.6 || y < 0.6, "{vertical} {width}: {a:?} {b:?}");
+                }
+                // All of it is in the balloon.
+                let (half, middle) = (laid.setting.half, laid.middle);
+                for (x, y) in [(a.0, a.1), (a.2, a.1), (a.0, a.3), (a.2, a.3)] {
+                    let x = (x / 2000.0 - middle.x).abs() / half.0;
+                    let y = (y / 2000.0 - middle.y).abs() / half.1;
+                    assert!(x.powf(2.4) + y.powf(2.4) < 1.0, "{vertical} {width}: {x} {y}");
+                }
+            }
         }
     }
 }

@@ -52,6 +52,7 @@ fn figures(root: &Path) -> Result<(), Box<dyn Error>> {
     println!("pages {PAGES}, balloons {}", all.balloons);
     println!("faces seen {}, covered {}", all.faces.0, all.faces.1);
     println!("area of bodies covered {:.2} %", all.covered_bodies());
+    println!("balloons that hang on another {}", all.joined);
     println!("tails {}, right {:.1} %", all.tails.0, all.right_tails());
     println!("texts outside of their balloons {}", all.outside);
     println!("overlaps {}, borders crossed {}, out of order {}", all.overlaps, all.crossing, all.disorder);

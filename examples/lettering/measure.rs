@@ -33,6 +33,8 @@ pub(crate) struct Figures {
     pub(crate) disorder: usize,
     /// Smallest and largest letters, in points on A4.
     pub(crate) points: Option<(f64, f64)>,
+    /// Balloons that hang on another, whose tail is theirs.
+    pub(crate) joined: usize,
     /// What was found wrong, for those who look for it.
     pub(crate) told: Vec<String>,
 }
@@ -50,6 +52,7 @@ impl Figures {
         self.overlaps += other.overlaps;
         self.crossing += other.crossing;
         self.disorder += other.disorder;
+        self.joined += other.joined;
         self.points = match (self.points, other.points) {
             (Some(a), Some(b)) => Some((a.0.min(b.0), a.1.max(b.1))),
             (a, b) => a.or(b),
@@ -92,6 +95,7 @@ pub(crate) fn measure(
     let all = lay_all(page, letters)?;
     let patches: Vec<Patch> =
         (0..all.len()).map(|i| draw::render(page, i, WIDTH, letters)).collect::<inkpanel::Result<_>>()?;
+    let chains = chains(&all);
     let mut figures = Figures::default();
     let mut panels: Vec<usize> = all.iter().filter_map(|laid| laid.word.panel).collect();
     panels.sort_unstable();
@@ -132,7 +136,9 @@ pub(crate) fn measure(
             figures.outside += 1;
             figures.told.push(format!("{name}: word {i} is outside of its balloon"));
         }
-        if laid.word.joined.is_none() {
+        if laid.word.hangs_on().is_some() {
+            figures.joined += 1;
+        } else {
             figures.tails.0 += 1;
             let panel = laid.word.panel.unwrap_or(0);
             match wrong_tail(laid, &seen_in(page, &ground, panel, photos)) {
@@ -151,7 +157,10 @@ pub(crate) fn measure(
             figures.told.push(format!("{name}: word {i} crosses the border of its panel"));
         }
         for (j, other) in all.iter().enumerate().skip(i + 1) {
-            if touching(&patches[i], &patches[j]) {
+            // The first of a chain draws the outlines of all: these are looked at one by one.
+            let chained = chains[i].is_some() && chains[i] == chains[j];
+            let meet = if chained { ovals_meet(laid, other) } else { touching(&patches[i], &patches[j]) };
+            if meet {
                 figures.overlaps += 1;
                 figures.told.push(format!("{name}: words {i} and {j} overlap"));
             }
@@ -264,6 +273,25 @@ fn touching(a: &Patch, b: &Patch) -> bool {
             opaque(a, x, y) && opaque(b, x, y)
         })
     })
+}
+
+/// The first balloon of the chain that each word hangs in; none for words that stand alone.
+fn chains(all: &[Laid]) -> Vec<Option<usize>> {
+    let before = |i: usize| {
+        let name = all[i].word.hangs_on()?;
+        all.iter().position(|laid| laid.word.id.as_ref() == Some(name))
+    };
+    let first = |i: usize| std::iter::successors(before(i), |&at| before(at)).last();
+    let leads: Vec<Option<usize>> = (0..all.len()).map(first).collect();
+    (0..all.len()).map(|i| leads[i].or_else(|| leads.contains(&Some(i)).then_some(i))).collect()
+}
+
+/// Whether the ovals of two balloons overlap.
+fn ovals_meet(a: &Laid, b: &Laid) -> bool {
+    let (one, other) = (a.setting.half, b.setting.half);
+    let across = (a.middle.x - b.middle.x).abs() / (one.0 + other.0);
+    let down = (a.middle.y - b.middle.y).abs() / (one.1 + other.1);
+    across.powf(2.4) + down.powf(2.4) < 1.0
 }
 
 /// Whether all corners of all lines are inside of the oval, which bursts and clouds go around.

@@ -142,25 +142,25 @@ impl Project {
         self.waiting.iter().for_each(|word| note(word));
         let mut pages: Vec<Vec<Value>> = vec![Vec::new(); sheets.len()];
         let mut away: Vec<Arc<Value>> = Vec::new();
-        let mut last: Option<String> = None;
-        for word in words {
+        let mut mouth: Option<Value> = None;
+        for (i, word) in words.iter().enumerate() {
             let mut word = word.clone();
             let (sheet, joins) = match word.as_object_mut() {
                 Some(word) => (word.remove("sheet"), word.remove("joins") == Some(json!(true))),
                 None => continue,
             };
             if word["cue"].as_str().is_some_and(|cue| known.contains(cue)) {
-                last = None;
+                mouth = None;
                 continue;
             }
-            // Parts of one speech hang together.
             number += 1;
-            let id = format!("said-{number}");
-            if let Some(before) = last.filter(|_| joins) {
-                word["joined"] = json!(before);
+            word["id"] = json!(format!("said-{number}"));
+            // Parts of one speech are of one mouth, though nobody was named: they hang together where there is room for it.
+            let parted = joins || words.get(i + 1).is_some_and(|next| next["joins"] == json!(true));
+            if parted && word["by"].is_null() {
+                word["by"] = mouth.filter(|_| joins).unwrap_or_else(|| word["id"].clone());
             }
-            word["id"] = json!(id);
-            last = Some(id);
+            mouth = Some(word["by"].clone()).filter(Value::is_string);
             let place = sheet.and_then(|sheet| sheet.as_u64());
             match sheets.iter().position(|sheet| Some(sheet.sheet) == place) {
                 Some(at) => {

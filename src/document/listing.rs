@@ -3,7 +3,7 @@
 
 use super::file::{FilePhoto, ProjectFile};
 use super::project::TrayItem;
-use super::shots::{numbers, ordered};
+use super::shots::{Board, numbers, ordered};
 use crate::output::shots::{Film, ListedShot, ShotList};
 use std::collections::{HashMap, HashSet};
 
@@ -47,8 +47,8 @@ impl ProjectFile {
         let items: Vec<&TrayItem> = ids.iter().filter_map(|id| items.get(id).copied()).collect();
         let numbers = numbers(items.iter().map(|item| item.shot.number.as_str()));
         let shots = items.iter().zip(numbers).map(|(item, number)| self.listed(item, number)).collect();
-        let (fps, columns) = (present.board.fps, present.board.columns.clone());
-        ShotList { title: present.name.clone(), fps, columns, headings: Vec::new(), shots }
+        let Board { fps, pace, columns, .. } = Board::clone(&present.board);
+        ShotList { title: present.name.clone(), fps, pace, columns, headings: Vec::new(), shots }
     }
 
     fn listed(&self, item: &TrayItem, number: String) -> ListedShot {

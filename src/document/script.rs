@@ -73,7 +73,7 @@ pub fn read(text: &str) -> Vec<Vec<Said>> {
                     last.text.push_str(line);
                 }
                 None if has_names => {
-                    group.push(Said { manner: Manner::Told, speaker: None, text: line.to_owned() });
+                    group.push(Said { manner: Manner::Told, text: line.to_owned(), ..Said::default() });
                 }
                 None => group.append(&mut speech::of_lines(std::iter::once(line))),
             },
@@ -110,7 +110,7 @@ fn voice(line: &str) -> Option<Said> {
         };
         MANNERS.iter().find(|(_, starts)| said(starts)).map_or(Manner::Said, |(manner, _)| *manner)
     };
-    Some(Said { manner, speaker: Some(name.to_owned()), text: text.to_owned() })
+    Some(Said { manner, speaker: Some(name.to_owned()), text: text.to_owned(), turn: false })
 }
 
 /// `PAGE 2, PANEL 3`, with or without a colon.

@@ -7,11 +7,14 @@ use super::limits::{
 };
 use super::project::TrayItem;
 use crate::json::{Fields, Read, Writer, Wrong, text_of};
+use crate::output::shots::timecode::Pace;
 use serde_json::{Map, Value};
 use std::collections::HashSet;
 
 /// Frames a second that durations are counted in.
 pub const RATES: [u32; 3] = [24, 25, 30];
+/// How fast a second of a board may pass, by name.
+const PACES: [(&str, Pace); 3] = [("clock", Pace::Clock), ("ntsc", Pace::Ntsc), ("drop", Pace::Drop)];
 /// Frames that fit on a sheet of a board.
 pub const FRAMES: [u32; 8] = [1, 2, 3, 4, 6, 8, 9, 12];
 /// Width over height of the frames of a board, by what film people call it.
@@ -63,8 +66,11 @@ pub struct Shot {
 #[derive(Debug, Clone, PartialEq)]
 #[cfg_attr(all(test, feature = "cli"), derive(ts_rs::TS))]
 pub struct Board {
-    /// Frames a second, one of [`RATES`].
+    /// Frames of a counted second, one of [`RATES`].
     pub fps: u32,
+    /// How fast such a second passes; the clock's where nothing is told.
+    #[cfg_attr(all(test, feature = "cli"), ts(as = "Option<Pace>", optional))]
+    pub pace: Pace,
     /// Columns of one's own, each name once.
     pub columns: Vec<String>,
     /// Frames on a sheet, one of [`FRAMES`].
@@ -90,6 +96,7 @@ impl Default for Board {
     fn default() -> Self {
         Self {
             fps: RATES[0],
+            pace: Pace::Clock,
             columns: Vec::new(),
             frames: 6,
             aspect: "16:9".into(),
@@ -179,6 +186,11 @@ impl Board {
         if let Some(fps) = one_of(&mut fields, "fps", &RATES)? {
             board.fps = fps;
         }
+        if let Some(told) = fields.nullable("pace").text("pace", LONGEST_LABEL)? {
+            let pace = PACES.iter().find(|(name, _)| *name == told).map(|(_, pace)| *pace);
+            let pace = pace.filter(|pace| pace.fits(board.fps));
+            board.pace = pace.ok_or_else(|| Wrong::new("is no choice of a board").at("pace"))?;
+        }
         if let Some(frames) = one_of(&mut fields, "frames", &FRAMES)? {
             board.frames = frames;
         }
@@ -204,6 +216,10 @@ impl Board {
     pub(super) fn write(&self, out: &mut Writer) {
         out.open(b'{');
         out.key("fps").whole(u64::from(self.fps));
+        // What is usual is not told: boards of before say nothing of it.
+        if let Some((name, _)) = PACES.iter().find(|(_, pace)| *pace == self.pace && *pace != Pace::Clock) {
+            out.key("pace").text(name);
+        }
         out.key("columns").texts(&self.columns);
         out.key("frames").whole(u64::from(self.frames));
         out.key("aspect").text(&self.aspect);
@@ -342,6 +358,9 @@ mod tests {
         let board = |json: &str| Board::read(serde_json::from_str(json).unwrap());
         for wrong in [
             r#"{"fps":23}"#,
+            r#"{"fps":24,"pace":"drop"}"#,
+            r#"{"fps":25,"pace":"ntsc"}"#,
+            r#"{"pace":"slow"}"#,
             r#"{"frames":5}"#,
             r#"{"aspect":"3:2"}"#,
             r#"{"columns":["a","a"]}"#,

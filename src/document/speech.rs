@@ -38,6 +38,8 @@ pub struct Said {
     pub manner: Manner,
     /// Somebody who was named.
     pub speaker: Option<String>,
+    /// Another says it than what was said before, as a dash tells.
+    pub turn: bool,
     /// What.
     pub text: String,
 }
@@ -65,7 +67,7 @@ pub fn of_lines<'l>(lines: impl Iterator<Item = &'l str>) -> Vec<Said> {
             };
             if sound {
                 if text.chars().any(char::is_alphanumeric) {
-                    all.push(Said { manner: Manner::Sound, speaker: None, text: text.to_owned() });
+                    all.push(Said { manner: Manner::Sound, text: text.to_owned(), ..Said::default() });
                 }
                 fresh = true;
                 continue;
@@ -83,7 +85,7 @@ pub fn of_lines<'l>(lines: impl Iterator<Item = &'l str>) -> Vec<Said> {
                 }
                 // A name may stand on a line of its own, before what is said.
                 None if !text.is_empty() || speaker.is_some() => {
-                    all.push(Said { manner: Manner::Said, speaker, text: text.to_owned() });
+                    all.push(Said { speaker, turn: dashed, text: text.to_owned(), ..Said::default() });
                 }
                 None => {}
             }
@@ -258,9 +260,17 @@ pub fn words(said: &Said, taking: Taking) -> Vec<Value> {
         Manner::Said | Manner::Sound => plain(taking.kind, text),
     };
     let mut words: Vec<Value> = parted(&said.text).into_iter().map(word).collect();
-    // One mouth says them all: balloons that hang together.
-    for word in words.iter_mut().skip(1).filter(|word| word["kind"] == "balloon") {
-        word["joins"] = json!(true);
+    let balloons = words.iter_mut().filter(|word| word["kind"] == "balloon");
+    for (part, word) in balloons.enumerate() {
+        if let Some(name) = &said.speaker {
+            word["by"] = json!(name.to_lowercase());
+        }
+        // One mouth says them all: balloons that may hang together.
+        if part > 0 {
+            word["joins"] = json!(true);
+        } else if said.turn {
+            word["apart"] = json!(true);
+        }
     }
     words
 }
@@ -337,11 +347,11 @@ mod tests {
 
     #[test]
     fn sounds_are_left_out_or_effects() {
-        let said = Said { manner: Manner::Sound, text: "door slams".into(), speaker: None };
+        let said = Said { manner: Manner::Sound, text: "door slams".into(), ..Said::default() };
         assert!(words(&said, Taking { kind: "balloon", sounds: false }).is_empty());
         let made = words(&said, Taking { kind: "balloon", sounds: true });
         assert_eq!(made, [json!({ "kind": "effect", "text": "DOOR SLAMS", "angle": -8, "auto": true })]);
-        let shout = Said { manner: Manner::Shout, text: "Go!".into(), speaker: None };
+        let shout = Said { manner: Manner::Shout, text: "Go!".into(), ..Said::default() };
         assert_eq!(words(&shout, Taking { kind: "caption", sounds: true })[0]["shape"], "shout");
     }
 

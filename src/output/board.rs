@@ -2,7 +2,6 @@
 //! every sheet. A sheet is a page like any other ([`Document`]), so it is drawn, exported and printed like one: its frames are
 //! panels, what is told are plain captions whose letters stay text in a PDF file.
 
-use super::shots::timecode::timecode;
 use super::shots::{ListedShot, ShotList};
 use crate::error::{Error, Result};
 use crate::page::Document;
@@ -203,9 +202,9 @@ impl Request {
         (panel, frame, text): (usize, &Area, &Area),
     ) -> Vec<Value> {
         let size = grid.letters;
-        let rate = if self.list.fps == 0 { 24 } else { self.list.fps };
+        let rate = self.list.rate();
         let scene = (!shot.scene.is_empty()).then(|| format!("{} {}", self.labels.scene, shot.scene));
-        let length = shot.frames.map(|frames| timecode(u64::from(frames), rate)[3..].to_owned());
+        let length = shot.frames.map(|frames| rate.timecode(u64::from(frames))[3..].to_owned());
         let head =
             [Some(shot.number.clone()), scene, length].into_iter().flatten().collect::<Vec<_>>().join("   ");
         let labelled = |label: &str, text: &str| format!("{label}: {text}");

@@ -4,7 +4,7 @@
 //! No clock: the book says that it was made when ZIP files begin, and its identifier follows from what is in it.
 
 use super::comic::{Comic, File, Piece};
-use super::markup::{escaped, short};
+use super::markup::{escaped, short, with_readings};
 use super::phrases::Phrases;
 use super::telling::{ToldPage, ToldPanel, WordKind, tell, within};
 use crate::error::Result;
@@ -121,7 +121,7 @@ impl Book<'_> {
                 "<p class=\"word\" dir=\"auto\" style=\"{};font-size:{}px\">{}</p>",
                 place(inside),
                 short(word.size.max(1.0)),
-                escaped(&word.text)
+                with_readings(&word.pieces)
             );
         }
         body.push_str("</section>\n");

@@ -3,7 +3,7 @@
 //! are in it. Without a script it is a long page of pictures and text.
 
 use super::comic::{Comic, Piece};
-use super::markup::{escaped, points, short};
+use super::markup::{escaped, points, short, with_readings};
 use super::phrases::Phrases;
 use super::telling::{ToldPage, ToldPanel, ToldWord, WordKind, tell};
 use crate::error::Result;
@@ -194,7 +194,7 @@ fn told(text: &mut String, (page, at): (usize, usize), panel: &ToldPanel, on: &T
             text,
             "<p class=\"word {kind}\"><span class=\"kind\">{}</span> <span class=\"said\" dir=\"auto\">{}</span></p>",
             escaped(phrases.word(word.kind)),
-            escaped(&word.text),
+            with_readings(&word.pieces),
         );
     }
     text.push_str("</section></li>\n");

@@ -21,6 +21,18 @@ pub(super) fn escaped(text: &str) -> String {
     out
 }
 
+/// What a word says, its readings as ruby: where these are not known, they stand in brackets behind their letters.
+pub(super) fn with_readings(pieces: &[(String, Option<String>)]) -> String {
+    let piece = |(base, reading): &(String, Option<String>)| match reading {
+        Some(reading) => {
+            format!("<ruby>{}<rp>（</rp><rt>{}</rt><rp>）</rp></ruby>", escaped(base), escaped(reading))
+        }
+        None => escaped(base),
+    };
+    let text: String = pieces.iter().map(piece).collect();
+    text.split_whitespace().collect::<Vec<_>>().join(" ")
+}
+
 /// A length with the two digits that can be seen, and no more letters than it takes.
 pub(super) fn short(value: f64) -> String {
     let rounded = (value * 100.0).round() / 100.0;
@@ -50,6 +62,16 @@ mod tests {
             "&lt;b a=&quot;x&quot; c=&#39;y&#39;&gt;&amp; "
         );
         assert_eq!(escaped("Ärger 🦊 שלום"), "Ärger 🦊 שלום");
+    }
+
+    #[test]
+    fn readings_are_ruby_and_no_markup() {
+        let piece = |base: &str, reading: Option<&str>| (base.to_owned(), reading.map(str::to_owned));
+        let pieces = [piece("漢<字>", Some("か&じ")), piece(" \n&  c", None)];
+        assert_eq!(
+            with_readings(&pieces),
+            "<ruby>漢&lt;字&gt;<rp>（</rp><rt>か&amp;じ</rt><rp>）</rp></ruby> &amp; c"
+        );
     }
 
     #[test]

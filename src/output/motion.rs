@@ -365,6 +365,7 @@ mod tests {
         let word = |(place, text): (usize, &&str)| ToldWord {
             kind: super::super::telling::WordKind::Balloon,
             text: (*text).into(),
+            pieces: vec![((*text).into(), None)],
             place,
             bounds: Bounds { x: x + 2.0, y: y + 2.0, width: 10.0, height: 10.0 },
             size: 4.0,

@@ -7,7 +7,7 @@ use crate::layout::{Bounds, Point, ResolvedShape};
 use crate::page::words::Letters;
 use crate::page::words::layout::{Ground, Laid, extent, lay_all};
 use crate::page::words::model::Kind;
-use crate::page::words::wording::read;
+use crate::page::words::wording::{read, said_apart};
 use std::f64::consts::{PI, TAU};
 
 /// How far the polygon of a circle may be from it, in pixels.
@@ -53,6 +53,8 @@ pub struct ToldWord {
     pub text: String,
     /// Its place among the words of the document.
     pub place: usize,
+    /// The same in stretches, each with its reading where it has one.
+    pub pieces: Vec<(String, Option<String>)>,
     /// What is around it, in pixels.
     pub bounds: Bounds,
     /// Height of an em in pixels.
@@ -162,7 +164,14 @@ fn told_word(place: usize, laid: &Laid, scale: f64) -> Option<ToldWord> {
         Kind::Effect => WordKind::Effect,
         Kind::Balloon(_) => WordKind::Balloon,
     };
-    (!text.is_empty()).then_some(ToldWord { kind, text, place, bounds, size: laid.setting.size * scale })
+    (!text.is_empty()).then(|| ToldWord {
+        kind,
+        text,
+        place,
+        pieces: said_apart(&laid.word),
+        bounds,
+        size: laid.setting.size * scale,
+    })
 }
 
 fn scaled(bounds: Bounds, by: f64) -> Bounds {

@@ -9,7 +9,11 @@ Both families are under the SIL Open Font License 1.1, beside them, and reserve 
 - `japanese.ttf`: the letters of `JAPANESE` out of Noto Sans JP, quadratic outlines;
 - `cubic.otf`: two of them with cubic outlines, as CFF has them, drawn the other way round;
 - `arabic.ttf`: the letters of `ARABIC` out of Noto Naskh Arabic, with the rules by which they join;
-- `shaped.json`: of each word its advance and the corners of its outline in ems, as HarfBuzz shapes it.
+- `shaped.json`: of each word its advance and the corners of its outline in ems, as HarfBuzz shapes it;
+- `columns.json`: of each letter of `JAPANESE` that has another form in a column how far that goes down, and the corners of its
+  outline from the middle of the column's top, as HarfBuzz shapes it from the top down.
+
+Without a folder only the last two are written, of the fonts that are there.
 """
 
 import io
@@ -107,10 +111,36 @@ def shaped(file, word):
     return {"file": file, "word": word, "advance": x / em, "bounds": [side / em for side in bounds.bounds]}
 
 
+def standing(file, letter):
+    """The form of a letter in a column; none where it is that of lines."""
+    data = (OUT / file).read_bytes()
+    font = uharfbuzz.Font(uharfbuzz.Face(data))
+    shapes = []
+    for direction in ("LTR", "TTB"):
+        buffer = uharfbuzz.Buffer()
+        buffer.add_str(letter)
+        buffer.guess_segment_properties()
+        buffer.direction = direction
+        uharfbuzz.shape(font, buffer)
+        shapes.append(buffer)
+    (lying,), (form,) = [buffer.glyph_infos for buffer in shapes]
+    if lying.codepoint == form.codepoint:
+        return None
+    place = shapes[1].glyph_positions[0]
+    outlines = TTFont(io.BytesIO(data))
+    glyphs, order, em = outlines.getGlyphSet(), outlines.getGlyphOrder(), outlines["head"].unitsPerEm
+    bounds = BoundsPen(glyphs)
+    glyphs[order[form.codepoint]].draw(TransformPen(bounds, (1, 0, 0, 1, place.x_offset, place.y_offset)))
+    return {"letter": letter, "length": -place.y_advance / em, "bounds": [side / em for side in bounds.bounds]}
+
+
 if __name__ == "__main__":
-    japanese = packed(sys.argv[1], "noto-sans-jp", JAPANESE)
-    japanese.save(OUT / "japanese.ttf")
-    packed(sys.argv[1], "noto-naskh-arabic", ARABIC).save(OUT / "arabic.ttf")
-    cubic(TTFont(OUT / "japanese.ttf"), "漢字").save(OUT / "cubic.otf")
+    if len(sys.argv) > 1:
+        japanese = packed(sys.argv[1], "noto-sans-jp", JAPANESE)
+        japanese.save(OUT / "japanese.ttf")
+        packed(sys.argv[1], "noto-naskh-arabic", ARABIC).save(OUT / "arabic.ttf")
+        cubic(TTFont(OUT / "japanese.ttf"), "漢字").save(OUT / "cubic.otf")
+    columns = [form for letter in JAPANESE if (form := standing("japanese.ttf", letter))]
+    (OUT / "columns.json").write_text(json.dumps(columns, ensure_ascii=False, indent=1) + "\n")
     rows = [shaped(file, word) for file, words in WORDS.items() for word in words]
     (OUT / "shaped.json").write_text(json.dumps(rows, ensure_ascii=False, indent=1) + "\n")

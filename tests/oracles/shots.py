@@ -4,7 +4,7 @@
     python tests/oracles/shots.py
 
 Writes `tests/oracles/data/shots.json`: of each file the shots in their order, each with its first frame in its film, its first
-frame in the programme, and how many frames it has.
+frame in the programme, and how many frames it has; and `timecodes.json`: the time codes of some frames at each rate.
 """
 
 import json
@@ -15,14 +15,24 @@ import opentimelineio as otio
 DATA = pathlib.Path(__file__).parent / "data"
 
 
-def frames(time, rate):
-    exact = time.rescaled_to(rate)
-    assert exact.value == int(exact.value), time
-    return int(exact.value)
+# Frames a second, and whether numbers are left out, by the names of rates.
+RATES = {
+    "24": (24, False),
+    "25": (25, False),
+    "30": (30, False),
+    "23.976": (24000 / 1001, False),
+    "29.97": (30000 / 1001, False),
+    "29.97drop": (30000 / 1001, True),
+}
+
+
+def frames(time):
+    assert abs(time.value - round(time.value)) < 1e-6, time
+    return round(time.value)
 
 
 def read(path):
-    rate = int(path.stem.split("-")[1])
+    rate, drops = RATES[path.stem.removeprefix("list-")]
     more = {"rate": rate} if path.suffix == ".edl" else {}
     if path.suffix == ".xml":
         more["adapter_name"] = "fcp_xml"
@@ -32,25 +42,40 @@ def read(path):
     (track,) = timeline.video_tracks()
     shots = []
     for clip in track.find_clips():
-        assert clip.source_range.duration.rate == rate, clip
+        assert abs(clip.source_range.duration.rate - rate) < 1e-6, clip
         placed = clip.transformed_time_range(clip.trimmed_range(), timeline.tracks)
         media = clip.media_reference
         shots.append({
-            "start": frames(clip.source_range.start_time, rate),
-            "frames": frames(clip.source_range.duration, rate),
-            "at": frames(placed.start_time, rate),
+            "start": frames(clip.source_range.start_time),
+            "frames": frames(clip.source_range.duration),
+            "at": frames(placed.start_time),
             "media": getattr(media, "name", "") or clip.name,
         })
     # In a decision list the programme begins at one hour.
-    assert shots[0]["at"] == (3600 * rate if path.suffix == ".edl" else 0), shots[0]
     begin = shots[0]["at"]
+    hour = frames(otio.opentime.from_timecode("01:00:00;00" if drops else "01:00:00:00", rate))
+    assert begin == (hour if path.suffix == ".edl" else 0), shots[0]
     return [{**shot, "at": shot["at"] - begin} for shot in shots]
+
+
+def codes(rate, drops):
+    """Frames around every minute of half an hour, some of the next day, and each with its code, which is read back."""
+    around = [minute * round(rate * 60) + off for minute in range(31) for off in range(-40, 41, 8)]
+    some = [*around, *range(0, 90), *range(107_880, 107_900), *range(150_000, 2_000_000, 98_765)]
+    told = []
+    for frame in sorted({frame for frame in some if frame >= 0}):
+        code = otio.opentime.to_timecode(otio.opentime.RationalTime(frame, rate), rate, drops)
+        assert frames(otio.opentime.from_timecode(code, rate)) == frame, (frame, code)
+        told.append([frame, code])
+    return told
 
 
 def main():
     told = {path.name: read(path) for path in sorted((DATA / "shots").iterdir()) if path.suffix != ".csv"}
     text = json.dumps(told, indent=1, ensure_ascii=False)
     (DATA / "shots.json").write_text(text + "\n", encoding="utf-8")
+    text = json.dumps({name: codes(*rate) for name, rate in RATES.items()}, separators=(",", ":"))
+    (DATA / "timecodes.json").write_text(text + "\n", encoding="utf-8")
 
 
 if __name__ == "__main__":

@@ -1,10 +1,12 @@
 /** How the sheets of the board are laid out, and what stands in their heads. */
 
-import type { Board } from '../engine/types.ts';
 import { strings } from '../strings/strings.ts';
 import { useApp } from '../ui/context.ts';
 import { Icon } from '../ui/icon.tsx';
-import { ASPECTS, PER_SHEET, RATES } from './shots.ts';
+import { ASPECTS, PER_SHEET, RATES, rateName } from './shots.ts';
+
+/** The slowest first: names that are whole numbers would stand before the others. */
+const RATE_NAMES = Object.keys(RATES).sort((a, b) => Number.parseFloat(a) - Number.parseFloat(b));
 
 export function BoardSettings() {
   const { boards } = useApp();
@@ -15,9 +17,24 @@ export function BoardSettings() {
         <Icon name="style" />
         {strings.boards.filmBoard}
       </button>
-      <Choice name="frames" label={strings.boards.perSheet} values={PER_SHEET} />
-      <Choice name="aspect" label={strings.boards.aspect} values={Object.keys(ASPECTS)} />
-      <Choice name="fps" label={strings.boards.rate} values={RATES} />
+      <Choice
+        label={strings.boards.perSheet}
+        value={board.frames}
+        values={PER_SHEET}
+        onValue={(frames) => boards.change({ frames })}
+      />
+      <Choice
+        label={strings.boards.aspect}
+        value={board.aspect}
+        values={Object.keys(ASPECTS)}
+        onValue={(aspect) => boards.change({ aspect })}
+      />
+      <Choice
+        label={strings.boards.rate}
+        value={rateName(board)}
+        values={RATE_NAMES}
+        onValue={(name) => boards.change({ pace: undefined, ...RATES[name] })}
+      />
       <label class="choice">
         <input
           type="checkbox"
@@ -41,29 +58,30 @@ export function BoardSettings() {
 }
 
 function Choice<T extends string | number>({
-  name,
   label,
+  value,
   values,
+  onValue,
 }: {
-  name: 'frames' | 'aspect' | 'fps';
   label: string;
+  value: T;
   values: readonly T[];
+  onValue: (value: T) => void;
 }) {
-  const { boards } = useApp();
   return (
     <label class="field">
       <span>{label}</span>
       <select
         class="select"
-        value={String(boards.board.value[name])}
+        value={String(value)}
         onChange={(event) => {
-          const value = values.find((one) => String(one) === event.currentTarget.value);
-          boards.change({ [name]: value } as Partial<Board>);
+          const chosen = values.find((one) => String(one) === event.currentTarget.value);
+          if (chosen !== undefined) onValue(chosen);
         }}
       >
-        {values.map((value) => (
-          <option key={value} value={String(value)}>
-            {value}
+        {values.map((one) => (
+          <option key={one} value={String(one)}>
+            {one}
           </option>
         ))}
       </select>

@@ -74,7 +74,7 @@ export function createBoards({
   /** What stands in a cell. */
   function textOf(shot: Shot, { kind, id }: Column): string {
     if (kind === 'own') return shot.more?.[id] ?? '';
-    if (kind === 'length') return shot.frames === undefined ? '' : lengthText(shot.frames, board.value.fps);
+    if (kind === 'length') return shot.frames === undefined ? '' : lengthText(shot.frames, board.value);
     return shot[id as 'action'] ?? '';
   }
 
@@ -83,7 +83,7 @@ export function createBoards({
     const text = typed.trim().slice(0, id === 'scene' || id === 'number' ? MOST.label : MOST.field);
     if (kind === 'own') return withColumn(shot, id, text);
     if (kind === 'field') return withField(shot, id, text);
-    const frames = lengthOf(text, board.peek().fps, MOST.shotFrames);
+    const frames = lengthOf(text, board.peek(), MOST.shotFrames);
     if (frames === undefined) return null;
     const { frames: _, ...rest } = shot;
     return frames === null ? rest : { ...rest, frames };
@@ -138,7 +138,7 @@ export function createBoards({
 
   /** The shots as lists of them tell it, with headings in the language of this visit. */
   function shotList(): ShotList {
-    const { fps, columns: own } = board.peek();
+    const { fps, pace, columns: own } = board.peek();
     const album = store.album.peek();
     const videos = store.videos.peek();
     const shots = rows.peek().map(({ id, number, shot }): ListedShot => {
@@ -149,7 +149,8 @@ export function createBoards({
       return { ...UNTOLD, ...told, number, name: fact?.name ?? id, ...(film && { film }) };
     });
     const { heading } = strings.boards;
-    return { title: store.project.peek().name, fps, columns: [...own], headings: [...heading], shots };
+    const title = store.project.peek().name;
+    return { title, fps, ...(pace && { pace }), columns: [...own], headings: [...heading], shots };
   }
 
   /** The sheets of the board as pages, in the style of the page. */

@@ -140,6 +140,6 @@ function withCell(
   if (field === 'number' && /^\d+$/.test(text.trim())) return shot;
   if (field) return withField(shot, field, text.trim().slice(0, field === 'scene' ? MOST.label : MOST.field));
   if (place !== 5 && place !== 6) return shot;
-  const frames = lengthOf(place === 6 ? `${text.trim()}f` : text, board.fps, MOST.shotFrames);
+  const frames = lengthOf(place === 6 ? `${text.trim()}f` : text, board, MOST.shotFrames);
   return frames ? { ...shot, frames } : shot;
 }

@@ -12,7 +12,7 @@ import type { ListDrag } from '../ui/list-drag.ts';
 import { Icon } from '../ui/icon.tsx';
 import type { Column } from './boards.ts';
 import { Frame } from './frame.tsx';
-import type { ShotRow } from './shots.ts';
+import type { Rate, ShotRow } from './shots.ts';
 import { lengthText, USUAL_SECONDS } from './shots.ts';
 
 export function ShotsTable() {
@@ -20,7 +20,7 @@ export function ShotsTable() {
   const table = useRef(null as HTMLTableElement | null);
   const rows = boards.rows.value;
   const columns = boards.columns.value;
-  const { fps } = boards.board.value;
+  const board = boards.board.value;
   const drag = useListDrag({ list: '.shots-scroll', item: 'tbody tr' }, boards.move);
   const gap = drag.carried?.gap ?? -1;
 
@@ -45,7 +45,7 @@ export function ShotsTable() {
     <section class="shots" aria-label={strings.boards.shots}>
       <div class="shots-head">
         <p>
-          {strings.boards.count(rows.length)} · <b>{lengthText(boards.total.value, fps)}</b>
+          {strings.boards.count(rows.length)} · <b>{lengthText(boards.total.value, board)}</b>
         </p>
         <NewColumn />
         <button type="button" class="button" onClick={() => void copy()}>
@@ -270,7 +270,7 @@ function Cell({
       data-cell={`${place.row} ${place.column}`}
       data-column={column.kind === 'own' ? 'own' : column.id}
       aria-label={name}
-      placeholder={placeholderOf(row, column, boards.board.value.fps)}
+      placeholder={placeholderOf(row, column, boards.board.value)}
       value={text}
       onInput={(event) => setTyped(event.currentTarget.value)}
       onBlur={(event) => take(event.currentTarget.value)}
@@ -286,7 +286,7 @@ function isProse(text: string): boolean {
 }
 
 /** What holds where nothing is told. */
-function placeholderOf({ number }: ShotRow, { id, kind }: Column, fps: number): string | undefined {
-  if (kind === 'length') return lengthText(USUAL_SECONDS * fps, fps);
+function placeholderOf({ number }: ShotRow, { id, kind }: Column, rate: Rate): string | undefined {
+  if (kind === 'length') return lengthText(USUAL_SECONDS * rate.fps, rate);
   return kind === 'field' && id === 'number' ? number : undefined;
 }

@@ -1,11 +1,11 @@
 import fc from 'fast-check';
 import { expect, test } from 'vitest';
-import { lengthOf, lengthText, numbered, ordered, withColumn, withField } from './shots.ts';
+import { lengthOf, lengthText, numbered, ordered, RATES, rateName, withColumn, withField } from './shots.ts';
 
 const MOST = 2_592_000;
 
 test('lengths are read as people write them, and back as they are told', () => {
-  const read = (text: string) => lengthOf(text, 25, MOST);
+  const read = (text: string) => lengthOf(text, { fps: 25 }, MOST);
   expect(['2', '2,5', '36f', '1:12', '0:01:12', '0:00:01:12', ' 3 s '].map(read)).toEqual([50, 63, 36, 37, 37, 37, 75]);
   expect(['', '0', 'long', '-3', '1:x', '1:2:3:4:5'].map(read)).toEqual([
     null,
@@ -16,10 +16,19 @@ test('lengths are read as people write them, and back as they are told', () => {
     undefined,
   ]);
   fc.assert(
-    fc.property(fc.integer({ min: 1, max: MOST }), fc.constantFrom(24, 25, 30), (frames, fps) => {
-      expect(lengthOf(lengthText(frames, fps), fps, MOST)).toBe(frames);
+    fc.property(fc.integer({ min: 1, max: MOST }), fc.constantFrom(...Object.values(RATES)), (frames, rate) => {
+      expect(lengthOf(lengthText(frames, rate), rate, MOST)).toBe(frames);
     }),
   );
+});
+
+test('at 29.97 DF lengths are told as time codes that leave numbers out', () => {
+  // The cases of `src/output/shots/timecode.rs`.
+  const drop = RATES['29.97 DF'];
+  const told = [1_799, 1_800, 3_598, 17_982, 19_782].map((frames) => lengthText(frames, drop));
+  expect(told).toEqual(['0:59;29', '1:00;02', '2:00;02', '10:00;00', '11:00;02']);
+  expect(lengthOf('60', drop, MOST)).toBe(1798);
+  expect(Object.values(RATES).map(rateName)).toEqual(Object.keys(RATES));
 });
 
 test('photos that nobody put anywhere follow the one before them', () => {

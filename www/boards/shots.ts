@@ -23,7 +23,21 @@ export const NO_BOARD: Board = Object.freeze({
   order: [],
 });
 
-export const RATES = [24, 25, 30] as const;
+/** How frames are counted, and how fast. */
+export type Rate = Pick<Board, 'fps' | 'pace'>;
+
+/** Rates by the names that cutting rooms have for them; DF leaves out numbers of frames, so that time codes keep to the clock. */
+export const RATES: Readonly<Record<string, Rate>> = Object.freeze({
+  '23.976': { fps: 24, pace: 'ntsc' },
+  '24': { fps: 24 },
+  '25': { fps: 25 },
+  '29.97 NDF': { fps: 30, pace: 'ntsc' },
+  '29.97 DF': { fps: 30, pace: 'drop' },
+  '30': { fps: 30 },
+});
+/** At 29.97 DF two numbers are left out in each minute but every tenth. */
+const DROPPED = 2;
+const WHOLE = 10;
 export const PER_SHEET = [1, 2, 3, 4, 6, 8, 9, 12] as const;
 export const ASPECTS: Readonly<Record<string, number>> = Object.freeze({
   '2.39': 2.39,
@@ -60,19 +74,41 @@ export function numbered(rows: readonly { id: string; shot: Shot }[]): ShotRow[]
   });
 }
 
-/** @returns `m:ss:ff`, such as `0:02:12` */
-export function lengthText(frames: number, fps: number): string {
-  const seconds = Math.floor(frames / fps);
+/** @returns the name of a rate */
+export function rateName({ fps, pace = 'clock' }: Rate): string {
+  const same = (rate: Rate) => rate.fps === fps && (rate.pace ?? 'clock') === pace;
+  return Object.entries(RATES).find(([, rate]) => same(rate))?.[0] ?? String(fps);
+}
+
+/** @returns `m:ss:ff`, such as `0:02:12`; at 29.97 DF `m:ss;ff`, as `Rate::timecode` counts in `src/output/shots/timecode.rs` */
+export function lengthText(frames: number, { fps, pace }: Rate): string {
+  const number = pace === 'drop' ? withDropped(frames, fps) : frames;
+  const seconds = Math.floor(number / fps);
   const two = (value: number) => String(value).padStart(2, '0');
-  return `${Math.floor(seconds / 60)}:${two(seconds % 60)}:${two(frames % fps)}`;
+  const mark = pace === 'drop' ? ';' : ':';
+  return `${Math.floor(seconds / 60)}:${two(seconds % 60)}${mark}${two(number % fps)}`;
+}
+
+/** The number of a frame, with those before it that are left out. */
+function withDropped(frames: number, fps: number): number {
+  const ten = fps * 60 * WHOLE - DROPPED * (WHOLE - 1);
+  const rest = frames % ten;
+  const minutes = Math.floor(Math.max(0, rest - DROPPED) / (fps * 60 - DROPPED));
+  return frames + DROPPED * ((WHOLE - 1) * Math.floor(frames / ten) + minutes);
+}
+
+/** The frame of a number. */
+function withoutDropped(number: number, fps: number): number {
+  const minutes = Math.floor(number / (fps * 60));
+  return number - DROPPED * (minutes - Math.floor(minutes / WHOLE));
 }
 
 /**
  * A length as people write it: `2` or `2.5` are seconds, `36f` are frames, `2:12` are seconds and frames, `0:02:12` has minutes
- * before them, `0:00:02:12` hours.
+ * before them, `0:00:02:12` hours. At 29.97 DF what is told in seconds and frames is a time code.
  * @returns frames; null for nothing, undefined for what is no length
  */
-export function lengthOf(text: string, fps: number, most: number): number | null | undefined {
+export function lengthOf(text: string, { fps, pace }: Rate, most: number): number | null | undefined {
   const plain = text.trim().toLowerCase().replace(',', '.');
   if (plain === '') return null;
   const frames = /^(\d+)\s*f$/.exec(plain);
@@ -80,10 +116,11 @@ export function lengthOf(text: string, fps: number, most: number): number | null
   const parts = /^\d+(?:[:;]\d+){1,3}$/.test(plain) ? plain.split(/[:;]/).map(Number) : null;
   let count = Number.NaN;
   if (frames) count = Number(frames[1]);
-  else if (seconds) count = Math.round(Number(seconds[1]) * fps);
+  else if (seconds) count = Math.round((Number(seconds[1]) * fps) / (pace && pace !== 'clock' ? 1.001 : 1));
   else if (parts) {
     const [frame, ...up] = parts.toReversed();
-    count = frame + fps * up.reduce((sum, part, i) => sum + part * 60 ** i, 0);
+    const number = frame + fps * up.reduce((sum, part, i) => sum + part * 60 ** i, 0);
+    count = pace === 'drop' ? withoutDropped(number, fps) : number;
   }
   return Number.isFinite(count) && count >= 1 ? Math.min(count, most) : undefined;
 }

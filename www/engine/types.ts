@@ -78,8 +78,10 @@ export type Shot = {
 
 /** How the shots of a project are counted, ordered and laid out. */
 export type Board = {
-  /** Frames a second, one of `RATES`. */
+  /** Frames of a counted second, one of `RATES`. */
   fps: number,
+  /** How fast such a second passes; the clock's where nothing is told. */
+  pace?: Pace,
   /** Columns of one's own, each name once. */
   columns: ReadonlyArray<string>,
   /** Frames on a sheet, one of `FRAMES`. */
@@ -102,8 +104,10 @@ export type Board = {
 export type ShotList = {
   /** What the album is called. */
   title: string,
-  /** Frames a second, from 1 to 60; 24 where nothing is told. */
+  /** Frames of a counted second, from 1 to 60; 24 where nothing is told. */
   fps: number,
+  /** How fast such a second passes; as the clock's where nothing is told. */
+  pace?: Pace,
   /** Columns of one's own. */
   columns: ReadonlyArray<string>,
   /** What the columns of a table are called, in the order of `HEADINGS`; English where there are not as many. */
@@ -143,6 +147,9 @@ export type Film = {
   /** How long it is, in seconds, where that is known. */
   length?: number,
 };
+
+/** How fast a counted second passes. */
+export type Pace = "clock" | "ntsc" | "drop";
 
 /** What is asked for. In JSON the fields of a `ShotList` beside these. */
 export type BoardRequest = {
@@ -831,6 +838,12 @@ export type Word = { kind: 'caption' | 'balloon' | 'effect',
   id?: string | null,
   /** The name of the balloon that this one is joined to. */
   joined?: string | null,
+  /** The same, found when the balloon was placed by itself. */
+  linked?: string | null,
+  /** It is joined to no balloon by itself. */
+  apart?: boolean,
+  /** Who says it, where that is known. */
+  by?: string,
   /** The language of its text: long words part by its rules. */
   language?: string | null,
   /** Its lines are columns, read from the top down and from right to left. */

@@ -6,6 +6,7 @@
 import { computed, signal } from '@preact/signals';
 import { language, strings } from '../strings/strings.ts';
 import { MOST, wellFormed } from '../document/limits.ts';
+import { chainOf, hangsOn, joinedBefore, parted } from './joining.ts';
 import { anchored, pagePoint } from './word-places.ts';
 import { createWordPlanning } from './word-planning.ts';
 import type { Messages } from '../ui/messages.ts';
@@ -74,6 +75,7 @@ export function createLettering({
     point,
     resize,
     turn,
+    join,
     foreign: (text: string) => letters.value?.foreign(text) ?? false,
     missing: (text: string, font: string) => letters.value?.missing(text, font) ?? '',
     remove,
@@ -177,7 +179,19 @@ export function createLettering({
     const page = store.page.peek();
     if (!page || !words.peek()[index]) return;
     const changed = words.peek().map((word, i) => (i === index ? { ...word, ...news } : word));
-    store.change({ type: 'change-page', page: settled({ ...page, words: changed }, [index]), gesture });
+    // What a person puts somewhere goes there alone; else those that hang together find their places together.
+    const free = news.auto === false ? [index] : chainOf(changed, index);
+    store.change({ type: 'change-page', page: settled({ ...page, words: changed }, free), gesture });
+  }
+
+  /** Joins a balloon to the one before it on its panel, or parts it from the one that it hangs on. */
+  function join(index: number, on: boolean) {
+    const page = store.page.peek();
+    if (!page || !words.peek()[index]) return;
+    const before = words.peek();
+    const changed = on ? joinedBefore(before, index) : parted(before, index);
+    const free = [...new Set([...chainOf(before, index), ...chainOf(changed, index)])];
+    store.change({ type: 'change-page', page: settled({ ...page, words: changed }, free) });
   }
 
   /** @param text nothing removes the word */
@@ -194,7 +208,8 @@ export function createLettering({
     const word = words.peek()[index];
     if (!geometry || !word) return;
     const tip = boxes.peek()[index]?.tip ?? null;
-    edit(index, { ...onPhoto(anchored(geometry, word, to, tip)), auto: false }, gesture);
+    const held = word.linked ? { joined: word.linked, linked: null } : {};
+    edit(index, { ...onPhoto(anchored(geometry, word, to, tip)), ...held, auto: false }, gesture);
   }
 
   /** @param to in page widths; null takes the tail off */
@@ -229,7 +244,13 @@ export function createLettering({
     if (!page || !word) return;
     choose(-1);
     editing.value = -1;
-    store.change({ type: 'change-page', page: { ...page, words: words.peek().filter((_, i) => i !== index) } });
+    const all = words.peek();
+    // What hung on it has a tail of its own again.
+    const orphans = all.flatMap((_, i) => (hangsOn(all, i) === index ? [i - Number(i > index)] : []));
+    const left = all
+      .filter((_, i) => i !== index)
+      .map((word, i) => (orphans.includes(i) ? { ...word, joined: null, linked: null } : word));
+    store.change({ type: 'change-page', page: settled({ ...page, words: left }, orphans) });
     messages.note(strings.wordRemoved(strings.word(word.kind, word.text)));
   }
 

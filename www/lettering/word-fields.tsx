@@ -5,6 +5,7 @@ import { strings } from '../strings/strings.ts';
 import { useApp } from '../ui/context.ts';
 import { IconButton } from '../ui/button.tsx';
 import type { Word } from '../engine/types.ts';
+import { balloonBefore, hangsOn } from './joining.ts';
 import type { Mode } from './lettering.ts';
 
 type AmountProps = {
@@ -32,7 +33,9 @@ function named(letter: string): string {
 
 export function WordFields({ index }: { index: number }) {
   const { store, ui, lettering } = useApp();
-  const word = lettering.words.value[index];
+  const words = lettering.words.value;
+  const word = words[index];
+  const hangs = hangsOn(words, index) >= 0;
   const box = lettering.boxes.value[index];
   const height = store.geometry.value?.height ?? 1;
   const gesture = useRef(lettering.step());
@@ -187,6 +190,9 @@ export function WordFields({ index }: { index: number }) {
       <div class="word-switches">
         <Switch label={strings.wordCapitals} on={capitals(word)} onChange={(on) => set({ capitals: on })} />
         <Switch label={strings.wordVertical} on={word.vertical ?? false} onChange={(vertical) => set({ vertical })} />
+        {(hangs || balloonBefore(words, index) >= 0) && (
+          <Switch label={strings.wordJoin} on={hangs} onChange={(on) => lettering.join(index, on)} />
+        )}
         {word.kind === 'caption' && (
           <Switch label={strings.wordBoxless} on={word.boxless ?? false} onChange={(boxless) => set({ boxless })} />
         )}

@@ -45,8 +45,15 @@ export function createWordPainter(
     // Another page does not show the words of the one before in their old places.
     if (!same || words.length !== sheet?.keys.length) shown = [];
     // Joined balloons are drawn as one shape, and words take the colours of the style where they have none.
-    const joined = words.filter(({ id, joined }) => id || joined);
-    const key = (word: Word) => [word, layout, page, width, word.craft && style, (word.id || word.joined) && joined];
+    const joined = words.filter(({ id, joined, linked }) => id || joined || linked);
+    const key = (word: Word) => [
+      word,
+      layout,
+      page,
+      width,
+      word.craft && style,
+      (word.id || word.joined || word.linked) && joined,
+    ];
     sheet = { document, width, keys: words.map((word) => JSON.stringify(key(word))) };
     words.forEach((_, i) => request(i));
     paint();

@@ -1,7 +1,6 @@
 //! A shot list as a table of values apart by commas, RFC 4180. It begins with a byte order mark, by which spreadsheets know
 //! UTF-8; a cell that a spreadsheet would take for a formula begins with an apostrophe.
 
-use super::timecode::timecode;
 use super::{Cut, HEADINGS, ShotList};
 
 /// What begins a formula. Source: OWASP, CSV Injection.
@@ -21,8 +20,8 @@ pub(super) fn write(list: &ShotList) -> String {
             shot.number.clone(),
             shot.name.clone(),
             of_film(cut.file()),
-            of_film(&timecode(*start, list.rate())),
-            timecode(*frames, list.rate()),
+            of_film(&list.rate().timecode(*start)),
+            list.rate().timecode(*frames),
             frames.to_string(),
             shot.action.clone(),
             shot.dialogue.clone(),

@@ -1,7 +1,6 @@
 //! An edit decision list, CMX 3600: each shot a cut on the one picture track, with the time codes of its film and those of
 //! the programme, which begins at one hour. What it is called and of which file, and what is told of it, are comments.
 
-use super::timecode::{PROGRAMME, timecode};
 use super::{Cut, ShotList, line};
 use std::collections::HashMap;
 use std::fmt::Write as _;
@@ -15,16 +14,16 @@ pub(super) fn write(list: &ShotList) -> String {
     let rate = list.rate();
     let mut out = String::new();
     let title = line(&list.title);
+    let count = if rate.drops() { "DROP FRAME" } else { "NON-DROP FRAME" };
     // Writing into text never fails.
-    let _ =
-        write!(out, "TITLE: {}\nFCM: NON-DROP FRAME\n", if title.is_empty() { "Untitled" } else { &title });
+    let _ = write!(out, "TITLE: {}\nFCM: {count}\n", if title.is_empty() { "Untitled" } else { &title });
     let mut reels = Reels::default();
     for (i, cut) in list.cuts().enumerate() {
         let Cut { shot, start, frames, at } = &cut;
         let reel = shot.film.as_ref().map_or(AUXILIARY.to_owned(), |film| reels.of(&film.name));
-        let record = PROGRAMME * u64::from(rate) + at;
+        let record = rate.programme() + at;
         let [from, to, begin, end] =
-            [*start, start + frames, record, record + frames].map(|frame| timecode(frame, rate));
+            [*start, start + frames, record, record + frames].map(|frame| rate.timecode(frame));
         let _ = write!(out, "\n{:03}  {reel:<8} V     C        {from} {to} {begin} {end}\n", i + 1);
         for (what, text) in [
             ("FROM CLIP NAME", cut.file()),

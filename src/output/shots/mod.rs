@@ -18,6 +18,7 @@ mod xmeml;
 use crate::error::{Error, Result};
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
+use timecode::{Pace, Rate};
 
 /// Shots in their order. In JSON what is empty may be missing.
 #[derive(Debug, Clone, Default, PartialEq, Deserialize)]
@@ -26,8 +27,11 @@ use std::collections::BTreeMap;
 pub struct ShotList {
     /// What the album is called.
     pub title: String,
-    /// Frames a second, from 1 to 60; 24 where nothing is told.
+    /// Frames of a counted second, from 1 to 60; 24 where nothing is told.
     pub fps: u32,
+    /// How fast such a second passes; as the clock's where nothing is told.
+    #[cfg_attr(all(test, feature = "cli"), ts(as = "Option<Pace>", optional))]
+    pub pace: Pace,
     /// Columns of one's own.
     pub columns: Vec<String>,
     /// What the columns of a table are called, in the order of [`HEADINGS`]; English where there are not as many.
@@ -115,6 +119,9 @@ impl ShotList {
         if list.fps > 60 {
             return Err(invalid("have more than 60 frames a second".into()));
         }
+        if !list.pace.fits(list.rate().base) {
+            return Err(invalid("have a rate whose frames are not counted in this way".into()));
+        }
         Ok(list)
     }
 
@@ -129,8 +136,10 @@ impl ShotList {
         }
     }
 
-    fn rate(&self) -> u32 {
-        if self.fps == 0 { 24 } else { self.fps }
+    /// How its frames are counted.
+    #[must_use]
+    pub fn rate(&self) -> Rate {
+        Rate { base: if self.fps == 0 { 24 } else { self.fps }, pace: self.pace }
     }
 
     /// The shots with their places: in their film, and behind each other.
@@ -138,8 +147,8 @@ impl ShotList {
         let rate = self.rate();
         let mut at = 0;
         self.shots.iter().map(move |shot| {
-            let frames = shot.frames.map_or(2 * u64::from(rate), u64::from).max(1);
-            let start = shot.film.as_ref().map_or(0, |film| timecode::frame_at(film.time, rate));
+            let frames = shot.frames.map_or(2 * u64::from(rate.base), u64::from).max(1);
+            let start = shot.film.as_ref().map_or(0, |film| rate.frame_at(film.time));
             let cut = Cut { shot, start, frames, at };
             at += frames;
             cut
@@ -196,7 +205,8 @@ mod tests {
             shot("4A", None, Some(("night.mp4", 12.52))),
             shot("2", Some(1), None),
         ];
-        ShotList { title: "One & two".into(), fps, columns: vec!["Lens".into()], headings: Vec::new(), shots }
+        let columns = vec!["Lens".into()];
+        ShotList { title: "One & two".into(), fps, columns, shots, ..ShotList::default() }
     }
 
     #[test]
@@ -210,7 +220,13 @@ mod tests {
     fn a_list_of_anything_else_is_refused() {
         assert!(ShotList::parse("{\"fps\":25,\"shots\":[{\"frames\":-1}]}").is_err());
         assert!(ShotList::parse("{\"fps\":2500}").is_err() && ShotList::parse("[").is_err());
-        assert_eq!(ShotList::parse("{}").unwrap().rate(), 24);
+        assert_eq!(ShotList::parse("{}").unwrap().rate(), Rate { base: 24, pace: Pace::Clock });
+        for (fps, pace, fits) in
+            [(24, "ntsc", true), (30, "drop", true), (24, "drop", false), (25, "ntsc", false)]
+        {
+            let list = format!("{{\"fps\":{fps},\"pace\":\"{pace}\"}}");
+            assert_eq!(ShotList::parse(&list).is_ok(), fits, "{list}");
+        }
     }
 
     proptest! {

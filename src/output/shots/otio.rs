@@ -1,7 +1,7 @@
 //! An `OpenTimelineIO` timeline of one picture track, its fields in the metadata of the clips. Source: the schema of
 //! `OpenTimelineIO` 0.15 (`Timeline.1`, `Clip.2`, `ExternalReference.1`).
 
-use super::timecode::{PROGRAMME, frame_at};
+use super::timecode::Rate;
 use super::{Cut, ShotList};
 use serde_json::{Value, json};
 use std::fmt::Write as _;
@@ -18,7 +18,7 @@ pub(super) fn write(list: &ShotList) -> String {
     });
     let timeline = json!({
         "OTIO_SCHEMA": "Timeline.1", "metadata": {}, "name": list.title,
-        "global_start_time": time(PROGRAMME * u64::from(rate), rate),
+        "global_start_time": time(rate.programme(), rate),
         "tracks": {
             "OTIO_SCHEMA": "Stack.1", "metadata": {}, "name": "tracks", "source_range": null, "effects": [],
             "markers": [], "enabled": true, "children": [track],
@@ -27,10 +27,10 @@ pub(super) fn write(list: &ShotList) -> String {
     format!("{timeline:#}\n")
 }
 
-fn clip(cut: &Cut, rate: u32) -> Value {
+fn clip(cut: &Cut, rate: Rate) -> Value {
     let Cut { shot, start, frames, .. } = cut;
     let length =
-        shot.film.as_ref().map_or(Some(*frames), |film| film.length.map(|length| frame_at(length, rate)));
+        shot.film.as_ref().map_or(Some(*frames), |film| film.length.map(|length| rate.frame_at(length)));
     let available = length.map(|length| range(0, length.max(start + frames), rate));
     let media = json!({
         "OTIO_SCHEMA": "ExternalReference.1", "metadata": {}, "name": cut.file(), "available_range": available,
@@ -46,12 +46,12 @@ fn clip(cut: &Cut, rate: u32) -> Value {
     })
 }
 
-fn range(start: u64, frames: u64, rate: u32) -> Value {
+fn range(start: u64, frames: u64, rate: Rate) -> Value {
     json!({ "OTIO_SCHEMA": "TimeRange.1", "start_time": time(start, rate), "duration": time(frames, rate) })
 }
 
-fn time(frames: u64, rate: u32) -> Value {
-    json!({ "OTIO_SCHEMA": "RationalTime.1", "rate": f64::from(rate), "value": frames as f64 })
+fn time(frames: u64, rate: Rate) -> Value {
+    json!({ "OTIO_SCHEMA": "RationalTime.1", "rate": rate.exact(), "value": frames as f64 })
 }
 
 /// The name of a file as a URL that is looked for beside the list.

@@ -1,7 +1,7 @@
 //! XML of Final Cut Pro 7: a sequence of one picture track. Source: Apple, Final Cut Pro XML Interchange Format, version 5.
 
 use super::otio::url;
-use super::timecode::{PROGRAMME, frame_at, timecode};
+use super::timecode::{Pace, Rate};
 use super::{Cut, ShotList};
 use crate::output::markup::escaped;
 use std::collections::HashMap;
@@ -17,16 +17,23 @@ pub(super) fn write(list: &ShotList) -> String {
         end = cut.at + cut.frames;
         item(&mut items, (i + 1, &cut), (&mut files, list), &pace);
     }
-    let begin = PROGRAMME * u64::from(rate);
+    let begin = rate.programme();
+    let shown = shown(rate);
     format!(
-        "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<!DOCTYPE xmeml>\n<xmeml version=\"5\">\n<sequence id=\"sequence-1\">\n<name>{}</name>\n<duration>{end}</duration>\n{pace}\n<timecode>{pace}<string>{}</string><frame>{begin}</frame><displayformat>NDF</displayformat></timecode>\n<media>\n<video>\n<track>\n{items}<enabled>TRUE</enabled>\n<locked>FALSE</locked>\n</track>\n</video>\n</media>\n</sequence>\n</xmeml>\n",
+        "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<!DOCTYPE xmeml>\n<xmeml version=\"5\">\n<sequence id=\"sequence-1\">\n<name>{}</name>\n<duration>{end}</duration>\n{pace}\n<timecode>{pace}<string>{}</string><frame>{begin}</frame><displayformat>{shown}</displayformat></timecode>\n<media>\n<video>\n<track>\n{items}<enabled>TRUE</enabled>\n<locked>FALSE</locked>\n</track>\n</video>\n</media>\n</sequence>\n</xmeml>\n",
         escaped(&list.title),
-        timecode(begin, rate),
+        rate.timecode(begin),
     )
 }
 
-fn pace(rate: u32) -> String {
-    format!("<rate><timebase>{rate}</timebase><ntsc>FALSE</ntsc></rate>")
+fn pace(rate: Rate) -> String {
+    let ntsc = if rate.pace == Pace::Clock { "FALSE" } else { "TRUE" };
+    format!("<rate><timebase>{}</timebase><ntsc>{ntsc}</ntsc></rate>", rate.base)
+}
+
+/// Whether numbers of frames are left out.
+fn shown(rate: Rate) -> &'static str {
+    if rate.drops() { "DF" } else { "NDF" }
 }
 
 /// A clip. `files`: the numbers of films that were told already, and how far each is known to reach.
@@ -45,9 +52,11 @@ fn item(
     } else {
         files.insert(cut.file().to_owned(), number);
         format!(
-            "<file id=\"file-{number}\">\n<name>{}</name>\n<pathurl>{}</pathurl>\n{pace}\n<duration>{length}</duration>\n<timecode>{pace}<string>00:00:00:00</string><frame>0</frame><displayformat>NDF</displayformat></timecode>\n<media><video/></media>\n</file>",
+            "<file id=\"file-{number}\">\n<name>{}</name>\n<pathurl>{}</pathurl>\n{pace}\n<duration>{length}</duration>\n<timecode>{pace}<string>{}</string><frame>0</frame><displayformat>{}</displayformat></timecode>\n<media><video/></media>\n</file>",
             escaped(cut.file()),
             url(cut.file()),
+            list.rate().timecode(0),
+            shown(list.rate()),
         )
     };
     // Writing into text never fails.
@@ -68,7 +77,7 @@ fn item(
 /// Frames of the file of a shot: as long as its film is, and as far as any shot of it reaches.
 fn length_of(list: &ShotList, cut: &Cut) -> u64 {
     let Some(film) = &cut.shot.film else { return cut.frames };
-    let own = film.length.map_or(0, |length| frame_at(length, list.rate()));
+    let own = film.length.map_or(0, |length| list.rate().frame_at(length));
     let same =
         list.cuts().filter(|other| other.shot.film.as_ref().is_some_and(|other| other.name == film.name));
     same.map(|other| other.start + other.frames).fold(own, u64::max)

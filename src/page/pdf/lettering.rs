@@ -127,7 +127,7 @@ impl Lettering<'_> {
                 let mut mark = content.begin_marked_content_with_properties(Name(b"Span"));
                 mark.properties().actual_text(TextStr(&says));
             }
-            show(content, &row, face, &bend.straightened(), size);
+            show(content, &row, face, &bend.straightened(), size * row.scale);
             if !level {
                 content.end_marked_content();
             }

@@ -4,6 +4,8 @@ use super::balloons::neck;
 use super::layout::{Body, Chain, Ground, Laid, lay_all};
 use super::letters::{Font, Letters};
 use super::model::{Craft, Kind, Shape, Word};
+use super::ruby;
+use super::setting::Setting;
 use super::shapes;
 use super::vertical;
 use crate::error::{Error, Result};
@@ -47,7 +49,7 @@ pub fn render(document: &Document, index: usize, width: usize, letters: &Letters
     let value = document.words.get(index).ok_or_else(missing)?;
     let word = Word::parse(value, index)?;
     // What is joined is drawn by the first of the balloons, which must know them all.
-    if word.id.is_some() || word.joined.is_some() {
+    if word.id.is_some() || word.hangs_on().is_some() {
         let all = lay_all(document, letters)?;
         return all.get(index).map(|laid| draw(laid, width as f64, letters)).ok_or_else(missing);
     }
@@ -187,6 +189,8 @@ pub(in crate::page) struct Row<'a> {
     pub(in crate::page) strong: bool,
     /// They are drawn heavier, where that is all that tells them from others.
     pub(in crate::page) heavy: bool,
+    /// Their size, in parts of the word's: those of readings are smaller.
+    pub(in crate::page) scale: f64,
 }
 
 impl Row<'_> {
@@ -196,7 +200,7 @@ impl Row<'_> {
     }
 }
 
-/// The lines of a word on a page of `width` pixels.
+/// The lines of a word on a page of `width` pixels, with the readings of their letters.
 pub(in crate::page) fn rows<'a>(laid: &Laid, width: f64, letters: &'a Letters) -> Vec<Row<'a>> {
     let Some(font) = letters.font(&laid.word.font) else { return Vec::new() };
     if laid.word.vertical {
@@ -206,16 +210,20 @@ pub(in crate::page) fn rows<'a>(laid: &Laid, width: f64, letters: &'a Letters) -
     let size = setting.size * width;
     let last = setting.lines.len().saturating_sub(1) as f64;
     let bold = letters.strong(font);
+    // Readings are a part of the first line's height.
+    let lift = if setting.readings.is_empty() { 0.0 } else { ruby::THICKER.0 * size };
     let mut rows = Vec::with_capacity(setting.lines.len());
     for (i, (run, length)) in setting.lines.iter().enumerate() {
         let run = &letters.ordered(run);
         let marks = setting.strong.get(i).map_or(&[][..], Vec::as_slice);
+        let under = setting.under.get(i).map_or(&[][..], Vec::as_slice);
         let (mut pen, first) = if laid.word.plain {
             (-setting.half.0 * width, font.capitals * size - setting.half.1 * width)
         } else {
             (-length * width / 2.0, (font.capitals * size - last * setting.pitch * width) / 2.0)
         };
-        let baseline = first + i as f64 * setting.pitch * width;
+        let baseline = first + lift / 2.0 + i as f64 * setting.pitch * width;
+        let mut spans = Vec::with_capacity(if under.is_empty() { 0 } else { run.len() });
         let mut at = 0;
         while at < run.len() {
             let strong = |at: usize| marks.get(at).copied().unwrap_or(false);
@@ -228,57 +236,164 @@ pub(in crate::page) fn rows<'a>(laid: &Laid, width: f64, letters: &'a Letters) -
                 font,
                 strong: strong(at),
                 heavy: strong(at) && font.id() == laid.word.font,
+                scale: 1.0,
             };
             for i in at..at + alike {
-                row.letters.push((run[i], pen));
-                pen += letters.advance(font, run[i], run.get(i + 1).copied()) * size;
+                let start = pen;
+                let apart = under.get(i).map_or(0.0, |under| under.apart * size);
+                row.letters.push((run[i], pen + apart / 2.0));
+                pen += letters.advance(font, run[i], run.get(i + 1).copied()) * size + apart;
+                if !under.is_empty() {
+                    spans.push((start, pen));
+                }
             }
             rows.push(row);
             at += alike;
+        }
+        for (reading, (start, end)) in read(setting, i, &spans) {
+            let (begin, gap) = ruby::spread(letters, font, reading, false, (end - start) / size);
+            let mut pen = start + begin * size;
+            let mut row = small(font, baseline - ruby::rise() * size);
+            for (at, &letter) in reading.iter().enumerate() {
+                row.letters.push((letter, pen));
+                let next = reading.get(at + 1).copied();
+                pen += (letters.advance(font, letter, next) * ruby::SIZE + gap) * size;
+            }
+            rows.push(row);
         }
     }
     rows
 }
 
-/// The cells of the columns of a word on a page of `width` pixels, from right to left. What is emphasised is heavier, and does
-/// not lean.
+/// A row of a reading.
+fn small(font: &Font, baseline: f64) -> Row<'_> {
+    let letters = Vec::new();
+    Row { baseline, turned: false, letters, font, strong: false, heavy: false, scale: ruby::SIZE }
+}
+
+/// The readings over a line, each with where its letters begin and end; `spans` are those of all letters.
+fn read<'s>(setting: &'s Setting, line: usize, spans: &[(f64, f64)]) -> Vec<(&'s [char], (f64, f64))> {
+    let Some(under) = setting.under.get(line).filter(|under| !under.is_empty()) else { return Vec::new() };
+    let mut all = Vec::new();
+    for run in (0..under.len().min(spans.len()))
+        .collect::<Vec<_>>()
+        .chunk_by(|&a, &b| under[a].reading == under[b].reading)
+    {
+        let (Some(&first), Some(&last)) = (run.first(), run.last()) else { continue };
+        let number = usize::from(under[first].reading);
+        if let Some(reading) = number.checked_sub(1).and_then(|number| setting.readings.get(number)) {
+            all.push((reading.as_slice(), (spans[first].0, spans[last].1)));
+        }
+    }
+    all
+}
+
+/// The cells of the columns of a word on a page of `width` pixels, from right to left, and the readings beside them. What is
+/// emphasised is heavier, and does not lean.
 fn columns<'a>(laid: &Laid, width: f64, (letters, font): (&'a Letters, &'a Font)) -> Vec<Row<'a>> {
     let setting = &laid.setting;
     let size = setting.size * width;
     let last = setting.lines.len().saturating_sub(1) as f64;
     let longest = setting.lines.iter().map(|line| line.1).fold(0.0, f64::max);
     let bold = letters.strong(font);
+    // Readings are a part of the width of the column at the right.
+    let shift = if setting.readings.is_empty() { 0.0 } else { ruby::THICKER.1 * size / 2.0 };
     let mut rows = Vec::new();
     for (i, (run, length)) in setting.lines.iter().enumerate() {
-        let across = (last / 2.0 - i as f64) * setting.pitch * width;
-        let mut down = -if setting.flush { longest } else { *length } * width / 2.0;
-        for cell in vertical::cells(letters, font, run) {
-            let part = &run[cell.start..cell.end];
-            let strong =
-                setting.strong.get(i).and_then(|marks| marks.get(cell.start)).copied().unwrap_or(false);
-            let font = if strong { bold } else { font };
-            let mut pen = if cell.turned {
-                down
-            } else {
-                across - letters.width(font, part) * size / 2.0 + cell.off.0 * size
+        let across = (last / 2.0 - i as f64) * setting.pitch * width - shift;
+        let start = -if setting.flush { longest } else { *length } * width / 2.0;
+        let strong =
+            |at: usize| setting.strong.get(i).and_then(|marks| marks.get(at)).copied().unwrap_or(false);
+        let apart = |at: usize| {
+            setting.under.get(i).and_then(|under| under.get(at)).map_or(0.0, |under| under.apart * size)
+        };
+        let column = Column { letters, across, start, size };
+        let spans = column.stand(
+            run,
+            &apart,
+            |at| {
+                let font = if strong(at) { bold } else { font };
+                Row { heavy: strong(at) && font.id() == laid.word.font, scale: 1.0, ..small(font, 0.0) }
+            },
+            font,
+            &mut rows,
+        );
+        for (reading, (from, to)) in read(setting, i, &spans) {
+            let (begin, gap) = ruby::spread(letters, font, reading, true, (to - from) / size);
+            let beside = Column {
+                across: across + ruby::aside() * size,
+                // Half of what its letters stand apart is before the first of them.
+                start: from + (begin - gap / 2.0) * size,
+                size: size * ruby::SIZE,
+                ..column
             };
-            let baseline = if cell.turned {
-                across - cell.middle * size
-            } else {
-                down + (vertical::BASELINE - cell.off.1) * size
-            };
-            let heavy = strong && font.id() == laid.word.font;
-            let mut row =
-                Row { baseline, turned: cell.turned, letters: Vec::new(), font, strong: false, heavy };
-            for (at, &letter) in part.iter().enumerate() {
-                row.letters.push((letter, pen));
-                pen += letters.advance(font, letter, part.get(at + 1).copied()) * size;
-            }
-            down += cell.length * size;
-            rows.push(row);
+            beside.stand(reading, &|_| gap * size, |_| small(font, 0.0), font, &mut rows);
         }
     }
     rows
+}
+
+/// Where letters stand below each other, in pixels.
+#[derive(Clone, Copy)]
+struct Column<'a> {
+    letters: &'a Letters,
+    /// Its middle.
+    across: f64,
+    /// Its top.
+    start: f64,
+    /// Height of an em.
+    size: f64,
+}
+
+impl<'a> Column<'a> {
+    /// Adds the rows of a column, and answers where each letter begins and ends. `apart`: how much further the pen goes over each,
+    /// half of it before the letter; `row` gives what else is told of the row that begins with a letter.
+    fn stand(
+        &self,
+        run: &[char],
+        apart: &dyn Fn(usize) -> f64,
+        row: impl Fn(usize) -> Row<'a>,
+        font: &Font,
+        rows: &mut Vec<Row<'a>>,
+    ) -> Vec<(f64, f64)> {
+        let Self { letters, across, start, size } = *self;
+        let mut spans = Vec::with_capacity(run.len());
+        let mut down = start;
+        for cell in vertical::cells(letters, font, run) {
+            let part = &run[cell.start..cell.end];
+            let mut row = row(cell.start);
+            let font = row.font;
+            let wide = letters.width(font, part) * size;
+            row.turned = cell.turned;
+            if cell.turned {
+                row.baseline = across - cell.middle * size;
+                for (at, &letter) in part.iter().enumerate() {
+                    let (top, more) = (down, apart(cell.start + at));
+                    row.letters.push((letter, down + more / 2.0));
+                    down += letters.advance(font, letter, part.get(at + 1).copied()) * size + more;
+                    spans.push((top, down));
+                }
+                rows.push(row);
+                continue;
+            }
+            let more: f64 = (cell.start..cell.end).map(apart).sum();
+            row.baseline = down + more / 2.0 + (vertical::BASELINE - cell.off.1) * size;
+            if let Some(form) = cell.form {
+                row.letters.push((form, across - size / 2.0));
+            } else {
+                let mut pen = across - wide / 2.0 + cell.off.0 * size;
+                for (at, &letter) in part.iter().enumerate() {
+                    row.letters.push((letter, pen));
+                    pen += letters.advance(font, letter, part.get(at + 1).copied()) * size;
+                }
+            }
+            let end = down + cell.length * size + more;
+            spans.extend(part.iter().map(|_| (down, end)));
+            down = end;
+            rows.push(row);
+        }
+        spans
+    }
 }
 
 /// The outlines of the letters in pixels, and once more of those that are drawn heavier.
@@ -287,6 +402,7 @@ fn contours(laid: &Laid, width: f64, letters: &Letters) -> (Vec<Vec<Point>>, Vec
     let bend = Bend::new(laid, width);
     let (mut out, mut heavy) = (Vec::new(), Vec::new());
     for row in rows(laid, width, letters) {
+        let size = size * row.scale;
         let lean = if row.strong { LEAN } else { 0.0 };
         for &(letter, pen) in &row.letters {
             for mut points in row.font.outline(letter, 0.08 / size.max(1.0)) {
@@ -302,6 +418,26 @@ fn contours(laid: &Laid, width: f64, letters: &Letters) -> (Vec<Vec<Point>>, Vec
         }
     }
     (out, heavy)
+}
+
+/// Of each letter of a word that is seen its scale, and what is around it on a page of `width` pixels: left, top, right and bottom.
+#[must_use]
+pub fn boxes(laid: &Laid, width: f64, letters: &Letters) -> Vec<(f64, (f64, f64, f64, f64))> {
+    let bend = Bend::new(laid, width);
+    let mut boxes = Vec::new();
+    for row in rows(laid, width, letters) {
+        let size = laid.setting.size * width * row.scale;
+        for &(letter, pen) in &row.letters {
+            let points = row.font.outline(letter, 0.01).concat();
+            let around = points.iter().map(|point| row.at(pen + point.x * size, point.y * size));
+            let around = around.map(|(x, y)| bend.moved(x, y)).fold(None, |around, at| {
+                let (left, top, right, bottom) = around.unwrap_or((at.x, at.y, at.x, at.y));
+                Some((left.min(at.x), top.min(at.y), right.max(at.x), bottom.max(at.y)))
+            });
+            boxes.extend(around.map(|around| (row.scale, around)));
+        }
+    }
+    boxes
 }
 
 /// The place of a word, and the arc and the turn of an effect around it.

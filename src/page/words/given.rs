@@ -3,12 +3,14 @@
 //!
 //! A stretch of text that the fonts lack is shaped by the first file that has all of it: words of scripts whose letters join or
 //! turn as a whole, by the rules of their script, all others a letter at a time, each by the first file that has it. The outlines
-//! become letters like those that are learnt from pictures, so that pictures and PDF files show the same.
+//! become letters like those that are learnt from pictures, so that pictures and PDF files show the same. Letters of words in
+//! columns are shaped once more from the top down: where their font has another form for that (`vert`), it is learnt beside them.
 //!
 //! Nothing of this is in a module of the browser.
 
 use super::learning::number;
 use super::letters::{Contour, Letters};
+use super::vertical;
 use crate::error::Result;
 use crate::layout::Point;
 use rustybuzz::ttf_parser::{GlyphId, OutlineBuilder, fonts_in_collection};
@@ -98,10 +100,14 @@ impl GivenFonts {
             return Ok(letters);
         }
         let mut faces: Vec<Option<Face<'_>>> = self.files.iter().map(|file| face(file)).collect();
-        for text in words.into_iter().filter_map(|word| word["text"].as_str()) {
+        for word in words {
+            let Some(text) = word["text"].as_str() else { continue };
             for said in text.split_whitespace() {
                 for stretch in stretches(&letters, said) {
                     learn(&mut letters, &mut faces, &stretch);
+                }
+                if word["vertical"] == true {
+                    stand(&mut letters, &faces, said);
                 }
             }
         }
@@ -198,6 +204,48 @@ fn learn(letters: &mut Letters, faces: &mut [Option<Face<'_>>], stretch: &str) {
     }
 }
 
+/// Learns the forms for columns of the letters of a word, each of the first font that has the letter.
+fn stand(letters: &mut Letters, faces: &[Option<Face<'_>>], word: &str) {
+    let mut buffer = [0; 4];
+    for letter in word.chars().filter(|&letter| !letter.is_ascii() && !is_joined(letter)) {
+        let run: &str = letter.encode_utf8(&mut buffer);
+        let face = faces.iter().flatten().find(|face| face.glyph_index(letter).is_some());
+        let form = face.and_then(|face| guarded(|| standing(face, run)));
+        if let Some(Outline { contours, length, .. }) = form {
+            letters.learn_standing(run, length, &contours);
+        }
+    }
+}
+
+/// The form of a letter for columns in ems, from the left of its square and over the baseline; nothing where it has none but that
+/// for lines.
+fn standing(face: &Face<'_>, run: &str) -> Option<Outline> {
+    let shaped = |direction: Direction| {
+        let mut buffer = UnicodeBuffer::new();
+        buffer.push_str(run);
+        buffer.guess_segment_properties();
+        buffer.set_direction(direction);
+        rustybuzz::shape(face, &[], buffer)
+    };
+    let (lying, upright) = (shaped(Direction::LeftToRight), shaped(Direction::TopToBottom));
+    let ids = |glyphs: &GlyphBuffer| -> Vec<u32> {
+        glyphs.glyph_infos().iter().map(|info| info.glyph_id).collect()
+    };
+    if ids(&lying) == ids(&upright) {
+        return None;
+    }
+    let mut form = outline(face, &upright, 0..upright.len(), false)?;
+    // The pen of a column is in its middle, at the top of the square, and goes down.
+    let moved = |point: Point| Point::new(point.x + 0.5, point.y + vertical::BASELINE);
+    for contour in &mut form.contours {
+        contour.start = moved(contour.start);
+        for (control, end) in &mut contour.segments {
+            (*control, *end) = (control.map(moved), moved(*end));
+        }
+    }
+    (0.2..3.0).contains(&form.length).then_some(form)
+}
+
 /// The runs of a text, each with its outline where the font has all of it.
 fn shaped<'t>(face: &Face<'_>, text: &'t str) -> Vec<(&'t str, Option<Outline>)> {
     let mut buffer = UnicodeBuffer::new();
@@ -231,17 +279,26 @@ fn outline(
     leftward: bool,
 ) -> Option<Outline> {
     let em = f64::from(face.units_per_em()).max(1.0);
-    let mut out = Outline { em, contours: Vec::new(), advance: 0.0, pen: (0.0, 0.0), corners: 0, leftward };
+    let mut out = Outline {
+        em,
+        contours: Vec::new(),
+        advance: 0.0,
+        length: 0.0,
+        pen: (0.0, 0.0),
+        corners: 0,
+        leftward,
+    };
     for i in which {
         let (info, place) = (glyphs.glyph_infos().get(i)?, glyphs.glyph_positions().get(i)?);
         if info.glyph_id == 0 {
             return None;
         }
-        out.pen = (out.advance * em + f64::from(place.x_offset), f64::from(place.y_offset));
+        out.pen = (out.advance * em + f64::from(place.x_offset), f64::from(place.y_offset) - out.length * em);
         let from = out.contours.len();
         face.outline_glyph(GlyphId(u16::try_from(info.glyph_id).ok()?), &mut out);
         turn_clockwise(&mut out.contours[from..]);
         out.advance += f64::from(place.x_advance) / em;
+        out.length -= f64::from(place.y_advance) / em;
     }
     let sound = out.corners <= MOST_CORNERS && (0.0..100.0).contains(&out.advance);
     (sound && !out.contours.is_empty()).then_some(out)
@@ -253,6 +310,8 @@ struct Outline {
     contours: Vec<Contour>,
     /// How far the pen has moved, in ems.
     advance: f64,
+    /// How far it has moved down, in ems.
+    length: f64,
     /// Where the glyph at hand stands, in units of the font.
     pen: (f64, f64),
     corners: usize,

@@ -5,7 +5,7 @@ use super::model::{Craft, Kind, Word};
 use super::palette::{self, Palette};
 use super::setting::{Setting, Wish, set};
 use super::shapes::reach;
-use super::wording::marks;
+use super::wording::{marks, readings};
 use crate::error::Result;
 use crate::layout::{Bounds, Point, ResolvedPanel, resolve};
 use crate::page::Document;
@@ -162,12 +162,16 @@ impl Ground {
         let most = width.map_or(wish.most, |_| (wish.page.0, wish.most.1));
         let wish = Wish { room, most, ..wish };
         let setting = match letters.font(&word.font) {
-            Some(font) => set(letters, font, &marks(&word, letters, font), &wish),
+            Some(font) => {
+                set(letters, font, (&marks(&word, letters, font), &readings(&word, letters)), &wish)
+            }
             None => Setting {
                 size: 0.0,
                 pitch: 0.0,
                 lines: Vec::new(),
                 strong: Vec::new(),
+                under: Vec::new(),
+                readings: Vec::new(),
                 flush: false,
                 half: (0.0, 0.0),
                 cut: true,
@@ -224,7 +228,7 @@ pub(super) fn joined<'w>(words: &(impl Iterator<Item = &'w Word> + Clone)) -> Ve
             words.clone().enumerate().filter(|(_, word)| matches!(word.kind, Kind::Balloon(_)));
         balloons.find(|(_, word)| word.id.as_ref() == Some(name)).map(|(place, _)| place)
     };
-    let of = |(i, word): (usize, &Word)| word.joined.as_ref().and_then(place).filter(|place| *place != i);
+    let of = |(i, word): (usize, &Word)| word.hangs_on().and_then(place).filter(|place| *place != i);
     words.clone().enumerate().map(of).collect()
 }
 

@@ -45,6 +45,8 @@ pub(super) struct Learnt {
     pub(super) run: String,
     /// It is read from right to left.
     pub(super) leftward: bool,
+    /// It is the form for columns of the letter of that number: no text has it.
+    pub(super) stands_for: Option<usize>,
 }
 
 /// The letter that stands for the run of that number.

@@ -154,8 +154,11 @@ impl<'a> Lens<'a> {
     fn setting(&self, broken: &Broken, size: f64, (a, b): (f64, f64)) -> Setting {
         let mut strong = Vec::new();
         let mut lines = Vec::new();
+        let mut under = Vec::new();
         for (&(first, end), width) in broken.lines.iter().zip(&broken.widths) {
-            let (mut run, mut marks) = self.setter.line(self.pieces[first].start..self.pieces[end - 1].end);
+            let part = self.pieces[first].start..self.pieces[end - 1].end;
+            under.push(self.setter.under(part.clone()));
+            let (mut run, mut marks) = self.setter.line(part);
             if self.pieces[end - 1].after == After::Hyphen {
                 run.push('-');
                 marks.push(false);
@@ -164,7 +167,8 @@ impl<'a> Lens<'a> {
             strong.push(marks);
         }
         let (pitch, flush) = (self.setter.pitch() * size, self.setter.wish.vertical);
-        Setting { size, pitch, lines, strong, flush, half: (a * size, b * size), cut: false }
+        let readings = self.setter.readings.to_vec();
+        Setting { size, pitch, lines, strong, under, readings, flush, half: (a * size, b * size), cut: false }
     }
 
     /// Whether lines are longest in the middle. Columns begin at the same height, whatever is around them.
@@ -369,7 +373,7 @@ mod tests {
             most: (0.44, 0.4),
             page: (0.94, 1.3),
         };
-        set(&letters, font, &marks(&word, &letters, font), &wish)
+        set(&letters, font, (&marks(&word, &letters, font), &[]), &wish)
     }
 
     fn text_of(setting: &Setting) -> Vec<String> {

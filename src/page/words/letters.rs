@@ -140,13 +140,36 @@ impl Letters {
         if self.learnt.iter().any(|learnt| learnt.run == run) {
             return true;
         }
+        self.add_glyph(letter, advance, contours);
+        self.learnt.push(Learnt { run: run.to_owned(), leftward, stands_for: None });
+        true
+    }
+
+    /// Gives a letter that was learnt the form that its font has for columns: its outline from the left of a square, over a
+    /// baseline as high as that of others, and its part of the column, in ems.
+    #[cfg(feature = "cli")]
+    pub(super) fn learn_standing(&mut self, run: &str, length: f64, contours: &[Contour]) {
+        let of = self.learnt.iter().position(|learnt| learnt.run == run && learnt.stands_for.is_none());
+        let Some((of, letter)) = of.zip(learning::letter(self.learnt.len())) else { return };
+        if self.learnt.iter().all(|learnt| learnt.stands_for != Some(of)) {
+            self.add_glyph(letter, length, contours);
+            self.learnt.push(Learnt { run: run.to_owned(), leftward: false, stands_for: Some(of) });
+        }
+    }
+
+    /// The form of a letter for columns, where its font has one.
+    pub(super) fn standing(&self, letter: char) -> Option<char> {
+        let of = learning::number(letter)?;
+        learning::letter(self.learnt.iter().position(|learnt| learnt.stands_for == Some(of))?)
+    }
+
+    /// Adds a letter to all fonts.
+    fn add_glyph(&mut self, letter: char, advance: f64, contours: &[Contour]) {
         for font in &mut self.fonts {
             let glyph = Glyph { letter: u32::from(letter), advance, contours: contours.to_vec() };
             let at = font.glyphs.partition_point(|other| other.letter < glyph.letter);
             font.glyphs.insert(at, glyph);
         }
-        self.learnt.push(Learnt { run: run.to_owned(), leftward });
-        true
     }
 
     /// The text that a letter stands for, where it was learnt.
@@ -171,7 +194,8 @@ impl Letters {
 
     /// The longest run that was learnt and that a text begins with.
     fn begun(&self, text: &str) -> Option<(usize, &str)> {
-        let runs = self.learnt.iter().map(|learnt| learnt.run.as_str()).enumerate();
+        let of_texts = self.learnt.iter().enumerate().filter(|(_, learnt)| learnt.stands_for.is_none());
+        let runs = of_texts.map(|(number, learnt)| (number, learnt.run.as_str()));
         runs.filter(|(_, run)| text.starts_with(run)).max_by_key(|(_, run)| run.len())
     }
 

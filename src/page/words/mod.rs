@@ -9,6 +9,7 @@
 //! | `vertical` | how letters stand in columns |
 //! | [`model`] | a word as plain data, checked |
 //! | [`wording`] | text as letterers write it: capitals, quotes, emphasis, hyphens |
+//! | [`ruby`] | readings small beside their letters |
 //! | [`setting`] | text broken into lines and fitted into a shape |
 //! | `lens` | the same by the conventions of letterers |
 //! | `shapes` | outlines of balloons and captions, those of the first pages |
@@ -36,6 +37,7 @@ pub mod letters;
 pub mod model;
 pub mod palette;
 pub mod place;
+pub mod ruby;
 pub mod setting;
 mod shapes;
 pub mod truetype;

@@ -1,7 +1,7 @@
 //! A word of the page as plain data. In JSON, with what may be left out in brackets:
 //! `{kind, text, [shape], [panel], [x], [y], [width], [size], [tail], [font], [color], [fill], [angle], [arc], [auto],
-//! [craft], [boxless], [capitals], [slant], [outline], [behind], [id], [joined], [language], [room], [vertical]}`. Sheets of
-//! boards have captions that are `plain`, or `ruled` where people write by hand: `x` and `y` are then
+//! [craft], [boxless], [capitals], [slant], [outline], [behind], [id], [joined], [linked], [apart], [by], [language], [room],
+//! [vertical]}`. Sheets of boards have captions that are `plain`, or `ruled` where people write by hand: `x` and `y` are then
 //! their upper left corner, `room` their size.
 
 use crate::error::{Error, Result};
@@ -105,6 +105,12 @@ pub struct Word {
     pub id: Option<String>,
     /// The name of the balloon that this one is joined to: the same mouth says both.
     pub joined: Option<String>,
+    /// The same, found when the balloon was placed by itself: it is looked for anew whenever it is placed again.
+    pub linked: Option<String>,
+    /// It is joined to no balloon by itself.
+    pub apart: bool,
+    /// Who says it, where that is known: balloons of different names are never joined by themselves.
+    pub by: Option<String>,
     /// The language of its text, such as `en` or `pt-BR`: long words part by its rules. None: they part nowhere.
     pub language: Option<String>,
     /// Its lines are columns, read from the top down and from right to left.
@@ -195,11 +201,20 @@ impl Word {
             behind: field.truth("behind")?.unwrap_or(false),
             id: field.name("id")?,
             joined: field.name("joined")?.filter(|_| matches!(kind, Kind::Balloon(_))),
+            linked: field.name("linked")?.filter(|_| matches!(kind, Kind::Balloon(_))),
+            apart: field.truth("apart")?.unwrap_or(false),
+            by: field.name("by")?,
             language: field.name("language")?,
             vertical: field.truth("vertical")?.unwrap_or(false),
             room: field.pair("room", 0.02, FARTHEST)?,
             chosen: (!value["color"].is_null(), !value["fill"].is_null()),
         })
+    }
+
+    /// The name of the balloon that it hangs on, by hand or by itself.
+    #[must_use]
+    pub fn hangs_on(&self) -> Option<&String> {
+        self.joined.as_ref().or(self.linked.as_ref())
     }
 
     /// Reads the words of a document.
@@ -335,6 +350,9 @@ mod tests {
             (json!({ "kind": "effect", "behind": 0 }), "words[3].behind"),
             (json!({ "kind": "balloon", "vertical": "yes" }), "words[3].vertical"),
             (json!({ "kind": "balloon", "joined": 1 }), "words[3].joined"),
+            (json!({ "kind": "balloon", "linked": ["a"] }), "words[3].linked"),
+            (json!({ "kind": "balloon", "apart": "yes" }), "words[3].apart"),
+            (json!({ "kind": "balloon", "by": "x".repeat(65) }), "words[3].by"),
             (json!({ "kind": "balloon", "id": "x".repeat(65) }), "words[3].id"),
             (json!({ "kind": "balloon", "room": [0.5] }), "words[3].room"),
             (json!({ "kind": "balloon", "language": ["en"] }), "words[3].language"),

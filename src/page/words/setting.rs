@@ -7,6 +7,7 @@
 use super::lens;
 use super::letters::{Font, Letters};
 use super::model::{Craft, Kind, Shape};
+use super::ruby::{self, Under};
 use super::vertical;
 use super::wording::Mark;
 
@@ -50,6 +51,10 @@ pub struct Setting {
     pub lines: Vec<(Vec<char>, f64)>,
     /// Of each line, which of its letters are emphasised.
     pub strong: Vec<Vec<bool>>,
+    /// Of each line, what of readings belongs to its letters; empty where the text has none.
+    pub under: Vec<Vec<Under>>,
+    /// The readings, by their numbers less one.
+    pub readings: Vec<Vec<char>>,
     /// Columns begin at the same height; else all lines have their middles in one line.
     pub flush: bool,
     /// Half the width and height of the shape around.
@@ -120,9 +125,9 @@ const STEP: f64 = 0.93;
 /// Most lines of a word.
 const MOST_LINES: usize = 60;
 
-/// Sets a text whose letters are [`marks`](super::wording::marks).
+/// Sets a text whose letters are [`marks`](super::wording::marks), with their [`readings`](super::wording::readings).
 #[must_use]
-pub fn set(letters: &Letters, font: &Font, text: &[Mark], wish: &Wish) -> Setting {
+pub fn set(letters: &Letters, font: &Font, text: (&[Mark], &[Vec<char>]), wish: &Wish) -> Setting {
     let mut manner = manner(wish.kind, wish.craft, wish.width);
     if wish.plain {
         manner.pad = (0.0, 0.0);
@@ -139,7 +144,7 @@ pub fn set(letters: &Letters, font: &Font, text: &[Mark], wish: &Wish) -> Settin
         (own.room.1, own.most.1) = (width, width);
         // As high as the text is in a shape of that width, about.
         let size = wish.size.unwrap_or(manner.largest);
-        let area = text.len() as f64 * vertical::PITCH * size * size * if manner.round { 2.0 } else { 1.3 };
+        let area = text.0.len() as f64 * vertical::PITCH * size * size * if manner.round { 2.0 } else { 1.3 };
         aspect = (area / (width * width)).clamp(0.3, 8.0);
     }
     let mut setting = lines(letters, font, text, (&own, &Manner { aspect, ..manner }));
@@ -149,12 +154,19 @@ pub fn set(letters: &Letters, font: &Font, text: &[Mark], wish: &Wish) -> Settin
 }
 
 /// Sets a text in lines, or in columns as if they were lines.
-fn lines(letters: &Letters, font: &Font, text: &[Mark], (wish, manner): (&Wish, &Manner)) -> Setting {
+fn lines(
+    letters: &Letters,
+    font: &Font,
+    (text, readings): (&[Mark], &[Vec<char>]),
+    (wish, manner): (&Wish, &Manner),
+) -> Setting {
     let smallest = wish.size.unwrap_or(manner.smallest);
     let strong = letters.strong(font);
     let column: Vec<char> = text.iter().map(|mark| mark.letter).collect();
     let steps = if wish.vertical { vertical::steps(letters, font, &column) } else { Vec::new() };
-    let setter = Setter { letters, font, strong, text, wish, manner, steps: &steps };
+    let bare = Setter { letters, font, strong, text, readings, wish, manner, steps: &steps, apart: &[] };
+    let apart = bare.apart();
+    let setter = Setter { apart: &apart, ..bare };
     if wish.plain {
         return plain(&setter);
     }
@@ -190,6 +202,8 @@ fn lines(letters: &Letters, font: &Font, text: &[Mark], (wish, manner): (&Wish, 
         pitch: smallest,
         lines: Vec::new(),
         strong: Vec::new(),
+        under: Vec::new(),
+        readings: Vec::new(),
         flush: false,
         half: (smallest, smallest),
         cut: true,
@@ -208,6 +222,8 @@ fn plain(setter: &Setter) -> Setting {
         pitch: wished * PITCH,
         lines: Vec::new(),
         strong: Vec::new(),
+        under: Vec::new(),
+        readings: Vec::new(),
         flush: false,
         half,
         cut: true,
@@ -223,10 +239,14 @@ pub(super) struct Setter<'a> {
     /// The font of what is emphasised.
     pub(super) strong: &'a Font,
     pub(super) text: &'a [Mark],
+    /// The readings of its letters.
+    pub(super) readings: &'a [Vec<char>],
     pub(super) wish: &'a Wish,
     pub(super) manner: &'a Manner,
     /// How far each letter goes on in a column; empty where there are lines.
     pub(super) steps: &'a [f64],
+    /// How much further the pen goes over each letter because of its reading, in ems; empty where there are none.
+    pub(super) apart: &'a [f64],
 }
 
 /// How badly a shape looks, the first token of each line and the one after its last, and half the shape's sizes in ems.
@@ -246,11 +266,39 @@ struct Token {
 impl Setter<'_> {
     /// How far the pen moves over a letter of the text, in ems.
     pub(super) fn advance(&self, at: usize, next: Option<char>) -> f64 {
+        let apart = self.apart.get(at).copied().unwrap_or_default();
         if let Some(step) = self.steps.get(at) {
-            return *step;
+            return *step + apart;
         }
         let mark = self.text[at];
-        self.letters.advance(if mark.strong { self.strong } else { self.font }, mark.letter, next)
+        self.letters.advance(if mark.strong { self.strong } else { self.font }, mark.letter, next) + apart
+    }
+
+    /// How much further the pen goes over each letter because of its reading, in ems.
+    fn apart(&self) -> Vec<f64> {
+        if self.readings.is_empty() {
+            return Vec::new();
+        }
+        let mut apart = vec![0.0; self.text.len()];
+        let mut at = 0;
+        while at < self.text.len() {
+            let number = self.text[at].reading;
+            let count = self.text[at..].iter().take_while(|mark| mark.reading == number).count();
+            let reading = usize::from(number).checked_sub(1).and_then(|number| self.readings.get(number));
+            if let Some(reading) = reading {
+                let base = (self.width(at..at + count), count);
+                let more = ruby::apart(self.letters, self.font, reading, self.wish.vertical, base);
+                apart[at..at + count].fill(more);
+            }
+            at += count;
+        }
+        apart
+    }
+
+    /// What of readings belongs to the letters of a line.
+    pub(super) fn under(&self, part: std::ops::Range<usize>) -> Vec<Under> {
+        let under = |at: usize| Under { reading: self.text[at].reading, apart: self.apart[at] };
+        if self.apart.is_empty() { Vec::new() } else { part.map(under).collect() }
     }
 
     /// Room between two words of a line in ems.
@@ -260,16 +308,18 @@ impl Setter<'_> {
 
     /// Distance of two lines in ems.
     pub(super) fn pitch(&self) -> f64 {
+        let room = if self.readings.is_empty() { (0.0, 0.0) } else { ruby::ROOM };
         match (self.wish.vertical, self.wish.kind) {
-            (true, _) => vertical::PITCH,
-            (false, Kind::Effect) => 0.95,
-            (false, _) => PITCH,
+            (true, _) => vertical::PITCH + room.1,
+            (false, Kind::Effect) => 0.95 + room.0,
+            (false, _) => PITCH + room.0,
         }
     }
 
-    /// Height of the letters of a line in ems.
+    /// Height of the letters of a line in ems, with that of the readings above them.
     pub(super) fn thickness(&self) -> f64 {
-        if self.wish.vertical { 1.0 } else { self.font.capitals }
+        let more = if self.readings.is_empty() { (0.0, 0.0) } else { ruby::THICKER };
+        if self.wish.vertical { 1.0 + more.1 } else { self.font.capitals + more.0 }
     }
 
     /// Width of a part of the text in ems, as it stands in one line.
@@ -344,6 +394,8 @@ impl Setter<'_> {
         let (_, lines, half) = best?;
         let missing = lines.last().is_some_and(|line| line.1 < tokens.len());
         let mut strong = Vec::with_capacity(lines.len());
+        let under = lines.iter().map(|&(first, end)| self.under(tokens[first].start..tokens[end - 1].end));
+        let under = under.collect();
         let runs = lines.iter().enumerate().map(|(i, &(first, end))| {
             let part = tokens[first].start..tokens[end - 1].end;
             let mut width = self.width(part.clone());
@@ -359,7 +411,17 @@ impl Setter<'_> {
         });
         let lines = runs.collect();
         let half = (half.0 * size, half.1 * size);
-        Some(Setting { size, pitch: pitch * size, lines, strong, flush: false, half, cut: missing })
+        Some(Setting {
+            size,
+            pitch: pitch * size,
+            lines,
+            strong,
+            under,
+            readings: self.readings.to_vec(),
+            flush: false,
+            half,
+            cut: missing,
+        })
     }
 
     /// The text in tokens no wider than `most` ems. In a sound effect only line ends part words.
@@ -449,7 +511,7 @@ mod tests {
         let letters = Letters::bundled().unwrap();
         let font = letters.font("comic-neue-bold").unwrap();
         let marks: Vec<Mark> = letters.cleaned(text).into_iter().map(Mark::plain).collect();
-        set(&letters, font, &marks, wish)
+        set(&letters, font, (&marks, &[]), wish)
     }
 
     fn text_of(setting: &Setting) -> Vec<String> {

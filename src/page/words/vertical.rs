@@ -2,8 +2,8 @@
 //! upright, each in a square; dashes and brackets, and words of other scripts, are turned; full stops and small kana stand
 //! elsewhere in their squares than in lines. Two digits or marks of exclamation stand side by side in one square.
 //!
-//! Letters are turned and moved by themselves, whatever their font has for columns: so they look the same where the browser
-//! drew them, which draws none, and where a person's font has them.
+//! Where a person's font has forms of its own for columns (`given`), these stand as it has them. All other letters are turned and
+//! moved by themselves, those that the browser drew among them: a canvas draws no forms for columns.
 //!
 //! Sources: Unicode Standard Annex 50, "Vertical Text Layout"; W3C, "Requirements for Japanese Text Layout" (JLREQ), 2.3 and
 //! 3.2.5.
@@ -47,6 +47,8 @@ pub(super) struct Cell {
     pub(super) middle: f64,
     /// Their part of the column, in ems.
     pub(super) length: f64,
+    /// What is drawn in the place of one letter: the form for columns of its font, whose baseline begins at the left of the square.
+    pub(super) form: Option<char>,
 }
 
 /// Whether a letter is of a script that is set without spaces and may be set in columns: a line may end beside it.
@@ -104,7 +106,13 @@ pub(super) fn cells(letters: &Letters, font: &Font, column: &[char]) -> Vec<Cell
             off,
             middle: 0.0,
             length: SQUARE,
+            form: None,
         };
+        if let Some(form) = letters.standing(column[at]) {
+            cells.push(Cell { length: font.step(form), form: Some(form), ..square(at, at + 1, (0.0, 0.0)) });
+            at += 1;
+            continue;
+        }
         // Two that are narrow are one; a number of more digits is a word of another script.
         let before =
             at.checked_sub(1).map(seen).is_some_and(|before| before.is_alphanumeric() && !upright(before));
@@ -128,10 +136,11 @@ pub(super) fn cells(letters: &Letters, font: &Font, column: &[char]) -> Vec<Cell
             at += 1;
             continue;
         }
-        let end = (at + 1..column.len()).find(|&i| stand(seen(i)) != Stand::Turned).unwrap_or(column.len());
+        let stands = |&i: &usize| stand(seen(i)) != Stand::Turned || letters.standing(column[i]).is_some();
+        let end = (at + 1..column.len()).find(stands).unwrap_or(column.len());
         let length = letters.width(font, &column[at..end]);
         let middle = middle(letters, font, &column[at..end]);
-        cells.push(Cell { start: at, end, turned: true, off: (0.0, 0.0), middle, length });
+        cells.push(Cell { start: at, end, turned: true, off: (0.0, 0.0), middle, length, form: None });
         at = end;
     }
     cells

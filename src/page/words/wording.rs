@@ -1,10 +1,11 @@
 //! Text as letterers write it: capitals, curly quotes, the I with bars for the pronoun alone, emphasis where the text has
-//! `*stars*`, and the places at which long words may part.
+//! `*stars*`, readings (`ruby`), and the places at which long words may part.
 //!
 //! Source: Nate Piekos, "Comics Grammar & Tradition" (Blambot); the patterns of `TeX` by way of `hypher`.
 
 use super::letters::{Font, Letters, STEM};
 use super::model::{Craft, Word};
+use super::ruby;
 use super::vertical;
 use hypher::Lang;
 
@@ -33,13 +34,15 @@ pub struct Mark {
     pub strong: bool,
     /// Whether the word may part before it.
     pub part: Part,
+    /// The number of its reading among those of the text, from 1; 0 for none.
+    pub reading: u16,
 }
 
 impl Mark {
     /// A letter like any other.
     #[must_use]
     pub fn plain(letter: char) -> Self {
-        Self { letter, strong: false, part: Part::No }
+        Self { letter, strong: false, part: Part::No, reading: 0 }
     }
 }
 
@@ -50,10 +53,7 @@ pub fn marks(word: &Word, letters: &Letters, font: &Font) -> Vec<Mark> {
         return letters.cleaned(&word.text).into_iter().map(Mark::plain).collect();
     }
     let language = word.language.as_deref().unwrap_or_default().get(..2).unwrap_or_default().to_lowercase();
-    let own = |letter: char| if matches!(letter, STEM | SOFT) { '\u{fffd}' } else { letter };
-    let text: String =
-        word.text.chars().map(|letter| if letter == '\u{ad}' { SOFT } else { own(letter) }).collect();
-    let mut marks = emphasised(&letters.cleaned(&text));
+    let (mut marks, _) = read_apart(written(word, letters), letters);
     quotes(&mut marks, &language);
     parts(&mut marks, &language);
     beside(&mut marks, letters);
@@ -63,14 +63,68 @@ pub fn marks(word: &Word, letters: &Letters, font: &Font) -> Vec<Mark> {
     marks
 }
 
-/// What a word says where it is read aloud or copied: without the stars of its emphasis, in the case it was written in.
+/// The readings of a word's letters, by their numbers less one.
+#[must_use]
+pub fn readings(word: &Word, letters: &Letters) -> Vec<Vec<char>> {
+    if word.craft == Craft::First || !word.text.contains('《') {
+        return Vec::new();
+    }
+    let (_, mut readings) = read_apart(written(word, letters), letters);
+    if word.capitals {
+        for reading in &mut readings {
+            *reading = reading.iter().flat_map(|letter| letter.to_uppercase()).collect();
+        }
+    }
+    readings
+}
+
+/// The letters of a word as it is written, with its emphasis.
+fn written(word: &Word, letters: &Letters) -> Vec<Mark> {
+    let own = |letter: char| if matches!(letter, STEM | SOFT) { '\u{fffd}' } else { letter };
+    let text: String =
+        word.text.chars().map(|letter| if letter == '\u{ad}' { SOFT } else { own(letter) }).collect();
+    emphasised(&letters.cleaned(&text))
+}
+
+/// The letters that are set, and apart from them their readings.
+fn read_apart(marks: Vec<Mark>, letters: &Letters) -> (Vec<Mark>, Vec<Vec<char>>) {
+    let seen: Vec<char> =
+        marks.iter().map(|mark| letters.text_of(mark.letter).chars().next().unwrap_or(' ')).collect();
+    let (mut out, mut readings) = (Vec::with_capacity(marks.len()), Vec::<Vec<char>>::new());
+    for (mark, part) in marks.into_iter().zip(ruby::parts(&seen)) {
+        match part {
+            ruby::Part::Sign => {}
+            ruby::Part::Base(reading) => out.push(Mark { reading, ..mark }),
+            ruby::Part::Reading(number) => {
+                readings.resize(readings.len().max(number.into()), Vec::new());
+                if let Some(reading) = readings.last_mut() {
+                    reading.push(mark.letter);
+                }
+            }
+        }
+    }
+    (out, readings)
+}
+
+/// What a word says where it is read aloud or copied: without the stars of its emphasis, in the case it was written in, letters
+/// with a reading followed by it in brackets.
 #[must_use]
 pub fn read(word: &Word) -> String {
+    let said = |(base, reading): (String, Option<String>)| match reading {
+        Some(reading) => format!("{base}（{reading}）"),
+        None => base,
+    };
+    said_apart(word).into_iter().map(said).collect()
+}
+
+/// The same in stretches, each with its reading where it has one.
+#[must_use]
+pub fn said_apart(word: &Word) -> Vec<(String, Option<String>)> {
     if word.craft == Craft::First {
-        return word.text.clone();
+        return vec![(word.text.clone(), None)];
     }
     let text: Vec<char> = word.text.chars().filter(|&letter| letter != '\u{ad}').collect();
-    emphasised(&text).into_iter().map(|mark| mark.letter).collect()
+    ruby::stretches(&emphasised(&text).into_iter().map(|mark| mark.letter).collect::<String>())
 }
 
 /// Takes the stars off, and marks what stood between them.
@@ -108,7 +162,7 @@ fn emphasised(text: &[char]) -> Vec<Mark> {
         }
         let part = if soft { Part::Hyphen } else { Part::No };
         soft = false;
-        marks.push(Mark { letter, strong: end.is_some(), part });
+        marks.push(Mark { letter, strong: end.is_some(), part, reading: 0 });
     }
     marks
 }
@@ -194,8 +248,12 @@ fn beside(marks: &mut [Mark], letters: &Letters) {
     for at in 1..marks.len() {
         let (before, here) = (ends(marks[at - 1].letter).1, ends(marks[at].letter).0);
         let spaced = before.is_whitespace() || here.is_whitespace();
+        // Letters and their reading stay in one line.
+        let bound = marks[at].reading != 0 && marks[at].reading == marks[at - 1].reading;
         let own = vertical::is_ideographic(before) || vertical::is_ideographic(here);
-        if own && !spaced && !vertical::begins_no_line(here) && !vertical::ends_no_line(before) {
+        if bound {
+            marks[at].part = Part::No;
+        } else if own && !spaced && !vertical::begins_no_line(here) && !vertical::ends_no_line(before) {
             marks[at].part = Part::Free;
         }
     }

@@ -202,6 +202,29 @@ test('lists of the shots are among the formats of Export', async ({ page }) => {
   }
 });
 
+test('a rate that leaves out frame numbers counts lengths and lists by it, as one step', async ({ page }) => {
+  await openBoard(page);
+  const shots = await openShots(page);
+  const length = shots.getByRole('textbox', { name: 'Length, shot 1' });
+  await length.fill('1:00:02');
+  await length.press('Enter');
+  await expect(length).toHaveValue('1:00:02');
+  const rate = page.getByRole('combobox', { name: 'Frames a second' });
+  const names = await rate.getByRole('option').allTextContents();
+  expect(names).toEqual(['23.976', '24', '25', '29.97 NDF', '29.97 DF', '30']);
+  await rate.selectOption('29.97 DF');
+  // A minute and two frames of 24 are 1803 of 30: the first number of the second minute is 2.
+  await expect(length).toHaveValue('1:00;05');
+  await page.getByRole('combobox', { name: 'Save as' }).selectOption('edl');
+  const list = await savedBy(page, () => page.getByRole('button', { name: 'Save board' }).click());
+  const text = await readFile(list.path, 'utf8');
+  expect(text).toContain('FCM: DROP FRAME');
+  expect(text).toContain('00:00:00;00 00:01:00;05 01:00:00;00 01:01:00;05');
+  await page.getByRole('button', { name: 'Undo', exact: true }).click();
+  await expect(rate).toHaveValue('24');
+  await expect(length).toHaveValue('1:00:02');
+});
+
 for (const colorScheme of /** @type {const} */ (['light', 'dark'])) {
   for (const size of [
     { width: 1366, height: 768 },

@@ -178,3 +178,39 @@ test('a word stands in columns, higher than it is wide, and comes back by undo',
   const again = await box(word(page, /^Balloon: 夜/));
   expect(Math.abs(again.width - lines.width)).toBeLessThan(1);
 });
+
+test('a second balloon is joined to the one before and parted again, each in one step', async ({ page }) => {
+  await openBoard(page);
+  const panel = page.getByRole('group', { name: /^Panel 1 of/ });
+  const choose = async () => {
+    if (!/selected/.test((await panel.getAttribute('aria-description')) ?? ''))
+      await panel.click({ position: { x: 20, y: 20 } });
+    await expect(panel).toHaveAttribute('aria-description', /selected/);
+  };
+  await choose();
+  await write(page, 'balloon', 'FIRST');
+  // The first has nothing to hang on.
+  const join = page.getByRole('checkbox', { name: 'Join to the balloon before' });
+  await expect(join).toHaveCount(0);
+  await choose();
+  await write(page, 'balloon', 'SECOND');
+  const tails = word(page, /^Tail of/);
+  await expect(join).not.toBeChecked();
+  await expect(tails).toHaveCount(1);
+  await join.check();
+  await idle(page);
+  // The tail is that of the first: this one has none, and stands beside it.
+  await expect(tails).toHaveCount(0);
+  const [first, second] = [await box(word(page, /: FIRST/)), await box(word(page, /: SECOND/))];
+  const across = Math.max(second.x - first.x - first.width, first.x - second.x - second.width, 0);
+  const down = Math.max(second.y - first.y - first.height, first.y - second.y - second.height, 0);
+  expect(Math.hypot(across, down)).toBeLessThan(12);
+  await press(page, 'Undo');
+  await expect(join).not.toBeChecked();
+  await press(page, 'Redo');
+  await expect(join).toBeChecked();
+  await join.uncheck();
+  await idle(page);
+  await expect(tails).toHaveCount(1);
+  await expect(join).not.toBeChecked();
+});

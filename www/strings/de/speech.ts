@@ -12,6 +12,7 @@ export const speechStrings = {
   wordOutline: 'Kontur',
   wordCapitals: 'In Großbuchstaben',
   wordVertical: 'In Spalten, von oben nach unten',
+  wordJoin: 'Mit der Sprechblase davor verbinden',
   wordBoxless: 'Ohne Kasten',
   wordBehind: 'Hinter den Figuren',
   wordBar: 'Schriftwerkzeuge',

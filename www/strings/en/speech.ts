@@ -12,6 +12,7 @@ export const speechStrings = {
   wordOutline: 'Outline',
   wordCapitals: 'In capitals',
   wordVertical: 'In columns, from the top down',
+  wordJoin: 'Join to the balloon before',
   wordBoxless: 'Without a box',
   wordBehind: 'Behind the figures',
   wordBar: 'Lettering tools',

@@ -12,6 +12,7 @@ export const speechStrings = {
   wordOutline: 'Contorno',
   wordCapitals: 'En mayúsculas',
   wordVertical: 'En columnas, de arriba abajo',
+  wordJoin: 'Unir al bocadillo anterior',
   wordBoxless: 'Sin recuadro',
   wordBehind: 'Detrás de las figuras',
   wordBar: 'Herramientas de rotulación',

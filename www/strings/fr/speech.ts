@@ -12,6 +12,7 @@ export const speechStrings = {
   wordOutline: 'Contour',
   wordCapitals: 'En capitales',
   wordVertical: 'En colonnes, de haut en bas',
+  wordJoin: 'Relier à la bulle précédente',
   wordBoxless: 'Sans cadre',
   wordBehind: 'Derrière les personnages',
   wordBar: 'Outils de lettrage',

@@ -12,6 +12,7 @@ export const speechStrings = {
   wordOutline: '縁取り',
   wordCapitals: '大文字にする',
   wordVertical: '縦書き',
+  wordJoin: '前のフキダシとつなげる',
   wordBoxless: '枠なし',
   wordBehind: '人物の後ろ',
   wordBar: '写植ツール',

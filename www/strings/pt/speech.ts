@@ -12,6 +12,7 @@ export const speechStrings = {
   wordOutline: 'Contorno',
   wordCapitals: 'Em maiúsculas',
   wordVertical: 'Em colunas, de cima para baixo',
+  wordJoin: 'Unir ao balão anterior',
   wordBoxless: 'Sem caixa',
   wordBehind: 'Atrás das figuras',
   wordBar: 'Ferramentas de letreiramento',

@@ -5,6 +5,9 @@
 //! a grid of places; what is bad about a place by itself is one cost, what is bad about two places together another. The
 //! best sets are carried on from word to word (a beam search), so that the first balloon leaves room for the second.
 //!
+//! Balloons that one mouth says one after the other are joined by themselves: the search is done again with each such pair as
+//! one, and the pair stays where that is no worse and what joins them lies on nobody.
+//!
 //! Costs come in ranks: faces, borders, other words and the order of reading outweigh all that is usual or pretty.
 //!
 //! Source: Nate Piekos, "Comics Grammar & Tradition" (Blambot); Thawonmas and Shuda, "Comic layout for automatic comic
@@ -44,6 +47,16 @@ const MOUTH: f64 = 0.78;
 const LEGIBLE: f64 = 0.0101;
 /// Faces that speak, of those in a panel.
 const SPEAKERS: usize = 6;
+/// Balloons that hang together, at most, where nobody asked for more.
+const LONGEST_CHAIN: usize = 3;
+/// How much worse balloons may stand for being joined: two tails side by side are no better.
+const JOINING: f64 = 3.0;
+/// The longest neck between balloons that are joined by themselves, in page widths.
+const LONGEST_NECK: f64 = 0.03;
+/// How far a joined balloon stands aside and below the one before, in parts of what the two measure, and what less costs.
+const STAGGER: (f64, f64, f64) = (0.2, 0.5, 2.0);
+/// What it costs that one face says what two people say.
+const TWO_IN_ONE: f64 = 10.0;
 
 /// Where a word stands.
 #[derive(Debug, Clone, Copy)]
@@ -79,57 +92,100 @@ pub(super) fn groups(words: &[Word], ground: &Ground) -> Vec<Vec<usize>> {
     groups.into_iter().map(|(_, group)| group).collect()
 }
 
-/// Finds the places of the words of a group. `joins`: the balloon that each word of the document is joined to.
+/// The words of a page, as those of one panel are placed.
+#[derive(Clone, Copy)]
+pub(super) struct Page<'a> {
+    /// All words of the document.
+    pub(super) words: &'a [Word],
+    /// The balloon that each of them is joined to, by hand or to one that is not placed.
+    pub(super) joins: &'a [Option<usize>],
+    /// What stands there already, with the number of the word.
+    pub(super) taken: &'a [(usize, Bounds)],
+    pub(super) ground: &'a Ground,
+    pub(super) letters: &'a Letters,
+}
+
+/// Places of the words of a group, and what the set costs.
+type Places = (f64, Vec<Place>);
+
+/// Finds the places of the words of a group, and which of them are joined by themselves: of each word its number, its place and
+/// the balloon that it was found to hang on.
 pub(super) fn place(
-    words: &[Word],
-    joins: &[Option<usize>],
+    page: Page<'_>,
     group: &[usize],
-    ground: &Ground,
     Scenery { seen, figures }: &Scenery,
-    taken: &[Bounds],
-    letters: &Letters,
-) -> Vec<(usize, Place)> {
+) -> Vec<(usize, Place, Option<usize>)> {
+    let Page { words, ground, .. } = page;
     let Some(word) = group.first().map(|&first| &words[first]) else { return Vec::new() };
+    let panel = panel_of(word, ground);
     let room = Room {
         frame: ground.frame(word),
-        panel: panel_of(word, ground).and_then(|panel| ground.panels.get(panel)),
+        panel: panel.and_then(|panel| ground.panels.get(panel)),
         seen,
         figures,
         speakers: speakers(seen),
-        taken,
+        page,
         count: group.len(),
     };
-    let mut beam = vec![(0.0, Vec::<Place>::new())];
-    for (rank, &index) in group.iter().enumerate() {
-        let places = room.places(&words[index], rank, ground, letters);
-        let mut next: Vec<(f64, usize, usize)> = Vec::new();
-        for (set, (cost, before)) in beam.iter().enumerate() {
-            for (at, place) in places.iter().enumerate() {
-                let pairs = before.iter().enumerate().map(|(other, placed)| {
-                    let joined = joins[index] == Some(group[other]);
-                    let kinds = (words[group[other]].kind, words[index].kind);
-                    together(placed, place, kinds, joined, other + 1 == rank)
-                });
-                next.push((cost + place.cost + pairs.sum::<f64>(), set, at));
+    let spots: Vec<Vec<Spot>> =
+        group.iter().enumerate().map(|(rank, &index)| room.weighed(index, rank)).collect();
+    let mut joins = page.joins.to_vec();
+    let mut best = room.searched(group, &spots, &joins);
+    if group.len() <= CROWD {
+        for (later, before) in pairs(words, group, |word| panel_of(word, ground) == panel) {
+            if chain(&joins, before) >= LONGEST_CHAIN || joins[later].is_some() {
+                continue;
+            }
+            let at = |index: usize| group.iter().position(|&other| other == index).map(|at| best.1.get(at));
+            let (Some(Some(one)), Some(Some(other))) = (at(before), at(later)) else { continue };
+            if !one_mouth((&words[before], one), (&words[later], other), &room.speakers) {
+                continue;
+            }
+            let mut tried = joins.clone();
+            tried[later] = Some(before);
+            let found = room.searched(group, &spots, &tried);
+            if found.0 <= best.0 + JOINING && room.hang_well(group, &found.1, page.joins, &tried) {
+                (joins, best) = (tried, found);
             }
         }
-        next.sort_by(|a, b| a.0.total_cmp(&b.0));
-        next.truncate(if group.len() > CROWD { 1 } else { BEAM });
-        let carried = next.into_iter().map(|(cost, set, at)| {
-            let mut set = beam[set].1.clone();
-            set.push(places[at]);
-            (cost, set)
-        });
-        beam = carried.collect();
     }
-    let places = beam.into_iter().next().map(|(_, places)| places).unwrap_or_default();
-    let mut out: Vec<(usize, Place)> = group.iter().copied().zip(places).collect();
-    // Of balloons that are joined the first alone has a tail: one mouth says them all.
-    let joined: Vec<usize> = out.iter().map(|(i, _)| *i).filter(|&i| joins[i].is_some()).collect();
-    for (_, place) in out.iter_mut().filter(|(i, _)| joined.contains(i)) {
-        place.tip = None;
+    let linked = |index: usize| joins[index].filter(|_| words[index].joined.is_none());
+    group.iter().copied().zip(best.1).map(|(index, place)| (index, place, linked(index))).collect()
+}
+
+/// Balloons of a group that follow each other, the later one first, with no other of the panel between them, and look alike.
+fn pairs(words: &[Word], group: &[usize], here: impl Fn(&Word) -> bool) -> Vec<(usize, usize)> {
+    let is_balloon = |word: &Word| matches!(word.kind, Kind::Balloon(_)) && here(word);
+    let before = |&later: &usize| {
+        let before = (0..later).rev().find(|&before| is_balloon(&words[before]))?;
+        let (one, other) = (&words[before], &words[later]);
+        let alike = one.kind == other.kind
+            && (one.color, one.fill, one.vertical) == (other.color, other.fill, other.vertical);
+        (alike && !other.apart && group.contains(&before)).then_some((later, before))
+    };
+    group.iter().filter(|&&later| is_balloon(&words[later])).filter_map(before).collect()
+}
+
+/// How many balloons hang together with one.
+fn chain(joins: &[Option<usize>], one: usize) -> usize {
+    let mut all = vec![one];
+    let mut next = 0;
+    while let Some(&at) = all.get(next) {
+        let tied = |other: usize| joins[other] == Some(at) || joins[at] == Some(other);
+        let more: Vec<usize> =
+            (0..joins.len()).filter(|&other| tied(other) && !all.contains(&other)).collect();
+        all.extend(more);
+        next += 1;
     }
-    out
+    all.len()
+}
+
+/// Whether the same mouth says two balloons: by their names, else by the face that each was given.
+fn one_mouth(one: (&Word, &Place), other: (&Word, &Place), speakers: &[(usize, f64)]) -> bool {
+    match (&one.0.by, &other.0.by) {
+        (Some(name), Some(second)) => name == second,
+        _ => speakers.is_empty() || one.1.speaker.is_some() && one.1.speaker == other.1.speaker,
+    }
 }
 
 /// The faces that may speak, the likeliest first: large ones, that were surely seen.
@@ -144,6 +200,23 @@ fn speakers(seen: &[Seen]) -> Vec<(usize, f64)> {
     likely
 }
 
+/// An area that is tried for a word.
+struct Spot {
+    area: Bounds,
+    /// What it costs, but for a tail.
+    cost: f64,
+    room: Option<(f64, f64)>,
+    round: bool,
+}
+
+impl Spot {
+    /// The spot as a place without a tail.
+    fn bare(&self) -> Place {
+        let Self { area, cost, room, round } = *self;
+        Place { area, tip: None, room, foot: center(area), speaker: None, round, cost }
+    }
+}
+
 /// A panel in which words are placed.
 struct Room<'a> {
     frame: Bounds,
@@ -152,14 +225,105 @@ struct Room<'a> {
     figures: &'a [Figure],
     /// Faces that may speak, and what it costs that they do.
     speakers: Vec<(usize, f64)>,
-    taken: &'a [Bounds],
+    page: Page<'a>,
     /// How many words are placed.
     count: usize,
 }
 
 impl Room<'_> {
-    /// The best places of a word by itself. `rank`: how many of the panel's words come before it.
-    fn places(&self, word: &Word, rank: usize, ground: &Ground, letters: &Letters) -> Vec<Place> {
+    /// The best places of all words of a group together, where each hangs on another by `joins`.
+    fn searched(&self, group: &[usize], spots: &[Vec<Spot>], joins: &[Option<usize>]) -> Places {
+        let words = self.page.words;
+        let mut beam = vec![(0.0, Vec::<Place>::new())];
+        for (rank, (&index, spots)) in group.iter().zip(spots).enumerate() {
+            let places = self.places(index, spots, joins);
+            let mut next: Vec<(f64, usize, usize)> = Vec::new();
+            for (set, (cost, before)) in beam.iter().enumerate() {
+                for (at, place) in places.iter().enumerate() {
+                    let pairs = before.iter().enumerate().map(|(other, placed)| {
+                        let joined = joins[index] == Some(group[other]) || joins[group[other]] == Some(index);
+                        let pair = (&words[group[other]], &words[index]);
+                        together((pair.0, placed), (pair.1, place), joined, other + 1 == rank)
+                    });
+                    next.push((cost + place.cost + pairs.sum::<f64>(), set, at));
+                }
+            }
+            next.sort_by(|a, b| a.0.total_cmp(&b.0));
+            next.truncate(if group.len() > CROWD { 1 } else { BEAM });
+            let carried = next.into_iter().map(|(cost, set, at)| {
+                let mut set = beam[set].1.clone();
+                set.push(places[at]);
+                (cost, set)
+            });
+            beam = carried.collect();
+        }
+        beam.into_iter().next().unwrap_or_default()
+    }
+
+    /// The best places of a word by itself. Of balloons that are joined the first alone has a tail: one mouth says them all.
+    fn places(&self, index: usize, spots: &[Spot], joins: &[Option<usize>]) -> Vec<Place> {
+        let mut places = Vec::new();
+        for spot in spots {
+            if spot.round && joins[index].is_none() {
+                self.aimed(spot, &mut places);
+            } else {
+                places.push(spot.bare());
+            }
+        }
+        let Page { words, taken, .. } = self.page;
+        // A balloon comes close to those that it hangs together with, though they stand.
+        for (other, area) in taken.iter().filter(|(other, _)| self.tied(index, *other)) {
+            let stands = Spot { area: *area, cost: 0.0, room: None, round: true }.bare();
+            for place in &mut places {
+                let (one, two) = ((&words[*other], &stands), (&words[index], &*place));
+                let (first, second) = if *other < index { (one, two) } else { (two, one) };
+                place.cost += together(first, second, true, false);
+            }
+        }
+        places.sort_by(|a: &Place, b| a.cost.total_cmp(&b.cost));
+        self.varied(places)
+    }
+
+    /// Whether two words hang together in the document.
+    fn tied(&self, one: usize, other: usize) -> bool {
+        let joins = self.page.joins;
+        joins[one] == Some(other) || joins[other] == Some(one)
+    }
+
+    /// Whether the balloons that are joined in `now` and were not `before` hang together as one would draw them: close, and
+    /// what joins them lies on no face and no other word.
+    fn hang_well(
+        &self,
+        group: &[usize],
+        places: &[Place],
+        before: &[Option<usize>],
+        now: &[Option<usize>],
+    ) -> bool {
+        let at = |index: usize| {
+            group
+                .iter()
+                .position(|&other| other == index)
+                .and_then(|at| places.get(at))
+                .map(|place| place.area)
+        };
+        let good = |index: usize| {
+            let (Some(to), None) = (now[index], before[index]) else { return true };
+            let (Some(one), Some(other)) = (at(to), at(index)) else { return false };
+            let (from, end) = (edge(one, center(other)), edge(other, center(one)));
+            let free = |bounds: Bounds| entry(from, end, bounds) > 1.0;
+            let words = group.iter().zip(places).filter(|(i, _)| **i != index && **i != to);
+            from.distance(end) <= LONGEST_NECK
+                && self.seen.iter().filter(|seen| seen.face).all(|seen| free(grown(seen.bounds, 0.006)))
+                && self.page.taken.iter().all(|(_, area)| free(*area))
+                && words.map(|(_, place)| place.area).all(free)
+        };
+        group.iter().all(|&index| good(index))
+    }
+
+    /// What is tried for a word. `rank`: how many of the panel's words come before it.
+    fn weighed(&self, index: usize, rank: usize) -> Vec<Spot> {
+        let Page { words, ground, letters, .. } = self.page;
+        let word = &words[index];
         let usual = ground.lay(Word { room: None, ..word.clone() }, letters);
         let mut shapes = vec![(None, usual)];
         // A person's size or width is not changed.
@@ -178,19 +342,20 @@ impl Room<'_> {
         let largest = shapes.iter().map(|(_, laid)| laid.setting.size).fold(0.0, f64::max);
         // A column beside a body is no gain where nobody can read it.
         shapes.retain(|(_, laid)| laid.setting.size >= LEGIBLE.min(largest));
-        let mut places = Vec::new();
+        let round = matches!(word.kind, Kind::Balloon(_));
+        let mut all = Vec::new();
         for (room, laid) in &shapes {
             // Letters that are smaller than others of the page are a last resort, all the more where the end is missing.
             let small = 9.0 * (largest / laid.setting.size.max(1e-6)).ln()
                 + if laid.setting.cut { 60.0 } else { 0.0 };
             let plain = if room.is_some() { 0.25 } else { 0.0 };
-            for area in self.spots(laid) {
-                let cost = small + plain + self.cost(laid, area, rank);
-                self.aimed(laid, area, cost, *room, &mut places);
-            }
+            let spot = |area: Bounds| {
+                let cost = small + plain + self.cost(index, laid, area, rank);
+                Spot { area, cost, room: *room, round }
+            };
+            all.extend(self.spots(laid).into_iter().map(spot));
         }
-        places.sort_by(|a: &Place, b| a.cost.total_cmp(&b.cost));
-        self.varied(places)
+        all
     }
 
     /// The cheapest places, among them some in each part of the panel: what is best alone may not be best beside others.
@@ -231,10 +396,10 @@ impl Room<'_> {
     }
 
     /// What is bad about a place, but for its tail.
-    fn cost(&self, laid: &Laid, area: Bounds, rank: usize) -> f64 {
+    fn cost(&self, index: usize, laid: &Laid, area: Bounds, rank: usize) -> f64 {
         let round = matches!(laid.word.kind, Kind::Balloon(_));
         let mut cost = self.outside(area, round);
-        for other in self.taken {
+        for (_, other) in self.page.taken.iter().filter(|(other, _)| !self.tied(index, *other)) {
             let touched = shared(area, grown(*other, INSET));
             if touched > 0.0 {
                 cost += FORBIDDEN * (1.0 + touched / (area.width * area.height));
@@ -313,13 +478,8 @@ impl Room<'_> {
     }
 
     /// Adds a place with the tail to each face that may say it; without one where nobody is seen.
-    fn aimed(&self, laid: &Laid, area: Bounds, cost: f64, room: Option<(f64, f64)>, out: &mut Vec<Place>) {
-        let round = matches!(laid.word.kind, Kind::Balloon(_));
-        let bare = Place { area, tip: None, room, foot: center(area), speaker: None, round, cost };
-        if !round {
-            out.push(bare);
-            return;
-        }
+    fn aimed(&self, spot: &Spot, out: &mut Vec<Place>) {
+        let (bare, area, cost) = (spot.bare(), spot.area, spot.cost);
         let size = self.frame.width.hypot(self.frame.height);
         for &(face, unlikely) in &self.speakers {
             let head = self.seen[face].bounds;
@@ -384,15 +544,16 @@ impl Room<'_> {
                 cost += 4.0 * inside(foot, tip, seen.bounds);
             }
         }
-        for other in self.taken {
+        for (_, other) in self.page.taken {
             cost += if entry(foot, tip, *other) < 1.0 { FORBIDDEN } else { 0.0 };
         }
         cost
     }
 }
 
-/// What is bad about two words of a panel together; `first` is written before `second`, right before where they `follow`.
-fn together(first: &Place, second: &Place, kinds: (Kind, Kind), joined: bool, follow: bool) -> f64 {
+/// What is bad about two words of a panel together; the first is written before the second, right before where they `follow`.
+fn together(one: (&Word, &Place), other: (&Word, &Place), joined: bool, follow: bool) -> f64 {
+    let ((said, first), (says, second)) = (one, other);
     let (a, b) = (first.area, second.area);
     let mut cost = 0.0;
     let near = if joined { 0.002 } else { INSET };
@@ -412,19 +573,30 @@ fn together(first: &Place, second: &Place, kinds: (Kind, Kind), joined: bool, fo
     {
         cost += FORBIDDEN;
     }
-    let sound = kinds.0 == Kind::Effect || kinds.1 == Kind::Effect;
+    let sound = said.kind == Kind::Effect || says.kind == Kind::Effect;
     if !sound && !reads_after(a, b) {
         cost += FORBIDDEN;
     }
     if joined {
-        // One mouth, and close beside each other.
-        cost += if first.speaker == second.speaker { 0.0 } else { FORBIDDEN / 2.0 };
-        cost += 60.0 * gap(a, b);
-    } else if follow && first.speaker.is_some() && first.speaker == second.speaker {
+        return cost + 60.0 * gap(a, b) + staggered(a, b);
+    }
+    let same_face = first.speaker.is_some() && first.speaker == second.speaker;
+    match (&said.by, &says.by) {
+        (Some(name), Some(next)) if name != next && same_face => cost += TWO_IN_ONE,
         // People take turns.
-        cost += 1.2;
+        (None, _) | (_, None) if follow && same_face => cost += 1.2,
+        _ => {}
     }
     cost
+}
+
+/// What it costs that a joined balloon hangs right below the one before, or right beside it: letterers step down and sideways.
+fn staggered(a: Bounds, b: Bounds) -> f64 {
+    let (aside, below, weight) = STAGGER;
+    let (from, to) = (center(a), center(b));
+    let across = (to.x - from.x).abs() / f64::midpoint(a.width, b.width).max(1e-9);
+    let down = (to.y - from.y) / f64::midpoint(a.height, b.height).max(1e-9);
+    weight * ((aside - across).max(0.0) / aside + (below - down).max(0.0) / below)
 }
 
 /// Whether a reader comes to `b` after `a`: it is below, or to the right at about the same height.

@@ -95,10 +95,11 @@ pub fn settle<'s>(
     known: impl Fn(&str) -> Known<'s>,
     letters: &Letters,
 ) -> Result<()> {
-    let words = Word::parse_all(&document.words)?;
+    let mut words = Word::parse_all(&document.words)?;
     if !words.iter().any(|word| word.auto) {
         return Ok(());
     }
+    unlink(&mut words);
     let ground = Ground::new(document)?;
     let scenery = |word: &Word| {
         let panels = match panel_of(word, &ground) {
@@ -112,10 +113,11 @@ pub fn settle<'s>(
         scenery
     };
     // What a person has placed is there first.
-    let mut taken: Vec<Bounds> = words
+    let mut taken: Vec<(usize, Bounds)> = words
         .iter()
-        .filter(|word| !word.auto)
-        .map(|word| covered(&ground.lay(word.clone(), letters)))
+        .enumerate()
+        .filter(|(_, word)| !word.auto)
+        .map(|(i, word)| (i, covered(&ground.lay(word.clone(), letters))))
         .collect();
     let mut spoken: Vec<Point> = Vec::new();
     let mut news: Vec<(usize, Value)> = Vec::new();
@@ -124,21 +126,25 @@ pub fn settle<'s>(
         let shape =
             panel_of(word, &ground).and_then(|panel| ground.panels.get(panel)).map(|panel| &panel.shape);
         let laid = ground.lay(word.clone(), letters);
-        let (area, tip) = first::place(&laid, frame, shape, &seen, &taken, &mut spoken);
-        taken.push(area);
+        let stands: Vec<Bounds> = taken.iter().map(|(_, area)| *area).collect();
+        let (area, tip) = first::place(&laid, frame, shape, &seen, &stands, &mut spoken);
+        taken.push((i, area));
         news.push((i, placed(frame, center(area), tip)));
     }
     let joins = joined(&words.iter());
+    let mut links: Vec<(usize, usize)> = Vec::new();
     for group in letterer::groups(&words, &ground) {
         let scenery = words.get(group[0]).map(&scenery).unwrap_or_default();
-        for (i, place) in letterer::place(&words, &joins, &group, &ground, &scenery, &taken, letters) {
+        let page = letterer::Page { words: &words, joins: &joins, taken: &taken, ground: &ground, letters };
+        for (i, place, link) in letterer::place(page, &group, &scenery) {
             let mut value = placed(ground.frame(&words[i]), center(place.area), place.tip);
             value["room"] = match place.room {
                 Some((width, height)) => json!([rounded(width), rounded(height)]),
                 None => Value::Null,
             };
-            taken.push(place.area);
+            taken.push((i, place.area));
             news.push((i, value));
+            links.extend(link.map(|to| (i, to)));
         }
     }
     for (i, value) in news {
@@ -155,9 +161,42 @@ pub fn settle<'s>(
                 }
             }
         }
+        if let Some(fields) = word.as_object_mut() {
+            fields.remove("linked");
+        }
         word["auto"] = json!(true);
     }
+    for (later, before) in links {
+        let name = named(&mut document.words, before);
+        document.words[later]["linked"] = json!(name);
+    }
     Ok(())
+}
+
+/// Balloons that were joined by themselves are free again, but for those that hang on one that stays.
+fn unlink(words: &mut [Word]) {
+    let targets = joined(&words.iter());
+    let free: Vec<bool> =
+        targets.iter().map(|to| to.is_none_or(|to| words.get(to).is_none_or(|to| to.auto))).collect();
+    for (word, free) in words.iter_mut().zip(free) {
+        if word.auto && free {
+            word.linked = None;
+        }
+    }
+}
+
+/// The name of a word, by which another hangs on it: one that no other word has.
+fn named(words: &mut [Value], index: usize) -> String {
+    let holder = |name: &str| words.iter().position(|word| word["id"] == name);
+    let own = words[index]["id"].as_str().filter(|name| !name.is_empty());
+    if let Some(own) = own.filter(|name| holder(name) == Some(index)) {
+        return own.to_owned();
+    }
+    // There are as many names as words, and one more.
+    let free = (1..=words.len() + 1).map(|number| format!("b{number}")).find(|name| holder(name).is_none());
+    let name = free.unwrap_or_default();
+    words[index]["id"] = json!(name);
+    name
 }
 
 /// The panel that a word stands on: the last one where the page has fewer.

@@ -1,0 +1,273 @@
+//! Readings that stand small beside their letters, as Japanese and Chinese comics have them for letters that not everybody can
+//! read: `漢字《かんじ》` gives the letters of Han before it a reading in kana, `|base《reading》` any letters any reading. Behind
+//! a backslash the signs stand for themselves.
+//!
+//! A line never parts letters from their reading. Where a reading is longer than its letters, these stand apart, so that it meets no
+//! neighbour; where it is shorter, it is spread over them, with half as much room at its ends as between its letters.
+//!
+//! Sources: the manual of Aozora Bunko for its input files, for the notation; W3C, "Requirements for Japanese Text Layout" (JLREQ),
+//! 3.3, for where readings stand.
+
+use super::letters::{Font, Letters};
+use super::vertical;
+use std::ops::Range;
+
+/// Size of a reading, in parts of its letters'.
+pub(super) const SIZE: f64 = 0.5;
+/// Room between letters and their reading, in ems.
+const AIR: f64 = 0.05;
+/// Most letters of a reading, and of what it is of: more between such brackets is a title, or a quotation.
+const LONGEST: usize = 40;
+/// Between the lines of a text with readings there is so much more room, in ems; the same between columns.
+pub(super) const ROOM: (f64, f64) = (0.46, 0.36);
+/// So much thicker is a text whose lines have readings above their letters, or columns beside them, in ems.
+pub(super) const THICKER: (f64, f64) = (0.7, SIZE + AIR);
+
+/// What of a reading belongs to a letter that is set.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct Under {
+    /// The number of its reading, from 1; 0 for none.
+    pub reading: u16,
+    /// How much further the pen goes over it, in ems: one half before the letter, the other behind it.
+    pub apart: f64,
+}
+
+/// Some letters of a text and their reading.
+#[derive(Debug, Clone, PartialEq, Eq)]
+struct Note {
+    base: Range<usize>,
+    reading: Range<usize>,
+    /// The bar before the letters.
+    bar: Option<usize>,
+}
+
+/// What a text is, apart from its letters.
+struct Notes {
+    notes: Vec<Note>,
+    /// Backslashes that take the sense of a sign away.
+    escapes: Vec<usize>,
+}
+
+/// What a letter of a text is.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum Part {
+    /// It is set; with the number of its reading, from 1, or 0.
+    Base(u16),
+    /// It is a letter of that reading.
+    Reading(u16),
+    /// A sign of the notation.
+    Sign,
+}
+
+/// Whether a letter is of Han, so that a reading behind it is its.
+fn is_han(letter: char) -> bool {
+    "々〆〇ヶ".contains(letter)
+        || matches!(u32::from(letter), 0x3400..=0x4dbf | 0x4e00..=0x9fff | 0xf900..=0xfaff | 0x2_0000..=0x3_ffff)
+}
+
+/// Whether a letter tells how another is read: kana and bopomofo. What else stands in such brackets is a title in Chinese.
+fn is_phonetic(letter: char) -> bool {
+    matches!(u32::from(letter), 0x3041..=0x309f | 0x30a0..=0x30ff | 0x3105..=0x312f | 0x31f0..=0x31ff | 0xff66..=0xff9f)
+}
+
+/// The readings of a text.
+fn notes(text: &[char]) -> Notes {
+    let (mut notes, mut escapes) = (Vec::new(), Vec::new());
+    // Letters before this belong to something else.
+    let (mut free, mut bar) = (0, None);
+    let mut at = 0;
+    while at < text.len() {
+        match text[at] {
+            '\\' if text.get(at + 1).is_some_and(|next| "《》|｜".contains(*next)) => {
+                escapes.push(at);
+                at += 2;
+                free = at;
+                continue;
+            }
+            '|' | '｜' => bar = Some(at),
+            '\n' => bar = None,
+            '《' => {
+                if let Some(note) = note(text, at, free, bar) {
+                    at = note.reading.end;
+                    free = at + 1;
+                    notes.push(note);
+                }
+                bar = None;
+            }
+            _ => {}
+        }
+        at += 1;
+    }
+    Notes { notes, escapes }
+}
+
+/// The reading whose bracket opens at a place; none where it is no reading.
+fn note(text: &[char], open: usize, free: usize, bar: Option<usize>) -> Option<Note> {
+    let length = text[open + 1..].iter().take(LONGEST + 1).position(|&letter| "》《\n".contains(letter))?;
+    let reading = open + 1..open + 1 + length;
+    let said = &text[reading.clone()];
+    if text[reading.end] != '》' || said.iter().all(|letter| letter.is_whitespace()) {
+        return None;
+    }
+    let told = bar
+        .map(|bar| bar + 1..open)
+        .filter(|base| (1..=LONGEST).contains(&base.len()) && !text[base.start].is_whitespace());
+    if let Some(base) = told {
+        return Some(Note { base, reading, bar });
+    }
+    let start = (free..open).rev().take_while(|&at| is_han(text[at])).last()?;
+    said.iter().all(|&letter| is_phonetic(letter)).then_some(Note { base: start..open, reading, bar: None })
+}
+
+/// What each letter of a text is.
+pub(super) fn parts(text: &[char]) -> Vec<Part> {
+    let mut parts = vec![Part::Base(0); text.len()];
+    let Notes { notes, escapes } = notes(text);
+    for at in escapes {
+        parts[at] = Part::Sign;
+    }
+    for (number, Note { base, reading, bar }) in (1..=u16::MAX).zip(notes) {
+        parts[reading.start - 1] = Part::Sign;
+        parts[reading.end] = Part::Sign;
+        if let Some(bar) = bar {
+            parts[bar] = Part::Sign;
+        }
+        // What is escaped within stays a sign.
+        let set = |part: &mut Part, to: Part| *part = if *part == Part::Sign { Part::Sign } else { to };
+        parts[base].iter_mut().for_each(|part| set(part, Part::Base(number)));
+        parts[reading].iter_mut().for_each(|part| set(part, Part::Reading(number)));
+    }
+    parts
+}
+
+/// A text in stretches, each with its reading where it has one.
+#[must_use]
+pub fn stretches(text: &str) -> Vec<(String, Option<String>)> {
+    let letters: Vec<char> = text.chars().collect();
+    let mut out: Vec<(u16, String, Option<String>)> = Vec::new();
+    for (&letter, part) in letters.iter().zip(parts(&letters)) {
+        match part {
+            Part::Sign => {}
+            Part::Reading(_) => {
+                if let Some((_, _, reading)) = out.last_mut() {
+                    reading.get_or_insert_default().push(letter);
+                }
+            }
+            Part::Base(number) => match out.last_mut() {
+                Some((last, base, _)) if *last == number => base.push(letter),
+                _ => out.push((number, letter.to_string(), None)),
+            },
+        }
+    }
+    out.into_iter().map(|(_, base, reading)| (base, reading)).collect()
+}
+
+/// Length of a reading in ems of its letters, in a line or a column.
+fn length(letters: &Letters, font: &Font, reading: &[char], columns: bool) -> f64 {
+    SIZE * if columns {
+        vertical::steps(letters, font, reading).iter().sum::<f64>()
+    } else {
+        letters.width(font, reading)
+    }
+}
+
+/// How far apart letters stand that are `wide` together, so that their reading is no longer than they are.
+pub(super) fn apart(
+    letters: &Letters,
+    font: &Font,
+    reading: &[char],
+    columns: bool,
+    (wide, count): (f64, usize),
+) -> f64 {
+    (length(letters, font, reading, columns) - wide).max(0.0) / count.max(1) as f64
+}
+
+/// Where a reading begins within its letters, and how far its own letters stand apart, in ems of its letters.
+pub(super) fn spread(
+    letters: &Letters,
+    font: &Font,
+    reading: &[char],
+    columns: bool,
+    wide: f64,
+) -> (f64, f64) {
+    let left = (wide - length(letters, font, reading, columns)).max(0.0);
+    let gap = left / reading.len().max(1) as f64;
+    (gap / 2.0, gap)
+}
+
+/// How high over the baseline of its letters that of a reading is, in ems.
+pub(super) fn rise() -> f64 {
+    vertical::BASELINE + AIR + SIZE * (1.0 - vertical::BASELINE)
+}
+
+/// How far the middle of a column of readings is from that of their letters, in ems.
+pub(super) fn aside() -> f64 {
+    0.5 + AIR + SIZE / 2.0
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use proptest::prelude::*;
+
+    fn told(text: &str) -> String {
+        let part = |(base, reading): (String, Option<String>)| match reading {
+            Some(reading) => format!("[{base}/{reading}]"),
+            None => base,
+        };
+        stretches(text).into_iter().map(part).collect()
+    }
+
+    #[test]
+    fn letters_of_han_have_the_reading_behind_them_and_others_that_behind_their_bar() {
+        for (text, says) in [
+            ("漢字《かんじ》", "[漢字/かんじ]"),
+            ("お茶《ちゃ》を飲《の》む", "お[茶/ちゃ]を[飲/の]む"),
+            ("|お茶《おちゃ》", "[お茶/おちゃ]"),
+            ("｜OK《オーケー》だ", "[OK/オーケー]だ"),
+            ("人々《ひとびと》", "[人々/ひとびと]"),
+            ("東《ひがし》京《きょう》", "[東/ひがし][京/きょう]"),
+            ("|本気《まじ》と|書《か》いて", "[本気/まじ]と[書/か]いて"),
+            // Explicit ones may say anything.
+            ("|宇宙《うちゅう foo》", "[宇宙/うちゅう foo]"),
+        ] {
+            assert_eq!(told(text), says);
+        }
+    }
+
+    #[test]
+    fn what_is_no_reading_stays_as_it_is_written() {
+        for text in [
+            "我读《红楼梦》",
+            "《かな》",
+            "かな《かな》",
+            "漢字《》",
+            "漢字《 》",
+            "漢字《かんじ",
+            "漢字《か\nんじ》",
+            "a | b",
+            "a \\ b",
+            "》漢字",
+        ] {
+            assert_eq!(told(text), text);
+        }
+        assert_eq!(told("漢字\\《かんじ\\》"), "漢字《かんじ》");
+        assert_eq!(told("\\|本気《まじ》"), "|[本気/まじ]");
+        assert_eq!(told("|a\\|b《x》"), "[a|b/x]");
+    }
+
+    proptest! {
+        #[test]
+        fn any_text_has_an_answer(text in "[漢字かな|｜《》\\\\a \n]{0,40}") {
+            let letters: Vec<char> = text.chars().collect();
+            let parts = parts(&letters);
+            prop_assert_eq!(parts.len(), letters.len());
+            let signs = parts.iter().filter(|part| **part == Part::Sign).count();
+            let said: usize = stretches(&text)
+                .iter()
+                .map(|(base, reading)| base.chars().count() + reading.as_ref().map_or(0, |r| r.chars().count()))
+                .sum();
+            prop_assert_eq!(said + signs, letters.len());
+        }
+    }
+}

@@ -1,0 +1,58 @@
+/**
+ * Balloons that hang together: one outline, one tail. A balloon names the one that it hangs on, `joined` by hand or `linked` by
+ * itself when it was placed.
+ */
+
+import type { Word } from '../engine/types.ts';
+
+/** @returns the balloon that a word hangs on, by its place in the list; -1 where it stands alone */
+export function hangsOn(words: readonly Word[], index: number): number {
+  const name = words[index]?.joined || words[index]?.linked;
+  if (!name) return -1;
+  const at = words.findIndex(({ kind, id }) => kind === 'balloon' && id === name);
+  return at === index ? -1 : at;
+}
+
+/** @returns all words that hang together with one, itself among them, in their order */
+export function chainOf(words: readonly Word[], index: number): number[] {
+  const on = words.map((_, i) => hangsOn(words, i));
+  const chain = new Set([index]);
+  for (const at of chain)
+    for (const [other, to] of on.entries())
+      if (to === at || (to >= 0 && other === at)) chain.add(to === at ? other : to);
+  return [...chain].sort((a, b) => a - b);
+}
+
+/** @returns the balloon that is read before one, on the same panel; -1 for the first */
+export function balloonBefore(words: readonly Word[], index: number): number {
+  const { kind, panel = null } = words[index] ?? {};
+  if (kind !== 'balloon') return -1;
+  return words.findLastIndex((word, i) => i < index && word.kind === 'balloon' && (word.panel ?? null) === panel);
+}
+
+/** @returns the words with a balloon joined to the one before it, at the place that the core finds beside it */
+export function joinedBefore(words: readonly Word[], index: number): Word[] {
+  const before = balloonBefore(words, index);
+  if (before < 0) return [...words];
+  const held = words.findIndex(({ id }) => id && id === words[before].id);
+  const name = held === before ? (words[before].id as string) : freeName(words);
+  return words.map((word, i) => {
+    if (i === before) return { ...word, id: name };
+    return i === index ? { ...word, joined: name, linked: null, apart: false, auto: true } : word;
+  });
+}
+
+/** @returns the words with a balloon that stands alone, and goes on to */
+export function parted(words: readonly Word[], index: number): Word[] {
+  return words.map((word, i) =>
+    i === index ? { ...word, joined: null, linked: null, apart: true, auto: true } : word,
+  );
+}
+
+/** A name that no word has. */
+function freeName(words: readonly Word[]): string {
+  const taken = new Set(words.map(({ id }) => id));
+  let number = 1;
+  while (taken.has(`b${number}`)) number += 1;
+  return `b${number}`;
+}
