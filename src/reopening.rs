@@ -5,7 +5,7 @@ use crate::destination::Output;
 use crate::drawing::{self, Kind};
 use crate::segments::Masks;
 use crate::{Complaint, How, boards, plans, reading, survived};
-use inkpanel::document::file::FilePhoto;
+use inkpanel::document::file::{FilePhoto, ProjectFile};
 use inkpanel::document::saved::Saved;
 use inkpanel::document::sheets::photos_on;
 use inkpanel::framing::Subject;
@@ -127,10 +127,15 @@ pub(crate) fn known(saved: &Saved) -> HashMap<String, Vec<Subject>> {
     saved.project().photos.iter().map(|photo| (photo.id.clone(), subjects(photo))).collect()
 }
 
-/// The masks of its photos, by their ids; others are looked for where a style asks for them.
+/// The masks of its photos, by their ids, as they were corrected by hand or else found; others are looked for where a style asks
+/// for them.
 pub(crate) fn masks(saved: &Saved) -> Masks {
-    let known = saved.project().photos.iter();
-    Masks::new(known.filter_map(|photo| Some((photo.id.clone(), photo.mask.clone()?))).collect(), None)
+    let ProjectFile { history, photos, .. } = saved.project();
+    let known = photos.iter().filter_map(|photo| {
+        let mask = history.present.corrected_mask(&photo.id).or(photo.mask.as_ref())?;
+        Some((photo.id.clone(), mask.clone()))
+    });
+    Masks::new(known.collect(), None)
 }
 
 /// What the file says was found in a photo, as far as it can be read.

@@ -508,6 +508,7 @@ fn edits(page: &Value) -> Vec<Value> {
         { "type": "choose-by", "alike": 9, "order": "name" },
         { "type": "focus-photo", "id": "p", "focus": { "x": 0.25, "y": 0.5 } },
         { "type": "star-photo", "id": "p", "on": true },
+        { "type": "mask-photo", "id": "p", "mask": "2x1:ap" },
         { "type": "lock", "part": "layout", "on": true },
         { "type": "want-panels", "count": 4 },
         { "type": "show-page", "page": page, "pageId": 1 },
