@@ -252,7 +252,10 @@ fn a_mask_corrected_by_hand_is_of_its_photo_and_cuts_its_figures_until_it_is_und
         page.panels[..3].iter().map(|panel| panel.figure.clone()).collect::<Vec<_>>()
     };
     let cut = vec![Some(own.clone()), Some(found.clone()), None];
-    assert_eq!((editor.project().corrected_mask("a"), editor.project().corrected_mask("b")), (Some(&own), None));
+    assert_eq!(
+        (editor.project().corrected_mask("a"), editor.project().corrected_mask("b")),
+        (Some(&own), None)
+    );
     assert_eq!(figures(&editor), cut);
     // Said again it is no step, nor of a photo that is not there.
     assert!(!editor.apply(&correct(Some(own.clone()), None), &How::default()));
@@ -261,7 +264,10 @@ fn a_mask_corrected_by_hand_is_of_its_photo_and_cuts_its_figures_until_it_is_und
     let (again, dropped) = kept::parse(&kept::write(editor.history(), &Vec::new())).unwrap();
     assert!(dropped.is_empty() && again == *editor.history());
     editor.apply(&Edit::Undo, &How::default());
-    assert_eq!((editor.project().corrected_mask("a"), figures(&editor)[0].clone()), (None, Some(found.clone())));
+    assert_eq!(
+        (editor.project().corrected_mask("a"), figures(&editor)[0].clone()),
+        (None, Some(found.clone()))
+    );
     editor.apply(&Edit::Redo, &How::default());
     assert_eq!(figures(&editor), cut);
     // What was found counts again; where nothing was, no figure steps out.

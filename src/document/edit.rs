@@ -421,9 +421,7 @@ impl Project {
     fn with_mask(&self, id: &str, mask: Option<&Matte>) -> Option<List<TrayItem>> {
         let changed = |item: &TrayItem| item.id == id && item.mask.as_ref() != mask;
         self.tray.iter().any(|item| changed(item)).then(|| {
-            mapped(&self.tray, |item| {
-                changed(item).then(|| TrayItem { mask: mask.cloned(), ..item.clone() })
-            })
+            mapped(&self.tray, |item| changed(item).then(|| TrayItem { mask: mask.cloned(), ..item.clone() }))
         })
     }
 
