@@ -569,7 +569,8 @@ fn written() -> String {
     for difference in &differences {
         serde_json::from_str::<Difference>(difference).unwrap();
     }
-    editor.apply_json(&edits(&page)[13].to_string()).unwrap();
+    let sheets = edits(&page).into_iter().find(|edit| edit["type"] == "set-sheets").unwrap();
+    editor.apply_json(&sheets.to_string()).unwrap();
     let mut draft = draft::empty_json("d", "D");
     for edit in draft_edits() {
         draft = draft::after_json(&draft, &edit.to_string()).unwrap();

@@ -1,0 +1,33 @@
+/** Die Wörter des Pinsels, der das Motiv eines Fotos berichtigt. */
+
+export const brushStrings = {
+  brush: {
+    correct: 'Motiv berichtigen',
+    correctLong: 'Von Hand sagen, was zum Motiv dieses Fotos gehört.',
+    correctPhoto: (name: string) => `Motiv von ${name} berichtigen`,
+    title: (name: string) => `Motiv von ${name}`,
+    waiting: 'Das Foto wird geholt.',
+    keys: 'Pfeiltasten bewegen den Pinsel, mit Umschalt schneller. Die Leertaste malt. [ und ] ändern die Größe. A fügt hinzu, D nimmt weg, C wählt ein Motiv, N das nächste. + und − lassen es wachsen und schrumpfen. Strg+Z macht rückgängig.',
+    tools: 'Pinsel',
+    tool: { add: 'Hinzufügen', take: 'Wegnehmen', choose: 'Motiv wählen' },
+    chooseHelp: 'Ein Motiv anklicken, um nur dieses zu behalten',
+    size: 'Pinselgröße',
+    border: 'Rand',
+    grow: 'Wachsen',
+    shrink: 'Schrumpfen',
+    feather: 'Weicher',
+    whole: 'Motiv',
+    next: 'Nächstes Motiv',
+    everything: 'Alles',
+    nothing: 'Nichts',
+    invert: 'Umkehren',
+    found: 'Gefundenes Motiv nehmen',
+    isFound: 'es ist schon das gefundene',
+    onlyOne: 'Es gibt kein anderes Motiv zur Wahl.',
+    noneHere: 'Hier ist kein Motiv.',
+    covers: (share: string) => `Das Motiv bedeckt ${share} des Fotos.`,
+    missing: 'Der Pinsel ließ sich nicht laden. Versuche es mit einer Verbindung noch einmal.',
+    dropped: 'Die Berichtigungen wurden nicht behalten.',
+    keep: 'Behalten',
+  },
+};

@@ -1,0 +1,33 @@
+/** The words of the brush that corrects which part of a photo is its subject. */
+
+export const brushStrings = {
+  brush: {
+    correct: 'Correct subject',
+    correctLong: 'Say by hand what belongs to the subject of this photo.',
+    correctPhoto: (name: string) => `Correct the subject of ${name}`,
+    title: (name: string) => `Subject of ${name}`,
+    waiting: 'The photo is on its way.',
+    keys: 'Arrows move the brush, with Shift faster. Space paints. [ and ] change the size. A adds, D takes away, C chooses a subject, N the next one. + and − grow and shrink. Ctrl+Z undoes.',
+    tools: 'Brush',
+    tool: { add: 'Add', take: 'Take away', choose: 'Choose subject' },
+    chooseHelp: 'Click a subject to keep it alone',
+    size: 'Brush size',
+    border: 'Border',
+    grow: 'Grow',
+    shrink: 'Shrink',
+    feather: 'Feather',
+    whole: 'Subject',
+    next: 'Next subject',
+    everything: 'Everything',
+    nothing: 'Nothing',
+    invert: 'Invert',
+    found: 'Use the found subject',
+    isFound: 'it is the found one already',
+    onlyOne: 'There is no other subject to choose.',
+    noneHere: 'There is no subject here.',
+    covers: (share: string) => `The subject covers ${share} of the photo.`,
+    missing: 'The brush could not be loaded. Try again with a connection.',
+    dropped: 'The corrections were not kept.',
+    keep: 'Keep them',
+  },
+};

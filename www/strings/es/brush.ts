@@ -1,0 +1,33 @@
+/** Las palabras del pincel que corrige el motivo de una foto. */
+
+export const brushStrings = {
+  brush: {
+    correct: 'Corregir el motivo',
+    correctLong: 'Indicar a mano qué pertenece al motivo de esta foto.',
+    correctPhoto: (name: string) => `Corregir el motivo de ${name}`,
+    title: (name: string) => `Motivo de ${name}`,
+    waiting: 'La foto está en camino.',
+    keys: 'Las flechas mueven el pincel, con Mayús más rápido. La barra espaciadora pinta. [ y ] cambian el tamaño. A añade, D quita, C elige un motivo, N el siguiente. + y − lo amplían y lo reducen. Ctrl+Z deshace.',
+    tools: 'Pincel',
+    tool: { add: 'Añadir', take: 'Quitar', choose: 'Elegir motivo' },
+    chooseHelp: 'Haz clic en un motivo para conservar solo ese',
+    size: 'Tamaño del pincel',
+    border: 'Borde',
+    grow: 'Ampliar',
+    shrink: 'Reducir',
+    feather: 'Suavizar',
+    whole: 'Motivo',
+    next: 'Motivo siguiente',
+    everything: 'Todo',
+    nothing: 'Nada',
+    invert: 'Invertir',
+    found: 'Usar el motivo detectado',
+    isFound: 'ya es el detectado',
+    onlyOne: 'No hay otro motivo que elegir.',
+    noneHere: 'Aquí no hay ningún motivo.',
+    covers: (share: string) => `El motivo cubre ${share} de la foto.`,
+    missing: 'No se pudo cargar el pincel. Inténtalo de nuevo con conexión.',
+    dropped: 'Las correcciones no se conservaron.',
+    keep: 'Conservarlas',
+  },
+};

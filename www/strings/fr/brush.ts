@@ -1,0 +1,33 @@
+/** Les mots du pinceau qui corrige le sujet d’une photo. */
+
+export const brushStrings = {
+  brush: {
+    correct: 'Corriger le sujet',
+    correctLong: 'Dire à la main ce qui appartient au sujet de cette photo.',
+    correctPhoto: (name: string) => `Corriger le sujet de ${name}`,
+    title: (name: string) => `Sujet de ${name}`,
+    waiting: 'La photo arrive.',
+    keys: 'Les flèches déplacent le pinceau, plus vite avec Maj. Espace peint. [ et ] changent la taille. A ajoute, D enlève, C choisit un sujet, N le suivant. + et − l’étendent et le réduisent. Ctrl+Z annule.',
+    tools: 'Pinceau',
+    tool: { add: 'Ajouter', take: 'Enlever', choose: 'Choisir le sujet' },
+    chooseHelp: 'Cliquez sur un sujet pour ne garder que lui',
+    size: 'Taille du pinceau',
+    border: 'Bord',
+    grow: 'Étendre',
+    shrink: 'Réduire',
+    feather: 'Adoucir',
+    whole: 'Sujet',
+    next: 'Sujet suivant',
+    everything: 'Tout',
+    nothing: 'Rien',
+    invert: 'Inverser',
+    found: 'Reprendre le sujet trouvé',
+    isFound: 'c’est déjà le sujet trouvé',
+    onlyOne: 'Il n’y a pas d’autre sujet à choisir.',
+    noneHere: 'Il n’y a pas de sujet ici.',
+    covers: (share: string) => `Le sujet couvre ${share} de la photo.`,
+    missing: 'Le pinceau n’a pas pu être chargé. Réessayez avec une connexion.',
+    dropped: 'Les corrections n’ont pas été gardées.',
+    keep: 'Les garder',
+  },
+};

@@ -1,0 +1,33 @@
+/** 写真の被写体を手で直すブラシの言葉。 */
+
+export const brushStrings = {
+  brush: {
+    correct: '被写体を直す',
+    correctLong: 'この写真のどこが被写体かを手で指定します。',
+    correctPhoto: (name: string) => `${name} の被写体を直す`,
+    title: (name: string) => `${name} の被写体`,
+    waiting: '写真を準備しています。',
+    keys: '矢印キーでブラシが動き、Shiftを押すと速くなります。スペースで塗り、[ と ] で大きさを変えます。Aは加える、Dは取り除く、Cは被写体を選ぶ、Nは次の被写体です。+ と − で広げたり狭めたりします。Ctrl+Zで元に戻します。',
+    tools: 'ブラシ',
+    tool: { add: '加える', take: '取り除く', choose: '被写体を選ぶ' },
+    chooseHelp: 'クリックした被写体だけを残します',
+    size: 'ブラシの大きさ',
+    border: '境目',
+    grow: '広げる',
+    shrink: '狭める',
+    feather: 'ぼかす',
+    whole: '被写体',
+    next: '次の被写体',
+    everything: 'すべて',
+    nothing: 'なし',
+    invert: '反転',
+    found: '見つけた被写体を使う',
+    isFound: 'すでに見つけた被写体です',
+    onlyOne: 'ほかに選べる被写体はありません。',
+    noneHere: 'ここに被写体はありません。',
+    covers: (share: string) => `被写体は写真の ${share} です。`,
+    missing: 'ブラシを読み込めませんでした。接続してからもう一度試してください。',
+    dropped: '直したところは残していません。',
+    keep: '残す',
+  },
+};

@@ -1,0 +1,33 @@
+/** As palavras do pincel que corrige o assunto de uma foto. */
+
+export const brushStrings = {
+  brush: {
+    correct: 'Corrigir o assunto',
+    correctLong: 'Dizer à mão o que pertence ao assunto desta foto.',
+    correctPhoto: (name: string) => `Corrigir o assunto de ${name}`,
+    title: (name: string) => `Assunto de ${name}`,
+    waiting: 'A foto está a caminho.',
+    keys: 'As setas movem o pincel, com Shift mais rápido. Espaço pinta. [ e ] mudam o tamanho. A adiciona, D retira, C escolhe um assunto, N o próximo. + e − aumentam e diminuem. Ctrl+Z desfaz.',
+    tools: 'Pincel',
+    tool: { add: 'Adicionar', take: 'Retirar', choose: 'Escolher assunto' },
+    chooseHelp: 'Clique em um assunto para manter só ele',
+    size: 'Tamanho do pincel',
+    border: 'Borda',
+    grow: 'Aumentar',
+    shrink: 'Diminuir',
+    feather: 'Suavizar',
+    whole: 'Assunto',
+    next: 'Próximo assunto',
+    everything: 'Tudo',
+    nothing: 'Nada',
+    invert: 'Inverter',
+    found: 'Usar o assunto encontrado',
+    isFound: 'já é o encontrado',
+    onlyOne: 'Não há outro assunto para escolher.',
+    noneHere: 'Não há nenhum assunto aqui.',
+    covers: (share: string) => `O assunto cobre ${share} da foto.`,
+    missing: 'Não foi possível carregar o pincel. Tente de novo com uma conexão.',
+    dropped: 'As correções não foram mantidas.',
+    keep: 'Manter',
+  },
+};
