@@ -22,7 +22,7 @@ pub enum Mend {
     Grow,
     /// The border goes inward.
     Shrink,
-    /// The border gets softer.
+    /// The border gets softer, as long as it is one.
     Feather,
     /// The subject is what was not.
     Invert,

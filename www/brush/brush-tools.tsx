@@ -68,7 +68,7 @@ export function BrushTools({
           {brush.found}
         </button>
       </div>
-      <div class="brush-set brush-end">
+      <div class="brush-set">
         <button type="button" class="button" onClick={cancel}>
           {strings.cancel}
         </button>
@@ -80,7 +80,7 @@ export function BrushTools({
   );
 }
 
-/** How much of the photo the subject covers, or why there was nothing to choose; said again after each step. */
+/** How much of the photo the subject covers, or why the last command did nothing; said again after each step. */
 function Told({ retouching }: { retouching: Retouching }) {
   const vain = retouching.vain.value;
   return (

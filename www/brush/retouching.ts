@@ -29,8 +29,8 @@ export function createRetouching(hand: Hand) {
   const told = signal(hand.told());
   /** Counts what is to be drawn anew; `fine` while no stroke is under way. */
   const seen = signal({ count: 0, fine: true });
-  /** Why the last choice chose nothing. */
-  const vain: Signal<'onlyOne' | 'noneHere' | null> = signal(null);
+  /** Why the last command did nothing. */
+  const vain: Signal<'onlyOne' | 'noneHere' | 'softest' | null> = signal(null);
   /** The end of the stroke so far. */
   let last: Point | null = null;
 
@@ -95,7 +95,7 @@ export function createRetouching(hand: Hand) {
 
   function mend(how: Mending): boolean {
     last = null;
-    return changed(hand.mend(how), how === 'NextFigure' ? 'onlyOne' : null);
+    return changed(hand.mend(how), how === 'NextFigure' ? 'onlyOne' : how === 'Feather' ? 'softest' : null);
   }
 
   /** @param way 1 for larger, -1 for smaller */

@@ -179,6 +179,7 @@ test('by keys alone the brush is moved, paints, and takes back what it did', asy
   // What was painted is at hand for a while.
   await page.getByRole('button', { name: 'Keep them' }).click();
   await pick.focus();
+  if ((await pick.getAttribute('aria-pressed')) === 'false') await page.keyboard.press('Enter');
   await open.focus();
   await page.keyboard.press('Enter');
   await expect(area(page)).toBeFocused();
@@ -231,7 +232,7 @@ test('a balloon that is added goes elsewhere where a body was painted into its p
   const place = async () => {
     await write(page, 'balloon', 'HELLO THERE');
     const { x, y, width, height } = await box(balloon);
-    await page.getByRole('button', { name: 'Remove', exact: true }).click();
+    await page.getByRole('button', { name: 'Remove word' }).click();
     await expect(balloon).toBeHidden();
     return { x: x + width / 2, y: y + height / 2, width, height };
   };

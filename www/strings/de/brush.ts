@@ -25,6 +25,7 @@ export const brushStrings = {
     isFound: 'es ist schon das gefundene',
     onlyOne: 'Es gibt kein anderes Motiv zur Wahl.',
     noneHere: 'Hier ist kein Motiv.',
+    softest: 'Weicher kann der Rand nicht sein.',
     covers: (share: string) => `Das Motiv bedeckt ${share} des Fotos.`,
     missing: 'Der Pinsel ließ sich nicht laden. Versuche es mit einer Verbindung noch einmal.',
     dropped: 'Die Berichtigungen wurden nicht behalten.',

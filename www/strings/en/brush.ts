@@ -25,6 +25,7 @@ export const brushStrings = {
     isFound: 'it is the found one already',
     onlyOne: 'There is no other subject to choose.',
     noneHere: 'There is no subject here.',
+    softest: 'The border cannot be softer.',
     covers: (share: string) => `The subject covers ${share} of the photo.`,
     missing: 'The brush could not be loaded. Try again with a connection.',
     dropped: 'The corrections were not kept.',

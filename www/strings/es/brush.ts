@@ -25,6 +25,7 @@ export const brushStrings = {
     isFound: 'ya es el detectado',
     onlyOne: 'No hay otro motivo que elegir.',
     noneHere: 'Aquí no hay ningún motivo.',
+    softest: 'El borde no puede ser más suave.',
     covers: (share: string) => `El motivo cubre ${share} de la foto.`,
     missing: 'No se pudo cargar el pincel. Inténtalo de nuevo con conexión.',
     dropped: 'Las correcciones no se conservaron.',

@@ -25,6 +25,7 @@ export const brushStrings = {
     isFound: 'c’est déjà le sujet trouvé',
     onlyOne: 'Il n’y a pas d’autre sujet à choisir.',
     noneHere: 'Il n’y a pas de sujet ici.',
+    softest: 'Le bord ne peut pas être plus doux.',
     covers: (share: string) => `Le sujet couvre ${share} de la photo.`,
     missing: 'Le pinceau n’a pas pu être chargé. Réessayez avec une connexion.',
     dropped: 'Les corrections n’ont pas été gardées.',

@@ -25,6 +25,7 @@ export const brushStrings = {
     isFound: 'すでに見つけた被写体です',
     onlyOne: 'ほかに選べる被写体はありません。',
     noneHere: 'ここに被写体はありません。',
+    softest: '境目はこれ以上ぼかせません。',
     covers: (share: string) => `被写体は写真の ${share} です。`,
     missing: 'ブラシを読み込めませんでした。接続してからもう一度試してください。',
     dropped: '直したところは残していません。',

@@ -25,6 +25,7 @@ export const brushStrings = {
     isFound: 'já é o encontrado',
     onlyOne: 'Não há outro assunto para escolher.',
     noneHere: 'Não há nenhum assunto aqui.',
+    softest: 'A borda não pode ser mais suave.',
     covers: (share: string) => `O assunto cobre ${share} da foto.`,
     missing: 'Não foi possível carregar o pincel. Tente de novo com uma conexão.',
     dropped: 'As correções não foram mantidas.',

@@ -20,8 +20,10 @@ use std::cmp::Reverse;
 const WITHIN: u8 = 128;
 /// What is at least this much of the subject belongs to the soft border of a figure.
 const FAINT: u8 = 8;
-/// The part of a brush's radius that paints in full; from there it fades.
+/// The part of a brush's radius that paints in full at least.
 const HARD: f32 = 0.6;
+/// Pixels along which a brush fades at most: a wide border would count as unsure, and the whole mask as vague.
+const SOFT: f32 = 4.0;
 
 /// A soft round brush.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -33,9 +35,15 @@ pub struct Brush {
 }
 
 impl Brush {
+    /// How far from its path it paints in full.
+    fn full(self) -> f32 {
+        (self.radius - SOFT).max(HARD * self.radius)
+    }
+
     /// What it paints at a distance from its path, 0 to 255: all within, then falling to nothing along a smooth curve.
     fn strength(self, distance: f32) -> u8 {
-        let beyond = (distance / self.radius - HARD) / (1.0 - HARD);
+        let full = self.full();
+        let beyond = (distance - full) / (self.radius - full);
         let fade = 1.0 - beyond.clamp(0.0, 1.0);
         (255.0 * fade * fade * (3.0 - 2.0 * fade)).round() as u8
     }
@@ -253,14 +261,15 @@ mod tests {
             let before = discs(&[(40.0, 30.0, 20.0)]);
             let mut after = before.clone();
             let [from, to] = [[ends[0], ends[1]], [ends[2], ends[3]]];
-            Brush { radius, adds }.paint(&mut after, &[from, to]);
+            let brush = Brush { radius, adds };
+            brush.paint(&mut after, &[from, to]);
             for (at, (was, is)) in before.samples().iter().zip(after.samples()).enumerate() {
                 let far = distance([(at % 80) as f32 + 0.5, (at / 80) as f32 + 0.5], from, to);
                 let grows = if adds { is >= was } else { is <= was };
                 prop_assert!(grows);
                 prop_assert!(far < radius || is == was, "{far} of {radius}");
                 let full = if adds { 255 } else { 0 };
-                prop_assert!(far > HARD * radius || *is == full, "{far} of {radius}: {is}");
+                prop_assert!(far > brush.full() || *is == full, "{far} of {radius}: {is}");
             }
         }
 

@@ -1,7 +1,7 @@
 //! A mask while it is corrected: what is done to it step by step, and how that is undone.
 
 use super::{Brush, Figures, WITHIN, feathered, grown, inverted, joined, shrunk};
-use crate::raster::matte::MOST_TEXT;
+use crate::raster::matte::{LEAST_CONFIDENCE, MOST_TEXT};
 use crate::raster::resize::fit;
 use crate::raster::{Matte, Plane, matte};
 
@@ -21,7 +21,7 @@ pub enum Mending {
     Grow,
     /// The border goes inward.
     Shrink,
-    /// The border gets softer.
+    /// The border gets softer, as long as it is one.
     Feather,
     /// The subject is what was not.
     Invert,
@@ -134,7 +134,14 @@ impl Session {
         let mask = match mending {
             Mending::Grow => grown(&self.mask, reach),
             Mending::Shrink => shrunk(&self.mask, reach),
-            Mending::Feather => feathered(&self.mask, reach as usize),
+            Mending::Feather => {
+                let softer = feathered(&self.mask, reach as usize);
+                // With a border of which nobody could say where it is the mask would be as good as none.
+                if kept(&softer).is_none_or(|matte| matte.facts().confidence < LEAST_CONFIDENCE) {
+                    return false;
+                }
+                softer
+            }
             Mending::Invert => inverted(&self.mask),
             Mending::Everything => self.found.clone().unwrap_or_else(|| filled(255)),
             Mending::Nothing => filled(0),
@@ -355,6 +362,20 @@ mod tests {
         let mut none = begun(None);
         assert!(none.mend(Mending::Everything));
         assert_eq!((none.coverage(), none.steps().len()), (1.0, 1));
+    }
+
+    #[test]
+    fn whatever_brush_and_however_often_softened_the_mask_is_not_vague() {
+        for radius in [0.005, 0.04, 0.2] {
+            let mut session = begun(None);
+            session.paint(&[[0.3, 0.3], [0.7, 0.6]], radius, true);
+            assert!(session.end());
+            let facts = |session: &Session| session.steps().last().unwrap().unwrap().facts();
+            assert!(facts(&session).confidence > 0.7, "{radius}: {:?}", facts(&session));
+            let softened = (0..30).take_while(|_| session.mend(Mending::Feather)).count();
+            assert!(softened < 30, "{radius}");
+            assert!(facts(&session).confidence >= LEAST_CONFIDENCE, "{radius}: {:?}", facts(&session));
+        }
     }
 
     #[test]
