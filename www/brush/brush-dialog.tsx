@@ -1,7 +1,6 @@
 /** The subject of a photo is corrected by hand: the photo with its mask, and the tools beside it. */
 
 import { useEffect, useState } from 'preact/hooks';
-import { takeInHand } from '../engine/brush-module.ts';
 import { strings } from '../strings/strings.ts';
 import { useApp } from '../ui/context.ts';
 import { Dialog } from '../ui/dialog.tsx';
@@ -79,7 +78,7 @@ function useRetouching({ store, engine, ui, messages }: App, id: string): Retouc
       found: store.album.peek().get(id)?.meta?.mask,
     };
     const begin = async () => {
-      const hand = await takeInHand(engine.photos.get(id).work, masks);
+      const hand = await engine.takeInHand(id, masks);
       free = hand.free;
       if (left) free();
       else setRetouching(createRetouching(hand));

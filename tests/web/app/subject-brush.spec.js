@@ -250,7 +250,6 @@ test('a balloon that is added goes elsewhere where a body was painted into its p
   await dialog(page).getByRole('button', { name: 'Done' }).click();
   await idle(page);
   const second = await place();
-  console.log(first, second, left, shown);
   const away = Math.hypot((second.x - first.x) / first.width, (second.y - first.y) / first.height);
   expect(away).toBeGreaterThan(0.3);
   // Without the body it goes where it went.
