@@ -5,7 +5,7 @@ use crate::destination::Output;
 use crate::drawing::{self, Kind};
 use crate::segments::Masks;
 use crate::{Complaint, How, boards, plans, reading, survived};
-use inkpanel::document::file::{FilePhoto, ProjectFile};
+use inkpanel::document::file::FilePhoto;
 use inkpanel::document::saved::Saved;
 use inkpanel::document::sheets::photos_on;
 use inkpanel::framing::Subject;
@@ -130,12 +130,8 @@ pub(crate) fn known(saved: &Saved) -> HashMap<String, Vec<Subject>> {
 /// The masks of its photos, by their ids, as they were corrected by hand or else found; others are looked for where a style asks
 /// for them.
 pub(crate) fn masks(saved: &Saved) -> Masks {
-    let ProjectFile { history, photos, .. } = saved.project();
-    let known = photos.iter().filter_map(|photo| {
-        let mask = history.present.corrected_mask(&photo.id).or(photo.mask.as_ref())?;
-        Some((photo.id.clone(), mask.clone()))
-    });
-    Masks::new(known.collect(), None)
+    let known = saved.project().masks();
+    Masks::new(known.map(|(id, mask)| (id.to_owned(), mask.clone())).collect(), None)
 }
 
 /// What the file says was found in a photo, as far as it can be read.

@@ -134,6 +134,18 @@ fn a_whole_project_is_read_as_it_is() {
 }
 
 #[test]
+fn a_mask_that_was_corrected_wins_over_the_one_that_was_found_whatever_the_photo_is_called() {
+    let mut value = whole();
+    value["photos"][0]["mask"] = json!("1x1:p");
+    value["photos"][3]["mask"] = json!("1x1:a");
+    for project in [read(&value).unwrap(), read(&value).unwrap().renamed("new-")] {
+        let masks: Vec<_> = project.masks().map(|(id, mask)| (id, mask.text())).collect();
+        let ids = [0, 3].map(|i| project.photos[i].id.as_str());
+        assert_eq!(masks, [(ids[0], "2x2:ap2a"), (ids[1], "1x1:a")]);
+    }
+}
+
+#[test]
 fn a_corrected_mask_that_is_none_is_left_out_and_nothing_else_is_lost() {
     let tray = |value: &Value| read(value).unwrap().history.present.tray.clone();
     let mut value = whole();

@@ -131,7 +131,9 @@ pub(super) fn with_figures(page: &Document, id: &str, figure: Option<&Matte>) ->
     let changed: Vec<usize> = shown.map(|(at, _)| at).filter(other).collect();
     (!changed.is_empty()).then(|| {
         let mut page = page.clone();
-        changed.into_iter().for_each(|at| page.panels[at].figure = figure.cloned());
+        for at in changed {
+            page.panels[at].figure = figure.cloned();
+        }
         page
     })
 }

@@ -120,7 +120,7 @@ export function PhotoTile({
       >
         <Icon name="close" />
       </button>
-      {picked && !takes && ready && (
+      {picked && !takes && ready && !fact?.absent && (
         <button
           type="button"
           class="photo-put photo-correct"

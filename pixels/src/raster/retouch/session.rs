@@ -282,7 +282,7 @@ mod tests {
         assert!(session.redo() && !session.redo());
         assert_eq!(session.mask(), &grown);
         assert!(session.undo() && session.undo() && !session.undo());
-        assert_eq!(session.coverage(), 0.0);
+        assert_eq!((session.coverage(), session.can()), (0.0, (false, true)));
         // What was undone is gone with the next step.
         session.paint(&[[0.5, 0.5]], 0.1, true);
         assert!(session.end() && !session.redo());
