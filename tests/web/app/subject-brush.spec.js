@@ -1,7 +1,19 @@
 // @ts-check
 /** The subject of a photo corrected by hand: by mouse, by keys alone and by touch; kept, undone, and what the page makes of it. */
 
-import { add, detectingTest, expect, idle, offences, openBoard, photos, picture, pixelsOf, test } from './support.js';
+import {
+  add,
+  choose,
+  detectingTest,
+  expect,
+  idle,
+  offences,
+  openBoard,
+  photos,
+  picture,
+  pixelsOf,
+  test,
+} from './support.js';
 import { touch, way } from './touch-hands.js';
 import { box, word, write } from './word-hands.js';
 
@@ -11,6 +23,12 @@ const panel = (/** @type {Page} */ page, /** @type {number} */ n) =>
   page.getByRole('group', { name: new RegExp(`^Panel ${n} of`) });
 const dialog = (/** @type {Page} */ page) => page.getByRole('dialog', { name: /^Subject of/ });
 const area = (/** @type {Page} */ page) => page.getByRole('application', { name: /^Subject of/ });
+
+/** A page of four equal panels, none of which lies over another. @param {Page} page @param {...string} names of photos */
+async function four(page, ...names) {
+  await openBoard(page, names);
+  await choose(page, 'grid', 'Four');
+}
 
 /** Opens the brush on the photo of a panel. @param {Page} page @param {number} [n] */
 async function openBrush(page, n = 1) {
@@ -65,7 +83,7 @@ test('a subject that is painted is drawn apart, undone stroke by stroke, and the
   page,
 }) => {
   test.setTimeout(120_000);
-  await openBoard(page, ['macaw.jpg', 'camera.jpg']);
+  await four(page, 'macaw.jpg', 'camera.jpg');
   await style(page, 'Silhouette');
   const before = await picture(page);
   await openBrush(page);
@@ -110,7 +128,7 @@ test('a subject that is painted is drawn apart, undone stroke by stroke, and the
 
 test('a figure steps out of its panel by the mask that was painted, and follows each correction', async ({ page }) => {
   test.setTimeout(120_000);
-  await openBoard(page, ['macaw.jpg', 'camera.jpg', 'dahlia.jpg', 'pika.jpg']);
+  await four(page, 'macaw.jpg', 'camera.jpg', 'dahlia.jpg', 'pika.jpg');
   const breaks = page.getByRole('button', { name: 'Break the frame' });
   await panel(page, 1).click();
   await expect(breaks).toBeDisabled();
@@ -187,7 +205,7 @@ test('by keys alone the brush is moved, paints, and takes back what it did', asy
 });
 
 test('what a person sees and hears of it has no offence, light and dark', async ({ page }) => {
-  await openBoard(page, ['macaw.jpg']);
+  await four(page, 'macaw.jpg');
   await openBrush(page);
   await stroke(page, SNAKE);
   expect(await offences(page)).toEqual([]);
@@ -202,6 +220,9 @@ test.describe('on a phone', () => {
 
   test('a finger paints, and all that is touched is large enough', async ({ page }) => {
     await openBoard(page, ['macaw.jpg', 'camera.jpg']);
+    await page.getByRole('button', { name: 'Layouts', exact: true }).click();
+    await choose(page, 'grid', 'Four');
+    await page.getByRole('button', { name: 'Close' }).click();
     await panel(page, 1).tap();
     await page.getByRole('button', { name: 'Correct subject' }).tap();
     await expect(area(page)).toBeVisible();
@@ -226,7 +247,7 @@ test.describe('on a phone', () => {
 
 test('a balloon that is added goes elsewhere where a body was painted into its place', async ({ page }) => {
   test.setTimeout(120_000);
-  await openBoard(page, ['macaw.jpg']);
+  await four(page, 'macaw.jpg');
   const balloon = word(page, /^Balloon: HELLO THERE/);
   /** Where a balloon goes that is added, and then taken away. */
   const place = async () => {
@@ -276,6 +297,8 @@ detectingTest('the search for figures is stopped and goes on when asked', async 
   });
   await page.goto('./');
   await add(page, await photos('macaw.jpg', 'camera.jpg'));
+  await idle(page);
+  await choose(page, 'grid', 'Four');
   const stop = page.getByRole('button', { name: 'Stop looking for figures' });
   await stop.click({ timeout: 120_000 });
   const goOn = page.getByRole('button', { name: 'Go on looking for figures' });
