@@ -3,6 +3,8 @@
 
 // Every function that returns a Result throws as the module's documentation says.
 #![allow(clippy::missing_errors_doc)]
+// What the macro makes of an enum compares numbers of JavaScript with its own.
+#![allow(clippy::float_cmp)]
 
 use crate::raster::retouch::{Mending, Session, View};
 use crate::raster::{Image, Matte};
