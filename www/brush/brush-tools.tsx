@@ -70,7 +70,7 @@ export function BrushTools({
       </div>
       <div class="brush-set">
         <button type="button" class="button" onClick={cancel}>
-          {strings.cancel}
+          {brush.cancel}
         </button>
         <button type="button" class="button strong" onClick={done}>
           {strings.doneEditing}

@@ -27,6 +27,7 @@ export const brushStrings = {
     noneHere: 'Hier ist kein Motiv.',
     softest: 'Weicher kann der Rand nicht sein.',
     covers: (share: string) => `Das Motiv bedeckt ${share} des Fotos.`,
+    cancel: 'Abbrechen',
     missing: 'Der Pinsel ließ sich nicht laden. Versuche es mit einer Verbindung noch einmal.',
     dropped: 'Die Berichtigungen wurden nicht behalten.',
     keep: 'Behalten',

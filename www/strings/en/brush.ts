@@ -27,6 +27,7 @@ export const brushStrings = {
     noneHere: 'There is no subject here.',
     softest: 'The border cannot be softer.',
     covers: (share: string) => `The subject covers ${share} of the photo.`,
+    cancel: 'Cancel',
     missing: 'The brush could not be loaded. Try again with a connection.',
     dropped: 'The corrections were not kept.',
     keep: 'Keep them',

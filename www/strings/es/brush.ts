@@ -27,6 +27,7 @@ export const brushStrings = {
     noneHere: 'Aquí no hay ningún motivo.',
     softest: 'El borde no puede ser más suave.',
     covers: (share: string) => `El motivo cubre ${share} de la foto.`,
+    cancel: 'Cancelar',
     missing: 'No se pudo cargar el pincel. Inténtalo de nuevo con conexión.',
     dropped: 'Las correcciones no se conservaron.',
     keep: 'Conservarlas',

@@ -27,6 +27,7 @@ export const brushStrings = {
     noneHere: 'Il n’y a pas de sujet ici.',
     softest: 'Le bord ne peut pas être plus doux.',
     covers: (share: string) => `Le sujet couvre ${share} de la photo.`,
+    cancel: 'Abandonner',
     missing: 'Le pinceau n’a pas pu être chargé. Réessayez avec une connexion.',
     dropped: 'Les corrections n’ont pas été gardées.',
     keep: 'Les garder',

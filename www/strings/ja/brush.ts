@@ -27,6 +27,7 @@ export const brushStrings = {
     noneHere: 'ここに被写体はありません。',
     softest: '境目はこれ以上ぼかせません。',
     covers: (share: string) => `被写体は写真の ${share} です。`,
+    cancel: 'キャンセル',
     missing: 'ブラシを読み込めませんでした。接続してからもう一度試してください。',
     dropped: '直したところは残していません。',
     keep: '残す',

@@ -27,6 +27,7 @@ export const brushStrings = {
     noneHere: 'Não há nenhum assunto aqui.',
     softest: 'A borda não pode ser mais suave.',
     covers: (share: string) => `O assunto cobre ${share} da foto.`,
+    cancel: 'Cancelar',
     missing: 'Não foi possível carregar o pincel. Tente de novo com uma conexão.',
     dropped: 'As correções não foram mantidas.',
     keep: 'Manter',
