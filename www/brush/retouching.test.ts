@@ -39,6 +39,11 @@ it('a stroke is painted piece by piece and is one step', () => {
   expect(retouching.lift()).toBe(true);
   const { coverage } = retouching.told.value;
   expect(coverage).toBeGreaterThan(0.03);
+  // It has no gaps, however far the points of the pointer are apart.
+  const pixels = retouching.draw(false);
+  const hides = (x: number) => pixels[4 * (40 * retouching.width + x) + 3];
+  expect([40, 48, 80, 90].map(hides)).toEqual([0, 0, 0, 0]);
+  expect(hides(140)).toBeGreaterThan(100);
   expect(retouching.steps()).toHaveLength(1);
   retouching.tool.value = 'take';
   retouching.press({ x: 0.4, y: 0.5 });
@@ -52,8 +57,11 @@ it('a stroke is painted piece by piece and is one step', () => {
 
 it('a stroke that the browser takes away was none', () => {
   const retouching = begin();
+  const before = retouching.draw(true);
   retouching.press({ x: 0.5, y: 0.5 });
+  expect(retouching.draw(true)).not.toEqual(before);
   retouching.abandon();
+  expect(retouching.draw(true)).toEqual(before);
   expect([retouching.lift(), retouching.steps(), retouching.told.value.coverage]).toEqual([false, [], 0]);
 });
 
