@@ -24,8 +24,8 @@
 //!
 //! Under everything beside `raster`: [`error`], and [`json`], which reads JSON of strangers.
 //!
-//! On top, without algorithms of their own: `wasm`, `wasm_detect`, `wasm_decoders`, `wasm_films`, `wasm_imitation`, `wasm_words`, and `wasm_files` with `wasm_comics` (the
-//! web boundary, in seven modules; `wasm_letters` is in two of them) and `main.rs` (the command line).
+//! On top, without algorithms of their own: `wasm`, `wasm_detect`, `wasm_decoders`, `wasm_films`, `wasm_imitation`, `wasm_brush`, `wasm_words`, and `wasm_files` with `wasm_comics` (the
+//! web boundary, in eight modules; `wasm_letters` is in two of them) and `main.rs` (the command line).
 //!
 //! Each stage has an example that runs: `examples/stage_raster.rs` and so on to `stage_page.rs`. Through some of them:
 //!
@@ -92,12 +92,15 @@ mod typescript;
         feature = "exports",
         feature = "decoders",
         feature = "films",
-        feature = "imitation"
+        feature = "imitation",
+        feature = "brush"
     ))
 ))]
 pub mod wasm;
 #[cfg(all(target_arch = "wasm32", feature = "exports"))]
 pub mod wasm_boards;
+#[cfg(all(target_arch = "wasm32", feature = "brush"))]
+pub mod wasm_brush;
 #[cfg(all(target_arch = "wasm32", feature = "exports"))]
 pub mod wasm_comics;
 #[cfg(all(target_arch = "wasm32", feature = "decoders"))]

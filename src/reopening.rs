@@ -127,10 +127,11 @@ pub(crate) fn known(saved: &Saved) -> HashMap<String, Vec<Subject>> {
     saved.project().photos.iter().map(|photo| (photo.id.clone(), subjects(photo))).collect()
 }
 
-/// The masks of its photos, by their ids; others are looked for where a style asks for them.
+/// The masks of its photos, by their ids, as they were corrected by hand or else found; others are looked for where a style asks
+/// for them.
 pub(crate) fn masks(saved: &Saved) -> Masks {
-    let known = saved.project().photos.iter();
-    Masks::new(known.filter_map(|photo| Some((photo.id.clone(), photo.mask.clone()?))).collect(), None)
+    let known = saved.project().masks();
+    Masks::new(known.map(|(id, mask)| (id.to_owned(), mask.clone())).collect(), None)
 }
 
 /// What the file says was found in a photo, as far as it can be read.

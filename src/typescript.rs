@@ -522,6 +522,7 @@ fn edits(page: &Value) -> Vec<Value> {
         { "type": "choose-by", "alike": 9, "order": "name" },
         { "type": "focus-photo", "id": "p", "focus": { "x": 0.25, "y": 0.5 } },
         { "type": "star-photo", "id": "p", "on": true },
+        { "type": "mask-photo", "id": "p", "mask": "2x1:ap" },
         { "type": "lock", "part": "layout", "on": true },
         { "type": "want-panels", "count": 4 },
         { "type": "show-page", "page": page, "pageId": 1 },
@@ -582,7 +583,8 @@ fn written() -> String {
     for difference in &differences {
         serde_json::from_str::<Difference>(difference).unwrap();
     }
-    editor.apply_json(&edits(&page)[13].to_string()).unwrap();
+    let sheets = edits(&page).into_iter().find(|edit| edit["type"] == "set-sheets").unwrap();
+    editor.apply_json(&sheets.to_string()).unwrap();
     let mut draft = draft::empty_json("d", "D");
     for edit in draft_edits() {
         draft = draft::after_json(&draft, &edit.to_string()).unwrap();

@@ -17,6 +17,7 @@ use inkpanel::layout::{self, PageSettings};
 use inkpanel::page::Document;
 use inkpanel::page::request::{Keep, Mode, Request};
 use inkpanel::page::shuffle;
+use inkpanel::raster::Matte;
 use oorandom::Rand64;
 use serde_json::{Map, Value, json};
 use std::collections::HashSet;
@@ -231,6 +232,80 @@ fn what_is_told_of_a_shot_goes_with_its_photo_and_is_undone() {
     assert_eq!((&editor.project().tray[0].shot, &*editor.project().board), (&told, &Board::default()));
 }
 
+#[test]
+fn a_mask_corrected_by_hand_is_of_its_photo_and_cuts_its_figures_until_it_is_undone() {
+    let (found, own) = (matte(3), matte(7));
+    let correct = |mask: Option<Matte>, found: Option<Matte>| Edit::MaskPhoto { id: "a".into(), mask, found };
+    let mut shown = Document::clone(&page(1));
+    for (panel, photo) in shown.panels.iter_mut().zip(["a", "b", "a"]) {
+        panel.photo = Some(photo.into());
+        panel.figure = Some(found.clone());
+    }
+    shown.panels[2].figure = None;
+    let mut editor = played([
+        Edit::AddPhotos { ids: texts(&["a", "b"]) },
+        Edit::ShowPage { page: Arc::new(shown), page_id: 1 },
+        correct(Some(own.clone()), None),
+    ]);
+    let figures = |editor: &Editor| {
+        let page = editor.project().page.clone().unwrap();
+        page.panels[..3].iter().map(|panel| panel.figure.clone()).collect::<Vec<_>>()
+    };
+    let cut = vec![Some(own.clone()), Some(found.clone()), None];
+    assert_eq!(
+        (editor.project().corrected_mask("a"), editor.project().corrected_mask("b")),
+        (Some(&own), None)
+    );
+    assert_eq!(figures(&editor), cut);
+    // Said again it is no step, nor of a photo that is not there.
+    assert!(!editor.apply(&correct(Some(own.clone()), None), &How::default()));
+    let gone = Edit::MaskPhoto { id: "gone".into(), mask: Some(own.clone()), found: None };
+    assert!(!editor.apply(&gone, &How::default()));
+    let (again, dropped) = kept::parse(&kept::write(editor.history(), &Vec::new())).unwrap();
+    assert!(dropped.is_empty() && again == *editor.history());
+    editor.apply(&Edit::Undo, &How::default());
+    assert_eq!(
+        (editor.project().corrected_mask("a"), figures(&editor)[0].clone()),
+        (None, Some(found.clone()))
+    );
+    editor.apply(&Edit::Redo, &How::default());
+    assert_eq!(figures(&editor), cut);
+    // What was found counts again; where nothing was, no figure steps out.
+    let mut none = editor.clone();
+    editor.apply(&correct(None, Some(found.clone())), &How::default());
+    assert_eq!((editor.project().corrected_mask("a"), figures(&editor)[0].clone()), (None, Some(found)));
+    none.apply(&correct(None, None), &How::default());
+    assert_eq!(figures(&none)[0], None);
+}
+
+#[test]
+fn a_mask_stays_with_its_photo_when_another_takes_the_place() {
+    let mask = |id: &str, pixels| Edit::MaskPhoto { id: id.into(), mask: Some(matte(pixels)), found: None };
+    let exchange = |id: &str, by: &str| Edit::ExchangePhoto { id: id.into(), by: by.into() };
+    let add = Edit::AddPhotos { ids: texts(&["a", "b"]) };
+    let editor = played([add.clone(), mask("a", 3), exchange("a", "d")]);
+    assert_eq!(editor.project().corrected_mask("d"), None);
+    let editor = played([add, mask("a", 3), mask("b", 7), exchange("a", "b")]);
+    assert_eq!(editor.project().corrected_mask("b"), Some(&matte(7)));
+}
+
+#[test]
+fn a_mask_in_an_edit_is_one_or_the_edit_is_refused() {
+    let mut editor = Editor::default();
+    editor.apply_json(&json!({ "type": "add-photos", "ids": ["a"] }).to_string()).unwrap();
+    let edit = |mask: Value| json!({ "type": "mask-photo", "id": "a", "mask": mask }).to_string();
+    let told: Value = serde_json::from_str(&editor.apply_json(&edit(json!("2x1:ap"))).unwrap()).unwrap();
+    assert_eq!(told["parts"]["items"], json!([{ "id": "a", "use": null, "mask": "2x1:ap" }]));
+    let long = format!("320x320:{}", "a".repeat(70_000));
+    for wrong in [json!("2x1:a"), json!("321x1:a321"), json!(7), json!(long)] {
+        let error = editor.apply_json(&edit(wrong)).unwrap_err();
+        assert_eq!(error.code(), "invalid-document");
+        assert!(error.to_string().contains("mask"), "{error}");
+    }
+    editor.apply_json(&edit(Value::Null)).unwrap();
+    assert_eq!(editor.project().corrected_mask("a"), None);
+}
+
 /// Pages that shuffles gave, some of which show photos.
 fn pages() -> &'static [Arc<Document>] {
     static PAGES: OnceLock<Vec<Arc<Document>>> = OnceLock::new();
@@ -263,7 +338,7 @@ fn edit(random: &mut Rand64) -> (Edit, How) {
     let on = random.rand_float() < 0.5;
     let photo = (*some(random, &PHOTOS)).to_owned();
     let page = some(random, pages()).clone();
-    let edit = match random.rand_range(0..31) {
+    let edit = match random.rand_range(0..32) {
         0 | 1 => Edit::AddPhotos { ids: some_photos(random) },
         2 => Edit::RemovePhotos { ids: some_photos(random) },
         3 => Edit::UsePhotos { uses: vec![(photo, on)] },
@@ -300,11 +375,17 @@ fn edit(random: &mut Rand64) -> (Edit, How) {
         27 => Edit::AddWords { words: vec![word_of(&photo, &format!("{id}"))] },
         29 => Edit::DescribeShots { shots: vec![(photo, shot(id, on))] },
         30 => Edit::SetBoard { board: Arc::new(board(id, on)) },
+        31 => Edit::MaskPhoto { id: photo, mask: on.then(|| matte(id)), found: None },
         28 => Edit::DropWaiting { words: vec![0] },
         _ => Edit::Redo,
     };
     let gesture = [None, None, Some("drag"), Some("other")];
     (edit, How { silent: false, gesture: some(random, &gesture).map(str::to_owned) })
+}
+
+/// A mask of one row, of so many pixels.
+fn matte(pixels: u64) -> Matte {
+    Matte::try_from(format!("{pixels}x1:p{pixels}")).unwrap()
 }
 
 /// What is told of a shot.

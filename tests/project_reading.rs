@@ -62,7 +62,7 @@ fn whole() -> Value {
     let second = page(2, own_layout(), own_style(), json!([]));
     let present = json!({
         "name": "Trip", "alike": 12, "order": "name", "panels": 4, "pageId": 3, "sheet": 0, "at": 1,
-        "tray": [{ "id": "p0", "use": null }, { "id": "p1", "use": true, "focus": { "x": 0.2, "y": 0.7 } }, { "id": "p2", "use": false, "shot": { "scene": "1", "number": "4A", "action": "She turns.", "dialogue": "Oh!", "notes": "dusk", "frames": 36, "more": { "Lens": "35" } } }],
+        "tray": [{ "id": "p0", "use": null, "mask": "2x2:ap2a" }, { "id": "p1", "use": true, "focus": { "x": 0.2, "y": 0.7 } }, { "id": "p2", "use": false, "shot": { "scene": "1", "number": "4A", "action": "She turns.", "dialogue": "Oh!", "notes": "dusk", "frames": 36, "more": { "Lens": "35" } } }],
         "locks": { "layout": true, "style": false, "photos": false },
         "settings": first["page"], "page": first,
         "others": [{ "page": second, "pageId": 2, "sheet": 4 }],
@@ -131,6 +131,35 @@ fn a_whole_project_is_read_as_it_is() {
     tell_photos_of_words(&mut before);
     assert_eq!(compared(again), compared(before));
     assert_eq!(read(&serde_json::from_str(&text).unwrap()).unwrap().write(), text);
+}
+
+#[test]
+fn a_mask_that_was_corrected_wins_over_the_one_that_was_found_whatever_the_photo_is_called() {
+    let mut value = whole();
+    value["photos"][0]["mask"] = json!("1x1:p");
+    value["photos"][3]["mask"] = json!("1x1:a");
+    for project in [read(&value).unwrap(), read(&value).unwrap().renamed("new-")] {
+        let masks: Vec<_> = project.masks().map(|(id, mask)| (id, mask.text())).collect();
+        let ids = [0, 3].map(|i| project.photos[i].id.as_str());
+        assert_eq!(masks, [(ids[0], "2x2:ap2a"), (ids[1], "1x1:a")]);
+    }
+}
+
+#[test]
+fn a_corrected_mask_that_is_none_is_left_out_and_nothing_else_is_lost() {
+    let tray = |value: &Value| read(value).unwrap().history.present.tray.clone();
+    let mut value = whole();
+    let good = tray(&value);
+    assert_eq!(good[0].mask.as_ref().unwrap().text(), "2x2:ap2a");
+    let long = format!("320x320:{}", "a".repeat(70_000));
+    for wrong in [json!("2x2:a9"), json!(["a"]), json!(null), json!("400x1:a400"), json!(long)] {
+        value["history"]["present"]["tray"][0]["mask"] = wrong;
+        let read = read(&value).unwrap();
+        assert!(read.dropped.is_empty());
+        let after = &read.history.present.tray;
+        assert_eq!((after[0].mask.clone(), after[0].id.as_str(), &after[1..]), (None, "p0", &good[1..]));
+        assert!(!read.write().contains("\"mask\""));
+    }
 }
 
 /// Numbers as JavaScript has them: 0 is 0.0.

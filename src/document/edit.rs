@@ -12,6 +12,7 @@ use crate::json::{Fields, Read, Wrong, each, items, text_of};
 use crate::layout::PageSettings;
 use crate::page::Document;
 use crate::page::words::Word;
+use crate::raster::Matte;
 use serde_json::Value;
 use std::collections::{HashMap, HashSet};
 use std::sync::Arc;
@@ -74,6 +75,17 @@ pub enum Edit {
         id: String,
         /// Whether it is starred.
         on: bool,
+    },
+    /// Which part of a photo is its subject, corrected by hand.
+    MaskPhoto {
+        /// The photo.
+        id: String,
+        /// None goes back to what was found.
+        #[cfg_attr(all(test, feature = "cli"), ts(type = "string | null"))]
+        mask: Option<Matte>,
+        /// That, for the figures of the photo that step out of their panels.
+        #[cfg_attr(all(test, feature = "cli"), ts(type = "string", optional))]
+        found: Option<Matte>,
     },
     /// What is told of photos as shots.
     DescribeShots {
@@ -299,6 +311,11 @@ impl Project {
                     (item.id == *id).then(|| TrayItem { starred: *on, ..item.clone() })
                 });
             }
+            Edit::MaskPhoto { id, mask, found } => {
+                next.tray = self.with_mask(id, mask.as_ref())?;
+                let figure = mask.as_ref().or(found.as_ref());
+                next.each_page(&mut |page| sheets::with_figures(page, id, figure).map(Arc::new));
+            }
             Edit::DescribeShots { shots } => next.tray = self.with_shots(shots)?,
             Edit::SetBoard { board } => {
                 if self.board == *board {
@@ -400,6 +417,14 @@ impl Project {
         (tray.len() > self.tray.len()).then(|| tray.into())
     }
 
+    /// The tray with the mask of a photo corrected, or no longer; none where it is as it was.
+    fn with_mask(&self, id: &str, mask: Option<&Matte>) -> Option<List<TrayItem>> {
+        let changed = |item: &TrayItem| item.id == id && item.mask.as_ref() != mask;
+        self.tray.iter().any(|item| changed(item)).then(|| {
+            mapped(&self.tray, |item| changed(item).then(|| TrayItem { mask: mask.cloned(), ..item.clone() }))
+        })
+    }
+
     /// The tray with what is told of photos as shots; none where it is as it was.
     fn with_shots(&self, shots: &[(String, Shot)]) -> Option<List<TrayItem>> {
         let told: HashMap<&str, &Shot> = shots.iter().map(|(id, shot)| (id.as_str(), shot)).collect();
@@ -413,8 +438,15 @@ impl Project {
     fn exchange(&mut self, id: &str, by: &str) {
         let others: Vec<_> = self.tray.iter().filter(|item| item.id != by || id == by).cloned().collect();
         if others.iter().any(|item| item.id == id) {
+            // What was corrected is of one picture: it stays with that.
+            let mask = self.corrected_mask(by).cloned();
             self.tray = mapped(&others, |item| {
-                (item.id == id).then(|| TrayItem { id: by.to_owned(), used: Some(true), ..item.clone() })
+                (item.id == id).then(|| TrayItem {
+                    id: by.to_owned(),
+                    used: Some(true),
+                    mask: mask.clone(),
+                    ..item.clone()
+                })
             });
             self.each_page(&mut |page| sheets::exchanged(page, id, by).map(Arc::new));
             self.words_exchanged(id, by);
@@ -530,6 +562,11 @@ impl Edit {
                 focus: fields.nullable("focus").part("focus", &mut project::focus)?,
             },
             "star-photo" => Self::StarPhoto { id: fields.name("id", LONGEST_ID)?, on: fields.flag("on")? },
+            "mask-photo" => Self::MaskPhoto {
+                id: fields.name("id", LONGEST_ID)?,
+                mask: fields.nullable("mask").part("mask", &mut project::mask)?,
+                found: fields.nullable("found").part("found", &mut project::mask)?,
+            },
             "describe-shots" => Self::DescribeShots {
                 shots: fields.part("shots", &mut shots::described)?.unwrap_or_default(),
             },

@@ -211,6 +211,14 @@ impl ProjectFile {
         self
     }
 
+    /// The masks of its photos with their ids: as they were corrected by hand, or else found.
+    pub fn masks(&self) -> impl Iterator<Item = (&str, &Matte)> {
+        self.photos.iter().filter_map(|FilePhoto { id, mask, .. }| {
+            let mask = self.history.present.corrected_mask(id).or(mask.as_ref())?;
+            Some((id.as_str(), mask))
+        })
+    }
+
     /// The text in the shape in which it was read, normalised, with what was left out.
     #[must_use]
     pub fn write(&self) -> String {

@@ -8,7 +8,9 @@ use super::shots::{Board, Shot};
 use crate::json::{Fields, Read, Writer, Wrong, fields};
 use crate::layout::{PageSettings, Template};
 use crate::page::Document;
+use crate::raster::Matte;
 use crate::raster::color::parse_hex;
+use crate::raster::matte::MOST_TEXT as LONGEST_MASK;
 use crate::select::THRESHOLD;
 use crate::style::part::{Part, Parts as LayerParts};
 use crate::style::{Style, blocks, earlier};
@@ -91,6 +93,9 @@ pub struct TrayItem {
     /// A person wants to see it large.
     #[cfg_attr(all(test, feature = "cli"), ts(as = "Option<_>", optional))]
     pub starred: bool,
+    /// Which part of it is its subject, as a person corrected it; none leaves that to what was found.
+    #[cfg_attr(all(test, feature = "cli"), ts(type = "string", optional))]
+    pub mask: Option<Matte>,
     /// What is told of it as a shot.
     #[cfg_attr(all(test, feature = "cli"), ts(as = "Option<_>", optional))]
     pub shot: Shot,
@@ -372,11 +377,27 @@ impl Order {
     }
 }
 
+impl Project {
+    /// The mask of a photo that a person corrected; none where what was found counts.
+    #[must_use]
+    pub fn corrected_mask(&self, photo: &str) -> Option<&Matte> {
+        self.tray.iter().find(|item| item.id == photo)?.mask.as_ref()
+    }
+}
+
 impl TrayItem {
     /// A photo of which nothing was said.
     #[must_use]
     pub fn new(id: String) -> Self {
-        Self { id, used: None, focus: None, starred: false, shot: Shot::default(), rest: Map::new() }
+        Self {
+            id,
+            used: None,
+            focus: None,
+            starred: false,
+            mask: None,
+            shot: Shot::default(),
+            rest: Map::new(),
+        }
     }
 
     pub(super) fn read(value: Value) -> Read<Arc<Self>> {
@@ -389,8 +410,10 @@ impl TrayItem {
         };
         let focus = fields.nullable("focus").part("focus", &mut focus)?;
         let starred = fields.flag("starred")?;
+        // One that cannot be read is as if nobody had corrected anything: no photo is lost for it.
+        let mask = fields.take("mask").and_then(|text| self::mask(text).ok());
         let shot = fields.nullable("shot").part("shot", &mut Shot::read)?.unwrap_or_default();
-        Ok(Arc::new(Self { id, used, focus, starred, shot, rest: fields.rest() }))
+        Ok(Arc::new(Self { id, used, focus, starred, mask, shot, rest: fields.rest() }))
     }
 
     pub(super) fn write(&self, out: &mut Writer) {
@@ -409,12 +432,20 @@ impl TrayItem {
         if self.starred {
             out.key("starred").flag(true);
         }
+        if let Some(mask) = &self.mask {
+            out.key("mask").text(mask.text());
+        }
         if !self.shot.is_empty() {
             self.shot.write(out.key("shot"));
         }
         out.rest(&self.rest);
         out.close(b'}');
     }
+}
+
+/// Which part of a photo is its subject.
+pub(super) fn mask(value: Value) -> Read<Matte> {
+    Matte::try_from(fields::text_of(value, LONGEST_MASK)?).map_err(Wrong::new)
 }
 
 pub(super) fn focus(value: Value) -> Read<Focus> {

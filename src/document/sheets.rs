@@ -4,6 +4,7 @@
 use super::project::{Project, Sheet};
 use crate::json::Writer;
 use crate::page::Document;
+use crate::raster::Matte;
 use serde_json::Map;
 use std::collections::HashSet;
 use std::sync::Arc;
@@ -117,6 +118,24 @@ pub(super) fn exchanged(page: &Document, id: &str, by: &str) -> Option<Document>
         }
     }
     Some(page)
+}
+
+/// The page with the figures of a photo that step out of their panels cut by another mask, or back in their panels where
+/// there is none; none where none steps out, or each is as it was.
+pub(super) fn with_figures(page: &Document, id: &str, figure: Option<&Matte>) -> Option<Document> {
+    let shown = page.panels.iter().enumerate().filter(|(_, panel)| panel.photo.as_deref() == Some(id));
+    let other = |at: &usize| {
+        let before = page.panels[*at].figure.as_ref();
+        before.is_some() && before != figure
+    };
+    let changed: Vec<usize> = shown.map(|(at, _)| at).filter(other).collect();
+    (!changed.is_empty()).then(|| {
+        let mut page = page.clone();
+        for at in changed {
+            page.panels[at].figure = figure.cloned();
+        }
+        page
+    })
 }
 
 /// The page without some photos: the panels that showed them are open; none where it had none of them.

@@ -1,4 +1,5 @@
 import { LazyBoards } from '../boards/board-switch.tsx';
+import { LazyBrush } from '../brush/lazy-brush.tsx';
 import { strings } from '../strings/strings.ts';
 import { Board } from './board.tsx';
 import { useApp } from '../ui/context.ts';
@@ -73,6 +74,7 @@ function Everything() {
       {projects && <Projects />}
       <Toasts />
       {dialog === 'help' && <HelpDialog />}
+      {typeof dialog === 'object' && dialog !== null && <LazyBrush key={dialog.brush} id={dialog.brush} />}
       {dialog === 'export' && store.page.value && <ExportDialog />}
       {dragging.value && (
         <div class="drop-veil" data-zones={!empty} data-for={forStyle.value ? 'style' : 'photos'}>

@@ -50,8 +50,7 @@ export function Stage() {
     const made = createPainter(canvas.current as HTMLCanvasElement, {
       engine: {
         renderPanel: engine.renderPanel,
-        subjectOf: (document, photo) =>
-          drawsParts(store, document) ? store.album.peek().get(photo)?.meta?.mask : undefined,
+        subjectOf: (document, photo) => (drawsParts(store, document) ? store.masks.peek().get(photo) : undefined),
         hasPhoto: (id) => !store.sketch.peek() && engine.hasPhoto(id),
       },
       onPainted: (document) => {

@@ -21,6 +21,9 @@ const LETTERS_KEY = 'inkpanel.letters';
 const DETECT_KEY = 'inkpanel.detect';
 const IDEAS_KEY = 'inkpanel.ideas';
 
+/** `brush`: the photo whose subject is corrected. */
+export type OpenDialog = 'help' | 'export' | { brush: string };
+
 export type Work = 'designer' | 'explorer' | 'imitation' | 'projects' | 'pages' | 'boards';
 
 export function createUi(window: Window) {
@@ -74,7 +77,7 @@ export function createUi(window: Window) {
     subjects: signal(false),
     /** A photo of the stack that is open. */
     stack: signal(null) as Signal<string | null>,
-    dialog: signal(null) as Signal<'help' | 'export' | null>,
+    dialog: signal(null) as Signal<OpenDialog | null>,
     /** The page that is on the screen with all its panels; null while work for it is going on. */
     painted: signal(null) as Signal<PageDocument | null>,
     /** The page whose words are all on the screen, likewise. */

@@ -103,6 +103,7 @@ const actions: Record<Action['type'], fc.Arbitrary<any>> = {
   'choose-by': fc.record({ alike: fc.integer({ min: 4, max: 16 }), order: fc.constantFrom('time', 'name') }),
   'focus-photo': fc.record({ id: photo, focus: fc.constantFrom(null, { x: 0.2, y: 0.7 }) }),
   'star-photo': fc.record({ id: photo, on: fc.boolean() }),
+  'mask-photo': fc.record({ id: photo, mask: fc.constantFrom(null, '2x1:ap', '2x1:p2') }),
   lock: fc.record({ part: fc.constantFrom('layout', 'style', 'photos'), on: fc.boolean() }),
   'want-panels': fc.record({ count: fc.constantFrom(null, 1, 4) }),
   'show-page': anId.map((id) => ({ page: pageOf(id), pageId: id })),

@@ -73,6 +73,17 @@ export function createStore({ onRefused = () => {} }: { onRefused?: (error: Erro
   /** Facts of the tray, in its order. */
   const facts = computed(() => tray.value.flatMap(({ id }) => album.value.get(id) ?? []));
 
+  /** Which part of each photo is its subject, as far as that is known: as a person corrected it, or else as it was found. */
+  const masks: ReadonlySignal<ReadonlyMap<string, string>> = computed(() => {
+    const own = new Map(project.value.tray.map(({ id, mask }) => [id, mask]));
+    return new Map(
+      [...album.value].flatMap(([id, { meta }]) => {
+        const mask = own.get(id) ?? meta?.mask;
+        return mask ? [[id, mask] as const] : [];
+      }),
+    );
+  });
+
   /** What the selection compares of the photos that were read. */
   const measured = computed(() =>
     facts.value.flatMap(({ id, name, measures, video }) => (measures ? [{ id, name, film: video, ...measures }] : [])),
@@ -95,8 +106,9 @@ export function createStore({ onRefused = () => {} }: { onRefused?: (error: Erro
     const dated = !reading.value && project.value.order === 'time';
     return (dated ? chronological(list) : list).map(({ id, meta }) => {
       const known = meta ?? unreadMeta(id);
-      const { focus, starred } = items.get(id) ?? {};
-      return focus || starred ? { ...known, focus: focus ?? null, starred: starred ?? false } : known;
+      const { focus, starred, mask } = items.get(id) ?? {};
+      if (!focus && !starred && !mask) return known;
+      return { ...known, focus: focus ?? null, starred: starred ?? false, ...(mask && { mask }) };
     });
   });
 
@@ -148,6 +160,7 @@ export function createStore({ onRefused = () => {} }: { onRefused?: (error: Erro
     sheets,
     tray,
     facts,
+    masks,
     measured,
     verdicts,
     /** Films that are looked through for their shots, by key: how far, 0 to 1. */

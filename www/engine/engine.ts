@@ -4,6 +4,7 @@
  */
 
 import { createAesthetics } from './aesthetics.ts';
+import { takeInHand } from './brush-module.ts';
 import { loadCore } from './core.ts';
 import { createDesign } from './design.ts';
 import { createDetector } from './detector.ts';
@@ -97,6 +98,8 @@ export function createEngine({
     findMask: masking.findMask,
     /** Tells which part of a photo is its subject, for styles that are for a part. */
     knowMask: photos.know,
+    /** The subject of an imported photo, to be corrected by hand. @param masks as text: corrected before, and found */
+    takeInHand: (id: string, masks: { own?: string; found?: string }) => takeInHand(photos.get(id).work, masks),
     forgetPhoto: photos.forget,
     warm: warming.warm,
     /** While `on`, nothing is begun that the page on the screen does not wait for. */

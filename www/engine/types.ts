@@ -54,6 +54,8 @@ export type TrayItem = {
   focus?: Focus | null,
   /** A person wants to see it large. */
   starred?: boolean,
+  /** Which part of it is its subject, as a person corrected it; none leaves that to what was found. */
+  mask?: string,
   /** What is told of it as a shot. */
   shot?: Shot,
 };
@@ -596,6 +598,14 @@ export type Edit = { "type": "add-photos",
   id: string,
   /** Whether it is starred. */
   on: boolean,
+}
+| { "type": "mask-photo",
+  /** The photo. */
+  id: string,
+  /** None goes back to what was found. */
+  mask: string | null,
+  /** That, for the figures of the photo that step out of their panels. */
+  found?: string,
 }
 | { "type": "describe-shots",
   /** All that is told of each, by the ids of the photos. */

@@ -151,8 +151,8 @@ export function createDownload({
 
   /** @param id of a photo whose subject is known */
   async function saveSubject(id: string) {
-    const { name, meta } = store.album.peek().get(id) ?? {};
-    const mask = meta?.mask;
+    const { name } = store.album.peek().get(id) ?? {};
+    const mask = store.masks.peek().get(id);
     if (!mask) return;
     const file = await work((how) => engine.exportSubject(id, mask, how), strings.exportFailed);
     if (!file) return;

@@ -92,11 +92,11 @@ export function createWordPlanning({
       owed = true;
       return page;
     }
-    const album = store.album.peek();
+    const [album, masks] = [store.album.peek(), store.masks.peek()];
     const photos = Object.fromEntries(
       page.panels.flatMap(({ photo }) => {
         const meta = photo === null ? undefined : album.get(photo)?.meta;
-        return meta ? [[photo, { subjects: meta.subjects, mask: meta.mask }]] : [];
+        return photo !== null && meta ? [[photo, { subjects: meta.subjects, mask: masks.get(photo) }]] : [];
       }),
     );
     const fixed = all.map((word, i) => (stays(i) ? { ...word, auto: false } : word));

@@ -8,7 +8,7 @@ const page = (style: string | object) => ({ style, panels: [{ photo: 'a' }, { ph
 const store = (masks: Record<string, string | undefined>) =>
   ({
     styles: signal([plain, parted]),
-    album: signal(new Map(Object.entries(masks).map(([id, mask]) => [id, { id, meta: { mask } }]))),
+    masks: signal(new Map(Object.entries(masks))),
   }) as any;
 
 it('is another text once a mask is there, for styles that draw parts apart', () => {

@@ -14,10 +14,10 @@ export function drawsParts({ styles }: Pick<Store, 'styles'>, { style }: PageDoc
  * @returns a text that changes when the page is to be drawn anew for them; empty where its style draws no part apart. Read while
  * a view is rendered, it renders that again.
  */
-export function subjectsOf(store: Pick<Store, 'styles' | 'album'>, page: PageDocument | null): string {
+export function subjectsOf(store: Pick<Store, 'styles' | 'masks'>, page: PageDocument | null): string {
   if (!page || !drawsParts(store, page)) return '';
-  const facts = store.album.value;
-  return page.panels.map(({ photo }) => (photo === null ? '' : (facts.get(photo)?.meta?.mask ?? ''))).join(' ');
+  const masks = store.masks.value;
+  return page.panels.map(({ photo }) => (photo === null ? '' : (masks.get(photo) ?? ''))).join(' ');
 }
 
 /** @returns as `subjectsOf` */

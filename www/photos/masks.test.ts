@@ -5,7 +5,7 @@ import { fakeApp } from '../document/testing.ts';
 import { failure } from '../engine/protocol.ts';
 
 /** @param find what the net answers for a photo */
-function app(find: (id: string) => Promise<string>, has = true) {
+function app(find: (id: string, signal?: AbortSignal) => Promise<string>, has = true) {
   const made = fakeApp();
   const asked: string[] = [];
   const known: Map<string, string | undefined> = new Map();
@@ -14,9 +14,9 @@ function app(find: (id: string) => Promise<string>, has = true) {
     masks: has,
     hasPhoto: () => true,
     knowMask: (id: string, mask: string | undefined) => void known.set(id, mask),
-    findMask: (id: string) => {
+    findMask: (id: string, call?: { signal?: AbortSignal }) => {
       asked.push(id);
-      return find(id);
+      return find(id, call?.signal);
     },
   };
   const found = vi.fn();
@@ -68,6 +68,51 @@ describe('masks', () => {
     found.rested.value = true;
     await settle();
     expect(found.asked).toEqual(['p1', 'p2']);
+  });
+
+  it('are looked for no more once a person stops that, until somebody asks for it', async () => {
+    const never = (_: string, left?: AbortSignal) =>
+      new Promise<string>((_done, failed) => {
+        left?.addEventListener('abort', () => failed(failure('cancelled', 'stopped')));
+      });
+    let find: typeof never = never;
+    const { reading, files, masks, asked, rested, store } = app((id, left) => find(id, left));
+    await reading.addFiles(files('1.jpg', '2.jpg'));
+    rested.value = true;
+    await settle();
+    expect([asked, masks.progress.value, masks.held.value]).toEqual([['p1'], { done: 0, total: 2 }, false]);
+    masks.stop();
+    await settle();
+    expect([masks.progress.value, masks.held.value, masks.settled.value]).toEqual([null, true, true]);
+    // Not by itself: neither when more photos come, nor when all is at rest anew.
+    await reading.addFiles(files('3.jpg'));
+    rested.value = false;
+    rested.value = true;
+    await settle();
+    expect(asked).toEqual(['p1']);
+    find = async () => '2x2:ap3';
+    masks.goOn();
+    await settle();
+    expect(asked).toEqual(['p1', 'p1', 'p2', 'p3']);
+    expect([masks.held.value, store.masks.value.size]).toEqual([false, 3]);
+  });
+
+  it('that a person corrected are what is drawn by, and are not looked for', async () => {
+    const { reading, files, asked, known, rested, store } = app(async () => '2x2:ap3');
+    await reading.addFiles(files('1.jpg', '2.jpg'));
+    store.change({ type: 'mask-photo', id: 'p1', mask: '2x2:p4' });
+    rested.value = true;
+    await settle();
+    expect([asked, known.get('p1'), known.get('p2')]).toEqual([['p2'], '2x2:p4', '2x2:ap3']);
+    expect(store.photos.value.map(({ mask }) => mask)).toEqual(['2x2:p4', '2x2:ap3']);
+    store.change({ type: 'mask-photo', id: 'p2', mask: '2x2:a4', found: '2x2:ap3' });
+    expect([known.get('p2'), store.album.value.get('p2')?.meta?.mask]).toEqual(['2x2:a4', '2x2:ap3']);
+    // What was found counts again, and what was not is looked for.
+    store.change({ type: 'undo' });
+    store.change({ type: 'mask-photo', id: 'p1', mask: null });
+    expect(known.get('p2')).toBe('2x2:ap3');
+    await settle();
+    expect([asked, known.get('p1')]).toEqual([['p2', 'p1'], '2x2:ap3']);
   });
 
   it('go on after a photo that cannot be looked at, not without the net', async () => {

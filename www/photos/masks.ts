@@ -5,7 +5,6 @@
 
 import { computed, effect, signal } from '@preact/signals';
 import { photosOn } from '../engine/sheets.ts';
-import type { Album } from '../document/album.ts';
 import type { Progress, Store } from '../document/store.ts';
 import type { PageDocument } from '../engine/types.ts';
 import type { Engine } from '../engine/engine.ts';
@@ -37,6 +36,9 @@ export function createMasks({
   const failed: Signal<ReadonlySet<string>> = signal(new Set());
   const off = signal(!wanted || !engine.masks);
   const running = signal(false);
+  const stopped = signal(false);
+  /** Ends the look at a photo. */
+  let looking: AbortController | undefined;
   const progress: Signal<Progress | null> = signal(null);
 
   const due: ReadonlySignal<readonly string[]> = computed(() => {
@@ -45,40 +47,56 @@ export function createMasks({
     const rank = (id: string) => (shown.has(id) ? 0 : beside.has(id) ? 1 : 2);
     const all = store.facts.value.filter(({ id, meta, absent }) => meta && !absent && engine.hasPhoto(id));
     const spare = BESIDE - all.filter(({ id, meta }) => rank(id) === 2 && meta?.mask).length;
-    const open = all.filter(({ id, meta }) => !meta?.mask && !failed.value.has(id)).map(({ id }) => id);
+    // What was corrected by hand is known, whatever the net would find.
+    const open = all.filter(({ id }) => !store.masks.value.has(id) && !failed.value.has(id)).map(({ id }) => id);
     const ofPages = open.filter((id) => rank(id) < 2).sort((a, b) => rank(a) - rank(b));
     return [...ofPages, ...open.filter((id) => rank(id) === 2).slice(0, Math.max(0, spare))];
   });
 
-  /** The facts of which the engine was told. */
-  let told: Album = new Map();
+  /** The masks of which the engine was told. */
+  let told: ReadonlyMap<string, string> = new Map();
 
-  // Whatever is drawn from now on knows the subjects, also those that came with a project.
+  // Whatever is drawn from now on knows the subjects, also those that came with a project or were corrected.
   effect(() => {
-    const album = store.album.value;
-    for (const [id, { meta }] of album) {
-      if (meta?.mask !== told.get(id)?.meta?.mask) engine.knowMask(id, meta?.mask);
+    const masks = store.masks.value;
+    for (const id of new Set([...told.keys(), ...masks.keys()])) {
+      if (masks.get(id) !== told.get(id)) engine.knowMask(id, masks.get(id));
     }
-    told = album;
+    told = masks;
   });
 
   effect(() => {
-    if (!running.value && due.value.length > 0 && ready()) void run();
+    if (!running.value && !stopped.value && due.value.length > 0 && ready()) void run();
   });
 
-  return { there: computed(() => !off.value), progress, settled: computed(() => due.value.length === 0) };
+  return {
+    there: computed(() => !off.value),
+    progress,
+    settled: computed(() => stopped.value || due.value.length === 0),
+    /** Whether a person stopped the search before its end: then nothing begins it again but `goOn`. */
+    held: computed(() => stopped.value && due.value.length > 0),
+    stop,
+    goOn: () => {
+      stopped.value = false;
+    },
+  };
+
+  function stop() {
+    stopped.value = true;
+    looking?.abort();
+  }
 
   async function run() {
     running.value = true;
     let done = 0;
     try {
-      while (due.peek().length > 0 && ready()) {
+      while (!stopped.peek() && due.peek().length > 0 && ready()) {
         const [id] = due.peek();
         progress.value = { done, total: done + due.peek().length };
         await look(id);
         done += 1;
         const shown = photosOn(store.page.peek() ? [store.page.peek() as PageDocument] : []);
-        if (shown.has(id) && !due.peek().some((other) => shown.has(other))) onFound();
+        if (!stopped.peek() && shown.has(id) && !due.peek().some((other) => shown.has(other))) onFound();
       }
     } finally {
       progress.value = null;
@@ -87,11 +105,14 @@ export function createMasks({
   }
 
   async function look(id: string) {
+    looking = new AbortController();
+    const { signal: left } = looking;
     try {
-      const mask = await engine.findMask(id);
+      const mask = await engine.findMask(id, { signal: left });
       const fact = store.album.peek().get(id);
       if (fact?.meta) store.know({ ...fact, meta: { ...fact.meta, mask } });
     } catch (error) {
+      if (left.aborted) return;
       const { code } = error as { code?: string };
       // Without the net nothing can be looked at; one photo that fails is one.
       if (code === 'detector-missing' || code === 'net-missing') off.value = true;

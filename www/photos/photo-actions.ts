@@ -5,7 +5,7 @@ import { openFiles } from './file-input.tsx';
 import type { Parts } from '../ui/context.ts';
 import type { Action } from '../ui/action.ts';
 
-export function createPhotoActions({ ui }: Pick<Parts, 'ui'>) {
+export function createPhotoActions({ ui, masks }: Pick<Parts, 'ui' | 'masks'>) {
   return {
     subjects: {
       label: strings.showSubjects,
@@ -15,6 +15,8 @@ export function createPhotoActions({ ui }: Pick<Parts, 'ui'>) {
         ui.subjects.value = !ui.subjects.peek();
       },
     },
+    stopMasks: { label: strings.stopMasking, icon: 'pause', run: masks.stop },
+    goOnMasks: { label: strings.goOnMasking, icon: 'play', run: masks.goOn },
     add: { label: strings.addPhotos, icon: 'add', run: openFiles },
   } satisfies Record<string, Action>;
 }

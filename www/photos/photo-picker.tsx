@@ -12,8 +12,9 @@ export type Shown = Fact & { meta: NonNullable<Fact['meta']> };
 /** @returns the photos that can be drawn, in the order of the album */
 export function useDrawnPhotos(): Shown[] {
   const { store, engine } = useApp();
+  const masks = store.masks.value;
   return store.facts.value.flatMap((fact) =>
-    fact.meta && engine.hasPhoto(fact.id) ? [{ ...fact, meta: fact.meta }] : [],
+    fact.meta && engine.hasPhoto(fact.id) ? [{ ...fact, meta: { ...fact.meta, mask: masks.get(fact.id) } }] : [],
   );
 }
 

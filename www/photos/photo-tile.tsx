@@ -120,6 +120,19 @@ export function PhotoTile({
       >
         <Icon name="close" />
       </button>
+      {picked && !takes && ready && !fact?.absent && (
+        <button
+          type="button"
+          class="photo-put photo-correct"
+          aria-label={strings.brush.correctPhoto(name)}
+          title={strings.brush.correctPhoto(name)}
+          onClick={() => {
+            ui.dialog.value = { brush: id };
+          }}
+        >
+          <Icon name="brush" />
+        </button>
+      )}
       {takes && ready && (
         <button
           type="button"

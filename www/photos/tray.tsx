@@ -39,6 +39,9 @@ export function Tray() {
       <header class="section-head">
         <h2>{strings.photos}</h2>
         <span class="count">{strings.photoCount(kept.length, tray.length)}</span>
+        {/* Where the line of the search is, and no row more: what is below it stays in its place. */}
+        {!finding && masking && <ActionButton action={actions.photos.stopMasks} />}
+        {masks.held.value && <ActionButton action={actions.photos.goOnMasks} />}
         <ActionButton action={actions.photos.subjects} />
         <ActionButton action={actions.photos.add} />
       </header>

@@ -97,7 +97,7 @@ export function StylesList() {
             <span class="bitmap" />
           ) : (
             <Bitmap
-              of={`${designed.has(option) ? hero : `${hero} ${JSON.stringify(option)}`} ${hasParts(option) ? (meta?.mask ?? '') : ''}`}
+              of={`${designed.has(option) ? hero : `${hero} ${JSON.stringify(option)}`} ${hasParts(option) ? (store.masks.value.get(hero) ?? '') : ''}`}
               draw={(call) => engine.stylePhoto(hero, option, size, call)}
             />
           )

@@ -47,7 +47,7 @@ pub(crate) fn build_module(project: &Project, name: &str) -> Result<()> {
     match modules.iter().find(|module| module.name == name) {
         Some(module) => wasm::build(project, module, Purpose::Publish),
         None => bail!(
-            "there is no module {name}: it is one of core, decoders, words, exports, films, imitation, detectors"
+            "there is no module {name}: it is one of core, decoders, words, exports, films, imitation, brush, detectors"
         ),
     }
 }
@@ -57,8 +57,8 @@ pub(crate) fn serve(project: &Project, port: u16) -> Result<()> {
     let start = Instant::now();
     wasm::install_target()?;
     letters::make(project)?;
-    let [core, decoders, words, exports, films, imitation, detectors] = wasm::all(project);
-    let needed = [core, decoders, words, exports, films, imitation];
+    let [core, decoders, words, exports, films, imitation, brush, detectors] = wasm::all(project);
+    let needed = [core, decoders, words, exports, films, imitation, brush];
     let stale: Vec<_> =
         needed.iter().filter(|module| !module.is_current(project, SERVE).unwrap_or(false)).collect();
     // What comes over the network takes hardly any of the compiler's time.

@@ -229,7 +229,7 @@ fn lint(project: &Project) -> Result<Outcome> {
     }
     crate::wasm::install_target()?;
     // What comes later is linted together: each by itself is compiled by the suite `build`.
-    for features in ["pages", "decoders,detect,exports,films,imitation,words"] {
+    for features in ["pages", "brush,decoders,detect,exports,films,imitation,words"] {
         let web = [
             "clippy",
             "--package",

@@ -17,7 +17,8 @@ use crate::{clamps, lane, letters, npm, tools};
 pub(crate) const TARGET: &str = "wasm32-unknown-unknown";
 
 /// The features of the library that the modules have between them.
-pub(crate) const FEATURES: [&str; 6] = ["decoders", "detect", "exports", "films", "imitation", "words"];
+pub(crate) const FEATURES: [&str; 7] =
+    ["brush", "decoders", "detect", "exports", "films", "imitation", "words"];
 
 /// What the modules are made of, in the top folder.
 const SOURCES: [&str; 10] = [
@@ -112,8 +113,13 @@ pub(crate) fn imitation(project: &Project) -> Module {
     Module { name: "imitation", package: "inkpanel-imitation", folder, ..fast() }
 }
 
+/// What corrects masks, which the page loads when a person does: it draws while the brush moves.
+pub(crate) fn brush(project: &Project) -> Module {
+    Module { name: "brush", package: "inkpanel-brush", folder: project.www().join("pkg-brush"), ..fast() }
+}
+
 /// All modules of the page.
-pub(crate) fn all(project: &Project) -> [Module; 7] {
+pub(crate) fn all(project: &Project) -> [Module; 8] {
     [
         core(project),
         decoders(project),
@@ -121,6 +127,7 @@ pub(crate) fn all(project: &Project) -> [Module; 7] {
         exports(project),
         films(project),
         imitation(project),
+        brush(project),
         detectors(project),
     ]
 }

@@ -21,7 +21,7 @@ const WITHIN: u8 = 128;
 /// A subject of less than this share of its photo is none.
 const LEAST_COVERAGE: f64 = 0.01;
 /// The least sure border of a subject that anything is made by: below it are crowds, landscapes and mist.
-const LEAST_CONFIDENCE: f64 = 0.35;
+pub const LEAST_CONFIDENCE: f64 = 0.35;
 /// A share of a border between these is unsure.
 const UNSURE: std::ops::Range<u8> = 26..230;
 

@@ -25,6 +25,7 @@ pub mod plane;
 #[cfg(feature = "pages")]
 mod png;
 pub mod resize;
+pub mod retouch;
 #[cfg(feature = "pages")]
 mod samples;
 mod separable;

@@ -188,7 +188,7 @@ export function createFraming({ store, pages }: { store: Store; pages: Pages }) 
     const page = store.page.peek();
     const use = page?.panels[panel];
     if (!page || !use || isLocked(panel)) return false;
-    const mask = store.album.peek().get(use.photo ?? '')?.meta?.mask;
+    const mask = store.masks.peek().get(use.photo ?? '');
     const without = { ...page, panels: page.panels.map((other, i) => (i === panel ? framed(other) : other)) };
     const next = on ? mask && store.planner.peek()?.breakFrame(page, panel, mask) : without;
     if (next) store.change({ type: 'change-page', page: next, gesture: step() });

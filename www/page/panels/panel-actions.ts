@@ -34,6 +34,7 @@ export function createPanelActions({
   choosing,
   masks,
   messages,
+  ui,
 }: Pick<
   Parts,
   | 'store'
@@ -46,6 +47,7 @@ export function createPanelActions({
   | 'choosing'
   | 'masks'
   | 'messages'
+  | 'ui'
 >) {
   const chosen = selection.panels;
   const panel = () => chosen.peek()[0];
@@ -74,8 +76,14 @@ export function createPanelActions({
     if (whyNotOne.value) return whyNotOne.value;
     const photo = use.value?.photo;
     if (!photo) return strings.noPhotoHere;
-    if (store.album.value.get(photo)?.meta?.mask) return '';
+    if (store.masks.value.has(photo)) return '';
+    if (masks.held.value) return strings.figureStopped;
     return masks.there.value ? strings.figureSought : strings.noFigureNet;
+  });
+  const whyNotCorrected = computed(() => {
+    if (whyNotOne.value) return whyNotOne.value;
+    const photo = store.album.value.get(use.value?.photo ?? '');
+    return photo?.meta && !photo.absent ? '' : strings.noPhotoHere;
   });
   const whyNotBroken = computed(() => {
     if (whyNotFramed.value || broken.value) return whyNotFramed.value;
@@ -245,6 +253,16 @@ export function createPanelActions({
       icon: 'save',
       why: computed(() => whyNotOne.value || (use.value?.photo ? '' : strings.noPhotoHere)),
       run: () => void download.savePanel(panel()),
+    },
+    correct: {
+      label: strings.brush.correct,
+      short: strings.short.correct,
+      help: strings.brush.correctLong,
+      icon: 'brush',
+      why: whyNotCorrected,
+      run() {
+        ui.dialog.value = { brush: use.peek()?.photo ?? '' };
+      },
     },
     saveSubject: {
       label: strings.saveSubject,

@@ -76,12 +76,16 @@ export function PanelBar({ geometry }: { geometry: Geometry }) {
 /** For the photo of the panel that is chosen, or the photos of two. */
 function PhotoTools({ text = false }: { text?: boolean }) {
   const { selection, scrubbing, actions } = useApp();
-  const { zoomIn, zoomOut, fit, reset, swap, star, focus, breakFrame, lock, save, saveSubject, earlier, later } =
+  const { zoomIn, zoomOut, fit, reset, swap, star, focus, breakFrame, correct, lock, save, saveSubject } =
     actions.panels;
+  const { earlier, later } = actions.panels;
   const [panel, ...others] = selection.panels.value;
   return (
     <>
-      <Tools of={[zoomIn, zoomOut, fit, reset, swap, star, focus, breakFrame, lock, save, saveSubject]} text={text} />
+      <Tools
+        of={[zoomIn, zoomOut, fit, reset, swap, star, focus, breakFrame, correct, lock, save, saveSubject]}
+        text={text}
+      />
       {others.length === 0 && scrubbing.isFrame(panel) && (
         <>
           <span class="rail-line" />

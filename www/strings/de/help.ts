@@ -1,5 +1,6 @@
 import { boardStrings as board } from './board.ts';
 import { bookStrings } from './book.ts';
+import { brushStrings } from './brush.ts';
 import { designerStrings as designer } from './designer.ts';
 import { imitationStrings as imitation } from './imitation.ts';
 import { storageStrings as storage } from './storage.ts';
@@ -15,6 +16,8 @@ import { wordStrings as words } from './words.ts';
 const { filmSounds: sounds } = soundStrings;
 
 const { book } = bookStrings;
+
+const { brush } = brushStrings;
 
 export const helpStrings = {
   help: 'Hilfe und Tastenkürzel',
@@ -74,6 +77,10 @@ export const helpStrings = {
     exchange: {
       title: 'Fotos tauschen',
       text: `Zieh ein Bild aus seinem Panel auf ein anderes, und die beiden tauschen den Platz; „${panels.swapPhoto}“ tut dasselbe mit Klicks. Klick ein Foto in der Liste an, dann ein Panel, und das Foto kommt dorthin. Nimm bei einem Foto in der Liste den Haken weg, um es auszulassen.`,
+    },
+    subject: {
+      title: 'Berichtigen, was das Motiv ist',
+      text: `„${panels.breakFrame}“, Stile nur für Motiv oder Hintergrund und Wörter, die Körper frei lassen, richten sich nach dem, was in einem Foto gefunden wurde. Wo das falsch ist, öffnet es „${brush.correct}“ bei den Werkzeugen eines Panels oder der Pinsel an einem angeklickten Foto der Liste: Mal dazu, was zum Motiv gehört, nimm weg, was nicht dazugehört, oder wähl ein anderes Motiv. „${brush.found}“ kehrt zum Gefundenen zurück.`,
     },
     styles: {
       title: 'Stile',

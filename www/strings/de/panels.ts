@@ -24,6 +24,7 @@ export const panelStrings = {
   doneEditing: 'Fertig',
   photoTools: 'Werkzeuge für das Foto des Panels',
   short: {
+    correct: 'Berichtigen',
     breakFrame: 'Ausbrechen',
     fit: 'Einpassen',
     swap: 'Tauschen',
@@ -46,6 +47,7 @@ export const panelStrings = {
   breakFrameLong: 'Lässt die Figur über den Rand ihres Panels treten; der Ausschnitt kann sich dafür ändern.',
   sharedImage: 'die Panels teilen sich ein Bild',
   figureSought: 'die Figur wird noch gesucht',
+  figureStopped: 'die Suche nach Figuren wurde angehalten',
   noFigureNet: 'das Netz, das Figuren findet, gehört nicht zu dieser Seite',
   noWayOut:
     'Die Figur findet keinen Weg aus diesem Panel: Sie ist zu groß, endet am Rand des Fotos oder würde ein Gesicht verdecken. Ein anderer Ausschnitt kann helfen.',

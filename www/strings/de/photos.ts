@@ -54,5 +54,7 @@ export const photoStrings = {
   showSubjects: 'Gefundenes zeigen',
   finding: (done: number, total: number) => `Suche nach Gesichtern und Objekten: ${done} von ${total} Fotos`,
   masking: (done: number, total: number) => `Figuren werden gesucht: ${done} von ${total} Fotos`,
+  stopMasking: 'Suche nach Figuren anhalten',
+  goOnMasking: 'Weiter nach Figuren suchen',
   noDetector: 'Gesichter lassen sich hier nicht finden. Daher werden Fotos nach Kontrast zugeschnitten.',
 };

@@ -2,6 +2,7 @@
 
 import { boardStrings as board } from './board.ts';
 import { bookStrings } from './book.ts';
+import { brushStrings } from './brush.ts';
 import { designerStrings as designer } from './designer.ts';
 import { imitationStrings as imitation } from './imitation.ts';
 import { storageStrings as storage } from './storage.ts';
@@ -17,6 +18,8 @@ import { wordStrings as words } from './words.ts';
 const { filmSounds: sounds } = soundStrings;
 
 const { book } = bookStrings;
+
+const { brush } = brushStrings;
 
 export const helpStrings = {
   help: 'Help and keyboard shortcuts',
@@ -75,6 +78,10 @@ export const helpStrings = {
     exchange: {
       title: 'Exchanging photos',
       text: `Drag a picture out of its panel onto another one, and the two change places; “${panels.swapPhoto}” does the same by clicks. Click a photo in the list, then a panel, and the photo goes there. Untick a photo in the list to leave it out.`,
+    },
+    subject: {
+      title: 'Correcting what the subject is',
+      text: `“${panels.breakFrame}”, styles for the subject or the background alone, and words that keep off bodies go by what was found in a photo. Where that is wrong, “${brush.correct}” among the tools of a panel opens it, or the brush on a photo of the list that you have clicked: paint what belongs to the subject, paint away what does not, or choose another subject. “${brush.found}” goes back to what was found.`,
     },
     styles: {
       title: 'Styles',

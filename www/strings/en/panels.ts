@@ -28,6 +28,7 @@ export const panelStrings = {
   doneEditing: 'Done',
   photoTools: 'Tools for the photo of the panel',
   short: {
+    correct: 'Correct',
     breakFrame: 'Break frame',
     fit: 'Fit',
     swap: 'Swap',
@@ -50,6 +51,7 @@ export const panelStrings = {
   breakFrameLong: 'Lets the figure step over the edge of its panel; the crop may change for it.',
   sharedImage: 'the panels share one image',
   figureSought: 'the figure is still being looked for',
+  figureStopped: 'the search for figures was stopped',
   noFigureNet: 'the net that finds figures is not part of this site',
   noWayOut:
     'The figure finds no way out of this panel: it is too large, it ends at the photo’s edge, or it would cover a face. Another crop may help.',

@@ -55,5 +55,7 @@ export const photoStrings = {
   showSubjects: 'Show subjects',
   finding: (done: number, total: number) => `Looking for faces and objects: ${done} of ${total} photos`,
   masking: (done: number, total: number) => `Looking for figures: ${done} of ${total} photos`,
+  stopMasking: 'Stop looking for figures',
+  goOnMasking: 'Go on looking for figures',
   noDetector: 'Faces cannot be found here, so photos are cropped by contrast.',
 };

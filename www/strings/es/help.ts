@@ -1,5 +1,6 @@
 import { boardStrings as board } from './board.ts';
 import { bookStrings } from './book.ts';
+import { brushStrings } from './brush.ts';
 import { designerStrings as designer } from './designer.ts';
 import { imitationStrings as imitation } from './imitation.ts';
 import { storageStrings as storage } from './storage.ts';
@@ -15,6 +16,8 @@ import { wordStrings as words } from './words.ts';
 const { filmSounds: sounds } = soundStrings;
 
 const { book } = bookStrings;
+
+const { brush } = brushStrings;
 
 export const helpStrings = {
   help: 'Ayuda y atajos de teclado',
@@ -73,6 +76,10 @@ export const helpStrings = {
     exchange: {
       title: 'Intercambiar fotos',
       text: `Arrastra una imagen fuera de su viñeta hasta otra, y las dos cambian de sitio; «${panels.swapPhoto}» hace lo mismo con clics. Pulsa una foto de la lista y luego una viñeta, y la foto va allí. Desmarca una foto de la lista para dejarla fuera.`,
+    },
+    subject: {
+      title: 'Corregir cuál es el motivo',
+      text: `«${panels.breakFrame}», los estilos solo para el motivo o el fondo y las palabras que no tapan cuerpos siguen lo que se detectó en la foto. Si no es correcto, lo abre «${brush.correct}», entre las herramientas de una viñeta, o el pincel de una foto de la lista que hayas pulsado: pinta lo que pertenece al motivo, quita lo que no, o elige otro motivo. «${brush.found}» vuelve a lo detectado.`,
     },
     styles: {
       title: 'Estilos',

@@ -24,6 +24,7 @@ export const panelStrings = {
   doneEditing: 'Listo',
   photoTools: 'Herramientas para la foto de la viñeta',
   short: {
+    correct: 'Corregir',
     breakFrame: 'Romper marco',
     fit: 'Ajustar',
     swap: 'Intercambiar',
@@ -46,6 +47,7 @@ export const panelStrings = {
   breakFrameLong: 'Deja que la figura sobrepase el borde de su viñeta; para ello puede cambiar el encuadre.',
   sharedImage: 'las viñetas comparten una imagen',
   figureSought: 'todavía se busca la figura',
+  figureStopped: 'se detuvo la búsqueda de figuras',
   noFigureNet: 'la red que encuentra figuras no forma parte de este sitio',
   noWayOut:
     'La figura no encuentra salida de esta viñeta: es demasiado grande, termina en el borde de la foto o taparía una cara. Otro encuadre puede ayudar.',

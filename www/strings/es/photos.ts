@@ -53,5 +53,7 @@ export const photoStrings = {
   showSubjects: 'Mostrar lo detectado',
   finding: (done: number, total: number) => `Buscando caras y objetos: ${done} de ${total} fotos`,
   masking: (done: number, total: number) => `Buscando figuras: ${done} de ${total} fotos`,
+  stopMasking: 'Dejar de buscar figuras',
+  goOnMasking: 'Seguir buscando figuras',
   noDetector: 'Aquí no se pueden buscar caras, así que las fotos se recortan por contraste.',
 };

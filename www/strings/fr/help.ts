@@ -1,5 +1,6 @@
 import { boardStrings as board } from './board.ts';
 import { bookStrings } from './book.ts';
+import { brushStrings } from './brush.ts';
 import { designerStrings as designer } from './designer.ts';
 import { imitationStrings as imitation } from './imitation.ts';
 import { storageStrings as storage } from './storage.ts';
@@ -15,6 +16,8 @@ import { wordStrings as words } from './words.ts';
 const { filmSounds: sounds } = soundStrings;
 
 const { book } = bookStrings;
+
+const { brush } = brushStrings;
 
 export const helpStrings = {
   help: 'Aide et raccourcis clavier',
@@ -73,6 +76,10 @@ export const helpStrings = {
     exchange: {
       title: 'Échanger des photos',
       text: `Faites glisser une image hors de sa case sur une autre, et les deux changent de place ; « ${panels.swapPhoto} » fait de même par des clics. Cliquez sur une photo de la liste, puis sur une case, et la photo y va. Décochez une photo de la liste pour la laisser de côté.`,
+    },
+    subject: {
+      title: 'Corriger ce qu’est le sujet',
+      text: `« ${panels.breakFrame} », les styles pour le sujet ou le fond seul et les mots qui évitent les corps suivent ce qui a été trouvé dans une photo. Si c’est faux, « ${brush.correct} » parmi les outils d’une case l’ouvre, ou le pinceau sur une photo de la liste que vous avez choisie : peignez ce qui appartient au sujet, enlevez ce qui n’en fait pas partie, ou choisissez un autre sujet. « ${brush.found} » revient à ce qui a été trouvé.`,
     },
     styles: {
       title: 'Styles',

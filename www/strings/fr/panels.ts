@@ -24,6 +24,7 @@ export const panelStrings = {
   doneEditing: 'Terminé',
   photoTools: 'Outils pour la photo de la case',
   short: {
+    correct: 'Corriger',
     breakFrame: 'Hors cadre',
     fit: 'Ajuster',
     swap: 'Échanger',
@@ -46,6 +47,7 @@ export const panelStrings = {
   breakFrameLong: 'Laisse la figure dépasser le bord de sa case ; le cadrage peut changer pour cela.',
   sharedImage: 'les cases partagent une image',
   figureSought: 'la figure est encore recherchée',
+  figureStopped: 'la recherche des figures a été arrêtée',
   noFigureNet: 'le réseau qui trouve les figures ne fait pas partie de ce site',
   noWayOut:
     'La figure ne peut pas sortir de cette case : elle est trop grande, s’arrête au bord de la photo ou cacherait un visage. Un autre cadrage peut aider.',

@@ -54,5 +54,7 @@ export const photoStrings = {
   showSubjects: 'Montrer les sujets',
   finding: (done: number, total: number) => `Recherche de visages et d’objets : ${done} photos sur ${total}`,
   masking: (done: number, total: number) => `Recherche des figures : ${done} sur ${total} photos`,
+  stopMasking: 'Arrêter la recherche des figures',
+  goOnMasking: 'Reprendre la recherche des figures',
   noDetector: 'Les visages ne peuvent pas être trouvés ici : les photos sont cadrées d’après le contraste.',
 };

@@ -1,5 +1,6 @@
 import { boardStrings as board } from './board.ts';
 import { bookStrings } from './book.ts';
+import { brushStrings } from './brush.ts';
 import { designerStrings as designer } from './designer.ts';
 import { imitationStrings as imitation } from './imitation.ts';
 import { storageStrings as storage } from './storage.ts';
@@ -15,6 +16,8 @@ import { wordStrings as words } from './words.ts';
 const { filmSounds: sounds } = soundStrings;
 
 const { book } = bookStrings;
+
+const { brush } = brushStrings;
 
 export const helpStrings = {
   help: 'ヘルプとキーボードショートカット',
@@ -73,6 +76,10 @@ export const helpStrings = {
     exchange: {
       title: '写真を入れ替える',
       text: `写真をコマの外へ、別のコマの上までドラッグすると、2枚が入れ替わります。「${panels.swapPhoto}」ならクリックで同じことができます。一覧の写真をクリックしてからコマをクリックすると、写真がそこに入ります。一覧の写真のチェックを外すと、使われなくなります。`,
+    },
+    subject: {
+      title: '被写体を直す',
+      text: `「${panels.breakFrame}」、被写体や背景だけのスタイル、体を避けて置かれる言葉は、写真の中で見つけた被写体をもとにしています。それが違うときは、コマの道具の「${brush.correct}」か、一覧でクリックした写真のブラシで開きます。被写体に入る部分を塗り、入らない部分を取り除くか、別の被写体を選びます。「${brush.found}」で見つけたものに戻ります。`,
     },
     styles: {
       title: 'スタイル',

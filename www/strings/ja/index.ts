@@ -4,6 +4,7 @@ import { animaticStrings } from './animatic.ts';
 import { boardStrings } from './board.ts';
 import { boardsStrings } from './boards.ts';
 import { bookStrings } from './book.ts';
+import { brushStrings } from './brush.ts';
 import { describingStrings } from './describing.ts';
 import { designerStrings } from './designer.ts';
 import { exportStrings } from './export.ts';
@@ -36,6 +37,7 @@ export const words: Words = {
   ...animaticStrings,
   ...motionStrings,
   ...bookStrings,
+  ...brushStrings,
   ...sideStrings,
   ...panelStrings,
   ...designerStrings,

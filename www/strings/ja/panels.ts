@@ -24,6 +24,7 @@ export const panelStrings = {
   doneEditing: '完了',
   photoTools: 'コマの写真のツール',
   short: {
+    correct: '直す',
     breakFrame: 'はみ出し',
     fit: '合わせる',
     swap: '入れ替え',
@@ -46,6 +47,7 @@ export const panelStrings = {
   breakFrameLong: '人物や物がコマの枠を越えます。そのために切り抜きが変わることがあります。',
   sharedImage: 'コマが1つの画像を共有しています',
   figureSought: 'まだ被写体を探しています',
+  figureStopped: '被写体を探すのを止めています',
   noFigureNet: '被写体を見つけるネットがこのサイトにありません',
   noWayOut:
     'このコマからははみ出せません。被写体が大きすぎるか、写真の端で切れているか、顔を隠してしまいます。切り抜きを変えるとよいかもしれません。',

@@ -52,5 +52,7 @@ export const photoStrings = {
   showSubjects: '見つけたものを表示',
   finding: (done: number, total: number) => `顔と物を探しています：写真${done}／${total}枚`,
   masking: (done: number, total: number) => `人物などの形を調べています：${total} 枚のうち ${done} 枚`,
+  stopMasking: '被写体を探すのを止める',
+  goOnMasking: '被写体を探すのを続ける',
   noDetector: 'ここでは顔を見つけられないため、コントラストで切り抜きます。',
 };

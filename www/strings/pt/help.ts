@@ -1,5 +1,6 @@
 import { boardStrings as board } from './board.ts';
 import { bookStrings } from './book.ts';
+import { brushStrings } from './brush.ts';
 import { designerStrings as designer } from './designer.ts';
 import { imitationStrings as imitation } from './imitation.ts';
 import { storageStrings as storage } from './storage.ts';
@@ -15,6 +16,8 @@ import { wordStrings as words } from './words.ts';
 const { filmSounds: sounds } = soundStrings;
 
 const { book } = bookStrings;
+
+const { brush } = brushStrings;
 
 export const helpStrings = {
   help: 'Ajuda e atalhos de teclado',
@@ -73,6 +76,10 @@ export const helpStrings = {
     exchange: {
       title: 'Trocar fotos',
       text: `Arraste uma imagem para fora do quadro até outro, e as duas trocam de lugar; “${panels.swapPhoto}” faz o mesmo com cliques. Clique em uma foto da lista e depois em um quadro, e a foto vai para lá. Desmarque uma foto da lista para deixá-la de fora.`,
+    },
+    subject: {
+      title: 'Corrigir qual é o assunto',
+      text: `“${panels.breakFrame}”, os estilos só para o assunto ou o fundo e as palavras que evitam corpos seguem o que foi encontrado na foto. Onde isso está errado, “${brush.correct}”, entre as ferramentas de um quadro, abre a foto, ou o pincel em uma foto da lista em que você clicou: pinte o que pertence ao assunto, retire o que não pertence, ou escolha outro assunto. “${brush.found}” volta ao que foi encontrado.`,
     },
     styles: {
       title: 'Estilos',

@@ -24,6 +24,7 @@ export const panelStrings = {
   doneEditing: 'Pronto',
   photoTools: 'Ferramentas para a foto do quadro',
   short: {
+    correct: 'Corrigir',
     breakFrame: 'Sair',
     fit: 'Ajustar',
     swap: 'Trocar',
@@ -46,6 +47,7 @@ export const panelStrings = {
   breakFrameLong: 'Deixa a figura ultrapassar a borda do quadro; o enquadramento pode mudar para isso.',
   sharedImage: 'os quadros dividem uma imagem',
   figureSought: 'a figura ainda está sendo procurada',
+  figureStopped: 'a procura de figuras foi parada',
   noFigureNet: 'a rede que encontra figuras não faz parte deste site',
   noWayOut:
     'A figura não consegue sair deste quadro: é grande demais, termina na borda da foto ou cobriria um rosto. Outro enquadramento pode ajudar.',

@@ -53,5 +53,7 @@ export const photoStrings = {
   showSubjects: 'Mostrar o que foi encontrado',
   finding: (done: number, total: number) => `Procurando rostos e objetos: ${done} de ${total} fotos`,
   masking: (done: number, total: number) => `Procurando figuras: ${done} de ${total} fotos`,
+  stopMasking: 'Parar de procurar figuras',
+  goOnMasking: 'Continuar procurando figuras',
   noDetector: 'Não dá para encontrar rostos aqui, então as fotos são enquadradas pelo contraste.',
 };

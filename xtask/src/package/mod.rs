@@ -22,7 +22,7 @@ const FILM_LIBRARY: (&str, &str) = ("mediabunny", "dist/bundles/mediabunny.min.m
 /// The modules that import it.
 const FILM_READERS: [&str; 3] = ["video-worker.js", "film-looks.js", "sound-worker.js"];
 /// The folders that are published.
-const FOLDERS: [&str; 12] = [
+const FOLDERS: [&str; 13] = [
     "engine",
     "pkg",
     "pkg-decoders",
@@ -30,6 +30,7 @@ const FOLDERS: [&str; 12] = [
     "pkg-exports",
     "pkg-films",
     "pkg-imitation",
+    "pkg-brush",
     "pkg-detector",
     "letters",
     "models",

@@ -1,0 +1,116 @@
+/** The tools of the brush, each a button with its name, and what is told of the mask. */
+
+import { strings } from '../strings/strings.ts';
+import { SIZES, TOOLS } from './retouching.ts';
+import type { Mending } from '../engine/brush-module.ts';
+import type { Retouching } from './retouching.ts';
+
+export function BrushTools({
+  retouching,
+  done,
+  cancel,
+}: {
+  retouching: Retouching;
+  done: () => void;
+  cancel: () => void;
+}) {
+  const { brush } = strings;
+  const { undoable, redoable, found } = retouching.told.value;
+  const mends = (how: Mending, label: string) => (
+    <button key={how} type="button" class="button" onClick={() => retouching.mend(how)}>
+      {label}
+    </button>
+  );
+  return (
+    <div class="brush-tools">
+      <Told retouching={retouching} />
+      <div class="segments" role="group" aria-label={brush.tools}>
+        {TOOLS.map((tool) => (
+          <button
+            key={tool}
+            type="button"
+            aria-pressed={retouching.tool.value === tool}
+            title={tool === 'choose' ? brush.chooseHelp : undefined}
+            onClick={() => {
+              retouching.tool.value = tool;
+            }}
+          >
+            {brush.tool[tool]}
+          </button>
+        ))}
+      </div>
+      <Size retouching={retouching} />
+      <div class="brush-set">
+        <button type="button" class="button" disabled={!undoable} onClick={retouching.undo}>
+          {strings.undo}
+        </button>
+        <button type="button" class="button" disabled={!redoable} onClick={retouching.redo}>
+          {strings.redo}
+        </button>
+      </div>
+      <div class="brush-set" role="group" aria-label={brush.border}>
+        {mends('Grow', brush.grow)}
+        {mends('Shrink', brush.shrink)}
+        {mends('Feather', brush.feather)}
+      </div>
+      <div class="brush-set" role="group" aria-label={brush.whole}>
+        {mends('NextFigure', brush.next)}
+        {mends('Everything', brush.everything)}
+        {mends('Nothing', brush.nothing)}
+        {mends('Invert', brush.invert)}
+        <button
+          type="button"
+          class="button"
+          disabled={found}
+          title={found ? brush.isFound : undefined}
+          onClick={() => retouching.mend('Found')}
+        >
+          {brush.found}
+        </button>
+      </div>
+      <div class="brush-set">
+        <button type="button" class="button" onClick={cancel}>
+          {brush.cancel}
+        </button>
+        <button type="button" class="button strong" onClick={done}>
+          {strings.doneEditing}
+        </button>
+      </div>
+    </div>
+  );
+}
+
+/** How much of the photo the subject covers, or why the last command did nothing; said again after each step. */
+function Told({ retouching }: { retouching: Retouching }) {
+  const vain = retouching.vain.value;
+  return (
+    <p class="brush-told" role="status">
+      {vain ? strings.brush[vain] : strings.brush.covers(strings.percent(retouching.told.value.coverage))}
+    </p>
+  );
+}
+
+/** Steps of the slider go by the logarithm: a small brush is told as finely as a large one. */
+function Size({ retouching }: { retouching: Retouching }) {
+  const radius = retouching.size.value;
+  const place = Math.log(radius / SIZES.least) / Math.log(SIZES.most / SIZES.least);
+  return (
+    <label class="brush-size">
+      <span>{strings.brush.size}</span>
+      <input
+        type="range"
+        min={0}
+        max={1}
+        step={0.01}
+        value={place}
+        aria-valuetext={strings.percent(2 * radius)}
+        onInput={({ currentTarget }) => {
+          retouching.size.value = SIZES.least * (SIZES.most / SIZES.least) ** currentTarget.valueAsNumber;
+        }}
+      />
+      <span class="brush-number" aria-hidden="true">
+        {strings.percent(2 * radius)}
+      </span>
+    </label>
+  );
+}
