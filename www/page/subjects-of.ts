@@ -1,6 +1,7 @@
 /** What is known of the subjects of a page's photos, for pictures that depend on it. */
 
 import { hasParts } from '../styles/parts.ts';
+import { frontsOf } from '../engine/figures.ts';
 import { useApp } from '../ui/context.ts';
 import type { PageDocument } from '../engine/types.ts';
 import type { Store } from '../document/store.ts';
@@ -11,11 +12,11 @@ export function drawsParts({ styles }: Pick<Store, 'styles'>, { style }: PageDoc
 }
 
 /**
- * @returns a text that changes when the page is to be drawn anew for them; empty where its style draws no part apart. Read while
- * a view is rendered, it renders that again.
+ * @returns a text that changes when the page is to be drawn anew for them; empty where its style draws no part apart, and no effect
+ * stands behind one. Read while a view is rendered, it renders that again.
  */
 export function subjectsOf(store: Pick<Store, 'styles' | 'album'>, page: PageDocument | null): string {
-  if (!page || !drawsParts(store, page)) return '';
+  if (!page || (!drawsParts(store, page) && frontsOf(page).length === 0)) return '';
   const facts = store.album.value;
   return page.panels.map(({ photo }) => (photo === null ? '' : (facts.get(photo)?.meta?.mask ?? ''))).join(' ');
 }
