@@ -252,13 +252,14 @@ pub(super) fn by_chance(document: &mut Document, photos: &[PhotoMeta], wanted: O
     Ok(())
 }
 
-/// The page with the figure of a panel stepping out of it; none where it cannot. Where the crop has to change for it, it is as if a
+/// The page with the figure of a panel stepping out of it; none where it cannot, or the mask is vague: a cloud would. Where the crop has to change for it, it is as if a
 /// person had made it.
 ///
 /// # Errors
 /// Those of the layout; `invalid-document` for a panel that the page does not have.
 pub fn broken(document: &Document, panel: usize, mask: &Matte) -> Result<Option<Document>> {
-    if document.merge_of(panel).is_some()
+    if mask.facts().is_vague()
+        || document.merge_of(panel).is_some()
         || document.panels.get(panel).is_none_or(|panel| panel.photo.is_none())
     {
         return Ok(None);

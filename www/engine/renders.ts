@@ -39,12 +39,7 @@ export function createRenders({
    * One word of a page.
    * @param width of the page, in pixels
    */
-  async function renderWord(
-    document: PageDocument,
-    index: number,
-    width: number,
-    call?: Call,
-  ): Promise<BitmapPatch> {
+  async function renderWord(document: PageDocument, index: number, width: number, call?: Call): Promise<BitmapPatch> {
     // Of the others no word is in front.
     const own = standsBehind(document.words?.[index] as Word);
     const alone = { ...document, words: own === null ? [] : [document.words?.[index] as Word] };

@@ -3,7 +3,7 @@
 import { hasParts } from '../styles/parts.ts';
 import { frontsOf } from '../engine/figures.ts';
 import { useApp } from '../ui/context.ts';
-import type { PageDocument } from '../engine/types.ts';
+import type { PageDocument, Word } from '../engine/types.ts';
 import type { Store } from '../document/store.ts';
 
 /** @returns whether the style of a page draws the subjects of its photos apart */
@@ -19,6 +19,14 @@ export function subjectsOf(store: Pick<Store, 'styles' | 'album'>, page: PageDoc
   if (!page || (!drawsParts(store, page) && frontsOf(page).length === 0)) return '';
   const facts = store.album.value;
   return page.panels.map(({ photo }) => (photo === null ? '' : (facts.get(photo)?.meta?.mask ?? ''))).join(' ');
+}
+
+/** @returns the mask of the photo that a word stands on; empty where there is none. Read while a view is rendered, it renders that again */
+export function subjectOf({ page, album }: Pick<Store, 'page' | 'album'>, { panel }: Word): string {
+  const { panels = [], merges = [] } = page.value ?? {};
+  const leader = merges.find((group) => group.includes(panel ?? -1))?.[0] ?? panel ?? -1;
+  const photo = panels[leader]?.photo;
+  return (photo && album.value.get(photo)?.meta?.mask) || '';
 }
 
 /** @returns as `subjectsOf` */

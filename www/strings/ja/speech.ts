@@ -14,6 +14,7 @@ export const speechStrings = {
   wordVertical: '縦書き',
   wordBoxless: '枠なし',
   wordBehind: '人物の後ろ',
+  wordBehindWhy: 'コマの写真の被写体がはっきり分かるまでは、前に表示されます。',
   wordBar: '写植ツール',
   barWrite: '文字を書く',
   barTail: 'しっぽを付ける',

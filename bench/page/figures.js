@@ -1,0 +1,67 @@
+// @ts-check
+/** How much longer a page takes to draw when a figure steps out of a panel, on this thread. */
+
+import { SubjectNet } from '/detector/inkpanel.js';
+import init, { Album, Studio } from '/pkg/inkpanel.js';
+
+const PHOTOS = ['02-kitten', '07-red-panda', '08-kingfisher', '11-giraffe', '18-rocket', '19-astronaut'];
+const PAGE = { width: 2480, height: 3508 };
+const KEEP = { layout: false, style: false, photos: false };
+/** Width in pixels at which pages are drawn: that of a large screen. */
+const WIDTH = 1600;
+/** Seeds of pages, of which those count on which a figure steps out; and how often each is drawn. */
+const SEEDS = 40;
+const PAGES = 7;
+const RUNS = 5;
+
+/**
+ * @returns {Promise<{ pages: number, plain: number, broken: number, ratio: number }>} medians over the pages: milliseconds without and
+ *   with the figure, and how many times longer it takes
+ */
+export async function figures() {
+  await init();
+  const studio = new Studio();
+  const net = new SubjectNet(await bytesOf('/models/subject.onnx'));
+  const album = new Album();
+  const metas = [];
+  for (const id of PHOTOS) {
+    const { meta, work } = JSON.parse(studio.import_photo(id, await bytesOf(`/album/${id}.jpg`)));
+    metas.push({ ...meta, mask: net.look(work.width, work.height, studio.photo_planes(`${id}/work`)) });
+  }
+  album.know(JSON.stringify(metas));
+  const ids = JSON.stringify(PHOTOS);
+  const ask = { photos: [], page: PAGE, current: null, keep: KEEP, mode: 'shuffle', style: 'comic', figures: true };
+  const rows = [];
+  for (let seed = 0; seed < SEEDS && rows.length < PAGES; seed += 1) {
+    const broken = JSON.parse(album.plan(JSON.stringify({ ...ask, seed }), ids));
+    const panels = broken.panels.map((/** @type {any} */ { figure, ...panel }) => panel);
+    if (!broken.panels.some((/** @type {any} */ { figure }) => figure)) continue;
+    rows.push(compared(studio, JSON.stringify({ ...broken, panels }), JSON.stringify(broken)));
+  }
+  const median = (/** @type {number[]} */ list) => list.sort((a, b) => a - b)[list.length >> 1];
+  const of = (/** @type {'plain' | 'broken'} */ key) => median(rows.map((row) => row[key]));
+  const ratio = median(rows.map(({ plain, broken }) => broken / plain));
+  return { pages: rows.length, plain: of('plain'), broken: of('broken'), ratio };
+}
+
+/** Both by turns, so that whatever else the machine does is in both. @param {Studio} studio @param {string} plain @param {string} broken */
+function compared(studio, plain, broken) {
+  const times = { plain: /** @type {number[]} */ ([]), broken: /** @type {number[]} */ ([]) };
+  const draw = (/** @type {string} */ document) => {
+    const start = performance.now();
+    studio.compose(document, WIDTH, 'work').free();
+    return performance.now() - start;
+  };
+  draw(plain);
+  for (let run = 0; run < RUNS; run += 1) {
+    times.plain.push(draw(plain));
+    times.broken.push(draw(broken));
+  }
+  const least = (/** @type {number[]} */ list) => Math.min(...list);
+  return { plain: least(times.plain), broken: least(times.broken) };
+}
+
+/** @param {string} address */
+async function bytesOf(address) {
+  return new Uint8Array(await (await fetch(address)).arrayBuffer());
+}
