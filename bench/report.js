@@ -14,7 +14,7 @@ import { REST } from './journey.js';
  *   plans: { count: number, ms: number, first: number }[] | null,
  *   facts: number | null,
  *   masks: { layout: string, ms: number } | null, detect: { faces: number, objects: number, load: number, subject: number } | null,
- *   figures: { pages: number, plain: number, broken: number, ratio: number } | null,
+ *   figures: { pages: number, panels: number, plain: number, broken: number, ratio: number } | null,
  *   aesthetics: { ms: number, load: number } | null,
  *   crowd: Awaited<ReturnType<typeof import('./crowd.js').crowd>> | null,
  *   masking: Awaited<ReturnType<typeof import('./masking.js').masking>> | null,
@@ -101,9 +101,9 @@ export function markdown({
     );
   }
   if (figures) {
-    const { pages, plain, broken, ratio } = figures;
+    const { pages, panels, plain, broken, ratio } = figures;
     lines.push(
-      `| A page of 1600 pixels across with a figure that steps out, and without, ${pages} pages, one thread | ${short(broken)} ms, ${short(plain)} ms (${short(ratio)}x) |`,
+      `| A page of 1600 pixels across and ${panels} panels with a figure that steps out, and without, ${pages} pages, one thread | ${short(broken)} ms, ${short(plain)} ms (${short(ratio)}x) |`,
     );
   }
   if (masking) {

@@ -16,8 +16,8 @@ use crate::raster::resize::{Region, resample};
 use crate::raster::{Matte, Plane};
 use oorandom::Rand64;
 
-/// From this share on a pixel is seen.
-const SEEN: u8 = 40;
+/// From this share on a pixel is seen: what is fainter is drawn as nothing, see `STEEP` of `compose`.
+const SEEN: u8 = 96;
 /// How far a figure goes beyond an edge at most, in parts of the panel's shorter side.
 const MOST_REACH: f64 = 0.3;
 /// What it has to show outside for anybody to notice, in parts of the panel's area.

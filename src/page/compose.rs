@@ -163,6 +163,9 @@ fn render_figure(
         height: of_mask(region.height, photo.height(), shares.height()),
     };
     let mut alpha = refined(shares, region_of_mask, &shown.image, scene.scale);
+    for share in alpha.samples_mut() {
+        *share = (128 + STEEP * (i32::from(*share) - 128)).clamp(0, 255) as u8;
+    }
     let edges = Edges::of(&panel.shape);
     let closed: Vec<usize> = (0..figure.closed.len()).filter(|edge| figure.closed[*edge]).collect();
     for y in 0..area.height {
@@ -192,6 +195,8 @@ fn render_figure(
     Ok(Patch { area, rgba })
 }
 
+/// How much steeper the border of a figure is drawn than its mask is: over other panels, what nobody is sure of would be a ghost.
+const STEEP: i32 = 4;
 /// The line of paper about a figure is as wide as the border, and at least this in page widths.
 const OUTLINE: f64 = 0.002;
 /// The mean share of a figure within the line's width is half at its edge, and falls to nothing.
