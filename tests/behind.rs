@@ -15,7 +15,7 @@ const SUBJECT: [u8; 3] = [40, 60, 220];
 const BESIDE: [u8; 3] = [230, 225, 205];
 
 /// A page of two panels, the first of which shows a photo whose left half is its subject, and has an effect across.
-fn page(behind: Value) -> Document {
+fn page(behind: bool) -> Document {
     let panel = |photo: Value| json!({ "photo": photo, "crop": { "x": 0, "y": 0, "width": 1, "height": 1 } });
     let words = json!([
         { "kind": "effect", "text": "BOOOM", "panel": 0, "x": 0.5, "y": 0.5, "size": 0.12, "width": 0.9, "color": "#d01010",
@@ -64,7 +64,7 @@ fn edge(page: &Document) -> f64 {
 
 #[test]
 fn the_figure_is_seen_before_the_effect_and_beside_it_the_effect() {
-    let (behind, before) = (page(json!(true)), page(json!(false)));
+    let (behind, before) = (page(true), page(false));
     let middle = edge(&behind);
     let plain = drawn(&before, true);
     let (left, right) = halves(&plain, middle);
@@ -84,7 +84,7 @@ fn the_figure_is_seen_before_the_effect_and_beside_it_the_effect() {
 
 #[test]
 fn the_border_and_what_is_outside_of_the_panel_are_no_figure() {
-    let mut page = page(json!(true));
+    let mut page = page(true);
     page.page.border = 0.02;
     let scene = |page: &Document| {
         let mut scene = Scene::new(page, WIDTH).unwrap();
@@ -109,12 +109,12 @@ fn the_border_and_what_is_outside_of_the_panel_are_no_figure() {
 
 #[test]
 fn without_a_mask_the_effect_stands_before_the_photo() {
-    let middle = edge(&page(json!(true)));
-    assert_eq!(drawn(&page(json!(true)), false), drawn(&page(json!(false)), false));
-    assert!(halves(&drawn(&page(json!(true)), false), middle).0 > 500);
+    let middle = edge(&page(true));
+    assert_eq!(drawn(&page(true), false), drawn(&page(false), false));
+    assert!(halves(&drawn(&page(true), false), middle).0 > 500);
     // As it does on a panel that the page does not have, and where it is no effect.
     for (key, value) in [("panel", json!(7)), ("kind", json!("caption"))] {
-        let mut other = page(json!(true));
+        let mut other = page(true);
         other.words[0][key] = value;
         assert!(other.fronts().is_empty(), "{key}");
     }
@@ -122,7 +122,7 @@ fn without_a_mask_the_effect_stands_before_the_photo() {
 
 #[test]
 fn other_words_lie_over_figure_and_effect() {
-    let mut both = page(json!(true));
+    let mut both = page(true);
     let caption = json!({ "kind": "caption", "text": "MEANWHILE", "panel": 0, "x": 0.25, "y": 0.5, "width": 0.3,
         "fill": "#00ff00", "color": "#000000" });
     both.words.insert(0, caption);
@@ -141,7 +141,7 @@ fn a_pdf_file_has_the_figure_as_a_picture_after_the_effect() {
         (pdf::write(&[leaf], &pdf::Options::default(), &Letters::bundled().unwrap()).unwrap(), alphas)
     };
     let has = |file: &[u8]| file.windows(6).any(|text| text == b"/SMask");
-    let (with, without) = (file(&page(json!(true)), true), file(&page(json!(false)), true));
+    let (with, without) = (file(&page(true), true), file(&page(false), true));
     assert!(has(&with.0) && with.1 == 1);
     assert!(!has(&without.0) && without.1 == 0);
 }

@@ -1,7 +1,7 @@
 // @ts-check
 /** How much longer a page takes to draw when a figure steps out of a panel, on this thread. */
 
-import { SubjectNet } from '/detector/inkpanel.js';
+import initNets, { SubjectNet } from '/detector/inkpanel.js';
 import init, { Album, Studio } from '/pkg/inkpanel.js';
 
 /** Photos with a figure, and others that fill the page with them. */
@@ -21,7 +21,7 @@ const RUNS = 5;
  *   panels, milliseconds without and with the figure, and how many times longer it takes
  */
 export async function figures() {
-  await init();
+  await Promise.all([init(), initNets()]);
   const studio = new Studio();
   const net = new SubjectNet(await bytesOf('/models/subject.onnx'));
   const album = new Album();
