@@ -73,17 +73,20 @@ export async function journey(browser, address, photos) {
 }
 
 /**
+ * The page with photos on it, and how long the first page took.
  * @param {Browser} browser
  * @param {string} address
  * @param {string[]} photos
+ * @param {RegExp} [lacks] files that the site does not have
  */
-async function opened(browser, address, photos) {
+export async function opened(browser, address, photos, lacks) {
   const page = await browser.newPage({
     viewport: { width: 1920, height: 1080 },
     serviceWorkers: 'block',
     acceptDownloads: true,
   });
   await page.addInitScript(watch);
+  if (lacks) await page.route(lacks, (route) => route.fulfill({ status: 404 }));
   await page.goto(address);
   const [dialog] = await Promise.all([
     page.waitForEvent('filechooser'),
@@ -139,7 +142,7 @@ async function inTheFirstSeconds(browser, address, photos) {
  * @param {import('playwright-core').Page} page
  * @returns {Promise<number>}
  */
-function shuffled(page) {
+export function shuffled(page) {
   const button = page.getByRole('button', { name: 'Shuffle', exact: true });
   return button.evaluate((one) => /** @type {any} */ (globalThis).watch.afterPressing(one));
 }

@@ -13,9 +13,11 @@ import { REST } from './journey.js';
  *   versions: Record<string, string>, journey: { firstPage: number, drawn: number, decoded: number, refined: number, closer: number, shuffle: number, rested: number, hurried: { count: number, ms: number }, png: number, thumbnails: number, listed: number } | null,
  *   plans: { count: number, ms: number, first: number }[] | null,
  *   facts: number | null,
- *   masks: { layout: string, ms: number } | null, detect: { faces: number, objects: number, load: number } | null,
+ *   masks: { layout: string, ms: number } | null, detect: { faces: number, objects: number, load: number, subject: number } | null,
+ *   figures: { pages: number, panels: number, plain: number, broken: number, ratio: number } | null,
  *   aesthetics: { ms: number, load: number } | null,
  *   crowd: Awaited<ReturnType<typeof import('./crowd.js').crowd>> | null,
+ *   masking: Awaited<ReturnType<typeof import('./masking.js').masking>> | null,
  *   making: { frames: number, width: number, height: number, styles: number } | null,
  *   films: import('./animatic.js').Film[] | null,
  *   loops: import('./living.js').Loop[] | null,
@@ -40,6 +42,8 @@ export function markdown({
   aesthetics,
   crowd,
   making,
+  masking,
+  figures,
   films,
   loops,
 }) {
@@ -64,7 +68,7 @@ export function markdown({
     lines.push(`| ${row.label} | ${short(own)} | ${Math.round(share * 100)} % | ${cells.join(' | ')} |`);
   }
   for (const [id, reason] of Object.entries(failed)) lines.push('', `${PEERS[id] ?? id} failed: ${reason}`);
-  if (journey || facts || plans || masks || detect || aesthetics || crowd || making || films || loops)
+  if (journey || facts || plans || masks || detect || aesthetics || crowd || making || masking || figures || films || loops)
     lines.push('', '| In the page, all workers | |', '|---|--:|');
   if (journey) {
     lines.push(
@@ -95,6 +99,20 @@ export function markdown({
       `| Faces of a photo, one worker | ${short(detect.faces)} ms |`,
       `| Objects of a photo, one worker | ${short(detect.objects)} ms |`,
       `| The detectors made ready, once | ${Math.round(detect.load)} ms |`,
+      `| Subject of a photo, one worker (times as long as its objects) | ${short(detect.subject)} ms (${short(detect.subject / detect.objects)}x) |`,
+    );
+  }
+  if (figures) {
+    const { pages, panels, plain, broken, ratio } = figures;
+    lines.push(
+      `| A page of 1600 pixels across and ${panels} panels with a figure that steps out, and without, ${pages} pages, one thread | ${short(broken)} ms, ${short(plain)} ms (${short(ratio)}x) |`,
+    );
+  }
+  if (masking) {
+    const { count, during, after, first, bare } = masking;
+    lines.push(
+      `| Shuffle to visible page while masks are made (${count}), and once they are there | ${Math.round(during)} ms, ${Math.round(after)} ms |`,
+      `| Twelve photos to the first page with the net of subjects on the site, and without | ${(first / 1000).toFixed(2)} s, ${(bare / 1000).toFixed(2)} s |`,
     );
   }
   if (aesthetics) {

@@ -16,6 +16,7 @@ import { living } from './living.js';
 import { crowd } from './crowd.js';
 import { journey } from './journey.js';
 import { making } from './making.js';
+import { masking } from './masking.js';
 import { makePhotos } from './photos.js';
 import { insert, markdown } from './report.js';
 import { rows as allRows } from './rows.js';
@@ -60,6 +61,11 @@ try {
     console.log('timing styles in the making');
     const files = await photos(FEW);
     results.making = await site((address) => making(browser, address, files.slice(0, 4)));
+  }
+  if (asked('masking')) {
+    console.log('timing the page while masks are made');
+    const files = await photos(FEW);
+    results.masking = await site((address) => masking(browser, address, files));
   }
   if (asked('animatic')) {
     console.log('timing animatics');
@@ -125,10 +131,12 @@ async function blocks() {
     journey: null,
     crowd: null,
     making: null,
+    masking: null,
     films: null,
     loops: null,
     detect: !asked('detect') ? null : await page.evaluate(() => /** @type {any} */ (globalThis).bench.detect()),
     aesthetics: !asked('detect') ? null : await page.evaluate(() => /** @type {any} */ (globalThis).bench.aesthetics()),
+    figures: !asked('figures') ? null : await page.evaluate(() => /** @type {any} */ (globalThis).bench.figures()),
     facts: !asked('facts')
       ? null
       : await page.evaluate(

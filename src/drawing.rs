@@ -396,7 +396,7 @@ fn decoded(document: &Document, means: &Means<'_>) -> Result<native::Photos, Com
     let read = |id: String| {
         let image = (means.photos)(&id).transpose()?;
         Some(image.map(|image| {
-            let subject = means.masks.asked_by(&style, &id, &image);
+            let subject = means.masks.asked_by_page(document, &style, &id, &image);
             (id, native::Photo { image, subject })
         }))
     };

@@ -52,10 +52,12 @@ pub fn photos_of(document: &Document) -> Result<BTreeSet<String>> {
 pub fn sheet(document: &Document, photos: &Photos, fonts: &GivenFonts) -> Result<compose::Sheet> {
     let scene = Scene::new(document, document.page.width as usize)?;
     let mut sheet = compose::Sheet::new(&scene);
-    for patch in render(document, photos, 0..scene.panels.len())? {
+    let mut patches = render(document, photos, 0..pictures(&scene))?;
+    let fronts = patches.split_off(scene.panels.len());
+    for patch in patches {
         sheet.lay(patch.area, &patch.rgba)?;
     }
-    word_drawing::lay_words(&mut sheet, document, &fonts.letters(&document.words)?)?;
+    word_drawing::lay_words_behind(&mut sheet, document, &fonts.letters(&document.words)?, &fronts)?;
     Ok(sheet)
 }
 
@@ -74,11 +76,11 @@ pub fn leaf(
     let count = document.panels.len();
     let mut patches = render(&picture::bare(document), photos, 0..count)?;
     // A figure leaves the border alone where it may not cross it, so it has to know of it.
-    patches.extend(render(document, photos, count..scene.panels.len())?);
+    patches.extend(render(document, photos, count..pictures(&scene))?);
     let pictures = patches
         .par_iter()
         .enumerate()
-        .filter(|(index, _)| scene.panels[*index].photo.is_some())
+        .filter(|(index, _)| scene.picture(*index).is_some_and(|panel| panel.photo.is_some()))
         .map(|(index, patch)| picture::cut(document, (index, patch.area, &patch.rgba), quality, plate))
         .collect::<Result<Vec<_>>>()?;
     Ok(Leaf { document: document.clone(), pictures, alts })
@@ -114,13 +116,19 @@ pub fn coarse(document: &Document, size: &dyn Fn(&str) -> Option<(u32, u32)>) ->
     Ok(found.collect())
 }
 
-/// Some of the panels of a document in their order, behind which are its figures.
+/// How many pictures a page has: of panels, figures and fronts.
+fn pictures(scene: &Scene) -> usize {
+    scene.panels.len() + scene.fronts.len()
+}
+
+/// Some of the panels of a document in their order, behind which are its figures and fronts.
 fn render(document: &Document, photos: &Photos, which: Range<usize>) -> Result<Vec<Patch>> {
     let mut scene = Scene::new(document, document.page.width as usize)?;
     scene.show_subjects(&|id| photos.get(id)?.subject.clone());
     let render = |index: usize| {
-        let photo = scene.panels[index].photo.as_deref().and_then(|id| photos.get(id));
+        let id = scene.picture(index).and_then(|panel| panel.photo.as_deref());
+        let photo = id.and_then(|id| photos.get(id));
         compose::render_panel(&scene, index, photo.map(|photo| &photo.image), &mut Context::default())
     };
-    (which.start..which.end.min(scene.panels.len())).into_par_iter().map(render).collect()
+    (which.start..which.end.min(pictures(&scene))).into_par_iter().map(render).collect()
 }

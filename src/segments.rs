@@ -5,6 +5,7 @@ use std::path::{Path, PathBuf};
 use std::sync::OnceLock;
 
 use inkpanel::detect::Segmenter;
+use inkpanel::page::Document;
 use inkpanel::page::cutout::full_mask;
 use inkpanel::page::import::Imported;
 use inkpanel::page::png;
@@ -87,6 +88,17 @@ impl Masks {
     /// The subject of a photo, at any size of at least 320 pixels; none for a style that does not ask for it.
     pub(crate) fn asked_by(&self, style: &Style, id: &str, photo: &Image) -> Option<Matte> {
         if style.has_parts() { self.of(id, photo) } else { None }
+    }
+
+    /// The same for a page, some of whose effects may stand behind a subject as well.
+    pub(crate) fn asked_by_page(
+        &self,
+        page: &Document,
+        style: &Style,
+        id: &str,
+        photo: &Image,
+    ) -> Option<Matte> {
+        if page.fronts().is_empty() { self.asked_by(style, id, photo) } else { self.of(id, photo) }
     }
 
     fn of(&self, id: &str, photo: &Image) -> Option<Matte> {

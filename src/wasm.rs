@@ -252,7 +252,7 @@ impl Studio {
     ) -> std::result::Result<Patch, JsValue> {
         let mut render = || -> Result<Patch> {
             let scene = self.scene(document, width, tier)?;
-            let id = scene.panels.get(index).and_then(|panel| panel.photo.as_ref());
+            let id = scene.picture(index).and_then(|panel| panel.photo.as_ref());
             let photo = id.map(|id| find(&self.photos, id, tier)).transpose()?;
             let patch = render_panel(&scene, index, photo, &mut self.context)?;
             Ok(Patch { area: patch.area, rgba: patch.rgba })

@@ -12,9 +12,10 @@ use crate::document::speech::Taking;
 use crate::document::subtitles::{self, Frame};
 use crate::error::{Error, Result};
 use crate::framing::Subject;
-use crate::page::Document;
+use crate::page::mask::PixelRect;
 use crate::page::words::place::{self, Known};
 use crate::page::words::{draw, layout};
+use crate::page::{Document, Patch};
 use crate::raster::Matte;
 use crate::wasm_error::thrown;
 use crate::wasm_letters::Lettering;
@@ -63,7 +64,7 @@ impl Lettering {
         width: usize,
     ) -> std::result::Result<Picture, JsValue> {
         let render = || draw::render(&Document::parse(document)?, index, width, self.letters());
-        let picture = |patch: crate::page::Patch| Picture {
+        let picture = |patch: Patch| Picture {
             x: patch.area.x as i32,
             y: patch.area.y as i32,
             width: patch.area.width as u32,
@@ -124,6 +125,20 @@ pub struct Picture {
 
 #[wasm_bindgen]
 impl Picture {
+    /// Leaves so much less of the word as a figure covers that stands before it, a patch of the same page; see
+    /// `page::compose::Patch::stand_behind`.
+    pub fn stand_behind(&mut self, x: i32, y: i32, width: usize, height: usize, rgba: &[u8]) {
+        let own = PixelRect {
+            x: i64::from(self.x),
+            y: i64::from(self.y),
+            width: self.width as usize,
+            height: self.height as usize,
+        };
+        let mut patch = Patch { area: own, rgba: std::mem::take(&mut self.rgba) };
+        patch.stand_behind(PixelRect { x: i64::from(x), y: i64::from(y), width, height }, rgba);
+        self.rgba = patch.rgba;
+    }
+
     /// Moves the straight-alpha RGBA out; the picture is empty afterwards.
     #[must_use]
     pub fn take(&mut self) -> js_sys::Uint8ClampedArray {

@@ -1,14 +1,19 @@
 //! Figures that step out of their panels: where they may be seen, and in which files.
 #![allow(clippy::unwrap_used, reason = "a test may stop at the first thing that is not as expected")]
 
+use std::collections::BTreeMap;
+
 use inkpanel::framing::{PhotoMeta, Subject};
 use inkpanel::layout::Bounds;
 use inkpanel::native;
 use inkpanel::page::breaking::{breaks, broken};
+use inkpanel::page::mask::PixelRect;
 use inkpanel::page::request::Request;
 use inkpanel::page::shuffle::plan;
-use inkpanel::page::words::Letters;
+use inkpanel::page::words::given::GivenFonts;
+use inkpanel::page::words::{Letters, draw};
 use inkpanel::page::{Document, Scene, compose, mask, pdf};
+use inkpanel::raster::guided::softened;
 use inkpanel::raster::{Image, Matte, Plane};
 use inkpanel::style::Context;
 use oorandom::Rand64;
@@ -78,6 +83,10 @@ fn image<'a>(photos: &'a [(PhotoMeta, Image)], id: &str) -> Option<&'a Image> {
     photos.iter().find(|(meta, _)| meta.id == id).map(|(_, image)| image)
 }
 
+fn pictures(photos: &[(PhotoMeta, Image)]) -> native::Photos {
+    photos.iter().map(|(meta, image)| (meta.id.clone(), image.clone().into())).collect()
+}
+
 /// The faces that panels other than one show, in pixels of the page.
 fn faces(scene: &Scene, count: usize, but: usize) -> Vec<Bounds> {
     let mut faces = Vec::new();
@@ -93,9 +102,48 @@ fn faces(scene: &Scene, count: usize, but: usize) -> Vec<Bounds> {
     faces
 }
 
+/// A caption and a balloon in the middle of a figure that steps out.
+fn words_on(area: PixelRect, height: usize) -> Vec<Value> {
+    let middle = (area.x as f64 + area.width as f64 / 2.0, area.y as f64 + area.height as f64 / 2.0);
+    let x = (middle.0 / WIDTH as f64).clamp(0.2, 0.8);
+    let word = |kind: &str, down: f64, fill: &str| {
+        let y = ((middle.1 + down) / WIDTH as f64).clamp(0.1, height as f64 / WIDTH as f64 - 0.1);
+        json!({ "kind": kind, "text": "HERE", "x": x, "y": y, "size": 0.03, "fill": fill, "color": "#000000" })
+    };
+    vec![word("caption", -20.0, "#00ff00"), word("balloon", 20.0, "#ffff00")]
+}
+
+/// How many pixels of the words of a page are whole, and how many of these are not seen on it.
+fn seen_of_words(page: &Document, photos: &native::Photos) -> (usize, usize) {
+    let sheet = native::sheet(page, photos, &GivenFonts::default()).unwrap();
+    let letters = Letters::bundled().unwrap();
+    let mut seen: BTreeMap<(i64, i64), [u8; 3]> = BTreeMap::new();
+    for index in 0..page.words.len() {
+        let patch = draw::render(page, index, WIDTH, &letters).unwrap();
+        for (i, pixel) in patch.rgba.chunks_exact(4).enumerate().filter(|(_, pixel)| pixel[3] > 0) {
+            let at =
+                (patch.area.x + (i % patch.area.width) as i64, patch.area.y + (i / patch.area.width) as i64);
+            // Where two meet the later one lies over the earlier.
+            if pixel[3] == 255 {
+                seen.insert(at, [pixel[0], pixel[1], pixel[2]]);
+            } else {
+                seen.remove(&at);
+            }
+        }
+    }
+    let inside =
+        |x: i64, y: i64| (0..sheet.width() as i64).contains(&x) && (0..sheet.height() as i64).contains(&y);
+    seen.retain(|(x, y), _| inside(*x, *y));
+    let covered = seen.iter().filter(|((x, y), color)| {
+        let at = (*y as usize * sheet.width() + *x as usize) * 3;
+        sheet.rgb()[at..at + 3] != color[..]
+    });
+    (seen.len(), covered.count())
+}
+
 #[test]
-fn on_five_hundred_pages_no_figure_covers_a_face_or_leaves_the_margin() {
-    let mut stepped = 0;
+fn on_five_hundred_pages_no_figure_covers_a_face_or_a_word_or_leaves_the_margin() {
+    let (mut stepped, mut lettered) = (0, 0);
     let mut photos = Vec::new();
     for seed in 0u32..500 {
         if seed.is_multiple_of(25) {
@@ -130,8 +178,14 @@ fn on_five_hundred_pages_no_figure_covers_a_face_or_leaves_the_margin() {
             });
             assert!(!covered, "seed {seed}: a face at {x}, {y} is covered");
         }
+        let mut written = page.clone();
+        (written.page.width, written.page.height) = (scene.width as u32, scene.height as u32);
+        written.words = words_on(patch.area, scene.height);
+        let (there, covered) = seen_of_words(&written, &pictures(&photos));
+        assert!(there > 200 && covered == 0, "seed {seed}: {covered} of {there} pixels of words are covered");
+        lettered += there;
     }
-    println!("{stepped} of 500 pages have a figure that steps out");
+    println!("{stepped} of 500 pages have a figure that steps out; {lettered} pixels of words lie on them");
     assert!(stepped > 100, "{stepped}");
 }
 
@@ -178,8 +232,7 @@ fn without_its_figure_a_page_differs_outside_of_the_panel_alone() {
 #[test]
 fn a_pdf_file_has_the_figure_with_its_own_mask() {
     let (page, own, photos) = example();
-    let images: native::Photos =
-        photos.iter().map(|(meta, image)| (meta.id.clone(), image.clone().into())).collect();
+    let images = pictures(&photos);
     let file = |page: &Document| {
         let leaf = native::leaf(page, &images, Vec::new(), (None, native::QUALITY)).unwrap();
         pdf::write(&[leaf], &pdf::Options::default(), &Letters::bundled().unwrap()).unwrap()
@@ -210,6 +263,11 @@ fn a_person_may_break_a_frame_and_a_shared_image_has_none() {
     let id = page.panels[own].photo.clone().unwrap();
     let nothing = Matte::new(&Plane::filled(30, 20, 0), (30, 20));
     assert_eq!(broken(&page, own, &nothing).unwrap(), None);
+    // The same figure as a cloud.
+    let cloud = softened(&softened(&mask.plane(), 24), 24);
+    let cloud = Matte::new(&cloud, (cloud.width(), cloud.height()));
+    assert!(cloud.facts().is_vague(), "{:?}", cloud.facts());
+    assert_eq!(broken(&page, own, &cloud).unwrap(), None);
     page.panels[own].photo = None;
     assert_eq!(broken(&page, own, &mask).unwrap(), None);
     page.panels[own].photo = Some(id);

@@ -1,14 +1,14 @@
 // @ts-check
 /** How long the detectors take for a photo, on this thread. */
 
-import init, { FaceDetector, ObjectDetector } from '/detector/inkpanel.js';
+import init, { FaceDetector, ObjectDetector, SubjectNet } from '/detector/inkpanel.js';
 
 const PHOTOS = ['/album/09-mariachi.jpg', '/album/02-kitten.jpg', '/album/13-didgeridoo.jpg'];
 /** Longest side of what the page hands over. */
 const SIDE = 1024;
 const RUNS = 7;
 
-/** @returns {Promise<{ faces: number, objects: number, load: number }>} medians in milliseconds; `load` with compiling, once */
+/** @returns {Promise<{ faces: number, objects: number, load: number, subject: number }>} medians in milliseconds; `load` with compiling, once */
 export async function detect() {
   const bytes = async (/** @type {string} */ path) => new Uint8Array(await (await fetch(path)).arrayBuffer());
   const nets = await Promise.all(['/models/faces.onnx', '/models/objects.onnx'].map(bytes));
@@ -16,8 +16,9 @@ export async function detect() {
   await init();
   const [faces, objects] = [new FaceDetector(nets[0]), new ObjectDetector(nets[1])];
   const load = performance.now() - before;
+  const subjects = new SubjectNet(await bytes('/models/subject.onnx'));
   const photos = await Promise.all(PHOTOS.map(planesOf));
-  const time = (/** @type {FaceDetector | ObjectDetector} */ detector) => {
+  const time = (/** @type {FaceDetector | ObjectDetector | SubjectNet} */ detector) => {
     const times = [];
     for (let run = 0; run < RUNS; run += 1) {
       for (const { width, height, planes } of photos) {
@@ -28,7 +29,7 @@ export async function detect() {
     }
     return times.sort((a, b) => a - b)[times.length >> 1];
   };
-  return { faces: time(faces), objects: time(objects), load };
+  return { faces: time(faces), objects: time(objects), load, subject: time(subjects) };
 }
 
 /** @param {string} address */

@@ -2,6 +2,7 @@
 /** What the runner calls in the page: one contestant after the other, each on its own thread or on this one. */
 
 import { contest } from './contest.js';
+import { figures } from './figures.js';
 import { masks } from './masks.js';
 import { copySpeed } from './memory.js';
 import { factsOf, plans } from './plans.js';
@@ -61,4 +62,4 @@ const aesthetics = async () => (await import('./aesthetics.js')).aesthetics();
  */
 const facts = async (photo) => factsOf(await load(photo));
 
-Object.assign(globalThis, { bench: { times, copySpeed, detect, aesthetics, masks, facts, plans } });
+Object.assign(globalThis, { bench: { times, copySpeed, detect, aesthetics, figures, masks, facts, plans } });

@@ -16,8 +16,8 @@ use crate::raster::resize::{Region, resample};
 use crate::raster::{Matte, Plane};
 use oorandom::Rand64;
 
-/// From this share on a pixel is seen.
-const SEEN: u8 = 40;
+/// From this share on a pixel is seen: what is fainter is drawn as nothing, see `STEEP` of `compose`.
+const SEEN: u8 = 96;
 /// How far a figure goes beyond an edge at most, in parts of the panel's shorter side.
 const MOST_REACH: f64 = 0.3;
 /// What it has to show outside for anybody to notice, in parts of the panel's area.
@@ -252,13 +252,14 @@ pub(super) fn by_chance(document: &mut Document, photos: &[PhotoMeta], wanted: O
     Ok(())
 }
 
-/// The page with the figure of a panel stepping out of it; none where it cannot. Where the crop has to change for it, it is as if a
+/// The page with the figure of a panel stepping out of it; none where it cannot, or the mask is vague: a cloud would. Where the crop has to change for it, it is as if a
 /// person had made it.
 ///
 /// # Errors
 /// Those of the layout; `invalid-document` for a panel that the page does not have.
 pub fn broken(document: &Document, panel: usize, mask: &Matte) -> Result<Option<Document>> {
-    if document.merge_of(panel).is_some()
+    if mask.facts().is_vague()
+        || document.merge_of(panel).is_some()
         || document.panels.get(panel).is_none_or(|panel| panel.photo.is_none())
     {
         return Ok(None);

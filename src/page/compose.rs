@@ -26,7 +26,33 @@ pub struct Patch {
     pub rgba: Vec<u8>,
 }
 
-/// Renders one panel. `photo` is what its `photo` names, at any resolution; without one the panel is an empty
+impl Patch {
+    /// A single pixel of which nothing is seen.
+    fn nothing(at: PixelRect) -> Self {
+        Self { area: PixelRect { width: 1, height: 1, ..at }, rgba: vec![0; 4] }
+    }
+
+    /// Leaves so much less of it as another patch covers, of `area` in pixels of the same page, RGBA: it is then seen as if the
+    /// other lay over it, where the page below shows the same as the other.
+    pub fn stand_behind(&mut self, area: PixelRect, rgba: &[u8]) {
+        let own = self.area;
+        let end = |start: i64, length: usize| start + length as i64;
+        let (left, top) = (own.x.max(area.x), own.y.max(area.y));
+        let right = end(own.x, own.width).min(end(area.x, area.width));
+        let bottom = end(own.y, own.height).min(end(area.y, area.height));
+        for y in top..bottom {
+            for x in left..right {
+                let at =
+                    |rect: PixelRect| ((y - rect.y) as usize * rect.width + (x - rect.x) as usize) * 4 + 3;
+                let covered = rgba.get(at(area)).map_or(0, |alpha| u32::from(*alpha));
+                let alpha = &mut self.rgba[at(own)];
+                *alpha = ((u32::from(*alpha) * (255 - covered) + 127) / 255) as u8;
+            }
+        }
+    }
+}
+
+/// Renders one panel, figure or front. `photo` is what its `photo` names, at any resolution; without one the panel is an empty
 /// frame.
 ///
 /// # Errors
@@ -37,12 +63,15 @@ pub fn render_panel(
     photo: Option<&Image>,
     context: &mut Context<'_>,
 ) -> Result<Patch> {
-    let panel = scene.panels.get(index).ok_or_else(|| Error::InvalidDocument {
+    let panel = scene.picture(index).ok_or_else(|| Error::InvalidDocument {
         location: format!("panels[{index}]"),
         reason: "there is no such panel".into(),
     })?;
     if let Some((matte, around)) = &panel.figure {
         return render_figure(scene, panel, photo, (matte, around), context);
+    }
+    if panel.front {
+        return render_front(scene, panel, photo, context);
     }
     let area = panel.area;
     let mut rgba = vec![0; area.width * area.height * 4];
@@ -71,6 +100,39 @@ pub fn render_panel(
     Ok(Patch { area, rgba })
 }
 
+/// The subject of a panel alone, as the panel shows it; nothing where it is not known. Its border is left out.
+fn render_front(
+    scene: &Scene,
+    panel: &ScenePanel,
+    photo: Option<&Image>,
+    context: &mut Context<'_>,
+) -> Result<Patch> {
+    let Some(photo) = photo.filter(|_| panel.subject.is_some()) else {
+        return Ok(Patch::nothing(panel.area));
+    };
+    context.set_scale(scene.scale);
+    let shown = panel_photo(scene, panel, photo);
+    let Some(subject) = &shown.subject else { return Ok(Patch::nothing(panel.area)) };
+    let area = panel.area;
+    let mut rgba = vec![0; area.width * area.height * 4];
+    // What is no part of the picture has no subject: its red is never seen.
+    let mut shares = rgba.clone();
+    fill_image(&mut shares, area, &Image::from_luma(subject.clone()), shown.at);
+    // A style without parts is drawn as ever.
+    let (at, asked) = (shown.at, scene.style.has_parts());
+    let shown = Shown { subject: shown.subject.filter(|_| asked), ..shown };
+    fill_image(&mut rgba, area, &drawn(&shown, (panel, photo), scene, context)?, at);
+    let inside = mask::inside(&panel.shape, scene.corner_radius, area);
+    let line =
+        (scene.border >= 0.05).then(|| mask::border(&panel.shape, scene.corner_radius, scene.border, area));
+    for (i, pixel) in rgba.chunks_exact_mut(4).enumerate() {
+        let line = line.as_ref().map_or(0, |line| u32::from(line[i]));
+        let seen = u32::from(inside[i]) * (255 - line) / 255;
+        pixel[3] = (u32::from(shares[4 * i]) * seen / 255) as u8;
+    }
+    Ok(Patch { area, rgba })
+}
+
 /// Gray of a panel that has no photo yet.
 pub(super) const EMPTY: [u8; 3] = [226, 226, 228];
 
@@ -85,8 +147,7 @@ fn render_figure(
 ) -> Result<Patch> {
     let figure = breaking::figure(panel, matte.plane(), around);
     let (Some(figure), Some(photo)) = (figure, photo) else {
-        let area = PixelRect { x: panel.area.x, y: panel.area.y, width: 1, height: 1 };
-        return Ok(Patch { area, rgba: vec![0; 4] });
+        return Ok(Patch::nothing(panel.area));
     };
     context.set_scale(scene.scale);
     let line = scene.border.max(OUTLINE * scene.width as f64);
@@ -102,6 +163,9 @@ fn render_figure(
         height: of_mask(region.height, photo.height(), shares.height()),
     };
     let mut alpha = refined(shares, region_of_mask, &shown.image, scene.scale);
+    for share in alpha.samples_mut() {
+        *share = (128 + STEEP * (i32::from(*share) - 128)).clamp(0, 255) as u8;
+    }
     let edges = Edges::of(&panel.shape);
     let closed: Vec<usize> = (0..figure.closed.len()).filter(|edge| figure.closed[*edge]).collect();
     for y in 0..area.height {
@@ -131,6 +195,8 @@ fn render_figure(
     Ok(Patch { area, rgba })
 }
 
+/// How much steeper the border of a figure is drawn than its mask is: over other panels, what nobody is sure of would be a ghost.
+const STEEP: i32 = 4;
 /// The line of paper about a figure is as wide as the border, and at least this in page widths.
 const OUTLINE: f64 = 0.002;
 /// The mean share of a figure within the line's width is half at its edge, and falls to nothing.

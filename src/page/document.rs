@@ -218,6 +218,25 @@ impl Document {
             && self.merge_of(index).is_none()
     }
 
+    /// The panels whose subjects stand before an effect, see [`Word::behind`](super::words::Word::behind); each once, in their order.
+    /// It is told by the plain data, so that no one who draws panels needs to know words.
+    #[must_use]
+    pub fn fronts(&self) -> Vec<usize> {
+        let behind = |word: &Value| word["kind"] == "effect" && word["behind"] == true;
+        let panels = self.words.iter().filter(|word| behind(word)).filter_map(|word| word["panel"].as_u64());
+        let mut fronts: Vec<usize> =
+            panels.map(|panel| panel as usize).filter(|panel| *panel < self.panels.len()).collect();
+        fronts.sort_unstable();
+        fronts.dedup();
+        fronts
+    }
+
+    /// The number of the first picture of a front: before it come those of the panels and of the figures that step out.
+    #[must_use]
+    pub fn first_front(&self) -> usize {
+        self.panels.len() + (0..self.panels.len()).filter(|&i| self.breaks_frame(i)).count()
+    }
+
     /// The group of panels that panel `index` is merged into, itself among them.
     #[must_use]
     pub fn merge_of(&self, index: usize) -> Option<&[usize]> {

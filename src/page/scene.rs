@@ -27,6 +27,8 @@ pub struct Scene {
     pub height: usize,
     /// Panels in paint order; behind them a second time those whose figure steps out, for the figure alone.
     pub panels: Vec<ScenePanel>,
+    /// Panels whose subject alone is drawn, to stand before an effect; see [`Document::fronts`]. They are numbered on from `panels`.
+    pub fronts: Vec<ScenePanel>,
     /// The style of all panels.
     pub style: Cow<'static, Style>,
     /// Scale of spatial parameters: that of the page's average panel, so that lines are equally wide all over
@@ -65,6 +67,8 @@ pub struct ScenePanel {
     pub subject: Option<Matte>,
     /// Of a figure that steps out of the panel, which is all that is drawn then: the subject, and what it has to leave alone.
     pub figure: Option<(Matte, Around)>,
+    /// Nothing but its `subject` is drawn.
+    pub front: bool,
 }
 
 impl Scene {
@@ -79,11 +83,13 @@ impl Scene {
         let (width, height) = size(document, width)?;
         let mut panels = panels(document, &template, (width, height))?;
         panels.extend(figures(document, &panels, (width, height)));
+        let fronts = fronts(document, &panels);
         let base = template.base_count().max(1);
         Ok(Self {
             width,
             height,
             panels,
+            fronts,
             style: document.style()?,
             scale: scale_of((width * height) as f64 / base as f64),
             paper: page.paper_rgb(),
@@ -101,13 +107,19 @@ impl Scene {
 }
 
 impl Scene {
-    /// Tells the subjects of photos, by their ids, where the style has something that is for a part of the picture.
+    /// Tells the subjects of photos, by their ids, where the style has something that is for a part of the picture, or where an effect
+    /// stands behind them.
     pub fn show_subjects(&mut self, subject: &dyn Fn(&str) -> Option<Matte>) {
-        if self.style.has_parts() {
-            for panel in &mut self.panels {
-                panel.subject = panel.photo.as_deref().and_then(subject);
-            }
+        let panels: &mut [ScenePanel] = if self.style.has_parts() { &mut self.panels } else { &mut [] };
+        for panel in panels.iter_mut().chain(&mut self.fronts) {
+            panel.subject = panel.photo.as_deref().and_then(subject);
         }
+    }
+
+    /// A panel, a figure or a front by its number.
+    #[must_use]
+    pub fn picture(&self, index: usize) -> Option<&ScenePanel> {
+        self.panels.get(index).or_else(|| self.fronts.get(index - self.panels.len()))
     }
 }
 
@@ -168,6 +180,7 @@ pub(super) fn panels(
             faces: document.panels[leader].faces.clone(),
             subject: None,
             figure: None,
+            front: false,
         }
     };
     Ok(resolved.into_iter().enumerate().zip(further).map(panel).collect())
@@ -185,6 +198,16 @@ fn figures(document: &Document, panels: &[ScenePanel], size: (usize, usize)) -> 
         Some(ScenePanel { figure: Some((matte, around[i].clone())), ..panels[i].clone() })
     };
     broken.into_iter().filter_map(figure).collect()
+}
+
+/// The panels whose subjects stand before an effect. One that steps out does so with all that is seen of it.
+fn fronts(document: &Document, pictures: &[ScenePanel]) -> Vec<ScenePanel> {
+    let broken: Vec<usize> = (0..document.panels.len()).filter(|&i| document.breaks_frame(i)).collect();
+    let front = |i: usize| {
+        let figure = broken.iter().position(|&other| other == i);
+        ScenePanel { front: true, ..pictures[figure.map_or(i, |at| document.panels.len() + at)].clone() }
+    };
+    document.fronts().into_iter().map(front).collect()
 }
 
 /// The shapes of panels that end at the edge of a page with bleed: they go on beyond it.

@@ -3,7 +3,7 @@
  * are; one worker puts the panels together and encodes. Many pages are made one after the other: one of A4 takes 35 MB.
  */
 
-import { panelOf, picturesOf } from './figures.ts';
+import { frontPictures, panelOf, picturesOf } from './figures.ts';
 import { Priority } from './queue.ts';
 import { givesWebp } from './webp.ts';
 import { failure } from './protocol.ts';
@@ -148,7 +148,8 @@ export function createExports({ run, photos, words, files }: Parts) {
     // A figure leaves the border alone where it may not cross it, so it has to know of it.
     const framed = withPhoto(document).filter((index) => index < document.panels.length);
     const figures = withPhoto(document).filter((index) => index >= document.panels.length);
-    return Promise.all([byPhoto(bare, framed, signal, made), byPhoto(document, figures, signal, made)]).then((parts) =>
+    const alone = [...figures, ...frontsWithPhoto(document)];
+    return Promise.all([byPhoto(bare, framed, signal, made), byPhoto(document, alone, signal, made)]).then((parts) =>
       parts.flat(),
     );
   }
@@ -163,7 +164,8 @@ export function createExports({ run, photos, words, files }: Parts) {
       const [panel] = await byPhoto(document, [index], signal, async (patches) => patches);
       step(1);
       const own = { ...document, words: document.words?.filter((word) => word.panel === index) };
-      const written = await words.patches(own, document.page.width, { signal });
+      const fronts = await frontsFor(own, signal);
+      const written = await words.patches(own, document.page.width, fronts, { signal });
       const { x, y, width, height } = panel;
       // The panel's rectangle is a page of its own, on which all lies that much further left and up.
       const page = { ...document.page, width, height };
@@ -202,11 +204,17 @@ export function createExports({ run, photos, words, files }: Parts) {
         step(patches.length);
         return patches;
       });
-      const written = await words.patches(document, document.page.width, { signal });
+      const fronts = await frontsFor(document, signal);
+      const written = await words.patches(document, document.page.width, fronts, { signal });
       const file = await encode([...panels, ...written], signal);
       step(1);
       return file;
     });
+  }
+
+  /** The subjects that effects stand behind, from the original files. */
+  function frontsFor(document: PageDocument, signal: AbortSignal): Promise<PanelPatch[]> {
+    return byPhoto(document, frontPictures(document), signal, async (patches) => patches);
   }
 
   /**
@@ -256,7 +264,7 @@ function steps(total: number, onProgress: Call['onProgress'] = () => {}) {
 /** Of the panels with photos of all pages, and of the file. */
 function stepsOf(documents: readonly PageDocument[], { onProgress }: Call) {
   return steps(
-    documents.reduce((sum, document) => sum + withPhoto(document).length, 1),
+    documents.reduce((sum, document) => sum + withPhoto(document).length + frontsWithPhoto(document).length, 1),
     onProgress,
   );
 }
@@ -272,6 +280,11 @@ function photoOf(document: PageDocument, picture: number): string {
 /** @returns the pictures that show one */
 function withPhoto(document: PageDocument): number[] {
   return picturesOf(document).filter((index) => photoOf(document, index) !== EMPTY);
+}
+
+/** @returns the fronts that show one */
+function frontsWithPhoto(document: PageDocument): number[] {
+  return frontPictures(document).filter((index) => photoOf(document, index) !== EMPTY);
 }
 
 /** @returns pictures by the id of their photo */

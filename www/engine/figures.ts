@@ -1,11 +1,13 @@
 /**
  * Pictures of a page: one a panel, and behind them one for each panel whose figure steps out of it, which lies over all
- * panels. The core numbers them so.
+ * panels. On from these are fronts, the subjects of panels that stand before an effect: they are not drawn, but cut out of what
+ * stands behind them. The core numbers them so.
  */
 
-import type { PageDocument } from './types.ts';
+import type { PageDocument, Word } from './types.ts';
 
 type Panels = Pick<PageDocument, 'panels' | 'merges'>;
+type Page = Panels & Pick<PageDocument, 'words'>;
 
 /** @returns the panels whose figure is to step out; those that share an image have none */
 export function figuresOf({ panels, merges }: Panels): number[] {
@@ -19,7 +21,37 @@ export function picturesOf(document: Panels): number[] {
 }
 
 /** @returns the panel that a picture belongs to */
-export function panelOf(document: Panels, picture: number): number {
+export function panelOf(document: Page, picture: number): number {
   const count = document.panels.length;
-  return picture < count ? picture : (figuresOf(document)[picture - count] ?? 0);
+  if (picture < count) return picture;
+  const figures = figuresOf(document);
+  return figures[picture - count] ?? frontsOf(document)[picture - count - figures.length] ?? 0;
+}
+
+/** @returns the panels whose subjects stand before an effect, each once */
+export function frontsOf({ panels, words = [] }: Partial<Page>): number[] {
+  const behind = words.flatMap((word) => standsBehind(word) ?? []);
+  return [...new Set(behind)].filter((panel) => panels?.[panel]).sort((a, b) => a - b);
+}
+
+/** @returns the panel whose subject an effect stands behind */
+export function standsBehind({ kind, behind, panel }: Word): number | null {
+  return kind === 'effect' && behind ? (panel ?? null) : null;
+}
+
+/** @returns the number of the picture of each front */
+export function frontPictures(document: Page): number[] {
+  const first = picturesOf(document).length;
+  return frontsOf(document).map((_, index) => first + index);
+}
+
+/**
+ * Words in the order in which they are drawn: those that stand behind a figure before all others.
+ * @returns their numbers
+ */
+export function paintOrder(document: Partial<Page>): number[] {
+  const fronts = frontsOf(document);
+  const words = document.words ?? [];
+  const late = (index: number) => !fronts.includes(standsBehind(words[index]) ?? -1);
+  return [...words.keys()].sort((a, b) => Number(late(a)) - Number(late(b)));
 }

@@ -29,6 +29,7 @@ export function createOperations(studio: Studio, held: ReturnType<typeof createL
     smallFrame,
     living,
     panel,
+    front,
     page,
     compose,
     stylePhoto,
@@ -104,6 +105,12 @@ export function createOperations(studio: Studio, held: ReturnType<typeof createL
     await fetchPhotos(photos, tell);
     tell.expects(pageMs(document, width, 1));
     return bitmap(studio.render_panel(document, index, width, tier));
+  }
+
+  async function front({ document, index, width, tier, photos }: Operations['front']['args'], tell: Tell) {
+    await fetchPhotos(photos, tell);
+    tell.expects(pageMs(document, width, 1));
+    return pixels(studio.render_panel(document, index, width, tier));
   }
 
   async function page({ document, width, tier, photos }: Operations['page']['args'], tell: Tell) {

@@ -45,6 +45,11 @@ export type Operations = {
     args: { document: string; index: number; width: number; tier: Tier; photos: PhotoHandle[] };
     ok: BitmapPatch;
   };
+  /** The subject of a panel, or another of its pictures, as pixels. */
+  front: {
+    args: { document: string; index: number; width: number; tier: Tier; photos: PhotoHandle[] };
+    ok: PixelPatch;
+  };
   page: { args: { document: string; width: number; tier: Tier; photos: PhotoHandle[] }; ok: BitmapPatch };
   compose: { args: { document: string; width: number; tier: Tier; photos: PhotoHandle[] }; ok: PixelPatch };
   stylePhoto: {
@@ -88,14 +93,18 @@ export type Looking = {
   objects: Looked<readonly Detection[]>;
 };
 
-/** Those of the worker that draws words; `document` is one as JSON. */
+/**
+ * Those of the worker that draws words; `document` is one as JSON, `fronts` are the subjects that effects stand behind, in the
+ * order of `frontsOf`.
+ */
 export type Wording = {
-  word: { args: { document: string; width: number; index: number }; ok: BitmapPatch };
-  words: { args: { document: string; width: number }; ok: PixelPatch[] };
-  over: { args: { document: string; width: number; bitmap: ImageBitmap }; ok: ImageBitmap };
+  word: { args: Lettered & { index: number }; ok: BitmapPatch };
+  words: { args: Lettered; ok: PixelPatch[] };
+  over: { args: Lettered & { bitmap: ImageBitmap }; ok: ImageBitmap };
 };
+type Lettered = { document: string; width: number; fronts: PixelPatch[] };
 
-/** A panel in a PDF file, or on the plate of an ink; `alpha` of a figure that steps out of one. */
+/** A panel in a PDF file, or on the plate of an ink; `alpha` of a figure that steps out of one, and of a front. */
 export type Picture = Bounds & {
   index: number;
   jpeg: Uint8Array<ArrayBuffer>;

@@ -2,9 +2,9 @@
  * The calls that draw with photos of the album: panels, whole pages, thumbnails of styles.
  */
 
-import { panelOf } from './figures.ts';
+import { frontPictures, frontsOf, panelOf, standsBehind } from './figures.ts';
 import { Priority } from './queue.ts';
-import type { PageDocument } from './types.ts';
+import type { PageDocument, Word } from './types.ts';
 import type { Call } from './engine.ts';
 import type { createPhotos } from './photos.ts';
 import type { Run } from './pool.ts';
@@ -20,7 +20,7 @@ export function createRenders({
   photos: ReturnType<typeof createPhotos>;
   words: ReturnType<typeof createWords>;
 }) {
-  return { renderPanel, renderWord: words.draw, renderPage, composePixels, stylePhoto, exploreStyles };
+  return { renderPanel, renderWord, renderPage, composePixels, stylePhoto, exploreStyles };
 
   /**
    * One panel of a page.
@@ -32,23 +32,45 @@ export function createRenders({
     width: number,
     { tier = 'work', ...call }: Call & { tier?: 'small' | 'work' } = {},
   ): Promise<BitmapPatch> {
-    const shows = document.panels[panelOf(document, index)].photo;
-    const needed = photos.handles([shows], tier);
-    const args = { document: JSON.stringify(document), index, width, tier, photos: needed };
-    const photo = photos.names([shows]);
-    return run({ op: 'panel', args, photo, holds: keys(needed), priority: Priority.PANEL, ...call });
+    return run({ op: 'panel', ...panelJob(document, index, width, tier), priority: Priority.PANEL, ...call });
+  }
+
+  /**
+   * One word of a page.
+   * @param width of the page, in pixels
+   */
+  async function renderWord(document: PageDocument, index: number, width: number, call?: Call): Promise<BitmapPatch> {
+    // Of the others no word is in front.
+    const own = standsBehind(document.words?.[index] as Word);
+    const alone = { ...document, words: own === null ? [] : [document.words?.[index] as Word] };
+    const fronts = await frontsFor(alone, width, 'work', call);
+    return words.draw(fronts.length > 0 ? alone : document, fronts.length > 0 ? 0 : index, width, fronts, call);
+  }
+
+  /** The subjects that effects of a page stand behind; those of photos that are not here are left out with all others. */
+  async function frontsFor(
+    document: PageDocument,
+    width: number,
+    tier: 'small' | 'work',
+    call?: Call,
+  ): Promise<PixelPatch[]> {
+    const there = frontsOf(document).every((panel) => photos.has(shownBy(document, panel) ?? ''));
+    if (!there) return [];
+    const front = (index: number) =>
+      run({ op: 'front', ...panelJob(document, index, width, tier), priority: Priority.PANEL, ...call });
+    return Promise.all(frontPictures(document).map(front));
   }
 
   /** A whole page as one bitmap: thumbnails. */
   async function renderPage(document: PageDocument, width: number, call?: Call): Promise<BitmapPatch> {
     const page = await run({ op: 'page', ...pageJob(document, width, 'small'), priority: Priority.VIEW, ...call });
-    return words.over(document, width, page, call);
+    return words.over(document, width, page, await frontsFor(document, width, 'small', call), call);
   }
 
   /** A whole page as pixels. */
   async function composePixels(document: PageDocument, width: number, call?: Call): Promise<PixelPatch> {
     const page = await run({ op: 'compose', ...pageJob(document, width, 'work'), priority: Priority.PAGE, ...call });
-    return words.lay(document, width, page, call);
+    return words.lay(document, width, page, await frontsFor(document, width, 'work', call), call);
   }
 
   /** A crop of a photo in some style: thumbnails. */
@@ -94,6 +116,16 @@ export function createRenders({
     });
   }
 
+  function panelJob(document: PageDocument, index: number, width: number, tier: 'small' | 'work') {
+    const shows = shownBy(document, panelOf(document, index));
+    const needed = photos.handles([shows], tier);
+    return {
+      args: { document: JSON.stringify(document), index, width, tier, photos: needed },
+      photo: photos.names([shows]),
+      holds: keys(needed),
+    };
+  }
+
   function pageJob(document: PageDocument, width: number, tier: 'small' | 'work') {
     const ids = document.panels.map((panel) => panel.photo);
     const needed = photos.handles(ids, tier);
@@ -103,6 +135,11 @@ export function createRenders({
       holds: keys(needed),
     };
   }
+}
+
+/** @returns the photo that a panel shows: those that share an image have that of the first */
+function shownBy({ panels, merges }: PageDocument, panel: number): string | null {
+  return panels[merges.find((group) => group.includes(panel))?.[0] ?? panel].photo;
 }
 
 function keys(handles: PhotoHandle[]) {

@@ -4,13 +4,15 @@
 
 import initWords, { Lettering } from '../pkg-words/inkpanel.js';
 import { WORDS_MISSING, loadLetters } from './letters.ts';
+import { frontsOf, paintOrder, standsBehind } from './figures.ts';
 import { wordMs } from './measured.ts';
 import { moduleBytes } from './module-bytes.ts';
 import { LOADING, serveJobs } from './serving.ts';
 import { createShaping } from './shaping.ts';
-import type { Wording } from './protocol.ts';
+import type { Picture } from '../pkg-words/inkpanel.js';
+import type { PixelPatch, Wording } from './protocol.ts';
 import type { Tell, Work } from './serving.ts';
-import type { PageDocument } from './types.ts';
+import type { PageDocument, Word } from './types.ts';
 
 const MODULE = new URL('../pkg-words/inkpanel_bg.wasm', import.meta.url);
 
@@ -44,41 +46,49 @@ async function start(): Promise<Work<Wording>> {
   };
 }
 
-async function word(letters: Lettering, { document, index, width }: Args<'word'>, tell: Tell) {
-  tell.expects(wordMs(width * width));
-  const { data, ...place } = pixels(letters, document, index, width);
+async function word(letters: Lettering, { index, ...page }: Args<'word'>, tell: Tell) {
+  tell.expects(wordMs(page.width * page.width));
+  const { data, ...place } = pixels(letters, page, index);
   const bitmap = await createImageBitmap(new ImageData(data, place.width, place.height));
   return { ok: { ...place, bitmap }, transfer: [bitmap] };
 }
 
-async function words(letters: Lettering, { document, width }: Args<'words'>, tell: Tell) {
-  const ok = all(letters, document, width, tell);
+async function words(letters: Lettering, page: Args<'words'>, tell: Tell) {
+  const ok = all(letters, page, tell);
   return { ok, transfer: ok.map(({ data }) => data.buffer) };
 }
 
-async function over(letters: Lettering, { document, width, bitmap }: Args<'over'>, tell: Tell) {
+async function over(letters: Lettering, { bitmap, ...page }: Args<'over'>, tell: Tell) {
   const canvas = new OffscreenCanvas(bitmap.width, bitmap.height);
   const context = canvas.getContext('2d') as OffscreenCanvasRenderingContext2D;
   context.drawImage(bitmap, 0, 0);
-  for (const { data, x, y, ...size } of all(letters, document, width, tell)) {
+  for (const { data, x, y, ...size } of all(letters, page, tell)) {
     context.drawImage(await createImageBitmap(new ImageData(data, size.width, size.height)), x, y);
   }
   const drawn = canvas.transferToImageBitmap();
   return { ok: drawn, transfer: [drawn] };
 }
 
-function all(letters: Lettering, document: string, width: number, tell: Tell) {
-  const { words = [] }: PageDocument = JSON.parse(document);
-  return words.map((_, index) => {
-    tell.expects(wordMs(width * width));
-    return pixels(letters, document, index, width);
+function all(letters: Lettering, page: Args<'words'>, tell: Tell) {
+  return paintOrder(JSON.parse(page.document)).map((index) => {
+    tell.expects(wordMs(page.width * page.width));
+    return pixels(letters, page, index);
   });
 }
 
-function pixels(letters: Lettering, document: string, index: number, width: number) {
-  const picture = letters.render(document, index, width);
+function pixels(letters: Lettering, { document, width: across, fronts }: Args<'words'>, index: number) {
+  const picture = letters.render(document, index, across);
+  if (fronts.length > 0) cut(picture, JSON.parse(document), index, fronts);
   const { x, y, width: wide, height } = picture;
   const data = picture.take() as Uint8ClampedArray<ArrayBuffer>;
   picture.free();
   return { x, y, width: wide, height, data };
+}
+
+/** Takes out of a word what the figure before it covers. */
+function cut(picture: Picture, document: PageDocument, index: number, fronts: PixelPatch[]) {
+  const front = fronts[frontsOf(document).indexOf(standsBehind(document.words?.[index] as Word) ?? -1)];
+  if (!front) return;
+  const { x, y, width, height, data } = front;
+  picture.stand_behind(x, y, width, height, new Uint8Array(data.buffer, data.byteOffset, data.length));
 }

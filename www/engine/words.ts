@@ -65,29 +65,54 @@ export function createWords() {
   /**
    * One word of a page.
    * @param width of the page, in pixels
+   * @param fronts the subjects that stand before effects, as `frontsOf` has them; handed over, as in all that follow
    */
-  async function draw(document: PageDocument, index: number, width: number, call?: Call): Promise<BitmapPatch> {
-    return run('word', { document: JSON.stringify(document), index, width }, call);
+  async function draw(
+    document: PageDocument,
+    index: number,
+    width: number,
+    fronts: PixelPatch[],
+    call?: Call,
+  ): Promise<BitmapPatch> {
+    const args = { document: JSON.stringify(document), index, width, fronts };
+    return run('word', args, { ...call, transfer: buffersOf(fronts) });
   }
 
-  /** All words of a page, as pixels. */
-  async function patches(document: PageDocument, width: number, call?: Call): Promise<PixelPatch[]> {
-    return document.words?.length ? run('words', { document: JSON.stringify(document), width }, call) : [];
+  /** All words of a page in the order in which they are drawn, as pixels. */
+  async function patches(
+    document: PageDocument,
+    width: number,
+    fronts: PixelPatch[],
+    call?: Call,
+  ): Promise<PixelPatch[]> {
+    if (!document.words?.length) return [];
+    const args = { document: JSON.stringify(document), width, fronts };
+    return run('words', args, { ...call, transfer: buffersOf(fronts) });
   }
 
   /** The picture of a page with its words over it. */
-  async function over(document: PageDocument, width: number, page: BitmapPatch, call?: Call): Promise<BitmapPatch> {
+  async function over(
+    document: PageDocument,
+    width: number,
+    page: BitmapPatch,
+    fronts: PixelPatch[],
+    call?: Call,
+  ): Promise<BitmapPatch> {
     if (!document.words?.length) return page;
     const { bitmap } = page;
-    const args = { document: JSON.stringify(document), width, bitmap };
-    return { ...page, bitmap: await run('over', args, { ...call, transfer: [bitmap] }) };
+    const args = { document: JSON.stringify(document), width, bitmap, fronts };
+    return { ...page, bitmap: await run('over', args, { ...call, transfer: [bitmap, ...buffersOf(fronts)] }) };
   }
 
   /** The same for pixels: the words are laid on those of an opaque page. */
-  async function lay(document: PageDocument, width: number, page: PixelPatch, call?: Call) {
-    for (const patch of await patches(document, width, call)) layPixels(page, patch);
+  async function lay(document: PageDocument, width: number, page: PixelPatch, fronts: PixelPatch[], call?: Call) {
+    for (const patch of await patches(document, width, fronts, call)) layPixels(page, patch);
     return page;
   }
+}
+
+function buffersOf(patches: PixelPatch[]): ArrayBuffer[] {
+  return patches.map(({ data }) => data.buffer);
 }
 
 /** @param patch straight alpha; what is beyond the page is left out */

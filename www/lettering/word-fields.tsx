@@ -4,6 +4,7 @@ import { useRef } from 'preact/hooks';
 import { strings } from '../strings/strings.ts';
 import { useApp } from '../ui/context.ts';
 import { IconButton } from '../ui/button.tsx';
+import { subjectOf } from '../page/subjects-of.ts';
 import type { Word } from '../engine/types.ts';
 import { balloonBefore, hangsOn } from './joining.ts';
 import type { Mode } from './lettering.ts';
@@ -46,6 +47,8 @@ export function WordFields({ index }: { index: number }) {
   const set = (news: Partial<Word>) => lettering.edit(index, news, gesture.current);
   const [x, y] = [box.x + box.width / 2, box.y + box.height / 2];
 
+  // Whether anybody can say where the figure is that an effect would stand behind.
+  const isKnown = subjectOf(store, word) !== '';
   const missing = [...lettering.missing(word.text, box.font)].map(named).join(' ');
 
   function aim(mode: Mode) {
@@ -196,10 +199,15 @@ export function WordFields({ index }: { index: number }) {
         {word.kind === 'caption' && (
           <Switch label={strings.wordBoxless} on={word.boxless ?? false} onChange={(boxless) => set({ boxless })} />
         )}
-        {word.kind === 'effect' && (
+        {word.kind === 'effect' && (word.behind || isKnown) && (
           <Switch label={strings.wordBehind} on={word.behind ?? false} onChange={(behind) => set({ behind })} />
         )}
       </div>
+      {word.kind === 'effect' && word.behind && !isKnown && (
+        <p class="quiet" role="note">
+          {strings.wordBehindWhy}
+        </p>
+      )}
       <div class="word-colours">
         {(['color', 'fill'] as const).map((name) => (
           <label class="field colour" key={name}>

@@ -5,6 +5,7 @@
 
 import { useEffect, useRef } from 'preact/hooks';
 import { strings } from '../strings/strings.ts';
+import { subjectsOf, useSubjectsOf } from '../page/subjects-of.ts';
 import { useApp } from '../ui/context.ts';
 import { placed, pointOn, useWordHands } from './word-hands.ts';
 import { WordBar } from './word-bar.tsx';
@@ -14,7 +15,7 @@ import type { Geometry, PageDocument, WordBox } from '../engine/types.ts';
 
 /** @param props `width` of the page in pixels of the screen */
 export function WordLayer({ page, geometry, width }: { page: PageDocument; geometry: Geometry; width: number }) {
-  const { engine, ui, messages, lettering } = useApp();
+  const { engine, ui, messages, lettering, store } = useApp();
   const canvas = useRef(null as HTMLCanvasElement | null);
   const painter = useRef(null as ReturnType<typeof createWordPainter> | null);
   const words = lettering.words.value;
@@ -25,6 +26,7 @@ export function WordLayer({ page, geometry, width }: { page: PageDocument; geome
   useEffect(() => {
     painter.current = createWordPainter(canvas.current as HTMLCanvasElement, {
       render: engine.renderWord,
+      subjectsOf: (document) => subjectsOf(store, document),
       onPainted: (document) => {
         ui.lettered.value = document;
       },
@@ -32,9 +34,12 @@ export function WordLayer({ page, geometry, width }: { page: PageDocument; geome
     });
     return () => painter.current?.dispose();
   }, []);
+  // Effects may stand behind the subjects of photos, which come later, as photos do.
+  const subjects = useSubjectsOf(page);
+  const read = store.reading.value?.done;
   useEffect(() => {
     if (width > 0) painter.current?.show(page, width);
-  }, [page, width]);
+  }, [page, width, subjects, read]);
 
   return (
     <>

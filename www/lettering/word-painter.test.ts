@@ -33,3 +33,31 @@ it.each([
     await vi.waitFor(() => expect(painted).toBe(page));
   }
 });
+
+it('an effect behind a figure is drawn anew when the crop or the mask before it changes, one in front is not', async () => {
+  const canvas = { width: 0, height: 0, getContext: () => null } as unknown as HTMLCanvasElement;
+  const render = vi.fn(async () => ({}) as BitmapPatch);
+  let mask = '';
+  let painted: PageDocument | null = null;
+  const painter = createWordPainter(canvas, {
+    render,
+    subjectsOf: () => mask,
+    onPainted: (document) => {
+      painted = document;
+    },
+    onError: () => {},
+  });
+  const cropped = (x: number) => {
+    const words = [true, false].map((behind) => ({ kind: 'effect', text: 'x', panel: 0, behind }) as Word);
+    return { ...paged(), panels: [{ photo: 'a', crop: { x } }], merges: [], words } as unknown as PageDocument;
+  };
+  const shown = async (page: PageDocument) => {
+    painter.show(page, 100);
+    await vi.waitFor(() => expect(painted).toBe(page));
+    return render.mock.calls.length;
+  };
+  expect(await shown(cropped(0))).toBe(2);
+  expect(await shown(cropped(0.1))).toBe(3);
+  mask = 'mask';
+  expect(await shown(cropped(0.1))).toBe(4);
+});

@@ -3,6 +3,7 @@
  * all drawn anew. A word waits for the picture that is being drawn of it before it asks for the next.
  */
 
+import { paintOrder, standsBehind } from '../engine/figures.ts';
 import type { PageDocument, Word } from '../engine/types.ts';
 import type { Engine } from '../engine/engine.ts';
 import type { BitmapPatch } from '../engine/protocol.ts';
@@ -16,10 +17,13 @@ export function createWordPainter(
   canvas: HTMLCanvasElement,
   {
     render,
+    subjectsOf = () => '',
     onPainted,
     onError,
   }: {
     render: Engine['renderWord'];
+    /** a text that changes when what is known of the subjects that effects stand behind does */
+    subjectsOf?: (document: PageDocument) => string;
     onPainted: (document: PageDocument | null) => void;
     onError: (error: Error & { code?: string }) => void;
   },
@@ -46,6 +50,8 @@ export function createWordPainter(
     if (!same || words.length !== sheet?.keys.length) shown = [];
     // Joined balloons are drawn as one shape, and words take the colours of the style where they have none.
     const joined = words.filter(({ id, joined, linked }) => id || joined || linked);
+    // What stands behind a figure is cut by it.
+    const before = JSON.stringify([document.panels, document.merges, style, subjectsOf(document)]);
     const key = (word: Word) => [
       word,
       layout,
@@ -53,6 +59,7 @@ export function createWordPainter(
       width,
       word.craft && style,
       (word.id || word.joined || word.linked) && joined,
+      standsBehind(word) !== null && before,
     ];
     sheet = { document, width, keys: words.map((word) => JSON.stringify(key(word))) };
     words.forEach((_, i) => request(i));
@@ -100,7 +107,7 @@ export function createWordPainter(
     canvas.width = width;
     canvas.height = height;
     const context = canvas.getContext('2d');
-    for (const patch of shown) {
+    for (const patch of paintOrder(document).map((index) => shown[index])) {
       if (patch) context?.drawImage(patch.bitmap, patch.x, patch.y);
     }
     onPainted(keys.every((key) => kept.has(key) || failed.has(key)) ? document : null);

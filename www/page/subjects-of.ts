@@ -1,8 +1,9 @@
 /** What is known of the subjects of a page's photos, for pictures that depend on it. */
 
 import { hasParts } from '../styles/parts.ts';
+import { frontsOf } from '../engine/figures.ts';
 import { useApp } from '../ui/context.ts';
-import type { PageDocument } from '../engine/types.ts';
+import type { PageDocument, Word } from '../engine/types.ts';
 import type { Store } from '../document/store.ts';
 
 /** @returns whether the style of a page draws the subjects of its photos apart */
@@ -11,13 +12,21 @@ export function drawsParts({ styles }: Pick<Store, 'styles'>, { style }: PageDoc
 }
 
 /**
- * @returns a text that changes when the page is to be drawn anew for them; empty where its style draws no part apart. Read while
- * a view is rendered, it renders that again.
+ * @returns a text that changes when the page is to be drawn anew for them; empty where its style draws no part apart, and no effect
+ * stands behind one. Read while a view is rendered, it renders that again.
  */
 export function subjectsOf(store: Pick<Store, 'styles' | 'masks'>, page: PageDocument | null): string {
-  if (!page || !drawsParts(store, page)) return '';
+  if (!page || (!drawsParts(store, page) && frontsOf(page).length === 0)) return '';
   const masks = store.masks.value;
   return page.panels.map(({ photo }) => (photo === null ? '' : (masks.get(photo) ?? ''))).join(' ');
+}
+
+/** @returns the mask of the photo that a word stands on; empty where there is none. Read while a view is rendered, it renders that again */
+export function subjectOf({ page, masks }: Pick<Store, 'page' | 'masks'>, { panel }: Word): string {
+  const { panels = [], merges = [] } = page.value ?? {};
+  const leader = merges.find((group) => group.includes(panel ?? -1))?.[0] ?? panel ?? -1;
+  const photo = panels[leader]?.photo;
+  return (photo && masks.value.get(photo)) || '';
 }
 
 /** @returns as `subjectsOf` */

@@ -55,14 +55,28 @@ pub(super) fn draw(
         end(content);
     }
     // Figures that step out lie over all panels; what they are is told with their panel.
-    for picture in pictures.iter().filter(|picture| picture.index >= document.panels.len()) {
-        artifact(content);
-        content.save_state();
-        place(content, ground, picture);
-        content.restore_state();
-        end(content);
+    let figures = document.panels.len()..document.first_front();
+    for picture in pictures.iter().filter(|picture| figures.contains(&picture.index)) {
+        draw_alone(content, ground, picture);
     }
     Ok(())
+}
+
+/// The subject of a panel before the effects that stand behind it, where it is there; `front` is its place among the fronts.
+pub(super) fn draw_front(content: &mut Content, ground: &Ground, front: usize) {
+    let index = ground.leaf.document.first_front() + front;
+    if let Some(picture) = ground.leaf.pictures.iter().find(|picture| picture.index == index) {
+        draw_alone(content, ground, picture);
+    }
+}
+
+/// A picture with a mask of its own.
+fn draw_alone(content: &mut Content, ground: &Ground, picture: &Picture) {
+    artifact(content);
+    content.save_state();
+    place(content, ground, picture);
+    content.restore_state();
+    end(content);
 }
 
 fn draw_panel(content: &mut Content, ground: &Ground, index: usize, panel: &ScenePanel) {

@@ -118,7 +118,16 @@ impl Book<'_> {
                 fonts: self.fonts,
                 ranks: lettering::ranks(&leaf.document, &self.words[cell.leaf])?,
             };
-            for (laid, rank) in self.words[cell.leaf].iter().zip(&lettering.ranks) {
+            let fronts = leaf.document.fronts();
+            let words = || self.words[cell.leaf].iter().zip(&lettering.ranks);
+            let behind = |laid: &Laid| laid.word.front(&fronts);
+            for front in 0..fronts.len() {
+                for (laid, rank) in words().filter(|(laid, _)| behind(laid) == Some(front)) {
+                    lettering.draw(&mut content, laid, *rank, (&mut self.tags, next()));
+                }
+                drawing::draw_front(&mut content, &ground, front);
+            }
+            for (laid, rank) in words().filter(|(laid, _)| behind(laid).is_none()) {
                 lettering.draw(&mut content, laid, *rank, (&mut self.tags, next()));
             }
             content.restore_state();

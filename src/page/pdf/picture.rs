@@ -11,13 +11,13 @@ use pdf_writer::{Filter, Pdf, Ref};
 
 /// A picture in its place.
 pub struct Picture {
-    /// The panel that shows it; from the number of panels on, a figure that steps out of one.
+    /// The panel that shows it; from the number of panels on, a figure that steps out of one, then a front.
     pub index: usize,
     /// Pixels of the page that it covers; the panel shows what is inside of its shape.
     pub area: PixelRect,
     /// The file.
     pub jpeg: Vec<u8>,
-    /// Of a figure, how much of each pixel is seen: packed bytes, row by row.
+    /// Of a figure and a front, how much of each pixel is seen: packed bytes, row by row.
     pub alpha: Option<Vec<u8>>,
 }
 
@@ -49,8 +49,7 @@ pub fn cut(
     }
     let size = scene::size(document, document.page.width as usize)?;
     let panels = scene::panels(document, &*document.template()?, size)?;
-    let figures = (0..panels.len()).filter(|&i| document.breaks_frame(i)).count();
-    if index >= panels.len() + figures {
+    if index >= document.first_front() + document.fronts().len() {
         let reason = "there is no such panel".into();
         return Err(Error::InvalidDocument { location: format!("panels[{index}]"), reason });
     }

@@ -62,9 +62,28 @@ pub fn render(document: &Document, index: usize, width: usize, letters: &Letters
 /// # Errors
 /// As [`render`].
 pub fn lay_words(sheet: &mut Sheet, document: &Document, letters: &Letters) -> Result<()> {
-    let width = sheet.width() as f64;
-    for laid in lay_all(document, letters)? {
-        let patch = draw(&laid, width, letters);
+    lay_words_behind(sheet, document, letters, &[])
+}
+
+/// Lays all words of a document on its sheet, first those that stand behind figures, each lot in its order. `fronts`: the subjects
+/// of the panels that [`Document::fronts`] names, as [`render_panel`](crate::page::compose::render_panel) draws them.
+///
+/// # Errors
+/// As [`render`].
+pub fn lay_words_behind(
+    sheet: &mut Sheet,
+    document: &Document,
+    letters: &Letters,
+    fronts: &[Patch],
+) -> Result<()> {
+    let (width, panels) = (sheet.width() as f64, document.fronts());
+    let (behind, before): (Vec<Laid>, Vec<Laid>) =
+        lay_all(document, letters)?.into_iter().partition(|laid| laid.word.front(&panels).is_some());
+    for laid in behind.iter().chain(&before) {
+        let mut patch = draw(laid, width, letters);
+        if let Some(front) = laid.word.front(&panels).and_then(|at| fronts.get(at)) {
+            patch.stand_behind(front.area, &front.rgba);
+        }
         sheet.lay(patch.area, &patch.rgba)?;
     }
     Ok(())

@@ -99,7 +99,7 @@ pub struct Word {
     pub slant: f64,
     /// Half the width of the line around the letters of an effect, in ems; none is as usual.
     pub outline: Option<f64>,
-    /// An effect that stands behind the figures, where it is known what they cover.
+    /// An effect that stands behind the subject of the photo of its panel, where that is known.
     pub behind: bool,
     /// Its name, for those that are joined to it.
     pub id: Option<String>,
@@ -215,6 +215,13 @@ impl Word {
     #[must_use]
     pub fn hangs_on(&self) -> Option<&String> {
         self.joined.as_ref().or(self.linked.as_ref())
+    }
+
+    /// Which of a page's fronts an effect stands behind: its place among [`Document::fronts`](crate::page::Document::fronts).
+    #[must_use]
+    pub fn front(&self, fronts: &[usize]) -> Option<usize> {
+        let panel = self.panel.filter(|_| self.behind && self.kind == Kind::Effect)?;
+        fronts.iter().position(|front| *front == panel)
     }
 
     /// Reads the words of a document.

@@ -1,8 +1,10 @@
 // @ts-check
 /** Figures that step out of their panels: their masks are made after all else, and a panel lets its figure out and in again. */
 
-import { add, expect, openBoard, photos, picture, pixelsOf, detectingTest as test } from './support.js';
-import { box, word, write } from './word-hands.js';
+import { savedAs } from './export-hands.js';
+import { saved } from './project-hands.js';
+import { add, expect, idle, openBoard, photos, picture, pixelsOf, detectingTest as test } from './support.js';
+import { box, inked, openWords, word, write } from './word-hands.js';
 
 /** @typedef {import('../../../www/testing.ts').Page} Page */
 
@@ -23,6 +25,13 @@ async function breakOne(page) {
     if ((await button.getAttribute('aria-pressed')) === 'true') return button;
   }
   throw new Error('no figure steps out');
+}
+
+/** The page as a file. @param {Page} page @returns {Promise<string>} a data address of a PNG */
+async function exported(page) {
+  const { bytes } = await savedAs(page, 'png');
+  await page.keyboard.press('Escape');
+  return `data:image/png;base64,${bytes.toString('base64')}`;
 }
 
 /** @param {string} a @param {string} b */
@@ -77,6 +86,47 @@ test('words that are there stay where they are when the mask of their photo come
   release();
   await masked(page);
   expect(await box(balloon)).toEqual(before);
+});
+
+test('an effect stands behind the figure of its panel, on the page and in the file, until it is undone', async ({
+  page,
+}) => {
+  test.setTimeout(240_000);
+  await openBoard(page, ['macaw.jpg']);
+  await write(page, 'sound effect', 'KRAAAK');
+  const behind = page.getByLabel('Behind the figure', { exact: true });
+  // Nobody knows yet where the figure is.
+  await masked(page);
+  await expect(behind).not.toBeChecked();
+  for (const [label, value] of [
+    ['Width', '90'],
+    ['Across', '50'],
+    ['Down', '38'],
+  ]) {
+    await page.getByLabel(label, { exact: true }).fill(value);
+    await page.getByLabel(label, { exact: true }).blur();
+  }
+  await idle(page);
+  const before = await inked(page);
+  const file = await exported(page);
+  await openWords(page);
+  await behind.check();
+  await idle(page);
+  const cut = await inked(page);
+  // Some of it is behind the bird, some beside it.
+  expect(cut.count).toBeLessThan(before.count * 0.9);
+  expect(cut.count).toBeGreaterThan(before.count * 0.1);
+  expect(different(file, await exported(page))).toBeGreaterThan(1000);
+  await openWords(page);
+  await page.getByRole('button', { name: 'Undo' }).first().click();
+  await idle(page);
+  await expect(behind).not.toBeChecked();
+  expect((await inked(page)).count).toBe(before.count);
+  await page.getByRole('button', { name: 'Redo' }).first().click();
+  await saved(page);
+  await page.reload();
+  await idle(page);
+  expect((await inked(page)).count).toBe(cut.count);
 });
 
 test('without the net the tool says what is missing', async ({ page }) => {

@@ -15,6 +15,7 @@ export const speechStrings = {
   wordJoin: '前のフキダシとつなげる',
   wordBoxless: '枠なし',
   wordBehind: '人物の後ろ',
+  wordBehindWhy: 'コマの写真の被写体がはっきり分かるまでは、前に表示されます。',
   wordBar: '写植ツール',
   barWrite: '文字を書く',
   barTail: 'しっぽを付ける',

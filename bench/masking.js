@@ -1,0 +1,56 @@
+// @ts-check
+/** What the masks of photos cost whoever does not wait for them, in the real page: shuffles while they are made, and the first page. */
+
+import { opened, shuffled } from './journey.js';
+
+/** @typedef {import('playwright-core').Browser} Browser */
+
+/** Shuffles once all masks are there, and milliseconds between two. */
+const SHUFFLES = 25;
+const PAUSE = 400;
+/** First pages of either kind. */
+const OPENINGS = 3;
+
+/**
+ * @param {Browser} browser
+ * @param {string} address of the site
+ * @param {string[]} photos paths
+ * @returns {Promise<{ count: number, during: number, after: number, first: number, bare: number }>} medians in milliseconds: of so many
+ *   shuffles while masks are made, of those after; of first pages on a site with the net, and on one without
+ */
+export async function masking(browser, address, photos) {
+  const { first, bare } = await firstPages(browser, address, photos);
+  const { page } = await opened(browser, address, photos);
+  const flag = (/** @type {'detected' | 'masked'} */ name) =>
+    page.evaluate((key) => document.body.dataset[key] === 'true', name);
+  await page.waitForFunction(() => document.body.dataset.detected === 'true', null, { timeout: 300_000 });
+  const [during, after] = [/** @type {number[]} */ ([]), /** @type {number[]} */ ([])];
+  while (!(await flag('masked'))) {
+    during.push(await shuffled(page));
+    await page.waitForTimeout(PAUSE);
+  }
+  for (let i = 0; i < SHUFFLES; i += 1) {
+    after.push(await shuffled(page));
+    await page.waitForTimeout(PAUSE);
+  }
+  await page.close();
+  return { count: during.length, during: median(during), after: median(after), first, bare };
+}
+
+/** By turns with the net and without. @param {Browser} browser @param {string} address @param {string[]} photos */
+async function firstPages(browser, address, photos) {
+  const times = { first: /** @type {number[]} */ ([]), bare: /** @type {number[]} */ ([]) };
+  for (let i = 0; i < OPENINGS; i += 1) {
+    for (const kind of /** @type {const} */ (['bare', 'first'])) {
+      const { page, drawn } = await opened(browser, address, photos, kind === 'bare' ? /subject.*\.onnx/ : undefined);
+      times[kind].push(drawn);
+      await page.close();
+    }
+  }
+  return { first: median(times.first), bare: median(times.bare) };
+}
+
+/** @param {number[]} list */
+function median(list) {
+  return list.sort((a, b) => a - b)[list.length >> 1];
+}
