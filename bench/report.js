@@ -68,7 +68,20 @@ export function markdown({
     lines.push(`| ${row.label} | ${short(own)} | ${Math.round(share * 100)} % | ${cells.join(' | ')} |`);
   }
   for (const [id, reason] of Object.entries(failed)) lines.push('', `${PEERS[id] ?? id} failed: ${reason}`);
-  if (journey || facts || plans || masks || detect || aesthetics || crowd || making || masking || figures || films || loops)
+  if (
+    journey ||
+    facts ||
+    plans ||
+    masks ||
+    detect ||
+    aesthetics ||
+    crowd ||
+    making ||
+    masking ||
+    figures ||
+    films ||
+    loops
+  )
     lines.push('', '| In the page, all workers | |', '|---|--:|');
   if (journey) {
     lines.push(

@@ -3,11 +3,18 @@ import { defineConfig } from '@playwright/test';
 import { CHROMIUM, servedSite } from '../tests/web/launching.js';
 
 const site = servedSite(4187);
+/** Files that take minutes. */
+const LONG = /(hostile|screens|languages|zoom)\.spec\.js$/;
 
 export default defineConfig({
   testDir: '../tests/web/app',
   outputDir: '../tests/web/results',
   fullyParallel: false,
+  // Files are begun in the order of their projects: one that takes minutes would leave a worker idle at the end.
+  projects: [
+    { name: 'long', testMatch: LONG },
+    { name: 'short', testIgnore: LONG },
+  ],
   // A page that waits for a timer, a message or one worker leaves cores idle: two files run side by side, even on two cores.
   workers: 2,
   // The machine may be busy: a limit ends what hangs, it does not measure.

@@ -191,8 +191,12 @@ export async function accessible(page) {
   expect(await offences(page)).toEqual([]);
 }
 
-/** What axe finds, once nothing fades in any more: it would take what is half there for pale. @param {Page} page */
-export async function offences(page) {
+/**
+ * What axe finds, once nothing fades in any more: it would take what is half there for pale.
+ * @param {Page} page
+ * @param {string[]} [only] the rules that are asked, else all
+ */
+export async function offences(page, only) {
   await page.evaluate(() =>
     Promise.allSettled(
       document
@@ -201,8 +205,8 @@ export async function offences(page) {
         .map(({ finished }) => finished),
     ),
   );
-  const { violations } = await new AxeBuilder({ page })
-    .options({ rules: { 'target-size': { enabled: true } } })
-    .analyze();
+  const axe = new AxeBuilder({ page });
+  const asked = only ? axe.withRules(only) : axe.options({ rules: { 'target-size': { enabled: true } } });
+  const { violations } = await asked.analyze();
   return violations.map(({ id, nodes }) => ({ id, nodes: nodes.map((node) => node.html.slice(0, 160)) }));
 }
