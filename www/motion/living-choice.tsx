@@ -18,7 +18,7 @@ export function LivingChoice({
   if (may === 'none') return null;
   const below = may === 'apart' ? strings.motion.apart : note;
   return (
-    <div class="living-choice">
+    <>
       <label class="choice">
         <input
           type="checkbox"
@@ -34,6 +34,6 @@ export function LivingChoice({
           {below}
         </p>
       )}
-    </div>
+    </>
   );
 }
