@@ -100,6 +100,41 @@ test('the whole way by keyboard alone: photos in, fields typed, board and shot l
   await expect(shots.getByRole('textbox', { name: 'Action, shot 1A' })).toHaveValue('The cat watches.');
 });
 
+test('a film becomes a board and an animatic by keyboard alone', async ({ page }) => {
+  await page.goto('./');
+  const chooser = page.waitForEvent('filechooser');
+  await page.getByRole('button', { name: 'Choose photos or a video' }).press('Enter');
+  const buffer = await readFile(new URL('../../videos/album.mp4', import.meta.url));
+  await (await chooser).setFiles([{ name: 'album.mp4', mimeType: 'video/mp4', buffer }]);
+  await expect(page.getByRole('region', { name: 'Storyboard page' })).toBeVisible();
+  await idle(page);
+  await page.getByRole('button', { name: 'Board', exact: true }).press('Enter');
+  const shots = page.getByRole('region', { name: 'Shots' });
+  const actions = shots.getByRole('textbox', { name: /^Action, shot/ });
+  const count = await actions.count();
+  expect(count).toBeGreaterThan(1);
+  await actions.first().focus();
+  await page.keyboard.type('It begins.');
+  await page.keyboard.press('Enter');
+  await expect(actions.nth(1)).toBeFocused();
+  const board = await savedBy(page, () => page.getByRole('button', { name: 'Save board' }).press('Enter'));
+  const { stdout } = await run('pdftotext', ['-raw', board.path, '-']);
+  expect(stdout).toContain('It begins.');
+  await page.getByRole('button', { name: 'Animatic', exact: true }).press('Enter');
+  const dialog = page.getByRole('dialog');
+  await dialog.getByRole('slider', { name: 'Seconds a shot' }).focus();
+  await page.keyboard.press('Home');
+  await dialog.getByRole('combobox', { name: 'Size' }).focus();
+  await page.keyboard.press('ArrowDown');
+  await expect(dialog.getByRole('combobox', { name: 'Size' })).toHaveValue('720p');
+  await expect(dialog.getByText(`${count} shots, 0:`)).toBeVisible();
+  const film = await savedBy(page, () => dialog.getByRole('button', { name: 'Save the file' }).press('Enter'));
+  expect(film.name).toMatch(/\.mp4$/);
+  const asked = ['-v', 'warning', '-count_frames', '-show_streams', '-of', 'json', film.path];
+  const probe = JSON.parse((await run('ffprobe', asked)).stdout);
+  expect(probe.streams[0]).toMatchObject({ width: 1280, height: 720, nb_read_frames: String(12 * count) });
+});
+
 test('cells of a spreadsheet are pasted, shots are moved, and an own column comes and goes', async ({ page }) => {
   await openBoard(page);
   const shots = await openShots(page);
