@@ -39,11 +39,19 @@ export function createComics({
     const { type } = FORMATS[format];
     if (format === 'html') {
       // What cannot be told is known before anything is drawn.
-      await engine.comicPieces(told(documents, kind), { signal });
-      const pictures = await drawn(documents, kind, quality, how);
+      const still = await engine.comicPieces(told(documents, kind), { signal });
+      // Panels that move take as long as all else.
+      const steps = living ? 2 * documents.length : documents.length;
+      const onProgress = (done: number) => how.onProgress(done, steps);
+      const pictures = await drawn(documents, kind, quality, { signal, onProgress });
       const moving: MovingPicture[][] = [];
-      for (const document of documents) moving.push(living ? await movingPictures(document, { signal }) : []);
-      const pieces = await engine.comicPieces(told(documents, kind, moving), { signal });
+      if (living)
+        for (const document of documents) {
+          moving.push(await movingPictures(document, { signal }));
+          onProgress(documents.length + moving.length);
+        }
+      const moves = moving.some((page) => page.length > 0);
+      const pieces = moves ? await engine.comicPieces(told(documents, kind, moving), { signal }) : still;
       const urls: Blob[] = [];
       for (const picture of [...pictures, ...moving.flat().map(({ file }) => file)]) urls.push(await dataUrl(picture));
       return new Blob(

@@ -15,7 +15,7 @@ beforeEach(() => {
   vi.spyOn(files, 'save').mockImplementation((blob, name) => void saved.push({ blob, name }));
 });
 
-function app(engine: Record<string, any> = {}) {
+function app(engine: Record<string, any> = {}, animatics: Record<string, any> = {}) {
   const messages = createMessages();
   const made = async (document: any, { onProgress }: any) => {
     onProgress(0, 4);
@@ -29,7 +29,7 @@ function app(engine: Record<string, any> = {}) {
     pages: {} as any,
     engine: { exportPng: made, exportJpeg: made, ...engine } as any,
     shotList: () => ({}) as any,
-    animatics: {} as any,
+    animatics: animatics as any,
     pageFiles: {
       take: () => 'project',
       carrying: async (png) => ({ png, unclean: 0 }),
@@ -66,6 +66,38 @@ test('pages stand in an archive in their order, each made after the one before',
   expect(messages.list.value.map(({ text }) => text)).toEqual(['3 pages were saved in one file.']);
 });
 
+class Reader extends EventTarget {
+  result = '';
+  async readAsDataURL(blob: Blob) {
+    this.result = `data:${blob.type},${await blob.text()}`;
+    this.dispatchEvent(new Event('load'));
+  }
+}
+
+test('an HTML comic has the pictures that move behind those of its pages, and tells how far both are', async () => {
+  vi.stubGlobal('FileReader', Reader);
+  const exportWebp = async (document: any, { onProgress }: any) => {
+    onProgress(2, 2);
+    return new Blob([`still ${document.seed}`], { type: 'image/webp' });
+  };
+  const place = { x: 0, y: 0, width: 1, height: 0.5 };
+  const movingPictures = async (document: any) =>
+    document.seed === 2 ? [{ place, file: new Blob(['moves'], { type: 'image/webp' }) }] : [];
+  const comicPieces = async ({ pages }: any) => [0, ' ', 1, ...(pages[1].moving.length > 0 ? [' ', 2] : [])];
+  const { download } = app({ exportWebp, givesWebp: async () => true, comicPieces }, { movingPictures });
+  const seen: number[] = [];
+  const stop = download.progress.subscribe((value) => {
+    if (value) seen.push(value.done / value.total);
+  });
+  await download.saveAs({ pages: [page(1), page(2)], format: 'html', living: true });
+  await download.saveAs({ pages: [page(1), page(2)], format: 'html' });
+  stop();
+  vi.unstubAllGlobals();
+  expect(seen.slice(0, 4)).toEqual([0.25, 0.5, 0.75, 1]);
+  const stills = 'data:image/webp,still 1 data:image/webp,still 2';
+  expect(await Promise.all(saved.map(({ blob }) => blob.text()))).toEqual([`${stills} data:image/webp,moves`, stills]);
+});
+
 test('an HTML comic has its pictures where the core says, with progress from page to page', async () => {
   const made: any[] = [];
   const draw =
@@ -75,13 +107,6 @@ test('an HTML comic has its pictures where the core says, with progress from pag
       made.push([kind, document.seed, quality]);
       return new Blob([`${document.seed}`], { type: 'image/webp' });
     };
-  class Reader extends EventTarget {
-    result = '';
-    async readAsDataURL(blob: Blob) {
-      this.result = `data:${blob.type},${await blob.text()}`;
-      this.dispatchEvent(new Event('load'));
-    }
-  }
   vi.stubGlobal('FileReader', Reader);
   const comicPieces = async ({ picture }: any) => ['<img src="', 0, '"><img src="', 1, `"> ${picture}`];
   const { download } = app({ exportWebp: draw('webp'), givesWebp: async () => true, comicPieces });
