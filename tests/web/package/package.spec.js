@@ -1,11 +1,18 @@
 // @ts-check
 import { execFileSync } from 'node:child_process';
-import { copyFileSync, readFileSync, writeFileSync } from 'node:fs';
+import { copyFileSync, cpSync, readFileSync, writeFileSync } from 'node:fs';
+import { createRequire } from 'node:module';
 import { join } from 'node:path';
 import { fileURLToPath } from 'node:url';
 import { PNG, expect, test } from '../../../www/testing.ts';
 import { inkpanel, picture, stylizeNatively } from '../wasm/native.js';
 import { emptyProject, serve } from './project.js';
+
+const from = createRequire(new URL('../../../www/package.json', import.meta.url));
+/** @type {typeof import('../../../www/node_modules/esbuild')} */
+const esbuild = from('esbuild');
+/** @type {typeof import('../../../www/node_modules/webpack')} */
+const webpack = from('webpack');
 
 const PHOTOS = fileURLToPath(new URL('../../../www/public/samples/', import.meta.url));
 const VITE = fileURLToPath(new URL('../../../www/node_modules/vite/bin/vite.js', import.meta.url));
@@ -116,21 +123,22 @@ test('the element shows pages of a saved project, for the width that they have, 
   await expect(page).toHaveTitle('damaged-project');
 });
 
-test('a project of Vite and strict TypeScript is built, and draws', async ({ page }) => {
-  const vite = emptyProject();
+/**
+ * A project of strict TypeScript, what a bundler made of it, and the page that it draws.
+ * @param {import('../../../www/testing.ts').Page} page
+ * @param {(at: (name: string) => string, folder: string) => Promise<void> | void} bundle from `main.ts` and `index.html` into `dist`
+ */
+async function bundled(page, bundle) {
+  const made = emptyProject();
   try {
-    const at = (/** @type {string} */ name) => join(vite.folder, name);
+    const at = (/** @type {string} */ name) => join(made.folder, name);
     copyFileSync(join(PHOTOS, '07-red-panda.jpg'), at('photo.jpg'));
-    writeFileSync(
-      at('index.html'),
-      "<!doctype html><link rel='icon' href='data:,'><script type='module' src='main.ts'></script>",
-    );
-    copyFileSync(new URL('vite-main.ts', import.meta.url), at('main.ts'));
+    writeFileSync(at('index.html'), pageOf('main.ts'));
+    copyFileSync(new URL('bundler-main.ts', import.meta.url), at('main.ts'));
     const options = ['--noEmit', '--strict', '--target', 'es2022', '--lib', 'es2023,dom', '--types', ''];
     const resolution = ['--module', 'esnext', '--moduleResolution', 'bundler'];
-    execFileSync(process.execPath, [TSC, ...options, ...resolution, 'main.ts'], { cwd: vite.folder, stdio: 'inherit' });
-    writeFileSync(at('vite.config.mjs'), "export default { worker: { format: 'es' }, build: { target: 'esnext' } };");
-    execFileSync(process.execPath, [VITE, 'build', '--logLevel', 'error'], { cwd: vite.folder, stdio: 'inherit' });
+    execFileSync(process.execPath, [TSC, ...options, ...resolution, 'main.ts'], { cwd: made.folder, stdio: 'inherit' });
+    await bundle(at, made.folder);
     copyFileSync(at('photo.jpg'), at('dist/photo.jpg'));
     const built = await serve(at('dist'));
     try {
@@ -141,9 +149,44 @@ test('a project of Vite and strict TypeScript is built, and draws', async ({ pag
       built.close();
     }
   } finally {
-    vite.remove();
+    made.remove();
   }
-});
+}
+
+/** @param {string} script @param {string} [head] what stands before it */
+const pageOf = (script, head = '') =>
+  `<!doctype html><link rel='icon' href='data:,'>${head}<script type='module' src='${script}'></script>`;
+
+test('a project of Vite is built, and draws', async ({ page }) =>
+  bundled(page, (at, folder) => {
+    writeFileSync(at('vite.config.mjs'), "export default { worker: { format: 'es' }, build: { target: 'esnext' } };");
+    execFileSync(process.execPath, [VITE, 'build', '--logLevel', 'error'], { cwd: folder, stdio: 'inherit' });
+  }));
+
+test('a project of webpack is built, and draws', async ({ page }) =>
+  bundled(page, async (at, folder) => {
+    // Its types are TypeScript's work, done by then.
+    await esbuild.build({ entryPoints: [at('main.ts')], outfile: at('main.js'), format: 'esm', target: 'es2022' });
+    const compiler = webpack({ mode: 'production', context: folder, entry: './main.js', output: { path: at('dist') } });
+    const stats = await new Promise((resolve, reject) =>
+      compiler?.run((error, done) => (error ? reject(error) : resolve(done))),
+    );
+    expect(stats.toJson({ all: false, errors: true }).errors).toEqual([]);
+    writeFileSync(at('dist/index.html'), pageOf('main.js'));
+  }));
+
+test('a project of esbuild is built with the package beside it, and draws', async ({ page }) =>
+  bundled(page, async (at, folder) => {
+    const common = /** @type {const} */ ({ bundle: true, format: 'esm', target: 'es2022', packages: 'external' });
+    await esbuild.build({ entryPoints: [at('main.ts')], outfile: at('dist/main.js'), ...common });
+    // It leaves `new URL(file, import.meta.url)` as it is, so the package's files stay as they are.
+    cpSync(join(folder, 'node_modules/inkpanel'), at('dist/inkpanel'), { recursive: true });
+    const imports = { inkpanel: './inkpanel/engine/index.js', 'inkpanel/element': './inkpanel/engine/page-element.js' };
+    writeFileSync(
+      at('dist/index.html'),
+      pageOf('main.js', `<script type='importmap'>${JSON.stringify({ imports })}</script>`),
+    );
+  }));
 
 /** Runs in the page. @param {string[]} names of two photos */
 async function all(names) {

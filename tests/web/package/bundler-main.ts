@@ -1,4 +1,4 @@
-/** What a project of Vite writes: a page of one photo, an undo, and the element. */
+/** What a project with a bundler writes: a page of one photo, an undo, and the element. */
 
 import { createEngine, createProject, type PhotoMeta } from 'inkpanel';
 import 'inkpanel/element';
