@@ -3,7 +3,7 @@
 
 import { savedAs } from './export-hands.js';
 import { saved } from './project-hands.js';
-import { add, expect, idle, openBoard, photos, picture, pixelsOf, detectingTest as test } from './support.js';
+import { add, choose, expect, idle, openBoard, photos, picture, pixelsOf, detectingTest as test } from './support.js';
 import { box, inked, openWords, word, write } from './word-hands.js';
 
 /** @typedef {import('../../../www/testing.ts').Page} Page */
@@ -56,6 +56,9 @@ test('a figure steps out of its panel and back, and the page comes to rest each 
   expect(nets).toEqual([]);
   await masked(page);
   expect(nets.length).toBeGreaterThan(0);
+  // No panel of it lies over another, where a click would meet it.
+  await choose(page, 'grid', 'Four');
+  await masked(page);
   const button = await breakOne(page);
   await expect(page.locator('body')).toHaveAttribute('data-idle', 'true');
   const out = await picture(page);
