@@ -1,7 +1,7 @@
 // @ts-check
 /** What a person does and sees: controls by their role and accessible name, files that come and go. */
 
-import { readFile, readdir, writeFile } from 'node:fs/promises';
+import { readFile, readdir, stat, writeFile } from 'node:fs/promises';
 import { join } from 'node:path';
 import { fileURLToPath } from 'node:url';
 import { Key, Origin, PNG, QUERIES, expect, test as plain } from '../../www/testing.ts';
@@ -227,13 +227,18 @@ export async function personIn({ driver, downloads }, address) {
    * @returns {Promise<{ name: string, path: string, bytes: Buffer }>}
    */
   async function saved(act) {
-    const before = new Set(await readdir(downloads));
+    // A file of the same name takes the place of the one before in some browsers.
+    const made = async (/** @type {string} */ name) => (await stat(join(downloads, name)).catch(() => null))?.mtimeMs;
+    const before = new Map();
+    for (const name of await readdir(downloads)) before.set(name, await made(name));
     await act();
     let last = '';
     await expect
       .poll(
         async () => {
-          const fresh = (await readdir(downloads)).filter((name) => !before.has(name));
+          const names = await readdir(downloads);
+          const times = await Promise.all(names.map(made));
+          const fresh = names.filter((name, i) => before.get(name) !== times[i]);
           const whole = fresh.length === 1 && !/\.(part|crdownload|wkdownload|tmp)$/.test(fresh[0]);
           const bytes = whole ? await readFile(join(downloads, fresh[0])) : Buffer.alloc(0);
           const now = whole && bytes.length > 0 ? `${fresh[0]}/${bytes.length}` : '';

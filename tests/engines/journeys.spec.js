@@ -140,6 +140,28 @@ test('the pictures of animations lie on the table', async ({ person }) => {
     await expect.poll(async () => (await person.all('checkbox', name)).length, String(name)).toBe(4);
 });
 
+test('shots and pages become films of a kind that the browser makes', async ({ person }) => {
+  await person.begin(SIX.slice(0, 2));
+  const ways = /** @type {const} */ ({ animatic: 'Seconds a shot', motion: 'Seconds a panel' });
+  for (const [way, length] of Object.entries(ways)) {
+    await person.openExport();
+    await person.select('Format', way);
+    const slider = await person.one('slider', length);
+    await person.driver.executeScript(
+      `arguments[0].value = '0.5'; arguments[0].dispatchEvent(new Event('input', { bubbles: true }))`,
+      slider,
+    );
+    await expect
+      .poll(() => person.inPage(() => document.querySelector('.animatic canvas')?.hasAttribute('data-shown') ?? false))
+      .toBe(true);
+    const { name, bytes } = await person.saved(() => person.click('button', 'Save the file'));
+    const heads = { mp4: 'ftyp', webm: '\x1a\x45\xdf\xa3', gif: 'GIF89a' };
+    const kind = /** @type {keyof typeof heads} */ (name.slice(name.lastIndexOf('.') + 1));
+    expect(bytes.subarray(0, 12).toString('latin1'), way).toContain(heads[kind]);
+    expect(bytes.length, way).toBeGreaterThan(10_000);
+  }
+});
+
 test('an HTML comic is read from its file, panel by panel', async ({ person }) => {
   await person.begin();
   await person.say('READ ME');
