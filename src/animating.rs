@@ -11,7 +11,7 @@ use inkpanel::framing::Crop;
 use inkpanel::native;
 use inkpanel::output::animatic::{Animatic, Clip, Picture, Request, SIDES, SIZES, Shown};
 use inkpanel::output::board::PictureOf;
-use inkpanel::page::compose::Sheet;
+use inkpanel::page::compose::{Sheet, mix};
 use inkpanel::page::words::draw;
 use inkpanel::page::words::given::GivenFonts;
 use inkpanel::page::{Document, Patch, png};
@@ -237,7 +237,8 @@ impl Reel<'_> {
         }
         let mut rgb = self.layer(&under, pictures)?;
         if let Some(over) = over {
-            mix(&mut rgb, &self.layer(&over, pictures)?, over.share);
+            let share = (over.share * 256.0).round().clamp(0.0, 256.0) as u32;
+            mix(&mut rgb, &self.layer(&over, pictures)?, share);
         }
         let [width, height] = self.plan.size.map(|side| side as usize);
         let file = png::encode_rgb(width, height, &rgb, DPI).map_err(|error| error.to_string())?;
@@ -271,14 +272,6 @@ fn seen(picture: &Image, view: &Crop, (width, height): (usize, usize)) -> Vec<u8
         return picture.to_rgb();
     }
     resample_image(picture, region, width, height).to_rgb()
-}
-
-/// Lays a frame over another.
-fn mix(under: &mut [u8], over: &[u8], share: f64) {
-    let share = (share * 256.0).round().clamp(0.0, 256.0) as u32;
-    for (under, over) in under.iter_mut().zip(over) {
-        *under = ((u32::from(*under) * (256 - share) + u32::from(*over) * share + 128) >> 8) as u8;
-    }
 }
 
 /// What was made: as JSON, else how ffmpeg makes a film of it.

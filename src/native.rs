@@ -80,7 +80,7 @@ pub fn leaf(
     let pictures = patches
         .par_iter()
         .enumerate()
-        .filter(|(index, _)| scene.picture(*index).is_some_and(|panel| panel.photo.is_some()))
+        .filter(|(index, _)| scene.picture(*index).is_ok_and(|panel| panel.photo.is_some()))
         .map(|(index, patch)| picture::cut(document, (index, patch.area, &patch.rgba), quality, plate))
         .collect::<Result<Vec<_>>>()?;
     Ok(Leaf { document: document.clone(), pictures, alts })
@@ -126,7 +126,7 @@ fn render(document: &Document, photos: &Photos, which: Range<usize>) -> Result<V
     let mut scene = Scene::new(document, document.page.width as usize)?;
     scene.show_subjects(&|id| photos.get(id)?.subject.clone());
     let render = |index: usize| {
-        let id = scene.picture(index).and_then(|panel| panel.photo.as_deref());
+        let id = scene.picture(index)?.photo.as_deref();
         let photo = id.and_then(|id| photos.get(id));
         compose::render_panel(&scene, index, photo.map(|photo| &photo.image), &mut Context::default())
     };

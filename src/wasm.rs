@@ -157,8 +157,8 @@ pub struct Studio {
     context: Context<'static>,
     sheet: Option<(Sheet, u32)>,
     file: Vec<u8>,
-    /// Frames of a panel that moves, and its pictures, the first one last.
-    living: (Vec<Image>, Vec<crate::page::Patch>),
+    /// Frames of the panel that moves and is drawn next.
+    living: Vec<Image>,
     designs: style::Designs,
 }
 
@@ -252,7 +252,7 @@ impl Studio {
     ) -> std::result::Result<Patch, JsValue> {
         let mut render = || -> Result<Patch> {
             let scene = self.scene(document, width, tier)?;
-            let id = scene.picture(index).and_then(|panel| panel.photo.as_ref());
+            let id = scene.picture(index)?.photo.as_ref();
             let photo = id.map(|id| find(&self.photos, id, tier)).transpose()?;
             let patch = render_panel(&scene, index, photo, &mut self.context)?;
             Ok(Patch { area: patch.area, rgba: patch.rgba })

@@ -63,10 +63,7 @@ pub fn render_panel(
     photo: Option<&Image>,
     context: &mut Context<'_>,
 ) -> Result<Patch> {
-    let panel = scene.picture(index).ok_or_else(|| Error::InvalidDocument {
-        location: format!("panels[{index}]"),
-        reason: "there is no such panel".into(),
-    })?;
+    let panel = scene.picture(index)?;
     if let Some((matte, around)) = &panel.figure {
         return render_figure(scene, panel, photo, (matte, around), context);
     }
@@ -131,6 +128,13 @@ fn render_front(
         pixel[3] = (u32::from(shares[4 * i]) * seen / 255) as u8;
     }
     Ok(Patch { area, rgba })
+}
+
+/// Lays one picture over another, so much of 256 of it: samples of the same places.
+pub fn mix(under: &mut [u8], over: &[u8], share: u32) {
+    for (under, over) in under.iter_mut().zip(over) {
+        *under = ((u32::from(*under) * (256 - share) + u32::from(*over) * share + 128) >> 8) as u8;
+    }
 }
 
 /// Gray of a panel that has no photo yet.

@@ -5,7 +5,7 @@
 //! holds the source where it hardly changes, block by block, and holds the drawing there, too, whatever the style makes of the
 //! rest. Between the two lies a ramp. A still source gives a loop without any change.
 
-use super::compose::{Patch, render_panel};
+use super::compose::{Patch, mix, render_panel};
 use super::scene::Scene;
 use crate::error::{Error, Result};
 use crate::raster::{Image, Plane};
@@ -43,22 +43,22 @@ pub fn living(
     (frames, still): (&[Image], usize),
     context: &mut Context<'_>,
 ) -> Result<Vec<Patch>> {
-    let panel = scene.panels.get(index).ok_or_else(|| Error::InvalidDocument {
-        location: format!("panels[{index}]"),
-        reason: "there is no such panel".into(),
-    })?;
+    let panel = scene.picture(index)?;
     let (width, height) = frames.first().map_or((1, 1), |frame| (frame.width(), frame.height()));
     if let Some(other) = frames.iter().find(|frame| (frame.width(), frame.height()) != (width, height)) {
         let (expected, actual) = (width * height, other.width() * other.height());
         return Err(Error::BufferSize { width, height, expected, actual });
     }
-    let sources: Vec<Vec<u8>> = frames.iter().map(Image::to_rgb).collect();
-    let shot = shot_around(still, &differences(&sources));
-    if shot.len() < LEAST || panel.photo.is_none() || scene.style.has_parts() {
+    if panel.photo.is_none() || scene.style.has_parts() {
         return Ok(Vec::new());
     }
-    let mut steady = Steady::new(width, height);
-    steady.still = stillness(&sources[shot.clone()], width);
+    let sources: Vec<Vec<u8>> = frames.iter().map(Image::to_rgb).collect();
+    let shot = shot_around(still, &differences(&sources));
+    if shot.len() < LEAST {
+        return Ok(Vec::new());
+    }
+    let still = stillness(&sources[shot.clone()], width);
+    let mut steady = Steady { width, height, rgb: Vec::new(), still };
     let mut patches: Vec<Patch> = Vec::with_capacity(shot.len());
     for source in &sources[shot] {
         let moved = steady.follow(source);
@@ -113,13 +113,6 @@ fn looped(mut patches: Vec<Patch>) -> Vec<Patch> {
     patches
 }
 
-/// Lays so much of 256 of one colour over another.
-fn mix(under: &mut [u8], over: &[u8], share: u32) {
-    for (under, over) in under.iter_mut().zip(over) {
-        *under = ((u32::from(*under) * (256 - share) + u32::from(*over) * share + 128) >> 8) as u8;
-    }
-}
-
 /// The mean difference of each picture from the one before, of 255.
 fn differences(sources: &[Vec<u8>]) -> Vec<f64> {
     // Of every few pixels, which is enough to tell a cut.
@@ -156,10 +149,6 @@ struct Steady {
 }
 
 impl Steady {
-    fn new(width: usize, height: usize) -> Self {
-        Self { width, height, rgb: Vec::new(), still: STILL }
-    }
-
     fn picture(&self) -> Result<Image> {
         Image::from_interleaved_rgb(self.width, self.height, &self.rgb)
     }

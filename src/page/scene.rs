@@ -117,9 +117,12 @@ impl Scene {
     }
 
     /// A panel, a figure or a front by its number.
-    #[must_use]
-    pub fn picture(&self, index: usize) -> Option<&ScenePanel> {
-        self.panels.get(index).or_else(|| self.fronts.get(index - self.panels.len()))
+    ///
+    /// # Errors
+    /// `invalid-document` for a number that the page does not have.
+    pub fn picture(&self, index: usize) -> Result<&ScenePanel> {
+        let picture = self.panels.get(index).or_else(|| self.fronts.get(index - self.panels.len()));
+        picture.ok_or_else(|| invalid(&format!("panels[{index}]"), "there is no such panel".into()))
     }
 }
 

@@ -1,7 +1,8 @@
 //! Frames of videos, which the browser decodes and hands over as pixels.
 
 use super::{Patch, Studio, thrown};
-use crate::error::{Error, Result};
+use crate::error::Result;
+use crate::page::compose;
 use crate::page::import::{Frame, import_frame, small_frame};
 use crate::page::living::living;
 use crate::raster::Image;
@@ -35,6 +36,7 @@ impl Studio {
     pub fn take_file(&mut self) -> Vec<u8> {
         std::mem::take(&mut self.file)
     }
+
     /// A frame of a video as RGBA, as `import_frame` takes it, upright and with a long side of `longest` pixels at most.
     #[allow(clippy::too_many_arguments, reason = "JavaScript passes numbers, not structs")]
     pub fn small_frame(
@@ -59,31 +61,27 @@ impl Studio {
         height: usize,
         rgba: &[u8],
     ) -> std::result::Result<(), JsValue> {
-        self.living.0.push(Image::from_rgba(width, height, rgba, [255; 3]).map_err(thrown)?);
+        // Those of a panel that came to nothing are not another's.
+        let frame = Image::from_rgba(width, height, rgba, [255; 3]).inspect_err(|_| self.living.clear());
+        self.living.push(frame.map_err(thrown)?);
         Ok(())
     }
 
-    /// Draws a panel of a page as a loop of the frames that were given, of which `still` is that of its photo; see `page::living`. Gives how many pictures wait for
-    /// `take_living`, none where the panel stays still.
+    /// The pictures of a panel of a page, a loop of the frames that were given, of which `still` is that of its photo; see
+    /// `page::living`. None where the panel stays still.
     pub fn draw_living(
         &mut self,
         document: &str,
         index: usize,
         width: usize,
         still: usize,
-    ) -> std::result::Result<usize, JsValue> {
-        let frames = std::mem::take(&mut self.living.0);
+    ) -> std::result::Result<Vec<Patch>, JsValue> {
+        let frames = std::mem::take(&mut self.living);
         let mut drawn = || -> Result<_> {
             let scene = self.scene(document, width, "work")?;
             living(&scene, index, (&frames, still), &mut self.context)
         };
-        self.living.1 = drawn().map_err(thrown)?.into_iter().rev().collect();
-        Ok(self.living.1.len())
-    }
-
-    /// The next picture of the loop.
-    pub fn take_living(&mut self) -> std::result::Result<Patch, JsValue> {
-        let missing = || thrown(Error::MissingPhoto("living".into()));
-        self.living.1.pop().map(|patch| Patch { area: patch.area, rgba: patch.rgba }).ok_or_else(missing)
+        let told = |patch: compose::Patch| Patch { area: patch.area, rgba: patch.rgba };
+        Ok(drawn().map_err(thrown)?.into_iter().map(told).collect())
     }
 }

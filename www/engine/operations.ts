@@ -95,9 +95,8 @@ export function createOperations(studio: Studio, held: ReturnType<typeof createL
   async function living({ document, index, width, frames, still }: Operations['living']['args'], tell: Tell) {
     tell.expects(frames.length * pageMs(document, width, 1));
     for (const frame of frames) studio.add_living(frame.width, frame.height, new Uint8Array(frame.data.buffer));
-    const count = studio.draw_living(document, index, width, still);
     const drawn: BitmapPatch[] = [];
-    for (let i = 0; i < count; i += 1) drawn.push((await bitmap(studio.take_living())).ok);
+    for (const patch of studio.draw_living(document, index, width, still)) drawn.push((await bitmap(patch)).ok);
     return { ok: drawn, transfer: drawn.map((patch) => patch.bitmap) };
   }
 
