@@ -273,13 +273,6 @@ impl Animatic {
         Some((shown(under, 1.0), over))
     }
 
-    /// How far the page that lies below in a frame is read; nothing of a shot.
-    #[must_use]
-    pub fn told(&self, frame: u32) -> Told {
-        let under = self.at(frame).and_then(|(under, _)| self.clips.get(under.clip));
-        under.and_then(|clip| Some(clip.reading.as_ref()?.told(frame))).unwrap_or_default()
-    }
-
     /// Which of the pictures of panels that move a frame shows, counted through all of the film.
     #[must_use]
     pub fn beat(&self, frame: u32) -> u32 {
@@ -288,8 +281,8 @@ impl Animatic {
 
     /// All frames for who draws them: of each [`Animatic::COLUMNS`] numbers, which are the clip below and its view (x, y, width,
     /// height), the clip over it (-1 for none) and its view, and the share of that one, the same as [`Animatic::at`]; then of
-    /// the clip below how many of its words are there, the panel that is read (-1 for none) and how dark all else is, as
-    /// [`Animatic::told`]; and [`Animatic::beat`].
+    /// the clip below, where it is a page, how many of its words are there, the panel that is read (-1 for none) and how dark all
+    /// else is, as [`Reading::told`]; and [`Animatic::beat`].
     #[must_use]
     pub fn table(&self) -> Vec<f32> {
         let view = |view: Crop| [view.x, view.y, view.width, view.height];
@@ -298,7 +291,9 @@ impl Animatic {
             let Some((under, over)) = self.at(frame) else { break };
             let (clip, above, share) =
                 over.map_or((-1.0, [0.0; 4], 0.0), |over| (over.clip as f64, view(over.view), over.share));
-            let Told { words, panel, veil } = self.told(frame);
+            let reading = self.clips[under.clip].reading.as_ref();
+            let Told { words, panel, veil } =
+                reading.map_or_else(Told::default, |reading| reading.told(frame));
             let panel = panel.map_or(-1.0, |panel| panel as f64);
             let more = [share, words, panel, veil, f64::from(self.beat(frame))];
             let row = [&[under.clip as f64][..], &view(under.view), &[clip], &above, &more].concat();
@@ -316,16 +311,20 @@ impl Clip {
             return reading.view(frame);
         }
         let t = f64::from(frame.saturating_sub(self.from)) / f64::from((self.to - self.from).max(2) - 1);
-        between(&self.first, &self.last, t)
+        between(&self.first, &self.last, eased(t))
     }
 }
 
-/// The view at a part of the way from one to another, 0 to 1: it sets out and arrives slowly, as a cubic curve.
-pub(super) fn between(first: &Crop, last: &Crop, t: f64) -> Crop {
+/// A part of a way, 0 to 1, that sets out and arrives slowly: a cubic curve.
+pub(super) fn eased(t: f64) -> f64 {
+    t * t * (3.0 - 2.0 * t)
+}
+
+/// The view at a part of the way from one to another, 0 to 1.
+pub(super) fn between(first: &Crop, last: &Crop, part: f64) -> Crop {
     if first == last {
         return *first;
     }
-    let part = t * t * (3.0 - 2.0 * t);
     let along = |a: f64, b: f64| a + (b - a) * part;
     Crop {
         x: along(first.x, last.x),
@@ -464,8 +463,12 @@ fn caption_page(text: &str, [width, height]: [u32; 2]) -> Value {
 }
 
 /// The page as the page itself writes it.
-pub(super) fn written(document: &Value) -> Result<Value> {
-    let page = Document::parse(&document.to_string())?;
+fn written(document: &Value) -> Result<Value> {
+    page_value(&Document::parse(&document.to_string())?)
+}
+
+/// A page as plain data.
+pub(super) fn page_value(page: &Document) -> Result<Value> {
     serde_json::from_str(&page.to_json()).map_err(|error| invalid("animatic", &error.to_string()))
 }
 

@@ -2,17 +2,16 @@
 //! panel in reading order, all but the panel that is read is veiled, and what is said appears word by word, as fast as it is read
 //! aloud. It becomes an [`Animatic`] whose clips are pages, so that whatever draws the one draws the other.
 
-use super::animatic::{Animatic, Clip, MOST_FRAMES, between, framed, invalid, written};
-use super::comic::{Comic, ComicPage, PictureKind};
+use super::animatic::{Animatic, Clip, MOST_FRAMES, between, eased, framed, invalid, page_value};
 use super::phrases::Phrases;
-use super::telling::{ToldPage, ToldPanel, ToldWord, tell};
+use super::telling::{self, ToldPage, ToldPanel, ToldWord};
 use crate::error::Result;
 use crate::framing::Crop;
 use crate::layout::Bounds;
 use crate::page::Document;
 use crate::page::words::Letters;
 use serde::{Deserialize, Serialize};
-use serde_json::{Value, json};
+use serde_json::Value;
 use std::f64::consts::PI;
 
 /// How long a panel is seen that says nothing, in seconds.
@@ -133,22 +132,24 @@ impl Request {
             return Err(invalid("pages", "are none"));
         }
         let (size, fps) = framed(self.size, self.fps)?;
-        let told = tell(&self.comic(), letters, &Phrases::of("en")?)?;
+        // What a page says of itself is of no account where only its order is asked for.
+        let phrases = Phrases::of("en")?;
         let pace = Pace { fps: f64::from(fps), seconds: self.seconds, moves: self.moves };
         let dissolve = if self.pages.len() > 1 { pace.frames(self.dissolve.clamp(0.0, 1.0)) } else { 0 };
         let last = self.pages.len() - 1;
-        let mut clips = Vec::with_capacity(told.len());
+        let mut clips = Vec::with_capacity(self.pages.len());
         let mut start = 0;
-        for (i, (page, document)) in told.iter().zip(&self.pages).enumerate() {
+        for (i, document) in self.pages.iter().enumerate() {
+            let page = telling::told(document, &[], letters, &phrases)?;
             let into = if i > 0 { dissolve } else { 0 };
             let out_of = if i < last { dissolve } else { 0 };
-            let mut reading = pace.reading(page, size, (start, into, out_of));
+            let mut reading = pace.reading(&page, size, (start, into, out_of));
             let end = reading.stops.last().map_or(start + 1, |stop| stop.to);
             if u64::from(end) > MOST_FRAMES {
                 return Err(invalid("pages", "are a film of more than four hours"));
             }
             if !document.words.is_empty() {
-                reading.words = written(&json!(serde_json::from_str::<Value>(&document.to_json()).ok()))?;
+                reading.words = page_value(document)?;
             }
             let whole = reading.stops.first().map_or(WHOLE_PAGE, |stop| stop.first);
             clips.push(Clip {
@@ -167,21 +168,6 @@ impl Request {
             start = end;
         }
         Ok(Animatic { fps, size, frames: start, living: self.living.min(fps), clips })
-    }
-
-    /// The pages as they are told. The language is of no account where only their order is asked for.
-    fn comic(&self) -> Comic {
-        let page = |document: &Document| ComicPage {
-            document: document.clone(),
-            shows: Vec::new(),
-            moving: Vec::new(),
-        };
-        Comic {
-            title: String::new(),
-            language: "en".into(),
-            picture: PictureKind::Png,
-            pages: self.pages.iter().map(page).collect(),
-        }
     }
 }
 
@@ -259,17 +245,12 @@ impl Reading {
     pub fn view(&self, frame: u32) -> Crop {
         match self.place(frame) {
             Place::At(stop) => {
-                let t = part(frame, stop.from, stop.to - 1);
                 // Slow enough to be even: it would seem to halt between the two ways else.
-                let along = |a: f64, b: f64| a + (b - a) * t;
-                Crop {
-                    x: along(stop.first.x, stop.last.x),
-                    y: along(stop.first.y, stop.last.y),
-                    width: along(stop.first.width, stop.last.width),
-                    height: along(stop.first.height, stop.last.height),
-                }
+                between(&stop.first, &stop.last, part(frame, stop.from, stop.to - 1))
             }
-            Place::Between(from, to) => between(&from.last, &to.first, part(frame, from.to - 1, to.from)),
+            Place::Between(from, to) => {
+                between(&from.last, &to.first, eased(part(frame, from.to - 1, to.from)))
+            }
         }
     }
 
@@ -351,7 +332,7 @@ fn picture(document: &Document, reading: &Reading, size: [u32; 2]) -> Result<Val
     let mut page = Document { words: Vec::new(), ..document.clone() };
     page.page.width = (wide * scale).round() as u32;
     page.page.height = (high * scale).round() as u32;
-    written(&json!(serde_json::from_str::<Value>(&page.to_json()).ok()))
+    page_value(&page)
 }
 
 #[cfg(test)]
@@ -363,7 +344,7 @@ mod tests {
     fn panel(x: f64, y: f64, width: f64, height: f64, words: &[&str]) -> ToldPanel {
         let bounds = Bounds { x, y, width, height };
         let word = |(place, text): (usize, &&str)| ToldWord {
-            kind: super::super::telling::WordKind::Balloon,
+            kind: telling::WordKind::Balloon,
             text: (*text).into(),
             pieces: vec![((*text).into(), None)],
             place,

@@ -4,6 +4,7 @@ use super::comic::{Comic, ComicPage, wrong};
 use super::phrases::Phrases;
 use crate::error::Result;
 use crate::layout::{Bounds, Point, ResolvedShape};
+use crate::page::Document;
 use crate::page::words::Letters;
 use crate::page::words::layout::{Ground, Laid, extent, lay_all};
 use crate::page::words::model::Kind;
@@ -95,11 +96,23 @@ pub(super) fn within(bounds: Bounds, page: &ToldPage) -> Bounds {
 /// `invalid-document` for panels that do not fit the layout and for words that break their shape; `unknown-layout`,
 /// `invalid-layout`.
 pub fn tell(comic: &Comic, letters: &Letters, phrases: &Phrases) -> Result<Vec<ToldPage>> {
-    comic.pages.iter().map(|page| told(page, letters, phrases)).collect()
+    comic
+        .pages
+        .iter()
+        .map(|ComicPage { document, shows, .. }| told(document, shows, letters, phrases))
+        .collect()
 }
 
-fn told(page: &ComicPage, letters: &Letters, phrases: &Phrases) -> Result<ToldPage> {
-    let ComicPage { document, shows, .. } = page;
+/// One page; `shows` is what each panel shows, as far as that is known.
+///
+/// # Errors
+/// As [`tell`].
+pub(super) fn told(
+    document: &Document,
+    shows: &[String],
+    letters: &Letters,
+    phrases: &Phrases,
+) -> Result<ToldPage> {
     let ground = Ground::new(document)?;
     if ground.panels.len() != document.panels.len() {
         let (has, wants) = (document.panels.len(), ground.panels.len());

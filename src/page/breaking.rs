@@ -12,6 +12,7 @@ use crate::error::Result;
 use crate::framing::{Crop, PhotoMeta};
 use crate::layout::polygon::edges;
 use crate::layout::{Bounds, Point, ResolvedShape};
+use crate::raster::plane::neighbours;
 use crate::raster::resize::{Region, resample};
 use crate::raster::{Matte, Plane};
 use oorandom::Rand64;
@@ -153,14 +154,7 @@ impl Cells<'_> {
         let mut kept: Vec<bool> = (0..width * height).map(|i| allowed(i, true)).collect();
         let mut open: Vec<usize> = (0..kept.len()).filter(|i| kept[*i]).collect();
         while let Some(at) = open.pop() {
-            let (x, y) = (at % width, at / width);
-            let beside = [
-                (x > 0).then(|| at - 1),
-                (x + 1 < width).then_some(at + 1),
-                (y > 0).then(|| at - width),
-                (y + 1 < height).then_some(at + width),
-            ];
-            for next in beside.into_iter().flatten() {
+            for next in neighbours(at, (width, height)) {
                 if !kept[next] && allowed(next, false) {
                     kept[next] = true;
                     open.push(next);

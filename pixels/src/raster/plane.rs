@@ -89,6 +89,18 @@ impl Plane {
     }
 }
 
+/// The places to the left, right, above and below of one, of samples that lie row by row.
+pub fn neighbours(at: usize, (width, height): (usize, usize)) -> impl Iterator<Item = usize> {
+    let (x, y) = (at % width, at / width);
+    let beside = [
+        (x > 0).then(|| at - 1),
+        (x + 1 < width).then_some(at + 1),
+        (y > 0).then(|| at - width),
+        (y + 1 < height).then_some(at + width),
+    ];
+    beside.into_iter().flatten()
+}
+
 impl std::fmt::Debug for Plane {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
         write!(f, "Plane({} x {})", self.width, self.height)

@@ -13,6 +13,7 @@ pub use view::View;
 
 use super::Plane;
 use super::guided::softened;
+use super::plane::neighbours;
 use super::sets::Sets;
 use std::cmp::Reverse;
 
@@ -208,19 +209,12 @@ impl Figures {
 
 /// What is faint goes to the figure that is nearest by way of what is faint.
 fn flood(mask: &Plane, labels: &mut [u32]) {
-    let (width, height) = (mask.width(), mask.height());
+    let size = (mask.width(), mask.height());
     let mut front: Vec<usize> = (0..labels.len()).filter(|at| labels[*at] != NONE).collect();
     while !front.is_empty() {
         let mut next = Vec::new();
         for at in front {
-            let (x, y) = (at % width, at / width);
-            let beside = [
-                (x > 0).then(|| at - 1),
-                (x + 1 < width).then_some(at + 1),
-                (y > 0).then(|| at - width),
-                (y + 1 < height).then_some(at + width),
-            ];
-            for beside in beside.into_iter().flatten() {
+            for beside in neighbours(at, size) {
                 if labels[beside] == NONE && mask.samples()[beside] >= FAINT {
                     labels[beside] = labels[at];
                     next.push(beside);
