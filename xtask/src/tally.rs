@@ -1,4 +1,4 @@
-//! Counts what passed and failed from the summary lines of cargo test, Vitest and Playwright.
+//! Counts what passed and failed from the summary lines of cargo test, Vitest and Playwright, and notes which failed.
 
 use std::io::{IsTerminal, stdout};
 use std::ops::AddAssign;
@@ -9,16 +9,19 @@ use anyhow::Result;
 use crate::lane;
 
 /// Tests of one suite, or of all.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub(crate) struct Tally {
     pub(crate) passed: usize,
     pub(crate) failed: usize,
+    /// What the runner said of each that failed: a test that passed when tried again is among them.
+    pub(crate) failures: Vec<String>,
 }
 
 impl AddAssign for Tally {
     fn add_assign(&mut self, other: Self) {
         self.passed += other.passed;
         self.failed += other.failed;
+        self.failures.extend(other.failures);
     }
 }
 
@@ -32,7 +35,9 @@ pub(crate) fn count(command: &mut Command) -> Result<(Tally, bool)> {
     let mut tally = Tally::default();
     lane::lines(printed, |line| {
         lane::say(line);
-        tally += summary(&without_colour(line));
+        let line = without_colour(line);
+        tally += summary(&line);
+        tally.failures.extend(failure(&line));
     })?;
     Ok((tally, child.wait()?.success()))
 }
@@ -59,6 +64,15 @@ fn summary(line: &str) -> Tally {
     tally
 }
 
+/// The test that failed, where a line tells of one: `test NAME ... FAILED` of cargo, ` FAIL  FILE > NAME` of Vitest,
+/// `✘  7 FILE:LINE:COLUMN › NAME` of Playwright.
+fn failure(line: &str) -> Option<String> {
+    let line = line.trim();
+    let of_cargo = line.strip_prefix("test ").and_then(|rest| rest.strip_suffix(" ... FAILED"));
+    let of_others = line.strip_prefix("FAIL ").or_else(|| line.strip_prefix('✘'));
+    of_cargo.or(of_others).map(|name| name.trim().to_owned())
+}
+
 /// The line without its terminal colours.
 fn without_colour(line: &str) -> String {
     let mut plain = String::with_capacity(line.len());
@@ -75,7 +89,7 @@ mod tests {
     use super::*;
 
     fn counts(line: &str) -> (usize, usize) {
-        let Tally { passed, failed } = summary(&without_colour(line));
+        let Tally { passed, failed, .. } = summary(&without_colour(line));
         (passed, failed)
     }
 
@@ -103,9 +117,25 @@ mod tests {
     }
 
     #[test]
+    fn what_failed_is_noted() {
+        assert_eq!(failure("test page::words ... FAILED").as_deref(), Some("page::words"));
+        assert_eq!(
+            failure(" FAIL  engine/pool.test.ts > a job waits").as_deref(),
+            Some("engine/pool.test.ts > a job waits")
+        );
+        let line = "  ✘  34 [webkit] › ../tests/a.spec.js:104:1 › films (retry #1) (1.1m)";
+        assert_eq!(
+            failure(line).as_deref(),
+            Some("34 [webkit] › ../tests/a.spec.js:104:1 › films (retry #1) (1.1m)")
+        );
+        assert_eq!(failure("test result: FAILED. 5 passed; 2 failed"), None);
+        assert_eq!(failure("test page::words ... ok"), None);
+    }
+
+    #[test]
     fn a_programs_failure_is_told_apart_from_its_counts() {
         let mut script = Command::new("node");
         script.args(["-e", "console.log('  3 passed (1s)'); process.exit(1)"]);
-        assert_eq!(count(&mut script).unwrap(), (Tally { passed: 3, failed: 0 }, false));
+        assert_eq!(count(&mut script).unwrap(), (Tally { passed: 3, ..Tally::default() }, false));
     }
 }

@@ -119,21 +119,27 @@ pub(crate) fn run(project: &Project, names: &[String]) -> Result<()> {
         let suites: Vec<_> = wanted.iter().copied().filter(|suite| suite.lane == lane).collect();
         run_lane(project, &suites)
     };
-    let lines = thread::scope(|scope| {
-        let native = scope.spawn(|| lane(Lane::Native));
-        let mut lines = lane(Lane::Web);
-        lines.extend(
-            native.join().unwrap_or_else(|_| vec![("lane", Tally { passed: 0, failed: 1 }, start.elapsed())]),
-        );
-        lines
-    });
+    let lines =
+        thread::scope(|scope| {
+            let native = scope.spawn(|| lane(Lane::Native));
+            let mut lines = lane(Lane::Web);
+            lines.extend(native.join().unwrap_or_else(|_| {
+                vec![("lane", Tally { failed: 1, ..Tally::default() }, start.elapsed())]
+            }));
+            lines
+        });
     let total = lines.iter().fold(Tally::default(), |mut total, (_, tally, _)| {
-        total += *tally;
+        total += tally.clone();
         total
     });
     println!();
-    for (name, tally, took) in lines {
-        println!("{}", line(name, tally, took));
+    for (name, tally, _) in &lines {
+        for failure in &tally.failures {
+            println!("{name:<10}failed: {failure}");
+        }
+    }
+    for (name, tally, took) in &lines {
+        println!("{}", line(name, tally, *took));
     }
     println!("all in {:.1} min", start.elapsed().as_secs_f64() / 60.0);
     println!("{} passed, {} failed", total.passed, total.failed);
@@ -165,7 +171,7 @@ fn run_lane(project: &Project, suites: &[&Suite]) -> Vec<(&'static str, Tally, D
         if suite.name == "build" {
             built = Some(tally.failed == 0);
         }
-        let line = line(suite.name, tally, start.elapsed());
+        let line = line(suite.name, &tally, start.elapsed());
         println!("{line}");
         lines.push((suite.name, tally, start.elapsed()));
     }
@@ -176,16 +182,16 @@ fn run_lane(project: &Project, suites: &[&Suite]) -> Vec<(&'static str, Tally, D
 /// counts as one.
 fn judge(result: Result<Outcome>) -> Tally {
     match result {
-        Ok((tally, true)) if tally.failed == 0 => Tally { passed: tally.passed.max(1), failed: 0 },
+        Ok((tally, true)) if tally.failed == 0 => Tally { passed: tally.passed.max(1), ..tally },
         Ok((tally, _)) => Tally { failed: tally.failed.max(1), ..tally },
         Err(error) => {
             println!("{error:#}");
-            Tally { passed: 0, failed: 1 }
+            Tally { failed: 1, ..Tally::default() }
         }
     }
 }
 
-fn line(name: &str, tally: Tally, took: Duration) -> String {
+fn line(name: &str, tally: &Tally, took: Duration) -> String {
     let verdict = if tally.failed == 0 { "ok" } else { "FAILED" };
     format!(
         "{name:<10}{verdict:<8}{:>7.1} s{:>6} passed{:>4} failed",
@@ -332,7 +338,7 @@ mod tests {
 
     #[test]
     fn a_failure_is_never_counted_as_success() {
-        let tally = |passed, failed| Tally { passed, failed };
+        let tally = |passed, failed| Tally { passed, failed, ..Tally::default() };
         assert_eq!(judge(Ok((tally(3, 0), true))), tally(3, 0));
         assert_eq!(judge(Ok((tally(0, 0), true))), tally(1, 0));
         assert_eq!(judge(Ok((tally(3, 0), false))), tally(3, 1));
