@@ -4,6 +4,7 @@ import { useEffect, useState } from 'preact/hooks';
 import { strings } from '../strings/strings.ts';
 import { useApp } from '../ui/context.ts';
 import { Dialog } from '../ui/dialog.tsx';
+import { pressed } from '../ui/shortcut.ts';
 import { BrushCanvas } from './brush-canvas.tsx';
 import { BrushTools } from './brush-tools.tsx';
 import { keepSteps } from './keeping-masks.ts';
@@ -58,10 +59,10 @@ export function BrushDialog({ id }: { id: string }) {
 
 /** Undo and redo, wherever in the dialog the focus is. */
 function steps(event: KeyboardEvent, retouching: Retouching) {
-  if (!(event.ctrlKey || event.metaKey) || event.altKey) return;
-  const key = event.key.toLowerCase();
-  const back = key === 'z' && !event.shiftKey;
-  if (!back && key !== 'y' && !(key === 'z' && event.shiftKey)) return;
+  if (event.altKey) return;
+  const keys = pressed(event);
+  const back = keys[0] === 'Mod+Z';
+  if (!back && !keys.includes('Shift+Mod+Z') && !keys.includes('Mod+Y')) return;
   event.preventDefault();
   if (back) retouching.undo();
   else retouching.redo();

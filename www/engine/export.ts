@@ -6,7 +6,7 @@
 import { frontPictures, panelOf, picturesOf } from './figures.ts';
 import { Priority } from './queue.ts';
 import { givesWebp } from './webp.ts';
-import { failure } from './protocol.ts';
+import { buffersOf, failure } from './protocol.ts';
 import type { PageDocument, PdfOptions } from './types.ts';
 import type { createFiles } from './files.ts';
 import type { createPhotos } from './photos.ts';
@@ -50,7 +50,7 @@ export function createExports({ run, photos, words, files }: Parts) {
   async function encode(document: PageDocument, patches: PixelPatch[], signal: AbortSignal) {
     const numbered = patches.map((patch, index) => ({ ...patch, index }));
     const args = { document: JSON.stringify(document), width: document.page.width, patches: numbered };
-    const transfer = patches.map((patch) => patch.data.buffer);
+    const transfer = buffersOf(patches);
     return run({ op: 'encode', args, transfer, priority: Priority.PAGE, signal });
   }
 

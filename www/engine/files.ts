@@ -4,6 +4,7 @@
  */
 
 import { createPool } from './pool.ts';
+import { buffersOf } from './protocol.ts';
 import { Priority } from './queue.ts';
 import type {
   Animatic,
@@ -147,23 +148,22 @@ export function createFiles() {
 
   /** @returns the shots in their times, and of each frame what it shows (`Animatic::table` of the core) */
   async function animatic(request: AnimaticRequest, call?: Call): Promise<{ plan: Animatic; table: Float32Array }> {
-    const { plan, table } = await run('animatic', { request: JSON.stringify(request) }, [], call);
-    return { plan: JSON.parse(plan), table };
+    return laidOut('animatic', request, call);
   }
 
   /** @returns pages that are read panel by panel, as a film */
   async function motion(request: MotionRequest, call?: Call): Promise<{ plan: Animatic; table: Float32Array }> {
-    const { plan, table } = await run('motion', { request: JSON.stringify(request) }, [], call);
-    return { plan: JSON.parse(plan), table };
+    return laidOut('motion', request, call);
+  }
+
+  async function laidOut(op: 'animatic' | 'motion', request: AnimaticRequest | MotionRequest, call?: Call) {
+    const { plan, table } = await run(op, { request: JSON.stringify(request) }, [], call);
+    return { plan: JSON.parse(plan) as Animatic, table };
   }
 
   function comicText(kind: ComicKind, comic: Comic, call?: Call) {
     return run('comic', { kind, comic: JSON.stringify(comic) }, [], call);
   }
-}
-
-function buffersOf(patches: PixelPatch[]) {
-  return patches.map(({ data }) => data.buffer);
 }
 
 function spawn() {

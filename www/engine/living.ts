@@ -4,6 +4,7 @@
  * move is kept from one to the next.
  */
 
+import { buffersOf } from './protocol.ts';
 import { readVideo } from './video.ts';
 import { Priority } from './queue.ts';
 import type { Call } from './engine.ts';
@@ -69,7 +70,7 @@ export function createLiving({ run }: { run: Run }) {
     return run({
       op: 'living',
       args: { document: JSON.stringify(document), index, width, frames: taken, still: nearest },
-      transfer: taken.map(({ data }) => data.buffer),
+      transfer: buffersOf(taken),
       photo: file.name,
       priority: Priority.VIEW,
       ...call,

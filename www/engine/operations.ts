@@ -6,7 +6,7 @@
 import { blobOf } from './blobs.ts';
 import { foreignKind } from './foreign.ts';
 import { fileMs, frameMs, pageMs, photoMs, pngMs, styleMs } from './measured.ts';
-import { failure } from './protocol.ts';
+import { buffersOf, failure } from './protocol.ts';
 import { reading } from './readable.ts';
 import { STORING, readingOf } from './serving.ts';
 import { createStyleOperations } from './style-operations.ts';
@@ -172,7 +172,7 @@ export function createOperations(studio: Studio, held: ReturnType<typeof createL
         tell.expects(pageMs(document, width, 1));
         ok.push({ ...pixels(studio.render_panel(document, index, width, 'full')).ok, index });
       }
-      return { ok, transfer: ok.map((patch) => patch.data.buffer) };
+      return { ok, transfer: buffersOf(ok) };
     } finally {
       if (file) studio.drop_photo(`${id}/full`);
     }

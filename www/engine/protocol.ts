@@ -180,6 +180,11 @@ export type Reply = { id: number; ok?: unknown; error?: Failure; memory: number 
 /** Milliseconds of work, where it was measured; or of waiting for what is not the worker's. */
 export type Sign = { id: number; expects: number } | { id: number; waits: number };
 
+/** What goes with pixels that are handed over. */
+export function buffersOf(patches: readonly PixelPatch[]): ArrayBuffer[] {
+  return patches.map(({ data }) => data.buffer);
+}
+
 /** A worker answers with this code when its wasm instance can no longer be trusted. */
 export const TRAP = 'trap';
 

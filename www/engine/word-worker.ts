@@ -7,6 +7,7 @@ import { WORDS_MISSING, loadLetters } from './letters.ts';
 import { frontsOf, paintOrder, standsBehind } from './figures.ts';
 import { wordMs } from './measured.ts';
 import { moduleBytes } from './module-bytes.ts';
+import { buffersOf } from './protocol.ts';
 import { LOADING, serveJobs } from './serving.ts';
 import { createShaping } from './shaping.ts';
 import type { Picture } from '../pkg-words/inkpanel.js';
@@ -48,14 +49,14 @@ async function start(): Promise<Work<Wording>> {
 
 async function word(letters: Lettering, { index, ...page }: Args<'word'>, tell: Tell) {
   tell.expects(wordMs(page.width * page.width));
-  const { data, ...place } = pixels(letters, page, index);
+  const { data, ...place } = pixels(letters, page, index, JSON.parse(page.document));
   const bitmap = await createImageBitmap(new ImageData(data, place.width, place.height));
   return { ok: { ...place, bitmap }, transfer: [bitmap] };
 }
 
 async function words(letters: Lettering, page: Args<'words'>, tell: Tell) {
   const ok = all(letters, page, tell);
-  return { ok, transfer: ok.map(({ data }) => data.buffer) };
+  return { ok, transfer: buffersOf(ok) };
 }
 
 async function over(letters: Lettering, { bitmap, ...page }: Args<'over'>, tell: Tell) {
@@ -70,15 +71,22 @@ async function over(letters: Lettering, { bitmap, ...page }: Args<'over'>, tell:
 }
 
 function all(letters: Lettering, page: Args<'words'>, tell: Tell) {
-  return paintOrder(JSON.parse(page.document)).map((index) => {
+  const document: PageDocument = JSON.parse(page.document);
+  return paintOrder(document).map((index) => {
     tell.expects(wordMs(page.width * page.width));
-    return pixels(letters, page, index);
+    return pixels(letters, page, index, document);
   });
 }
 
-function pixels(letters: Lettering, { document, width: across, fronts }: Args<'words'>, index: number) {
+/** @param read the document of the page */
+function pixels(
+  letters: Lettering,
+  { document, width: across, fronts }: Args<'words'>,
+  index: number,
+  read: PageDocument,
+) {
   const picture = letters.render(document, index, across);
-  if (fronts.length > 0) cut(picture, JSON.parse(document), index, fronts);
+  if (fronts.length > 0) cut(picture, read, index, fronts);
   const { x, y, width: wide, height } = picture;
   const data = picture.take() as Uint8ClampedArray<ArrayBuffer>;
   picture.free();

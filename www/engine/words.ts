@@ -13,6 +13,7 @@ import { createShaping } from './shaping.ts';
 import type { Pool } from './pool.ts';
 import type { PageDocument, PhotoMeta, Word, WordBox } from './types.ts';
 import type { Call } from './engine.ts';
+import { buffersOf } from './protocol.ts';
 import type { BitmapPatch, PixelPatch, Wording } from './protocol.ts';
 
 /** A word out of speech: the number of its frame, or of its place among panels; `joins` goes on with the one before. */
@@ -109,10 +110,6 @@ export function createWords() {
     for (const patch of await patches(document, width, fronts, call)) layPixels(page, patch);
     return page;
   }
-}
-
-function buffersOf(patches: PixelPatch[]): ArrayBuffer[] {
-  return patches.map(({ data }) => data.buffer);
 }
 
 /** @param patch straight alpha; what is beyond the page is left out */

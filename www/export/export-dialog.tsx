@@ -56,7 +56,8 @@ export function ExportDialog() {
   );
   const way = all ? many : one;
   // A film has choices of its own, and what is below is not looked at.
-  const format: Format = way === 'animatic' || way === 'motion' ? 'png' : way;
+  const filmed = way === 'animatic' ? 'shots' : way === 'motion' ? 'pages' : null;
+  const format = filmed ? 'png' : (way as Format);
   const webpHasQuality = useWebpQuality();
   const made = pictureIn(format, inside, webpHasQuality);
   const lossy = made === 'webp' ? webpHasQuality : FORMATS[made].lossy;
@@ -85,10 +86,10 @@ export function ExportDialog() {
       chooseInside={setInside}
     />
   );
-  if (way === 'animatic' || way === 'motion')
+  if (filmed)
     return (
       <Dialog title={strings.exportPage} class="export-dialog" onClose={close}>
-        <LazyAnimatic of={way === 'motion' ? 'pages' : 'shots'} close={close}>
+        <LazyAnimatic of={filmed} close={close}>
           {formatChoice}
         </LazyAnimatic>
       </Dialog>

@@ -21,16 +21,10 @@ const DISSOLVE = 0.5;
 /** While a slider is dragged nothing is planned. */
 const REST_MS = 150;
 
-/** @param props `of`: what is filmed; `children`: the choice of the format, which stands above the others */
-export function AnimaticPanel({
-  of,
-  close,
-  children,
-}: {
-  of: AnimaticWish['of'];
-  close: () => void;
-  children: ComponentChildren;
-}) {
+/** `of`: what is filmed; `children`: the choice of the format, which stands above the others. */
+export type AnimaticProps = { of: AnimaticWish['of']; close: () => void; children: ComponentChildren };
+
+export function AnimaticPanel({ of, close, children }: AnimaticProps) {
   const { animatics, boards, download, store } = useApp();
   const [chosen, setWish] = useState(USUAL);
   const wish = useMemo(() => ({ ...chosen, of }), [chosen, of]);

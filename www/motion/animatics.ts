@@ -9,6 +9,7 @@ import { patience } from '../engine/patience.ts';
 import { cancelled, failure } from '../engine/protocol.ts';
 import { drawsParts } from '../page/subjects-of.ts';
 import { bitmapsOf } from './frames.ts';
+import { drawnWord } from './drawn-word.ts';
 import { createLoops } from './loops.ts';
 import { createMovingPictures } from './moving-pictures.ts';
 import { soundOf } from './sound.ts';
@@ -184,13 +185,9 @@ export function createAnimatics({
   async function wordsOf({ reading }: AnimaticClip, width: number, call?: Call): Promise<DrawnWord[]> {
     const words = reading?.words;
     if (!reading || !words) return [];
-    const height = (width * words.page.height) / words.page.width;
     const drawn: DrawnWord[] = [];
-    for (const { word, panel } of reading.said) {
-      const { bitmap, ...box } = await engine.renderWord(words, word, width, call);
-      const place = { x: box.x / width, y: box.y / height, width: box.width / width, height: box.height / height };
-      drawn.push({ bitmap, panel, place });
-    }
+    for (const { word, panel } of reading.said)
+      drawn.push({ ...(await drawnWord(engine, words, word, width, call)), panel });
     return drawn;
   }
 

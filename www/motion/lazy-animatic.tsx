@@ -1,19 +1,10 @@
 import { strings } from '../strings/strings.ts';
 import { useApp } from '../ui/context.ts';
 import { useLoaded } from '../ui/loaded.ts';
-import type { ComponentChildren } from 'preact';
-import type { AnimaticWish } from './animatics.ts';
+import type { AnimaticProps } from './animatic-panel.tsx';
 
 /** The choices of a film, which come when they are first asked for. */
-export function LazyAnimatic({
-  of,
-  close,
-  children,
-}: {
-  of: AnimaticWish['of'];
-  close: () => void;
-  children: ComponentChildren;
-}) {
+export function LazyAnimatic({ of, close, children }: AnimaticProps) {
   const { messages } = useApp();
   const loaded = useLoaded(
     () => import('./animatic-panel.tsx'),

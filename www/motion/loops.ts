@@ -2,6 +2,8 @@
 
 import { picturesOf } from '../engine/figures.ts';
 import { LIVING } from '../engine/living.ts';
+import { drawsParts } from '../page/subjects-of.ts';
+import { placeOn } from './drawn-word.ts';
 import type { Moment } from '../engine/living.ts';
 import type { Store } from '../document/store.ts';
 import type { Engine } from '../engine/engine.ts';
@@ -37,6 +39,8 @@ export function createLoops({ store, engine }: { store: Store; engine: Pick<Engi
     pixels: number,
     { signal, onDrawn = () => {} }: { signal?: AbortSignal; onDrawn?: (loops: DrawnLoop[]) => void } = {},
   ): Promise<DrawnLoop[]> {
+    // Its subjects are known of one picture alone.
+    if (drawsParts(store, document)) return [];
     const boxes = store.planner.peek()?.geometry(document.layout, document.page).panels ?? [];
     const moving = new Map(
       document.panels.flatMap(({ photo, figure }, index) => {
@@ -52,7 +56,6 @@ export function createLoops({ store, engine }: { store: Store; engine: Pick<Engi
     const area = all.reduce((sum, box) => sum + box.width * box.height, 0);
     const each = pixels / (LIVING.rate * LIVING.seconds);
     const width = Math.round(Math.min(MOST_SIDE / long, Math.sqrt(each / area), document.page.width));
-    const height = (width * document.page.height) / document.page.width;
     const drawn = new Map<number, DrawnLoop>();
     const inOrder = () => [...drawn].sort(([a], [b]) => a - b).map(([, loop]) => loop);
 
@@ -65,9 +68,8 @@ export function createLoops({ store, engine }: { store: Store; engine: Pick<Engi
         : // What lies over a panel that moves is laid over it again.
           [await engine.renderPanel(document, index, width, { tier: 'work', signal })];
       if (patches.length === 0) return;
-      const [{ x, y, width: wide, height: high }] = patches;
-      const place = { x: x / width, y: y / height, width: wide / width, height: high / height };
-      drawn.set(index, { place, bitmaps: patches.map(({ bitmap }) => bitmap) });
+      const [first] = patches;
+      drawn.set(index, { place: placeOn(document, width, first), bitmaps: patches.map(({ bitmap }) => bitmap) });
       onDrawn(inOrder());
     }
 

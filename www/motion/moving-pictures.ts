@@ -3,8 +3,10 @@
  * is in its picture.
  */
 
+import { paintOrder } from '../engine/figures.ts';
 import { LIVING } from '../engine/living.ts';
 import { animatedWebp } from './animated-webp.ts';
+import { drawnWord } from './drawn-word.ts';
 import type { Bounds, PageDocument } from '../engine/types.ts';
 import type { Engine } from '../engine/engine.ts';
 import type { DrawnLoop } from './frames.ts';
@@ -43,11 +45,9 @@ export function createMovingPictures({
   };
 
   async function wordsOf(document: PageDocument, width: number, signal?: AbortSignal): Promise<DrawnLoop[]> {
-    const height = (width * document.page.height) / document.page.width;
     const drawn: DrawnLoop[] = [];
-    for (const index of (document.words ?? []).keys()) {
-      const { bitmap, ...box } = await engine.renderWord(document, index, width, { signal });
-      const place = { x: box.x / width, y: box.y / height, width: box.width / width, height: box.height / height };
+    for (const index of paintOrder(document)) {
+      const { bitmap, place } = await drawnWord(engine, document, index, width, { signal });
       drawn.push({ place, bitmaps: [bitmap] });
     }
     return drawn;

@@ -1,14 +1,11 @@
 // @ts-check
 /** The album as a film: played in the page, and saved as MP4, WebM and GIF files that ffprobe reads. */
 
-import { execFile } from 'node:child_process';
-import { promisify } from 'node:util';
 import { openExport, saved } from './export-hands.js';
+import { probed } from './film-hands.js';
 import { accessible, expect, idle, openBoard, test } from './support.js';
 
 /** @typedef {import('./support.js').Page} Page */
-
-const run = promisify(execFile);
 
 /** Frames of the film that all tests make: three shots of half a second each at 24 a second. */
 const FRAMES = 36;
@@ -21,13 +18,6 @@ async function openAnimatic(page) {
   await dialog.getByRole('slider', { name: 'Seconds a shot' }).fill('0.5');
   await expect(dialog.getByText('3 shots, 0:01 at 24 frames a second')).toBeVisible();
   return dialog;
-}
-
-/** What ffprobe finds in a file, and what it complains of. @param {string} path */
-async function probed(path) {
-  const asked = ['-v', 'warning', '-count_frames', '-show_streams', '-show_format', '-of', 'json', path];
-  const { stdout, stderr } = await run('ffprobe', asked);
-  return { ...JSON.parse(stdout), complaints: stderr };
 }
 
 /** @param {any} probe @param {string} type */

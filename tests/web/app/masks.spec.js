@@ -3,7 +3,7 @@
 
 import { savedAs } from './export-hands.js';
 import { saved } from './project-hands.js';
-import { add, choose, expect, idle, openBoard, photos, picture, pixelsOf, detectingTest as test } from './support.js';
+import { add, choose, different, expect, idle, openBoard, photos, picture, detectingTest as test } from './support.js';
 import { box, inked, openWords, word, write } from './word-hands.js';
 
 /** @typedef {import('../../../www/testing.ts').Page} Page */
@@ -32,14 +32,6 @@ async function exported(page) {
   const { bytes } = await savedAs(page, 'png');
   await page.keyboard.press('Escape');
   return `data:image/png;base64,${bytes.toString('base64')}`;
-}
-
-/** @param {string} a @param {string} b */
-function different(a, b) {
-  const [one, other] = [pixelsOf(a), pixelsOf(b)];
-  let count = 0;
-  for (let i = 0; i < one.data.length; i += 4) if (Math.abs(one.data[i] - other.data[i]) > 24) count += 1;
-  return count;
 }
 
 test('a figure steps out of its panel and back, and the page comes to rest each time', async ({ page }) => {

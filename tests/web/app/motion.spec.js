@@ -6,6 +6,7 @@ import { readFile, writeFile } from 'node:fs/promises';
 import { fileURLToPath } from 'node:url';
 import { promisify } from 'node:util';
 import { openExport, saved } from './export-hands.js';
+import { probed } from './film-hands.js';
 import { accessible, add, expect, idle, openBoard, pixelsOf, tab, test } from './support.js';
 import { write } from './word-hands.js';
 
@@ -99,10 +100,9 @@ test('a page is read panel by panel, its words appear, and the film is exact to 
   await expect(dialog.getByText(/^1 page, /)).toBeVisible();
   const file = await saved(page, () => dialog.getByRole('button', { name: 'Save the file' }).click());
   await expect(page.getByText('The motion page was saved.')).toBeVisible();
-  const asked = ['-v', 'warning', '-count_frames', '-show_streams', '-of', 'json', file.path];
-  const { stdout, stderr } = await run('ffprobe', asked);
-  expect(stderr).toBe('');
-  expect(JSON.parse(stdout).streams[0]).toMatchObject({ width: 1280, height: 720, nb_read_frames: String(frames) });
+  const { complaints, streams } = await probed(file.path);
+  expect(complaints).toBe('');
+  expect(streams[0]).toMatchObject({ width: 1280, height: 720, nb_read_frames: String(frames) });
 });
 
 test('it plays by keyboard alone', async ({ page }) => {

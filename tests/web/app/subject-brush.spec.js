@@ -5,13 +5,13 @@ import {
   add,
   choose,
   detectingTest,
+  different,
   expect,
   idle,
   offences,
   openBoard,
   photos,
   picture,
-  pixelsOf,
   test,
 } from './support.js';
 import { touch, way } from './touch-hands.js';
@@ -53,14 +53,6 @@ async function stroke(page, points) {
 async function covered(page) {
   const told = await dialog(page).getByRole('status').textContent();
   return Number(/(\d+)\s*%/.exec(told ?? '')?.[1] ?? -1);
-}
-
-/** @param {string} a @param {string} b @returns pixels that differ */
-function different(a, b) {
-  const [one, other] = [pixelsOf(a), pixelsOf(b)];
-  let count = 0;
-  for (let i = 0; i < one.data.length; i += 4) if (Math.abs(one.data[i] - other.data[i]) > 24) count += 1;
-  return count;
 }
 
 /** @param {Page} page @param {string} name */

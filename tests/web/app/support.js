@@ -173,6 +173,18 @@ export function pixelsOf(address) {
 }
 
 /**
+ * @param {string} a a data address of a PNG, as `picture` returns
+ * @param {string} b another of the same size
+ * @returns {number} how many of their pixels a person would tell apart, by their red
+ */
+export function different(a, b) {
+  const [one, other] = [pixelsOf(a), pixelsOf(b)];
+  let count = 0;
+  for (let i = 0; i < one.data.length; i += 4) if (Math.abs(one.data[i] - other.data[i]) > 24) count += 1;
+  return count;
+}
+
+/**
  * @param {PNG} png
  * @returns {number} the different colours among some thousand pixels spread over it: one in a blank picture
  */
