@@ -17,6 +17,7 @@ import { REST } from './journey.js';
  *   figures: { pages: number, panels: number, plain: number, broken: number, ratio: number } | null,
  *   aesthetics: { ms: number, load: number } | null,
  *   crowd: Awaited<ReturnType<typeof import('./crowd.js').crowd>> | null,
+ *   footage: ({ minutes: number } & Awaited<ReturnType<typeof import('./crowd.js').crowd>>)[] | null,
  *   masking: Awaited<ReturnType<typeof import('./masking.js').masking>> | null,
  *   making: { frames: number, width: number, height: number, styles: number } | null,
  *   films: import('./animatic.js').Film[] | null,
@@ -41,6 +42,7 @@ export function markdown({
   detect,
   aesthetics,
   crowd,
+  footage,
   making,
   masking,
   figures,
@@ -76,6 +78,7 @@ export function markdown({
     detect ||
     aesthetics ||
     crowd ||
+    footage ||
     making ||
     masking ||
     figures ||
@@ -144,6 +147,11 @@ export function markdown({
       ...(memory ? [`| The same, peak memory of the tab's process | ${(memory / 2 ** 30).toFixed(2)} GB |`] : []),
     );
   }
+  for (const { minutes, first, read, memory } of footage ?? [])
+    lines.push(
+      `| A film of ${minutes} minutes at 854 x 480: its first page, all its frames | ${(first / 1000).toFixed(2)} s, ${(read / 1000).toFixed(1)} s |`,
+      ...(memory ? [`| The same, peak memory of the tab's process | ${(memory / 2 ** 30).toFixed(2)} GB |`] : []),
+    );
   if (making) {
     const { frames, width, height, styles } = making;
     lines.push(

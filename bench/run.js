@@ -14,6 +14,7 @@ import { CHROMIUM } from '../tests/web/launching.js';
 import { animatic } from './animatic.js';
 import { living } from './living.js';
 import { crowd } from './crowd.js';
+import { makeFilm } from './footage.js';
 import { journey } from './journey.js';
 import { making } from './making.js';
 import { masking } from './masking.js';
@@ -31,6 +32,8 @@ const PEERS = {
 
 /** Photos of an afternoon, and of a journey. */
 const [FEW, MANY] = [12, 300];
+/** A part of a series, and a long film. */
+const MINUTES = [30, 120];
 
 const { values: options, positionals: filter } = parseArgs({
   allowPositionals: true,
@@ -56,6 +59,15 @@ try {
     console.log('timing an album');
     const files = await photos(MANY);
     results.crowd = await site((address) => crowd(browser, address, files));
+  }
+  if (asked('films')) {
+    console.log('timing films');
+    results.footage = [];
+    for (const minutes of MINUTES) {
+      const film = makeFilm(album, join(options.target, 'bench/films'), minutes);
+      const read = await site((address) => crowd(browser, address, [film]));
+      results.footage.push({ minutes, ...read });
+    }
   }
   if (asked('making')) {
     console.log('timing styles in the making');
@@ -130,6 +142,7 @@ async function blocks() {
     versions: {},
     journey: null,
     crowd: null,
+    footage: null,
     making: null,
     masking: null,
     films: null,

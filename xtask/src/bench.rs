@@ -9,7 +9,7 @@ use crate::project::Project;
 use crate::{chromium, native, npm, site, tools, wasm};
 
 /// Builds everything, then measures. With words in `filter` only rows whose name has one of them are timed, and
-/// `page`, `album`, `making`, `masking`, `animatic`, `living`, `detect`, `figures` or `masks` where they are among them; nothing is written;
+/// `page`, `album`, `films`, `making`, `masking`, `animatic`, `living`, `detect`, `figures` or `masks` where they are among them; nothing is written;
 /// `alone` leaves the other libraries out. `native` and `lighthouse` stand each alone.
 pub(crate) fn run(project: &Project, filter: &[String], alone: bool) -> Result<()> {
     if filter == ["native"] {
@@ -26,7 +26,7 @@ pub(crate) fn run(project: &Project, filter: &[String], alone: bool) -> Result<(
     // Rows need the blocks alone; the site takes minutes.
     if filter.is_empty()
         || filter.iter().any(|word| {
-            ["page", "album", "making", "masking", "animatic", "living", "detect", "figures"]
+            ["page", "album", "films", "making", "masking", "animatic", "living", "detect", "figures"]
                 .contains(&word.as_str())
         })
     {
