@@ -61,7 +61,6 @@ plain('a file asks for its own module alone, and one that did not get it can be 
 });
 
 plain('a style from a picture whose search did not come is looked for at a new try', async ({ page }) => {
-  plain.setTimeout(90_000);
   await openBoard(page, FOUR);
   const modules = /inkpanel_bg-[^/]*\.wasm$/;
   await page.route(modules, (route) => route.abort());

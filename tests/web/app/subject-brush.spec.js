@@ -74,7 +74,6 @@ const SNAKE = /** @type {[number, number][]} */ ([
 test('a subject that is painted is drawn apart, undone stroke by stroke, and there after a reload', async ({
   page,
 }) => {
-  test.setTimeout(120_000);
   await four(page, 'macaw.jpg', 'camera.jpg');
   await style(page, 'Silhouette');
   const before = await picture(page);
@@ -119,7 +118,6 @@ test('a subject that is painted is drawn apart, undone stroke by stroke, and the
 });
 
 test('a figure steps out of its panel by the mask that was painted, and follows each correction', async ({ page }) => {
-  test.setTimeout(120_000);
   await four(page, 'macaw.jpg', 'camera.jpg', 'dahlia.jpg', 'pika.jpg');
   const breaks = page.getByRole('button', { name: 'Break the frame' });
   await panel(page, 1).click();
@@ -238,7 +236,6 @@ test.describe('on a phone', () => {
 });
 
 test('a balloon that is added goes elsewhere where a body was painted into its place', async ({ page }) => {
-  test.setTimeout(120_000);
   await four(page, 'macaw.jpg');
   const balloon = word(page, /^Balloon: HELLO THERE/);
   /** Where a balloon goes that is added, and then taken away. */
