@@ -9,6 +9,7 @@ pub(super) struct Axis {
     samples: usize,
     precision: Precision,
     halved_from: Option<usize>,
+    doubled: bool,
 }
 
 /// Pairs `offset..offset + pairs`, the first of them on the source samples `start` and `start + 1`.
@@ -39,8 +40,9 @@ impl Axis {
         let precision = Precision::for_weight(weights.iter().copied().fold(0.0, f64::max));
         let halved = (step - 2.0).abs() < 1e-12 && origin.fract() == 0.0 && origin + length <= samples as f64;
         let halved_from = halved.then_some(origin as usize);
-        let mut axis =
-            Self { spans: Vec::with_capacity(count), pairs: Vec::new(), samples, precision, halved_from };
+        let doubled = origin.abs() < 1e-12 && (length - samples as f64).abs() < 1e-12 && count == 2 * samples;
+        let (spans, pairs) = (Vec::with_capacity(count), Vec::new());
+        let mut axis = Self { spans, pairs, samples, precision, halved_from, doubled };
         for i in 0..count {
             let start = taps(i, &mut weights);
             axis.push(start, &weights);
@@ -56,6 +58,11 @@ impl Axis {
     /// Where every output is the mean of two samples of its own: the first of them all.
     pub(super) fn halved_from(&self) -> Option<usize> {
         self.halved_from
+    }
+
+    /// Whether all samples are taken, and there are two outputs of each.
+    pub(super) fn doubled(&self) -> bool {
+        self.doubled
     }
 
     /// Precision of the weights.

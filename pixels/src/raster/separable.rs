@@ -9,6 +9,7 @@
 
 use super::Plane;
 use super::axis::Axis;
+use crate::simd::double::{AROUND, double_row, padded, quarter_row};
 use crate::simd::mix::{LANES, halve_row, load, mix, mix_rows, transpose};
 use wide::u8x16;
 
@@ -42,6 +43,10 @@ impl Separable {
             self.halve(source, (left, top), plane);
             return planes;
         }
+        if let (1, true, true, [plane]) = (C, self.across.doubled(), self.down.doubled(), &mut planes[..]) {
+            self.double(source, plane);
+            return planes;
+        }
         let mut block = self.block::<C>();
         for top in (0..height).step_by(LANES) {
             let count = LANES.min(height - top);
@@ -60,6 +65,24 @@ impl Separable {
             let row = |k: usize| &source[(top + 2 * y + k) * self.width + left..][..2 * plane.width()];
             let (above, below) = (row(0), row(1));
             halve_row(above, below, plane.row_mut(y));
+        }
+    }
+
+    /// As the two passes do it, of which each takes the same weights everywhere.
+    fn double(&self, source: &[u8], plane: &mut Plane) {
+        let (width, mut between) = (self.width, vec![0; padded(self.width)]);
+        for y in 0..plane.height() {
+            let away = |k: usize| {
+                // Rows above the middle one and below change places with the half that is asked for.
+                let row =
+                    if y % 2 == 0 { (y / 2 + 1).saturating_sub(k) } else { (y / 2 + k).saturating_sub(1) };
+                &source[row.min(self.height - 1) * width..][..width]
+            };
+            quarter_row([0, 1, 2, 3].map(away), &mut between[AROUND..AROUND + width]);
+            let (first, last) = (between[AROUND], between[AROUND + width - 1]);
+            between[..AROUND].fill(first);
+            between[AROUND + width..].fill(last);
+            double_row(&between, plane.row_mut(y));
         }
     }
 

@@ -10,6 +10,7 @@
 //! | [`table`] | 256-entry tables, run as compares where a table has few steps |
 //! | [`tones`] | percentiles, by counting |
 //! | [`mix`] | weighted sums of rows, for resampling |
+//! | [`double`] | rows twice as long, and rows between rows |
 //! | [`lanes`] | moves between lane widths |
 //! | [`flow`] | rows of the dual solver of Total Variation Flow |
 //! | [`screen`] | the choice of a pattern for each tone |
@@ -24,6 +25,7 @@
 
 pub mod blade;
 pub mod dots;
+pub mod double;
 pub mod edge;
 pub mod fine;
 pub mod fir;
