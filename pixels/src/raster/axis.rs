@@ -9,6 +9,7 @@ pub(super) struct Axis {
     samples: usize,
     precision: Precision,
     halved_from: Option<usize>,
+    #[cfg(not(target_arch = "wasm32"))]
     doubled: bool,
 }
 
@@ -40,9 +41,16 @@ impl Axis {
         let precision = Precision::for_weight(weights.iter().copied().fold(0.0, f64::max));
         let halved = (step - 2.0).abs() < 1e-12 && origin.fract() == 0.0 && origin + length <= samples as f64;
         let halved_from = halved.then_some(origin as usize);
-        let doubled = origin.abs() < 1e-12 && (length - samples as f64).abs() < 1e-12 && count == 2 * samples;
         let (spans, pairs) = (Vec::with_capacity(count), Vec::new());
-        let mut axis = Self { spans, pairs, samples, precision, halved_from, doubled };
+        let mut axis = Self {
+            spans,
+            pairs,
+            samples,
+            precision,
+            halved_from,
+            #[cfg(not(target_arch = "wasm32"))]
+            doubled: origin.abs() < 1e-12 && (length - samples as f64).abs() < 1e-12 && count == 2 * samples,
+        };
         for i in 0..count {
             let start = taps(i, &mut weights);
             axis.push(start, &weights);
@@ -61,6 +69,7 @@ impl Axis {
     }
 
     /// Whether all samples are taken, and there are two outputs of each.
+    #[cfg(not(target_arch = "wasm32"))]
     pub(super) fn doubled(&self) -> bool {
         self.doubled
     }

@@ -9,7 +9,8 @@
 
 use super::Plane;
 use super::axis::Axis;
-use crate::simd::double::{AROUND, double_row, padded, quarter_row};
+#[cfg(not(target_arch = "wasm32"))]
+use crate::simd::double::{AROUND, double_row, quarter_row};
 use crate::simd::mix::{LANES, halve_row, load, mix, mix_rows, transpose};
 use wide::u8x16;
 
@@ -43,7 +44,11 @@ impl Separable {
             self.halve(source, (left, top), plane);
             return planes;
         }
-        if let (1, true, true, [plane]) = (C, self.across.doubled(), self.down.doubled(), &mut planes[..]) {
+        // The same bytes in less time; in the page, where every byte is loaded, the general way is fast enough.
+        #[cfg(not(target_arch = "wasm32"))]
+        if let (1, true, true, [plane]) = (C, self.across.doubled(), self.down.doubled(), &mut planes[..])
+            && self.width >= LANES
+        {
             self.double(source, plane);
             return planes;
         }
@@ -69,8 +74,9 @@ impl Separable {
     }
 
     /// As the two passes do it, of which each takes the same weights everywhere.
+    #[cfg(not(target_arch = "wasm32"))]
     fn double(&self, source: &[u8], plane: &mut Plane) {
-        let (width, mut between) = (self.width, vec![0; padded(self.width)]);
+        let (width, mut between) = (self.width, vec![0; self.width + 2 * AROUND]);
         for y in 0..plane.height() {
             let away = |k: usize| {
                 // Rows above the middle one and below change places with the half that is asked for.
