@@ -58,6 +58,12 @@ impl Print {
     }
 }
 
+/// A picture with straight alpha as a WebP file without loss.
+#[wasm_bindgen(js_name = losslessPicture)]
+pub fn lossless_picture(width: usize, height: usize, rgba: &[u8]) -> std::result::Result<Vec<u8>, JsValue> {
+    webp::encode_rgba(width, height, rgba).map_err(thrown)
+}
+
 /// The picture of a panel for a [`Book`].
 #[wasm_bindgen]
 pub struct Cut {

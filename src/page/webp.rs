@@ -1,4 +1,4 @@
-//! Pages as WebP files without loss, for browsers that encode none themselves.
+//! Pages, and pictures with alpha, as WebP files without loss, for browsers that encode none themselves.
 
 use crate::error::{Error, Result};
 use image::ExtendedColorType;
@@ -9,12 +9,28 @@ use image::codecs::webp::WebPEncoder;
 /// # Errors
 /// `encode` when `rgb` does not hold `3 * width * height` bytes, or a side is 0 or longer than 16,384 pixels.
 pub fn encode_rgb(width: usize, height: usize, rgb: &[u8]) -> Result<Vec<u8>> {
-    if rgb.len() != width * height * 3 {
+    encode((width, height), rgb, (3, ExtendedColorType::Rgb8))
+}
+
+/// Encodes interleaved RGB with straight alpha as a lossless WebP file.
+///
+/// # Errors
+/// As [`encode_rgb`], of `4 * width * height` bytes.
+pub fn encode_rgba(width: usize, height: usize, rgba: &[u8]) -> Result<Vec<u8>> {
+    encode((width, height), rgba, (4, ExtendedColorType::Rgba8))
+}
+
+fn encode(
+    (width, height): (usize, usize),
+    samples: &[u8],
+    (channels, color): (usize, ExtendedColorType),
+) -> Result<Vec<u8>> {
+    if samples.len() != width * height * channels {
         return Err(Error::Encode("the pixels are not as many as the sides say".into()));
     }
     let mut bytes = Vec::new();
     WebPEncoder::new_lossless(&mut bytes)
-        .encode(rgb, width as u32, height as u32, ExtendedColorType::Rgb8)
+        .encode(samples, width as u32, height as u32, color)
         .map_err(|error| Error::Encode(error.to_string()))?;
     Ok(bytes)
 }
@@ -31,6 +47,15 @@ mod tests {
         let back = decode(&bytes, &Limits::default()).unwrap();
         assert_eq!((back.format, back.image.width(), back.image.height()), ("WebP", 40, 30));
         assert_eq!(back.image.to_rgb(), rgb);
+    }
+
+    #[test]
+    fn alpha_is_kept() {
+        let rgba: Vec<u8> = (0..20 * 10).flat_map(|i| [i as u8, 40, 90, (i % 20 * 12) as u8]).collect();
+        let bytes = encode_rgba(20, 10, &rgba).unwrap();
+        let back = image::load_from_memory_with_format(&bytes, image::ImageFormat::WebP).unwrap();
+        assert_eq!(back.to_rgba8().into_raw(), rgba);
+        assert_eq!(encode_rgba(4, 4, &[0; 48]).unwrap_err().code(), "encode");
     }
 
     #[test]

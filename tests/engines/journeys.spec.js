@@ -162,6 +162,34 @@ test('shots and pages become films of a kind that the browser makes', async ({ p
   }
 });
 
+test('panels from films move in an HTML comic', async ({ person }) => {
+  await person.begin([given('videos/album.mp4')]);
+  // Chance may choose a style that draws subjects apart, whose panels stay still.
+  await person.tab('Styles');
+  await person.click('option', 'Adventure Album', ['listbox', 'Styles']);
+  const { path, bytes } = await person.savedAs('html');
+  await person.driver.get(pathToFileURL(path).href);
+  const found = bytes.toString().matchAll(/<image class="moving"[^>]*href="data:image\/webp;base64,([^"]+)"/g);
+  const files = [...found].map(([, file]) => Buffer.from(file, 'base64'));
+  expect(files.length).toBeGreaterThan(0);
+  for (const file of files) {
+    // Twelve pictures a second, of shots of a second; its end goes over into its beginning.
+    expect(file.toString('latin1').split('ANMF').length - 1).toBeGreaterThanOrEqual(6);
+    // Where one is seen through, those before are seen; none is damaged.
+    const [decoded, pixels] = await person.inPage(
+      async (address) => {
+        const picture = new Image();
+        picture.src = /** @type {string} */ (address);
+        await picture.decode();
+        return [picture.complete, picture.naturalWidth * picture.naturalHeight];
+      },
+      `data:image/webp;base64,${file.toString('base64')}`,
+    );
+    expect(decoded).toBe(true);
+    expect(pixels).toBeGreaterThan(10_000);
+  }
+});
+
 test('an HTML comic is read from its file, panel by panel', async ({ person }) => {
   await person.begin();
   await person.say('READ ME');

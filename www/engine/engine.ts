@@ -116,6 +116,7 @@ export function createEngine({
     ...createExports({ run, photos, words, files }),
     ...createMeasures({ run, renders, files }),
     givesWebp,
+    losslessPicture: files.losslessPicture,
     comicPieces: files.comicPieces,
     comicFiles: files.comicFiles,
     boardSheets: files.boardSheets,

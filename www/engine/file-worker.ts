@@ -10,6 +10,7 @@ import initFiles, {
   Cut,
   comicFile,
   Lettering,
+  losslessPicture as losslessFile,
   Plate,
   Print,
   shotFile,
@@ -42,7 +43,19 @@ type Args<Op extends keyof Making> = Making[Op]['args'];
 let started: Promise<WebAssembly.Memory> | undefined;
 let table: Uint8Array | undefined;
 
-const OPERATIONS: Work<Making> = { jpeg, webp, losslessWebp, pictures, pdf, comic, board, shots, animatic, motion };
+const OPERATIONS: Work<Making> = {
+  jpeg,
+  webp,
+  losslessWebp,
+  losslessPicture,
+  pictures,
+  pdf,
+  comic,
+  board,
+  shots,
+  animatic,
+  motion,
+};
 
 serveJobs<Making>(async (op, args, tell) => {
   tell.waits(LOADING);
@@ -82,6 +95,12 @@ async function losslessWebp({ document, size, patches, dpi }: Args<'losslessWebp
   tell.expects(fileMs(4 * size.width * size.height));
   const bytes = printed(document, size, patches, (print) => print.webp());
   return { ok: withDpi(bytes, { ...size, dpi }), transfer: [] };
+}
+
+async function losslessPicture({ width, height, data }: Args<'losslessPicture'>, tell: Tell) {
+  tell.expects(fileMs(4 * width * height));
+  const ok = losslessFile(width, height, bytesOf(data)) as Uint8Array<ArrayBuffer>;
+  return { ok, transfer: [ok.buffer] };
 }
 
 /** @param encode gives the file of the page with all patches on it */

@@ -32,6 +32,7 @@ export function createFiles() {
     jpeg,
     webp,
     losslessWebp,
+    losslessPicture,
     pictures,
     pdf,
     comicPieces,
@@ -94,6 +95,11 @@ export function createFiles() {
       buffersOf(patches),
       call,
     );
+  }
+
+  /** A picture with its alpha as a WebP file without loss. @param picture is handed over */
+  async function losslessPicture(picture: PixelPatch, call?: Call): Promise<Uint8Array<ArrayBuffer>> {
+    return run('losslessPicture', picture, buffersOf([picture]), call);
   }
 
   /**

@@ -128,6 +128,8 @@ export type Making = {
     args: { document: string; size: { width: number; height: number }; patches: PixelPatch[]; dpi: number };
     ok: Blob;
   };
+  /** a picture without loss, with its alpha, as a WebP file */
+  losslessPicture: { args: PixelPatch; ok: Uint8Array<ArrayBuffer> };
   pictures: {
     args: { document: string; patches: (PixelPatch & { index: number })[]; quality: number; inks: readonly Rgb[] };
     ok: Picture[];

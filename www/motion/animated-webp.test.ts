@@ -1,6 +1,6 @@
 import { describe, expect, it } from 'vitest';
 import { chunk, chunksOf, fileOf } from '../engine/webp.ts';
-import { animatedWebp } from './animated-webp.ts';
+import { animatedWebp, changesOf } from './animated-webp.ts';
 
 const bytes = async (file: Blob) => new Uint8Array(await file.arrayBuffer());
 
@@ -18,6 +18,19 @@ async function still(pixels: number[]) {
 }
 
 describe('an animated WebP file', () => {
+  it('has of a picture the pixels that are new', () => {
+    const before = Uint8ClampedArray.from([1, 2, 3, 255, 4, 5, 6, 255]);
+    const picture = Uint8ClampedArray.from([1, 2, 3, 255, 4, 5, 7, 255]);
+    expect([...changesOf(picture, before)]).toEqual([0, 0, 0, 0, 4, 5, 7, 255]);
+  });
+
+  it('shows of later pictures what is new, over those before', async () => {
+    const frames = [await still([1]), await still([2])];
+    const file = await bytes(animatedWebp(frames, { width: 4, height: 2 }, 83, true));
+    const [, , first, second] = chunksOf(file);
+    expect([first.data[15], second.data[15]]).toEqual([2, 0]);
+  });
+
   it('has a frame for each picture, with its pixels alone, as large and as long as told', async () => {
     const frames = [await still([7, 7, 7, 7]), await still([8, 8, 8])];
     const file = await bytes(animatedWebp(frames, { width: 300, height: 2 }, 83));
