@@ -278,7 +278,7 @@ fn seen(picture: &Image, view: &Crop, (width, height): (usize, usize)) -> Vec<u8
 fn tell(plan: &Animatic, asked: &Animate) -> Result<(), Complaint> {
     let pattern = asked.output.join("frame-%05d.png").display().to_string();
     if !asked.json {
-        println!("{pattern}  {} frames, {} a second", plan.frames, plan.fps);
+        println!("{pattern}  {} frames, {} a second", plan.frames, (plan.rate * 1000.0).round() / 1000.0);
         return Ok(());
     }
     let shots: Vec<Value> = plan
@@ -292,7 +292,7 @@ fn tell(plan: &Animatic, asked: &Animate) -> Result<(), Complaint> {
         })
         .collect();
     crate::print(&json!({
-        "frames": plan.frames, "fps": plan.fps, "width": plan.size[0], "height": plan.size[1],
+        "frames": plan.frames, "fps": plan.fps, "rate": plan.rate, "width": plan.size[0], "height": plan.size[1],
         "files": pattern, "shots": shots,
     }))
 }

@@ -5,6 +5,7 @@
 use inkpanel::document::saved::Saved;
 use inkpanel::framing::{Crop, FACE, Subject};
 use inkpanel::output::animatic::{Animatic, Picture, Request};
+use inkpanel::output::shots::timecode::Pace;
 use inkpanel::output::shots::{ListedShot, ShotList};
 use inkpanel::raster::decode::{Limits, decode};
 use proptest::prelude::*;
@@ -164,6 +165,18 @@ fn it_is_as_long_as_its_shots_whatever_the_rate() {
         assert_eq!(plan.clips.iter().map(|clip| clip.frames).sum::<u32>(), frames);
         assert!(plan.at(frames - 1).is_some() && plan.at(frames).is_none());
     }
+}
+
+#[test]
+fn frames_of_a_slower_second_are_as_many_and_pass_as_slowly() {
+    let mut request = request(&[Some(24), Some(24)]);
+    request.list.pace = Pace::Ntsc;
+    let plan = request.planned().unwrap();
+    assert_eq!((plan.fps, plan.frames), (24, 48));
+    assert!((plan.rate - 24_000.0 / 1001.0).abs() < 1e-9);
+    // Who asks for a rate gets it.
+    let plan = Request { fps: 12, ..request }.planned().unwrap();
+    assert_eq!((plan.frames, plan.rate.to_bits()), (24, 12f64.to_bits()));
 }
 
 #[test]

@@ -78,8 +78,10 @@ pub struct Picture {
 #[derive(Debug, Clone, PartialEq, Serialize)]
 #[cfg_attr(all(test, feature = "cli"), derive(ts_rs::TS))]
 pub struct Animatic {
-    /// Frames a second.
+    /// Frames of a counted second.
     pub fps: u32,
+    /// Frames of a second of the clock: fewer where the list's seconds pass slower (23.976 of 24).
+    pub rate: f64,
     /// Width and height of the frames in pixels.
     pub size: [u32; 2],
     /// How many frames there are.
@@ -185,7 +187,8 @@ impl Request {
             });
             start += frames;
         }
-        Ok(Animatic { fps, size, frames: start, living: self.living.min(fps), clips })
+        let rate = if self.fps == 0 { self.list.rate().exact() } else { f64::from(fps) };
+        Ok(Animatic { fps, rate, size, frames: start, living: self.living.min(fps), clips })
     }
 
     /// Size and rate.

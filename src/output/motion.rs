@@ -167,7 +167,7 @@ impl Request {
             });
             start = end;
         }
-        Ok(Animatic { fps, size, frames: start, living: self.living.min(fps), clips })
+        Ok(Animatic { fps, rate: f64::from(fps), size, frames: start, living: self.living.min(fps), clips })
     }
 }
 

@@ -227,8 +227,10 @@ export type AnimaticPicture = {
 
 /** Shots in their times. */
 export type Animatic = {
-  /** Frames a second. */
+  /** Frames of a counted second. */
   fps: number,
+  /** Frames of a second of the clock: fewer where the list's seconds pass slower (23.976 of 24). */
+  rate: number,
   /** Width and height of the frames in pixels. */
   size: [number, number],
   /** How many frames there are. */

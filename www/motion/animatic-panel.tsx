@@ -36,7 +36,7 @@ export function AnimaticPanel({ of, close, children }: AnimaticProps) {
   // What the browser cannot encode is not offered; the next best is taken.
   const kind = kinds === null || kinds.includes(wish.kind) ? wish.kind : kinds[0];
   const asked = useMemo(() => ({ ...wish, kind }), [wish, kind]);
-  const seconds = planned ? planned.plan.frames / planned.plan.fps : 0;
+  const seconds = planned ? planned.plan.frames / planned.plan.rate : 0;
   const long = kind === 'gif' && seconds > GIF.mostSeconds;
   const off = !planned || planned.plan.frames === 0 || long || download.progress.value !== null;
   const save = () => {
@@ -123,7 +123,7 @@ export function AnimaticPanel({ of, close, children }: AnimaticProps) {
                 {says.facts(
                   pages ? planned.plan.clips.length : boards.rows.value.length,
                   clock(seconds),
-                  planned.plan.fps,
+                  strings.decimal(Math.round(planned.plan.rate * 1000) / 1000),
                 )}
               </span>
               <span>

@@ -27,7 +27,7 @@ export function AnimaticPlayer({ planned }: { planned: Planned | null }) {
   const reel = useRef(null as ReturnType<typeof createReel> | null);
   const count = planned ? framesIn(planned.table) : 0;
   const last = Math.max(0, count - 1);
-  const fps = planned?.plan.fps ?? 24;
+  const rate = planned?.plan.rate ?? 24;
   const [width, height] = planned?.plan.size ?? [16, 9];
 
   /** @returns whether all of it was there to be drawn */
@@ -60,11 +60,11 @@ export function AnimaticPlayer({ planned }: { planned: Planned | null }) {
   useEffect(() => {
     if (!playing || count === 0) return undefined;
     let asked = 0;
-    let shownAt = performance.now() - (at.current * 1000) / fps;
+    let shownAt = performance.now() - (at.current * 1000) / rate;
     const tick = (now: number) => {
-      const next = Math.min(last, Math.floor(((now - shownAt) * fps) / 1000));
+      const next = Math.min(last, Math.floor(((now - shownAt) * rate) / 1000));
       // The clock waits for a picture that is not there yet.
-      if (next !== at.current && !show(next)) shownAt = now - (at.current * 1000) / fps;
+      if (next !== at.current && !show(next)) shownAt = now - (at.current * 1000) / rate;
       if (next >= last) setPlaying(false);
       else asked = requestAnimationFrame(tick);
     };
@@ -79,7 +79,7 @@ export function AnimaticPlayer({ planned }: { planned: Planned | null }) {
   const shot =
     planned && count > 0 ? planned.plan.clips[frameAt(planned.table, Math.min(frame, last)).under.clip] : null;
   const told = planned && count > 0 ? frameAt(planned.table, Math.min(frame, last)) : null;
-  const [time, of] = [clock(frame / fps), clock(count / fps)];
+  const [time, of] = [clock(frame / rate), clock(count / rate)];
   const place = shot?.reading
     ? strings.motion.place(time, of, shot.number, (told?.panel ?? -1) + 1)
     : strings.animatic.place(time, of, shot?.number ?? '');
@@ -126,7 +126,7 @@ export function AnimaticPlayer({ planned }: { planned: Planned | null }) {
           }}
         />
         <output aria-hidden="true">
-          {clock(frame / fps)} / {clock(count / fps)}
+          {clock(frame / rate)} / {clock(count / rate)}
         </output>
       </div>
     </div>

@@ -73,7 +73,15 @@ export function createAnimatics({
   store: Store;
   engine: Pick<
     Engine,
-    'animatic' | 'motion' | 'renderPanel' | 'renderWord' | 'composePixels' | 'exportPng' | 'drawLiving' | 'givesWebp'
+    | 'animatic'
+    | 'motion'
+    | 'renderPanel'
+    | 'renderWord'
+    | 'composePixels'
+    | 'exportPng'
+    | 'drawLiving'
+    | 'givesWebp'
+    | 'losslessPicture'
   >;
   boards: Pick<Boards, 'rows' | 'shotList'>;
 }) {
@@ -203,7 +211,7 @@ export function createAnimatics({
     const { plan, table } = await planned(wish, { signal });
     if (wish.kind === 'gif' && plan.frames > GIF.fps * GIF.mostSeconds)
       throw failure('animatic-long', 'A GIF file is for up to a minute.');
-    const sound = wish.sound && wish.kind !== 'gif' ? await soundOf(wish.sound, plan.frames / plan.fps) : null;
+    const sound = wish.sound && wish.kind !== 'gif' ? await soundOf(wish.sound, plan.frames / plan.rate) : null;
     if (signal.aborted) throw cancelled();
     const stop = new AbortController();
     const drawing = AbortSignal.any([signal, stop.signal]);
@@ -240,7 +248,7 @@ export function createAnimatics({
         };
         listen();
         const { width, height } = sizeOf(wish);
-        const begin: ToEncoder = { kind: wish.kind, width, height, fps: plan.fps, table, sound };
+        const begin: ToEncoder = { kind: wish.kind, width, height, rate: plan.rate, table, sound };
         worker.postMessage(begin, sound ? sound.channels.map(({ buffer }) => buffer) : []);
       });
     } finally {

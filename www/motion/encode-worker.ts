@@ -25,7 +25,8 @@ type Begin = {
   kind: Kind;
   width: number;
   height: number;
-  fps: number;
+  /** Frames a second. */
+  rate: number;
   table: Float32Array;
   sound: Sound | null;
 };
@@ -98,7 +99,7 @@ async function have(clips: number[]) {
 }
 
 async function film(begin: Begin): Promise<ArrayBuffer> {
-  const { kind, width, height, fps, table, sound } = begin;
+  const { kind, width, height, rate, table, sound } = begin;
   const { codec } = KINDS[kind];
   if (!codec) throw failure('animatic-encoder', `No film is a ${kind}.`);
   const target = new BufferTarget();
@@ -113,13 +114,13 @@ async function film(begin: Begin): Promise<ArrayBuffer> {
     bitrate: bitrateOf({ width, height }),
     keyFrameInterval: KEY_FRAMES,
   });
-  output.addVideoTrack(source, { frameRate: fps });
+  output.addVideoTrack(source, { frameRate: rate });
   const voice = sound && (await voiceOf(sound, codec.audio));
   if (voice) output.addAudioTrack(voice);
   await output.start();
   try {
     if (voice && sound) await speak(voice, sound);
-    await eachFrame(begin, (_, frame) => source.add(frame / fps, 1 / fps), { canvas });
+    await eachFrame(begin, (_, frame) => source.add(frame / rate, 1 / rate), { canvas });
     await output.finalize();
   } catch (error) {
     if (output.state !== 'finalized') await output.cancel().catch(() => {});
@@ -158,11 +159,11 @@ async function speak(voice: AudioSampleSource, { channels, sampleRate }: Sound) 
 
 /** A GIF file: frames that are the same are one that stays. */
 async function gif(begin: Begin): Promise<ArrayBuffer> {
-  const { fps, table, width, height } = begin;
+  const { rate, table, width, height } = begin;
   const encoder = GIFEncoder();
   const count = framesIn(table);
   // Delays are hundredths of a second, so it is the ends that are rounded.
-  const end = (frame: number) => Math.round((frame * 100) / fps) * 10;
+  const end = (frame: number) => Math.round((frame * 100) / rate) * 10;
   let first = 0;
   const add = (context: OffscreenCanvasRenderingContext2D, frame: number) => {
     const last = frame + 1 === count || !same(table, frame, frame + 1);

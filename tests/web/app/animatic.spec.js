@@ -75,6 +75,19 @@ for (const [kind, container, codec] of [
     await expect(page.getByText('The animatic was saved.')).toBeVisible();
   });
 
+test('a film of a board that is counted at 23.976 passes as slowly', async ({ page }) => {
+  await page.getByRole('button', { name: 'Board', exact: true }).click();
+  await page.getByRole('combobox', { name: 'Frames a second' }).selectOption('23.976');
+  await page.getByRole('button', { name: 'Animatic', exact: true }).click();
+  const dialog = page.getByRole('dialog', { name: 'Export the page' });
+  await dialog.getByRole('slider', { name: 'Seconds a shot' }).fill('0.5');
+  await expect(dialog.getByText('3 shots, 0:01 at 23.976 frames a second')).toBeVisible();
+  const file = await saved(page, () => dialog.getByRole('button', { name: 'Save the file' }).click());
+  const probe = await probed(file.path);
+  expect(probe.complaints).toBe('');
+  expect(stream(probe, 'video')).toMatchObject({ nb_read_frames: String(FRAMES), r_frame_rate: '24000/1001' });
+});
+
 test('an animatic is saved as GIF, as long, smaller and without sound', async ({ page }) => {
   const dialog = await openAnimatic(page);
   await dialog.getByRole('combobox', { name: 'File' }).selectOption('gif');

@@ -7,7 +7,7 @@ import { fileURLToPath } from 'node:url';
 import { promisify } from 'node:util';
 import { openExport, saved } from './export-hands.js';
 import { probed } from './film-hands.js';
-import { accessible, add, expect, idle, openBoard, pixelsOf, tab, test } from './support.js';
+import { accessible, add, different, expect, idle, openBoard, pixelsOf, tab, test } from './support.js';
 import { write } from './word-hands.js';
 
 /** @typedef {import('./support.js').Page} Page */
@@ -93,7 +93,8 @@ test('a page is read panel by panel, its words appear, and the film is exact to 
   expect(apart(whole, before)).toBeGreaterThan(10_000);
   expect(apart(before, after)).toBeGreaterThan(300);
   expect(apart(before, after)).toBeLessThan(apart(whole, before) / 2);
-  expect(await frameOf(dialog, STAYS[0])).toBe(before);
+  // Once it is read often a canvas is scaled by other code, whose pixels differ by a step.
+  expect(different(await frameOf(dialog, STAYS[0]), before)).toBe(0);
   const frames = Number(await position.getAttribute('max')) + 1;
   await accessible(page);
   await dialog.getByRole('combobox', { name: 'Size' }).selectOption('720p');

@@ -21,7 +21,7 @@ export const animaticStrings = {
     pause: 'Anhalten',
     position: 'Stelle',
     place: (time: string, of: string, shot: string) => `${time} von ${of}, Einstellung ${shot}`,
-    facts: (shots: number, length: string, fps: number) =>
+    facts: (shots: number, length: string, fps: string) =>
       `${shots === 1 ? '1 Einstellung' : `${shots} Einstellungen`}, ${length} mit ${fps} Bildern je Sekunde`,
     planning: 'die Einstellungen werden gereiht …',
     empty: 'Es gibt keine Fotos zu zeigen.',

@@ -9,7 +9,7 @@ export const motionStrings = {
     apart: 'Die Bilder stehen still: Der Stil zeichnet Figuren für sich.',
     place: (time: string, of: string, page: string, panel: number) =>
       panel > 0 ? `${time} von ${of}, Seite ${page}, Bild ${panel}` : `${time} von ${of}, Seite ${page}`,
-    facts: (pages: number, length: string, fps: number) =>
+    facts: (pages: number, length: string, fps: string) =>
       `${pages === 1 ? '1 Seite' : `${pages} Seiten`}, ${length} mit ${fps} Bildern je Sekunde`,
     planning: 'die Seiten werden gereiht …',
     failed: (why: string) => `Die bewegte Seite lässt sich nicht zusammenstellen: ${why}`,

@@ -23,7 +23,7 @@ export const animaticStrings = {
     pause: 'Pause',
     position: 'Position',
     place: (time: string, of: string, shot: string) => `${time} of ${of}, shot ${shot}`,
-    facts: (shots: number, length: string, fps: number) =>
+    facts: (shots: number, length: string, fps: string) =>
       `${shots === 1 ? '1 shot' : `${shots} shots`}, ${length} at ${fps} frames a second`,
     planning: 'laying the shots out…',
     empty: 'There are no photos to show.',

@@ -11,7 +11,7 @@ export const motionStrings = {
     apart: 'Panels stay still: the style draws figures apart.',
     place: (time: string, of: string, page: string, panel: number) =>
       panel > 0 ? `${time} of ${of}, page ${page}, panel ${panel}` : `${time} of ${of}, page ${page}`,
-    facts: (pages: number, length: string, fps: number) =>
+    facts: (pages: number, length: string, fps: string) =>
       `${pages === 1 ? '1 page' : `${pages} pages`}, ${length} at ${fps} frames a second`,
     planning: 'laying the pages out…',
     failed: (why: string) => `The motion page cannot be laid out: ${why}`,

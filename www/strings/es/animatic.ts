@@ -21,7 +21,7 @@ export const animaticStrings = {
     pause: 'Pausar',
     position: 'Posición',
     place: (time: string, of: string, shot: string) => `${time} de ${of}, plano ${shot}`,
-    facts: (shots: number, length: string, fps: number) =>
+    facts: (shots: number, length: string, fps: string) =>
       `${shots === 1 ? '1 plano' : `${shots} planos`}, ${length} a ${fps} fotogramas por segundo`,
     planning: 'ordenando los planos…',
     empty: 'No hay fotos que mostrar.',

@@ -9,7 +9,7 @@ export const motionStrings = {
     apart: 'Las viñetas no se mueven: el estilo dibuja las figuras aparte.',
     place: (time: string, of: string, page: string, panel: number) =>
       panel > 0 ? `${time} de ${of}, página ${page}, viñeta ${panel}` : `${time} de ${of}, página ${page}`,
-    facts: (pages: number, length: string, fps: number) =>
+    facts: (pages: number, length: string, fps: string) =>
       `${pages === 1 ? '1 página' : `${pages} páginas`}, ${length} a ${fps} fotogramas por segundo`,
     planning: 'ordenando las páginas…',
     failed: (why: string) => `No se puede preparar la página animada: ${why}`,

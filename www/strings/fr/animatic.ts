@@ -21,7 +21,7 @@ export const animaticStrings = {
     pause: 'Pause',
     position: 'Position',
     place: (time: string, of: string, shot: string) => `${time} sur ${of}, plan ${shot}`,
-    facts: (shots: number, length: string, fps: number) =>
+    facts: (shots: number, length: string, fps: string) =>
       `${shots === 1 ? '1 plan' : `${shots} plans`}, ${length} à ${fps} images par seconde`,
     planning: 'mise en place des plans…',
     empty: 'Il n’y a pas de photos à montrer.',

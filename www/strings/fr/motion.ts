@@ -9,7 +9,7 @@ export const motionStrings = {
     apart: 'Les cases restent fixes : le style dessine les figures à part.',
     place: (time: string, of: string, page: string, panel: number) =>
       panel > 0 ? `${time} sur ${of}, page ${page}, case ${panel}` : `${time} sur ${of}, page ${page}`,
-    facts: (pages: number, length: string, fps: number) =>
+    facts: (pages: number, length: string, fps: string) =>
       `${pages === 1 ? '1 page' : `${pages} pages`}, ${length} à ${fps} images par seconde`,
     planning: 'mise en place des pages…',
     failed: (why: string) => `La page animée ne peut pas être préparée : ${why}`,

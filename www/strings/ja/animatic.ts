@@ -21,7 +21,7 @@ export const animaticStrings = {
     pause: '一時停止',
     position: '位置',
     place: (time: string, of: string, shot: string) => `${of} のうち ${time}、ショット ${shot}`,
-    facts: (shots: number, length: string, fps: number) => `${shots} ショット、${length}、毎秒 ${fps} フレーム`,
+    facts: (shots: number, length: string, fps: string) => `${shots} ショット、${length}、毎秒 ${fps} フレーム`,
     planning: 'ショットを並べています…',
     empty: '見せる写真がありません。',
     failed: (why: string) => `アニマティックを組み立てられません：${why}`,

@@ -9,7 +9,7 @@ export const motionStrings = {
     apart: 'このスタイルは人物を別に描くため、コマは動きません。',
     place: (time: string, of: string, page: string, panel: number) =>
       panel > 0 ? `${of} のうち ${time}、${page} ページ、コマ ${panel}` : `${of} のうち ${time}、${page} ページ`,
-    facts: (pages: number, length: string, fps: number) => `${pages} ページ、${length}、毎秒 ${fps} フレーム`,
+    facts: (pages: number, length: string, fps: string) => `${pages} ページ、${length}、毎秒 ${fps} フレーム`,
     planning: 'ページを並べています…',
     failed: (why: string) => `動くページを組み立てられません：${why}`,
     making: (percent: string) => `動くページを作成中、${percent}`,

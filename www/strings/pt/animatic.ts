@@ -21,7 +21,7 @@ export const animaticStrings = {
     pause: 'Pausar',
     position: 'Posição',
     place: (time: string, of: string, shot: string) => `${time} de ${of}, plano ${shot}`,
-    facts: (shots: number, length: string, fps: number) =>
+    facts: (shots: number, length: string, fps: string) =>
       `${shots === 1 ? '1 plano' : `${shots} planos`}, ${length} a ${fps} quadros por segundo`,
     planning: 'organizando os planos…',
     empty: 'Não há fotos para mostrar.',

@@ -9,7 +9,7 @@ export const motionStrings = {
     apart: 'Os quadros ficam parados: o estilo desenha as figuras à parte.',
     place: (time: string, of: string, page: string, panel: number) =>
       panel > 0 ? `${time} de ${of}, página ${page}, quadro ${panel}` : `${time} de ${of}, página ${page}`,
-    facts: (pages: number, length: string, fps: number) =>
+    facts: (pages: number, length: string, fps: string) =>
       `${pages === 1 ? '1 página' : `${pages} páginas`}, ${length} a ${fps} quadros por segundo`,
     planning: 'organizando as páginas…',
     failed: (why: string) => `A página animada não pode ser preparada: ${why}`,
