@@ -165,8 +165,7 @@ test('shots and pages become films of a kind that the browser makes', async ({ p
 test('panels from films move in an HTML comic', async ({ person }) => {
   await person.begin([given('videos/album.mp4')]);
   // Chance may choose a style that draws subjects apart, whose panels stay still.
-  await person.tab('Styles');
-  await person.click('option', 'Adventure Album', ['listbox', 'Styles']);
+  await person.take('Styles', 'Adventure Album');
   const { path, bytes } = await person.savedAs('html');
   await person.driver.get(pathToFileURL(path).href);
   const found = bytes.toString().matchAll(/<image class="moving"[^>]*href="data:image\/webp;base64,([^"]+)"/g);
