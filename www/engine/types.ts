@@ -758,6 +758,8 @@ export type LayoutChoice = string | Template;
 /** A style by its id, or in full. */
 export type StyleChoice = string | Style;
 
+  /** The picture is shown as it is: in no style, without a border, and it is told as a logo. */
+  plain?: boolean,
 /** The settings of one page. Lengths are fractions of the page's width unless a unit is given. */
 export type PageSettings = {
   /** Width of the exported page in pixels, 64..=14000. */
