@@ -162,6 +162,8 @@ struct Tables {
     #[ts(as = "Vec<Word>")]
     words: Vec<Value>,
     waits: Vec<Vec<Number>>,
+    #[ts(as = "Vec<Board>")]
+    boards: Vec<Value>,
 }
 
 /// What an edit changed: `difference` in `src/document/kept.rs` says how it is read.
@@ -310,12 +312,12 @@ export type SharedLists = Pick<Project, 'mine' | 'favourites' | 'ownLayouts'>;
 export type Runs = ReadonlyArray<readonly [first: number, count: number]>;
 
 /** What of a state stands in tables, which it names by numbers. */
-export type Tabled = 'tray' | 'settings' | 'page' | 'others' | 'draft' | 'waiting' | 'mine' | 'favourites' | 'ownLayouts';
+export type Tabled = 'tray' | 'settings' | 'page' | 'others' | 'draft' | 'board' | 'waiting' | 'mine' | 'favourites' | 'ownLayouts';
 
 /** A state whose parts stand in tables. */
 export type KeptState = Omit<Project, Tabled> & {
-  [Field in Exclude<Tabled, 'waiting'>]: number | Extract<Project[Field], null>;
-} & { waiting?: number };
+  [Field in Exclude<Tabled, 'board' | 'waiting'>]: number | Extract<Project[Field], null>;
+} & { board?: number | null; waiting?: number };
 
 /** A page of a storyboard, and one that was shown, whose page stands in a table. */
 export type KeptSheet = Omit<Sheet, 'page'> & { page: number };

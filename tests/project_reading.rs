@@ -459,6 +459,7 @@ fn tables() -> Value {
         ("favourites", 0),
         ("ownLayouts", 0),
     ] {
+        ("board", 0),
         state[field] = json!(index);
     }
     let mut before = state.clone();
@@ -469,7 +470,7 @@ fn tables() -> Value {
         "parts": {
             "items": present["tray"], "trays": [[0, 1, 2]], "pages": [present["page"], present["others"][0]["page"]],
             "sheets": [sheet], "books": [[0], []], "styles": [own_style()], "shelves": [[0]], "layouts": [own_layout()],
-            "layoutShelves": [[0]], "settings": [present["settings"]], "drafts": [present["draft"]],
+            "layoutShelves": [[0]], "settings": [present["settings"]], "drafts": [present["draft"]], "boards": [present["board"]],
         },
         "past": [before, state, state], "present": state, "future": [before], "shown": [{ "id": 3, "page": 0 }, { "id": 2, "page": 1, "sheet": 4, "from": 3 }],
     } })
@@ -487,6 +488,7 @@ fn states_share_what_they_shared() {
     let written: Value = serde_json::from_str(&text).unwrap();
     assert_eq!(written["history"]["parts"]["pages"].as_array().unwrap().len(), 2);
     assert_eq!(kept::parse(&text).unwrap().0, history);
+    assert!(std::sync::Arc::ptr_eq(&present.board, &past[0].board));
 }
 
 #[test]
@@ -501,6 +503,7 @@ fn a_wrong_part_costs_the_states_that_have_it() {
         ("/history/past/1/alike", json!(10.5), Some(["past[1].alike"].as_slice())),
         ("/history/shown/1/page", json!("1"), Some(["shown[1].page"].as_slice())),
         ("/history/parts/styles/0/background", json!(5), Some(["styles[0].background"].as_slice())),
+        ("/history/present/board", json!(1), None),
     ];
     for (path, wrong, expected) in cases {
         let mut value = tables();

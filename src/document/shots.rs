@@ -13,6 +13,7 @@ use std::collections::HashSet;
 
 /// Frames a second that durations are counted in.
 pub const RATES: [u32; 3] = [24, 25, 30];
+use std::sync::Arc;
 /// How fast a second of a board may pass, by name.
 const PACES: [(&str, Pace); 3] = [("clock", Pace::Clock), ("ntsc", Pace::Ntsc), ("drop", Pace::Drop)];
 /// Frames that fit on a sheet of a board.
@@ -180,7 +181,11 @@ fn more(value: Value) -> Read<Map<String, Value>> {
 }
 
 impl Board {
-    pub(super) fn read(value: Value) -> Read<Self> {
+    pub(super) fn shared(value: Value) -> Read<Arc<Self>> {
+        Self::read(value).map(Arc::new)
+    }
+
+    fn read(value: Value) -> Read<Self> {
         let mut fields = Fields::of(value)?;
         let mut board = Self::default();
         if let Some(fps) = one_of(&mut fields, "fps", &RATES)? {

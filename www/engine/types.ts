@@ -1436,7 +1436,7 @@ export type BreedRequest = { a: StyleChoice, b: StyleChoice, seed: number,
 };
 
 /** The tables that states name their parts of. */
-export type Tables = { items: ReadonlyArray<TrayItem>, trays: ReadonlyArray<ReadonlyArray<number>>, pages: ReadonlyArray<PageDocument>, sheets: ReadonlyArray<KeptSheet>, books: ReadonlyArray<ReadonlyArray<number>>, styles: ReadonlyArray<Style>, shelves: ReadonlyArray<ReadonlyArray<number>>, layouts: ReadonlyArray<Template>, layoutShelves: ReadonlyArray<ReadonlyArray<number>>, settings: ReadonlyArray<PageSettings>, drafts: ReadonlyArray<Draft>, words: ReadonlyArray<Word>, waits: ReadonlyArray<ReadonlyArray<number>>,
+export type Tables = { items: ReadonlyArray<TrayItem>, trays: ReadonlyArray<ReadonlyArray<number>>, pages: ReadonlyArray<PageDocument>, sheets: ReadonlyArray<KeptSheet>, books: ReadonlyArray<ReadonlyArray<number>>, styles: ReadonlyArray<Style>, shelves: ReadonlyArray<ReadonlyArray<number>>, layouts: ReadonlyArray<Template>, layoutShelves: ReadonlyArray<ReadonlyArray<number>>, settings: ReadonlyArray<PageSettings>, drafts: ReadonlyArray<Draft>, words: ReadonlyArray<Word>, waits: ReadonlyArray<ReadonlyArray<number>>, boards: ReadonlyArray<Board>,
 };
 
 /** What an edit changed: `difference` in `src/document/kept.rs` says how it is read. */
@@ -1620,12 +1620,12 @@ export type SharedLists = Pick<Project, 'mine' | 'favourites' | 'ownLayouts'>;
 export type Runs = ReadonlyArray<readonly [first: number, count: number]>;
 
 /** What of a state stands in tables, which it names by numbers. */
-export type Tabled = 'tray' | 'settings' | 'page' | 'others' | 'draft' | 'waiting' | 'mine' | 'favourites' | 'ownLayouts';
+export type Tabled = 'tray' | 'settings' | 'page' | 'others' | 'draft' | 'board' | 'waiting' | 'mine' | 'favourites' | 'ownLayouts';
 
 /** A state whose parts stand in tables. */
 export type KeptState = Omit<Project, Tabled> & {
-  [Field in Exclude<Tabled, 'waiting'>]: number | Extract<Project[Field], null>;
-} & { waiting?: number };
+  [Field in Exclude<Tabled, 'board' | 'waiting'>]: number | Extract<Project[Field], null>;
+} & { board?: number | null; waiting?: number };
 
 /** A page of a storyboard, and one that was shown, whose page stands in a table. */
 export type KeptSheet = Omit<Sheet, 'page'> & { page: number };
