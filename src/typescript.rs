@@ -26,7 +26,7 @@ use crate::layout::{
     Bounds, Circle, Descriptor, LayoutPanel, Outline, PageSettings, PlacedPanel, Point, Template,
 };
 use crate::output::animatic::{self, Animatic, Clip};
-use crate::output::board::{self, Labels, PictureOf};
+use crate::output::board::{self, Labels, Logo, PictureOf};
 use crate::output::motion::{self, Reading, Said, Stop};
 use crate::output::shots::timecode::Pace;
 use crate::output::shots::{Film, ListedShot, ShotList};
@@ -353,6 +353,7 @@ fn types() -> String {
         Pace,
         board::Request,
         PictureOf,
+        Logo,
         animatic::Request,
         animatic::Picture,
         Animatic,

@@ -98,6 +98,8 @@ export type Board = {
   author: string,
   /** When, as it stands there. */
   date: string,
+  /** A picture that stands there, too: a PNG file as a data URL; empty where there is none. */
+  logo?: string,
   /** Photos in the order in which a person put them; the others follow where they belong by themselves. */
   order: ReadonlyArray<string>,
 };
@@ -171,6 +173,8 @@ export type BoardRequest = {
   author: string,
   /** When. */
   date: string,
+  /** A picture in the head of every sheet. */
+  logo?: BoardLogo,
   /** Paper as in North America, else A4. */
   letter: boolean,
   /** The style of the frames: an id, or a style in full. */
@@ -187,6 +191,14 @@ export type BoardPicture = {
   crop: Crop,
   /** Faces of it, which the style takes care of. */
   faces: ReadonlyArray<Crop>,
+};
+
+/** The picture in the heads. */
+export type BoardLogo = {
+  /** The id under which it is known to who draws the sheets. */
+  photo: string,
+  /** Its width over its height; it is shown with 1/30 to 30. */
+  aspect: number,
 };
 
 /** What is asked for. */
@@ -746,6 +758,8 @@ export type PanelUse = {
   faces?: ReadonlyArray<Crop>,
   /** The subject of the photo, which steps out of the panel where there is room; none, and nothing does. */
   figure?: string,
+  /** The picture is shown as it is: in no style, without a border, and it is told as a logo. */
+  plain?: boolean,
   /** Kept by every shuffle. */
   locked?: boolean,
   /** The crop was made by hand: it stays while the photo stays in this panel. */
@@ -758,8 +772,6 @@ export type LayoutChoice = string | Template;
 /** A style by its id, or in full. */
 export type StyleChoice = string | Style;
 
-  /** The picture is shown as it is: in no style, without a border, and it is told as a logo. */
-  plain?: boolean,
 /** The settings of one page. Lengths are fractions of the page's width unless a unit is given. */
 export type PageSettings = {
   /** Width of the exported page in pixels, 64..=14000. */
