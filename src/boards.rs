@@ -2,13 +2,14 @@
 
 use crate::{Complaint, survived};
 use inkpanel::document::saved::Saved;
-use inkpanel::document::shots::ASPECTS;
+use inkpanel::document::shots::{ASPECTS, logo_file};
 use inkpanel::framing::Subject;
-use inkpanel::output::board::{PictureOf, Request};
+use inkpanel::output::board::{Logo, PictureOf, Request};
 use inkpanel::page::Document;
 use inkpanel::page::fill::framed_json;
 use inkpanel::page::import::import;
-use inkpanel::raster::decode::Limits;
+use inkpanel::raster::Image;
+use inkpanel::raster::decode::{Limits, decode};
 use rayon::prelude::*;
 use serde_json::{Value, json};
 use std::collections::HashMap;
@@ -16,8 +17,21 @@ use std::collections::HashMap;
 /// The style of a project without a page.
 pub(crate) const STYLE: &str = "storyboard";
 
+/// The id of the logo on sheets: no photo of a project is called so.
+pub(crate) const LOGO: &str = "board/logo";
+
+/// The logo of a project's board at its full size; none where it has none.
+///
+/// # Errors
+/// A sentence for one that cannot be read.
+pub(crate) fn logo(saved: &Saved) -> Result<Option<Image>, Complaint> {
+    let Some(file) = logo_file(&saved.project().history.present.board.logo) else { return Ok(None) };
+    let decoded = survived(|| decode(&file, &Limits::default()));
+    decoded.map(|decoded| Some(decoded.image)).map_err(|reason| format!("the logo of the board: {reason}"))
+}
+
 /// The sheets of a project's board, in the style of its page. `title`: what it is called where it has no name; `found`: what is
-/// known to be in a photo.
+/// known to be in a photo; `logo`: as [`logo`] gives it.
 ///
 /// # Errors
 /// A sentence for a photo that is not there or cannot be read, and for a project without shots.
@@ -25,6 +39,7 @@ pub(crate) fn sheets(
     saved: &mut Saved,
     frames: u32,
     (title, found): (&str, &HashMap<String, Vec<Subject>>),
+    logo: Option<&Image>,
 ) -> Result<Vec<Document>, Complaint> {
     let project = saved.project().clone();
     let present = &project.history.present;
@@ -46,6 +61,8 @@ pub(crate) fn sheets(
         ruled: board.ruled,
         author: board.author.clone(),
         date: board.date.clone(),
+        logo: logo
+            .map(|image| Logo { photo: LOGO.into(), aspect: image.width() as f64 / image.height() as f64 }),
         style,
         ..Request::default()
     };

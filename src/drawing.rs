@@ -396,7 +396,8 @@ fn decoded(document: &Document, means: &Means<'_>) -> Result<native::Photos, Com
     let read = |id: String| {
         let image = (means.photos)(&id).transpose()?;
         Some(image.map(|image| {
-            let subject = means.masks.asked_by_page(document, &style, &id, &image);
+            let asked = native::is_styled(document, &id);
+            let subject = asked.then(|| means.masks.asked_by_page(document, &style, &id, &image)).flatten();
             (id, native::Photo { image, subject })
         }))
     };

@@ -44,6 +44,12 @@ pub fn photos_of(document: &Document) -> Result<BTreeSet<String>> {
     Ok(scene.panels.into_iter().filter_map(|panel| panel.photo).collect())
 }
 
+/// Whether a page shows a photo in a style somewhere, and not as it is alone.
+#[must_use]
+pub fn is_styled(document: &Document, photo: &str) -> bool {
+    document.panels.iter().any(|panel| !panel.plain && panel.photo.as_deref() == Some(photo))
+}
+
 /// The whole page at its own size with its words, whose letters the program has or `fonts`. A panel whose photo is not there
 /// stays empty.
 ///
@@ -86,19 +92,23 @@ pub fn leaf(
     Ok(Leaf { document: document.clone(), pictures, alts })
 }
 
-/// What each panel of a page shows, as far as it was found: `Panel 2 of 6: a person and a dog`. `subjects` knows what is in a
-/// photo.
+/// What each panel of a page shows, as far as it was found: `Panel 2 of 6: a person and a dog`, and `Logo` of one that is shown as it
+/// is. `subjects` knows what is in a photo.
 pub fn alts<'s>(document: &Document, subjects: &dyn Fn(&str) -> &'s [Subject]) -> Vec<String> {
     let shows = described(document, subjects);
-    let count = document.panels.len();
+    let count = document.panels.iter().filter(|panel| !panel.plain).count();
     let alt = |i: usize| {
+        if document.panels[i].plain {
+            return "Logo".to_owned();
+        }
         let what = shows.get(i).filter(|what| !what.is_empty()).map_or("a photo", String::as_str);
         format!("Panel {} of {count}: {what}", i + 1)
     };
-    (0..count).map(alt).collect()
+    (0..document.panels.len()).map(alt).collect()
 }
 
-/// The panels whose photos have fewer pixels an inch than [`COARSE`] on the page at its own size, with how many they have.
+/// The panels whose photos have fewer pixels an inch than [`COARSE`] on the page at its own size, with how many they have; those that
+/// are shown as they are not among them.
 /// `size` knows width and height of a photo in pixels.
 ///
 /// # Errors
@@ -107,7 +117,7 @@ pub fn coarse(document: &Document, size: &dyn Fn(&str) -> Option<(u32, u32)>) ->
     let scene = Scene::new(document, document.page.width as usize)?;
     let leads = |i: usize| document.merge_of(i).is_none_or(|group| group.first() == Some(&i));
     let found = scene.panels.iter().enumerate().filter(|(i, _)| leads(*i)).filter_map(|(i, panel)| {
-        let (width, height) = size(panel.photo.as_deref()?)?;
+        let (width, height) = size(panel.photo.as_deref().filter(|_| !panel.plain)?)?;
         let across = panel.crop.width * f64::from(width) / panel.image_bounds.width;
         let down = panel.crop.height * f64::from(height) / panel.image_bounds.height;
         let dpi = across.min(down) * f64::from(document.page.dpi);

@@ -67,15 +67,20 @@ fn drawn(
     let stem = output.named.file_stem().map(|stem| stem.to_string_lossy().into_owned()).unwrap_or_default();
     // A name with a number's place asks for a picture of each page.
     let each = number.is_none() && plans::has_number(&output.named);
+    let logo = board.map_or(Ok(None), |_| boards::logo(&saved))?;
     let wanted = match board {
         Some(_) if matches!(kind, Kind::Comic(_)) => {
             return Err("a board is no comic: give the output a name that ends in .pdf or .png".into());
         }
-        Some(frames) => boards::sheets(&mut saved, frames, (&stem, &known))?,
+        Some(frames) => boards::sheets(&mut saved, frames, (&stem, &known), logo.as_ref())?,
         None => wanted(&saved, number, each || printing.binds() || matches!(kind, Kind::Comic(_)))?,
     };
-    let files = files(&mut saved, &wanted)?;
+    let drawn_logo = |id: &str| logo.as_ref().filter(|_| id == boards::LOGO);
+    let files = files(&mut saved, &wanted, &|id| drawn_logo(id).is_none())?;
     let photos = |id: &str| {
+        if let Some(logo) = drawn_logo(id) {
+            return Ok(Some(logo.clone()));
+        }
         let Some(bytes) = files.get(id) else { return Ok(None) };
         let name = saved.photo(id).map_or(id, |photo| &photo.name);
         let decoded = survived(|| decode(bytes, &Limits::default()));
@@ -140,10 +145,14 @@ fn subjects(photo: &FilePhoto) -> Vec<Subject> {
     told.filter_map(|subject| serde_json::from_value(subject.clone()).ok()).collect()
 }
 
-/// The files of the photos that pages show, by their ids.
-fn files(saved: &mut Saved, pages: &[Document]) -> Result<HashMap<String, Vec<u8>>, Complaint> {
+/// The files of the photos that pages show, by their ids; `is_photo`: whether a picture is one.
+fn files(
+    saved: &mut Saved,
+    pages: &[Document],
+    is_photo: &dyn Fn(&str) -> bool,
+) -> Result<HashMap<String, Vec<u8>>, Complaint> {
     let pages: Vec<&Document> = pages.iter().collect();
-    let mut shown: Vec<&str> = photos_on(&pages).into_iter().collect();
+    let mut shown: Vec<&str> = photos_on(&pages).into_iter().filter(|id| is_photo(id)).collect();
     shown.sort_unstable();
     let mut files = HashMap::new();
     for id in &shown {

@@ -26,7 +26,7 @@ use crate::layout::{
     Bounds, Circle, Descriptor, LayoutPanel, Outline, PageSettings, PlacedPanel, Point, Template,
 };
 use crate::output::animatic::{self, Animatic, Clip};
-use crate::output::board::{self, Labels, PictureOf};
+use crate::output::board::{self, Labels, Logo, PictureOf};
 use crate::output::motion::{self, Reading, Said, Stop};
 use crate::output::shots::timecode::Pace;
 use crate::output::shots::{Film, ListedShot, ShotList};
@@ -162,6 +162,8 @@ struct Tables {
     #[ts(as = "Vec<Word>")]
     words: Vec<Value>,
     waits: Vec<Vec<Number>>,
+    #[ts(as = "Vec<Board>")]
+    boards: Vec<Value>,
 }
 
 /// What an edit changed: `difference` in `src/document/kept.rs` says how it is read.
@@ -310,12 +312,12 @@ export type SharedLists = Pick<Project, 'mine' | 'favourites' | 'ownLayouts'>;
 export type Runs = ReadonlyArray<readonly [first: number, count: number]>;
 
 /** What of a state stands in tables, which it names by numbers. */
-export type Tabled = 'tray' | 'settings' | 'page' | 'others' | 'draft' | 'waiting' | 'mine' | 'favourites' | 'ownLayouts';
+export type Tabled = 'tray' | 'settings' | 'page' | 'others' | 'draft' | 'board' | 'waiting' | 'mine' | 'favourites' | 'ownLayouts';
 
 /** A state whose parts stand in tables. */
 export type KeptState = Omit<Project, Tabled> & {
-  [Field in Exclude<Tabled, 'waiting'>]: number | Extract<Project[Field], null>;
-} & { waiting?: number };
+  [Field in Exclude<Tabled, 'board' | 'waiting'>]: number | Extract<Project[Field], null>;
+} & { board?: number | null; waiting?: number };
 
 /** A page of a storyboard, and one that was shown, whose page stands in a table. */
 export type KeptSheet = Omit<Sheet, 'page'> & { page: number };
@@ -351,6 +353,7 @@ fn types() -> String {
         Pace,
         board::Request,
         PictureOf,
+        Logo,
         animatic::Request,
         animatic::Picture,
         Animatic,

@@ -30,6 +30,7 @@ fn bounds() -> String {
             "label",
             limits::LONGEST_LABEL,
         ),
+        ("Characters of the logo of a board as a data URL.", "logo", limits::LONGEST_LOGO),
         ("Columns of one's own.", "columns", limits::MOST_COLUMNS),
         ("Frames of a shot.", "shotFrames", limits::MOST_SHOT_FRAMES as usize),
         ("Characters of a script.", "script", script::MOST_SCRIPT),

@@ -16,6 +16,9 @@ use proptest::prelude::*;
 use serde_json::{Value, json};
 use std::time::{Duration, Instant};
 
+/// As much of a PNG file as a board asks for.
+const LOGO: &str = "data:image/png;base64,iVBORw0KGgo=";
+
 fn photos(count: usize) -> Vec<Value> {
     let photo = |i| {
         json!({
@@ -72,7 +75,7 @@ fn whole() -> Value {
         },
         "mine": [own_style()], "favourites": [own_style()], "ownLayouts": [own_layout()], "loved": [1, 3],
         "styling": { "invented": 0.5, "keepLines": true, "keepColours": false },
-        "board": { "fps": 25, "columns": ["Lens"], "frames": 8, "aspect": "2.39", "beside": true, "ruled": true, "author": "Ann", "date": "May", "order": ["p2", "p0"] },
+        "board": { "fps": 25, "columns": ["Lens"], "frames": 8, "aspect": "2.39", "beside": true, "ruled": true, "author": "Ann", "date": "May", "logo": LOGO, "order": ["p2", "p0"] },
     });
     let shown = json!([
         { "id": 1, "page": page(3, json!("cinema-3"), json!("noir"), json!([])) },
@@ -301,6 +304,7 @@ fn what_is_wrong_is_refused_with_its_place() {
         ("/history/present/board/fps", json!(23), "present.board.fps: "),
         ("/history/present/board/columns", json!(["a", "a"]), "present.board.columns: "),
         ("/history/present/board/aspect", json!("3:2"), "present.board.aspect: "),
+        ("/history/present/board/logo", json!("logo.png"), "present.board.logo: is no PNG picture"),
         ("/history/present/loved", json!([-1]), "present.loved[0]: "),
         (
             "/history/present/draft/background/0/values/levels",
@@ -455,6 +459,7 @@ fn tables() -> Value {
         ("page", 0),
         ("others", 0),
         ("draft", 0),
+        ("board", 0),
         ("mine", 0),
         ("favourites", 0),
         ("ownLayouts", 0),
@@ -469,7 +474,7 @@ fn tables() -> Value {
         "parts": {
             "items": present["tray"], "trays": [[0, 1, 2]], "pages": [present["page"], present["others"][0]["page"]],
             "sheets": [sheet], "books": [[0], []], "styles": [own_style()], "shelves": [[0]], "layouts": [own_layout()],
-            "layoutShelves": [[0]], "settings": [present["settings"]], "drafts": [present["draft"]],
+            "layoutShelves": [[0]], "settings": [present["settings"]], "drafts": [present["draft"]], "boards": [present["board"]],
         },
         "past": [before, state, state], "present": state, "future": [before], "shown": [{ "id": 3, "page": 0 }, { "id": 2, "page": 1, "sheet": 4, "from": 3 }],
     } })
@@ -483,7 +488,10 @@ fn states_share_what_they_shared() {
     assert_eq!((past.len(), future.len(), shown.len()), (3, 1, 2));
     assert!(std::ptr::eq(present.tray.as_ptr(), past[1].tray.as_ptr()));
     assert!(std::sync::Arc::ptr_eq(present.page.as_ref().unwrap(), &shown[0].page));
+    assert!(std::sync::Arc::ptr_eq(&present.board, &past[0].board));
+    assert_eq!(present.board.logo, LOGO);
     let text = kept::write(&history, &dropped);
+    assert_eq!(text.matches(LOGO).count(), 1);
     let written: Value = serde_json::from_str(&text).unwrap();
     assert_eq!(written["history"]["parts"]["pages"].as_array().unwrap().len(), 2);
     assert_eq!(kept::parse(&text).unwrap().0, history);
@@ -496,6 +504,8 @@ fn a_wrong_part_costs_the_states_that_have_it() {
         ("/history/parts/items/0/id", json!(5), None),
         ("/history/present/tray", json!("0"), None),
         ("/history/present/tray", json!(7), None),
+        ("/history/present/board", json!(1), None),
+        ("/history/parts/boards/0/logo", json!("logo.png"), None),
         ("/history/past", json!(vec![0; 501]), None),
         ("/history/parts/books/1", json!([9]), Some(["past[0].others[0]", "future[0].others[0]"].as_slice())),
         ("/history/past/1/alike", json!(10.5), Some(["past[1].alike"].as_slice())),

@@ -570,9 +570,9 @@ impl Edit {
             "describe-shots" => Self::DescribeShots {
                 shots: fields.part("shots", &mut shots::described)?.unwrap_or_default(),
             },
-            "set-board" => Self::SetBoard {
-                board: Arc::new(fields.part("board", &mut Board::read)?.unwrap_or_default()),
-            },
+            "set-board" => {
+                Self::SetBoard { board: fields.part("board", &mut Board::shared)?.unwrap_or_default() }
+            }
             "lock" => Self::Lock {
                 part: fields.part("part", &mut part)?.unwrap_or(Part::Layout),
                 on: fields.flag("on")?,

@@ -10,6 +10,7 @@ use super::limits::{
     MOST_STYLES, MOST_SUBJECTS, MOST_VIDEOS, MOST_WAITING, PROJECT,
 };
 use super::project::{self, Draft, List, Parts, Sheet, TrayItem};
+use super::shots::Board;
 use super::{Dropped, VERSION, pages, refusal, version};
 use crate::error::Result;
 use crate::json::{self, Fields, Read, Writer, Wrong, each, items, text_of};
@@ -439,6 +440,10 @@ impl Parts for Inline {
 
     fn draft(&mut self, value: Value) -> Read<Arc<Draft>> {
         Draft::read(value)
+    }
+
+    fn board(&mut self, value: Value) -> Read<Arc<Board>> {
+        Board::shared(value)
     }
 
     fn waiting(&mut self, value: Value) -> Read<List<Value>> {

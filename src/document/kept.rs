@@ -11,7 +11,7 @@
 //! | `styles`, `shelves` | styles, and lists of their indices | `mine` and `favourites` of a state |
 //! | `layouts`, `layoutShelves` | layouts, and lists of their indices | `ownLayouts` of a state |
 //! | `words`, `waits` | words without a page, and lists of their indices | `waiting` of a state |
-//! | `settings`, `drafts` | page settings, drafts | `settings`, `draft` of a state |
+//! | `settings`, `drafts`, `boards` | page settings, drafts, boards | `settings`, `draft`, `board` of a state |
 //!
 //! Each part is checked once.
 
@@ -192,6 +192,7 @@ struct Tables {
     layout_shelves: Table<List<Value>>,
     settings: Table<Arc<PageSettings>>,
     drafts: Table<Arc<Draft>>,
+    boards: Table<Arc<Board>>,
 }
 
 type Table<T> = Vec<Read<T>>;
@@ -214,6 +215,7 @@ impl Tables {
             layout_shelves: shelves(table("layoutShelves")?, MOST_LAYOUTS, &layouts),
             settings: all(table("settings")?, &pages::settings),
             drafts: all(table("drafts")?, &Draft::read),
+            boards: all(table("boards")?, &Board::shared),
             pages,
         })
     }
@@ -238,6 +240,10 @@ impl Parts for Tables {
 
     fn draft(&mut self, value: Value) -> Read<Arc<Draft>> {
         part(&self.drafts, &value, "object")
+    }
+
+    fn board(&mut self, value: Value) -> Read<Arc<Board>> {
+        part(&self.boards, &value, "object")
     }
 
     fn waiting(&mut self, value: Value) -> Read<List<Value>> {
@@ -307,7 +313,7 @@ fn part<T: Clone>(table: &[Read<T>], index: &Value, what: &str) -> Read<T> {
 }
 
 /// Tables by their names, in the order of their numbers.
-const TABLES: [&str; 13] = [
+const TABLES: [&str; 14] = [
     "items",
     "trays",
     "pages",
@@ -321,6 +327,7 @@ const TABLES: [&str; 13] = [
     "drafts",
     "words",
     "waits",
+    "boards",
 ];
 const ITEMS: usize = 0;
 const PAGES: usize = 2;
@@ -330,6 +337,7 @@ const LAYOUTS: usize = 7;
 const SETTINGS: usize = 9;
 const DRAFTS: usize = 10;
 const WORDS: usize = 11;
+const BOARDS: usize = 13;
 
 /// Whether two parts are alike; most are the very same.
 fn same<T: PartialEq>(a: &Arc<T>, b: &Arc<T>) -> bool {
@@ -362,7 +370,8 @@ impl Interner {
     }
 
     /// One whose tables begin with the parts that its reader has, in this order: of the present its photos, its page, those
-    /// of the other sheets and those shown, the other sheets, its own styles and favourites, its layouts, settings and draft, and the words that wait.
+    /// of the other sheets and those shown, the other sheets, its own styles and favourites, its layouts, settings and draft, the words that wait, and
+    /// its board, also where nobody made it.
     fn knowing(history: &History) -> Self {
         let mut parts = Self::default();
         let present = &history.present;
@@ -376,6 +385,7 @@ impl Interner {
         parts.know(SETTINGS, [&present.settings].into_iter());
         parts.know(DRAFTS, present.draft.iter());
         parts.know(WORDS, present.waiting.iter());
+        parts.know(BOARDS, [&present.board].into_iter());
         parts
     }
 
@@ -477,7 +487,11 @@ impl Interner {
         let none = was.is_none_or(|was| *was.board == Board::default()) && *state.board == Board::default();
         if !none && fresh(&|was| same(&was.board, &state.board)) {
             let board = out.key("board");
-            if *state.board == Board::default() { board.null() } else { state.board.write(board) }
+            if *state.board == Board::default() {
+                board.null();
+            } else {
+                self.part(board, BOARDS, &state.board, &|_, out, board| board.write(out));
+            }
         }
         if fresh(&|was| was.rest == state.rest) {
             out.rest(&state.rest);

@@ -57,6 +57,8 @@ pub const LONGEST_SIDE: u64 = 1_000_000;
 pub const LONGEST_FIELD: usize = 10_000;
 /// Characters of the number or the scene of a shot, and of the name of a column.
 pub const LONGEST_LABEL: usize = 200;
+/// Characters of the logo of a board: a PNG file of 48 kB as a data URL.
+pub const LONGEST_LOGO: usize = 64 << 10;
 /// Columns of one's own.
 pub const MOST_COLUMNS: usize = 12;
 /// Frames of a shot: a day of thirty a second.

@@ -261,6 +261,7 @@ pub(super) trait Parts {
     fn page(&mut self, value: Value) -> Read<Arc<Document>>;
     fn sheets(&mut self, value: Value) -> Read<List<Sheet>>;
     fn draft(&mut self, value: Value) -> Read<Arc<Draft>>;
+    fn board(&mut self, value: Value) -> Read<Arc<Board>>;
     fn waiting(&mut self, value: Value) -> Read<List<Value>>;
     fn styles(&mut self, value: Value, field: &str) -> Read<List<Value>>;
     fn layouts(&mut self, value: Value, field: &str) -> Read<List<Value>>;
@@ -317,8 +318,8 @@ impl Project {
         if let Some(styling) = fields.part("styling", &mut styling)? {
             state.styling = styling;
         }
-        if let Some(board) = fields.nullable("board").part("board", &mut Board::read)? {
-            state.board = Arc::new(board);
+        if let Some(board) = fields.nullable("board").part("board", &mut |value| parts.board(value))? {
+            state.board = board;
         }
         state.page = fields.nullable("page").part("page", &mut |value| parts.page(value))?;
         state.draft = fields.nullable("draft").part("draft", &mut |value| parts.draft(value))?;

@@ -3,13 +3,17 @@
 //! shots, their rate and the columns of one's own are of the whole project.
 
 use super::limits::{
-    LONGEST_FIELD, LONGEST_ID, LONGEST_LABEL, LONGEST_NAME, MOST_COLUMNS, MOST_PHOTOS, MOST_SHOT_FRAMES,
+    LONGEST_FIELD, LONGEST_ID, LONGEST_LABEL, LONGEST_LOGO, LONGEST_NAME, MOST_COLUMNS, MOST_PHOTOS,
+    MOST_SHOT_FRAMES,
 };
 use super::project::TrayItem;
 use crate::json::{Fields, Read, Writer, Wrong, text_of};
 use crate::output::shots::timecode::Pace;
+use base64::Engine;
+use base64::engine::general_purpose::STANDARD;
 use serde_json::{Map, Value};
 use std::collections::HashSet;
+use std::sync::Arc;
 
 /// Frames a second that durations are counted in.
 pub const RATES: [u32; 3] = [24, 25, 30];
@@ -85,6 +89,9 @@ pub struct Board {
     pub author: String,
     /// When, as it stands there.
     pub date: String,
+    /// A picture that stands there, too: a PNG file as a data URL; empty where there is none.
+    #[cfg_attr(all(test, feature = "cli"), ts(as = "Option<_>", optional))]
+    pub logo: String,
     /// Photos in the order in which a person put them; the others follow where they belong by themselves.
     pub order: Vec<String>,
     /// Fields that this program does not know.
@@ -104,6 +111,7 @@ impl Default for Board {
             ruled: false,
             author: String::new(),
             date: String::new(),
+            logo: String::new(),
             order: Vec::new(),
             rest: Map::new(),
         }
@@ -180,7 +188,11 @@ fn more(value: Value) -> Read<Map<String, Value>> {
 }
 
 impl Board {
-    pub(super) fn read(value: Value) -> Read<Self> {
+    pub(super) fn shared(value: Value) -> Read<Arc<Self>> {
+        Self::read(value).map(Arc::new)
+    }
+
+    fn read(value: Value) -> Read<Self> {
         let mut fields = Fields::of(value)?;
         let mut board = Self::default();
         if let Some(fps) = one_of(&mut fields, "fps", &RATES)? {
@@ -208,6 +220,11 @@ impl Board {
         (board.beside, board.ruled) = (fields.flag("beside")?, fields.flag("ruled")?);
         board.author = fields.text("author", LONGEST_NAME)?.unwrap_or_default();
         board.date = fields.text("date", LONGEST_NAME)?.unwrap_or_default();
+        board.logo = fields.nullable("logo").text("logo", LONGEST_LOGO)?.unwrap_or_default();
+        if !board.logo.is_empty() && logo_file(&board.logo).is_none() {
+            let shape = "is no PNG picture as a data URL: data:image/png;base64, and its bytes in base64";
+            return Err(Wrong::new(shape).at("logo"));
+        }
         board.order = fields.each("order", MOST_PHOTOS, &|id| text_of(id, LONGEST_ID))?;
         board.rest = fields.rest();
         Ok(board)
@@ -227,6 +244,9 @@ impl Board {
         out.key("ruled").flag(self.ruled);
         out.key("author").text(&self.author);
         out.key("date").text(&self.date);
+        if !self.logo.is_empty() {
+            out.key("logo").text(&self.logo);
+        }
         out.key("order").texts(&self.order);
         out.rest(&self.rest);
         out.close(b'}');
@@ -260,6 +280,13 @@ impl Board {
         let same = self.columns.len() == before.columns.len();
         self.columns.get(place).filter(|now| same && !before.columns.contains(now)).cloned()
     }
+}
+
+/// The PNG file of a logo as a board tells it; none for anything else. Whether its pixels can be read is not asked.
+#[must_use]
+pub fn logo_file(url: &str) -> Option<Vec<u8>> {
+    let file = STANDARD.decode(url.strip_prefix("data:image/png;base64,")?).ok()?;
+    file.starts_with(b"\x89PNG\r\n\x1a\n").then_some(file)
 }
 
 fn one_of(fields: &mut Fields, name: &str, known: &[u32]) -> Read<Option<u32>> {
@@ -365,10 +392,22 @@ mod tests {
             r#"{"aspect":"3:2"}"#,
             r#"{"columns":["a","a"]}"#,
             r#"{"columns":[""]}"#,
+            r#"{"logo":7}"#,
+            r#"{"logo":"logo.png"}"#,
+            r#"{"logo":"data:image/jpeg;base64,iVBORw0KGgo="}"#,
+            r#"{"logo":"data:image/png;base64,iVBORw0KGgo*"}"#,
+            r#"{"logo":"data:image/png;base64,R0lGODlhAQAB"}"#,
         ] {
             assert!(board(wrong).is_err(), "{wrong}");
         }
         assert_eq!(board("{}").unwrap(), Board::default());
+        assert_eq!(board(r#"{"logo":""}"#).unwrap(), Board::default());
+        let logo = |letters: usize| format!("data:image/png;base64,iVBORw0KGgoA{}", "A".repeat(letters));
+        let longest = LONGEST_LOGO - logo(0).len();
+        let told = |letters| board(&format!(r#"{{"logo":"{}"}}"#, logo(letters)));
+        assert_eq!(told(longest / 4 * 4).unwrap().logo, logo(longest / 4 * 4));
+        let wrong = told(longest / 4 * 4 + 4).unwrap_err();
+        assert_eq!((wrong.place(), wrong.kind()), ("logo", crate::json::Kind::Beyond));
         let shot = |json: &str| Shot::read(serde_json::from_str(json).unwrap());
         for wrong in [r#"{"frames":0}"#, r#"{"scene":1}"#, r#"{"more":{"a":2}}"#, "[]"] {
             assert!(shot(wrong).is_err(), "{wrong}");

@@ -24,6 +24,11 @@ const HEAD: f64 = 11.0;
 const TITLE: f64 = 4.9;
 /// Width of which sheet it is.
 const NUMBER: f64 = 25.0;
+/// Most width and height of a logo, and the most that one of them is of the other.
+const LOGO: (f64, f64) = (30.0, 9.0);
+const FLATTEST: f64 = 30.0;
+/// How much lower the words of the head stand beside a logo, whose middle is theirs then.
+const LOWER: f64 = 2.8;
 /// The part of the height of a cell that belongs to the text under a frame, at least; of its width to a frame with text beside it, at most.
 const UNDER: f64 = 0.27;
 const BESIDE: f64 = 0.56;
@@ -55,6 +60,8 @@ pub struct Request {
     pub author: String,
     /// When.
     pub date: String,
+    /// A picture in the head of every sheet.
+    pub logo: Option<Logo>,
     /// Paper as in North America, else A4.
     pub letter: bool,
     /// The style of the frames: an id, or a style in full.
@@ -77,6 +84,27 @@ pub struct PictureOf {
     /// Faces of it, which the style takes care of.
     #[cfg_attr(all(test, feature = "cli"), ts(as = "Vec<crate::framing::Crop>"))]
     pub faces: Value,
+}
+
+/// The picture in the heads.
+#[derive(Debug, Clone, Default, Deserialize)]
+#[serde(default)]
+#[cfg_attr(all(test, feature = "cli"), derive(ts_rs::TS), ts(rename = "BoardLogo"))]
+pub struct Logo {
+    /// The id under which it is known to who draws the sheets.
+    pub photo: String,
+    /// Its width over its height; it is shown with 1/30 to 30.
+    pub aspect: f64,
+}
+
+impl Logo {
+    /// Its place on a sheet in millimetres.
+    fn area(&self) -> Area {
+        let aspect = self.aspect.clamp(1.0 / FLATTEST, FLATTEST);
+        let width = LOGO.0.min(LOGO.1 * aspect);
+        let height = width / aspect;
+        Area { x: MARGIN, y: MARGIN + (LOGO.1 - height) / 2.0, width, height }
+    }
 }
 
 /// What is written before what is told. `{page}` and `{count}` stand for numbers.
@@ -114,10 +142,14 @@ impl Request {
     /// The sheets as pages; none where there are no shots.
     ///
     /// # Errors
-    /// `invalid-document` for pictures that are none, or not as many as there are shots; those of the style.
+    /// `invalid-document` for pictures that are none, or not as many as there are shots, and for a logo without an aspect; those of
+    /// the style.
     pub fn sheets(&self) -> Result<Vec<Document>> {
         if self.pictures.len() != self.list.shots.len() {
             return Err(invalid("pictures", "are not as many as there are shots"));
+        }
+        if self.logo.as_ref().is_some_and(|logo| !(logo.aspect.is_finite() && logo.aspect > 0.0)) {
+            return Err(invalid("logo.aspect", "is no number above 0"));
         }
         let per_sheet = if self.frames == 0 { 6 } else { self.frames.min(MOST_FRAMES) };
         let grid = Grid::best(self, per_sheet);
@@ -141,16 +173,14 @@ impl Request {
         let mut panels = Vec::new();
         for (i, (shot, picture)) in shots.iter().zip(pictures).enumerate() {
             let Cell { frame, text } = grid.cell(i);
-            let corner = |x: f64, y: f64| json!([x / grid.width, y / grid.height]);
-            let (right, bottom) = (frame.x + frame.width, frame.y + frame.height);
-            polygons.push(json!([
-                corner(frame.x, frame.y),
-                corner(right, frame.y),
-                corner(right, bottom),
-                corner(frame.x, bottom)
-            ]));
+            polygons.push(grid.polygon(&frame));
             panels.push(json!({ "photo": picture.photo, "crop": picture.crop, "faces": picture.faces }));
             words.extend(self.told(grid, shot, (i, &frame, &text)));
+        }
+        // Behind the frames, which keep their numbers.
+        if let Some(logo) = &self.logo {
+            polygons.push(grid.polygon(&logo.area()));
+            panels.push(json!({ "photo": logo.photo, "plain": true }));
         }
         let pixels = |millimetres: f64| (millimetres / 25.4 * f64::from(DPI)).round();
         let document = json!({
@@ -165,9 +195,13 @@ impl Request {
         Document::parse(&document.to_string())
     }
 
-    /// The title, who made it and when, and which sheet it is.
+    /// The title, who made it and when, and which sheet it is; behind the logo, if there is one.
     fn head(&self, grid: &Grid, (page, count): (usize, usize)) -> Vec<Value> {
         let wide = grid.width - 2.0 * MARGIN;
+        let (left, lower) = match &self.logo {
+            Some(logo) => ((logo.area().width + 2.0 * NEAR) / wide, LOWER),
+            None => (0.0, 0.0),
+        };
         let about = [&self.author, &self.date].into_iter().filter(|text| !text.is_empty());
         let about = about.cloned().collect::<Vec<_>>().join(" · ");
         let number =
@@ -175,7 +209,7 @@ impl Request {
         let word = |text: &str, from: f64, to: f64, size: f64, font: &str| {
             let area = Area {
                 x: MARGIN + from * wide,
-                y: MARGIN + TITLE - size,
+                y: MARGIN + TITLE - size + lower,
                 width: (to - from) * wide,
                 height: 1.6 * size,
             };
@@ -187,7 +221,7 @@ impl Request {
         };
         let right = 1.0 - NUMBER / wide;
         let parts = [
-            word(&self.list.title, 0.0, 0.52, TITLE, BOLD),
+            word(&self.list.title, left, 0.52, TITLE, BOLD),
             word(&about, 0.54, right - 0.02, 3.4, PLAIN),
             word(&number, right, 1.0, 3.4, PLAIN),
         ];
@@ -315,6 +349,13 @@ impl Grid {
         Cell { frame, text }
     }
 
+    /// An area as a panel of a layout.
+    fn polygon(&self, area: &Area) -> Value {
+        let corner = |x: f64, y: f64| json!([x / self.width, y / self.height]);
+        let (right, bottom) = (area.x + area.width, area.y + area.height);
+        json!([corner(area.x, area.y), corner(right, area.y), corner(right, bottom), corner(area.x, bottom)])
+    }
+
     /// A plain caption; its place is still in millimetres.
     fn word(&self, text: &str, (area, size): (&Area, f64), font: &str) -> Value {
         json!({
@@ -401,6 +442,52 @@ mod tests {
     }
 
     #[test]
+    fn a_logo_stands_whole_in_the_head_off_title_and_frames() {
+        let letters = Letters::bundled().unwrap();
+        for frames in [1, 2, 3, 4, 6, 8, 9, 12] {
+            for (letter, aspect) in [(false, 2.39), (true, 16.0 / 9.0), (false, 9.0 / 16.0)] {
+                for shape in [0.001, 0.3, 1.0, 600.0 / 264.0, 8.0, 1000.0] {
+                    let logo = Logo { photo: "logo".into(), aspect: shape };
+                    let plain = Request { letter, ..request(frames, aspect, frames) };
+                    let request = Request { logo: Some(logo), ..plain.clone() };
+                    let [sheet] = &request.sheets().unwrap()[..] else { panic!("one sheet") };
+                    let scene = Scene::new(sheet, 3000).unwrap();
+                    let without = Scene::new(&plain.sheets().unwrap()[0], 3000).unwrap();
+                    // Frames are where they were, and lines in them as thick.
+                    assert_eq!((scene.panels.len(), scene.scale), (frames + 1, without.scale));
+                    for (frame, before) in scene.panels.iter().zip(&without.panels) {
+                        assert_eq!((&frame.shape, frame.plain), (&before.shape, false));
+                    }
+                    let panel = &scene.panels[frames];
+                    assert!(panel.plain && panel.photo.as_deref() == Some("logo"));
+                    let bounds = panel.image_bounds;
+                    let shown = shape.clamp(1.0 / FLATTEST, FLATTEST);
+                    assert!((bounds.width / bounds.height / shown - 1.0).abs() < 0.01, "{shape}");
+                    let millimetre = 3000.0 / Grid::best(&request, frames).width;
+                    let of = |millimetres: f64| millimetres * millimetre;
+                    // The page has whole pixels.
+                    assert!((bounds.x - of(MARGIN)).abs() < 1.0 && bounds.y > of(MARGIN) - 1.0);
+                    assert!(bounds.width < of(LOGO.0) + 1.0 && bounds.height < of(LOGO.1) + 1.0);
+                    for frame in &scene.panels[..frames] {
+                        assert!(frame.image_bounds.y - of(LINE) > bounds.y + bounds.height);
+                    }
+                    let frames_top = scene.panels[0].image_bounds.y - of(LINE);
+                    for word in measured(sheet, &letters).unwrap() {
+                        if word.y * 3000.0 < frames_top {
+                            assert!((word.y + word.height) * 3000.0 < frames_top, "{frames}: {word:?}");
+                        }
+                        let right = bounds.x + bounds.width;
+                        assert!(
+                            word.x * 3000.0 > right || word.y * 3000.0 > bounds.y + bounds.height,
+                            "{frames} {shape}: {word:?}"
+                        );
+                    }
+                }
+            }
+        }
+    }
+
+    #[test]
     fn a_worksheet_has_lines_in_the_place_of_what_is_told() {
         let sheets = Request { ruled: true, ..request(4, 1.85, 4) }.sheets().unwrap();
         let ruled = |word: &&Value| word["ruled"] == true;
@@ -413,6 +500,10 @@ mod tests {
     fn what_is_no_board_is_refused() {
         assert!(Request::parse("{\"frames\":-1}").is_err());
         assert!(Request { pictures: Vec::new(), ..request(1, 1.0, 1) }.sheets().is_err());
+        for aspect in [0.0, -1.0, f64::NAN, f64::INFINITY] {
+            let logo = Some(Logo { photo: "logo".into(), aspect });
+            assert!(Request { logo, ..request(1, 1.0, 1) }.sheets().is_err());
+        }
         assert!(request(6, f64::NAN, 0).sheets().unwrap().is_empty());
     }
 }

@@ -90,7 +90,7 @@ pub fn render_panel(
         let ring = mask::border(&panel.shape, scene.corner_radius, 2.0 * panel.halo, area);
         lay_under(&mut rgba, &ring, scene.paper);
     }
-    if scene.border >= 0.05 {
+    if scene.border >= 0.05 && !panel.plain {
         let line = mask::border(&panel.shape, scene.corner_radius, scene.border, area);
         lay_over(&mut rgba, &line, scene.border_color);
     }
@@ -251,7 +251,7 @@ fn panel_photo(scene: &Scene, panel: &ScenePanel, photo: &Image) -> Shown {
     let region = Region { x: left, y: top, width: region_width, height: region_height };
     // So many pixels of the photo there are for one of the page.
     let share = (region.width / inner.width as f64).min(region.height / inner.height as f64);
-    let image = if share < scene.enlarge_below {
+    let image = if share < scene.enlarge_below && !panel.plain {
         enlarged(photo, region, inner.width, inner.height)
     } else {
         resample_image(photo, region, inner.width, inner.height)
@@ -276,6 +276,9 @@ fn drawn(
     context: &mut Context<'_>,
 ) -> Result<Image> {
     context.check_cancelled()?;
+    if panel.plain {
+        return Ok(shown.image.clone());
+    }
     let size = (photo.width() as f64, photo.height() as f64);
     context.show_faces(faces_in(panel, size, shown.region, shown.at));
     context.show_subject(shown.subject.clone());

@@ -90,6 +90,9 @@ pub struct PanelContent {
     /// The subject of the photo, which steps out of the panel where there is room; none, and nothing does.
     #[cfg_attr(all(test, feature = "cli"), ts(type = "string", optional))]
     pub figure: Option<Matte>,
+    /// The picture is shown as it is: in no style, without a border, and it is told as a logo.
+    #[cfg_attr(all(test, feature = "cli"), ts(as = "Option<_>", optional))]
+    pub plain: bool,
     /// Kept by every shuffle.
     #[cfg_attr(all(test, feature = "cli"), ts(as = "Option<_>", optional))]
     pub locked: bool,
@@ -255,6 +258,7 @@ impl PanelContent {
             photo: fields.nullable("photo").text("photo", LONGEST_ID)?,
             crop,
             faces,
+            plain: fields.nullable("plain").flag("plain")?,
             locked: fields.nullable("locked").flag("locked")?,
             edited: fields.nullable("edited").flag("edited")?,
             rest: fields.rest(),
@@ -273,6 +277,9 @@ impl PanelContent {
         }
         if let Some(figure) = &self.figure {
             out.key("figure").text(figure.text());
+        }
+        if self.plain {
+            out.key("plain").flag(true);
         }
         out.key("locked").flag(self.locked);
         out.key("edited").flag(self.edited);

@@ -92,6 +92,7 @@ pub(super) fn contents(
                 // An empty panel may be locked too.
                 locked: head.is_some_and(|head| locked[head]) || before(i).is_some_and(|panel| panel.locked),
                 edited: assigned.is_some_and(|a| edited(leader_of(merges, i), &photos[a.photo].id)),
+                plain: before(i).is_some_and(|panel| panel.plain),
                 rest: before(i).map(|panel| panel.rest.clone()).unwrap_or_default(),
             }
         })

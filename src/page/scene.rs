@@ -69,6 +69,8 @@ pub struct ScenePanel {
     pub figure: Option<(Matte, Around)>,
     /// Nothing but its `subject` is drawn.
     pub front: bool,
+    /// The photo is shown as it is, without style and border.
+    pub plain: bool,
 }
 
 impl Scene {
@@ -84,7 +86,9 @@ impl Scene {
         let mut panels = panels(document, &template, (width, height))?;
         panels.extend(figures(document, &panels, (width, height)));
         let fronts = fronts(document, &panels);
-        let base = template.base_count().max(1);
+        // A picture that is shown as it is changes nothing of how the others are drawn.
+        let plain = document.panels.iter().filter(|panel| panel.plain).count();
+        let base = template.base_count().saturating_sub(plain).max(1);
         Ok(Self {
             width,
             height,
@@ -111,7 +115,7 @@ impl Scene {
     /// stands behind them.
     pub fn show_subjects(&mut self, subject: &dyn Fn(&str) -> Option<Matte>) {
         let panels: &mut [ScenePanel] = if self.style.has_parts() { &mut self.panels } else { &mut [] };
-        for panel in panels.iter_mut().chain(&mut self.fronts) {
+        for panel in panels.iter_mut().chain(&mut self.fronts).filter(|panel| !panel.plain) {
             panel.subject = panel.photo.as_deref().and_then(subject);
         }
     }
@@ -184,6 +188,7 @@ pub(super) fn panels(
             subject: None,
             figure: None,
             front: false,
+            plain: document.panels[leader].plain,
         }
     };
     Ok(resolved.into_iter().enumerate().zip(further).map(panel).collect())

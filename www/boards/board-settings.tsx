@@ -3,6 +3,7 @@
 import { strings } from '../strings/strings.ts';
 import { useApp } from '../ui/context.ts';
 import { Icon } from '../ui/icon.tsx';
+import { LogoChoice } from './logo-choice.tsx';
 import { ASPECTS, PER_SHEET, RATES, rateName } from './shots.ts';
 
 /** The slowest first: names that are whole numbers would stand before the others. */
@@ -53,6 +54,7 @@ export function BoardSettings() {
       </label>
       <Line name="author" label={strings.boards.author} />
       <Line name="date" label={strings.boards.date} />
+      <LogoChoice />
     </div>
   );
 }

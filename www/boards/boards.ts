@@ -10,6 +10,7 @@ import type { Engine } from '../engine/engine.ts';
 import type { Board, ListedShot, PageDocument, Shot, ShotList } from '../engine/types.ts';
 import { sizeId } from '../page/paper.ts';
 import { strings } from '../strings/strings.ts';
+import { createLogos } from './logos.ts';
 import type { ShotRow } from './shots.ts';
 import {
   ASPECTS,
@@ -44,9 +45,10 @@ export function createBoards({
   chooseStyle,
 }: {
   store: Store;
-  engine: Pick<Engine, 'boardSheets'>;
+  engine: Pick<Engine, 'boardSheets' | 'importPhoto' | 'forgetPhoto'>;
   chooseStyle: (style: string) => void;
 }) {
+  const logoOf = createLogos(engine);
   const board = computed(() => store.project.value.board ?? NO_BOARD);
   const rows = computed((): readonly ShotRow[] => {
     const items = new Map(store.tray.value.map((item) => [item.id, item]));
@@ -155,7 +157,7 @@ export function createBoards({
 
   /** The sheets of the board as pages, in the style of the page. */
   async function sheets(): Promise<PageDocument[]> {
-    const { frames, aspect, beside, ruled, author, date } = board.peek();
+    const { frames, aspect, beside, ruled, author, date, logo } = board.peek();
     const ratio = ASPECTS[aspect] ?? 16 / 9;
     const page = store.page.peek();
     const pictures =
@@ -173,6 +175,7 @@ export function createBoards({
       ruled,
       author,
       date,
+      ...(logo && { logo: await logoOf(logo) }),
       letter: page !== null && AMERICAN.test(sizeId(page.page)),
       style: page?.style ?? FILM_BOARD.style,
       labels: strings.boards.labels,

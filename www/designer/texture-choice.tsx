@@ -1,11 +1,12 @@
 /** A parameter that is a person's own picture: chosen from a file, shown, and taken away again. */
 
-import { useEffect, useRef, useState } from 'preact/hooks';
+import { useRef } from 'preact/hooks';
 import { ChosenFiles } from '../photos/chosen-files.tsx';
 import { strings } from '../strings/strings.ts';
 import { IconButton } from '../ui/button.tsx';
 import { useApp } from '../ui/context.ts';
-import { pictureOf, textureOf } from './texture-file.ts';
+import { DataPicture } from '../ui/data-picture.tsx';
+import { textureOf } from './texture-file.ts';
 
 export function TextureChoice({
   label,
@@ -41,7 +42,7 @@ export function TextureChoice({
     <div class="parameter texture" role="group" aria-label={label} title={help}>
       <span aria-hidden="true">{label}</span>
       <span class="texture-tools">
-        {value !== '' && <Swatch url={value} />}
+        {value !== '' && <DataPicture class="texture-swatch" url={value} alt={strings.textureShown} />}
         <button type="button" class="button small" ref={button} onClick={() => input.current?.click()}>
           {value === '' ? strings.chooseTexture : strings.otherTexture}
         </button>
@@ -50,14 +51,4 @@ export function TextureChoice({
       <ChosenFiles input={input} accept="image/png,image/jpeg" label={strings.textureFile} onFiles={take} />
     </div>
   );
-}
-
-function Swatch({ url }: { url: string }) {
-  const [source, setSource] = useState('');
-  useEffect(() => {
-    const address = URL.createObjectURL(pictureOf(url));
-    setSource(address);
-    return () => URL.revokeObjectURL(address);
-  }, [url]);
-  return source === '' ? null : <img class="texture-swatch" src={source} alt={strings.textureShown} />;
 }

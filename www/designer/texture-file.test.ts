@@ -1,6 +1,7 @@
 import { describe, expect, it } from 'vitest';
 import { MOST } from '../document/limits.ts';
-import { pictureOf, textureOf } from './texture-file.ts';
+import { pictureOf } from '../ui/data-picture.tsx';
+import { textureOf } from './texture-file.ts';
 
 const PNG = [0x89, 0x50, 0x4e, 0x47, 0x0d, 0x0a];
 const fine = () => undefined;

@@ -5,6 +5,7 @@
 
 import { MOST } from '../document/limits.ts';
 import { strings } from '../strings/strings.ts';
+import { urlOf } from '../ui/data-picture.tsx';
 import type { Style, StyleStep } from '../engine/types.ts';
 
 /** How PNG and JPEG files begin: the name of a file may say anything. */
@@ -25,15 +26,8 @@ export async function textureOf(file: File, check: (style: Style, name: string) 
   const bytes = new Uint8Array(await file.arrayBuffer());
   const kind = KINDS.find(({ start }) => start.every((byte, at) => bytes[at] === byte));
   if (!kind) throw new Error(strings.textureOfAnotherKind(file.name));
-  const url = `data:${kind.type};base64,${btoa(Array.from(bytes, (byte) => String.fromCharCode(byte)).join(''))}`;
+  const url = urlOf(bytes, kind.type);
   const background: StyleStep[] = [{ block: 'to_gray' }, { block: 'pattern', texture: url }];
   check({ id: 'texture', name: 'texture', tags: [], background }, file.name);
   return url;
-}
-
-/** @returns the picture of a data URL, as a file: images of data URLs are not allowed on the page */
-export function pictureOf(url: string): Blob {
-  const [head, letters = ''] = url.split(',');
-  const type = /^data:(image\/\w+);/.exec(head)?.[1];
-  return new Blob([Uint8Array.from(atob(letters), (letter) => letter.charCodeAt(0))], { type });
 }

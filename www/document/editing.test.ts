@@ -137,6 +137,7 @@ const actions: Record<Action['type'], fc.Arbitrary<any>> = {
       fps: fc.constantFrom(24, 25),
       columns: fc.subarray(['Lens', 'Sound']),
       order: fc.subarray(['b', 'a']),
+      logo: fc.constantFrom('', 'data:image/png;base64,iVBORw0KGgo='),
     }),
   }),
   rename: fc.record({ name: fc.constantFrom('', 'One', 'Two') }),

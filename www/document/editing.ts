@@ -10,7 +10,7 @@ import { wellFormed } from './limits.ts';
 import { sheetsOf } from '../engine/sheets.ts';
 import type { Editor } from '../engine/core.ts';
 import type { Known } from '../engine/interned.ts';
-import type { Difference, Runs } from '../engine/types.ts';
+import type { Board, Difference, Runs } from '../engine/types.ts';
 import type { Change, History, Shown } from './history.ts';
 import type { PageDocument, Project } from './project.ts';
 
@@ -106,7 +106,7 @@ function withGiven(parts: Difference['parts'], given: readonly PageDocument[]): 
 
 /** In the order in which the core counts them (`knowing` in `src/document/kept.rs`). */
 function knownParts({ present, shown }: History): Known {
-  const { tray, page, others, mine, favourites, ownLayouts, settings, draft, waiting = [] } = present;
+  const { tray, page, others, mine, favourites, ownLayouts, settings, draft, waiting = [], board } = present;
   return {
     items: tray,
     pages: [...(page ? [page] : []), ...[...others, ...shown].map((one) => one.page)],
@@ -116,6 +116,8 @@ function knownParts({ present, shown }: History): Known {
     settings: [settings],
     drafts: draft ? [draft] : [],
     words: waiting,
+    // The core never tells one that nobody made, but counts it.
+    boards: [board as Board],
   };
 }
 

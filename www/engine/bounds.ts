@@ -30,6 +30,8 @@ export const MOST = Object.freeze({
   field: 10_000,
   /** Characters of the number or scene of a shot, and of the name of a column. */
   label: 200,
+  /** Characters of the logo of a board as a data URL. */
+  logo: 65_536,
   /** Columns of one's own. */
   columns: 12,
   /** Frames of a shot. */

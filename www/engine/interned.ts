@@ -23,6 +23,7 @@ const PARTS: readonly [field: Tabled, table: keyof Tables][] = [
   ['settings', 'settings'],
   ['page', 'pages'],
   ['draft', 'drafts'],
+  ['board', 'boards'],
 ];
 /** Which lists of a state stand in a table, and what is in them. */
 const LISTS: readonly [field: Tabled, table: keyof Tables, entries: keyof Tables][] = [
@@ -47,6 +48,7 @@ const TABLES: readonly (keyof Tables)[] = [
   'drafts',
   'words',
   'waits',
+  'boards',
 ];
 
 /**
@@ -132,6 +134,7 @@ export function joinedWith(told: Tables, known: Known = {}) {
     page: pages,
     others: listed(told.books, joined(known.sheets, told.sheets.map(paged))),
     draft: joined(known.drafts, told.drafts),
+    board: joined(known.boards, told.boards),
     mine: styles,
     favourites: styles,
     waiting: listed(told.waits, joined(known.words, told.words)),

@@ -98,6 +98,8 @@ export type Board = {
   author: string,
   /** When, as it stands there. */
   date: string,
+  /** A picture that stands there, too: a PNG file as a data URL; empty where there is none. */
+  logo?: string,
   /** Photos in the order in which a person put them; the others follow where they belong by themselves. */
   order: ReadonlyArray<string>,
 };
@@ -171,6 +173,8 @@ export type BoardRequest = {
   author: string,
   /** When. */
   date: string,
+  /** A picture in the head of every sheet. */
+  logo?: BoardLogo,
   /** Paper as in North America, else A4. */
   letter: boolean,
   /** The style of the frames: an id, or a style in full. */
@@ -187,6 +191,14 @@ export type BoardPicture = {
   crop: Crop,
   /** Faces of it, which the style takes care of. */
   faces: ReadonlyArray<Crop>,
+};
+
+/** The picture in the heads. */
+export type BoardLogo = {
+  /** The id under which it is known to who draws the sheets. */
+  photo: string,
+  /** Its width over its height; it is shown with 1/30 to 30. */
+  aspect: number,
 };
 
 /** What is asked for. */
@@ -748,6 +760,8 @@ export type PanelUse = {
   faces?: ReadonlyArray<Crop>,
   /** The subject of the photo, which steps out of the panel where there is room; none, and nothing does. */
   figure?: string,
+  /** The picture is shown as it is: in no style, without a border, and it is told as a logo. */
+  plain?: boolean,
   /** Kept by every shuffle. */
   locked?: boolean,
   /** The crop was made by hand: it stays while the photo stays in this panel. */
@@ -1436,7 +1450,7 @@ export type BreedRequest = { a: StyleChoice, b: StyleChoice, seed: number,
 };
 
 /** The tables that states name their parts of. */
-export type Tables = { items: ReadonlyArray<TrayItem>, trays: ReadonlyArray<ReadonlyArray<number>>, pages: ReadonlyArray<PageDocument>, sheets: ReadonlyArray<KeptSheet>, books: ReadonlyArray<ReadonlyArray<number>>, styles: ReadonlyArray<Style>, shelves: ReadonlyArray<ReadonlyArray<number>>, layouts: ReadonlyArray<Template>, layoutShelves: ReadonlyArray<ReadonlyArray<number>>, settings: ReadonlyArray<PageSettings>, drafts: ReadonlyArray<Draft>, words: ReadonlyArray<Word>, waits: ReadonlyArray<ReadonlyArray<number>>,
+export type Tables = { items: ReadonlyArray<TrayItem>, trays: ReadonlyArray<ReadonlyArray<number>>, pages: ReadonlyArray<PageDocument>, sheets: ReadonlyArray<KeptSheet>, books: ReadonlyArray<ReadonlyArray<number>>, styles: ReadonlyArray<Style>, shelves: ReadonlyArray<ReadonlyArray<number>>, layouts: ReadonlyArray<Template>, layoutShelves: ReadonlyArray<ReadonlyArray<number>>, settings: ReadonlyArray<PageSettings>, drafts: ReadonlyArray<Draft>, words: ReadonlyArray<Word>, waits: ReadonlyArray<ReadonlyArray<number>>, boards: ReadonlyArray<Board>,
 };
 
 /** What an edit changed: `difference` in `src/document/kept.rs` says how it is read. */
@@ -1620,12 +1634,12 @@ export type SharedLists = Pick<Project, 'mine' | 'favourites' | 'ownLayouts'>;
 export type Runs = ReadonlyArray<readonly [first: number, count: number]>;
 
 /** What of a state stands in tables, which it names by numbers. */
-export type Tabled = 'tray' | 'settings' | 'page' | 'others' | 'draft' | 'waiting' | 'mine' | 'favourites' | 'ownLayouts';
+export type Tabled = 'tray' | 'settings' | 'page' | 'others' | 'draft' | 'board' | 'waiting' | 'mine' | 'favourites' | 'ownLayouts';
 
 /** A state whose parts stand in tables. */
 export type KeptState = Omit<Project, Tabled> & {
-  [Field in Exclude<Tabled, 'waiting'>]: number | Extract<Project[Field], null>;
-} & { waiting?: number };
+  [Field in Exclude<Tabled, 'board' | 'waiting'>]: number | Extract<Project[Field], null>;
+} & { board?: number | null; waiting?: number };
 
 /** A page of a storyboard, and one that was shown, whose page stands in a table. */
 export type KeptSheet = Omit<Sheet, 'page'> & { page: number };

@@ -96,7 +96,9 @@ export function createMaking({
     const title = store.project.peek().name || strings.name;
     const album = store.album.peek();
     const alts = documents.map((document) =>
-      document.panels.map((_, i) => strings.panelHolds(i + 1, describePanel(document, album, i) || strings.somePhoto)),
+      document.panels.map(({ plain }, i) =>
+        plain ? strings.boards.logo : strings.panelHolds(i + 1, describePanel(document, album, i) || strings.somePhoto),
+      ),
     );
     const wish = { ...how, quality, title, alts, options: { language: currentLanguage(), ...pdfOptions(print) } };
     const pages = documents.map((document) => bled(document, print.bleed));

@@ -47,7 +47,9 @@ pub(super) fn draw(
         if pictures.iter().any(|picture| picture.index == i) {
             let alt = alts.get(i).filter(|alt| !alt.is_empty()).cloned();
             let alt = alt.unwrap_or_else(|| format!("Panel {}", i + 1));
-            tags.figure(content, ground.number, i, &alt, next());
+            // A logo is read with the head of the page.
+            let rank = if panel.plain { -1 } else { i as i64 };
+            tags.figure(content, (ground.number, rank), &alt, next());
         } else {
             artifact(content);
         }
@@ -100,7 +102,7 @@ fn draw_panel(content: &mut Content, ground: &Ground, index: usize, panel: &Scen
         path(content, &line(0.0));
         content.fill_nonzero();
     }
-    if border >= THINNEST {
+    if border >= THINNEST && !panel.plain {
         ground.colours.fill(content, page.border_rgb());
         path(content, &line(border / 2.0));
         path(content, &line(-border / 2.0));

@@ -41,7 +41,9 @@ pub(super) fn ranks(document: &Document, words: &[Laid]) -> Result<Vec<(i64, f64
         let panel = laid.word.panel.filter(|panel| *panel < panels.len()).or_else(under);
         let panel = panel.map_or_else(
             || {
-                let above = panels.iter().all(|panel| at.y < panel.bounds.y + panel.bounds.height / 2.0);
+                // A logo stands among the words of a head.
+                let mut shown = panels.iter().zip(&document.panels).filter(|(_, content)| !content.plain);
+                let above = shown.all(|(panel, _)| at.y < panel.bounds.y + panel.bounds.height / 2.0);
                 if above { -1 } else { panels.len() as i64 }
             },
             |panel| panel as i64,

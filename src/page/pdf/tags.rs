@@ -41,9 +41,9 @@ impl Tags {
         self.sheets.len() as i32 - 1
     }
 
-    /// A panel that shows something. What is drawn until [`end`] is it.
-    pub(super) fn figure(&mut self, content: &mut Content, leaf: usize, panel: usize, alt: &str, id: Ref) {
-        self.mark(content, (leaf, (panel as i64, f64::NEG_INFINITY)), StructRole::Figure, alt, id);
+    /// A panel that shows something, with its page and its rank there. What is drawn until [`end`] is it.
+    pub(super) fn figure(&mut self, content: &mut Content, (leaf, panel): (usize, i64), alt: &str, id: Ref) {
+        self.mark(content, (leaf, (panel, f64::NEG_INFINITY)), StructRole::Figure, alt, id);
     }
 
     /// Something that is said. What is drawn until [`end`] is its letters.

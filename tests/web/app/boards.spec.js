@@ -5,7 +5,7 @@ import { execFile } from 'node:child_process';
 import { readFile } from 'node:fs/promises';
 import { promisify } from 'node:util';
 import { probed } from './film-hands.js';
-import { accessible, expect, idle, openBoard, photos, SIX, test } from './support.js';
+import { accessible, expect, idle, openBoard, PNG, photos, SIX, test } from './support.js';
 
 /** @typedef {import('./support.js').Page} Page */
 
@@ -218,6 +218,122 @@ test('sheets are laid out as they are asked for', async ({ page }) => {
   await sheets.getByRole('button', { name: 'Film board' }).click();
   await expect(sheets.getByRole('img', { name: 'Sheet 1 of 1' })).toBeVisible();
   await expect(sheets.getByRole('combobox', { name: 'Frames a sheet' })).toHaveValue('6');
+});
+
+/**
+ * A picture of one colour as a file.
+ * @param {string} name
+ * @param {{ width: number, height: number }} size
+ * @param {readonly [number, number, number, number]} rgba
+ */
+function picture(name, { width, height }, rgba) {
+  const png = new PNG({ width, height });
+  for (let i = 0; i < png.data.length; i += 4) png.data.set(rgba, i);
+  return { name, mimeType: 'image/png', buffer: PNG.sync.write(png) };
+}
+
+/**
+ * @param {import('./support.js').Page} page
+ * @returns the colour in the middle of where a logo as wide as high stands on the first sheet
+ */
+function logoColour(page) {
+  const canvas = page.getByRole('region', { name: 'Board sheets' }).locator('canvas').first();
+  return canvas.evaluate((element) => {
+    const shown = /** @type {HTMLCanvasElement} */ (element);
+    const context = new OffscreenCanvas(shown.width, shown.height).getContext('2d');
+    if (!context) throw new Error('no context');
+    context.drawImage(shown, 0, 0);
+    // 15.5 mm from the corner of A4, which stands or lies.
+    const at = Math.round((15.5 / (shown.width > shown.height ? 297 : 210)) * shown.width);
+    return [...context.getImageData(at, at, 1, 1).data.slice(0, 3)].join(' ');
+  });
+}
+
+/** @param {string} path of a PDF file */
+async function imagesIn(path) {
+  const { stdout } = await run('pdfimages', ['-list', path]);
+  return stdout.trim().split('\n').length - 2;
+}
+
+test('a logo stands in the head of each sheet, is a step, and is kept and saved', async ({ page }) => {
+  await openBoard(page);
+  await openShots(page);
+  const sheets = await drawn(page);
+  const save = () => savedBy(page, () => page.getByRole('button', { name: 'Save board' }).click());
+  const before = await imagesIn((await save()).path);
+  const group = sheets.getByRole('group', { name: 'Logo' });
+  const file = group.locator('input[type=file]');
+  const shown = group.getByRole('img', { name: 'Logo' });
+  const [red, blue] = ['220 20 30', '20 60 200'];
+  await expect(group.getByRole('button', { name: 'Remove the logo' })).toHaveCount(0);
+  expect(await logoColour(page)).not.toBe(red);
+
+  const chooser = page.waitForEvent('filechooser');
+  await group.getByRole('button', { name: 'Choose a logo' }).press('Enter');
+  await (await chooser).setFiles(picture('logo.png', { width: 40, height: 40 }, [220, 20, 30, 255]));
+  await expect(shown).toBeVisible();
+  await expect.poll(() => logoColour(page)).toBe(red);
+  await accessible(page);
+  const board = await save();
+  expect(await imagesIn(board.path)).toBe(before + 1);
+  const { stdout: read } = await run('pdfinfo', ['-struct-text', board.path]);
+  expect(read).toContain('Figure');
+
+  // What is seen through is white; a large picture is made smaller.
+  await file.setInputFiles(picture('clear.png', { width: 900, height: 900 }, [0, 0, 0, 0]));
+  await expect.poll(() => logoColour(page)).toBe('255 255 255');
+  const svg =
+    '<svg xmlns="http://www.w3.org/2000/svg" width="8" height="8"><rect width="8" height="8" fill="rgb(20,60,200)"/></svg>';
+  await file.setInputFiles({ name: 'logo.svg', mimeType: 'image/svg+xml', buffer: Buffer.from(svg) });
+  await expect.poll(() => logoColour(page)).toBe(blue);
+  const undo = page.getByRole('button', { name: 'Undo', exact: true });
+  await undo.click();
+  await undo.click();
+  await expect.poll(() => logoColour(page)).toBe(red);
+  await undo.click();
+  await expect(shown).toHaveCount(0);
+  await expect.poll(() => logoColour(page)).not.toBe(red);
+  await page.getByRole('button', { name: 'Redo', exact: true }).click();
+  await expect.poll(() => logoColour(page)).toBe(red);
+
+  await file.setInputFiles({ name: 'words.png', mimeType: 'image/png', buffer: Buffer.from('a logo') });
+  await expect(page.getByRole('alert').filter({ hasText: 'words.png is no picture' })).toBeVisible();
+  await expect(shown).toBeVisible();
+
+  await page.reload();
+  await idle(page);
+  await openShots(page);
+  await drawn(page);
+  await expect.poll(() => logoColour(page)).toBe(red);
+  await group.getByRole('button', { name: 'Remove the logo' }).click();
+  await expect(shown).toHaveCount(0);
+  await expect(group.getByRole('button', { name: 'Choose a logo' })).toBeFocused();
+  await expect.poll(() => logoColour(page)).not.toBe(red);
+});
+
+test('a logo of many colours is made as small as a board holds', async ({ page }) => {
+  await openBoard(page);
+  await openShots(page);
+  await drawn(page);
+  const group = page.getByRole('group', { name: 'Logo' });
+  const noise = new PNG({ width: 1200, height: 500 });
+  for (let i = 0, seed = 1; i < noise.data.length; i += 1) {
+    seed = (Math.imul(seed, 1664525) + 1013904223) >>> 0;
+    noise.data[i] = i % 4 === 3 ? 255 : seed >>> 24;
+  }
+  await group
+    .locator('input[type=file]')
+    .setInputFiles({ name: 'noise.png', mimeType: 'image/png', buffer: PNG.sync.write(noise) });
+  const shown = group.getByRole('img', { name: 'Logo' });
+  await expect(shown).toBeVisible();
+  const [width, height] = await shown.evaluate((image) => {
+    const { naturalWidth, naturalHeight } = /** @type {HTMLImageElement} */ (image);
+    return [naturalWidth, naturalHeight];
+  });
+  // Noise has some three bytes a pixel, and is told in 64 kB of letters.
+  expect(width).toBeGreaterThan(150);
+  expect(width).toBeLessThan(250);
+  expect(Math.abs(width / height - 2.4)).toBeLessThan(0.05);
 });
 
 test('lists of the shots are among the formats of Export', async ({ page }) => {

@@ -44,6 +44,13 @@ export const boardsStrings = {
     ruled: 'Arbeitsblatt: Linien zum Schreiben',
     author: 'Von',
     date: 'Datum',
+    logo: 'Logo',
+    chooseLogo: 'Logo wählen',
+    removeLogo: 'Logo entfernen',
+    logoFile: 'Bild für das Logo',
+    noLogo: (name: string) =>
+      `${name} ist kein Bild, das der Browser zeigen kann. Wähle eine PNG-, JPEG-, WebP- oder SVG-Datei.`,
+    brokenLogo: 'Das Logo kann nicht gelesen werden. Entferne es oder wähle ein anderes.',
     saveAs: 'Speichern als',
     saveBoard: 'Storyboard speichern',
     ways: { pdf: 'Storyboard, PDF', zip: 'Storyboard, PNG-Dateien in einem ZIP' },

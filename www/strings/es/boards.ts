@@ -55,6 +55,13 @@ export const boardsStrings = {
     ruled: 'Ficha: líneas para escribir',
     author: 'Autoría',
     date: 'Fecha',
+    logo: 'Logotipo',
+    chooseLogo: 'Elegir un logotipo',
+    removeLogo: 'Quitar el logotipo',
+    logoFile: 'Imagen para el logotipo',
+    noLogo: (name: string) =>
+      `${name} no es una imagen que el navegador pueda mostrar. Elige un archivo PNG, JPEG, WebP o SVG.`,
+    brokenLogo: 'No se puede leer el logotipo. Quítalo o elige otro.',
     saveAs: 'Guardar como',
     saveBoard: 'Guardar el storyboard',
     ways: { pdf: 'Storyboard, PDF', zip: 'Storyboard, archivos PNG en un ZIP' },

@@ -46,6 +46,13 @@ export const boardsStrings = {
     ruled: 'Fiche : lignes à remplir',
     author: 'Par',
     date: 'Date',
+    logo: 'Logo',
+    chooseLogo: 'Choisir un logo',
+    removeLogo: 'Retirer le logo',
+    logoFile: 'Image du logo',
+    noLogo: (name: string) =>
+      `${name} n’est pas une image que le navigateur peut montrer. Choisissez un fichier PNG, JPEG, WebP ou SVG.`,
+    brokenLogo: 'Le logo est illisible. Retirez-le ou choisissez-en un autre.',
     saveAs: 'Enregistrer en',
     saveBoard: 'Enregistrer le storyboard',
     ways: { pdf: 'Storyboard, PDF', zip: 'Storyboard, fichiers PNG dans un ZIP' },

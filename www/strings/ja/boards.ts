@@ -39,6 +39,13 @@ export const boardsStrings = {
     ruled: 'ワークシート（書き込み用の線）',
     author: '作者',
     date: '日付',
+    logo: 'ロゴ',
+    chooseLogo: 'ロゴを選ぶ',
+    removeLogo: 'ロゴを外す',
+    logoFile: 'ロゴの画像',
+    noLogo: (name: string) =>
+      `${name} はブラウザーで表示できる画像ではありません。PNG、JPEG、WebP、SVG のファイルを選んでください。`,
+    brokenLogo: 'ロゴを読み込めません。外すか、別のロゴを選んでください。',
     saveAs: '保存形式',
     saveBoard: '絵コンテを保存',
     ways: { pdf: '絵コンテ、PDF', zip: '絵コンテ、ZIP 内の PNG' },

@@ -37,6 +37,13 @@ export const boardsStrings = {
     ruled: 'Folha de exercício: linhas para escrever',
     author: 'Autoria',
     date: 'Data',
+    logo: 'Logotipo',
+    chooseLogo: 'Escolher um logotipo',
+    removeLogo: 'Remover o logotipo',
+    logoFile: 'Imagem para o logotipo',
+    noLogo: (name: string) =>
+      `${name} não é uma imagem que o navegador consiga mostrar. Escolha um arquivo PNG, JPEG, WebP ou SVG.`,
+    brokenLogo: 'O logotipo não pode ser lido. Remova-o ou escolha outro.',
     saveAs: 'Salvar como',
     saveBoard: 'Salvar o storyboard',
     ways: { pdf: 'Storyboard, PDF', zip: 'Storyboard, arquivos PNG em um ZIP' },

@@ -1,0 +1,52 @@
+/** The logo in the heads of the sheets: chosen from a file, shown, and taken away again. */
+
+import { useRef } from 'preact/hooks';
+import { ChosenFiles } from '../photos/chosen-files.tsx';
+import { strings } from '../strings/strings.ts';
+import { IconButton } from '../ui/button.tsx';
+import { useApp } from '../ui/context.ts';
+import { DataPicture } from '../ui/data-picture.tsx';
+import { Icon } from '../ui/icon.tsx';
+import { logoOf } from './logo-file.ts';
+
+export function LogoChoice() {
+  const { boards, messages } = useApp();
+  const input = useRef(null as HTMLInputElement | null);
+  const button = useRef(null as HTMLButtonElement | null);
+  const { logo = '' } = boards.board.value;
+  const { logo: name, chooseLogo, removeLogo, logoFile } = strings.boards;
+
+  async function take([file]: readonly File[]) {
+    if (!file) return;
+    try {
+      boards.change({ logo: await logoOf(file) });
+    } catch (error) {
+      messages.alert((error as Error).message);
+    }
+  }
+
+  function remove() {
+    boards.change({ logo: '' });
+    button.current?.focus();
+  }
+
+  return (
+    <div class="field board-logo" role="group" aria-label={name}>
+      <span aria-hidden="true">{name}</span>
+      <span class="board-logo-tools">
+        {logo !== '' && <DataPicture class="board-logo-picture" url={logo} alt={name} />}
+        <button type="button" class="button" ref={button} onClick={() => input.current?.click()}>
+          <Icon name="open" />
+          {chooseLogo}
+        </button>
+        {logo !== '' && <IconButton icon="close" label={removeLogo} onClick={remove} />}
+      </span>
+      <ChosenFiles
+        input={input}
+        accept="image/png,image/jpeg,image/webp,image/svg+xml"
+        label={logoFile}
+        onFiles={(files) => void take(files)}
+      />
+    </div>
+  );
+}
