@@ -1,7 +1,7 @@
 import { expect, test, vi } from 'vitest';
 import { blobOf } from './blobs.ts';
 
-const BYTES = Uint8Array.from([1, 2, 3]);
+const bytes = () => Uint8Array.from([1, 2, 3]);
 
 /** @param bad how many of the first blobs cannot be read */
 function browser(bad: number) {
@@ -18,13 +18,16 @@ function browser(bad: number) {
 
 test('a blob is made until it can be read', async () => {
   const make = browser(3);
-  const blob = await blobOf(BYTES, { type: 'image/png', wait: 0, make });
+  const given = bytes();
+  const blob = await blobOf(given, { type: 'image/png', wait: 0, make });
   expect(make).toHaveBeenCalledTimes(4);
   expect([blob.type, [...new Uint8Array(await blob.arrayBuffer())]]).toEqual(['image/png', [1, 2, 3]]);
+  expect(given.length, 'is given back where it can be').toBe('transfer' in ArrayBuffer.prototype ? 0 : 3);
 });
 
 test('where there never is room it is an error with a code', async () => {
-  const make = browser(Infinity);
-  await expect(blobOf(BYTES, { wait: 0, make })).rejects.toMatchObject({ code: 'no-room' });
+  const [make, given] = [browser(Infinity), bytes()];
+  await expect(blobOf(given, { wait: 0, make })).rejects.toMatchObject({ code: 'no-room' });
   expect(make.mock.calls.length).toBeLessThan(10);
+  expect(given.length, 'is still there').toBe(3);
 });

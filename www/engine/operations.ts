@@ -3,7 +3,7 @@
  * to hand over.
  */
 
-import { blobOf } from './blobs.ts';
+import { blobOf, detach } from './blobs.ts';
 import { foreignKind } from './foreign.ts';
 import { fileMs, frameMs, pageMs, photoMs, pngMs, styleMs } from './measured.ts';
 import { buffersOf, failure } from './protocol.ts';
@@ -45,7 +45,9 @@ export function createOperations(studio: Studio, held: ReturnType<typeof createL
 
   async function importPhoto({ id, file }: Operations['import']['args'], tell: Tell) {
     tell.waits(readingOf(file));
-    const { entry, told } = await read(id, await bytesOf(file), tell);
+    const bytes = await bytesOf(file);
+    const { entry, told } = await read(id, bytes, tell);
+    detach(bytes);
     tell.waits(STORING);
     const { meta, ...photo } = await kept(entry);
     evict([]);
@@ -76,6 +78,7 @@ export function createOperations(studio: Studio, held: ReturnType<typeof createL
     const entry: ImportEntry = JSON.parse(
       studio.import_frame(id, width, height, data, squareWidth, squareHeight, rotation),
     );
+    detach(data);
     const png = studio.take_file() as Uint8Array<ArrayBuffer>;
     tell.waits(STORING);
     const file = await blobOf(png, { type: 'image/png' });
@@ -89,12 +92,17 @@ export function createOperations(studio: Studio, held: ReturnType<typeof createL
     tell: Tell,
   ) {
     tell.expects(frameMs(width * height + squareWidth * squareHeight));
-    return pixels(studio.small_frame(width, height, data, squareWidth, squareHeight, rotation, longest));
+    const small = pixels(studio.small_frame(width, height, data, squareWidth, squareHeight, rotation, longest));
+    detach(data);
+    return small;
   }
 
   async function living({ document, index, width, frames, still }: Operations['living']['args'], tell: Tell) {
     tell.expects(frames.length * pageMs(document, width, 1));
-    for (const frame of frames) studio.add_living(frame.width, frame.height, new Uint8Array(frame.data.buffer));
+    for (const { width: across, height, data } of frames) {
+      studio.add_living(across, height, new Uint8Array(data.buffer));
+      detach(data);
+    }
     const drawn: BitmapPatch[] = [];
     for (const patch of studio.draw_living(document, index, width, still)) drawn.push((await bitmap(patch)).ok);
     return { ok: drawn, transfer: drawn.map((patch) => patch.bitmap) };
@@ -219,7 +227,11 @@ export function createOperations(studio: Studio, held: ReturnType<typeof createL
     if (photos.some(({ key }) => !studio.has_photo(key))) tell.waits(STORING);
     await Promise.all(
       photos.map(async ({ key, width, height, planes, mask }) => {
-        if (!studio.has_photo(key)) studio.put_photo(key, width, height, await bytesOf(planes));
+        if (!studio.has_photo(key)) {
+          const bytes = await bytesOf(planes);
+          studio.put_photo(key, width, height, bytes);
+          detach(bytes);
+        }
         studio.know_subject(key, mask);
         held.touch(key, planes.size);
       }),
@@ -254,5 +266,6 @@ async function bitmap(patch: Patch): Promise<{ ok: BitmapPatch; transfer: Transf
     ok: { x, y, width, height, data },
   } = pixels(patch);
   const image = await createImageBitmap(new ImageData(data, width, height));
+  detach(data);
   return { ok: { x, y, width, height, bitmap: image }, transfer: [image] };
 }
