@@ -55,8 +55,17 @@ const BEAT: f32 = 0.4;
 const BEATS: Range<usize> = 30..100;
 /// Seconds of music that are worth a sign.
 const LASTING: f32 = 2.0;
-/// dB by which a hit is louder than the music that it stands in.
+/// dB by which a hit is louder than the music, or the speech, that it stands in.
 const OVER: f32 = 10.0;
+/// Frames from one to the next of which it is asked whether a voice is in them.
+const ASKED: usize = 3;
+/// and dB that it gets fainter by from one to the next at most.
+const HELD_BY: f32 = 1.5;
+/// Seconds before and after a sound in which there is speech where voices are heard for so much of them, the sound itself and what
+/// is so near left out.
+const ABOUT: f64 = 1.5;
+const VOICED: f64 = 0.07;
+const ITSELF: f64 = 0.05;
 
 /// What a sound is like.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
@@ -175,7 +184,7 @@ pub fn events(mut samples: Vec<f32>, rate: f32) -> Vec<Event> {
     let frames = Frames::of(&samples, rate);
     let hearing =
         Hearing { samples: &samples, rate, frames: &frames.all, size: frames.size, step: frames.step };
-    let music = hearing.music();
+    let (music, voices) = (hearing.music(), hearing.voices());
     let mut all: Vec<Event> = hearing
         .sounds()
         .into_iter()
@@ -185,6 +194,9 @@ pub fn events(mut samples: Vec<f32>, rate: f32) -> Vec<Event> {
                 .iter()
                 .find(during)
                 .is_none_or(|piece| sound.loudness as f32 >= piece.loudness as f32 + OVER)
+        })
+        .filter(|sound| {
+            speech_about(sound, &voices).is_none_or(|level| sound.loudness as f32 >= level + OVER)
         })
         .chain(music.iter().cloned())
         .collect();
@@ -389,6 +401,20 @@ impl Hearing<'_> {
         lags.map(alike).fold(0.0, f32::max) > 0.75
     }
 
+    /// Where voices are heard: seconds and levels.
+    fn voices(&self) -> Vec<(f64, f32)> {
+        let asked = (0..self.frames.len()).step_by(ASKED);
+        // What is struck may have a tone, but fades; a voice holds.
+        let holds = |i: usize| {
+            let [now, next] =
+                [i, i + ASKED].map(|i| self.frames.get(i).map_or(f32::NEG_INFINITY, |frame| frame.level));
+            now > FAINT && next > now - HELD_BY
+        };
+        let voiced =
+            asked.filter(|&i| holds(i) && VOICES.contains(&self.frames[i].centroid) && self.is_pitched(i));
+        voiced.map(|i| (self.seconds(i), self.frames[i].level)).collect()
+    }
+
     /// Where music runs.
     fn music(&self) -> Vec<Event> {
         let frames = self.frames;
@@ -430,6 +456,19 @@ impl Hearing<'_> {
         };
         BEATS.map(alike).fold(-1.0, f32::max)
     }
+}
+
+/// How loud the voices about a sound are on average, in dB, where there is speech: syllables begin as suddenly as what hits, and
+/// many have no tone, but between others that have one.
+fn speech_about(sound: &Event, voices: &[(f64, f32)]) -> Option<f32> {
+    let within = |time: f64, by: f64| (sound.start - by..sound.end + by).contains(&time);
+    let about: Vec<f32> = voices
+        .iter()
+        .filter(|(time, _)| within(*time, ABOUT) && !within(*time, ITSELF))
+        .map(|(_, level)| *level)
+        .collect();
+    let seconds = about.len() as f64 * f64::from(STEP) * ASKED as f64;
+    (seconds >= VOICED * 2.0 * ABOUT).then(|| about.iter().sum::<f32>() / about.len() as f32)
 }
 
 /// How many octaves the centroid goes up, or down, where it goes straight; else 0.

@@ -128,6 +128,26 @@ fn words_follow_loudness_length_and_pitch() {
 }
 
 #[test]
+fn what_begins_in_speech_is_left_out_unless_it_is_louder() {
+    // Vowels, each after a burst as of a t or a k, which has no tone of its own.
+    let mut samples = noise(6.0, 0.0005);
+    let burst = noise(0.05, 0.2);
+    for i in 0..10u8 {
+        let start = 0.5 + 0.4 * f32::from(i);
+        add(&mut samples, start, 0.03, |t| burst[(t * RATE) as usize]);
+        let buzz = |t: f32| (1..12u8).map(|n| tone(130.0 * f32::from(n), t) / f32::from(n)).sum::<f32>();
+        add(&mut samples, start + 0.08, 0.16, |t| {
+            0.2 * buzz(t) * (t / 0.03).min(1.0) * ((0.16 - t) / 0.05).min(1.0)
+        });
+    }
+    assert_eq!(events(samples.clone(), RATE), []);
+    click(&mut samples, 2.45, 4.0);
+    let found = events(samples, RATE);
+    assert_eq!(kinds(&found), [Kind::Hit], "{found:?}");
+    assert!((found[0].start - 2.45).abs() < 0.02, "{found:?}");
+}
+
+#[test]
 fn what_a_voice_says_is_left_out() {
     let mut samples = noise(4.0, 0.0005);
     for (start, pitch) in [(0.5, 120.0), (1.0, 140.0), (1.4, 110.0), (2.2, 210.0)] {
