@@ -144,13 +144,13 @@ export function markdown({
       `| The same, all read and the page drawn | ${(read / 1000).toFixed(1)} s |`,
       `| The same, all searched for faces and objects | ${(found / 1000).toFixed(1)} s |`,
       `| The same, longest task of the page's main thread (and tasks above 50 ms) | ${Math.round(longest)} ms (${long}) |`,
-      ...(memory ? [`| The same, peak memory of the tab's process | ${(memory / 2 ** 30).toFixed(2)} GB |`] : []),
+      ...peakOf(memory),
     );
   }
   for (const { minutes, first, read, memory } of footage ?? [])
     lines.push(
       `| A film of ${minutes} minutes at 854 x 480: its first page, all its frames | ${(first / 1000).toFixed(2)} s, ${(read / 1000).toFixed(1)} s |`,
-      ...(memory ? [`| The same, peak memory of the tab's process | ${(memory / 2 ** 30).toFixed(2)} GB |`] : []),
+      ...peakOf(memory),
     );
   if (making) {
     const { frames, width, height, styles } = making;
@@ -168,6 +168,11 @@ export function markdown({
       `| A panel that moves, about ${width} x ${height}, ${style}: frames decoded and drawn, one worker | ${((pictures / ms) * 1000).toFixed(1)} pictures/s |`,
     );
   return lines.join('\n');
+}
+
+/** @param {number | null} memory bytes; null where the system does not tell */
+function peakOf(memory) {
+  return memory ? [`| The same, peak memory of the tab's process | ${(memory / 2 ** 30).toFixed(2)} GB |`] : [];
 }
 
 /** Milliseconds to copy what a row reads and writes. @param {Row} row @param {number} speed bytes a second */

@@ -98,7 +98,10 @@ export function createFiles() {
   }
 
   /** A picture with its alpha as a WebP file without loss. @param picture is handed over */
-  async function losslessPicture(picture: PixelPatch, call?: Call): Promise<Uint8Array<ArrayBuffer>> {
+  async function losslessPicture(
+    picture: Making['losslessPicture']['args'],
+    call?: Call,
+  ): Promise<Uint8Array<ArrayBuffer>> {
     return run('losslessPicture', picture, buffersOf([picture]), call);
   }
 

@@ -129,7 +129,7 @@ export type Making = {
     ok: Blob;
   };
   /** a picture without loss, with its alpha, as a WebP file */
-  losslessPicture: { args: PixelPatch; ok: Uint8Array<ArrayBuffer> };
+  losslessPicture: { args: Omit<PixelPatch, 'x' | 'y'>; ok: Uint8Array<ArrayBuffer> };
   pictures: {
     args: { document: string; patches: (PixelPatch & { index: number })[]; quality: number; inks: readonly Rgb[] };
     ok: Picture[];
@@ -183,7 +183,7 @@ export type Reply = { id: number; ok?: unknown; error?: Failure; memory: number 
 export type Sign = { id: number; expects: number } | { id: number; waits: number };
 
 /** What goes with pixels that are handed over. */
-export function buffersOf(patches: readonly PixelPatch[]): ArrayBuffer[] {
+export function buffersOf(patches: readonly Pick<PixelPatch, 'data'>[]): ArrayBuffer[] {
   return patches.map(({ data }) => data.buffer);
 }
 

@@ -22,6 +22,12 @@ const FRAME_MS = Math.round(1000 / LIVING.rate);
 /** A picture that moves; the place in fractions of the page. */
 export type MovingPicture = { place: Bounds; file: Blob };
 
+/** @returns a WebP file of what is on the canvas; of one loop all pictures come in their order */
+type Encoder = (
+  canvas: OffscreenCanvas,
+  context: OffscreenCanvasRenderingContext2D,
+) => Promise<Uint8Array<ArrayBuffer>>;
+
 export function createMovingPictures({
   engine,
   loops,
@@ -40,26 +46,23 @@ export function createMovingPictures({
       if (loop.bitmaps.length < 2) continue;
       const width = loop.bitmaps[0].width / loop.place.width;
       const over = [...all.slice(i + 1), ...(await wordsOf(document, Math.round(width), signal))];
-      const file = lossy ? await lossyFilm(loop, over) : await losslessFilm(loop, over, signal);
+      const files = await filesOf(loop, over, lossy ? lossyFile : losslessEncoder(signal));
+      const file = animatedWebp(files, loop.bitmaps[0], FRAME_MS, !lossy);
       pictures.push({ place: loop.place, file });
     }
     return pictures;
   };
 
-  /** By our own encoder, of each picture what changed. */
-  async function losslessFilm(loop: DrawnLoop, over: readonly DrawnLoop[], signal?: AbortSignal): Promise<Blob> {
-    const { canvas, context, draw } = easelOf(loop, over);
-    const { width, height } = canvas;
-    const files: Uint8Array<ArrayBuffer>[] = [];
+  /** Our own: of each picture but the first what changed. */
+  function losslessEncoder(signal?: AbortSignal): Encoder {
     let before: Uint8ClampedArray<ArrayBuffer> | undefined;
-    for (const bitmap of loop.bitmaps) {
-      draw(bitmap);
+    return (canvas, context) => {
+      const { width, height } = canvas;
       const { data } = context.getImageData(0, 0, width, height);
       const fresh = before ? changesOf(data, before) : data.slice();
-      files.push(await engine.losslessPicture({ x: 0, y: 0, width, height, data: fresh }, { signal }));
       before = data;
-    }
-    return animatedWebp(files, canvas, FRAME_MS, true);
+      return engine.losslessPicture({ width, height, data: fresh }, { signal });
+    };
   }
 
   async function wordsOf(document: PageDocument, width: number, signal?: AbortSignal): Promise<DrawnLoop[]> {
@@ -72,28 +75,21 @@ export function createMovingPictures({
   }
 }
 
-/** By the encoder of the browser. */
-async function lossyFilm(loop: DrawnLoop, over: readonly DrawnLoop[]): Promise<Blob> {
-  const { canvas, draw } = easelOf(loop, over);
-  const files: Uint8Array<ArrayBuffer>[] = [];
-  for (const bitmap of loop.bitmaps) {
-    draw(bitmap);
-    const still = await canvas.convertToBlob({ type: 'image/webp', quality: QUALITY });
-    files.push(new Uint8Array(await still.arrayBuffer()));
-  }
-  return animatedWebp(files, canvas, FRAME_MS);
-}
+const lossyFile: Encoder = async (canvas) => {
+  const still = await canvas.convertToBlob({ type: 'image/webp', quality: QUALITY });
+  return new Uint8Array(await still.arrayBuffer());
+};
 
 /**
- * Where the pictures of a loop are drawn.
+ * Draws the pictures of a loop one after the other, and encodes each.
  * @param over what lies over it, in paint order: of a panel that moves too its first picture, which is all that is needed of it
  */
-function easelOf({ place, bitmaps }: DrawnLoop, over: readonly DrawnLoop[]) {
+async function filesOf({ place, bitmaps }: DrawnLoop, over: readonly DrawnLoop[], encode: Encoder) {
   const [{ width, height }] = bitmaps;
   const canvas = new OffscreenCanvas(width, height);
   const context = canvas.getContext('2d') as OffscreenCanvasRenderingContext2D;
-
-  function draw(bitmap: ImageBitmap) {
+  const files: Uint8Array<ArrayBuffer>[] = [];
+  for (const bitmap of bitmaps) {
     context.clearRect(0, 0, width, height);
     context.drawImage(bitmap, 0, 0);
     for (const {
@@ -107,7 +103,7 @@ function easelOf({ place, bitmaps }: DrawnLoop, over: readonly DrawnLoop[]) {
         (other.width / place.width) * width,
         (other.height / place.height) * height,
       );
+    files.push(await encode(canvas, context));
   }
-
-  return { canvas, context, draw };
+  return files;
 }

@@ -119,19 +119,15 @@ pub(crate) fn run(project: &Project, names: &[String]) -> Result<()> {
         let suites: Vec<_> = wanted.iter().copied().filter(|suite| suite.lane == lane).collect();
         run_lane(project, &suites)
     };
-    let lines =
-        thread::scope(|scope| {
-            let native = scope.spawn(|| lane(Lane::Native));
-            let mut lines = lane(Lane::Web);
-            lines.extend(native.join().unwrap_or_else(|_| {
-                vec![("lane", Tally { failed: 1, ..Tally::default() }, start.elapsed())]
-            }));
-            lines
-        });
-    let total = lines.iter().fold(Tally::default(), |mut total, (_, tally, _)| {
-        total += tally.clone();
-        total
+    let lines = thread::scope(|scope| {
+        let native = scope.spawn(|| lane(Lane::Native));
+        let mut lines = lane(Lane::Web);
+        let lost = || vec![("lane", Tally { failed: 1, ..Tally::default() }, start.elapsed())];
+        lines.extend(native.join().unwrap_or_else(|_| lost()));
+        lines
     });
+    let sum = |of: fn(&Tally) -> usize| lines.iter().map(|(_, tally, _)| of(tally)).sum::<usize>();
+    let (passed, failed) = (sum(|tally| tally.passed), sum(|tally| tally.failed));
     println!();
     for (name, tally, _) in &lines {
         for failure in &tally.failures {
@@ -142,8 +138,8 @@ pub(crate) fn run(project: &Project, names: &[String]) -> Result<()> {
         println!("{}", line(name, tally, *took));
     }
     println!("all in {:.1} min", start.elapsed().as_secs_f64() / 60.0);
-    println!("{} passed, {} failed", total.passed, total.failed);
-    if total.failed > 0 {
+    println!("{passed} passed, {failed} failed");
+    if failed > 0 {
         bail!("some tests failed");
     }
     Ok(())

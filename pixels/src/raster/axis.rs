@@ -8,9 +8,9 @@ pub(super) struct Axis {
     pairs: Vec<Pair>,
     samples: usize,
     precision: Precision,
-    halved_from: Option<usize>,
-    #[cfg(not(target_arch = "wasm32"))]
-    doubled: bool,
+    /// Where the stretch of the samples begins, and how long it is.
+    origin: f64,
+    length: f64,
 }
 
 /// Pairs `offset..offset + pairs`, the first of them on the source samples `start` and `start + 1`.
@@ -39,18 +39,8 @@ impl Axis {
         // The weights of one axis are alike, but for those at the borders of a Catmull-Rom, which are Coarse anyway.
         taps(0, &mut weights);
         let precision = Precision::for_weight(weights.iter().copied().fold(0.0, f64::max));
-        let halved = (step - 2.0).abs() < 1e-12 && origin.fract() == 0.0 && origin + length <= samples as f64;
-        let halved_from = halved.then_some(origin as usize);
         let (spans, pairs) = (Vec::with_capacity(count), Vec::new());
-        let mut axis = Self {
-            spans,
-            pairs,
-            samples,
-            precision,
-            halved_from,
-            #[cfg(not(target_arch = "wasm32"))]
-            doubled: origin.abs() < 1e-12 && (length - samples as f64).abs() < 1e-12 && count == 2 * samples,
-        };
+        let mut axis = Self { spans, pairs, samples, precision, origin, length };
         for i in 0..count {
             let start = taps(i, &mut weights);
             axis.push(start, &weights);
@@ -65,13 +55,17 @@ impl Axis {
 
     /// Where every output is the mean of two samples of its own: the first of them all.
     pub(super) fn halved_from(&self) -> Option<usize> {
-        self.halved_from
+        let Self { origin, length, samples, .. } = *self;
+        let step = length / self.count() as f64;
+        let halved = (step - 2.0).abs() < 1e-12 && origin.fract() == 0.0 && origin + length <= samples as f64;
+        halved.then_some(origin as usize)
     }
 
     /// Whether all samples are taken, and there are two outputs of each.
     #[cfg(not(target_arch = "wasm32"))]
     pub(super) fn doubled(&self) -> bool {
-        self.doubled
+        let all = self.origin.abs() < 1e-12 && (self.length - self.samples as f64).abs() < 1e-12;
+        all && self.count() == 2 * self.samples
     }
 
     /// Precision of the weights.
