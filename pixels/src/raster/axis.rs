@@ -8,9 +8,7 @@ pub(super) struct Axis {
     pairs: Vec<Pair>,
     samples: usize,
     precision: Precision,
-    /// Where the stretch of the samples begins, and how long it is.
-    origin: f64,
-    length: f64,
+    halved_from: Option<usize>,
 }
 
 /// Pairs `offset..offset + pairs`, the first of them on the source samples `start` and `start + 1`.
@@ -39,8 +37,10 @@ impl Axis {
         // The weights of one axis are alike, but for those at the borders of a Catmull-Rom, which are Coarse anyway.
         taps(0, &mut weights);
         let precision = Precision::for_weight(weights.iter().copied().fold(0.0, f64::max));
-        let (spans, pairs) = (Vec::with_capacity(count), Vec::new());
-        let mut axis = Self { spans, pairs, samples, precision, origin, length };
+        let halved = (step - 2.0).abs() < 1e-12 && origin.fract() == 0.0 && origin + length <= samples as f64;
+        let halved_from = halved.then_some(origin as usize);
+        let mut axis =
+            Self { spans: Vec::with_capacity(count), pairs: Vec::new(), samples, precision, halved_from };
         for i in 0..count {
             let start = taps(i, &mut weights);
             axis.push(start, &weights);
@@ -55,17 +55,7 @@ impl Axis {
 
     /// Where every output is the mean of two samples of its own: the first of them all.
     pub(super) fn halved_from(&self) -> Option<usize> {
-        let Self { origin, length, samples, .. } = *self;
-        let step = length / self.count() as f64;
-        let halved = (step - 2.0).abs() < 1e-12 && origin.fract() == 0.0 && origin + length <= samples as f64;
-        halved.then_some(origin as usize)
-    }
-
-    /// Whether all samples are taken, and there are two outputs of each.
-    #[cfg(not(target_arch = "wasm32"))]
-    pub(super) fn doubled(&self) -> bool {
-        let all = self.origin.abs() < 1e-12 && (self.length - self.samples as f64).abs() < 1e-12;
-        all && self.count() == 2 * self.samples
+        self.halved_from
     }
 
     /// Precision of the weights.

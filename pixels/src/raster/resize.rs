@@ -210,18 +210,6 @@ mod tests {
         }
 
         #[test]
-        fn twice_the_size_is_what_any_size_would_be(width in 1usize..70, height in 1usize..70, seed in any::<u64>()) {
-            let source = noise(width, height, seed);
-            let out = resample(&source, Region::whole(width, height), 2 * width, 2 * height);
-            // A part of a larger picture with the same border goes the general way.
-            let around = Plane::from_fn(width + 4, height + 4, |x, y| {
-                source.at(x.saturating_sub(2).min(width - 1), y.saturating_sub(2).min(height - 1))
-            });
-            let region = Region { x: 2.0, y: 2.0, width: width as f64, height: height as f64 };
-            prop_assert_eq!(&out, &resample(&around, region, 2 * width, 2 * height));
-        }
-
-        #[test]
         fn a_flat_plane_stays_flat(value: u8, width in 1usize..300, height in 1usize..300) {
             let source = Plane::filled(97, 131, value);
             let out = resample(&source, Region { x: 0.3, y: 5.7, width: 90.1, height: 100.9 }, width, height);

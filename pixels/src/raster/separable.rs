@@ -9,8 +9,6 @@
 
 use super::Plane;
 use super::axis::Axis;
-#[cfg(not(target_arch = "wasm32"))]
-use crate::simd::double::{AROUND, double_row, quarter_row};
 use crate::simd::mix::{LANES, halve_row, load, mix, mix_rows, transpose};
 use wide::u8x16;
 
@@ -44,14 +42,6 @@ impl Separable {
             self.halve(source, (left, top), plane);
             return planes;
         }
-        // The same bytes in less time; in the page, where every byte is loaded, the general way is fast enough.
-        #[cfg(not(target_arch = "wasm32"))]
-        if let (1, true, true, [plane]) = (C, self.across.doubled(), self.down.doubled(), &mut planes[..])
-            && self.width >= LANES
-        {
-            self.double(source, plane);
-            return planes;
-        }
         let mut block = self.block::<C>();
         for top in (0..height).step_by(LANES) {
             let count = LANES.min(height - top);
@@ -70,25 +60,6 @@ impl Separable {
             let row = |k: usize| &source[(top + 2 * y + k) * self.width + left..][..2 * plane.width()];
             let (above, below) = (row(0), row(1));
             halve_row(above, below, plane.row_mut(y));
-        }
-    }
-
-    /// As the two passes do it, of which each takes the same weights everywhere.
-    #[cfg(not(target_arch = "wasm32"))]
-    fn double(&self, source: &[u8], plane: &mut Plane) {
-        let (width, mut between) = (self.width, vec![0; self.width + 2 * AROUND]);
-        for y in 0..plane.height() {
-            let away = |k: usize| {
-                // Rows above the middle one and below change places with the half that is asked for.
-                let row =
-                    if y % 2 == 0 { (y / 2 + 1).saturating_sub(k) } else { (y / 2 + k).saturating_sub(1) };
-                &source[row.min(self.height - 1) * width..][..width]
-            };
-            quarter_row([0, 1, 2, 3].map(away), &mut between[AROUND..AROUND + width]);
-            let (first, last) = (between[AROUND], between[AROUND + width - 1]);
-            between[..AROUND].fill(first);
-            between[AROUND + width..].fill(last);
-            double_row(&between, plane.row_mut(y));
         }
     }
 

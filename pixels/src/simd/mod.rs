@@ -10,7 +10,6 @@
 //! | [`table`] | 256-entry tables, run as compares where a table has few steps |
 //! | [`tones`] | percentiles, by counting |
 //! | [`mix`] | weighted sums of rows, for resampling |
-//! | [`double`] | rows twice as long, and rows between rows; not in modules of the page, which are smaller without |
 //! | [`lanes`] | moves between lane widths |
 //! | [`flow`] | rows of the dual solver of Total Variation Flow |
 //! | [`screen`] | the choice of a pattern for each tone |
@@ -25,8 +24,6 @@
 
 pub mod blade;
 pub mod dots;
-#[cfg(not(target_arch = "wasm32"))]
-pub mod double;
 pub mod edge;
 pub mod fine;
 pub mod fir;
