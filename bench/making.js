@@ -19,6 +19,7 @@ export async function making(browser, address, photos) {
   const page = await opened(browser, address, photos);
   await page.getByRole('button', { name: 'Designer', exact: true }).click();
   // The same photo every time, whatever the page shows.
+  await page.getByRole('group', { name: 'Preview on' }).getByRole('button', { name: 'Photo' }).click();
   await page.getByRole('list', { name: 'Photo of the preview' }).getByRole('button').first().click();
   for (const block of CHAIN) {
     await page.getByRole('button', { name: 'Add block' }).click();
