@@ -13,7 +13,6 @@ use crate::raster::{Image, Matte};
 use crate::style::Context;
 use rayon::prelude::*;
 use std::collections::{BTreeSet, HashMap};
-use std::ops::Range;
 
 /// Of JPEG files and of the pictures in PDF files, unless told.
 pub const QUALITY: u8 = 90;
@@ -58,7 +57,7 @@ pub fn is_styled(document: &Document, photo: &str) -> bool {
 pub fn sheet(document: &Document, photos: &Photos, fonts: &GivenFonts) -> Result<compose::Sheet> {
     let scene = Scene::new(document, document.page.width as usize)?;
     let mut sheet = compose::Sheet::new(&scene);
-    let mut patches = render(document, photos, 0..pictures(&scene))?;
+    let mut patches = render(document, photos, true)?;
     let fronts = patches.split_off(scene.panels.len());
     for patch in patches {
         sheet.lay(patch.area, &patch.rgba)?;
@@ -79,10 +78,8 @@ pub fn leaf(
     (plate, quality): (Option<(&Separation, usize)>, u8),
 ) -> Result<Leaf> {
     let scene = Scene::new(document, document.page.width as usize)?;
-    let count = document.panels.len();
-    let mut patches = render(&picture::bare(document), photos, 0..count)?;
-    // A figure leaves the border alone where it may not cross it, so it has to know of it.
-    patches.extend(render(document, photos, count..pictures(&scene))?);
+    // Borders are lines of the file. Where a figure may not cross one it knows of it all the same.
+    let patches = render(document, photos, false)?;
     let pictures = patches
         .par_iter()
         .enumerate()
@@ -126,19 +123,19 @@ pub fn coarse(document: &Document, size: &dyn Fn(&str) -> Option<(u32, u32)>) ->
     Ok(found.collect())
 }
 
-/// How many pictures a page has: of panels, figures and fronts.
-fn pictures(scene: &Scene) -> usize {
-    scene.panels.len() + scene.fronts.len()
-}
-
-/// Some of the panels of a document in their order, behind which are its figures and fronts.
-fn render(document: &Document, photos: &Photos, which: Range<usize>) -> Result<Vec<Patch>> {
+/// The pictures of a page in their order: panels, with their borders or without, figures, fronts.
+fn render(document: &Document, photos: &Photos, bordered: bool) -> Result<Vec<Patch>> {
     let mut scene = Scene::new(document, document.page.width as usize)?;
+    scene.bordered = bordered;
     scene.show_subjects(&|id| photos.get(id)?.subject.clone());
-    let render = |index: usize| {
-        let id = scene.picture(index)?.photo.as_deref();
-        let photo = id.and_then(|id| photos.get(id));
-        compose::render_panel(&scene, index, photo.map(|photo| &photo.image), &mut Context::default())
+    let render = |pictures: Vec<usize>| {
+        let photo = scene.picture(pictures[0])?.photo.as_deref().and_then(|id| photos.get(id));
+        let image = photo.map(|photo| &photo.image);
+        let patches = compose::render_together(&scene, &pictures, image, &mut Context::default())?;
+        Ok(pictures.into_iter().zip(patches).collect::<Vec<_>>())
     };
-    (which.start..which.end.min(pictures(&scene))).into_par_iter().map(render).collect()
+    let drawn = scene.by_panel().into_par_iter().map(render).collect::<Result<Vec<_>>>()?;
+    let mut patches: Vec<(usize, Patch)> = drawn.into_iter().flatten().collect();
+    patches.sort_by_key(|(index, _)| *index);
+    Ok(patches.into_iter().map(|(_, patch)| patch).collect())
 }

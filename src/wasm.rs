@@ -22,7 +22,7 @@ use crate::error::{Error, Result};
 use crate::framing::Crop;
 use crate::json::plain as parse;
 use crate::layout::Template;
-use crate::page::compose::{Sheet, compose, render_panel};
+use crate::page::compose::{Sheet, compose, render_together};
 use crate::page::cutout::cut_out;
 use crate::page::document::{self, Document};
 use crate::page::import::{Imported, import};
@@ -242,20 +242,24 @@ impl Studio {
         self.photos.values().flat_map(Image::planes).map(|plane| plane.samples().len()).sum()
     }
 
-    /// One panel of a page that is `width` pixels wide, from the photos of a tier (`small`, `work`, `full`).
+    /// Pictures of one panel of a page that is `width` pixels wide, with its border or without, from the photos of a tier
+    /// (`small`, `work`, `full`).
     pub fn render_panel(
         &mut self,
         document: &str,
-        index: usize,
+        pictures: &[usize],
         width: usize,
         tier: &str,
-    ) -> std::result::Result<Patch, JsValue> {
-        let mut render = || -> Result<Patch> {
-            let scene = self.scene(document, width, tier)?;
-            let id = scene.picture(index)?.photo.as_ref();
+        bordered: bool,
+    ) -> std::result::Result<Vec<Patch>, JsValue> {
+        let mut render = || -> Result<Vec<Patch>> {
+            let mut scene = self.scene(document, width, tier)?;
+            scene.bordered = bordered;
+            let id = pictures.first().map(|first| scene.picture(*first)).transpose()?;
+            let id = id.and_then(|picture| picture.photo.as_ref());
             let photo = id.map(|id| find(&self.photos, id, tier)).transpose()?;
-            let patch = render_panel(&scene, index, photo, &mut self.context)?;
-            Ok(Patch { area: patch.area, rgba: patch.rgba })
+            let drawn = render_together(&scene, pictures, photo, &mut self.context)?;
+            Ok(drawn.into_iter().map(|patch| Patch { area: patch.area, rgba: patch.rgba }).collect())
         };
         render().map_err(thrown)
     }

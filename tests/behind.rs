@@ -83,6 +83,17 @@ fn the_figure_is_seen_before_the_effect_and_beside_it_the_effect() {
 }
 
 #[test]
+fn a_figure_that_may_step_out_and_does_not_is_seen_before_the_effect_as_any_other() {
+    let wanted = drawn(&page(true), true);
+    let mut figure = page(true);
+    figure.panels[0].figure = photos(true)["a"].subject.clone();
+    let scene = Scene::new(&figure, WIDTH).unwrap();
+    let figures = scene.by_panel();
+    assert_eq!((figures[0].len(), figures[1].len()), (3, 1));
+    assert!(drawn(&figure, true) == wanted);
+}
+
+#[test]
 fn the_border_and_what_is_outside_of_the_panel_are_no_figure() {
     let mut page = page(true);
     page.page.border = 0.02;

@@ -230,6 +230,39 @@ fn without_its_figure_a_page_differs_outside_of_the_panel_alone() {
 }
 
 #[test]
+fn a_panel_and_its_figure_are_cut_out_of_one_drawing() {
+    let (mut page, own, photos) = example();
+    page.style = "comic".into();
+    let mut scene = Scene::new(&page, 620).unwrap();
+    let photo = image(&photos, page.panels[own].photo.as_deref().unwrap());
+    let pictures = [own, page.panels.len()];
+    let together = compose::render_together(&scene, &pictures, photo, &mut Context::default()).unwrap();
+    for (index, patch) in pictures.into_iter().zip(&together) {
+        let alone = compose::render_panel(&scene, index, photo, &mut Context::default()).unwrap();
+        assert!(alone.area == patch.area && alone.rgba == patch.rgba, "picture {index}");
+    }
+    let [panel, figure] = &together[..] else { panic!("there are two") };
+    let inside = mask::inside(&scene.panels[own].shape, scene.corner_radius, figure.area);
+    let line = mask::border(&scene.panels[own].shape, scene.corner_radius, scene.border, figure.area);
+    scene.bordered = false;
+    let bare = compose::render_panel(&scene, own, photo, &mut Context::default()).unwrap();
+    let mut met = 0;
+    for (i, seen) in figure.rgba.chunks_exact(4).enumerate() {
+        if inside[i] < 255 || seen[3] == 0 {
+            continue;
+        }
+        let x = figure.area.x + (i % figure.area.width) as i64 - panel.area.x;
+        let y = figure.area.y + (i / figure.area.width) as i64 - panel.area.y;
+        let at = (y as usize * panel.area.width + x as usize) * 4;
+        // Below the border, too.
+        assert_eq!(seen[..3], bare.rgba[at..at + 3], "{x}, {y}");
+        assert!(line[i] > 0 || seen[..3] == panel.rgba[at..at + 3], "{x}, {y}");
+        met += 1;
+    }
+    assert!(met > 300, "{met}");
+}
+
+#[test]
 fn a_pdf_file_has_the_figure_with_its_own_mask() {
     let (page, own, photos) = example();
     let images = pictures(&photos);

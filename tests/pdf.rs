@@ -39,7 +39,8 @@ fn first_panel(document: &Document) -> picture::Picture {
     let photo = Image::from_luma(
         Plane::from_samples(64, 64, (0..64 * 64).map(|i| (i % 64 * 4) as u8).collect()).unwrap(),
     );
-    let scene = Scene::new(&picture::bare(document), 1240).unwrap();
+    let mut scene = Scene::new(document, 1240).unwrap();
+    scene.bordered = false;
     let patch = compose::render_panel(&scene, 0, Some(&photo), &mut Context::default()).unwrap();
     picture::cut(document, (0, patch.area, &patch.rgba), 90, None).unwrap()
 }
@@ -237,7 +238,8 @@ fn bled_leaf(crop: Value) -> Leaf {
     let plane =
         |high: usize, low: usize| Plane::from_fn(300, 200, |x, _| (low + x * (high - low) / 299) as u8);
     let photo = Image::from_rgb([plane(250, 100), plane(30, 0), plane(0, 0)]).unwrap();
-    let scene = Scene::new(&picture::bare(&document), 600).unwrap();
+    let mut scene = Scene::new(&document, 600).unwrap();
+    scene.bordered = false;
     let patch = compose::render_panel(&scene, 0, Some(&photo), &mut Context::default()).unwrap();
     let own = picture::cut(&document, (0, patch.area, &patch.rgba), 95, None).unwrap();
     Leaf { document, pictures: vec![own], alts: Vec::new() }

@@ -35,6 +35,8 @@ pub struct Around {
     pub room: Bounds,
     /// Faces that other panels show.
     pub faces: Vec<Bounds>,
+    /// Whether another panel may lie over this one, so that all of the figure has to be drawn once more, over that.
+    pub covered: bool,
 }
 
 /// A figure that stands over the edges of its panel.
@@ -144,13 +146,14 @@ impl Cells<'_> {
     /// Those that hang together with the figure inside of the panel, over open edges.
     fn connected(&self, closed: &[bool]) -> Vec<bool> {
         let (width, height) = (self.shares.width(), self.shares.height());
-        let allowed = |i: usize, inside: bool| {
+        let within = |i: usize, inside: bool| {
             let point = (self.place)(i % width, i / width);
-            self.shares.samples()[i] >= SEEN
-                && (0..closed.len())
-                    .filter(|edge| inside || closed[*edge])
-                    .all(|edge| self.edges.beyond(edge, point) <= 0.0)
+            (0..closed.len())
+                .filter(|edge| inside || closed[*edge])
+                .all(|edge| self.edges.beyond(edge, point) <= 0.0)
         };
+        // Most of a mask shows nothing, so where that lies need not be known.
+        let allowed = |i: usize, inside: bool| self.shares.samples()[i] >= SEEN && within(i, inside);
         let mut kept: Vec<bool> = (0..width * height).map(|i| allowed(i, true)).collect();
         let mut open: Vec<usize> = (0..kept.len()).filter(|i| kept[*i]).collect();
         while let Some(at) = open.pop() {
@@ -408,7 +411,14 @@ pub(super) fn around(document: &Document, panels: &[ScenePanel], size: (usize, u
         let others = faces.iter().enumerate().filter(|(other, _)| *other != own);
         others.flat_map(|(_, faces)| faces.iter().copied()).collect()
     };
-    (0..panels.len()).map(|own| Around { room, faces: others(own) }).collect()
+    let covered = |own: usize| panels[own + 1..].iter().any(|over| meet(over, &panels[own]));
+    (0..panels.len()).map(|own| Around { room, faces: others(own), covered: covered(own) }).collect()
+}
+
+/// Whether the pictures of two panels have room in common.
+fn meet(one: &ScenePanel, other: &ScenePanel) -> bool {
+    let (a, b) = (one.image_bounds, other.image_bounds);
+    a.x < b.x + b.width && b.x < a.x + a.width && a.y < b.y + b.height && b.y < a.y + a.height
 }
 
 /// The faces that a panel shows, in pixels of the page.

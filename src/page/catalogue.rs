@@ -5,6 +5,7 @@ use crate::layout;
 use crate::select::{self, Measures};
 use crate::style::blocks::{self, Block, Channels};
 use crate::style::catalogue;
+use crate::style::file::decimal;
 use crate::style::params::{Kind, Param};
 use serde::{Deserialize, Serialize};
 use serde_json::{Number, Value};
@@ -146,11 +147,6 @@ fn param(param: &Param) -> ParamEntry {
             ..entry
         },
     }
-}
-
-/// An f32 as the decimal that a person wrote.
-fn decimal(value: f32) -> f64 {
-    value.to_string().parse().unwrap_or(f64::from(value))
 }
 
 /// What selection compares, as JSON has it.

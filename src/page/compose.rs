@@ -4,21 +4,22 @@
 //! over the paper colour gives the page; the browser does that on a canvas, [`Sheet`] does it for files.
 
 use super::bleed;
-use super::breaking::{self, Around, Edges};
+use super::breaking::{self, Figure};
 use super::mask::{self, PixelRect};
-use super::scene::{Scene, ScenePanel};
+use super::scene::{Scene, ScenePanel, Shows};
+use super::stepping;
 use crate::error::{Error, Result};
 use crate::framing::Crop;
-use crate::layout::{Bounds, Point};
+use crate::layout::Bounds;
 use crate::raster::enlarge::enlarged;
-use crate::raster::guided::{refined, softened};
 use crate::raster::resize::{Region, resample_image};
-use crate::raster::{Image, Matte, Plane};
+use crate::raster::{Image, Plane};
 use crate::style::faces::FaceBox;
 use crate::style::part::subject_in;
 use crate::style::{Context, stylize};
 
 /// A rectangle of straight-alpha RGBA pixels at a place of the page.
+#[derive(Clone)]
 pub struct Patch {
     /// Pixels of the page that it covers.
     pub area: PixelRect,
@@ -28,7 +29,7 @@ pub struct Patch {
 
 impl Patch {
     /// A single pixel of which nothing is seen.
-    fn nothing(at: PixelRect) -> Self {
+    pub(super) fn nothing(at: PixelRect) -> Self {
         Self { area: PixelRect { width: 1, height: 1, ..at }, rgba: vec![0; 4] }
     }
 
@@ -52,8 +53,7 @@ impl Patch {
     }
 }
 
-/// Renders one panel, figure or front. `photo` is what its `photo` names, at any resolution; without one the panel is an empty
-/// frame.
+/// Renders one panel, figure or front, as [`render_together`] does.
 ///
 /// # Errors
 /// `invalid-document` for an index that the page does not have; `cancelled`.
@@ -63,26 +63,91 @@ pub fn render_panel(
     photo: Option<&Image>,
     context: &mut Context<'_>,
 ) -> Result<Patch> {
-    let panel = scene.picture(index)?;
-    if let Some((matte, around)) = &panel.figure {
-        return render_figure(scene, panel, photo, (matte, around), context);
+    Ok(render_together(scene, &[index], photo, context)?.swap_remove(0))
+}
+
+/// Renders pictures of one panel: itself, the figure that steps out of it, its front. All are cut out of one drawing, which is as
+/// large where one of them is asked for alone, so that they have the very same pixels wherever they meet. `photo` is what the
+/// panel's `photo` names, at any resolution; without one it is an empty frame.
+///
+/// # Errors
+/// `invalid-document` for an index that the page does not have; `cancelled`.
+pub fn render_together(
+    scene: &Scene,
+    pictures: &[usize],
+    photo: Option<&Image>,
+    context: &mut Context<'_>,
+) -> Result<Vec<Patch>> {
+    let pictures = pictures.iter().map(|index| scene.picture(*index)).collect::<Result<Vec<_>>>()?;
+    let Some(&panel) = pictures.first() else { return Ok(Vec::new()) };
+    debug_assert!(pictures.iter().all(|picture| picture.number == panel.number));
+    context.check_cancelled()?;
+    let figure = photo.and(panel.figure.as_ref());
+    let figure = figure.and_then(|(matte, around)| breaking::figure(panel, matte.plane(), around));
+    // What there is nothing of is not drawn.
+    let sees = |picture: &ScenePanel| match picture.shows {
+        Shows::Panel => true,
+        Shows::Front if figure.is_none() => picture.subject.as_ref().is_some_and(|it| !it.facts().is_vague()),
+        _ => figure.is_some(),
+    };
+    let drawing = match photo.filter(|_| pictures.iter().any(|picture| sees(picture))) {
+        Some(photo) => Some(Drawing::new(scene, &pictures, (photo, figure.as_ref()), context)?),
+        None => None,
+    };
+    let patch = |picture: &&ScenePanel| match (&drawing, picture.shows) {
+        (None, Shows::Panel) => framed(scene, panel, None),
+        (Some(Drawing { image, shown, .. }), Shows::Panel) => framed(scene, panel, Some((image, shown.at))),
+        (Some(drawing), shows) if sees(picture) => match &figure {
+            Some(figure) => {
+                let covered = panel.figure.as_ref().is_some_and(|(_, around)| around.covered);
+                stepping::patch(scene, (panel, figure), drawing, covered || shows == Shows::Front)
+            }
+            None => front(scene, panel, drawing),
+        },
+        _ => Patch::nothing(panel.area),
+    };
+    Ok(pictures.iter().map(patch).collect())
+}
+
+/// What the pictures of a panel are cut out of: its photo in its style, with as much more of it as its figure needs.
+pub(super) struct Drawing {
+    /// The photo as it is.
+    pub(super) shown: Shown,
+    /// In the style.
+    pub(super) image: Image,
+    /// Width and height of the whole photo.
+    pub(super) photo: (usize, usize),
+}
+
+impl Drawing {
+    fn new(
+        scene: &Scene,
+        pictures: &[&ScenePanel],
+        (photo, figure): (&Image, Option<&Figure>),
+        context: &mut Context<'_>,
+    ) -> Result<Self> {
+        let mut panel = match figure {
+            Some(figure) => stepping::widened(scene, pictures[0], figure),
+            None => pictures[0].clone(),
+        };
+        // Only a front knows it whatever the style is.
+        panel.subject = pictures.iter().find_map(|picture| picture.subject.clone());
+        context.set_scale(scene.scale);
+        let shown = panel_photo(scene, &panel, photo);
+        let image = drawn(&shown, (&panel, photo), scene, context)?;
+        Ok(Self { shown, image, photo: (photo.width(), photo.height()) })
     }
-    if panel.front {
-        return render_front(scene, panel, photo, context);
-    }
+}
+
+/// The panel in its shape, with its border; without a picture an empty frame.
+fn framed(scene: &Scene, panel: &ScenePanel, picture: Option<(&Image, PixelRect)>) -> Patch {
     let area = panel.area;
     let mut rgba = vec![0; area.width * area.height * 4];
-    let inside = mask::inside(&panel.shape, scene.corner_radius, area);
-    context.check_cancelled()?;
-    match photo {
-        Some(photo) => {
-            context.set_scale(scene.scale);
-            let shown = panel_photo(scene, panel, photo);
-            let image = drawn(&shown, (panel, photo), scene, context)?;
-            fill_image(&mut rgba, area, &image, shown.at);
-        }
+    match picture {
+        Some((image, at)) => fill_image(&mut rgba, area, image, at),
         None => rgba.chunks_exact_mut(4).for_each(|pixel| pixel[..3].copy_from_slice(&EMPTY)),
     }
+    let inside = mask::inside(&panel.shape, scene.corner_radius, area);
     for (pixel, &coverage) in rgba.chunks_exact_mut(4).zip(&inside) {
         pixel[3] = coverage;
     }
@@ -90,44 +155,35 @@ pub fn render_panel(
         let ring = mask::border(&panel.shape, scene.corner_radius, 2.0 * panel.halo, area);
         lay_under(&mut rgba, &ring, scene.paper);
     }
-    if scene.border >= 0.05 && !panel.plain {
-        let line = mask::border(&panel.shape, scene.corner_radius, scene.border, area);
+    if let Some(line) = line(scene, panel).filter(|_| scene.bordered && !panel.plain) {
         lay_over(&mut rgba, &line, scene.border_color);
     }
-    Ok(Patch { area, rgba })
+    Patch { area, rgba }
+}
+
+/// Coverage of the border of a panel; none where borders are none.
+fn line(scene: &Scene, panel: &ScenePanel) -> Option<Vec<u8>> {
+    let drawn = scene.border >= 0.05;
+    drawn.then(|| mask::border(&panel.shape, scene.corner_radius, scene.border, panel.area))
 }
 
 /// The subject of a panel alone, as the panel shows it; nothing where it is not known. Its border is left out.
-fn render_front(
-    scene: &Scene,
-    panel: &ScenePanel,
-    photo: Option<&Image>,
-    context: &mut Context<'_>,
-) -> Result<Patch> {
-    let Some(photo) = photo.filter(|_| panel.subject.is_some()) else {
-        return Ok(Patch::nothing(panel.area));
-    };
-    context.set_scale(scene.scale);
-    let shown = panel_photo(scene, panel, photo);
-    let Some(subject) = &shown.subject else { return Ok(Patch::nothing(panel.area)) };
+fn front(scene: &Scene, panel: &ScenePanel, Drawing { shown, image, .. }: &Drawing) -> Patch {
+    let Some(subject) = &shown.subject else { return Patch::nothing(panel.area) };
     let area = panel.area;
     let mut rgba = vec![0; area.width * area.height * 4];
     // What is no part of the picture has no subject: its red is never seen.
     let mut shares = rgba.clone();
     fill_image(&mut shares, area, &Image::from_luma(subject.clone()), shown.at);
-    // A style without parts is drawn as ever.
-    let (at, asked) = (shown.at, scene.style.has_parts());
-    let shown = Shown { subject: shown.subject.filter(|_| asked), ..shown };
-    fill_image(&mut rgba, area, &drawn(&shown, (panel, photo), scene, context)?, at);
+    fill_image(&mut rgba, area, image, shown.at);
     let inside = mask::inside(&panel.shape, scene.corner_radius, area);
-    let line =
-        (scene.border >= 0.05).then(|| mask::border(&panel.shape, scene.corner_radius, scene.border, area));
+    let line = line(scene, panel);
     for (i, pixel) in rgba.chunks_exact_mut(4).enumerate() {
         let line = line.as_ref().map_or(0, |line| u32::from(line[i]));
         let seen = u32::from(inside[i]) * (255 - line) / 255;
         pixel[3] = (u32::from(shares[4 * i]) * seen / 255) as u8;
     }
-    Ok(Patch { area, rgba })
+    Patch { area, rgba }
 }
 
 /// Lays one picture over another, so much of 256 of it: samples of the same places.
@@ -140,82 +196,16 @@ pub fn mix(under: &mut [u8], over: &[u8], share: u32) {
 /// Gray of a panel that has no photo yet.
 pub(super) const EMPTY: [u8; 3] = [226, 226, 228];
 
-/// The figure of a panel that steps out of it, in the panel's style, with a thin line of paper about it outside of the panel. It
-/// is cut off at the edges that it may not cross.
-fn render_figure(
-    scene: &Scene,
-    panel: &ScenePanel,
-    photo: Option<&Image>,
-    (matte, around): (&Matte, &Around),
-    context: &mut Context<'_>,
-) -> Result<Patch> {
-    let figure = breaking::figure(panel, matte.plane(), around);
-    let (Some(figure), Some(photo)) = (figure, photo) else {
-        return Ok(Patch::nothing(panel.area));
-    };
-    context.set_scale(scene.scale);
-    let line = scene.border.max(OUTLINE * scene.width as f64);
-    let wide = breaking::widened_panel(panel, figure.outside, 2.0 * line + 2.0);
-    let shown = panel_photo(scene, &wide, photo);
-    let (region, area) = (shown.region, shown.at);
-    let of_mask = |at: f64, photo: usize, mask: usize| at / photo as f64 * mask as f64;
-    let shares = &figure.shares;
-    let region_of_mask = Region {
-        x: of_mask(region.x, photo.width(), shares.width()),
-        y: of_mask(region.y, photo.height(), shares.height()),
-        width: of_mask(region.width, photo.width(), shares.width()),
-        height: of_mask(region.height, photo.height(), shares.height()),
-    };
-    let mut alpha = refined(shares, region_of_mask, &shown.image, scene.scale);
-    for share in alpha.samples_mut() {
-        *share = (128 + STEEP * (i32::from(*share) - 128)).clamp(0, 255) as u8;
-    }
-    let edges = Edges::of(&panel.shape);
-    let closed: Vec<usize> = (0..figure.closed.len()).filter(|edge| figure.closed[*edge]).collect();
-    for y in 0..area.height {
-        for (x, share) in alpha.row_mut(y).iter_mut().enumerate() {
-            let point = Point::new(area.x as f64 + x as f64 + 0.5, area.y as f64 + y as f64 + 0.5);
-            for &edge in &closed {
-                // On this side of the border, of which nothing is covered.
-                let open = 0.5 - scene.border / 2.0 - edges.beyond(edge, point);
-                *share = (f64::from(*share) * open.clamp(0.0, 1.0)) as u8;
-            }
-        }
-    }
-    let inside = mask::inside(&panel.shape, scene.corner_radius, area);
-    let ring = softened(&alpha, line.ceil() as usize);
-    let image = drawn(&shown, (&wide, photo), scene, context)?;
-    let mut rgba = vec![0; area.width * area.height * 4];
-    fill_image(&mut rgba, area, &image, area);
-    let shares = alpha.samples().iter().zip(ring.samples()).zip(&inside);
-    for (pixel, ((&alpha, &ring), &inside)) in rgba.chunks_exact_mut(4).zip(shares) {
-        pixel[3] = alpha;
-        // Most of the line is as thick as it is, and its rim soft.
-        let paper = (u32::from(ring) * RING).min(255) * u32::from(255 - inside) / 255;
-        if paper > 0 && alpha < 255 {
-            lay_under(pixel, &[paper as u8], scene.paper);
-        }
-    }
-    Ok(Patch { area, rgba })
-}
-
-/// How much steeper the border of a figure is drawn than its mask is: over other panels, what nobody is sure of would be a ghost.
-const STEEP: i32 = 4;
-/// The line of paper about a figure is as wide as the border, and at least this in page widths.
-const OUTLINE: f64 = 0.002;
-/// The mean share of a figure within the line's width is half at its edge, and falls to nothing.
-const RING: u32 = 5;
-
 /// The part of a photo that a panel shows.
-struct Shown {
+pub(super) struct Shown {
     /// At the page's size.
-    image: Image,
+    pub(super) image: Image,
     /// Its subject, where it is known and asked for.
     subject: Option<Plane>,
     /// Its place on the photo,
-    region: Region,
+    pub(super) region: Region,
     /// and on the page.
-    at: PixelRect,
+    pub(super) at: PixelRect,
 }
 
 fn panel_photo(scene: &Scene, panel: &ScenePanel, photo: &Image) -> Shown {
@@ -281,7 +271,8 @@ fn drawn(
     }
     let size = (photo.width() as f64, photo.height() as f64);
     context.show_faces(faces_in(panel, size, shown.region, shown.at));
-    context.show_subject(shown.subject.clone());
+    // A style without parts is drawn as ever.
+    context.show_subject(shown.subject.clone().filter(|_| scene.style.has_parts()));
     stylize(&shown.image, &scene.style, context)
 }
 
@@ -298,7 +289,7 @@ fn faces_in(panel: &ScenePanel, photo: (f64, f64), region: Region, at: PixelRect
 }
 
 /// Copies the pixels that `area` and the image share.
-fn fill_image(rgba: &mut [u8], area: PixelRect, image: &Image, at: PixelRect) {
+pub(super) fn fill_image(rgba: &mut [u8], area: PixelRect, image: &Image, at: PixelRect) {
     let left = area.x.max(at.x);
     let right = (area.x + area.width as i64).min(at.x + at.width as i64);
     let top = area.y.max(at.y);
@@ -321,7 +312,7 @@ fn fill_image(rgba: &mut [u8], area: PixelRect, image: &Image, at: PixelRect) {
 }
 
 /// Lays a colour under straight-alpha pixels.
-fn lay_under(rgba: &mut [u8], coverage: &[u8], color: [u8; 3]) {
+pub(super) fn lay_under(rgba: &mut [u8], coverage: &[u8], color: [u8; 3]) {
     for (pixel, &coverage) in rgba.chunks_exact_mut(4).zip(coverage).filter(|(_, c)| **c > 0) {
         let own = u32::from(pixel[3]) * 255;
         let added = u32::from(coverage) * (255 - u32::from(pixel[3]));
@@ -461,13 +452,22 @@ pub fn compose<'p>(
     context: &mut Context<'_>,
 ) -> Result<Sheet> {
     let mut sheet = Sheet::new(scene);
-    for (i, panel) in scene.panels.iter().enumerate() {
-        let image = match &panel.photo {
+    let mut over = Vec::new();
+    for mut pictures in scene.by_panel() {
+        // Fronts stand before words, of which there are none here.
+        pictures.retain(|index| *index < scene.panels.len());
+        let image = match &scene.picture(pictures[0])?.photo {
             Some(id) => Some(photo(id).ok_or_else(|| Error::MissingPhoto(id.clone()))?),
             None => None,
         };
-        let patch = render_panel(scene, i, image, context)?;
-        sheet.lay(patch.area, &patch.rgba)?;
+        let mut patches = render_together(scene, &pictures, image, context)?.into_iter();
+        if let Some(panel) = patches.next() {
+            sheet.lay(panel.area, &panel.rgba)?;
+        }
+        over.extend(patches);
+    }
+    for figure in over {
+        sheet.lay(figure.area, &figure.rgba)?;
     }
     Ok(sheet)
 }

@@ -16,6 +16,7 @@
 //! | [`mask`] | the inside of a panel and its border |
 //! | `bleed` | panels that go on beyond the edge of a page that is cut |
 //! | [`breaking`] | figures that step out of their panels |
+//! | `stepping` | the pixels of such a figure |
 //! | [`coverage`] | exact area coverage of pixels |
 //! | [`compose`] | panels rendered to patches, patches laid on paper |
 //! | [`living`] | panels that move, of a few seconds of a film |
@@ -49,6 +50,7 @@ pub mod request;
 pub mod scene;
 pub mod shuffle;
 pub mod srgb;
+mod stepping;
 pub mod storyboard;
 pub mod styling;
 #[cfg(feature = "webp")]

@@ -44,11 +44,28 @@ pub struct Scene {
     pub corner_radius: f64,
     /// Where a photo has fewer pixels for each of the page, it is enlarged well; 0 where none is.
     pub enlarge_below: f64,
+    /// Whether borders are drawn on panels. A PDF file has them as lines of its own.
+    pub bordered: bool,
 }
 
-/// One panel in pixels.
+/// What of a panel a picture shows.
+#[derive(Clone, Copy, PartialEq, Eq)]
+pub enum Shows {
+    /// The panel, as far as its shape goes.
+    Panel,
+    /// The figure that steps out of it.
+    Figure,
+    /// Its subject, before an effect.
+    Front,
+}
+
+/// One picture of a panel, in pixels.
 #[derive(Clone)]
 pub struct ScenePanel {
+    /// Which panel of the document it belongs to.
+    pub number: usize,
+    /// What of it is drawn.
+    pub shows: Shows,
     /// Its shape in page pixels.
     pub shape: ResolvedShape,
     /// Bounds of the image that it shows a part of: its own, or those of the group it is merged into.
@@ -63,12 +80,10 @@ pub struct ScenePanel {
     pub crop: Crop,
     /// Faces of the photo, in fractions of it.
     pub faces: Vec<Crop>,
-    /// Which part of the photo is its subject, where that is known and the style asks for it.
+    /// Which part of the photo is its subject, where that is known and the style or a front asks for it.
     pub subject: Option<Matte>,
-    /// Of a figure that steps out of the panel, which is all that is drawn then: the subject, and what it has to leave alone.
+    /// Of a panel whose figure is to step out: the subject, and what it has to leave alone.
     pub figure: Option<(Matte, Around)>,
-    /// Nothing but its `subject` is drawn.
-    pub front: bool,
     /// The photo is shown as it is, without style and border.
     pub plain: bool,
 }
@@ -84,7 +99,8 @@ impl Scene {
         let template = document.template()?;
         let (width, height) = size(document, width)?;
         let mut panels = panels(document, &template, (width, height))?;
-        panels.extend(figures(document, &panels, (width, height)));
+        let figures = figures(document, &mut panels, (width, height));
+        panels.extend(figures);
         let fronts = fronts(document, &panels);
         // A picture that is shown as it is changes nothing of how the others are drawn.
         let plain = document.panels.iter().filter(|panel| panel.plain).count();
@@ -106,6 +122,7 @@ impl Scene {
             } else {
                 0.0
             },
+            bordered: true,
         })
     }
 }
@@ -118,6 +135,19 @@ impl Scene {
         for panel in panels.iter_mut().chain(&mut self.fronts).filter(|panel| !panel.plain) {
             panel.subject = panel.photo.as_deref().and_then(subject);
         }
+    }
+
+    /// The pictures of each panel by their numbers: itself, then its figure, then its front, as far as there are any.
+    #[must_use]
+    pub fn by_panel(&self) -> Vec<Vec<usize>> {
+        let mut groups: Vec<Vec<usize>> = Vec::new();
+        for (index, picture) in self.panels.iter().chain(&self.fronts).enumerate() {
+            match groups.get_mut(picture.number) {
+                Some(group) => group.push(index),
+                None => groups.push(vec![index]),
+            }
+        }
+        groups
     }
 
     /// A panel, a figure or a front by its number.
@@ -178,6 +208,8 @@ pub(super) fn panels(
         let (image_bounds, shown) = (image(&reached), image(&bounds));
         let crop = document.panels[leader].crop.or(content.crop).unwrap_or(WHOLE);
         ScenePanel {
+            number: i,
+            shows: Shows::Panel,
             shape: further.unwrap_or_else(|| scaled_shape(panel.shape, pixels)),
             image_bounds,
             halo,
@@ -187,15 +219,14 @@ pub(super) fn panels(
             faces: document.panels[leader].faces.clone(),
             subject: None,
             figure: None,
-            front: false,
             plain: document.panels[leader].plain,
         }
     };
     Ok(resolved.into_iter().enumerate().zip(further).map(panel).collect())
 }
 
-/// The panels whose figures step out, in their order. Panels that share an image have none.
-fn figures(document: &Document, panels: &[ScenePanel], size: (usize, usize)) -> Vec<ScenePanel> {
+/// The figures that are to step out, in the order of their panels, which get to know of them. Panels that share an image have none.
+fn figures(document: &Document, panels: &mut [ScenePanel], size: (usize, usize)) -> Vec<ScenePanel> {
     let broken: Vec<usize> = (0..panels.len()).filter(|&i| document.breaks_frame(i)).collect();
     if broken.is_empty() {
         return Vec::new();
@@ -203,18 +234,15 @@ fn figures(document: &Document, panels: &[ScenePanel], size: (usize, usize)) -> 
     let around = breaking::around(document, panels, size);
     let figure = |i: usize| {
         let matte = document.panels[i].figure.clone()?;
-        Some(ScenePanel { figure: Some((matte, around[i].clone())), ..panels[i].clone() })
+        panels[i].figure = Some((matte, around[i].clone()));
+        Some(ScenePanel { shows: Shows::Figure, ..panels[i].clone() })
     };
     broken.into_iter().filter_map(figure).collect()
 }
 
-/// The panels whose subjects stand before an effect. One that steps out does so with all that is seen of it.
-fn fronts(document: &Document, pictures: &[ScenePanel]) -> Vec<ScenePanel> {
-    let broken: Vec<usize> = (0..document.panels.len()).filter(|&i| document.breaks_frame(i)).collect();
-    let front = |i: usize| {
-        let figure = broken.iter().position(|&other| other == i);
-        ScenePanel { front: true, ..pictures[figure.map_or(i, |at| document.panels.len() + at)].clone() }
-    };
+/// The panels whose subjects stand before an effect.
+fn fronts(document: &Document, panels: &[ScenePanel]) -> Vec<ScenePanel> {
+    let front = |i: usize| ScenePanel { shows: Shows::Front, ..panels[i].clone() };
     document.fronts().into_iter().map(front).collect()
 }
 

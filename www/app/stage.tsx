@@ -49,7 +49,7 @@ export function Stage() {
   useLayoutEffect(() => {
     const made = createPainter(canvas.current as HTMLCanvasElement, {
       engine: {
-        renderPanel: engine.renderPanel,
+        renderPictures: engine.renderPictures,
         subjectOf: (document, photo) => (drawsParts(store, document) ? store.masks.peek().get(photo) : undefined),
         hasPhoto: (id) => !store.sketch.peek() && engine.hasPhoto(id),
       },

@@ -3,7 +3,7 @@
  * are; one worker puts the panels together and encodes. Many pages are made one after the other: one of A4 takes 35 MB.
  */
 
-import { frontPictures, panelOf, picturesOf } from './figures.ts';
+import { byPanel, frontPictures, panelOf, picturesOf } from './figures.ts';
 import { Priority } from './queue.ts';
 import { givesWebp } from './webp.ts';
 import { buffersOf, failure } from './protocol.ts';
@@ -15,6 +15,8 @@ import type { Picture, PixelPatch, Plates, Rgb } from './protocol.ts';
 import type { createWords } from './words.ts';
 
 type PanelPatch = PixelPatch & { index: number };
+/** `bordered`: with the borders of panels, which a PDF file has as lines of its own. */
+type Drawn = { signal: AbortSignal; bordered?: boolean };
 type Call = { signal?: AbortSignal; onProgress?: (done: number, total: number) => void };
 /** `quality` from 1 to 100; `alts`: of each page what its panels show, for who does not see them. */
 type PdfCall = Call & { quality: number; title: string; alts?: readonly (readonly string[])[]; options?: PdfOptions };
@@ -129,8 +131,8 @@ export function createExports({ run, photos, words, files }: Parts) {
     });
   }
 
-  /** The panels of a page as a PDF file has them: borders are lines of the file, so they are drawn without. */
-  function pictures(
+  /** The panels of a page as a PDF file has them. */
+  async function pictures(
     document: PageDocument,
     {
       signal,
@@ -138,20 +140,14 @@ export function createExports({ run, photos, words, files }: Parts) {
       ...wish
     }: { quality: number; inks: readonly Rgb[]; signal: AbortSignal; step: (count: number) => void },
   ): Promise<Picture[]> {
-    const bare = { ...document, page: { ...document.page, border: 0 } };
     const made = async (patches: PanelPatch[]) => {
       const count = patches.length;
       const cut = await files.pictures(document, patches, wish, { signal });
       step(count);
       return cut;
     };
-    // A figure leaves the border alone where it may not cross it, so it has to know of it.
-    const framed = withPhoto(document).filter((index) => index < document.panels.length);
-    const figures = withPhoto(document).filter((index) => index >= document.panels.length);
-    const alone = [...figures, ...frontsWithPhoto(document)];
-    return Promise.all([byPhoto(bare, framed, signal, made), byPhoto(document, alone, signal, made)]).then((parts) =>
-      parts.flat(),
-    );
+    const wanted = [...withPhoto(document), ...frontsWithPhoto(document)];
+    return byPhoto(document, wanted, { signal, bordered: false }, made);
   }
 
   /**
@@ -161,10 +157,10 @@ export function createExports({ run, photos, words, files }: Parts) {
   async function exportPanel(document: PageDocument, index: number, call: Call = {}): Promise<Blob> {
     const step = steps(2, call.onProgress);
     return stoppable(call.signal, async (signal) => {
-      const [panel] = await byPhoto(document, [index], signal, async (patches) => patches);
-      step(1);
       const own = { ...document, words: document.words?.filter((word) => word.panel === index) };
-      const fronts = await frontsFor(own, signal);
+      const wanted = [index, ...frontPictures(own)];
+      const [panel, ...fronts] = await byPhoto(own, wanted, { signal }, async (patches) => patches);
+      step(1);
       const written = await words.patches(own, document.page.width, fronts, { signal });
       const { x, y, width, height } = panel;
       // The panel's rectangle is a page of its own, on which all lies that much further left and up.
@@ -196,15 +192,16 @@ export function createExports({ run, photos, words, files }: Parts) {
     encode: (patches: PixelPatch[], signal: AbortSignal) => Promise<Blob>,
   ) {
     // Encoding counts as one step.
-    const all = picturesOf(document);
+    const { length } = picturesOf(document);
+    const all = [...picturesOf(document), ...frontPictures(document)];
     const step = steps(all.length + 1, onProgress);
     return stoppable(stop, async (signal) => {
       // Panels without a photo, too: empty frames, as a PDF file has them.
-      const panels = await byPhoto(document, all, signal, async (patches) => {
+      const drawn = await byPhoto(document, all, { signal }, async (patches) => {
         step(patches.length);
         return patches;
       });
-      const fronts = await frontsFor(document, signal);
+      const [panels, fronts] = [drawn.slice(0, length), drawn.slice(length)];
       const written = await words.patches(document, document.page.width, fronts, { signal });
       const file = await encode([...panels, ...written], signal);
       step(1);
@@ -212,28 +209,24 @@ export function createExports({ run, photos, words, files }: Parts) {
     });
   }
 
-  /** The subjects that effects stand behind, from the original files. */
-  function frontsFor(document: PageDocument, signal: AbortSignal): Promise<PanelPatch[]> {
-    return byPhoto(document, frontPictures(document), signal, async (patches) => patches);
-  }
-
   /**
-   * Draws panels, those of one photo together.
+   * Draws panels from the original files, those of one photo together.
    * @param use what becomes of those of one photo
    * @returns in the order of the panels
    */
   async function byPhoto<T extends { index: number }>(
     document: PageDocument,
     wanted: readonly number[],
-    signal: AbortSignal,
+    { signal, bordered = true }: Drawn,
     use: (patches: PanelPatch[]) => Promise<T[]>,
   ): Promise<T[]> {
     const json = JSON.stringify(document);
     const { width } = document.page;
     const parts = await Promise.all(
-      [...panelsByPhoto(document, wanted)].map(async ([id, indexes]) => {
+      [...panelsByPhoto(document, wanted)].map(async ([id, pictures]) => {
         const { file, name } = id === EMPTY ? { file: null, name: '' } : photos.get(id);
-        const args = { id, file, mask: photos.maskOf(id), document: json, indexes, width };
+        const panels = byPanel(document, pictures);
+        const args = { id, file, mask: photos.maskOf(id), document: json, panels, width, bordered };
         return use(await run({ op: 'fullPanels', args, photo: name, priority: Priority.PAGE, signal }));
       }),
     );

@@ -1,5 +1,14 @@
 import { expect, it } from 'vitest';
-import { frontPictures, frontsOf, paintOrder, panelOf, picturesOf, standsBehind } from './figures.ts';
+import {
+  byPanel,
+  drawnWith,
+  frontPictures,
+  frontsOf,
+  paintOrder,
+  panelOf,
+  picturesOf,
+  standsBehind,
+} from './figures.ts';
 import type { PageDocument, Word } from './types.ts';
 
 const word = (kind: string, more: Partial<Word> = {}) => ({ kind, text: 'x', panel: 1, ...more }) as Word;
@@ -17,6 +26,16 @@ it('numbers fronts on from panels and figures, each panel once', () => {
   expect(frontsOf(page)).toEqual([0, 1]);
   expect(frontPictures(page)).toEqual([4, 5]);
   expect([3, 4, 5].map((picture) => panelOf(page, picture))).toEqual([2, 0, 1]);
+  expect(byPanel(page, [0, 1, 2, 3, 4, 5])).toEqual([
+    [0, 4],
+    [1, 5],
+    [2, 3],
+  ]);
+});
+
+it('draws a panel with the figure that steps out of it', () => {
+  expect([0, 2, 3].map((picture) => drawnWith(paged(), picture))).toEqual([[0], [2, 3], [2, 3]]);
+  expect(drawnWith({ ...paged(), merges: [[1, 2]] }, 2)).toEqual([2]);
 });
 
 it.each([

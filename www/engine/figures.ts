@@ -28,6 +28,23 @@ export function panelOf(document: Page, picture: number): number {
   return figures[picture - count] ?? frontsOf(document)[picture - count - figures.length] ?? 0;
 }
 
+/** @returns these pictures by the panel that they belong to: those of one are drawn together, cut out of one drawing */
+export function byPanel(document: Page, pictures: readonly number[]): number[][] {
+  const panels: Map<number, number[]> = new Map();
+  for (const picture of pictures) {
+    const panel = panelOf(document, picture);
+    panels.set(panel, [...(panels.get(panel) ?? []), picture]);
+  }
+  return [...panels.values()];
+}
+
+/** @returns the panel of a picture, and the figure that steps out of it */
+export function drawnWith(document: Page, picture: number): number[] {
+  const panel = panelOf(document, picture);
+  const figure = figuresOf(document).indexOf(panel);
+  return figure < 0 ? [panel] : [panel, document.panels.length + figure];
+}
+
 /** @returns the panels whose subjects stand before an effect, each once */
 export function frontsOf({ panels, words = [] }: Partial<Page>): number[] {
   const behind = words.flatMap((word) => standsBehind(word) ?? []);

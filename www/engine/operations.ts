@@ -108,16 +108,24 @@ export function createOperations(studio: Studio, held: ReturnType<typeof createL
     return { ok: drawn, transfer: drawn.map((patch) => patch.bitmap) };
   }
 
-  async function panel({ document, index, width, tier, photos }: Operations['panel']['args'], tell: Tell) {
-    await fetchPhotos(photos, tell);
-    tell.expects(pageMs(document, width, 1));
-    return bitmap(studio.render_panel(document, index, width, tier));
+  async function panel(args: Operations['panel']['args'], tell: Tell) {
+    const drawn: BitmapPatch[] = [];
+    for (const patch of await drawnPanel(args, tell)) drawn.push((await bitmap(patch)).ok);
+    return { ok: drawn, transfer: drawn.map((patch) => patch.bitmap) };
   }
 
-  async function front({ document, index, width, tier, photos }: Operations['front']['args'], tell: Tell) {
+  async function front(args: Operations['front']['args'], tell: Tell) {
+    const ok = (await drawnPanel(args, tell)).map((patch) => pixels(patch).ok);
+    return { ok, transfer: buffersOf(ok) };
+  }
+
+  async function drawnPanel(
+    { document, pictures, width, tier, photos }: Operations['panel']['args'],
+    tell: Tell,
+  ): Promise<Patch[]> {
     await fetchPhotos(photos, tell);
     tell.expects(pageMs(document, width, 1));
-    return pixels(studio.render_panel(document, index, width, tier));
+    return studio.render_panel(document, Uint32Array.from(pictures), width, tier, true);
   }
 
   async function page({ document, width, tier, photos }: Operations['page']['args'], tell: Tell) {
@@ -164,7 +172,7 @@ export function createOperations(studio: Studio, held: ReturnType<typeof createL
 
   /** The panels that show one photo, from its original file at full size, so that it is decoded once for all. */
   async function fullPanels(
-    { id, file, mask, document, indexes, width }: Operations['fullPanels']['args'],
+    { id, file, mask, document, panels, width, bordered }: Operations['fullPanels']['args'],
     tell: Tell,
   ) {
     if (file) {
@@ -176,9 +184,10 @@ export function createOperations(studio: Studio, held: ReturnType<typeof createL
     }
     try {
       const ok = [];
-      for (const index of indexes) {
+      for (const pictures of panels) {
         tell.expects(pageMs(document, width, 1));
-        ok.push({ ...pixels(studio.render_panel(document, index, width, 'full')).ok, index });
+        const drawn = studio.render_panel(document, Uint32Array.from(pictures), width, 'full', bordered);
+        ok.push(...drawn.map((patch, at) => ({ ...pixels(patch).ok, index: pictures[at] })));
       }
       return { ok, transfer: buffersOf(ok) };
     } finally {

@@ -41,15 +41,10 @@ export type Operations = {
     args: { document: string; index: number; width: number; frames: PixelPatch[]; still: number };
     ok: BitmapPatch[];
   };
-  panel: {
-    args: { document: string; index: number; width: number; tier: Tier; photos: PhotoHandle[] };
-    ok: BitmapPatch;
-  };
-  /** The subject of a panel, or another of its pictures, as pixels. */
-  front: {
-    args: { document: string; index: number; width: number; tier: Tier; photos: PhotoHandle[] };
-    ok: PixelPatch;
-  };
+  /** Pictures of one panel in the order of their numbers: itself, the figure that steps out of it, its front. */
+  panel: { args: PanelJob; ok: BitmapPatch[] };
+  /** The same as pixels. */
+  front: { args: PanelJob; ok: PixelPatch[] };
   page: { args: { document: string; width: number; tier: Tier; photos: PhotoHandle[] }; ok: BitmapPatch };
   compose: { args: { document: string; width: number; tier: Tier; photos: PhotoHandle[] }; ok: PixelPatch };
   stylePhoto: {
@@ -65,14 +60,24 @@ export type Operations = {
   tryLooks: { args: { photo: PhotoHandle; asks: Trial[] }; ok: (string | null)[] };
   stylize: { args: { style: string; width: number; height: number; data: Uint8Array }; ok: PixelPatch };
   fullPanels: {
-    /** Without a file: of panels that have no photo. */
-    args: { id: string; file: Blob | null; mask?: string; document: string; indexes: number[]; width: number };
+    /** Pictures by their panels; without a file those of panels that have no photo. In a PDF file panels have no border. */
+    args: {
+      id: string;
+      file: Blob | null;
+      mask?: string;
+      document: string;
+      panels: number[][];
+      width: number;
+      bordered: boolean;
+    };
     ok: (PixelPatch & { index: number })[];
   };
   cutOut: { args: { id: string; file: Blob; mask: string }; ok: Blob };
   encode: { args: { document: string; width: number; patches: (PixelPatch & { index: number })[] }; ok: Blob };
   warm: { args: { document: string }; ok: null };
 };
+
+type PanelJob = { document: string; pictures: number[]; width: number; tier: Tier; photos: PhotoHandle[] };
 
 /** Those of the worker that judges pictures, from 1 to 10; `net` is the address of its net. */
 export type Judging = {

@@ -20,7 +20,7 @@ export function createRenders({
   photos: ReturnType<typeof createPhotos>;
   words: ReturnType<typeof createWords>;
 }) {
-  return { renderPanel, renderWord, renderPage, composePixels, stylePhoto, exploreStyles };
+  return { renderPanel, renderPictures, renderWord, renderPage, composePixels, stylePhoto, exploreStyles };
 
   /**
    * One panel of a page.
@@ -30,9 +30,23 @@ export function createRenders({
     document: PageDocument,
     index: number,
     width: number,
-    { tier = 'work', ...call }: Call & { tier?: 'small' | 'work' } = {},
+    call?: Call & { tier?: 'small' | 'work' },
   ): Promise<BitmapPatch> {
-    return run({ op: 'panel', ...panelJob(document, index, width, tier), priority: Priority.PANEL, ...call });
+    return (await renderPictures(document, [index], width, call))[0];
+  }
+
+  /**
+   * A panel and the figure that steps out of it, or one of them, which is the very same then.
+   * @param pictures of one panel
+   * @param width of the page, in pixels
+   */
+  async function renderPictures(
+    document: PageDocument,
+    pictures: readonly number[],
+    width: number,
+    { tier = 'work', ...call }: Call & { tier?: 'small' | 'work' } = {},
+  ): Promise<BitmapPatch[]> {
+    return run({ op: 'panel', ...panelJob(document, pictures, width, tier), priority: Priority.PANEL, ...call });
   }
 
   /**
@@ -57,8 +71,8 @@ export function createRenders({
     const there = frontsOf(document).every((panel) => photos.has(shownBy(document, panel) ?? ''));
     if (!there) return [];
     const front = (index: number) =>
-      run({ op: 'front', ...panelJob(document, index, width, tier), priority: Priority.PANEL, ...call });
-    return Promise.all(frontPictures(document).map(front));
+      run({ op: 'front', ...panelJob(document, [index], width, tier), priority: Priority.PANEL, ...call });
+    return (await Promise.all(frontPictures(document).map(front))).flat();
   }
 
   /** A whole page as one bitmap: thumbnails. */
@@ -116,11 +130,11 @@ export function createRenders({
     });
   }
 
-  function panelJob(document: PageDocument, index: number, width: number, tier: 'small' | 'work') {
-    const shows = shownBy(document, panelOf(document, index));
+  function panelJob(document: PageDocument, pictures: readonly number[], width: number, tier: 'small' | 'work') {
+    const shows = shownBy(document, panelOf(document, pictures[0]));
     const needed = photos.handles([shows], tier);
     return {
-      args: { document: JSON.stringify(document), index, width, tier, photos: needed },
+      args: { document: JSON.stringify(document), pictures: [...pictures], width, tier, photos: needed },
       photo: photos.names([shows]),
       holds: keys(needed),
     };

@@ -76,6 +76,7 @@ export function createAnimatics({
     | 'animatic'
     | 'motion'
     | 'renderPanel'
+    | 'renderPictures'
     | 'renderWord'
     | 'composePixels'
     | 'exportPng'

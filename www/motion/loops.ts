@@ -1,6 +1,6 @@
 /** The panels of a picture that move: those whose photos are frames of a film that is at hand. */
 
-import { picturesOf } from '../engine/figures.ts';
+import { byPanel, picturesOf } from '../engine/figures.ts';
 import { LIVING } from '../engine/living.ts';
 import { drawsParts } from '../page/subjects-of.ts';
 import { placeOn } from './drawn-word.ts';
@@ -14,7 +14,13 @@ import type { DrawnLoop } from './frames.ts';
 /** Long side of the pictures of a panel, in pixels at most. */
 const MOST_SIDE = 960;
 
-export function createLoops({ store, engine }: { store: Store; engine: Pick<Engine, 'drawLiving' | 'renderPanel'> }) {
+export function createLoops({
+  store,
+  engine,
+}: {
+  store: Store;
+  engine: Pick<Engine, 'drawLiving' | 'renderPictures'>;
+}) {
   return { known, of };
 
   /** Whether a photo is a frame of a film that can be read. */
@@ -59,23 +65,33 @@ export function createLoops({ store, engine }: { store: Store; engine: Pick<Engi
     const drawn = new Map<number, DrawnLoop>();
     const inOrder = () => [...drawn].sort(([a], [b]) => a - b).map(([, loop]) => loop);
 
-    async function draw(index: number) {
-      const mine = moving.get(index);
-      const under = [...moving].some(([below, { box }]) => below < index && overlap(box, boxes[index]?.bounds));
-      if (!mine && !under) return;
-      const patches = mine
-        ? await engine.drawLiving(document, index, width, mine.moment, { signal }).catch(orNone(signal))
-        : // What lies over a panel that moves is laid over it again.
-          [await engine.renderPanel(document, index, width, { tier: 'work', signal })];
-      if (patches.length === 0) return;
-      const [first] = patches;
-      drawn.set(index, { place: placeOn(document, width, first), bitmaps: patches.map(({ bitmap }) => bitmap) });
+    /** @param pictures of one panel; a figure steps out of none that moves */
+    async function draw(pictures: number[]) {
+      const mine = moving.get(pictures[0]);
+      if (mine) {
+        const { moment } = mine;
+        const patches = await engine.drawLiving(document, pictures[0], width, moment, { signal }).catch(orNone(signal));
+        if (patches.length > 0) keep(pictures[0], patches);
+      } else {
+        // What lies over a panel that moves is laid over it again.
+        const over = pictures.filter((index) =>
+          [...moving].some(([below, { box }]) => below < index && overlap(box, boxes[index]?.bounds)),
+        );
+        const patches =
+          over.length === 0 ? [] : await engine.renderPictures(document, over, width, { tier: 'work', signal });
+        patches.forEach((patch, at) => keep(over[at], [patch]));
+      }
+    }
+
+    function keep(index: number, patches: BitmapPatch[]) {
+      const bitmaps = patches.map(({ bitmap }) => bitmap);
+      drawn.set(index, { place: placeOn(document, width, patches[0]), bitmaps });
       onDrawn(inOrder());
     }
 
-    const waiting = [...picturesOf(document)];
+    const waiting = byPanel(document, picturesOf(document));
     const work = async () => {
-      for (let index = waiting.shift(); index !== undefined; index = waiting.shift()) await draw(index);
+      for (let next = waiting.shift(); next !== undefined; next = waiting.shift()) await draw(next);
     };
     // While one film is decoded the panel of another is drawn.
     await Promise.all([work(), work()]);

@@ -48,15 +48,19 @@ function painter(readable = ['a', 'b'], subjectOf?: (document: any, photo: strin
     },
   );
   const canvas = { width: 1, height: 1, getContext: () => context } as any;
-  const renderPanel = (document: any, index: number, width: number, call: any) => {
+  const renderPictures = (document: any, pictures: number[], width: number, call: any) => {
     const job = {
-      name: `${document.layout}${document.style}${index}`,
+      name: `${document.layout}${document.style}${pictures.join('+')}`,
       tier: call.tier,
       signal: call.signal,
       priority: call.priority,
     } as any;
     const promise = new Promise((resolve, reject) => {
-      job.done = () => resolve({ x: 0, y: 0, width, height: width, bitmap: { name: job.name, width: 1, height: 1 } });
+      const patch = (picture: number) => {
+        const name = `${document.layout}${document.style}${picture}`;
+        return { x: 0, y: 0, width, height: width, bitmap: { name, width: 1, height: 1 } };
+      };
+      job.done = () => resolve(pictures.map(patch));
       job.fail = (code: string) => reject(Object.assign(new Error(code), { code }));
     });
     jobs.push(job);
@@ -66,7 +70,7 @@ function painter(readable = ['a', 'b'], subjectOf?: (document: any, photo: strin
   const errors = vi.fn();
   const hasPhoto = (id: string) => readable.includes(id);
   const made = createPainter(canvas, {
-    engine: { renderPanel, hasPhoto, subjectOf } as any,
+    engine: { renderPictures, hasPhoto, subjectOf } as any,
     onPainted: painted,
     onError: errors,
   });
@@ -198,4 +202,41 @@ test('another page cancels one that was prepared', async () => {
   prepare(page('B'), geometry('B'), 10);
   show(page('C'), geometry('C'), 10);
   expect(jobs.filter(({ name }) => name.startsWith('B')).map(({ signal }) => signal.aborted)).toEqual([true, true]);
+});
+
+test('a panel and the figure that steps out of it are one job, drawn anew together', async () => {
+  const { show } = painter();
+  const broken = (crop: object | null) =>
+    page('A', {
+      panels: [
+        { photo: 'a', crop },
+        { photo: 'b', crop: null, figure: '1x1:p' },
+      ],
+    });
+  show(broken(null), geometry('A'), 10);
+  expect(jobs.map(({ name }) => name)).toEqual(['As0', 'As1+2']);
+  await finish('As0');
+  await finish('As1+2');
+  expect(drawn).toEqual(['As0', 'As1', 'As2']);
+  // The figure may be cut off elsewhere by what another panel shows.
+  show(broken({ x: 0, y: 0, width: 0.5, height: 0.5 }), geometry('A'), 10);
+  expect(jobs.slice(2).map(({ name }) => name)).toEqual(['As0', 'As1+2']);
+  expect(jobs.map(({ signal }) => signal.aborted)).toEqual([false, false, false, false]);
+  show(page('B'), geometry('B'), 10);
+  expect(jobs[3].signal.aborted).toBe(true);
+});
+
+test('the quick pictures of a panel and its figure are one job, too', async () => {
+  const { show } = painter();
+  const broken = page('A', { panels: [{ photo: 'a' }, { photo: 'b', figure: '1x1:p' }], style: 'slow' });
+  show(broken, geometry('A'), 10);
+  await vi.advanceTimersByTimeAsync(5000);
+  await finish('Aslow0');
+  await finish('Aslow1+2');
+  show({ ...broken, layout: 'B' }, geometry('B'), 10);
+  const quick = jobs.filter(({ tier }) => tier === 'small').map(({ name }) => name);
+  expect(quick).toEqual(['Bslow0', 'Bslow1+2']);
+  jobs.filter(({ tier }) => tier === 'small').forEach((job) => job.done());
+  await vi.advanceTimersByTimeAsync(200);
+  expect(drawn).toEqual(['Bslow0', 'Bslow1', 'Bslow2']);
 });

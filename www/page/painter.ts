@@ -34,14 +34,14 @@ export function createPainter(
     onPainted,
     onError,
   }: {
-    engine: Pick<Engine, 'renderPanel' | 'hasPhoto'> & {
+    engine: Pick<Engine, 'renderPictures' | 'hasPhoto'> & {
       subjectOf?: (document: PageDocument, photo: string) => string | undefined;
     };
     onPainted: (document: PageDocument | null) => void;
     onError: (error: Error & { code?: string }) => void;
   },
 ) {
-  const patches = createPatches(engine.renderPanel, engine.subjectOf);
+  const patches = createPatches(engine.renderPictures, engine.subjectOf);
   let sheet: Sheet | null = null;
   /** What is on the canvas. */
   let visible: Sheet | null = null;

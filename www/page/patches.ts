@@ -1,8 +1,9 @@
 /**
- * The pictures of panels: asked for once, shared, and kept for a while, so that the previous page is there at once.
+ * The pictures of panels: asked for once, shared, and kept for a while, so that the previous page is there at once. A panel and
+ * the figure that steps out of it are one job.
  */
 
-import { panelOf } from '../engine/figures.ts';
+import { drawnWith, panelOf } from '../engine/figures.ts';
 import { Priority } from '../engine/queue.ts';
 import type { Bounds, Geometry, PageDocument } from '../engine/types.ts';
 import type { Engine } from '../engine/engine.ts';
@@ -18,7 +19,7 @@ export type Patch = {
   crop: Bounds | null;
   bounds: Bounds;
 };
-/** `ahead`: nobody waits for it yet. */
+/** `stop` is that of the job, `ahead`: nobody waits for it yet. */
 type Flight = { promise: Promise<Patch>; stop: AbortController; ahead: boolean };
 
 /** Pictures kept, in bytes: a dozen pages on a large screen. */
@@ -26,12 +27,14 @@ const BUDGET = 96 * 2 ** 20;
 
 /** @param subjectOf what is known of the subject of a photo, where the style of the page asks for it */
 export function createPatches(
-  render: Engine['renderPanel'],
+  render: Engine['renderPictures'],
   subjectOf: (document: PageDocument, photo: string) => string | undefined = () => undefined,
 ) {
   /** Oldest first. */
   const kept: Map<string, Patch> = new Map();
   const flights: Map<string, Flight> = new Map();
+  /** Quick pictures that are being drawn, by their panels. */
+  const sketches: Map<number, { document: PageDocument; page: number; patches: Promise<Patch[]> }> = new Map();
   let bytes = 0;
   /** How long a page of a style took, in ms a pixel. */
   const pace: Map<string, number> = new Map();
@@ -60,10 +63,10 @@ export function createPatches(
       shapes,
       geometry.panels.filter(({ overlay }) => !overlay).length,
       width,
-      // A figure leaves the faces of all others alone.
-      picture === index
-        ? null
-        : [panels[index].figure, panels.map((panel) => [panel.crop, panel.faces]), geometry.panels],
+      // A panel is cut out of the drawing of its figure, which leaves the faces of all others alone.
+      drawnWith(document, index).length > 1
+        ? [picture, panels[index].figure, panels.map((panel) => [panel.crop, panel.faces]), geometry.panels]
+        : null,
     ]);
   }
 
@@ -91,34 +94,56 @@ export function createPatches(
     const stop = new AbortController();
     const start = performance.now();
     const priority = ahead ? Priority.REST : Priority.PANEL;
-    const promise = render(document, index, width, { tier: 'work', priority, signal: stop.signal })
-      .then((patch) => {
-        if (!ahead) learn(document, width, performance.now() - start);
-        return keep(key, { ...patch, page: width, ...shown(document, geometry, index) });
-      })
-      .finally(() => {
-        if (flights.get(key)?.stop === stop) flights.delete(key);
-      });
-    flights.set(key, { promise, stop, ahead });
-    return promise;
+    // What is there or is being drawn is not drawn once more: alone the other is the very same.
+    const lacks = (other: string) => other === key || (!kept.has(other) && flights.get(other)?.stop === before?.stop);
+    const keyOf = (picture: number) => (picture === index ? key : signature(document, geometry, picture, width));
+    const pictures = drawnWith(document, index).filter((picture) => lacks(keyOf(picture)));
+    const keys = pictures.map(keyOf);
+    const job = render(document, pictures, width, { tier: 'work', priority, signal: stop.signal }).then((patches) => {
+      if (!ahead) learn(document, width, performance.now() - start);
+      const about = { page: width, ...shown(document, geometry, index) };
+      return patches.map((patch, at) => keep(keys[at], { ...patch, ...about }));
+    });
+    const landed = () => {
+      for (const own of keys) if (flights.get(own)?.stop === stop) flights.delete(own);
+    };
+    job.then(landed, landed);
+    const flightOf = (at: number) => ({ promise: job.then((patches) => patches[at]), stop, ahead });
+    const flying = keys.map((_, at) => flightOf(at));
+    flying.forEach((flight, at) => {
+      flights.set(keys[at], flight);
+      // Nobody may ask for the other.
+      flight.promise.catch(() => {});
+    });
+    return flying[keys.indexOf(key)].promise;
   }
 
   /** A quick picture at half the size, from the small copy of the photo. */
   async function coarse(document: PageDocument, geometry: Geometry, index: number, width: number): Promise<Patch> {
     const page = Math.ceil(width / 2);
-    const key = `coarse/${index}`;
-    return {
-      ...(await render(document, index, page, { tier: 'small', priority: Priority.PANEL, key })),
-      page,
-      ...shown(document, geometry, index),
-    };
+    const panel = panelOf(document, index);
+    const pictures = drawnWith(document, index);
+    let sketch = sketches.get(panel);
+    if (sketch?.document !== document || sketch.page !== page) {
+      const key = `coarse/${panel}`;
+      const patches = render(document, pictures, page, { tier: 'small', priority: Priority.PANEL, key }).then((drawn) =>
+        drawn.map((patch) => ({ ...patch, page, ...shown(document, geometry, panel) })),
+      );
+      const own = { document, page, patches };
+      const done = () => {
+        if (sketches.get(panel) === own) sketches.delete(panel);
+      };
+      patches.then(done, done);
+      sketches.set(panel, own);
+      sketch = own;
+    }
+    return (await sketch.patches)[pictures.indexOf(index)];
   }
 
   /** Cancels the pictures that nobody waits for any more. */
   function keepOnly(wanted: string[]) {
-    for (const [key, { stop }] of flights) {
-      if (!wanted.includes(key)) stop.abort();
-    }
+    const needed = new Set(wanted.map((key) => flights.get(key)?.stop));
+    for (const { stop } of flights.values()) if (!needed.has(stop)) stop.abort();
   }
 
   /** The last of a page's panels tells how long the page took: they were all asked for together. */

@@ -5,6 +5,8 @@
 //!
 //! Source: He, Sun and Tang, "Guided Image Filtering", 2013.
 
+use std::ops::Range;
+
 use super::resize::{Region, resample};
 use super::{Image, Plane};
 use crate::simd::point::luma_plane;
@@ -13,6 +15,9 @@ use crate::simd::point::luma_plane;
 const RADIUS: f32 = 8.0;
 /// How much of the guide's variance counts as noise, for luma of 0 to 1.
 const EPSILON: f32 = 1e-4;
+
+/// Side in pixels of the parts of a mask that are filtered by themselves.
+const TILE: usize = 64;
 
 /// A region of a small mask at the size of `guide`, the picture of the same region, with its edges. `scale` is that of
 /// lengths: 1 for a picture of 1920 x 1080.
@@ -23,65 +28,126 @@ pub fn refined(mask: &Plane, region: Region, guide: &Image, scale: f32) -> Plane
     guided(&luma_plane(guide), &resample(mask, region, width, height), radius, EPSILON)
 }
 
+/// Makes the border of a mask so many times as steep.
+pub fn steepen(mask: &mut Plane, by: i32) {
+    for share in mask.samples_mut() {
+        *share = (128 + by * (i32::from(*share) - 128)).clamp(0, 255) as u8;
+    }
+}
+
 /// The mean of the window of each pixel of a mask.
 #[must_use]
 pub fn softened(mask: &Plane, radius: usize) -> Plane {
-    let shares: Vec<f32> = mask.samples().iter().map(|sample| f32::from(*sample)).collect();
-    let mut out = mask.clone();
-    let soft = means(&shares, (mask.width(), mask.height()), radius);
-    out.samples_mut().iter_mut().zip(soft).for_each(|(sample, mean)| *sample = (mean + 0.5) as u8);
-    out
+    where_uneven(mask, radius, &|part| {
+        let shares: Vec<[f32; 1]> = part.of(mask).map(|share| [f32::from(share)]).collect();
+        means(&shares, part.size(), radius).iter().map(|[mean]| (mean + 0.5) as u8).collect()
+    })
 }
 
 /// `mask` filtered by `guide`, which is of the same size.
 #[must_use]
 pub fn guided(guide: &Plane, mask: &Plane, radius: usize, epsilon: f32) -> Plane {
-    let (width, height) = (guide.width(), guide.height());
-    let share = |sample: &u8| f32::from(*sample) / 255.0;
-    let luma: Vec<f32> = guide.samples().iter().map(share).collect();
-    let shares: Vec<f32> = mask.samples().iter().map(share).collect();
-    let mean = |values: &[f32]| means(values, (width, height), radius);
-    let product = |a: &[f32], b: &[f32]| -> Vec<f32> { a.iter().zip(b).map(|(a, b)| a * b).collect() };
-    let (mut slopes, mut starts) = (mean(&product(&luma, &shares)), mean(&shares));
-    let (squares, lumas) = (mean(&product(&luma, &luma)), mean(&luma));
-    for (((slope, start), square), luma) in slopes.iter_mut().zip(&mut starts).zip(&squares).zip(&lumas) {
-        *slope = (*slope - luma * *start) / (square - luma * luma + epsilon);
-        *start -= *slope * luma;
+    // Windows of windows.
+    where_uneven(mask, 2 * radius, &|part| guided_part((guide, mask), part, radius, epsilon))
+}
+
+/// A part of a picture: columns and rows.
+struct Part {
+    x: Range<usize>,
+    y: Range<usize>,
+}
+
+impl Part {
+    fn size(&self) -> (usize, usize) {
+        (self.x.len(), self.y.len())
     }
-    let (slopes, starts) = (mean(&slopes), mean(&starts));
+
+    /// Its samples.
+    fn of<'p>(&'p self, plane: &'p Plane) -> impl Iterator<Item = u8> + 'p {
+        self.y.clone().flat_map(|y| plane.row(y)[self.x.clone()].iter().copied())
+    }
+}
+
+/// A mask of which all that lies within `reach` of anything else is what `filter` makes of it, tile by tile. Where it is even all
+/// about, every mean of it is the same.
+fn where_uneven(mask: &Plane, reach: usize, filter: &dyn Fn(&Part) -> Vec<u8>) -> Plane {
     let mut out = mask.clone();
-    for (((sample, slope), start), luma) in out.samples_mut().iter_mut().zip(&slopes).zip(&starts).zip(&luma)
-    {
-        *sample = ((slope * luma + start) * 255.0 + 0.5) as u8;
+    let tiles = |side: usize| (0..side).step_by(TILE).map(move |start| start..(start + TILE).min(side));
+    let near =
+        |tile: &Range<usize>, side: usize| tile.start.saturating_sub(reach)..(tile.end + reach).min(side);
+    for down in tiles(mask.height()) {
+        for across in tiles(mask.width()) {
+            let part = Part { x: near(&across, mask.width()), y: near(&down, mask.height()) };
+            let first = mask.at(part.x.start, part.y.start);
+            // All of a row at once, rather than up to the first that differs.
+            let even =
+                |y: usize| mask.row(y)[part.x.clone()].iter().fold(0, |all, it| all | (it ^ first)) == 0;
+            if part.y.clone().all(even) {
+                continue;
+            }
+            let filtered = filter(&part);
+            for y in down.clone() {
+                let from = (y - part.y.start) * part.x.len() + across.start - part.x.start;
+                out.row_mut(y)[across.clone()].copy_from_slice(&filtered[from..from + across.len()]);
+            }
+        }
     }
     out
 }
 
-/// The mean of each pixel's window, which is square and cut off at the edges.
-fn means(values: &[f32], (width, height): (usize, usize), radius: usize) -> Vec<f32> {
-    let mut out = vec![0.0; values.len()];
-    // Sums of columns over the rows of the window.
-    let mut columns = vec![0.0f64; width];
+fn guided_part((guide, mask): (&Plane, &Plane), part: &Part, radius: usize, epsilon: f32) -> Vec<u8> {
+    let share = |sample: u8| f32::from(sample) / 255.0;
+    let both = part.of(guide).zip(part.of(mask)).map(|(luma, shown)| (share(luma), share(shown)));
+    let values: Vec<[f32; 4]> = both.map(|(luma, shown)| [luma * shown, shown, luma * luma, luma]).collect();
+    let mut lines: Vec<[f32; 2]> = Vec::with_capacity(values.len());
+    for [product, shown, square, luma] in means(&values, part.size(), radius) {
+        let slope = (product - luma * shown) / (square - luma * luma + epsilon);
+        lines.push([slope, shown - slope * luma]);
+    }
+    let lines = means(&lines, part.size(), radius);
+    let fitted = lines.iter().zip(&values).map(|([slope, start], [.., luma])| slope * luma + start);
+    fitted.map(|share| (share * 255.0 + 0.5) as u8).collect()
+}
+
+/// The means of the window of each pixel, which is square and cut off at the edges, of several pictures at once: the sums of one
+/// do not wait for those of the others.
+fn means<const N: usize>(
+    values: &[[f32; N]],
+    (width, height): (usize, usize),
+    radius: usize,
+) -> Vec<[f32; N]> {
+    let mut out = vec![[0.0; N]; values.len()];
+    // Sums of columns over the rows of the window, and of all columns up to each.
+    let mut columns = vec![[0.0f64; N]; width];
+    let mut sums = vec![[0.0f64; N]; width + 1];
     let row = |y: usize| &values[y * width..(y + 1) * width];
     let reach = |at: usize, length: usize| (at.saturating_sub(radius), (at + radius + 1).min(length));
+    let part = |(from, to): (usize, usize)| 1.0 / (to - from) as f64;
+    let across: Vec<f64> = (0..width).map(|x| part(reach(x, width))).collect();
     let mut held = 0..0;
     for (y, out) in out.chunks_exact_mut(width).enumerate() {
         let (top, bottom) = reach(y, height);
         for y in held.end..bottom {
-            columns.iter_mut().zip(row(y)).for_each(|(sum, value)| *sum += f64::from(*value));
+            for (sum, value) in columns.iter_mut().zip(row(y)) {
+                (0..N).for_each(|n| sum[n] += f64::from(value[n]));
+            }
         }
         for y in held.start..top {
-            columns.iter_mut().zip(row(y)).for_each(|(sum, value)| *sum -= f64::from(*value));
+            for (sum, value) in columns.iter_mut().zip(row(y)) {
+                (0..N).for_each(|n| sum[n] -= f64::from(value[n]));
+            }
         }
         held = top..bottom;
-        let mut sum = 0.0;
-        let mut inside = 0..0;
-        for (x, out) in out.iter_mut().enumerate() {
+        let mut all = [0.0; N];
+        for (sum, column) in sums[1..].iter_mut().zip(&columns) {
+            (0..N).for_each(|n| all[n] += column[n]);
+            *sum = all;
+        }
+        let down = part((top, bottom));
+        for (x, (out, across)) in out.iter_mut().zip(&across).enumerate() {
             let (left, right) = reach(x, width);
-            columns[inside.end..right].iter().for_each(|column| sum += column);
-            columns[inside.start..left].iter().for_each(|column| sum -= column);
-            inside = left..right;
-            *out = (sum / ((bottom - top) * (right - left)) as f64) as f32;
+            let (left, right) = (&sums[left], &sums[right]);
+            (0..N).for_each(|n| out[n] = ((right[n] - left[n]) * (across * down)) as f32);
         }
     }
     out
@@ -93,18 +159,20 @@ mod tests {
 
     #[test]
     fn windows_are_cut_off_at_the_edges() {
-        let values: Vec<f32> = (0..35).map(|i| ((i * 7919) % 23) as f32).collect();
+        let values: Vec<[f32; 2]> = (0..35).map(|i| [((i * 7919) % 23) as f32, i as f32]).collect();
         let (width, height, radius) = (7, 5, 2);
         let got = means(&values, (width, height), radius);
         for y in 0..height {
             for x in 0..width {
                 let within = |at: usize, middle: usize| at.abs_diff(middle) <= radius;
-                let window: Vec<f32> = (0..values.len())
+                let window: Vec<[f32; 2]> = (0..values.len())
                     .filter(|i| within(i % width, x) && within(i / width, y))
                     .map(|i| values[i])
                     .collect();
-                let mean = window.iter().sum::<f32>() / window.len() as f32;
-                assert!((got[y * width + x] - mean).abs() < 1e-4);
+                for n in 0..2 {
+                    let mean = window.iter().map(|value| value[n]).sum::<f32>() / window.len() as f32;
+                    assert!((got[y * width + x][n] - mean).abs() < 1e-4);
+                }
             }
         }
     }
@@ -117,6 +185,24 @@ mod tests {
         let refined = guided(&guide, &mask, 8, EPSILON);
         assert!(refined.at(42, 20) > 170 && refined.at(43, 20) < 85, "{:?}", &refined.row(20)[36..50]);
         assert_eq!((refined.at(5, 20), refined.at(75, 20)), (255, 0));
+    }
+
+    #[test]
+    fn tiles_are_as_the_whole() {
+        // Round, so that tiles are even and uneven in every way.
+        let (width, height, radius) = (300, 211, 5);
+        let guide = Plane::from_fn(width, height, |x, y| ((x * 7919 + y * 104_729) % 251) as u8);
+        let mask = Plane::from_fn(width, height, |x, y| {
+            let far = (x as f32 - 170.0).hypot(y as f32 - 120.0);
+            (255.0 * ((80.0 - far) / 6.0).clamp(0.0, 1.0)) as u8
+        });
+        let all = Part { x: 0..width, y: 0..height };
+        let whole = guided_part((&guide, &mask), &all, radius, EPSILON);
+        assert!(guided(&guide, &mask, radius, EPSILON).samples() == whole);
+        let shares: Vec<[f32; 1]> = mask.samples().iter().map(|share| [f32::from(*share)]).collect();
+        let soft = means(&shares, (width, height), radius);
+        let soft: Vec<u8> = soft.iter().map(|[mean]| (mean + 0.5) as u8).collect();
+        assert!(softened(&mask, radius).samples() == soft);
     }
 
     #[test]

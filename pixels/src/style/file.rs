@@ -186,15 +186,19 @@ impl Step {
     }
 }
 
+/// An f32 as the decimal that a person wrote: 1.2, not 1.2000000476837158. By the reader of JSON: that of the standard library
+/// would bring a table of 10 kB along.
+#[must_use]
+pub fn decimal(value: f32) -> f64 {
+    serde_json::from_str(&value.to_string()).unwrap_or(f64::from(value))
+}
+
 impl Param {
     /// A value as style files and the page have it.
     #[must_use]
     pub fn value_to_json(&self, value: f32) -> Value {
         match self.kind {
-            // Through the shortest decimal, so that 1.2 is not written as 1.2000000476837158.
-            Kind::Number { .. } => {
-                json!(serde_json::from_str(&value.to_string()).unwrap_or(f64::from(value)))
-            }
+            Kind::Number { .. } => json!(decimal(value)),
             Kind::Integer { .. } => json!(value as i64),
             Kind::Flag { .. } => json!(value != 0.0),
             Kind::Choice { names } => json!(names.get(value as usize)),

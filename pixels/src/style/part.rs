@@ -4,7 +4,7 @@
 //! that uses parts is made so that it looks complete then.
 
 use super::context::Context;
-use crate::raster::guided::refined;
+use crate::raster::guided::{refined, steepen};
 use crate::raster::resize::{Region, resample, resample_image};
 use crate::raster::{Image, Matte, Plane};
 use crate::simd::point::luma_plane;
@@ -80,9 +80,7 @@ pub fn subject_in(
         height: region.height * down,
     };
     let mut subject = refined(&shares, region, picture, scale);
-    for share in subject.samples_mut() {
-        *share = (128 + STEEPER * (i32::from(*share) - 128)).clamp(0, 255) as u8;
-    }
+    steepen(&mut subject, STEEPER);
     Some(subject)
 }
 

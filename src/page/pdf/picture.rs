@@ -21,15 +21,7 @@ pub struct Picture {
     pub alpha: Option<Vec<u8>>,
 }
 
-/// The document to render panels of for [`cut`]: no border is drawn on their pictures.
-#[must_use]
-pub fn bare(document: &Document) -> Document {
-    let mut bare = document.clone();
-    bare.page.border = 0.0;
-    bare
-}
-
-/// Makes the picture of a panel of the patch that was rendered of the [`bare`] document at its full width. The patch
+/// Makes the picture of a panel of the patch that was rendered without its border at the page's full width. The patch
 /// has the colours of the whole rectangle, also where the panel's shape covers nothing of it. `plate` is the ink that it is
 /// printed with; without one it keeps its colours, and is gray where it has none.
 ///

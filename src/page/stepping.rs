@@ -1,0 +1,144 @@
+//! The pixels of a figure that steps out of its panel.
+
+use super::breaking::{Edges, Figure, widened_panel};
+use super::compose::{Drawing, Patch, fill_image, lay_under};
+use super::mask::{self, PixelRect};
+use super::scene::{Scene, ScenePanel};
+use crate::layout::Point;
+use crate::raster::Plane;
+use crate::raster::guided::{refined, softened, steepen};
+use crate::raster::resize::{Region, resample_image};
+
+/// How much steeper the border of a figure is drawn than its mask is: over other panels, what nobody is sure of would be a ghost.
+const STEEP: i32 = 4;
+/// The line of paper about a figure is as wide as the border, and at least this in page widths.
+const OUTLINE: f64 = 0.002;
+/// The mean share of a figure within the line's width is half at its edge, and falls to nothing.
+const RING: u32 = 5;
+
+/// The panel with as much more of its photo as its figure needs.
+pub(super) fn widened(scene: &Scene, panel: &ScenePanel, figure: &Figure) -> ScenePanel {
+    widened_panel(panel, figure.outside, 2.0 * outline(scene) + 2.0)
+}
+
+/// Width in pixels of the line of paper about figures.
+fn outline(scene: &Scene) -> f64 {
+    scene.border.max(OUTLINE * scene.width as f64)
+}
+
+/// The figure of a panel, cut out of its drawing, with a thin line of paper about it outside of the panel. It is cut off at the
+/// edges that it may not cross. Unless it is to be `whole`, what is deep in the panel is left out: there the panel shows the same.
+pub(super) fn patch(
+    scene: &Scene,
+    (panel, figure): (&ScenePanel, &Figure),
+    drawing: &Drawing,
+    whole: bool,
+) -> Patch {
+    let line = outline(scene);
+    let at = drawing.shown.at;
+    let part = if whole { at } else { common(at, PixelRect::around(figure.outside, 4.0 * line + 2.0)) };
+    let mut alpha = shares(figure, drawing, part, scene.scale);
+    steepen(&mut alpha, STEEP);
+    cut_off(&mut alpha, part, scene.border, (panel, figure));
+    let reach = line.ceil() as usize;
+    // A border that the figure may not cross stays whole.
+    let mut ring = softened(&alpha, reach);
+    cut_off(&mut ring, part, scene.border, (panel, figure));
+    let area = seen(&alpha, part, reach);
+    let inside = mask::inside(&panel.shape, scene.corner_radius, area);
+    let mut rgba = vec![0; area.width * area.height * 4];
+    fill_image(&mut rgba, area, &drawing.image, at);
+    let rows = rgba.chunks_exact_mut(area.width * 4).zip(inside.chunks_exact(area.width));
+    let (left, top) = ((area.x - part.x) as usize, (area.y - part.y) as usize);
+    for (y, (pixels, inside)) in rows.enumerate() {
+        let shares = alpha.row(top + y)[left..].iter().zip(&ring.row(top + y)[left..]).zip(inside);
+        for (pixel, ((&alpha, &ring), &inside)) in pixels.chunks_exact_mut(4).zip(shares) {
+            pixel[3] = alpha;
+            if ring == 0 || alpha == 255 || inside == 255 {
+                continue;
+            }
+            // Most of the line is as thick as it is, and its rim soft.
+            let paper = (u32::from(ring) * RING).min(255) * u32::from(255 - inside) / 255;
+            lay_under(pixel, &[paper as u8], scene.paper);
+        }
+    }
+    Patch { area, rgba }
+}
+
+/// The shares of a figure in a part of its drawing, with the edges of the photo.
+fn shares(figure: &Figure, Drawing { shown, photo, .. }: &Drawing, part: PixelRect, scale: f32) -> Plane {
+    let (left, top) = ((part.x - shown.at.x) as f64, (part.y - shown.at.y) as f64);
+    let (width, height) = (part.width as f64, part.height as f64);
+    let cut = Region { x: left, y: top, width, height };
+    let guide = resample_image(&shown.image, cut, part.width, part.height);
+    // Pixels of the mask for one of the photo, and for one of the page.
+    let (mask, region) = (&figure.shares, shown.region);
+    let (x, y) = (mask.width() as f64 / photo.0 as f64, mask.height() as f64 / photo.1 as f64);
+    let (across, down) =
+        (x * region.width / shown.at.width as f64, y * region.height / shown.at.height as f64);
+    let region = Region {
+        x: region.x * x + left * across,
+        y: region.y * y + top * down,
+        width: width * across,
+        height: height * down,
+    };
+    refined(mask, region, &guide, scale)
+}
+
+/// What two rectangles have in common, at least a pixel of the first.
+fn common(one: PixelRect, other: PixelRect) -> PixelRect {
+    let span = |a: i64, long: usize, b: i64, other: usize| {
+        let end = a + long as i64;
+        let low = b.clamp(a, end - 1);
+        (low, (b + other as i64).clamp(low + 1, end))
+    };
+    let (left, right) = span(one.x, one.width, other.x, other.width);
+    let (top, bottom) = span(one.y, one.height, other.y, other.height);
+    PixelRect { x: left, y: top, width: (right - left) as usize, height: (bottom - top) as usize }
+}
+
+/// Takes away what lies beyond the edges that are closed to a figure, and on their border. `at` is the place of its shares.
+fn cut_off(shares: &mut Plane, at: PixelRect, border: f64, (panel, figure): (&ScenePanel, &Figure)) {
+    let edges = Edges::of(&panel.shape);
+    for edge in (0..figure.closed.len()).filter(|edge| figure.closed[*edge]) {
+        for y in 0..at.height {
+            // On this side of the border, of which nothing is covered.
+            let open = |x: usize| {
+                let point = Point::new(at.x as f64 + x as f64 + 0.5, at.y as f64 + y as f64 + 0.5);
+                0.5 - border / 2.0 - edges.beyond(edge, point)
+            };
+            let row = shares.row_mut(y);
+            // Panels are convex: between two pixels that are on this side all are.
+            let Some(first) = (0..row.len()).find(|x| open(*x) >= 1.0) else {
+                row.iter_mut().enumerate().for_each(|(x, share)| *share = part(*share, open(x)));
+                continue;
+            };
+            let last = (first..row.len()).rev().find(|x| open(*x) >= 1.0).unwrap_or(first);
+            for x in (0..first).chain(last..row.len()) {
+                row[x] = part(row[x], open(x));
+            }
+        }
+    }
+}
+
+fn part(share: u8, open: f64) -> u8 {
+    (f64::from(share) * open.clamp(0.0, 1.0)) as u8
+}
+
+/// Where anything is seen of shares that lie in `whole`, with room on all sides.
+fn seen(shares: &Plane, whole: PixelRect, room: usize) -> PixelRect {
+    let (mut left, mut top, mut right, mut bottom) = (whole.width, whole.height, 0, 0);
+    for y in 0..whole.height {
+        let row = shares.row(y);
+        let Some(first) = row.iter().position(|share| *share > 0) else { continue };
+        let last = row.iter().rposition(|share| *share > 0).unwrap_or(first);
+        (left, right) = (left.min(first), right.max(last + 1));
+        (top, bottom) = (top.min(y), y + 1);
+    }
+    let near = |low: usize, high: usize, side: usize| {
+        let low = low.saturating_sub(room).min(side - 1);
+        (low as i64, (high + room).clamp(low + 1, side) - low)
+    };
+    let ((x, width), (y, height)) = (near(left, right, whole.width), near(top, bottom, whole.height));
+    PixelRect { x: whole.x + x, y: whole.y + y, width, height }
+}
